@@ -1,0 +1,77 @@
+#pragma once
+// What a trial leaves, and what chunks, tables and the report are made of.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "world/observe.h"
+
+namespace flyrock {
+
+/// One rock (or one moving body of `bodies`), as in rocks.csv; DESIGN section 5 defines the columns.
+struct RockRecord {
+  std::uint64_t trial = 0;
+  int rock = 0;                ///< in its trial, from 0
+  int group = 0;               ///< index into the groups of the scenario (or its moving bodies)
+  double mass = 0, volume = 0;
+  double launch_speed = 0, launch_elevation = 0;  ///< m/s, rad
+  StopReason reason = StopReason::timed_out;
+  bool censored = false;       ///< left_domain or timed_out: its distances are lower bounds
+  double runout = 0;           ///< |x_stop - x_release|
+  double max_distance = 0;
+  double stop_x = 0, stop_y = 0, stop_z = 0;
+  double flight_range = 0;
+  double bounce_height = 0;
+  double max_speed = 0;
+  double max_energy = 0;       ///< kinetic, J
+  int impacts = 0;
+  double time = 0;
+  std::string fault;           ///< diverged, plugin_error: why
+};
+
+/// One drawn number of one rock: `draw` is the index into Scenario::draws. Draws `per: impact` are not stored.
+struct InputRecord {
+  std::uint64_t trial = 0;
+  int rock = 0;
+  int draw = 0;
+  double value = 0;
+};
+
+struct ImpactRecord {
+  std::uint64_t trial = 0;
+  int rock = 0;
+  Impact impact;
+};
+
+struct TrajectoryRecord {
+  std::uint64_t trial = 0;
+  int rock = 0;
+  TrajectoryPoint point;
+};
+
+/// How often each law of each material was asked, in the order of Scenario::materials.
+struct MaterialUse {
+  std::uint64_t contacts = 0;   ///< contacts that used the material
+  std::uint64_t restitution = 0, friction = 0, rolling = 0, unilateral = 0;
+};
+
+/// Share of time by phase of the engine, nanoseconds: run.log only, never in results.
+struct PhaseTimes {
+  std::int64_t flight = 0, detect = 0, solve = 0, other = 0;
+};
+
+/// Everything that consecutive trials of one point leave.
+struct TrialRecords {
+  std::vector<RockRecord> rocks;
+  std::vector<InputRecord> inputs;
+  std::vector<ImpactRecord> impacts;
+  std::vector<TrajectoryRecord> trajectories;
+  std::vector<MaterialUse> materials;
+  SolverQuality quality;
+  PhaseTimes times;
+  std::vector<std::string> notes;  ///< distinct notes of launches ("v0^2 < 0: ..."), at most 20
+  std::vector<BodyHistory> bodies; ///< `bodies` scenarios: the last trial's histories, for measures
+};
+
+}  // namespace flyrock

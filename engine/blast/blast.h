@@ -1,0 +1,63 @@
+#pragma once
+// The blast as a velocity model reads it.
+
+#include <array>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "units/units.h"
+
+namespace flyrock {
+
+/// Every field of a blast. The order is that of `blast_fields()`.
+enum class BlastField {
+  explosive_density,
+  detonation_velocity,
+  gurney_constant,   ///< sqrt(2E) of the Gurney model; 0.44 D for ANFO, D/3 for other explosives
+  hole_diameter,
+  hole_stemming,
+  hole_charge_length,
+  hole_subdrilling,
+  burden,
+  spacing,
+  rock_density,
+  breakout_angle,
+  count
+};
+
+/// How a field is written in a scenario and read in a plugin (`reads = { "blast.burden" }`).
+struct BlastFieldInfo {
+  BlastField field;
+  std::string_view path;  ///< below `blast`: "hole.diameter"
+  std::string_view name;  ///< in Lua: blast.hole_diameter
+  std::string_view unit;
+  Dimension dimension;
+  std::string_view doc;
+};
+const std::vector<BlastFieldInfo>& blast_fields();
+
+/// The blast of one hole in SI units. A field that the scenario does not give is NaN; the decoder has
+/// checked that no plugin in use reads such a field.
+struct Blast {
+  std::array<double, static_cast<int>(BlastField::count)> values;
+  bool is_anfo = false;
+
+  Blast() { values.fill(std::numeric_limits<double>::quiet_NaN()); }
+  double operator[](BlastField field) const { return values[static_cast<int>(field)]; }
+  double& operator[](BlastField field) { return values[static_cast<int>(field)]; }
+};
+
+/// Explosives known by name: `explosive: ANFO`.
+struct Explosive {
+  std::string_view name;
+  double density;              // kg/m3
+  double detonation_velocity;  // m/s
+  double gurney_constant;      // m/s
+  bool is_anfo;
+  std::string_view source;
+};
+const std::vector<Explosive>& explosives();
+
+}  // namespace flyrock

@@ -1,0 +1,45 @@
+#pragma once
+// The shapes that touch, in 2D.
+
+#include <string>
+#include <vector>
+
+#include "math/space.h"
+
+namespace flyrock {
+
+/// A contactor of the plane: the convex hull of `points`, grown by `radius`.
+/// One point and a radius is a disk; three or more points, counter-clockwise, without a radius a convex
+/// polygon; two points and a radius a wall with rounded ends. Coordinates in the body's frame, metres.
+struct Contactor2 {
+  std::vector<Vec2> points;
+  std::vector<Vec2> normals;  ///< outward unit normal of the edge from points[i] to points[i + 1]; none for a disk
+  double radius = 0;
+
+  static Contactor2 disk(double radius, const Vec2& centre = Vec2::Zero());
+  /// Counter-clockwise convex polygon; the normals are computed.
+  static Contactor2 polygon(std::vector<Vec2> vertices);
+
+  /// Radius of the smallest circle about the frame's origin that holds the contactor.
+  double bounding_radius() const;
+  void translate(const Vec2& by);
+};
+
+/// What is wrong with a list of vertices as a convex polygon (fewer than three, not convex, no area,
+/// clockwise is turned round, not an error), or an empty text. Turns `vertices` counter-clockwise.
+std::string make_convex(std::vector<Vec2>& vertices);
+
+/// Area [m2], centroid and polar second moment of area about the centroid [m4] of contactors that do not overlap.
+struct AreaProperties {
+  double area = 0;
+  Vec2 centroid = Vec2::Zero();
+  double polar_moment = 0;
+};
+AreaProperties area_properties(const std::vector<Contactor2>& contactors);
+
+/// Mass properties of a prism or, by default, of a body whose volume is that of the sphere of equal
+/// cross-section area A: thickness t = 2/3 d with d = 2 sqrt(A/pi).
+///   m = rho A t,  I = rho t J   (J the polar second moment of area)
+double default_thickness(double area);
+
+}  // namespace flyrock

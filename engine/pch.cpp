@@ -1,0 +1,1 @@
+// The precompiled headers that every floor reuses are built once, with this file.

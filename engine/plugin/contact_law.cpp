@@ -1,0 +1,40 @@
+#include "plugin/contact_law.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace flyrock {
+
+namespace {
+
+void require(bool fine, const Law& law, std::string_view entry, std::string_view name, double value,
+             std::string_view expected) {
+  if (!fine)
+    throw PluginError(
+        fmt::format("plugin {}: {}() returned {} = {:.6g}, must be {}", law.origin(), entry, name, value, expected));
+}
+
+}  // namespace
+
+void check_answer(const Law& law, const Restitution& answer) {
+  require(std::isfinite(answer.e_n), law, "impact", "e_n", answer.e_n, "finite");
+  require(answer.e_n >= 0, law, "impact", "e_n", answer.e_n, "at least 0");
+  require(std::isfinite(answer.e_t), law, "impact", "e_t", answer.e_t, "finite");
+  require(std::abs(answer.e_t) <= 1, law, "impact", "e_t", answer.e_t, "from -1 to 1");
+}
+
+void check_answer(const Law& law, const Friction& answer) {
+  require(std::isfinite(answer.mu_s), law, "friction", "mu_s", answer.mu_s, "finite");
+  require(answer.mu_s >= 0, law, "friction", "mu_s", answer.mu_s, "at least 0");
+  require(std::isfinite(answer.mu_d), law, "friction", "mu_d", answer.mu_d, "finite");
+  require(answer.mu_d >= 0, law, "friction", "mu_d", answer.mu_d, "at least 0");
+  require(answer.mu_d <= answer.mu_s, law, "friction", "mu_d", answer.mu_d, "at most mu_s");
+}
+
+void check_rolling(const Law& law, double mu_r) {
+  require(std::isfinite(mu_r), law, "rolling", "mu_r", mu_r, "finite");
+  require(mu_r >= 0, law, "rolling", "mu_r", mu_r, "at least 0");
+}
+
+}  // namespace flyrock

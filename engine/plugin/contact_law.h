@@ -1,0 +1,91 @@
+#pragma once
+// How a contact answers: restitution, friction, rolling resistance, the normal condition.
+
+#include <string>
+#include <string_view>
+
+#include "plugin/params.h"
+
+namespace flyrock {
+
+enum class RestitutionForm { newton };
+enum class NormalCondition { signorini };
+
+/// All that the solver knows of a contact's law.
+struct ContactLaw {
+  RestitutionForm form = RestitutionForm::newton;
+  NormalCondition condition = NormalCondition::signorini;
+  double e_n = 0;   ///< normal restitution of this impact
+  double e_t = 0;   ///< tangential restitution, form `newton` only
+  double mu_s = 0;  ///< Coulomb coefficient while the contact sticks
+  double mu_d = 0;  ///< Coulomb coefficient while it slides
+  double mu_r = 0;  ///< m; bound of the rolling torque: |m_r| <= mu_r r_n
+};
+
+/// What a law may read of its contact. SI units; velocities at the contact point, relative.
+/// The order is that of `contact_fields()`.
+struct ContactState {
+  double approach_speed = 0;    ///< m/s, -v_n where the bodies approach, else 0
+  double slip_speed = 0;        ///< m/s, |v_t|
+  double impact_angle = 0;      ///< rad from the surface: pi/2 is a normal impact
+  double gap = 0;               ///< m
+  double effective_mass = 0;    ///< kg, 1/W_nn
+  double mass = 0;              ///< kg, of the candidate body
+  double radius = 0;            ///< m, of the disk (sphere) of equal area (volume)
+  double spin = 0;              ///< rad/s, of the candidate
+  double kinetic_energy = 0;    ///< J, of the candidate
+  double length = 0;            ///< m, tributary length of this point in 2D, 0 for a single point
+  double age = 0;               ///< s since the contact closed
+  double was_sticking = 0;      ///< 1 where the contact stuck in the last step, else 0
+  double impact_number = 0;     ///< impacts of the candidate so far, this one included; from 1
+  double time = 0;              ///< s
+  std::string_view group_a;     ///< candidate: name of its group or body
+  std::string_view group_b;     ///< antagonist: name of its group or body, or terrain.<part>
+  std::string_view material;    ///< name of the material in force
+};
+
+struct Restitution {
+  double e_n = 0;
+  double e_t = 0;
+};
+struct Friction {
+  double mu_s = 0;
+  double mu_d = 0;
+};
+
+/// The law kinds. Laws are immutable and shared by threads (a Lua law belongs to one worker). `values` are the
+/// parameters in the slots that the factory noted. They throw PluginError. Results are checked by the
+/// caller with the functions below.
+class Law {
+ public:
+  virtual ~Law() = default;
+  /// Whether the answer depends on `values` alone: then it is asked once.
+  virtual bool constant() const = 0;
+  /// "coulomb" or "my_law, my_law.lua:14": what messages call it.
+  virtual std::string origin() const = 0;
+};
+class RestitutionLaw : public Law {
+ public:
+  virtual Restitution impact(Values values, const ContactState& contact) const = 0;
+};
+class FrictionLaw : public Law {
+ public:
+  virtual Friction friction(Values values, const ContactState& contact) const = 0;
+};
+class RollingLaw : public Law {
+ public:
+  /// The bound mu_r [m] of the rolling torque.
+  virtual double rolling(Values values, const ContactState& contact) const = 0;
+};
+class UnilateralLaw : public Law {
+ public:
+  virtual NormalCondition condition(Values values, const ContactState& contact) const = 0;
+};
+
+/// Throw PluginError "plugin NAME, FILE:LINE: impact() returned e_n = -0.2, must be at least 0" where an
+/// answer is not finite or out of range (e_n >= 0, -1 <= e_t <= 1, mu >= 0, mu_d <= mu_s, mu_r >= 0).
+void check_answer(const Law& law, const Restitution& answer);
+void check_answer(const Law& law, const Friction& answer);
+void check_rolling(const Law& law, double mu_r);
+
+}  // namespace flyrock

@@ -1,0 +1,14 @@
+#pragma once
+// Opens shared objects with native plugins.
+
+#include <string>
+
+#include "plugin/module.h"
+
+namespace flyrock {
+
+/// Opens `path` (RTLD_NOW | RTLD_LOCAL, never closed), compares its tag with the engine's and adds its
+/// factories to `table`. Returns an error text that names the file, or an empty one.
+std::string load_module(const std::string& path, FactoryTable& table);
+
+}  // namespace flyrock

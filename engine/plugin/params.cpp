@@ -1,0 +1,73 @@
+#include "plugin/params.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace flyrock {
+
+Params::Params(const PluginSpec& spec, const std::vector<ParamValue>& values, int dimension)
+    : spec_(spec), values_(values), dimension_(dimension), read_(spec.params.size(), false) {
+  int next = 0;
+  for (const ParamValue& value : values_) {
+    slots_.push_back(value.numbers.empty() ? -1 : next);
+    next += static_cast<int>(value.numbers.size());
+  }
+}
+
+int Params::at(std::string_view name, std::initializer_list<ParamType> types) {
+  const int i = spec_.find(name);
+  if (i < 0)
+    throw PluginError(fmt::format("plugin {}: reads the parameter `{}`, which its manifest does not declare",
+                                  spec_.name, name));
+  if (std::find(types.begin(), types.end(), spec_.params[i].type) == types.end())
+    throw PluginError(fmt::format("plugin {}: reads `{}` as a {}, its manifest declares a {}", spec_.name, name,
+                                  name_of(*types.begin()), name_of(spec_.params[i].type)));
+  read_[i] = true;
+  return i;
+}
+
+bool Params::given(std::string_view name) const {
+  const int i = spec_.find(name);
+  return i >= 0 && values_[i].given;
+}
+
+int Params::slot(std::string_view name) {
+  return slots_[at(name, {ParamType::number, ParamType::integer, ParamType::boolean})];
+}
+
+int Params::vector_slot(std::string_view name) { return slots_[at(name, {ParamType::vector})]; }
+
+double Params::constant(std::string_view name) {
+  const int i = at(name, {ParamType::number, ParamType::integer, ParamType::boolean});
+  const auto& numbers = values_[i].numbers;
+  if (numbers.empty()) throw PluginError(fmt::format("plugin {}: `{}` was not given", spec_.name, name));
+  if (!numbers[0].is_constant())
+    throw PluginError(fmt::format("plugin {}: `{}` must be a constant, not a distribution", spec_.name, name));
+  return numbers[0].constant;
+}
+
+std::string Params::text(std::string_view name) {
+  return values_[at(name, {ParamType::choice, ParamType::text, ParamType::file})].text;
+}
+
+std::vector<Vec2> Params::points2(std::string_view name) {
+  std::vector<Vec2> points;
+  for (const auto& point : values_[at(name, {ParamType::points})].points) points.emplace_back(point[0], point[1]);
+  return points;
+}
+
+std::vector<std::string> Params::unread() const {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < read_.size(); ++i)
+    if (!read_[i]) names.push_back(spec_.params[i].name);
+  return names;
+}
+
+std::vector<Number> dense_slots(const std::vector<ParamValue>& values) {
+  std::vector<Number> slots;
+  for (const ParamValue& value : values) slots.insert(slots.end(), value.numbers.begin(), value.numbers.end());
+  return slots;
+}
+
+}  // namespace flyrock

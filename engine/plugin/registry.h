@@ -1,0 +1,62 @@
+#pragma once
+// The plugins that a run knows. A registry is a value that the run owns: nothing is global.
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "plugin/contact_law.h"
+#include "plugin/models.h"
+
+namespace flyrock {
+
+template <class Interface>
+using FactoryOf = std::function<std::unique_ptr<Interface>(Params&)>;
+
+/// Makes an instance from parameters; throws PluginError.
+using Factory = std::variant<FactoryOf<ShapeModel>, FactoryOf<Population>, FactoryOf<RestitutionLaw>,
+                             FactoryOf<FrictionLaw>, FactoryOf<RollingLaw>, FactoryOf<UnilateralLaw>,
+                             FactoryOf<VelocityModel>, FactoryOf<TerrainModel>>;
+
+struct Plugin {
+  PluginSpec spec;
+  Factory make;
+};
+
+class Registry {
+ public:
+  /// Adds a plugin; one of the same kind and name is an error (an empty text means done).
+  std::string add(Plugin plugin);
+  const Plugin* find(PluginKind kind, std::string_view name) const;
+  /// Of one kind, by name.
+  std::vector<const Plugin*> of_kind(PluginKind kind) const;
+  std::vector<std::string> names(PluginKind kind) const;
+
+ private:
+  std::map<std::pair<PluginKind, std::string>, std::unique_ptr<Plugin>> plugins_;
+};
+
+/// A plugin with its decoded parameters, as a scenario uses it.
+struct PluginUse {
+  const Plugin* plugin = nullptr;
+  std::vector<ParamValue> values;
+  std::vector<Number> slots;  ///< dense_slots of the values
+  std::string path;           ///< in the scenario: "materials.haul_floor.restitution"
+};
+
+/// An instance, after construction checked for parameters that it declares and did not read.
+template <class Interface>
+std::unique_ptr<Interface> make_instance(const PluginUse& use, int dimension) {
+  Params params(use.plugin->spec, use.values, dimension);
+  auto instance = std::get<FactoryOf<Interface>>(use.plugin->make)(params);
+  if (auto unread = params.unread(); !unread.empty())
+    throw PluginError("plugin " + use.plugin->spec.name + ": declares the parameter `" + unread.front() +
+                      "` and does not read it");
+  return instance;
+}
+
+}  // namespace flyrock

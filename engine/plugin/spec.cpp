@@ -1,0 +1,32 @@
+#include "plugin/spec.h"
+
+#include <array>
+
+namespace flyrock {
+
+namespace {
+constexpr std::array<std::string_view, plugin_kinds> kind_names{
+    "shape", "population", "restitution", "friction", "rolling", "unilateral", "velocity", "terrain"};
+}
+
+std::string_view name_of(PluginKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
+
+std::optional<PluginKind> plugin_kind(std::string_view name) {
+  for (int k = 0; k < plugin_kinds; ++k)
+    if (kind_names[k] == name) return static_cast<PluginKind>(k);
+  return std::nullopt;
+}
+
+std::string_view name_of(ParamType type) {
+  constexpr std::array<std::string_view, 8> names{"number", "integer", "boolean", "choice",
+                                                  "text",   "vector",  "points",  "file"};
+  return names[static_cast<std::size_t>(type)];
+}
+
+int PluginSpec::find(std::string_view param) const {
+  for (std::size_t i = 0; i < params.size(); ++i)
+    if (params[i].name == param) return static_cast<int>(i);
+  return -1;
+}
+
+}  // namespace flyrock

@@ -1,0 +1,65 @@
+#pragma once
+// The manifest of a plugin: what it is, its parameters, what it reads.
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "units/units.h"
+
+namespace flyrock {
+
+enum class PluginKind { shape, population, restitution, friction, rolling, unilateral, velocity, terrain };
+inline constexpr int plugin_kinds = 8;
+std::string_view name_of(PluginKind kind);
+std::optional<PluginKind> plugin_kind(std::string_view name);
+
+enum class ParamType {
+  number,   ///< a real number with a unit; may be a distribution or a sweep
+  integer,  ///< a whole number; may be a distribution or a sweep
+  boolean,  ///< true or false
+  choice,   ///< one of `choices`
+  text,     ///< any text
+  vector,   ///< `dimension` numbers with one unit, each may be a distribution
+  points,   ///< a list of points [[x, y], ...], constant
+  file      ///< the name of a file beside the scenario; the host gives its full path
+};
+std::string_view name_of(ParamType type);
+
+/// One declared parameter. Limits and defaults are in SI units.
+struct ParamSpec {
+  std::string name;
+  ParamType type = ParamType::number;
+  std::string unit;  ///< as declared, "m/s"; empty for a pure number
+  Dimension dimension;
+  std::string doc;
+  bool optional = false;                     ///< may be left out although it has no default
+  std::optional<double> default_number;      ///< number, integer, boolean (0 or 1)
+  std::optional<std::string> default_text;   ///< choice, text
+  std::optional<std::vector<double>> default_vector;
+  std::optional<double> min, max;            ///< allowed, limits included
+  std::optional<double> above, below;        ///< allowed, limits excluded
+  std::vector<std::string> choices;
+
+  bool required() const { return !optional && !default_number && !default_text && !default_vector; }
+};
+
+struct PluginSpec {
+  PluginKind kind = PluginKind::shape;
+  std::string name;
+  std::string doc;
+  std::string source;              ///< the publication that the model comes from
+  std::string form;                ///< restitution: "newton"
+  std::vector<std::string> reads;  ///< "blast.burden", "contact.approach_speed"
+  bool declares_reads = false;
+  std::vector<ParamSpec> params;
+  std::string file;                ///< the manifest, as it was named to the loader
+  std::string native;              ///< factory in a shared object; empty for pure Lua
+
+  /// Index of a parameter, or -1.
+  int find(std::string_view param) const;
+};
+
+}  // namespace flyrock

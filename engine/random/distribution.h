@@ -1,0 +1,77 @@
+#pragma once
+// The distributions that a scenario may write in place of a number.
+
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "random/stream.h"
+
+namespace flyrock {
+
+enum class DistributionKind {
+  uniform,      ///< a = low, b = high
+  normal,       ///< a = mean, b = standard deviation
+  lognormal,    ///< a = median, b = standard deviation of the logarithm
+  triangular,   ///< a = low, b = mode, c = high
+  weibull,      ///< a = scale, b = shape
+  beta,         ///< a = alpha, b = beta, on [c, d]
+  exponential,  ///< a = mean
+  discrete,     ///< one of `values`, with `weights`
+  integer       ///< a whole number from a to b, both included
+};
+
+/// A distribution, truncated to [min, max]: sampled by the inverse of its cumulative distribution, so
+/// that one uniform number gives one draw, and the truncation is exact:
+///   x = F^-1(F(min) + u (F(max) - F(min))).
+struct Distribution {
+  DistributionKind kind = DistributionKind::uniform;
+  double a = 0, b = 0, c = 0, d = 0;
+  std::vector<double> values;
+  std::vector<double> weights;  ///< empty: equal
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+
+  /// The value at probability u in (0, 1).
+  double quantile(double u) const;
+  /// The cumulative distribution at x, before truncation; not for `discrete`.
+  double cumulative(double x) const;
+  /// What is wrong with the parameters, or an empty text.
+  std::string fault() const;
+  /// The least and the greatest value that can be drawn (may be infinite).
+  double lowest() const;
+  double highest() const;
+};
+
+std::string_view name_of(DistributionKind kind);
+
+/// How often a distribution is drawn anew.
+enum class Scope { run, trial, hole, rock, impact };
+
+std::string_view name_of(Scope scope);
+
+/// One distribution of a scenario. `stream` is its path with an element's name in place of its index.
+struct Draw {
+  std::string path;
+  std::string stream;
+  Distribution distribution;
+  Scope scope = Scope::trial;
+  std::uint64_t stream_hash = 0;
+
+  /// The value at `key`; only the parts of the key that `scope` depends on are used.
+  double value(std::uint64_t seed, const DrawKey& key) const;
+};
+
+/// A decoded number: a constant, or the index of a Draw in the scenario's list.
+struct Number {
+  double constant = 0;
+  int draw = -1;
+
+  bool is_constant() const { return draw < 0; }
+  double value(const std::vector<Draw>& draws, std::uint64_t seed, const DrawKey& key) const {
+    return draw < 0 ? constant : draws[draw].value(seed, key);
+  }
+};
+
+}  // namespace flyrock

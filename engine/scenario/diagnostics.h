@@ -1,0 +1,40 @@
+#pragma once
+// Messages about a scenario: all are collected, none stops the reading.
+
+#include <string>
+#include <vector>
+
+#include "scenario/value.h"
+
+namespace flyrock {
+
+enum class Severity { error, warning };
+
+struct Diagnostic {
+  Severity severity = Severity::error;
+  Location at;
+  std::string path;  ///< "terrain.face_angle"; empty for the document
+  std::string text;  ///< what is wrong, what was expected, did you mean
+};
+
+class Diagnostics {
+ public:
+  void error(const Location& at, const std::string& path, const std::string& text);
+  void warning(const Location& at, const std::string& path, const std::string& text);
+
+  bool has_errors() const;
+  const std::vector<Diagnostic>& all() const { return all_; }
+  std::vector<std::string> warnings() const;
+
+  /// Each as `file:line:column: error: path: text`, then the line and a caret under the column; in the order
+  /// of lines and columns.
+  std::string to_text() const;
+
+ private:
+  std::vector<Diagnostic> all_;
+};
+
+/// One message in that form.
+std::string to_text(const Diagnostic& diagnostic);
+
+}  // namespace flyrock

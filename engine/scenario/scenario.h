@@ -1,0 +1,156 @@
+#pragma once
+// The typed scenario: what a run needs, with every unit converted and every name resolved.
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "plugin/registry.h"
+#include "scenario/value.h"
+
+namespace flyrock {
+
+enum class Method { nscd };
+
+/// A way in which a surface answers; a law that is absent takes the default (no restitution, no friction,
+/// no rolling resistance, signorini).
+struct Material {
+  std::string name;
+  std::optional<PluginUse> restitution, friction, rolling, unilateral;
+};
+
+/// A stretch of terrain with its own name, x from `from` to `to`.
+struct Zone {
+  std::string name;
+  double from = 0, to = 0;
+};
+
+struct TerrainPlan {
+  PluginUse model;
+  std::map<std::string, int> material_of_part;  ///< index into Scenario::materials; "" for a terrain of one part
+  std::vector<Zone> zones;
+};
+
+/// The blast with the number of every field given; `rows` give the number of holes.
+struct BlastPlan {
+  std::map<BlastField, Number> fields;
+  bool is_anfo = false;
+  int holes = 1;  ///< rows x holes; rock k belongs to hole k mod holes
+};
+
+enum class ReleaseKind { face, above_ground, position, along, inside };
+
+/// Where a rock starts.
+struct Release {
+  ReleaseKind kind = ReleaseKind::position;
+  int bench = 1;                     ///< face: which, from 1
+  Number x, above_ground;            ///< above_ground: height of the centre of mass above the ground at x
+  std::vector<Number> position;      ///< of the centre of mass
+  std::vector<Vec2> points;          ///< along a poly-line, or inside a convex polygon, uniformly
+};
+
+struct RockGroup {
+  std::string name;
+  PluginUse population;
+  std::optional<PluginUse> shape;
+  std::optional<Release> release;
+  std::optional<PluginUse> launch;      ///< absent: at rest
+  Number density;                       ///< kg/m3
+  std::optional<Number> mass;           ///< kg; in place of density
+  std::optional<Number> thickness;      ///< m; absent: default_thickness
+  std::optional<Number> orientation;    ///< rad; absent: random and uniform
+  int material = -1;                    ///< shown to other rocks; -1 none
+};
+
+struct BodyPlan {
+  std::string name;
+  PluginUse shape;
+  std::optional<Number> density, mass, thickness;
+  std::vector<Number> position, velocity;
+  Number spin, orientation;
+  bool fixed = false;
+  std::optional<std::pair<std::vector<double>, double>> driven;  ///< velocity and spin
+  int material = -1;
+};
+
+/// What holds between two named things: a body, a group, `terrain` or `terrain.<part>`.
+struct PairPlan {
+  std::string a, b;
+  int material = -1;
+};
+
+enum class FlightMode { exact, stepped };
+
+struct SolverPlan {
+  double time_step = 1e-3;   ///< s
+  double theta = 0.5;
+  double tolerance = 1e-6;
+  int max_iterations = 1000;
+  FlightMode flight = FlightMode::exact;
+  double rest_speed = 0.02;  ///< m/s
+};
+
+struct StopPlan {
+  double time = 0;      ///< s
+  double speed = 0.05;  ///< m/s
+};
+
+struct OutputPlan {
+  int trajectories_first = 100;      ///< trials with trajectories
+  double trajectories_every = 0.02;  ///< s
+  bool impacts = true;
+};
+
+enum class ExpectKind { equals, below, above, between };
+
+struct Expectation {
+  std::string measure;
+  ExpectKind kind = ExpectKind::equals;
+  double value = 0, high = 0;       ///< between: from value to high
+  double tolerance = 0;             ///< equals: absolute
+  std::optional<double> relative;   ///< equals: relative to the value
+  std::vector<std::pair<std::string, double>> at;  ///< sweep points on which it is judged; empty: all
+};
+
+/// One point of a sweep, fully decoded. The draws, with their streams, are the same at each point but where
+/// a sweep stands inside a distribution.
+struct Scenario {
+  std::string title;
+  int dimension = 2;
+  Method method = Method::nscd;
+  std::uint64_t seed = 1;
+  std::uint64_t trials = 1;
+  bool rock_contacts = false;
+  Number gravity;
+  TerrainPlan terrain;
+  std::vector<Material> materials;
+  std::vector<PairPlan> pairs;
+  std::optional<BlastPlan> blast;
+  std::vector<RockGroup> rocks;
+  std::vector<BodyPlan> bodies;
+  SolverPlan solver;
+  StopPlan stop;
+  OutputPlan output;
+  std::vector<Expectation> expect;
+  std::vector<Draw> draws;
+};
+
+/// One axis of a sweep and the values it takes, as written.
+struct SweepAxis {
+  std::string path;
+  std::vector<double> values;  ///< SI
+};
+
+/// What a scenario file becomes.
+struct Plan {
+  std::vector<SweepAxis> axes;              ///< sorted by path; the last varies fastest
+  std::vector<Scenario> points;             ///< one where nothing is swept
+  std::vector<std::vector<double>> at;      ///< the axes' values at each point
+  Value resolved;                           ///< in schema order, with defaults, in SI units, sweeps kept
+  std::vector<std::string> not_used;        ///< "blast.spacing (bench_fit does not read it)"
+  std::vector<std::string> plugin_files;    ///< `plugins:` as written
+};
+
+}  // namespace flyrock

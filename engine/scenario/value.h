@@ -1,0 +1,67 @@
+#pragma once
+// The tree of located values in which YAML and Lua scenarios meet.
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace flyrock {
+
+/// A text that values come from: a file, or an argument of the command line.
+struct Source {
+  std::string name;                ///< as messages show it
+  std::vector<std::string> lines;  ///< empty where there is nothing to quote
+};
+
+/// A place in a source; lines and columns count from 1, 0 where unknown.
+struct Location {
+  std::shared_ptr<const Source> source;
+  int line = 0;
+  int column = 0;
+};
+
+struct Value;
+
+struct Entry;
+
+using List = std::vector<Value>;
+using Map = std::vector<Entry>;  ///< in the order of the file; keys are unique
+
+/// One value. Plain YAML scalars that read as a number or true/false are numbers and booleans here, as in
+/// Lua; quoted ones are text.
+struct Value {
+  std::variant<std::monostate, bool, double, std::string, List, Map> data;
+  Location at;
+  bool leading_zero = false;  ///< text such as 010, which YAML 1.1 would read as 8
+
+  bool is_null() const { return std::holds_alternative<std::monostate>(data); }
+  const bool* boolean() const { return std::get_if<bool>(&data); }
+  const double* number() const { return std::get_if<double>(&data); }
+  const std::string* text() const { return std::get_if<std::string>(&data); }
+  const List* list() const { return std::get_if<List>(&data); }
+  List* list() { return std::get_if<List>(&data); }
+  const Map* map() const { return std::get_if<Map>(&data); }
+  Map* map() { return std::get_if<Map>(&data); }
+  /// The value of a key of a map, or null.
+  const Value* find(std::string_view key) const;
+  Value* find(std::string_view key);
+  /// "a number", "text", "a list", "a map", "true or false", "nothing".
+  std::string kind() const;
+};
+
+struct Entry {
+  std::string key;
+  Location at;
+  Value value;
+};
+
+/// The shortest decimal text that reads back as the same double: "0.1", "1e+300"; integers without ".0".
+std::string shortest(double number);
+
+/// The tree as YAML (maps in their order) and as JSON.
+std::string to_yaml(const Value& value);
+std::string to_json(const Value& value, int indent = 2);
+
+}  // namespace flyrock

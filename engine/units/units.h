@@ -1,0 +1,75 @@
+#pragma once
+// Units of mechanics, mining and US practice: text such as "2.7 g/cm3" to SI.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace flyrock {
+
+/// Exponents of m, kg, s and rad. An angle has a dimension of its own here, so that degrees cannot be
+/// mistaken for radians.
+struct Dimension {
+  int metre = 0;
+  int kilogram = 0;
+  int second = 0;
+  int radian = 0;
+
+  bool operator==(const Dimension&) const = default;
+};
+
+namespace dimension {
+inline constexpr Dimension none{};
+inline constexpr Dimension length{1, 0, 0, 0};
+inline constexpr Dimension mass{0, 1, 0, 0};
+inline constexpr Dimension time{0, 0, 1, 0};
+inline constexpr Dimension angle{0, 0, 0, 1};
+inline constexpr Dimension speed{1, 0, -1, 0};
+inline constexpr Dimension acceleration{1, 0, -2, 0};
+inline constexpr Dimension spin{0, 0, -1, 1};
+inline constexpr Dimension density{-3, 1, 0, 0};
+inline constexpr Dimension energy{2, 1, -2, 0};
+}  // namespace dimension
+
+/// "m/s", "kg m2/s2", "rad/s", or "1" for no dimension: the SI unit of a dimension, for messages.
+std::string si_unit(const Dimension& dimension);
+
+struct Unit {
+  double factor = 1;  ///< SI value of one unit
+  Dimension dimension;
+};
+
+/// Parses a unit expression: known units with integer exponents, `*`, blank or `.` between factors,
+/// one `/`: "kg/m3", "m/s^2", "g/cm3", "ft-lb". nullopt where a unit is unknown; `unknown` then names it.
+std::optional<Unit> parse_unit(std::string_view text, std::string* unknown = nullptr);
+
+/// The names of all known units, for "did you mean".
+std::vector<std::string> unit_names();
+
+/// A number with an optional unit, "12 m", "-3.5e2 kPa", "5".
+struct Quantity {
+  double value = 0;  ///< in the unit as written
+  bool has_unit = false;
+  Unit unit;
+  std::string unit_text;
+  double si() const { return value * unit.factor; }
+};
+
+/// Why a text is not a quantity. `unit_text` is set where the number was read and the unit was not.
+struct QuantityError {
+  std::string unit_text;
+  std::string nearest;  ///< the nearest known unit, or empty
+};
+
+/// A strict decimal number: no leading zeros ("010"), no hexadecimal, no NaN or infinity.
+std::optional<double> parse_number(std::string_view text);
+
+/// Parses a text; returns nothing and fills `error` where it is not a number with an optional unit.
+std::optional<Quantity> parse_quantity(std::string_view text, QuantityError* error = nullptr);
+
+/// The candidate nearest to `word` by edit distance, or empty where none is near.
+std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates);
+
+}  // namespace flyrock

@@ -1,0 +1,87 @@
+#pragma once
+// What a run leaves of each body: its states, impacts and extremes.
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "math/space.h"
+
+namespace flyrock {
+
+/// The state of a body at one moment; components that a dimension does not have are 0. SI units.
+struct BodyState {
+  double time = 0;
+  Vec3 position = Vec3::Zero();  ///< of the centre of mass
+  Vec3 velocity = Vec3::Zero();
+  Vec3 spin = Vec3::Zero();      ///< rad/s, world frame; (0, 0, w) in 2D
+  double angle = 0;              ///< rad, 2D, counted through full turns
+  double kinetic_energy = 0;     ///< J
+};
+
+/// An impact of a manifold (DESIGN: contacts of one pair of bodies, all terrain being one, whose normals lie
+/// within 15 degrees): impulses and energies summed; place and velocities are means weighted by the normal impulse.
+struct Impact {
+  int body = 0;
+  int other = -1;   ///< the other body, -1 for the terrain
+  int part = -1;    ///< of the terrain
+  int number = 0;   ///< of this body, from 1
+  double time = 0;
+  Vec3 place = Vec3::Zero();
+  double vn_before = 0, vn_after = 0;
+  double vt_before = 0, vt_after = 0;  ///< signed in 2D: t = (n_y, -n_x)
+  double pn = 0, pt = 0;               ///< N s
+  double energy_change = 0;            ///< J
+};
+
+struct Apex {
+  double time = 0;
+  double height = 0;  ///< m, of the centre of mass above its place at the first contact
+};
+
+enum class StopReason { stopped, left_domain, timed_out, caught, diverged, plugin_error };
+const char* name_of(StopReason reason);
+
+/// One stored point of a trajectory.
+struct TrajectoryPoint {
+  BodyState state;
+  bool in_contact = false;
+};
+
+struct BodyHistory {
+  BodyState first, last;
+  BodyState min, max;            ///< each component's extreme over the run, flights included
+  double min_speed = 0, max_speed = 0;
+  StopReason reason = StopReason::timed_out;
+  std::string fault;             ///< why it diverged or which plugin failed
+  double stop_time = std::numeric_limits<double>::quiet_NaN();  ///< start of the 0.2 s at rest
+  double contact_time = 0;       ///< s spent in contact
+  double max_distance = 0;       ///< m, greatest |x - x_first| ever reached
+  double flight_range = 0;       ///< m, horizontal distance to the first ground contact
+  double bounce_height = 0;      ///< m, greatest height of the centre of mass above the ground below it
+  int impact_count = 0;
+  std::vector<Impact> impacts;
+  std::vector<Apex> apexes;      ///< after the first impact
+  std::vector<TrajectoryPoint> trajectory;
+};
+
+/// How well the equations were solved.
+struct SolverQuality {
+  std::uint64_t steps = 0;
+  std::uint64_t cut_steps = 0;
+  std::uint64_t flights = 0;
+  std::uint64_t impact_problems = 0;
+  std::uint64_t iterations = 0;
+  std::uint64_t toc_iterations = 0;    ///< of the time-of-contact search
+  std::uint64_t not_converged = 0;
+  double max_residual = 0;             ///< m/s, of the scaled local map
+  double max_penetration = 0;          ///< m
+  std::uint64_t energy_gains = 0;      ///< impacts with dT > 0 beyond rounding
+  double energy_gained = 0;            ///< J
+  double energy_relative_change = 0;   ///< (total energy at the end - at the start) / |scale|
+
+  void add(const SolverQuality& other);
+};
+
+}  // namespace flyrock
