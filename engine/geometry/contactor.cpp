@@ -1,0 +1,126 @@
+#include "geometry/contactor.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace flyrock {
+
+namespace {
+
+/// Sine of the least angle between successive edges that still counts as a corner.
+constexpr double corner_sine = 1e-9;
+/// Area over squared perimeter below which a polygon is a line.
+constexpr double flat = 1e-12;
+
+std::vector<Vec2> edge_normals(const std::vector<Vec2>& points) {
+  std::vector<Vec2> normals;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    normals.push_back(-perpendicular((points[(i + 1) % points.size()] - points[i]).normalized()));
+  return normals;
+}
+
+double signed_area(const std::vector<Vec2>& points) {
+  double twice = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    twice += cross(Vec2(points[i] - points[0]), Vec2(points[(i + 1) % points.size()] - points[0]));
+  return twice / 2;
+}
+
+/// Area and its first and polar second moments about one origin; sums of these are exact.
+struct Moments {
+  double area = 0;
+  Vec2 first = Vec2::Zero();
+  double polar = 0;
+
+  /// A piece with its area, and its first and polar moments about a point of its own, `at`.
+  void add(double piece, const Vec2& piece_first, double piece_polar, const Vec2& at) {
+    area += piece;
+    first += piece_first + piece * at;
+    polar += piece_polar + 2 * at.dot(piece_first) + piece * at.squaredNorm();
+  }
+};
+
+/// A grown hull is its core, a rectangle on each edge and a sector at each corner (Steiner).
+void add_contactor(Moments& sum, const Contactor2& contactor, const Vec2& origin) {
+  const auto& points = contactor.points;
+  const std::size_t count = points.size();
+  const double r = contactor.radius;
+  if (count == 1) return sum.add(pi * r * r, Vec2::Zero(), pi * std::pow(r, 4) / 2, points[0] - origin);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec2 a = points[i] - origin, b = points[(i + 1) % count] - origin;
+    const double twice = cross(a, b);  // core: the triangle (origin, a, b), with its sign
+    sum.add(twice / 2, twice / 6 * (a + b), twice / 12 * (a.dot(a) + a.dot(b) + b.dot(b)), Vec2::Zero());
+    if (r <= 0) continue;
+    const Vec2& before = contactor.normals[(i + count - 1) % count];
+    const Vec2& normal = contactor.normals[i];
+    const double length = (b - a).norm();
+    sum.add(length * r, Vec2::Zero(), length * r * (length * length + r * r) / 12, (a + b + r * normal) / 2);
+    const double turn = std::abs(std::atan2(cross(before, normal), before.dot(normal)));
+    sum.add(turn * r * r / 2, -std::pow(r, 3) / 3 * perpendicular(normal - before), turn * std::pow(r, 4) / 4, a);
+  }
+}
+
+}  // namespace
+
+Contactor2 Contactor2::disk(double radius, const Vec2& centre) { return {{centre}, {}, radius}; }
+
+Contactor2 Contactor2::polygon(std::vector<Vec2> vertices) {
+  auto normals = edge_normals(vertices);
+  return {std::move(vertices), std::move(normals), 0};
+}
+
+double Contactor2::bounding_radius() const {
+  double farthest = 0;
+  for (const Vec2& point : points) farthest = std::max(farthest, point.norm());
+  return farthest + radius;
+}
+
+void Contactor2::translate(const Vec2& by) {
+  for (Vec2& point : points) point += by;
+}
+
+std::string make_convex(std::vector<Vec2>& vertices) {
+  const std::size_t count = vertices.size();
+  if (count < 3) return fmt::format("a polygon has {} vertices, at least 3 are needed", count);
+  double perimeter = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double length = (vertices[(i + 1) % count] - vertices[i]).norm();
+    if (length == 0)
+      return fmt::format("a polygon has the vertex ({:.6g}, {:.6g}) twice", vertices[i].x(), vertices[i].y());
+    perimeter += length;
+  }
+  if (std::abs(signed_area(vertices)) <= flat * perimeter * perimeter) return "the polygon has no area";
+  if (signed_area(vertices) < 0) std::reverse(vertices.begin(), vertices.end());
+  double turned = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec2& at = vertices[(i + 1) % count];
+    const Vec2 in = at - vertices[i];
+    const Vec2 out = vertices[(i + 2) % count] - at;
+    const double sine = cross(in, out) / (in.norm() * out.norm());
+    if (std::abs(sine) <= corner_sine && in.dot(out) > 0)
+      return fmt::format(
+          "the polygon's vertex ({:.6g}, {:.6g}) lies on the straight line between its neighbours; leave it out",
+          at.x(), at.y());
+    if (sine <= corner_sine)
+      return fmt::format("the polygon is not convex at the vertex ({:.6g}, {:.6g})", at.x(), at.y());
+    turned += std::atan2(cross(in, out), in.dot(out));
+  }
+  // A star turns left at each of its vertices and yet is not convex: it turns round more than once.
+  if (turned > 3 * pi) return "the polygon is not convex: its edges cross";
+  return {};
+}
+
+AreaProperties area_properties(const std::vector<Contactor2>& contactors) {
+  if (contactors.empty()) return {};
+  // Moments about a point of the body: a body drawn far from the frame's origin loses no digits.
+  const Vec2 origin = contactors.front().points.front();
+  Moments sum;
+  for (const Contactor2& contactor : contactors) add_contactor(sum, contactor, origin);
+  const Vec2 centre = sum.first / sum.area;
+  return {sum.area, origin + centre, sum.polar - sum.area * centre.squaredNorm()};
+}
+
+double default_thickness(double area) { return 4.0 / 3.0 * std::sqrt(area / pi); }
+
+}  // namespace flyrock
