@@ -1,8 +1,8 @@
 #include "geometry/contactor.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace flyrock {
 
@@ -57,7 +57,8 @@ void add_contactor(Moments& sum, const Contactor2& contactor, const Vec2& origin
     const double length = (b - a).norm();
     sum.add(length * r, Vec2::Zero(), length * r * (length * length + r * r) / 12, (a + b + r * normal) / 2);
     const double turn = std::abs(std::atan2(cross(before, normal), before.dot(normal)));
-    sum.add(turn * r * r / 2, -std::pow(r, 3) / 3 * perpendicular(normal - before), turn * std::pow(r, 4) / 4, a);
+    sum.add(turn * r * r / 2, -std::pow(r, 3) / 3 * perpendicular(normal - before), turn * std::pow(r, 4) / 4,
+            a);
   }
 }
 
@@ -100,7 +101,8 @@ std::string make_convex(std::vector<Vec2>& vertices) {
     const double sine = cross(in, out) / (in.norm() * out.norm());
     if (std::abs(sine) <= corner_sine && in.dot(out) > 0)
       return fmt::format(
-          "the polygon's vertex ({:.6g}, {:.6g}) lies on the straight line between its neighbours; leave it out",
+          "the polygon's vertex ({:.6g}, {:.6g}) lies on the straight line between its neighbours; leave it "
+          "out",
           at.x(), at.y());
     if (sine <= corner_sine)
       return fmt::format("the polygon is not convex at the vertex ({:.6g}, {:.6g})", at.x(), at.y());

@@ -1,8 +1,8 @@
 #include "geometry/profile.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace flyrock {
 
@@ -34,13 +34,15 @@ std::string Profile::fault() const {
     const Vec2 &a = points[i], &b = points[i + 1];
     if (a == b) return fmt::format("a profile has the point ({:.6g}, {:.6g}) twice in a row", a.x(), a.y());
     if (b.x() < a.x())
-      return fmt::format("x decreases from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}); a profile goes from left to right",
-                         a.x(), a.y(), b.x(), b.y());
+      return fmt::format(
+          "x decreases from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}); a profile goes from left to right", a.x(),
+          a.y(), b.x(), b.y());
     const bool back = i > 0 && points[i - 1].x() == a.x() && a.x() == b.x() &&
                       (a.y() - points[i - 1].y()) * (b.y() - a.y()) < 0;
     if (back) return fmt::format("a profile turns straight back at ({:.6g}, {:.6g})", a.x(), a.y());
   }
-  if (x_min() == x_max()) return fmt::format("a profile has no width: all its points have x = {:.6g}", x_min());
+  if (x_min() == x_max())
+    return fmt::format("a profile has no width: all its points have x = {:.6g}", x_min());
   return {};
 }
 

@@ -1,0 +1,41 @@
+#include "blast/blast.h"
+
+namespace flyrock {
+
+const std::vector<BlastFieldInfo>& blast_fields() {
+  static const std::vector<BlastFieldInfo> fields{
+      {BlastField::explosive_density, "explosive.density", "explosive_density", "kg/m3", dimension::density,
+       "density of the explosive in the hole"},
+      {BlastField::detonation_velocity, "explosive.detonation_velocity", "detonation_velocity", "m/s",
+       dimension::speed, "velocity of detonation D"},
+      {BlastField::gurney_constant, "explosive.gurney_constant", "gurney_constant", "m/s", dimension::speed,
+       "Gurney constant sqrt(2E): 0.44 D for ANFO, D/3 for other explosives unless it is given"},
+      {BlastField::hole_diameter, "hole.diameter", "hole_diameter", "m", dimension::length,
+       "diameter of the hole and of its charge"},
+      {BlastField::hole_stemming, "hole.stemming", "hole_stemming", "m", dimension::length,
+       "length of the stemming above the charge"},
+      {BlastField::hole_charge_length, "hole.charge_length", "hole_charge_length", "m", dimension::length,
+       "length of the charge"},
+      {BlastField::hole_subdrilling, "hole.subdrilling", "hole_subdrilling", "m", dimension::length,
+       "depth of the hole below the bench's floor"},
+      {BlastField::burden, "burden", "burden", "m", dimension::length,
+       "least distance from a hole of the front row to the face"},
+      {BlastField::spacing, "spacing", "spacing", "m", dimension::length, "distance of the holes in a row"},
+      {BlastField::rock_density, "rock_density", "rock_density", "kg/m3", dimension::density,
+       "density of the rock mass"},
+      {BlastField::breakout_angle, "breakout_angle", "breakout_angle", "rad", dimension::angle,
+       "opening angle of the prism that a hole breaks out to the face"},
+  };
+  return fields;
+}
+
+const std::vector<Explosive>& explosives() {
+  constexpr double anfo_velocity = 4273;
+  static const std::vector<Explosive> known{
+      {"ANFO", 850, anfo_velocity, 0.44 * anfo_velocity, true,
+       "Roth 1979: sqrt(2E) = 0.44 D; 850 kg/m3 poured, our assumption"},
+  };
+  return known;
+}
+
+}  // namespace flyrock

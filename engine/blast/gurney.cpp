@@ -1,0 +1,54 @@
+#include "blast/gurney.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "math/space.h"
+
+namespace flyrock {
+
+namespace {
+
+double positive(const Blast& blast, BlastField field) {
+  const double value = blast[field];
+  const BlastFieldInfo& info = blast_fields()[static_cast<std::size_t>(field)];
+  if (!(value > 0))
+    throw std::invalid_argument(
+        fmt::format("blast.{} is {:.6g} {}, must be above 0", info.path, value, info.unit));
+  return value;
+}
+
+}  // namespace
+
+double charge_to_mass(const Blast& blast) {
+  const double diameter = positive(blast, BlastField::hole_diameter);
+  const double burden = positive(blast, BlastField::burden);
+  const double angle = positive(blast, BlastField::breakout_angle);
+  if (angle >= pi)
+    throw std::invalid_argument(fmt::format("blast.breakout_angle is {:.6g} rad, must be below pi", angle));
+  const double linear_charge = pi / 4 * diameter * diameter * positive(blast, BlastField::explosive_density);
+  return linear_charge / (positive(blast, BlastField::rock_density) * burden * burden * std::tan(angle / 2));
+}
+
+double gurney_factor(GurneyGeometry geometry, double charge_to_mass) {
+  double gas = 0;  // the part of the charge's own mass that moves along
+  switch (geometry) {
+    case GurneyGeometry::roth:
+      gas = 0;
+      break;
+    case GurneyGeometry::cylinder:
+      gas = 1.0 / 2;
+      break;
+    case GurneyGeometry::sphere:
+      gas = 3.0 / 5;
+      break;
+    case GurneyGeometry::sandwich:
+      gas = 1.0 / 3;
+      break;
+  }
+  return 1 / std::sqrt(1 / charge_to_mass + gas);
+}
+
+}  // namespace flyrock

@@ -1,0 +1,26 @@
+#pragma once
+// Launch speed of the burden from the energy of its charge (Gurney; Roth 1979 for benches).
+
+#include "blast/blast.h"
+
+namespace flyrock {
+
+/// Mass of charge over mass of the rock that it breaks out, per length of hole [1]:
+///   c/m = (W/l) / (rho b^2 tan(alpha/2)),  W/l = pi/4 d^2 rho_e
+/// with the burden b, breakout angle alpha, hole diameter d, densities rho of the rock and rho_e of the
+/// explosive. Throws std::invalid_argument that names a field which is not positive, or an angle that is not
+/// below pi. Source: J. Roth, A model for the determination of flyrock range, USBM J0387242 (1979).
+double charge_to_mass(const Blast& blast);
+
+/// The bodies between which Gurney's model shares the energy of the explosive.
+enum class GurneyGeometry {
+  roth,      ///< f = sqrt(c/m): the gas takes no part of the energy
+  cylinder,  ///< f = (m/c + 1/2)^-1/2
+  sphere,    ///< f = (m/c + 3/5)^-1/2
+  sandwich   ///< f = (m/c + 1/3)^-1/2
+};
+
+/// f(c/m) of v0 = sqrt(2E) f(c/m) [1]; c/m > 0. All tend to sqrt(c/m) for a small charge.
+double gurney_factor(GurneyGeometry geometry, double charge_to_mass);
+
+}  // namespace flyrock
