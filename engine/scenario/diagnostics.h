@@ -17,6 +17,7 @@ struct Diagnostic {
   std::string text;  ///< what is wrong, what was expected, did you mean
 };
 
+/// A message that is given twice (a value that several points of a sweep share) is kept once.
 class Diagnostics {
  public:
   void error(const Location& at, const std::string& path, const std::string& text);
@@ -31,6 +32,8 @@ class Diagnostics {
   std::string to_text() const;
 
  private:
+  void add(Diagnostic diagnostic);
+
   std::vector<Diagnostic> all_;
 };
 

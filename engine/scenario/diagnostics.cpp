@@ -1,0 +1,92 @@
+#include "scenario/diagnostics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace flyrock {
+
+namespace {
+
+std::string source_name(const Diagnostic& diagnostic) {
+  return diagnostic.at.source ? diagnostic.at.source->name : std::string();
+}
+
+/// "file:line:column: ", as much of it as is known.
+std::string place(const Diagnostic& diagnostic) {
+  const std::string name = source_name(diagnostic);
+  if (name.empty()) return {};
+  if (diagnostic.at.line == 0) return name + ": ";
+  return fmt::format("{}:{}:{}: ", name, diagnostic.at.line, diagnostic.at.column);
+}
+
+/// The quoted line and a caret below the column. Columns count characters, not bytes; a tab is repeated, so
+/// that the caret stands right at any tab width.
+std::string quotation(const Location& at) {
+  if (!at.source || at.line < 1 || at.line > static_cast<int>(at.source->lines.size())) return {};
+  const std::string& line = at.source->lines[at.line - 1];
+  std::string blanks;
+  int column = 1;
+  for (char c : line) {
+    if (column >= at.column) break;
+    if ((c & 0xC0) == 0x80) continue;  // the rest of a UTF-8 character
+    blanks += c == '\t' ? '\t' : ' ';
+    ++column;
+  }
+  return "  " + line + "\n  " + blanks + "^\n";
+}
+
+std::string message(const Diagnostic& diagnostic) {
+  return diagnostic.path.empty() ? diagnostic.text : diagnostic.path + ": " + diagnostic.text;
+}
+
+bool is_same(const Diagnostic& a, const Diagnostic& b) {
+  return a.severity == b.severity && source_name(a) == source_name(b) && a.at.line == b.at.line &&
+         a.at.column == b.at.column && a.path == b.path && a.text == b.text;
+}
+
+}  // namespace
+
+void Diagnostics::error(const Location& at, const std::string& path, const std::string& text) {
+  add({Severity::error, at, path, text});
+}
+
+void Diagnostics::warning(const Location& at, const std::string& path, const std::string& text) {
+  add({Severity::warning, at, path, text});
+}
+
+void Diagnostics::add(Diagnostic diagnostic) {
+  for (const Diagnostic& known : all_)
+    if (is_same(known, diagnostic)) return;
+  all_.push_back(std::move(diagnostic));
+}
+
+bool Diagnostics::has_errors() const {
+  return std::any_of(all_.begin(), all_.end(), [](const Diagnostic& d) { return d.severity == Severity::error; });
+}
+
+std::vector<std::string> Diagnostics::warnings() const {
+  std::vector<std::string> list;
+  for (const Diagnostic& diagnostic : all_)
+    if (diagnostic.severity == Severity::warning) list.push_back(message(diagnostic));
+  return list;
+}
+
+std::string Diagnostics::to_text() const {
+  std::vector<const Diagnostic*> sorted;
+  for (const Diagnostic& diagnostic : all_) sorted.push_back(&diagnostic);
+  auto key = [](const Diagnostic* d) { return std::make_tuple(source_name(*d), d->at.line, d->at.column); };
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [&](const Diagnostic* a, const Diagnostic* b) { return key(a) < key(b); });
+  std::string text;
+  for (const Diagnostic* diagnostic : sorted) text += flyrock::to_text(*diagnostic);
+  return text;
+}
+
+std::string to_text(const Diagnostic& diagnostic) {
+  const char* severity = diagnostic.severity == Severity::error ? "error" : "warning";
+  return fmt::format("{}{}: {}\n{}", place(diagnostic), severity, message(diagnostic), quotation(diagnostic.at));
+}
+
+}  // namespace flyrock

@@ -1,0 +1,191 @@
+#include "units/units.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+
+#include "units/unit_table.h"
+
+namespace flyrock {
+
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_blank(char c) { return c == ' '; }
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+/// The length of the decimal number at the start of a text, 0 where there is none.
+std::size_t number_length(std::string_view text) {
+  std::size_t i = 0;
+  if (i < text.size() && (text[i] == '+' || text[i] == '-')) ++i;
+  const std::size_t whole = i;
+  while (i < text.size() && is_digit(text[i])) ++i;
+  std::size_t digits = i - whole;
+  if (digits > 1 && text[whole] == '0') return 0;  // 010: eight, ten or a slip
+  if (i < text.size() && text[i] == '.') {
+    const std::size_t point = i++;
+    while (i < text.size() && is_digit(text[i])) ++i;
+    digits += i - point - 1;
+  }
+  if (digits == 0) return 0;
+  if (i < text.size() && (text[i] == 'e' || text[i] == 'E')) {
+    std::size_t exponent = i + 1;
+    if (exponent < text.size() && (text[exponent] == '+' || text[exponent] == '-')) ++exponent;
+    const std::size_t first = exponent;
+    while (exponent < text.size() && is_digit(text[exponent])) ++exponent;
+    if (exponent > first) i = exponent;  // else the "e" begins a unit
+  }
+  return i;
+}
+
+const NamedUnit* find_unit(std::string_view name) {
+  for (const NamedUnit& unit : unit_table())
+    if (unit.name == name) return &unit;
+  return nullptr;
+}
+
+double power(double base, int exponent) {
+  double result = 1;
+  for (int i = 0; i < std::abs(exponent); ++i) result *= base;
+  return exponent < 0 ? 1 / result : result;
+}
+
+void multiply(Unit& product, const Unit& unit, int exponent) {
+  product.factor *= power(unit.factor, exponent);
+  product.dimension.metre += exponent * unit.dimension.metre;
+  product.dimension.kilogram += exponent * unit.dimension.kilogram;
+  product.dimension.second += exponent * unit.dimension.second;
+  product.dimension.radian += exponent * unit.dimension.radian;
+}
+
+/// Superscripts and the middle dot as their plain spelling.
+std::string plain_spelling(std::string_view text) {
+  std::string plain(text);
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> spellings{
+      {{"²", "^2"}, {"³", "^3"}, {"·", "*"}}};
+  for (const auto& [from, to] : spellings)
+    for (std::size_t at; (at = plain.find(from)) != std::string::npos;) plain.replace(at, from.size(), to);
+  return plain;
+}
+
+/// One factor, "m3", "s^-2", "ft-lb" or "1"; false where its unit is unknown.
+bool multiply_factor(Unit& product, std::string_view factor, int sign) {
+  if (factor == "1") return true;
+  std::size_t end = factor.size();
+  while (end > 0 && is_digit(factor[end - 1])) --end;
+  int exponent = 1;
+  std::string_view name = factor.substr(0, end);
+  if (end < factor.size()) {
+    std::from_chars(factor.data() + end, factor.data() + factor.size(), exponent);
+    if (exponent < 1 || exponent > 9) return false;
+    if (name.ends_with('-')) {
+      exponent = -exponent;
+      name.remove_suffix(1);
+    }
+    if (name.ends_with('^')) name.remove_suffix(1);
+  }
+  const NamedUnit* unit = find_unit(name);
+  if (!unit) return false;
+  multiply(product, unit->unit, sign * exponent);
+  return true;
+}
+
+}  // namespace
+
+std::string si_unit(const Dimension& dimension) {
+  const std::array<std::pair<std::string_view, int>, 4> parts{{{"kg", dimension.kilogram},
+                                                               {"m", dimension.metre},
+                                                               {"rad", dimension.radian},
+                                                               {"s", dimension.second}}};
+  std::string above, below;
+  for (const auto& [name, exponent] : parts) {
+    if (exponent == 0) continue;
+    std::string& side = exponent > 0 ? above : below;
+    if (!side.empty()) side += ' ';
+    side += name;
+    if (std::abs(exponent) != 1) side += std::to_string(std::abs(exponent));
+  }
+  const std::string numerator = above.empty() ? std::string("1") : above;
+  return below.empty() ? numerator : numerator + "/" + below;
+}
+
+std::optional<Unit> parse_unit(std::string_view text, std::string* unknown) {
+  const std::string plain = plain_spelling(trimmed(text));
+  Unit product;
+  int sign = 1;
+  bool any = false;
+  for (std::size_t i = 0; i < plain.size();) {
+    const char c = plain[i];
+    if (is_blank(c) || c == '*' || c == '.') {
+      ++i;
+    } else if (c == '/') {
+      if (sign < 0 || !any) {  // a second `/` says neither a/(b c) nor (a/b) c
+        if (unknown) *unknown = plain;
+        return std::nullopt;
+      }
+      sign = -1;
+      any = false;
+      ++i;
+    } else {
+      const std::size_t end = std::min(plain.find_first_of(" *./", i), plain.size());
+      const std::string_view factor = std::string_view(plain).substr(i, end - i);
+      if (!multiply_factor(product, factor, sign)) {
+        if (unknown) *unknown = factor;
+        return std::nullopt;
+      }
+      any = true;
+      i = end;
+    }
+  }
+  if (!any) {
+    if (unknown) *unknown = plain;
+    return std::nullopt;
+  }
+  return product;
+}
+
+std::vector<std::string> unit_names() {
+  std::vector<std::string> names;
+  for (const NamedUnit& unit : unit_table()) names.emplace_back(unit.name);
+  return names;
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  if (text.empty() || number_length(text) != text.size()) return std::nullopt;
+  if (text.front() == '+') text.remove_prefix(1);
+  double value = 0;
+  // from_chars: strtod would read the locale's decimal point.
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (code != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::optional<Quantity> parse_quantity(std::string_view text, QuantityError* error) {
+  text = trimmed(text);
+  const std::size_t length = number_length(text);
+  const std::optional<double> value = parse_number(text.substr(0, length));
+  if (!value) {
+    if (error) *error = {};
+    return std::nullopt;
+  }
+  Quantity quantity;
+  quantity.value = *value;
+  quantity.unit_text = trimmed(text.substr(length));
+  if (quantity.unit_text.empty()) return quantity;
+  std::string unknown;
+  const std::optional<Unit> unit = parse_unit(quantity.unit_text, &unknown);
+  if (!unit) {
+    if (error) *error = {unknown, nearest_name(unknown, unit_names())};
+    return std::nullopt;
+  }
+  quantity.has_unit = true;
+  quantity.unit = *unit;
+  return quantity;
+}
+
+}  // namespace flyrock
