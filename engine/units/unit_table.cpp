@@ -76,7 +76,6 @@ constexpr NamedUnit table[] = {
     {"mph", {mile / 3600, dimension::speed}},
     {"fps", {foot, dimension::speed}},
     {"knot", {1852.0 / 3600, dimension::speed}},
-    {"g0", {standard_gravity, dimension::acceleration}},
     // force
     {"N", {1, force}},
     {"kN", {1e3, force}},
