@@ -1,8 +1,23 @@
-// The factories of flyrock's own native plugins.
+// The factories of flyrock's own native plugins, by kind and name.
 
 #include "plugin/module.h"
 
+#include "plugins/factories.h"
+
 FLYROCK_MODULE(table) {
-  (void)table;
+  using namespace flyrock::plugins;
+  using enum flyrock::PluginKind;
+  table[{shape, "disk"}] = make_disk;
+  table[{shape, "polygon"}] = make_polygon;
+  table[{population, "independent"}] = make_independent;
+  table[{restitution, "newton"}] = make_newton;
+  table[{friction, "coulomb"}] = make_coulomb;
+  table[{rolling, "rolling_resistance"}] = make_rolling_resistance;
+  table[{unilateral, "signorini"}] = make_signorini;
+  table[{velocity, "fixed"}] = make_fixed;
+  table[{velocity, "gurney"}] = make_gurney;
+  table[{velocity, "bench_fit"}] = make_bench_fit;
+  table[{terrain, "benches"}] = make_benches;
+  table[{terrain, "profile"}] = make_profile;
   return nullptr;
 }

@@ -1,0 +1,24 @@
+#pragma once
+// The factories of flyrock's own native plugins, one a folder.
+
+#include <memory>
+
+#include "plugin/contact_law.h"
+#include "plugin/models.h"
+
+namespace flyrock::plugins {
+
+std::unique_ptr<ShapeModel> make_disk(Params& params);
+std::unique_ptr<ShapeModel> make_polygon(Params& params);
+std::unique_ptr<Population> make_independent(Params& params);
+std::unique_ptr<RestitutionLaw> make_newton(Params& params);
+std::unique_ptr<FrictionLaw> make_coulomb(Params& params);
+std::unique_ptr<RollingLaw> make_rolling_resistance(Params& params);
+std::unique_ptr<UnilateralLaw> make_signorini(Params& params);
+std::unique_ptr<VelocityModel> make_fixed(Params& params);
+std::unique_ptr<VelocityModel> make_gurney(Params& params);
+std::unique_ptr<VelocityModel> make_bench_fit(Params& params);
+std::unique_ptr<TerrainModel> make_benches(Params& params);
+std::unique_ptr<TerrainModel> make_profile(Params& params);
+
+}  // namespace flyrock::plugins

@@ -1,0 +1,19 @@
+local fr = require "flyrock"
+
+return fr.plugin {
+  kind = "shape",
+  name = "polygon",
+  doc = "A convex polygon: given by its vertices, or drawn at random with a number of sides and a size. "
+    .. "Drawn ones have their vertices on a circle, at least 20 degrees apart (half the regular distance "
+    .. "from 18 sides on), the edge between the last and the first level below.",
+  params = {
+    vertices = fr.points { optional = true, unit = "m", doc = "the vertices in order, in place of sides and diameter" },
+    sides = fr.integer { optional = true, min = 3, max = 100, doc = "number of sides of a drawn polygon" },
+    diameter = fr.number { optional = true, above = 0, unit = "m", doc = "diameter of the circle of equal area" },
+    irregularity = fr.number {
+      default = 0.3, min = 0, max = 1,
+      doc = "of a drawn polygon: 0 is regular, 1 has vertices uniformly at random",
+    },
+  },
+  native = "polygon",
+}

@@ -1,0 +1,90 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "plugins/factories.h"
+
+namespace flyrock::plugins {
+
+namespace {
+
+constexpr int most_sides = 100;
+constexpr double least_gap = 20 * pi / 180;
+
+/// A polygon whose vertices the scenario gives.
+class GivenPolygon : public ShapeModel {
+ public:
+  explicit GivenPolygon(std::vector<Vec2> vertices) : contactor_(Contactor2::polygon(std::move(vertices))) {}
+  std::vector<Contactor2> build(Values, RandomStream&) const override { return {contactor_}; }
+
+ private:
+  Contactor2 contactor_;
+};
+
+/// Angles between successive vertices: a least one, and shares of the rest that go from equal (irregularity
+/// 0) to those of points thrown on a circle, whose spacings are exponential numbers over their sum.
+std::vector<double> draw_gaps(int sides, double irregularity, RandomStream& rng) {
+  const double least = sides * least_gap < 2 * pi ? least_gap : pi / sides;
+  std::vector<double> gaps;
+  double sum = 0;
+  for (int k = 0; k < sides; ++k) {
+    gaps.push_back(1 - irregularity - irregularity * std::log(rng.uniform()));
+    sum += gaps.back();
+  }
+  for (double& gap : gaps) gap = least + (2 * pi - sides * least) * gap / sum;
+  return gaps;
+}
+
+class DrawnPolygon : public ShapeModel {
+ public:
+  DrawnPolygon(int sides, int diameter, int irregularity)
+      : sides_(sides), diameter_(diameter), irregularity_(irregularity) {}
+
+  std::vector<Contactor2> build(Values values, RandomStream& rng) const override {
+    const double sides = values[sides_], diameter = values[diameter_], irregularity = values[irregularity_];
+    if (!(sides >= 3 && sides <= most_sides))
+      throw PluginError(
+          fmt::format("plugin polygon: sides is {:.6g}, must be from 3 to {}", sides, most_sides));
+    if (!(diameter > 0))
+      throw PluginError(fmt::format("plugin polygon: diameter is {:.6g} m, must be above 0", diameter));
+    if (!(irregularity >= 0 && irregularity <= 1))
+      throw PluginError(
+          fmt::format("plugin polygon: irregularity is {:.6g}, must be from 0 to 1", irregularity));
+
+    const auto gaps = draw_gaps(static_cast<int>(std::lround(sides)), irregularity, rng);
+    double unit_area = 0;  // on the circle of radius 1
+    for (double gap : gaps) unit_area += std::sin(gap) / 2;
+    const double circumradius = diameter / 2 * std::sqrt(pi / unit_area);
+    std::vector<Vec2> vertices;
+    double angle = -pi / 2 + gaps.back() / 2;
+    for (double gap : gaps) {
+      vertices.push_back(circumradius * Vec2(std::cos(angle), std::sin(angle)));
+      angle += gap;
+    }
+    return {Contactor2::polygon(std::move(vertices))};
+  }
+
+ private:
+  int sides_, diameter_, irregularity_;
+};
+
+}  // namespace
+
+std::unique_ptr<ShapeModel> make_polygon(Params& params) {
+  auto vertices = params.points2("vertices");
+  const int sides = params.slot("sides"), diameter = params.slot("diameter");
+  const int irregularity = params.slot("irregularity");
+  const bool drawn = sides >= 0 && diameter >= 0;
+  if (!params.given("vertices") && drawn)
+    return std::make_unique<DrawnPolygon>(sides, diameter, irregularity);
+  if (!params.given("vertices") || sides >= 0 || diameter >= 0)
+    throw PluginError("plugin polygon: expected either `vertices`, or `sides` and `diameter`");
+  if (params.written("irregularity"))
+    throw PluginError(
+        "plugin polygon: `irregularity` is of a drawn polygon and says nothing beside `vertices`");
+  if (std::string fault = make_convex(vertices); !fault.empty())
+    throw PluginError("plugin polygon: " + fault);
+  return std::make_unique<GivenPolygon>(std::move(vertices));
+}
+
+}  // namespace flyrock::plugins

@@ -1,0 +1,15 @@
+local fr = require "flyrock"
+
+return fr.plugin {
+  kind = "terrain",
+  name = "profile",
+  doc = "A surveyed poly-line from left to right, the ground below it, of one part without a name.",
+  params = {
+    points = fr.points { optional = true, unit = "m", doc = "[[x, y], ...], in place of a file" },
+    file = fr.file {
+      optional = true,
+      doc = "a text file of two numbers in metres a line, apart by a comma or blanks; # begins a comment",
+    },
+  },
+  native = "profile",
+}

@@ -1,0 +1,18 @@
+local fr = require "flyrock"
+
+return fr.plugin {
+  kind = "velocity",
+  name = "fixed",
+  doc = "A launch at a given velocity: its components in the world frame, or speed and direction.",
+  params = {
+    velocity = fr.vector { optional = true, unit = "m/s", doc = "components in the world frame, in place of speed" },
+    speed = fr.number { optional = true, min = 0, unit = "m/s", doc = "magnitude, with elevation" },
+    elevation = fr.number {
+      optional = true, unit = "deg",
+      doc = "above the outward horizontal of the face (elsewhere +x); 0 where it is left out",
+    },
+    azimuth = fr.number { optional = true, unit = "deg", doc = "turn about the vertical, 3D; 0 where it is left out" },
+    spin = fr.number { default = 0, unit = "rad/s", doc = "anticlockwise" },
+  },
+  native = "fixed",
+}
