@@ -1,5 +1,6 @@
 #include "blast/bench_fit.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "plugins/factories.h"
