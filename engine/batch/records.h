@@ -59,6 +59,8 @@ struct MaterialUse {
 /// Share of time by phase of the engine, nanoseconds: run.log only, never in results.
 struct PhaseTimes {
   std::int64_t flight = 0, detect = 0, solve = 0, other = 0;
+
+  void add(const PhaseTimes& more);
 };
 
 /// Everything that consecutive trials of one point leave.
@@ -73,5 +75,8 @@ struct TrialRecords {
   std::vector<std::string> notes;  ///< distinct notes of launches ("v0^2 < 0: ..."), at most 20
   std::vector<BodyHistory> bodies; ///< `bodies` scenarios: the last trial's histories, for measures
 };
+
+/// Appends the rows of later trials to those of earlier ones and adds up what is counted.
+void append(TrialRecords& to, TrialRecords&& from);
 
 }  // namespace flyrock

@@ -1,0 +1,161 @@
+#include "batch/chunk.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/crc.hpp>
+
+#include "batch/columns.h"
+
+namespace flyrock {
+
+namespace {
+
+constexpr std::string_view magic = "flyrchnk";
+constexpr std::uint64_t format = 1;
+
+std::uint64_t crc(std::string_view bytes) {
+  boost::crc_32_type sum;
+  sum.process_bytes(bytes.data(), bytes.size());
+  return sum.checksum();
+}
+
+// The walks. `Rows` is a vector of records, const where they are written.
+
+template <class Io, class Rows, class State>
+void walk_state(Io& io, Rows& rows, State state) {
+  io.columns(rows, [&](auto& r) -> auto& { return std::invoke(state, r).time; });
+  for (int i = 0; i < 3; ++i)
+    io.columns(
+        rows, [&](auto& r) -> auto& { return std::invoke(state, r).position[i]; },
+        [&](auto& r) -> auto& { return std::invoke(state, r).velocity[i]; },
+        [&](auto& r) -> auto& { return std::invoke(state, r).spin[i]; });
+  io.columns(
+      rows, [&](auto& r) -> auto& { return std::invoke(state, r).angle; },
+      [&](auto& r) -> auto& { return std::invoke(state, r).kinetic_energy; });
+}
+
+template <class Io, class Rows, class Get>
+void walk_impact(Io& io, Rows& rows, Get get) {
+  const auto field = [&](auto member) {
+    io.columns(rows, [&](auto& r) -> auto& { return std::invoke(get, r).*member; });
+  };
+  field(&Impact::body), field(&Impact::other), field(&Impact::part), field(&Impact::number), field(&Impact::time);
+  for (int i = 0; i < 3; ++i) io.columns(rows, [&](auto& r) -> auto& { return std::invoke(get, r).place[i]; });
+  field(&Impact::vn_before), field(&Impact::vn_after), field(&Impact::vt_before), field(&Impact::vt_after);
+  field(&Impact::pn), field(&Impact::pt), field(&Impact::energy_change);
+}
+
+/// The stored trajectory of a body is a table of its own (TrajectoryRecord) and not repeated here.
+template <class Io, class Bodies>
+void walk_bodies(Io& io, Bodies& bodies) {
+  using B = BodyHistory;
+  io.rows(bodies);
+  walk_state(io, bodies, &B::first);
+  walk_state(io, bodies, &B::last);
+  walk_state(io, bodies, &B::min);
+  walk_state(io, bodies, &B::max);
+  io.columns(bodies, &B::min_speed, &B::max_speed, &B::reason, &B::fault, &B::stop_time, &B::contact_time,
+             &B::max_distance, &B::flight_range, &B::bounce_height, &B::impact_count);
+  for (auto& body : bodies) {
+    io.rows(body.impacts);
+    walk_impact(io, body.impacts, [](auto& impact) -> auto& { return impact; });
+    io.rows(body.apexes);
+    io.columns(body.apexes, &Apex::time, &Apex::height);
+  }
+}
+
+template <class Io, class Quality>
+void walk_quality(Io& io, Quality& q) {
+  io.value(q.steps), io.value(q.cut_steps), io.value(q.flights), io.value(q.impact_problems);
+  io.value(q.iterations), io.value(q.toc_iterations), io.value(q.not_converged), io.value(q.energy_gains);
+  io.value(q.max_residual), io.value(q.max_penetration), io.value(q.energy_gained);
+  io.value(q.energy_relative_change);
+}
+
+template <class Io, class Records>
+void walk(Io& io, Records& records) {
+  using R = RockRecord;
+  io.rows(records.rocks);
+  io.columns(records.rocks, &R::trial, &R::rock, &R::group, &R::mass, &R::volume, &R::launch_speed,
+             &R::launch_elevation, &R::reason, &R::censored, &R::runout, &R::max_distance, &R::stop_x, &R::stop_y,
+             &R::stop_z, &R::flight_range, &R::bounce_height, &R::max_speed, &R::max_energy, &R::impacts, &R::time,
+             &R::fault);
+  io.rows(records.inputs);
+  io.columns(records.inputs, &InputRecord::trial, &InputRecord::rock, &InputRecord::draw, &InputRecord::value);
+  io.rows(records.impacts);
+  io.columns(records.impacts, &ImpactRecord::trial, &ImpactRecord::rock);
+  walk_impact(io, records.impacts, &ImpactRecord::impact);
+  io.rows(records.trajectories);
+  io.columns(records.trajectories, &TrajectoryRecord::trial, &TrajectoryRecord::rock,
+             [](auto& r) -> auto& { return r.point.in_contact; });
+  walk_state(io, records.trajectories, [](auto& r) -> auto& { return r.point.state; });
+  io.rows(records.materials);
+  io.columns(records.materials, &MaterialUse::contacts, &MaterialUse::restitution, &MaterialUse::friction,
+             &MaterialUse::rolling, &MaterialUse::unilateral);
+  walk_quality(io, records.quality);
+  io.rows(records.notes);
+  io.columns(records.notes, [](auto& note) -> auto& { return note; });
+  walk_bodies(io, records.bodies);
+}
+
+std::string header(const ChunkRange& range, const std::string& scenario_hash) {
+  ColumnWriter out;
+  out.value(format);
+  out.value(scenario_hash);
+  out.value(range.point), out.value(range.index), out.value(range.first), out.value(range.count);
+  return std::string(magic) + out.bytes();
+}
+
+}  // namespace
+
+std::string ChunkRange::file_name() const { return fmt::format("p{}-c{}.chunk", point, index); }
+
+std::uint64_t chunk_size(std::uint64_t trials) {
+  return std::clamp<std::uint64_t>((trials + 99) / 100, 1, 1000);
+}
+
+std::vector<ChunkRange> plan_chunks(int points, std::uint64_t trials) {
+  const std::uint64_t size = chunk_size(trials);
+  std::vector<ChunkRange> plan;
+  for (int point = 0; point < points; ++point)
+    for (std::uint64_t first = 0; first < trials; first += size)
+      plan.push_back({point, first / size, first, std::min(size, trials - first)});
+  return plan;
+}
+
+std::string encode_chunk(const ChunkRange& range, const std::string& scenario_hash, const TrialRecords& records) {
+  ColumnWriter out;
+  walk(out, records);
+  std::string bytes = header(range, scenario_hash) + out.bytes();
+  ColumnWriter sum;
+  sum.value(crc(bytes));
+  return bytes + sum.bytes();
+}
+
+std::optional<TrialRecords> decode_chunk(std::string_view bytes, const ChunkRange& range,
+                                         const std::string& scenario_hash, std::string& why) {
+  const auto refuse = [&](std::string text) {
+    why = std::move(text);
+    return std::nullopt;
+  };
+  if (!bytes.starts_with(magic)) return refuse("not a chunk file");
+  const std::string expected = header(range, scenario_hash);
+  if (bytes.size() < expected.size() + 8) return refuse("cut short");
+  std::uint64_t sum = 0;
+  ColumnReader(bytes.substr(bytes.size() - 8)).value(sum);
+  bytes.remove_suffix(8);
+  if (crc(bytes) != sum) return refuse("damaged: its checksum is wrong");
+  if (!bytes.starts_with(expected)) return refuse("of another format, scenario or range of trials");
+  try {
+    TrialRecords records;
+    ColumnReader in(bytes.substr(expected.size()));
+    walk(in, records);
+    if (!in.at_end()) return refuse("longer than its tables");
+    return records;
+  } catch (const ColumnError& error) {
+    return refuse(error.what());
+  }
+}
+
+}  // namespace flyrock

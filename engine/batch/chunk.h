@@ -1,0 +1,46 @@
+#pragma once
+// A chunk: N consecutive trials of one point, the unit of work, storage, loss and merging.
+//
+// A chunk file: the magic "flyrchnk", the format, the hash of the resolved scenario, point, first trial and
+// count, then tables stored column by column, and a CRC-32 (IEEE 802.3) of all that precedes it. Integers
+// are 8 bytes in two's complement, doubles IEEE 754 of 8 bytes, both little-endian; a text is its length
+// and its bytes. Wall times are not stored: a chunk holds nothing that may differ between two runs.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "batch/records.h"
+
+namespace flyrock {
+
+/// Which trials a chunk holds.
+struct ChunkRange {
+  int point = 0;
+  std::uint64_t index = 0;  ///< among the chunks of its point
+  std::uint64_t first = 0;  ///< trial
+  std::uint64_t count = 0;
+
+  bool operator==(const ChunkRange&) const = default;
+  /// "p0-c12.chunk"
+  std::string file_name() const;
+};
+
+/// Trials in a chunk: a hundredth of the trials of a point, from 1 to 1000. It depends on nothing else, so
+/// that chunks of any two runs of a scenario fit together.
+std::uint64_t chunk_size(std::uint64_t trials);
+
+/// All chunks of a run, in the order in which they are merged.
+std::vector<ChunkRange> plan_chunks(int points, std::uint64_t trials);
+
+/// The bytes of a chunk file. `scenario_hash` names the resolved scenario.
+std::string encode_chunk(const ChunkRange& range, const std::string& scenario_hash, const TrialRecords& records);
+
+/// The records of a chunk file, or nothing where it is cut short, damaged, of another format, scenario or
+/// range; `why` then says which.
+std::optional<TrialRecords> decode_chunk(std::string_view bytes, const ChunkRange& range,
+                                         const std::string& scenario_hash, std::string& why);
+
+}  // namespace flyrock

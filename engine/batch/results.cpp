@@ -1,0 +1,157 @@
+#include "batch/results.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace flyrock {
+
+namespace {
+
+constexpr std::size_t faults_kept = 20;
+
+void collect_faults(Results& results) {
+  for (std::size_t point = 0; point < results.points.size(); ++point) {
+    for (const RockRecord& rock : results.points[point].records.rocks) {
+      if (!is_fault(rock.reason)) continue;
+      ++results.fault_count;
+      if (results.faults.size() < faults_kept)
+        results.faults.push_back({static_cast<int>(point), rock.trial, rock.rock, rock.reason, rock.fault});
+    }
+  }
+}
+
+std::vector<std::string> collect_warnings(const Plan& plan, const std::vector<PointResult>& points) {
+  std::vector<std::string> warnings = laws_never_asked(plan, points);
+  for (const std::string& key : plan.not_used) warnings.push_back("not used: " + key);
+  std::set<std::string> notes;  // the same launch may have the same trouble at every point
+  for (const PointResult& point : points)
+    for (const std::string& note : point.records.notes)
+      if (notes.insert(note).second) warnings.push_back(note);
+  return warnings;
+}
+
+std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
+
+std::string bodies_answer(const Plan& plan, const Results& results) {
+  const TrialRecords& records = results.points.front().records;
+  std::string text;
+  if (records.rocks.size() == 1) {
+    const RockRecord& body = records.rocks.front();
+    text = fmt::format("Body `{}` ended `{}` after {:.4g} s, {:.4g} m from where it began, with {} impacts.",
+                       group_names(plan.points.front()).at(static_cast<std::size_t>(body.group)),
+                       name_of(body.reason), body.time, body.runout, body.impacts);
+  } else {
+    text = fmt::format("{} bodies moved for up to {:.4g} s.", records.rocks.size(), plan.points.front().stop.time);
+  }
+  return text;
+}
+
+/// "p95": over all points of a sweep the range that it covers.
+std::string range_of(const Results& results, Statistic statistic) {
+  const auto at = [&](const PointResult& p) { return p.groups.front().at(RockQuantity::runout, statistic); };
+  const auto less = [&](const PointResult& a, const PointResult& b) { return at(a).value < at(b).value; };
+  const auto [low, high] = std::minmax_element(results.points.begin(), results.points.end(), less);
+  if (low == high || at(*low).value == at(*high).value) return display(at(*high), "m");
+  return fmt::format("{} to {}", display(at(*low), "m"), display(at(*high), "m"));
+}
+
+}  // namespace
+
+std::uint64_t Results::rocks() const {
+  std::uint64_t sum = 0;
+  for (const PointResult& point : points) sum += point.records.rocks.size();
+  return sum;
+}
+
+int Results::count(Judgement judgement) const {
+  return static_cast<int>(std::count_if(verdicts.begin(), verdicts.end(),
+                                        [&](const Verdict& verdict) { return verdict.judgement == judgement; }));
+}
+
+Results make_results(const Plan& plan, std::vector<TrialRecords> records, const std::vector<std::uint64_t>& trials,
+                     bool full, std::string ended_early) {
+  Results results;
+  for (std::size_t point = 0; point < records.size(); ++point) {
+    PointResult result;
+    result.trials = trials[point];
+    result.groups = summarise(records[point].rocks, group_names(plan.points[point]));
+    result.records = std::move(records[point]);
+    results.points.push_back(std::move(result));
+  }
+  results.verdicts = judge(plan, results.points, full && ended_early.empty());
+  results.warnings = collect_warnings(plan, results.points);
+  collect_faults(results);
+  results.ended_early = std::move(ended_early);
+  return results;
+}
+
+std::vector<std::string> laws_never_asked(const Plan& plan, const std::vector<PointResult>& points) {
+  std::vector<std::string> warnings;
+  const std::vector<Material>& materials = plan.points.front().materials;
+  for (std::size_t m = 0; m < materials.size(); ++m) {
+    MaterialUse use;
+    for (const PointResult& point : points) {
+      if (m >= point.records.materials.size()) continue;
+      const MaterialUse& more = point.records.materials[m];
+      use.contacts += more.contacts;
+      use.restitution += more.restitution;
+      use.friction += more.friction;
+      use.rolling += more.rolling;
+      use.unilateral += more.unilateral;
+    }
+    if (use.contacts == 0) {
+      warnings.push_back(fmt::format("material {}: nothing touched it, none of its laws was asked", materials[m].name));
+      continue;
+    }
+    const auto note = [&](const std::optional<PluginUse>& law, std::uint64_t asked, std::string_view kind) {
+      if (law && asked == 0)
+        warnings.push_back(fmt::format("material {}: its {} {} was never asked", materials[m].name, kind,
+                                       law->plugin->spec.name));
+    };
+    note(materials[m].restitution, use.restitution, "restitution");
+    note(materials[m].friction, use.friction, "friction");
+    note(materials[m].rolling, use.rolling, "rolling");
+    note(materials[m].unilateral, use.unilateral, "unilateral");
+  }
+  return warnings;
+}
+
+std::string display(const Bounded& number, std::string_view unit) {
+  if (std::isnan(number.value)) return "-";
+  const std::string text = fmt::format("{}{:.4g}", number.censored ? ">= " : "", number.value);
+  return unit.empty() ? text : fmt::format("{} {}", text, unit);
+}
+
+std::string answer(const Plan& plan, const Results& results) {
+  const std::uint64_t rocks = results.rocks();
+  if (rocks == 0) return "No rock was released.";
+  std::uint64_t known = 0, censored = 0;
+  for (const PointResult& point : results.points) {
+    known += point.groups.front().count - point.groups.front().faults;
+    censored += point.groups.front().censored;
+  }
+  std::string text;
+  if (known == 0) {
+    text = fmt::format("All {} rocks failed.", rocks);
+  } else if (!plan.points.front().bodies.empty()) {
+    text = bodies_answer(plan, results);
+  } else {
+    text = fmt::format("95 % of the rocks come to rest within {} of their release, 99 % within {}; the farthest "
+                       "stopped at {}.",
+                       range_of(results, Statistic::p95), range_of(results, Statistic::p99),
+                       range_of(results, Statistic::max));
+    if (results.points.size() > 1) text += fmt::format(" The ranges are over {} sweep points.", results.points.size());
+    text += censored == 0 ? " No rock is censored."
+                          : fmt::format(" {} of the rocks are censored (left the domain or ran out of time): "
+                                        "their distances are lower bounds.",
+                                        percent(static_cast<double>(censored) / static_cast<double>(known)));
+  }
+  if (known > 0 && known < rocks) text += fmt::format(" {} rocks failed and are in no statistic.", rocks - known);
+  if (!results.ended_early.empty()) text += fmt::format(" The run ended early: {}.", results.ended_early);
+  return text;
+}
+
+}  // namespace flyrock

@@ -1,0 +1,48 @@
+#pragma once
+// Everything that a run found out: what the tables, the report and the terminal show.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "batch/expectations.h"
+#include "batch/measures.h"
+
+namespace flyrock {
+
+/// A rock that failed, with its reason.
+struct Fault {
+  int point = 0;
+  std::uint64_t trial = 0;
+  int rock = 0;
+  StopReason reason = StopReason::diverged;
+  std::string text;
+};
+
+struct Results {
+  std::vector<PointResult> points;
+  std::vector<Verdict> verdicts;
+  std::vector<std::string> warnings;  ///< laws never asked, keys not used, notes of launches
+  std::vector<Fault> faults;          ///< the first 20
+  std::uint64_t fault_count = 0;
+  std::string ended_early;            ///< why, or empty where every trial ran
+
+  std::uint64_t rocks() const;
+  /// Of the verdicts.
+  int count(Judgement judgement) const;
+};
+
+/// `full` is false where fewer trials ran than the scenario itself asks for; see judge().
+Results make_results(const Plan& plan, std::vector<TrialRecords> records, const std::vector<std::uint64_t>& trials,
+                     bool full, std::string ended_early);
+
+/// "material haul_floor: its restitution pfeiffer_bowen was never asked": laws that no contact of any point needed.
+std::vector<std::string> laws_never_asked(const Plan& plan, const std::vector<PointResult>& points);
+
+/// The run in a sentence or two: how far rocks went, and which share of them is censored.
+std::string answer(const Plan& plan, const Results& results);
+
+/// "182 m", ">= 182 m", "-" where there is no value: four significant digits.
+std::string display(const Bounded& number, std::string_view unit);
+
+}  // namespace flyrock

@@ -1,0 +1,70 @@
+#pragma once
+// Statistics of the rocks of one point, with what is censored kept apart from what is known.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "batch/records.h"
+#include "scenario/scenario.h"
+
+namespace flyrock {
+
+/// What is counted of a rock, under its name in measures and summary.json.
+enum class RockQuantity { runout, max_distance, flight_range, bounce_height, speed, energy, impacts, time };
+inline constexpr std::array<std::string_view, 8> quantity_names = {
+    "runout", "max_distance", "flight_range", "bounce_height", "speed", "energy", "impacts", "time"};
+inline constexpr std::array<std::string_view, 8> quantity_units = {"m", "m", "m", "m", "m/s", "J", "", "s"};
+
+enum class Statistic { mean, sd, min, max, p50, p90, p95, p99 };
+inline constexpr std::array<std::string_view, 8> statistic_names = {"mean", "sd",  "min", "max",
+                                                                    "p50",  "p90", "p95", "p99"};
+
+/// A number that censored rocks may have had a hand in: then it is a lower bound (of the standard deviation:
+/// merely not known). NaN where there are too few rocks.
+struct Bounded {
+  double value = 0;
+  bool censored = false;
+};
+
+using Statistics = std::array<Bounded, statistic_names.size()>;  ///< indexed by Statistic
+
+/// A number of one rock. The path of a censored rock was cut short, so each of its numbers is a lower bound, but
+/// for the flight range of a rock that had landed.
+Bounded quantity_of(const RockRecord& rock, RockQuantity quantity);
+
+/// Statistics of `values`, in any order.
+///   sd         of the sample: sum (x - mean)^2 / (n - 1)
+///   quantile p linear between the order statistics x_0 <= ... <= x_{n-1} at h = (n - 1) p, as NumPy and the
+///              PERCENTILE.INC of spreadsheets: x_floor(h) + (h - floor(h)) (x_floor(h)+1 - x_floor(h))
+/// A quantile is exact where the order statistics up to those that it reads hold whatever the censored values
+/// truly are, that is where every censored bound lies behind them in the order; else it is a lower bound.
+Statistics statistics_of(std::vector<Bounded> values);
+
+/// The rocks of one group, or of all.
+struct GroupSummary {
+  std::string name;         ///< empty: all rocks
+  std::uint64_t count = 0;  ///< rocks, those with faults included
+  std::uint64_t faults = 0; ///< diverged, plugin_error: in no statistic
+  std::uint64_t censored = 0;
+  std::array<std::uint64_t, 6> reasons{};  ///< indexed by StopReason
+  std::array<Statistics, quantity_names.size()> statistics{};
+
+  const Bounded& at(RockQuantity quantity, Statistic statistic) const {
+    return statistics[static_cast<int>(quantity)][static_cast<int>(statistic)];
+  }
+  /// Share of the rocks without faults that are censored; 0 where there are none.
+  double censored_share() const;
+};
+
+bool is_fault(StopReason reason);
+
+/// What RockRecord::group counts: the rock groups, or the bodies that move.
+std::vector<std::string> group_names(const Scenario& scenario);
+
+/// All rocks first, then each group where there is more than one.
+std::vector<GroupSummary> summarise(const std::vector<RockRecord>& rocks, const std::vector<std::string>& groups);
+
+}  // namespace flyrock

@@ -1,0 +1,128 @@
+#include "report/summary_data.h"
+
+#include <cmath>
+
+namespace flyrock {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json at_point(const Plan& plan, std::size_t point) {
+  Json at = Json::object();
+  for (std::size_t axis = 0; axis < plan.axes.size(); ++axis) at[plan.axes[axis].path] = plan.at[point][axis];
+  return at;
+}
+
+Json statistics_data(const Statistics& statistics) {
+  Json data = Json::object();
+  Json bounds = Json::array();
+  for (std::size_t s = 0; s < statistics.size(); ++s) {
+    const std::string name(statistic_names[s]);
+    data[name] = number(statistics[s].value);
+    if (statistics[s].censored) bounds.push_back(name);
+  }
+  data["lower_bounds"] = bounds;
+  return data;
+}
+
+Json group_data(const GroupSummary& group) {
+  Json reasons = Json::object();
+  for (std::size_t r = 0; r < group.reasons.size(); ++r)
+    reasons[name_of(static_cast<StopReason>(r))] = group.reasons[r];
+  Json data = {{"group", group.name.empty() ? Json(nullptr) : Json(group.name)},
+               {"count", group.count},
+               {"faults", group.faults},
+               {"censored", group.censored_share()},
+               {"stop_reasons", reasons}};
+  for (std::size_t q = 0; q < quantity_names.size(); ++q)
+    data[std::string(quantity_names[q])] = statistics_data(group.statistics[q]);
+  return data;
+}
+
+Json quality_data(const SolverQuality& q) {
+  return {{"steps", q.steps},
+          {"cut_steps", q.cut_steps},
+          {"flights", q.flights},
+          {"impact_problems", q.impact_problems},
+          {"iterations", q.iterations},
+          {"toc_iterations", q.toc_iterations},
+          {"not_converged", q.not_converged},
+          {"max_residual", number(q.max_residual)},
+          {"max_penetration", number(q.max_penetration)},
+          {"energy_gains", q.energy_gains},
+          {"energy_gained", number(q.energy_gained)},
+          {"energy_relative_change", number(q.energy_relative_change)}};
+}
+
+Json materials_data(const Scenario& scenario, const std::vector<MaterialUse>& use) {
+  Json list = Json::array();
+  for (std::size_t m = 0; m < use.size() && m < scenario.materials.size(); ++m)
+    list.push_back({{"material", scenario.materials[m].name},
+                    {"contacts", use[m].contacts},
+                    {"restitution", use[m].restitution},
+                    {"friction", use[m].friction},
+                    {"rolling", use[m].rolling},
+                    {"unilateral", use[m].unilateral}});
+  return list;
+}
+
+Json verdict_data(const Verdict& verdict) {
+  const Expectation& e = verdict.expectation;
+  static constexpr const char* kinds[] = {"equals", "below", "above", "between"};
+  Json data = {{"measure", e.measure}, {"point", verdict.point < 0 ? Json(nullptr) : Json(verdict.point)},
+               {"computed", number(verdict.computed)}, {"kind", kinds[static_cast<int>(e.kind)]}};
+  data["expected"] = e.kind == ExpectKind::between ? Json::array({e.value, e.high}) : Json(e.value);
+  data["tolerance"] = verdict.tolerance;
+  data["passed"] =
+      verdict.judgement == Judgement::not_judged ? Json(nullptr) : Json(verdict.judgement == Judgement::passed);
+  if (!verdict.reason.empty()) data["reason"] = verdict.reason;
+  return data;
+}
+
+}  // namespace
+
+nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
+  const Scenario& first = plan.points.front();
+  Json points = Json::array();
+  for (std::size_t p = 0; p < results.points.size(); ++p) {
+    const PointResult& point = results.points[p];
+    Json groups = Json::array();
+    for (const GroupSummary& group : point.groups) groups.push_back(group_data(group));
+    points.push_back({{"point", p},
+                      {"at", at_point(plan, p)},
+                      {"trials", point.trials},
+                      {"rocks", groups},
+                      {"solver", quality_data(point.records.quality)},
+                      {"materials", materials_data(plan.points[p], point.records.materials)}});
+  }
+  Json verdicts = Json::array();
+  for (const Verdict& verdict : results.verdicts) verdicts.push_back(verdict_data(verdict));
+  Json faults = Json::array();
+  for (const Fault& fault : results.faults)
+    faults.push_back({{"point", fault.point},
+                      {"trial", fault.trial},
+                      {"rock", fault.rock},
+                      {"reason", name_of(fault.reason)},
+                      {"text", fault.text}});
+  Json data = {{"flyrock", FLYROCK_ENGINE_VERSION},
+               {"title", first.title},
+               {"answer", answer(plan, results)},
+               {"dimension", first.dimension},
+               {"method", "nscd"},
+               {"seed", first.seed},
+               {"trials", first.trials},
+               {"complete", results.ended_early.empty()}};
+  if (!results.ended_early.empty()) data["ended_early"] = results.ended_early;
+  data["points"] = points;
+  data["expectations"] = verdicts;
+  data["fault_count"] = results.fault_count;
+  data["faults"] = faults;
+  data["not_used"] = plan.not_used;
+  data["warnings"] = results.warnings;
+  return data;
+}
+
+}  // namespace flyrock

@@ -1,0 +1,13 @@
+#pragma once
+// The content of summary.json, which the report shows too.
+
+#include <nlohmann/json.hpp>
+
+#include "batch/results.h"
+
+namespace flyrock {
+
+/// Keys in the order of docs/results.md; numbers that do not exist are null.
+nlohmann::ordered_json summary_data(const Plan& plan, const Results& results);
+
+}  // namespace flyrock
