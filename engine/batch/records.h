@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "world/observe.h"
+#include "world/surface.h"
 
 namespace flyrock {
 
@@ -50,12 +51,6 @@ struct TrajectoryRecord {
   TrajectoryPoint point;
 };
 
-/// How often each law of each material was asked, in the order of Scenario::materials.
-struct MaterialUse {
-  std::uint64_t contacts = 0;   ///< contacts that used the material
-  std::uint64_t restitution = 0, friction = 0, rolling = 0, unilateral = 0;
-};
-
 /// Share of time by phase of the engine, nanoseconds: run.log only, never in results.
 struct PhaseTimes {
   std::int64_t flight = 0, detect = 0, solve = 0, other = 0;
@@ -69,7 +64,7 @@ struct TrialRecords {
   std::vector<InputRecord> inputs;
   std::vector<ImpactRecord> impacts;
   std::vector<TrajectoryRecord> trajectories;
-  std::vector<MaterialUse> materials;
+  std::vector<MaterialUse> materials;  ///< in the order of Scenario::materials
   SolverQuality quality;
   PhaseTimes times;
   std::vector<std::string> notes;  ///< distinct notes of launches ("v0^2 < 0: ..."), at most 20

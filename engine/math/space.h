@@ -32,4 +32,17 @@ struct Rotation2 {
   Vec2 inverse(const Vec2& v) const { return {c * v.x() + s * v.y(), -s * v.x() + c * v.y()}; }
 };
 
+/// What depends on the dimension: the type of a spin, of a moment of inertia and of a rotation, and the number of
+/// velocity components of a rigid body.
+template <int D>
+struct Space;
+
+template <>
+struct Space<2> {
+  using Spin = double;     ///< rad/s
+  using Inertia = double;  ///< kg m2 about the centre of mass
+  using Rotation = Rotation2;
+  static constexpr int dof = 3;  ///< (v_x, v_y, omega)
+};
+
 }  // namespace flyrock

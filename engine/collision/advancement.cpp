@@ -1,0 +1,182 @@
+#include "collision/advancement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace flyrock {
+
+namespace {
+
+constexpr double forever = std::numeric_limits<double>::infinity();
+constexpr int most_iterations = 500;
+
+/// A hull at one time, with bounds of its motion until the end of the window.
+struct State {
+  Rotation2 r;
+  Vec2 x, v;
+  double w;
+  double w_max;  ///< greatest spin until the end
+  explicit State(const MovingHull& hull, double t, double end)
+      : r(Rotation2::from_angle(hull.motion.angle_at(t))),
+        x(hull.motion.position(t)),
+        v(hull.motion.velocity(t)),
+        w(hull.motion.spin(t)),
+        w_max(std::max(std::abs(w), std::abs(hull.motion.spin(end)))) {}
+};
+
+/// The time until gap + slope t - bend t^2 / 2 is zero, for gap > 0 or a pair that has just separated.
+double safe_time(double gap, double slope, double bend, double least_gap) {
+  if (gap <= least_gap) {
+    if (slope <= 0) return 0;
+    return bend > 0 ? 2 * slope / bend : forever;
+  }
+  if (bend <= 0) return slope >= 0 ? forever : gap / -slope;
+  const double root = std::sqrt(slope * slope + 2 * bend * gap);
+  return slope >= 0 ? (slope + root) / bend : 2 * gap / (root - slope);
+}
+
+class Search {
+ public:
+  Search(const MovingHull& a, const MovingHull& b, double end, const TouchSearch& search)
+      : a_(a), b_(b), end_(end), search_(search), least_gap_(1e-12 * search.size) {}
+
+  std::optional<double> run(double t) {
+    Direction direction;
+    bool chosen = false;
+    for (int i = 0; i < most_iterations; ++i) {
+      if (search_.iterations) ++*search_.iterations;
+      const State sa(a_, t, end_), sb(b_, t, end_);
+      double step = chosen ? lasts(direction, sa, sb, t) : 0;
+      if (step <= 0) {
+        step = longest(sa, sb, t, direction);
+        chosen = true;
+      }
+      if (step <= 0) return t;
+      if (step >= end_ - t) return std::nullopt;
+      const double next = t + step;
+      if (next <= t) return t;  // below the resolution of time
+      t = next;
+    }
+    return t;
+  }
+
+ private:
+  /// An edge of a (0) or b (1), or the line between the point of a disk and the nearest of the other (2).
+  struct Direction {
+    int kind = 0;
+    int edge = 0;
+    Vec2 fixed = Vec2::Zero();  ///< kind 2: from b to a, kept in the world
+  };
+
+  bool held(std::uint32_t feature, std::uint32_t against) const {
+    for (const HeldContact& h : search_.held)
+      if (h.feature == feature && h.against == against) return true;
+    return false;
+  }
+
+  /// How long the edge `edge` of `reference` separates it from the points of `other`.
+  double edge_lasts(const MovingHull& reference, const State& sr, const MovingHull& other, const State& so, int edge,
+                    bool reference_is_a, double t) const {
+    const Vec2 normal = sr.r * reference.normals[edge];
+    const Vec2 turn = perpendicular(normal);
+    const double offset = reference.normals[edge].dot(reference.points[edge]) + reference.radius + other.radius;
+    const Vec2 relative_acceleration = other.motion.a - reference.motion.a;
+    double least = forever;
+    for (int j = 0; j < other.count && least > 0; ++j) {
+      const std::uint32_t edge_id = reference.edge_id(reference.base, edge);
+      const std::uint32_t point_id = other.point_id(other.base, j);
+      const bool is_held = reference_is_a ? held(edge_id, point_id) : held(point_id, edge_id);
+      if (is_held && search_.held_are_solved) continue;
+      const Vec2 arm = so.r * other.points[j];
+      const Vec2 w = so.x + arm - sr.x;
+      const Vec2 velocity = so.v + cross(so.w, arm) - sr.v;
+      const double gap = normal.dot(w) - offset + search_.slack;
+      const double slope = sr.w * turn.dot(w) + normal.dot(velocity);
+      // M >= -gap'' until the end; the horizon keeps the lever |w| of a turning normal from growing without bound.
+      const double reach = arm.norm();
+      const double speed = (so.v - sr.v).norm() + relative_acceleration.norm() * (end_ - t) + so.w_max * reach;
+      double horizon = end_ - t;
+      double bend = so.w_max * so.w_max * reach + std::abs(other.motion.alpha) * reach;
+      if (sr.w_max == 0 && reference.motion.alpha == 0) {
+        bend += std::max(0.0, -normal.dot(relative_acceleration));
+      } else {
+        const double lever = w.norm();
+        if (speed > 0) horizon = std::min(horizon, (lever + search_.size) / speed);
+        bend += relative_acceleration.norm() + 2 * sr.w_max * speed +
+                (sr.w_max * sr.w_max + std::abs(reference.motion.alpha)) * (lever + speed * horizon);
+      }
+      const double time = safe_time(gap, slope, bend, least_gap_);
+      // The horizon ends the bound's validity, not the search, unless it reaches the end of the window.
+      least = std::min(least, time >= horizon ? (horizon >= end_ - t ? forever : horizon) : time);
+    }
+    return least;
+  }
+
+  /// How long the fixed direction d separates all points of a from those of b.
+  double fixed_lasts(const Vec2& d, const State& sa, const State& sb) const {
+    const double along = std::max(0.0, d.dot(b_.motion.a - a_.motion.a));
+    double least = forever;
+    for (int i = 0; i < a_.count; ++i) {
+      for (int j = 0; j < b_.count && least > 0; ++j) {
+        const std::uint32_t feature = a_.point_id(a_.base, i), against = b_.point_id(b_.base, j);
+        if (search_.held_are_solved && held(feature, against)) continue;
+        const Vec2 ra = sa.r * a_.points[i], rb = sb.r * b_.points[j];
+        const double gap = d.dot(sa.x + ra - sb.x - rb) - a_.radius - b_.radius + search_.slack;
+        const double slope = d.dot(sa.v + cross(sa.w, ra) - sb.v - cross(sb.w, rb));
+        const double bend = along + (sa.w_max * sa.w_max + std::abs(a_.motion.alpha)) * ra.norm() +
+                            (sb.w_max * sb.w_max + std::abs(b_.motion.alpha)) * rb.norm();
+        least = std::min(least, safe_time(gap, slope, bend, least_gap_));
+      }
+    }
+    return least;
+  }
+
+  double lasts(const Direction& direction, const State& sa, const State& sb, double t) const {
+    if (direction.kind == 0) return edge_lasts(a_, sa, b_, sb, direction.edge, true, t);
+    if (direction.kind == 1) return edge_lasts(b_, sb, a_, sa, direction.edge, false, t);
+    return fixed_lasts(direction.fixed, sa, sb);
+  }
+
+  /// From the nearest point of b to a, where one of them is a disk.
+  Vec2 between_points(const State& sa, const State& sb) const {
+    Vec2 best = Vec2::UnitY();
+    double nearest = forever;
+    for (int i = 0; i < a_.count; ++i)
+      for (int j = 0; j < b_.count; ++j) {
+        const Vec2 away = sa.x + sa.r * a_.points[i] - sb.x - sb.r * b_.points[j];
+        if (const double distance = away.norm(); distance < nearest && distance > 0)
+          nearest = distance, best = away / distance;
+      }
+    return best;
+  }
+
+  /// The direction that separates longest, and how long: 0 where none does.
+  double longest(const State& sa, const State& sb, double t, Direction& direction) const {
+    double best = 0;
+    auto try_direction = [&](const Direction& candidate) {
+      if (const double time = lasts(candidate, sa, sb, t); time > best) best = time, direction = candidate;
+    };
+    if (b_.count > 1)
+      for (int e = 0; e < b_.count && best < forever; ++e) try_direction({1, e, {}});
+    if (a_.count > 1)
+      for (int e = 0; e < a_.count && best < forever; ++e) try_direction({0, e, {}});
+    if ((a_.count == 1 || b_.count == 1) && best < forever) try_direction({2, 0, between_points(sa, sb)});
+    return best;
+  }
+
+  const MovingHull& a_;
+  const MovingHull& b_;
+  double end_;
+  const TouchSearch& search_;
+  double least_gap_;
+};
+
+}  // namespace
+
+std::optional<double> advance_to_contact(const MovingHull& a, const MovingHull& b, const TimeWindow& window,
+                                         const TouchSearch& search) {
+  return Search(a, b, window.b, search).run(window.a);
+}
+
+}  // namespace flyrock

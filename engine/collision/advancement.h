@@ -1,0 +1,30 @@
+#pragma once
+// Directed conservative advancement of two convex hulls.
+
+#include <cstdint>
+#include <optional>
+
+#include "collision/motion.h"
+#include "collision/time_of_contact.h"
+
+namespace flyrock {
+
+/// A convex hull of points, grown by a radius, on its way. A segment of the terrain is one of two points at rest, a
+/// disk one of one point. normals[i] belongs to points[i].
+struct MovingHull {
+  const Vec2* points = nullptr;
+  const Vec2* normals = nullptr;
+  int count = 0;
+  double radius = 0;
+  Motion2 motion;
+  std::uint32_t (*point_id)(int base, int i) = nullptr;
+  std::uint32_t (*edge_id)(int base, int i) = nullptr;
+  int base = 0;
+};
+
+/// The first time in [window.a, window.b] at which the hulls touch and approach; see time_of_contact. `a` carries the
+/// `feature` and `b` the `against` of held contacts.
+std::optional<double> advance_to_contact(const MovingHull& a, const MovingHull& b, const TimeWindow& window,
+                                         const TouchSearch& search);
+
+}  // namespace flyrock

@@ -1,0 +1,22 @@
+#pragma once
+// Which bodies may meet: sort and sweep along x.
+
+#include <utility>
+#include <vector>
+
+#include "collision/motion.h"
+
+namespace flyrock {
+
+class SortAndSweep {
+ public:
+  /// The pairs (i < j) of boxes that overlap, sorted. The order along x is kept between calls, so that sorting costs
+  /// little while boxes move little.
+  const std::vector<std::pair<int, int>>& pairs(const std::vector<Box2>& boxes);
+
+ private:
+  std::vector<int> order_;
+  std::vector<std::pair<int, int>> pairs_;
+};
+
+}  // namespace flyrock

@@ -1,0 +1,52 @@
+#include "collision/terrain.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flyrock {
+
+namespace {
+// Two segments whose directions differ by less than this angle continue each other: the point between them is no
+// feature, so that an internal edge is not felt.
+constexpr double flat_angle = 1e-9;
+}  // namespace
+
+Terrain2::Terrain2(Profile profile) : profile_(std::move(profile)) {
+  const int n = profile_.segments();
+  for (int i = 0; i < n; ++i) {
+    const Vec2 along = end(i) - start(i);
+    length_.push_back(along.norm());
+    tangent_.push_back(along / length_.back());
+    normal_.push_back(perpendicular(tangent_.back()));
+  }
+  corner_.assign(n + 1, Corner::flat);
+  for (int i = 1; i < n; ++i) {
+    const double bend = cross(tangent_[i - 1], tangent_[i]);
+    if (bend < -flat_angle) corner_[i] = Corner::convex;
+    if (bend > flat_angle) corner_[i] = Corner::concave;
+  }
+  cell_ = std::max((profile_.x_max() - profile_.x_min()) / n, 1e-300);
+  int segment = 0;
+  for (int k = 0; k < n; ++k) {
+    while (segment < n - 1 && end(segment).x() < profile_.x_min() + k * cell_) ++segment;
+    grid_.push_back(segment);
+  }
+}
+
+int Terrain2::first_segment(double x) const {
+  const double cell = std::floor((x - profile_.x_min()) / cell_);
+  int i = grid_[static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(grid_.size() - 1)))];
+  while (i > 0 && end(i - 1).x() >= x) --i;
+  while (i < segments() - 1 && end(i).x() < x) ++i;
+  return i;
+}
+
+Terrain2::Run Terrain2::segments_between(double x_low, double x_high) const {
+  if (x_high < profile_.x_min() || x_low > profile_.x_max()) return {0, -1};
+  Run run{first_segment(x_low), 0};
+  run.last = run.first;
+  while (run.last + 1 < segments() && start(run.last + 1).x() <= x_high) ++run.last;
+  return run;
+}
+
+}  // namespace flyrock

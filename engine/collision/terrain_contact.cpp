@@ -1,0 +1,133 @@
+#include "collision/terrain_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flyrock {
+
+namespace {
+
+// A normal outside the cone of a corner by less than this angle is taken as on its edge: a polygon that lies flush on
+// a segment is held by the corner at the end of it.
+constexpr double cone_slack = 1e-4;
+
+bool in_cone(const Terrain2& terrain, int corner, const Vec2& direction) {
+  return direction.dot(terrain.tangent(corner - 1)) >= -cone_slack &&
+         direction.dot(terrain.tangent(corner)) <= cone_slack;
+}
+
+/// Whether the strip of the segment holds p. At a corner that is not concave the right segment answers alone.
+bool owns(const Terrain2& terrain, int segment, const Vec2& p) {
+  const double length = terrain.length(segment), slack = 1e-9 * length;
+  const double s = (p - terrain.start(segment)).dot(terrain.tangent(segment));
+  if (s < -slack || s > length + slack) return false;
+  const int next = segment + 1;
+  if (s <= length - slack || next >= terrain.segments() || terrain.corner(next) == Corner::concave) return true;
+  return (p - terrain.start(next)).dot(terrain.tangent(next)) < -slack;
+}
+
+/// The place of the poly-line that is nearest to a point in the ground.
+ContactPoint<2> nearest_place(const Terrain2& terrain, const Vec2& p) {
+  const int above = terrain.first_segment(p.x());
+  const double depth = std::max({terrain.start(above).y(), terrain.end(above).y(), p.y()}) - p.y();
+  const auto run = terrain.segments_between(p.x() - depth, p.x() + depth);
+  ContactPoint<2> nearest;
+  nearest.gap = -1e300;
+  for (int i = run.first; i <= run.last; ++i) {
+    const double s = std::clamp((p - terrain.start(i)).dot(terrain.tangent(i)), 0.0, terrain.length(i));
+    const double gap = -(terrain.start(i) + s * terrain.tangent(i) - p).norm();
+    if (gap > nearest.gap) {
+      nearest.gap = gap;
+      nearest.normal = terrain.normal(i);
+      nearest.against = segment_id(i);
+    }
+  }
+  return nearest;
+}
+
+bool in_ground(const Terrain2& terrain, const Vec2& p, double by) {
+  const Profile& profile = terrain.profile();
+  return p.x() >= profile.x_min() && p.x() <= profile.x_max() && p.y() < profile.height(p.x()) - by;
+}
+
+/// Contacts with segments of a point grown by a radius: the centre of a disk, or a vertex with radius 0.
+void point_contacts(const Vec2& p, double radius, std::uint32_t feature, const Terrain2& terrain,
+                    const Terrain2::Run& run, double reach, std::vector<ContactPoint<2>>& out) {
+  bool behind = false;
+  for (int i = run.first; i <= run.last; ++i) {
+    const double height = (p - terrain.start(i)).dot(terrain.normal(i));
+    const double gap = height - radius;
+    if (gap > reach || !owns(terrain, i, p)) continue;
+    if (height >= -reach)
+      out.push_back({p - (radius + 0.5 * gap) * terrain.normal(i), terrain.normal(i), gap, feature, segment_id(i)});
+    else
+      behind = true;  // in the ground, or free beyond another part of the poly-line
+  }
+  if (behind && in_ground(terrain, p, reach)) {
+    ContactPoint<2> place = nearest_place(terrain, p);
+    place.gap -= radius;
+    place.point = p - (radius + 0.5 * place.gap) * place.normal;
+    place.feature = feature;
+    out.push_back(place);
+  }
+}
+
+void disk_contacts(const Placed2& disk, int index, const Terrain2& terrain, const Terrain2::Run& run, double reach,
+                   std::vector<ContactPoint<2>>& out) {
+  const Vec2 centre = disk.point(0);
+  const double radius = disk.shape.radius;
+  point_contacts(centre, radius, vertex_id(index, 0), terrain, run, reach, out);
+  for (int i = std::max(run.first, 1); i <= std::min(run.last + 1, terrain.segments() - 1); ++i) {
+    if (terrain.corner(i) != Corner::convex) continue;
+    const Vec2 away = centre - terrain.point(i);
+    const double distance = away.norm(), gap = distance - radius;
+    // Strictly inside the cone: on its edges the segments answer.
+    if (gap > reach || away.dot(terrain.tangent(i - 1)) <= 1e-9 * terrain.length(i - 1) ||
+        away.dot(terrain.tangent(i)) >= -1e-9 * terrain.length(i))
+      continue;
+    const Vec2 normal = away / distance;
+    out.push_back({terrain.point(i) + 0.5 * gap * normal, normal, gap, vertex_id(index, 0), corner_id(i)});
+  }
+}
+
+/// Contacts of the edges of a polygon with convex corners.
+void edge_contacts(const Placed2& polygon, int index, const Terrain2& terrain, const Terrain2::Run& run, double reach,
+                   std::vector<ContactPoint<2>>& out) {
+  const int n = polygon.count();
+  for (int i = std::max(run.first, 1); i <= std::min(run.last + 1, terrain.segments() - 1); ++i) {
+    if (terrain.corner(i) != Corner::convex) continue;
+    const Vec2& corner = terrain.point(i);
+    int edge = 0;
+    double gap = -1e300;
+    for (int e = 0; e < n && gap <= reach; ++e)
+      if (const double outside = polygon.outside(e, corner); outside > gap) gap = outside, edge = e;
+    const Vec2 normal = -polygon.normal(edge);
+    if (gap > reach || !in_cone(terrain, i, normal)) continue;
+    // Where a vertex stands on the corner, the vertex answers.
+    const Vec2 a = polygon.point(edge), b = polygon.point((edge + 1) % n);
+    if (std::min((a - corner).norm(), (b - corner).norm()) <= 1e-7 * (b - a).norm()) continue;
+    out.push_back({corner + 0.5 * gap * normal, normal, gap, edge_id(index, edge), corner_id(i)});
+  }
+}
+
+}  // namespace
+
+void terrain_contacts(const Placed2& contactor, int contactor_index, const Terrain2& terrain, double reach,
+                      std::vector<ContactPoint<2>>& out) {
+  double low = contactor.point(0).x(), high = low;
+  for (int i = 1; i < contactor.count(); ++i) {
+    low = std::min(low, contactor.point(i).x());
+    high = std::max(high, contactor.point(i).x());
+  }
+  const double grow = contactor.shape.radius + reach;
+  const auto run = terrain.segments_between(low - grow, high + grow);
+  if (contactor.count() == 1) {
+    disk_contacts(contactor, contactor_index, terrain, run, reach, out);
+    return;
+  }
+  for (int k = 0; k < contactor.count(); ++k)
+    point_contacts(contactor.point(k), 0, vertex_id(contactor_index, k), terrain, run, reach, out);
+  edge_contacts(contactor, contactor_index, terrain, run, reach, out);
+}
+
+}  // namespace flyrock

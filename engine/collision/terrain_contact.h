@@ -1,0 +1,22 @@
+#pragma once
+// Contacts of one contactor with the terrain.
+
+#include <vector>
+
+#include "collision/contact.h"
+#include "collision/placed.h"
+#include "collision/terrain.h"
+
+namespace flyrock {
+
+/// Appends the contacts of a disk or convex polygon with the terrain whose gap is at most `reach` [m].
+///
+/// A disk meets each segment whose strip holds its centre, and each convex corner in whose cone of normals it lies.
+/// A polygon meets segments with its vertices and convex corners with its edges. Flat and concave corners are no
+/// features: internal edges are not felt. A vertex below the ground by more than `reach`, which only fixed time
+/// steps produce, is pushed out to the nearest place of the poly-line.
+/// `contactor_index` is part of the feature ids.
+void terrain_contacts(const Placed2& contactor, int contactor_index, const Terrain2& terrain, double reach,
+                      std::vector<ContactPoint<2>>& out);
+
+}  // namespace flyrock

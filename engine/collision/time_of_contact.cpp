@@ -1,0 +1,120 @@
+#include "collision/time_of_contact.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "collision/advancement.h"
+#include "math/polynomial.h"
+
+namespace flyrock {
+
+namespace {
+
+std::uint32_t terrain_point(int base, int i) { return corner_id(base + i); }
+std::uint32_t terrain_edge(int base, int) { return segment_id(base); }
+
+bool holds(const TouchSearch& search, std::uint32_t feature, std::uint32_t against) {
+  return std::any_of(search.held.begin(), search.held.end(),
+                     [&](const HeldContact& h) { return h.feature == feature && h.against == against; });
+}
+
+/// The constant term of a distance polynomial: a contact that has just opened counts from 0, so that a bounce
+/// on the same place takes 2 v / g to the last bit.
+double start_gap(double gap, bool just_opened, const TouchSearch& search) {
+  return just_opened && std::abs(gap) <= 1e-6 * search.size ? 0.0 : gap + search.slack;
+}
+
+class DiskSearch {
+ public:
+  DiskSearch(double radius, std::uint32_t feature, const Motion2& motion, const Terrain2& terrain,
+             const TouchSearch& search)
+      : radius_(radius), feature_(feature), motion_(motion), terrain_(terrain), search_(search) {}
+
+  void segment(int i, const TimeWindow& window, std::optional<double>& best) const {
+    const bool held = holds(search_, feature_, segment_id(i));
+    if (held && search_.held_are_solved) return;
+    const Vec2& n = terrain_.normal(i);
+    const std::array<double, 3> gap{start_gap(n.dot(motion_.x - terrain_.start(i)) - radius_, held, search_),
+                                    n.dot(motion_.v), 0.5 * n.dot(motion_.a)};
+    const auto t = first_fall(gap, window.a, window.b);
+    if (!t || (best && *t >= *best)) return;
+    const double s = (motion_.position(*t) - terrain_.start(i)).dot(terrain_.tangent(i));
+    const double slack = 1e-9 * terrain_.length(i);
+    if (s >= -slack && s <= terrain_.length(i) + slack) best = t;
+  }
+
+  void corner(int i, const TimeWindow& window, std::optional<double>& best) const {
+    if (terrain_.corner(i) != Corner::convex) return;
+    const bool held = holds(search_, feature_, corner_id(i));
+    if (held && search_.held_are_solved) return;
+    // (|x - corner|^2 - r^2) / 2r: near contact the gap itself, and a polynomial of degree 4 along a parabola.
+    const Vec2 x = motion_.x - terrain_.point(i);
+    const Vec2 &v = motion_.v, &a = motion_.a;
+    const double distance = x.norm(), scale = 0.5 / radius_;
+    const double gap = start_gap(distance - radius_, held, search_);
+    const std::array<double, 5> square{gap * (distance + radius_) * scale, 2 * x.dot(v) * scale,
+                                       (v.squaredNorm() + x.dot(a)) * scale, v.dot(a) * scale,
+                                       0.25 * a.squaredNorm() * scale};
+    const auto t = first_fall(square, window.a, window.b);
+    if (t && (!best || *t < *best)) best = t;
+  }
+
+ private:
+  double radius_;
+  std::uint32_t feature_;
+  const Motion2& motion_;
+  const Terrain2& terrain_;
+  const TouchSearch& search_;
+};
+
+MovingHull hull_of(const Contactor2& contactor, int index, const Motion2& motion) {
+  return {contactor.points.data(), contactor.normals.data(), static_cast<int>(contactor.points.size()),
+          contactor.radius,        motion,                   vertex_id,
+          edge_id,                 index};
+}
+
+}  // namespace
+
+std::optional<double> time_of_contact(const Contactor2& contactor, int contactor_index, const Motion2& motion,
+                                      const Terrain2& terrain, double t_max, const TouchSearch& search) {
+  const double reach = contactor.bounding_radius();
+  const bool round = contactor.points.size() == 1 && contactor.points[0].isZero();
+  const DiskSearch disk(contactor.radius, vertex_id(contactor_index, 0), motion, terrain, search);
+  const MovingHull hull = hull_of(contactor, contactor_index, motion);
+
+  // Segments in the order in which the body passes over them; beyond the best time none can matter.
+  const Box2 swept = swept_box(motion, reach, t_max);
+  const auto run = terrain.segments_between(swept.low.x(), swept.high.x());
+  const bool leftwards = motion.v.x() < 0;
+  std::optional<double> best;
+  for (int k = 0; k <= run.last - run.first; ++k) {
+    const int i = leftwards ? run.last - k : run.first + k;
+    const double limit = best ? *best : t_max;
+    if (best && motion.a.x() == 0) {
+      const double ahead = leftwards ? motion.x.x() - reach - terrain.end(i).x() : terrain.start(i).x() - motion.x.x() - reach;
+      if (ahead > std::abs(motion.v.x()) * limit) break;
+    }
+    const TimeWindow window = meeting_window(motion, reach, terrain.box(i), limit);
+    if (window.empty()) continue;
+    if (round) {
+      if (search.iterations) ++*search.iterations;
+      disk.segment(i, window, best);
+      disk.corner(i, window, best);
+    } else {
+      const Vec2 ends[2] = {terrain.start(i), terrain.end(i)};
+      const Vec2 normals[2] = {terrain.normal(i), -terrain.normal(i)};
+      const MovingHull ground{ends, normals, 2, 0, {}, terrain_point, terrain_edge, i};
+      const auto t = advance_to_contact(hull, ground, window, search);
+      if (t && (!best || *t < *best)) best = t;
+    }
+  }
+  return best;
+}
+
+std::optional<double> time_of_contact(const Contactor2& a, int a_index, const Motion2& a_motion, const Contactor2& b,
+                                      int b_index, const Motion2& b_motion, double t_max, const TouchSearch& search) {
+  return advance_to_contact(hull_of(a, a_index, a_motion), hull_of(b, b_index, b_motion), {0, t_max}, search);
+}
+
+}  // namespace flyrock

@@ -1,0 +1,92 @@
+#include "math/polynomial.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace flyrock {
+
+namespace {
+
+constexpr int max_degree = 4;
+
+struct Roots {
+  std::array<double, max_degree> at;
+  int count = 0;
+  void add(double t) { at[count++] = t; }
+};
+
+/// A root of p between a and b, where it changes sign: Newton, guarded by bisection. Returns the end of the
+/// last bracket at which the sign is that of p(a).
+double bracketed_root(std::span<const double> c, double a, double b) {
+  const bool positive = evaluate(c, a) > 0;
+  double t = 0.5 * (a + b);
+  for (int i = 0; i < 200 && a < t && t < b; ++i) {
+    const double p = evaluate(c, t);
+    ((p > 0) == positive ? a : b) = t;
+    double slope = 0;
+    for (std::size_t k = c.size() - 1; k > 0; --k) slope = slope * t + static_cast<double>(k) * c[k];
+    const double newton = t - p / slope;
+    // A Newton step that lands on an end of the bracket would end the search there: nudge it inwards.
+    t = newton > a && newton < b ? newton : 0.5 * (a + b);
+    if (b - a <= 4e-16 * (std::abs(a) + std::abs(b))) break;
+  }
+  return a;
+}
+
+Roots roots_between(std::span<const double> c, double low, double high) {
+  while (c.size() > 1 && c.back() == 0) c = c.first(c.size() - 1);
+  Roots roots;
+  const int degree = static_cast<int>(c.size()) - 1;
+  if (degree < 1) return roots;
+  if (degree == 1) {
+    const double t = -c[0] / c[1];
+    if (t >= low && t <= high) roots.add(t);
+    return roots;
+  }
+  std::array<double, max_degree> derivative{};
+  for (int k = 1; k <= degree; ++k) derivative[k - 1] = k * c[k];
+  const Roots turns = roots_between(std::span<const double>(derivative.data(), degree), low, high);
+  double a = low;
+  for (int i = 0; i <= turns.count; ++i) {
+    const double b = i < turns.count ? turns.at[i] : high;
+    const double pa = evaluate(c, a), pb = evaluate(c, b);
+    if ((pa > 0) != (pb > 0) && b > a) roots.add(bracketed_root(c, a, b));
+    a = b;
+  }
+  return roots;
+}
+
+}  // namespace
+
+double evaluate(std::span<const double> c, double t) {
+  double p = 0;
+  for (std::size_t k = c.size(); k-- > 0;) p = p * t + c[k];
+  return p;
+}
+
+std::optional<double> first_fall(std::span<const double> c, double low, double high) {
+  if (evaluate(c, low) <= 0) {
+    // The first derivative at low that is not zero says where p goes from there.
+    std::array<double, max_degree + 1> d{};
+    std::copy(c.begin(), c.end(), d.begin());
+    for (std::size_t order = 1; order < c.size(); ++order) {
+      const std::size_t terms = c.size() - order;
+      for (std::size_t k = 0; k < terms; ++k) d[k] = static_cast<double>(k + 1) * d[k + 1];
+      const double slope = evaluate(std::span<const double>(d.data(), terms), low);
+      if (slope < 0) return low;
+      if (slope > 0) break;
+    }
+  }
+  const Roots roots = roots_between(c, low, high);
+  double before = low;
+  for (int i = 0; i < roots.count; ++i) {
+    const double after = i + 1 < roots.count ? roots.at[i + 1] : high;
+    if (evaluate(c, 0.5 * (before + roots.at[i])) > 0 && evaluate(c, 0.5 * (roots.at[i] + after)) <= 0)
+      return roots.at[i];
+    before = roots.at[i];
+  }
+  return std::nullopt;
+}
+
+}  // namespace flyrock
