@@ -2,7 +2,7 @@
 foreach(folder plugins lua report)
   file(REMOVE_RECURSE ${SHARE}/${folder})
 endforeach()
-file(COPY ${SOURCE}/plugins DESTINATION ${SHARE} FILES_MATCHING PATTERN "*.lua" PATTERN "*.yaml" PATTERN "*.txt")
+file(COPY ${SOURCE}/plugins DESTINATION ${SHARE} FILES_MATCHING PATTERN "*.lua" PATTERN "*.yaml" PATTERN "*.csv")
 file(COPY ${SOURCE}/lua/flyrock DESTINATION ${SHARE}/lua FILES_MATCHING PATTERN "*.lua")
 file(COPY ${SOURCE}/engine/report/assets/ DESTINATION ${SHARE}/report)
 set(plotly ${SOURCE}/node_modules/plotly.js-cartesian-dist-min/plotly-cartesian.min.js)

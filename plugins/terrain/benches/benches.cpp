@@ -22,14 +22,12 @@ class Benches : public TerrainModel {
 
   Profile build(Values values, RandomStream&) const override {
     const double count = values[count_], height = values[height_], angle = values[face_angle_];
-    const double length = values[floor_], berm = berm_ < 0 ? 0 : values[berm_];
+    const double length = values[floor_], berm = values[berm_];
     require(count >= 1, "count", count, "at least 1");
     require(height > 0, "height", height, "above 0 m");
     require(angle > 0 && angle <= pi / 2 * (1 + 1e-12), "face_angle", angle, "above 0 and at most pi/2 rad");
     require(berm >= 0, "berm", berm, "at least 0 m");
     require(length > 0, "floor", length, "above 0 m");
-    if (count > 1 && berm_ < 0)
-      throw PluginError("plugin benches: several benches need the width of a `berm`");
 
     enum Part { face, berm_part, floor_part };
     Profile profile;
