@@ -32,11 +32,6 @@ bool Params::given(std::string_view name) const {
   return i >= 0 && values_[i].given;
 }
 
-bool Params::written(std::string_view name) const {
-  const int i = spec_.find(name);
-  return i >= 0 && values_[i].written;
-}
-
 int Params::slot(std::string_view name) {
   return slots_[at(name, {ParamType::number, ParamType::integer, ParamType::boolean})];
 }

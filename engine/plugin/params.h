@@ -22,7 +22,6 @@ struct PluginError : std::runtime_error {
 /// The decoded value of one declared parameter.
 struct ParamValue {
   bool given = false;                        ///< false only for an optional parameter that was left out
-  bool written = false;                      ///< whether the scenario says it, not the default
   std::vector<Number> numbers;               ///< 1 for number, integer and boolean; one a component for vector
   std::string text;                          ///< choice, text, file (full path)
   std::vector<std::vector<double>> points;   ///< points
@@ -42,8 +41,6 @@ class Params {
   int dimension() const { return dimension_; }
   /// Whether an optional parameter was given. Does not mark it as read.
   bool given(std::string_view name) const;
-  /// Whether the scenario itself gives a parameter, not its default. Does not mark it as read.
-  bool written(std::string_view name) const;
   /// The slot of a number, integer or boolean. An optional one that was left out is -1.
   int slot(std::string_view name);
   /// The first of the slots of a vector; -1 where it was left out.

@@ -34,7 +34,7 @@ bool can_sample(const ParamSpec& spec) {
 
 ParamValue sample_param(const ParamSpec& spec, RandomStream& rng) {
   ParamValue value;
-  value.given = value.written = true;
+  value.given = true;
   switch (spec.type) {
     case ParamType::number:
     case ParamType::integer:

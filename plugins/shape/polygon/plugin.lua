@@ -11,8 +11,8 @@ return fr.plugin {
     sides = fr.integer { optional = true, min = 3, max = 100, doc = "number of sides of a drawn polygon" },
     diameter = fr.number { optional = true, above = 0, unit = "m", doc = "diameter of the circle of equal area" },
     irregularity = fr.number {
-      default = 0.3, min = 0, max = 1,
-      doc = "of a drawn polygon: 0 is regular, 1 has vertices uniformly at random",
+      optional = true, min = 0, max = 1,
+      doc = "of a drawn polygon: 0 is regular, 1 has vertices uniformly at random; 0.3 where it is left out",
     },
   },
   native = "polygon",
