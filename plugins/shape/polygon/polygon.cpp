@@ -9,6 +9,7 @@ namespace flyrock::plugins {
 namespace {
 
 constexpr int most_sides = 100;
+constexpr double usual_irregularity = 0.3;
 constexpr double least_gap = 20 * pi / 180;
 
 /// A polygon whose vertices the scenario gives.
@@ -41,7 +42,8 @@ class DrawnPolygon : public ShapeModel {
       : sides_(sides), diameter_(diameter), irregularity_(irregularity) {}
 
   std::vector<Contactor2> build(Values values, RandomStream& rng) const override {
-    const double sides = values[sides_], diameter = values[diameter_], irregularity = values[irregularity_];
+    const double sides = values[sides_], diameter = values[diameter_];
+    const double irregularity = irregularity_ < 0 ? usual_irregularity : values[irregularity_];
     if (!(sides >= 3 && sides <= most_sides))
       throw PluginError(
           fmt::format("plugin polygon: sides is {:.6g}, must be from 3 to {}", sides, most_sides));
@@ -79,7 +81,7 @@ std::unique_ptr<ShapeModel> make_polygon(Params& params) {
     return std::make_unique<DrawnPolygon>(sides, diameter, irregularity);
   if (!params.given("vertices") || sides >= 0 || diameter >= 0)
     throw PluginError("plugin polygon: expected either `vertices`, or `sides` and `diameter`");
-  if (params.written("irregularity"))
+  if (irregularity >= 0)
     throw PluginError(
         "plugin polygon: `irregularity` is of a drawn polygon and says nothing beside `vertices`");
   if (std::string fault = make_convex(vertices); !fault.empty())
