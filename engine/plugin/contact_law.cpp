@@ -17,6 +17,29 @@ void require(bool fine, const Law& law, std::string_view entry, std::string_view
 
 }  // namespace
 
+const std::vector<ContactField>& contact_fields() {
+  static const std::vector<ContactField> fields{
+      {"approach_speed", &ContactState::approach_speed, {}},
+      {"slip_speed", &ContactState::slip_speed, {}},
+      {"impact_angle", &ContactState::impact_angle, {}},
+      {"gap", &ContactState::gap, {}},
+      {"effective_mass", &ContactState::effective_mass, {}},
+      {"mass", &ContactState::mass, {}},
+      {"radius", &ContactState::radius, {}},
+      {"spin", &ContactState::spin, {}},
+      {"kinetic_energy", &ContactState::kinetic_energy, {}},
+      {"length", &ContactState::length, {}},
+      {"age", &ContactState::age, {}},
+      {"was_sticking", &ContactState::was_sticking, {}},
+      {"impact_number", &ContactState::impact_number, {}},
+      {"time", &ContactState::time, {}},
+      {"group_a", {}, &ContactState::group_a},
+      {"group_b", {}, &ContactState::group_b},
+      {"material", {}, &ContactState::material},
+  };
+  return fields;
+}
+
 void check_answer(const Law& law, const Restitution& answer) {
   require(std::isfinite(answer.e_n), law, "impact", "e_n", answer.e_n, "finite");
   require(answer.e_n >= 0, law, "impact", "e_n", answer.e_n, "at least 0");

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "plugin/params.h"
 
@@ -43,6 +44,14 @@ struct ContactState {
   std::string_view group_b;     ///< antagonist: name of its group or body, or terrain.<part>
   std::string_view material;    ///< name of the material in force
 };
+
+/// A field of a contact by its name; one of `number` and `text` is set.
+struct ContactField {
+  std::string_view name;
+  double ContactState::*number = nullptr;
+  std::string_view ContactState::*text = nullptr;
+};
+const std::vector<ContactField>& contact_fields();
 
 struct Restitution {
   double e_n = 0;

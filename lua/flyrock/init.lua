@@ -1,0 +1,20 @@
+-- The module that scenarios and plugins require: local fr = require "flyrock".
+-- fr.scenario and fr.plugin belong to the host, which checks what they are given; the rest describes parameters.
+local host = ...
+
+local fr = { scenario = host.scenario, plugin = host.plugin }
+
+for _, kind in ipairs { "number", "integer", "boolean", "choice", "text", "vector", "points", "file" } do
+  fr[kind] = function(fields)
+    if fields == nil then fields = {} end
+    if type(fields) ~= "table" then
+      error(("fr.%s takes a table: fr.%s { doc = ... }, got a %s"):format(kind, kind, type(fields)), 2)
+    end
+    if fields.type ~= nil then error(("fr.%s knows its type: `type` cannot be given"):format(kind), 2) end
+    local parameter = { type = kind }
+    for name, value in pairs(fields) do parameter[name] = value end
+    return parameter
+  end
+end
+
+return fr

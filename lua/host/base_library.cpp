@@ -1,0 +1,140 @@
+// The basic functions and coroutines of the sandbox.
+
+#include <lua.hpp>
+
+#include <cstdio>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "host/ordered_pairs.h"
+#include "host/sandbox.h"
+#include "host/state.h"
+
+namespace flyrock {
+
+namespace {
+
+/// The end of pcall and xpcall, also where the call yielded. `kept` values at the bottom are not results.
+int finish_call(lua_State* lua, int status, lua_KContext kept) {
+  if (status != LUA_OK && status != LUA_YIELD) {
+    raise_if_exceeded(lua);
+    lua_pushboolean(lua, 0);
+    lua_pushvalue(lua, -2);
+    return 2;
+  }
+  return lua_gettop(lua) - static_cast<int>(kept);
+}
+
+int protected_call(lua_State* lua) {
+  luaL_checkany(lua, 1);
+  lua_pushboolean(lua, 1);  // the first result
+  lua_insert(lua, 1);
+  return finish_call(lua, lua_pcallk(lua, lua_gettop(lua) - 2, LUA_MULTRET, 0, 0, finish_call), 0);
+}
+
+int protected_call_with_handler(lua_State* lua) {
+  const int arguments = lua_gettop(lua) - 2;
+  luaL_checktype(lua, 2, LUA_TFUNCTION);
+  lua_pushboolean(lua, 1);
+  lua_pushvalue(lua, 1);
+  lua_rotate(lua, 3, 2);  // function, handler, true, function, arguments
+  return finish_call(lua, lua_pcallk(lua, arguments, LUA_MULTRET, 2, 2, finish_call), 2);
+}
+
+int set_metatable(lua_State* lua) {
+  luaL_checktype(lua, 1, LUA_TTABLE);
+  luaL_argexpected(lua, lua_isnoneornil(lua, 2) || lua_istable(lua, 2), 2, "nil or table");
+  if (luaL_getmetafield(lua, 1, "__metatable") != LUA_TNIL) raise(lua, "this table is protected: it keeps its metatable");
+  if (lua_istable(lua, 2))
+    for (const char* name : {"__gc", "__mode"}) {  // both act when garbage is collected: never the same twice
+      lua_pushstring(lua, name);
+      if (lua_rawget(lua, 2) != LUA_TNIL) raise(lua, fmt::format("the metamethod {} is not available here", name));
+    }
+  lua_settop(lua, 2);
+  lua_setmetatable(lua, 1);
+  return 1;
+}
+
+/// tostring without addresses.
+int to_text(lua_State* lua) {
+  luaL_checkany(lua, 1);
+  switch (lua_type(lua, 1)) {
+    case LUA_TNUMBER:
+    case LUA_TSTRING:
+    case LUA_TBOOLEAN:
+    case LUA_TNIL: break;
+    default:
+      if (luaL_getmetafield(lua, 1, "__tostring") != LUA_TNIL) break;
+      lua_pushstring(lua, luaL_typename(lua, 1));
+      return 1;
+  }
+  luaL_tolstring(lua, 1, nullptr);
+  return 1;
+}
+
+/// To stderr: stdout carries results.
+int print(lua_State* lua) {
+  const int count = lua_gettop(lua);
+  for (int i = 1; i <= count; ++i) {
+    lua_pushcfunction(lua, to_text);
+    lua_pushvalue(lua, i);
+    lua_call(lua, 1, 1);
+    std::size_t length;
+    const char* text = lua_tolstring(lua, -1, &length);
+    if (i > 1) std::fputc('\t', stderr);
+    if (text) std::fwrite(text, 1, length, stderr);
+    lua_pop(lua, 1);
+  }
+  std::fputc('\n', stderr);
+  return 0;
+}
+
+/// The original in upvalue 1, after paying for the state that it makes: each coroutine starts its own count
+/// of instructions.
+int create_coroutine(lua_State* lua) {
+  charge(lua, Budget::interval);
+  return lua_tocfunction(lua, lua_upvalueindex(1))(lua);
+}
+
+int resume(lua_State* lua) {
+  const int results = lua_tocfunction(lua, lua_upvalueindex(1))(lua);
+  if (!lua_toboolean(lua, -results)) raise_if_exceeded(lua);
+  return results;
+}
+
+void wrap_original(lua_State* lua, const char* name, lua_CFunction wrapper) {
+  lua_getfield(lua, -1, name);
+  lua_pushcclosure(lua, wrapper, 1);
+  lua_setfield(lua, -2, name);
+}
+
+}  // namespace
+
+void add_base_library(lua_State* lua) {
+  lua_pushcfunction(lua, luaopen_base);  // fills the state's own table of globals, which no code of ours sees
+  lua_call(lua, 0, 1);
+  for (const char* name : {"assert", "error", "getmetatable", "ipairs", "rawequal", "rawget", "rawlen", "select",
+                           "tonumber", "type", "_VERSION"}) {
+    lua_getfield(lua, -1, name);
+    lua_setfield(lua, -3, name);
+  }
+  lua_pop(lua, 1);
+  constexpr luaL_Reg own[] = {{"next", guarded<ordered_next>},
+                              {"pairs", guarded<ordered_pairs>},
+                              {"pcall", protected_call},
+                              {"xpcall", protected_call_with_handler},
+                              {"setmetatable", guarded<set_metatable>},
+                              {"tostring", to_text},
+                              {"print", print},
+                              {nullptr, nullptr}};
+  luaL_setfuncs(lua, own, 0);
+}
+
+void add_coroutine_library(lua_State* lua) {
+  wrap_original(lua, "create", create_coroutine);
+  wrap_original(lua, "wrap", create_coroutine);
+  wrap_original(lua, "resume", resume);
+}
+
+}  // namespace flyrock

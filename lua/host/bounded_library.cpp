@@ -1,0 +1,119 @@
+// The functions of `table` and `string` that loop in C, where no hook counts: each pays for its work first.
+
+#include <lua.hpp>
+
+#include <cmath>
+#include <cstring>
+
+#include <fmt/format.h>
+
+#include "host/sandbox.h"
+#include "host/state.h"
+
+namespace flyrock {
+
+namespace {
+
+constexpr double bytes_per_instruction = 16;
+
+/// Instructions that a call costs, from its arguments; what is wrong with them the original says.
+using Cost = double (*)(lua_State*);
+
+/// The original in upvalue 1, after paying.
+template <Cost cost>
+int charged(lua_State* lua) {
+  charge(lua, cost(lua));
+  return lua_tocfunction(lua, lua_upvalueindex(1))(lua);
+}
+
+double texts(lua_State* lua) {
+  double bytes = 0;
+  for (int i = 1; i <= lua_gettop(lua); ++i)
+    if (lua_type(lua, i) == LUA_TSTRING) bytes += static_cast<double>(lua_rawlen(lua, i));
+  return bytes / bytes_per_instruction;
+}
+
+double repeat(lua_State* lua) {
+  const double length = lua_isstring(lua, 1) ? static_cast<double>(lua_rawlen(lua, 1)) : 0;
+  return std::max(0.0, lua_tonumber(lua, 2)) * (1 + length / bytes_per_instruction);
+}
+
+double range(lua_State* lua, int first, int last, double length) {
+  const double from = lua_isnoneornil(lua, first) ? 1 : lua_tonumber(lua, first);
+  const double to = lua_isnoneornil(lua, last) ? length : lua_tonumber(lua, last);
+  return std::max(0.0, to - from + 1);
+}
+
+/// The length as the library takes it: a metamethod __len may claim any.
+double length_of(lua_State* lua) { return lua_istable(lua, 1) ? static_cast<double>(luaL_len(lua, 1)) : 0; }
+
+double concatenate(lua_State* lua) { return range(lua, 3, 4, lua_isnoneornil(lua, 4) ? length_of(lua) : 0); }
+double unpack(lua_State* lua) { return range(lua, 2, 3, lua_isnoneornil(lua, 3) ? length_of(lua) : 0); }
+double move(lua_State* lua) { return range(lua, 2, 3, 0); }
+double shift(lua_State* lua) { return std::max(0.0, length_of(lua)); }
+double sort(lua_State* lua) {
+  const double length = std::max(2.0, length_of(lua));
+  return length * std::log2(length);
+}
+
+template <Cost cost>
+void bound(lua_State* lua, const char* name) {
+  lua_getfield(lua, -1, name);
+  lua_pushcclosure(lua, charged<cost>, 1);
+  lua_setfield(lua, -2, name);
+}
+
+/// string.format without %p, and with %s as the sandbox's tostring has it: no addresses.
+int format(lua_State* lua) {
+  charge(lua, texts(lua));
+  const char* pattern = luaL_checkstring(lua, 1);
+  int argument = 1;
+  for (const char* c = std::strchr(pattern, '%'); c; c = std::strchr(c + 1, '%')) {
+    ++c;
+    if (*c == '%') continue;
+    c += std::strspn(c, "-+ #0.123456789");
+    ++argument;
+    if (*c == 'p') raise(lua, "the format %p is not available here: addresses differ from run to run");
+    const int type = lua_type(lua, argument);
+    if (*c == 's' && type > LUA_TBOOLEAN && type != LUA_TNUMBER && type != LUA_TSTRING) {
+      lua_pushvalue(lua, lua_upvalueindex(2));
+      lua_pushvalue(lua, argument);
+      lua_call(lua, 1, 1);
+      lua_replace(lua, argument);
+    }
+    if (*c == '\0') break;
+  }
+  return lua_tocfunction(lua, lua_upvalueindex(1))(lua);
+}
+
+}  // namespace
+
+void add_table_library(lua_State* lua) {
+  bound<concatenate>(lua, "concat");
+  bound<unpack>(lua, "unpack");
+  bound<move>(lua, "move");
+  bound<shift>(lua, "insert");
+  bound<shift>(lua, "remove");
+  bound<sort>(lua, "sort");
+}
+
+void add_string_library(lua_State* lua) {
+  lua_pushnil(lua);
+  lua_setfield(lua, -2, "dump");
+  for (const char* name : {"byte", "char", "find", "gmatch", "gsub", "len", "lower", "match", "pack", "packsize",
+                           "reverse", "sub", "unpack", "upper"})
+    bound<texts>(lua, name);
+  bound<repeat>(lua, "rep");
+  lua_getfield(lua, -1, "format");
+  lua_getfield(lua, -3, "tostring");  // of the globals below the library
+  lua_pushcclosure(lua, guarded<format>, 2);
+  lua_setfield(lua, -2, "format");
+
+  lua_pushliteral(lua, "");  // s:upper() finds this library through the metatable of texts
+  lua_getmetatable(lua, -1);
+  lua_pushboolean(lua, 0);
+  lua_setfield(lua, -2, "__metatable");
+  lua_pop(lua, 2);
+}
+
+}  // namespace flyrock

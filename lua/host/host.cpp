@@ -1,0 +1,254 @@
+#include "host/host.h"
+
+#include <lua.hpp>
+
+#include <filesystem>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "host/adapters.h"
+#include "host/manifest.h"
+#include "host/read_only.h"
+#include "host/read_value.h"
+#include "host/sandbox.h"
+#include "host/table_reader.h"
+#include "plugin/module_loader.h"
+
+namespace flyrock {
+
+namespace fs = std::filesystem;
+
+LuaSession::Host::Host(const std::string& share) : state_(std::make_shared<LuaState>()) {
+  if (const std::string error = load_module(share + "/flyrock_plugins.so", natives_); !error.empty())
+    throw std::runtime_error(error);
+  try {
+    state_->run(Budget::load_limit, [&](lua_State* lua) { open_libraries(lua, share); });
+  } catch (const LuaError& error) {
+    throw std::runtime_error(error.what());
+  }
+}
+
+void LuaSession::Host::open_libraries(lua_State* lua, const std::string& share) {
+  const auto add_function = [&](const char* name, lua_CFunction function) {
+    lua_pushlightuserdata(lua, this);
+    lua_pushcclosure(lua, function, 1);
+    lua_setfield(lua, -2, name);
+  };
+  push_globals(lua);
+  add_function("require", guarded<require>);
+  globals_ = luaL_ref(lua, LUA_REGISTRYINDEX);
+
+  const std::string path = share + "/lua/flyrock/init.lua";
+  const LuaFile* module = files_.read(path, "flyrock/init.lua");
+  if (!module) throw std::runtime_error(fmt::format("flyrock's Lua module is missing: cannot read {}", path));
+  lua_createtable(lua, 0, 2);
+  add_function("scenario", guarded<scenario>);
+  add_function("plugin", guarded<plugin>);
+  run_file(lua, *module);
+  lua_createtable(lua, 0, 0);
+  make_strict(lua, -2, "fr");
+  make_read_only(lua, "fr");
+  module_ = luaL_ref(lua, LUA_REGISTRYINDEX);
+}
+
+template <class Use>
+void LuaSession::Host::load(const LuaFile& file, Diagnostics& diagnostics, Use&& use) {
+  diagnostics_ = &diagnostics;
+  main_ = &file;
+  registered_ = 0;
+  try {
+    state_->run(Budget::load_limit, [&](lua_State* lua) {
+      lua_pushnil(lua);  // no argument for the file
+      run_file(lua, file);
+      use(lua);
+    });
+  } catch (const LuaError& error) {
+    const auto [at, text] = files_.split_message(error.what(), file);
+    diagnostics.error(at, "", text);
+  }
+  diagnostics_ = nullptr;
+  main_ = nullptr;
+}
+
+void LuaSession::Host::run_file(lua_State* lua, const LuaFile& file) {
+  const int argument = lua_gettop(lua);
+  lua_rawgeti(lua, LUA_REGISTRYINDEX, globals_);
+  push_environment(lua, -1);
+  const int environment = lua_gettop(lua);
+  if (luaL_loadbufferx(lua, file.text.data(), file.text.size(), ("@" + file.source->name).c_str(), "t") != LUA_OK)
+    lua_error(lua);
+  lua_pushvalue(lua, environment);
+  lua_setupvalue(lua, -2, 1);  // the first upvalue of a chunk is its _ENV
+  lua_pushvalue(lua, argument);
+  lua_call(lua, 1, 1);
+  freeze_environment(lua, environment);
+  lua_replace(lua, argument);
+  lua_settop(lua, argument);
+}
+
+void LuaSession::Host::load_builtin(const std::string& path, const std::string& shown, Diagnostics& diagnostics) {
+  builtin_ = true;
+  load_plugin(path, shown, {}, diagnostics);
+  builtin_ = false;
+}
+
+void LuaSession::Host::load_plugin(const std::string& path, const std::string& shown, const Location& at,
+                                   Diagnostics& diagnostics) {
+  const LuaFile* file = files_.read(path, shown);
+  if (!file)
+    return diagnostics.error(at, "plugins", fmt::format("cannot read `{}`, expected a Lua file, or a folder with plugin.lua "
+                                                        "in it", shown));
+  sources_.push_back({shown, file->text});
+  const std::size_t before = diagnostics.all().size();
+  load(*file, diagnostics, [](lua_State*) {});
+  if (registered_ == 0 && diagnostics.all().size() == before)
+    diagnostics.error({file->source, 1, 1}, "", "registers no plugin, expected `return fr.plugin { ... }`");
+}
+
+std::optional<Value> LuaSession::Host::read_scenario(const std::string& path, const std::string& shown,
+                                                     Diagnostics& diagnostics) {
+  const LuaFile* file = files_.read(path, shown);
+  if (!file) {
+    diagnostics.error({std::make_shared<Source>(Source{shown, {}}), 0, 0}, "", "cannot read the file");
+    return std::nullopt;
+  }
+  std::optional<Value> value;
+  load(*file, diagnostics, [&](lua_State* lua) {
+    for (const Marked& marked : scenarios_)
+      if (marked.table == lua_topointer(lua, -1)) {
+        value = read_value(lua, -1, marked.places, diagnostics, [](const std::string&) { return false; });
+        return;
+      }
+    diagnostics.error({file->source, 1, 1}, "", fmt::format("returns {}, expected `return fr.scenario {{ ... }}` at its end",
+                                                            lua_isnil(lua, -1) ? "nothing" : "something else"));
+  });
+  if (registered_ > 0) sources_.push_back({shown, file->text});
+  scenarios_.clear();
+  if (diagnostics.has_errors()) return std::nullopt;
+  return value;
+}
+
+LuaSession::Host& LuaSession::Host::self(lua_State* lua) {
+  return *static_cast<Host*>(lua_touserdata(lua, lua_upvalueindex(1)));
+}
+
+std::pair<const LuaFile*, FieldPlaces> LuaSession::Host::calling(lua_State* lua, const char* function) const {
+  lua_Debug frame;
+  lua_getstack(lua, 1, &frame);
+  lua_getinfo(lua, "Sl", &frame);
+  const LuaFile* file = main_ ? files_.of_chunk(frame.source) : nullptr;
+  if (!file) throw std::runtime_error(fmt::format("fr.{} is for loading: it stands at the top level of a file", function));
+  return {file, FieldPlaces(file->source, function, frame.currentline)};
+}
+
+int LuaSession::Host::scenario(lua_State* lua) {
+  if (!lua_istable(lua, 1)) raise(lua, "fr.scenario takes a table: fr.scenario { ... }");
+  Host& host = self(lua);
+  host.scenarios_.push_back({lua_topointer(lua, 1), host.calling(lua, "scenario").second});
+  lua_settop(lua, 1);
+  return 1;
+}
+
+int LuaSession::Host::plugin(lua_State* lua) {
+  if (!lua_istable(lua, 1)) raise(lua, "fr.plugin takes a table: fr.plugin { kind = ..., name = ..., doc = ..., ... }");
+  lua_settop(lua, 1);
+  self(lua).register_plugin(lua);
+  lua_createtable(lua, 0, 2);  // what a script may say of it
+  for (const char* field : {"kind", "name"}) {
+    lua_getfield(lua, 1, field);
+    lua_setfield(lua, -2, field);
+  }
+  make_read_only(lua, "plugin");
+  return 1;
+}
+
+void LuaSession::Host::register_plugin(lua_State* lua) {
+  const auto [file, places] = calling(lua, "plugin");
+  ++registered_;
+  std::map<std::string, int> functions;
+  const auto value = read_value(lua, 1, places, *diagnostics_, [&](const std::string& path) {
+    if (path.find_first_of(".[") != path.npos) return false;
+    lua_pushvalue(lua, -1);
+    functions[path] = luaL_ref(lua, LUA_REGISTRYINDEX);
+    return true;
+  });
+  if (!value) return;
+  std::set<std::string> names;
+  for (const auto& [name, reference] : functions) names.insert(name);
+  auto spec = read_manifest(*value, names, *diagnostics_);
+  if (!spec) return;
+  spec->file = file->source->name;
+  std::optional<Factory> make;
+  if (!spec->native.empty()) make = native_factory(*spec, *file, places.value("native"));
+  else make = lua_factory(state_, lua, *spec, functions.begin()->second);
+  if (!make) return;
+  if (const std::string error = registry_.add({*spec, std::move(*make)}); !error.empty())
+    diagnostics_->error(places.value("name"), "name", error);
+}
+
+std::optional<Factory> LuaSession::Host::native_factory(const PluginSpec& spec, const LuaFile& file, const Location& at) {
+  const auto refuse = [&](const std::string& text) {
+    diagnostics_->error(at, "native", text);
+    return std::nullopt;
+  };
+  FactoryTable own;
+  std::string object = "flyrock_plugins.so";
+  if (!builtin_) {
+    object = spec.native + ".so";
+    const std::string path = (fs::absolute(file.folder.empty() ? "." : file.folder) / object).string();
+    const auto bytes = read_bytes(path);
+    if (!bytes) return refuse(fmt::format("no shared object `{}` beside the manifest", object));
+    if (const std::string error = load_module(path, own); !error.empty()) return refuse(error);
+    sources_.push_back({(fs::path(file.source->name).parent_path() / object).string(), *bytes});
+  }
+  const FactoryTable& table = builtin_ ? natives_ : own;
+  if (const auto found = table.find({spec.kind, spec.native}); found != table.end()) return found->second;
+  std::vector<std::string> known;
+  for (const auto& [key, factory] : table)
+    if (key.first == spec.kind) known.push_back(key.second);
+  return refuse(fmt::format("{} has no {} `{}`{}", object, name_of(spec.kind), spec.native, did_you_mean(spec.native, known)));
+}
+
+int LuaSession::Host::require(lua_State* lua) {
+  const std::string name = luaL_checkstring(lua, 1);
+  Host& host = self(lua);
+  if (name == "flyrock") lua_rawgeti(lua, LUA_REGISTRYINDEX, host.module_);
+  else host.require_file(lua, name);
+  return 1;
+}
+
+void LuaSession::Host::require_file(lua_State* lua, const std::string& name) {
+  if (!main_) throw std::runtime_error("require is for loading: it stands at the top level of a file");
+  constexpr const char* allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.";
+  if (name.find_first_not_of(allowed) != name.npos || name.find("..") != name.npos || name.starts_with("."))
+    throw std::runtime_error(fmt::format("require: `{}` is no module, expected letters, digits and _, with dots for folders", name));
+  std::string relative = name;
+  std::replace(relative.begin(), relative.end(), '.', '/');
+  const std::string path = (fs::path(main_->folder) / (relative + ".lua")).string();
+  if (const auto found = required_.find(path); found != required_.end()) {
+    if (found->second == 0) throw std::runtime_error(fmt::format("require: `{}` requires itself", name));
+    lua_rawgeti(lua, LUA_REGISTRYINDEX, found->second);
+    return;
+  }
+  const std::string shown = (fs::path(main_->source->name).parent_path() / (relative + ".lua")).string();
+  const LuaFile* file = files_.read(path, shown);
+  if (!file) throw std::runtime_error(fmt::format("require: no module `{}`: expected `flyrock`, or the file {}", name, shown));
+  sources_.push_back({shown, file->text});
+  struct Loading {  // forgets the file where it fails: an error of Lua unwinds this frame
+    std::map<std::string, int>& required;
+    const std::string& path;
+    int reference = 0;
+    Loading(std::map<std::string, int>& all, const std::string& one) : required(all), path(one) { required[path] = 0; }
+    ~Loading() {
+      if (reference == 0) required.erase(path);
+      else required[path] = reference;
+    }
+  } loading(required_, path);
+  lua_pushstring(lua, name.c_str());
+  run_file(lua, *file);
+  lua_pushvalue(lua, -1);
+  loading.reference = luaL_ref(lua, LUA_REGISTRYINDEX);
+}
+
+}  // namespace flyrock

@@ -1,0 +1,71 @@
+#pragma once
+// What stands behind a LuaSession: the state with its libraries, the functions fr.scenario, fr.plugin and
+// require, and the files that are being loaded.
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/locate.h"
+#include "host/session.h"
+#include "host/source_files.h"
+#include "host/state.h"
+#include "plugin/module.h"
+
+namespace flyrock {
+
+class LuaSession::Host {
+ public:
+  explicit Host(const std::string& share);
+
+  void load_builtin(const std::string& path, const std::string& shown, Diagnostics& diagnostics);
+  void load_plugin(const std::string& path, const std::string& shown, const Location& at, Diagnostics& diagnostics);
+  std::optional<Value> read_scenario(const std::string& path, const std::string& shown, Diagnostics& diagnostics);
+  const Registry& registry() const { return registry_; }
+  const std::vector<SourceText>& sources() const { return sources_; }
+
+ private:
+  /// A table given to fr.scenario, and where.
+  struct Marked {
+    const void* table;
+    FieldPlaces places;
+  };
+
+  // The functions that Lua sees; upvalue 1 is the host.
+  static Host& self(lua_State* lua);
+  static int scenario(lua_State* lua);
+  static int plugin(lua_State* lua);
+  static int require(lua_State* lua);
+
+  void open_libraries(lua_State* lua, const std::string& share);
+  /// Loads a file at the top level: `use` gets its result at the top of the stack.
+  template <class Use>
+  void load(const LuaFile& file, Diagnostics& diagnostics, Use&& use);
+  /// Runs a file in its own environment; its result stays on the stack.
+  void run_file(lua_State* lua, const LuaFile& file);
+  void require_file(lua_State* lua, const std::string& name);
+  /// The file and the places of the call of fr.`function` that is running.
+  std::pair<const LuaFile*, FieldPlaces> calling(lua_State* lua, const char* function) const;
+  void register_plugin(lua_State* lua);
+  /// The factory that `native` names; reports where there is none.
+  std::optional<Factory> native_factory(const PluginSpec& spec, const LuaFile& file, const Location& at);
+
+  std::shared_ptr<LuaState> state_;
+  int globals_ = 0, module_ = 0;  // references: the table of globals, the module flyrock
+  Registry registry_;
+  FactoryTable natives_;          // of flyrock_plugins.so
+  SourceFiles files_;
+  std::vector<SourceText> sources_;
+  std::map<std::string, int> required_;  // by path: reference of the result, 0 while it is being loaded
+  std::vector<Marked> scenarios_;
+
+  // While a file is loaded:
+  Diagnostics* diagnostics_ = nullptr;
+  const LuaFile* main_ = nullptr;
+  bool builtin_ = false;
+  int registered_ = 0;
+};
+
+}  // namespace flyrock

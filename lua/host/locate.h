@@ -1,0 +1,45 @@
+#pragma once
+// Where the values of a Lua table stand in its source.
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "scenario/value.h"
+
+namespace flyrock {
+
+/// The places of the fields of one table constructor, by path: "terrain.face_angle", "rocks[0].name".
+/// A path that is not written there (the table came from a variable or a function) is at the call, column 1.
+class FieldPlaces {
+ public:
+  FieldPlaces() = default;  ///< knows no place: for values that a function made
+  /// Scans `source` for the call of `function` ("scenario", "plugin") whose name or table begins on `line`,
+  /// and for the fields of the table constructor that is its argument. Constructors nested in fields
+  /// are followed, also as the argument of a call: `en = fr.number { default = 0.5 }`.
+  FieldPlaces(std::shared_ptr<const Source> source, std::string_view function, int line);
+
+  Location call() const;
+  Location key(const std::string& path) const;
+  Location value(const std::string& path) const;
+
+ private:
+  friend class ConstructorScanner;
+  struct Place {
+    int line = 0;
+    int column = 0;
+  };
+  Location at(const std::map<std::string, Place>& places, const std::string& path) const;
+
+  std::shared_ptr<const Source> source_;
+  int line_ = 0;
+  std::map<std::string, Place> keys_, values_;
+};
+
+/// "a.b" or, for a path that is empty, "b".
+std::string join_path(const std::string& path, const std::string& key);
+/// "a[2]".
+std::string join_path(const std::string& path, std::size_t index);
+
+}  // namespace flyrock

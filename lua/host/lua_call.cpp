@@ -1,0 +1,145 @@
+#include "host/lua_call.h"
+
+#include <lua.hpp>
+
+#include <cstring>
+
+#include <fmt/format.h>
+
+#include "host/read_only.h"
+
+namespace flyrock {
+
+LuaParameters::LuaParameters(lua_State* lua, const PluginSpec& spec, Params& params) {
+  lua_createtable(lua, 0, static_cast<int>(spec.params.size()));
+  const int table = lua_gettop(lua);
+  lua_createtable(lua, 0, 0);  // names that may be absent
+  for (const ParamSpec& param : spec.params) {
+    const bool given = params.given(param.name);
+    if (!given) {
+      lua_pushboolean(lua, 1);
+      lua_setfield(lua, table + 1, param.name.c_str());
+    }
+    switch (param.type) {
+      case ParamType::number:
+      case ParamType::integer:
+      case ParamType::boolean:
+        if (const int slot = params.slot(param.name); slot >= 0) fields_.push_back({param.name, param.type, slot, 0});
+        break;
+      case ParamType::vector:
+        if (const int slot = params.vector_slot(param.name); slot >= 0) {
+          lua_createtable(lua, params.dimension(), 0);
+          lua_pushvalue(lua, -1);
+          const int components = luaL_ref(lua, LUA_REGISTRYINDEX);
+          vectors_.push_back(components);
+          make_read_only(lua, "p." + param.name);
+          lua_setfield(lua, table, param.name.c_str());
+          for (int i = 0; i < params.dimension(); ++i)
+            fields_.push_back({param.name, param.type, slot + i, i + 1, components});
+        }
+        break;
+      case ParamType::choice:
+      case ParamType::text:
+      case ParamType::file:
+        if (const std::string text = params.text(param.name); given) {
+          lua_pushlstring(lua, text.data(), text.size());
+          lua_setfield(lua, table, param.name.c_str());
+        }
+        break;
+      case ParamType::points: {
+        const auto points = params.points2(param.name);
+        if (!given) break;
+        lua_createtable(lua, static_cast<int>(points.size()), 0);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+          lua_createtable(lua, 2, 0);
+          for (int c = 0; c < 2; ++c) {
+            lua_pushnumber(lua, points[i][c]);
+            lua_rawseti(lua, -2, c + 1);
+          }
+          make_read_only(lua, "p." + param.name);
+          lua_rawseti(lua, -2, static_cast<lua_Integer>(i + 1));
+        }
+        make_read_only(lua, "p." + param.name);
+        lua_setfield(lua, table, param.name.c_str());
+      }
+    }
+  }
+  make_strict(lua, table, "p");
+  lua_pushvalue(lua, table);
+  table_ = luaL_ref(lua, LUA_REGISTRYINDEX);
+  make_read_only(lua, "p");
+  view_ = luaL_ref(lua, LUA_REGISTRYINDEX);
+}
+
+void LuaParameters::push(lua_State* lua, Values values) {
+  const bool first = last_.size() != values.size();
+  if (first || std::memcmp(last_.data(), values.data(), values.size_bytes()) != 0) {
+    for (const Field& field : fields_)
+      if (first || std::memcmp(&last_[field.slot], &values[field.slot], sizeof(double)) != 0)
+        set(lua, field, values[field.slot]);
+    last_.assign(values.begin(), values.end());
+  }
+  lua_rawgeti(lua, LUA_REGISTRYINDEX, view_);
+}
+
+void LuaParameters::set(lua_State* lua, const Field& field, double value) {
+  lua_rawgeti(lua, LUA_REGISTRYINDEX, field.component ? field.vector : table_);
+  if (field.type == ParamType::boolean) lua_pushboolean(lua, value != 0);
+  else if (field.type == ParamType::integer) lua_pushinteger(lua, static_cast<lua_Integer>(value));
+  else lua_pushnumber(lua, value);
+  if (field.component) lua_rawseti(lua, -2, field.component);
+  else lua_setfield(lua, -2, field.name.c_str());
+  lua_pop(lua, 1);
+}
+
+std::vector<int> LuaParameters::references() const {
+  std::vector<int> all = vectors_;
+  all.insert(all.end(), {table_, view_});
+  return all;
+}
+
+LuaCall::LuaCall(std::shared_ptr<const LuaPlugin> plugin, Params& params,
+                 std::vector<View> (*make_views)(lua_State*, const PluginSpec&))
+    : plugin_(std::move(plugin)) {
+  run([&](lua_State* lua) {
+    parameters_ = std::make_unique<LuaParameters>(lua, plugin_->spec, params);
+    views_ = make_views(lua, plugin_->spec);
+  });
+}
+
+LuaCall::~LuaCall() {
+  for (const int reference : parameters_->references()) plugin_->state->release(reference);
+  for (const View& view : views_) plugin_->state->release(view.reference());
+}
+
+void LuaCall::call(lua_State* lua, Values values, std::initializer_list<const void*> objects, int results) const {
+  lua_rawgeti(lua, LUA_REGISTRYINDEX, plugin_->function);
+  parameters_->push(lua, values);
+  auto view = views_.begin();
+  for (const void* object : objects) (view++)->push(lua, object);
+  lua_call(lua, 1 + static_cast<int>(objects.size()), results);
+}
+
+void LuaCall::close() const {
+  for (View& view : views_) view.close();
+}
+
+void LuaCall::rethrow(const LuaError& error) const {
+  const std::string text = error.what();
+  const std::size_t place = text.find(".lua:");
+  const bool placed = place != text.npos && place < text.find(": ");
+  if (placed) throw PluginError(fmt::format("plugin {}, {}", plugin_->spec.name, text));
+  throw PluginError(fmt::format("plugin {}: {}() {}", plugin_->origin, plugin_->entry, text));
+}
+
+void LuaCall::fail(const std::string& text) const {
+  throw PluginError(fmt::format("plugin {}: {}() {}", plugin_->origin, plugin_->entry, text));
+}
+
+double LuaCall::number(lua_State* lua, int index, const char* name) const {
+  if (lua_type(lua, index) != LUA_TNUMBER)
+    fail(fmt::format("returned {} for {}, expected a number", luaL_typename(lua, index), name));
+  return lua_tonumber(lua, index);
+}
+
+}  // namespace flyrock

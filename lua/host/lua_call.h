@@ -1,0 +1,100 @@
+#pragma once
+// A call of a plugin's Lua function with its parameters.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/state.h"
+#include "host/view.h"
+#include "plugin/params.h"
+
+namespace flyrock {
+
+/// A pure Lua plugin, as its manifest made it.
+struct LuaPlugin {
+  std::shared_ptr<LuaState> state;
+  PluginSpec spec;
+  int function = 0;           ///< reference of the entry function
+  std::string origin;         ///< "my_law, my_law.lua:14": where the function is defined
+  std::string entry;          ///< "impact"
+  bool only_parameters = false;  ///< it takes `p` alone
+};
+
+/// The table `p`: one for each use of a plugin, read-only for Lua, rewritten where a draw has changed.
+class LuaParameters {
+ public:
+  /// Asks `params` for all that the manifest declares.
+  LuaParameters(lua_State* lua, const PluginSpec& spec, Params& params);
+
+  /// Writes the draws that differ from those of the last call and pushes p.
+  void push(lua_State* lua, Values values);
+  std::vector<int> references() const;
+
+ private:
+  struct Field {
+    std::string name;
+    ParamType type;
+    int slot;
+    int component = 0;  // of a vector, from 1
+    int vector = 0;     // its table
+  };
+  void set(lua_State* lua, const Field& field, double value);
+
+  std::vector<Field> fields_;
+  std::vector<double> last_;  // values written
+  std::vector<int> vectors_;  // references, as the two below
+  int table_ = 0, view_ = 0;
+};
+
+/// An entry function that is ready to be called. Belongs to one thread.
+class LuaCall {
+ public:
+  /// `make_views` returns what the function is passed after p, in order.
+  LuaCall(std::shared_ptr<const LuaPlugin> plugin, Params& params,
+          std::vector<View> (*make_views)(lua_State*, const PluginSpec&));
+  ~LuaCall();
+  LuaCall(const LuaCall&) = delete;
+  LuaCall& operator=(const LuaCall&) = delete;
+
+  const LuaPlugin& plugin() const { return *plugin_; }
+
+  /// Calls the function with p and views of `objects`; `read` takes its `results` results from the top of the
+  /// stack. Throws PluginError, also for a LuaError in `read`.
+  template <class Read>
+  void operator()(Values values, std::initializer_list<const void*> objects, int results, Read&& read) const {
+    run([&](lua_State* lua) {
+      call(lua, values, objects, results);
+      read(lua);
+    });
+  }
+
+  /// Throws PluginError "plugin my_law, my_law.lua:14: impact() <text>".
+  [[noreturn]] void fail(const std::string& text) const;
+  /// The number at `index`, an answer called `name`.
+  double number(lua_State* lua, int index, const char* name) const;
+
+ private:
+  template <class Body>
+  void run(Body&& body) const {
+    try {
+      plugin_->state->run(Budget::call_limit, body);
+    } catch (const LuaError& error) {
+      close();
+      rethrow(error);
+    } catch (...) {
+      close();
+      throw;
+    }
+    close();
+  }
+  void call(lua_State* lua, Values values, std::initializer_list<const void*> objects, int results) const;
+  void close() const;
+  [[noreturn]] void rethrow(const LuaError& error) const;
+
+  std::shared_ptr<const LuaPlugin> plugin_;
+  mutable std::unique_ptr<LuaParameters> parameters_;  // the state of the interpreter, not of the law
+  mutable std::vector<View> views_;
+};
+
+}  // namespace flyrock

@@ -1,0 +1,88 @@
+// The kinds that make rocks, terrains and launches.
+
+#include <lua.hpp>
+
+#include <fmt/format.h>
+
+#include "host/adapter_kinds.h"
+#include "host/read_answer.h"
+#include "host/views.h"
+
+namespace flyrock {
+
+namespace {
+
+std::vector<View> random_only(lua_State* lua, const PluginSpec&) { return {random_view(lua)}; }
+std::vector<View> terrain_blast_random(lua_State* lua, const PluginSpec& spec) {
+  return {terrain_view(lua), blast_view(lua, spec), random_view(lua)};
+}
+std::vector<View> rock_blast_random(lua_State* lua, const PluginSpec& spec) {
+  return {rock_view(lua), blast_view(lua, spec), random_view(lua)};
+}
+
+/// Calls and returns the single answer as a tree.
+Value ask(const LuaCall& call, Values values, std::initializer_list<const void*> objects) {
+  Value answer;
+  call(values, objects, 1, [&](lua_State* lua) { answer = answer_tree(call, lua); });
+  return answer;
+}
+
+class LuaShape : public ShapeModel {
+ public:
+  LuaShape(std::shared_ptr<const LuaPlugin> plugin, Params& params) : call_(std::move(plugin), params, random_only) {}
+  std::vector<Contactor2> build(Values values, RandomStream& rng) const override {
+    return read_shape(call_, ask(call_, values, {&rng}));
+  }
+
+ private:
+  LuaCall call_;
+};
+
+class LuaTerrain : public TerrainModel {
+ public:
+  LuaTerrain(std::shared_ptr<const LuaPlugin> plugin, Params& params) : call_(std::move(plugin), params, random_only) {}
+  Profile build(Values values, RandomStream& rng) const override {
+    return read_terrain(call_, ask(call_, values, {&rng}));
+  }
+
+ private:
+  LuaCall call_;
+};
+
+class LuaPopulation : public Population {
+ public:
+  LuaPopulation(std::shared_ptr<const LuaPlugin> plugin, Params& params)
+      : call_(std::move(plugin), params, terrain_blast_random) {}
+  std::vector<RockPlan> rocks(Values values, const Profile& terrain, const Blast& blast, RandomStream& rng) const override {
+    return read_rocks(call_, ask(call_, values, {&terrain, &blast, &rng}));
+  }
+
+ private:
+  LuaCall call_;
+};
+
+class LuaVelocity : public VelocityModel {
+ public:
+  LuaVelocity(std::shared_ptr<const LuaPlugin> plugin, Params& params)
+      : call_(std::move(plugin), params, rock_blast_random) {}
+  Launch launch(Values values, const RockView& rock, const Blast& blast, RandomStream& rng) const override {
+    return read_launch(call_, ask(call_, values, {&rock, &blast, &rng}), rock.dimension);
+  }
+
+ private:
+  LuaCall call_;
+};
+
+template <class Kind, class Adapter>
+Factory factory(std::shared_ptr<const LuaPlugin> plugin) {
+  return FactoryOf<Kind>([plugin](Params& params) -> std::unique_ptr<Kind> { return std::make_unique<Adapter>(plugin, params); });
+}
+
+}  // namespace
+
+Factory shape_factory(std::shared_ptr<const LuaPlugin> plugin) { return factory<ShapeModel, LuaShape>(std::move(plugin)); }
+Factory terrain_factory(std::shared_ptr<const LuaPlugin> plugin) { return factory<TerrainModel, LuaTerrain>(std::move(plugin)); }
+Factory population_factory(std::shared_ptr<const LuaPlugin> plugin) { return factory<Population, LuaPopulation>(std::move(plugin)); }
+Factory velocity_factory(std::shared_ptr<const LuaPlugin> plugin) { return factory<VelocityModel, LuaVelocity>(std::move(plugin)); }
+
+}  // namespace flyrock

@@ -1,0 +1,187 @@
+#include "host/read_answer.h"
+
+#include <lua.hpp>
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "host/locate.h"
+#include "host/read_value.h"
+#include "host/table_reader.h"
+
+namespace flyrock {
+
+namespace {
+
+/// Reads the tree of one answer; every complaint names the place in it.
+class AnswerReader {
+ public:
+  explicit AnswerReader(const LuaCall& call) : call_(call) {}
+
+  [[noreturn]] void wrong(const std::string& path, const Value& value, const std::string& expected) const {
+    const std::string name = path.empty() ? "" : path + " = ";
+    const std::string found = value.number() ? shortest(*value.number()) : value.kind();
+    call_.fail(fmt::format("returned {}{}, expected {}", name, found, expected));
+  }
+
+  void check_keys(const Value& value, const std::string& path, const std::vector<std::string>& known) const {
+    if (!value.map()) wrong(path, value, "a table with " + one_of(known));
+    for (const Entry& entry : *value.map())
+      if (std::find(known.begin(), known.end(), entry.key) == known.end()) {
+        const std::string hint = did_you_mean(entry.key, known);
+        call_.fail(fmt::format("returned the unknown field {}{}", join_path(path, entry.key),
+                               hint.empty() ? ", expected " + one_of(known) : hint));
+      }
+  }
+
+  double number(const Value& value, const std::string& path) const {
+    if (!value.number()) wrong(path, value, "a number");
+    return *value.number();
+  }
+
+  const List& list(const Value& value, const std::string& path, const std::string& expected) const {
+    if (!value.list()) wrong(path, value, expected);
+    return *value.list();
+  }
+
+  Vec3 vector(const Value& value, const std::string& path, int dimension) const {
+    const char* expected = dimension == 2 ? "{ x, y }" : "{ x, y, z }";
+    const List& components = list(value, path, expected);
+    if (static_cast<int>(components.size()) != dimension) wrong(path, value, expected);
+    Vec3 result = Vec3::Zero();
+    for (int i = 0; i < dimension; ++i) result[i] = number(components[i], join_path(path, i));
+    return result;
+  }
+
+  Vec2 point(const Value& value, const std::string& path) const { return vector(value, path, 2).head<2>(); }
+
+  std::vector<Vec2> points(const Value& value, const std::string& path) const {
+    std::vector<Vec2> result;
+    const List& items = list(value, path, "a list of { x, y }");
+    for (std::size_t i = 0; i < items.size(); ++i) result.push_back(point(items[i], join_path(path, i)));
+    return result;
+  }
+
+  Contactor2 contactor(const Value& value, const std::string& path) const {
+    check_keys(value, path, {"radius", "centre", "vertices"});
+    const Value *radius = value.find("radius"), *vertices = value.find("vertices"), *centre = value.find("centre");
+    if ((radius != nullptr) == (vertices != nullptr)) wrong(path, value, "either `radius` or `vertices` in it");
+    if (vertices) {
+      if (centre) call_.fail(fmt::format("returned {}, which goes with a radius, not with vertices", join_path(path, "centre")));
+      auto corners = points(*vertices, join_path(path, "vertices"));
+      if (const std::string fault = make_convex(corners); !fault.empty())
+        call_.fail(fmt::format("returned {}: {}", join_path(path, "vertices"), fault));
+      return Contactor2::polygon(std::move(corners));
+    }
+    const double r = number(*radius, join_path(path, "radius"));
+    if (!(r > 0)) wrong(join_path(path, "radius"), *radius, "a number above 0");
+    return Contactor2::disk(r, centre ? point(*centre, join_path(path, "centre")) : Vec2::Zero());
+  }
+
+  std::vector<Contactor2> shape(const Value& value, const std::string& path) const {
+    if (value.map()) return {contactor(value, path)};
+    const List& items = list(value, path, "a contactor { radius = ... } or { vertices = ... }, or a list of them");
+    if (items.empty()) wrong(path, value, "at least one contactor");
+    std::vector<Contactor2> result;
+    for (std::size_t i = 0; i < items.size(); ++i) result.push_back(contactor(items[i], join_path(path, i)));
+    return result;
+  }
+
+  void parts(const Value& value, Profile& profile) const {
+    const List& names = list(value, "parts", "a list with the name of each segment");
+    if (static_cast<int>(names.size()) != profile.segments())
+      call_.fail(fmt::format("returned {} parts, expected {}: one for each segment between two points", names.size(),
+                             profile.segments()));
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (!names[i].text()) wrong(join_path("parts", i), names[i], "the name of a part");
+      const auto known = std::find(profile.parts.begin(), profile.parts.end(), *names[i].text());
+      profile.part.push_back(static_cast<int>(known - profile.parts.begin()));
+      if (known == profile.parts.end()) profile.parts.push_back(*names[i].text());
+    }
+  }
+
+  RockPlan rock(const Value& value, const std::string& path) const {
+    check_keys(value, path, {"radius", "vertices", "shape", "position", "angle"});
+    RockPlan plan;
+    const Value *radius = value.find("radius"), *vertices = value.find("vertices"), *own = value.find("shape");
+    if ((radius != nullptr) + (vertices != nullptr) + (own != nullptr) > 1)
+      wrong(path, value, "one of `radius`, `vertices` and `shape` in it");
+    if (own) plan.contactors = shape(*own, join_path(path, "shape"));
+    for (const auto& [key, part] : {std::pair{"radius", radius}, {"vertices", vertices}})
+      if (part) plan.contactors = {contactor(Value{Map{Entry{key, {}, *part}}, {}, false}, path)};
+    if (const Value* position = value.find("position")) plan.position = point(*position, join_path(path, "position"));
+    if (const Value* angle = value.find("angle")) plan.angle = number(*angle, join_path(path, "angle"));
+    return plan;
+  }
+
+  const LuaCall& call_;
+};
+
+}  // namespace
+
+Value answer_tree(const LuaCall& call, lua_State* lua) {
+  Diagnostics diagnostics;
+  const auto value = read_value(lua, -1, FieldPlaces(), diagnostics, [](const std::string&) { return false; });
+  if (value) return *value;
+  const Diagnostic& first = diagnostics.all().front();
+  call.fail(fmt::format("returned {}{}", first.path.empty() ? "" : first.path + " = ", first.text));
+}
+
+std::vector<Contactor2> read_shape(const LuaCall& call, const Value& answer) {
+  return AnswerReader(call).shape(answer, "");
+}
+
+Profile read_terrain(const LuaCall& call, const Value& answer) {
+  const AnswerReader reader(call);
+  reader.check_keys(answer, "", {"points", "parts", "faces"});
+  Profile profile;
+  if (const Value* points = answer.find("points")) profile.points = reader.points(*points, "points");
+  if (profile.points.size() < 2) call.fail("returned no terrain, expected at least two `points`");
+  if (const Value* parts = answer.find("parts")) {
+    reader.parts(*parts, profile);
+  } else {
+    profile.parts = {""};
+    profile.part.assign(profile.points.size() - 1, 0);
+  }
+  if (const Value* faces = answer.find("faces")) {
+    const List& items = reader.list(*faces, "faces", "a list of { toe = { x, y }, crest = { x, y } }");
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      const std::string path = join_path("faces", i);
+      reader.check_keys(items[i], path, {"toe", "crest"});
+      const Value *toe = items[i].find("toe"), *crest = items[i].find("crest");
+      if (!toe || !crest) reader.wrong(path, items[i], "both `toe` and `crest` in it");
+      profile.faces.push_back({reader.point(*toe, path + ".toe"), reader.point(*crest, path + ".crest")});
+    }
+  }
+  if (const std::string fault = profile.fault(); !fault.empty()) call.fail("returned points: " + fault);
+  return profile;
+}
+
+std::vector<RockPlan> read_rocks(const LuaCall& call, const Value& answer) {
+  const AnswerReader reader(call);
+  std::vector<RockPlan> rocks;
+  const List& items = reader.list(answer, "", "a list of rocks");
+  for (std::size_t i = 0; i < items.size(); ++i) rocks.push_back(reader.rock(items[i], fmt::format("rock {}", i)));
+  return rocks;
+}
+
+Launch read_launch(const LuaCall& call, const Value& answer, int dimension) {
+  const AnswerReader reader(call);
+  reader.check_keys(answer, "", {"velocity", "spin", "note"});
+  Launch launch;
+  const Value* velocity = answer.find("velocity");
+  if (!velocity) call.fail("returned no `velocity`, expected { velocity = { vx, vy } }");
+  launch.velocity = reader.vector(*velocity, "velocity", dimension);
+  if (const Value* spin = answer.find("spin")) {
+    if (dimension == 2) launch.spin.z() = reader.number(*spin, "spin");
+    else launch.spin = reader.vector(*spin, "spin", 3);
+  }
+  if (const Value* note = answer.find("note")) {
+    if (!note->text()) reader.wrong("note", *note, "text");
+    launch.note = *note->text();
+  }
+  return launch;
+}
+
+}  // namespace flyrock

@@ -1,0 +1,73 @@
+#include "host/source_files.h"
+
+#include <lua.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace flyrock {
+
+namespace {
+
+/// The name of a chunk in messages: Lua cuts long ones at the front.
+std::string chunk_label(const std::string& name) {
+  constexpr std::size_t room = LUA_IDSIZE - 1;
+  constexpr std::string_view dots = "...";
+  if (name.size() <= room) return name;
+  return std::string(dots) + name.substr(name.size() - (room - dots.size()));
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::optional<std::string> read_bytes(const std::string& path) {
+  if (std::filesystem::is_directory(path)) return std::nullopt;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return std::nullopt;
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+const LuaFile* SourceFiles::read(const std::string& path, const std::string& shown) {
+  auto text = read_bytes(path);
+  if (!text) return nullptr;
+  LuaFile file;
+  file.path = path;
+  file.folder = std::filesystem::path(path).parent_path().string();
+  file.source = std::make_shared<Source>(Source{shown, lines_of(*text)});
+  file.text = std::move(*text);
+  files_.push_back(std::make_unique<LuaFile>(std::move(file)));
+  return files_.back().get();
+}
+
+const LuaFile* SourceFiles::of_chunk(const std::string& chunk) const {
+  for (const auto& file : files_)
+    if (chunk == "@" + file->source->name) return file.get();
+  return nullptr;
+}
+
+std::pair<Location, std::string> SourceFiles::split_message(const std::string& message,
+                                                            const LuaFile& otherwise) const {
+  for (const auto& file : files_) {
+    const std::string prefix = chunk_label(file->source->name) + ":";
+    if (message.compare(0, prefix.size(), prefix) != 0) continue;
+    const std::size_t end = message.find(": ", prefix.size());
+    const std::string line = message.substr(prefix.size(), end - prefix.size());
+    if (end == message.npos || line.empty() || line.size() > 9 || line.find_first_not_of("0123456789") != line.npos) continue;
+    return {Location{file->source, std::stoi(line), 1}, message.substr(end + 2)};
+  }
+  return {Location{otherwise.source, 0, 0}, message};
+}
+
+}  // namespace flyrock

@@ -1,0 +1,37 @@
+#pragma once
+// The Lua files that a session has read.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenario/value.h"
+
+namespace flyrock {
+
+struct LuaFile {
+  std::string path;                        ///< to open
+  std::string folder;                      ///< in which it stands
+  std::string text;
+  std::shared_ptr<const Source> source;    ///< its name as shown, and its lines
+};
+
+/// The bytes of a file, or nothing.
+std::optional<std::string> read_bytes(const std::string& path);
+
+class SourceFiles {
+ public:
+  /// Reads a file; null where it cannot be read. The pointer holds as long as this object.
+  const LuaFile* read(const std::string& path, const std::string& shown);
+  /// The file that Lua calls `chunk` ("@my_law.lua"), or null.
+  const LuaFile* of_chunk(const std::string& chunk) const;
+  /// Splits "my_law.lua:16: what is wrong" into place and text. Without a place in a known file the whole
+  /// text stays, at line 0 of `otherwise`.
+  std::pair<Location, std::string> split_message(const std::string& message, const LuaFile& otherwise) const;
+
+ private:
+  std::vector<std::unique_ptr<LuaFile>> files_;
+};
+
+}  // namespace flyrock

@@ -1,0 +1,53 @@
+#pragma once
+// Reads the fields of one table of a manifest: each is asked once, what nobody asked for is an error.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenario/diagnostics.h"
+
+namespace flyrock {
+
+class TableReader {
+ public:
+  /// `table` must be a map, or an empty list, which is an empty map.
+  TableReader(const Value& table, std::string path, Diagnostics& diagnostics);
+
+  /// The field, or null. Marks the name as known.
+  const Value* field(const std::string& name);
+  std::optional<double> number(const std::string& name);
+  std::optional<bool> boolean(const std::string& name);
+  std::optional<std::string> text(const std::string& name);
+  std::optional<std::vector<std::string>> texts(const std::string& name);
+  std::optional<std::vector<double>> numbers(const std::string& name);
+  /// A text that must be there and not be empty.
+  std::string required_text(const std::string& name);
+
+  /// About a field, or with an empty name about the table.
+  void error(const std::string& name, const std::string& text);
+  /// Reports the fields that nobody asked for, with the nearest known name.
+  void finish();
+  bool failed() const { return failed_; }
+
+ private:
+  void wrong_type(const std::string& name, const Value& value, const std::string& expected);
+  template <class T>
+  std::optional<T> scalar(const std::string& name, const std::string& expected);
+  template <class T>
+  std::optional<std::vector<T>> list_of(const std::string& name, const std::string& expected);
+
+  const Value& table_;
+  std::string path_;
+  Diagnostics& diagnostics_;
+  std::vector<std::string> known_;
+  bool failed_ = false;
+};
+
+/// ", did you mean `x`?" where a candidate is near, else empty.
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
+
+/// "`a`, `b` or `c`".
+std::string one_of(const std::vector<std::string>& names);
+
+}  // namespace flyrock

@@ -1,0 +1,48 @@
+#pragma once
+// Objects of the host as Lua code sees them: read-only, without a copy, valid during one call.
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+struct lua_State;
+
+namespace flyrock {
+
+/// One kind of view. `push` pushes field number `field` of `object`, a value or a method.
+struct ViewType {
+  const char* name;  ///< "contact"
+  void (*push)(lua_State* lua, const void* object, int field);
+};
+
+/// A userdata that shows the fields of an object; reading any other is an error with the nearest name.
+/// One is made for each plugin in use and pointed at an object before a call: a call makes no garbage.
+class View {
+ public:
+  /// `fields`: names and the numbers that `push` knows them by. Leaves nothing on the stack.
+  View(lua_State* lua, const ViewType& type, const std::vector<std::pair<std::string_view, int>>& fields);
+
+  /// Points the view at an object and pushes it.
+  void push(lua_State* lua, const void* object);
+  /// Ends a call: who kept the view gets an error from now on.
+  void close();
+  /// For the owner to release.
+  int reference() const { return reference_; }
+
+ private:
+  struct Box {
+    const ViewType* type;
+    const void* object;
+  };
+  friend const void* viewed(lua_State* lua, int index, const ViewType& type);
+  static int index(lua_State* lua);
+
+  Box* box_;       // lives as long as the reference
+  int reference_;
+};
+
+/// The object of the view at `index`, for a method; an error where it is another thing.
+const void* viewed(lua_State* lua, int index, const ViewType& type);
+
+}  // namespace flyrock

@@ -1,0 +1,192 @@
+#include "host/views.h"
+
+#include <lua.hpp>
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "host/state.h"
+
+namespace flyrock {
+
+namespace {
+
+void push_text(lua_State* lua, std::string_view text) { lua_pushlstring(lua, text.data(), text.size()); }
+
+void push_point(lua_State* lua, const Vec2& point) { push_vector(lua, {point.x(), point.y(), 0}, 2); }
+
+// contact
+
+void push_contact(lua_State* lua, const void* object, int field) {
+  const auto& contact = *static_cast<const ContactState*>(object);
+  const ContactField& info = contact_fields()[field];
+  if (info.number) lua_pushnumber(lua, contact.*info.number);
+  else push_text(lua, contact.*info.text);
+}
+constexpr ViewType contact_type{"contact", push_contact};
+
+// rock
+
+constexpr std::string_view rock_names[] = {"dimension", "mass",       "volume", "density",  "diameter", "position",
+                                           "outward",   "face_angle", "group",  "direction"};
+
+int direction(lua_State* lua);
+
+void push_rock(lua_State* lua, const void* object, int field) {
+  const auto& rock = *static_cast<const RockView*>(object);
+  switch (field) {
+    case 0: return lua_pushinteger(lua, rock.dimension);
+    case 1: return lua_pushnumber(lua, rock.mass);
+    case 2: return lua_pushnumber(lua, rock.volume);
+    case 3: return lua_pushnumber(lua, rock.density);
+    case 4: return lua_pushnumber(lua, rock.diameter);
+    case 5: return push_vector(lua, rock.position, rock.dimension);
+    case 6: return push_vector(lua, rock.outward, rock.dimension);
+    case 7: return lua_pushnumber(lua, rock.face_angle);
+    case 8: return push_text(lua, rock.group);
+    default: return lua_pushcfunction(lua, guarded<direction>);
+  }
+}
+constexpr ViewType rock_type{"rock", push_rock};
+
+int direction(lua_State* lua) {
+  const auto& rock = *static_cast<const RockView*>(viewed(lua, 1, rock_type));
+  push_vector(lua, direction_velocity(rock, luaL_checknumber(lua, 2), luaL_checknumber(lua, 3), luaL_optnumber(lua, 4, 0)),
+              rock.dimension);
+  return 1;
+}
+
+// blast
+
+/// Fields that `reads` does not declare have their number plus this: a better answer than "no such field".
+constexpr int undeclared = 1000;
+
+void push_blast(lua_State* lua, const void* object, int field) {
+  const BlastFieldInfo& info = blast_fields()[field % undeclared];
+  if (field >= undeclared)
+    raise(lua, fmt::format("`blast.{}` is not declared: add \"blast.{}\" to `reads` of the manifest", info.name, info.path));
+  lua_pushnumber(lua, (*static_cast<const Blast*>(object))[info.field]);
+}
+constexpr ViewType blast_type{"blast", push_blast};
+
+// terrain
+
+constexpr std::string_view terrain_names[] = {"x_min", "x_max", "points", "faces", "height"};
+
+int height(lua_State* lua);
+
+void push_terrain(lua_State* lua, const void* object, int field) {
+  const auto& terrain = *static_cast<const Profile*>(object);
+  const auto push_list = [&](const auto& items, auto&& push) {
+    lua_createtable(lua, static_cast<int>(items.size()), 0);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      push(items[i]);
+      lua_rawseti(lua, -2, static_cast<lua_Integer>(i + 1));
+    }
+  };
+  switch (field) {
+    case 0: return lua_pushnumber(lua, terrain.x_min());
+    case 1: return lua_pushnumber(lua, terrain.x_max());
+    case 2: return push_list(terrain.points, [&](const Vec2& point) { push_point(lua, point); });
+    case 3:
+      return push_list(terrain.faces, [&](const Profile::Face& face) {
+        lua_createtable(lua, 0, 2);
+        push_point(lua, face.toe);
+        lua_setfield(lua, -2, "toe");
+        push_point(lua, face.crest);
+        lua_setfield(lua, -2, "crest");
+      });
+    default: return lua_pushcfunction(lua, guarded<height>);
+  }
+}
+constexpr ViewType terrain_type{"terrain", push_terrain};
+
+int height(lua_State* lua) {
+  const auto& terrain = *static_cast<const Profile*>(viewed(lua, 1, terrain_type));
+  const double x = luaL_checknumber(lua, 2);
+  if (!(x >= terrain.x_min() && x <= terrain.x_max()))
+    raise(lua, fmt::format("terrain:height({:.6g}): expected x from {:.6g} to {:.6g}", x, terrain.x_min(), terrain.x_max()));
+  lua_pushnumber(lua, terrain.height(x));
+  return 1;
+}
+
+// rng
+
+constexpr std::string_view random_names[] = {"uniform", "normal", "integer"};
+
+int uniform(lua_State* lua);
+int normal(lua_State* lua);
+int integer(lua_State* lua);
+
+void push_random(lua_State* lua, const void*, int field) {
+  constexpr lua_CFunction methods[] = {guarded<uniform>, guarded<normal>, guarded<integer>};
+  lua_pushcfunction(lua, methods[field]);
+}
+constexpr ViewType random_type{"rng", push_random};
+
+RandomStream& stream(lua_State* lua) {
+  // Drawing moves the stream on; the caller passed it as one that may change.
+  return *static_cast<RandomStream*>(const_cast<void*>(viewed(lua, 1, random_type)));
+}
+
+int uniform(lua_State* lua) {
+  RandomStream& rng = stream(lua);
+  if (lua_gettop(lua) == 1) lua_pushnumber(lua, rng.uniform());
+  else lua_pushnumber(lua, rng.uniform(luaL_checknumber(lua, 2), luaL_checknumber(lua, 3)));
+  return 1;
+}
+
+int normal(lua_State* lua) {
+  lua_pushnumber(lua, stream(lua).normal());
+  return 1;
+}
+
+int integer(lua_State* lua) {
+  const lua_Integer low = luaL_checkinteger(lua, 2), high = luaL_checkinteger(lua, 3);
+  constexpr lua_Integer bound = lua_Integer{1} << 52;  // one uniform double has 53 bits
+  if (low > high || low < -bound || high > bound || high - low >= bound)
+    raise(lua, fmt::format("rng:integer({}, {}): expected low <= high, at most 2^52 apart", low, high));
+  lua_pushinteger(lua, stream(lua).integer(low, high));
+  return 1;
+}
+
+template <std::size_t n>
+std::vector<std::pair<std::string_view, int>> numbered(const std::string_view (&names)[n]) {
+  std::vector<std::pair<std::string_view, int>> fields;
+  for (std::size_t i = 0; i < n; ++i) fields.emplace_back(names[i], static_cast<int>(i));
+  return fields;
+}
+
+}  // namespace
+
+View contact_view(lua_State* lua) {
+  std::vector<std::pair<std::string_view, int>> fields;
+  for (const ContactField& field : contact_fields()) fields.emplace_back(field.name, static_cast<int>(fields.size()));
+  return View(lua, contact_type, fields);
+}
+
+View rock_view(lua_State* lua) { return View(lua, rock_type, numbered(rock_names)); }
+
+View blast_view(lua_State* lua, const PluginSpec& spec) {
+  std::vector<std::pair<std::string_view, int>> fields;
+  for (const BlastFieldInfo& field : blast_fields()) {
+    const bool declared =
+        std::find(spec.reads.begin(), spec.reads.end(), fmt::format("blast.{}", field.path)) != spec.reads.end();
+    fields.emplace_back(field.name, static_cast<int>(fields.size()) + (declared ? 0 : undeclared));
+  }
+  return View(lua, blast_type, fields);
+}
+
+View terrain_view(lua_State* lua) { return View(lua, terrain_type, numbered(terrain_names)); }
+View random_view(lua_State* lua) { return View(lua, random_type, numbered(random_names)); }
+
+void push_vector(lua_State* lua, const Vec3& vector, int dimension) {
+  lua_createtable(lua, dimension, 0);
+  for (int i = 0; i < dimension; ++i) {
+    lua_pushnumber(lua, vector[i]);
+    lua_rawseti(lua, -2, i + 1);
+  }
+}
+
+}  // namespace flyrock

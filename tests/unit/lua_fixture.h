@@ -1,0 +1,49 @@
+#pragma once
+// A session with a folder of its own for files that a test writes.
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "host/session.h"
+
+struct LuaFixture {
+  flyrock::LuaSession session{FLYROCK_SHARE_DIR};
+  std::filesystem::path folder;
+
+  LuaFixture() {
+    std::string name = (std::filesystem::temp_directory_path() / "flyrock-lua-XXXXXX").string();
+    folder = mkdtemp(name.data());
+  }
+  ~LuaFixture() { std::filesystem::remove_all(folder); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::filesystem::create_directories((folder / name).parent_path());
+    std::ofstream(folder / name) << text;
+  }
+
+  /// The messages of loading a plugin, "file:line:column: path: text" a line, in the order of the file.
+  std::string load(const std::string& name) {
+    flyrock::Diagnostics diagnostics;
+    session.load_plugin((folder / name).string(), name, {}, diagnostics);
+    return messages(diagnostics);
+  }
+
+  static std::string messages(const flyrock::Diagnostics& diagnostics) {
+    std::vector<flyrock::Diagnostic> all = diagnostics.all();
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+      return std::pair(a.at.line, a.at.column) < std::pair(b.at.line, b.at.column);
+    });
+    std::string text;
+    for (const auto& one : all)
+      text += fmt::format("{}:{}:{}: {}{}{}\n", one.at.source ? one.at.source->name : "", one.at.line, one.at.column, one.path,
+                          one.path.empty() ? "" : ": ", one.text);
+    return text;
+  }
+};

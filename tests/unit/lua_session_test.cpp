@@ -1,0 +1,133 @@
+// Loading plugins: the built-in ones, users' own, and what is wrong with a manifest.
+
+#include <catch2/catch.hpp>
+
+#include "host/session.h"
+#include "unit/lua_fixture.h"
+
+using namespace flyrock;
+
+TEST_CASE("every built-in plugin is registered with its documentation") {
+  LuaSession session(FLYROCK_SHARE_DIR);
+  for (int k = 0; k < plugin_kinds; ++k) {
+    const auto plugins = session.registry().of_kind(static_cast<PluginKind>(k));
+    CHECK_FALSE(plugins.empty());
+    for (const Plugin* plugin : plugins) {
+      INFO(plugin->spec.file);
+      CHECK_FALSE(plugin->spec.doc.empty());
+      for (const ParamSpec& param : plugin->spec.params) CHECK_FALSE(param.doc.empty());
+    }
+  }
+  CHECK(session.registry().find(PluginKind::restitution, "newton"));
+  CHECK(session.registry().find(PluginKind::restitution, "pfeiffer_bowen"));
+  CHECK_FALSE(session.sources().empty());
+}
+
+TEST_CASE("a broken installation names the file") {
+  CHECK_THROWS_WITH(LuaSession("/nowhere"), Catch::Contains("/nowhere/flyrock_plugins.so"));
+}
+
+TEST_CASE("limits and defaults are converted from the declared unit") {
+  LuaFixture lua;
+  lua.write("law.lua", R"(local fr = require "flyrock"
+return fr.plugin {
+  kind = "friction", name = "angle", doc = "by angle",
+  params = {
+    angle = fr.number { default = 30, min = 0, below = 90, unit = "deg", doc = "friction angle" },
+    speed = fr.vector { default = { 36, 0 }, unit = "km/h", doc = "a speed" },
+    count = fr.integer { default = 3, doc = "a count" },
+    wet = fr.boolean { default = true, doc = "rain" },
+    mode = fr.choice { choices = { "a", "b" }, default = "b", doc = "which" },
+  },
+  friction = function(p) return math.tan(p.angle) end,
+})");
+  CHECK(lua.load("law.lua") == "");
+  const Plugin* plugin = lua.session.registry().find(PluginKind::friction, "angle");
+  REQUIRE(plugin);
+  const PluginSpec& spec = plugin->spec;
+  REQUIRE(spec.params.size() == 5);
+  const ParamSpec& angle = spec.params[spec.find("angle")];
+  CHECK(*angle.default_number == Approx(pi / 6));
+  CHECK(*angle.below == Approx(pi / 2));
+  CHECK(angle.dimension == dimension::angle);
+  CHECK(spec.params[spec.find("speed")].default_vector->at(0) == Approx(10));
+  CHECK(*spec.params[spec.find("wet")].default_number == 1);
+  CHECK(*spec.params[spec.find("mode")].default_text == "b");
+  CHECK(spec.file == "law.lua");
+}
+
+TEST_CASE("all faults of a manifest are told at once, each at its place") {
+  LuaFixture lua;
+  lua.write("bad.lua", R"(local fr = require "flyrock"
+return fr.plugin {
+  kind = "restitutoin", name = "Bad Name",
+  sorce = "me",
+  reads = { "contact.aproach_speed" },
+  params = {
+    en = fr.number { default = 2, max = 1, doc = "too much" },
+    v = fr.number { unit = "m/sec", doc = "a speed" },
+    mode = fr.choice { doc = "which" },
+    raw = 5,
+    x = fr.number { defualt = 1 },
+  },
+})");
+  CHECK(lua.load("bad.lua") ==
+        "bad.lua:2:1: doc: missing, expected text\n"
+        "bad.lua:3:10: kind: unknown kind `restitutoin`, did you mean `restitution`?\n"
+        "bad.lua:3:32: name: `Bad Name`, expected small letters, digits and _, a letter first\n"
+        "bad.lua:4:3: sorce: unknown key, did you mean `source`?\n"
+        "bad.lua:5:11: reads: unknown field `contact.aproach_speed`, did you mean `contact.approach_speed`?\n"
+        "bad.lua:7:32: params.en.default: 2, expected a number of at most 1\n"
+        "bad.lua:8:28: params.v.unit: unknown unit `sec`\n"
+        "bad.lua:9:12: params.mode.choices: missing, expected a list of texts: choices = { \"a\", \"b\" }\n"
+        "bad.lua:10:11: params.raw: a number, expected a table of named fields\n"
+        "bad.lua:11:21: params.x.defualt: unknown key, did you mean `default`?\n");
+}
+
+TEST_CASE("a plugin is native or Lua, with the function of its kind") {
+  LuaFixture lua;
+  const auto message = [&](const std::string& fields) {
+    lua.write("p.lua", "local fr = require 'flyrock'\nreturn fr.plugin { kind = 'restitution', name = 'p', doc = 'd',\n" + fields + " }");
+    return lua.load("p.lua");
+  };
+  CHECK(message("") == "p.lua:2:1: impact: missing: a restitution needs the function `impact`, or `native`\n");
+  CHECK(message("impact = function(p) return 0 end, native = 'newton'") ==
+        "p.lua:3:45: native: both `native` and the function `impact`, expected one of the two\n");
+  CHECK(message("native = 'newton'") == "p.lua:3:10: native: no shared object `newton.so` beside the manifest\n");
+  CHECK(message("friction = function(p) return 0 end, impact = function(p) return 0 end") ==
+        "p.lua:2:1: friction: a restitution has no function `friction`, expected `impact`\n");
+  CHECK(message("form = 'poisson', impact = function(p) return 0 end") ==
+        "p.lua:3:8: form: `poisson`, expected `newton`, the form that this version solves\n");
+  CHECK(message("impact = 0.5") == "p.lua:3:10: impact: a number, expected a function\n");
+}
+
+TEST_CASE("files that are no plugins say so") {
+  LuaFixture lua;
+  lua.write("empty.lua", "local x = 1\n");
+  CHECK(lua.load("empty.lua") == "empty.lua:1:1: registers no plugin, expected `return fr.plugin { ... }`\n");
+  lua.write("syntax.lua", "local x = = 1\n");
+  CHECK(lua.load("syntax.lua") == "syntax.lua:1:1: unexpected symbol near '='\n");
+  CHECK(lua.load("absent.lua") ==
+        ":0:0: plugins: cannot read `absent.lua`, expected a Lua file, or a folder with plugin.lua in it\n");
+  lua.write("twice.lua", R"(local fr = require "flyrock"
+return fr.plugin { kind = "restitution", name = "newton", doc = "again", impact = function(p) return 0 end })");
+  CHECK(lua.load("twice.lua") == "twice.lua:2:49: name: the restitution `newton` is already registered by "
+                                 "plugins/restitution/newton/plugin.lua\n");
+}
+
+TEST_CASE("a plugin may be a folder, and require modules beside it") {
+  LuaFixture lua;
+  lua.write("mine/plugin.lua", R"(local fr = require "flyrock"
+local constants = require "constants"
+return fr.plugin { kind = "rolling", name = "mine", doc = "d", rolling = function(p) return constants.mu_r end })");
+  lua.write("mine/constants.lua", "return { mu_r = 0.25 }");
+  CHECK(lua.load("mine") == "");
+  CHECK(lua.session.registry().find(PluginKind::rolling, "mine"));
+  CHECK(lua.session.sources().back().name == "mine/constants.lua");
+  lua.write("lost.lua", "local x = require 'nothing'");
+  CHECK(lua.load("lost.lua") ==
+        "lost.lua:1:1: require: no module `nothing`: expected `flyrock`, or the file nothing.lua\n");
+  lua.write("out.lua", "local x = require '../x'");
+  CHECK(lua.load("out.lua") ==
+        "out.lua:1:1: require: `../x` is no module, expected letters, digits and _, with dots for folders\n");
+}
