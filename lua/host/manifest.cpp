@@ -56,6 +56,7 @@ class ParamReader {
 
  private:
   bool read_type() {
+    if (table_.failed()) return false;
     constexpr int types = 8;
     const auto type = table_.text("type");
     for (int i = 0; type && i < types; ++i)

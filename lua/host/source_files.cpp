@@ -52,14 +52,15 @@ const LuaFile* SourceFiles::read(const std::string& path, const std::string& sho
 }
 
 const LuaFile* SourceFiles::of_chunk(const std::string& chunk) const {
-  for (const auto& file : files_)
-    if (chunk == "@" + file->source->name) return file.get();
+  for (auto file = files_.rbegin(); file != files_.rend(); ++file)  // a file that was read again: the last text
+    if (chunk == "@" + (*file)->source->name) return file->get();
   return nullptr;
 }
 
 std::pair<Location, std::string> SourceFiles::split_message(const std::string& message,
                                                             const LuaFile& otherwise) const {
-  for (const auto& file : files_) {
+  for (auto it = files_.rbegin(); it != files_.rend(); ++it) {
+    const LuaFile* file = it->get();
     const std::string prefix = chunk_label(file->source->name) + ":";
     if (message.compare(0, prefix.size(), prefix) != 0) continue;
     const std::size_t end = message.find(": ", prefix.size());
