@@ -1,0 +1,91 @@
+// The native terrains: where their points, parts and faces lie, and what is wrong with a file.
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+
+#include "conformance/plugin_use.h"
+
+using namespace flyrock;
+
+namespace {
+
+const LuaSession& session() {
+  static const LuaSession one(FLYROCK_SHARE_DIR);
+  return one;
+}
+
+Profile build(const std::string& name, const std::map<std::string, Given>& given) {
+  const auto made = make<TerrainModel>(session(), PluginKind::terrain, name, given);
+  RandomStream rng(1, "terrain", {});
+  return made.model->build(made.values, rng);
+}
+
+/// A file of this text, gone at the end of the test.
+struct TextFile {
+  std::string path = (std::filesystem::temp_directory_path() / "flyrock_profile_test.txt").string();
+  explicit TextFile(const std::string& text) { std::ofstream(path) << text; }
+  ~TextFile() { std::filesystem::remove(path); }
+};
+
+}  // namespace
+
+TEST_CASE("benches begin 50 m behind the uppermost crest and end on the floor") {
+  const double run = 12 / std::tan(70 * pi / 180);
+  const Profile benches = build(
+      "benches",
+      {{"count", 3.0}, {"height", 12.0}, {"face_angle", 70 * pi / 180}, {"berm", 8.0}, {"floor", 400.0}});
+  CHECK(benches.fault().empty());
+  CHECK(benches.parts == std::vector<std::string>{"face", "berm", "floor"});
+  CHECK(benches.part == std::vector<int>{1, 0, 1, 0, 1, 0, 2});
+  CHECK(benches.points[0] == Vec2(-50, 36));
+  CHECK(benches.points[1] == Vec2(0, 36));
+  CHECK((benches.points[2] - Vec2(run, 24)).norm() < 1e-12);
+  CHECK((benches.points.back() - Vec2(3 * run + 16 + 400, 0)).norm() < 1e-12);
+  REQUIRE(benches.faces.size() == 3);
+  CHECK(benches.faces[0].crest == benches.points[1]);
+  CHECK(benches.faces[0].toe == benches.points[2]);
+  CHECK((benches.faces[2].toe - Vec2(3 * run + 16, 0)).norm() < 1e-12);
+}
+
+TEST_CASE("benches may stand upright, or follow each other without a berm") {
+  const Profile wall = build(
+      "benches", {{"count", 2.0}, {"height", 5.0}, {"face_angle", pi / 2}, {"berm", 0.0}, {"floor", 10.0}});
+  CHECK(wall.fault().empty());
+  CHECK(wall.part == std::vector<int>{1, 0, 0, 2});
+  CHECK(wall.faces[1].toe.x() < 1e-12);
+}
+
+TEST_CASE("a profile comes from points or from a file") {
+  const std::vector<std::vector<double>> points{{0, 1}, {5, 0.5}, {10, 0}};
+  CHECK(build("profile", {{"points", points}}).points.size() == 3);
+  const TextFile file("# x y\n0, 1\n\n5 0.5   # a ledge\n  10,0\n");
+  const Profile read = build("profile", {{"file", file.path.c_str()}});
+  CHECK(read.points == build("profile", {{"points", points}}).points);
+  CHECK(read.parts == std::vector<std::string>{""});
+  CHECK_THROWS_WITH(build("profile", {}), "plugin profile: expected either `points` or a `file`");
+  CHECK_THROWS_WITH(build("profile", {{"points", points}, {"file", file.path.c_str()}}),
+                    "plugin profile: expected either `points` or a `file`");
+}
+
+TEST_CASE("a profile's file is read strictly") {
+  const auto fault = [](const std::string& text) {
+    const TextFile file(text);
+    try {
+      build("profile", {{"file", file.path.c_str()}});
+    } catch (const PluginError& error) {
+      std::string message = error.what();
+      if (const auto at = message.find(file.path); at != message.npos)
+        message.replace(at, file.path.size(), "FILE");
+      return message;
+    }
+    return std::string();
+  };
+  CHECK(fault("0 1\n1 x\n") == "plugin profile: FILE:2: `x` is not a number");
+  CHECK(fault("0 1\n1 2 3\n") == "plugin profile: FILE:2: expected two numbers, x and y, found 3");
+  CHECK(fault("0 1\n1,\n") == "plugin profile: FILE:2: expected two numbers, x and y, found 1");
+  CHECK(fault("0 1\n,\n") == "plugin profile: FILE:2: expected two numbers, x and y, found 0");
+  CHECK(fault("") == "plugin profile: a profile has 0 points, at least 2 are needed");
+  CHECK(fault("1 0\n0 0\n") ==
+        "plugin profile: x decreases from (1, 0) to (0, 0); a profile goes from left to right");
+}
