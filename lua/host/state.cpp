@@ -30,7 +30,7 @@ int call_body(lua_State* lua) {
 
 std::string error_text(lua_State* lua) {
   if (lua_type(lua, -1) == LUA_TSTRING) return lua_tostring(lua, -1);
-  return fmt::format("an error that is no text but a {}", luaL_typename(lua, -1));
+  return fmt::format("raised an error that is no text but a {}", luaL_typename(lua, -1));
 }
 
 }  // namespace

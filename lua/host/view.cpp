@@ -13,7 +13,7 @@ namespace flyrock {
 View::View(lua_State* lua, const ViewType& type, const std::vector<std::pair<std::string_view, int>>& fields) {
   box_ = static_cast<Box*>(lua_newuserdatauv(lua, sizeof(Box), 0));
   *box_ = {&type, nullptr};
-  lua_createtable(lua, 0, 2);
+  lua_createtable(lua, 0, 3);
   lua_createtable(lua, 0, static_cast<int>(fields.size()));
   for (const auto& [name, number] : fields) {
     lua_pushlstring(lua, name.data(), name.size());
@@ -22,6 +22,8 @@ View::View(lua_State* lua, const ViewType& type, const std::vector<std::pair<std
   }
   lua_pushcclosure(lua, guarded<View::index>, 1);
   lua_setfield(lua, -2, "__index");
+  lua_pushcfunction(lua, guarded<View::refuse_write>);
+  lua_setfield(lua, -2, "__newindex");
   lua_pushboolean(lua, 0);
   lua_setfield(lua, -2, "__metatable");
   lua_setmetatable(lua, -2);
@@ -46,6 +48,10 @@ int View::index(lua_State* lua) {
   const std::string field = lua_type(lua, 2) == LUA_TSTRING ? lua_tostring(lua, 2) : luaL_typename(lua, 2);
   raise(lua, fmt::format("`{}` has no field `{}`{}", box.type->name, field,
                          did_you_mean(field, text_keys(lua, lua_upvalueindex(1)))));
+}
+
+int View::refuse_write(lua_State* lua) {
+  raise(lua, fmt::format("`{}` cannot be changed", static_cast<Box*>(lua_touserdata(lua, 1))->type->name));
 }
 
 const void* viewed(lua_State* lua, int index, const ViewType& type) {

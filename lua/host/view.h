@@ -37,6 +37,7 @@ class View {
   };
   friend const void* viewed(lua_State* lua, int index, const ViewType& type);
   static int index(lua_State* lua);
+  static int refuse_write(lua_State* lua);
 
   Box* box_;       // lives as long as the reference
   int reference_;

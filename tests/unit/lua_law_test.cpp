@@ -1,0 +1,236 @@
+// Contact laws written in Lua: what they get, what they may answer, how their errors read.
+
+#include <catch2/catch.hpp>
+
+#include <chrono>
+
+#include "plugin/registry.h"
+#include "unit/lua_fixture.h"
+
+using namespace flyrock;
+
+namespace {
+
+/// A use of a plugin with constant numbers, in the order of its manifest.
+PluginUse use_of(const LuaSession& session, PluginKind kind, const std::string& name,
+                 const std::vector<std::optional<double>>& numbers) {
+  PluginUse use;
+  use.plugin = session.registry().find(kind, name);
+  REQUIRE(use.plugin);
+  for (const auto& number : numbers) {
+    ParamValue value;
+    value.given = number.has_value();
+    if (number) value.numbers = {Number{*number, -1}};
+    use.values.push_back(value);
+  }
+  use.slots = dense_slots(use.values);
+  return use;
+}
+
+std::vector<double> values_of(const PluginUse& use) {
+  std::vector<double> values;
+  for (const Number& slot : use.slots) values.push_back(slot.constant);
+  return values;
+}
+
+std::string restitution(const std::string& params, const std::string& function) {
+  return "local fr = require 'flyrock'\nreturn fr.plugin {\n  kind = 'restitution', name = 'my_law', doc = 'd',\n  params = {" +
+         params + "},\n  impact = " + function + "\n}\n";
+}
+
+/// The message of one call of a law without parameters.
+std::string failure(const std::string& function) {
+  LuaFixture lua;
+  lua.write("my_law.lua", restitution("", function));
+  REQUIRE(lua.load("my_law.lua") == "");
+  const auto use = use_of(lua.session, PluginKind::restitution, "my_law", {});
+  const auto law = make_instance<RestitutionLaw>(use, 2);
+  try {
+    check_answer(*law, law->impact({}, ContactState{}));
+  } catch (const PluginError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+ContactState sampled_contact(RandomStream& rng) {
+  ContactState contact;
+  for (const ContactField& field : contact_fields())
+    if (field.number) contact.*field.number = rng.uniform(0, 20);
+  contact.group_a = "blocks";
+  contact.group_b = "terrain.face";
+  contact.material = "face_rock";
+  return contact;
+}
+
+}  // namespace
+
+TEST_CASE("a law in Lua reads its parameters and its contact") {
+  LuaSession session(FLYROCK_SHARE_DIR);
+  const auto use = use_of(session, PluginKind::restitution, "pfeiffer_bowen", {0.35, 0.1, 9.144});
+  const auto law = make_instance<RestitutionLaw>(use, 2);
+  CHECK_FALSE(law->constant());
+  CHECK(law->origin() == "pfeiffer_bowen, plugins/restitution/pfeiffer_bowen/plugin.lua:16");
+  ContactState contact;
+  contact.approach_speed = 9.144;
+  const auto answer = law->impact(values_of(use), contact);
+  CHECK(answer.e_n == 0.175);
+  CHECK(answer.e_t == 0.1);
+  const std::vector<double> drawn{0.5, 0.2, 9.144};  // a draw has changed
+  CHECK(law->impact(drawn, contact).e_n == 0.25);
+}
+
+TEST_CASE("every field of a contact reaches Lua unchanged") {
+  LuaFixture lua;
+  for (const ContactField& field : contact_fields()) {
+    const std::string name(field.name);
+    lua.write("f_" + name + ".lua",
+              "local fr = require 'flyrock'\nreturn fr.plugin { kind = 'restitution', name = 'f_" + name +
+                  "', doc = 'd', impact = function(p, contact) return " +
+                  (field.number ? "contact." + name : "#contact." + name) + " end }");
+    REQUIRE(lua.load("f_" + name + ".lua") == "");
+    const auto use = use_of(lua.session, PluginKind::restitution, "f_" + name, {});
+    const auto law = make_instance<RestitutionLaw>(use, 2);
+    RandomStream rng(1, "test", {});
+    const ContactState contact = sampled_contact(rng);
+    const double expected = field.number ? contact.*field.number : static_cast<double>((contact.*field.text).size());
+    CHECK(law->impact({}, contact).e_n == expected);
+  }
+}
+
+TEST_CASE("the same law in Lua and native gives the same bytes") {
+  LuaFixture lua;
+  lua.write("lua_newton.lua", R"(local fr = require "flyrock"
+fr.plugin {
+  kind = "restitution", name = "lua_newton", doc = "newton in Lua", form = "newton",
+  params = { en = fr.number { min = 0 }, et = fr.number { default = 0, min = -1, max = 1 } },
+  impact = function(p) return p.en, p.et end,
+}
+fr.plugin {
+  kind = "friction", name = "lua_coulomb", doc = "coulomb in Lua",
+  params = { mu = fr.number { optional = true, min = 0 }, angle = fr.number { optional = true, unit = "deg" } },
+  friction = function(p) return p.mu or math.tan(p.angle) end,
+})");
+  REQUIRE(lua.load("lua_newton.lua") == "");
+  RandomStream rng(7, "test", {});
+  for (int i = 0; i < 100; ++i) {
+    const ContactState contact = sampled_contact(rng);
+    const double en = rng.uniform(), et = rng.uniform(-1, 1);
+    const auto native = use_of(lua.session, PluginKind::restitution, "newton", {en, et});
+    const auto scripted = use_of(lua.session, PluginKind::restitution, "lua_newton", {en, et});
+    const auto a = make_instance<RestitutionLaw>(native, 2)->impact(values_of(native), contact);
+    const auto b = make_instance<RestitutionLaw>(scripted, 2)->impact(values_of(scripted), contact);
+    CHECK(a.e_n == b.e_n);
+    CHECK(a.e_t == b.e_t);
+    for (const bool by_angle : {false, true}) {
+      const double value = rng.uniform(0, 1.4);
+      const auto friction = [&](const std::string& name) {
+        const auto& spec = lua.session.registry().find(PluginKind::friction, name)->spec;
+        std::vector<std::optional<double>> numbers(2);
+        numbers[spec.find(by_angle ? "angle" : "mu")] = value;
+        const auto use = use_of(lua.session, PluginKind::friction, name, numbers);
+        return make_instance<FrictionLaw>(use, 2)->friction(values_of(use), contact);
+      };
+      CHECK(friction("coulomb").mu_s == friction("lua_coulomb").mu_s);
+      CHECK(friction("coulomb").mu_d == friction("lua_coulomb").mu_d);
+    }
+  }
+}
+
+TEST_CASE("a law that takes its parameters alone is constant") {
+  LuaFixture lua;
+  lua.write("a.lua", restitution("en = fr.number { default = 1 }", "function(p) return p.en end"));
+  REQUIRE(lua.load("a.lua") == "");
+  CHECK(make_instance<RestitutionLaw>(use_of(lua.session, PluginKind::restitution, "my_law", {1.0}), 2)->constant());
+}
+
+TEST_CASE("wrong answers of a law name the plugin, the place and what was expected") {
+  CHECK(failure("function(p, c) return -0.2 end") ==
+        "plugin my_law, my_law.lua:5: impact() returned e_n = -0.2, must be at least 0");
+  CHECK(failure("function(p, c) end") == "plugin my_law, my_law.lua:5: impact() returned nil for e_n, expected a number");
+  CHECK(failure("function(p, c) return '0.5' end") ==
+        "plugin my_law, my_law.lua:5: impact() returned string for e_n, expected a number");
+  CHECK(failure("function(p, c) return 0.5, true end") ==
+        "plugin my_law, my_law.lua:5: impact() returned boolean for e_t, expected a number");
+  CHECK(failure("function(p, c) return 0/0 end") ==
+        "plugin my_law, my_law.lua:5: impact() returned e_n = -nan, must be finite");
+  CHECK(failure("function(p, c) return 1, 0, 3 end") ==
+        "plugin my_law, my_law.lua:5: impact() returned a third value, expected e_n, e_t");
+}
+
+TEST_CASE("errors while a law runs name the line") {
+  CHECK(failure("function(p, c)\n    return c.aproach_speed\n  end") ==
+        "plugin my_law, my_law.lua:6: `contact` has no field `aproach_speed`, did you mean `approach_speed`?");
+  CHECK(failure("function(p, c)\n    return p.em\n  end") == "plugin my_law, my_law.lua:6: `p` has no field `em`");
+  CHECK(failure("function(p, c)\n    return nil + 1\n  end") ==
+        "plugin my_law, my_law.lua:6: attempt to perform arithmetic on a nil value");
+  CHECK(failure("function(p, c)\n    c.gap = 1\n    return 1\n  end") ==
+        "plugin my_law, my_law.lua:6: `contact` cannot be changed");
+  CHECK(failure("function(p, c)\n    p.en = 1\n    return 1\n  end") == "plugin my_law, my_law.lua:6: `p` cannot be changed");
+  CHECK(failure("function(p, c) error({}) end") ==
+        "plugin my_law, my_law.lua:5: impact() raised an error that is no text but a table");
+  CHECK(failure("function(p, c)\n    counter = 1\n  end") ==
+        "plugin my_law, my_law.lua:6: globals are frozen after loading: `counter` cannot be set, use a local variable");
+}
+
+TEST_CASE("a view that a plugin kept is refused after the call") {
+  LuaFixture lua;
+  lua.write("keep.lua", R"(local fr = require "flyrock"
+local kept
+return fr.plugin { kind = "restitution", name = "my_law", doc = "d", impact = function(p, contact)
+  if kept then return kept.gap end
+  kept = contact
+  return 1
+end })");
+  REQUIRE(lua.load("keep.lua") == "");
+  const auto use = use_of(lua.session, PluginKind::restitution, "my_law", {});
+  const auto law = make_instance<RestitutionLaw>(use, 2);
+  CHECK(law->impact({}, {}).e_n == 1);
+  CHECK(law->impact({}, {}).e_n == 0);  // the same view, pointed at the contact of this call
+}
+
+TEST_CASE("friction, rolling and the normal condition") {
+  LuaFixture lua;
+  lua.write("laws.lua", R"(local fr = require "flyrock"
+fr.plugin { kind = "friction", name = "two", doc = "d", friction = function(p, c) return 0.6, 0.4 end }
+fr.plugin { kind = "friction", name = "one", doc = "d", friction = function(p) return 0.6 end }
+fr.plugin { kind = "rolling", name = "r", doc = "d", rolling = function(p, c) return 0.1 * c.radius end }
+fr.plugin { kind = "unilateral", name = "u", doc = "d", condition = function(p) return "signorini" end }
+fr.plugin { kind = "unilateral", name = "v", doc = "d", condition = function(p) return "glue" end }
+)");
+  REQUIRE(lua.load("laws.lua") == "");
+  const auto friction = [&](const std::string& name) {
+    return make_instance<FrictionLaw>(use_of(lua.session, PluginKind::friction, name, {}), 2)->friction({}, {});
+  };
+  CHECK(friction("two").mu_d == 0.4);
+  CHECK(friction("one").mu_d == 0.6);
+  ContactState contact;
+  contact.radius = 0.5;
+  CHECK(make_instance<RollingLaw>(use_of(lua.session, PluginKind::rolling, "r", {}), 2)->rolling({}, contact) == 0.05);
+  const auto condition = [&](const std::string& name) {
+    return make_instance<UnilateralLaw>(use_of(lua.session, PluginKind::unilateral, name, {}), 2)->condition({}, {});
+  };
+  CHECK(condition("u") == NormalCondition::signorini);
+  CHECK_THROWS_WITH(condition("v"), "plugin v, laws.lua:6: condition() returned \"glue\", expected \"signorini\"");
+}
+
+TEST_CASE("a call of a law in Lua is fast", "[slow]") {
+  LuaSession session(FLYROCK_SHARE_DIR);
+  const auto use = use_of(session, PluginKind::restitution, "pfeiffer_bowen", {0.35, 0.1, 9.144});
+  const auto law = make_instance<RestitutionLaw>(use, 2);
+  const auto values = values_of(use);
+  ContactState contact;
+  double best = 1e9;
+  for (int batch = 0; batch < 20; ++batch) {  // the fastest: others use this machine too
+    constexpr int calls = 100'000;
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < calls; ++i) {
+      contact.approach_speed = 1e-4 * i;
+      law->impact(values, contact);
+    }
+    const std::chrono::duration<double, std::nano> spent = std::chrono::steady_clock::now() - start;
+    best = std::min(best, spent.count() / calls);
+  }
+  WARN("impact() in Lua: " << best << " ns a call");
+  CHECK(best < 5000);  // sanitizers included
+}
