@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "world/observe.h"
+#include "world/phase_clock.h"
 #include "world/surface.h"
 
 namespace flyrock {
@@ -49,13 +50,6 @@ struct TrajectoryRecord {
   std::uint64_t trial = 0;
   int rock = 0;
   TrajectoryPoint point;
-};
-
-/// Share of time by phase of the engine, nanoseconds: run.log only, never in results.
-struct PhaseTimes {
-  std::int64_t flight = 0, detect = 0, solve = 0, other = 0;
-
-  void add(const PhaseTimes& more);
 };
 
 /// Everything that consecutive trials of one point leave.

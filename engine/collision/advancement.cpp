@@ -28,7 +28,7 @@ struct State {
 /// The time until gap + slope t - bend t^2 / 2 is zero, for gap > 0 or a pair that has just separated.
 double safe_time(double gap, double slope, double bend, double least_gap) {
   if (gap <= least_gap) {
-    if (slope <= 0) return 0;
+    if (slope < 0) return 0;
     return bend > 0 ? 2 * slope / bend : forever;
   }
   if (bend <= 0) return slope >= 0 ? forever : gap / -slope;
@@ -154,14 +154,15 @@ class Search {
   /// The direction that separates longest, and how long: 0 where none does.
   double longest(const State& sa, const State& sb, double t, Direction& direction) const {
     double best = 0;
+    const double enough = end_ - t;
     auto try_direction = [&](const Direction& candidate) {
       if (const double time = lasts(candidate, sa, sb, t); time > best) best = time, direction = candidate;
     };
     if (b_.count > 1)
-      for (int e = 0; e < b_.count && best < forever; ++e) try_direction({1, e, {}});
+      for (int e = 0; e < b_.count && best < enough; ++e) try_direction({1, e, {}});
     if (a_.count > 1)
-      for (int e = 0; e < a_.count && best < forever; ++e) try_direction({0, e, {}});
-    if ((a_.count == 1 || b_.count == 1) && best < forever) try_direction({2, 0, between_points(sa, sb)});
+      for (int e = 0; e < a_.count && best < enough; ++e) try_direction({0, e, {}});
+    if ((a_.count == 1 || b_.count == 1) && best < enough) try_direction({2, 0, between_points(sa, sb)});
     return best;
   }
 

@@ -1,0 +1,163 @@
+#include "flight/observer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flyrock {
+
+Observer::Observer(const World<2>& world, double every, bool keep_impacts, std::vector<BodyHistory>& histories)
+    : world_(world),
+      every_(every),
+      keep_impacts_(keep_impacts),
+      histories_(histories),
+      next_sample_(world.bodies.size(), world.time),
+      first_contact_height_(world.bodies.size(), 0.0),
+      has_flown_(world.bodies.size(), false),
+      has_landed_(world.bodies.size(), false) {
+  histories_.resize(world.bodies.size());
+  for (std::size_t i = 0; i < histories_.size(); ++i) {
+    BodyHistory& history = histories_[i];
+    history = {};
+    const int body = static_cast<int>(i);
+    history.first = history.last = history.min = history.max = state(body, world.flight_of(body), 0, world.time);
+    history.min_speed = history.max_speed = history.first.velocity.norm();
+    clearance(body, world.flight_of(body), 0);
+    store(body, history.first, false);
+  }
+}
+
+BodyState Observer::state(int body, const Motion2& motion, double t, double time) const {
+  const Body<2>& b = world_.bodies[body];
+  BodyState state;
+  state.time = time;
+  state.position.head<2>() = motion.position(t);
+  state.velocity.head<2>() = motion.velocity(t);
+  state.spin.z() = motion.spin(t);
+  state.angle = motion.angle_at(t);
+  if (b.kind == BodyKind::dynamic)
+    state.kinetic_energy =
+        0.5 * (b.mass * state.velocity.squaredNorm() + b.inertia * state.spin.z() * state.spin.z());
+  return state;
+}
+
+void Observer::extremes(int body, const BodyState& s) {
+  if (!s.position.allFinite() || !s.velocity.allFinite()) return;  // NaN does not enter a history
+  BodyHistory& h = histories_[body];
+  const auto widen = [](auto& low, auto& high, const auto& value) {
+    low = low.cwiseMin(value);
+    high = high.cwiseMax(value);
+  };
+  widen(h.min.position, h.max.position, s.position);
+  widen(h.min.velocity, h.max.velocity, s.velocity);
+  widen(h.min.spin, h.max.spin, s.spin);
+  h.min.angle = std::min(h.min.angle, s.angle);
+  h.max.angle = std::max(h.max.angle, s.angle);
+  h.min.kinetic_energy = std::min(h.min.kinetic_energy, s.kinetic_energy);
+  h.max.kinetic_energy = std::max(h.max.kinetic_energy, s.kinetic_energy);
+  const double speed = s.velocity.norm();
+  h.min_speed = std::min(h.min_speed, speed);
+  h.max_speed = std::max(h.max_speed, speed);
+  h.max_distance = std::max(h.max_distance, std::abs(s.position.x() - h.first.position.x()));
+  h.last = s;
+}
+
+void Observer::store(int body, const BodyState& s, bool in_contact) {
+  if (every_ <= 0) return;
+  auto& points = histories_[body].trajectory;
+  if (!points.empty() && points.back().state.time == s.time) points.pop_back();
+  points.push_back({s, in_contact});
+}
+
+/// The greatest height above the ground along the flight: over each segment a quadratic of time.
+void Observer::clearance(int body, const Motion2& motion, double dt) {
+  double& highest = histories_[body].bounce_height;
+  const Terrain2& terrain = world_.terrain();
+  const Vec2 end = motion.position(dt);
+  const double low = std::min(motion.x.x(), end.x()), high = std::max(motion.x.x(), end.x());
+  const auto run = terrain.segments_between(low, high);
+  for (int i = run.first; i <= run.last; ++i) {
+    const Vec2 &a = terrain.start(i), &b = terrain.end(i);
+    if (b.x() <= a.x()) continue;  // vertical: its top belongs to a neighbour
+    double from = 0, to = dt;
+    if (motion.v.x() != 0) {
+      const double t1 = (a.x() - motion.x.x()) / motion.v.x(), t2 = (b.x() - motion.x.x()) / motion.v.x();
+      from = std::max(from, std::min(t1, t2));
+      to = std::min(to, std::max(t1, t2));
+      if (from > to) continue;
+    }
+    const double slope = (b.y() - a.y()) / (b.x() - a.x());
+    const auto above = [&](double t) {
+      const Vec2 p = motion.position(t);
+      return p.y() - (a.y() + slope * (p.x() - a.x()));
+    };
+    highest = std::max({highest, above(from), above(to)});
+    if (motion.a.y() < 0) {
+      const double top = (motion.v.y() - slope * motion.v.x()) / -motion.a.y();
+      if (top > from && top < to) highest = std::max(highest, above(top));
+    }
+  }
+}
+
+void Observer::flew(int body, const Motion2& motion, double start, double dt) {
+  BodyHistory& h = histories_[body];
+  if (dt > 0) has_flown_[body] = true;
+  const double apex = motion.a.y() < 0 ? motion.v.y() / -motion.a.y() : -1;
+  if (apex > 0 && apex <= dt) {
+    const BodyState top = state(body, motion, apex, start + apex);
+    extremes(body, top);
+    if (world_.bodies[body].impacts > 0) h.apexes.push_back({top.time, top.position.y() - first_contact_height_[body]});
+  }
+  clearance(body, motion, dt);
+  if (every_ > 0) {
+    store(body, state(body, motion, 0, start), false);
+    for (; next_sample_[body] < start + dt; next_sample_[body] += every_)
+      if (next_sample_[body] > start) store(body, state(body, motion, next_sample_[body] - start, next_sample_[body]), false);
+  }
+  const BodyState end = state(body, motion, dt, start + dt);
+  extremes(body, end);
+  store(body, end, false);
+}
+
+void Observer::stepped(int body, double dt) {
+  histories_[body].contact_time += dt;
+  const Motion2 now = world_.flight_of(body);
+  const BodyState s = state(body, now, 0, world_.time);
+  extremes(body, s);
+  clearance(body, now, 0);
+  if (every_ > 0 && world_.time >= next_sample_[body]) {
+    store(body, s, true);
+    while (next_sample_[body] <= world_.time) next_sample_[body] += every_;
+  }
+}
+
+void Observer::impacts() {
+  for (const Impact& impact : world_.impacts()) {
+    for (const int body : {impact.body, impact.other}) {
+      if (body < 0) continue;
+      BodyHistory& h = histories_[body];
+      if (h.impact_count++ == 0) first_contact_height_[body] = world_.bodies[body].x.y();
+      if (!keep_impacts_) continue;
+      h.impacts.push_back(impact);
+      h.impacts.back().number = h.impact_count;
+    }
+  }
+  for (std::size_t i = 0; i < world_.bodies.size(); ++i)
+    extremes(static_cast<int>(i), state(static_cast<int>(i), world_.flight_of(static_cast<int>(i)), 0, world_.time));
+}
+
+void Observer::touched(int body) {
+  if (has_landed_[body] || !has_flown_[body]) return;
+  has_landed_[body] = true;
+  BodyHistory& h = histories_[body];
+  h.flight_range = std::abs(world_.bodies[body].x.x() - h.first.position.x());
+}
+
+void Observer::ended(int body, StopReason reason) {
+  BodyHistory& h = histories_[body];
+  h.reason = reason;
+  if (reason != StopReason::diverged) h.last = state(body, world_.flight_of(body), 0, world_.time);
+  if (reason == StopReason::left_domain && !has_landed_[body]) h.flight_range = h.max_distance;
+  store(body, h.last, reason == StopReason::stopped);
+}
+
+}  // namespace flyrock

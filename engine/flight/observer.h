@@ -1,0 +1,41 @@
+#pragma once
+// Writes the histories of the bodies of a world while it runs.
+
+#include <vector>
+
+#include "world/world.h"
+
+namespace flyrock {
+
+class Observer {
+ public:
+  /// `every`: seconds between stored points of trajectories, 0 for none; the ends of each flight are stored too.
+  Observer(const World<2>& world, double every, bool keep_impacts, std::vector<BodyHistory>& histories);
+
+  /// The world flew, or stepped without contact at `body`, along `motion` for dt; `start` is the time at its begin.
+  void flew(int body, const Motion2& motion, double start, double dt);
+  /// A contact step of length dt has ended.
+  void stepped(int body, double dt);
+  /// Impacts of the world at its present time.
+  void impacts();
+  /// The body touches the ground at the present time.
+  void touched(int body);
+  /// The run of the body ends now.
+  void ended(int body, StopReason reason);
+
+ private:
+  BodyState state(int body, const Motion2& motion, double t, double time) const;
+  void extremes(int body, const BodyState& state);
+  void store(int body, const BodyState& state, bool in_contact);
+  void clearance(int body, const Motion2& motion, double dt);
+
+  const World<2>& world_;
+  double every_;
+  bool keep_impacts_;
+  std::vector<BodyHistory>& histories_;
+  std::vector<double> next_sample_;
+  std::vector<double> first_contact_height_;
+  std::vector<bool> has_flown_, has_landed_;
+};
+
+}  // namespace flyrock

@@ -1,0 +1,191 @@
+#include "flight/run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "flight/observer.h"
+
+namespace flyrock {
+
+namespace {
+
+constexpr double fastest = 1e5;  // m/s; beyond it a run has diverged
+
+class Runner {
+ public:
+  Runner(World<2>& world, const RunSettings& settings, std::vector<BodyHistory>& histories)
+      : world_(world),
+        settings_(settings),
+        histories_(histories),
+        observer_(world, settings.trajectory_every, settings.keep_impacts, histories),
+        rest_since_(world.bodies.size(), -1.0),
+        running_(world.bodies.size()) {
+    for (std::size_t i = 0; i < running_.size(); ++i) running_[i] = world.bodies[i].kind == BodyKind::dynamic;
+  }
+
+  void run() {
+    const double energy = world_.total_energy();
+    bool in_contact = settings_.exact_flight && collide();
+    while (anybody() && world_.time < settings_.stop_time) {
+      const double before = world_.time;
+      in_contact = settings_.exact_flight && !in_contact ? fly() : step();
+      end_bodies();
+      // A pair that touches again and again without time passing goes on by one whole step.
+      stalled_ = world_.time - before < 1e-9 * world_.settings().time_step ? stalled_ + 1 : 0;
+      if (stalled_ > 50) {
+        in_contact = step(false);
+        stalled_ = 0;
+      }
+    }
+    for (int i = 0; i < bodies(); ++i)
+      if (running_[i]) end(i, StopReason::timed_out);
+    const double change = world_.total_energy() - energy;
+    world_.quality().energy_relative_change = energy != 0 ? change / std::abs(energy) : change;
+  }
+
+ private:
+  int bodies() const { return static_cast<int>(world_.bodies.size()); }
+  bool anybody() const { return std::any_of(running_.begin(), running_.end(), [](bool r) { return r; }); }
+  double time_left() const { return settings_.stop_time - world_.time; }
+
+  void end(int body, StopReason reason) {
+    running_[body] = false;
+    observer_.ended(body, reason);
+  }
+
+  /// Solves the impact problem of what is closed now; whether contacts remain.
+  bool collide() {
+    const auto outcome = world_.impact();
+    observer_.impacts();
+    for (const auto& contact : world_.contacts()) observer_.touched(contact.candidate);
+    return outcome.in_contact;
+  }
+
+  /// All bodies jump to the next touch, the end of the domain or of the run; whether contacts remain there.
+  bool fly() {
+    double dt = time_left();
+    bool touch = false;
+    {
+      const PhaseTimer timer(world_.clock, &PhaseTimes::flight);
+      for (int i = 0; i < bodies(); ++i) {
+        if (!world_.bodies[i].moves()) continue;
+        dt = std::min(dt, time_in_domain(i));
+        const Body<2>& body = world_.bodies[i];
+        const TouchSearch search{world_.held(i, -1), false, 0, body.size, &world_.quality().toc_iterations};
+        for (std::size_t k = 0; k < body.contactors.size(); ++k) {
+          const auto t = time_of_contact(body.contactors[k], static_cast<int>(k), world_.flight_of(i), world_.terrain(),
+                                         dt, search);
+          if (t) dt = *t, touch = true;
+        }
+      }
+    }
+    // Where the boxes that two bodies sweep overlap, they might meet: a shorter jump, at last a step.
+    if (bodies() > 1) {
+      const double whole = dt, h = world_.settings().time_step;
+      while (dt > h && may_meet(dt)) dt *= 0.5;
+      touch = touch && dt == whole;
+      if (dt <= h && may_meet(dt)) return step();
+    }
+    const double start = world_.time;
+    for (int i = 0; i < bodies(); ++i)
+      if (running_[i]) observer_.flew(i, world_.flight_of(i), start, dt);
+    world_.fly(dt);
+    return touch && collide();
+  }
+
+  bool may_meet(double dt) {
+    for (const auto& [i, j] : world_.near_pairs(dt)) {
+      const Body<2>&a = world_.bodies[i], &b = world_.bodies[j];
+      if (a.present && b.present && (a.moves() || b.moves())) return true;
+    }
+    return false;
+  }
+
+  double time_in_domain(int i) const {
+    const Body<2>& body = world_.bodies[i];
+    const Profile& profile = world_.terrain().profile();
+    if (body.v.x() == 0) return time_left();
+    const double edge = body.v.x() > 0 ? profile.x_max() : profile.x_min();
+    // A little beyond the edge, so that end_bodies finds it outside.
+    return std::max(0.0, (edge - body.x.x()) / body.v.x()) * (1 + 1e-12) + 1e-12;
+  }
+
+  bool step(bool cut = true) {
+    const double start = world_.time;
+    flights_.clear();
+    for (int i = 0; i < bodies(); ++i) flights_.push_back(world_.flight_of(i));
+    const auto outcome = world_.step(std::min(world_.settings().time_step, time_left()), cut && settings_.exact_flight);
+    touching_.assign(bodies(), false);
+    for (const auto& contact : world_.contacts()) {
+      if (contact.impulse[0] <= 0) continue;
+      touching_[contact.candidate] = true;
+      if (contact.antagonist >= 0) touching_[contact.antagonist] = true;
+    }
+    for (int i = 0; i < bodies(); ++i) {
+      if (!running_[i]) continue;
+      if (touching_[i]) {
+        observer_.touched(i);
+        observer_.stepped(i, outcome.duration);
+      } else if (outcome.duration > 0) {
+        observer_.flew(i, flights_[i], start, outcome.duration);
+      }
+      rest(i, touching_[i], start);
+    }
+    observer_.impacts();
+    return outcome.new_touch ? collide() : outcome.in_contact;
+  }
+
+  /// Notes since when a body has been at rest.
+  void rest(int i, bool touching, double start) {
+    const Body<2>& body = world_.bodies[i];
+    const bool slow = body.v.norm() < settings_.stop_speed && std::abs(body.w) * body.radius < settings_.stop_speed;
+    if (!touching || !slow) {
+      rest_since_[i] = -1;
+      histories_[i].stop_time = std::numeric_limits<double>::quiet_NaN();
+      return;
+    }
+    if (rest_since_[i] < 0) rest_since_[i] = start;
+    if (world_.time - rest_since_[i] >= rest_time) histories_[i].stop_time = rest_since_[i];
+  }
+
+  /// Ends what has come to rest, left the terrain or diverged. In a world of several bodies one at rest may be hit
+  /// again, so that all must be at rest.
+  void end_bodies() {
+    bool all_at_rest = true;
+    for (int i = 0; i < bodies(); ++i) {
+      if (!running_[i]) continue;
+      Body<2>& body = world_.bodies[i];
+      const Profile& profile = world_.terrain().profile();
+      if (!body.x.allFinite() || !body.v.allFinite() || !std::isfinite(body.w) || body.v.norm() > fastest) {
+        histories_[i].fault = "its state is not finite, or it is faster than 100 km/s";
+        body.present = false;
+        end(i, StopReason::diverged);
+      } else if (body.x.x() < profile.x_min() || body.x.x() > profile.x_max()) {
+        end(i, StopReason::left_domain);
+        body.present = false;
+      }
+      if (running_[i]) all_at_rest = all_at_rest && !std::isnan(histories_[i].stop_time);
+    }
+    if (!all_at_rest) return;
+    for (int i = 0; i < bodies(); ++i)
+      if (running_[i]) end(i, StopReason::stopped);
+  }
+
+  World<2>& world_;
+  const RunSettings& settings_;
+  std::vector<BodyHistory>& histories_;
+  Observer observer_;
+  std::vector<double> rest_since_;
+  std::vector<bool> running_;
+  std::vector<bool> touching_;
+  std::vector<Motion2> flights_;
+  int stalled_ = 0;
+};
+
+}  // namespace
+
+void run(World<2>& world, const RunSettings& settings, std::vector<BodyHistory>& histories) {
+  Runner(world, settings, histories).run();
+}
+
+}  // namespace flyrock

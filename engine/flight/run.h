@@ -1,0 +1,29 @@
+#pragma once
+// Runs a world: flights in closed form, impacts without duration, contact phases in steps.
+
+#include <vector>
+
+#include "world/world.h"
+
+namespace flyrock {
+
+struct RunSettings {
+  bool exact_flight = true;     ///< false: fixed steps throughout, for comparison with the literature
+  double stop_time = 60;        ///< s
+  double stop_speed = 0.05;     ///< m/s; slower for `rest_time` in contact is at rest; 0: never
+  double trajectory_every = 0;  ///< s between stored points; 0: none
+  bool keep_impacts = true;
+};
+
+/// A body is at rest when its speed, and its spin times its radius, stay under stop_speed for this long in contact.
+inline constexpr double rest_time = 0.2;
+
+/// Runs the world until every dynamic body has stopped, left the terrain or the time is up. With exact flight:
+///   - while nothing is in contact, all bodies jump to the next touch: parabola and constant spin. Where two moving
+///     bodies may meet meanwhile, they go on in steps;
+///   - at a touch the impact problem of all closed contacts is solved; if all separate, the flight goes on;
+///   - else steps of the scheme follow, each cut at the first touch of a pair that is not in contact.
+/// Never throws but PluginError; a body whose state is not finite ends with `diverged`.
+void run(World<2>& world, const RunSettings& settings, std::vector<BodyHistory>& histories);
+
+}  // namespace flyrock

@@ -1,0 +1,161 @@
+// What touches: contacts within reach, matched with those of the last step.
+
+#include <algorithm>
+
+#include "collision/narrow_phase.h"
+#include "collision/terrain_contact.h"
+#include "world/world.h"
+
+namespace flyrock {
+
+namespace {
+
+// A contact that carried an impulse in the last step stays active up to this share of its size: one step missed on a
+// sliding contact costs mu g h.
+constexpr double carry_share = 1e-6;
+
+bool next_to(std::uint32_t a, std::uint32_t b) {
+  // In half segments: a corner i lies half-way between the segments i - 1 and i.
+  const auto place = [](std::uint32_t id) { return 2 * terrain_index(id) + (is_corner(id) ? -1 : 0); };
+  return std::abs(place(a) - place(b)) <= 2;
+}
+
+constexpr double cos_15_degrees = 0.9659258262890683;
+
+}  // namespace
+
+template <int D>
+double World<D>::contact_size(const Contact& contact) const {
+  const Body<D>& a = bodies[contact.candidate];
+  if (contact.antagonist < 0) return a.size;
+  const Body<D>& b = bodies[contact.antagonist];
+  return !a.moves() ? b.size : !b.moves() ? a.size : std::min(a.size, b.size);
+}
+
+/// A body that keeps contact by its curvature or by turning about a vertex opens a gap of at most g h^2 / 8 in half a
+/// step before it flies off.
+template <int D>
+double World<D>::carry_reach(const Contact& contact) const {
+  const double h = settings_.time_step;
+  return carry_share * contact_size(contact) + 0.25 * gravity_.norm() * h * h;
+}
+
+template <int D>
+const std::vector<std::pair<int, int>>& World<D>::near_pairs(double dt) {
+  boxes_.clear();
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    boxes_.push_back(swept_box(flight_of(static_cast<int>(i)), bodies[i].size * (1 + carry_share), dt));
+  return broad_phase_.pairs(boxes_);
+}
+
+template <int D>
+void World<D>::detect() {
+  const PhaseTimer timer(clock, &PhaseTimes::detect);
+  contacts_.clear();
+  auto append = [&](int candidate, int antagonist) {
+    for (const ContactPoint<D>& point : points_) {
+      Contact contact;
+      contact.at = point;
+      contact.candidate = candidate;
+      contact.antagonist = antagonist;
+      contact.surface = antagonist < 0 ? terrain_surface_[candidate][terrain_->part(std::min(
+                                             terrain_index(point.against), terrain_->segments() - 1))]
+                                       : pair_surface_[candidate][antagonist];
+      contacts_.push_back(contact);
+    }
+  };
+  // By candidate, the terrain first, then the antagonists in their order: the order of NLGS, and what match_last needs.
+  static const std::vector<std::pair<int, int>> none;
+  const auto& pairs = bodies.size() > 1 ? near_pairs(0) : none;
+  auto pair = pairs.begin();
+  for (int i = 0; i < static_cast<int>(bodies.size()); ++i) {
+    const Body<D>& body = bodies[i];
+    Contact probe;
+    probe.candidate = i;
+    if (body.moves()) {
+      points_.clear();
+      const double reach = carry_reach(probe);
+      for (std::size_t k = 0; k < body.contactors.size(); ++k)
+        terrain_contacts({body.contactors[k], body.pose()}, static_cast<int>(k), *terrain_, reach, points_);
+      append(i, -1);
+    }
+    for (; pair != pairs.end() && pair->first == i; ++pair) {
+      const Body<D>& other = bodies[pair->second];
+      if (!body.present || !other.present || (!body.moves() && !other.moves())) continue;
+      points_.clear();
+      probe.antagonist = pair->second;
+      const double reach = carry_reach(probe);
+      for (std::size_t k = 0; k < body.contactors.size(); ++k)
+        for (std::size_t j = 0; j < other.contactors.size(); ++j)
+          body_contacts({body.contactors[k], body.pose()}, static_cast<int>(k), {other.contactors[j], other.pose()},
+                        static_cast<int>(j), reach, points_);
+      append(i, pair->second);
+    }
+  }
+  match_last();
+}
+
+template <int D>
+void World<D>::match_last() {
+  std::size_t from = 0;
+  for (Contact& contact : contacts_) {
+    const auto order = [](const Contact& c) { return std::pair(c.candidate, c.antagonist); };
+    while (from < last_.size() && order(last_[from]) < order(contact)) ++from;
+    const Contact* found = nullptr;
+    for (std::size_t k = from; k < last_.size() && order(last_[k]) == order(contact); ++k) {
+      const Contact& old = last_[k];
+      if (old.at.feature != contact.at.feature) continue;
+      if (old.at.against == contact.at.against) {
+        found = &old;
+        break;
+      }
+      // The same vertex on the next segment of the terrain.
+      if (contact.antagonist < 0 && next_to(old.at.against, contact.at.against) &&
+          old.at.normal.dot(contact.at.normal) > cos_15_degrees)
+        found = &old;
+    }
+    if (!found) continue;
+    contact.impulse = found->impulse;
+    contact.age = found->age;
+    contact.carried = found->carried;
+    contact.sticking = found->sticking;
+  }
+}
+
+/// Keeps the contacts that are closed: within touch plus a share of the size, or carried on from the last step.
+template <int D>
+void World<D>::keep_active(double share_of_size) {
+  std::erase_if(contacts_, [&](const Contact& c) {
+    const double closed = 1e-12 + (1e-9 + share_of_size) * contact_size(c);
+    return c.at.gap > closed && !(c.carried && c.at.gap <= carry_reach(c));
+  });
+  for (const Contact& c : contacts_) quality_.max_penetration = std::max(quality_.max_penetration, -c.at.gap);
+}
+
+template <int D>
+double World<D>::deepest_overlap() {
+  detect();
+  double depth = 0;
+  for (const Contact& c : contacts_) depth = std::max(depth, -c.at.gap);
+  contacts_.clear();
+  return depth;
+}
+
+template <int D>
+std::span<const HeldContact> World<D>::held(int body, int other) {
+  held_.clear();
+  for (const Contact& c : contacts_)
+    if (c.candidate == body && c.antagonist == other) held_.push_back({c.at.feature, c.at.against});
+  return held_;
+}
+
+template double World<2>::contact_size(const Contact&) const;
+template double World<2>::carry_reach(const Contact&) const;
+template const std::vector<std::pair<int, int>>& World<2>::near_pairs(double);
+template void World<2>::detect();
+template void World<2>::match_last();
+template void World<2>::keep_active(double);
+template double World<2>::deepest_overlap();
+template std::span<const HeldContact> World<2>::held(int, int);
+
+}  // namespace flyrock

@@ -1,0 +1,29 @@
+#include "world/observe.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flyrock {
+
+const char* name_of(StopReason reason) {
+  constexpr const char* names[] = {"stopped", "left_domain", "timed_out", "caught", "diverged", "plugin_error"};
+  return names[static_cast<int>(reason)];
+}
+
+void SolverQuality::add(const SolverQuality& other) {
+  steps += other.steps;
+  cut_steps += other.cut_steps;
+  flights += other.flights;
+  impact_problems += other.impact_problems;
+  iterations += other.iterations;
+  toc_iterations += other.toc_iterations;
+  not_converged += other.not_converged;
+  max_residual = std::max(max_residual, other.max_residual);
+  max_penetration = std::max(max_penetration, other.max_penetration);
+  energy_gains += other.energy_gains;
+  energy_gained += other.energy_gained;
+  if (std::abs(other.energy_relative_change) > std::abs(energy_relative_change))
+    energy_relative_change = other.energy_relative_change;
+}
+
+}  // namespace flyrock

@@ -1,0 +1,189 @@
+// The Moreau-Jean scheme and the impact without duration.
+
+#include <algorithm>
+
+#include "collision/feature_gap.h"
+#include "world/world.h"
+
+namespace flyrock {
+
+template <int D>
+void World<D>::save() {
+  saved_.clear();
+  for (const Body<D>& body : bodies) saved_.push_back({body.x, body.v, body.angle, body.w, body.impacts});
+}
+
+template <int D>
+void World<D>::restore() {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    bodies[i].move_to(saved_[i].x, saved_[i].angle);
+    bodies[i].v = saved_[i].v;
+    bodies[i].w = saved_[i].w;
+    bodies[i].impacts = saved_[i].impacts;
+  }
+}
+
+/// v_free = v + h g;  contacts at q_m = q + h (1 - theta) v;  v+ = v_free + M^-1 H r;  q+ = q_m + h theta v+.
+template <int D>
+typename World<D>::Outcome World<D>::step(double h, bool cut) {
+  constexpr int most_cuts = 4;
+  const double theta = settings_.theta;
+  const auto drift = [&](double dt) {
+    for (Body<D>& body : bodies)
+      if (body.present && body.kind != BodyKind::fixed) body.move_to(body.x + dt * body.v, body.angle + dt * body.w);
+  };
+  save();
+  bool new_touch = false;
+  for (int cuts = 0;; ++cuts) {
+    drift((1 - theta) * h);
+    detect();
+    keep_active(0);
+    measure_before();
+    for (Body<D>& body : bodies)
+      if (body.moves()) body.v += h * gravity_;
+    begin_manifolds();
+    ask_laws();
+    assemble(h, true);
+    if (!contacts_.empty()) solve_and_apply();
+    drift(theta * h);
+    if (!cut || cuts == most_cuts) break;
+    const std::optional<double> touch = first_touch(h);
+    if (!touch || *touch >= h * (1 - 1e-9)) break;
+    new_touch = true;
+    restore();
+    h = *touch;
+    if (h <= 1e-12 * settings_.time_step) {
+      contacts_ = last_;
+      return {0, true, true};
+    }
+  }
+  record_impacts();
+  project_drift();
+  time += h;
+  ++quality_.steps;
+  quality_.cut_steps += new_touch;
+  return keep(h, new_touch);
+}
+
+template <int D>
+typename World<D>::Outcome World<D>::impact() {
+  // A step that was cut ends at the touch up to second order in its length: what touches then is closed.
+  constexpr double event_share = 1e-7;
+  impacts_.clear();
+  detect();
+  keep_active(event_share);
+  measure_before();
+  begin_manifolds();
+  ask_laws();
+  assemble(0, false);
+  const bool approaching = std::any_of(contacts_.begin(), contacts_.end(), [](const Contact& c) { return c.before[0] < 0; });
+  if (approaching) {
+    solve_and_apply();
+    ++quality_.impact_problems;
+  }
+  record_impacts();
+  Outcome outcome = keep(0, false);
+  outcome.new_touch = approaching;
+  for (Contact& c : last_) c.impulse.setZero();  // of an impact: no start for the step that follows
+  return outcome;
+}
+
+/// The first touch of a pair that is not in contact, along the path of the step.
+template <int D>
+std::optional<double> World<D>::first_touch(double h) {
+  const PhaseTimer timer(clock, &PhaseTimes::detect);
+  std::optional<double> first;
+  const auto motion_of = [&](int i) {
+    // x(t) runs from q to q+ with the velocity of the start: v + t (2 theta (v+ - v) / h).
+    const double rate = 2 * settings_.theta / h;
+    const Body<D>& body = bodies[i];
+    const Saved& start = saved_[i];
+    return Motion{start.x, start.v, rate * (body.v - start.v), start.angle, start.w, rate * (body.w - start.w)};
+  };
+  const auto consider = [&](std::optional<double> t) {
+    if (t && (!first || *t < *first)) first = t;
+  };
+  for (int i = 0; i < static_cast<int>(bodies.size()); ++i) {
+    const Body<D>& body = bodies[i];
+    if (!body.moves()) continue;
+    const TouchSearch search{held(i, -1), true, 0.5 * touch(i), body.size, &quality_.toc_iterations};
+    for (std::size_t k = 0; k < body.contactors.size(); ++k)
+      consider(time_of_contact(body.contactors[k], static_cast<int>(k), motion_of(i), *terrain_, first.value_or(h), search));
+  }
+  if (bodies.size() < 2) return first;
+  boxes_.clear();
+  for (std::size_t i = 0; i < bodies.size(); ++i) boxes_.push_back(swept_box(motion_of(static_cast<int>(i)), bodies[i].size, h));
+  for (const auto& [i, j] : broad_phase_.pairs(boxes_)) {
+    const Body<D>&a = bodies[i], &b = bodies[j];
+    if (!a.present || !b.present || (!a.moves() && !b.moves())) continue;
+    Contact probe;
+    probe.candidate = i;
+    probe.antagonist = j;
+    const double size = contact_size(probe);
+    const TouchSearch search{held(i, j), true, 0.5e-9 * size + 0.5e-12, size, &quality_.toc_iterations};
+    for (std::size_t k = 0; k < a.contactors.size(); ++k)
+      for (std::size_t l = 0; l < b.contactors.size(); ++l)
+        consider(time_of_contact(a.contactors[k], static_cast<int>(k), motion_of(i), b.contactors[l], static_cast<int>(l),
+                                 motion_of(j), first.value_or(h), search));
+  }
+  return first;
+}
+
+/// Contacts that carry on keep their gap only to second order in h. Their gaps are closed, by displacements M^-1 H_n
+/// lambda, without touching the velocities. Deep overlaps of fixed time steps are left, as LMGC90 leaves them.
+template <int D>
+void World<D>::project_drift() {
+  if (contacts_.empty()) return;
+  constexpr int passes = 3;
+  drift_.assign(bodies.size(), Body<D>::Rows::Zero());
+  for (int pass = 0; pass < passes; ++pass) {
+    for (std::size_t a = 0; a < contacts_.size(); ++a) {
+      const Contact& c = contacts_[a];
+      if (c.impulse[0] <= 0) continue;
+      const Body<D>& body = bodies[c.candidate];
+      const Placed2 candidate{body.contactors[contactor_of(c.at.feature)], body.pose()};
+      double gap;
+      if (c.antagonist < 0) {
+        gap = feature_gap(candidate, c.at.feature, *terrain_, c.at.against);
+      } else {
+        const Body<D>& other = bodies[c.antagonist];
+        gap = feature_gap(candidate, c.at.feature, {other.contactors[contactor_of(c.at.against)], other.pose()}, c.at.against);
+      }
+      if (std::abs(gap) > carry_reach(c)) continue;
+      gap += rows_[a].candidate.col(0).dot(drift_[c.candidate]);
+      if (c.antagonist >= 0) gap += rows_[a].antagonist.col(0).dot(drift_[c.antagonist]);
+      const double lambda = -gap / problem_.contacts[a].w(0, 0);
+      drift_[c.candidate] += body.inverse_mass_times(lambda * rows_[a].candidate.col(0));
+      if (c.antagonist >= 0)
+        drift_[c.antagonist] += bodies[c.antagonist].inverse_mass_times(lambda * rows_[a].antagonist.col(0));
+    }
+  }
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (bodies[i].moves())
+      bodies[i].move_to(bodies[i].x + drift_[i].template head<D>(), bodies[i].angle + drift_[i][D]);
+}
+
+/// Keeps the contacts for the next step, and says whether some of them last.
+template <int D>
+typename World<D>::Outcome World<D>::keep(double duration, bool new_touch) {
+  Outcome outcome{duration, new_touch, false};
+  for (Contact& c : contacts_) {
+    const bool closed = stays_closed(c);
+    c.carried = closed && (c.impulse[0] > 0 || duration == 0);
+    c.sticking = c.impulse[0] > 0 && std::abs(c.impulse[1]) < (1 - 1e-9) * c.law.mu_s * c.impulse[0];
+    c.age = closed ? c.age + duration : 0;
+    outcome.in_contact = outcome.in_contact || c.carried;
+  }
+  last_ = contacts_;
+  return outcome;
+}
+
+template void World<2>::save();
+template void World<2>::restore();
+template typename World<2>::Outcome World<2>::step(double, bool);
+template typename World<2>::Outcome World<2>::impact();
+template std::optional<double> World<2>::first_touch(double);
+template void World<2>::project_drift();
+template typename World<2>::Outcome World<2>::keep(double, bool);
+
+}  // namespace flyrock

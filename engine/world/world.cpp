@@ -1,0 +1,59 @@
+#include "world/world.h"
+
+namespace flyrock {
+
+template <int D>
+World<D>::World(const Terrain& terrain, const Vec<D>& gravity, const WorldSettings& settings)
+    : terrain_(&terrain), gravity_(gravity), settings_(settings) {}
+
+template <int D>
+int World<D>::add(Body<D> body) {
+  bodies.push_back(std::move(body));
+  terrain_surface_.emplace_back(terrain_->profile().parts.size(), nullptr);
+  pair_surface_.emplace_back();
+  for (auto& row : pair_surface_) row.resize(bodies.size(), nullptr);
+  contacts_of_.emplace_back();
+  return static_cast<int>(bodies.size()) - 1;
+}
+
+template <int D>
+void World<D>::set_terrain_surface(int body, int part, Surface* surface) {
+  terrain_surface_[body][part] = surface;
+}
+
+template <int D>
+void World<D>::set_pair_surface(int a, int b, Surface* surface) {
+  pair_surface_[std::min(a, b)][std::max(a, b)] = surface;
+}
+
+template <int D>
+typename World<D>::Motion World<D>::flight_of(int body) const {
+  const Body<D>& b = bodies[body];
+  if (!b.moves()) return {b.x, b.v, Vec<D>::Zero(), b.angle, b.w, 0};
+  return {b.x, b.v, gravity_, b.angle, b.w, 0};
+}
+
+template <int D>
+void World<D>::fly(double dt) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    Body<D>& body = bodies[i];
+    if (!body.present || body.kind == BodyKind::fixed) continue;
+    const Motion motion = flight_of(static_cast<int>(i));
+    body.move_to(motion.position(dt), motion.angle_at(dt));
+    body.v = motion.velocity(dt);
+  }
+  time += dt;
+  ++quality_.flights;
+}
+
+template <int D>
+double World<D>::total_energy() const {
+  double energy = 0;
+  for (const Body<D>& body : bodies)
+    if (body.moves()) energy += body.kinetic_energy() - body.mass * gravity_.dot(body.x);
+  return energy;
+}
+
+template class World<2>;
+
+}  // namespace flyrock

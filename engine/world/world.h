@@ -1,0 +1,177 @@
+#pragma once
+// Bodies, terrain, contacts, and one step of the Moreau-Jean scheme or one impact.
+
+#include <functional>
+#include <vector>
+
+#include "collision/broad_phase.h"
+#include "collision/contact.h"
+#include "collision/geometry.h"
+#include "collision/time_of_contact.h"
+#include "solver/contact_problem.h"
+#include "world/body.h"
+#include "world/observe.h"
+#include "world/phase_clock.h"
+#include "world/surface.h"
+
+namespace flyrock {
+
+struct WorldSettings {
+  double time_step = 1e-3;    ///< s
+  double theta = 0.5;         ///< of the scheme, in [1/2, 1]
+  double tolerance = 1e-6;    ///< of NLGS
+  int max_iterations = 1000;
+  double rest_speed = 0.02;   ///< m/s; slower approaches are without restitution
+};
+
+/// A contact of the world with its law and what it carries.
+template <int D>
+struct WorldContact {
+  using Row = typename ContactProblem<D>::Row;
+
+  ContactPoint<D> at;
+  int candidate = 0;
+  int antagonist = -1;       ///< a body, or -1 for the terrain
+  Surface* surface = nullptr;
+  ContactLaw law;
+  Row impulse = Row::Zero();
+  Row before = Row::Zero();  ///< velocity at the start of the step or impact, in the frame of detection
+  double age = 0;            ///< s since it closed
+  bool carried = false;      ///< had an impulse, or closed without separating, in the last step
+  bool sticking = false;
+  int manifold = -1;         ///< of the impacts of this step; -1: no impact
+
+  double approach() const { return before[0] < 0 ? -before[0] : 0; }
+};
+
+/// One world of D dimensions. Everything that a step needs is kept between steps: the step loop does not allocate
+/// once the buffers have grown to the number of contacts.
+template <int D>
+class World {
+ public:
+  using Contact = WorldContact<D>;
+  using Terrain = typename Geometry<D>::Terrain;
+  using Motion = typename Geometry<D>::Motion;
+  using Problem = ContactProblem<D>;
+  using Row = typename Problem::Row;
+
+  World(const Terrain& terrain, const Vec<D>& gravity, const WorldSettings& settings);
+
+  /// Adds a body; returns its index.
+  int add(Body<D> body);
+  /// The laws between a body and a part of the terrain, or between two bodies; null where nothing is said. The
+  /// surfaces belong to the caller.
+  void set_terrain_surface(int body, int part, Surface* surface);
+  void set_pair_surface(int a, int b, Surface* surface);
+
+  double time = 0;
+  std::vector<Body<D>> bodies;
+
+  const Terrain& terrain() const { return *terrain_; }
+  const Vec<D>& gravity() const { return gravity_; }
+  const WorldSettings& settings() const { return settings_; }
+  const std::vector<Contact>& contacts() const { return contacts_; }
+  const SolverQuality& quality() const { return quality_; }
+  SolverQuality& quality() { return quality_; }
+  /// Where phases are timed; null: nowhere.
+  PhaseTimes* clock = nullptr;
+
+  /// What a step or an impact tells.
+  struct Outcome {
+    double duration = 0;      ///< s
+    bool new_touch = false;   ///< it was cut, because a pair that was not in contact touches
+    bool in_contact = false;  ///< some contact carries an impulse or stays closed
+  };
+
+  /// One step of at most h. With `cut` it ends at the first touch of a pair that is not in contact (an impact is then
+  /// due). Impacts inside a step without cutting are reported to `impacts`.
+  Outcome step(double h, bool cut);
+
+  /// The impact problem without duration of all contacts that are closed now: velocities jump, time stands.
+  Outcome impact();
+
+  /// All bodies fly for dt without contacts.
+  void fly(double dt);
+  /// The motion of a body in free flight.
+  Motion flight_of(int body) const;
+
+  /// Impacts of the last step or impact, one a manifold.
+  const std::vector<Impact>& impacts() const { return impacts_; }
+  /// The contacts of a body with the terrain (other = -1) or another body, as a search for the time of contact takes
+  /// them. Valid until the next call.
+  std::span<const HeldContact> held(int body, int other);
+  /// How deep bodies overlap the terrain or each other now [m]; for the check of a start.
+  double deepest_overlap();
+  /// The boxes of all bodies over the next `dt` of flight, and the pairs of them that may meet.
+  const std::vector<std::pair<int, int>>& near_pairs(double dt);
+
+  double total_energy() const;
+  /// The gap below which a contact of a body is closed: 1e-9 size + 1e-12 m.
+  double touch(int body) const { return 1e-9 * bodies[body].size + 1e-12; }
+
+ private:
+  /// A contact's rows of H^T for its two bodies; zero for the terrain and for bodies that contacts do not move.
+  struct ContactRows {
+    Eigen::Matrix<double, Space<D>::dof, Problem::rows> candidate, antagonist;
+  };
+  struct Saved {
+    Vec<D> x, v;
+    double angle;
+    typename Space<D>::Spin w;
+    int impacts;
+  };
+
+  // detect.cpp: what touches
+  void detect();
+  void match_last();
+  void keep_active(double reach_of_size);
+  double contact_size(const Contact& contact) const;
+  double carry_reach(const Contact& contact) const;
+
+  // assemble.cpp: the friction problem
+  Row relative_velocity(const Contact& contact) const;
+  ContactState state_of(const Contact& contact) const;
+  void measure_before();
+  void begin_manifolds();
+  void ask_laws();
+  void assemble(double h, bool warm);
+  void scale_by_island(double h);
+  void solve_and_apply();
+  void record_impacts();
+  bool stays_closed(const Contact& contact) const;
+
+  // step.cpp: the scheme
+  void save();
+  void restore();
+  std::optional<double> first_touch(double h);
+  void project_drift();
+  Outcome keep(double duration, bool new_touch);
+
+  const Terrain* terrain_;
+  Vec<D> gravity_;
+  WorldSettings settings_;
+  SolverQuality quality_;
+  std::vector<std::vector<Surface*>> terrain_surface_;  ///< [body][part]
+  std::vector<std::vector<Surface*>> pair_surface_;     ///< [a][b], a < b
+
+  std::vector<Contact> contacts_;  ///< active in the step at hand
+  std::vector<Contact> last_;      ///< of the last step that stands
+  std::vector<ContactPoint<D>> points_;
+  std::vector<ContactRows> rows_;
+  std::vector<Impact> impacts_;
+  std::vector<HeldContact> held_;
+  Problem problem_;
+  std::vector<Row> impulses_;
+  std::vector<std::vector<int>> contacts_of_;  ///< of each body that contacts move
+  std::vector<int> island_;
+  std::vector<double> island_speed_;
+  SortAndSweep broad_phase_;
+  std::vector<typename Geometry<D>::Box> boxes_;
+  std::vector<Saved> saved_;
+  std::vector<typename Body<D>::Rows> drift_;
+};
+
+/// t of a contact in 2D: (n_y, -n_x), +x on level ground.
+inline Vec2 tangent_of(const Vec2& normal) { return {normal.y(), -normal.x()}; }
+
+}  // namespace flyrock
