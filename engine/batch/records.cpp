@@ -16,26 +16,13 @@ void append_rows(std::vector<Row>& to, std::vector<Row>&& from) {
 
 }  // namespace
 
-void PhaseTimes::add(const PhaseTimes& more) {
-  flight += more.flight;
-  detect += more.detect;
-  solve += more.solve;
-  other += more.other;
-}
-
 void append(TrialRecords& to, TrialRecords&& from) {
   append_rows(to.rocks, std::move(from.rocks));
   append_rows(to.inputs, std::move(from.inputs));
   append_rows(to.impacts, std::move(from.impacts));
   append_rows(to.trajectories, std::move(from.trajectories));
   to.materials.resize(std::max(to.materials.size(), from.materials.size()));
-  for (std::size_t i = 0; i < from.materials.size(); ++i) {
-    to.materials[i].contacts += from.materials[i].contacts;
-    to.materials[i].restitution += from.materials[i].restitution;
-    to.materials[i].friction += from.materials[i].friction;
-    to.materials[i].rolling += from.materials[i].rolling;
-    to.materials[i].unilateral += from.materials[i].unilateral;
-  }
+  for (std::size_t i = 0; i < from.materials.size(); ++i) to.materials[i].add(from.materials[i]);
   to.quality.add(from.quality);
   to.times.add(from.times);
   for (std::string& note : from.notes)

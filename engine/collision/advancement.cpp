@@ -159,9 +159,9 @@ class Search {
       if (const double time = lasts(candidate, sa, sb, t); time > best) best = time, direction = candidate;
     };
     if (b_.count > 1)
-      for (int e = 0; e < b_.count && best < enough; ++e) try_direction({1, e, {}});
+      for (int e = 0; e < b_.count && best < enough; ++e) try_direction({1, e, Vec2::Zero()});
     if (a_.count > 1)
-      for (int e = 0; e < a_.count && best < enough; ++e) try_direction({0, e, {}});
+      for (int e = 0; e < a_.count && best < enough; ++e) try_direction({0, e, Vec2::Zero()});
     if ((a_.count == 1 || b_.count == 1) && best < enough) try_direction({2, 0, between_points(sa, sb)});
     return best;
   }
