@@ -55,13 +55,13 @@ Verdict judge_at(const Expectation& expectation, const Scenario& scenario, const
 
 }  // namespace
 
-std::vector<std::string> measure_faults(const Scenario& scenario) {
-  std::vector<std::string> faults;
+std::vector<std::pair<std::size_t, std::string>> measure_faults(const Scenario& scenario) {
+  std::vector<std::pair<std::size_t, std::string>> faults;
   for (std::size_t i = 0; i < scenario.expect.size(); ++i) {
     try {
       Measure(scenario.expect[i].measure, scenario);
     } catch (const MeasureError& error) {
-      faults.push_back(fmt::format("expect[{}].measure: {}", i, error.what()));
+      faults.emplace_back(i, error.what());
     }
   }
   return faults;

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "batch/measures.h"
@@ -22,8 +23,8 @@ struct Verdict {
   std::string reason;      ///< why it failed without a comparison, or was not judged
 };
 
-/// Errors in the measures of `expect`, all of them: "expect[2].measure: unknown quantity `runouts`, ...".
-std::vector<std::string> measure_faults(const Scenario& scenario);
+/// The expectations whose measure the scenario does not have: index into `expect`, and what is wrong.
+std::vector<std::pair<std::size_t, std::string>> measure_faults(const Scenario& scenario);
 
 /// Every expectation of a plan at every point that it names, in file order. `full` is false where fewer
 /// trials ran than the scenario asks for: expectations on rocks are then not judged.

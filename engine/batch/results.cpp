@@ -49,13 +49,16 @@ std::string bodies_answer(const Plan& plan, const Results& results) {
   return text;
 }
 
-/// "p95": over all points of a sweep the range that it covers.
+/// A statistic of runout over all points that have one: a number, or the range of a sweep.
 std::string range_of(const Results& results, Statistic statistic) {
-  const auto at = [&](const PointResult& p) { return p.groups.front().at(RockQuantity::runout, statistic); };
-  const auto less = [&](const PointResult& a, const PointResult& b) { return at(a).value < at(b).value; };
-  const auto [low, high] = std::minmax_element(results.points.begin(), results.points.end(), less);
-  if (low == high || at(*low).value == at(*high).value) return display(at(*high), "m");
-  return fmt::format("{} to {}", display(at(*low), "m"), display(at(*high), "m"));
+  std::vector<Bounded> values;
+  for (const PointResult& point : results.points)
+    if (const Bounded value = point.groups.front().at(RockQuantity::runout, statistic); !std::isnan(value.value))
+      values.push_back(value);
+  const auto less = [](const Bounded& a, const Bounded& b) { return a.value < b.value; };
+  const auto [low, high] = std::minmax_element(values.begin(), values.end(), less);
+  if (low->value == high->value) return display(*high, "m");
+  return fmt::format("{} to {}", display(*low, "m"), display(*high, "m"));
 }
 
 }  // namespace
@@ -139,8 +142,7 @@ std::string answer(const Plan& plan, const Results& results) {
   } else if (!plan.points.front().bodies.empty()) {
     text = bodies_answer(plan, results);
   } else {
-    text = fmt::format("95 % of the rocks come to rest within {} of their release, 99 % within {}; the farthest "
-                       "stopped at {}.",
+    text = fmt::format("The runout that 95 % of the rocks do not exceed is {}; that of 99 % is {}; the greatest is {}.",
                        range_of(results, Statistic::p95), range_of(results, Statistic::p99),
                        range_of(results, Statistic::max));
     if (results.points.size() > 1) text += fmt::format(" The ranges are over {} sweep points.", results.points.size());

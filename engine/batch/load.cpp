@@ -1,0 +1,86 @@
+#include "batch/load.h"
+
+#include <filesystem>
+
+#include "batch/expectations.h"
+#include "batch/safe_file.h"
+#include "batch/sha256.h"
+#include "host/share.h"
+#include "scenario/yaml_reader.h"
+
+namespace flyrock {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+Location in_file(const std::string& name) { return {std::make_shared<Source>(Source{name, {}}), 0, 0}; }
+
+std::optional<Value> read_tree(const std::string& path, LuaSession& session, Diagnostics& diagnostics) {
+  const std::string extension = fs::path(path).extension().string();
+  if (extension == ".lua") return session.read_scenario(path, path, diagnostics);
+  if (extension != ".yaml" && extension != ".yml") {
+    diagnostics.error(in_file(path), "", "expected a scenario: a file .yaml, .yml or .lua");
+    return std::nullopt;
+  }
+  try {
+    return read_yaml(read_file(path), path, diagnostics);
+  } catch (const FileError& error) {
+    diagnostics.error(in_file(path), "", error.what());
+    return std::nullopt;
+  }
+}
+
+void load_plugin_files(const Value& root, const fs::path& folder, LuaSession& session, Diagnostics& diagnostics) {
+  for (const auto& [file, at] : plugin_files(root, diagnostics))
+    session.load_plugin((folder / file).string(), file, at, diagnostics);
+}
+
+/// Where `expect[i].measure` was written.
+Location place_of_measure(const Value& root, std::size_t i) {
+  const Value* expect = root.find("expect");
+  const Value* measure = expect && expect->list() ? expect->list()->at(i).find("measure") : nullptr;
+  return measure ? measure->at : root.at;
+}
+
+void check_measures(const Value& root, const Scenario& scenario, Diagnostics& diagnostics) {
+  for (const auto& [i, text] : measure_faults(scenario))
+    diagnostics.error(place_of_measure(root, i), "expect[" + std::to_string(i) + "].measure", text);
+}
+
+std::uint64_t trials_of(const Value& root) {
+  const Value* trials = root.find("trials");
+  const double* number = trials ? trials->number() : nullptr;
+  return number && *number >= 1 ? static_cast<std::uint64_t>(*number) : 1;
+}
+
+std::string hash_of(const Plan& plan, const std::vector<SourceHash>& sources) {
+  std::string text = FLYROCK_ENGINE_VERSION "\n" + to_json(plan.resolved) + '\n';
+  for (const SourceHash& source : sources) text += source.name + ' ' + source.sha256 + '\n';
+  return sha256(text);
+}
+
+}  // namespace
+
+std::optional<LoadedScenario> load_scenario(const std::string& path, const Overrides& overrides,
+                                            Diagnostics& diagnostics) {
+  LoadedScenario loaded;
+  loaded.session = std::make_unique<LuaSession>(share_folder());
+  loaded.name = fs::path(path).stem().string();
+  std::optional<Value> root = read_tree(path, *loaded.session, diagnostics);
+  if (!root) return std::nullopt;
+  loaded.own_trials = trials_of(*root);
+  apply_overrides(*root, overrides, diagnostics);
+  const fs::path folder = fs::path(path).parent_path();
+  load_plugin_files(*root, folder, *loaded.session, diagnostics);
+
+  std::optional<Plan> plan = decode(*root, loaded.session->registry(), folder.string(), diagnostics);
+  if (plan) check_measures(*root, plan->points.front(), diagnostics);
+  if (!plan || diagnostics.has_errors()) return std::nullopt;
+  loaded.plan = std::move(*plan);
+  for (const auto& [name, text] : loaded.session->sources()) loaded.sources.push_back({name, sha256(text)});
+  loaded.hash = hash_of(loaded.plan, loaded.sources);
+  return loaded;
+}
+
+}  // namespace flyrock

@@ -1,0 +1,34 @@
+#pragma once
+// From the path of a scenario to a plan that can be run.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/session.h"
+#include "scenario/decode.h"
+
+namespace flyrock {
+
+/// A plugin source and the hash of its text.
+struct SourceHash {
+  std::string name;
+  std::string sha256;
+};
+
+struct LoadedScenario {
+  std::unique_ptr<LuaSession> session;  ///< owns the plugins that the plan points to
+  Plan plan;
+  std::string name;                     ///< the file's name without its extension
+  std::vector<SourceHash> sources;      ///< every plugin source that was loaded
+  std::string hash;                     ///< SHA-256 of the engine's version, the resolved scenario and the sources
+  std::uint64_t own_trials = 1;         ///< `trials` of the file, before `--trials`
+};
+
+/// Reads `path` (.yaml, .yml or .lua), loads the plugin files that it names, from its own folder, applies
+/// `overrides` and decodes. Nothing where there are errors; all of them are in `diagnostics`.
+std::optional<LoadedScenario> load_scenario(const std::string& path, const Overrides& overrides,
+                                            Diagnostics& diagnostics);
+
+}  // namespace flyrock

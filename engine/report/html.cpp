@@ -1,0 +1,47 @@
+#include "report/html.h"
+
+#include <fmt/format.h>
+
+#include "batch/safe_file.h"
+#include "report/report_data.h"
+
+namespace flyrock {
+
+namespace {
+
+std::string replace_all(std::string text, std::string_view what, std::string_view with) {
+  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += with.size())
+    text.replace(at, what.size(), with);
+  return text;
+}
+
+std::string escaped(std::string text) {
+  return replace_all(replace_all(replace_all(std::move(text), "&", "&amp;"), "<", "&lt;"), ">", "&gt;");
+}
+
+/// Within a script, "</script" would end it wherever it stands.
+std::string script(std::string source) { return replace_all(std::move(source), "</script", "<\\/script"); }
+
+}  // namespace
+
+std::string report_html(const Plan& plan, const Results& results, const std::filesystem::path& assets) {
+  const std::filesystem::path plotly = assets / "plotly-cartesian.min.js";
+  const std::string& given = plan.points.front().title;
+  const std::string title = escaped(given.empty() ? "flyrock" : given);
+  std::string page = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n<style>\n",
+      title);
+  page += read_file(assets / "report.css");
+  page += fmt::format("</style>\n</head>\n<body>\n<main>\n<h1>{}</h1>\n<p class=\"answer\">{}</p>\n", title,
+                      escaped(answer(plan, results)));
+  page += "<noscript><p>Plots and tables need JavaScript; rocks.csv and summary.json hold the same numbers.</p></noscript>\n"
+          "<div id=\"report\"></div>\n</main>\n<script type=\"application/json\" id=\"data\">";
+  page += replace_all(report_data(plan, results).dump(), "<", "\\u003c");
+  page += "</script>\n";
+  if (std::filesystem::exists(plotly)) page += "<script>" + script(read_file(plotly)) + "</script>\n";
+  page += "<script>\n" + script(read_file(assets / "report.js")) + "</script>\n</body>\n</html>\n";
+  return page;
+}
+
+}  // namespace flyrock

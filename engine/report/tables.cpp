@@ -1,0 +1,84 @@
+#include "report/tables.h"
+
+#include <fmt/format.h>
+
+#include "batch/chunk.h"
+#include "math/space.h"
+#include "report/summary_data.h"
+
+namespace flyrock {
+
+namespace {
+
+/// A field of a CSV line, quoted where it has to be (RFC 4180).
+std::string csv_text(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+}  // namespace
+
+std::string rocks_csv(const Plan& plan, const Results& results) {
+  const bool space = plan.points.front().dimension == 3;
+  std::string csv = fmt::format(
+      "point,trial,rock,group,mass_kg,volume_m3,launch_speed_m_s,launch_elevation_deg,stop_reason,censored,"
+      "runout_m,max_distance_m,stop_x_m,stop_y_m,{}flight_range_m,bounce_height_m,max_speed_m_s,max_energy_J,"
+      "impacts,time_s\n",
+      space ? "stop_z_m," : "");
+  for (std::size_t point = 0; point < results.points.size(); ++point) {
+    const std::vector<std::string> groups = group_names(plan.points[point]);
+    for (const RockRecord& rock : results.points[point].records.rocks) {
+      csv += fmt::format("{},{},{},{}", point, rock.trial, rock.rock, csv_text(groups.at(rock.group)));
+      const auto number = [&](double value) { csv += ',' + shortest(value); };
+      number(rock.mass), number(rock.volume), number(rock.launch_speed), number(rock.launch_elevation * 180 / pi);
+      csv += fmt::format(",{},{}", name_of(rock.reason), rock.censored ? 1 : 0);
+      number(rock.runout), number(rock.max_distance), number(rock.stop_x), number(rock.stop_y);
+      if (space) number(rock.stop_z);
+      number(rock.flight_range), number(rock.bounce_height), number(rock.max_speed), number(rock.max_energy);
+      csv += fmt::format(",{}", rock.impacts);
+      number(rock.time);
+      csv += '\n';
+    }
+  }
+  return csv;
+}
+
+std::string summary_json(const Plan& plan, const Results& results) {
+  return summary_data(plan, results).dump(2) + '\n';
+}
+
+std::string manifest_json(const LoadedScenario& loaded) {
+  using Json = nlohmann::ordered_json;
+  const Scenario& first = loaded.plan.points.front();
+  Json sources = Json::array();
+  for (const SourceHash& source : loaded.sources)
+    sources.push_back({{"name", source.name}, {"sha256", source.sha256}});
+  const Json manifest = {{"flyrock", FLYROCK_ENGINE_VERSION},
+                         {"format", 1},
+                         {"scenario_sha256", loaded.hash},
+                         {"seed", first.seed},
+                         {"trials", first.trials},
+                         {"points", loaded.plan.points.size()},
+                         {"chunk_size", chunk_size(first.trials)},
+                         {"plugins", sources},
+                         {"scenario", Json::parse(to_json(loaded.plan.resolved))}};
+  return manifest.dump(2) + '\n';
+}
+
+std::string run_log(const RunLog& log) {
+  const PhaseTimes& t = log.times;
+  const auto total = static_cast<double>(t.flight + t.detect + t.solve + t.other);
+  std::string text = fmt::format(
+      "started  {}\nhost     {}\nthreads  1\ntrials   {}\nrocks    {}\nseconds  {:.3f}\n", log.started, log.host,
+      log.trials, log.rocks, log.seconds);
+  if (log.seconds > 0) text += fmt::format("rocks/s  {:.1f}\n", static_cast<double>(log.rocks) / log.seconds);
+  const auto share = [&](std::string_view name, std::int64_t time) {
+    if (total > 0) text += fmt::format("{:<8} {:5.1f} %\n", name, 100 * static_cast<double>(time) / total);
+  };
+  share("flight", t.flight), share("detect", t.detect), share("solve", t.solve), share("other", t.other);
+  return text;
+}
+
+}  // namespace flyrock

@@ -1,0 +1,33 @@
+#pragma once
+// The tables of a result folder as text. The same results give the same bytes on every machine and run;
+// only run.log holds what may differ. docs/results.md describes every column and key.
+
+#include <string>
+#include <vector>
+
+#include "batch/load.h"
+#include "batch/results.h"
+
+namespace flyrock {
+
+/// A row per rock in order of point, trial and rock; numbers as the shortest decimals that read back as
+/// the same double; censored as 0 or 1.
+std::string rocks_csv(const Plan& plan, const Results& results);
+
+/// Statistics of each point, expectations, solver quality, warnings. Holds no path, file name or hash.
+std::string summary_json(const Plan& plan, const Results& results);
+
+/// What was run: the resolved scenario, the engine's version, the hashes of all plugin sources, chunk size.
+std::string manifest_json(const LoadedScenario& scenario);
+
+/// Where and when a run was, and where its time went.
+struct RunLog {
+  std::string started;   ///< local time, ISO 8601
+  std::string host;
+  double seconds = 0;    ///< of wall time, from the first trial to the last
+  std::uint64_t rocks = 0, trials = 0;
+  PhaseTimes times;
+};
+std::string run_log(const RunLog& log);
+
+}  // namespace flyrock
