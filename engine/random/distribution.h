@@ -44,6 +44,10 @@ struct Distribution {
   double highest() const;
 };
 
+/// The distribution of x times `factor` (above 0) where x has this one, but for `integer`, which becomes
+/// `discrete`. The same u gives the same x.
+Distribution scaled(const Distribution& distribution, double factor);
+
 std::string_view name_of(DistributionKind kind);
 
 /// How often a distribution is drawn anew.

@@ -1,0 +1,148 @@
+#include "scenario/decode.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "scenario/decode_document.h"
+#include "scenario/decode_sections.h"
+#include "scenario/sweep.h"
+
+namespace flyrock {
+
+namespace {
+
+constexpr double most_points = 10000;
+
+bool check_axes(const std::vector<SweptValue>& sweeps, Diagnostics& diagnostics) {
+  double points = 1;
+  for (const SweptValue& sweep : sweeps) {
+    if (sweep.values.empty()) return false;  // reported
+    points *= static_cast<double>(sweep.values.size());
+    if (points <= most_points) continue;
+    diagnostics.error(sweep.at, sweep.path, fmt::format("the sweep has {:.6g} points, must be at most {:.6g}", points, most_points));
+    return false;
+  }
+  return true;
+}
+
+/// The value at a path of the resolved tree.
+Value* find_path(Value& root, const std::string& path) {
+  Value* place = &root;
+  for (std::size_t begin = 0; place && begin <= path.size();) {
+    const std::size_t end = std::min(path.find('.', begin), path.size());
+    const std::string step = path.substr(begin, end - begin);
+    if (List* list = place->list())
+      place = &list->at(std::stoul(step));
+    else
+      place = place->find(step);
+    begin = end + 1;
+  }
+  return place;
+}
+
+class PlanDecoder {
+ public:
+  PlanDecoder(const Value& root, const Registry& registry, const std::string& folder, Diagnostics& diagnostics)
+      : tree_(root), registry_(registry), folder_(folder), diagnostics_(diagnostics) {}
+
+  std::optional<Plan> decode() {
+    if (!Node::root(tree_).expect_map(diagnostics_)) return std::nullopt;
+    sweeps_ = find_sweeps(tree_, diagnostics_);
+    if (!check_axes(sweeps_, diagnostics_)) return std::nullopt;
+    std::vector<std::size_t> sizes;
+    for (const SweptValue& sweep : sweeps_) {
+      swept_.insert(sweep.path);
+      sizes.push_back(sweep.values.size());
+      plan_.axes.push_back({sweep.path, std::vector<double>(sweep.values.size())});
+      resolved_values_.emplace_back(sweep.values.size());
+    }
+    for (const auto& [name, at] : plugin_files(tree_, diagnostics_)) plan_.plugin_files.push_back(name);
+    for (const auto& point : grid_points(sizes)) decode_point(point);
+    if (diagnostics_.has_errors()) return std::nullopt;
+    write_sweeps();
+    resolve_expectations();
+    plan_.not_used = find_not_used(Node::root(tree_), plan_.points.front());
+    return diagnostics_.has_errors() ? std::nullopt : std::optional<Plan>(std::move(plan_));
+  }
+
+ private:
+  void decode_point(const std::vector<std::size_t>& point) {
+    for (std::size_t a = 0; a < sweeps_.size(); ++a) *sweeps_[a].slot = sweeps_[a].values[point[a]];
+    DecodeContext context{registry_, folder_, diagnostics_, swept_};
+    Map resolved;
+    Scenario scenario = decode_document(context, Node::root(tree_), resolved);
+    if (diagnostics_.has_errors()) return;
+    std::vector<double> at;
+    for (std::size_t a = 0; a < sweeps_.size(); ++a) {
+      const auto met = context.swept_values.find(sweeps_[a].path);
+      if (met == context.swept_values.end())
+        return diagnostics_.error(sweeps_[a].at, sweeps_[a].path, "takes no sweep, only numbers that may vary are swept");
+      at.push_back(met->second);
+      plan_.axes[a].values[point[a]] = met->second;
+    }
+    Value tree = map_value(std::move(resolved));
+    for (std::size_t a = 0; a < sweeps_.size(); ++a)
+      resolved_values_[a][point[a]] = *find_path(tree, sweeps_[a].path);
+    if (plan_.points.empty()) plan_.resolved = std::move(tree);
+    plan_.points.push_back(std::move(scenario));
+    plan_.at.push_back(std::move(at));
+  }
+
+  /// The resolved tree of the first point gets its sweeps back.
+  void write_sweeps() {
+    for (std::size_t a = 0; a < sweeps_.size(); ++a) {
+      Map sweep;
+      put(sweep, "sweep", list_value(std::move(resolved_values_[a])));
+      *find_path(plan_.resolved, sweeps_[a].path) = map_value(std::move(sweep));
+    }
+  }
+
+  /// `at` of expectations: the axes by their paths, and the values exactly as the points have them.
+  void resolve_expectations() {
+    const auto expect = Node::root(tree_).find("expect");
+    if (!expect) return;
+    const std::vector<Node> items = expect->items();
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      const auto at = items[i].find("at");
+      if (!at) continue;
+      const std::vector<Node> entries = at->entries();
+      for (std::size_t k = 0; k < entries.size(); ++k) {
+        const std::pair<std::string, double> exact = resolve_at(entries[k], plan_.points.front().expect[i].at[k].second);
+        for (Scenario& scenario : plan_.points) scenario.expect[i].at[k] = exact;
+      }
+    }
+  }
+
+  std::pair<std::string, double> resolve_at(const Node& entry, double value) {
+    constexpr double rounding = 1e-12;  // 20 mm and 0.02 m differ in the last digit
+    std::vector<std::string> paths;
+    for (std::size_t a = 0; a < sweeps_.size(); ++a) {
+      paths.push_back(sweeps_[a].path);
+      if (entry.key != sweeps_[a].path && entry.key != sweeps_[a].stream) continue;
+      for (const double step : plan_.axes[a].values)
+        if (std::abs(step - value) <= rounding * std::abs(step)) return {sweeps_[a].path, step};
+      entry.error(diagnostics_, fmt::format("the sweep of `{}` has no value {}", entry.key, shown(*entry.value)));
+      return {};
+    }
+    diagnostics_.error(entry.key_at, entry.path, fmt::format("nothing is swept at `{}`{}", entry.key, suggestion(entry.key, paths)));
+    return {};
+  }
+
+  Value tree_;  ///< with the values of the point that is being decoded in place of sweeps
+  const Registry& registry_;
+  const std::string& folder_;
+  Diagnostics& diagnostics_;
+  std::vector<SweptValue> sweeps_;
+  std::set<std::string> swept_;
+  std::vector<List> resolved_values_;  ///< of each axis and step
+  Plan plan_;
+};
+
+}  // namespace
+
+std::optional<Plan> decode(const Value& root, const Registry& registry, const std::string& folder, Diagnostics& diagnostics) {
+  return PlanDecoder(root, registry, folder, diagnostics).decode();
+}
+
+}  // namespace flyrock

@@ -1,0 +1,206 @@
+#include "scenario/decode_document.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scenario/decode.h"
+#include "scenario/decode_sections.h"
+#include "scenario/measure.h"
+
+namespace flyrock {
+
+namespace {
+
+constexpr NumberRules gravity_rules{.varies = true, .scope = Scope::trial, .finest = Scope::trial};
+
+/// Names of the elements of a list of groups or bodies, also of those that are wrong otherwise.
+std::vector<std::string> element_names(const std::optional<Node>& list) {
+  std::vector<std::string> names;
+  if (!list) return names;
+  for (const Node& item : list->items())
+    if (const auto name = item.find("name"); name && name->value->text()) names.push_back(*name->value->text());
+  return names;
+}
+
+class DocumentDecoder {
+ public:
+  DocumentDecoder(DecodeContext& context, const Node& root, Map& resolved) : context_(context), root_(root), resolved_(resolved) {}
+
+  Scenario decode() {
+    root_.refuse_unknown_keys(section_spec("").key_names(), context_.diagnostics);
+    decode_keys();
+    decode_plugins();
+    Map materials_map;
+    scenario_.materials = decode_materials(context_, part("materials"), materials_map);
+    std::optional<Profile> profile;
+    if (const auto node = part("terrain")) {
+      DecodedTerrain terrain = decode_terrain(context_, *node, scenario_.materials, scenario_.seed, resolved_);
+      scenario_.terrain = std::move(terrain.plan);
+      profile = std::move(terrain.profile);
+    }
+    for (Entry& entry : materials_map) resolved_.push_back(std::move(entry));
+    if (const auto pairs = root_.find("pairs"))
+      scenario_.pairs = decode_pairs(context_, *pairs, scenario_.materials, pair_names(profile), resolved_);
+    if (const auto blast = root_.find("blast")) {
+      scenario_.blast = decode_blast(context_, *blast, resolved_);
+      check_hole(context_, *blast, *scenario_.blast, scenario_.terrain);
+    }
+    decode_moving(profile);
+    scenario_.solver = decode_solver(context_, root_.find("solver"), resolved_);
+    if (const auto stop = part("stop")) scenario_.stop = decode_stop(context_, stop, resolved_);
+    scenario_.output = decode_output(context_, root_.find("output"), resolved_);
+    decode_sweep();
+    if (const auto expect = root_.find("expect"))
+      scenario_.expect = decode_expect(context_, *expect, element_names(root_.find("bodies")),
+                                       element_names(root_.find("rocks")), resolved_);
+    scenario_.draws = context_.draws;
+    return std::move(scenario_);
+  }
+
+ private:
+  void error_at(std::string_view key, const std::string& text) {
+    if (const auto node = root_.find(key)) node->error(context_.diagnostics, text);
+  }
+
+  /// A required part of the document.
+  std::optional<Node> part(const char* key) {
+    const std::optional<Node> node = root_.find(key);
+    if (!node) context_.diagnostics.error(root_.key_at, "", fmt::format("`{}` is missing", key));
+    return node;
+  }
+
+  void decode_keys() {
+    const std::vector<ParamSpec>& specs = section_spec("").keys;
+    std::vector<ParamValue> values;
+    for (const ParamSpec& spec : specs) {
+      const NumberRules rules = spec.name == "gravity" ? gravity_rules : NumberRules{};
+      values.push_back(decode_params(context_, root_, {spec}, rules, resolved_).front());
+    }
+    const Section section(specs, std::move(values));
+    if (section.given("flyrock") && section.constant("flyrock") != 1)
+      error_at("flyrock", "this version reads format 1");
+    if (section.constant("dimension") == 3) error_at("dimension", "this version computes in 2D only, expected 2");
+    if (section.text("method") == "lumped_mass" || section.text("method") == "ballistic")
+      error_at("method", fmt::format("this version has no method `{}`, expected `nscd`", section.text("method")));
+    scenario_.title = section.text("title");
+    scenario_.seed = static_cast<std::uint64_t>(section.constant("seed"));
+    scenario_.trials = static_cast<std::uint64_t>(section.constant("trials"));
+    scenario_.rock_contacts = section.text("rock_contacts") == "on";
+    scenario_.gravity = section.number("gravity");
+  }
+
+  void decode_plugins() {
+    List list;
+    for (const auto& [name, at] : plugin_files(*root_.value, context_.diagnostics)) list.push_back(text_value(name));
+    put(resolved_, "plugins", list_value(std::move(list)));
+  }
+
+  void decode_sweep() {
+    const auto node = root_.find("sweep");
+    if (!node) return;
+    Map map;
+    const Section section = decode_section(context_, node, "sweep", {}, map);
+    if (section.text("design") == "latin_hypercube" || section.text("design") == "sobol")
+      node->find("design")->error(context_.diagnostics,
+                                  fmt::format("this version has no design `{}`, expected `grid`", section.text("design")));
+    put(resolved_, "sweep", map_value(std::move(map)));
+  }
+
+  std::vector<std::string> pair_names(const std::optional<Profile>& profile) const {
+    std::vector<std::string> names = element_names(root_.find("bodies"));
+    for (const std::string& name : element_names(root_.find("rocks"))) names.push_back(name);
+    names.emplace_back("terrain");
+    if (profile)
+      for (const std::string& name : profile->parts)
+        if (!name.empty()) names.push_back("terrain." + name);
+    for (const Zone& zone : scenario_.terrain.zones) names.push_back("terrain." + zone.name);
+    return names;
+  }
+
+  /// Rocks or bodies.
+  void decode_moving(const std::optional<Profile>& profile) {
+    const auto rocks = root_.find("rocks"), bodies = root_.find("bodies");
+    if (!rocks && !bodies) context_.diagnostics.error(root_.key_at, "", "`rocks` or `bodies` is missing");
+    if (rocks && bodies)
+      context_.diagnostics.error(bodies->key_at, bodies->path, "`bodies` and `rocks` cannot stand in one scenario");
+    if (rocks) {
+      scenario_.rocks = decode_rocks(context_, *rocks, scenario_.materials, profile, resolved_);
+      check_group_names(*rocks);
+      check_reads(*rocks);
+    }
+    if (bodies) {
+      scenario_.bodies = decode_bodies(context_, *bodies, scenario_.materials, resolved_);
+      check_body_materials(*bodies);
+    }
+  }
+
+  /// `rocks.runout.p95` would be a group or a quantity.
+  void check_group_names(const Node& rocks) {
+    const std::vector<std::string> reserved = rock_quantities();
+    for (const Node& item : rocks.items())
+      if (const auto name = item.find("name"); name && name->value->text())
+        if (std::find(reserved.begin(), reserved.end(), *name->value->text()) != reserved.end())
+          name->error(context_.diagnostics, "is the name of a measured quantity, a group needs another one");
+  }
+
+  /// A velocity model must find the fields of the blast that it reads.
+  void check_reads(const Node& rocks) {
+    const std::vector<Node> items = rocks.items();
+    for (const Node& item : items) {
+      const auto launch = item.find("launch");
+      const Value* type = launch ? launch->value->find("type") : nullptr;
+      const Plugin* plugin = type && type->text() ? context_.registry.find(PluginKind::velocity, *type->text()) : nullptr;
+      if (!plugin) continue;
+      for (const std::string& field : plugin->spec.reads)
+        if (const std::string missing = missing_field(field); !missing.empty())
+          context_.diagnostics.error(launch->key_at, launch->path,
+                                     fmt::format("{} reads `blast.{}`, which the scenario does not give", *type->text(), missing));
+    }
+  }
+
+  /// The path of a field that a manifest names and the scenario lacks, or an empty text.
+  std::string missing_field(const std::string& field) const {
+    for (const BlastFieldInfo& info : blast_fields()) {
+      if (field != fmt::format("blast.{}", info.path) && field != fmt::format("blast.{}", info.name)) continue;
+      const bool given = scenario_.blast && scenario_.blast->fields.contains(info.field);
+      return given ? std::string() : std::string(info.path);
+    }
+    return {};
+  }
+
+  bool has_pair(const std::string& a, const std::string& b) const {
+    return std::any_of(scenario_.pairs.begin(), scenario_.pairs.end(), [&](const PairPlan& pair) {
+      return (pair.a == a && pair.b == b) || (pair.a == b && pair.b == a);
+    });
+  }
+
+  /// Two bodies that show different materials need a pair (DESIGN 8).
+  void check_body_materials(const Node& list) {
+    const std::vector<Node> items = list.items();
+    if (items.size() != scenario_.bodies.size()) return;  // one of them is no map, which was reported
+    for (std::size_t j = 0; j < scenario_.bodies.size(); ++j)
+      for (std::size_t i = 0; i < j; ++i) {
+        const BodyPlan& a = scenario_.bodies[i];
+        const BodyPlan& b = scenario_.bodies[j];
+        const bool both_at_rest = (a.fixed || a.driven) && (b.fixed || b.driven);
+        if (both_at_rest || a.material < 0 || b.material < 0 || a.material == b.material || has_pair(a.name, b.name)) continue;
+        context_.diagnostics.error(
+            items[j].key_at, items[j].path,
+            fmt::format("`{}` and `{}` show different materials, expected an entry of `pairs` between them", a.name, b.name));
+      }
+  }
+
+  DecodeContext& context_;
+  const Node& root_;
+  Map& resolved_;
+  Scenario scenario_;
+};
+
+}  // namespace
+
+Scenario decode_document(DecodeContext& context, const Node& root, Map& resolved) {
+  return DocumentDecoder(context, root, resolved).decode();
+}
+
+}  // namespace flyrock

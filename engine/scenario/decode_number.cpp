@@ -1,0 +1,217 @@
+#include "scenario/decode_number.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace flyrock {
+
+namespace {
+
+bool is_reciprocal(const Dimension& a, const Dimension& b) {
+  return a != dimension::none && a.metre == -b.metre && a.kilogram == -b.kilogram && a.second == -b.second &&
+         a.radian == -b.radian;
+}
+
+/// "the unit `s/m` is a reciprocal of the expected m/s" and other ways in which a unit does not fit.
+std::string dimension_fault(const Quantity& quantity, const Dimension& expected) {
+  const Dimension& found = quantity.unit.dimension;
+  if (found == expected) return {};
+  if (expected == dimension::none)
+    return fmt::format("the unit `{}` does not belong here, expected a number without a unit", quantity.unit_text);
+  if (is_reciprocal(found, expected))
+    return fmt::format("the unit `{}` is a reciprocal of the expected {}", quantity.unit_text, si_unit(expected));
+  const std::string dimension = si_unit(found);
+  return fmt::format("the unit `{}`{} does not fit, expected a unit like {}", quantity.unit_text,
+                     dimension == quantity.unit_text ? "" : " (" + dimension + ")", si_unit(expected));
+}
+
+std::string leading_zero_fault(std::string_view text) {
+  const std::string sign(text.starts_with('-') ? 1 : 0, '-');
+  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+  const std::string shown_text = sign + std::string(text);
+  while (text.size() > 1 && text[0] == '0' && text[1] >= '0' && text[1] <= '9') text.remove_prefix(1);
+  return fmt::format("`{}` has a leading zero, write {}{}", shown_text, sign, text);
+}
+
+bool has_leading_zero(const Value& value) {
+  if (value.leading_zero) return true;
+  std::string_view text = *value.text();
+  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+  return text.size() > 1 && text[0] == '0' && text[1] >= '0' && text[1] <= '9';
+}
+
+std::string quantity_fault(const Value& value, const QuantityError& error, const std::string& expected) {
+  if (has_leading_zero(value)) return leading_zero_fault(*value.text());
+  if (error.unit_text.empty()) return fmt::format("expected {}, found {}", expected, shown(value));
+  const std::string nearest = error.nearest.empty() ? "" : fmt::format(", did you mean `{}`?", error.nearest);
+  return fmt::format("unknown unit `{}` in {}{}", error.unit_text, shown(value), nearest);
+}
+
+/// The unit that messages about a parameter use: the declared one.
+std::string unit_of(const ParamSpec& spec) { return spec.unit.empty() ? si_unit(spec.dimension) : spec.unit; }
+
+std::string with_unit(double si, const ParamSpec& spec) {
+  if (spec.dimension == dimension::none) return fmt::format("{:.6g}", si);
+  const std::string unit = unit_of(spec);
+  return fmt::format("{:.6g} {}", si / parse_unit(unit).value_or(Unit{}).factor, unit);
+}
+
+bool is_whole(double number) { return number == std::floor(number); }
+
+std::string scope_choices(Scope finest) {
+  std::vector<std::string> names;
+  for (int s = 0; s <= static_cast<int>(finest); ++s) names.emplace_back(name_of(static_cast<Scope>(s)));
+  return choice_text(names);
+}
+
+std::optional<Scope> decode_scope(DecodeContext& context, const Node& node, const NumberRules& rules) {
+  const std::optional<Node> per = node.find("per");
+  if (!per) return rules.scope;
+  const std::string* text = per->value->text();
+  for (int s = 0; text && s <= static_cast<int>(rules.finest); ++s)
+    if (*text == name_of(static_cast<Scope>(s))) return static_cast<Scope>(s);
+  per->error(context.diagnostics, per->value->is_null()
+                                      ? "is empty, expected " + scope_choices(rules.finest)
+                                      : fmt::format("expected {}, found {}", scope_choices(rules.finest), shown(*per->value)));
+  return std::nullopt;
+}
+
+std::optional<DecodedNumber> decode_draw(DecodeContext& context, const Node& node, const ParamSpec& spec,
+                                         const NumberRules& rules) {
+  if (!rules.varies) {
+    node.error(context.diagnostics, fmt::format("takes no distribution, expected {}", expected_text(spec)));
+    return std::nullopt;
+  }
+  std::optional<DecodedDistribution> decoded = decode_distribution(context, node, spec, rules);
+  const std::optional<Scope> scope = decode_scope(context, node, rules);
+  if (!decoded || !scope) return std::nullopt;
+  const Distribution& distribution = decoded->distribution;
+  const bool is_stepped =
+      distribution.kind == DistributionKind::discrete || distribution.kind == DistributionKind::integer;
+  if (spec.type == ParamType::integer && !is_stepped) {
+    node.error(context.diagnostics, "takes whole numbers, expected `integer` or `discrete`");
+    return std::nullopt;
+  }
+  const double low = distribution.lowest(), high = distribution.highest();
+  if (const std::string fault = limit_fault(spec, low, high, !is_stepped); !fault.empty()) {
+    node.error(context.diagnostics, fmt::format("draws from {} to {}, {}: give it a `min` or `max`", with_unit(low, spec),
+                                                with_unit(high, spec), fault));
+    return std::nullopt;
+  }
+  Draw draw{node.path, node.stream, distribution, *scope, hash_name(node.stream)};
+  DecodedNumber result;
+  result.number.draw = static_cast<int>(context.draws.size());
+  context.draws.push_back(std::move(draw));
+  put(decoded->resolved, "per", text_value(std::string(name_of(*scope))));
+  result.resolved = map_value(std::move(decoded->resolved));
+  return result;
+}
+
+}  // namespace
+
+std::optional<double> decode_quantity(DecodeContext& context, const Node& node, const Dimension& dimension,
+                                      const NumberRules& rules, const std::string& expected) {
+  const Value& value = *node.value;
+  if (!rules.varies && context.swept.contains(node.path)) {
+    // At the key: the value's place is another one at each point.
+    context.diagnostics.error(node.key_at, node.path, "takes no sweep, expected " + expected);
+    return std::nullopt;
+  }
+  std::optional<double> si;
+  if (const double* number = value.number()) {
+    const bool is_bare_angle = dimension == dimension::angle && *number != 0 && !rules.bare_angles;
+    if (!std::isfinite(*number))
+      node.error(context.diagnostics, "is not a finite number");
+    else if (is_bare_angle)
+      node.error(context.diagnostics, fmt::format("the angle {0} needs a unit: `{0} deg` or `{0} rad`?", shortest(*number)));
+    else
+      si = *number;
+  } else if (const std::string* text = value.text()) {
+    QuantityError error;
+    const std::optional<Quantity> quantity = parse_quantity(*text, &error);
+    if (!quantity || !quantity->has_unit)  // a bare number in quotes is text
+      node.error(context.diagnostics, quantity_fault(value, error, expected));
+    else if (const std::string fault = dimension_fault(*quantity, dimension); !fault.empty())
+      node.error(context.diagnostics, fault);
+    else
+      si = quantity->si();
+  } else {
+    node.error(context.diagnostics, value.is_null() ? "is empty, expected " + expected
+                                                    : fmt::format("expected {}, found {}", expected, shown(value)));
+  }
+  if (si && rules.varies && context.swept.contains(node.path)) context.swept_values[node.path] = *si;
+  return si;
+}
+
+std::optional<DecodedNumber> decode_number(DecodeContext& context, const Node& node, const ParamSpec& spec,
+                                           const NumberRules& rules) {
+  if (node.value->map()) return decode_draw(context, node, spec, rules);
+  const std::optional<double> si = decode_quantity(context, node, spec.dimension, rules, expected_text(spec));
+  if (!si) return std::nullopt;
+  std::string fault = limit_fault(spec, *si, *si);
+  if (spec.type == ParamType::integer && !is_whole(*si)) fault = "must be a whole number";
+  if (!fault.empty()) {
+    node.error(context.diagnostics, fmt::format("is {}, {}", shown(*node.value), fault));
+    return std::nullopt;
+  }
+  return DecodedNumber{{*si, -1}, number_value(*si, spec.dimension)};
+}
+
+std::string expected_text(const ParamSpec& spec) {
+  switch (spec.type) {
+    case ParamType::number:
+      return spec.dimension == dimension::none ? "a number" : "a number in " + unit_of(spec);
+    case ParamType::integer: return "a whole number";
+    case ParamType::boolean: return "`true` or `false`";
+    case ParamType::choice: return choice_text(spec.choices);
+    case ParamType::text: return "text";
+    case ParamType::vector: return "a list of numbers in " + unit_of(spec);
+    case ParamType::points: return "a list of points [x, y]";
+    case ParamType::file: return "the name of a file";
+  }
+  return {};
+}
+
+std::string limit_fault(const ParamSpec& spec, double low, double high, bool is_open) {
+  if (spec.min && low < *spec.min) return "must be at least " + with_unit(*spec.min, spec);
+  if (spec.max && high > *spec.max) return "must be at most " + with_unit(*spec.max, spec);
+  if (spec.above && (low < *spec.above || (low == *spec.above && !is_open)))
+    return "must be above " + with_unit(*spec.above, spec);
+  if (spec.below && (high > *spec.below || (high == *spec.below && !is_open)))
+    return "must be below " + with_unit(*spec.below, spec);
+  return {};
+}
+
+Value number_value(double si, const Dimension& dimension) {
+  Value value;
+  if (dimension == dimension::angle)
+    value.data = shortest(si) + " rad";
+  else
+    value.data = si;
+  return value;
+}
+
+Value text_value(std::string text) {
+  Value value;
+  value.data = std::move(text);
+  return value;
+}
+
+Value list_value(List list) {
+  Value value;
+  value.data = std::move(list);
+  return value;
+}
+
+Value map_value(Map map) {
+  Value value;
+  value.data = std::move(map);
+  return value;
+}
+
+void put(Map& map, std::string_view key, Value value) {
+  map.push_back({std::string(key), {}, std::move(value)});
+}
+
+}  // namespace flyrock

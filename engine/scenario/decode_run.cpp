@@ -1,0 +1,36 @@
+// How a run is computed, ended and stored: solver, stop, output. Nothing here may vary within a run.
+
+#include "scenario/decode_sections.h"
+
+namespace flyrock {
+
+SolverPlan decode_solver(DecodeContext& context, const std::optional<Node>& node, Map& resolved) {
+  Map map;
+  const Section section = decode_section(context, node, "solver", {}, map);
+  put(resolved, "solver", map_value(std::move(map)));
+  return {.time_step = section.constant("time_step"),
+          .theta = section.constant("theta"),
+          .tolerance = section.constant("tolerance"),
+          .max_iterations = section.integer("max_iterations"),
+          .flight = section.text("flight") == "stepped" ? FlightMode::stepped : FlightMode::exact,
+          .rest_speed = section.constant("rest_speed")};
+}
+
+StopPlan decode_stop(DecodeContext& context, const std::optional<Node>& node, Map& resolved) {
+  Map map;
+  const Section section = decode_section(context, node, "stop", {}, map);
+  put(resolved, "stop", map_value(std::move(map)));
+  return {section.constant("time"), section.constant("speed")};
+}
+
+OutputPlan decode_output(DecodeContext& context, const std::optional<Node>& node, Map& resolved) {
+  Map map, trajectories_map;
+  const Section section = decode_section(context, node, "output", {}, map);
+  const Section trajectories = decode_section(context, node ? node->find("trajectories") : std::nullopt,
+                                              "output.trajectories", {}, trajectories_map);
+  put(map, "trajectories", map_value(std::move(trajectories_map)));
+  put(resolved, "output", map_value(std::move(map)));
+  return {trajectories.integer("first"), trajectories.constant("every"), section.constant("impacts") != 0};
+}
+
+}  // namespace flyrock

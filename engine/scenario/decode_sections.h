@@ -1,0 +1,56 @@
+#pragma once
+// One function for each section of a scenario. Each appends what it read to `resolved`, in schema order, and
+// reports what is wrong; its result is used only where nothing was wrong.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenario/decode_params.h"
+#include "scenario/scenario.h"
+
+namespace flyrock {
+
+/// The materials, in order of their names.
+std::vector<Material> decode_materials(DecodeContext& context, const std::optional<Node>& node, Map& resolved);
+
+/// The index of the material that a node names, -1 where there is none (which is reported).
+int find_material(DecodeContext& context, const Node& node, const std::vector<Material>& materials);
+
+/// The terrain, and its profile as built in trial 0 for the checks that need its parts and faces.
+struct DecodedTerrain {
+  TerrainPlan plan;
+  std::optional<Profile> profile;
+};
+DecodedTerrain decode_terrain(DecodeContext& context, const Node& node, const std::vector<Material>& materials,
+                              std::uint64_t seed, Map& resolved);
+
+BlastPlan decode_blast(DecodeContext& context, const Node& node, Map& resolved);
+
+/// Checks of the blast that need the terrain: the length of the hole against the bench.
+void check_hole(DecodeContext& context, const Node& blast, const BlastPlan& plan, const TerrainPlan& terrain);
+
+std::vector<RockGroup> decode_rocks(DecodeContext& context, const Node& node, const std::vector<Material>& materials,
+                                    const std::optional<Profile>& profile, Map& resolved);
+
+std::vector<BodyPlan> decode_bodies(DecodeContext& context, const Node& node, const std::vector<Material>& materials,
+                                    Map& resolved);
+
+/// `names`: bodies, groups, `terrain` and `terrain.<part>`.
+std::vector<PairPlan> decode_pairs(DecodeContext& context, const Node& node, const std::vector<Material>& materials,
+                                   const std::vector<std::string>& names, Map& resolved);
+
+SolverPlan decode_solver(DecodeContext& context, const std::optional<Node>& node, Map& resolved);
+StopPlan decode_stop(DecodeContext& context, const std::optional<Node>& node, Map& resolved);
+OutputPlan decode_output(DecodeContext& context, const std::optional<Node>& node, Map& resolved);
+
+std::vector<Expectation> decode_expect(DecodeContext& context, const Node& node, const std::vector<std::string>& bodies,
+                                       const std::vector<std::string>& groups, Map& resolved);
+
+/// Known keys that nothing in this run reads.
+std::vector<std::string> find_not_used(const Node& root, const Scenario& scenario);
+
+/// An error at each element of a list whose `name` an earlier one has; group and body names.
+void refuse_duplicate_names(DecodeContext& context, const Node& list);
+
+}  // namespace flyrock

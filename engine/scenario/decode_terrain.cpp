@@ -1,0 +1,183 @@
+// Materials, terrain and pairs.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scenario/decode_sections.h"
+
+namespace flyrock {
+
+namespace {
+
+constexpr NumberRules material_rules{.varies = true, .scope = Scope::rock, .finest = Scope::impact};
+constexpr NumberRules terrain_rules{.varies = true, .scope = Scope::trial, .finest = Scope::trial};
+
+std::optional<PluginUse> decode_law(DecodeContext& context, const Node& material, PluginKind kind, Map& resolved) {
+  const std::optional<Node> node = material.find(name_of(kind));
+  if (!node) return std::nullopt;
+  Map law;
+  std::optional<PluginUse> use = decode_plugin(context, *node, kind, material_rules, law);
+  put(resolved, name_of(kind), map_value(std::move(law)));
+  return use;
+}
+
+std::vector<std::string> names_of(const std::vector<Material>& materials) {
+  std::vector<std::string> names;
+  for (const Material& material : materials) names.push_back(material.name);
+  return names;
+}
+
+std::vector<Zone> decode_zones(DecodeContext& context, const Node& node, Map& resolved) {
+  std::vector<Zone> zones;
+  List list;
+  if (!node.expect_list(context.diagnostics)) return zones;
+  for (const Node& item : node.items()) {
+    Map zone;
+    const Section section = decode_section(context, item, "terrain.zones", {}, zone);
+    zones.push_back({section.text("name"), section.constant("from"), section.constant("to")});
+    if (const auto name = item.find("name")) check_name(context, *name);
+    const bool has_ends = section.given("from") && section.given("to");
+    if (has_ends && !(zones.back().from < zones.back().to)) item.error(context.diagnostics, "`from` must be less than `to`");
+    list.push_back(map_value(std::move(zone)));
+  }
+  refuse_duplicate_names(context, node);
+  put(resolved, "zones", list_value(std::move(list)));
+  return zones;
+}
+
+std::optional<Profile> build_profile(DecodeContext& context, const Node& node, const PluginUse& use, std::uint64_t seed) {
+  try {
+    const DrawKey key;
+    std::vector<double> values;
+    for (const Number& slot : use.slots) values.push_back(slot.value(context.draws, seed, key));
+    RandomStream rng(seed, use.path, key);
+    return make_instance<TerrainModel>(use, context.dimension)->build(values, rng);
+  } catch (const PluginError& error) {
+    context.diagnostics.error(node.key_at, node.path, error.what());
+    return std::nullopt;
+  }
+}
+
+/// `material` holds for every part and zone that `materials` does not name.
+void decode_part_materials(DecodeContext& context, const Node& node, const std::vector<Material>& materials,
+                           const std::vector<std::string>& parts, TerrainPlan& plan, Map& resolved) {
+  const std::optional<Node> rest = node.find("material");
+  const std::optional<Node> named = node.find("materials");
+  if (rest) {
+    const int index = find_material(context, *rest, materials);
+    for (const std::string& part : parts) plan.material_of_part[part] = index;
+    if (rest->value->text()) put(resolved, "material", *rest->value);
+  }
+  if (named && named->expect_map(context.diagnostics)) {
+    Map map;
+    for (const Node& entry : named->entries()) {
+      if (std::find(parts.begin(), parts.end(), entry.key) == parts.end())
+        context.diagnostics.error(entry.key_at, entry.path,
+                                  fmt::format("the terrain has no part or zone `{}`{}", entry.key, suggestion(entry.key, parts)));
+      plan.material_of_part[entry.key] = find_material(context, entry, materials);
+      if (entry.value->text()) put(map, entry.key, *entry.value);
+    }
+    put(resolved, "materials", map_value(std::move(map)));
+  }
+  for (const std::string& part : parts)
+    if (!plan.material_of_part.contains(part))
+      context.diagnostics.error(node.key_at, node.path,
+                                part.empty() ? "`material` is missing, expected the name of a material"
+                                             : fmt::format("`materials` gives none for the part `{}`", part));
+}
+
+}  // namespace
+
+int find_material(DecodeContext& context, const Node& node, const std::vector<Material>& materials) {
+  const std::string* name = node.value->text();
+  if (!name) {
+    node.error(context.diagnostics, node.value->is_null()
+                                        ? "is empty, expected the name of a material"
+                                        : fmt::format("expected the name of a material, found {}", shown(*node.value)));
+    return -1;
+  }
+  for (std::size_t i = 0; i < materials.size(); ++i)
+    if (materials[i].name == *name) return static_cast<int>(i);
+  node.error(context.diagnostics, fmt::format("there is no material `{}`{}", *name, suggestion(*name, names_of(materials))));
+  return -1;
+}
+
+std::vector<Material> decode_materials(DecodeContext& context, const std::optional<Node>& node, Map& resolved) {
+  std::vector<Material> materials;
+  if (!node || !node->expect_map(context.diagnostics)) return materials;
+  Map all;
+  for (const Node& entry : node->entries()) {
+    Material material;
+    material.name = entry.key;
+    Map laws;
+    if (entry.expect_map(context.diagnostics)) {
+      entry.refuse_unknown_keys(section_spec("materials").key_names(), context.diagnostics);
+      material.restitution = decode_law(context, entry, PluginKind::restitution, laws);
+      material.friction = decode_law(context, entry, PluginKind::friction, laws);
+      material.rolling = decode_law(context, entry, PluginKind::rolling, laws);
+      material.unilateral = decode_law(context, entry, PluginKind::unilateral, laws);
+    }
+    put(all, material.name, map_value(std::move(laws)));
+    materials.push_back(std::move(material));
+  }
+  put(resolved, "materials", map_value(std::move(all)));
+  return materials;
+}
+
+DecodedTerrain decode_terrain(DecodeContext& context, const Node& node, const std::vector<Material>& materials,
+                              std::uint64_t seed, Map& resolved) {
+  DecodedTerrain terrain;
+  Map map;
+  const std::size_t messages = context.diagnostics.all().size();
+  const auto use = decode_plugin(context, node, PluginKind::terrain, terrain_rules, map, {"material", "materials", "zones"});
+  if (use && context.diagnostics.all().size() == messages) {
+    terrain.plan.model = *use;
+    terrain.profile = build_profile(context, node, *use, seed);
+  }
+  if (const auto zones = node.find("zones")) terrain.plan.zones = decode_zones(context, *zones, map);
+  if (terrain.profile) {
+    std::vector<std::string> parts = terrain.profile->parts;
+    for (const Zone& zone : terrain.plan.zones) parts.push_back(zone.name);
+    decode_part_materials(context, node, materials, parts, terrain.plan, map);
+  }
+  put(resolved, "terrain", map_value(std::move(map)));
+  return terrain;
+}
+
+std::vector<PairPlan> decode_pairs(DecodeContext& context, const Node& node, const std::vector<Material>& materials,
+                                   const std::vector<std::string>& names, Map& resolved) {
+  std::vector<PairPlan> pairs;
+  List list;
+  if (!node.expect_list(context.diagnostics)) return pairs;
+  for (const Node& item : node.items()) {
+    Map map;
+    const Section section = decode_section(context, item, "pairs", {}, map);
+    PairPlan pair;
+    if (const auto material = item.find("material"); material && section.given("material"))
+      pair.material = find_material(context, *material, materials);
+    const std::optional<Node> between = item.find("between");
+    const std::vector<Node> ends = between ? between->items() : std::vector<Node>();
+    if (ends.size() != 2) {
+      (between ? *between : item).error(context.diagnostics, "expected `between` with the names of two bodies, groups or parts of the terrain");
+    } else {
+      for (const Node& end : ends) {
+        const std::string* name = end.value->text();
+        if (!name || std::find(names.begin(), names.end(), *name) == names.end())
+          end.error(context.diagnostics, fmt::format("{} is neither a body nor a group nor a part of the terrain{}", shown(*end.value),
+                                                     name ? suggestion(*name, names) : ""));
+        else
+          (&end == &ends.front() ? pair.a : pair.b) = *name;
+      }
+      Map entry;
+      put(entry, "between", *between->value);
+      for (Entry& rest : map) entry.push_back(std::move(rest));
+      list.push_back(map_value(std::move(entry)));
+    }
+    pairs.push_back(std::move(pair));
+  }
+  put(resolved, "pairs", list_value(std::move(list)));
+  return pairs;
+}
+
+}  // namespace flyrock

@@ -1,0 +1,156 @@
+#include "scenario/measure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "scenario/node.h"
+
+namespace flyrock {
+
+namespace {
+
+struct Named {
+  std::string_view name;
+  Dimension dimension;
+};
+using Table = std::vector<Named>;
+
+constexpr Dimension impulse{1, 1, -1, 0};
+
+const Table state_components{{"x", dimension::length},   {"y", dimension::length},
+                             {"vx", dimension::speed},   {"vy", dimension::speed},
+                             {"speed", dimension::speed}, {"spin", dimension::spin},
+                             {"wz", dimension::spin},    {"angle", dimension::angle},
+                             {"kinetic_energy", dimension::energy}};
+const Table impact_quantities{{"time", dimension::time},       {"x", dimension::length},
+                              {"y", dimension::length},        {"vn_before", dimension::speed},
+                              {"vn_after", dimension::speed},  {"vt_before", dimension::speed},
+                              {"vt_after", dimension::speed},  {"pn", impulse},
+                              {"pt", impulse},                 {"energy_change", dimension::energy}};
+const Table apex_quantities{{"time", dimension::time}, {"height", dimension::length}};
+const Table solver_quantities{{"max_residual", dimension::speed},
+                              {"not_converged", dimension::none},
+                              {"max_penetration", dimension::length},
+                              {"energy_gains", dimension::none}};
+const Table rock_distributions{{"runout", dimension::length},       {"max_distance", dimension::length},
+                               {"flight_range", dimension::length}, {"bounce_height", dimension::length},
+                               {"speed", dimension::speed},         {"energy", dimension::energy},
+                               {"impacts", dimension::none},        {"time", dimension::time}};
+const Table rock_totals{{"count", dimension::none}, {"censored", dimension::none}};
+const std::vector<std::string> statistics{"mean", "sd", "min", "max", "p50", "p90", "p95", "p99"};
+
+std::vector<std::string> names_of(const Table& table) {
+  std::vector<std::string> names;
+  for (const Named& entry : table) names.emplace_back(entry.name);
+  return names;
+}
+
+/// Reads a measure from left to right; the first step that fits nothing becomes the fault.
+class MeasureParser {
+ public:
+  MeasureParser(std::string_view measure, const MeasureNames& names) : measure_(measure), names_(names) {
+    for (std::size_t begin = 0; begin <= measure.size();) {
+      const std::size_t end = std::min(measure.find('.', begin), measure.size());
+      steps_.emplace_back(measure.substr(begin, end - begin));
+      begin = end + 1;
+    }
+  }
+
+  MeasureInfo parse() {
+    static const std::vector<std::string> kinds{"body", "rocks", "energy", "solver"};
+    const std::string kind = next(kinds);
+    if (kind == "body") parse_body();
+    if (kind == "rocks") parse_rocks();
+    if (kind == "solver") finish(solver_quantities);
+    if (kind == "energy") {
+      next({"total"});
+      next({"relative_change"});
+    }
+    if (info_.fault.empty() && at_ < steps_.size()) fail(fmt::format("nothing may follow `{}`", steps_[at_ - 1]));
+    return info_;
+  }
+
+ private:
+  void fail(const std::string& text) {
+    if (info_.fault.empty()) info_.fault = fmt::format("`{}` is not a measure: {}", measure_, text);
+  }
+
+  /// The next step, if it is one of `known`; else empty, and the fault is set.
+  std::string next(const std::vector<std::string>& known) {
+    if (!info_.fault.empty()) return {};
+    if (at_ >= steps_.size()) {
+      fail("it ends early" + suggestion("", known));
+      return {};
+    }
+    const std::string& step = steps_[at_++];
+    if (std::find(known.begin(), known.end(), step) != known.end()) return step;
+    fail(fmt::format("unknown `{}`{}", step, suggestion(step, known)));
+    return {};
+  }
+
+  void finish(const Table& table) {
+    const std::string name = next(names_of(table));
+    for (const Named& entry : table)
+      if (entry.name == name) info_.dimension = entry.dimension;
+  }
+
+  /// Turns "impact[2]" into "impact", if the index is a whole number from 1.
+  void strip_index(const std::string& list) {
+    if (at_ >= steps_.size() || !steps_[at_].starts_with(list + "[") || !steps_[at_].ends_with(']')) return;
+    const std::string index = steps_[at_].substr(list.size() + 1, steps_[at_].size() - list.size() - 2);
+    int number = 0;
+    const auto [end, code] = std::from_chars(index.data(), index.data() + index.size(), number);
+    if (code != std::errc() || end != index.data() + index.size() || number < 1)
+      return fail(fmt::format("`{}` is not an index, expected a whole number from 1", index));
+    steps_[at_] = list + "[n]";
+  }
+
+  void parse_body() {
+    if (names_.bodies.empty()) return fail("the scenario has no bodies");
+    next(names_.bodies);
+    strip_index("impact");
+    strip_index("apex");
+    const std::string kind = next({"final", "max", "min", "stop_time", "contact_time", "impact[n]", "apex[n]"});
+    if (kind == "final" || kind == "max" || kind == "min") finish(state_components);
+    if (kind == "impact[n]") finish(impact_quantities);
+    if (kind == "apex[n]") finish(apex_quantities);
+    if (kind == "stop_time" || kind == "contact_time") info_.dimension = dimension::time;
+  }
+
+  void parse_rocks() {
+    if (names_.groups.empty()) return fail("the scenario has no rocks");
+    std::vector<std::string> known = rock_quantities();
+    if (at_ < steps_.size() && std::find(names_.groups.begin(), names_.groups.end(), steps_[at_]) != names_.groups.end())
+      ++at_;
+    else
+      known.insert(known.end(), names_.groups.begin(), names_.groups.end());
+    const std::string quantity = next(known);
+    for (const Named& entry : rock_distributions)
+      if (entry.name == quantity) {
+        info_.dimension = entry.dimension;
+        next(statistics);
+      }
+  }
+
+  std::string_view measure_;
+  const MeasureNames& names_;
+  std::vector<std::string> steps_;
+  std::size_t at_ = 0;
+  MeasureInfo info_;
+};
+
+}  // namespace
+
+std::vector<std::string> rock_quantities() {
+  std::vector<std::string> names = names_of(rock_distributions);
+  for (const Named& entry : rock_totals) names.emplace_back(entry.name);
+  return names;
+}
+
+MeasureInfo check_measure(std::string_view measure, const MeasureNames& names) {
+  return MeasureParser(measure, names).parse();
+}
+
+}  // namespace flyrock

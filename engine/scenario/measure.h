@@ -1,0 +1,33 @@
+#pragma once
+// The grammar of measures: what `expect` compares.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "units/units.h"
+
+namespace flyrock {
+
+/// What a measure may name.
+struct MeasureNames {
+  std::vector<std::string> bodies;
+  std::vector<std::string> groups;
+};
+
+struct MeasureInfo {
+  Dimension dimension;
+  std::string fault;  ///< why it is not a measure, with the nearest name; empty where it is one
+};
+
+/// Checks a measure against DESIGN section 3 (2D):
+///   body.<name>.final|max|min.<component>, body.<name>.stop_time|contact_time,
+///   body.<name>.impact[n].<quantity>, body.<name>.apex[n].time|height,
+///   energy.total.relative_change, solver.<quantity>,
+///   rocks[.<group>].<quantity>.<statistic>, rocks[.<group>].count|censored
+MeasureInfo check_measure(std::string_view measure, const MeasureNames& names);
+
+/// Quantities of rocks, which a group cannot be named after.
+std::vector<std::string> rock_quantities();
+
+}  // namespace flyrock

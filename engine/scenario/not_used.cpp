@@ -1,0 +1,99 @@
+// Known keys that nothing in a run reads.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "scenario/decode_sections.h"
+
+namespace flyrock {
+
+namespace {
+
+bool reads(const PluginSpec& spec, const BlastFieldInfo& info) {
+  return std::any_of(spec.reads.begin(), spec.reads.end(), [&](const std::string& field) {
+    return field == fmt::format("blast.{}", info.path) || field == fmt::format("blast.{}", info.name);
+  });
+}
+
+/// A Lua plugin may read what it likes where its manifest does not say.
+bool may_read(const PluginSpec& spec, const BlastFieldInfo& info) {
+  return reads(spec, info) || (!spec.declares_reads && spec.native.empty());
+}
+
+/// The plugins that get the blast, by name.
+std::map<std::string, const PluginSpec*> blast_readers(const Scenario& scenario) {
+  std::map<std::string, const PluginSpec*> readers;
+  for (const RockGroup& group : scenario.rocks) {
+    if (group.launch) readers[group.launch->plugin->spec.name] = &group.launch->plugin->spec;
+    if (group.population.plugin->spec.name != default_population)
+      readers[group.population.plugin->spec.name] = &group.population.plugin->spec;
+  }
+  return readers;
+}
+
+std::string reason(const std::map<std::string, const PluginSpec*>& readers) {
+  if (readers.empty()) return "nothing reads it";
+  std::string names;
+  for (const auto& [name, spec] : readers) names += (names.empty() ? "" : ", ") + name;
+  return names + (readers.size() == 1 ? " does not read it" : " do not read it");
+}
+
+void find_blast_keys(const Node& blast, const Scenario& scenario, std::vector<std::string>& list) {
+  const auto readers = blast_readers(scenario);
+  const bool explosive_by_name = blast.value->find("explosive") && blast.value->find("explosive")->text();
+  bool explosive_is_read = false;
+  for (const BlastFieldInfo& info : blast_fields()) {
+    const bool is_read = std::any_of(readers.begin(), readers.end(), [&](const auto& reader) { return may_read(*reader.second, info); });
+    const std::size_t dot = info.path.find('.');
+    if (info.path.starts_with("explosive.")) explosive_is_read = explosive_is_read || is_read;
+    const std::optional<Node> parent = dot == std::string_view::npos ? blast : blast.find(info.path.substr(0, dot));
+    const std::string_view key = dot == std::string_view::npos ? info.path : info.path.substr(dot + 1);
+    if (!is_read && parent && parent->find(key)) list.push_back(fmt::format("blast.{} ({})", info.path, reason(readers)));
+  }
+  if (explosive_by_name && !explosive_is_read) list.push_back(fmt::format("blast.explosive ({})", reason(readers)));
+  if (const auto rows = blast.find("rows"))
+    for (const char* key : {"distance", "delay_row", "delay_hole"})
+      if (rows->find(key)) list.push_back(fmt::format("blast.rows.{} (nothing reads it)", key));
+}
+
+void find_materials(const Scenario& scenario, std::vector<std::string>& list) {
+  std::set<int> used;
+  for (const auto& [part, material] : scenario.terrain.material_of_part) used.insert(material);
+  for (const PairPlan& pair : scenario.pairs) used.insert(pair.material);
+  for (const RockGroup& group : scenario.rocks) used.insert(group.material);
+  for (const BodyPlan& body : scenario.bodies) used.insert(body.material);
+  for (std::size_t i = 0; i < scenario.materials.size(); ++i)
+    if (!used.contains(static_cast<int>(i)))
+      list.push_back(fmt::format("materials.{} (nothing is made of it)", scenario.materials[i].name));
+}
+
+/// What concerns rocks that meet each other, where they do not.
+void find_rock_contacts(const Node& root, const Scenario& scenario, std::vector<std::string>& list) {
+  if (scenario.rocks.empty()) {
+    if (root.find("rock_contacts")) list.emplace_back("rock_contacts (the scenario has no rocks)");
+    return;
+  }
+  if (scenario.rock_contacts) return;
+  auto is_group = [&](const std::string& name) {
+    return std::any_of(scenario.rocks.begin(), scenario.rocks.end(), [&](const RockGroup& group) { return group.name == name; });
+  };
+  for (std::size_t i = 0; i < scenario.pairs.size(); ++i)
+    if (is_group(scenario.pairs[i].a) && is_group(scenario.pairs[i].b))
+      list.push_back(fmt::format("pairs.{} (rock_contacts is off)", i));
+  for (std::size_t i = 0; i < scenario.rocks.size(); ++i)
+    if (scenario.rocks[i].material >= 0) list.push_back(fmt::format("rocks.{}.material (rock_contacts is off)", i));
+}
+
+}  // namespace
+
+std::vector<std::string> find_not_used(const Node& root, const Scenario& scenario) {
+  std::vector<std::string> list;
+  if (const auto blast = root.find("blast")) find_blast_keys(*blast, scenario, list);
+  find_materials(scenario, list);
+  find_rock_contacts(root, scenario, list);
+  return list;
+}
+
+}  // namespace flyrock

@@ -1,0 +1,207 @@
+#include "scenario/schema.h"
+
+#include <stdexcept>
+
+#include "blast/blast.h"
+
+namespace flyrock {
+
+namespace {
+
+ParamSpec key(ParamType type, std::string name, std::string unit, std::string doc) {
+  ParamSpec spec;
+  spec.type = type;
+  spec.name = std::move(name);
+  spec.unit = std::move(unit);
+  if (!spec.unit.empty()) spec.dimension = parse_unit(spec.unit).value().dimension;
+  spec.doc = std::move(doc);
+  return spec;
+}
+
+ParamSpec number(std::string name, std::string unit, std::string doc) {
+  return key(ParamType::number, std::move(name), std::move(unit), std::move(doc));
+}
+ParamSpec integer(std::string name, std::string doc) {
+  ParamSpec spec = key(ParamType::integer, std::move(name), "", std::move(doc));
+  spec.max = 1e9;  // an int holds it
+  return spec;
+}
+ParamSpec boolean(std::string name, bool value, std::string doc) {
+  ParamSpec spec = key(ParamType::boolean, std::move(name), "", std::move(doc));
+  spec.default_number = value;
+  return spec;
+}
+ParamSpec text(std::string name, std::string doc) {
+  return key(ParamType::text, std::move(name), "", std::move(doc));
+}
+ParamSpec choice(std::string name, std::vector<std::string> choices, std::string doc) {
+  ParamSpec spec = key(ParamType::choice, std::move(name), "", std::move(doc));
+  spec.choices = std::move(choices);
+  return spec;
+}
+ParamSpec vector(std::string name, std::string unit, std::string doc) {
+  return key(ParamType::vector, std::move(name), std::move(unit), std::move(doc));
+}
+ParamSpec points(std::string name, std::string doc) {
+  return key(ParamType::points, std::move(name), "m", std::move(doc));
+}
+
+ParamSpec optional(ParamSpec spec) {
+  spec.optional = true;
+  return spec;
+}
+ParamSpec or_else(ParamSpec spec, double value) {
+  spec.default_number = value;
+  return spec;
+}
+ParamSpec or_else(ParamSpec spec, const char* value) {
+  spec.default_text = value;
+  return spec;
+}
+ParamSpec at_least(ParamSpec spec, double limit) {
+  spec.min = limit;
+  return spec;
+}
+ParamSpec at_most(ParamSpec spec, double limit) {
+  spec.max = limit;
+  return spec;
+}
+ParamSpec above(ParamSpec spec, double limit) {
+  spec.above = limit;
+  return spec;
+}
+
+constexpr double exact_integer = 9007199254740992.0;  // 2^53: beyond it not every whole number is a double
+
+SectionSpec document() {
+  return {"",
+          {integer("flyrock", "format version"),
+           or_else(text("title", "what the scenario is about"), ""),
+           at_most(at_least(integer("dimension", "2: a vertical plane"), 2), 3),
+           choice("method", {"nscd", "lumped_mass", "ballistic"}, "how rocks move"),
+           or_else(at_most(at_least(integer("seed", "of all random numbers"), 0), exact_integer), 1),
+           or_else(at_most(at_least(integer("trials", "realisations of each sweep point"), 1), exact_integer), 1),
+           or_else(choice("rock_contacts", {"off", "on"}, "on: rocks also meet each other"), "off"),
+           or_else(at_least(number("gravity", "m/s2", "along -y"), 0), 9.81)},
+          {"plugins", "terrain", "materials", "pairs", "blast", "rocks", "bodies", "solver", "stop", "output",
+           "sweep", "expect"}};
+}
+
+/// The fields of the blast below `prefix` ("" or "hole."), from the table that velocity models read by.
+std::vector<ParamSpec> blast_keys(std::string_view prefix) {
+  std::vector<ParamSpec> keys;
+  for (const BlastFieldInfo& info : blast_fields()) {
+    std::string_view path = info.path;
+    if (!path.starts_with(prefix)) continue;
+    path.remove_prefix(prefix.size());
+    if (path.find('.') != std::string_view::npos) continue;
+    ParamSpec spec = optional(number(std::string(path), std::string(info.unit), std::string(info.doc)));
+    const bool may_be_zero = info.field == BlastField::hole_stemming || info.field == BlastField::hole_subdrilling;
+    keys.push_back(may_be_zero ? at_least(std::move(spec), 0) : above(std::move(spec), 0));
+  }
+  return keys;
+}
+
+std::vector<ParamSpec> mass_keys() {
+  return {above(optional(number("density", "kg/m3", "of the rock; or `mass`")), 0),
+          above(optional(number("mass", "kg", "of the rock; or `density`")), 0),
+          above(optional(number("thickness", "m", "2D; by default that of the sphere of equal cross-section area")), 0)};
+}
+
+std::vector<ParamSpec> joined(std::vector<ParamSpec> first, std::vector<ParamSpec> second) {
+  for (ParamSpec& spec : second) first.push_back(std::move(spec));
+  return first;
+}
+
+std::vector<SectionSpec> make_sections() {
+  return {
+      document(),
+      {"terrain", {optional(text("material", "of a terrain of one part"))}, {"type", "materials", "zones"}},
+      {"terrain.zones",
+       {text("name", "its part, in `materials`"), number("from", "m", "least x"), number("to", "m", "greatest x")},
+       {}},
+      {"materials", {}, {"restitution", "friction", "rolling", "unilateral"}},
+      {"pairs", {text("material", "in force between the two")}, {"between"}},
+      {"blast", blast_keys(""), {"explosive", "hole", "rows"}},
+      {"blast.explosive", blast_keys("explosive."), {}},
+      {"blast.hole", blast_keys("hole."), {}},
+      {"blast.rows",
+       {or_else(at_least(integer("count", "rows of holes"), 1), 1),
+        above(optional(number("distance", "m", "from row to row")), 0),
+        or_else(at_least(integer("holes", "of a row"), 1), 1),
+        at_least(optional(number("delay_row", "s", "from row to row")), 0),
+        at_least(optional(number("delay_hole", "s", "from hole to hole")), 0)},
+       {}},
+      {"rocks",
+       joined(joined({text("name", "of the group")}, mass_keys()),
+              {optional(number("orientation", "rad", "random and uniform where it is not given")),
+               optional(text("material", "shown to other rocks"))}),
+       {"type", "shape", "release", "launch"}},
+      {"rocks.release: from",
+       {choice("from", {"face"}, "the face of a bench"),
+        or_else(at_least(integer("bench", "from 1, the uppermost"), 1), 1)},
+       {}},
+      {"rocks.release: x",
+       {number("x", "m", "place along the profile"),
+        at_least(number("above_ground", "m", "height of the centre of mass above the ground"), 0)},
+       {}},
+      {"rocks.release: position", {vector("position", "m", "of the centre of mass")}, {}},
+      {"rocks.release: along", {points("along", "a poly-line, uniformly")}, {}},
+      {"rocks.release: inside", {points("inside", "a convex polygon, uniformly")}, {}},
+      {"bodies",
+       joined(joined({text("name", "of the body")}, mass_keys()),
+              {vector("position", "m", "of the centre of mass"),
+               optional(vector("velocity", "m/s", "at rest where it is not given")),
+               or_else(number("spin", "rad/s", "counter-clockwise"), 0.0),
+               or_else(number("orientation", "rad", "counter-clockwise"), 0.0),
+               boolean("fixed", false, "whether it never moves"),
+               optional(text("material", "shown to other bodies, where `pairs` is silent"))}),
+       {"shape", "driven"}},
+      {"bodies.driven",
+       {vector("velocity", "m/s", "that it keeps"), or_else(number("spin", "rad/s", "that it keeps"), 0.0)},
+       {}},
+      {"solver",
+       {or_else(above(number("time_step", "s", "of the contact scheme"), 0), 1e-3),
+        or_else(at_most(at_least(number("theta", "", "of the theta scheme"), 0.5), 1), 0.5),
+        or_else(above(number("tolerance", "", "of the scaled residual"), 0), 1e-6),
+        or_else(at_least(integer("max_iterations", "of one contact problem"), 1), 1000),
+        or_else(choice("flight", {"exact", "stepped"}, "motion between contacts"), "exact"),
+        or_else(at_least(number("rest_speed", "m/s", "below which a contact closes without restitution"), 0), 0.02)},
+       {}},
+      {"stop",
+       {above(number("time", "s", "end of a trial"), 0),
+        or_else(at_least(number("speed", "m/s", "below which a rock is at rest; 0 never"), 0), 0.05)},
+       {}},
+      {"output", {boolean("impacts", true, "whether impacts are stored")}, {"trajectories"}},
+      {"output.trajectories",
+       {or_else(at_least(integer("first", "trials with trajectories"), 0), 100),
+        or_else(above(number("every", "s", "between stored points in flight"), 0), 0.02)},
+       {}},
+      {"sweep",
+       {or_else(choice("design", {"grid", "latin_hypercube", "sobol"}, "which points of the axes are run"), "grid")},
+       {}},
+      {"expect", {text("measure", "what is compared")}, {"equals", "tolerance", "relative", "below", "above", "between", "at"}},
+  };
+}
+
+}  // namespace
+
+std::vector<std::string> SectionSpec::key_names() const {
+  std::vector<std::string> names;
+  for (const ParamSpec& spec : keys) names.push_back(spec.name);
+  names.insert(names.end(), parts.begin(), parts.end());
+  return names;
+}
+
+const std::vector<SectionSpec>& section_specs() {
+  static const std::vector<SectionSpec> sections = make_sections();
+  return sections;
+}
+
+const SectionSpec& section_spec(std::string_view name) {
+  for (const SectionSpec& section : section_specs())
+    if (section.name == name) return section;
+  throw std::logic_error("no section " + std::string(name));
+}
+
+}  // namespace flyrock

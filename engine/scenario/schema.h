@@ -1,0 +1,31 @@
+#pragma once
+// The keys of a scenario's own sections, described as plugins describe their parameters. Decoding, the
+// resolved scenario and the schema for editors come from these tables.
+
+#include <string_view>
+#include <vector>
+
+#include "plugin/spec.h"
+
+namespace flyrock {
+
+/// A section of a scenario. `parts` are the keys that hold sections, lists or plugins of their own.
+struct SectionSpec {
+  std::string_view name;         ///< "solver", "blast.hole"; "" for the document
+  std::vector<ParamSpec> keys;
+  std::vector<std::string> parts;
+
+  /// All keys, for messages.
+  std::vector<std::string> key_names() const;
+};
+
+/// The section of that name; one that does not exist is an error of the program (std::logic_error).
+const SectionSpec& section_spec(std::string_view name);
+
+/// All sections, in the order of the document.
+const std::vector<SectionSpec>& section_specs();
+
+/// The population of a group without a `type`.
+inline constexpr std::string_view default_population = "independent";
+
+}  // namespace flyrock

@@ -1,0 +1,111 @@
+#include "scenario/sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scenario/node.h"
+#include "units/units.h"
+
+namespace flyrock {
+
+namespace {
+
+/// `from` to `to` in `count` even steps, ends included; in SI units where they have units.
+std::vector<Value> even_steps(const Node& node, Diagnostics& diagnostics) {
+  node.refuse_unknown_keys({"from", "to", "count"}, diagnostics);
+  constexpr double most = 10000;
+  const auto from = node.find("from"), to = node.find("to"), count = node.find("count");
+  if (!from || !to || !count) {
+    node.error(diagnostics, "expected a list, or `from`, `to` and `count`");
+    return {};
+  }
+  const double* steps = count->value->number();
+  if (!steps || *steps != std::floor(*steps) || *steps < 2 || *steps > most) {
+    count->error(diagnostics, fmt::format("expected a whole number from 2 to {:.6g}, found {}", most, shown(*count->value)));
+    return {};
+  }
+  auto quantity_of = [&](const Node& end) -> std::optional<Quantity> {
+    if (const double* number = end.value->number()) return Quantity{*number, false, {}, ""};
+    if (end.value->text())
+      if (auto quantity = parse_quantity(*end.value->text())) return quantity;
+    end.error(diagnostics, fmt::format("expected a number, found {}", shown(*end.value)));
+    return std::nullopt;
+  };
+  const auto first = quantity_of(*from), last = quantity_of(*to);
+  if (!first || !last) return {};
+  if (first->has_unit != last->has_unit || first->unit.dimension != last->unit.dimension) {
+    node.error(diagnostics, "`from` and `to` must have the same kind of unit");
+    return {};
+  }
+  std::vector<Value> values;
+  for (int i = 0; i < *steps; ++i) {
+    const double share = i / (*steps - 1);
+    const double si = i == *steps - 1 ? last->si() : first->si() + share * (last->si() - first->si());
+    Value value;
+    value.at = node.value->at;
+    if (first->has_unit)
+      value.data = shortest(si) + " " + si_unit(first->unit.dimension);
+    else
+      value.data = si;
+    values.push_back(std::move(value));
+  }
+  return values;
+}
+
+std::vector<Value> listed(const Node& node, Diagnostics& diagnostics) {
+  std::vector<Value> values;
+  for (const Node& item : node.items()) {
+    if (!item.value->number() && !item.value->text())
+      item.error(diagnostics, fmt::format("a sweep lists numbers, found {}", shown(*item.value)));
+    else
+      values.push_back(*item.value);
+  }
+  if (node.items().empty()) node.error(diagnostics, "expected a list of numbers, or `from`, `to` and `count`");
+  return values;
+}
+
+void search(Value& value, const Node& node, Diagnostics& diagnostics, std::vector<SweptValue>& found) {
+  const std::optional<Node> sweep = node.path.empty() ? std::nullopt : node.find("sweep");
+  if (sweep) {
+    node.refuse_unknown_keys({"sweep"}, diagnostics);
+    std::vector<Value> values =
+        sweep->value->map() && !sweep->value->map()->empty() ? even_steps(*sweep, diagnostics) : listed(*sweep, diagnostics);
+    found.push_back({&value, node.path, node.stream, sweep->key_at, std::move(values)});
+    return;
+  }
+  if (Map* map = value.map())
+    for (Entry& entry : *map) {
+      if (node.path.empty() && entry.key == "sweep") continue;  // the section, not a sweep
+      search(entry.value, *node.find(entry.key), diagnostics, found);
+    }
+  if (List* list = value.list()) {
+    const std::vector<Node> items = node.items();
+    for (std::size_t i = 0; i < list->size(); ++i) search((*list)[i], items[i], diagnostics, found);
+  }
+}
+
+}  // namespace
+
+std::vector<SweptValue> find_sweeps(Value& root, Diagnostics& diagnostics) {
+  std::vector<SweptValue> found;
+  search(root, Node::root(root), diagnostics, found);
+  std::sort(found.begin(), found.end(), [](const SweptValue& a, const SweptValue& b) { return a.path < b.path; });
+  return found;
+}
+
+std::vector<std::vector<std::size_t>> grid_points(const std::vector<std::size_t>& sizes) {
+  std::vector<std::vector<std::size_t>> points{std::vector<std::size_t>()};
+  for (const std::size_t size : sizes) {
+    std::vector<std::vector<std::size_t>> next;
+    for (const auto& point : points)
+      for (std::size_t i = 0; i < size; ++i) {
+        next.push_back(point);
+        next.back().push_back(i);
+      }
+    points = std::move(next);
+  }
+  return points;
+}
+
+}  // namespace flyrock

@@ -1,0 +1,259 @@
+#include "scenario/decode.h"
+
+#include <catch2/catch.hpp>
+
+#include "scenario/yaml_reader.h"
+#include "unit/test_registry.h"
+
+using namespace flyrock;
+
+namespace {
+
+const Registry& registry() {
+  static const Registry registry = test::make_registry();
+  return registry;
+}
+
+/// What stands before and after the part that a test is about.
+const std::string head = R"(flyrock: 1
+dimension: 2
+method: nscd
+)";
+const std::string ground = R"(terrain: { type: plane, material: rock }
+materials: { rock: { restitution: { type: newton, en: 0.5 }, friction: { type: coulomb, mu: 0.3 } } }
+stop: { time: 2 s }
+)";
+const std::string ball = "bodies: [{ name: ball, shape: { type: disk, radius: 10 cm }, mass: 1, position: [0, 1] }]\n";
+const std::string benches = R"(terrain: { type: benches, height: 12 m, face_angle: 70 deg, materials: { face: rock, berm: rock, floor: rock } }
+materials: { rock: { restitution: { type: newton, en: 0.5 } } }
+stop: { time: 60 s }
+)";
+const std::string blocks = R"(rocks:
+  - name: blocks
+    density: 2.7 g/cm3
+    shape: { type: disk, radius: { uniform: [10 cm, 0.5 m] } }
+    release: { from: face }
+    launch: { type: fixed, speed: 3, elevation: { normal: { mean: 20 deg, sd: 5 deg } } }
+)";
+
+std::optional<Plan> try_decode(const std::string& text, Diagnostics& diagnostics, const Overrides& overrides = {}) {
+  auto root = read_yaml(text, "s.yaml", diagnostics);
+  if (!root) return std::nullopt;
+  apply_overrides(*root, overrides, diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  return decode(*root, registry(), ".", diagnostics);
+}
+
+Plan decode_text(const std::string& text, const Overrides& overrides = {}) {
+  Diagnostics diagnostics;
+  auto plan = try_decode(text, diagnostics, overrides);
+  INFO(text << diagnostics.to_text());
+  REQUIRE(plan);
+  return *plan;
+}
+
+/// The messages of a text that is refused, without places.
+std::string refuse(const std::string& text, const Overrides& overrides = {}) {
+  Diagnostics diagnostics;
+  const bool decoded = try_decode(text, diagnostics, overrides).has_value();
+  CHECK_FALSE(decoded);
+  std::string lines;
+  for (const Diagnostic& d : diagnostics.all()) lines += d.path + ": " + d.text + "\n";
+  return lines;
+}
+
+}  // namespace
+
+TEST_CASE("a scenario of bodies: units, defaults and names") {
+  const Plan plan = decode_text(head + ground + ball);
+  REQUIRE(plan.points.size() == 1);
+  const Scenario& s = plan.points[0];
+  CHECK(s.seed == 1);
+  CHECK(s.trials == 1);
+  CHECK(s.gravity.constant == 9.81);
+  CHECK(s.stop.time == 2);
+  CHECK(s.stop.speed == 0.05);
+  CHECK(s.solver.time_step == 1e-3);
+  CHECK(s.solver.max_iterations == 1000);
+  CHECK(s.solver.flight == FlightMode::exact);
+  CHECK(s.output.trajectories_first == 100);
+  REQUIRE(s.bodies.size() == 1);
+  CHECK(s.bodies[0].shape.values[0].numbers[0].constant == Approx(0.1));
+  CHECK(s.bodies[0].shape.path == "bodies.0.shape");
+  CHECK(s.bodies[0].mass->constant == 1);
+  CHECK_FALSE(s.bodies[0].density);
+  CHECK(s.bodies[0].position[1].constant == 1);
+  CHECK(s.bodies[0].velocity.size() == 2);
+  REQUIRE(s.materials.size() == 1);
+  CHECK(s.materials[0].restitution->slots[0].constant == 0.5);
+  CHECK(s.terrain.material_of_part.at("") == 0);
+}
+
+TEST_CASE("distributions: scopes by section, streams by name") {
+  const Plan plan = decode_text(head + benches + blocks +
+                                "gravity: { uniform: [9.8, 9.82] }\n"
+                                "blast: { burden: { uniform: [2, 3] }, spacing: { uniform: [2, 3] } }\n");
+  const std::vector<Draw>& draws = plan.points[0].draws;
+  auto find = [&](const std::string& path) {
+    for (const Draw& draw : draws)
+      if (draw.path == path) return draw;
+    FAIL(path);
+    return Draw{};
+  };
+  CHECK(find("gravity").scope == Scope::trial);
+  CHECK(find("blast.burden").scope == Scope::hole);
+  CHECK(find("blast.spacing").scope == Scope::trial);
+  CHECK(find("rocks.0.shape.radius").scope == Scope::rock);
+  CHECK(find("rocks.0.shape.radius").stream == "rocks.blocks.shape.radius");
+  CHECK(find("rocks.0.shape.radius").stream_hash == hash_name("rocks.blocks.shape.radius"));
+  CHECK(find("rocks.0.shape.radius").distribution.a == Approx(0.1));
+  CHECK(find("rocks.0.launch.elevation").distribution.b == Approx(5 * 3.14159265358979 / 180));
+  CHECK(plan.not_used == std::vector<std::string>{"blast.burden (fixed does not read it)",
+                                                  "blast.spacing (fixed does not read it)"});
+}
+
+TEST_CASE("`per` overrides the scope where that is possible") {
+  const std::string material =
+      "terrain: { type: plane, material: rock }\nstop: { time: 2 }\n"
+      "materials: { rock: { restitution: { type: newton, en: { uniform: [0.3, 0.6], per: impact } } } }\n";
+  CHECK(decode_text(head + material + ball).points[0].draws[0].scope == Scope::impact);
+  CHECK(refuse(head + ground + ball + "gravity: { uniform: [9, 10], per: rock }\n") ==
+        "gravity.per: expected `run` or `trial`, found `rock`\n");
+}
+
+TEST_CASE("all distributions are read, and written as they are read") {
+  for (const char* written :
+       {"{ uniform: [1, 2], per: rock }", "{ normal: { mean: 3, sd: 1 }, min: 0.5, per: rock }",
+        "{ lognormal: { median: 0.6, log_sd: 0.35 }, per: rock }", "{ triangular: [1, 2, 3], per: rock }",
+        "{ weibull: { scale: 1, shape: 2 }, max: 4, per: rock }",
+        "{ beta: { alpha: 2, beta: 3, low: 1, high: 2 }, per: rock }", "{ exponential: { mean: 2 }, min: 0.1, per: rock }",
+        "{ discrete: [1, 2], per: rock }", "{ discrete: { values: [1, 2], weights: [3, 1] }, per: rock }",
+        "{ integer: [1, 3], per: trial }"}) {
+    std::string text = head + benches + blocks;
+    const std::string old = "{ uniform: [10 cm, 0.5 m] }";
+    text.replace(text.find(old), old.size(), written);
+    const Plan plan = decode_text(text);
+    INFO(written);
+    CHECK(to_yaml(plan.resolved).find(std::string("radius: ") + written) != std::string::npos);
+  }
+}
+
+TEST_CASE("a draw must not leave the limits of its parameter") {
+  auto with_radius = [](const std::string& radius) {
+    std::string text = head + benches + blocks;
+    const std::string old = "{ uniform: [10 cm, 0.5 m] }";
+    return text.replace(text.find(old), old.size(), radius);
+  };
+  CHECK(refuse(with_radius("{ normal: { mean: 1, sd: 1 } }")) ==
+        "rocks.0.shape.radius: draws from -inf m to inf m, must be above 0 m: give it a `min` or `max`\n");
+  CHECK(refuse(with_radius("{ uniform: [-1, 2] }")) ==
+        "rocks.0.shape.radius: draws from -1 m to 2 m, must be above 0 m: give it a `min` or `max`\n");
+  CHECK(refuse(with_radius("{ uniform: [2, 1] }")) ==
+        "rocks.0.shape.radius: the uniform distribution cannot be drawn: its low end must be below its high end\n");
+  CHECK(refuse(with_radius("{ unifrom: [1, 2] }")) ==
+        "rocks.0.shape.radius.unifrom: unknown key, did you mean `uniform`?\n"
+        "rocks.0.shape.radius: expected a number in m or a distribution: `uniform`, `normal`, `lognormal`, "
+        "`triangular`, `weibull`, `beta`, `exponential`, `discrete` or `integer`\n");
+  CHECK(refuse(with_radius("{ uniform: [1 s, 2] }")) ==
+        "rocks.0.shape.radius.uniform.0: the unit `s` does not fit, expected a unit like m\n");
+}
+
+TEST_CASE("sweeps become a grid, sorted by path, the last axis fastest") {
+  const Plan plan = decode_text(
+      head + "gravity: { sweep: { from: 1 m/s2, to: 2 m/s2, count: 3 } }\nstop: { time: 2 }\n"
+             "terrain: { type: plane, material: rock }\n"
+             "materials: { rock: { restitution: { type: newton, en: { sweep: [0.3, 0.4] } } } }\n" +
+      ball + "expect: [{ measure: body.ball.final.y, above: 0, at: { gravity: 150 cm/s2 } }]\n");
+  REQUIRE(plan.axes.size() == 2);
+  CHECK(plan.axes[0].path == "gravity");
+  CHECK(plan.axes[0].values == std::vector<double>{1, 1.5, 2});
+  CHECK(plan.axes[1].path == "materials.rock.restitution.en");
+  REQUIRE(plan.points.size() == 6);
+  CHECK(plan.at[1] == std::vector<double>{1, 0.4});
+  CHECK(plan.at[2] == std::vector<double>{1.5, 0.3});
+  CHECK(plan.points[5].gravity.constant == 2);
+  CHECK(plan.points[5].expect[0].at[0].second == 1.5);
+  CHECK(to_yaml(plan.resolved).find("gravity: { sweep: [1, 1.5, 2] }") != std::string::npos);
+}
+
+TEST_CASE("a sweep inside a distribution keeps the stream") {
+  std::string text = head + benches + blocks;
+  const std::string old = "[10 cm, 0.5 m]";
+  text.replace(text.find(old), old.size(), "[10 cm, { sweep: [0.5 m, 0.6 m] }]");
+  const Plan plan = decode_text(text);
+  REQUIRE(plan.points.size() == 2);
+  CHECK(plan.points[0].draws[0].stream == plan.points[1].draws[0].stream);
+  CHECK(plan.points[1].draws[0].distribution.b == 0.6);
+  CHECK(plan.axes[0].path == "rocks.0.shape.radius.uniform.1");
+}
+
+TEST_CASE("where nothing may vary") {
+  CHECK(refuse(head + ground + ball + "solver: { time_step: { sweep: [1 ms, 2 ms] } }\n") ==
+        "solver.time_step: takes no sweep, expected a number in s\n");
+  CHECK(refuse(head + ground + ball + "solver: { theta: { uniform: [0.5, 0.6] } }\n") ==
+        "solver.theta: takes no distribution, expected a number\n");
+  CHECK(refuse(head + ground + ball + "solver: { flight: { sweep: [exact, stepped] } }\n") ==
+        "solver.flight: takes no sweep, only numbers that may vary are swept\n");
+}
+
+TEST_CASE("the resolved scenario decodes to itself") {
+  for (const std::string& text :
+       {head + ground + ball,
+        head + benches + blocks + "blast: { explosive: ANFO, hole: { diameter: 102 mm }, burden: { uniform: [2, 3] } }\n",
+        head + ground + "gravity: { sweep: [1, 2] }\ntitle: \"010\"\n" + ball +
+            "expect: [{ measure: body.ball.max.angle, between: [-1, 1], at: { gravity: 2 } }]\n"}) {
+    const Plan plan = decode_text(text);
+    const std::string once = to_yaml(plan.resolved);
+    CHECK(to_yaml(decode_text(once).resolved) == once);
+  }
+}
+
+TEST_CASE("--set, --seed and --trials") {
+  Overrides overrides;
+  overrides.set = {"stop.time=5 s", "bodies.ball.mass=2 kg", "bodies.0.position=[1, 2]", "solver.theta=0.6"};
+  overrides.seed = 7;
+  overrides.trials = 12;
+  const Scenario s = decode_text(head + ground + ball, overrides).points[0];
+  CHECK(s.stop.time == 5);
+  CHECK(s.bodies[0].mass->constant == 2);
+  CHECK(s.bodies[0].position[0].constant == 1);
+  CHECK(s.solver.theta == 0.6);
+  CHECK(s.seed == 7);
+  CHECK(s.trials == 12);
+  CHECK(refuse(head + ground + ball, {{"stop.tme=5"}, {}, {}}) == "stop.tme: unknown key, did you mean `time`?\n");
+  CHECK(refuse(head + ground + ball, {{"bodies.bal.mass=5"}, {}, {}}) ==
+        "bodies.bal.mass: bodies has no element `bal`, did you mean `ball`?\n");
+  CHECK(refuse(head + ground + ball, {{"seed"}, {}, {}}) == ": expected path=value, as in --set terrain.height=10\n");
+  CHECK(refuse(head + ground + ball, {{"stop.time=5 kg"}, {}, {}}) ==
+        "stop.time: the unit `kg` does not fit, expected a unit like s\n");
+}
+
+TEST_CASE("a blast: D/3 unless the Gurney constant is given, and drawn with D") {
+  const Plan plan = decode_text(head + benches + blocks +
+                                "blast: { explosive: { density: 850, detonation_velocity: { uniform: [3000, 6000] } } }\n");
+  const Scenario& s = plan.points[0];
+  const Number velocity = s.blast->fields.at(BlastField::detonation_velocity);
+  const Number gurney = s.blast->fields.at(BlastField::gurney_constant);
+  const DrawKey key{3, 1, 1, 0};
+  CHECK(gurney.value(s.draws, 1, key) == Approx(velocity.value(s.draws, 1, key) / 3));
+  CHECK_FALSE(s.blast->is_anfo);
+}
+
+TEST_CASE("a hole against its bench") {
+  auto with_hole = [](const std::string& hole) { return head + benches + blocks + "blast: { hole: { " + hole + " } }\n"; };
+  CHECK(refuse(with_hole("stemming: 3, charge_length: { uniform: [4, 10] }, subdrilling: 0.6")) ==
+        "blast.hole: stemming (3 m) and charge_length (4 to 10 m) are up to 13 m long, longer than bench height (12 m) + "
+        "subdrilling (0.6 m)\n");
+  Diagnostics diagnostics;
+  CHECK(try_decode(with_hole("stemming: 3, charge_length: 4"), diagnostics));
+  CHECK(diagnostics.warnings() == std::vector<std::string>{"blast.hole: the hole (7 m) is shorter than the bench (12 m)"});
+}
+
+TEST_CASE("all errors are reported at once") {
+  CHECK(refuse(head + "trials: 1.5\nstop: {}\nmaterials:\nterrain: { type: plain, material: rock }\nrocks: []\n") ==
+        "trials: is `1.5`, must be a whole number\n"
+        "materials: is empty, expected a map\n"
+        "terrain.type: unknown terrain `plain`, expected `benches` or `plane`\n"
+        "rocks: is empty, expected at least one element\n"
+        "stop: `time` is missing, expected a number in s\n");
+}
