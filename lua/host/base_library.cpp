@@ -33,9 +33,23 @@ int protected_call(lua_State* lua) {
   return finish_call(lua, lua_pcallk(lua, lua_gettop(lua) - 2, LUA_MULTRET, 0, 0, finish_call), 0);
 }
 
+/// Calls the handler in upvalue 1, but not where the budget is exceeded: Lua asks for handlers inside the
+/// hook that raised the error, and there no hook counts.
+int call_handler(lua_State* lua) {
+  if (!budget_of(lua).exceeded.empty()) return 1;
+  lua_settop(lua, 1);
+  lua_pushvalue(lua, lua_upvalueindex(1));
+  lua_insert(lua, 1);
+  lua_call(lua, 1, 1);
+  return 1;
+}
+
 int protected_call_with_handler(lua_State* lua) {
   const int arguments = lua_gettop(lua) - 2;
   luaL_checktype(lua, 2, LUA_TFUNCTION);
+  lua_pushvalue(lua, 2);
+  lua_pushcclosure(lua, call_handler, 1);
+  lua_replace(lua, 2);
   lua_pushboolean(lua, 1);
   lua_pushvalue(lua, 1);
   lua_rotate(lua, 3, 2);  // function, handler, true, function, arguments

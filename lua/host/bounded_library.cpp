@@ -35,7 +35,8 @@ double texts(lua_State* lua) {
 
 double repeat(lua_State* lua) {
   const double length = lua_isstring(lua, 1) ? static_cast<double>(lua_rawlen(lua, 1)) : 0;
-  return std::max(0.0, lua_tonumber(lua, 2)) * (1 + length / bytes_per_instruction);
+  constexpr double copies_per_instruction = 8;
+  return std::max(0.0, lua_tonumber(lua, 2)) * (1 / copies_per_instruction + length / bytes_per_instruction);
 }
 
 double range(lua_State* lua, int first, int last, double length) {

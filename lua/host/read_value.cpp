@@ -50,11 +50,16 @@ class Reader {
     diagnostics_.error(path.empty() ? places_.call() : places_.value(path), path, text);
   }
 
+  static bool exact(lua_Integer integer) {
+    constexpr lua_Integer limit = lua_Integer{1} << 53;
+    return -limit <= integer && integer <= limit;
+  }
+
   double number(const std::string& path) {
     const double number = lua_tonumber(lua_, -1);
     if (!std::isfinite(number))
       fail(path, fmt::format("{}, expected a finite number", std::isnan(number) ? "nan" : "inf"));
-    else if (lua_isinteger(lua_, -1) && std::abs(number) > 0x1p53)
+    else if (lua_isinteger(lua_, -1) && !exact(lua_tointeger(lua_, -1)))
       fail(path, fmt::format("{}, expected a whole number of at most 2^53", lua_tointeger(lua_, -1)));
     return number;
   }

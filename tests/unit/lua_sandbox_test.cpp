@@ -1,0 +1,139 @@
+// The sandbox: what is there, what is not, and budgets that nothing swallows.
+
+#include <catch2/catch.hpp>
+
+#include <chrono>
+
+#include "host/state.h"
+#include "unit/lua_fixture.h"
+
+using namespace flyrock;
+
+namespace {
+
+/// Runs a chunk as a scenario file; returns what is wrong, without the place.
+std::string failure(const std::string& body) {
+  LuaFixture lua;
+  lua.write("x.lua", "local fr = require 'flyrock'\n" + body + "\nreturn fr.scenario { fine = true }");
+  Diagnostics diagnostics;
+  lua.session.read_scenario((lua.folder / "x.lua").string(), "x.lua", diagnostics);
+  return diagnostics.all().empty() ? "" : diagnostics.all().front().text;
+}
+
+}  // namespace
+
+TEST_CASE("an error of Lua unwinds C++ frames") {
+  struct Witness {
+    bool& destroyed;
+    ~Witness() { destroyed = true; }
+  };
+  LuaState state;
+  bool destroyed = false;
+  CHECK_THROWS_WITH(state.run(Budget::call_limit,
+                              [&](lua_State* lua) {
+                                Witness witness{destroyed};
+                                raise(lua, "on purpose");
+                              }),
+                    "on purpose");
+  CHECK(destroyed);
+  destroyed = false;
+  CHECK_THROWS_AS(state.run(Budget::call_limit,
+                            [&](lua_State*) {
+                              Witness witness{destroyed};
+                              throw std::out_of_range("kept");
+                            }),
+                  std::out_of_range);
+  CHECK(destroyed);
+}
+
+TEST_CASE("what would open the sandbox is not there, and says why") {
+  CHECK(failure("io.open('x')") == "`io` is not available here: plugins and scenarios do not touch files");
+  CHECK(failure("os.time()") == "`os` is not available here: plugins and scenarios do not touch the system or the clock");
+  CHECK(failure("debug.getinfo(1)") == "`debug` is not available here: it would open the sandbox");
+  CHECK(failure("load('return 1')") == "`load` is not available here: code is loaded from files with `require`");
+  CHECK(failure("local x = string.dump(print)") == "`string` has no field `dump`");
+  CHECK(failure("print(maht)") == "`maht` is not defined, did you mean `math`?");
+  CHECK(failure("math.random()").starts_with("math.random is not available here: use the stream `rng`"));
+  CHECK(failure("math.floor = nil") == "`math` cannot be changed");
+  CHECK(failure("setmetatable(math, {})") == "this table is protected: it keeps its metatable");
+  CHECK(failure("setmetatable({}, { __gc = function() end })") == "the metamethod __gc is not available here");
+  CHECK(failure("getmetatable('').__index.upper = nil") == "attempt to index a boolean value");
+  CHECK(failure("local _, t = pairs(math)\nt.floor = nil") == "attempt to index a nil value (local 't')");
+  LuaFixture lua;
+  lua.write("binary.lua", "\x1bLua");
+  CHECK(lua.load("binary.lua").find("attempt to load a binary chunk") != std::string::npos);
+}
+
+TEST_CASE("pairs and next go in a fixed order") {
+  CHECK(failure(R"(
+    local t = { z = 1, a = 2, [10] = 3, [2] = 4, [0.5] = 5, [true] = 6, [false] = 7, B = 8 }
+    local order, again = {}, {}
+    for k in pairs(t) do order[#order + 1] = tostring(k) end
+    local k = next(t)
+    while k ~= nil do again[#again + 1] = tostring(k); k = next(t, k) end
+    assert(table.concat(order, " ") == "0.5 2 10 B a z false true", table.concat(order, " "))
+    assert(table.concat(again, " ") == table.concat(order, " "))
+    assert(next({}) == nil)
+    for k in pairs(t) do t[k] = nil end
+    assert(next(t) == nil))") == "");
+  CHECK(failure("for k in pairs { [{}] = 1 } do end") ==
+        "a table with a table as key has no fixed order: keys must be numbers, texts or booleans");
+}
+
+TEST_CASE("texts show no addresses") {
+  CHECK(failure("assert(tostring({}) == 'table' and tostring(print) == 'function')\n"
+                "assert(('%s %d'):format({}, 3) == 'table 3')") == "");
+  CHECK(failure("local s = ('%p'):format({})") == "the format %p is not available here: addresses differ from run to run");
+}
+
+TEST_CASE("ordinary Lua works in the sandbox") {
+  CHECK(failure(R"lua(
+    local ok, message = pcall(error, "x", 0)
+    assert(not ok and message == "x")
+    assert(select("#", pcall(function(...) return ... end, 1, nil, 3)) == 4)
+    assert(xpcall(function(a) return a end, print, 5))
+    local handled
+    assert(not xpcall(function() error("y") end, function(m) handled = m end) and handled:find("y"))
+    local produce = coroutine.wrap(function() for i = 1, 3 do coroutine.yield(i) end end)
+    assert(produce() == 1 and produce() == 2)
+    local co = coroutine.create(function() pcall(function() coroutine.yield(7); error("z") end); return 8 end)
+    local _, a = coroutine.resume(co)
+    local _, b = coroutine.resume(co)
+    assert(a == 7 and b == 8)
+    assert(("a,b"):gsub(",", ";") == "a;b" and ("x"):rep(3, "-") == "x-x-x" and ("key = 5"):match("(%w+) = (%d+)") == "key")
+    local t = { 3, 1, 2 }
+    table.sort(t, function(x, y) return x > y end)
+    assert(table.concat(t, ",") == "3,2,1" and select("#", table.unpack(t)) == 3)
+    counter = 1
+    counter = counter + 1
+    assert(counter == 2))lua") == "");
+}
+
+TEST_CASE("budgets end what does not end, and nothing swallows that", "[slow]") {
+  const auto start = std::chrono::steady_clock::now();
+  const std::string instructions = "used more than its 100000000 instructions";
+  CHECK(failure("while true do end") == instructions);
+  CHECK(failure("while true do pcall(function() while true do end end) end") == instructions);
+  CHECK(failure("while true do xpcall(function() while true do end end, function() while true do end end) end") == instructions);
+  CHECK(failure("local co = coroutine.create(function() while true do end end)\nwhile true do coroutine.resume(co) end") == instructions);
+  CHECK(failure("local t = setmetatable({}, { __index = function() while true do end end })\nwhile true do pcall(function() return t.x end) end") == instructions);
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  CHECK(spent.count() < 5 * 4.5);
+}
+
+TEST_CASE("functions of C pay for their loops") {
+  const std::string instructions = "used more than its 100000000 instructions";
+  CHECK(failure("table.move({}, 1, 1e15, 2)") == instructions);
+  CHECK(failure("(''):rep(1e15)") != "");
+  CHECK(failure("local s = (''):rep(1e15)") == instructions);
+  CHECK(failure("table.concat(setmetatable({}, { __len = function() return 1e15 // 1 | 0 end, __index = type }))") != "");
+  CHECK(failure("table.insert(setmetatable({}, { __len = function() return 1 << 60 end }), 1, 1)") == instructions);
+}
+
+TEST_CASE("memory has an end that nothing swallows") {
+  const std::string memory = "needed more than 256 MiB of memory";
+  const std::string grow = "local t = {}\nfor i = 1, 1e9 do t[i] = ('x'):rep(1000) .. i end";
+  CHECK(failure(grow) == memory);
+  CHECK(failure("while true do pcall(function() " + grow + " end) end") == memory);
+  CHECK(failure("local f = function() " + grow + " end\nwhile true do pcall(coroutine.wrap(f)) end") == memory);
+}
