@@ -25,8 +25,10 @@ struct State {
         w_max(std::max(std::abs(w), std::abs(hull.motion.spin(end)))) {}
 };
 
-/// The time until gap + slope t - bend t^2 / 2 is zero, for gap > 0 or a pair that has just separated.
-double safe_time(double gap, double slope, double bend, double least_gap) {
+/// The time until gap + slope t - bend t^2 / 2 is zero, for gap > 0 or a pair that has just separated. A direction
+/// along which the pair overlaps deeply separates nothing, however fast it opens.
+double safe_time(double gap, double slope, double bend, double least_gap, double deep) {
+  if (gap < -deep) return 0;
   if (gap <= least_gap) {
     if (slope < 0) return 0;
     return bend > 0 ? 2 * slope / bend : forever;
@@ -39,7 +41,7 @@ double safe_time(double gap, double slope, double bend, double least_gap) {
 class Search {
  public:
   Search(const MovingHull& a, const MovingHull& b, double end, const TouchSearch& search)
-      : a_(a), b_(b), end_(end), search_(search), least_gap_(1e-12 * search.size) {}
+      : a_(a), b_(b), end_(end), search_(search), least_gap_(1e-12 * search.size), deep_(1e-3 * search.size) {}
 
   std::optional<double> run(double t) {
     Direction direction;
@@ -106,7 +108,7 @@ class Search {
         bend += relative_acceleration.norm() + 2 * sr.w_max * speed +
                 (sr.w_max * sr.w_max + std::abs(reference.motion.alpha)) * (lever + speed * horizon);
       }
-      const double time = safe_time(gap, slope, bend, least_gap_);
+      const double time = safe_time(gap, slope, bend, least_gap_, deep_);
       // The horizon ends the bound's validity, not the search, unless it reaches the end of the window.
       least = std::min(least, time >= horizon ? (horizon >= end_ - t ? forever : horizon) : time);
     }
@@ -126,7 +128,7 @@ class Search {
         const double slope = d.dot(sa.v + cross(sa.w, ra) - sb.v - cross(sb.w, rb));
         const double bend = along + (sa.w_max * sa.w_max + std::abs(a_.motion.alpha)) * ra.norm() +
                             (sb.w_max * sb.w_max + std::abs(b_.motion.alpha)) * rb.norm();
-        least = std::min(least, safe_time(gap, slope, bend, least_gap_));
+        least = std::min(least, safe_time(gap, slope, bend, least_gap_, deep_));
       }
     }
     return least;
@@ -171,6 +173,7 @@ class Search {
   double end_;
   const TouchSearch& search_;
   double least_gap_;
+  double deep_;  ///< contacts that have just opened overlap by far less
 };
 
 }  // namespace
