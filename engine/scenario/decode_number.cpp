@@ -41,11 +41,13 @@ bool has_leading_zero(const Value& value) {
   return text.size() > 1 && text[0] == '0' && text[1] >= '0' && text[1] <= '9';
 }
 
-std::string quantity_fault(const Value& value, const QuantityError& error, const std::string& expected) {
+std::string quantity_fault(const Value& value, const QuantityError& error, const Dimension& dimension,
+                           const std::string& expected) {
   if (has_leading_zero(value)) return leading_zero_fault(*value.text());
   if (error.unit_text.empty()) return fmt::format("expected {}, found {}", expected, shown(value));
-  const std::string nearest = error.nearest.empty() ? "" : fmt::format(", did you mean `{}`?", error.nearest);
-  return fmt::format("unknown unit `{}` in {}{}", error.unit_text, shown(value), nearest);
+  const std::string hint = error.nearest.empty() ? ", expected a unit like " + si_unit(dimension)
+                                                 : fmt::format(", did you mean `{}`?", error.nearest);
+  return fmt::format("unknown unit `{}` in {}{}", error.unit_text, shown(value), hint);
 }
 
 /// The unit that messages about a parameter use: the declared one.
@@ -131,7 +133,7 @@ std::optional<double> decode_quantity(DecodeContext& context, const Node& node, 
     QuantityError error;
     const std::optional<Quantity> quantity = parse_quantity(*text, &error);
     if (!quantity || !quantity->has_unit)  // a bare number in quotes is text
-      node.error(context.diagnostics, quantity_fault(value, error, expected));
+      node.error(context.diagnostics, quantity_fault(value, error, dimension, expected));
     else if (const std::string fault = dimension_fault(*quantity, dimension); !fault.empty())
       node.error(context.diagnostics, fault);
     else

@@ -28,8 +28,8 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& ca
 }
 
 std::string shown(const Value& value) {
-  if (const std::string* text = value.text()) return "`" + *text + "`";
-  if (const double* number = value.number()) return "`" + shortest(*number) + "`";
+  if (const std::string* text = value.text()) return fmt::format("`{}`", *text);
+  if (const double* number = value.number()) return fmt::format("`{}`", shortest(*number));
   if (const bool* boolean = value.boolean()) return *boolean ? "`true`" : "`false`";
   return value.kind();
 }

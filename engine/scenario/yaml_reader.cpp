@@ -94,6 +94,7 @@ class TreeBuilder : public YAML::EventHandler {
   void take_key(const Value& key);
   void add_entry(Open& map, Value value);
   std::string path_of(const std::string& key) const;
+  std::string pending_key() const { return open_.empty() || !open_.back().has_key ? std::string() : open_.back().key; }
 
   std::shared_ptr<const Source> source_;
   Diagnostics& diagnostics_;
@@ -130,7 +131,7 @@ Value TreeBuilder::resolve(const YAML::Mark& mark, const std::string& text) {
   if (text == "true" || text == "false") return make(text == "true", mark);
   if (std::optional<double> number = parse_number(text)) return make(*number, mark);
   for (const char* special : {".nan", ".NaN", ".NAN", ".inf", ".Inf", ".INF", "+.inf", "-.inf", "-.Inf", "-.INF"})
-    if (text == special) diagnostics_.error(locate(mark), "", fmt::format("`{}` is not a finite number", text));
+    if (text == special) diagnostics_.error(locate(mark), path_of(pending_key()), fmt::format("`{}` is not a finite number", text));
   Value value = make(text, mark);
   value.leading_zero = has_leading_zero(text);
   return value;
@@ -229,6 +230,12 @@ bool has_tab_indentation(const std::shared_ptr<const Source>& source, Diagnostic
   return found;
 }
 
+/// `{ measure: body.ball.impact[1].time }` is not YAML, and nothing in the parser's message says why.
+std::string bracket_hint(const std::string& message) {
+  if (message != YAML::ErrorMsg::END_OF_MAP_FLOW && message != YAML::ErrorMsg::END_OF_SEQ_FLOW) return {};
+  return " (a closing bracket is missing, or text with brackets or commas inside a bracket needs quotes)";
+}
+
 }  // namespace
 
 std::optional<Value> read_yaml(const std::string& text, const std::string& name, Diagnostics& diagnostics) {
@@ -246,7 +253,7 @@ std::optional<Value> read_yaml(const std::string& text, const std::string& name,
       found.error(second.take().at, "", "a second document: a scenario is one document");
     if (!found.has_errors()) return root;
   } catch (const YAML::Exception& exception) {
-    found.error(builder.locate(exception.mark), "", "not YAML: " + exception.msg);
+    found.error(builder.locate(exception.mark), "", "not YAML: " + exception.msg + bracket_hint(exception.msg));
   }
   for (const Diagnostic& diagnostic : found.all())
     diagnostics.error(diagnostic.at, diagnostic.path, diagnostic.text);

@@ -1,0 +1,86 @@
+// Malformed scenarios: each file of tests/scenarios/bad gives exactly the text of its .expect.
+
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "batch/load.h"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Scenarios are named as they are from their folder, so that the texts hold no folder of a machine.
+struct InFolder {
+  fs::path before = fs::current_path();
+  explicit InFolder(const fs::path& folder) { fs::current_path(folder); }
+  ~InFolder() { fs::current_path(before); }
+};
+
+std::vector<fs::path> files(const fs::path& folder, const std::string& extension) {
+  std::vector<fs::path> list;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == extension) list.push_back(entry.path());
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+}  // namespace
+
+TEST_CASE("malformed scenarios give their exact error texts") {
+  const fs::path folder = fs::path(FLYROCK_SOURCE_DIR) / "tests/scenarios/bad";
+  const InFolder inside(folder);
+  // FLYROCK_UPDATE_EXPECT=1 writes the texts anew; look at the difference before it is committed.
+  const bool update = std::getenv("FLYROCK_UPDATE_EXPECT") != nullptr;
+  const std::vector<fs::path> scenarios = files(folder, ".yaml");
+  REQUIRE(scenarios.size() >= 20);
+  for (const fs::path& path : scenarios) {
+    flyrock::Diagnostics diagnostics;
+    const auto loaded = flyrock::load_scenario(path.filename().string(), {}, diagnostics);
+    const fs::path expect = fs::path(path).replace_extension(".expect");
+    INFO(path.filename());
+    CHECK_FALSE(loaded);
+    if (update) std::ofstream(expect) << diagnostics.to_text();
+    CHECK(diagnostics.to_text() == read(expect));
+  }
+}
+
+TEST_CASE("shipped scenarios load, and what they resolve to loads as the same plan") {
+  for (const char* folder : {"scenarios/course", "scenarios/ninh_dan"}) {
+    const fs::path path = fs::path(FLYROCK_SOURCE_DIR) / folder;
+    for (const fs::path& scenario : files(path, ".yaml")) {
+      INFO(scenario);
+      flyrock::Diagnostics diagnostics;
+      const auto loaded = flyrock::load_scenario(scenario.string(), {}, diagnostics);
+      INFO(diagnostics.to_text());
+      REQUIRE(loaded);
+      const std::string resolved = to_yaml(loaded->plan.resolved);
+      const fs::path copy = fs::temp_directory_path() / "flyrock_resolved.yaml";
+      std::ofstream(copy) << resolved;
+      const auto again = flyrock::load_scenario(copy.string(), {}, diagnostics);
+      INFO(resolved << diagnostics.to_text());
+      REQUIRE(again);
+      CHECK(to_yaml(again->plan.resolved) == resolved);
+    }
+  }
+}
+
+TEST_CASE("the Lua twin of a scenario resolves to the same bytes") {
+  const std::string stem = FLYROCK_SOURCE_DIR "/scenarios/ninh_dan/benches_2d";
+  flyrock::Diagnostics diagnostics;
+  const auto yaml = flyrock::load_scenario(stem + ".yaml", {}, diagnostics);
+  const auto lua = flyrock::load_scenario(stem + ".lua", {}, diagnostics);
+  INFO(diagnostics.to_text());
+  REQUIRE(yaml);
+  REQUIRE(lua);
+  CHECK(to_json(lua->plan.resolved) == to_json(yaml->plan.resolved));
+  CHECK(lua->plan.not_used == yaml->plan.not_used);
+}
