@@ -1,0 +1,179 @@
+#include "batch/trial.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "flight/run.h"
+
+namespace flyrock {
+
+namespace {
+
+constexpr std::size_t most_notes = 20;
+constexpr std::uint64_t samples = 3;
+
+// Phases are timed in every 16th trial: reading the clock costs as much as a tenth of a step.
+constexpr std::uint64_t timed_every = 16;
+
+/// States of a contact as laws meet them: a slow, an oblique and a fast impact.
+std::array<ContactState, samples> sampled_contacts() {
+  std::array<ContactState, samples> states;
+  const double approach[] = {0.1, 3, 20}, slip[] = {0.5, 8, 1};
+  for (std::size_t i = 0; i < samples; ++i) {
+    ContactState& s = states[i];
+    s.approach_speed = approach[i];
+    s.slip_speed = slip[i];
+    s.impact_angle = std::atan2(s.approach_speed, s.slip_speed);
+    s.mass = 500;
+    s.effective_mass = 300;
+    s.radius = 0.3;
+    s.spin = 2;
+    s.kinetic_energy = 0.5 * s.mass * (s.approach_speed * s.approach_speed + s.slip_speed * s.slip_speed);
+    s.impact_number = 1;
+    s.group_a = "rock";
+    s.group_b = "terrain";
+  }
+  return states;
+}
+
+}  // namespace
+
+TrialRunner::TrialRunner(const Scenario& scenario) : scenario_(scenario), builder_(scenario) { sample(); }
+
+/// Laws on sampled contacts; shapes, populations, launches and the terrain by building the first trials.
+void TrialRunner::sample() {
+  for (std::size_t m = 0; m < scenario_.materials.size(); ++m) {
+    const Material& material = scenario_.materials[m];
+    const MaterialLaws& laws = builder_.instances().materials[m];
+    const auto states = sampled_contacts();
+    for (std::uint64_t i = 0; i < samples; ++i) {
+      ContactState state = states[i];
+      state.material = material.name;
+      const DrawKey key{i, 1, 1, 1};
+      if (laws.restitution)
+        check_answer(*laws.restitution, laws.restitution->impact(values_of(*material.restitution, scenario_, key), state));
+      if (laws.friction)
+        check_answer(*laws.friction, laws.friction->friction(values_of(*material.friction, scenario_, key), state));
+      if (laws.rolling)
+        check_rolling(*laws.rolling, laws.rolling->rolling(values_of(*material.rolling, scenario_, key), state));
+      if (laws.unilateral) laws.unilateral->condition(values_of(*material.unilateral, scenario_, key), state);
+    }
+  }
+  for (std::uint64_t trial = 0; trial < std::min(samples, scenario_.trials); ++trial) {
+    const Trial built = builder_.build(trial);
+    for (const TrialRock& rock : built.rocks)
+      if (!rock.fault.empty()) throw PluginError(rock.fault);
+  }
+}
+
+void TrialRunner::fail_trial(std::uint64_t trial, const std::string& fault, TrialRecords& out) const {
+  RockRecord row;
+  row.trial = trial;
+  row.reason = StopReason::plugin_error;
+  row.fault = fault;
+  out.rocks.push_back(row);
+}
+
+void TrialRunner::run(std::uint64_t number, TrialRecords& out) {
+  out.materials.resize(scenario_.materials.size());
+  Trial trial;
+  try {
+    trial = builder_.build(number);
+  } catch (const PluginError& error) {
+    return fail_trial(number, error.what(), out);
+  }
+  const bool stores = number < static_cast<std::uint64_t>(scenario_.output.trajectories_first);
+  RunSettings settings;
+  settings.exact_flight = scenario_.solver.flight == FlightMode::exact;
+  settings.stop_time = scenario_.stop.time;
+  settings.stop_speed = scenario_.stop.speed;
+  settings.trajectory_every = stores ? scenario_.output.trajectories_every : 0;
+  settings.keep_impacts = scenario_.output.impacts || !scenario_.bodies.empty();
+
+  const bool timed = number % timed_every == 0;
+  const auto start = std::chrono::steady_clock::now();
+  PhaseTimes times;
+  std::vector<std::vector<BodyHistory>> histories(trial.worlds.size());
+  std::vector<std::string> faults(trial.worlds.size());
+  for (std::size_t w = 0; w < trial.worlds.size(); ++w) {
+    World<2>& world = trial.worlds[w];
+    if (timed) world.clock = &times;
+    try {
+      flyrock::run(world, settings, histories[w]);
+    } catch (const PluginError& error) {
+      faults[w] = error.what();
+    }
+    out.quality.add(world.quality());
+  }
+  if (timed) {
+    const std::int64_t all = (std::chrono::steady_clock::now() - start).count();
+    times.other = all - times.flight - times.detect - times.solve;
+    out.times.add(times);
+  }
+
+  for (std::size_t i = 0; i < trial.rocks.size(); ++i) {
+    TrialRock& rock = trial.rocks[i];
+    BodyHistory history;
+    const World<2>* world = nullptr;
+    if (rock.world >= 0) {
+      world = &trial.worlds[rock.world];
+      history = histories[rock.world][rock.body];
+      if (!faults[rock.world].empty()) rock.fault = faults[rock.world];
+    }
+    record(number, static_cast<int>(i), rock, world, history, out);
+    if (!rock.note.empty() && out.notes.size() < most_notes &&
+        std::find(out.notes.begin(), out.notes.end(), rock.note) == out.notes.end())
+      out.notes.push_back(rock.note);
+  }
+  for (std::size_t s = 0; s < trial.surfaces.size(); ++s) out.materials[trial.surface_material[s]].add(trial.surfaces[s].use);
+  if (!scenario_.bodies.empty()) out.bodies = histories.front();
+}
+
+void TrialRunner::record(std::uint64_t trial, int index, const TrialRock& rock, const World<2>* world,
+                         const BodyHistory& history, TrialRecords& out) const {
+  RockRecord row;
+  row.trial = trial;
+  row.rock = index;
+  row.group = rock.group;
+  row.launch_speed = rock.launch_speed;
+  row.launch_elevation = rock.launch_elevation;
+  row.reason = rock.fault.empty() ? history.reason : StopReason::plugin_error;
+  row.fault = rock.fault.empty() ? history.fault : rock.fault;
+  row.censored = row.reason == StopReason::left_domain || row.reason == StopReason::timed_out;
+  if (world) {
+    const Body<2>& body = world->bodies[rock.body];
+    row.mass = body.mass;
+    row.volume = body.volume;
+    row.runout = std::abs(history.last.position.x() - history.first.position.x());
+    row.max_distance = history.max_distance;
+    row.stop_x = history.last.position.x();
+    row.stop_y = history.last.position.y();
+    row.flight_range = history.flight_range;
+    row.bounce_height = history.bounce_height;
+    row.max_speed = history.max_speed;
+    row.max_energy = history.max.kinetic_energy;
+    row.impacts = history.impact_count;
+    row.time = history.last.time;
+    if (scenario_.output.impacts)
+      for (const Impact& impact : history.impacts) out.impacts.push_back({trial, index, impact});
+    for (const TrajectoryPoint& point : history.trajectory) out.trajectories.push_back({trial, index, point});
+  }
+  out.rocks.push_back(row);
+  record_inputs(trial, index, rock, out);
+}
+
+/// Every draw that concerns the rock: all but those of other groups, and those per impact.
+void TrialRunner::record_inputs(std::uint64_t trial, int index, const TrialRock& rock, TrialRecords& out) const {
+  const std::string own = scenario_.bodies.empty() ? "rocks." + scenario_.rocks[rock.group].name + "."
+                                                   : "bodies." + scenario_.bodies[rock.group].name + ".";
+  for (std::size_t d = 0; d < scenario_.draws.size(); ++d) {
+    const Draw& draw = scenario_.draws[d];
+    if (draw.scope == Scope::impact) continue;
+    const bool of_a_group = draw.stream.starts_with("rocks.") || draw.stream.starts_with("bodies.");
+    if (of_a_group && !draw.stream.starts_with(own)) continue;
+    out.inputs.push_back({trial, index, static_cast<int>(d), draw.value(scenario_.seed, rock.key)});
+  }
+}
+
+}  // namespace flyrock

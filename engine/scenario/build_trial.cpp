@@ -1,0 +1,282 @@
+#include "scenario/build_trial.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scenario/place_rock.h"
+
+namespace flyrock {
+
+namespace {
+
+template <class LawKind>
+void bind(BoundLaw<LawKind>& bound, const std::unique_ptr<LawKind>& law, const std::optional<PluginUse>& use,
+          const Scenario& scenario, const DrawKey& key) {
+  if (!law) return;
+  bound.law = law.get();
+  bound.values = values_of(*use, scenario, key);
+  for (std::size_t slot = 0; slot < use->slots.size(); ++slot) {
+    const Number& number = use->slots[slot];
+    if (!number.is_constant() && scenario.draws[number.draw].scope == Scope::impact)
+      bound.per_impact.push_back({static_cast<int>(slot), &scenario.draws[number.draw]});
+  }
+}
+
+/// A rock that starts deeper than this share of its size inside the ground or another rock is refused.
+constexpr double most_overlap = 1e-6;
+
+void check_start(World<2>& world) {
+  double size = 0;
+  for (const Body<2>& body : world.bodies)
+    if (body.moves()) size = std::max(size, body.size);
+  if (const double depth = world.deepest_overlap(); depth > most_overlap * size)
+    throw PluginError(fmt::format("it starts {:.3g} m inside the terrain or another body", depth));
+}
+
+}  // namespace
+
+TrialBuilder::TrialBuilder(const Scenario& scenario) : scenario_(scenario), instances_(scenario) {}
+
+WorldSettings TrialBuilder::world_settings() const {
+  const SolverPlan& solver = scenario_.solver;
+  return {solver.time_step, solver.theta, solver.tolerance, solver.max_iterations, solver.rest_speed};
+}
+
+std::shared_ptr<const Terrain2> TrialBuilder::terrain_of(std::uint64_t trial) {
+  if (kept_terrain_) return kept_terrain_;
+  const PluginUse& model = scenario_.terrain.model;
+  DrawKey key;
+  key.trial = trial;
+  RandomStream rng(scenario_.seed, "terrain", {});  // a terrain plugin draws once a run
+  Profile profile = instances_.terrain->build(values_of(model, scenario_, key), rng);
+  if (const std::string fault = profile.fault(); !fault.empty())
+    throw PluginError(fmt::format("plugin {}: build() returned a poly-line that is no profile: {}",
+                                  model.plugin->spec.name, fault));
+  auto terrain = std::make_shared<const Terrain2>(with_zones(std::move(profile), scenario_.terrain.zones));
+  if (std::all_of(model.slots.begin(), model.slots.end(), [](const Number& n) { return n.is_constant(); }))
+    kept_terrain_ = terrain;
+  return terrain;
+}
+
+Blast TrialBuilder::blast_at(const DrawKey& key) const {
+  Blast blast;
+  if (!scenario_.blast) return blast;
+  for (const auto& [field, value] : scenario_.blast->fields) blast[field] = number(value, key);
+  blast.is_anfo = scenario_.blast->is_anfo;
+  return blast;
+}
+
+Surface* TrialBuilder::surface(Trial& trial, int material, const DrawKey& key) {
+  const Material& plan = scenario_.materials[material];
+  const MaterialLaws& laws = instances_.materials[material];
+  Surface& surface = trial.surfaces.emplace_back();
+  trial.surface_material.push_back(material);
+  surface.material = plan.name;
+  surface.seed = scenario_.seed;
+  surface.key = key;
+  bind(surface.restitution, laws.restitution, plan.restitution, scenario_, key);
+  bind(surface.friction, laws.friction, plan.friction, scenario_, key);
+  bind(surface.rolling, laws.rolling, plan.rolling, scenario_, key);
+  bind(surface.unilateral, laws.unilateral, plan.unilateral, scenario_, key);
+  return &surface;
+}
+
+/// `pairs` decides; else two that show the same material use it.
+int TrialBuilder::material_between(const std::string& a, int material_a, const std::string& b, int material_b) const {
+  for (const PairPlan& pair : scenario_.pairs)
+    if ((pair.a == a && pair.b == b) || (pair.a == b && pair.b == a)) return pair.material;
+  if (material_a >= 0 && material_a == material_b) return material_a;
+  throw PluginError(fmt::format("`{}` and `{}` can meet, and nothing says how: give both the same `material`, or a "
+                                "`pairs` entry `{{ between: [{}, {}], material: ... }}`",
+                                a, b, a, b));
+}
+
+int TrialBuilder::material_of_part(const std::string& name, const std::string& part) const {
+  for (const std::string& terrain : {"terrain." + part, std::string("terrain")})
+    for (const PairPlan& pair : scenario_.pairs)
+      if ((pair.a == name && pair.b == terrain) || (pair.b == name && pair.a == terrain)) return pair.material;
+  const auto& materials = scenario_.terrain.material_of_part;
+  if (const auto found = materials.find(part); found != materials.end()) return found->second;
+  if (const auto one = materials.find(""); one != materials.end()) return one->second;
+  return -1;
+}
+
+/// Gives every body of a world its surfaces: with each part of the terrain, and with every other body.
+void TrialBuilder::connect(Trial& trial, World<2>& world, const std::vector<DrawKey>& keys,
+                           const std::vector<std::string>& names, const std::vector<int>& materials) {
+  const auto& parts = trial.terrain->profile().parts;
+  const int bodies = static_cast<int>(world.bodies.size());
+  for (int i = 0; i < bodies; ++i) {
+    std::vector<Surface*> of_material(scenario_.materials.size(), nullptr);
+    const auto own = [&](int material) {
+      if (!of_material[material]) of_material[material] = surface(trial, material, keys[i]);
+      return of_material[material];
+    };
+    for (std::size_t part = 0; part < parts.size(); ++part)
+      if (const int material = material_of_part(names[i], parts[part]); material >= 0)
+        world.set_terrain_surface(i, static_cast<int>(part), own(material));
+    for (int j = i + 1; j < bodies; ++j)
+      if (world.bodies[i].moves() || world.bodies[j].moves())
+        world.set_pair_surface(i, j, own(material_between(names[i], materials[i], names[j], materials[j])));
+  }
+}
+
+Trial TrialBuilder::build(std::uint64_t number_of_trial) {
+  Trial trial;
+  trial.terrain = terrain_of(number_of_trial);
+  if (scenario_.bodies.empty())
+    build_rocks(trial, number_of_trial);
+  else
+    build_bodies(trial, number_of_trial);
+  return trial;
+}
+
+/// Shape, mass, pose and launch of one rock.
+Body<2> TrialBuilder::rock_body(const RockPlan& plan, int g, TrialRock& rock, const Profile& profile) {
+  const RockGroup& group = scenario_.rocks[g];
+  const GroupModels& models = instances_.groups[g];
+  const std::string stream = "rocks." + group.name;
+  std::vector<Contactor2> contactors = plan.contactors;
+  if (contactors.empty()) {
+    RandomStream rng(scenario_.seed, stream + ".shape", rock.key);
+    contactors = models.shape->build(values_of(*group.shape, scenario_, rock.key), rng);
+  }
+  const double mass = group.mass ? number(*group.mass, rock.key) : 0;
+  const double density = group.mass ? 0 : number(group.density, rock.key);
+  Body<2> body = make_body(std::move(contactors), density, mass, group.thickness ? number(*group.thickness, rock.key) : 0);
+  body.group = group.name;
+
+  RandomStream turn(scenario_.seed, stream + ".orientation", rock.key);
+  const double angle = plan.angle          ? *plan.angle
+                       : group.orientation ? number(*group.orientation, rock.key)
+                                           : turn.uniform(0, 2 * pi);
+  body.move_to(Vec2::Zero(), angle);
+  RandomStream where(scenario_.seed, stream + ".release", rock.key);
+  Place place;
+  if (plan.position)
+    place.position = *plan.position;
+  else if (group.release)
+    place = place_rock(*group.release, scenario_, rock.key, where, body, profile);
+  else
+    throw PluginError(fmt::format("rocks.{}: neither the population nor `release` says where a rock starts", group.name));
+  body.move_to(place.position, angle);
+
+  if (models.launch) {
+    RockView view;
+    view.mass = body.mass;
+    view.volume = body.volume;
+    view.density = body.mass / body.volume;
+    view.diameter = 2 * body.radius;
+    view.position.head<2>() = body.x;
+    view.outward = place.outward;
+    view.face_angle = place.face_angle;
+    view.group = group.name;
+    RandomStream rng(scenario_.seed, stream + ".launch", rock.key);
+    const Launch launch = models.launch->launch(values_of(*group.launch, scenario_, rock.key), view, blast_at(rock.key), rng);
+    if (!launch.velocity.allFinite() || !launch.spin.allFinite())
+      throw PluginError(fmt::format("plugin {}: launch() returned a velocity or spin that is not finite",
+                                    group.launch->plugin->spec.name));
+    body.v = launch.velocity.head<2>();
+    body.w = launch.spin.z();
+    rock.note = launch.note;
+    rock.launch_speed = body.v.norm();
+    if (rock.launch_speed > 0) rock.launch_elevation = std::atan2(body.v.y(), body.v.x() * place.outward.x());
+  }
+  return body;
+}
+
+void TrialBuilder::build_rocks(Trial& trial, std::uint64_t number_of_trial) {
+  const Profile& profile = trial.terrain->profile();
+  const auto holes = static_cast<std::uint64_t>(scenario_.blast ? scenario_.blast->holes : 1);
+  DrawKey of_trial;
+  of_trial.trial = number_of_trial;
+  const Vec2 gravity(0, -number(scenario_.gravity, of_trial));
+
+  std::vector<DrawKey> keys;
+  std::vector<std::string> names;
+  std::vector<int> materials;
+  std::uint64_t count = 0;
+  for (int g = 0; g < static_cast<int>(scenario_.rocks.size()); ++g) {
+    const RockGroup& group = scenario_.rocks[g];
+    RandomStream rng(scenario_.seed, "rocks." + group.name + ".population", of_trial);
+    DrawKey first_hole = of_trial;
+    first_hole.hole = 1;
+    const auto plans = instances_.groups[g].population->rocks(values_of(group.population, scenario_, of_trial), profile,
+                                                               blast_at(first_hole), rng);
+    for (const RockPlan& plan : plans) {
+      TrialRock& rock = trial.rocks.emplace_back();
+      rock.group = g;
+      rock.key = {number_of_trial, 1 + count % holes, 1 + count, 0};
+      ++count;
+      try {
+        Body<2> body = rock_body(plan, g, rock, profile);
+        if (trial.worlds.empty() || !scenario_.rock_contacts)
+          trial.worlds.emplace_back(*trial.terrain, gravity, world_settings());
+        rock.body = trial.worlds.back().add(std::move(body));
+        rock.world = static_cast<int>(trial.worlds.size()) - 1;
+        if (scenario_.rock_contacts) {
+          keys.push_back(rock.key);
+          names.push_back(group.name);
+          materials.push_back(group.material);
+        } else {
+          connect(trial, trial.worlds.back(), {rock.key}, {group.name}, {group.material});
+          check_start(trial.worlds.back());
+        }
+      } catch (const PluginError& error) {
+        rock.world = -1;
+        rock.fault = error.what();
+      }
+    }
+  }
+  if (scenario_.rock_contacts && !trial.worlds.empty()) {
+    connect(trial, trial.worlds.back(), keys, names, materials);
+    check_start(trial.worlds.back());
+  }
+}
+
+void TrialBuilder::build_bodies(Trial& trial, std::uint64_t number_of_trial) {
+  DrawKey of_trial;
+  of_trial.trial = number_of_trial;
+  World<2>& world = trial.worlds.emplace_back(*trial.terrain, Vec2(0, -number(scenario_.gravity, of_trial)), world_settings());
+  std::vector<DrawKey> keys;
+  std::vector<std::string> names;
+  std::vector<int> materials;
+  for (int i = 0; i < static_cast<int>(scenario_.bodies.size()); ++i) {
+    const BodyPlan& plan = scenario_.bodies[i];
+    TrialRock rock;
+    rock.group = i;
+    rock.key = {number_of_trial, 0, static_cast<std::uint64_t>(i) + 1, 0};
+    const auto value = [&](const Number& n) { return number(n, rock.key); };
+    RandomStream rng(scenario_.seed, "bodies." + plan.name + ".shape", rock.key);
+    Body<2> body = make_body(instances_.bodies[i]->build(values_of(plan.shape, scenario_, rock.key), rng),
+                             plan.density ? value(*plan.density) : 0, plan.mass ? value(*plan.mass) : 0,
+                             plan.thickness ? value(*plan.thickness) : 0);
+    body.group = plan.name;
+    body.move_to({value(plan.position[0]), value(plan.position[1])}, value(plan.orientation));
+    if (!plan.velocity.empty()) body.v = {value(plan.velocity[0]), value(plan.velocity[1])};
+    body.w = value(plan.spin);
+    if (plan.fixed) {
+      body.kind = BodyKind::fixed;
+      body.v.setZero();
+      body.w = 0;
+    } else if (plan.driven) {
+      body.kind = BodyKind::driven;
+      body.v = {plan.driven->first[0], plan.driven->first[1]};
+      body.w = plan.driven->second;
+    }
+    rock.launch_speed = body.v.norm();
+    if (rock.launch_speed > 0) rock.launch_elevation = std::atan2(body.v.y(), body.v.x());
+    rock.world = 0;
+    rock.body = world.add(std::move(body));
+    keys.push_back(rock.key);
+    names.push_back(plan.name);
+    materials.push_back(plan.material);
+    if (world.bodies.back().kind == BodyKind::dynamic) trial.rocks.push_back(rock);
+  }
+  connect(trial, world, keys, names, materials);
+  check_start(world);
+}
+
+}  // namespace flyrock

@@ -1,0 +1,116 @@
+#include "scenario/place_rock.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace flyrock {
+
+namespace {
+
+Place on_face(int bench, const Body<2>& rock, const Profile& profile, RandomStream& rng) {
+  if (bench < 1 || bench > static_cast<int>(profile.faces.size()))
+    throw PluginError(fmt::format("release: bench {} does not exist, the terrain has {} bench faces", bench,
+                                  profile.faces.size()));
+  const auto& [toe, crest] = profile.faces[bench - 1];
+  const Vec2 up = (crest - toe).normalized();
+  const Vec2 out(up.y(), -up.x());
+  double low = 1e300, high = -1e300, depth = 1e300;
+  for (const Contactor2& contactor : rock.contactors) {
+    for (const Vec2& local : contactor.points) {
+      const Vec2 p = rock.rotation * local;
+      low = std::min(low, p.dot(up) - contactor.radius);
+      high = std::max(high, p.dot(up) + contactor.radius);
+      depth = std::min(depth, p.dot(out) - contactor.radius);
+    }
+  }
+  const double room = (crest - toe).norm() - (high - low);
+  if (room < 0)
+    throw PluginError(fmt::format("release: a rock {:.3g} m long does not fit on the face of bench {}, {:.3g} m long",
+                                  high - low, bench, (crest - toe).norm()));
+  Place place;
+  place.position = toe + (rng.uniform() * room - low) * up - depth * out;
+  place.outward = {out.x() < 0 ? -1.0 : 1.0, 0, 0};
+  place.face_angle = std::atan2(up.y(), std::abs(up.x()));
+  return place;
+}
+
+Vec2 along(const std::vector<Vec2>& points, RandomStream& rng) {
+  double length = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
+  double left = rng.uniform() * length;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double part = (points[i] - points[i - 1]).norm();
+    if (left <= part || i + 1 == points.size())
+      return points[i - 1] + std::min(1.0, left / part) * (points[i] - points[i - 1]);
+    left -= part;
+  }
+  return points.front();
+}
+
+/// Uniform over a convex polygon: a triangle of the fan by its area, then a point in it.
+Vec2 inside(const std::vector<Vec2>& points, RandomStream& rng) {
+  const auto area = [&](std::size_t i) { return std::abs(cross(Vec2(points[i] - points[0]), Vec2(points[i + 1] - points[0]))); };
+  double total = 0;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) total += area(i);
+  double left = rng.uniform() * total;
+  std::size_t triangle = 1;
+  while (triangle + 2 < points.size() && left > area(triangle)) left -= area(triangle++);
+  double u = rng.uniform(), v = rng.uniform();
+  if (u + v > 1) u = 1 - u, v = 1 - v;
+  return points[0] + u * (points[triangle] - points[0]) + v * (points[triangle + 1] - points[0]);
+}
+
+}  // namespace
+
+Place place_rock(const Release& release, const Scenario& scenario, const DrawKey& key, RandomStream& rng,
+                 const Body<2>& rock, const Profile& profile) {
+  const auto number = [&](const Number& n) { return n.value(scenario.draws, scenario.seed, key); };
+  Place place;
+  switch (release.kind) {
+    case ReleaseKind::face:
+      return on_face(release.bench, rock, profile, rng);
+    case ReleaseKind::above_ground: {
+      const double x = number(release.x);
+      if (x < profile.x_min() || x > profile.x_max())
+        throw PluginError(fmt::format("release: x = {:.6g} m lies beyond the terrain, from {:.6g} to {:.6g} m", x,
+                                      profile.x_min(), profile.x_max()));
+      place.position = {x, profile.height(x) + number(release.above_ground)};
+      break;
+    }
+    case ReleaseKind::position:
+      place.position = {number(release.position[0]), number(release.position[1])};
+      break;
+    case ReleaseKind::along:
+      place.position = along(release.points, rng);
+      break;
+    case ReleaseKind::inside:
+      place.position = inside(release.points, rng);
+      break;
+  }
+  return place;
+}
+
+Profile with_zones(Profile profile, const std::vector<Zone>& zones) {
+  for (const Zone& zone : zones) {
+    const int part = static_cast<int>(profile.parts.size());
+    profile.parts.push_back(zone.name);
+    for (const double x : {zone.from, zone.to}) {
+      for (int i = 0; i < profile.segments(); ++i) {
+        const Vec2 a = profile.points[i], b = profile.points[i + 1];
+        if (x <= a.x() || x >= b.x()) continue;
+        profile.points.insert(profile.points.begin() + i + 1, a + (x - a.x()) / (b.x() - a.x()) * (b - a));
+        profile.part.insert(profile.part.begin() + i, profile.part[i]);
+        break;
+      }
+    }
+    for (int i = 0; i < profile.segments(); ++i) {
+      const double middle = 0.5 * (profile.points[i].x() + profile.points[i + 1].x());
+      if (middle > zone.from && middle < zone.to) profile.part[i] = part;
+    }
+  }
+  return profile;
+}
+
+}  // namespace flyrock
