@@ -59,8 +59,14 @@ Row solve_rolling(const Problem::Contact& c, const Row& b) {
     for (const int roll : states) {
       Block m = c.w;
       Row rhs = -b;
-      if (slide != 0) m.row(1) << slide * c.mu, 1, 0, rhs[1] = 0;
-      if (roll != 0) m.row(2) << roll * c.mu_r, 0, 1, rhs[2] = 0;
+      if (slide != 0) {
+        m.row(1) << slide * c.mu, 1, 0;
+        rhs[1] = 0;
+      }
+      if (roll != 0) {
+        m.row(2) << roll * c.mu_r, 0, 1;
+        rhs[2] = 0;
+      }
       const double scale = m.row(0).norm() * m.row(1).norm() * m.row(2).norm();
       Block inverse;
       double determinant;
