@@ -41,7 +41,7 @@ double safe_time(double gap, double slope, double bend, double least_gap, double
 class Search {
  public:
   Search(const MovingHull& a, const MovingHull& b, double end, const TouchSearch& search)
-      : a_(a), b_(b), end_(end), search_(search), least_gap_(1e-12 * search.size), deep_(1e-3 * search.size) {}
+      : a_(a), b_(b), end_(end), search_(search), least_gap_(1e-12 * search.size), deep_(1e-5 * search.size) {}
 
   std::optional<double> run(double t) {
     Direction direction;

@@ -1,0 +1,50 @@
+# make demo: the Ninh Dan blast and its report.   make test: the tests.   make help: the rest.
+
+# The one list of Debian packages; `deps` installs what is missing.
+PACKAGES := g++ cmake ninja-build libeigen3-dev libyaml-cpp-dev liblua5.4-dev libboost-dev \
+  libboost-program-options-dev libboost-math-dev librandom123-dev \
+  nlohmann-json3-dev libfmt-dev catch2 npm
+SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
+JOBS := $(shell nproc)
+PLOTLY := node_modules/plotly.js-cartesian-dist-min/plotly-cartesian.min.js
+
+help:
+	@echo "make demo   build, run the Ninh Dan blast (1000 trials) and say where its report is"
+	@echo "make test   build and run the tests: fast (release and sanitizers) and full"
+	@echo "make bench  rocks per second and the share of time by phase"
+	@echo "make deps   install what is missing: Debian packages and Plotly"
+
+deps: $(PLOTLY)
+	@missing=""; for p in $(PACKAGES); do \
+	  case $$p in g++|cmake|npm) command -v $$p > /dev/null && continue;; esac; \
+	  dpkg-query -W -f '$${Status}' $$p 2> /dev/null | grep -q 'ok installed' || missing="$$missing $$p"; done; \
+	if [ -n "$$missing" ]; then $(SUDO) apt-get update -qq && \
+	  DEBIAN_FRONTEND=noninteractive $(SUDO) apt-get install -y -qq --no-install-recommends $$missing; fi
+
+$(PLOTLY): package-lock.json
+	@command -v npm > /dev/null || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends npm; }
+	npm ci --silent
+	@touch $@
+
+build-%: deps
+	cmake --preset $* > build-$*.log 2>&1 || { cat build-$*.log; rm -f build-$*.log; exit 1; }
+	@rm -f build-$*.log
+	cmake --build --preset $* -j $(JOBS)
+
+demo: build-bench
+	build/bench/bin/flyrock run scenarios/ninh_dan/benches_2d.yaml -o out/benches_2d --force
+
+test: build-release build-dev
+	ctest --test-dir build/dev -L fast -j $(JOBS) --output-on-failure
+	ctest --test-dir build/release -L 'fast|full' -j $(JOBS) --output-on-failure
+
+test-heavy: build-release
+	ctest --test-dir build/release -L heavy --output-on-failure
+
+bench: build-bench
+	tests/bench/run.sh build/bench/bin/flyrock
+
+clean:
+	rm -rf build out
+
+.PHONY: help deps demo test test-heavy bench clean

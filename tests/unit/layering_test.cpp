@@ -1,0 +1,62 @@
+// The floors of docs/architecture.md, read from the include lines: a floor includes itself and floors below it.
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+
+namespace {
+
+const std::map<std::string, std::set<std::string>>& may_see() {
+  static const std::map<std::string, std::set<std::string>> floors = [] {
+    std::map<std::string, std::set<std::string>> sees{{"math", {}}, {"random", {}}, {"units", {}}};
+    const auto add = [&](const std::string& floor, std::initializer_list<std::string> below) {
+      for (const std::string& b : below) {
+        sees[floor].insert(b);
+        sees[floor].insert(sees[b].begin(), sees[b].end());
+      }
+    };
+    add("geometry", {"math", "random", "units"});
+    add("blast", {"math", "random", "units"});
+    add("plugin", {"geometry", "blast"});
+    add("collision", {"plugin"});
+    add("solver", {"plugin"});
+    add("world", {"collision", "solver"});
+    add("flight", {"world"});
+    add("scenario", {"flight"});
+    add("host", {"scenario"});
+    add("batch", {"host"});
+    add("report", {"batch"});
+    add("cli", {"report"});
+    return sees;
+  }();
+  return floors;
+}
+
+}  // namespace
+
+TEST_CASE("every floor includes only itself and the floors below it") {
+  namespace fs = std::filesystem;
+  const fs::path root = FLYROCK_SOURCE_DIR;
+  const std::regex include("^\\s*#include \"([a-z_]+)/");
+  int files = 0;
+  for (const fs::path& tree : {root / "engine", root / "lua"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(tree)) {
+      const std::string extension = entry.path().extension();
+      if (extension != ".h" && extension != ".cpp") continue;
+      const std::string floor = entry.path().parent_path().filename();
+      if (!may_see().contains(floor)) continue;
+      ++files;
+      std::ifstream in(entry.path());
+      for (std::string line; std::getline(in, line);) {
+        std::smatch match;
+        INFO(entry.path() << ": " << line);
+        if (std::regex_search(line, match, include))
+          CHECK((match[1] == floor || may_see().at(floor).contains(match[1])));
+        if (floor != "host") CHECK(line.find("lua.h") == std::string::npos);
+      }
+    }
+  }
+  CHECK(files > 50);
+}
