@@ -55,18 +55,6 @@ Verdict judge_at(const Expectation& expectation, const Scenario& scenario, const
 
 }  // namespace
 
-std::vector<std::pair<std::size_t, std::string>> measure_faults(const Scenario& scenario) {
-  std::vector<std::pair<std::size_t, std::string>> faults;
-  for (std::size_t i = 0; i < scenario.expect.size(); ++i) {
-    try {
-      Measure(scenario.expect[i].measure, scenario);
-    } catch (const MeasureError& error) {
-      faults.emplace_back(i, error.what());
-    }
-  }
-  return faults;
-}
-
 std::vector<Verdict> judge(const Plan& plan, const std::vector<PointResult>& points, bool full) {
   std::vector<Verdict> verdicts;
   const std::vector<Expectation>& expectations = plan.points.front().expect;

@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "batch/measures.h"
@@ -22,9 +21,6 @@ struct Verdict {
   Judgement judgement = Judgement::failed;
   std::string reason;      ///< why it failed without a comparison, or was not judged
 };
-
-/// The expectations whose measure the scenario does not have: index into `expect`, and what is wrong.
-std::vector<std::pair<std::size_t, std::string>> measure_faults(const Scenario& scenario);
 
 /// Every expectation of a plan at every point that it names, in file order. `full` is false where fewer
 /// trials ran than the scenario asks for: expectations on rocks are then not judged.

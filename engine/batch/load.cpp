@@ -2,7 +2,6 @@
 
 #include <filesystem>
 
-#include "batch/expectations.h"
 #include "batch/safe_file.h"
 #include "batch/sha256.h"
 #include "host/share.h"
@@ -36,18 +35,6 @@ void load_plugin_files(const Value& root, const fs::path& folder, LuaSession& se
     session.load_plugin((folder / file).string(), file, at, diagnostics);
 }
 
-/// Where `expect[i].measure` was written.
-Location place_of_measure(const Value& root, std::size_t i) {
-  const Value* expect = root.find("expect");
-  const Value* measure = expect && expect->list() ? expect->list()->at(i).find("measure") : nullptr;
-  return measure ? measure->at : root.at;
-}
-
-void check_measures(const Value& root, const Scenario& scenario, Diagnostics& diagnostics) {
-  for (const auto& [i, text] : measure_faults(scenario))
-    diagnostics.error(place_of_measure(root, i), "expect[" + std::to_string(i) + "].measure", text);
-}
-
 std::uint64_t trials_of(const Value& root) {
   const Value* trials = root.find("trials");
   const double* number = trials ? trials->number() : nullptr;
@@ -75,7 +62,6 @@ std::optional<LoadedScenario> load_scenario(const std::string& path, const Overr
   load_plugin_files(*root, folder, *loaded.session, diagnostics);
 
   std::optional<Plan> plan = decode(*root, loaded.session->registry(), folder.string(), diagnostics);
-  if (plan) check_measures(*root, plan->points.front(), diagnostics);
   if (!plan || diagnostics.has_errors()) return std::nullopt;
   loaded.plan = std::move(*plan);
   for (const auto& [name, text] : loaded.session->sources()) loaded.sources.push_back({name, sha256(text)});

@@ -5,16 +5,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <tuple>
+#include <stdexcept>
 
 namespace flyrock {
 
 namespace {
 
-using Names = std::vector<std::string>;
-
-Names split(const std::string& text) {
-  Names words(1);
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> words(1);
   for (char c : text) {
     if (c == '.')
       words.emplace_back();
@@ -24,117 +22,67 @@ Names split(const std::string& text) {
   return words;
 }
 
-[[noreturn]] void unknown(const std::string& what, const std::string& word, const Names& names) {
-  std::string text = fmt::format("unknown {} `{}`, expected one of: {}", what, word, fmt::join(names, ", "));
-  if (const std::string near = nearest_name(word, names); !near.empty())
-    text += fmt::format("; did you mean `{}`?", near);
-  throw MeasureError(text);
-}
-
-/// The index of `word` in `names`; throws where it is not there.
 template <class List>
-int index_of(const std::string& what, const std::string& word, const List& names) {
+int index_of(const std::string& word, const List& names) {
   const auto found = std::find(names.begin(), names.end(), word);
-  if (found == names.end()) unknown(what, word, Names(names.begin(), names.end()));
+  if (found == names.end()) throw std::logic_error("a measure that the decoder did not check: " + word);
   return static_cast<int>(found - names.begin());
 }
 
-const Names solver_fields = {"max_residual", "not_converged", "max_penetration", "energy_gains"};
-const Names impact_fields = {"time",     "x",        "y",  "z",  "vn_before",    "vn_after",
-                             "vt_before", "vt_after", "pn", "pt", "energy_change"};
-const Names apex_fields = {"time", "height"};
-const Names body_tables = {"final", "max", "min", "stop_time", "contact_time", "impact[n]", "apex[n]"};
-
-Names state_fields(int dimension) {
-  if (dimension == 2) return {"x", "y", "vx", "vy", "speed", "spin", "wz", "angle", "kinetic_energy"};
-  return {"x", "y", "z", "vx", "vy", "vz", "speed", "spin", "wx", "wy", "wz", "angle", "kinetic_energy"};
-}
-
-/// "impact[3]" to "impact" and 3; the number is 0 where there is none.
-std::pair<std::string, int> numbered(const std::string& word) {
-  const std::size_t open = word.find('[');
-  if (open == std::string::npos || word.back() != ']') return {word, 0};
-  int number = 0;
-  const char* end = word.data() + word.size() - 1;
-  const auto read = std::from_chars(word.data() + open + 1, end, number);
-  if (read.ptr != end || number < 1)
-    throw MeasureError(fmt::format("`{}`: expected a whole number from 1 in the brackets", word));
-  return {word.substr(0, open), number};
-}
+constexpr std::array<std::string_view, 4> solver_fields = {"max_residual", "not_converged", "max_penetration",
+                                                           "energy_gains"};
+constexpr std::array<std::string_view, 11> impact_fields = {
+    "time", "x", "y", "z", "vn_before", "vn_after", "vt_before", "vt_after", "pn", "pt", "energy_change"};
+constexpr std::array<std::string_view, 13> state_fields = {
+    "x", "y", "z", "vx", "vy", "vz", "speed", "spin", "wx", "wy", "wz", "angle", "kinetic_energy"};
 
 double impact_value(const Impact& impact, const std::string& field) {
-  const std::array<double, 11> values = {impact.time,      impact.place.x(),  impact.place.y(), impact.place.z(),
-                                         impact.vn_before, impact.vn_after,   impact.vt_before, impact.vt_after,
-                                         impact.pn,        impact.pt,         impact.energy_change};
-  return values[index_of("field of an impact", field, impact_fields)];
+  const std::array<double, impact_fields.size()> values = {
+      impact.time,      impact.place.x(), impact.place.y(),  impact.place.z(), impact.vn_before,    impact.vn_after,
+      impact.vt_before, impact.vt_after,  impact.pn,         impact.pt,        impact.energy_change};
+  return values[index_of(field, impact_fields)];
 }
 
 }  // namespace
 
-Measure::Measure(const std::string& name, const Scenario& scenario) : name_(name) {
-  const Names words = split(name);
-  const auto expect_words = [&](std::size_t count) {
-    if (words.size() != count) throw MeasureError(fmt::format("`{}`: expected {} words between dots", name, count));
-  };
-  switch (index_of("measure", words[0], Names{"body", "energy", "rocks", "solver"})) {
-    case 0: read_body(words, scenario); break;
-    case 1:
-      kind_ = Kind::energy;
-      if (name != "energy.total.relative_change")
-        throw MeasureError(fmt::format("`{}`: expected energy.total.relative_change", name));
-      break;
-    case 2: read_rocks(words, scenario); break;
-    default:
-      expect_words(2);
-      kind_ = Kind::solver;
-      index_of("measure of the solver", words[1], solver_fields);
-      field_ = words[1];
+Measure::Measure(const std::string& name, const Scenario& scenario) {
+  const std::vector<std::string> words = split(name);
+  if (words[0] == "body") {
+    read_body(words, scenario);
+  } else if (words[0] == "rocks") {
+    read_rocks(words, scenario);
+  } else {
+    kind_ = words[0] == "energy" ? Kind::energy : Kind::solver;
+    field_ = words[1];
   }
 }
 
-void Measure::read_rocks(const Names& words, const Scenario& scenario) {
+void Measure::read_rocks(const std::vector<std::string>& words, const Scenario& scenario) {
   const std::string& last = words.back();
-  const bool counted = last == "count" || last == "censored";
-  const std::size_t without_group = counted ? 2 : 3;
-  if (words.size() != without_group && words.size() != without_group + 1)
-    throw MeasureError(fmt::format("`{}`: expected rocks[.<group>].<quantity>.<statistic>, "
-                                   "rocks[.<group>].count or rocks[.<group>].censored",
-                                   name_));
-  if (words.size() == without_group + 1) {
-    const Names groups = group_names(scenario);
-    index_ = index_of("group", words[1], groups);
+  const bool total = last == "count" || last == "censored";
+  if (words.size() == (total ? 3u : 4u)) {
+    const std::vector<std::string> groups = group_names(scenario);
+    index_ = index_of(words[1], groups);
     index_ = groups.size() > 1 ? index_ + 1 : 0;  // a single group is not summarised twice
   }
-  if (counted) {
+  if (total) {
     kind_ = last == "count" ? Kind::count : Kind::censored;
   } else {
-    quantity_ = static_cast<RockQuantity>(index_of("quantity", words[words.size() - 2], quantity_names));
-    statistic_ = static_cast<Statistic>(index_of("statistic", last, statistic_names));
+    quantity_ = static_cast<RockQuantity>(index_of(words[words.size() - 2], quantity_names));
+    statistic_ = static_cast<Statistic>(index_of(last, statistic_names));
   }
 }
 
-void Measure::read_body(const Names& words, const Scenario& scenario) {
+void Measure::read_body(const std::vector<std::string>& words, const Scenario& scenario) {
   kind_ = Kind::body;
-  if (words.size() < 3)
-    throw MeasureError(fmt::format("`{}`: expected body.<name>. and one of: {}", name_, fmt::join(body_tables, ", ")));
-  Names bodies;
-  for (const BodyPlan& body : scenario.bodies) bodies.push_back(body.name);
-  index_ = index_of("body", words[1], bodies);
-  std::tie(table_, number_) = numbered(words[2]);
-
-  const bool of_state = table_ == "final" || table_ == "max" || table_ == "min";
-  const bool of_list = (table_ == "impact" || table_ == "apex") && number_ > 0;
-  if (!of_state && !of_list && table_ != "stop_time" && table_ != "contact_time")
-    unknown("measure of a body", words[2], body_tables);
-  const std::size_t expected = of_state || of_list ? 4 : 3;
-  if (words.size() != expected)
-    throw MeasureError(fmt::format("`{}`: expected {} words between dots", name_, expected));
-  if (expected == 3) return;
-  field_ = words[3];
-  if (of_state)
-    index_of("field of a state", field_, state_fields(scenario.dimension));
-  else
-    index_of("field", field_, table_ == "impact" ? impact_fields : apex_fields);
+  std::vector<std::string> names;
+  for (const BodyPlan& body : scenario.bodies) names.push_back(body.name);
+  index_ = index_of(words[1], names);
+  const std::size_t bracket = words[2].find('[');  // impact[3]
+  table_ = words[2].substr(0, bracket);
+  if (bracket != std::string::npos)
+    std::from_chars(words[2].data() + bracket + 1, words[2].data() + words[2].size(), number_);
+  if (words.size() > 3) field_ = words[3];
 }
 
 Measured Measure::value(const PointResult& result) const {
@@ -144,9 +92,9 @@ Measured Measure::value(const PointResult& result) const {
     case Kind::energy: return {result.records.quality.energy_relative_change, false, {}};
     case Kind::solver: {
       const SolverQuality& q = result.records.quality;
-      const std::array<double, 4> values = {q.max_residual, static_cast<double>(q.not_converged), q.max_penetration,
+      const std::array<double, solver_fields.size()> values = {q.max_residual, static_cast<double>(q.not_converged), q.max_penetration,
                                             static_cast<double>(q.energy_gains)};
-      return {values[index_of("measure of the solver", field_, solver_fields)], false, {}};
+      return {values[index_of(field_, solver_fields)], false, {}};
     }
     case Kind::statistic: {
       const Bounded& number = result.groups.at(index_).at(quantity_, statistic_);
@@ -182,11 +130,11 @@ double Measure::state_value(const BodyHistory& body) const {
   // The extremes of speed are not those of its components: they are kept beside.
   if (field_ == "speed" && table_ != "final") return table_ == "max" ? body.max_speed : body.min_speed;
   const BodyState& s = table_ == "final" ? body.last : table_ == "max" ? body.max : body.min;
-  const std::array<double, 13> values = {s.position.x(), s.position.y(), s.position.z(), s.velocity.x(),
+  const std::array<double, state_fields.size()> values = {s.position.x(), s.position.y(), s.position.z(), s.velocity.x(),
                                          s.velocity.y(), s.velocity.z(), s.velocity.norm(), s.spin.z(),
                                          s.spin.x(),     s.spin.y(),     s.spin.z(),     s.angle,
                                          s.kinetic_energy};
-  return values[index_of("field of a state", field_, state_fields(3))];
+  return values[index_of(field_, state_fields)];
 }
 
 }  // namespace flyrock

@@ -1,7 +1,6 @@
 #pragma once
 // Measures: the numbers that an expectation can be about, by name.
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -12,6 +11,7 @@ namespace flyrock {
 /// What one point of a sweep left.
 struct PointResult {
   std::uint64_t trials = 0;
+  Profile terrain;                   ///< of its first trial, for pictures; no points where it could not be built
   TrialRecords records;
   std::vector<GroupSummary> groups;  ///< all rocks first; see summarise()
 };
@@ -22,17 +22,12 @@ struct Measured {
   std::string fault;      ///< why there is no value: "never came to rest"
 };
 
-/// A measure that no scenario of this kind has; the text says what was expected and the nearest name.
-struct MeasureError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-/// A measure as its words: body.<name>.final.x, body.<name>.impact[2].vn_after,
+/// One measure of a scenario, read from its name: body.<name>.final.x, body.<name>.impact[2].vn_after,
 /// energy.total.relative_change, solver.max_residual, rocks[.<group>].runout.p95, rocks[.<group>].count.
-/// DESIGN section 3 lists them; docs/results.md defines each.
+/// scenario/measure.h holds the grammar, docs/results.md what each means.
 class Measure {
  public:
-  /// Throws MeasureError where `scenario` has no such measure.
+  /// `name` is a measure of `scenario`: the decoder has checked it.
   Measure(const std::string& name, const Scenario& scenario);
 
   /// Whether it needs the full number of trials (a statistic of rocks).
@@ -48,7 +43,6 @@ class Measure {
   double state_value(const BodyHistory& body) const;
 
   Kind kind_ = Kind::statistic;
-  std::string name_;
   int index_ = 0;       ///< of the group (0: all rocks) or of the body
   int number_ = 0;      ///< of an impact or apex, from 1
   std::string table_;   ///< body: final, max, min, stop_time, contact_time, impact, apex

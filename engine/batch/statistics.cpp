@@ -98,8 +98,7 @@ bool is_fault(StopReason reason) { return reason == StopReason::diverged || reas
 std::vector<std::string> group_names(const Scenario& scenario) {
   std::vector<std::string> names;
   for (const RockGroup& group : scenario.rocks) names.push_back(group.name);
-  for (const BodyPlan& body : scenario.bodies)
-    if (!body.fixed && !body.driven) names.push_back(body.name);
+  for (const BodyPlan& body : scenario.bodies) names.push_back(body.name);
   return names;
 }
 

@@ -61,7 +61,7 @@ struct GroupSummary {
 
 bool is_fault(StopReason reason);
 
-/// What RockRecord::group counts: the rock groups, or the bodies that move.
+/// What RockRecord::group counts: the rock groups, or the bodies.
 std::vector<std::string> group_names(const Scenario& scenario);
 
 /// All rocks first, then each group where there is more than one.

@@ -1,6 +1,88 @@
-#include <cstdio>
+// flyrock: the program. One file a command; this one finds the command and turns exceptions into exit codes.
 
-int main() {
-  std::puts("flyrock " FLYROCK_VERSION);
-  return 0;
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+
+#include "cli/command.h"
+#include "units/units.h"
+
+namespace flyrock::cli {
+
+namespace {
+
+constexpr std::array<Command, 4> commands = {{
+    {"run", "run SCENARIO [options]", "runs a scenario and writes its tables and report", run},
+    {"check", "check FILE [--strict]", "validates a scenario or a plugin file; runs nothing", check},
+    {"show", "show SCENARIO [--json]", "prints the resolved scenario: units converted, defaults filled in", show},
+    {"plugins", "plugins [KIND[/NAME]] [--markdown | --json]", "lists what is registered, with its parameters", plugins},
+}};
+
+void print_version() {
+#ifdef NDEBUG
+  const char* build = "release";
+#else
+  const char* build = "debug";
+#endif
+  fmt::print("flyrock {}\nbuild: {}, {}, C++{}\noptional parts: none\n", FLYROCK_VERSION, build, "GCC " __VERSION__,
+             __cplusplus / 100 % 100);
+}
+
+void print_help() {
+  fmt::print("flyrock simulates blast fly-rock and rockfall on quarry benches.\n\n");
+  for (const Command& command : commands) fmt::print("  flyrock {:<46} {}\n", command.usage, command.summary);
+  fmt::print("  flyrock {:<46} {}\n\n", "--version", "version, build, optional parts");
+  fmt::print("flyrock COMMAND --help says more. Exit codes: 0 done, 1 an expectation failed, 2 bad input (nothing\n"
+             "was run), 3 faults while running, 130 interrupted.\n");
+}
+
+int usage_error(const std::string& text, const std::string& help) {
+  fmt::print(stderr, "error: {}\nSee `{}`.\n", text, help);
+  return bad_input;
+}
+
+int dispatch(const Arguments& arguments) {
+  if (arguments.empty()) {
+    print_help();
+    return bad_input;
+  }
+  const std::string& word = arguments.front();
+  if (word == "--version") {
+    print_version();
+    return done;
+  }
+  if (word == "--help" || word == "-h") {
+    print_help();
+    return done;
+  }
+  std::vector<std::string> names;
+  for (const Command& command : commands) {
+    names.emplace_back(command.name);
+    if (word != command.name) continue;
+    try {
+      return command.call(command, Arguments(arguments.begin() + 1, arguments.end()));
+    } catch (const UsageError& error) {
+      return usage_error(error.what(), fmt::format("flyrock {} --help", command.name));
+    }
+  }
+  const std::string near = nearest_name(word, names);
+  return usage_error(fmt::format("unknown command `{}`{}", word, near.empty() ? "" : fmt::format(", did you mean `{}`?", near)),
+                     "flyrock --help");
+}
+
+}  // namespace
+
+}  // namespace flyrock::cli
+
+int main(int count, char** words) {
+  try {
+    return flyrock::cli::dispatch({words + 1, words + count});
+  } catch (const std::exception& error) {
+    // Bad input has been answered before: this is the machine (a full disk, no memory) or a fault of flyrock.
+    std::cerr << "error: " << error.what() << '\n';
+    return flyrock::cli::faults;
+  }
 }

@@ -72,16 +72,6 @@ Json tracks_data(const TrialRecords& records, std::size_t budget) {
   return {{"list", list}, {"cut", cut}};
 }
 
-/// The ground of the first trial; where a terrain is drawn, other trials have others.
-Profile first_terrain(const Scenario& scenario) {
-  const DrawKey first{};
-  std::vector<double> values;
-  for (const Number& slot : scenario.terrain.model.slots)
-    values.push_back(slot.value(scenario.draws, scenario.seed, first));
-  RandomStream rng(scenario.seed, scenario.terrain.model.path, first);
-  return make_instance<TerrainModel>(scenario.terrain.model, scenario.dimension)->build(values, rng);
-}
-
 Json terrain_data(const Profile& terrain) {
   Json x = Json::array(), y = Json::array();
   for (const Vec2& point : terrain.points) {
@@ -132,7 +122,7 @@ Json report_data(const Plan& plan, const Results& results) {
   const std::size_t budget = most_track_points / results.points.size();
   for (std::size_t p = 0; p < results.points.size(); ++p) {
     const PointResult& point = results.points[p];
-    points.push_back({{"terrain", terrain_data(first_terrain(plan.points[p]))},
+    points.push_back({{"terrain", terrain_data(point.terrain)},
                       {"tracks", tracks_data(point.records, budget)},
                       {"runout", runouts_data(point)},
                       {"bodies", bodies_data(plan.points[p], point.records)}});

@@ -1,0 +1,61 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "batch/safe_file.h"
+#include "batch/trial.h"
+#include "cli/loading.h"
+#include "host/share.h"
+
+namespace flyrock::cli {
+
+namespace {
+
+/// Loads a plugin file or folder: its manifest is what there is to check without a scenario.
+int check_plugin(const std::string& path) {
+  LuaSession session(share_folder());
+  Diagnostics diagnostics;
+  session.load_plugin(path, path, {}, diagnostics);
+  fmt::print(stderr, "{}", diagnostics.to_text());
+  if (diagnostics.has_errors()) return bad_input;
+  fmt::print("{}: a sound plugin\n", path);
+  return done;
+}
+
+int check_scenario(const std::string& path, const Overrides& overrides, bool strict) {
+  const auto loaded = load(path, overrides, strict);
+  if (!loaded) return bad_input;
+  const Plan& plan = loaded->plan;
+  try {
+    for (const Scenario& point : plan.points) TrialRunner runner(point);
+  } catch (const PluginError& error) {
+    fmt::print(stderr, "{}: error: {}\n", path, error.what());
+    return bad_input;
+  }
+  for (const std::string& key : plan.not_used) fmt::print("not used: {}\n", key);
+  fmt::print("{}: a sound scenario, {} trials of {} points\n", path, plan.points.front().trials, plan.points.size());
+  return done;
+}
+
+/// A folder is a plugin's. A Lua file is one where it nowhere calls fr.scenario; a file that cannot be read is left to
+/// the reader of scenarios, which says why.
+bool is_plugin(const std::string& path) {
+  if (std::filesystem::is_directory(path)) return true;
+  std::error_code code;
+  if (std::filesystem::path(path).extension() != ".lua" || !std::filesystem::is_regular_file(path, code)) return false;
+  return read_file(path).find(".scenario") == std::string::npos;
+}
+
+}  // namespace
+
+int check(const Command& command, const Arguments& arguments) {
+  boost::program_options::options_description options("options");
+  add_override_options(options);
+  options.add_options()("strict", "keys that nothing reads are errors");
+  const CommandLine line = parse(command, options, arguments, 1, 1);
+  if (line.help) return done;
+  const std::string& path = line.words[0];
+  return is_plugin(path) ? check_plugin(path) : check_scenario(path, overrides_of(line), line.has("strict"));
+}
+
+}  // namespace flyrock::cli

@@ -1,0 +1,65 @@
+#include "cli/command.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <iostream>
+
+#include "units/units.h"
+
+namespace flyrock::cli {
+
+namespace po = boost::program_options;
+
+namespace {
+
+std::string nearest_option(const std::string& word, const po::options_description& options) {
+  std::vector<std::string> names;
+  for (const auto& option : options.options()) names.push_back("--" + option->long_name());
+  return nearest_name(word, names);
+}
+
+}  // namespace
+
+CommandLine parse(const Command& command, const po::options_description& options, const Arguments& arguments,
+                  std::size_t least_words, std::size_t most_words) {
+  CommandLine line;
+  po::options_description visible(options);
+  visible.add_options()("help,h", "this text");
+  po::options_description all(visible);
+  all.add_options()("words", po::value<std::vector<std::string>>(&line.words), "");
+  po::positional_options_description positions;
+  positions.add("words", -1);
+  // No guessing: an abbreviation that works today means something else when the next option comes.
+  const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
+  try {
+    po::store(po::command_line_parser(arguments).options(all).positional(positions).style(style).run(), line.options);
+    po::notify(line.options);
+  } catch (const po::unknown_option& error) {
+    const std::string near = nearest_option(error.get_option_name(), visible);
+    throw UsageError(fmt::format("unknown option `{}`{}", error.get_option_name(),
+                                 near.empty() ? "" : fmt::format(", did you mean `{}`?", near)));
+  } catch (const po::error& error) {
+    throw UsageError(error.what());
+  }
+  if (line.has("help")) {
+    line.help = true;
+    std::cout << "flyrock " << command.usage << "\n  " << command.summary << "\n\n" << visible;
+    return line;
+  }
+  if (line.words.size() < least_words) throw UsageError(fmt::format("expected: flyrock {}", command.usage));
+  if (line.words.size() > most_words)
+    throw UsageError(fmt::format("`{}` is one word too many, expected: flyrock {}", line.words[most_words], command.usage));
+  return line;
+}
+
+std::uint64_t whole_number(const std::string& text, const std::string& what, std::uint64_t least) {
+  std::uint64_t number = 0;
+  const char* end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, number);
+  if (read.ec != std::errc{} || read.ptr != end || number < least)
+    throw UsageError(fmt::format("{}: `{}` is not a whole number of at least {}", what, text, least));
+  return number;
+}
+
+}  // namespace flyrock::cli

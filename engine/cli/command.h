@@ -1,0 +1,52 @@
+#pragma once
+// What the commands of flyrock have in common.
+
+#include <boost/program_options.hpp>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace flyrock::cli {
+
+/// Exit codes; DESIGN section 4.
+enum ExitCode { done = 0, expectation_failed = 1, bad_input = 2, faults = 3, interrupted = 130 };
+
+/// A command line that a command does not understand. The text says what was expected.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+using Arguments = std::vector<std::string>;
+
+struct Command {
+  const char* name;
+  const char* usage;    ///< "run SCENARIO [options]"
+  const char* summary;  ///< one line
+  int (*call)(const Command&, const Arguments&);
+};
+
+int run(const Command&, const Arguments&);
+int check(const Command&, const Arguments&);
+int show(const Command&, const Arguments&);
+int plugins(const Command&, const Arguments&);
+
+/// A parsed command line: options by their name, and the words between them.
+struct CommandLine {
+  bool help = false;  ///< help was asked for and is printed: nothing else is to be done
+  std::vector<std::string> words;
+  boost::program_options::variables_map options;
+
+  bool has(const std::string& option) const { return options.count(option) > 0; }
+  const std::string& text(const std::string& option) const { return options[option].as<std::string>(); }
+};
+
+/// Throws UsageError where an option is unknown (naming the nearest), lacks its value or takes none, or where the
+/// number of words is not between the two bounds.
+CommandLine parse(const Command& command, const boost::program_options::options_description& options,
+                  const Arguments& arguments, std::size_t least_words, std::size_t most_words);
+
+/// A whole number of at least `least`; throws UsageError that names `what`.
+std::uint64_t whole_number(const std::string& text, const std::string& what, std::uint64_t least);
+
+}  // namespace flyrock::cli

@@ -1,0 +1,34 @@
+#include "cli/loading.h"
+
+#include <fmt/format.h>
+
+namespace flyrock::cli {
+
+namespace po = boost::program_options;
+
+void add_override_options(po::options_description& options) {
+  options.add_options()
+      ("set", po::value<std::vector<std::string>>()->value_name("path=value"), "sets a value of the scenario, again and again")
+      ("seed", po::value<std::string>()->value_name("S"), "in place of the scenario's seed")
+      ("trials", po::value<std::string>()->value_name("N"), "in place of the scenario's number of trials");
+}
+
+Overrides overrides_of(const CommandLine& line) {
+  Overrides overrides;
+  if (line.has("set")) overrides.set = line.options["set"].as<std::vector<std::string>>();
+  if (line.has("seed")) overrides.seed = whole_number(line.text("seed"), "--seed", 0);
+  if (line.has("trials")) overrides.trials = whole_number(line.text("trials"), "--trials", 1);
+  return overrides;
+}
+
+std::optional<LoadedScenario> load(const std::string& path, const Overrides& overrides, bool strict) {
+  Diagnostics diagnostics;
+  std::optional<LoadedScenario> loaded = load_scenario(path, overrides, diagnostics);
+  const std::string text = diagnostics.to_text();
+  if (!text.empty()) fmt::print(stderr, "{}{}", text, text.back() == '\n' ? "" : "\n");
+  if (!loaded || !strict || loaded->plan.not_used.empty()) return loaded;
+  for (const std::string& key : loaded->plan.not_used) fmt::print(stderr, "{}: error: not used: {}\n", path, key);
+  return std::nullopt;
+}
+
+}  // namespace flyrock::cli

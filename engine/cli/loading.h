@@ -1,0 +1,21 @@
+#pragma once
+// Loading as the commands do it: what is wrong goes to stderr.
+
+#include <boost/program_options.hpp>
+#include <optional>
+#include <string>
+
+#include "batch/load.h"
+#include "cli/command.h"
+
+namespace flyrock::cli {
+
+/// --set, --seed and --trials.
+void add_override_options(boost::program_options::options_description& options);
+Overrides overrides_of(const CommandLine& line);
+
+/// Prints every error and warning; nothing where there were errors. With `strict`, keys that nothing reads
+/// are errors.
+std::optional<LoadedScenario> load(const std::string& path, const Overrides& overrides, bool strict);
+
+}  // namespace flyrock::cli

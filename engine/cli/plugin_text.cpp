@@ -1,0 +1,115 @@
+#include "cli/plugin_text.h"
+
+#include <fmt/format.h>
+
+#include "scenario/value.h"
+
+namespace flyrock::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string default_text(const ParamSpec& param) {
+  if (param.default_number) {
+    if (param.type == ParamType::boolean) return *param.default_number != 0 ? "true" : "false";
+    return shortest(*param.default_number) + (param.unit.empty() ? "" : " " + si_unit(param.dimension));
+  }
+  if (param.default_text) return *param.default_text;
+  if (param.default_vector) {
+    std::vector<std::string> numbers;
+    for (double number : *param.default_vector) numbers.push_back(shortest(number));
+    return fmt::format("[{}]", fmt::join(numbers, ", "));
+  }
+  return param.optional ? "may be left out" : "required";
+}
+
+/// "at least 0, below 1", "linear | as_printed", or nothing.
+std::string allowed_text(const ParamSpec& param) {
+  std::vector<std::string> limits;
+  if (param.min) limits.push_back("at least " + shortest(*param.min));
+  if (param.above) limits.push_back("above " + shortest(*param.above));
+  if (param.max) limits.push_back("at most " + shortest(*param.max));
+  if (param.below) limits.push_back("below " + shortest(*param.below));
+  if (!param.choices.empty()) limits.push_back(fmt::format("{}", fmt::join(param.choices, " | ")));
+  return fmt::format("{}", fmt::join(limits, ", "));
+}
+
+/// A text within a cell of a Markdown table.
+std::string cell(const std::string& text) {
+  std::string escaped;
+  for (char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
+  return escaped;
+}
+
+Json default_json(const ParamSpec& param) {
+  if (param.default_number) {
+    if (param.type == ParamType::boolean) return *param.default_number != 0;
+    return *param.default_number;
+  }
+  if (param.default_text) return *param.default_text;
+  if (param.default_vector) return *param.default_vector;
+  return nullptr;
+}
+
+}  // namespace
+
+std::string one_line(const PluginSpec& spec) {
+  return fmt::format("{:<32} {}\n", fmt::format("{}/{}", name_of(spec.kind), spec.name), spec.doc);
+}
+
+std::string full_text(const PluginSpec& spec) {
+  std::string text = fmt::format("{}/{}\n  {}\n", name_of(spec.kind), spec.name, spec.doc);
+  if (!spec.source.empty()) text += fmt::format("  source: {}\n", spec.source);
+  if (!spec.form.empty()) text += fmt::format("  form: {}\n", spec.form);
+  if (!spec.reads.empty()) text += fmt::format("  reads: {}\n", fmt::join(spec.reads, ", "));
+  text += fmt::format("  file: {}{}\n", spec.file, spec.native.empty() ? "" : " (native)");
+  if (spec.params.empty()) text += "  no parameters\n";
+  for (const ParamSpec& param : spec.params) {
+    text += fmt::format("\n  {}: {}{}, {}\n", param.name, name_of(param.type),
+                        param.unit.empty() ? "" : fmt::format(" [{}]", param.unit),
+                        param.required() || param.optional ? default_text(param) : "default " + default_text(param));
+    text += fmt::format("    {}\n", param.doc);
+    if (const std::string allowed = allowed_text(param); !allowed.empty()) text += fmt::format("    {}\n", allowed);
+  }
+  return text;
+}
+
+std::string markdown(const PluginSpec& spec) {
+  std::string text = fmt::format("## {}/{}\n\n{}\n", name_of(spec.kind), spec.name, spec.doc);
+  if (!spec.source.empty()) text += fmt::format("\nSource: {}\n", spec.source);
+  if (!spec.form.empty()) text += fmt::format("\nForm: `{}`\n", spec.form);
+  if (!spec.reads.empty()) text += fmt::format("\nReads: `{}`\n", fmt::join(spec.reads, "`, `"));
+  if (spec.params.empty()) return text + "\nNo parameters.\n";
+  text += "\n| parameter | type | unit | default | allowed | |\n|---|---|---|---|---|---|\n";
+  for (const ParamSpec& param : spec.params)
+    text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", param.name, name_of(param.type), cell(param.unit),
+                        cell(default_text(param)), cell(allowed_text(param)), cell(param.doc));
+  return text;
+}
+
+Json json_of(const PluginSpec& spec) {
+  Json params = Json::array();
+  for (const ParamSpec& param : spec.params) {
+    Json entry = {{"name", param.name},
+                  {"type", name_of(param.type)},
+                  {"unit", param.unit},
+                  {"default", default_json(param)},
+                  {"required", param.required()},
+                  {"doc", param.doc}};
+    if (param.min) entry["min"] = *param.min;
+    if (param.max) entry["max"] = *param.max;
+    if (param.above) entry["above"] = *param.above;
+    if (param.below) entry["below"] = *param.below;
+    if (!param.choices.empty()) entry["choices"] = param.choices;
+    params.push_back(entry);
+  }
+  Json data = {{"kind", name_of(spec.kind)}, {"name", spec.name}, {"doc", spec.doc},
+               {"source", spec.source},      {"file", spec.file}, {"native", !spec.native.empty()}};
+  if (!spec.form.empty()) data["form"] = spec.form;
+  data["reads"] = spec.reads;
+  data["params"] = params;
+  return data;
+}
+
+}  // namespace flyrock::cli

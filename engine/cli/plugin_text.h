@@ -1,0 +1,20 @@
+#pragma once
+// A plugin's manifest as text, Markdown and JSON.
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "plugin/registry.h"
+
+namespace flyrock::cli {
+
+/// One line: "restitution/newton   Newton's law with constant coefficients".
+std::string one_line(const PluginSpec& spec);
+/// All that the manifest says, for a terminal.
+std::string full_text(const PluginSpec& spec);
+/// A section with a table of parameters.
+std::string markdown(const PluginSpec& spec);
+/// { kind, name, doc, source, file, params: [{ name, type, unit, default, doc, ... }] }
+nlohmann::ordered_json json_of(const PluginSpec& spec);
+
+}  // namespace flyrock::cli

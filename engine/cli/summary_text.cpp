@@ -1,0 +1,95 @@
+#include "cli/summary_text.h"
+
+#include <fmt/format.h>
+
+#include "cli/terminal.h"
+#include "math/space.h"
+
+namespace flyrock::cli {
+
+namespace {
+
+/// "point 1: materials.haul_floor.restitution.en = 0.4"
+std::string point_title(const Plan& plan, std::size_t point) {
+  std::vector<std::string> values;
+  for (std::size_t axis = 0; axis < plan.axes.size(); ++axis)
+    values.push_back(fmt::format("{} = {}", plan.axes[axis].path, shortest(plan.at[point][axis])));
+  return fmt::format("point {}: {}\n", point, fmt::join(values, ", "));
+}
+
+std::string group_line(const GroupSummary& group) {
+  std::string text = fmt::format("  {:<16}{:>8}{:>10.3g} %", group.name.empty() ? "all rocks" : group.name,
+                                 group.count, 100 * group.censored_share());
+  for (const Statistic s : {Statistic::p50, Statistic::p90, Statistic::p95, Statistic::p99, Statistic::max})
+    text += fmt::format("{:>10}", display(group.at(RockQuantity::runout, s), ""));
+  return text + '\n';
+}
+
+std::string reasons_line(const GroupSummary& group) {
+  std::vector<std::string> parts;
+  for (std::size_t r = 0; r < group.reasons.size(); ++r)
+    if (group.reasons[r] > 0) parts.push_back(fmt::format("{} {}", group.reasons[r], name_of(static_cast<StopReason>(r))));
+  return fmt::format("  {}\n", fmt::join(parts, ", "));
+}
+
+std::string wanted(const Verdict& verdict) {
+  const Expectation& e = verdict.expectation;
+  switch (e.kind) {
+    case ExpectKind::equals: return fmt::format("{} within {:.3g}", shortest(e.value), verdict.tolerance);
+    case ExpectKind::below: return "below " + shortest(e.value);
+    case ExpectKind::above: return "above " + shortest(e.value);
+    case ExpectKind::between: return fmt::format("from {} to {}", shortest(e.value), shortest(e.high));
+  }
+  return {};
+}
+
+std::string verdict_line(const Verdict& verdict, bool sweep) {
+  static constexpr const char* words[] = {"ok", "FAILED", "not judged"};
+  std::string text = fmt::format("  {:<11}{}", words[static_cast<int>(verdict.judgement)], verdict.expectation.measure);
+  if (sweep && verdict.point >= 0) text += fmt::format(" at point {}", verdict.point);
+  text += fmt::format(" = {}, expected {}",
+                      display({verdict.computed, verdict.censored}, ""), wanted(verdict));
+  if (!verdict.reason.empty()) text += fmt::format(" ({})", verdict.reason);
+  return text + '\n';
+}
+
+}  // namespace
+
+std::string summary_text(const Plan& plan, const Results& results) {
+  const bool sweep = !plan.axes.empty();
+  std::string text = bold(plan.points.front().title.empty() ? "flyrock" : plan.points.front().title) + '\n';
+  text += answer(plan, results) + "\n\n";
+  if (plan.points.front().bodies.empty()) {
+    text += fmt::format("  {:<16}{:>8}{:>12}{:>10}{:>10}{:>10}{:>10}{:>10}\n", "runout in m", "rocks", "censored", "p50",
+                        "p90", "p95", "p99", "max");
+    for (std::size_t p = 0; p < results.points.size(); ++p) {
+      if (sweep) text += point_title(plan, p);
+      for (const GroupSummary& group : results.points[p].groups) text += group_line(group);
+      text += reasons_line(results.points[p].groups.front());
+    }
+    text += '\n';
+  }
+  if (!results.verdicts.empty()) {
+    text += fmt::format("{} of {} expectations hold", results.count(Judgement::passed), results.verdicts.size());
+    if (const int open = results.count(Judgement::not_judged)) text += fmt::format(", {} not judged", open);
+    text += '\n';
+    for (const Verdict& verdict : results.verdicts) text += verdict_line(verdict, sweep);
+    text += '\n';
+  }
+  for (const std::string& warning : results.warnings) text += fmt::format("warning: {}\n", warning);
+  return text;
+}
+
+std::string trial_text(const Scenario& scenario, const TrialRecords& records) {
+  const std::vector<std::string> groups = group_names(scenario);
+  std::string text = fmt::format("  {:<6}{:<16}{:>10}{:>13}{:>13}{:>11}{:>9}{:>9}  {}\n", "rock", "group", "mass kg",
+                                 "launch m/s", "elevation", "runout m", "impacts", "time s", "ended");
+  for (const RockRecord& rock : records.rocks)
+    text += fmt::format("  {:<6}{:<16}{:>10.4g}{:>13.4g}{:>9.4g} deg{:>11.4g}{:>9}{:>9.4g}  {}{}\n", rock.rock,
+                        groups.at(rock.group), rock.mass, rock.launch_speed, rock.launch_elevation * 180 / pi,
+                        rock.runout, rock.impacts, rock.time, name_of(rock.reason),
+                        rock.fault.empty() ? "" : ": " + rock.fault);
+  return text + '\n';
+}
+
+}  // namespace flyrock::cli
