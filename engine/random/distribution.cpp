@@ -11,7 +11,8 @@ namespace flyrock {
 namespace {
 
 namespace policies = boost::math::policies;
-using Policy = policies::policy<policies::promote_double<false>>;  // doubles are exact enough, and ten times faster
+using Policy =
+    policies::policy<policies::promote_double<false>>;  // doubles are exact enough, and ten times faster
 using Normal = boost::math::normal_distribution<double, Policy>;
 using Beta = boost::math::beta_distribution<double, Policy>;
 
@@ -21,14 +22,20 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 std::pair<double, double> support(const Distribution& f) {
   switch (f.kind) {
     case DistributionKind::uniform:
-    case DistributionKind::integer: return {f.a, f.b};
-    case DistributionKind::normal: return {-infinity, infinity};
+    case DistributionKind::integer:
+      return {f.a, f.b};
+    case DistributionKind::normal:
+      return {-infinity, infinity};
     case DistributionKind::lognormal:
     case DistributionKind::weibull:
-    case DistributionKind::exponential: return {0, infinity};
-    case DistributionKind::triangular: return {f.a, f.c};
-    case DistributionKind::beta: return {f.c, f.d};
-    case DistributionKind::discrete: break;
+    case DistributionKind::exponential:
+      return {0, infinity};
+    case DistributionKind::triangular:
+      return {f.a, f.c};
+    case DistributionKind::beta:
+      return {f.c, f.d};
+    case DistributionKind::discrete:
+      break;
   }
   double low = infinity, high = -infinity;
   for (std::size_t i = 0; i < f.values.size(); ++i) {
@@ -45,19 +52,26 @@ double inverse(const Distribution& f, double p) {
   if (p <= 0) return support(f).first;
   if (p >= 1) return support(f).second;
   switch (f.kind) {
-    case DistributionKind::uniform: return f.a + p * (f.b - f.a);
-    case DistributionKind::normal: return boost::math::quantile(Normal(f.a, f.b), p);
-    case DistributionKind::lognormal: return f.a * std::exp(boost::math::quantile(Normal(0, f.b), p));
+    case DistributionKind::uniform:
+      return f.a + p * (f.b - f.a);
+    case DistributionKind::normal:
+      return boost::math::quantile(Normal(f.a, f.b), p);
+    case DistributionKind::lognormal:
+      return f.a * std::exp(boost::math::quantile(Normal(0, f.b), p));
     case DistributionKind::triangular: {
       const double range = f.c - f.a;
       if (p < (f.b - f.a) / range) return f.a + std::sqrt(p * range * (f.b - f.a));
       return f.c - std::sqrt((1 - p) * range * (f.c - f.b));
     }
-    case DistributionKind::weibull: return f.a * std::pow(-std::log1p(-p), 1 / f.b);
-    case DistributionKind::beta: return f.c + (f.d - f.c) * boost::math::quantile(Beta(f.a, f.b), p);
-    case DistributionKind::exponential: return -f.a * std::log1p(-p);
+    case DistributionKind::weibull:
+      return f.a * std::pow(-std::log1p(-p), 1 / f.b);
+    case DistributionKind::beta:
+      return f.c + (f.d - f.c) * boost::math::quantile(Beta(f.a, f.b), p);
+    case DistributionKind::exponential:
+      return -f.a * std::log1p(-p);
     case DistributionKind::discrete:
-    case DistributionKind::integer: break;
+    case DistributionKind::integer:
+      break;
   }
   return 0;
 }
@@ -85,8 +99,10 @@ std::string parameter_fault(const Distribution& f) {
   for (double parameter : {f.a, f.b, f.c, f.d})
     if (!std::isfinite(parameter)) return "its parameters must be finite";
   switch (f.kind) {
-    case DistributionKind::uniform: return f.a < f.b ? "" : "its low end must be below its high end";
-    case DistributionKind::normal: return f.b > 0 ? "" : "its sd must be above 0";
+    case DistributionKind::uniform:
+      return f.a < f.b ? "" : "its low end must be below its high end";
+    case DistributionKind::normal:
+      return f.b > 0 ? "" : "its sd must be above 0";
     case DistributionKind::lognormal:
       if (!(f.a > 0)) return "its median must be above 0";
       return f.b > 0 ? "" : "its log_sd must be above 0";
@@ -97,11 +113,13 @@ std::string parameter_fault(const Distribution& f) {
     case DistributionKind::beta:
       if (!(f.a > 0 && f.b > 0)) return "its alpha and beta must be above 0";
       return f.c < f.d ? "" : "its low must be below its high";
-    case DistributionKind::exponential: return f.a > 0 ? "" : "its mean must be above 0";
+    case DistributionKind::exponential:
+      return f.a > 0 ? "" : "its mean must be above 0";
     case DistributionKind::integer:
       if (f.a != std::floor(f.a) || f.b != std::floor(f.b)) return "its ends must be whole numbers";
       return f.a <= f.b ? "" : "its low end must not be above its high end";
-    case DistributionKind::discrete: break;
+    case DistributionKind::discrete:
+      break;
   }
   if (f.values.empty()) return "it needs at least one value";
   if (!f.weights.empty() && f.weights.size() != f.values.size()) return "it needs one weight for each value";
@@ -113,8 +131,8 @@ std::string parameter_fault(const Distribution& f) {
   return f.weights.empty() || total > 0 ? "" : "one of its weights must be above 0";
 }
 
-constexpr std::array<std::string_view, 9> kind_names{"uniform", "normal", "lognormal",   "triangular", "weibull",
-                                                     "beta",    "exponential", "discrete", "integer"};
+constexpr std::array<std::string_view, 9> kind_names{
+    "uniform", "normal", "lognormal", "triangular", "weibull", "beta", "exponential", "discrete", "integer"};
 constexpr std::array<std::string_view, 5> scope_names{"run", "trial", "hole", "rock", "impact"};
 
 }  // namespace
@@ -124,17 +142,25 @@ double Distribution::cumulative(double x) const {
   if (x <= low) return kind == DistributionKind::integer && x == low ? 1 / (b - a + 1) : 0;
   if (x >= high) return 1;
   switch (kind) {
-    case DistributionKind::uniform: return (x - a) / (b - a);
-    case DistributionKind::normal: return boost::math::cdf(Normal(a, b), x);
-    case DistributionKind::lognormal: return boost::math::cdf(Normal(0, b), std::log(x / a));
+    case DistributionKind::uniform:
+      return (x - a) / (b - a);
+    case DistributionKind::normal:
+      return boost::math::cdf(Normal(a, b), x);
+    case DistributionKind::lognormal:
+      return boost::math::cdf(Normal(0, b), std::log(x / a));
     case DistributionKind::triangular:
       if (x < b) return (x - a) * (x - a) / ((c - a) * (b - a));
       return 1 - (c - x) * (c - x) / ((c - a) * (c - b));
-    case DistributionKind::weibull: return -std::expm1(-std::pow(x / a, b));
-    case DistributionKind::beta: return boost::math::cdf(Beta(a, b), (x - c) / (d - c));
-    case DistributionKind::exponential: return -std::expm1(-x / a);
-    case DistributionKind::integer: return (std::floor(x) - a + 1) / (b - a + 1);
-    case DistributionKind::discrete: break;
+    case DistributionKind::weibull:
+      return -std::expm1(-std::pow(x / a, b));
+    case DistributionKind::beta:
+      return boost::math::cdf(Beta(a, b), (x - c) / (d - c));
+    case DistributionKind::exponential:
+      return -std::expm1(-x / a);
+    case DistributionKind::integer:
+      return (std::floor(x) - a + 1) / (b - a + 1);
+    case DistributionKind::discrete:
+      break;
   }
   return std::numeric_limits<double>::quiet_NaN();
 }
@@ -172,17 +198,26 @@ double Distribution::highest() const {
 Distribution scaled(const Distribution& distribution, double factor) {
   Distribution f = distribution;
   if (f.kind == DistributionKind::integer) {
-    for (double value = distribution.lowest(); value <= distribution.highest(); ++value) f.values.push_back(value);
+    for (double value = distribution.lowest(); value <= distribution.highest(); ++value)
+      f.values.push_back(value);
     f.kind = DistributionKind::discrete;
   }
   switch (f.kind) {
     case DistributionKind::uniform:
-    case DistributionKind::normal: f.b *= factor; [[fallthrough]];
+    case DistributionKind::normal:
+      f.b *= factor;
+      [[fallthrough]];
     case DistributionKind::lognormal:
     case DistributionKind::weibull:
-    case DistributionKind::exponential: f.a *= factor; break;
-    case DistributionKind::triangular: f.a *= factor, f.b *= factor, f.c *= factor; break;
-    case DistributionKind::beta: f.c *= factor, f.d *= factor; break;
+    case DistributionKind::exponential:
+      f.a *= factor;
+      break;
+    case DistributionKind::triangular:
+      f.a *= factor, f.b *= factor, f.c *= factor;
+      break;
+    case DistributionKind::beta:
+      f.c *= factor, f.d *= factor;
+      break;
     case DistributionKind::discrete:
     case DistributionKind::integer:
       for (double& value : f.values) value *= factor;

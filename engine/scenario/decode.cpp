@@ -20,7 +20,9 @@ bool check_axes(const std::vector<SweptValue>& sweeps, Diagnostics& diagnostics)
     if (sweep.values.empty()) return false;  // reported
     points *= static_cast<double>(sweep.values.size());
     if (points <= most_points) continue;
-    diagnostics.error(sweep.at, sweep.path, fmt::format("the sweep has {:.6g} points, must be at most {:.6g}", points, most_points));
+    diagnostics.error(
+        sweep.at, sweep.path,
+        fmt::format("the sweep has {:.6g} points, must be at most {:.6g}", points, most_points));
     return false;
   }
   return true;
@@ -43,7 +45,8 @@ Value* find_path(Value& root, const std::string& path) {
 
 class PlanDecoder {
  public:
-  PlanDecoder(const Value& root, const Registry& registry, const std::string& folder, Diagnostics& diagnostics)
+  PlanDecoder(const Value& root, const Registry& registry, const std::string& folder,
+              Diagnostics& diagnostics)
       : tree_(root), registry_(registry), folder_(folder), diagnostics_(diagnostics) {}
 
   std::optional<Plan> decode() {
@@ -77,7 +80,8 @@ class PlanDecoder {
     for (std::size_t a = 0; a < sweeps_.size(); ++a) {
       const auto met = context.swept_values.find(sweeps_[a].path);
       if (met == context.swept_values.end())
-        return diagnostics_.error(sweeps_[a].at, sweeps_[a].path, "takes no sweep, only numbers that may vary are swept");
+        return diagnostics_.error(sweeps_[a].at, sweeps_[a].path,
+                                  "takes no sweep, only numbers that may vary are swept");
       at.push_back(met->second);
       plan_.axes[a].values[point[a]] = met->second;
     }
@@ -108,7 +112,8 @@ class PlanDecoder {
       if (!at) continue;
       const std::vector<Node> entries = at->entries();
       for (std::size_t k = 0; k < entries.size(); ++k) {
-        const std::pair<std::string, double> exact = resolve_at(entries[k], plan_.points.front().expect[i].at[k].second);
+        const std::pair<std::string, double> exact =
+            resolve_at(entries[k], plan_.points.front().expect[i].at[k].second);
         for (Scenario& scenario : plan_.points) scenario.expect[i].at[k] = exact;
       }
     }
@@ -122,10 +127,12 @@ class PlanDecoder {
       if (entry.key != sweeps_[a].path && entry.key != sweeps_[a].stream) continue;
       for (const double step : plan_.axes[a].values)
         if (std::abs(step - value) <= rounding * std::abs(step)) return {sweeps_[a].path, step};
-      entry.error(diagnostics_, fmt::format("the sweep of `{}` has no value {}", entry.key, shown(*entry.value)));
+      entry.error(diagnostics_,
+                  fmt::format("the sweep of `{}` has no value {}", entry.key, shown(*entry.value)));
       return {};
     }
-    diagnostics_.error(entry.key_at, entry.path, fmt::format("nothing is swept at `{}`{}", entry.key, suggestion(entry.key, paths)));
+    diagnostics_.error(entry.key_at, entry.path,
+                       fmt::format("nothing is swept at `{}`{}", entry.key, suggestion(entry.key, paths)));
     return {};
   }
 
@@ -141,7 +148,8 @@ class PlanDecoder {
 
 }  // namespace
 
-std::optional<Plan> decode(const Value& root, const Registry& registry, const std::string& folder, Diagnostics& diagnostics) {
+std::optional<Plan> decode(const Value& root, const Registry& registry, const std::string& folder,
+                           Diagnostics& diagnostics) {
   return PlanDecoder(root, registry, folder, diagnostics).decode();
 }
 

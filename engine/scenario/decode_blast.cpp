@@ -15,8 +15,8 @@ NumberRules rules_of(std::string_view path) {
 }
 
 /// Decodes the fields of `section` ("" of the blast itself, "hole.", "explosive.") that are given.
-void decode_fields(DecodeContext& context, const Node& node, std::string_view section, std::string_view prefix,
-                   BlastPlan& plan, Map& resolved) {
+void decode_fields(DecodeContext& context, const Node& node, std::string_view section,
+                   std::string_view prefix, BlastPlan& plan, Map& resolved) {
   for (const ParamSpec& spec : section_spec(section).keys) {
     const std::string path = std::string(prefix) + spec.name;
     const std::vector<ParamValue> values = decode_params(context, node, {spec}, rules_of(path), resolved);
@@ -49,8 +49,10 @@ void decode_explosive(DecodeContext& context, const Node& node, BlastPlan& plan,
       put(resolved, "explosive", text_value(*name));
       return;
     }
-    return node.error(context.diagnostics, fmt::format("unknown explosive `{}`{}; or give a map with its density and detonation_velocity",
-                                                       *name, suggestion(*name, names)));
+    return node.error(
+        context.diagnostics,
+        fmt::format("unknown explosive `{}`{}; or give a map with its density and detonation_velocity", *name,
+                    suggestion(*name, names)));
   }
   if (!node.expect_map(context.diagnostics)) return;
   node.refuse_unknown_keys(section_spec("blast.explosive").key_names(), context.diagnostics);
@@ -102,7 +104,9 @@ BlastPlan decode_blast(DecodeContext& context, const Node& node, Map& resolved) 
     const Section section = decode_section(context, rows, "blast.rows", {}, fields);
     const double holes = section.constant("count") * section.constant("holes");
     constexpr double most_holes = 1e6;
-    if (holes > most_holes) rows->error(context.diagnostics, fmt::format("has {:.6g} holes, must be at most {:.6g}", holes, most_holes));
+    if (holes > most_holes)
+      rows->error(context.diagnostics,
+                  fmt::format("has {:.6g} holes, must be at most {:.6g}", holes, most_holes));
     plan.holes = static_cast<int>(std::clamp(holes, 1.0, most_holes));
     put(map, "rows", map_value(std::move(fields)));
   }
@@ -110,7 +114,8 @@ BlastPlan decode_blast(DecodeContext& context, const Node& node, Map& resolved) 
   return plan;
 }
 
-void check_hole(DecodeContext& context, const Node& blast, const BlastPlan& plan, const TerrainPlan& terrain) {
+void check_hole(DecodeContext& context, const Node& blast, const BlastPlan& plan,
+                const TerrainPlan& terrain) {
   const std::optional<Node> hole = blast.find("hole");
   if (!hole || !plan.fields.contains(BlastField::hole_charge_length) || !terrain.model.plugin) return;
   if (terrain.model.plugin->spec.name != "benches") return;
@@ -124,11 +129,13 @@ void check_hole(DecodeContext& context, const Node& blast, const BlastPlan& plan
   if (length.high > height.low + subdrilling.low)
     return context.diagnostics.error(
         hole->key_at, hole->path,
-        fmt::format("stemming ({}) and charge_length ({}) are up to {:.6g} m long, longer than bench height ({}) + subdrilling ({})",
+        fmt::format("stemming ({}) and charge_length ({}) are up to {:.6g} m long, longer than bench height "
+                    "({}) + subdrilling ({})",
                     metres(stemming), metres(charge), length.high, metres(height), metres(subdrilling)));
   if (length.low < height.high)
-    context.diagnostics.warning(hole->key_at, hole->path,
-                                fmt::format("the hole ({}) is shorter than the bench ({})", metres(length), metres(height)));
+    context.diagnostics.warning(
+        hole->key_at, hole->path,
+        fmt::format("the hole ({}) is shorter than the bench ({})", metres(length), metres(height)));
 }
 
 }  // namespace flyrock

@@ -12,7 +12,7 @@ namespace {
 /// A parameter of a distribution: has the dimension of what is drawn, or none.
 struct Parameter {
   const char* name;
-  double Distribution::* member;
+  double Distribution::*member;
   bool has_dimension;
 };
 
@@ -29,7 +29,9 @@ const std::vector<Form>& forms() {
       {DistributionKind::uniform, true, {{"low", &D::a, true}, {"high", &D::b, true}}},
       {DistributionKind::normal, false, {{"mean", &D::a, true}, {"sd", &D::b, true}}},
       {DistributionKind::lognormal, false, {{"median", &D::a, true}, {"log_sd", &D::b, false}}},
-      {DistributionKind::triangular, true, {{"low", &D::a, true}, {"mode", &D::b, true}, {"high", &D::c, true}}},
+      {DistributionKind::triangular,
+       true,
+       {{"low", &D::a, true}, {"mode", &D::b, true}, {"high", &D::c, true}}},
       {DistributionKind::weibull, false, {{"scale", &D::a, true}, {"shape", &D::b, false}}},
       {DistributionKind::beta,
        false,
@@ -84,7 +86,8 @@ std::optional<std::pair<const Form*, Node>> DistributionDecoder::choose(const No
   if (found > 1)
     error(node, "names two distributions");
   else
-    error(node, fmt::format("expected {} or a distribution: {}", expected_text(spec_), choice_text(kind_names())));
+    error(node,
+          fmt::format("expected {} or a distribution: {}", expected_text(spec_), choice_text(kind_names())));
   return std::nullopt;
 }
 
@@ -97,11 +100,13 @@ std::optional<double> DistributionDecoder::read(const Node& node, bool has_dimen
 
 bool DistributionDecoder::decode_list(const Form& form, const Node& node) {
   std::string names;
-  for (const Parameter& parameter : form.parameters) names += fmt::format("{}{}", names.empty() ? "" : ", ", parameter.name);
+  for (const Parameter& parameter : form.parameters)
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", parameter.name);
   const std::vector<Node> items = node.items();
   if (items.size() != form.parameters.size()) {
-    error(node, fmt::format("expected [{}], found {}", names,
-                            node.value->list() ? fmt::format("a list of {}", items.size()) : shown(*node.value)));
+    error(node,
+          fmt::format("expected [{}], found {}", names,
+                      node.value->list() ? fmt::format("a list of {}", items.size()) : shown(*node.value)));
     return false;
   }
   List resolved;

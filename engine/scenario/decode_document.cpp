@@ -19,13 +19,15 @@ std::vector<std::string> element_names(const std::optional<Node>& list) {
   std::vector<std::string> names;
   if (!list) return names;
   for (const Node& item : list->items())
-    if (const auto name = item.find("name"); name && name->value->text()) names.push_back(*name->value->text());
+    if (const auto name = item.find("name"); name && name->value->text())
+      names.push_back(*name->value->text());
   return names;
 }
 
 class DocumentDecoder {
  public:
-  DocumentDecoder(DecodeContext& context, const Node& root, Map& resolved) : context_(context), root_(root), resolved_(resolved) {}
+  DocumentDecoder(DecodeContext& context, const Node& root, Map& resolved)
+      : context_(context), root_(root), resolved_(resolved) {}
 
   Scenario decode() {
     root_.refuse_unknown_keys(section_spec("").key_names(), context_.diagnostics);
@@ -35,7 +37,8 @@ class DocumentDecoder {
     scenario_.materials = decode_materials(context_, part("materials"), materials_map);
     std::optional<Profile> profile;
     if (const auto node = part("terrain")) {
-      DecodedTerrain terrain = decode_terrain(context_, *node, scenario_.materials, scenario_.seed, resolved_);
+      DecodedTerrain terrain =
+          decode_terrain(context_, *node, scenario_.materials, scenario_.seed, resolved_);
       scenario_.terrain = std::move(terrain.plan);
       profile = std::move(terrain.profile);
     }
@@ -80,9 +83,11 @@ class DocumentDecoder {
     const Section section(specs, std::move(values));
     if (section.given("flyrock") && section.constant("flyrock") != 1)
       error_at("flyrock", "this version reads format 1");
-    if (section.constant("dimension") == 3) error_at("dimension", "this version computes in 2D only, expected 2");
+    if (section.constant("dimension") == 3)
+      error_at("dimension", "this version computes in 2D only, expected 2");
     if (section.text("method") == "lumped_mass" || section.text("method") == "ballistic")
-      error_at("method", fmt::format("this version has no method `{}`, expected `nscd`", section.text("method")));
+      error_at("method",
+               fmt::format("this version has no method `{}`, expected `nscd`", section.text("method")));
     scenario_.title = section.text("title");
     scenario_.seed = static_cast<std::uint64_t>(section.constant("seed"));
     scenario_.trials = static_cast<std::uint64_t>(section.constant("trials"));
@@ -92,7 +97,8 @@ class DocumentDecoder {
 
   void decode_plugins() {
     List list;
-    for (const auto& [name, at] : plugin_files(*root_.value, context_.diagnostics)) list.push_back(text_value(name));
+    for (const auto& [name, at] : plugin_files(*root_.value, context_.diagnostics))
+      list.push_back(text_value(name));
     put(resolved_, "plugins", list_value(std::move(list)));
   }
 
@@ -102,8 +108,9 @@ class DocumentDecoder {
     Map map;
     const Section section = decode_section(context_, node, "sweep", {}, map);
     if (section.text("design") == "latin_hypercube" || section.text("design") == "sobol")
-      node->find("design")->error(context_.diagnostics,
-                                  fmt::format("this version has no design `{}`, expected `grid`", section.text("design")));
+      node->find("design")->error(
+          context_.diagnostics,
+          fmt::format("this version has no design `{}`, expected `grid`", section.text("design")));
     put(resolved_, "sweep", map_value(std::move(map)));
   }
 
@@ -123,15 +130,20 @@ class DocumentDecoder {
     const auto rocks = root_.find("rocks"), bodies = root_.find("bodies");
     if (!rocks && !bodies) context_.diagnostics.error(root_.key_at, "", "`rocks` or `bodies` is missing");
     if (rocks && bodies)
-      context_.diagnostics.error(bodies->key_at, bodies->path, "`bodies` and `rocks` cannot stand in one scenario");
+      context_.diagnostics.error(bodies->key_at, bodies->path,
+                                 "`bodies` and `rocks` cannot stand in one scenario");
     if (rocks) {
       scenario_.rocks = decode_rocks(context_, *rocks, scenario_.materials, profile, resolved_);
       check_group_names(*rocks);
       check_reads(*rocks);
+      check_materials(*rocks, scenario_.rocks,
+                      [&](const RockGroup&, const RockGroup&) { return scenario_.rock_contacts; });
     }
     if (bodies) {
       scenario_.bodies = decode_bodies(context_, *bodies, scenario_.materials, resolved_);
-      check_body_materials(*bodies);
+      auto is_free = [](const BodyPlan& body) { return !body.fixed && !body.driven; };
+      check_materials(*bodies, scenario_.bodies,
+                      [&](const BodyPlan& a, const BodyPlan& b) { return is_free(a) || is_free(b); });
     }
   }
 
@@ -150,19 +162,22 @@ class DocumentDecoder {
     for (const Node& item : items) {
       const auto launch = item.find("launch");
       const Value* type = launch ? launch->value->find("type") : nullptr;
-      const Plugin* plugin = type && type->text() ? context_.registry.find(PluginKind::velocity, *type->text()) : nullptr;
+      const Plugin* plugin =
+          type && type->text() ? context_.registry.find(PluginKind::velocity, *type->text()) : nullptr;
       if (!plugin) continue;
       for (const std::string& field : plugin->spec.reads)
         if (const std::string missing = missing_field(field); !missing.empty())
-          context_.diagnostics.error(launch->key_at, launch->path,
-                                     fmt::format("{} reads `blast.{}`, which the scenario does not give", *type->text(), missing));
+          context_.diagnostics.error(
+              launch->key_at, launch->path,
+              fmt::format("{} reads `blast.{}`, which the scenario does not give", *type->text(), missing));
     }
   }
 
   /// The path of a field that a manifest names and the scenario lacks, or an empty text.
   std::string missing_field(const std::string& field) const {
     for (const BlastFieldInfo& info : blast_fields()) {
-      if (field != fmt::format("blast.{}", info.path) && field != fmt::format("blast.{}", info.name)) continue;
+      if (field != fmt::format("blast.{}", info.path) && field != fmt::format("blast.{}", info.name))
+        continue;
       const bool given = scenario_.blast && scenario_.blast->fields.contains(info.field);
       return given ? std::string() : std::string(info.path);
     }
@@ -175,19 +190,22 @@ class DocumentDecoder {
     });
   }
 
-  /// Two bodies that show different materials need a pair (DESIGN 8).
-  void check_body_materials(const Node& list) {
+  /// Things that meet and show different materials need an entry of `pairs` (DESIGN 8).
+  template <class Plan, class Meet>
+  void check_materials(const Node& list, const std::vector<Plan>& plans, Meet meet) {
     const std::vector<Node> items = list.items();
-    if (items.size() != scenario_.bodies.size()) return;  // one of them is no map, which was reported
-    for (std::size_t j = 0; j < scenario_.bodies.size(); ++j)
+    if (items.size() != plans.size()) return;  // one of them is no map, which was reported
+    for (std::size_t j = 0; j < plans.size(); ++j)
       for (std::size_t i = 0; i < j; ++i) {
-        const BodyPlan& a = scenario_.bodies[i];
-        const BodyPlan& b = scenario_.bodies[j];
-        const bool both_at_rest = (a.fixed || a.driven) && (b.fixed || b.driven);
-        if (both_at_rest || a.material < 0 || b.material < 0 || a.material == b.material || has_pair(a.name, b.name)) continue;
+        const Plan& a = plans[i];
+        const Plan& b = plans[j];
+        if (!meet(a, b) || a.material < 0 || b.material < 0 || a.material == b.material ||
+            has_pair(a.name, b.name))
+          continue;
         context_.diagnostics.error(
             items[j].key_at, items[j].path,
-            fmt::format("`{}` and `{}` show different materials, expected an entry of `pairs` between them", a.name, b.name));
+            fmt::format("`{}` and `{}` show different materials, expected an entry of `pairs` between them",
+                        a.name, b.name));
       }
   }
 

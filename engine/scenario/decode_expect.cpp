@@ -11,8 +11,13 @@ constexpr NumberRules expect_rules{.bare_angles = true};  // DESIGN 8: bare numb
 
 class ExpectationDecoder {
  public:
-  ExpectationDecoder(DecodeContext& context, const Node& node, const Dimension& dimension, Expectation& expectation, Map& resolved)
-      : context_(context), node_(node), dimension_(dimension), expectation_(expectation), resolved_(resolved) {}
+  ExpectationDecoder(DecodeContext& context, const Node& node, const Dimension& dimension,
+                     Expectation& expectation, Map& resolved)
+      : context_(context),
+        node_(node),
+        dimension_(dimension),
+        expectation_(expectation),
+        resolved_(resolved) {}
 
   void decode() {
     const std::vector<std::string> kinds{"equals", "below", "above", "between"};
@@ -20,13 +25,13 @@ class ExpectationDecoder {
     for (const std::string& kind : kinds)
       if (node_.find(kind)) given.push_back(kind);
     if (given.size() != 1)
-      return node_.error(context_.diagnostics,
-                         fmt::format("expected exactly one of {}, found {}", choice_text(kinds), given.size()));
+      return node_.error(context_.diagnostics, fmt::format("expected exactly one of {}, found {}",
+                                                           choice_text(kinds), given.size()));
     const Node value = *node_.find(given[0]);
     if (given[0] == "between") {
       decode_between(value);
     } else {
-      expectation_.kind = given[0] == "equals" ? ExpectKind::equals
+      expectation_.kind = given[0] == "equals"  ? ExpectKind::equals
                           : given[0] == "below" ? ExpectKind::below
                                                 : ExpectKind::above;
       expectation_.value = read(value, dimension_);
@@ -40,7 +45,8 @@ class ExpectationDecoder {
   static Value bare(double number) { return number_value(number, dimension::none); }
 
   double read(const Node& node, const Dimension& dimension) {
-    const std::string expected = dimension == dimension::none ? "a number" : "a number in " + si_unit(dimension);
+    const std::string expected =
+        dimension == dimension::none ? "a number" : "a number in " + si_unit(dimension);
     return decode_quantity(context_, node, dimension, expect_rules, expected).value_or(0);
   }
 
@@ -50,7 +56,8 @@ class ExpectationDecoder {
     if (ends.size() != 2) return node.error(context_.diagnostics, "expected [low, high]");
     expectation_.value = read(ends[0], dimension_);
     expectation_.high = read(ends[1], dimension_);
-    if (expectation_.value > expectation_.high) node.error(context_.diagnostics, "the low end must not be above the high end");
+    if (expectation_.value > expectation_.high)
+      node.error(context_.diagnostics, "the low end must not be above the high end");
     put(resolved_, "between", list_value({bare(expectation_.value), bare(expectation_.high)}));
   }
 
@@ -58,7 +65,8 @@ class ExpectationDecoder {
     const auto tolerance = node_.find("tolerance"), relative = node_.find("relative");
     if ((tolerance || relative) && expectation_.kind != ExpectKind::equals)
       (tolerance ? tolerance : relative)->error(context_.diagnostics, "stands beside `equals` only");
-    if (tolerance && relative) relative->error(context_.diagnostics, "stands in place of `tolerance`, not beside it");
+    if (tolerance && relative)
+      relative->error(context_.diagnostics, "stands in place of `tolerance`, not beside it");
     if (tolerance) {
       expectation_.tolerance = read(*tolerance, dimension_);
       if (expectation_.tolerance < 0) tolerance->error(context_.diagnostics, "must be at least 0");
@@ -81,7 +89,9 @@ class ExpectationDecoder {
       if (entry.value->number()) value = *entry.value->number();
       if (entry.value->text())
         if (const auto quantity = parse_quantity(*entry.value->text())) value = quantity->si();
-      if (!value) entry.error(context_.diagnostics, fmt::format("expected a value of the sweep, found {}", shown(*entry.value)));
+      if (!value)
+        entry.error(context_.diagnostics,
+                    fmt::format("expected a value of the sweep, found {}", shown(*entry.value)));
       expectation_.at.emplace_back(entry.key, value.value_or(0));
       put(map, entry.key, bare(value.value_or(0)));
     }
@@ -97,7 +107,8 @@ class ExpectationDecoder {
 
 }  // namespace
 
-std::vector<Expectation> decode_expect(DecodeContext& context, const Node& node, const std::vector<std::string>& bodies,
+std::vector<Expectation> decode_expect(DecodeContext& context, const Node& node,
+                                       const std::vector<std::string>& bodies,
                                        const std::vector<std::string>& groups, Map& resolved) {
   std::vector<Expectation> expectations;
   if (!node.expect_list(context.diagnostics)) return expectations;

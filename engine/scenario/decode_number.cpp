@@ -18,9 +18,11 @@ std::string dimension_fault(const Quantity& quantity, const Dimension& expected)
   const Dimension& found = quantity.unit.dimension;
   if (found == expected) return {};
   if (expected == dimension::none)
-    return fmt::format("the unit `{}` does not belong here, expected a number without a unit", quantity.unit_text);
+    return fmt::format("the unit `{}` does not belong here, expected a number without a unit",
+                       quantity.unit_text);
   if (is_reciprocal(found, expected))
-    return fmt::format("the unit `{}` is a reciprocal of the expected {}", quantity.unit_text, si_unit(expected));
+    return fmt::format("the unit `{}` is a reciprocal of the expected {}", quantity.unit_text,
+                       si_unit(expected));
   const std::string dimension = si_unit(found);
   return fmt::format("the unit `{}`{} does not fit, expected a unit like {}", quantity.unit_text,
                      dimension == quantity.unit_text ? "" : " (" + dimension + ")", si_unit(expected));
@@ -73,9 +75,10 @@ std::optional<Scope> decode_scope(DecodeContext& context, const Node& node, cons
   const std::string* text = per->value->text();
   for (int s = 0; text && s <= static_cast<int>(rules.finest); ++s)
     if (*text == name_of(static_cast<Scope>(s))) return static_cast<Scope>(s);
-  per->error(context.diagnostics, per->value->is_null()
-                                      ? "is empty, expected " + scope_choices(rules.finest)
-                                      : fmt::format("expected {}, found {}", scope_choices(rules.finest), shown(*per->value)));
+  per->error(context.diagnostics,
+             per->value->is_null()
+                 ? "is empty, expected " + scope_choices(rules.finest)
+                 : fmt::format("expected {}, found {}", scope_choices(rules.finest), shown(*per->value)));
   return std::nullopt;
 }
 
@@ -97,8 +100,8 @@ std::optional<DecodedNumber> decode_draw(DecodeContext& context, const Node& nod
   }
   const double low = distribution.lowest(), high = distribution.highest();
   if (const std::string fault = limit_fault(spec, low, high, !is_stepped); !fault.empty()) {
-    node.error(context.diagnostics, fmt::format("draws from {} to {}, {}: give it a `min` or `max`", with_unit(low, spec),
-                                                with_unit(high, spec), fault));
+    node.error(context.diagnostics, fmt::format("draws from {} to {}, {}: give it a `min` or `max`",
+                                                with_unit(low, spec), with_unit(high, spec), fault));
     return std::nullopt;
   }
   Draw draw{node.path, node.stream, distribution, *scope, hash_name(node.stream)};
@@ -126,7 +129,8 @@ std::optional<double> decode_quantity(DecodeContext& context, const Node& node, 
     if (!std::isfinite(*number))
       node.error(context.diagnostics, "is not a finite number");
     else if (is_bare_angle)
-      node.error(context.diagnostics, fmt::format("the angle {0} needs a unit: `{0} deg` or `{0} rad`?", shortest(*number)));
+      node.error(context.diagnostics,
+                 fmt::format("the angle {0} needs a unit: `{0} deg` or `{0} rad`?", shortest(*number)));
     else
       si = *number;
   } else if (const std::string* text = value.text()) {
@@ -139,8 +143,9 @@ std::optional<double> decode_quantity(DecodeContext& context, const Node& node, 
     else
       si = quantity->si();
   } else {
-    node.error(context.diagnostics, value.is_null() ? "is empty, expected " + expected
-                                                    : fmt::format("expected {}, found {}", expected, shown(value)));
+    node.error(context.diagnostics, value.is_null()
+                                        ? "is empty, expected " + expected
+                                        : fmt::format("expected {}, found {}", expected, shown(value)));
   }
   if (si && rules.varies && context.swept.contains(node.path)) context.swept_values[node.path] = *si;
   return si;
@@ -164,13 +169,20 @@ std::string expected_text(const ParamSpec& spec) {
   switch (spec.type) {
     case ParamType::number:
       return spec.dimension == dimension::none ? "a number" : "a number in " + unit_of(spec);
-    case ParamType::integer: return "a whole number";
-    case ParamType::boolean: return "`true` or `false`";
-    case ParamType::choice: return choice_text(spec.choices);
-    case ParamType::text: return "text";
-    case ParamType::vector: return "a list of numbers in " + unit_of(spec);
-    case ParamType::points: return "a list of points [x, y]";
-    case ParamType::file: return "the name of a file";
+    case ParamType::integer:
+      return "a whole number";
+    case ParamType::boolean:
+      return "`true` or `false`";
+    case ParamType::choice:
+      return choice_text(spec.choices);
+    case ParamType::text:
+      return "text";
+    case ParamType::vector:
+      return "a list of numbers in " + unit_of(spec);
+    case ParamType::points:
+      return "a list of points [x, y]";
+    case ParamType::file:
+      return "the name of a file";
   }
   return {};
 }

@@ -14,9 +14,9 @@ namespace flyrock {
 /// What all parts of the decoder share while they decode one point of a sweep.
 struct DecodeContext {
   const Registry& registry;
-  std::string folder;                          ///< of the scenario, for files that it names
+  std::string folder;  ///< of the scenario, for files that it names
   Diagnostics& diagnostics;
-  const std::set<std::string>& swept;          ///< paths of the sweep's axes
+  const std::set<std::string>& swept;  ///< paths of the sweep's axes
   int dimension = 2;
   std::vector<Draw> draws = {};
   std::map<std::string, double> swept_values = {};  ///< by path, SI; of the axes met where a sweep may stand
@@ -24,10 +24,10 @@ struct DecodeContext {
 
 /// What a number may be where it stands.
 struct NumberRules {
-  bool varies = false;           ///< may be a distribution or swept
-  Scope scope = Scope::trial;    ///< of a distribution without `per`
-  Scope finest = Scope::trial;   ///< the finest that `per` may ask for
-  bool bare_angles = false;      ///< `expect`: angles without a unit are rad
+  bool varies = false;          ///< may be a distribution or swept
+  Scope scope = Scope::trial;   ///< of a distribution without `per`
+  Scope finest = Scope::trial;  ///< the finest that `per` may ask for
+  bool bare_angles = false;     ///< `expect`: angles without a unit are rad
 };
 
 /// A constant without limits, sweeps and distributions; [SI]. `expected` is "a number in m".

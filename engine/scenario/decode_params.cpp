@@ -23,7 +23,8 @@ void refuse(DecodeContext& context, const Node& node, const ParamSpec& spec) {
   node.error(context.diagnostics, fmt::format("expected {}, found {}{}", expected, shown(*node.value), hint));
 }
 
-void decode_boolean(DecodeContext& context, const Node& node, const ParamSpec& spec, ParamValue& value, Value& resolved) {
+void decode_boolean(DecodeContext& context, const Node& node, const ParamSpec& spec, ParamValue& value,
+                    Value& resolved) {
   const bool* boolean = node.value->boolean();
   if (!boolean) return refuse(context, node, spec);
   value.numbers = {{*boolean ? 1.0 : 0.0, -1}};
@@ -31,7 +32,8 @@ void decode_boolean(DecodeContext& context, const Node& node, const ParamSpec& s
 }
 
 /// A choice of `off` and `on` may also be written as false and true, as in Lua.
-void decode_choice(DecodeContext& context, const Node& node, const ParamSpec& spec, ParamValue& value, Value& resolved) {
+void decode_choice(DecodeContext& context, const Node& node, const ParamSpec& spec, ParamValue& value,
+                   Value& resolved) {
   std::string text;
   if (const bool* boolean = node.value->boolean()) text = *boolean ? "on" : "off";
   if (node.value->text()) text = *node.value->text();
@@ -41,14 +43,16 @@ void decode_choice(DecodeContext& context, const Node& node, const ParamSpec& sp
   resolved = text_value(text);
 }
 
-void decode_text(DecodeContext& context, const Node& node, const ParamSpec& spec, ParamValue& value, Value& resolved) {
+void decode_text(DecodeContext& context, const Node& node, const ParamSpec& spec, ParamValue& value,
+                 Value& resolved) {
   const std::string* text = node.value->text();
   if (!text || (text->empty() && spec.required())) return refuse(context, node, spec);
   value.text = *text;
   resolved = text_value(*text);
 }
 
-void decode_file(DecodeContext& context, const Node& node, const ParamSpec& spec, ParamValue& value, Value& resolved) {
+void decode_file(DecodeContext& context, const Node& node, const ParamSpec& spec, ParamValue& value,
+                 Value& resolved) {
   const std::string* name = node.value->text();
   if (!name || name->empty()) return refuse(context, node, spec);
   const std::filesystem::path path = std::filesystem::path(context.folder) / *name;
@@ -63,8 +67,8 @@ void decode_vector(DecodeContext& context, const Node& node, const ParamSpec& sp
   if (!node.is_list() || node.value->is_null()) return refuse(context, node, spec);
   const std::vector<Node> items = node.items();
   if (static_cast<int>(items.size()) != context.dimension)
-    return node.error(context.diagnostics,
-                      fmt::format("has {} components, expected {} in {}D", items.size(), context.dimension, context.dimension));
+    return node.error(context.diagnostics, fmt::format("has {} components, expected {} in {}D", items.size(),
+                                                       context.dimension, context.dimension));
   ParamSpec component = spec;
   component.type = ParamType::number;
   List list;
@@ -87,13 +91,15 @@ std::vector<double> decode_point(DecodeContext& context, const Node& node, const
   coordinate.type = ParamType::number;
   std::vector<double> point;
   for (const Node& item : items)
-    if (auto si = decode_quantity(context, item, spec.dimension, {}, expected_text(coordinate))) point.push_back(*si);
+    if (auto si = decode_quantity(context, item, spec.dimension, {}, expected_text(coordinate)))
+      point.push_back(*si);
   return point.size() == items.size() ? point : std::vector<double>();
 }
 
 /// Points. Those of a parameter called `vertices` or `inside` are the outline of a convex polygon, wherever
 /// it stands: what is wrong with it is said here, where its place in the file is known.
-void decode_points(DecodeContext& context, const Node& node, const ParamSpec& spec, ParamValue& value, Value& resolved) {
+void decode_points(DecodeContext& context, const Node& node, const ParamSpec& spec, ParamValue& value,
+                   Value& resolved) {
   if (!node.is_list() || node.value->is_null()) return refuse(context, node, spec);
   List list;
   bool good = true;
@@ -108,7 +114,8 @@ void decode_points(DecodeContext& context, const Node& node, const ParamSpec& sp
   if (good && (spec.name == "vertices" || spec.name == "inside") && context.dimension == 2) {
     std::vector<Vec2> vertices;
     for (const std::vector<double>& point : value.points) vertices.emplace_back(point[0], point[1]);
-    if (const std::string fault = make_convex(vertices); !fault.empty()) node.error(context.diagnostics, fault);
+    if (const std::string fault = make_convex(vertices); !fault.empty())
+      node.error(context.diagnostics, fault);
   }
   resolved = list_value(std::move(list));
 }
@@ -124,12 +131,18 @@ void decode_param(DecodeContext& context, const Node& node, const ParamSpec& spe
         resolved = std::move(decoded->resolved);
       }
       return;
-    case ParamType::boolean: return decode_boolean(context, node, spec, value, resolved);
-    case ParamType::choice: return decode_choice(context, node, spec, value, resolved);
-    case ParamType::text: return decode_text(context, node, spec, value, resolved);
-    case ParamType::file: return decode_file(context, node, spec, value, resolved);
-    case ParamType::vector: return decode_vector(context, node, spec, rules, value, resolved);
-    case ParamType::points: return decode_points(context, node, spec, value, resolved);
+    case ParamType::boolean:
+      return decode_boolean(context, node, spec, value, resolved);
+    case ParamType::choice:
+      return decode_choice(context, node, spec, value, resolved);
+    case ParamType::text:
+      return decode_text(context, node, spec, value, resolved);
+    case ParamType::file:
+      return decode_file(context, node, spec, value, resolved);
+    case ParamType::vector:
+      return decode_vector(context, node, spec, rules, value, resolved);
+    case ParamType::points:
+      return decode_points(context, node, spec, value, resolved);
   }
 }
 
@@ -158,7 +171,9 @@ bool take_default(const ParamSpec& spec, ParamValue& value, Value& resolved) {
 
 /// Makes an instance and drops it: a plugin refuses parameters that contradict each other when it is made.
 void try_to_make(DecodeContext& context, const Node& node, const PluginUse& use) {
-  auto make = [&]<class Interface>(const FactoryOf<Interface>&) { make_instance<Interface>(use, context.dimension); };
+  auto make = [&]<class Interface>(const FactoryOf<Interface>&) {
+    make_instance<Interface>(use, context.dimension);
+  };
   try {
     std::visit(make, use.plugin->make);
   } catch (const PluginError& error) {
@@ -168,8 +183,9 @@ void try_to_make(DecodeContext& context, const Node& node, const PluginUse& use)
 
 }  // namespace
 
-std::vector<ParamValue> decode_params(DecodeContext& context, const Node& map, const std::vector<ParamSpec>& specs,
-                                      const NumberRules& rules, Map& resolved) {
+std::vector<ParamValue> decode_params(DecodeContext& context, const Node& map,
+                                      const std::vector<ParamSpec>& specs, const NumberRules& rules,
+                                      Map& resolved) {
   std::vector<ParamValue> values(specs.size());
   for (std::size_t i = 0; i < specs.size(); ++i) {
     const ParamSpec& spec = specs[i];
@@ -222,7 +238,8 @@ Section decode_section(DecodeContext& context, const std::optional<Node>& node, 
 }
 
 std::optional<PluginUse> decode_plugin(DecodeContext& context, const Node& node, PluginKind kind,
-                                       const NumberRules& rules, Map& resolved, const std::vector<std::string>& others,
+                                       const NumberRules& rules, Map& resolved,
+                                       const std::vector<std::string>& others,
                                        std::string_view default_type) {
   if (!node.expect_map(context.diagnostics)) return std::nullopt;
   const std::vector<std::string> known = context.registry.names(kind);
@@ -230,21 +247,25 @@ std::optional<PluginUse> decode_plugin(DecodeContext& context, const Node& node,
   if (const std::optional<Node> child = node.find("type")) {
     const std::string* text = child->value->text();
     if (!text) {
-      child->error(context.diagnostics, fmt::format("expected the name of a {}, found {}", name_of(kind), shown(*child->value)));
+      child->error(context.diagnostics,
+                   fmt::format("expected the name of a {}, found {}", name_of(kind), shown(*child->value)));
       return std::nullopt;
     }
     type = *text;
     if (!context.registry.find(kind, type)) {
-      child->error(context.diagnostics, fmt::format("unknown {} `{}`{}", name_of(kind), type, suggestion(type, known)));
+      child->error(context.diagnostics,
+                   fmt::format("unknown {} `{}`{}", name_of(kind), type, suggestion(type, known)));
       return std::nullopt;
     }
   } else if (type.empty()) {
-    context.diagnostics.error(node.key_at, node.path, fmt::format("`type` is missing, expected {}", choice_text(known)));
+    context.diagnostics.error(node.key_at, node.path,
+                              fmt::format("`type` is missing, expected {}", choice_text(known)));
     return std::nullopt;
   }
   const Plugin* plugin = context.registry.find(kind, type);
   if (!plugin) {
-    node.error(context.diagnostics, fmt::format("unknown {} `{}`{}", name_of(kind), type, suggestion(type, known)));
+    node.error(context.diagnostics,
+               fmt::format("unknown {} `{}`{}", name_of(kind), type, suggestion(type, known)));
     return std::nullopt;
   }
   std::vector<std::string> keys{"type"};
@@ -270,7 +291,8 @@ bool check_name(DecodeContext& context, const Node& node) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
   };
   if (std::all_of(text->begin(), text->end(), is_word)) return true;
-  node.error(context.diagnostics, fmt::format("{} is not a name, expected letters, digits, `_` and `-`", shown(*node.value)));
+  node.error(context.diagnostics,
+             fmt::format("{} is not a name, expected letters, digits, `_` and `-`", shown(*node.value)));
   return false;
 }
 

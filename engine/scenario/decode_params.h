@@ -11,10 +11,11 @@
 
 namespace flyrock {
 
-/// Decodes the keys of a map that `specs` name, in their order, fills in defaults, and reports what is missing.
-/// Appends to `resolved`. Keys that are not in `specs` are left to the caller.
-std::vector<ParamValue> decode_params(DecodeContext& context, const Node& map, const std::vector<ParamSpec>& specs,
-                                      const NumberRules& rules, Map& resolved);
+/// Decodes the keys of a map that `specs` name, in their order, fills in defaults, and reports what is
+/// missing. Appends to `resolved`. Keys that are not in `specs` are left to the caller.
+std::vector<ParamValue> decode_params(DecodeContext& context, const Node& map,
+                                      const std::vector<ParamSpec>& specs, const NumberRules& rules,
+                                      Map& resolved);
 
 /// One decoded section. A value that was reported as wrong reads as 0, empty text or a constant 0: the
 /// scenario is refused anyway, once all of it was looked at.

@@ -23,7 +23,8 @@ void check_mass(DecodeContext& context, const Node& node, const Section& section
     context.diagnostics.error(node.key_at, node.path, "`density` or `mass` is missing");
 }
 
-int decode_material(DecodeContext& context, const Node& node, const Section& section, const std::vector<Material>& materials) {
+int decode_material(DecodeContext& context, const Node& node, const Section& section,
+                    const std::vector<Material>& materials) {
   const std::optional<Node> material = node.find("material");
   return material && section.given("material") ? find_material(context, *material, materials) : -1;
 }
@@ -32,27 +33,31 @@ void check_bench(DecodeContext& context, const Node& node, int bench, const std:
   if (!profile || bench < 1) return;
   const int faces = static_cast<int>(profile->faces.size());
   if (bench <= faces) return;
-  const std::string found = faces == 0 ? "the terrain has no bench faces" : fmt::format("the terrain has {}", faces);
+  const std::string found =
+      faces == 0 ? "the terrain has no bench faces" : fmt::format("the terrain has {}", faces);
   node.error(context.diagnostics, fmt::format("there is no bench {}, {}", bench, found));
 }
 
-std::optional<Release> decode_release(DecodeContext& context, const Node& node, const std::optional<Profile>& profile,
-                                      Map& resolved) {
-  constexpr std::array<std::pair<std::string_view, ReleaseKind>, 5> kinds{{{"from", ReleaseKind::face},
-                                                                            {"x", ReleaseKind::above_ground},
-                                                                            {"position", ReleaseKind::position},
-                                                                            {"along", ReleaseKind::along},
-                                                                            {"inside", ReleaseKind::inside}}};
+std::optional<Release> decode_release(DecodeContext& context, const Node& node,
+                                      const std::optional<Profile>& profile, Map& resolved) {
+  constexpr std::array<std::pair<std::string_view, ReleaseKind>, 5> kinds{
+      {{"from", ReleaseKind::face},
+       {"x", ReleaseKind::above_ground},
+       {"position", ReleaseKind::position},
+       {"along", ReleaseKind::along},
+       {"inside", ReleaseKind::inside}}};
   if (!node.expect_map(context.diagnostics)) return std::nullopt;
   std::vector<std::string> names;
   for (const auto& [name, kind] : kinds) names.emplace_back(name);
-  const auto chosen = std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) { return node.find(kind.first); });
+  const auto chosen =
+      std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) { return node.find(kind.first); });
   if (chosen == kinds.end()) {
     node.refuse_unknown_keys(names, context.diagnostics);
     context.diagnostics.error(node.key_at, node.path, fmt::format("expected one of {}", choice_text(names)));
     return std::nullopt;
   }
-  const Section section = decode_section(context, node, fmt::format("rocks.release: {}", chosen->first), rock_rules, resolved);
+  const Section section =
+      decode_section(context, node, fmt::format("rocks.release: {}", chosen->first), rock_rules, resolved);
   Release release;
   release.kind = chosen->second;
   switch (release.kind) {
@@ -64,18 +69,22 @@ std::optional<Release> decode_release(DecodeContext& context, const Node& node, 
       release.x = section.number("x");
       release.above_ground = section.number("above_ground");
       break;
-    case ReleaseKind::position: release.position = section.vector("position"); break;
+    case ReleaseKind::position:
+      release.position = section.vector("position");
+      break;
     case ReleaseKind::along:
       release.points = section.points("along");
       if (release.points.size() < 2) node.error(context.diagnostics, "`along` needs at least two points");
       break;
-    case ReleaseKind::inside: release.points = section.points("inside"); break;
+    case ReleaseKind::inside:
+      release.points = section.points("inside");
+      break;
   }
   return release;
 }
 
-std::optional<PluginUse> decode_part(DecodeContext& context, const Node& node, PluginKind kind, std::string_view key,
-                                     const NumberRules& rules, Map& resolved) {
+std::optional<PluginUse> decode_part(DecodeContext& context, const Node& node, PluginKind kind,
+                                     std::string_view key, const NumberRules& rules, Map& resolved) {
   const std::optional<Node> child = node.find(key);
   if (!child) return std::nullopt;
   Map map;
@@ -109,11 +118,13 @@ RockGroup decode_group(DecodeContext& context, const Node& node, const std::vect
   group.launch = decode_part(context, node, PluginKind::velocity, "launch", rock_rules, resolved);
   if (group.population.plugin && group.population.plugin->spec.name == default_population)
     for (const char* key : {"shape", "release"})  // other populations may decide both themselves
-      if (!node.find(key)) context.diagnostics.error(node.key_at, node.path, fmt::format("`{}` is missing", key));
+      if (!node.find(key))
+        context.diagnostics.error(node.key_at, node.path, fmt::format("`{}` is missing", key));
   return group;
 }
 
-BodyPlan decode_body(DecodeContext& context, const Node& node, const std::vector<Material>& materials, Map& resolved) {
+BodyPlan decode_body(DecodeContext& context, const Node& node, const std::vector<Material>& materials,
+                     Map& resolved) {
   BodyPlan body;
   const Section section = decode_section(context, node, "bodies", body_rules, resolved);
   if (const auto name = node.find("name")) check_name(context, *name);
@@ -146,7 +157,8 @@ BodyPlan decode_body(DecodeContext& context, const Node& node, const std::vector
 }
 
 template <class Item, class Decode>
-std::vector<Item> decode_list(DecodeContext& context, const Node& node, std::string_view key, Map& resolved, Decode decode) {
+std::vector<Item> decode_list(DecodeContext& context, const Node& node, std::string_view key, Map& resolved,
+                              Decode decode) {
   std::vector<Item> items;
   if (!node.expect_list(context.diagnostics)) return items;
   List list;
@@ -172,19 +184,21 @@ void refuse_duplicate_names(DecodeContext& context, const Node& list) {
     const auto [first, is_new] = line_of.emplace(*name->value->text(), name->value->at.line);
     if (is_new) continue;
     const std::string place = first->second > 0 ? fmt::format(" (line {})", first->second) : "";
-    name->error(context.diagnostics, fmt::format("the name `{}` is taken by an earlier element{}", first->first, place));
+    name->error(context.diagnostics,
+                fmt::format("the name `{}` is taken by an earlier element{}", first->first, place));
   }
 }
 
-std::vector<RockGroup> decode_rocks(DecodeContext& context, const Node& node, const std::vector<Material>& materials,
+std::vector<RockGroup> decode_rocks(DecodeContext& context, const Node& node,
+                                    const std::vector<Material>& materials,
                                     const std::optional<Profile>& profile, Map& resolved) {
   return decode_list<RockGroup>(context, node, "rocks", resolved, [&](const Node& item, Map& map) {
     return decode_group(context, item, materials, profile, map);
   });
 }
 
-std::vector<BodyPlan> decode_bodies(DecodeContext& context, const Node& node, const std::vector<Material>& materials,
-                                    Map& resolved) {
+std::vector<BodyPlan> decode_bodies(DecodeContext& context, const Node& node,
+                                    const std::vector<Material>& materials, Map& resolved) {
   return decode_list<BodyPlan>(context, node, "bodies", resolved, [&](const Node& item, Map& map) {
     return decode_body(context, item, materials, map);
   });

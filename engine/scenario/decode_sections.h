@@ -12,7 +12,8 @@
 namespace flyrock {
 
 /// The materials, in order of their names.
-std::vector<Material> decode_materials(DecodeContext& context, const std::optional<Node>& node, Map& resolved);
+std::vector<Material> decode_materials(DecodeContext& context, const std::optional<Node>& node,
+                                       Map& resolved);
 
 /// The index of the material that a node names, -1 where there is none (which is reported).
 int find_material(DecodeContext& context, const Node& node, const std::vector<Material>& materials);
@@ -22,29 +23,32 @@ struct DecodedTerrain {
   TerrainPlan plan;
   std::optional<Profile> profile;
 };
-DecodedTerrain decode_terrain(DecodeContext& context, const Node& node, const std::vector<Material>& materials,
-                              std::uint64_t seed, Map& resolved);
+DecodedTerrain decode_terrain(DecodeContext& context, const Node& node,
+                              const std::vector<Material>& materials, std::uint64_t seed, Map& resolved);
 
 BlastPlan decode_blast(DecodeContext& context, const Node& node, Map& resolved);
 
 /// Checks of the blast that need the terrain: the length of the hole against the bench.
 void check_hole(DecodeContext& context, const Node& blast, const BlastPlan& plan, const TerrainPlan& terrain);
 
-std::vector<RockGroup> decode_rocks(DecodeContext& context, const Node& node, const std::vector<Material>& materials,
+std::vector<RockGroup> decode_rocks(DecodeContext& context, const Node& node,
+                                    const std::vector<Material>& materials,
                                     const std::optional<Profile>& profile, Map& resolved);
 
-std::vector<BodyPlan> decode_bodies(DecodeContext& context, const Node& node, const std::vector<Material>& materials,
-                                    Map& resolved);
+std::vector<BodyPlan> decode_bodies(DecodeContext& context, const Node& node,
+                                    const std::vector<Material>& materials, Map& resolved);
 
 /// `names`: bodies, groups, `terrain` and `terrain.<part>`.
-std::vector<PairPlan> decode_pairs(DecodeContext& context, const Node& node, const std::vector<Material>& materials,
+std::vector<PairPlan> decode_pairs(DecodeContext& context, const Node& node,
+                                   const std::vector<Material>& materials,
                                    const std::vector<std::string>& names, Map& resolved);
 
 SolverPlan decode_solver(DecodeContext& context, const std::optional<Node>& node, Map& resolved);
 StopPlan decode_stop(DecodeContext& context, const std::optional<Node>& node, Map& resolved);
 OutputPlan decode_output(DecodeContext& context, const std::optional<Node>& node, Map& resolved);
 
-std::vector<Expectation> decode_expect(DecodeContext& context, const Node& node, const std::vector<std::string>& bodies,
+std::vector<Expectation> decode_expect(DecodeContext& context, const Node& node,
+                                       const std::vector<std::string>& bodies,
                                        const std::vector<std::string>& groups, Map& resolved);
 
 /// Known keys that nothing in this run reads.

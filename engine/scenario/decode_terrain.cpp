@@ -13,7 +13,8 @@ namespace {
 constexpr NumberRules material_rules{.varies = true, .scope = Scope::rock, .finest = Scope::impact};
 constexpr NumberRules terrain_rules{.varies = true, .scope = Scope::trial, .finest = Scope::trial};
 
-std::optional<PluginUse> decode_law(DecodeContext& context, const Node& material, PluginKind kind, Map& resolved) {
+std::optional<PluginUse> decode_law(DecodeContext& context, const Node& material, PluginKind kind,
+                                    Map& resolved) {
   const std::optional<Node> node = material.find(name_of(kind));
   if (!node) return std::nullopt;
   Map law;
@@ -38,7 +39,8 @@ std::vector<Zone> decode_zones(DecodeContext& context, const Node& node, Map& re
     zones.push_back({section.text("name"), section.constant("from"), section.constant("to")});
     if (const auto name = item.find("name")) check_name(context, *name);
     const bool has_ends = section.given("from") && section.given("to");
-    if (has_ends && !(zones.back().from < zones.back().to)) item.error(context.diagnostics, "`from` must be less than `to`");
+    if (has_ends && !(zones.back().from < zones.back().to))
+      item.error(context.diagnostics, "`from` must be less than `to`");
     list.push_back(map_value(std::move(zone)));
   }
   refuse_duplicate_names(context, node);
@@ -46,7 +48,8 @@ std::vector<Zone> decode_zones(DecodeContext& context, const Node& node, Map& re
   return zones;
 }
 
-std::optional<Profile> build_profile(DecodeContext& context, const Node& node, const PluginUse& use, std::uint64_t seed) {
+std::optional<Profile> build_profile(DecodeContext& context, const Node& node, const PluginUse& use,
+                                     std::uint64_t seed) {
   try {
     const DrawKey key;
     std::vector<double> values;
@@ -73,8 +76,9 @@ void decode_part_materials(DecodeContext& context, const Node& node, const std::
     Map map;
     for (const Node& entry : named->entries()) {
       if (std::find(parts.begin(), parts.end(), entry.key) == parts.end())
-        context.diagnostics.error(entry.key_at, entry.path,
-                                  fmt::format("the terrain has no part or zone `{}`{}", entry.key, suggestion(entry.key, parts)));
+        context.diagnostics.error(
+            entry.key_at, entry.path,
+            fmt::format("the terrain has no part or zone `{}`{}", entry.key, suggestion(entry.key, parts)));
       plan.material_of_part[entry.key] = find_material(context, entry, materials);
       if (entry.value->text()) put(map, entry.key, *entry.value);
     }
@@ -92,18 +96,21 @@ void decode_part_materials(DecodeContext& context, const Node& node, const std::
 int find_material(DecodeContext& context, const Node& node, const std::vector<Material>& materials) {
   const std::string* name = node.value->text();
   if (!name) {
-    node.error(context.diagnostics, node.value->is_null()
-                                        ? "is empty, expected the name of a material"
-                                        : fmt::format("expected the name of a material, found {}", shown(*node.value)));
+    node.error(context.diagnostics,
+               node.value->is_null()
+                   ? "is empty, expected the name of a material"
+                   : fmt::format("expected the name of a material, found {}", shown(*node.value)));
     return -1;
   }
   for (std::size_t i = 0; i < materials.size(); ++i)
     if (materials[i].name == *name) return static_cast<int>(i);
-  node.error(context.diagnostics, fmt::format("there is no material `{}`{}", *name, suggestion(*name, names_of(materials))));
+  node.error(context.diagnostics,
+             fmt::format("there is no material `{}`{}", *name, suggestion(*name, names_of(materials))));
   return -1;
 }
 
-std::vector<Material> decode_materials(DecodeContext& context, const std::optional<Node>& node, Map& resolved) {
+std::vector<Material> decode_materials(DecodeContext& context, const std::optional<Node>& node,
+                                       Map& resolved) {
   std::vector<Material> materials;
   if (!node || !node->expect_map(context.diagnostics)) return materials;
   Map all;
@@ -125,12 +132,13 @@ std::vector<Material> decode_materials(DecodeContext& context, const std::option
   return materials;
 }
 
-DecodedTerrain decode_terrain(DecodeContext& context, const Node& node, const std::vector<Material>& materials,
-                              std::uint64_t seed, Map& resolved) {
+DecodedTerrain decode_terrain(DecodeContext& context, const Node& node,
+                              const std::vector<Material>& materials, std::uint64_t seed, Map& resolved) {
   DecodedTerrain terrain;
   Map map;
   const std::size_t messages = context.diagnostics.all().size();
-  const auto use = decode_plugin(context, node, PluginKind::terrain, terrain_rules, map, {"material", "materials", "zones"});
+  const auto use = decode_plugin(context, node, PluginKind::terrain, terrain_rules, map,
+                                 {"material", "materials", "zones"});
   if (use && context.diagnostics.all().size() == messages) {
     terrain.plan.model = *use;
     terrain.profile = build_profile(context, node, *use, seed);
@@ -145,7 +153,8 @@ DecodedTerrain decode_terrain(DecodeContext& context, const Node& node, const st
   return terrain;
 }
 
-std::vector<PairPlan> decode_pairs(DecodeContext& context, const Node& node, const std::vector<Material>& materials,
+std::vector<PairPlan> decode_pairs(DecodeContext& context, const Node& node,
+                                   const std::vector<Material>& materials,
                                    const std::vector<std::string>& names, Map& resolved) {
   std::vector<PairPlan> pairs;
   List list;
@@ -159,13 +168,16 @@ std::vector<PairPlan> decode_pairs(DecodeContext& context, const Node& node, con
     const std::optional<Node> between = item.find("between");
     const std::vector<Node> ends = between ? between->items() : std::vector<Node>();
     if (ends.size() != 2) {
-      (between ? *between : item).error(context.diagnostics, "expected `between` with the names of two bodies, groups or parts of the terrain");
+      (between ? *between : item)
+          .error(context.diagnostics,
+                 "expected `between` with the names of two bodies, groups or parts of the terrain");
     } else {
       for (const Node& end : ends) {
         const std::string* name = end.value->text();
         if (!name || std::find(names.begin(), names.end(), *name) == names.end())
-          end.error(context.diagnostics, fmt::format("{} is neither a body nor a group nor a part of the terrain{}", shown(*end.value),
-                                                     name ? suggestion(*name, names) : ""));
+          end.error(context.diagnostics,
+                    fmt::format("{} is neither a body nor a group nor a part of the terrain{}",
+                                shown(*end.value), name ? suggestion(*name, names) : ""));
         else
           (&end == &ends.front() ? pair.a : pair.b) = *name;
       }

@@ -63,7 +63,8 @@ void Diagnostics::add(Diagnostic diagnostic) {
 }
 
 bool Diagnostics::has_errors() const {
-  return std::any_of(all_.begin(), all_.end(), [](const Diagnostic& d) { return d.severity == Severity::error; });
+  return std::any_of(all_.begin(), all_.end(),
+                     [](const Diagnostic& d) { return d.severity == Severity::error; });
 }
 
 std::vector<std::string> Diagnostics::warnings() const {
@@ -86,7 +87,8 @@ std::string Diagnostics::to_text() const {
 
 std::string to_text(const Diagnostic& diagnostic) {
   const char* severity = diagnostic.severity == Severity::error ? "error" : "warning";
-  return fmt::format("{}{}: {}\n{}", place(diagnostic), severity, message(diagnostic), quotation(diagnostic.at));
+  return fmt::format("{}{}: {}\n{}", place(diagnostic), severity, message(diagnostic),
+                     quotation(diagnostic.at));
 }
 
 }  // namespace flyrock

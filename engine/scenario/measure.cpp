@@ -19,16 +19,20 @@ using Table = std::vector<Named>;
 
 constexpr Dimension impulse{1, 1, -1, 0};
 
-const Table state_components{{"x", dimension::length},   {"y", dimension::length},
-                             {"vx", dimension::speed},   {"vy", dimension::speed},
-                             {"speed", dimension::speed}, {"spin", dimension::spin},
-                             {"wz", dimension::spin},    {"angle", dimension::angle},
-                             {"kinetic_energy", dimension::energy}};
-const Table impact_quantities{{"time", dimension::time},       {"x", dimension::length},
-                              {"y", dimension::length},        {"vn_before", dimension::speed},
-                              {"vn_after", dimension::speed},  {"vt_before", dimension::speed},
-                              {"vt_after", dimension::speed},  {"pn", impulse},
-                              {"pt", impulse},                 {"energy_change", dimension::energy}};
+const Table state_components{
+    {"x", dimension::length}, {"y", dimension::length},    {"vx", dimension::speed},
+    {"vy", dimension::speed}, {"speed", dimension::speed}, {"spin", dimension::spin},
+    {"wz", dimension::spin},  {"angle", dimension::angle}, {"kinetic_energy", dimension::energy}};
+const Table impact_quantities{{"time", dimension::time},
+                              {"x", dimension::length},
+                              {"y", dimension::length},
+                              {"vn_before", dimension::speed},
+                              {"vn_after", dimension::speed},
+                              {"vt_before", dimension::speed},
+                              {"vt_after", dimension::speed},
+                              {"pn", impulse},
+                              {"pt", impulse},
+                              {"energy_change", dimension::energy}};
 const Table apex_quantities{{"time", dimension::time}, {"height", dimension::length}};
 const Table solver_quantities{{"max_residual", dimension::speed},
                               {"not_converged", dimension::none},
@@ -68,7 +72,8 @@ class MeasureParser {
       next({"total"});
       next({"relative_change"});
     }
-    if (info_.fault.empty() && at_ < steps_.size()) fail(fmt::format("nothing may follow `{}`", steps_[at_ - 1]));
+    if (info_.fault.empty() && at_ < steps_.size())
+      fail(fmt::format("nothing may follow `{}`", steps_[at_ - 1]));
     return info_;
   }
 
@@ -112,7 +117,8 @@ class MeasureParser {
     next(names_.bodies);
     strip_index("impact");
     strip_index("apex");
-    const std::string kind = next({"final", "max", "min", "stop_time", "contact_time", "impact[n]", "apex[n]"});
+    const std::string kind =
+        next({"final", "max", "min", "stop_time", "contact_time", "impact[n]", "apex[n]"});
     if (kind == "final" || kind == "max" || kind == "min") finish(state_components);
     if (kind == "impact[n]") finish(impact_quantities);
     if (kind == "apex[n]") finish(apex_quantities);
@@ -122,7 +128,8 @@ class MeasureParser {
   void parse_rocks() {
     if (names_.groups.empty()) return fail("the scenario has no rocks");
     std::vector<std::string> known = rock_quantities();
-    if (at_ < steps_.size() && std::find(names_.groups.begin(), names_.groups.end(), steps_[at_]) != names_.groups.end())
+    if (at_ < steps_.size() &&
+        std::find(names_.groups.begin(), names_.groups.end(), steps_[at_]) != names_.groups.end())
       ++at_;
     else
       known.insert(known.end(), names_.groups.begin(), names_.groups.end());

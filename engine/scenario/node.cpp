@@ -37,7 +37,8 @@ std::string shown(const Value& value) {
 std::optional<Node> Node::find(std::string_view wanted) const {
   if (const Map* map = value->map())
     for (const Entry& entry : *map)
-      if (entry.key == wanted) return Node{&entry.value, entry.at, join_path(path, wanted), join_path(stream, wanted), entry.key};
+      if (entry.key == wanted)
+        return Node{&entry.value, entry.at, join_path(path, wanted), join_path(stream, wanted), entry.key};
   return std::nullopt;
 }
 
@@ -45,7 +46,8 @@ std::vector<Node> Node::entries() const {
   std::vector<Node> nodes;
   if (const Map* map = value->map())
     for (const Entry& entry : *map)
-      nodes.push_back({&entry.value, entry.at, join_path(path, entry.key), join_path(stream, entry.key), entry.key});
+      nodes.push_back(
+          {&entry.value, entry.at, join_path(path, entry.key), join_path(stream, entry.key), entry.key});
   std::sort(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return a.key < b.key; });
   return nodes;
 }
@@ -69,14 +71,15 @@ void Node::error(Diagnostics& diagnostics, const std::string& text) const {
 
 bool Node::expect_map(Diagnostics& diagnostics) const {
   if (is_map()) return true;
-  error(diagnostics, value->is_null() ? "is empty, expected a map" : fmt::format("expected a map, found {}", shown(*value)));
+  error(diagnostics, value->is_null() ? "is empty, expected a map"
+                                      : fmt::format("expected a map, found {}", shown(*value)));
   return false;
 }
 
 bool Node::expect_list(Diagnostics& diagnostics) const {
   if (is_list()) return true;
-  error(diagnostics,
-        value->is_null() ? "is empty, expected a list" : fmt::format("expected a list, found {}", shown(*value)));
+  error(diagnostics, value->is_null() ? "is empty, expected a list"
+                                      : fmt::format("expected a list, found {}", shown(*value)));
   return false;
 }
 

@@ -45,14 +45,18 @@ void find_blast_keys(const Node& blast, const Scenario& scenario, std::vector<st
   const bool explosive_by_name = blast.value->find("explosive") && blast.value->find("explosive")->text();
   bool explosive_is_read = false;
   for (const BlastFieldInfo& info : blast_fields()) {
-    const bool is_read = std::any_of(readers.begin(), readers.end(), [&](const auto& reader) { return may_read(*reader.second, info); });
+    const bool is_read = std::any_of(readers.begin(), readers.end(),
+                                     [&](const auto& reader) { return may_read(*reader.second, info); });
     const std::size_t dot = info.path.find('.');
     if (info.path.starts_with("explosive.")) explosive_is_read = explosive_is_read || is_read;
-    const std::optional<Node> parent = dot == std::string_view::npos ? blast : blast.find(info.path.substr(0, dot));
+    const std::optional<Node> parent =
+        dot == std::string_view::npos ? blast : blast.find(info.path.substr(0, dot));
     const std::string_view key = dot == std::string_view::npos ? info.path : info.path.substr(dot + 1);
-    if (!is_read && parent && parent->find(key)) list.push_back(fmt::format("blast.{} ({})", info.path, reason(readers)));
+    if (!is_read && parent && parent->find(key))
+      list.push_back(fmt::format("blast.{} ({})", info.path, reason(readers)));
   }
-  if (explosive_by_name && !explosive_is_read) list.push_back(fmt::format("blast.explosive ({})", reason(readers)));
+  if (explosive_by_name && !explosive_is_read)
+    list.push_back(fmt::format("blast.explosive ({})", reason(readers)));
   if (const auto rows = blast.find("rows"))
     for (const char* key : {"distance", "delay_row", "delay_hole"})
       if (rows->find(key)) list.push_back(fmt::format("blast.rows.{} (nothing reads it)", key));
@@ -77,13 +81,15 @@ void find_rock_contacts(const Node& root, const Scenario& scenario, std::vector<
   }
   if (scenario.rock_contacts) return;
   auto is_group = [&](const std::string& name) {
-    return std::any_of(scenario.rocks.begin(), scenario.rocks.end(), [&](const RockGroup& group) { return group.name == name; });
+    return std::any_of(scenario.rocks.begin(), scenario.rocks.end(),
+                       [&](const RockGroup& group) { return group.name == name; });
   };
   for (std::size_t i = 0; i < scenario.pairs.size(); ++i)
     if (is_group(scenario.pairs[i].a) && is_group(scenario.pairs[i].b))
       list.push_back(fmt::format("pairs.{} (rock_contacts is off)", i));
   for (std::size_t i = 0; i < scenario.rocks.size(); ++i)
-    if (scenario.rocks[i].material >= 0) list.push_back(fmt::format("rocks.{}.material (rock_contacts is off)", i));
+    if (scenario.rocks[i].material >= 0)
+      list.push_back(fmt::format("rocks.{}.material (rock_contacts is off)", i));
 }
 
 }  // namespace

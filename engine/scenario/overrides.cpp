@@ -44,7 +44,8 @@ std::vector<std::string> item_names(const List& list) {
 
 /// Walks to the place of a path and puts the value there. Keys that a map does not have yet are added:
 /// decoding knows all keys and refuses those that do not exist, with the nearest.
-void set_path(Value& root, const std::string& path, Value value, const Location& at, Diagnostics& diagnostics) {
+void set_path(Value& root, const std::string& path, Value value, const Location& at,
+              Diagnostics& diagnostics) {
   Value* place = &root;
   std::string done;
   for (std::size_t begin = 0; begin <= path.size();) {
@@ -55,13 +56,17 @@ void set_path(Value& root, const std::string& path, Value value, const Location&
     if (List* list = place->list(); list && !list->empty()) {
       Value* item = find_item(*list, step);
       if (!item)
-        return diagnostics.error(at, path, fmt::format("{} has no element `{}`{}", done, step, suggestion(step, item_names(*list))));
+        return diagnostics.error(
+            at, path,
+            fmt::format("{} has no element `{}`{}", done, step, suggestion(step, item_names(*list))));
       place = item;
     } else if (Map* map = place->map()) {
       if (!place->find(step)) map->push_back({step, at, Value{{}, at}});
       place = place->find(step);
     } else {
-      return diagnostics.error(at, path, fmt::format("{} is {}, it has no `{}`", done.empty() ? "the document" : done, place->kind(), step));
+      return diagnostics.error(
+          at, path,
+          fmt::format("{} is {}, it has no `{}`", done.empty() ? "the document" : done, place->kind(), step));
     }
     done = join_path(done, step);
   }
@@ -107,7 +112,8 @@ std::vector<std::pair<std::string, Location>> plugin_files(const Value& root, Di
     if (const std::string* name = item.value->text(); name && !name->empty())
       files.emplace_back(*name, item.value->at);
     else
-      item.error(diagnostics, fmt::format("expected the name of a file or folder, found {}", shown(*item.value)));
+      item.error(diagnostics,
+                 fmt::format("expected the name of a file or folder, found {}", shown(*item.value)));
   }
   return files;
 }

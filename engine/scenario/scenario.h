@@ -29,7 +29,8 @@ struct Zone {
 
 struct TerrainPlan {
   PluginUse model;
-  std::map<std::string, int> material_of_part;  ///< index into Scenario::materials; "" for a terrain of one part
+  std::map<std::string, int>
+      material_of_part;  ///< index into Scenario::materials; "" for a terrain of one part
   std::vector<Zone> zones;
 };
 
@@ -45,10 +46,10 @@ enum class ReleaseKind { face, above_ground, position, along, inside };
 /// Where a rock starts.
 struct Release {
   ReleaseKind kind = ReleaseKind::position;
-  int bench = 1;                     ///< face: which, from 1
-  Number x, above_ground;            ///< above_ground: height of the centre of mass above the ground at x
-  std::vector<Number> position;      ///< of the centre of mass
-  std::vector<Vec2> points;          ///< along a poly-line, or inside a convex polygon, uniformly
+  int bench = 1;                 ///< face: which, from 1
+  Number x, above_ground;        ///< above_ground: height of the centre of mass above the ground at x
+  std::vector<Number> position;  ///< of the centre of mass
+  std::vector<Vec2> points;      ///< along a poly-line, or inside a convex polygon, uniformly
 };
 
 struct RockGroup {
@@ -56,12 +57,12 @@ struct RockGroup {
   PluginUse population;
   std::optional<PluginUse> shape;
   std::optional<Release> release;
-  std::optional<PluginUse> launch;      ///< absent: at rest
-  Number density;                       ///< kg/m3
-  std::optional<Number> mass;           ///< kg; in place of density
-  std::optional<Number> thickness;      ///< m; absent: default_thickness
-  std::optional<Number> orientation;    ///< rad; absent: random and uniform
-  int material = -1;                    ///< shown to other rocks; -1 none
+  std::optional<PluginUse> launch;    ///< absent: at rest
+  Number density;                     ///< kg/m3
+  std::optional<Number> mass;         ///< kg; in place of density
+  std::optional<Number> thickness;    ///< m; absent: default_thickness
+  std::optional<Number> orientation;  ///< rad; absent: random and uniform
+  int material = -1;                  ///< shown to other rocks; -1 none
 };
 
 struct BodyPlan {
@@ -84,7 +85,7 @@ struct PairPlan {
 enum class FlightMode { exact, stepped };
 
 struct SolverPlan {
-  double time_step = 1e-3;   ///< s
+  double time_step = 1e-3;  ///< s
   double theta = 0.5;
   double tolerance = 1e-6;
   int max_iterations = 1000;
@@ -108,9 +109,9 @@ enum class ExpectKind { equals, below, above, between };
 struct Expectation {
   std::string measure;
   ExpectKind kind = ExpectKind::equals;
-  double value = 0, high = 0;       ///< between: from value to high
-  double tolerance = 0;             ///< equals: absolute
-  std::optional<double> relative;   ///< equals: relative to the value
+  double value = 0, high = 0;                      ///< between: from value to high
+  double tolerance = 0;                            ///< equals: absolute
+  std::optional<double> relative;                  ///< equals: relative to the value
   std::vector<std::pair<std::string, double>> at;  ///< sweep points on which it is judged; empty: all
 };
 
@@ -145,12 +146,12 @@ struct SweepAxis {
 
 /// What a scenario file becomes.
 struct Plan {
-  std::vector<SweepAxis> axes;              ///< sorted by path; the last varies fastest
-  std::vector<Scenario> points;             ///< one where nothing is swept
-  std::vector<std::vector<double>> at;      ///< the axes' values at each point
-  Value resolved;                           ///< in schema order, with defaults, in SI units, sweeps kept
-  std::vector<std::string> not_used;        ///< "blast.spacing (bench_fit does not read it)"
-  std::vector<std::string> plugin_files;    ///< `plugins:` as written
+  std::vector<SweepAxis> axes;            ///< sorted by path; the last varies fastest
+  std::vector<Scenario> points;           ///< one where nothing is swept
+  std::vector<std::vector<double>> at;    ///< the axes' values at each point
+  Value resolved;                         ///< in schema order, with defaults, in SI units, sweeps kept
+  std::vector<std::string> not_used;      ///< "blast.spacing (bench_fit does not read it)"
+  std::vector<std::string> plugin_files;  ///< `plugins:` as written
 };
 
 }  // namespace flyrock

@@ -74,17 +74,17 @@ ParamSpec above(ParamSpec spec, double limit) {
 constexpr double exact_integer = 9007199254740992.0;  // 2^53: beyond it not every whole number is a double
 
 SectionSpec document() {
-  return {"",
-          {integer("flyrock", "format version"),
-           or_else(text("title", "what the scenario is about"), ""),
-           at_most(at_least(integer("dimension", "2: a vertical plane"), 2), 3),
-           choice("method", {"nscd", "lumped_mass", "ballistic"}, "how rocks move"),
-           or_else(at_most(at_least(integer("seed", "of all random numbers"), 0), exact_integer), 1),
-           or_else(at_most(at_least(integer("trials", "realisations of each sweep point"), 1), exact_integer), 1),
-           or_else(choice("rock_contacts", {"off", "on"}, "on: rocks also meet each other"), "off"),
-           or_else(at_least(number("gravity", "m/s2", "along -y"), 0), 9.81)},
-          {"plugins", "terrain", "materials", "pairs", "blast", "rocks", "bodies", "solver", "stop", "output",
-           "sweep", "expect"}};
+  return {
+      "",
+      {integer("flyrock", "format version"), or_else(text("title", "what the scenario is about"), ""),
+       at_most(at_least(integer("dimension", "2: a vertical plane"), 2), 3),
+       choice("method", {"nscd", "lumped_mass", "ballistic"}, "how rocks move"),
+       or_else(at_most(at_least(integer("seed", "of all random numbers"), 0), exact_integer), 1),
+       or_else(at_most(at_least(integer("trials", "realisations of each sweep point"), 1), exact_integer), 1),
+       or_else(choice("rock_contacts", {"off", "on"}, "on: rocks also meet each other"), "off"),
+       or_else(at_least(number("gravity", "m/s2", "along -y"), 0), 9.81)},
+      {"plugins", "terrain", "materials", "pairs", "blast", "rocks", "bodies", "solver", "stop", "output",
+       "sweep", "expect"}};
 }
 
 /// The fields of the blast below `prefix` ("" or "hole."), from the table that velocity models read by.
@@ -96,7 +96,8 @@ std::vector<ParamSpec> blast_keys(std::string_view prefix) {
     path.remove_prefix(prefix.size());
     if (path.find('.') != std::string_view::npos) continue;
     ParamSpec spec = optional(number(std::string(path), std::string(info.unit), std::string(info.doc)));
-    const bool may_be_zero = info.field == BlastField::hole_stemming || info.field == BlastField::hole_subdrilling;
+    const bool may_be_zero =
+        info.field == BlastField::hole_stemming || info.field == BlastField::hole_subdrilling;
     keys.push_back(may_be_zero ? at_least(std::move(spec), 0) : above(std::move(spec), 0));
   }
   return keys;
@@ -105,7 +106,9 @@ std::vector<ParamSpec> blast_keys(std::string_view prefix) {
 std::vector<ParamSpec> mass_keys() {
   return {above(optional(number("density", "kg/m3", "of the rock; or `mass`")), 0),
           above(optional(number("mass", "kg", "of the rock; or `density`")), 0),
-          above(optional(number("thickness", "m", "2D; by default that of the sphere of equal cross-section area")), 0)};
+          above(optional(number("thickness", "m",
+                                "2D; by default that of the sphere of equal cross-section area")),
+                0)};
 }
 
 std::vector<ParamSpec> joined(std::vector<ParamSpec> first, std::vector<ParamSpec> second) {
@@ -118,7 +121,8 @@ std::vector<SectionSpec> make_sections() {
       document(),
       {"terrain", {optional(text("material", "of a terrain of one part"))}, {"type", "materials", "zones"}},
       {"terrain.zones",
-       {text("name", "its part, in `materials`"), number("from", "m", "least x"), number("to", "m", "greatest x")},
+       {text("name", "its part, in `materials`"), number("from", "m", "least x"),
+        number("to", "m", "greatest x")},
        {}},
       {"materials", {}, {"restitution", "friction", "rolling", "unilateral"}},
       {"pairs", {text("material", "in force between the two")}, {"between"}},
@@ -166,7 +170,8 @@ std::vector<SectionSpec> make_sections() {
         or_else(above(number("tolerance", "", "of the scaled residual"), 0), 1e-6),
         or_else(at_least(integer("max_iterations", "of one contact problem"), 1), 1000),
         or_else(choice("flight", {"exact", "stepped"}, "motion between contacts"), "exact"),
-        or_else(at_least(number("rest_speed", "m/s", "below which a contact closes without restitution"), 0), 0.02)},
+        or_else(at_least(number("rest_speed", "m/s", "below which a contact closes without restitution"), 0),
+                0.02)},
        {}},
       {"stop",
        {above(number("time", "s", "end of a trial"), 0),
@@ -178,9 +183,12 @@ std::vector<SectionSpec> make_sections() {
         or_else(above(number("every", "s", "between stored points in flight"), 0), 0.02)},
        {}},
       {"sweep",
-       {or_else(choice("design", {"grid", "latin_hypercube", "sobol"}, "which points of the axes are run"), "grid")},
+       {or_else(choice("design", {"grid", "latin_hypercube", "sobol"}, "which points of the axes are run"),
+                "grid")},
        {}},
-      {"expect", {text("measure", "what is compared")}, {"equals", "tolerance", "relative", "below", "above", "between", "at"}},
+      {"expect",
+       {text("measure", "what is compared")},
+       {"equals", "tolerance", "relative", "below", "above", "between", "at"}},
   };
 }
 

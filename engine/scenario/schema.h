@@ -11,7 +11,7 @@ namespace flyrock {
 
 /// A section of a scenario. `parts` are the keys that hold sections, lists or plugins of their own.
 struct SectionSpec {
-  std::string_view name;         ///< "solver", "blast.hole"; "" for the document
+  std::string_view name;  ///< "solver", "blast.hole"; "" for the document
   std::vector<ParamSpec> keys;
   std::vector<std::string> parts;
 

@@ -22,7 +22,8 @@ std::vector<Value> even_steps(const Node& node, Diagnostics& diagnostics) {
   }
   const double* steps = count->value->number();
   if (!steps || *steps != std::floor(*steps) || *steps < 2 || *steps > most) {
-    count->error(diagnostics, fmt::format("expected a whole number from 2 to {:.6g}, found {}", most, shown(*count->value)));
+    count->error(diagnostics, fmt::format("expected a whole number from 2 to {:.6g}, found {}", most,
+                                          shown(*count->value)));
     return {};
   }
   auto quantity_of = [&](const Node& end) -> std::optional<Quantity> {
@@ -61,7 +62,8 @@ std::vector<Value> listed(const Node& node, Diagnostics& diagnostics) {
     else
       values.push_back(*item.value);
   }
-  if (node.items().empty()) node.error(diagnostics, "expected a list of numbers, or `from`, `to` and `count`");
+  if (node.items().empty())
+    node.error(diagnostics, "expected a list of numbers, or `from`, `to` and `count`");
   return values;
 }
 
@@ -69,8 +71,9 @@ void search(Value& value, const Node& node, Diagnostics& diagnostics, std::vecto
   const std::optional<Node> sweep = node.path.empty() ? std::nullopt : node.find("sweep");
   if (sweep) {
     node.refuse_unknown_keys({"sweep"}, diagnostics);
-    std::vector<Value> values =
-        sweep->value->map() && !sweep->value->map()->empty() ? even_steps(*sweep, diagnostics) : listed(*sweep, diagnostics);
+    std::vector<Value> values = sweep->value->map() && !sweep->value->map()->empty()
+                                    ? even_steps(*sweep, diagnostics)
+                                    : listed(*sweep, diagnostics);
     found.push_back({&value, node.path, node.stream, sweep->key_at, std::move(values)});
     return;
   }
@@ -90,7 +93,8 @@ void search(Value& value, const Node& node, Diagnostics& diagnostics, std::vecto
 std::vector<SweptValue> find_sweeps(Value& root, Diagnostics& diagnostics) {
   std::vector<SweptValue> found;
   search(root, Node::root(root), diagnostics, found);
-  std::sort(found.begin(), found.end(), [](const SweptValue& a, const SweptValue& b) { return a.path < b.path; });
+  std::sort(found.begin(), found.end(),
+            [](const SweptValue& a, const SweptValue& b) { return a.path < b.path; });
   return found;
 }
 

@@ -10,8 +10,8 @@ namespace flyrock {
 
 /// A place of the tree that is swept.
 struct SweptValue {
-  Value* slot = nullptr;      ///< in the tree; each point of the sweep writes its value here
-  std::string path, stream;   ///< as in Node
+  Value* slot = nullptr;     ///< in the tree; each point of the sweep writes its value here
+  std::string path, stream;  ///< as in Node
   Location at;
   std::vector<Value> values;  ///< as written, one for each step of the axis
 };

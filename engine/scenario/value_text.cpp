@@ -27,7 +27,9 @@ bool is_plain(const std::string& text) {
   auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   const bool is_number_like = is_digit(text[0]) || (text[0] == '-' && text.size() > 1 && is_digit(text[1]));
   if (!is_letter(text.front()) && !is_number_like) return false;
-  auto is_safe = [&](char c) { return is_letter(c) || is_digit(c) || std::string_view(" ./+-^*%()").find(c) != std::string_view::npos; };
+  auto is_safe = [&](char c) {
+    return is_letter(c) || is_digit(c) || std::string_view(" ./+-^*%()").find(c) != std::string_view::npos;
+  };
   if (!std::all_of(text.begin(), text.end(), is_safe)) return false;
   // "010" and "12" must stay text; "12 m" cannot be mistaken.
   return !is_number_like || text.find(' ') != std::string::npos;
@@ -49,7 +51,8 @@ std::string flow_text(const Value& value) {
     return "[" + text + "]";
   }
   if (const Map* map = value.map()) {
-    for (const Entry& entry : *map) text += (text.empty() ? "" : ", ") + key_text(entry.key) + ": " + flow_text(entry.value);
+    for (const Entry& entry : *map)
+      text += (text.empty() ? "" : ", ") + key_text(entry.key) + ": " + flow_text(entry.value);
     return text.empty() ? "{}" : "{ " + text + " }";
   }
   return scalar_text(value);
@@ -99,7 +102,8 @@ nlohmann::ordered_json json_of(const Value& value) {
   if (const double* number = value.number()) {
     // As an integer, so that JSON shows 3 and not 3.0.
     constexpr double exact = 9007199254740992.0;
-    if (*number == std::floor(*number) && std::abs(*number) < exact) return static_cast<std::int64_t>(*number);
+    if (*number == std::floor(*number) && std::abs(*number) < exact)
+      return static_cast<std::int64_t>(*number);
     return *number;
   }
   if (const List* list = value.list()) {

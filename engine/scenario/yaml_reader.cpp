@@ -38,8 +38,8 @@ std::size_t count_values(const Value& value) {
 
 bool has_leading_zero(std::string_view text) {
   if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
-  return text.size() > 1 && text[0] == '0' && text.find_first_not_of("0123456789.") == std::string_view::npos &&
-         text[1] != '.';
+  return text.size() > 1 && text[0] == '0' &&
+         text.find_first_not_of("0123456789.") == std::string_view::npos && text[1] != '.';
 }
 
 /// Builds the tree from the parser's events. Events are used rather than YAML::Node because they keep
@@ -94,7 +94,9 @@ class TreeBuilder : public YAML::EventHandler {
   void take_key(const Value& key);
   void add_entry(Open& map, Value value);
   std::string path_of(const std::string& key) const;
-  std::string pending_key() const { return open_.empty() || !open_.back().has_key ? std::string() : open_.back().key; }
+  std::string pending_key() const {
+    return open_.empty() || !open_.back().has_key ? std::string() : open_.back().key;
+  }
 
   std::shared_ptr<const Source> source_;
   Diagnostics& diagnostics_;
@@ -130,8 +132,11 @@ void TreeBuilder::OnScalar(const YAML::Mark& mark, const std::string& tag, YAML:
 Value TreeBuilder::resolve(const YAML::Mark& mark, const std::string& text) {
   if (text == "true" || text == "false") return make(text == "true", mark);
   if (std::optional<double> number = parse_number(text)) return make(*number, mark);
-  for (const char* special : {".nan", ".NaN", ".NAN", ".inf", ".Inf", ".INF", "+.inf", "-.inf", "-.Inf", "-.INF"})
-    if (text == special) diagnostics_.error(locate(mark), path_of(pending_key()), fmt::format("`{}` is not a finite number", text));
+  for (const char* special :
+       {".nan", ".NaN", ".NAN", ".inf", ".Inf", ".INF", "+.inf", "-.inf", "-.Inf", "-.INF"})
+    if (text == special)
+      diagnostics_.error(locate(mark), path_of(pending_key()),
+                         fmt::format("`{}` is not a finite number", text));
   Value value = make(text, mark);
   value.leading_zero = has_leading_zero(text);
   return value;
@@ -253,7 +258,8 @@ std::optional<Value> read_yaml(const std::string& text, const std::string& name,
       found.error(second.take().at, "", "a second document: a scenario is one document");
     if (!found.has_errors()) return root;
   } catch (const YAML::Exception& exception) {
-    found.error(builder.locate(exception.mark), "", "not YAML: " + exception.msg + bracket_hint(exception.msg));
+    found.error(builder.locate(exception.mark), "",
+                "not YAML: " + exception.msg + bracket_hint(exception.msg));
   }
   for (const Diagnostic& diagnostic : found.all())
     diagnostics.error(diagnostic.at, diagnostic.path, diagnostic.text);

@@ -9,7 +9,8 @@
 namespace flyrock {
 
 /// Reads one YAML document. Errors: not YAML, more than one document, a duplicate key, a key that is not
-/// text, a merge key `<<`, a tag, an alias cycle or more than 100,000 values (aliases expanded), .nan and .inf.
+/// text, a merge key `<<`, a tag, an alias cycle or more than 100,000 values (aliases expanded), .nan and
+/// .inf.
 std::optional<Value> read_yaml(const std::string& text, const std::string& name, Diagnostics& diagnostics);
 
 }  // namespace flyrock

@@ -5,15 +5,15 @@ namespace flyrock {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double foot = 0.3048;               // m, exactly
-constexpr double inch = foot / 12;            // m
-constexpr double mile = 5280 * foot;          // m
-constexpr double pound = 0.45359237;          // kg, exactly
-constexpr double standard_gravity = 9.80665;  // m/s2, exactly
-constexpr double pound_force = pound * standard_gravity;   // N
-constexpr double psi = pound_force / (inch * inch);        // Pa
-constexpr double calorie = 4.184;                          // J, thermochemical
-constexpr double gallon = 231 * inch * inch * inch;        // m3, US liquid
+constexpr double foot = 0.3048;                           // m, exactly
+constexpr double inch = foot / 12;                        // m
+constexpr double mile = 5280 * foot;                      // m
+constexpr double pound = 0.45359237;                      // kg, exactly
+constexpr double standard_gravity = 9.80665;              // m/s2, exactly
+constexpr double pound_force = pound * standard_gravity;  // N
+constexpr double psi = pound_force / (inch * inch);       // Pa
+constexpr double calorie = 4.184;                         // J, thermochemical
+constexpr double gallon = 231 * inch * inch * inch;       // m3, US liquid
 
 constexpr Dimension area{2, 0, 0, 0};
 constexpr Dimension volume{3, 0, 0, 0};

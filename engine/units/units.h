@@ -1,7 +1,7 @@
 #pragma once
 // Units of mechanics, mining and US practice: text such as "2.7 g/cm3" to SI.
 
-#include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -54,7 +54,12 @@ struct Quantity {
   bool has_unit = false;
   Unit unit;
   std::string unit_text;
-  double si() const { return value * unit.factor; }
+  /// In SI units. Where a factor is one over a whole number (mm, ms) the value is divided by that: 102 mm is
+  /// the double nearest to 0.102, which 102 * 1e-3 is not.
+  double si() const {
+    const double inverse = 1 / unit.factor;
+    return inverse == std::floor(inverse) ? value / inverse : value * unit.factor;
+  }
 };
 
 /// Why a text is not a quantity. `unit_text` is set where the number was read and the unit was not.

@@ -1,7 +1,6 @@
 // Malformed scenarios: each file of tests/scenarios/bad gives exactly the text of its .expect.
 
 #include <catch2/catch.hpp>
-
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>

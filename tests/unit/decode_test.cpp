@@ -23,8 +23,10 @@ const std::string ground = R"(terrain: { type: plane, material: rock }
 materials: { rock: { restitution: { type: newton, en: 0.5 }, friction: { type: coulomb, mu: 0.3 } } }
 stop: { time: 2 s }
 )";
-const std::string ball = "bodies: [{ name: ball, shape: { type: disk, radius: 10 cm }, mass: 1, position: [0, 1] }]\n";
-const std::string benches = R"(terrain: { type: benches, height: 12 m, face_angle: 70 deg, materials: { face: rock, berm: rock, floor: rock } }
+const std::string ball =
+    "bodies: [{ name: ball, shape: { type: disk, radius: 10 cm }, mass: 1, position: [0, 1] }]\n";
+const std::string benches =
+    R"(terrain: { type: benches, height: 12 m, face_angle: 70 deg, materials: { face: rock, berm: rock, floor: rock } }
 materials: { rock: { restitution: { type: newton, en: 0.5 } } }
 stop: { time: 60 s }
 )";
@@ -36,7 +38,8 @@ const std::string blocks = R"(rocks:
     launch: { type: fixed, speed: 3, elevation: { normal: { mean: 20 deg, sd: 5 deg } } }
 )";
 
-std::optional<Plan> try_decode(const std::string& text, Diagnostics& diagnostics, const Overrides& overrides = {}) {
+std::optional<Plan> try_decode(const std::string& text, Diagnostics& diagnostics,
+                               const Overrides& overrides = {}) {
   auto root = read_yaml(text, "s.yaml", diagnostics);
   if (!root) return std::nullopt;
   apply_overrides(*root, overrides, diagnostics);
@@ -126,9 +129,9 @@ TEST_CASE("all distributions are read, and written as they are read") {
        {"{ uniform: [1, 2], per: rock }", "{ normal: { mean: 3, sd: 1 }, min: 0.5, per: rock }",
         "{ lognormal: { median: 0.6, log_sd: 0.35 }, per: rock }", "{ triangular: [1, 2, 3], per: rock }",
         "{ weibull: { scale: 1, shape: 2 }, max: 4, per: rock }",
-        "{ beta: { alpha: 2, beta: 3, low: 1, high: 2 }, per: rock }", "{ exponential: { mean: 2 }, min: 0.1, per: rock }",
-        "{ discrete: [1, 2], per: rock }", "{ discrete: { values: [1, 2], weights: [3, 1] }, per: rock }",
-        "{ integer: [1, 3], per: trial }"}) {
+        "{ beta: { alpha: 2, beta: 3, low: 1, high: 2 }, per: rock }",
+        "{ exponential: { mean: 2 }, min: 0.1, per: rock }", "{ discrete: [1, 2], per: rock }",
+        "{ discrete: { values: [1, 2], weights: [3, 1] }, per: rock }", "{ integer: [1, 3], per: trial }"}) {
     std::string text = head + benches + blocks;
     const std::string old = "{ uniform: [10 cm, 0.5 m] }";
     text.replace(text.find(old), old.size(), written);
@@ -149,7 +152,8 @@ TEST_CASE("a draw must not leave the limits of its parameter") {
   CHECK(refuse(with_radius("{ uniform: [-1, 2] }")) ==
         "rocks.0.shape.radius: draws from -1 m to 2 m, must be above 0 m: give it a `min` or `max`\n");
   CHECK(refuse(with_radius("{ uniform: [2, 1] }")) ==
-        "rocks.0.shape.radius: the uniform distribution cannot be drawn: its low end must be below its high end\n");
+        "rocks.0.shape.radius: the uniform distribution cannot be drawn: its low end must be below its high "
+        "end\n");
   CHECK(refuse(with_radius("{ unifrom: [1, 2] }")) ==
         "rocks.0.shape.radius.unifrom: unknown key, did you mean `uniform`?\n"
         "rocks.0.shape.radius: expected a number in m or a distribution: `uniform`, `normal`, `lognormal`, "
@@ -159,11 +163,12 @@ TEST_CASE("a draw must not leave the limits of its parameter") {
 }
 
 TEST_CASE("sweeps become a grid, sorted by path, the last axis fastest") {
-  const Plan plan = decode_text(
-      head + "gravity: { sweep: { from: 1 m/s2, to: 2 m/s2, count: 3 } }\nstop: { time: 2 }\n"
-             "terrain: { type: plane, material: rock }\n"
-             "materials: { rock: { restitution: { type: newton, en: { sweep: [0.3, 0.4] } } } }\n" +
-      ball + "expect: [{ measure: body.ball.final.y, above: 0, at: { gravity: 150 cm/s2 } }]\n");
+  const Plan plan =
+      decode_text(head +
+                  "gravity: { sweep: { from: 1 m/s2, to: 2 m/s2, count: 3 } }\nstop: { time: 2 }\n"
+                  "terrain: { type: plane, material: rock }\n"
+                  "materials: { rock: { restitution: { type: newton, en: { sweep: [0.3, 0.4] } } } }\n" +
+                  ball + "expect: [{ measure: body.ball.final.y, above: 0, at: { gravity: 150 cm/s2 } }]\n");
   REQUIRE(plan.axes.size() == 2);
   CHECK(plan.axes[0].path == "gravity");
   CHECK(plan.axes[0].values == std::vector<double>{1, 1.5, 2});
@@ -199,7 +204,8 @@ TEST_CASE("where nothing may vary") {
 TEST_CASE("the resolved scenario decodes to itself") {
   for (const std::string& text :
        {head + ground + ball,
-        head + benches + blocks + "blast: { explosive: ANFO, hole: { diameter: 102 mm }, burden: { uniform: [2, 3] } }\n",
+        head + benches + blocks +
+            "blast: { explosive: ANFO, hole: { diameter: 102 mm }, burden: { uniform: [2, 3] } }\n",
         head + ground + "gravity: { sweep: [1, 2] }\ntitle: \"010\"\n" + ball +
             "expect: [{ measure: body.ball.max.angle, between: [-1, 1], at: { gravity: 2 } }]\n"}) {
     const Plan plan = decode_text(text);
@@ -220,17 +226,20 @@ TEST_CASE("--set, --seed and --trials") {
   CHECK(s.solver.theta == 0.6);
   CHECK(s.seed == 7);
   CHECK(s.trials == 12);
-  CHECK(refuse(head + ground + ball, {{"stop.tme=5"}, {}, {}}) == "stop.tme: unknown key, did you mean `time`?\n");
+  CHECK(refuse(head + ground + ball, {{"stop.tme=5"}, {}, {}}) ==
+        "stop.tme: unknown key, did you mean `time`?\n");
   CHECK(refuse(head + ground + ball, {{"bodies.bal.mass=5"}, {}, {}}) ==
         "bodies.bal.mass: bodies has no element `bal`, did you mean `ball`?\n");
-  CHECK(refuse(head + ground + ball, {{"seed"}, {}, {}}) == ": expected path=value, as in --set terrain.height=10\n");
+  CHECK(refuse(head + ground + ball, {{"seed"}, {}, {}}) ==
+        ": expected path=value, as in --set terrain.height=10\n");
   CHECK(refuse(head + ground + ball, {{"stop.time=5 kg"}, {}, {}}) ==
         "stop.time: the unit `kg` does not fit, expected a unit like s\n");
 }
 
 TEST_CASE("a blast: D/3 unless the Gurney constant is given, and drawn with D") {
-  const Plan plan = decode_text(head + benches + blocks +
-                                "blast: { explosive: { density: 850, detonation_velocity: { uniform: [3000, 6000] } } }\n");
+  const Plan plan =
+      decode_text(head + benches + blocks +
+                  "blast: { explosive: { density: 850, detonation_velocity: { uniform: [3000, 6000] } } }\n");
   const Scenario& s = plan.points[0];
   const Number velocity = s.blast->fields.at(BlastField::detonation_velocity);
   const Number gurney = s.blast->fields.at(BlastField::gurney_constant);
@@ -240,20 +249,75 @@ TEST_CASE("a blast: D/3 unless the Gurney constant is given, and drawn with D") 
 }
 
 TEST_CASE("a hole against its bench") {
-  auto with_hole = [](const std::string& hole) { return head + benches + blocks + "blast: { hole: { " + hole + " } }\n"; };
+  auto with_hole = [](const std::string& hole) {
+    return head + benches + blocks + "blast: { hole: { " + hole + " } }\n";
+  };
   CHECK(refuse(with_hole("stemming: 3, charge_length: { uniform: [4, 10] }, subdrilling: 0.6")) ==
-        "blast.hole: stemming (3 m) and charge_length (4 to 10 m) are up to 13 m long, longer than bench height (12 m) + "
+        "blast.hole: stemming (3 m) and charge_length (4 to 10 m) are up to 13 m long, longer than bench "
+        "height (12 m) + "
         "subdrilling (0.6 m)\n");
   Diagnostics diagnostics;
   CHECK(try_decode(with_hole("stemming: 3, charge_length: 4"), diagnostics));
-  CHECK(diagnostics.warnings() == std::vector<std::string>{"blast.hole: the hole (7 m) is shorter than the bench (12 m)"});
+  CHECK(diagnostics.warnings() ==
+        std::vector<std::string>{"blast.hole: the hole (7 m) is shorter than the bench (12 m)"});
 }
 
 TEST_CASE("all errors are reported at once") {
-  CHECK(refuse(head + "trials: 1.5\nstop: {}\nmaterials:\nterrain: { type: plain, material: rock }\nrocks: []\n") ==
+  CHECK(refuse(head +
+               "trials: 1.5\nstop: {}\nmaterials:\nterrain: { type: plain, material: rock }\nrocks: []\n") ==
         "trials: is `1.5`, must be a whole number\n"
         "materials: is empty, expected a map\n"
         "terrain.type: unknown terrain `plain`, expected `benches` or `plane`\n"
         "rocks: is empty, expected at least one element\n"
         "stop: `time` is missing, expected a number in s\n");
+}
+
+TEST_CASE("bodies and groups that show different materials need a pair") {
+  const std::string two =
+      head +
+      "terrain: { type: plane, material: a }\nmaterials: { a: {}, b: {} }\nstop: { time: 2 }\n"
+      "bodies:\n"
+      "  - { name: one, shape: { type: disk, radius: 1 }, mass: 1, position: [0, 1], material: a }\n"
+      "  - { name: two, shape: { type: disk, radius: 1 }, mass: 1, position: [3, 1], material: b }\n";
+  CHECK(refuse(two) ==
+        "bodies.1: `one` and `two` show different materials, expected an entry of `pairs` between them\n");
+  const Scenario s = decode_text(two + "pairs: [{ between: [two, one], material: b }]\n").points[0];
+  CHECK(s.pairs[0].a == "two");
+  CHECK(s.pairs[0].material == 1);
+}
+
+TEST_CASE("zones and the rest of the terrain have their materials") {
+  const Scenario s = decode_text(head +
+                                 "terrain: { type: plane, material: a, zones: [{ name: road, from: 2, to: 5 "
+                                 "m }], materials: { road: b } }\n"
+                                 "materials: { a: {}, b: {} }\nstop: { time: 2 }\n" +
+                                 ball)
+                         .points[0];
+  CHECK(s.terrain.zones[0].to == 5);
+  CHECK(s.terrain.material_of_part.at("") == 0);
+  CHECK(s.terrain.material_of_part.at("road") == 1);
+}
+
+TEST_CASE("what nothing reads is listed") {
+  CHECK(decode_text(head +
+                    "terrain: { type: plane, material: a }\nmaterials: { a: {}, b: {} }\nstop: { time: 2 }\n"
+                    "rock_contacts: on\n" +
+                    ball)
+            .not_used == std::vector<std::string>{"materials.b (nothing is made of it)",
+                                                  "rock_contacts (the scenario has no rocks)"});
+}
+
+TEST_CASE("measures") {
+  auto with = [](const std::string& measure) {
+    return head + ground + ball + "expect: [{ measure: \"" + measure + "\", below: 5 }]\n";
+  };
+  for (const char* good : {"body.ball.final.x", "body.ball.max.angle", "body.ball.stop_time",
+                           "body.ball.impact[3].pn", "body.ball.apex[1].height", "body.ball.contact_time",
+                           "energy.total.relative_change", "solver.max_residual"})
+    CHECK(decode_text(with(good)).points[0].expect[0].measure == good);
+  CHECK(refuse(with("body.ball.final.z")).find("unknown `z`") != std::string::npos);
+  CHECK(refuse(with("body.ball.final")).find("it ends early") != std::string::npos);
+  CHECK(refuse(with("body.ball.stop_time.x")).find("nothing may follow `stop_time`") != std::string::npos);
+  CHECK(refuse(with("body.ball.apex[x].height")).find("`x` is not an index") != std::string::npos);
+  CHECK(refuse(with("sover.max_residual")).find("did you mean `solver`?") != std::string::npos);
 }

@@ -17,9 +17,9 @@ Distribution make(DistributionKind kind, double a, double b = 0, double c = 0, d
 }
 
 std::vector<Distribution> continuous() {
-  return {make(DistributionKind::uniform, 2, 5),         make(DistributionKind::normal, 3, 2),
-          make(DistributionKind::lognormal, 0.6, 0.35),  make(DistributionKind::triangular, 1, 2, 6),
-          make(DistributionKind::weibull, 1.5, 2.2),     make(DistributionKind::beta, 2, 5, -1, 4),
+  return {make(DistributionKind::uniform, 2, 5),        make(DistributionKind::normal, 3, 2),
+          make(DistributionKind::lognormal, 0.6, 0.35), make(DistributionKind::triangular, 1, 2, 6),
+          make(DistributionKind::weibull, 1.5, 2.2),    make(DistributionKind::beta, 2, 5, -1, 4),
           make(DistributionKind::exponential, 0.8)};
 }
 
@@ -29,7 +29,8 @@ TEST_CASE("the quantile is the inverse of the cumulative distribution") {
   for (const Distribution& f : continuous()) {
     INFO(name_of(f.kind));
     REQUIRE(f.fault().empty());
-    for (double u : {0.001, 0.1, 0.3, 0.5, 0.9, 0.999}) CHECK(f.cumulative(f.quantile(u)) == Approx(u).epsilon(1e-9));
+    for (double u : {0.001, 0.1, 0.3, 0.5, 0.9, 0.999})
+      CHECK(f.cumulative(f.quantile(u)) == Approx(u).epsilon(1e-9));
   }
 }
 
@@ -38,7 +39,8 @@ TEST_CASE("medians in closed form") {
   CHECK(make(DistributionKind::normal, 3, 2).quantile(0.5) == Approx(3));
   CHECK(make(DistributionKind::normal, 3, 2).quantile(0.975) == Approx(3 + 2 * 1.959963984540054));
   CHECK(make(DistributionKind::lognormal, 0.6, 0.35).quantile(0.5) == Approx(0.6));
-  CHECK(make(DistributionKind::weibull, 1.5, 2.2).quantile(0.5) == Approx(1.5 * std::pow(std::log(2), 1 / 2.2)));
+  CHECK(make(DistributionKind::weibull, 1.5, 2.2).quantile(0.5) ==
+        Approx(1.5 * std::pow(std::log(2), 1 / 2.2)));
   CHECK(make(DistributionKind::exponential, 0.8).quantile(0.5) == Approx(0.8 * std::log(2)));
   CHECK(make(DistributionKind::triangular, 0, 1, 2).quantile(0.5) == Approx(1));
   CHECK(make(DistributionKind::beta, 2, 2, 0, 4).quantile(0.5) == Approx(2));
@@ -104,9 +106,10 @@ TEST_CASE("a draw depends on the parts of the key that its scope names") {
     Scope scope;
     bool trial, hole, rock, impact;
   };
-  for (const Case& c : {Case{Scope::run, false, false, false, false}, Case{Scope::trial, true, false, false, false},
-                        Case{Scope::hole, true, true, false, false}, Case{Scope::rock, true, false, true, false},
-                        Case{Scope::impact, true, false, true, true}}) {
+  for (const Case& c :
+       {Case{Scope::run, false, false, false, false}, Case{Scope::trial, true, false, false, false},
+        Case{Scope::hole, true, true, false, false}, Case{Scope::rock, true, false, true, false},
+        Case{Scope::impact, true, false, true, true}}) {
     Draw draw;
     draw.stream = "blast.burden";
     draw.stream_hash = hash_name(draw.stream);

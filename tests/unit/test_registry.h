@@ -34,12 +34,19 @@ inline ParamSpec or_else(ParamSpec spec, double value) {
 inline void read_all(Params& params, const PluginSpec& spec) {
   for (const ParamSpec& param : spec.params) {
     switch (param.type) {
-      case ParamType::vector: params.vector_slot(param.name); break;
-      case ParamType::points: params.points2(param.name); break;
+      case ParamType::vector:
+        params.vector_slot(param.name);
+        break;
+      case ParamType::points:
+        params.points2(param.name);
+        break;
       case ParamType::text:
       case ParamType::choice:
-      case ParamType::file: params.text(param.name); break;
-      default: params.slot(param.name);
+      case ParamType::file:
+        params.text(param.name);
+        break;
+      default:
+        params.slot(param.name);
     }
   }
 }
@@ -48,7 +55,9 @@ struct StubShape : ShapeModel {
   std::vector<Contactor2> build(Values, RandomStream&) const override { return {Contactor2::disk(1)}; }
 };
 struct StubPopulation : Population {
-  std::vector<RockPlan> rocks(Values, const Profile&, const Blast&, RandomStream&) const override { return {}; }
+  std::vector<RockPlan> rocks(Values, const Profile&, const Blast&, RandomStream&) const override {
+    return {};
+  }
 };
 struct StubRestitution : RestitutionLaw {
   bool constant() const override { return true; }
@@ -103,22 +112,25 @@ void add(Registry& registry, PluginKind kind, std::string name, std::vector<Para
 inline Registry make_registry() {
   using enum ParamType;
   Registry registry;
-  add<TerrainModel, StubBenches>(registry, PluginKind::terrain, "benches",
-                                 {above(param(number, "height", "m"), 0), param(number, "face_angle", "deg")});
+  add<TerrainModel, StubBenches>(
+      registry, PluginKind::terrain, "benches",
+      {above(param(number, "height", "m"), 0), param(number, "face_angle", "deg")});
   add<TerrainModel, StubPlane>(registry, PluginKind::terrain, "plane", {optional(param(file, "file"))});
   add<ShapeModel, StubShape>(registry, PluginKind::shape, "disk", {above(param(number, "radius", "m"), 0)});
-  add<ShapeModel, StubShape>(registry, PluginKind::shape, "polygon",
-                             {optional(param(points, "vertices", "m")), optional(at_least(param(integer, "sides"), 3)),
-                              optional(above(param(number, "diameter", "m"), 0))});
+  add<ShapeModel, StubShape>(
+      registry, PluginKind::shape, "polygon",
+      {optional(param(points, "vertices", "m")), optional(at_least(param(integer, "sides"), 3)),
+       optional(above(param(number, "diameter", "m"), 0))});
   add<Population, StubPopulation>(registry, PluginKind::population, "independent",
                                   {or_else(at_least(param(integer, "per_trial"), 1), 1)});
   add<RestitutionLaw, StubRestitution>(registry, PluginKind::restitution, "newton",
                                        {at_least(param(number, "en"), 0), or_else(param(number, "et"), 0)});
   add<FrictionLaw, StubFriction>(registry, PluginKind::friction, "coulomb",
                                  {at_least(param(number, "mu"), 0)});
-  add<VelocityModel, StubVelocity>(registry, PluginKind::velocity, "fixed",
-                                   {optional(param(vector, "velocity", "m/s")), optional(param(number, "speed", "m/s")),
-                                    optional(param(number, "elevation", "deg"))});
+  add<VelocityModel, StubVelocity>(
+      registry, PluginKind::velocity, "fixed",
+      {optional(param(vector, "velocity", "m/s")), optional(param(number, "speed", "m/s")),
+       optional(param(number, "elevation", "deg"))});
   add<VelocityModel, StubVelocity>(registry, PluginKind::velocity, "bench_fit",
                                    {or_else(param(number, "elevation", "deg"), 0)},
                                    {"blast.burden", "blast.hole.diameter"});

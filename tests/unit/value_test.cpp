@@ -26,12 +26,15 @@ TEST_CASE("the shortest text of a number") {
 
 TEST_CASE("YAML text reads back as the same tree") {
   const std::string text =
-      "a: [1, 2.5, true, \"true\", \"7\", \"010\", \"a: b\", 12 m, \"\", \" x\", \"-\", -3 m, \"line\\nbreak\"]\n"
+      "a: [1, 2.5, true, \"true\", \"7\", \"010\", \"a: b\", 12 m, \"\", \" x\", \"-\", -3 m, "
+      "\"line\\nbreak\"]\n"
       "b: { c: [], d: { e: off, f: \"#x\" } }\n"
       "rocks:\n"
-      "  - { name: blocks, shape: { type: polygon, vertices: [[0, 0], [1, 0], [1, 1], [0, 1]] }, density: 2700 }\n"
+      "  - { name: blocks, shape: { type: polygon, vertices: [[0, 0], [1, 0], [1, 1], [0, 1]] }, density: "
+      "2700 }\n"
       "  - name: loose\n"
-      "    list: [[0.111111111111, 0.222222222222], [0.3333333333333, 0.44444444444], [0.5555555555555, 0.666666666]]\n";
+      "    list: [[0.111111111111, 0.222222222222], [0.3333333333333, 0.44444444444], [0.5555555555555, "
+      "0.666666666]]\n";
   const Value root = read(text);
   const std::string once = to_yaml(root);
   CHECK(to_yaml(read(once)) == once);

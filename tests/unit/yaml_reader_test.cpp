@@ -69,7 +69,8 @@ TEST_CASE("aliases are copies") {
 TEST_CASE("what a scenario file must not hold") {
   CHECK(refuse("a: 1\nb: 2\na: 3\n") == "3:1:a:duplicate key, the first one is in line 1\n");
   CHECK(refuse("r:\n  - a: 1\n    a: 3\n") == "3:5:r.0.a:duplicate key, the first one is in line 2\n");
-  CHECK(refuse("a: .nan\nb: -.inf\n") == "1:4:a:`.nan` is not a finite number\n2:4:b:`-.inf` is not a finite number\n");
+  CHECK(refuse("a: .nan\nb: -.inf\n") ==
+        "1:4:a:`.nan` is not a finite number\n2:4:b:`-.inf` is not a finite number\n");
   CHECK(refuse("a: &x { b: 1 }\nc: { <<: *x }\n") ==
         "2:6:c:merge keys (`<<`) are not supported: write the keys out\n");
   CHECK(refuse("a: 1\n---\nb: 2\n") == "3:1::a second document: a scenario is one document\n");
