@@ -81,5 +81,6 @@ return fr.scenario {
 
   expect = {
     { measure = "rocks.censored", below = 0.01 },
+    { measure = "rocks.blocks.runout.p95", below = "280 m" },
   },
 }

@@ -1,0 +1,65 @@
+// Every scenario that is shipped, and the example of every plugin, reads without a fault, runs a few trials,
+// and meets its expectations as far as these judge so few.
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "batch/expectations.h"
+#include "batch/load.h"
+#include "batch/trial.h"
+
+using namespace flyrock;
+
+namespace {
+
+std::vector<std::string> scenario_files(const std::string& folder, bool examples) {
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    const auto path = entry.path();
+    const bool scenario = path.extension() == ".yaml" || (!examples && path.extension() == ".lua");
+    if (scenario && (!examples || path.filename() == "example.yaml")) files.push_back(path.string());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+void run_few(const std::string& path) {
+  INFO(path);
+  setenv("FLYROCK_DATA", FLYROCK_SHARE_DIR, 1);
+  Overrides overrides;
+  overrides.trials = 3;
+  Diagnostics diagnostics;
+  const auto loaded = load_scenario(path, overrides, diagnostics);
+  INFO(diagnostics.to_text());
+  REQUIRE(loaded);
+  std::vector<PointResult> points;
+  for (const Scenario& scenario : loaded->plan.points) {
+    PointResult point;
+    TrialRunner runner(scenario);
+    for (; point.trials < scenario.trials; ++point.trials) runner.run(point.trials, point.records);
+    for (const RockRecord& rock : point.records.rocks) CHECK(rock.fault == "");
+    point.groups = summarise(point.records.rocks, group_names(scenario));
+    points.push_back(std::move(point));
+  }
+  for (const Verdict& verdict : judge(loaded->plan, points, loaded->own_trials <= 3)) {
+    INFO(verdict.expectation.measure << " is " << verdict.computed << ", expected "
+                                     << verdict.expectation.value << " " << verdict.reason);
+    CHECK(verdict.judgement != Judgement::failed);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("every shipped scenario runs") {
+  for (const std::string& path : scenario_files(FLYROCK_SOURCE_DIR "/scenarios", false)) run_few(path);
+}
+
+TEST_CASE("the example of every plugin runs") {
+  const auto examples = scenario_files(FLYROCK_SOURCE_DIR "/plugins", true);
+  int plugins = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(FLYROCK_SOURCE_DIR "/plugins"))
+    plugins += entry.path().filename() == "plugin.lua";
+  CHECK(static_cast<int>(examples.size()) == plugins);
+  for (const std::string& path : examples) run_few(path);
+}
