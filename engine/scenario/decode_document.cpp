@@ -136,13 +136,13 @@ class DocumentDecoder {
       scenario_.rocks = decode_rocks(context_, *rocks, scenario_.materials, profile, resolved_);
       check_group_names(*rocks);
       check_reads(*rocks);
-      check_materials(*rocks, scenario_.rocks,
+      check_materials(*rocks, scenario_.rocks, 0,
                       [&](const RockGroup&, const RockGroup&) { return scenario_.rock_contacts; });
     }
     if (bodies) {
       scenario_.bodies = decode_bodies(context_, *bodies, scenario_.materials, resolved_);
       auto is_free = [](const BodyPlan& body) { return !body.fixed && !body.driven; };
-      check_materials(*bodies, scenario_.bodies,
+      check_materials(*bodies, scenario_.bodies, 1,
                       [&](const BodyPlan& a, const BodyPlan& b) { return is_free(a) || is_free(b); });
     }
   }
@@ -190,21 +190,22 @@ class DocumentDecoder {
     });
   }
 
-  /// Things that meet and show different materials need an entry of `pairs` (DESIGN 8).
+  /// Things that meet need a material between them: the same one, or an entry of `pairs` (DESIGN 8). `first`
+  /// is 1 where a thing does not meet its own kind.
   template <class Plan, class Meet>
-  void check_materials(const Node& list, const std::vector<Plan>& plans, Meet meet) {
+  void check_materials(const Node& list, const std::vector<Plan>& plans, std::size_t first, Meet meet) {
     const std::vector<Node> items = list.items();
     if (items.size() != plans.size()) return;  // one of them is no map, which was reported
     for (std::size_t j = 0; j < plans.size(); ++j)
-      for (std::size_t i = 0; i < j; ++i) {
+      for (std::size_t i = 0; i + first <= j; ++i) {
         const Plan& a = plans[i];
         const Plan& b = plans[j];
-        if (!meet(a, b) || a.material < 0 || b.material < 0 || a.material == b.material ||
-            has_pair(a.name, b.name))
-          continue;
+        const bool same = a.material >= 0 && a.material == b.material;
+        if (!meet(a, b) || same || has_pair(a.name, b.name)) continue;
         context_.diagnostics.error(
             items[j].key_at, items[j].path,
-            fmt::format("`{}` and `{}` show different materials, expected an entry of `pairs` between them",
+            fmt::format("`{}` and `{}` can meet, and nothing says how: expected the same "
+                        "`material`, or an entry of `pairs` between them",
                         a.name, b.name));
       }
   }

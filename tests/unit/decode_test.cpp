@@ -272,7 +272,7 @@ TEST_CASE("all errors are reported at once") {
         "stop: `time` is missing, expected a number in s\n");
 }
 
-TEST_CASE("bodies and groups that show different materials need a pair") {
+TEST_CASE("bodies and groups that meet need a material between them") {
   const std::string two =
       head +
       "terrain: { type: plane, material: a }\nmaterials: { a: {}, b: {} }\nstop: { time: 2 }\n"
@@ -280,10 +280,16 @@ TEST_CASE("bodies and groups that show different materials need a pair") {
       "  - { name: one, shape: { type: disk, radius: 1 }, mass: 1, position: [0, 1], material: a }\n"
       "  - { name: two, shape: { type: disk, radius: 1 }, mass: 1, position: [3, 1], material: b }\n";
   CHECK(refuse(two) ==
-        "bodies.1: `one` and `two` show different materials, expected an entry of `pairs` between them\n");
+        "bodies.1: `one` and `two` can meet, and nothing says how: expected the same `material`, or an entry "
+        "of "
+        "`pairs` between them\n");
   const Scenario s = decode_text(two + "pairs: [{ between: [two, one], material: b }]\n").points[0];
   CHECK(s.pairs[0].a == "two");
   CHECK(s.pairs[0].material == 1);
+  CHECK(refuse(head + benches + blocks + "rock_contacts: on\n") ==
+        "rocks.0: `blocks` and `blocks` can meet, and nothing says how: expected the same `material`, or an "
+        "entry of "
+        "`pairs` between them\n");
 }
 
 TEST_CASE("zones and the rest of the terrain have their materials") {
