@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "host/pattern.h"
 #include "host/sandbox.h"
 #include "host/state.h"
 
@@ -101,10 +102,10 @@ void add_table_library(lua_State* lua) {
 void add_string_library(lua_State* lua) {
   lua_pushnil(lua);
   lua_setfield(lua, -2, "dump");
-  for (const char* name : {"byte", "char", "find", "gmatch", "gsub", "len", "lower", "match", "pack", "packsize",
-                           "reverse", "sub", "unpack", "upper"})
+  for (const char* name : {"byte", "char", "len", "lower", "pack", "packsize", "reverse", "sub", "unpack", "upper"})
     bound<texts>(lua, name);
   bound<repeat>(lua, "rep");
+  add_pattern_functions(lua);
   lua_getfield(lua, -1, "format");
   lua_getfield(lua, -3, "tostring");  // of the globals below the library
   lua_pushcclosure(lua, guarded<format>, 2);
