@@ -3,7 +3,6 @@
 #include <lua.hpp>
 
 #include <filesystem>
-#include <set>
 
 #include <fmt/format.h>
 
@@ -174,9 +173,9 @@ void LuaSession::Host::register_plugin(lua_State* lua) {
     return true;
   });
   if (!value) return;
-  std::set<std::string> names;
-  for (const auto& [name, reference] : functions) names.insert(name);
-  auto spec = read_manifest(*value, names, *diagnostics_);
+  std::map<std::string, Location> function_places;
+  for (const auto& [name, reference] : functions) function_places[name] = places.key(name);
+  auto spec = read_manifest(*value, function_places, *diagnostics_);
   if (!spec) return;
   spec->file = file->source->name;
   std::optional<Factory> make;

@@ -32,7 +32,7 @@ LuaParameters::LuaParameters(lua_State* lua, const PluginSpec& spec, Params& par
           lua_pushvalue(lua, -1);
           const int components = luaL_ref(lua, LUA_REGISTRYINDEX);
           vectors_.push_back(components);
-          make_read_only(lua, "p." + param.name);
+          make_read_only(lua, "p." + param.name, true);
           lua_setfield(lua, table, param.name.c_str());
           for (int i = 0; i < params.dimension(); ++i)
             fields_.push_back({param.name, param.type, slot + i, i + 1, components});
@@ -56,10 +56,10 @@ LuaParameters::LuaParameters(lua_State* lua, const PluginSpec& spec, Params& par
             lua_pushnumber(lua, points[i][c]);
             lua_rawseti(lua, -2, c + 1);
           }
-          make_read_only(lua, "p." + param.name);
+          make_read_only(lua, "p." + param.name, true);
           lua_rawseti(lua, -2, static_cast<lua_Integer>(i + 1));
         }
-        make_read_only(lua, "p." + param.name);
+        make_read_only(lua, "p." + param.name, true);
         lua_setfield(lua, table, param.name.c_str());
       }
     }

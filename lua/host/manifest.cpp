@@ -148,7 +148,7 @@ class ParamReader {
 
 class ManifestReader {
  public:
-  ManifestReader(const Value& table, const std::set<std::string>& functions, Diagnostics& diagnostics)
+  ManifestReader(const Value& table, const std::map<std::string, Location>& functions, Diagnostics& diagnostics)
       : manifest_(table), table_(table, "", diagnostics), functions_(functions), diagnostics_(diagnostics) {}
 
   std::optional<PluginSpec> read() {
@@ -198,14 +198,14 @@ class ManifestReader {
   void check_entry() {
     const std::string entry(entry_point(spec_.kind));
     const bool native = manifest_.find("native");
-    for (const std::string& name : functions_) {
+    for (const auto& [name, at] : functions_) {
       if (name != entry)
-        table_.error(name, fmt::format("a {} has no function `{}`, expected `{}`", name_of(spec_.kind), name, entry));
+        table_.error(name, fmt::format("a {} has no function `{}`, expected `{}`", name_of(spec_.kind), name, entry), &at);
       else if (native)
         table_.error("native", fmt::format("both `native` and the function `{}`, expected one of the two", entry));
     }
     if (const Value* other = table_.field(entry)) table_.error(entry, other->kind() + ", expected a function");
-    else if (!native && !functions_.contains(entry))
+    else if (!native && functions_.empty())
       table_.error(entry, fmt::format("missing: a {} needs the function `{}`, or `native`", name_of(spec_.kind), entry));
   }
 
@@ -239,7 +239,7 @@ class ManifestReader {
 
   const Value& manifest_;
   TableReader table_;
-  const std::set<std::string>& functions_;
+  const std::map<std::string, Location>& functions_;
   Diagnostics& diagnostics_;
   PluginSpec spec_;
   bool params_failed_ = false;
@@ -249,7 +249,7 @@ class ManifestReader {
 
 std::string_view entry_point(PluginKind kind) { return entry_points[static_cast<std::size_t>(kind)]; }
 
-std::optional<PluginSpec> read_manifest(const Value& table, const std::set<std::string>& functions,
+std::optional<PluginSpec> read_manifest(const Value& table, const std::map<std::string, Location>& functions,
                                         Diagnostics& diagnostics) {
   return ManifestReader(table, functions, diagnostics).read();
 }

@@ -1,8 +1,8 @@
 #pragma once
 // The table given to fr.plugin to a PluginSpec.
 
+#include <map>
 #include <optional>
-#include <set>
 #include <string>
 
 #include "plugin/spec.h"
@@ -13,10 +13,10 @@ namespace flyrock {
 /// The function that a pure Lua plugin of a kind defines: "impact", "build", ...
 std::string_view entry_point(PluginKind kind);
 
-/// Checks a manifest and reports all that is wrong with it, each at its place. `functions` are the names of
-/// the fields that hold functions. Limits and defaults are converted from the declared unit to SI;
+/// Checks a manifest and reports all that is wrong with it, each at its place. `functions` are the
+/// fields that hold functions, with their places. Limits and defaults are converted from the declared unit to SI;
 /// parameters are sorted by name, since a Lua table has no order. Nothing where there are errors.
-std::optional<PluginSpec> read_manifest(const Value& table, const std::set<std::string>& functions,
+std::optional<PluginSpec> read_manifest(const Value& table, const std::map<std::string, Location>& functions,
                                         Diagnostics& diagnostics);
 
 }  // namespace flyrock

@@ -47,10 +47,10 @@ int refuse_absent(lua_State* lua) {
 
 }  // namespace
 
-void make_read_only(lua_State* lua, const std::string& what) {
+void make_read_only(lua_State* lua, const std::string& what, bool is_data) {
   const int table = lua_gettop(lua);
   lua_createtable(lua, 0, 0);  // the view stays empty, so that each access asks its metatable
-  lua_createtable(lua, 0, 5);
+  lua_createtable(lua, 0, 6);
   lua_pushvalue(lua, table);
   lua_setfield(lua, -2, "__index");
   lua_pushlstring(lua, what.data(), what.size());
@@ -64,8 +64,20 @@ void make_read_only(lua_State* lua, const std::string& what) {
   lua_setfield(lua, -2, "__pairs");
   lua_pushboolean(lua, 0);
   lua_setfield(lua, -2, "__metatable");
+  lua_pushboolean(lua, is_data);
+  lua_setfield(lua, -2, "__data");
   lua_setmetatable(lua, -2);
   lua_replace(lua, table);
+}
+
+bool see_through(lua_State* lua) {
+  const int view = lua_gettop(lua);
+  if (luaL_getmetafield(lua, view, "__data") == LUA_TNIL) return true;
+  const bool is_data = lua_toboolean(lua, -1);
+  luaL_getmetafield(lua, view, "__index");
+  lua_replace(lua, view);
+  lua_settop(lua, view);
+  return is_data;
 }
 
 void make_strict(lua_State* lua, int index, const std::string& what) {

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "host/read_only.h"
+
 namespace flyrock {
 
 namespace {
@@ -18,7 +20,7 @@ class Reader {
 
   bool failed() const { return failed_; }
 
-  /// The value at the top of the stack, which stays there.
+  /// The value at the top of the stack, which stays there (a view is replaced by what it shows).
   Value read(const std::string& path) {
     Value value;
     value.at = path.empty() ? places_.call() : places_.value(path);
@@ -65,10 +67,8 @@ class Reader {
   }
 
   void table(const std::string& path, Value& value) {
-    if (luaL_getmetafield(lua_, -1, "__metatable") != LUA_TNIL) {  // what fr.plugin returns, or a library
-      lua_pop(lua_, 1);
+    if (!see_through(lua_))
       return fail(path, "a plugin or a library, expected a value: a plugin is used by its name, type = \"NAME\"");
-    }
     const void* identity = lua_topointer(lua_, -1);
     if (std::find(open_.begin(), open_.end(), identity) != open_.end())
       return fail(path, "a table that holds itself, expected a value");

@@ -23,10 +23,10 @@ const Value* TableReader::field(const std::string& name) {
   return table_.find(name);
 }
 
-void TableReader::error(const std::string& name, const std::string& text) {
+void TableReader::error(const std::string& name, const std::string& text, const Location* at) {
   failed_ = true;
   const Value* value = table_.find(name);
-  diagnostics_.error(value ? value->at : table_.at, name.empty() ? path_ : join_path(path_, name), text);
+  diagnostics_.error(at ? *at : value ? value->at : table_.at, name.empty() ? path_ : join_path(path_, name), text);
 }
 
 void TableReader::wrong_type(const std::string& name, const Value& value, const std::string& expected) {

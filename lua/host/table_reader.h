@@ -24,8 +24,8 @@ class TableReader {
   /// A text that must be there and not be empty.
   std::string required_text(const std::string& name);
 
-  /// About a field, or with an empty name about the table.
-  void error(const std::string& name, const std::string& text);
+  /// About a field, or with an empty name about the table; `at` where the field is not in the tree.
+  void error(const std::string& name, const std::string& text, const Location* at = nullptr);
   /// Reports the fields that nobody asked for, with the nearest known name.
   void finish();
   bool failed() const { return failed_; }

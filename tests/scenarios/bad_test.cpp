@@ -32,15 +32,14 @@ std::vector<fs::path> files(const fs::path& folder, const std::string& extension
   return list;
 }
 
-}  // namespace
-
-TEST_CASE("malformed scenarios give their exact error texts") {
-  const fs::path folder = fs::path(FLYROCK_SOURCE_DIR) / "tests/scenarios/bad";
+/// Every file with this extension in a folder beside this one gives the text of its .expect.
+void check_messages(const std::string& name, const std::string& extension, std::size_t at_least) {
+  const fs::path folder = fs::path(FLYROCK_SOURCE_DIR) / "tests/scenarios" / name;
   const InFolder inside(folder);
   // FLYROCK_UPDATE_EXPECT=1 writes the texts anew; look at the difference before it is committed.
   const bool update = std::getenv("FLYROCK_UPDATE_EXPECT") != nullptr;
-  const std::vector<fs::path> scenarios = files(folder, ".yaml");
-  REQUIRE(scenarios.size() >= 20);
+  const std::vector<fs::path> scenarios = files(folder, extension);
+  REQUIRE(scenarios.size() >= at_least);
   for (const fs::path& path : scenarios) {
     flyrock::Diagnostics diagnostics;
     const auto loaded = flyrock::load_scenario(path.filename().string(), {}, diagnostics);
@@ -51,6 +50,11 @@ TEST_CASE("malformed scenarios give their exact error texts") {
     CHECK(diagnostics.to_text() == read(expect));
   }
 }
+
+}  // namespace
+
+TEST_CASE("malformed scenarios give their exact error texts") { check_messages("bad", ".yaml", 20); }
+TEST_CASE("malformed scenarios in Lua give their exact error texts", "[slow]") { check_messages("bad_lua", ".lua", 12); }
 
 TEST_CASE("shipped scenarios load, and what they resolve to loads as the same plan") {
   for (const char* folder : {"scenarios/course", "scenarios/ninh_dan"}) {

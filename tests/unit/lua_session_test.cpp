@@ -95,7 +95,7 @@ TEST_CASE("a plugin is native or Lua, with the function of its kind") {
         "p.lua:3:45: native: both `native` and the function `impact`, expected one of the two\n");
   CHECK(message("native = 'newton'") == "p.lua:3:10: native: no shared object `newton.so` beside the manifest\n");
   CHECK(message("friction = function(p) return 0 end, impact = function(p) return 0 end") ==
-        "p.lua:2:1: friction: a restitution has no function `friction`, expected `impact`\n");
+        "p.lua:3:1: friction: a restitution has no function `friction`, expected `impact`\n");
   CHECK(message("form = 'poisson', impact = function(p) return 0 end") ==
         "p.lua:3:8: form: `poisson`, expected `newton`, the form that this version solves\n");
   CHECK(message("impact = 0.5") == "p.lua:3:10: impact: a number, expected a function\n");

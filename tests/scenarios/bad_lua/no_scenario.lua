@@ -1,0 +1,2 @@
+local fr = require "flyrock"
+local scenario = fr.scenario { flyrock = 1 }

@@ -1,0 +1,130 @@
+// Shapes, terrains, populations and velocities written in Lua.
+
+#include <catch2/catch.hpp>
+
+#include "conformance/plugin_use.h"
+#include "unit/lua_fixture.h"
+
+using namespace flyrock;
+
+namespace {
+
+/// A session with one plugin whose entry function is given.
+struct OnePlugin : LuaFixture {
+  OnePlugin(const std::string& kind, const std::string& fields) {
+    write("m.lua", "local fr = require 'flyrock'\nreturn fr.plugin { kind = '" + kind + "', name = 'm', doc = 'd',\n" + fields + " }");
+    INFO(fields);
+    CHECK(load("m.lua") == "");
+  }
+};
+
+RandomStream stream() { return RandomStream(1, "test", {}); }
+
+std::vector<Contactor2> shape(const std::string& answer) {
+  OnePlugin lua("shape", "build = function(p, rng) return " + answer + " end");
+  auto rng = stream();
+  return make<ShapeModel>(lua.session, PluginKind::shape, "m", {}).model->build({}, rng);
+}
+
+Profile terrain(const std::string& answer) {
+  OnePlugin lua("terrain", "build = function(p, rng) return " + answer + " end");
+  auto rng = stream();
+  return make<TerrainModel>(lua.session, PluginKind::terrain, "m", {}).model->build({}, rng);
+}
+
+}  // namespace
+
+TEST_CASE("a shape in Lua is a disk, a polygon or several contactors") {
+  CHECK(shape("{ radius = 0.5 }").front().radius == 0.5);
+  const auto square = shape("{ vertices = { {0, 0}, {0, 1}, {1, 1}, {1, 0} } }");  // clockwise is turned round
+  CHECK(area_properties(square).area == Approx(1));
+  CHECK(shape("{ { radius = 1, centre = { -2, 0 } }, { radius = 1, centre = { 2, 0 } } }").size() == 2);
+  CHECK_THROWS_WITH(shape("{ radius = -1 }"), "plugin m, m.lua:3: build() returned radius = -1, expected a number above 0");
+  CHECK_THROWS_WITH(shape("{ vertices = { {0, 0}, {1} , {1, 1} } }"),
+                    "plugin m, m.lua:3: build() returned vertices[1] = a list, expected { x, y }");
+  CHECK_THROWS_WITH(shape("{ radious = 1 }"),
+                    "plugin m, m.lua:3: build() returned the unknown field radious, did you mean `radius`?");
+  CHECK_THROWS_WITH(shape("nil"), Catch::Contains("build() returned"));
+  CHECK_THROWS_WITH(shape("{ vertices = { {0, 0}, {1, 0} , {2, 0} } }"), Catch::StartsWith("plugin m, m.lua:3: build() returned vertices: "));
+}
+
+TEST_CASE("a shape draws from the stream that it is passed") {
+  OnePlugin lua("shape", "build = function(p, rng) return { radius = rng:uniform(1, 2) + rng:integer(1, 3) + rng:normal() * 0 } end");
+  const auto made = make<ShapeModel>(lua.session, PluginKind::shape, "m", {});
+  auto rng = stream(), same = stream();
+  const double expected = same.uniform(1, 2) + static_cast<double>(same.integer(1, 3)) + same.normal() * 0;
+  CHECK(made.model->build({}, rng).front().radius == expected);
+}
+
+TEST_CASE("a terrain in Lua has points, parts and faces") {
+  const Profile profile = terrain("{ points = { {0, 5}, {1, 0}, {9, 0} }, parts = { 'face', 'floor' }, "
+                                  "faces = { { toe = {1, 0}, crest = {0, 5} } } }");
+  CHECK(profile.parts == std::vector<std::string>{"face", "floor"});
+  CHECK(profile.part == std::vector<int>{0, 1});
+  CHECK(profile.faces.at(0).crest.y() == 5);
+  CHECK(terrain("{ points = { {0, 0}, {1, 0} } }").parts == std::vector<std::string>{""});
+  CHECK_THROWS_WITH(terrain("{ points = { {0, 0}, {1, 0} }, parts = {} }"),
+                    "plugin m, m.lua:3: build() returned 0 parts, expected 1: one for each segment between two points");
+  CHECK_THROWS_WITH(terrain("{ points = { {0, 0}, {-1, 0} } }"), Catch::StartsWith("plugin m, m.lua:3: build() returned points: "));
+}
+
+TEST_CASE("a velocity in Lua reads the rock and the fields of the blast that it declares") {
+  OnePlugin lua("velocity", "reads = { 'blast.hole.diameter' }, params = { v = fr.number { default = 36, unit = 'km/h' } },\n"
+                            "launch = function(p, rock, blast, rng)\n"
+                            "  return { velocity = rock:direction(p.v, 0), spin = blast.hole_diameter * rock.mass } end");
+  const auto made = make<VelocityModel>(lua.session, PluginKind::velocity, "m", {});
+  RockView rock;
+  rock.mass = 20;
+  rock.outward = {-1, 0, 0};
+  Blast blast;
+  blast[BlastField::hole_diameter] = 0.1;
+  auto rng = stream();
+  const Launch launch = made.model->launch(made.values, rock, blast, rng);
+  CHECK(launch.velocity.x() == Approx(-10));
+  CHECK(launch.velocity.y() == Approx(0).margin(1e-12));
+  CHECK(launch.spin.z() == 0.1 * 20);
+
+  OnePlugin greedy("velocity", "launch = function(p, rock, blast) return { velocity = { blast.burden, 0 } } end");
+  const auto undeclared = make<VelocityModel>(greedy.session, PluginKind::velocity, "m", {});
+  CHECK_THROWS_WITH(undeclared.model->launch({}, rock, blast, rng),
+                    "plugin m, m.lua:3: `blast.burden` is not declared: add \"blast.burden\" to `reads` of the manifest");
+}
+
+TEST_CASE("a population in Lua places its rocks on the terrain") {
+  OnePlugin lua("population", "rocks = function(p, terrain, blast, rng)\n"
+                              "  return { { radius = 0.5, position = { 1, terrain:height(1) + 0.5 } }, { angle = 1 },\n"
+                              "           { shape = { { radius = 1 }, { radius = 2 } } } } end");
+  const auto made = make<Population>(lua.session, PluginKind::population, "m", {});
+  Profile profile;
+  profile.points = {{0, 2}, {4, 2}};
+  profile.part = {0};
+  profile.parts = {""};
+  auto rng = stream();
+  const auto rocks = made.model->rocks({}, profile, Blast(), rng);
+  REQUIRE(rocks.size() == 3);
+  CHECK(rocks[0].contactors.at(0).radius == 0.5);
+  CHECK(rocks[0].position->y() == 2.5);
+  CHECK_FALSE(rocks[0].angle);
+  CHECK(rocks[1].contactors.empty());
+  CHECK(rocks[2].contactors.size() == 2);
+}
+
+TEST_CASE("parameters of every type reach Lua") {
+  OnePlugin lua("shape", R"(params = {
+    n = fr.integer { default = 3 }, flag = fr.boolean { default = true }, mode = fr.choice { choices = { "a" }, default = "a" },
+    at = fr.vector { optional = true }, corners = fr.points { optional = true }, left_out = fr.number { optional = true } },
+  build = function(p, rng)
+    assert(math.type(p.n) == "integer" and p.n == 3 and p.flag == true and p.mode == "a" and p.left_out == nil)
+    assert(#p.at == 2 and p.at[1] == 5 and p.at[2] == 6)
+    assert(#p.corners == 3 and p.corners[3][2] == 1)
+    local names = {}
+    for name in pairs(p) do names[#names + 1] = name end
+    assert(table.concat(names, " ") == "at corners flag mode n")
+    return { vertices = p.corners }
+  end)");
+  const std::vector<std::vector<double>> corners{{0, 0}, {1, 0}, {0, 1}};
+  const auto made = make<ShapeModel>(lua.session, PluginKind::shape, "m",
+                                     {{"at", std::vector<double>{5, 6}}, {"corners", corners}});
+  auto rng = stream();
+  CHECK(area_properties(made.model->build(made.values, rng)).area == Approx(0.5));
+}
