@@ -64,6 +64,7 @@ std::optional<LoadedScenario> load_scenario(const std::string& path, const Overr
   std::optional<Plan> plan = decode(*root, loaded.session->registry(), folder.string(), diagnostics);
   if (!plan || diagnostics.has_errors()) return std::nullopt;
   loaded.plan = std::move(*plan);
+  loaded.warnings = diagnostics.warnings();
   for (const auto& [name, text] : loaded.session->sources()) loaded.sources.push_back({name, sha256(text)});
   loaded.hash = hash_of(loaded.plan, loaded.sources);
   return loaded;

@@ -23,6 +23,7 @@ struct LoadedScenario {
   std::string name;                     ///< the file's name without its extension
   std::vector<SourceHash> sources;      ///< every plugin source that was loaded
   std::string hash;                     ///< SHA-256 of the engine's version, the resolved scenario and the sources
+  std::vector<std::string> warnings;    ///< of the reader: "blast.hole: the hole is shorter than the bench"
   std::uint64_t own_trials = 1;         ///< `trials` of the file, before `--trials`
 };
 

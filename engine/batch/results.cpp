@@ -26,6 +26,14 @@ void collect_faults(Results& results) {
 std::vector<std::string> collect_warnings(const Plan& plan, const std::vector<PointResult>& points) {
   std::vector<std::string> warnings = laws_never_asked(plan, points);
   for (const std::string& key : plan.not_used) warnings.push_back("not used: " + key);
+  SolverQuality quality;
+  for (const PointResult& point : points) quality.add(point.records.quality);
+  if (quality.not_converged > 0)
+    warnings.push_back(fmt::format("solver: {} problems did not converge, the greatest residual is {:.3g} m/s",
+                                   quality.not_converged, quality.max_residual));
+  if (quality.energy_gains > 0)
+    warnings.push_back(fmt::format("solver: {} impacts gained energy, {:.3g} J together", quality.energy_gains,
+                                   quality.energy_gained));
   std::set<std::string> notes;  // the same launch may have the same trouble at every point
   for (const PointResult& point : points)
     for (const std::string& note : point.records.notes)
@@ -33,19 +41,34 @@ std::vector<std::string> collect_warnings(const Plan& plan, const std::vector<Po
   return warnings;
 }
 
+/// How a body or a rock ended, as the end of a sentence.
+std::string_view ending(StopReason reason) {
+  switch (reason) {
+    case StopReason::stopped: return "came to rest";
+    case StopReason::left_domain: return "left the domain";
+    case StopReason::timed_out: return "was still moving";
+    case StopReason::caught: return "was caught";
+    case StopReason::diverged:
+    case StopReason::plugin_error: break;
+  }
+  return "failed";
+}
+
 std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
 
 std::string bodies_answer(const Plan& plan, const Results& results) {
-  const TrialRecords& records = results.points.front().records;
+  const std::vector<std::string> names = group_names(plan.points.front());
   std::string text;
-  if (records.rocks.size() == 1) {
-    const RockRecord& body = records.rocks.front();
-    text = fmt::format("Body `{}` ended `{}` after {:.4g} s, {:.4g} m from where it began, with {} impacts.",
-                       group_names(plan.points.front()).at(static_cast<std::size_t>(body.group)),
-                       name_of(body.reason), body.time, body.runout, body.impacts);
-  } else {
-    text = fmt::format("{} bodies moved for up to {:.4g} s.", records.rocks.size(), plan.points.front().stop.time);
+  constexpr std::size_t most_named = 4;  // of a heap of bodies the table says more than a sentence
+  const std::vector<RockRecord>& bodies = results.points.front().records.rocks;
+  for (std::size_t b = 0; b < std::min(bodies.size(), most_named); ++b) {
+    const RockRecord& body = bodies[b];
+    text += fmt::format("{}{} {} after {:.4g} s, {:.4g} m from where it began, with {} impact{}.", b > 0 ? " " : "",
+                        names.at(static_cast<std::size_t>(body.group)), ending(body.reason), body.time, body.runout,
+                        body.impacts, body.impacts == 1 ? "" : "s");
   }
+  if (bodies.size() > most_named) text += fmt::format(" In all {} bodies moved.", bodies.size());
+  if (results.points.size() > 1) text += fmt::format(" (Point 0 of {}.)", results.points.size());
   return text;
 }
 
@@ -74,20 +97,20 @@ int Results::count(Judgement judgement) const {
                                         [&](const Verdict& verdict) { return verdict.judgement == judgement; }));
 }
 
-Results make_results(const Plan& plan, std::vector<TrialRecords> records, const std::vector<std::uint64_t>& trials,
-                     bool full, std::string ended_early) {
+Results make_results(const Plan& plan, std::vector<TrialRecords> records, const RunFacts& facts) {
   Results results;
   for (std::size_t point = 0; point < records.size(); ++point) {
     PointResult result;
-    result.trials = trials[point];
+    result.trials = facts.trials.at(point);
     result.groups = summarise(records[point].rocks, group_names(plan.points[point]));
     result.records = std::move(records[point]);
     results.points.push_back(std::move(result));
   }
-  results.verdicts = judge(plan, results.points, full && ended_early.empty());
-  results.warnings = collect_warnings(plan, results.points);
+  results.verdicts = judge(plan, results.points, facts.full && facts.ended_early.empty());
+  results.warnings = facts.warnings;
+  for (std::string& warning : collect_warnings(plan, results.points)) results.warnings.push_back(std::move(warning));
   collect_faults(results);
-  results.ended_early = std::move(ended_early);
+  results.ended_early = facts.ended_early;
   return results;
 }
 

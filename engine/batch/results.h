@@ -22,7 +22,7 @@ struct Fault {
 struct Results {
   std::vector<PointResult> points;
   std::vector<Verdict> verdicts;
-  std::vector<std::string> warnings;  ///< laws never asked, keys not used, notes of launches
+  std::vector<std::string> warnings;  ///< of the reader, laws never asked, keys not used, solver, launches
   std::vector<Fault> faults;          ///< the first 20
   std::uint64_t fault_count = 0;
   std::string ended_early;            ///< why, or empty where every trial ran
@@ -32,9 +32,15 @@ struct Results {
   int count(Judgement judgement) const;
 };
 
-/// `full` is false where fewer trials ran than the scenario itself asks for; see judge().
-Results make_results(const Plan& plan, std::vector<TrialRecords> records, const std::vector<std::uint64_t>& trials,
-                     bool full, std::string ended_early);
+/// How the records came about.
+struct RunFacts {
+  std::vector<std::uint64_t> trials;  ///< that ran, of each point
+  bool full = true;                   ///< false where the scenario itself asks for more; see judge()
+  std::string ended_early;            ///< why, or empty
+  std::vector<std::string> warnings;  ///< of the scenario's reader
+};
+
+Results make_results(const Plan& plan, std::vector<TrialRecords> records, const RunFacts& facts);
 
 /// "material haul_floor: its restitution pfeiffer_bowen was never asked": laws that no contact of any point needed.
 std::vector<std::string> laws_never_asked(const Plan& plan, const std::vector<PointResult>& points);

@@ -168,9 +168,11 @@ int run(const Command& command, const Arguments& arguments) {
   }
 
   const int points = static_cast<int>(plan.points.size());
-  const bool full = !only && plan.points.front().trials >= loaded->own_trials;
-  Results results = make_results(plan, merge_chunks(outcome.chunks, points, folder.chunks(), loaded->hash),
-                                 trials_of(outcome.chunks, plan.points.size()), full, outcome.why);
+  const RunFacts facts{.trials = trials_of(outcome.chunks, plan.points.size()),
+                       .full = !only && plan.points.front().trials >= loaded->own_trials,
+                       .ended_early = outcome.why,
+                       .warnings = loaded->warnings};
+  Results results = make_results(plan, merge_chunks(outcome.chunks, points, folder.chunks(), loaded->hash), facts);
   for (std::size_t p = 0; p < runners.size(); ++p) results.points[p].terrain = first_terrain(*runners[p]);
   folder.write(*loaded, results, log);
   remove_chunks(outcome.chunks, folder.chunks());

@@ -70,8 +70,10 @@ std::string summary_text(const Plan& plan, const Results& results) {
     text += '\n';
   }
   if (!results.verdicts.empty()) {
-    text += fmt::format("{} of {} expectations hold", results.count(Judgement::passed), results.verdicts.size());
-    if (const int open = results.count(Judgement::not_judged)) text += fmt::format(", {} not judged", open);
+    const int open = results.count(Judgement::not_judged);
+    text += fmt::format("{} of {} expectations hold", results.count(Judgement::passed),
+                        results.verdicts.size() - static_cast<std::size_t>(open));
+    if (open > 0) text += fmt::format(", {} not judged", open);
     text += '\n';
     for (const Verdict& verdict : results.verdicts) text += verdict_line(verdict, sweep);
     text += '\n';

@@ -32,12 +32,12 @@
     root.append(node);
     return node;
   }
-  /** Four significant digits, no exponent between 0.001 and a million. */
+  /** Four significant digits, no exponent between 0.001 and a thousand million. */
   function show(value) {
     if (value === null) return "–";
     if (value === 0) return "0";
     const size = Math.abs(value);
-    if (size >= 1e6 || size < 1e-3) return value.toExponential(3);
+    if (size >= 1e9 || size < 1e-3) return value.toExponential(3);
     return String(Number(value.toPrecision(4)));
   }
   const percent = (share) => `${Number((100 * share).toPrecision(3))} %`;
@@ -63,7 +63,7 @@
     const bound = s.lower_bounds.includes(name);
     return right(bound ? (name === "sd" ? `(${show(s[name])})` : `≥ ${show(s[name])}`) : show(s[name]));
   };
-  const group_name = (group) => group.group ?? "all rocks";
+  const group_name = (group) => group.group ?? (of_bodies ? "all bodies" : "all rocks");
   const point_name = (point) => {
     const at = Object.entries(point.at).map(([path, value]) => `${path} = ${show(value)}`).join(", ");
     return `point ${point.point}${at ? `: ${at}` : ""}`;
@@ -205,9 +205,9 @@
 
   function facts_section() {
     const rocks = summary.points.reduce((sum, point) => sum + point.rocks[0].count, 0);
-    const things = of_bodies ? "bodies" : "rocks";
+    const counted = (n, one, many) => `${n} ${n === 1 ? one : many}`;
     const trials = summary.points.reduce((sum, point) => sum + point.trials, 0);
-    root.append(paragraph("facts", `${rocks} ${things} in ${trials} trials` + (many_points ? ` of ${data.points.length} sweep points` : "") +
+    root.append(paragraph("facts", `${of_bodies ? counted(rocks, "body", "bodies") : counted(rocks, "rock", "rocks")} in ${counted(trials, "trial", "trials")}` + (many_points ? ` of ${data.points.length} sweep points` : "") +
       `; ${summary.dimension}D, ${summary.method}, seed ${summary.seed}; flyrock ${summary.flyrock}.` +
       (summary.dimension === 2 ? " Mass, inertia and energy are of the whole rock, never per metre." : "")));
     const badges = element("p", {});
@@ -267,9 +267,10 @@
 
   function reasons_section() {
     section_of_point(of_bodies ? "How the bodies ended" : "What the rest did", (point) => {
+      const groups = of_bodies ? point.rocks.slice(0, 1) : point.rocks;  // each body has a line of its own below
       const reasons = Object.keys(meaning).filter((reason) => point.rocks[0].stop_reasons[reason] > 0);
-      const rows = reasons.map((reason) => [reason, ...point.rocks.flatMap((group) => [group.stop_reasons[reason], right(group.count ? percent(group.stop_reasons[reason] / group.count) : "–")]), meaning[reason]]);
-      return [table("", ["ended", ...point.rocks.flatMap((group) => [group_name(group), "share"]), "meaning"], rows)];
+      const rows = reasons.map((reason) => [reason, ...groups.flatMap((group) => [group.stop_reasons[reason], right(group.count ? percent(group.stop_reasons[reason] / group.count) : "–")]), meaning[reason]]);
+      return [table("", ["ended", ...groups.flatMap((group) => [group_name(group), "share"]), "meaning"], rows)];
     });
   }
 
@@ -303,10 +304,11 @@
 
   function expectations_section() {
     if (summary.expectations.length === 0) return;
-    const wanted = (e) => e.kind === "equals" ? `${show(e.expected)} ± ${show(e.tolerance)}` : e.kind === "between" ? `from ${show(e.expected[0])} to ${show(e.expected[1])}` : `${e.kind} ${show(e.expected)}`;
+    const digits = (value) => String(Number(value.toPrecision(7)));
+    const wanted = (e) => e.kind === "equals" ? `${digits(e.expected)} ± ${show(e.tolerance)}` : e.kind === "between" ? `from ${digits(e.expected[0])} to ${digits(e.expected[1])}` : `${e.kind} ${digits(e.expected)}`;
     const verdict = (e) => e.passed === null ? { text: "not judged", cls: "" } : e.passed ? { text: "✓ holds", cls: "passed" } : { text: "✗ failed", cls: "failed" };
     section("Expectations", table("", ["measure", "point", "computed", "expected", "", "why"],
-      summary.expectations.map((e) => [e.measure, e.point, right(e.computed === null ? "–" : String(Number(e.computed.toPrecision(7)))), right(wanted(e)), verdict(e), e.reason ?? ""])));
+      summary.expectations.map((e) => [e.measure, e.point, right(e.computed === null ? "–" : digits(e.computed)), right(wanted(e)), verdict(e), e.reason ?? ""])));
   }
 
   function faults_section() {

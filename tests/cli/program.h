@@ -1,0 +1,110 @@
+#pragma once
+// Runs the built program as a user does.
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <thread>
+
+namespace flyrock::test {
+
+namespace fs = std::filesystem;
+
+inline std::string read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// A working folder of its own, removed at the end.
+class Folder {
+ public:
+  Folder() : path_(fs::temp_directory_path() / ("flyrock_cli_" + std::to_string(::getpid()))) {
+    fs::remove_all(path_);
+    fs::create_directories(path_);
+  }
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  const fs::path& path() const { return path_; }
+  /// Writes a file and returns its name.
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name, std::ios::binary) << text;
+    return name;
+  }
+  bool has(const std::string& name) const { return fs::exists(path_ / name); }
+
+ private:
+  fs::path path_;
+};
+
+struct Output {
+  int code = -1;
+  std::string out, err;
+};
+
+/// `flyrock ARGUMENTS` in a folder; the arguments are words for a shell.
+inline Output call(const Folder& folder, const std::string& arguments) {
+  const fs::path out = folder.path() / ".out", err = folder.path() / ".err";
+  const std::string line = "cd '" + folder.path().string() + "' && '" FLYROCK_BINARY "' " + arguments + " >'" +
+                           out.string() + "' 2>'" + err.string() + "'";
+  const int status = std::system(line.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out), read(err)};
+}
+
+/// `flyrock run SCENARIO` with more trials than it can finish, interrupted as by Ctrl-C when `until` exists (after
+/// 20 s in any case).
+inline Output call_and_interrupt(const Folder& folder, const std::string& scenario, const std::string& until) {
+  const fs::path err = folder.path() / ".err";
+  const pid_t child = ::fork();
+  if (child == 0) {
+    if (::chdir(folder.path().c_str()) != 0 || !std::freopen(err.c_str(), "w", stderr)) ::_exit(99);
+    ::execl(FLYROCK_BINARY, "flyrock", "run", scenario.c_str(), "--trials", "100000", nullptr);
+    ::_exit(99);
+  }
+  for (int i = 0; i < 400 && !folder.has(until); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  ::kill(child, SIGINT);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, "", read(err)};
+}
+
+/// A small and sound scenario: rocks thrown from a bench onto a floor where they come to rest.
+inline const char* const bench = R"(flyrock: 1
+title: A small bench
+dimension: 2
+method: nscd
+seed: 3
+trials: 4
+terrain: { type: profile, points: [[-20, 10], [0, 10], [3, 0], [300, 0]], material: rock }
+materials:
+  rock:
+    restitution: { type: newton, en: 0.3 }
+    friction: { type: coulomb, mu: 0.6 }
+    rolling: { type: rolling_resistance, mu_r: 0.1 m }
+rocks:
+  - name: blocks
+    density: 2700
+    shape: { type: polygon, sides: { integer: [5, 8] }, diameter: 0.5 }
+    release: { position: [0, 12] }
+    launch: { type: fixed, speed: { uniform: [5, 15] }, elevation: 20 deg }
+stop: { time: 60 s }
+)";
+
+/// `bench` with a piece of text replaced by another.
+inline std::string bench_with(const std::string& from, const std::string& to) {
+  std::string text = bench;
+  const std::size_t at = text.find(from);
+  if (at == std::string::npos) return "";
+  return text.replace(at, from.size(), to);
+}
+
+}  // namespace flyrock::test

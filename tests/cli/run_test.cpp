@@ -1,0 +1,157 @@
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+
+using namespace flyrock::test;
+
+TEST_CASE("A run writes its folder and says where the report is") {
+  const Folder folder;
+  const std::string name = folder.write("bench.yaml", bench);
+  const Output run = call(folder, "run " + name);
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  CHECK(run.out.find("A small bench\n") == 0);
+  CHECK(run.out.find("report: out/bench/report.html") != std::string::npos);
+  CHECK(run.out.find('\033') == std::string::npos);  // a pipe gets no colours,
+  CHECK(run.err.find('\r') == std::string::npos);    // and no progress bar
+  for (const char* file : {"manifest.json", "summary.json", "rocks.csv", "report.html", "run.log"})
+    CHECK(folder.has(std::string("out/bench/") + file));
+  CHECK_FALSE(folder.has("out/bench/chunks"));
+
+  const std::string csv = read(folder.path() / "out/bench/rocks.csv");
+  CHECK(std::count(csv.begin(), csv.end(), '\n') == 5);
+  const auto manifest = nlohmann::json::parse(read(folder.path() / "out/bench/manifest.json"));
+  CHECK(manifest["seed"] == 3);
+  CHECK(manifest["chunk_size"] == 1);
+  CHECK(manifest["scenario"]["title"] == "A small bench");
+  CHECK(manifest.dump().find(folder.path().string()) == std::string::npos);
+}
+
+TEST_CASE("Two runs give the same bytes, wherever they are written") {
+  const Folder folder;
+  folder.write("bench.yaml", bench);
+  REQUIRE(call(folder, "run bench.yaml -o a --quiet").code == 0);
+  REQUIRE(call(folder, "run bench.yaml -o b/c --quiet").code == 0);
+  for (const char* file : {"manifest.json", "summary.json", "rocks.csv", "report.html"})
+    CHECK(read(folder.path() / "a" / file) == read(folder.path() / "b/c" / file));
+  REQUIRE(call(folder, "run bench.yaml -o d --quiet --seed 4").code == 0);
+  CHECK(read(folder.path() / "a/rocks.csv") != read(folder.path() / "d/rocks.csv"));
+}
+
+TEST_CASE("Trials are the same whatever runs beside them") {
+  const Folder folder;
+  folder.write("bench.yaml", bench);
+  REQUIRE(call(folder, "run bench.yaml -o all --quiet").code == 0);
+  REQUIRE(call(folder, "run bench.yaml -o two --quiet --trials 2").code == 0);
+  const std::string all = read(folder.path() / "all/rocks.csv");
+  CHECK(all.starts_with(read(folder.path() / "two/rocks.csv")));
+  const Output only = call(folder, "run bench.yaml --only point=0,trial=3");
+  REQUIRE(only.code == 0);
+  const std::string one = read(folder.path() / "out/bench-p0-t3/rocks.csv");
+  const std::string row = one.substr(one.find('\n') + 1);
+  CHECK(row.starts_with("0,3,0,blocks,"));
+  CHECK(all.ends_with(row));
+  CHECK(only.out.find("runout m") != std::string::npos);
+}
+
+TEST_CASE("An existing folder is replaced with --force only, and other files in it stay") {
+  const Folder folder;
+  folder.write("bench.yaml", bench);
+  REQUIRE(call(folder, "run bench.yaml -o r --quiet --trials 1").code == 0);
+  folder.write("r/mine.txt", "mine");
+  const std::string before = read(folder.path() / "r/rocks.csv");
+  const Output again = call(folder, "run bench.yaml -o r");
+  CHECK(again.code == 2);
+  CHECK(again.err.find("r exists; --force replaces the results in it, -o DIR names another folder") != std::string::npos);
+  CHECK(read(folder.path() / "r/rocks.csv") == before);
+  REQUIRE(call(folder, "run bench.yaml -o r --quiet --force").code == 0);
+  CHECK(read(folder.path() / "r/rocks.csv") != before);
+  CHECK(read(folder.path() / "r/mine.txt") == "mine");
+}
+
+TEST_CASE("Expectations set the exit code") {
+  const Folder folder;
+  folder.write("good.yaml", std::string(bench) + "expect:\n  - { measure: rocks.count, equals: 4 }\n");
+  CHECK(call(folder, "run good.yaml").code == 0);
+  folder.write("bad.yaml", std::string(bench) + "expect:\n  - { measure: rocks.runout.p95, below: 1 m }\n");
+  const Output bad = call(folder, "run bad.yaml");
+  CHECK(bad.code == 1);
+  CHECK(bad.out.find("0 of 1 expectations hold") != std::string::npos);
+  const Output few = call(folder, "run bad.yaml -o few --trials 2");
+  CHECK(few.code == 0);
+  CHECK(few.out.find("not judged") != std::string::npos);
+}
+
+TEST_CASE("Bad input: exit code 2, the reason on stderr, nothing written") {
+  const Folder folder;
+  const auto refused = [&](const std::string& text, const std::string& reason) {
+    folder.write("bad.yaml", text);
+    const Output run = call(folder, "run bad.yaml");
+    INFO(run.err);
+    CHECK(run.code == 2);
+    CHECK(run.out.empty());
+    CHECK(run.err.find(reason) != std::string::npos);
+    CHECK_FALSE(folder.has("out"));
+  };
+  refused(bench_with("density: 2700", "densty: 2700"), "bad.yaml:15:5: error: rocks.0.densty: unknown key, did you mean `density`?");
+  refused(bench_with("en: 0.3", "en: -0.3"), "bad.yaml:10:38: error: materials.rock.restitution.en: is `-0.3`, must be at least 0");
+  refused(std::string(bench) + "expect:\n  - { measure: rocks.runnout.p95, below: 1 m }\n", "did you mean `runout`?");
+  refused("", "bad.yaml");
+  refused(bench_with("seed: 3", "seed: [3"), "bad.yaml");
+
+  CHECK(call(folder, "run nowhere.yaml").err.find("nowhere.yaml") != std::string::npos);
+  CHECK(call(folder, "run nowhere.yaml").code == 2);
+  CHECK(call(folder, "run nowhere.txt").err.find("expected a scenario: a file .yaml, .yml or .lua") != std::string::npos);
+}
+
+TEST_CASE("A law that fails later is a row, and exit code 3") {
+  const Folder folder;
+  folder.write("tired.lua", R"(local fr = require "flyrock"
+return fr.plugin {
+  kind = "restitution", name = "tired", form = "newton",
+  doc = "Fails at the second impact.", source = "a test",
+  params = {},
+  impact = function(p, contact)
+    if contact.impact_number > 1 then error("too tired") end
+    return 0.5, 0
+  end,
+}
+)");
+  folder.write("bench.yaml", "plugins: [tired.lua]\n" + bench_with("{ type: newton, en: 0.3 }", "{ type: tired }"));
+  const Output run = call(folder, "run bench.yaml -o r");
+  INFO(run.err);
+  CHECK(run.code == 3);
+  CHECK(run.err.find("plugin_error") != std::string::npos);
+  CHECK(run.err.find("tired.lua:7") != std::string::npos);
+  CHECK(read(folder.path() / "r/rocks.csv").find("plugin_error") != std::string::npos);
+  CHECK(folder.has("r/report.html"));
+  const Output strict = call(folder, "run bench.yaml -o s --strict");
+  CHECK(strict.code == 3);
+  CHECK(strict.err.find("the run ended early") != std::string::npos);
+}
+
+TEST_CASE("An interrupt ends with 130 and keeps what was done") {
+  const Folder folder;
+  folder.write("bench.yaml", bench);
+  const Output run = call_and_interrupt(folder, "bench.yaml", "out/bench/chunks/p0-c0.chunk");
+  INFO(run.err);
+  CHECK(run.code == 130);
+  CHECK(run.err.find("interrupted after ") == 0);
+  CHECK(folder.has("out/bench/chunks/p0-c0.chunk"));
+  CHECK_FALSE(folder.has("out/bench/rocks.csv"));
+}
+
+TEST_CASE("The Lua twin of a scenario gives the same bytes") {
+  const Folder folder;
+  const std::string scenarios = FLYROCK_SOURCE_DIR "/scenarios/ninh_dan/benches_2d";
+  for (const char* language : {"yaml", "lua"}) {
+    const Output run = call(folder, "run '" + scenarios + "." + language + "' --trials 10 --quiet -o " + language);
+    INFO(run.err);
+    CHECK(run.code == 0);
+  }
+  for (const char* file : {"rocks.csv", "summary.json"}) {
+    CHECK_FALSE(read(folder.path() / "lua" / file).empty());
+    CHECK(read(folder.path() / "lua" / file) == read(folder.path() / "yaml" / file));
+  }
+}

@@ -1,0 +1,114 @@
+#include "batch/chunk.h"
+
+#include <catch2/catch.hpp>
+
+#include "batch/sha256.h"
+
+using namespace flyrock;
+
+namespace {
+
+TrialRecords some_records() {
+  TrialRecords records;
+  RockRecord rock;
+  rock.trial = 7;
+  rock.rock = 1;
+  rock.group = 2;
+  rock.mass = 0.1;
+  rock.reason = StopReason::plugin_error;
+  rock.censored = true;
+  rock.runout = -1e300;
+  rock.impacts = 3;
+  rock.fault = "law.lua:3: said \"no\"";
+  records.rocks = {rock, RockRecord{}};
+  records.inputs = {{7, 1, 4, 0.3}};
+  ImpactRecord impact{7, 1, {}};
+  impact.impact.other = -1;
+  impact.impact.place = {1, 2, 3};
+  impact.impact.energy_change = -12.5;
+  records.impacts = {impact};
+  TrajectoryRecord point{7, 1, {}};
+  point.point.in_contact = true;
+  point.point.state.position = {4, 5, 6};
+  point.point.state.kinetic_energy = 8;
+  records.trajectories = {point, point};
+  records.materials = {{1, 2, 3, 4, 5}};
+  records.quality.steps = 11;
+  records.quality.max_residual = 1e-9;
+  records.notes = {"v0^2 < 0"};
+  BodyHistory body;
+  body.last.velocity = {1, 0, -1};
+  body.impacts = {impact.impact, impact.impact};
+  body.apexes = {{0.5, 2.25}};
+  records.bodies = {body};
+  return records;
+}
+
+const ChunkRange range{2, 3, 30, 10};
+
+}  // namespace
+
+TEST_CASE("A chunk reads back as it was written") {
+  const std::string bytes = encode_chunk(range, "hash", some_records());
+  std::string why;
+  const auto read = decode_chunk(bytes, range, "hash", why);
+  REQUIRE(read);
+  // Written again, the same records give the same bytes: nothing was lost.
+  CHECK(encode_chunk(range, "hash", *read) == bytes);
+  CHECK(read->rocks[0].fault == "law.lua:3: said \"no\"");
+  CHECK(read->rocks[0].reason == StopReason::plugin_error);
+  CHECK(read->impacts[0].impact.other == -1);
+  CHECK(read->bodies[0].apexes[0].height == 2.25);
+  CHECK(std::isnan(read->bodies[0].stop_time));
+}
+
+TEST_CASE("A broken or foreign chunk is refused with the reason") {
+  const std::string bytes = encode_chunk(range, "hash", some_records());
+  std::string why;
+  SECTION("every truncation") {
+    for (std::size_t size = 0; size < bytes.size(); ++size)
+      CHECK_FALSE(decode_chunk(std::string_view(bytes).substr(0, size), range, "hash", why));
+  }
+  SECTION("a changed bit") {
+    for (std::size_t i = 0; i < bytes.size(); i += 7) {
+      std::string damaged = bytes;
+      damaged[i] = static_cast<char>(damaged[i] ^ 4);
+      CHECK_FALSE(decode_chunk(damaged, range, "hash", why));
+    }
+  }
+  SECTION("another scenario or range") {
+    CHECK_FALSE(decode_chunk(bytes, range, "hush", why));
+    CHECK(why == "of another format, scenario or range of trials");
+    CHECK_FALSE(decode_chunk(bytes, {2, 3, 30, 9}, "hash", why));
+  }
+}
+
+TEST_CASE("A plan of chunks covers every trial once, in order") {
+  for (std::uint64_t trials : {1u, 99u, 100u, 101u, 1000u, 250001u}) {
+    std::uint64_t next = 0;
+    int point = 0;
+    for (const ChunkRange& chunk : plan_chunks(2, trials)) {
+      if (chunk.point != point) {
+        CHECK(next == trials);
+        point = chunk.point;
+        next = 0;
+      }
+      CHECK(chunk.first == next);
+      CHECK(chunk.count >= 1);
+      next += chunk.count;
+    }
+    CHECK(point == 1);
+    CHECK(next == trials);
+  }
+  CHECK(chunk_size(1000) == 10);
+  CHECK(chunk_size(10'000'000) == 1000);
+  CHECK(ChunkRange{0, 12, 120, 10}.file_name() == "p0-c12.chunk");
+}
+
+TEST_CASE("SHA-256 gives the digests of FIPS 180-4") {
+  CHECK(sha256("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  CHECK(sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  CHECK(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq") ==
+        "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+  CHECK(sha256(std::string(1'000'000, 'a')) == "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}

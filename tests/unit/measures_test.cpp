@@ -1,0 +1,141 @@
+#include "batch/expectations.h"
+
+#include <catch2/catch.hpp>
+
+using namespace flyrock;
+
+namespace {
+
+Scenario of_rocks() {
+  Scenario scenario;
+  scenario.rocks.resize(2);
+  scenario.rocks[0].name = "blocks";
+  scenario.rocks[1].name = "loose";
+  return scenario;
+}
+
+Scenario of_bodies() {
+  Scenario scenario;
+  scenario.bodies.resize(1);
+  scenario.bodies[0].name = "ball";
+  return scenario;
+}
+
+PointResult result_of(const Scenario& scenario, std::vector<RockRecord> rocks) {
+  PointResult result;
+  result.groups = summarise(rocks, group_names(scenario));
+  result.records.rocks = std::move(rocks);
+  return result;
+}
+
+Expectation expecting(ExpectKind kind, double value, double high = 0, double tolerance = 0) {
+  Expectation expectation;
+  expectation.measure = "rocks.runout.mean";
+  expectation.kind = kind;
+  expectation.value = value;
+  expectation.high = high;
+  expectation.tolerance = tolerance;
+  return expectation;
+}
+
+Verdict judge_one(const Expectation& expectation, Scenario scenario, PointResult result, bool full = true) {
+  scenario.expect = {expectation};
+  Plan plan;
+  plan.points = {scenario};
+  plan.at = {{}};
+  return judge(plan, {std::move(result)}, full).at(0);
+}
+
+}  // namespace
+
+TEST_CASE("Measures of rocks, of all and of a group") {
+  const Scenario scenario = of_rocks();
+  std::vector<RockRecord> rocks(4);
+  for (int i = 0; i < 4; ++i) {
+    rocks[i].group = i / 2;
+    rocks[i].runout = 10 * i;
+    rocks[i].max_energy = 1000 * i;
+    rocks[i].reason = StopReason::stopped;
+  }
+  rocks[3].reason = StopReason::timed_out;
+  rocks[3].censored = true;
+  const PointResult result = result_of(scenario, rocks);
+  const auto value = [&](const char* name) { return Measure(name, scenario).value(result); };
+  CHECK(value("rocks.runout.mean").value == 15);
+  CHECK(value("rocks.runout.mean").censored);
+  CHECK(value("rocks.blocks.runout.max").value == 10);
+  CHECK_FALSE(value("rocks.blocks.runout.max").censored);
+  CHECK(value("rocks.loose.energy.min").value == 2000);
+  CHECK(value("rocks.count").value == 4);
+  CHECK(value("rocks.loose.censored").value == 0.5);
+}
+
+TEST_CASE("Measures of bodies, of the solver and of the energy") {
+  const Scenario scenario = of_bodies();
+  PointResult result;
+  BodyHistory body;
+  body.reason = StopReason::stopped;
+  body.last.velocity = {3, -4, 0};
+  body.last.spin.z() = 7;
+  body.max.position.y() = 12;
+  body.max_speed = 9;
+  body.contact_time = 0.25;
+  body.impacts.resize(2);
+  body.impacts[1].vn_after = 1.5;
+  body.apexes = {{0.5, 2.25}};
+  result.records.bodies = {body};
+  result.records.quality.max_residual = 1e-7;
+  result.records.quality.energy_relative_change = -0.5;
+  const auto value = [&](const char* name) { return Measure(name, scenario).value(result); };
+  CHECK(value("body.ball.final.vy").value == -4);
+  CHECK(value("body.ball.final.speed").value == 5);
+  CHECK(value("body.ball.final.spin").value == 7);
+  CHECK(value("body.ball.max.y").value == 12);
+  CHECK(value("body.ball.max.speed").value == 9);
+  CHECK(value("body.ball.contact_time").value == 0.25);
+  CHECK(value("body.ball.impact[2].vn_after").value == 1.5);
+  CHECK(value("body.ball.impact[3].pn").fault == "the body had 2 impacts");
+  CHECK(value("body.ball.apex[1].height").value == 2.25);
+  CHECK(value("body.ball.stop_time").fault == "the body never came to rest");
+  CHECK(value("solver.max_residual").value == 1e-7);
+  CHECK(value("energy.total.relative_change").value == -0.5);
+}
+
+TEST_CASE("Expectations compare as they are written") {
+  const Scenario scenario = of_rocks();
+  RockRecord rock;
+  rock.runout = 100;
+  rock.reason = StopReason::stopped;
+  const PointResult result = result_of(scenario, {rock});
+  const auto judged = [&](const Expectation& expectation) { return judge_one(expectation, scenario, result).judgement; };
+  CHECK(judged(expecting(ExpectKind::equals, 101, 0, 1)) == Judgement::passed);
+  CHECK(judged(expecting(ExpectKind::equals, 101.1, 0, 1)) == Judgement::failed);
+  Expectation relative = expecting(ExpectKind::equals, 110);
+  relative.relative = 0.1;
+  CHECK(judged(relative) == Judgement::passed);
+  CHECK(judged(expecting(ExpectKind::below, 100)) == Judgement::failed);
+  CHECK(judged(expecting(ExpectKind::above, 99)) == Judgement::passed);
+  CHECK(judged(expecting(ExpectKind::between, 100, 120)) == Judgement::passed);
+}
+
+TEST_CASE("What cannot be judged soundly fails or is not judged, with the reason") {
+  RockRecord lost;
+  lost.runout = 100;
+  lost.reason = StopReason::left_domain;
+  lost.censored = true;
+  const Scenario scenario = of_rocks();
+  const PointResult result = result_of(scenario, {lost});
+  const Expectation far = expecting(ExpectKind::above, 10);
+  const Verdict censored = judge_one(far, scenario, result);
+  CHECK(censored.judgement == Judgement::failed);
+  CHECK(censored.reason == "censored rocks fall into it: the computed value is only a lower bound");
+
+  const Verdict few = judge_one(far, scenario, result, false);
+  CHECK(few.judgement == Judgement::not_judged);
+  CHECK(few.reason == "fewer trials ran than the scenario asks for");
+
+  Expectation nowhere = far;
+  nowhere.at = {{"slope", 3}};
+  CHECK(judge_one(nowhere, scenario, result).judgement == Judgement::failed);
+  CHECK(judge_one(nowhere, scenario, result).reason == "`at` names no point of the sweep");
+}

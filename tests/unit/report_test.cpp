@@ -1,0 +1,146 @@
+#include "report/html.h"
+
+#include <catch2/catch.hpp>
+
+#include "fake_results.h"
+#include "report/report_data.h"
+#include "report/summary_data.h"
+#include "report/tables.h"
+#include "report/track.h"
+
+using namespace flyrock;
+
+namespace {
+
+Results results_of(const Plan& plan, std::uint64_t trials) {
+  std::vector<TrialRecords> records;
+  for (std::size_t p = 0; p < plan.points.size(); ++p) records.push_back(fake::records(trials, static_cast<int>(p)));
+  Results results =
+      make_results(plan, std::move(records), {std::vector<std::uint64_t>(plan.points.size(), trials), true, "", {}});
+  for (PointResult& point : results.points) point.terrain = fake::bench();
+  return results;
+}
+
+const std::filesystem::path assets = std::filesystem::path(FLYROCK_SHARE_DIR) / "report";
+
+std::string first_lines(const std::string& text, int count) {
+  std::size_t at = 0;
+  for (int i = 0; i < count; ++i) at = text.find('\n', at) + 1;
+  return text.substr(0, at);
+}
+
+}  // namespace
+
+TEST_CASE("rocks.csv has a row per rock with the shortest decimals") {
+  Plan plan = fake::plan(1);
+  Results results = results_of(plan, 1);
+  RockRecord& rock = results.points[0].records.rocks[0];
+  rock = {};
+  rock.mass = 0.1;
+  rock.volume = 1.0 / 3;
+  rock.launch_elevation = pi / 2;
+  rock.reason = StopReason::timed_out;
+  rock.censored = true;
+  rock.max_energy = 1e22;
+  rock.impacts = 4;
+  CHECK(first_lines(rocks_csv(plan, results), 2) ==
+        "point,trial,rock,group,mass_kg,volume_m3,launch_speed_m_s,launch_elevation_deg,stop_reason,censored,"
+        "runout_m,max_distance_m,stop_x_m,stop_y_m,flight_range_m,bounce_height_m,max_speed_m_s,max_energy_J,"
+        "impacts,time_s\n"
+        "0,0,0,blocks,0.1,0.3333333333333333,0,90,timed_out,1,0,0,0,0,0,0,0,1e+22,4,0\n");
+  CHECK(rocks_csv(plan, results).find("\"loose, small\"") != std::string::npos);
+}
+
+TEST_CASE("summary.json holds statistics, censoring, expectations and warnings") {
+  Plan plan = fake::plan(200);
+  Expectation below, between;
+  below.measure = "rocks.runout.p50";
+  below.kind = ExpectKind::below;
+  below.value = 280;
+  between.measure = "rocks.runout.max";
+  between.kind = ExpectKind::between;
+  between.value = 1;
+  between.high = 2;
+  plan.points[0].expect = {below, between};
+  const auto data = summary_data(plan, results_of(plan, 200));
+  const auto& all = data["points"][0]["rocks"][0];
+  CHECK(all["group"].is_null());
+  CHECK(all["count"] == 400);
+  CHECK(all["censored"] == 0.01);
+  CHECK(all["stop_reasons"]["left_domain"] == 4);
+  CHECK(all["runout"]["lower_bounds"].back() == "p99");
+  CHECK(data["expectations"].size() == 2);
+  CHECK(data["expectations"][0]["expected"] == 280);
+  CHECK(data["expectations"][1]["expected"] == nlohmann::ordered_json::array({1.0, 2.0}));
+  CHECK(data["expectations"][1]["passed"] == false);
+  CHECK(data["expectations"][1]["reason"] == "censored rocks fall into it: the computed value is only a lower bound");
+  CHECK(data["warnings"][0] == "material mud: nothing touched it, none of its laws was asked");
+  CHECK(data["warnings"][1] == "not used: blast.spacing (bench_fit does not read it)");
+  CHECK(data["complete"] == true);
+}
+
+TEST_CASE("A law of a material that was met, and never asked, is a warning") {
+  Plan plan = fake::plan(1);
+  Plugin newton;
+  newton.spec.name = "newton";
+  plan.points[0].materials[0].restitution = PluginUse{&newton, {}, {}, ""};
+  plan.points[0].materials[0].friction = PluginUse{&newton, {}, {}, ""};
+  PointResult result;
+  result.records.materials = {{.contacts = 3, .restitution = 0, .friction = 3}, {.contacts = 1}};
+  CHECK(laws_never_asked(plan, {result}) ==
+        std::vector<std::string>{"material rock: its restitution newton was never asked"});
+}
+
+TEST_CASE("The answer names the censored share first of all") {
+  const Plan plan = fake::plan(200);
+  const std::string text = answer(plan, results_of(plan, 200));
+  CHECK(text.find("The runout that 95 % of the rocks do not exceed is >= ") == 0);
+  CHECK(text.find("1 % of the rocks are censored") != std::string::npos);
+  CHECK(answer(plan, make_results(plan, {TrialRecords{}}, {{0}, true, "", {}})) == "No rock was released.");
+}
+
+TEST_CASE("The same results give the same page, safe against its own data") {
+  const Plan plan = fake::plan(50, 2);
+  const std::string page = report_html(plan, results_of(plan, 50), assets);
+  CHECK(page == report_html(plan, results_of(plan, 50), assets));
+  CHECK(page.find("<h1>A &lt;/script&gt; &amp; &lt;b&gt;test&lt;/b&gt;</h1>") != std::string::npos);
+  const std::size_t data = page.find("<script type=\"application/json\"");
+  const std::size_t end = page.find("</script>", data);
+  CHECK(page.find('<', data + 1) == end);  // no "<" within the data
+  CHECK(page.find("http-equiv") == std::string::npos);
+  CHECK(page.find(" src=") > page.find("id=\"data\""));  // nothing is fetched before the data
+  CHECK(page.size() < 10'000'000);
+}
+
+TEST_CASE("A page without its style sheet is an error that names it") {
+  const Plan plan = fake::plan(1);
+  CHECK_THROWS_WITH(report_html(plan, results_of(plan, 1), "/nowhere"), Catch::Contains("cannot read /nowhere/report.css"));
+}
+
+TEST_CASE("A histogram and its curve count every rock once") {
+  std::vector<Bounded> values;
+  for (int i = 0; i < 5000; ++i) values.push_back({0.05 * i, i % 1000 == 999});
+  const auto data = runout_data(values);
+  std::uint64_t known = 0, censored = 0;
+  for (const auto& count : data["known"]) known += count.get<std::uint64_t>();
+  for (const auto& count : data["censored"]) censored += count.get<std::uint64_t>();
+  CHECK(known == 4995);
+  CHECK(censored == 5);
+  CHECK(data["step"] == 10);
+  CHECK(data["share"].back() == 0);
+  CHECK(data["x"].size() == data["share"].size());
+  CHECK(data["x"].size() < 600);
+  CHECK(data["known_to"] == 49950);
+  CHECK(runout_data({})["known"].size() == 1);
+  CHECK(runout_data({{0, false}, {0, false}})["known"][0] == 2);
+}
+
+TEST_CASE("A thinned path keeps its corners and its ends") {
+  std::vector<Vec2> path;
+  for (int i = 0; i <= 100; ++i) path.emplace_back(i, i <= 50 ? i : 100 - i);
+  CHECK(simplify(path, 1e-6) == std::vector<std::size_t>{0, 50, 100});
+  CHECK(simplify({}, 1).empty());
+  CHECK(simplify({{1, 1}}, 1) == std::vector<std::size_t>{0});
+  // A closed path: its ends coincide, and the farthest point is kept.
+  CHECK(simplify({{0, 0}, {1, 0}, {0, 0}}, 0.1) == std::vector<std::size_t>{0, 1, 2});
+}

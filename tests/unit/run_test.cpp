@@ -1,0 +1,100 @@
+#include "batch/run.h"
+
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+
+#include "batch/safe_file.h"
+
+using namespace flyrock;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A folder of its own, removed at the end.
+struct Folder {
+  fs::path path = fs::temp_directory_path() / ("flyrock_run_test_" + std::to_string(::getpid()));
+  Folder() { make_folder(path); }
+  ~Folder() { fs::remove_all(path); }
+};
+
+/// One rock a trial; it fails from trial `failing` on.
+RunTrial rocks_failing_from(std::uint64_t failing) {
+  return [failing](int point, std::uint64_t trial, TrialRecords& out) {
+    RockRecord rock;
+    rock.trial = trial;
+    rock.runout = 1000 * point + static_cast<double>(trial);
+    rock.reason = trial < failing ? StopReason::stopped : StopReason::plugin_error;
+    if (trial >= failing) rock.fault = "no law";
+    out.rocks.push_back(rock);
+    out.quality.steps += 1;
+  };
+}
+
+constexpr std::uint64_t never = 1'000'000;
+
+}  // namespace
+
+TEST_CASE("Chunks merge to every trial of every point in order") {
+  Folder folder;
+  const auto plan = plan_chunks(2, 150);
+  const RunOutcome outcome = run_chunks(plan, rocks_failing_from(never), {.folder = folder.path, .scenario_hash = "h"});
+  CHECK(outcome.ending == RunEnding::complete);
+  CHECK(outcome.progress.done == 300);
+  const auto records = merge_chunks(outcome.chunks, 2, folder.path, "h");
+  REQUIRE(records.size() == 2);
+  for (int point = 0; point < 2; ++point) {
+    REQUIRE(records[point].rocks.size() == 150);
+    for (int t = 0; t < 150; ++t) CHECK(records[point].rocks[t].runout == 1000 * point + t);
+    CHECK(records[point].quality.steps == 150);
+  }
+  CHECK_THROWS_AS(merge_chunks(outcome.chunks, 2, folder.path, "other"), FileError);
+  remove_chunks(outcome.chunks, folder.path);
+  CHECK_FALSE(fs::exists(folder.path));
+}
+
+TEST_CASE("A run goes on after rocks that fail, unless all of the first 20 do") {
+  Folder folder;
+  const auto plan = plan_chunks(1, 100);
+  const RunOutcome later = run_chunks(plan, rocks_failing_from(1), {.folder = folder.path, .scenario_hash = "h"});
+  CHECK(later.ending == RunEnding::complete);
+  CHECK(later.progress.done == 100);
+  const RunOutcome all = run_chunks(plan, rocks_failing_from(0), {.folder = folder.path, .scenario_hash = "h"});
+  CHECK(all.ending == RunEnding::faults);
+  CHECK(all.progress.done == 20);
+  CHECK(all.why == "the first 20 rocks all failed, the last with: no law");
+  CHECK(merge_chunks(all.chunks, 1, folder.path, "h")[0].rocks.size() == 20);
+}
+
+TEST_CASE("A strict run ends at its first fault, and keeps what was done") {
+  Folder folder;
+  const auto plan = plan_chunks(1, 1000);
+  const RunOutcome outcome =
+      run_chunks(plan, rocks_failing_from(15), {.folder = folder.path, .scenario_hash = "h", .strict = true});
+  CHECK(outcome.ending == RunEnding::faults);
+  CHECK(outcome.why == "trial 15, rock 0: plugin_error: no law");
+  CHECK(merge_chunks(outcome.chunks, 1, folder.path, "h")[0].rocks.size() == 16);
+}
+
+TEST_CASE("An interrupted run keeps the chunks that were whole") {
+  Folder folder;
+  int asked = 0;
+  RunOptions options{.folder = folder.path, .scenario_hash = "h"};
+  options.interrupted = [&] { return ++asked > 25; };
+  const RunOutcome outcome = run_chunks(plan_chunks(1, 1000), rocks_failing_from(never), options);
+  CHECK(outcome.ending == RunEnding::interrupted);
+  CHECK(outcome.chunks.size() == 2);
+  CHECK(fs::exists(folder.path / "p0-c1.chunk"));
+  CHECK_FALSE(fs::exists(folder.path / "p0-c2.chunk"));
+}
+
+TEST_CASE("A file that cannot be written is an error that names it, and leaves nothing") {
+  Folder folder;
+  CHECK_THROWS_WITH(write_file(folder.path / "no" / "where", "x"),
+                    Catch::Contains("cannot write " + (folder.path / "no" / "where").string()));
+  write_file(folder.path / "a", "one");
+  write_file(folder.path / "a", "two");
+  CHECK(read_file(folder.path / "a") == "two");
+  CHECK(std::distance(fs::directory_iterator(folder.path), {}) == 1);
+  CHECK_THROWS_AS(read_file(folder.path), FileError);
+}
