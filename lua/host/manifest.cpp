@@ -74,7 +74,7 @@ class ParamReader {
     if (spec_.unit.empty()) return;
     std::string unknown;
     if (const auto unit = parse_unit(spec_.unit, &unknown)) {
-      factor_ = unit->factor;
+      unit_ = *unit;
       spec_.dimension = unit->dimension;
     } else {
       table_.error("unit", fmt::format("unknown unit `{}`{}", unknown.empty() ? spec_.unit : unknown,
@@ -82,9 +82,11 @@ class ParamReader {
     }
   }
 
+  /// As a scenario's numbers are converted, so that a default and the same number written there are equal.
+  double si(double written) const { return Quantity{written, true, unit_, spec_.unit}.si(); }
   std::optional<double> si(const std::optional<double>& written) const {
     if (!written) return std::nullopt;
-    return *written * factor_;
+    return si(*written);
   }
 
   void read_limits() {
@@ -97,9 +99,9 @@ class ParamReader {
   }
 
   void check_default(double value) {
-    const double written = value / factor_;
+    const double written = value / unit_.factor;
     const auto refuse = [&](const char* relation, double limit) {
-      table_.error("default", fmt::format("{:.6g}, expected a number {} {:.6g}", written, relation, limit / factor_));
+      table_.error("default", fmt::format("{:.6g}, expected a number {} {:.6g}", written, relation, limit / unit_.factor));
     };
     if (spec_.type == ParamType::integer && value != std::floor(value))
       table_.error("default", fmt::format("{:.6g}, expected a whole number", written));
@@ -124,7 +126,7 @@ class ParamReader {
       case ParamType::vector:
         spec_.default_vector = table_.numbers("default");
         if (spec_.default_vector)
-          for (double& component : *spec_.default_vector) check_default(component *= factor_);
+          for (double& component : *spec_.default_vector) check_default(component = si(component));
         break;
       case ParamType::points:
       case ParamType::file: break;  // what a scenario gives or leaves out
@@ -143,7 +145,7 @@ class ParamReader {
   std::string name_;
   TableReader table_;
   ParamSpec spec_;
-  double factor_ = 1;  // SI value of one declared unit
+  Unit unit_;  // as declared
 };
 
 class ManifestReader {
