@@ -80,6 +80,15 @@ ContactState World<D>::state_of(const Contact& contact) const {
   return state;
 }
 
+/// The velocity H v of contact a now, in the frame of detection (the bodies may have moved on).
+template <int D>
+typename World<D>::Row World<D>::velocity_after(int a) const {
+  const Contact& contact = contacts_[a];
+  Row u = rows_[a].candidate.transpose() * bodies[contact.candidate].velocity();
+  if (contact.antagonist >= 0) u += rows_[a].antagonist.transpose() * bodies[contact.antagonist].velocity();
+  return u;
+}
+
 /// Groups the contacts that close faster than rest_speed into manifolds, and counts them as impacts of their bodies.
 template <int D>
 void World<D>::begin_manifolds() {
@@ -225,13 +234,14 @@ template <int D>
 void World<D>::record_impacts() {
   impacts_.clear();
   double change = 0, rounding = 0;
-  for (const Contact& contact : contacts_) {
-    const Row after = relative_velocity(contact);
+  for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) {
+    const Contact& contact = contacts_[a];
+    const Row after = velocity_after(a);
     const double energy = 0.5 * contact.impulse.dot(contact.before + after);
     change += energy;
     rounding += contact.impulse.template head<D>().norm() *
                 (1e-12 * (contact.before.norm() + after.norm()) +
-                 10 * settings_.tolerance * problem_.contacts[&contact - contacts_.data()].speed_scale);
+                 10 * settings_.tolerance * problem_.contacts[a].speed_scale);
     if (contact.manifold < 0) continue;
     if (contact.manifold >= static_cast<int>(impacts_.size())) {
       Impact impact;
@@ -272,14 +282,16 @@ void World<D>::record_impacts() {
   }
 }
 
-/// Whether a contact does not open after an impact or step: slower than what the tolerance of the solver leaves, unless
-/// restitution has thrown it off.
+/// Whether contact a counts as closed after an impact or step. Restitution throws it off at any speed. Otherwise it opens
+/// where it is faster than g h / 2: slower, it would close again within a step, and a block that rocks to rest would do
+/// so without end.
 template <int D>
-bool World<D>::stays_closed(const Contact& contact) const {
-  const double speed = relative_velocity(contact)[0];
-  if (contact.manifold >= 0 && contact.law.e_n > 0 && speed > 0) return false;
-  const double scale = problem_.contacts[&contact - contacts_.data()].speed_scale;
-  return speed <= 10 * settings_.tolerance * scale + 1e-14 * contact.before.norm();
+bool World<D>::stays_closed(int a) const {
+  const Contact& contact = contacts_[a];
+  const double speed = velocity_after(a)[0];
+  if (contact.manifold >= 0 && contact.law.e_n > 0) return speed <= 0;
+  const double within_tolerance = 10 * settings_.tolerance * problem_.contacts[a].speed_scale + 1e-14 * contact.before.norm();
+  return speed <= std::max(within_tolerance, 0.5 * gravity_.norm() * settings_.time_step);
 }
 
 template typename World<2>::Row World<2>::relative_velocity(const Contact&) const;
@@ -291,6 +303,7 @@ template void World<2>::assemble(double, bool);
 template void World<2>::scale_by_island(double);
 template void World<2>::solve_and_apply();
 template void World<2>::record_impacts();
-template bool World<2>::stays_closed(const Contact&) const;
+template typename World<2>::Row World<2>::velocity_after(int) const;
+template bool World<2>::stays_closed(int) const;
 
 }  // namespace flyrock

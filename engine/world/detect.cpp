@@ -122,12 +122,14 @@ void World<D>::match_last() {
   }
 }
 
-/// Keeps the contacts that are closed: within touch plus a share of the size, or carried on from the last step.
+/// Keeps the contacts that are closed: within touch plus a share of the size, or carried on from the last step. With
+/// `new_overlaps` left out, one that has opened an overlap since the step began is a touch that the step must be cut at.
 template <int D>
-void World<D>::keep_active(double share_of_size) {
+void World<D>::keep_active(double share_of_size, bool new_overlaps) {
   std::erase_if(contacts_, [&](const Contact& c) {
+    if (c.carried && c.at.gap <= carry_reach(c)) return false;
     const double closed = 1e-12 + (1e-9 + share_of_size) * contact_size(c);
-    return c.at.gap > closed && !(c.carried && c.at.gap <= carry_reach(c));
+    return c.at.gap > closed || (!new_overlaps && c.at.gap < -closed);
   });
   for (const Contact& c : contacts_) quality_.max_penetration = std::max(quality_.max_penetration, -c.at.gap);
 }
@@ -154,7 +156,7 @@ template double World<2>::carry_reach(const Contact&) const;
 template const std::vector<std::pair<int, int>>& World<2>::near_pairs(double);
 template void World<2>::detect();
 template void World<2>::match_last();
-template void World<2>::keep_active(double);
+template void World<2>::keep_active(double, bool);
 template double World<2>::deepest_overlap();
 template std::span<const HeldContact> World<2>::held(int, int);
 

@@ -37,7 +37,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut) {
   for (int cuts = 0;; ++cuts) {
     drift((1 - theta) * h);
     detect();
-    keep_active(0);
+    keep_active(0, !cut);
     measure_before();
     for (Body<D>& body : bodies)
       if (body.moves()) body.v += h * gravity_;
@@ -71,7 +71,7 @@ typename World<D>::Outcome World<D>::impact() {
   constexpr double event_share = 1e-7;
   impacts_.clear();
   detect();
-  keep_active(event_share);
+  keep_active(event_share, true);
   measure_before();
   begin_manifolds();
   ask_laws();
@@ -167,9 +167,10 @@ void World<D>::project_drift() {
 template <int D>
 typename World<D>::Outcome World<D>::keep(double duration, bool new_touch) {
   Outcome outcome{duration, new_touch, false};
-  for (Contact& c : contacts_) {
-    const bool closed = stays_closed(c);
-    c.carried = closed && (c.impulse[0] > 0 || duration == 0);
+  for (std::size_t a = 0; a < contacts_.size(); ++a) {
+    Contact& c = contacts_[a];
+    const bool closed = stays_closed(static_cast<int>(a));
+    c.carried = closed;
     c.sticking = c.impulse[0] > 0 && std::abs(c.impulse[1]) < (1 - 1e-9) * c.law.mu_s * c.impulse[0];
     c.age = closed ? c.age + duration : 0;
     outcome.in_contact = outcome.in_contact || c.carried;

@@ -37,7 +37,7 @@ struct WorldContact {
   Row impulse = Row::Zero();
   Row before = Row::Zero();  ///< velocity at the start of the step or impact, in the frame of detection
   double age = 0;            ///< s since it closed
-  bool carried = false;      ///< had an impulse, or closed without separating, in the last step
+  bool carried = false;      ///< did not open in the last step
   bool sticking = false;
   int manifold = -1;         ///< of the impacts of this step; -1: no impact
 
@@ -124,7 +124,7 @@ class World {
   // detect.cpp: what touches
   void detect();
   void match_last();
-  void keep_active(double reach_of_size);
+  void keep_active(double share_of_size, bool new_overlaps);
   double contact_size(const Contact& contact) const;
   double carry_reach(const Contact& contact) const;
 
@@ -138,7 +138,8 @@ class World {
   void scale_by_island(double h);
   void solve_and_apply();
   void record_impacts();
-  bool stays_closed(const Contact& contact) const;
+  Row velocity_after(int a) const;
+  bool stays_closed(int a) const;
 
   // step.cpp: the scheme
   void save();
