@@ -1,11 +1,10 @@
 // The basic functions and coroutines of the sandbox.
 
-#include <lua.hpp>
+#include <fmt/format.h>
 
 #include <cstdio>
+#include <lua.hpp>
 #include <string>
-
-#include <fmt/format.h>
 
 #include "host/ordered_pairs.h"
 #include "host/sandbox.h"
@@ -59,11 +58,13 @@ int protected_call_with_handler(lua_State* lua) {
 int set_metatable(lua_State* lua) {
   luaL_checktype(lua, 1, LUA_TTABLE);
   luaL_argexpected(lua, lua_isnoneornil(lua, 2) || lua_istable(lua, 2), 2, "nil or table");
-  if (luaL_getmetafield(lua, 1, "__metatable") != LUA_TNIL) raise(lua, "this table is protected: it keeps its metatable");
+  if (luaL_getmetafield(lua, 1, "__metatable") != LUA_TNIL)
+    raise(lua, "this table is protected: it keeps its metatable");
   if (lua_istable(lua, 2))
     for (const char* name : {"__gc", "__mode"}) {  // both act when garbage is collected: never the same twice
       lua_pushstring(lua, name);
-      if (lua_rawget(lua, 2) != LUA_TNIL) raise(lua, fmt::format("the metamethod {} is not available here", name));
+      if (lua_rawget(lua, 2) != LUA_TNIL)
+        raise(lua, fmt::format("the metamethod {} is not available here", name));
     }
   lua_settop(lua, 2);
   lua_setmetatable(lua, 1);
@@ -77,7 +78,8 @@ int to_text(lua_State* lua) {
     case LUA_TNUMBER:
     case LUA_TSTRING:
     case LUA_TBOOLEAN:
-    case LUA_TNIL: break;
+    case LUA_TNIL:
+      break;
     default:
       if (luaL_getmetafield(lua, 1, "__tostring") != LUA_TNIL) break;
       lua_pushstring(lua, luaL_typename(lua, 1));
@@ -128,8 +130,8 @@ void wrap_original(lua_State* lua, const char* name, lua_CFunction wrapper) {
 void add_base_library(lua_State* lua) {
   lua_pushcfunction(lua, luaopen_base);  // fills the state's own table of globals, which no code of ours sees
   lua_call(lua, 0, 1);
-  for (const char* name : {"assert", "error", "getmetatable", "ipairs", "rawequal", "rawget", "rawlen", "select",
-                           "tonumber", "type", "_VERSION"}) {
+  for (const char* name : {"assert", "error", "getmetatable", "ipairs", "rawequal", "rawget", "rawlen",
+                           "select", "tonumber", "type", "_VERSION"}) {
     lua_getfield(lua, -1, name);
     lua_setfield(lua, -3, name);
   }

@@ -1,11 +1,10 @@
 // The functions of `table` and `string` that loop in C, where no hook counts: each pays for its work first.
 
-#include <lua.hpp>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <cstring>
-
-#include <fmt/format.h>
+#include <lua.hpp>
 
 #include "host/pattern.h"
 #include "host/sandbox.h"
@@ -102,7 +101,8 @@ void add_table_library(lua_State* lua) {
 void add_string_library(lua_State* lua) {
   lua_pushnil(lua);
   lua_setfield(lua, -2, "dump");
-  for (const char* name : {"byte", "char", "len", "lower", "pack", "packsize", "reverse", "sub", "unpack", "upper"})
+  for (const char* name :
+       {"byte", "char", "len", "lower", "pack", "packsize", "reverse", "sub", "unpack", "upper"})
     bound<texts>(lua, name);
   bound<repeat>(lua, "rep");
   add_pattern_functions(lua);

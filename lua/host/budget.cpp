@@ -1,10 +1,9 @@
 #include "host/budget.h"
 
-#include <lua.hpp>
+#include <fmt/format.h>
 
 #include <cstdlib>
-
-#include <fmt/format.h>
+#include <lua.hpp>
 
 namespace flyrock {
 
@@ -19,7 +18,8 @@ std::string spend(Budget& budget, double instructions) {
     budget.timed = true;
     budget.start = now;
   }
-  if (now - budget.start > Budget::time_limit) return fmt::format("ran for more than {} s", Budget::time_limit.count());
+  if (now - budget.start > Budget::time_limit)
+    return fmt::format("ran for more than {} s", Budget::time_limit.count());
   return {};
 }
 
@@ -38,7 +38,9 @@ void look(lua_State* lua, lua_Debug*) { spend_or_raise(lua, Budget::interval, 0)
 
 }  // namespace
 
-std::string Budget::memory_text() { return fmt::format("needed more than {} MiB of memory", memory_limit >> 20); }
+std::string Budget::memory_text() {
+  return fmt::format("needed more than {} MiB of memory", memory_limit >> 20);
+}
 
 void Budget::arm(double instructions) {
   limit = left = instructions;

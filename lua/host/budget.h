@@ -16,15 +16,15 @@ struct Budget {
   static constexpr std::size_t memory_limit = std::size_t{256} << 20;  ///< bytes a state
   static constexpr double call_limit = 1e7;                            ///< instructions of one call
   static constexpr double load_limit = 1e8;                            ///< instructions of loading one file
-  static constexpr std::chrono::seconds time_limit{4};                 ///< of one call, and of loading one file
-  static constexpr int interval = 1000;                                ///< instructions between two looks
+  static constexpr std::chrono::seconds time_limit{4};  ///< of one call, and of loading one file
+  static constexpr int interval = 1000;                 ///< instructions between two looks
 
   std::size_t memory = 0;  ///< bytes in use
   double limit = 0;        ///< instructions of the call under way
   double left = 0;
-  bool timed = false;      ///< whether `start` is set: a short call never asks for the time
+  bool timed = false;  ///< whether `start` is set: a short call never asks for the time
   std::chrono::steady_clock::time_point start;
-  std::string exceeded;    ///< what went over its limit in this call, or empty
+  std::string exceeded;  ///< what went over its limit in this call, or empty
 
   /// "needed more than 256 MiB of memory".
   static std::string memory_text();

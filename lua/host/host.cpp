@@ -1,10 +1,9 @@
 #include "host/host.h"
 
-#include <lua.hpp>
+#include <fmt/format.h>
 
 #include <filesystem>
-
-#include <fmt/format.h>
+#include <lua.hpp>
 
 #include "host/adapters.h"
 #include "host/manifest.h"
@@ -75,7 +74,8 @@ void LuaSession::Host::run_file(lua_State* lua, const LuaFile& file) {
   lua_rawgeti(lua, LUA_REGISTRYINDEX, globals_);
   push_environment(lua, -1);
   const int environment = lua_gettop(lua);
-  if (luaL_loadbufferx(lua, file.text.data(), file.text.size(), ("@" + file.source->name).c_str(), "t") != LUA_OK)
+  if (luaL_loadbufferx(lua, file.text.data(), file.text.size(), ("@" + file.source->name).c_str(), "t") !=
+      LUA_OK)
     lua_error(lua);
   lua_pushvalue(lua, environment);
   lua_setupvalue(lua, -2, 1);  // the first upvalue of a chunk is its _ENV
@@ -86,7 +86,8 @@ void LuaSession::Host::run_file(lua_State* lua, const LuaFile& file) {
   lua_settop(lua, argument);
 }
 
-void LuaSession::Host::load_builtin(const std::string& path, const std::string& shown, Diagnostics& diagnostics) {
+void LuaSession::Host::load_builtin(const std::string& path, const std::string& shown,
+                                    Diagnostics& diagnostics) {
   builtin_ = true;
   load_plugin(path, shown, {}, diagnostics);
   builtin_ = false;
@@ -96,8 +97,10 @@ void LuaSession::Host::load_plugin(const std::string& path, const std::string& s
                                    Diagnostics& diagnostics) {
   const LuaFile* file = files_.read(path, shown);
   if (!file)
-    return diagnostics.error(at, "plugins", fmt::format("cannot read `{}`, expected a Lua file, or a folder with plugin.lua "
-                                                        "in it", shown));
+    return diagnostics.error(at, "plugins",
+                             fmt::format("cannot read `{}`, expected a Lua file, or a folder with plugin.lua "
+                                         "in it",
+                                         shown));
   sources_.push_back({shown, file->text});
   const std::size_t before = diagnostics.all().size();
   load(*file, diagnostics, [](lua_State*) {});
@@ -119,8 +122,9 @@ std::optional<Value> LuaSession::Host::read_scenario(const std::string& path, co
         value = read_value(lua, -1, marked.places, diagnostics, [](const std::string&) { return false; });
         return;
       }
-    diagnostics.error({file->source, 1, 1}, "", fmt::format("returns {}, expected `return fr.scenario {{ ... }}` at its end",
-                                                            lua_isnil(lua, -1) ? "nothing" : "something else"));
+    diagnostics.error({file->source, 1, 1}, "",
+                      fmt::format("returns {}, expected `return fr.scenario {{ ... }}` at its end",
+                                  lua_isnil(lua, -1) ? "nothing" : "something else"));
   });
   if (registered_ > 0) sources_.push_back({shown, file->text});
   scenarios_.clear();
@@ -137,7 +141,9 @@ std::pair<const LuaFile*, FieldPlaces> LuaSession::Host::calling(lua_State* lua,
   lua_getstack(lua, 1, &frame);
   lua_getinfo(lua, "Sl", &frame);
   const LuaFile* file = main_ ? files_.of_chunk(frame.source) : nullptr;
-  if (!file) throw std::runtime_error(fmt::format("fr.{} is for loading: it stands at the top level of a file", function));
+  if (!file)
+    throw std::runtime_error(
+        fmt::format("fr.{} is for loading: it stands at the top level of a file", function));
   return {file, FieldPlaces(file->source, function, frame.currentline)};
 }
 
@@ -150,7 +156,8 @@ int LuaSession::Host::scenario(lua_State* lua) {
 }
 
 int LuaSession::Host::plugin(lua_State* lua) {
-  if (!lua_istable(lua, 1)) raise(lua, "fr.plugin takes a table: fr.plugin { kind = ..., name = ..., doc = ..., ... }");
+  if (!lua_istable(lua, 1))
+    raise(lua, "fr.plugin takes a table: fr.plugin { kind = ..., name = ..., doc = ..., ... }");
   lua_settop(lua, 1);
   self(lua).register_plugin(lua);
   lua_createtable(lua, 0, 2);  // what a script may say of it
@@ -179,14 +186,17 @@ void LuaSession::Host::register_plugin(lua_State* lua) {
   if (!spec) return;
   spec->file = file->source->name;
   std::optional<Factory> make;
-  if (!spec->native.empty()) make = native_factory(*spec, *file, places.value("native"));
-  else make = lua_factory(state_, lua, *spec, functions.begin()->second);
+  if (!spec->native.empty())
+    make = native_factory(*spec, *file, places.value("native"));
+  else
+    make = lua_factory(state_, lua, *spec, functions.begin()->second);
   if (!make) return;
   if (const std::string error = registry_.add({*spec, std::move(*make)}); !error.empty())
     diagnostics_->error(places.value("name"), "name", error);
 }
 
-std::optional<Factory> LuaSession::Host::native_factory(const PluginSpec& spec, const LuaFile& file, const Location& at) {
+std::optional<Factory> LuaSession::Host::native_factory(const PluginSpec& spec, const LuaFile& file,
+                                                        const Location& at) {
   const auto refuse = [&](const std::string& text) {
     diagnostics_->error(at, "native", text);
     return std::nullopt;
@@ -206,14 +216,17 @@ std::optional<Factory> LuaSession::Host::native_factory(const PluginSpec& spec, 
   std::vector<std::string> known;
   for (const auto& [key, factory] : table)
     if (key.first == spec.kind) known.push_back(key.second);
-  return refuse(fmt::format("{} has no {} `{}`{}", object, name_of(spec.kind), spec.native, did_you_mean(spec.native, known)));
+  return refuse(fmt::format("{} has no {} `{}`{}", object, name_of(spec.kind), spec.native,
+                            did_you_mean(spec.native, known)));
 }
 
 int LuaSession::Host::require(lua_State* lua) {
   const std::string name = luaL_checkstring(lua, 1);
   Host& host = self(lua);
-  if (name == "flyrock") lua_rawgeti(lua, LUA_REGISTRYINDEX, host.module_);
-  else host.require_file(lua, name);
+  if (name == "flyrock")
+    lua_rawgeti(lua, LUA_REGISTRYINDEX, host.module_);
+  else
+    host.require_file(lua, name);
   return 1;
 }
 
@@ -221,7 +234,8 @@ void LuaSession::Host::require_file(lua_State* lua, const std::string& name) {
   if (!main_) throw std::runtime_error("require is for loading: it stands at the top level of a file");
   constexpr const char* allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.";
   if (name.find_first_not_of(allowed) != name.npos || name.find("..") != name.npos || name.starts_with("."))
-    throw std::runtime_error(fmt::format("require: `{}` is no module, expected letters, digits and _, with dots for folders", name));
+    throw std::runtime_error(fmt::format(
+        "require: `{}` is no module, expected letters, digits and _, with dots for folders", name));
   std::string relative = name;
   std::replace(relative.begin(), relative.end(), '.', '/');
   const std::string path = (fs::path(main_->folder) / (relative + ".lua")).string();
@@ -232,16 +246,22 @@ void LuaSession::Host::require_file(lua_State* lua, const std::string& name) {
   }
   const std::string shown = (fs::path(main_->source->name).parent_path() / (relative + ".lua")).string();
   const LuaFile* file = files_.read(path, shown);
-  if (!file) throw std::runtime_error(fmt::format("require: no module `{}`: expected `flyrock`, or the file {}", name, shown));
+  if (!file)
+    throw std::runtime_error(
+        fmt::format("require: no module `{}`: expected `flyrock`, or the file {}", name, shown));
   sources_.push_back({shown, file->text});
   struct Loading {  // forgets the file where it fails: an error of Lua unwinds this frame
     std::map<std::string, int>& required;
     const std::string& path;
     int reference = 0;
-    Loading(std::map<std::string, int>& all, const std::string& one) : required(all), path(one) { required[path] = 0; }
+    Loading(std::map<std::string, int>& all, const std::string& one) : required(all), path(one) {
+      required[path] = 0;
+    }
     ~Loading() {
-      if (reference == 0) required.erase(path);
-      else required[path] = reference;
+      if (reference == 0)
+        required.erase(path);
+      else
+        required[path] = reference;
     }
   } loading(required_, path);
   lua_pushstring(lua, name.c_str());

@@ -21,8 +21,10 @@ class LuaSession::Host {
   explicit Host(const std::string& share);
 
   void load_builtin(const std::string& path, const std::string& shown, Diagnostics& diagnostics);
-  void load_plugin(const std::string& path, const std::string& shown, const Location& at, Diagnostics& diagnostics);
-  std::optional<Value> read_scenario(const std::string& path, const std::string& shown, Diagnostics& diagnostics);
+  void load_plugin(const std::string& path, const std::string& shown, const Location& at,
+                   Diagnostics& diagnostics);
+  std::optional<Value> read_scenario(const std::string& path, const std::string& shown,
+                                     Diagnostics& diagnostics);
   const Registry& registry() const { return registry_; }
   const std::vector<SourceText>& sources() const { return sources_; }
 
@@ -55,7 +57,7 @@ class LuaSession::Host {
   std::shared_ptr<LuaState> state_;
   int globals_ = 0, module_ = 0;  // references: the table of globals, the module flyrock
   Registry registry_;
-  FactoryTable natives_;          // of flyrock_plugins.so
+  FactoryTable natives_;  // of flyrock_plugins.so
   SourceFiles files_;
   std::vector<SourceText> sources_;
   std::map<std::string, int> required_;  // by path: reference of the result, 0 while it is being loaded

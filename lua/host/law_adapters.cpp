@@ -1,10 +1,9 @@
 // The four kinds of contact laws.
 
-#include <lua.hpp>
+#include <fmt/format.h>
 
 #include <cstring>
-
-#include <fmt/format.h>
+#include <lua.hpp>
 
 #include "host/adapter_kinds.h"
 #include "host/views.h"
@@ -19,7 +18,8 @@ std::vector<View> contact_only(lua_State* lua, const PluginSpec&) { return {cont
 template <class Kind>
 class LuaLaw : public Kind {
  public:
-  LuaLaw(std::shared_ptr<const LuaPlugin> plugin, Params& params) : call_(std::move(plugin), params, contact_only) {}
+  LuaLaw(std::shared_ptr<const LuaPlugin> plugin, Params& params)
+      : call_(std::move(plugin), params, contact_only) {}
   bool constant() const override { return call_.plugin().only_parameters; }
   std::string origin() const override { return call_.plugin().origin; }
 
@@ -49,7 +49,8 @@ class LuaFriction : public LuaLaw<FrictionLaw> {
     call_(values, {&contact}, 3, [&](lua_State* lua) {
       answer.mu_s = call_.number(lua, 1, "mu_s");
       answer.mu_d = lua_isnil(lua, 2) ? answer.mu_s : call_.number(lua, 2, "mu_d");
-      if (!lua_isnil(lua, 3)) call_.fail("returned a third value, expected mu_s, mu_d (cohesion is not in this version)");
+      if (!lua_isnil(lua, 3))
+        call_.fail("returned a third value, expected mu_s, mu_d (cohesion is not in this version)");
     });
     return answer;
   }
@@ -62,7 +63,8 @@ class LuaRolling : public LuaLaw<RollingLaw> {
     double mu_r = 0;
     call_(values, {&contact}, 2, [&](lua_State* lua) {
       mu_r = call_.number(lua, 1, "mu_r");
-      if (!lua_isnil(lua, 2)) call_.fail("returned a second value, expected mu_r (spinning is not in this version)");
+      if (!lua_isnil(lua, 2))
+        call_.fail("returned a second value, expected mu_r (spinning is not in this version)");
     });
     return mu_r;
   }
@@ -75,7 +77,8 @@ class LuaUnilateral : public LuaLaw<UnilateralLaw> {
     call_(values, {&contact}, 1, [&](lua_State* lua) {
       const char* name = lua_type(lua, 1) == LUA_TSTRING ? lua_tostring(lua, 1) : nullptr;
       if (!name || std::strcmp(name, "signorini") != 0)
-        call_.fail(fmt::format("returned {}, expected \"signorini\"", name ? fmt::format("\"{}\"", name) : luaL_typename(lua, 1)));
+        call_.fail(fmt::format("returned {}, expected \"signorini\"",
+                               name ? fmt::format("\"{}\"", name) : luaL_typename(lua, 1)));
     });
     return NormalCondition::signorini;
   }
@@ -83,14 +86,24 @@ class LuaUnilateral : public LuaLaw<UnilateralLaw> {
 
 template <class Kind, class Adapter>
 Factory factory(std::shared_ptr<const LuaPlugin> plugin) {
-  return FactoryOf<Kind>([plugin](Params& params) -> std::unique_ptr<Kind> { return std::make_unique<Adapter>(plugin, params); });
+  return FactoryOf<Kind>([plugin](Params& params) -> std::unique_ptr<Kind> {
+    return std::make_unique<Adapter>(plugin, params);
+  });
 }
 
 }  // namespace
 
-Factory restitution_factory(std::shared_ptr<const LuaPlugin> plugin) { return factory<RestitutionLaw, LuaRestitution>(std::move(plugin)); }
-Factory friction_factory(std::shared_ptr<const LuaPlugin> plugin) { return factory<FrictionLaw, LuaFriction>(std::move(plugin)); }
-Factory rolling_factory(std::shared_ptr<const LuaPlugin> plugin) { return factory<RollingLaw, LuaRolling>(std::move(plugin)); }
-Factory unilateral_factory(std::shared_ptr<const LuaPlugin> plugin) { return factory<UnilateralLaw, LuaUnilateral>(std::move(plugin)); }
+Factory restitution_factory(std::shared_ptr<const LuaPlugin> plugin) {
+  return factory<RestitutionLaw, LuaRestitution>(std::move(plugin));
+}
+Factory friction_factory(std::shared_ptr<const LuaPlugin> plugin) {
+  return factory<FrictionLaw, LuaFriction>(std::move(plugin));
+}
+Factory rolling_factory(std::shared_ptr<const LuaPlugin> plugin) {
+  return factory<RollingLaw, LuaRolling>(std::move(plugin));
+}
+Factory unilateral_factory(std::shared_ptr<const LuaPlugin> plugin) {
+  return factory<UnilateralLaw, LuaUnilateral>(std::move(plugin));
+}
 
 }  // namespace flyrock

@@ -9,7 +9,8 @@ namespace flyrock {
 /// Walks over a table constructor and notes where its fields stand.
 class ConstructorScanner {
  public:
-  ConstructorScanner(const std::vector<LuaToken>& tokens, FieldPlaces& places) : tokens_(tokens), places_(places) {}
+  ConstructorScanner(const std::vector<LuaToken>& tokens, FieldPlaces& places)
+      : tokens_(tokens), places_(places) {}
 
   void find_call(std::string_view function, int line) {
     for (; here().kind != LuaToken::Kind::end; ++at_) {
@@ -107,6 +108,8 @@ std::string join_path(const std::string& path, const std::string& key) {
   return path.empty() ? key : path + "." + key;
 }
 
-std::string join_path(const std::string& path, std::size_t index) { return fmt::format("{}[{}]", path, index); }
+std::string join_path(const std::string& path, std::size_t index) {
+  return fmt::format("{}[{}]", path, index);
+}
 
 }  // namespace flyrock

@@ -1,10 +1,9 @@
 #include "host/lua_call.h"
 
-#include <lua.hpp>
+#include <fmt/format.h>
 
 #include <cstring>
-
-#include <fmt/format.h>
+#include <lua.hpp>
 
 #include "host/read_only.h"
 
@@ -24,7 +23,8 @@ LuaParameters::LuaParameters(lua_State* lua, const PluginSpec& spec, Params& par
       case ParamType::number:
       case ParamType::integer:
       case ParamType::boolean:
-        if (const int slot = params.slot(param.name); slot >= 0) fields_.push_back({param.name, param.type, slot, 0});
+        if (const int slot = params.slot(param.name); slot >= 0)
+          fields_.push_back({param.name, param.type, slot, 0});
         break;
       case ParamType::vector:
         if (const int slot = params.vector_slot(param.name); slot >= 0) {
@@ -84,11 +84,16 @@ void LuaParameters::push(lua_State* lua, Values values) {
 
 void LuaParameters::set(lua_State* lua, const Field& field, double value) {
   lua_rawgeti(lua, LUA_REGISTRYINDEX, field.component ? field.vector : table_);
-  if (field.type == ParamType::boolean) lua_pushboolean(lua, value != 0);
-  else if (field.type == ParamType::integer) lua_pushinteger(lua, static_cast<lua_Integer>(value));
-  else lua_pushnumber(lua, value);
-  if (field.component) lua_rawseti(lua, -2, field.component);
-  else lua_setfield(lua, -2, field.name.c_str());
+  if (field.type == ParamType::boolean)
+    lua_pushboolean(lua, value != 0);
+  else if (field.type == ParamType::integer)
+    lua_pushinteger(lua, static_cast<lua_Integer>(value));
+  else
+    lua_pushnumber(lua, value);
+  if (field.component)
+    lua_rawseti(lua, -2, field.component);
+  else
+    lua_setfield(lua, -2, field.name.c_str());
   lua_pop(lua, 1);
 }
 
@@ -112,7 +117,8 @@ LuaCall::~LuaCall() {
   for (const View& view : views_) plugin_->state->release(view.reference());
 }
 
-void LuaCall::call(lua_State* lua, Values values, std::initializer_list<const void*> objects, int results) const {
+void LuaCall::call(lua_State* lua, Values values, std::initializer_list<const void*> objects,
+                   int results) const {
   lua_rawgeti(lua, LUA_REGISTRYINDEX, plugin_->function);
   parameters_->push(lua, values);
   auto view = views_.begin();

@@ -15,9 +15,9 @@ namespace flyrock {
 struct LuaPlugin {
   std::shared_ptr<LuaState> state;
   PluginSpec spec;
-  int function = 0;           ///< reference of the entry function
-  std::string origin;         ///< "my_law, my_law.lua:14": where the function is defined
-  std::string entry;          ///< "impact"
+  int function = 0;              ///< reference of the entry function
+  std::string origin;            ///< "my_law, my_law.lua:14": where the function is defined
+  std::string entry;             ///< "impact"
   bool only_parameters = false;  ///< it takes `p` alone
 };
 

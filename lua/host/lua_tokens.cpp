@@ -1,9 +1,9 @@
 #include "host/lua_tokens.h"
 
+#include <fmt/format.h>
+
 #include <cctype>
 #include <cstring>
-
-#include <fmt/format.h>
 
 namespace flyrock {
 
@@ -45,8 +45,10 @@ class Scanner {
         take();
       } else if (peek() == '-' && peek(1) == '-') {
         take(), take();
-        if (const int level = long_bracket(); level >= 0) read_long(level);
-        else skip_line();
+        if (const int level = long_bracket(); level >= 0)
+          read_long(level);
+        else
+          skip_line();
       } else {
         return;
       }
@@ -89,7 +91,8 @@ class Scanner {
     if (std::isdigit(static_cast<unsigned char>(peek()))) {
       token.kind = Kind::number;
       // an exponent's sign belongs to the number, a minus after other letters does not
-      while (word(peek()) || peek() == '.' || (std::strchr("+-", peek()) && std::strchr("eEpP", token.text.back())))
+      while (word(peek()) || peek() == '.' ||
+             (std::strchr("+-", peek()) && std::strchr("eEpP", token.text.back())))
         token.text += take();
     } else if (word(peek())) {
       token.kind = Kind::name;

@@ -1,10 +1,10 @@
 #include "host/manifest.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include <fmt/format.h>
 
 #include "blast/blast.h"
 #include "host/locate.h"
@@ -15,8 +15,8 @@ namespace flyrock {
 
 namespace {
 
-constexpr std::array<std::string_view, plugin_kinds> entry_points{"build",   "rocks",     "impact", "friction",
-                                                                  "rolling", "condition", "launch", "build"};
+constexpr std::array<std::string_view, plugin_kinds> entry_points{
+    "build", "rocks", "impact", "friction", "rolling", "condition", "launch", "build"};
 
 std::vector<std::string> kind_names() {
   std::vector<std::string> names;
@@ -27,8 +27,9 @@ std::vector<std::string> kind_names() {
 bool is_identifier(std::string_view name) {
   constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz", others = "0123456789_";
   return !name.empty() && letters.find(name[0]) != letters.npos &&
-         std::all_of(name.begin(), name.end(),
-                     [&](char c) { return letters.find(c) != letters.npos || others.find(c) != others.npos; });
+         std::all_of(name.begin(), name.end(), [&](char c) {
+           return letters.find(c) != letters.npos || others.find(c) != others.npos;
+         });
 }
 
 /// One fr.number { ... } or the like, under `params.NAME`.
@@ -39,12 +40,14 @@ class ParamReader {
 
   std::optional<ParamSpec> read() {
     spec_.name = name_;
-    if (!is_identifier(name_)) table_.error("", "a parameter's name has small letters, digits and _, a letter first");
+    if (!is_identifier(name_))
+      table_.error("", "a parameter's name has small letters, digits and _, a letter first");
     if (!read_type()) return std::nullopt;
     spec_.doc = table_.text("doc").value_or("");
     spec_.optional = table_.boolean("optional").value_or(false);
     const bool numeric = spec_.type == ParamType::number || spec_.type == ParamType::integer;
-    if (spec_.type == ParamType::number || spec_.type == ParamType::vector || spec_.type == ParamType::points) read_unit();
+    if (spec_.type == ParamType::number || spec_.type == ParamType::vector || spec_.type == ParamType::points)
+      read_unit();
     if (numeric || spec_.type == ParamType::vector) read_limits();
     read_default();
     if (spec_.optional && table_.field("default"))
@@ -64,8 +67,10 @@ class ParamReader {
         spec_.type = static_cast<ParamType>(i);
         return true;
       }
-    table_.error("", "expected a parameter: fr.number { ... }, fr.integer, fr.boolean, fr.choice, fr.text, fr.vector, "
-                     "fr.points or fr.file");
+    table_.error(
+        "",
+        "expected a parameter: fr.number { ... }, fr.integer, fr.boolean, fr.choice, fr.text, fr.vector, "
+        "fr.points or fr.file");
     return false;
   }
 
@@ -101,7 +106,8 @@ class ParamReader {
   void check_default(double value) {
     const double written = value / unit_.factor;
     const auto refuse = [&](const char* relation, double limit) {
-      table_.error("default", fmt::format("{:.6g}, expected a number {} {:.6g}", written, relation, limit / unit_.factor));
+      table_.error("default", fmt::format("{:.6g}, expected a number {} {:.6g}", written, relation,
+                                          limit / unit_.factor));
     };
     if (spec_.type == ParamType::integer && value != std::floor(value))
       table_.error("default", fmt::format("{:.6g}, expected a whole number", written));
@@ -121,22 +127,28 @@ class ParamReader {
       case ParamType::boolean:
         if (const auto value = table_.boolean("default")) spec_.default_number = *value ? 1 : 0;
         break;
-      case ParamType::choice: read_choices(); break;
-      case ParamType::text: spec_.default_text = table_.text("default"); break;
+      case ParamType::choice:
+        read_choices();
+        break;
+      case ParamType::text:
+        spec_.default_text = table_.text("default");
+        break;
       case ParamType::vector:
         spec_.default_vector = table_.numbers("default");
         if (spec_.default_vector)
           for (double& component : *spec_.default_vector) check_default(component = si(component));
         break;
       case ParamType::points:
-      case ParamType::file: break;  // what a scenario gives or leaves out
+      case ParamType::file:
+        break;  // what a scenario gives or leaves out
     }
   }
 
   void read_choices() {
     spec_.choices = table_.texts("choices").value_or(std::vector<std::string>{});
     spec_.default_text = table_.text("default");
-    if (spec_.choices.empty()) return table_.error("choices", "missing, expected a list of texts: choices = { \"a\", \"b\" }");
+    if (spec_.choices.empty())
+      return table_.error("choices", "missing, expected a list of texts: choices = { \"a\", \"b\" }");
     if (spec_.default_text &&
         std::find(spec_.choices.begin(), spec_.choices.end(), *spec_.default_text) == spec_.choices.end())
       table_.error("default", fmt::format("`{}`, expected {}", *spec_.default_text, one_of(spec_.choices)));
@@ -150,14 +162,16 @@ class ParamReader {
 
 class ManifestReader {
  public:
-  ManifestReader(const Value& table, const std::map<std::string, Location>& functions, Diagnostics& diagnostics)
+  ManifestReader(const Value& table, const std::map<std::string, Location>& functions,
+                 Diagnostics& diagnostics)
       : manifest_(table), table_(table, "", diagnostics), functions_(functions), diagnostics_(diagnostics) {}
 
   std::optional<PluginSpec> read() {
     const bool kind_known = read_kind();
     spec_.name = table_.required_text("name");
     if (!spec_.name.empty() && !is_identifier(spec_.name))
-      table_.error("name", fmt::format("`{}`, expected small letters, digits and _, a letter first", spec_.name));
+      table_.error("name",
+                   fmt::format("`{}`, expected small letters, digits and _, a letter first", spec_.name));
     spec_.doc = table_.required_text("doc");
     spec_.source = table_.text("source").value_or("");
     spec_.native = table_.text("native").value_or("");
@@ -182,7 +196,8 @@ class ManifestReader {
     }
     if (kind.empty()) return false;
     const std::string hint = did_you_mean(kind, kind_names());
-    table_.error("kind", fmt::format("unknown kind `{}`{}", kind, hint.empty() ? ", expected " + one_of(kind_names()) : hint));
+    table_.error("kind", fmt::format("unknown kind `{}`{}", kind,
+                                     hint.empty() ? ", expected " + one_of(kind_names()) : hint));
     return false;
   }
 
@@ -190,7 +205,8 @@ class ManifestReader {
     if (spec_.kind == PluginKind::restitution) {
       spec_.form = form.value_or("newton");
       if (spec_.form != "newton")
-        table_.error("form", fmt::format("`{}`, expected `newton`, the form that this version solves", spec_.form));
+        table_.error("form",
+                     fmt::format("`{}`, expected `newton`, the form that this version solves", spec_.form));
     } else if (form) {
       table_.error("form", fmt::format("a {} has no form: only a restitution has", name_of(spec_.kind)));
     }
@@ -202,13 +218,18 @@ class ManifestReader {
     const bool native = manifest_.find("native");
     for (const auto& [name, at] : functions_) {
       if (name != entry)
-        table_.error(name, fmt::format("a {} has no function `{}`, expected `{}`", name_of(spec_.kind), name, entry), &at);
+        table_.error(
+            name, fmt::format("a {} has no function `{}`, expected `{}`", name_of(spec_.kind), name, entry),
+            &at);
       else if (native)
-        table_.error("native", fmt::format("both `native` and the function `{}`, expected one of the two", entry));
+        table_.error("native",
+                     fmt::format("both `native` and the function `{}`, expected one of the two", entry));
     }
-    if (const Value* other = table_.field(entry)) table_.error(entry, other->kind() + ", expected a function");
+    if (const Value* other = table_.field(entry))
+      table_.error(entry, other->kind() + ", expected a function");
     else if (!native && functions_.empty())
-      table_.error(entry, fmt::format("missing: a {} needs the function `{}`, or `native`", name_of(spec_.kind), entry));
+      table_.error(entry, fmt::format("missing: a {} needs the function `{}`, or `native`",
+                                      name_of(spec_.kind), entry));
   }
 
   void read_reads() {
@@ -221,7 +242,8 @@ class ManifestReader {
     for (const std::string& name : *reads)
       if (std::find(known.begin(), known.end(), name) == known.end()) {
         const std::string hint = did_you_mean(name, known);
-        table_.error("reads", fmt::format("unknown field `{}`{}", name, hint.empty() ? ", expected one of " + one_of(known) : hint));
+        table_.error("reads", fmt::format("unknown field `{}`{}", name,
+                                          hint.empty() ? ", expected one of " + one_of(known) : hint));
       }
     spec_.reads = *reads;
   }
@@ -230,12 +252,15 @@ class ManifestReader {
     const Value* params = table_.field("params");
     if (!params) return;
     const bool empty = params->list() && params->list()->empty();
-    if (!params->map() && !empty) return table_.error("params", params->kind() + ", expected a table of named parameters");
+    if (!params->map() && !empty)
+      return table_.error("params", params->kind() + ", expected a table of named parameters");
     if (empty) return;
     for (const Entry& entry : *params->map()) {
       auto param = ParamReader(entry, diagnostics_).read();
-      if (param) spec_.params.push_back(std::move(*param));
-      else params_failed_ = true;
+      if (param)
+        spec_.params.push_back(std::move(*param));
+      else
+        params_failed_ = true;
     }
   }
 

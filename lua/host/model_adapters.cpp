@@ -1,8 +1,8 @@
 // The kinds that make rocks, terrains and launches.
 
-#include <lua.hpp>
-
 #include <fmt/format.h>
+
+#include <lua.hpp>
 
 #include "host/adapter_kinds.h"
 #include "host/read_answer.h"
@@ -29,7 +29,8 @@ Value ask(const LuaCall& call, Values values, std::initializer_list<const void*>
 
 class LuaShape : public ShapeModel {
  public:
-  LuaShape(std::shared_ptr<const LuaPlugin> plugin, Params& params) : call_(std::move(plugin), params, random_only) {}
+  LuaShape(std::shared_ptr<const LuaPlugin> plugin, Params& params)
+      : call_(std::move(plugin), params, random_only) {}
   std::vector<Contactor2> build(Values values, RandomStream& rng) const override {
     return read_shape(call_, ask(call_, values, {&rng}));
   }
@@ -40,7 +41,8 @@ class LuaShape : public ShapeModel {
 
 class LuaTerrain : public TerrainModel {
  public:
-  LuaTerrain(std::shared_ptr<const LuaPlugin> plugin, Params& params) : call_(std::move(plugin), params, random_only) {}
+  LuaTerrain(std::shared_ptr<const LuaPlugin> plugin, Params& params)
+      : call_(std::move(plugin), params, random_only) {}
   Profile build(Values values, RandomStream& rng) const override {
     return read_terrain(call_, ask(call_, values, {&rng}));
   }
@@ -53,7 +55,8 @@ class LuaPopulation : public Population {
  public:
   LuaPopulation(std::shared_ptr<const LuaPlugin> plugin, Params& params)
       : call_(std::move(plugin), params, terrain_blast_random) {}
-  std::vector<RockPlan> rocks(Values values, const Profile& terrain, const Blast& blast, RandomStream& rng) const override {
+  std::vector<RockPlan> rocks(Values values, const Profile& terrain, const Blast& blast,
+                              RandomStream& rng) const override {
     return read_rocks(call_, ask(call_, values, {&terrain, &blast, &rng}));
   }
 
@@ -75,14 +78,24 @@ class LuaVelocity : public VelocityModel {
 
 template <class Kind, class Adapter>
 Factory factory(std::shared_ptr<const LuaPlugin> plugin) {
-  return FactoryOf<Kind>([plugin](Params& params) -> std::unique_ptr<Kind> { return std::make_unique<Adapter>(plugin, params); });
+  return FactoryOf<Kind>([plugin](Params& params) -> std::unique_ptr<Kind> {
+    return std::make_unique<Adapter>(plugin, params);
+  });
 }
 
 }  // namespace
 
-Factory shape_factory(std::shared_ptr<const LuaPlugin> plugin) { return factory<ShapeModel, LuaShape>(std::move(plugin)); }
-Factory terrain_factory(std::shared_ptr<const LuaPlugin> plugin) { return factory<TerrainModel, LuaTerrain>(std::move(plugin)); }
-Factory population_factory(std::shared_ptr<const LuaPlugin> plugin) { return factory<Population, LuaPopulation>(std::move(plugin)); }
-Factory velocity_factory(std::shared_ptr<const LuaPlugin> plugin) { return factory<VelocityModel, LuaVelocity>(std::move(plugin)); }
+Factory shape_factory(std::shared_ptr<const LuaPlugin> plugin) {
+  return factory<ShapeModel, LuaShape>(std::move(plugin));
+}
+Factory terrain_factory(std::shared_ptr<const LuaPlugin> plugin) {
+  return factory<TerrainModel, LuaTerrain>(std::move(plugin));
+}
+Factory population_factory(std::shared_ptr<const LuaPlugin> plugin) {
+  return factory<Population, LuaPopulation>(std::move(plugin));
+}
+Factory velocity_factory(std::shared_ptr<const LuaPlugin> plugin) {
+  return factory<VelocityModel, LuaVelocity>(std::move(plugin));
+}
 
 }  // namespace flyrock

@@ -1,13 +1,12 @@
 #include "host/ordered_pairs.h"
 
-#include <lua.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <lua.hpp>
 #include <string>
 #include <tuple>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "host/state.h"
 
@@ -17,12 +16,16 @@ namespace {
 
 int rank(lua_State* lua, int index) {
   switch (lua_type(lua, index)) {
-    case LUA_TNUMBER: return 0;
-    case LUA_TSTRING: return 1;
-    case LUA_TBOOLEAN: return 2;
+    case LUA_TNUMBER:
+      return 0;
+    case LUA_TSTRING:
+      return 1;
+    case LUA_TBOOLEAN:
+      return 2;
     default:
-      raise(lua, fmt::format("a table with a {} as key has no fixed order: keys must be numbers, texts or booleans",
-                             luaL_typename(lua, index)));
+      raise(lua, fmt::format(
+                     "a table with a {} as key has no fixed order: keys must be numbers, texts or booleans",
+                     luaL_typename(lua, index)));
   }
 }
 
@@ -67,7 +70,7 @@ int ordered_pairs(lua_State* lua) {
 
   struct Key {
     int rank;
-    double number;       // orders numbers; integers beyond 2^53 that round to the same double keep table order
+    double number;  // orders numbers; integers beyond 2^53 that round to the same double keep table order
     lua_Integer integer;
     std::string text;
   };
@@ -94,10 +97,14 @@ int ordered_pairs(lua_State* lua) {
   lua_createtable(lua, static_cast<int>(keys.size()), 0);
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const Key& key = keys[i];
-    if (key.rank == 1) lua_pushlstring(lua, key.text.data(), key.text.size());
-    else if (key.rank == 2) lua_pushboolean(lua, key.number != 0);
-    else if (key.number == static_cast<double>(key.integer)) lua_pushinteger(lua, key.integer);
-    else lua_pushnumber(lua, key.number);
+    if (key.rank == 1)
+      lua_pushlstring(lua, key.text.data(), key.text.size());
+    else if (key.rank == 2)
+      lua_pushboolean(lua, key.number != 0);
+    else if (key.number == static_cast<double>(key.integer))
+      lua_pushinteger(lua, key.integer);
+    else
+      lua_pushnumber(lua, key.number);
     lua_rawseti(lua, 2, static_cast<lua_Integer>(i + 1));
   }
   lua_pushinteger(lua, 0);

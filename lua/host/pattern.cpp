@@ -1,9 +1,8 @@
 #include "host/pattern.h"
 
-#include <lua.hpp>
-
 #include <cctype>
 #include <cstring>
+#include <lua.hpp>
 
 #include "host/budget.h"
 
@@ -16,17 +15,38 @@ constexpr char escape = '%';
 bool in_class(int c, int letter) {
   bool inside;
   switch (std::tolower(letter)) {
-    case 'a': inside = std::isalpha(c); break;
-    case 'c': inside = std::iscntrl(c); break;
-    case 'd': inside = std::isdigit(c); break;
-    case 'g': inside = std::isgraph(c); break;
-    case 'l': inside = std::islower(c); break;
-    case 'p': inside = std::ispunct(c); break;
-    case 's': inside = std::isspace(c); break;
-    case 'u': inside = std::isupper(c); break;
-    case 'w': inside = std::isalnum(c); break;
-    case 'x': inside = std::isxdigit(c); break;
-    default: return letter == c;
+    case 'a':
+      inside = std::isalpha(c);
+      break;
+    case 'c':
+      inside = std::iscntrl(c);
+      break;
+    case 'd':
+      inside = std::isdigit(c);
+      break;
+    case 'g':
+      inside = std::isgraph(c);
+      break;
+    case 'l':
+      inside = std::islower(c);
+      break;
+    case 'p':
+      inside = std::ispunct(c);
+      break;
+    case 's':
+      inside = std::isspace(c);
+      break;
+    case 'u':
+      inside = std::isupper(c);
+      break;
+    case 'w':
+      inside = std::isalnum(c);
+      break;
+    case 'x':
+      inside = std::isxdigit(c);
+      break;
+    default:
+      return letter == c;
   }
   return std::isupper(letter) ? !inside : inside;
 }
@@ -76,9 +96,12 @@ const char* PatternMatcher::match(const char* s, const char* p) {
       break;
     }
     if (*p == escape && (next == 'b' || next == 'f' || std::isdigit(static_cast<unsigned char>(next)))) {
-      if (next == 'b') s = match_balanced(s, p + 2);
-      else if (next == 'f') s = match_frontier(s, p + 2);
-      else s = match_back_reference(s, next);
+      if (next == 'b')
+        s = match_balanced(s, p + 2);
+      else if (next == 'f')
+        s = match_frontier(s, p + 2);
+      else
+        s = match_back_reference(s, next);
       if (!s) break;
       p = next == 'b' ? p + 4 : next == 'f' ? class_end(p + 2) : p + 2;
       continue;
@@ -87,7 +110,9 @@ const char* PatternMatcher::match(const char* s, const char* p) {
     const char suffix = end_of_class < pattern_end_ ? *end_of_class : '\0';
     const bool one = matches_one(s, p, end_of_class);
     if (suffix == '*' || suffix == '+') {
-      result = suffix == '*' ? expand_longest(s, p, end_of_class) : one ? expand_longest(s + 1, p, end_of_class) : nullptr;
+      result = suffix == '*' ? expand_longest(s, p, end_of_class)
+               : one         ? expand_longest(s + 1, p, end_of_class)
+                             : nullptr;
       break;
     }
     if (suffix == '-') {
@@ -145,10 +170,14 @@ bool PatternMatcher::matches_one(const char* s, const char* p, const char* end_o
   if (s >= end_) return false;
   const int c = byte(s);
   switch (*p) {
-    case '.': return true;
-    case escape: return in_class(c, byte(p + 1));
-    case '[': return matches_set(c, p, end_of_class);
-    default: return byte(p) == c;
+    case '.':
+      return true;
+    case escape:
+      return in_class(c, byte(p + 1));
+    case '[':
+      return matches_set(c, p, end_of_class);
+    default:
+      return byte(p) == c;
   }
 }
 
@@ -224,8 +253,10 @@ void PatternMatcher::push_capture(int index, const char* start, const char* end)
   }
   const Capture& capture = capture_[index];
   if (capture.length == unfinished) luaL_error(lua_, "unfinished capture");
-  if (capture.length == position) lua_pushinteger(lua_, capture.start - begin_ + 1);
-  else lua_pushlstring(lua_, capture.start, capture.length);
+  if (capture.length == position)
+    lua_pushinteger(lua_, capture.start - begin_ + 1);
+  else
+    lua_pushlstring(lua_, capture.start, capture.length);
 }
 
 int PatternMatcher::push_captures(const char* start, const char* end) const {

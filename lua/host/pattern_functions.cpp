@@ -1,9 +1,8 @@
 // string.find, match, gmatch and gsub on PatternMatcher.
 
-#include <lua.hpp>
-
 #include <cctype>
 #include <cstring>
+#include <lua.hpp>
 
 #include "host/budget.h"
 #include "host/pattern.h"
@@ -34,7 +33,8 @@ const char* find_plain(lua_State* lua, std::string_view subject, std::string_vie
   if (text.empty()) return s;
   while (static_cast<std::size_t>(end - s) >= text.size()) {
     const auto* first = static_cast<const char*>(std::memchr(s, text[0], end - s - text.size() + 1));
-    charge(lua, (static_cast<double>((first ? first : end) - s) + static_cast<double>(text.size())) / bytes_per_instruction);
+    charge(lua, (static_cast<double>((first ? first : end) - s) + static_cast<double>(text.size())) /
+                    bytes_per_instruction);
     if (!first) return nullptr;
     if (std::memcmp(first, text.data(), text.size()) == 0) return first;
     s = first + 1;
@@ -110,7 +110,8 @@ int all_matches(lua_State* lua) {
 }
 
 /// Adds a replacement text with its %0 to %9 filled in.
-void add_text(lua_State* lua, luaL_Buffer& result, const PatternMatcher& matcher, const char* start, const char* end) {
+void add_text(lua_State* lua, luaL_Buffer& result, const PatternMatcher& matcher, const char* start,
+              const char* end) {
   const std::string_view text = text_at(lua, 3);
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '%') {
@@ -159,8 +160,9 @@ int replace(lua_State* lua) {
   const std::string_view subject = text_at(lua, 1);
   std::string_view pattern = text_at(lua, 2);
   const int type = lua_type(lua, 3);
-  luaL_argexpected(lua, type == LUA_TNUMBER || type == LUA_TSTRING || type == LUA_TFUNCTION || type == LUA_TTABLE, 3,
-                   "string/function/table");
+  luaL_argexpected(lua,
+                   type == LUA_TNUMBER || type == LUA_TSTRING || type == LUA_TFUNCTION || type == LUA_TTABLE,
+                   3, "string/function/table");
   const lua_Integer most = luaL_optinteger(lua, 4, static_cast<lua_Integer>(subject.size()) + 1);
   const bool anchored = pattern.starts_with('^');
   if (anchored) pattern.remove_prefix(1);

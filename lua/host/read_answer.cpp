@@ -1,10 +1,9 @@
 #include "host/read_answer.h"
 
-#include <lua.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
-
-#include <fmt/format.h>
+#include <lua.hpp>
 
 #include "host/locate.h"
 #include "host/read_value.h"
@@ -65,10 +64,14 @@ class AnswerReader {
 
   Contactor2 contactor(const Value& value, const std::string& path) const {
     check_keys(value, path, {"radius", "centre", "vertices"});
-    const Value *radius = value.find("radius"), *vertices = value.find("vertices"), *centre = value.find("centre");
-    if ((radius != nullptr) == (vertices != nullptr)) wrong(path, value, "either `radius` or `vertices` in it");
+    const Value *radius = value.find("radius"), *vertices = value.find("vertices"),
+                *centre = value.find("centre");
+    if ((radius != nullptr) == (vertices != nullptr))
+      wrong(path, value, "either `radius` or `vertices` in it");
     if (vertices) {
-      if (centre) call_.fail(fmt::format("returned {}, which goes with a radius, not with vertices", join_path(path, "centre")));
+      if (centre)
+        call_.fail(fmt::format("returned {}, which goes with a radius, not with vertices",
+                               join_path(path, "centre")));
       auto corners = points(*vertices, join_path(path, "vertices"));
       if (const std::string fault = make_convex(corners); !fault.empty())
         call_.fail(fmt::format("returned {}: {}", join_path(path, "vertices"), fault));
@@ -81,7 +84,8 @@ class AnswerReader {
 
   std::vector<Contactor2> shape(const Value& value, const std::string& path) const {
     if (value.map()) return {contactor(value, path)};
-    const List& items = list(value, path, "a contactor { radius = ... } or { vertices = ... }, or a list of them");
+    const List& items =
+        list(value, path, "a contactor { radius = ... } or { vertices = ... }, or a list of them");
     if (items.empty()) wrong(path, value, "at least one contactor");
     std::vector<Contactor2> result;
     for (std::size_t i = 0; i < items.size(); ++i) result.push_back(contactor(items[i], join_path(path, i)));
@@ -91,8 +95,8 @@ class AnswerReader {
   void parts(const Value& value, Profile& profile) const {
     const List& names = list(value, "parts", "a list with the name of each segment");
     if (static_cast<int>(names.size()) != profile.segments())
-      call_.fail(fmt::format("returned {} parts, expected {}: one for each segment between two points", names.size(),
-                             profile.segments()));
+      call_.fail(fmt::format("returned {} parts, expected {}: one for each segment between two points",
+                             names.size(), profile.segments()));
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (!names[i].text()) wrong(join_path("parts", i), names[i], "the name of a part");
       const auto known = std::find(profile.parts.begin(), profile.parts.end(), *names[i].text());
@@ -104,13 +108,15 @@ class AnswerReader {
   RockPlan rock(const Value& value, const std::string& path) const {
     check_keys(value, path, {"radius", "vertices", "shape", "position", "angle"});
     RockPlan plan;
-    const Value *radius = value.find("radius"), *vertices = value.find("vertices"), *own = value.find("shape");
+    const Value *radius = value.find("radius"), *vertices = value.find("vertices"),
+                *own = value.find("shape");
     if ((radius != nullptr) + (vertices != nullptr) + (own != nullptr) > 1)
       wrong(path, value, "one of `radius`, `vertices` and `shape` in it");
     if (own) plan.contactors = shape(*own, join_path(path, "shape"));
     for (const auto& [key, part] : {std::pair{"radius", radius}, {"vertices", vertices}})
       if (part) plan.contactors = {contactor(Value{Map{Entry{key, {}, *part}}, {}, false}, path)};
-    if (const Value* position = value.find("position")) plan.position = point(*position, join_path(path, "position"));
+    if (const Value* position = value.find("position"))
+      plan.position = point(*position, join_path(path, "position"));
     if (const Value* angle = value.find("angle")) plan.angle = number(*angle, join_path(path, "angle"));
     return plan;
   }
@@ -122,7 +128,8 @@ class AnswerReader {
 
 Value answer_tree(const LuaCall& call, lua_State* lua) {
   Diagnostics diagnostics;
-  const auto value = read_value(lua, -1, FieldPlaces(), diagnostics, [](const std::string&) { return false; });
+  const auto value =
+      read_value(lua, -1, FieldPlaces(), diagnostics, [](const std::string&) { return false; });
   if (value) return *value;
   const Diagnostic& first = diagnostics.all().front();
   call.fail(fmt::format("returned {}{}", first.path.empty() ? "" : first.path + " = ", first.text));
@@ -162,7 +169,8 @@ std::vector<RockPlan> read_rocks(const LuaCall& call, const Value& answer) {
   const AnswerReader reader(call);
   std::vector<RockPlan> rocks;
   const List& items = reader.list(answer, "", "a list of rocks");
-  for (std::size_t i = 0; i < items.size(); ++i) rocks.push_back(reader.rock(items[i], fmt::format("rock {}", i)));
+  for (std::size_t i = 0; i < items.size(); ++i)
+    rocks.push_back(reader.rock(items[i], fmt::format("rock {}", i)));
   return rocks;
 }
 
@@ -174,8 +182,10 @@ Launch read_launch(const LuaCall& call, const Value& answer, int dimension) {
   if (!velocity) call.fail("returned no `velocity`, expected { velocity = { vx, vy } }");
   launch.velocity = reader.vector(*velocity, "velocity", dimension);
   if (const Value* spin = answer.find("spin")) {
-    if (dimension == 2) launch.spin.z() = reader.number(*spin, "spin");
-    else launch.spin = reader.vector(*spin, "spin", 3);
+    if (dimension == 2)
+      launch.spin.z() = reader.number(*spin, "spin");
+    else
+      launch.spin = reader.vector(*spin, "spin", 3);
   }
   if (const Value* note = answer.find("note")) {
     if (!note->text()) reader.wrong("note", *note, "text");

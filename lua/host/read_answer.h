@@ -18,8 +18,8 @@ std::vector<Contactor2> read_shape(const LuaCall& call, const Value& answer);
 /// crest = { x, y } }, ... }] }. Without parts the terrain is one part without a name.
 Profile read_terrain(const LuaCall& call, const Value& answer);
 
-/// A list of { shape = as above [, position = { x, y }] [, angle = rad] }; radius or vertices may stand in the
-/// place of shape. What is left out comes from the group.
+/// A list of { shape = as above [, position = { x, y }] [, angle = rad] }; radius or vertices may stand in
+/// the place of shape. What is left out comes from the group.
 std::vector<RockPlan> read_rocks(const LuaCall& call, const Value& answer);
 
 /// { velocity = { vx, vy[, vz] } [, spin = w, a vector in 3D] [, note = text for the run's warnings] }.

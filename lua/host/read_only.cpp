@@ -1,11 +1,10 @@
 #include "host/read_only.h"
 
-#include <lua.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <lua.hpp>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "host/ordered_pairs.h"
 #include "host/state.h"
@@ -33,7 +32,8 @@ int pairs_of_view(lua_State* lua) {
 
 int refuse_absent(lua_State* lua) {
   if (lua_type(lua, 2) != LUA_TSTRING)
-    raise(lua, fmt::format("`{}` has no such field: a {}", lua_tostring(lua, lua_upvalueindex(1)), luaL_typename(lua, 2)));
+    raise(lua, fmt::format("`{}` has no such field: a {}", lua_tostring(lua, lua_upvalueindex(1)),
+                           luaL_typename(lua, 2)));
   lua_pushvalue(lua, 2);
   if (lua_rawget(lua, lua_upvalueindex(3)) != LUA_TNIL) {
     lua_pushnil(lua);

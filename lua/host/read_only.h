@@ -13,8 +13,8 @@ namespace flyrock {
 /// `what` names it in messages: "p", "math". `is_data` says that it holds values, which a plugin may return.
 void make_read_only(lua_State* lua, const std::string& what, bool is_data = false);
 
-/// Replaces a view of data at the top of the stack by what it shows; false where it is a view of other things.
-/// What is no view stays as it is.
+/// Replaces a view of data at the top of the stack by what it shows; false where it is a view of other
+/// things. What is no view stays as it is.
 bool see_through(lua_State* lua);
 
 /// Makes reading an absent field of the table at `index` an error with the nearest name, but for the names

@@ -1,11 +1,10 @@
 #include "host/read_value.h"
 
-#include <lua.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-
-#include <fmt/format.h>
+#include <lua.hpp>
 
 #include "host/read_only.h"
 
@@ -29,19 +28,28 @@ class Reader {
       return value;
     }
     switch (lua_type(lua_, -1)) {
-      case LUA_TBOOLEAN: value.data = lua_toboolean(lua_, -1) != 0; break;
-      case LUA_TNUMBER: value.data = number(path); break;
+      case LUA_TBOOLEAN:
+        value.data = lua_toboolean(lua_, -1) != 0;
+        break;
+      case LUA_TNUMBER:
+        value.data = number(path);
+        break;
       case LUA_TSTRING: {
         std::size_t length;
         const char* text = lua_tolstring(lua_, -1, &length);
         value.data = std::string(text, length);
         break;
       }
-      case LUA_TTABLE: table(path, value); break;
-      case LUA_TFUNCTION:
-        if (!functions_(path)) fail(path, "a function, expected a value: functions may stand only in fr.plugin");
+      case LUA_TTABLE:
+        table(path, value);
         break;
-      default: fail(path, fmt::format("a {}, expected a number, text, true, false or a table", luaL_typename(lua_, -1)));
+      case LUA_TFUNCTION:
+        if (!functions_(path))
+          fail(path, "a function, expected a value: functions may stand only in fr.plugin");
+        break;
+      default:
+        fail(path,
+             fmt::format("a {}, expected a number, text, true, false or a table", luaL_typename(lua_, -1)));
     }
     return value;
   }
@@ -68,7 +76,8 @@ class Reader {
 
   void table(const std::string& path, Value& value) {
     if (!see_through(lua_))
-      return fail(path, "a plugin or a library, expected a value: a plugin is used by its name, type = \"NAME\"");
+      return fail(path,
+                  "a plugin or a library, expected a value: a plugin is used by its name, type = \"NAME\"");
     const void* identity = lua_topointer(lua_, -1);
     if (std::find(open_.begin(), open_.end(), identity) != open_.end())
       return fail(path, "a table that holds itself, expected a value");
@@ -83,16 +92,20 @@ class Reader {
       if (lua_type(lua_, -2) == LUA_TSTRING) {
         is_map = true;
         map.push_back({lua_tostring(lua_, -2), {}, {}});
-      } else if (lua_isinteger(lua_, -2) && lua_tointeger(lua_, -2) >= 1 && lua_tointeger(lua_, -2) <= length) {
+      } else if (lua_isinteger(lua_, -2) && lua_tointeger(lua_, -2) >= 1 &&
+                 lua_tointeger(lua_, -2) <= length) {
         ++positions;
       } else {
         fail(path, fmt::format("a key that is a {}, expected texts, or positions from 1 without gaps",
                                luaL_typename(lua_, -2)));
       }
     }
-    if (is_map && positions > 0) fail(path, "a table with both names and positions, expected a map or a list");
-    else if (is_map) fields(path, std::move(map), value);
-    else list(path, length, value);
+    if (is_map && positions > 0)
+      fail(path, "a table with both names and positions, expected a map or a list");
+    else if (is_map)
+      fields(path, std::move(map), value);
+    else
+      list(path, length, value);
     open_.pop_back();
   }
 
@@ -100,8 +113,10 @@ class Reader {
     List items;
     for (lua_Integer i = 0; i < length; ++i) {
       const std::string item = join_path(path, static_cast<std::size_t>(i));
-      if (lua_rawgeti(lua_, -1, i + 1) == LUA_TNIL) fail(item, "nothing, expected a value: a list has no gaps");
-      else items.push_back(read(item));
+      if (lua_rawgeti(lua_, -1, i + 1) == LUA_TNIL)
+        fail(item, "nothing, expected a value: a list has no gaps");
+      else
+        items.push_back(read(item));
       lua_pop(lua_, 1);
     }
     value.data = std::move(items);
@@ -133,8 +148,8 @@ class Reader {
 
 }  // namespace
 
-std::optional<Value> read_value(lua_State* lua, int index, const FieldPlaces& places, Diagnostics& diagnostics,
-                                const FunctionSink& functions) {
+std::optional<Value> read_value(lua_State* lua, int index, const FieldPlaces& places,
+                                Diagnostics& diagnostics, const FunctionSink& functions) {
   Reader reader(lua, places, diagnostics, functions);
   lua_pushvalue(lua, index);
   Value value = reader.read("");

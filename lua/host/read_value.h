@@ -19,7 +19,7 @@ using FunctionSink = std::function<bool(const std::string& path)>;
 /// bytes) or 1 to n (a list); an empty table is an empty list. All else is an error, as are cycles,
 /// numbers that are not finite, whole numbers beyond 2^53 and more than 100,000 values. Functions go to
 /// `functions` and leave no value. Nothing where there are errors.
-std::optional<Value> read_value(lua_State* lua, int index, const FieldPlaces& places, Diagnostics& diagnostics,
-                                const FunctionSink& functions);
+std::optional<Value> read_value(lua_State* lua, int index, const FieldPlaces& places,
+                                Diagnostics& diagnostics, const FunctionSink& functions);
 
 }  // namespace flyrock

@@ -1,8 +1,8 @@
 #include "host/sandbox.h"
 
-#include <lua.hpp>
-
 #include <fmt/format.h>
+
+#include <lua.hpp>
 
 #include "host/read_only.h"
 #include "host/state.h"
@@ -38,8 +38,9 @@ int refuse_undefined(lua_State* lua) {
 }
 
 int refuse_random(lua_State* lua) {
-  raise(lua, "math.random is not available here: use the stream `rng` that is passed in (rng:uniform(a, b), "
-             "rng:normal(), rng:integer(a, b)), so that a run can be repeated");
+  raise(lua,
+        "math.random is not available here: use the stream `rng` that is passed in (rng:uniform(a, b), "
+        "rng:normal(), rng:integer(a, b)), so that a run can be repeated");
 }
 
 int refuse_global(lua_State* lua) {

@@ -2,8 +2,8 @@
 // What Lua code of scenarios and plugins finds: the pure part of the standard library, read-only, with the
 // functions that could hide an exhausted budget, run unbounded, or make a run depend on addresses replaced.
 //
-// Not there: io, os, debug, package, load and its kin, rawset, collectgarbage, string.dump, math.random. Every name
-// that is not defined is an error that says so.
+// Not there: io, os, debug, package, load and its kin, rawset, collectgarbage, string.dump, math.random.
+// Every name that is not defined is an error that says so.
 
 #include <string>
 

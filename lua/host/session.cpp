@@ -1,8 +1,8 @@
 #include "host/session.h"
 
-#include <filesystem>
-
 #include <fmt/format.h>
+
+#include <filesystem>
 
 #include "host/host.h"
 
@@ -13,8 +13,10 @@ namespace fs = std::filesystem;
 LuaSession::LuaSession(const std::string& share) : host_(std::make_unique<Host>(share)) {
   const fs::path folder = fs::path(share) / "plugins";
   if (!fs::is_directory(folder))
-    throw std::runtime_error(fmt::format("flyrock's plugins are missing: no folder {}; reinstall, or name the folder that "
-                                         "has them in FLYROCK_DATA", folder.string()));
+    throw std::runtime_error(
+        fmt::format("flyrock's plugins are missing: no folder {}; reinstall, or name the folder that "
+                    "has them in FLYROCK_DATA",
+                    folder.string()));
   std::vector<fs::path> manifests;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.path().filename() == "plugin.lua") manifests.push_back(entry.path());
@@ -22,7 +24,8 @@ LuaSession::LuaSession(const std::string& share) : host_(std::make_unique<Host>(
   Diagnostics diagnostics;
   for (const fs::path& manifest : manifests)
     host_->load_builtin(manifest.string(), manifest.lexically_relative(share).string(), diagnostics);
-  if (diagnostics.has_errors()) throw std::runtime_error("flyrock's own plugins are broken:\n" + diagnostics.to_text());
+  if (diagnostics.has_errors())
+    throw std::runtime_error("flyrock's own plugins are broken:\n" + diagnostics.to_text());
 }
 
 LuaSession::~LuaSession() = default;
@@ -30,7 +33,8 @@ LuaSession::~LuaSession() = default;
 void LuaSession::load_plugin(const std::string& path, const std::string& shown, const Location& at,
                              Diagnostics& diagnostics) {
   if (fs::is_directory(path))
-    host_->load_plugin((fs::path(path) / "plugin.lua").string(), (fs::path(shown) / "plugin.lua").string(), at, diagnostics);
+    host_->load_plugin((fs::path(path) / "plugin.lua").string(), (fs::path(shown) / "plugin.lua").string(),
+                       at, diagnostics);
   else
     host_->load_plugin(path, shown, at, diagnostics);
 }

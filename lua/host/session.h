@@ -15,17 +15,19 @@ namespace flyrock {
 /// belongs to that thread too, and keeps the state alive.
 class LuaSession {
  public:
-  /// Loads every manifest under <share>/plugins, sorted by path, native ones through <share>/flyrock_plugins.so.
-  /// Throws std::runtime_error naming the file where the installation is broken.
+  /// Loads every manifest under <share>/plugins, sorted by path, native ones through
+  /// <share>/flyrock_plugins.so. Throws std::runtime_error naming the file where the installation is broken.
   explicit LuaSession(const std::string& share);
   ~LuaSession();
 
   /// A plugin file, or a folder with plugin.lua in it. One with `native = "NAME"` has NAME.so beside its
   /// manifest. `path` is opened, `shown` is for messages, `at` where the scenario names it.
-  void load_plugin(const std::string& path, const std::string& shown, const Location& at, Diagnostics& diagnostics);
+  void load_plugin(const std::string& path, const std::string& shown, const Location& at,
+                   Diagnostics& diagnostics);
 
   /// Runs a Lua scenario; its result as a tree of located values. Calls of fr.plugin in it register plugins.
-  std::optional<Value> read_scenario(const std::string& path, const std::string& shown, Diagnostics& diagnostics);
+  std::optional<Value> read_scenario(const std::string& path, const std::string& shown,
+                                     Diagnostics& diagnostics);
 
   const Registry& registry() const;
 

@@ -1,9 +1,8 @@
 #include "host/source_files.h"
 
-#include <lua.hpp>
-
 #include <filesystem>
 #include <fstream>
+#include <lua.hpp>
 #include <sstream>
 
 namespace flyrock {
@@ -52,7 +51,8 @@ const LuaFile* SourceFiles::read(const std::string& path, const std::string& sho
 }
 
 const LuaFile* SourceFiles::of_chunk(const std::string& chunk) const {
-  for (auto file = files_.rbegin(); file != files_.rend(); ++file)  // a file that was read again: the last text
+  for (auto file = files_.rbegin(); file != files_.rend();
+       ++file)  // a file that was read again: the last text
     if (chunk == "@" + (*file)->source->name) return file->get();
   return nullptr;
 }
@@ -65,7 +65,9 @@ std::pair<Location, std::string> SourceFiles::split_message(const std::string& m
     if (message.compare(0, prefix.size(), prefix) != 0) continue;
     const std::size_t end = message.find(": ", prefix.size());
     const std::string line = message.substr(prefix.size(), end - prefix.size());
-    if (end == message.npos || line.empty() || line.size() > 9 || line.find_first_not_of("0123456789") != line.npos) continue;
+    if (end == message.npos || line.empty() || line.size() > 9 ||
+        line.find_first_not_of("0123456789") != line.npos)
+      continue;
     return {Location{file->source, std::stoi(line), 1}, message.substr(end + 2)};
   }
   return {Location{otherwise.source, 0, 0}, message};

@@ -11,10 +11,10 @@
 namespace flyrock {
 
 struct LuaFile {
-  std::string path;                        ///< to open
-  std::string folder;                      ///< in which it stands
+  std::string path;    ///< to open
+  std::string folder;  ///< in which it stands
   std::string text;
-  std::shared_ptr<const Source> source;    ///< its name as shown, and its lines
+  std::shared_ptr<const Source> source;  ///< its name as shown, and its lines
 };
 
 /// The bytes of a file, or nothing.

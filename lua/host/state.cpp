@@ -1,11 +1,10 @@
 #include "host/state.h"
 
-#include <lua.hpp>
+#include <fmt/format.h>
 
 #include <exception>
+#include <lua.hpp>
 #include <new>
-
-#include <fmt/format.h>
 
 namespace flyrock {
 

@@ -27,8 +27,9 @@ class LuaState {
   /// exceptions of the body pass through.
   template <class Body>
   void run(double instructions, Body&& body) {
-    run_protected(instructions, [](void* data, lua_State* lua) { (*static_cast<std::remove_reference_t<Body>*>(data))(lua); },
-                  &body);
+    run_protected(
+        instructions,
+        [](void* data, lua_State* lua) { (*static_cast<std::remove_reference_t<Body>*>(data))(lua); }, &body);
   }
 
   /// Lets go of a value kept with luaL_ref.

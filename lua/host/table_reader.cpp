@@ -1,8 +1,8 @@
 #include "host/table_reader.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #include "host/locate.h"
 #include "units/units.h"
@@ -26,7 +26,10 @@ const Value* TableReader::field(const std::string& name) {
 void TableReader::error(const std::string& name, const std::string& text, const Location* at) {
   failed_ = true;
   const Value* value = table_.find(name);
-  diagnostics_.error(at ? *at : value ? value->at : table_.at, name.empty() ? path_ : join_path(path_, name), text);
+  diagnostics_.error(at      ? *at
+                     : value ? value->at
+                             : table_.at,
+                     name.empty() ? path_ : join_path(path_, name), text);
 }
 
 void TableReader::wrong_type(const std::string& name, const Value& value, const std::string& expected) {
@@ -42,9 +45,15 @@ std::optional<T> TableReader::scalar(const std::string& name, const std::string&
   return std::nullopt;
 }
 
-std::optional<double> TableReader::number(const std::string& name) { return scalar<double>(name, "a number"); }
-std::optional<bool> TableReader::boolean(const std::string& name) { return scalar<bool>(name, "true or false"); }
-std::optional<std::string> TableReader::text(const std::string& name) { return scalar<std::string>(name, "text"); }
+std::optional<double> TableReader::number(const std::string& name) {
+  return scalar<double>(name, "a number");
+}
+std::optional<bool> TableReader::boolean(const std::string& name) {
+  return scalar<bool>(name, "true or false");
+}
+std::optional<std::string> TableReader::text(const std::string& name) {
+  return scalar<std::string>(name, "text");
+}
 
 template <class T>
 std::optional<std::vector<T>> TableReader::list_of(const std::string& name, const std::string& expected) {
@@ -68,8 +77,10 @@ std::optional<std::vector<double>> TableReader::numbers(const std::string& name)
 
 std::string TableReader::required_text(const std::string& name) {
   const std::string found = text(name).value_or("");
-  if (!table_.find(name)) error(name, "missing, expected text");
-  else if (found.empty() && table_.find(name)->text()) error(name, "empty, expected text");
+  if (!table_.find(name))
+    error(name, "missing, expected text");
+  else if (found.empty() && table_.find(name)->text())
+    error(name, "empty, expected text");
   return found;
 }
 

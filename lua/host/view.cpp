@@ -1,8 +1,8 @@
 #include "host/view.h"
 
-#include <lua.hpp>
-
 #include <fmt/format.h>
+
+#include <lua.hpp>
 
 #include "host/read_only.h"
 #include "host/state.h"
@@ -10,7 +10,8 @@
 
 namespace flyrock {
 
-View::View(lua_State* lua, const ViewType& type, const std::vector<std::pair<std::string_view, int>>& fields) {
+View::View(lua_State* lua, const ViewType& type,
+           const std::vector<std::pair<std::string_view, int>>& fields) {
   box_ = static_cast<Box*>(lua_newuserdatauv(lua, sizeof(Box), 0));
   *box_ = {&type, nullptr};
   lua_createtable(lua, 0, 3);
@@ -39,7 +40,8 @@ void View::close() { box_->object = nullptr; }
 
 int View::index(lua_State* lua) {
   const Box& box = *static_cast<Box*>(lua_touserdata(lua, 1));
-  if (!box.object) raise(lua, fmt::format("`{}` is valid only during the call that it was passed to", box.type->name));
+  if (!box.object)
+    raise(lua, fmt::format("`{}` is valid only during the call that it was passed to", box.type->name));
   lua_pushvalue(lua, 2);
   if (lua_rawget(lua, lua_upvalueindex(1)) == LUA_TNUMBER) {
     box.type->push(lua, box.object, static_cast<int>(lua_tointeger(lua, -1)));
@@ -58,7 +60,8 @@ const void* viewed(lua_State* lua, int index, const ViewType& type) {
   const auto* box = static_cast<const View::Box*>(lua_touserdata(lua, index));  // all our userdata are boxes
   if (!box || box->type != &type)
     raise(lua, fmt::format("a method of `{0}` was called without it: write {0}:method(...)", type.name));
-  if (!box->object) raise(lua, fmt::format("`{}` is valid only during the call that it was passed to", type.name));
+  if (!box->object)
+    raise(lua, fmt::format("`{}` is valid only during the call that it was passed to", type.name));
   return box->object;
 }
 

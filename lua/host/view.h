@@ -39,7 +39,7 @@ class View {
   static int index(lua_State* lua);
   static int refuse_write(lua_State* lua);
 
-  Box* box_;       // lives as long as the reference
+  Box* box_;  // lives as long as the reference
   int reference_;
 };
 

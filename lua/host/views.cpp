@@ -1,10 +1,9 @@
 #include "host/views.h"
 
-#include <lua.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
-
-#include <fmt/format.h>
+#include <lua.hpp>
 
 #include "host/state.h"
 
@@ -21,39 +20,53 @@ void push_point(lua_State* lua, const Vec2& point) { push_vector(lua, {point.x()
 void push_contact(lua_State* lua, const void* object, int field) {
   const auto& contact = *static_cast<const ContactState*>(object);
   const ContactField& info = contact_fields()[field];
-  if (info.number) lua_pushnumber(lua, contact.*info.number);
-  else push_text(lua, contact.*info.text);
+  if (info.number)
+    lua_pushnumber(lua, contact.*info.number);
+  else
+    push_text(lua, contact.*info.text);
 }
 constexpr ViewType contact_type{"contact", push_contact};
 
 // rock
 
-constexpr std::string_view rock_names[] = {"dimension", "mass",       "volume", "density",  "diameter", "position",
-                                           "outward",   "face_angle", "group",  "direction"};
+constexpr std::string_view rock_names[] = {"dimension", "mass",    "volume",     "density", "diameter",
+                                           "position",  "outward", "face_angle", "group",   "direction"};
 
 int direction(lua_State* lua);
 
 void push_rock(lua_State* lua, const void* object, int field) {
   const auto& rock = *static_cast<const RockView*>(object);
   switch (field) {
-    case 0: return lua_pushinteger(lua, rock.dimension);
-    case 1: return lua_pushnumber(lua, rock.mass);
-    case 2: return lua_pushnumber(lua, rock.volume);
-    case 3: return lua_pushnumber(lua, rock.density);
-    case 4: return lua_pushnumber(lua, rock.diameter);
-    case 5: return push_vector(lua, rock.position, rock.dimension);
-    case 6: return push_vector(lua, rock.outward, rock.dimension);
-    case 7: return lua_pushnumber(lua, rock.face_angle);
-    case 8: return push_text(lua, rock.group);
-    default: return lua_pushcfunction(lua, guarded<direction>);
+    case 0:
+      return lua_pushinteger(lua, rock.dimension);
+    case 1:
+      return lua_pushnumber(lua, rock.mass);
+    case 2:
+      return lua_pushnumber(lua, rock.volume);
+    case 3:
+      return lua_pushnumber(lua, rock.density);
+    case 4:
+      return lua_pushnumber(lua, rock.diameter);
+    case 5:
+      return push_vector(lua, rock.position, rock.dimension);
+    case 6:
+      return push_vector(lua, rock.outward, rock.dimension);
+    case 7:
+      return lua_pushnumber(lua, rock.face_angle);
+    case 8:
+      return push_text(lua, rock.group);
+    default:
+      return lua_pushcfunction(lua, guarded<direction>);
   }
 }
 constexpr ViewType rock_type{"rock", push_rock};
 
 int direction(lua_State* lua) {
   const auto& rock = *static_cast<const RockView*>(viewed(lua, 1, rock_type));
-  push_vector(lua, direction_velocity(rock, luaL_checknumber(lua, 2), luaL_checknumber(lua, 3), luaL_optnumber(lua, 4, 0)),
-              rock.dimension);
+  push_vector(
+      lua,
+      direction_velocity(rock, luaL_checknumber(lua, 2), luaL_checknumber(lua, 3), luaL_optnumber(lua, 4, 0)),
+      rock.dimension);
   return 1;
 }
 
@@ -65,7 +78,8 @@ constexpr int undeclared = 1000;
 void push_blast(lua_State* lua, const void* object, int field) {
   const BlastFieldInfo& info = blast_fields()[field % undeclared];
   if (field >= undeclared)
-    raise(lua, fmt::format("`blast.{}` is not declared: add \"blast.{}\" to `reads` of the manifest", info.name, info.path));
+    raise(lua, fmt::format("`blast.{}` is not declared: add \"blast.{}\" to `reads` of the manifest",
+                           info.name, info.path));
   lua_pushnumber(lua, (*static_cast<const Blast*>(object))[info.field]);
 }
 constexpr ViewType blast_type{"blast", push_blast};
@@ -86,9 +100,12 @@ void push_terrain(lua_State* lua, const void* object, int field) {
     }
   };
   switch (field) {
-    case 0: return lua_pushnumber(lua, terrain.x_min());
-    case 1: return lua_pushnumber(lua, terrain.x_max());
-    case 2: return push_list(terrain.points, [&](const Vec2& point) { push_point(lua, point); });
+    case 0:
+      return lua_pushnumber(lua, terrain.x_min());
+    case 1:
+      return lua_pushnumber(lua, terrain.x_max());
+    case 2:
+      return push_list(terrain.points, [&](const Vec2& point) { push_point(lua, point); });
     case 3:
       return push_list(terrain.faces, [&](const Profile::Face& face) {
         lua_createtable(lua, 0, 2);
@@ -97,7 +114,8 @@ void push_terrain(lua_State* lua, const void* object, int field) {
         push_point(lua, face.crest);
         lua_setfield(lua, -2, "crest");
       });
-    default: return lua_pushcfunction(lua, guarded<height>);
+    default:
+      return lua_pushcfunction(lua, guarded<height>);
   }
 }
 constexpr ViewType terrain_type{"terrain", push_terrain};
@@ -106,7 +124,8 @@ int height(lua_State* lua) {
   const auto& terrain = *static_cast<const Profile*>(viewed(lua, 1, terrain_type));
   const double x = luaL_checknumber(lua, 2);
   if (!(x >= terrain.x_min() && x <= terrain.x_max()))
-    raise(lua, fmt::format("terrain:height({:.6g}): expected x from {:.6g} to {:.6g}", x, terrain.x_min(), terrain.x_max()));
+    raise(lua, fmt::format("terrain:height({:.6g}): expected x from {:.6g} to {:.6g}", x, terrain.x_min(),
+                           terrain.x_max()));
   lua_pushnumber(lua, terrain.height(x));
   return 1;
 }
@@ -132,8 +151,10 @@ RandomStream& stream(lua_State* lua) {
 
 int uniform(lua_State* lua) {
   RandomStream& rng = stream(lua);
-  if (lua_gettop(lua) == 1) lua_pushnumber(lua, rng.uniform());
-  else lua_pushnumber(lua, rng.uniform(luaL_checknumber(lua, 2), luaL_checknumber(lua, 3)));
+  if (lua_gettop(lua) == 1)
+    lua_pushnumber(lua, rng.uniform());
+  else
+    lua_pushnumber(lua, rng.uniform(luaL_checknumber(lua, 2), luaL_checknumber(lua, 3)));
   return 1;
 }
 
@@ -162,7 +183,8 @@ std::vector<std::pair<std::string_view, int>> numbered(const std::string_view (&
 
 View contact_view(lua_State* lua) {
   std::vector<std::pair<std::string_view, int>> fields;
-  for (const ContactField& field : contact_fields()) fields.emplace_back(field.name, static_cast<int>(fields.size()));
+  for (const ContactField& field : contact_fields())
+    fields.emplace_back(field.name, static_cast<int>(fields.size()));
   return View(lua, contact_type, fields);
 }
 
@@ -171,8 +193,8 @@ View rock_view(lua_State* lua) { return View(lua, rock_type, numbered(rock_names
 View blast_view(lua_State* lua, const PluginSpec& spec) {
   std::vector<std::pair<std::string_view, int>> fields;
   for (const BlastFieldInfo& field : blast_fields()) {
-    const bool declared =
-        std::find(spec.reads.begin(), spec.reads.end(), fmt::format("blast.{}", field.path)) != spec.reads.end();
+    const bool declared = std::find(spec.reads.begin(), spec.reads.end(),
+                                    fmt::format("blast.{}", field.path)) != spec.reads.end();
     fields.emplace_back(field.name, static_cast<int>(fields.size()) + (declared ? 0 : undeclared));
   }
   return View(lua, blast_type, fields);

@@ -1,15 +1,14 @@
 #pragma once
 // A session with a folder of its own for files that a test writes.
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
-
-#include <unistd.h>
-
-#include <fmt/format.h>
 
 #include "host/session.h"
 
@@ -42,8 +41,8 @@ struct LuaFixture {
     });
     std::string text;
     for (const auto& one : all)
-      text += fmt::format("{}:{}:{}: {}{}{}\n", one.at.source ? one.at.source->name : "", one.at.line, one.at.column, one.path,
-                          one.path.empty() ? "" : ": ", one.text);
+      text += fmt::format("{}:{}:{}: {}{}{}\n", one.at.source ? one.at.source->name : "", one.at.line,
+                          one.at.column, one.path, one.path.empty() ? "" : ": ", one.text);
     return text;
   }
 };

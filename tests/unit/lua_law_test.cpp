@@ -1,7 +1,6 @@
 // Contact laws written in Lua: what they get, what they may answer, how their errors read.
 
 #include <catch2/catch.hpp>
-
 #include <chrono>
 
 #include "plugin/registry.h"
@@ -34,7 +33,8 @@ std::vector<double> values_of(const PluginUse& use) {
 }
 
 std::string restitution(const std::string& params, const std::string& function) {
-  return "local fr = require 'flyrock'\nreturn fr.plugin {\n  kind = 'restitution', name = 'my_law', doc = 'd',\n  params = {" +
+  return "local fr = require 'flyrock'\nreturn fr.plugin {\n  kind = 'restitution', name = 'my_law', doc = "
+         "'d',\n  params = {" +
          params + "},\n  impact = " + function + "\n}\n";
 }
 
@@ -93,7 +93,8 @@ TEST_CASE("every field of a contact reaches Lua unchanged") {
     const auto law = make_instance<RestitutionLaw>(use, 2);
     RandomStream rng(1, "test", {});
     const ContactState contact = sampled_contact(rng);
-    const double expected = field.number ? contact.*field.number : static_cast<double>((contact.*field.text).size());
+    const double expected =
+        field.number ? contact.*field.number : static_cast<double>((contact.*field.text).size());
     CHECK(law->impact({}, contact).e_n == expected);
   }
 }
@@ -141,13 +142,15 @@ TEST_CASE("a law that takes its parameters alone is constant") {
   LuaFixture lua;
   lua.write("a.lua", restitution("en = fr.number { default = 1 }", "function(p) return p.en end"));
   REQUIRE(lua.load("a.lua") == "");
-  CHECK(make_instance<RestitutionLaw>(use_of(lua.session, PluginKind::restitution, "my_law", {1.0}), 2)->constant());
+  CHECK(make_instance<RestitutionLaw>(use_of(lua.session, PluginKind::restitution, "my_law", {1.0}), 2)
+            ->constant());
 }
 
 TEST_CASE("wrong answers of a law name the plugin, the place and what was expected") {
   CHECK(failure("function(p, c) return -0.2 end") ==
         "plugin my_law, my_law.lua:5: impact() returned e_n = -0.2, must be at least 0");
-  CHECK(failure("function(p, c) end") == "plugin my_law, my_law.lua:5: impact() returned nil for e_n, expected a number");
+  CHECK(failure("function(p, c) end") ==
+        "plugin my_law, my_law.lua:5: impact() returned nil for e_n, expected a number");
   CHECK(failure("function(p, c) return '0.5' end") ==
         "plugin my_law, my_law.lua:5: impact() returned string for e_n, expected a number");
   CHECK(failure("function(p, c) return 0.5, true end") ==
@@ -159,18 +162,22 @@ TEST_CASE("wrong answers of a law name the plugin, the place and what was expect
 }
 
 TEST_CASE("errors while a law runs name the line") {
-  CHECK(failure("function(p, c)\n    return c.aproach_speed\n  end") ==
-        "plugin my_law, my_law.lua:6: `contact` has no field `aproach_speed`, did you mean `approach_speed`?");
-  CHECK(failure("function(p, c)\n    return p.em\n  end") == "plugin my_law, my_law.lua:6: `p` has no field `em`");
+  CHECK(
+      failure("function(p, c)\n    return c.aproach_speed\n  end") ==
+      "plugin my_law, my_law.lua:6: `contact` has no field `aproach_speed`, did you mean `approach_speed`?");
+  CHECK(failure("function(p, c)\n    return p.em\n  end") ==
+        "plugin my_law, my_law.lua:6: `p` has no field `em`");
   CHECK(failure("function(p, c)\n    return nil + 1\n  end") ==
         "plugin my_law, my_law.lua:6: attempt to perform arithmetic on a nil value");
   CHECK(failure("function(p, c)\n    c.gap = 1\n    return 1\n  end") ==
         "plugin my_law, my_law.lua:6: `contact` cannot be changed");
-  CHECK(failure("function(p, c)\n    p.en = 1\n    return 1\n  end") == "plugin my_law, my_law.lua:6: `p` cannot be changed");
+  CHECK(failure("function(p, c)\n    p.en = 1\n    return 1\n  end") ==
+        "plugin my_law, my_law.lua:6: `p` cannot be changed");
   CHECK(failure("function(p, c) error({}) end") ==
         "plugin my_law, my_law.lua:5: impact() raised an error that is no text but a table");
   CHECK(failure("function(p, c)\n    counter = 1\n  end") ==
-        "plugin my_law, my_law.lua:6: globals are frozen after loading: `counter` cannot be set, use a local variable");
+        "plugin my_law, my_law.lua:6: globals are frozen after loading: `counter` cannot be set, use a local "
+        "variable");
 }
 
 TEST_CASE("a view that a plugin kept is refused after the call") {
@@ -200,18 +207,23 @@ fr.plugin { kind = "unilateral", name = "v", doc = "d", condition = function(p) 
 )");
   REQUIRE(lua.load("laws.lua") == "");
   const auto friction = [&](const std::string& name) {
-    return make_instance<FrictionLaw>(use_of(lua.session, PluginKind::friction, name, {}), 2)->friction({}, {});
+    return make_instance<FrictionLaw>(use_of(lua.session, PluginKind::friction, name, {}), 2)
+        ->friction({}, {});
   };
   CHECK(friction("two").mu_d == 0.4);
   CHECK(friction("one").mu_d == 0.6);
   ContactState contact;
   contact.radius = 0.5;
-  CHECK(make_instance<RollingLaw>(use_of(lua.session, PluginKind::rolling, "r", {}), 2)->rolling({}, contact) == 0.05);
+  CHECK(
+      make_instance<RollingLaw>(use_of(lua.session, PluginKind::rolling, "r", {}), 2)->rolling({}, contact) ==
+      0.05);
   const auto condition = [&](const std::string& name) {
-    return make_instance<UnilateralLaw>(use_of(lua.session, PluginKind::unilateral, name, {}), 2)->condition({}, {});
+    return make_instance<UnilateralLaw>(use_of(lua.session, PluginKind::unilateral, name, {}), 2)
+        ->condition({}, {});
   };
   CHECK(condition("u") == NormalCondition::signorini);
-  CHECK_THROWS_WITH(condition("v"), "plugin v, laws.lua:6: condition() returned \"glue\", expected \"signorini\"");
+  CHECK_THROWS_WITH(condition("v"),
+                    "plugin v, laws.lua:6: condition() returned \"glue\", expected \"signorini\"");
 }
 
 TEST_CASE("a call of a law in Lua is fast", "[slow]") {

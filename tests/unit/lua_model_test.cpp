@@ -12,7 +12,8 @@ namespace {
 /// A session with one plugin whose entry function is given.
 struct OnePlugin : LuaFixture {
   OnePlugin(const std::string& kind, const std::string& fields) {
-    write("m.lua", "local fr = require 'flyrock'\nreturn fr.plugin { kind = '" + kind + "', name = 'm', doc = 'd',\n" + fields + " }");
+    write("m.lua", "local fr = require 'flyrock'\nreturn fr.plugin { kind = '" + kind +
+                       "', name = 'm', doc = 'd',\n" + fields + " }");
     INFO(fields);
     CHECK(load("m.lua") == "");
   }
@@ -36,20 +37,25 @@ Profile terrain(const std::string& answer) {
 
 TEST_CASE("a shape in Lua is a disk, a polygon or several contactors") {
   CHECK(shape("{ radius = 0.5 }").front().radius == 0.5);
-  const auto square = shape("{ vertices = { {0, 0}, {0, 1}, {1, 1}, {1, 0} } }");  // clockwise is turned round
+  const auto square =
+      shape("{ vertices = { {0, 0}, {0, 1}, {1, 1}, {1, 0} } }");  // clockwise is turned round
   CHECK(area_properties(square).area == Approx(1));
   CHECK(shape("{ { radius = 1, centre = { -2, 0 } }, { radius = 1, centre = { 2, 0 } } }").size() == 2);
-  CHECK_THROWS_WITH(shape("{ radius = -1 }"), "plugin m, m.lua:3: build() returned radius = -1, expected a number above 0");
+  CHECK_THROWS_WITH(shape("{ radius = -1 }"),
+                    "plugin m, m.lua:3: build() returned radius = -1, expected a number above 0");
   CHECK_THROWS_WITH(shape("{ vertices = { {0, 0}, {1} , {1, 1} } }"),
                     "plugin m, m.lua:3: build() returned vertices[1] = a list, expected { x, y }");
   CHECK_THROWS_WITH(shape("{ radious = 1 }"),
                     "plugin m, m.lua:3: build() returned the unknown field radious, did you mean `radius`?");
   CHECK_THROWS_WITH(shape("nil"), Catch::Contains("build() returned"));
-  CHECK_THROWS_WITH(shape("{ vertices = { {0, 0}, {1, 0} , {2, 0} } }"), Catch::StartsWith("plugin m, m.lua:3: build() returned vertices: "));
+  CHECK_THROWS_WITH(shape("{ vertices = { {0, 0}, {1, 0} , {2, 0} } }"),
+                    Catch::StartsWith("plugin m, m.lua:3: build() returned vertices: "));
 }
 
 TEST_CASE("a shape draws from the stream that it is passed") {
-  OnePlugin lua("shape", "build = function(p, rng) return { radius = rng:uniform(1, 2) + rng:integer(1, 3) + rng:normal() * 0 } end");
+  OnePlugin lua("shape",
+                "build = function(p, rng) return { radius = rng:uniform(1, 2) + rng:integer(1, 3) + "
+                "rng:normal() * 0 } end");
   const auto made = make<ShapeModel>(lua.session, PluginKind::shape, "m", {});
   auto rng = stream(), same = stream();
   const double expected = same.uniform(1, 2) + static_cast<double>(same.integer(1, 3)) + same.normal() * 0;
@@ -57,21 +63,26 @@ TEST_CASE("a shape draws from the stream that it is passed") {
 }
 
 TEST_CASE("a terrain in Lua has points, parts and faces") {
-  const Profile profile = terrain("{ points = { {0, 5}, {1, 0}, {9, 0} }, parts = { 'face', 'floor' }, "
-                                  "faces = { { toe = {1, 0}, crest = {0, 5} } } }");
+  const Profile profile = terrain(
+      "{ points = { {0, 5}, {1, 0}, {9, 0} }, parts = { 'face', 'floor' }, "
+      "faces = { { toe = {1, 0}, crest = {0, 5} } } }");
   CHECK(profile.parts == std::vector<std::string>{"face", "floor"});
   CHECK(profile.part == std::vector<int>{0, 1});
   CHECK(profile.faces.at(0).crest.y() == 5);
   CHECK(terrain("{ points = { {0, 0}, {1, 0} } }").parts == std::vector<std::string>{""});
-  CHECK_THROWS_WITH(terrain("{ points = { {0, 0}, {1, 0} }, parts = {} }"),
-                    "plugin m, m.lua:3: build() returned 0 parts, expected 1: one for each segment between two points");
-  CHECK_THROWS_WITH(terrain("{ points = { {0, 0}, {-1, 0} } }"), Catch::StartsWith("plugin m, m.lua:3: build() returned points: "));
+  CHECK_THROWS_WITH(
+      terrain("{ points = { {0, 0}, {1, 0} }, parts = {} }"),
+      "plugin m, m.lua:3: build() returned 0 parts, expected 1: one for each segment between two points");
+  CHECK_THROWS_WITH(terrain("{ points = { {0, 0}, {-1, 0} } }"),
+                    Catch::StartsWith("plugin m, m.lua:3: build() returned points: "));
 }
 
 TEST_CASE("a velocity in Lua reads the rock and the fields of the blast that it declares") {
-  OnePlugin lua("velocity", "reads = { 'blast.hole.diameter' }, params = { v = fr.number { default = 36, unit = 'km/h' } },\n"
-                            "launch = function(p, rock, blast, rng)\n"
-                            "  return { velocity = rock:direction(p.v, 0), spin = blast.hole_diameter * rock.mass } end");
+  OnePlugin lua(
+      "velocity",
+      "reads = { 'blast.hole.diameter' }, params = { v = fr.number { default = 36, unit = 'km/h' } },\n"
+      "launch = function(p, rock, blast, rng)\n"
+      "  return { velocity = rock:direction(p.v, 0), spin = blast.hole_diameter * rock.mass } end");
   const auto made = make<VelocityModel>(lua.session, PluginKind::velocity, "m", {});
   RockView rock;
   rock.mass = 20;
@@ -84,16 +95,19 @@ TEST_CASE("a velocity in Lua reads the rock and the fields of the blast that it 
   CHECK(launch.velocity.y() == Approx(0).margin(1e-12));
   CHECK(launch.spin.z() == 0.1 * 20);
 
-  OnePlugin greedy("velocity", "launch = function(p, rock, blast) return { velocity = { blast.burden, 0 } } end");
+  OnePlugin greedy("velocity",
+                   "launch = function(p, rock, blast) return { velocity = { blast.burden, 0 } } end");
   const auto undeclared = make<VelocityModel>(greedy.session, PluginKind::velocity, "m", {});
-  CHECK_THROWS_WITH(undeclared.model->launch({}, rock, blast, rng),
-                    "plugin m, m.lua:3: `blast.burden` is not declared: add \"blast.burden\" to `reads` of the manifest");
+  CHECK_THROWS_WITH(
+      undeclared.model->launch({}, rock, blast, rng),
+      "plugin m, m.lua:3: `blast.burden` is not declared: add \"blast.burden\" to `reads` of the manifest");
 }
 
 TEST_CASE("a population in Lua places its rocks on the terrain") {
-  OnePlugin lua("population", "rocks = function(p, terrain, blast, rng)\n"
-                              "  return { { radius = 0.5, position = { 1, terrain:height(1) + 0.5 } }, { angle = 1 },\n"
-                              "           { shape = { { radius = 1 }, { radius = 2 } } } } end");
+  OnePlugin lua("population",
+                "rocks = function(p, terrain, blast, rng)\n"
+                "  return { { radius = 0.5, position = { 1, terrain:height(1) + 0.5 } }, { angle = 1 },\n"
+                "           { shape = { { radius = 1 }, { radius = 2 } } } } end");
   const auto made = make<Population>(lua.session, PluginKind::population, "m", {});
   Profile profile;
   profile.points = {{0, 2}, {4, 2}};

@@ -1,7 +1,6 @@
 // The sandbox: what is there, what is not, and budgets that nothing swallows.
 
 #include <catch2/catch.hpp>
-
 #include <chrono>
 
 #include "host/state.h"
@@ -48,15 +47,18 @@ TEST_CASE("an error of Lua unwinds C++ frames") {
 
 TEST_CASE("what would open the sandbox is not there, and says why") {
   CHECK(failure("io.open('x')") == "`io` is not available here: plugins and scenarios do not touch files");
-  CHECK(failure("os.time()") == "`os` is not available here: plugins and scenarios do not touch the system or the clock");
+  CHECK(failure("os.time()") ==
+        "`os` is not available here: plugins and scenarios do not touch the system or the clock");
   CHECK(failure("debug.getinfo(1)") == "`debug` is not available here: it would open the sandbox");
-  CHECK(failure("load('return 1')") == "`load` is not available here: code is loaded from files with `require`");
+  CHECK(failure("load('return 1')") ==
+        "`load` is not available here: code is loaded from files with `require`");
   CHECK(failure("local x = string.dump(print)") == "`string` has no field `dump`");
   CHECK(failure("print(maht)") == "`maht` is not defined, did you mean `math`?");
   CHECK(failure("math.random()").starts_with("math.random is not available here: use the stream `rng`"));
   CHECK(failure("math.floor = nil") == "`math` cannot be changed");
   CHECK(failure("setmetatable(math, {})") == "this table is protected: it keeps its metatable");
-  CHECK(failure("setmetatable({}, { __gc = function() end })") == "the metamethod __gc is not available here");
+  CHECK(failure("setmetatable({}, { __gc = function() end })") ==
+        "the metamethod __gc is not available here");
   CHECK(failure("getmetatable('').__index.upper = nil") == "attempt to index a boolean value");
   CHECK(failure("local _, t = pairs(math)\nt.floor = nil") == "attempt to index a nil value (local 't')");
   LuaFixture lua;
@@ -83,7 +85,8 @@ TEST_CASE("pairs and next go in a fixed order") {
 TEST_CASE("texts show no addresses") {
   CHECK(failure("assert(tostring({}) == 'table' and tostring(print) == 'function')\n"
                 "assert(('%s %d'):format({}, 3) == 'table 3')") == "");
-  CHECK(failure("local s = ('%p'):format({})") == "the format %p is not available here: addresses differ from run to run");
+  CHECK(failure("local s = ('%p'):format({})") ==
+        "the format %p is not available here: addresses differ from run to run");
 }
 
 TEST_CASE("ordinary Lua works in the sandbox") {
@@ -140,7 +143,8 @@ TEST_CASE("text patterns match as in Lua") {
     local words = {}
     for w, n in ("one=1, two=2"):gmatch("(%a+)=(%d)") do words[#words + 1] = w .. n end
     assert(table.concat(words, ";") == "one1;two2")
-    for _, bad in ipairs { "%", "[a", "(a", "(a))", "%b", "%f", "%1" } do assert(not pcall(string.find, "aaa", bad), bad) end)lua") == "");
+    for _, bad in ipairs { "%", "[a", "(a", "(a))", "%b", "%f", "%1" } do assert(not pcall(string.find, "aaa", bad), bad) end)lua") ==
+        "");
 }
 
 TEST_CASE("budgets end what does not end, and nothing swallows that", "[slow]") {
@@ -148,9 +152,13 @@ TEST_CASE("budgets end what does not end, and nothing swallows that", "[slow]") 
   const std::string instructions = "used more than its 100000000 instructions";
   CHECK(failure("while true do end") == instructions);
   CHECK(failure("while true do pcall(function() while true do end end) end") == instructions);
-  CHECK(failure("while true do xpcall(function() while true do end end, function() while true do end end) end") == instructions);
-  CHECK(failure("local co = coroutine.create(function() while true do end end)\nwhile true do coroutine.resume(co) end") == instructions);
-  CHECK(failure("local t = setmetatable({}, { __index = function() while true do end end })\nwhile true do pcall(function() return t.x end) end") == instructions);
+  CHECK(failure(
+            "while true do xpcall(function() while true do end end, function() while true do end end) end") ==
+        instructions);
+  CHECK(failure("local co = coroutine.create(function() while true do end end)\nwhile true do "
+                "coroutine.resume(co) end") == instructions);
+  CHECK(failure("local t = setmetatable({}, { __index = function() while true do end end })\nwhile true do "
+                "pcall(function() return t.x end) end") == instructions);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   CHECK(spent.count() < 5 * 4.5);
 }
@@ -160,9 +168,12 @@ TEST_CASE("functions of C pay for their loops", "[slow]") {
   CHECK(failure("table.move({}, 1, 1e15, 2)") == instructions);
   CHECK(failure("(''):rep(1e15)") != "");
   CHECK(failure("local s = ('a'):rep(100)\nlocal x = s:find(('a*'):rep(50) .. 'b')") == instructions);
-  CHECK(failure("local s = ('a'):rep(1e6)\nlocal x = s:find(('a'):rep(1e5) .. 'b', 1, true)") == instructions);
-  CHECK(failure("table.concat(setmetatable({}, { __len = function() return 1e15 // 1 | 0 end, __index = type }))") != "");
-  CHECK(failure("table.insert(setmetatable({}, { __len = function() return 1 << 60 end }), 1, 1)") == instructions);
+  CHECK(failure("local s = ('a'):rep(1e6)\nlocal x = s:find(('a'):rep(1e5) .. 'b', 1, true)") ==
+        instructions);
+  CHECK(failure("table.concat(setmetatable({}, { __len = function() return 1e15 // 1 | 0 end, __index = type "
+                "}))") != "");
+  CHECK(failure("table.insert(setmetatable({}, { __len = function() return 1 << 60 end }), 1, 1)") ==
+        instructions);
 }
 
 TEST_CASE("memory has an end that nothing swallows", "[slow]") {
@@ -170,5 +181,6 @@ TEST_CASE("memory has an end that nothing swallows", "[slow]") {
   const std::string grow = "local t, s = {}, ('x'):rep(10000)\nfor i = 1, 1e9 do t[i] = s .. i end";
   CHECK(failure(grow) == memory);
   CHECK(failure("while true do pcall(function() " + grow + " end) end") == memory);
-  CHECK(failure("local f = function() " + grow + " end\nwhile true do pcall(coroutine.wrap(f)) end") == memory);
+  CHECK(failure("local f = function() " + grow + " end\nwhile true do pcall(coroutine.wrap(f)) end") ==
+        memory);
 }

@@ -55,7 +55,8 @@ rock_contacts: false
 rocks: [{ name: a, per_trial: 1 }, { name: b, per_trial: 1 }]
 terrain: { face_angle: 70 deg, heights: [2, 4, 6], type: benches }
 title: 'A "quoted" title'
-)", "x.yaml", diagnostics);
+)",
+                              "x.yaml", diagnostics);
   REQUIRE(yaml);
   CHECK(to_json(*reading.value) == to_json(*yaml));
 }
@@ -101,10 +102,14 @@ return fr.scenario { materials = { a = { rolling = { type = "mine" } } } })");
 
 TEST_CASE("what is wrong with a scenario in Lua") {
   const std::string head = "local fr = require 'flyrock'\n";
-  CHECK(messages(head + "return { title = 't' }") == "x.lua:1:1: returns something else, expected `return fr.scenario { ... }` at its end\n");
-  CHECK(messages(head + "local s = fr.scenario {}") == "x.lua:1:1: returns nothing, expected `return fr.scenario { ... }` at its end\n");
-  CHECK(messages(head + "return fr.scenario(5)") == "x.lua:2:1: fr.scenario takes a table: fr.scenario { ... }\n");
-  CHECK(messages(head + "return fr.scenarios {}") == "x.lua:2:1: `fr` has no field `scenarios`, did you mean `scenario`?\n");
+  CHECK(messages(head + "return { title = 't' }") ==
+        "x.lua:1:1: returns something else, expected `return fr.scenario { ... }` at its end\n");
+  CHECK(messages(head + "local s = fr.scenario {}") ==
+        "x.lua:1:1: returns nothing, expected `return fr.scenario { ... }` at its end\n");
+  CHECK(messages(head + "return fr.scenario(5)") ==
+        "x.lua:2:1: fr.scenario takes a table: fr.scenario { ... }\n");
+  CHECK(messages(head + "return fr.scenarios {}") ==
+        "x.lua:2:1: `fr` has no field `scenarios`, did you mean `scenario`?\n");
   CHECK(messages(head + "return fr.scenario {\n  title = print, en = 0/0,\n  g = 1/0 }") ==
         "x.lua:3:11: title: a function, expected a value: functions may stand only in fr.plugin\n"
         "x.lua:3:23: en: nan, expected a finite number\n"
@@ -120,9 +125,10 @@ TEST_CASE("what is wrong with a scenario in Lua") {
   CHECK(messages(head + "return fr.scenario { seed = 9007199254740993 }") ==
         "x.lua:2:29: seed: 9007199254740993, expected a whole number of at most 2^53\n");
   CHECK(messages(head + "return fr.scenario { type = math }") ==
-        "x.lua:2:29: type: a plugin or a library, expected a value: a plugin is used by its name, type = \"NAME\"\n");
-  CHECK(messages(head + "local t = {}\nfor i = 1, 200000 do t[i] = i end\nreturn fr.scenario { a = t }").find("more than 100,000 values") !=
-        std::string::npos);
+        "x.lua:2:29: type: a plugin or a library, expected a value: a plugin is used by its name, type = "
+        "\"NAME\"\n");
+  CHECK(messages(head + "local t = {}\nfor i = 1, 200000 do t[i] = i end\nreturn fr.scenario { a = t }")
+            .find("more than 100,000 values") != std::string::npos);
   CHECK(messages("return fr.scenario {}") == "x.lua:1:1: `fr` is not defined\n");
   CHECK(messages("local x = 1 +\n\n)") == "x.lua:3:1: unexpected symbol near ')'\n");
   CHECK(messages(head + "error('my own words')") == "x.lua:2:1: my own words\n");

@@ -87,13 +87,18 @@ return fr.plugin {
 TEST_CASE("a plugin is native or Lua, with the function of its kind") {
   LuaFixture lua;
   const auto message = [&](const std::string& fields) {
-    lua.write("p.lua", "local fr = require 'flyrock'\nreturn fr.plugin { kind = 'restitution', name = 'p', doc = 'd',\n" + fields + " }");
+    lua.write(
+        "p.lua",
+        "local fr = require 'flyrock'\nreturn fr.plugin { kind = 'restitution', name = 'p', doc = 'd',\n" +
+            fields + " }");
     return lua.load("p.lua");
   };
-  CHECK(message("") == "p.lua:2:1: impact: missing: a restitution needs the function `impact`, or `native`\n");
+  CHECK(message("") ==
+        "p.lua:2:1: impact: missing: a restitution needs the function `impact`, or `native`\n");
   CHECK(message("impact = function(p) return 0 end, native = 'newton'") ==
         "p.lua:3:45: native: both `native` and the function `impact`, expected one of the two\n");
-  CHECK(message("native = 'newton'") == "p.lua:3:10: native: no shared object `newton.so` beside the manifest\n");
+  CHECK(message("native = 'newton'") ==
+        "p.lua:3:10: native: no shared object `newton.so` beside the manifest\n");
   CHECK(message("friction = function(p) return 0 end, impact = function(p) return 0 end") ==
         "p.lua:3:1: friction: a restitution has no function `friction`, expected `impact`\n");
   CHECK(message("form = 'poisson', impact = function(p) return 0 end") ==
@@ -111,8 +116,9 @@ TEST_CASE("files that are no plugins say so") {
         ":0:0: plugins: cannot read `absent.lua`, expected a Lua file, or a folder with plugin.lua in it\n");
   lua.write("twice.lua", R"(local fr = require "flyrock"
 return fr.plugin { kind = "restitution", name = "newton", doc = "again", impact = function(p) return 0 end })");
-  CHECK(lua.load("twice.lua") == "twice.lua:2:49: name: the restitution `newton` is already registered by "
-                                 "plugins/restitution/newton/plugin.lua\n");
+  CHECK(lua.load("twice.lua") ==
+        "twice.lua:2:49: name: the restitution `newton` is already registered by "
+        "plugins/restitution/newton/plugin.lua\n");
 }
 
 TEST_CASE("a plugin may be a folder, and require modules beside it") {
