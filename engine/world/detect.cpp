@@ -127,8 +127,7 @@ void World<D>::match_last() {
 template <int D>
 void World<D>::keep_active(double share_of_size, bool new_overlaps) {
   std::erase_if(contacts_, [&](const Contact& c) {
-    if (c.carried && c.at.gap <= carry_reach(c)) return false;
-    const double closed = 1e-12 + (1e-9 + share_of_size) * contact_size(c);
+    const double closed = c.carried ? carry_reach(c) : 1e-12 + (1e-9 + share_of_size) * contact_size(c);
     return c.at.gap > closed || (!new_overlaps && c.at.gap < -closed);
   });
   for (const Contact& c : contacts_) quality_.max_penetration = std::max(quality_.max_penetration, -c.at.gap);
