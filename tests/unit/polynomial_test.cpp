@@ -11,7 +11,8 @@ TEST_CASE("first_fall finds the first root at which a polynomial falls") {
   const std::array<double, 5> quartic{24, -50, 35, -10, 1};
   CHECK(first_fall(quartic, 0, 10).value() == Approx(1).epsilon(1e-14));
   CHECK(first_fall(quartic, 1.5, 10).value() == Approx(3).epsilon(1e-14));
-  CHECK_FALSE(first_fall(quartic, 3.5, 10));
+  CHECK(first_fall(quartic, 3.5, 10).value() == 3.5);  // below zero and falling
+  CHECK_FALSE(first_fall(quartic, 3.8, 10));          // below zero and rising
   CHECK_FALSE(first_fall(quartic, 0, 0.9));
 }
 
