@@ -105,7 +105,7 @@ void Observer::flew(int body, const Motion2& motion, double start, double dt) {
   if (apex > 0 && apex <= dt) {
     const BodyState top = state(body, motion, apex, start + apex);
     extremes(body, top);
-    if (world_.bodies[body].impacts > 0) h.apexes.push_back({top.time, top.position.y() - first_contact_height_[body]});
+    if (keep_impacts_ && world_.bodies[body].impacts > 0) h.apexes.push_back({top.time, top.position.y() - first_contact_height_[body]});
   }
   clearance(body, motion, dt);
   if (every_ > 0) {

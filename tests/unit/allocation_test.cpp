@@ -1,0 +1,52 @@
+// The step loop does not allocate: a run of ten seconds allocates as often as one of half a second.
+#include <catch2/catch.hpp>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "analytic/lab.h"
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* p = std::malloc(size)) return p;
+  throw std::bad_alloc();
+}
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+
+using namespace flyrock;
+using namespace flyrock::lab;
+
+namespace {
+
+/// Allocations of a run in which a square and a disk fall, bounce, slide and rest on 200 rough segments.
+long allocations_of(double seconds, bool exact) {
+  Profile profile = ground(100, 0.1, 200);
+  for (std::size_t i = 0; i < profile.points.size(); ++i) profile.points[i].y() += 0.1 * std::sin(3.0 * static_cast<double>(i));
+  Material material(0.4, 0.5, 0.05);
+  Bench bench(profile, material);
+  bench.add(box(1, 0.7, 1000, {0, 3}, 0.3));
+  bench.add(disk(0.4, 1000, {3, 4}, {2, 0}));
+  bench.run_settings.exact_flight = exact;
+  bench.run_settings.keep_impacts = false;
+  bench.run_settings.stop_speed = 0;
+  const long before = allocations;
+  bench.run(seconds);
+  const long during = allocations - before;
+  CHECK(bench.world.quality().steps > 100);
+  return during;
+}
+
+}  // namespace
+
+TEST_CASE("the step loop does not allocate") {
+  const bool exact = GENERATE(true, false);
+  const long warm = allocations_of(3, exact);
+  CHECK(allocations_of(12, exact) <= warm + 8);  // a buffer may grow once more
+  CHECK(warm < 400);
+}
