@@ -87,8 +87,11 @@ class Runner {
       if (dt <= h && may_meet(dt)) return step();
     }
     const double start = world_.time;
-    for (int i = 0; i < bodies(); ++i)
-      if (running_[i]) observer_.flew(i, world_.flight_of(i), start, dt);
+    for (int i = 0; i < bodies(); ++i) {
+      if (!running_[i]) continue;
+      observer_.flew(i, world_.flight_of(i), start, dt);
+      if (dt > world_.settings().time_step) rest_since_[i] = -1;  // a body that rests may lose touch for less
+    }
     world_.fly(dt);
     return touch && collide();
   }
