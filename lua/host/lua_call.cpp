@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
+#include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <lua.hpp>
 
 #include "host/read_only.h"
@@ -71,12 +73,15 @@ LuaParameters::LuaParameters(lua_State* lua, const PluginSpec& spec, Params& par
   view_ = luaL_ref(lua, LUA_REGISTRYINDEX);
 }
 
+namespace {
+bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+}  // namespace
+
 void LuaParameters::push(lua_State* lua, Values values) {
   const bool first = last_.size() != values.size();
-  if (first || std::memcmp(last_.data(), values.data(), values.size_bytes()) != 0) {
+  if (first || !std::equal(values.begin(), values.end(), last_.begin(), same_bits)) {
     for (const Field& field : fields_)
-      if (first || std::memcmp(&last_[field.slot], &values[field.slot], sizeof(double)) != 0)
-        set(lua, field, values[field.slot]);
+      if (first || !same_bits(last_[field.slot], values[field.slot])) set(lua, field, values[field.slot]);
     last_.assign(values.begin(), values.end());
   }
   lua_rawgeti(lua, LUA_REGISTRYINDEX, view_);

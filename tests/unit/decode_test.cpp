@@ -214,7 +214,7 @@ TEST_CASE("the resolved scenario decodes to itself") {
   }
 }
 
-TEST_CASE("--set, --seed and --trials") {
+TEST_CASE("the options --set, --seed and --trials") {
   Overrides overrides;
   overrides.set = {"stop.time=5 s", "bodies.ball.mass=2 kg", "bodies.0.position=[1, 2]", "solver.theta=0.6"};
   overrides.seed = 7;
