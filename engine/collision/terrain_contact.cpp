@@ -7,13 +7,8 @@ namespace flyrock {
 
 namespace {
 
-// A normal outside the cone of a corner by less than this angle is taken as on its edge: a polygon that lies flush on
-// a segment is held by the corner at the end of it.
-constexpr double cone_slack = 1e-4;
-
-bool in_cone(const Terrain2& terrain, int corner, const Vec2& direction) {
-  return direction.dot(terrain.tangent(corner - 1)) >= -cone_slack &&
-         direction.dot(terrain.tangent(corner)) <= cone_slack;
+bool in_cone(const Terrain2& terrain, int corner, const Vec2& direction, double slack) {
+  return direction.dot(terrain.tangent(corner - 1)) >= -slack && direction.dot(terrain.tangent(corner)) <= slack;
 }
 
 /// Whether the strip of the segment holds p. At a corner that is not concave the right segment answers alone.
@@ -92,7 +87,7 @@ void disk_contacts(const Placed2& disk, int index, const Terrain2& terrain, cons
 
 /// Contacts of the edges of a polygon with convex corners.
 void edge_contacts(const Placed2& polygon, int index, const Terrain2& terrain, const Terrain2::Run& run, double reach,
-                   std::vector<ContactPoint<2>>& out) {
+                   double cone_slack, std::vector<ContactPoint<2>>& out) {
   const int n = polygon.count();
   for (int i = std::max(run.first, 1); i <= std::min(run.last + 1, terrain.segments() - 1); ++i) {
     if (terrain.corner(i) != Corner::convex) continue;
@@ -102,7 +97,7 @@ void edge_contacts(const Placed2& polygon, int index, const Terrain2& terrain, c
     for (int e = 0; e < n && gap <= reach; ++e)
       if (const double outside = polygon.outside(e, corner); outside > gap) gap = outside, edge = e;
     const Vec2 normal = -polygon.normal(edge);
-    if (gap > reach || !in_cone(terrain, i, normal)) continue;
+    if (gap > reach || !in_cone(terrain, i, normal, cone_slack)) continue;
     // Where a vertex stands on the corner, the vertex answers.
     const Vec2 a = polygon.point(edge), b = polygon.point((edge + 1) % n);
     if (std::min((a - corner).norm(), (b - corner).norm()) <= 1e-7 * (b - a).norm()) continue;
@@ -113,7 +108,7 @@ void edge_contacts(const Placed2& polygon, int index, const Terrain2& terrain, c
 }  // namespace
 
 void terrain_contacts(const Placed2& contactor, int contactor_index, const Terrain2& terrain, double reach,
-                      std::vector<ContactPoint<2>>& out) {
+                      double turn, std::vector<ContactPoint<2>>& out) {
   double low = contactor.point(0).x(), high = low;
   for (int i = 1; i < contactor.count(); ++i) {
     low = std::min(low, contactor.point(i).x());
@@ -127,7 +122,9 @@ void terrain_contacts(const Placed2& contactor, int contactor_index, const Terra
   }
   for (int k = 0; k < contactor.count(); ++k)
     point_contacts(contactor.point(k), 0, vertex_id(contactor_index, k), terrain, run, reach, out);
-  edge_contacts(contactor, contactor_index, terrain, run, reach, out);
+    // A polygon that lies flush on a segment is held by the corner at the end of it.
+  constexpr double flush = 1e-4;
+  edge_contacts(contactor, contactor_index, terrain, run, reach, flush + turn, out);
 }
 
 }  // namespace flyrock

@@ -15,8 +15,9 @@ namespace flyrock {
 /// A polygon meets segments with its vertices and convex corners with its edges. Flat and concave corners are no
 /// features: internal edges are not felt. A vertex below the ground by more than `reach`, which only fixed time
 /// steps produce, is pushed out to the nearest place of the poly-line.
-/// `contactor_index` is part of the feature ids.
-void terrain_contacts(const Placed2& contactor, int contactor_index, const Terrain2& terrain, double reach,
+/// `contactor_index` is part of the feature ids. `turn` [rad]: how far the body is turned on from a state without
+/// overlap, as it is in the middle of a step; an edge that has turned out of a corner's cone by no more is still held.
+void terrain_contacts(const Placed2& contactor, int contactor_index, const Terrain2& terrain, double reach, double turn,
                       std::vector<ContactPoint<2>>& out);
 
 }  // namespace flyrock

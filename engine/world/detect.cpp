@@ -48,8 +48,9 @@ const std::vector<std::pair<int, int>>& World<D>::near_pairs(double dt) {
   return broad_phase_.pairs(boxes_);
 }
 
+/// `ahead` [s]: how far the bodies have been moved on from the start of a step.
 template <int D>
-void World<D>::detect() {
+void World<D>::detect(double ahead) {
   const PhaseTimer timer(clock, &PhaseTimes::detect);
   contacts_.clear();
   auto append = [&](int candidate, int antagonist) {
@@ -76,7 +77,8 @@ void World<D>::detect() {
       points_.clear();
       const double reach = carry_reach(probe);
       for (std::size_t k = 0; k < body.contactors.size(); ++k)
-        terrain_contacts({body.contactors[k], body.pose()}, static_cast<int>(k), *terrain_, reach, points_);
+        terrain_contacts({body.contactors[k], body.pose()}, static_cast<int>(k), *terrain_, reach,
+                         std::abs(body.w) * ahead, points_);
       append(i, -1);
     }
     for (; pair != pairs.end() && pair->first == i; ++pair) {
@@ -135,7 +137,7 @@ void World<D>::keep_active(double share_of_size, bool new_overlaps) {
 
 template <int D>
 double World<D>::deepest_overlap() {
-  detect();
+  detect(0);
   double depth = 0;
   for (const Contact& c : contacts_) depth = std::max(depth, -c.at.gap);
   contacts_.clear();
@@ -153,7 +155,7 @@ std::span<const HeldContact> World<D>::held(int body, int other) {
 template double World<2>::contact_size(const Contact&) const;
 template double World<2>::carry_reach(const Contact&) const;
 template const std::vector<std::pair<int, int>>& World<2>::near_pairs(double);
-template void World<2>::detect();
+template void World<2>::detect(double);
 template void World<2>::match_last();
 template void World<2>::keep_active(double, bool);
 template double World<2>::deepest_overlap();

@@ -36,7 +36,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut) {
   bool new_touch = false;
   for (int cuts = 0;; ++cuts) {
     drift((1 - theta) * h);
-    detect();
+    detect((1 - theta) * h);
     keep_active(0, !cut);
     measure_before();
     for (Body<D>& body : bodies)
@@ -70,7 +70,7 @@ typename World<D>::Outcome World<D>::impact() {
   // A step that was cut ends at the touch up to second order in its length: what touches then is closed.
   constexpr double event_share = 1e-7;
   impacts_.clear();
-  detect();
+  detect(0);
   keep_active(event_share, true);
   measure_before();
   begin_manifolds();

@@ -122,7 +122,7 @@ class World {
   };
 
   // detect.cpp: what touches
-  void detect();
+  void detect(double ahead);
   void match_last();
   void keep_active(double share_of_size, bool new_overlaps);
   double contact_size(const Contact& contact) const;
