@@ -38,7 +38,7 @@ class Runner {
       }
     }
     for (int i = 0; i < bodies(); ++i)
-      if (running_[i]) end(i, StopReason::timed_out);
+      if (running_[i]) end(i, at_rest(i) ? StopReason::stopped : StopReason::timed_out);
     const double change = world_.total_energy() - energy;
     world_.quality().energy_relative_change = energy != 0 ? change / std::abs(energy) : change;
   }
@@ -46,6 +46,7 @@ class Runner {
  private:
   int bodies() const { return static_cast<int>(world_.bodies.size()); }
   bool anybody() const { return std::any_of(running_.begin(), running_.end(), [](bool r) { return r; }); }
+  bool at_rest(int i) const { return !std::isnan(histories_[i].stop_time); }
   double time_left() const { return settings_.stop_time - world_.time; }
 
   void end(int body, StopReason reason) {
@@ -152,9 +153,11 @@ class Runner {
   }
 
   /// Ends what has come to rest, left the terrain or diverged. In a world of several bodies one at rest may be hit
-  /// again, so that all must be at rest.
+  /// again, so that all must be at rest, and no driven one on its way.
   void end_bodies() {
-    bool all_at_rest = true;
+    bool all_at_rest = std::none_of(world_.bodies.begin(), world_.bodies.end(), [](const Body<2>& body) {
+      return body.kind == BodyKind::driven && (body.v.norm() > 0 || body.w != 0);
+    });
     for (int i = 0; i < bodies(); ++i) {
       if (!running_[i]) continue;
       Body<2>& body = world_.bodies[i];
@@ -167,7 +170,7 @@ class Runner {
         end(i, StopReason::left_domain);
         body.present = false;
       }
-      if (running_[i]) all_at_rest = all_at_rest && !std::isnan(histories_[i].stop_time);
+      if (running_[i]) all_at_rest = all_at_rest && at_rest(i);
     }
     if (!all_at_rest) return;
     for (int i = 0; i < bodies(); ++i)
