@@ -33,7 +33,9 @@ int check_scenario(const std::string& path, const Overrides& overrides, bool str
     return bad_input;
   }
   for (const std::string& key : plan.not_used) fmt::print("not used: {}\n", key);
-  fmt::print("{}: a sound scenario, {} trials of {} points\n", path, plan.points.front().trials, plan.points.size());
+  const std::uint64_t trials = plan.points.front().trials;
+  const std::string each = plan.axes.empty() ? "" : fmt::format(" at each of {} sweep points", plan.points.size());
+  fmt::print("{}: a sound scenario, {} trial{}{}\n", path, trials, trials == 1 ? "" : "s", each);
   return done;
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <sstream>
+
 #include "scenario/value.h"
 
 namespace flyrock::cli {
@@ -35,6 +37,21 @@ std::string allowed_text(const ParamSpec& param) {
   return fmt::format("{}", fmt::join(limits, ", "));
 }
 
+/// Lines of whole words, at most 80 columns wide.
+std::string wrapped(const std::string& text, const std::string& indent) {
+  constexpr std::size_t width = 80;
+  std::string lines, line = indent;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (line.size() > indent.size() && line.size() + 1 + word.size() > width) {
+      lines += line + '\n';
+      line = indent;
+    }
+    line += (line.size() > indent.size() ? " " : "") + word;
+  }
+  return lines + line + '\n';
+}
+
 /// A text within a cell of a Markdown table.
 std::string cell(const std::string& text) {
   std::string escaped;
@@ -54,12 +71,12 @@ Json default_json(const ParamSpec& param) {
 
 }  // namespace
 
-std::string one_line(const PluginSpec& spec) {
-  return fmt::format("{:<32} {}\n", fmt::format("{}/{}", name_of(spec.kind), spec.name), spec.doc);
+std::string short_text(const PluginSpec& spec) {
+  return fmt::format("{}/{}\n{}", name_of(spec.kind), spec.name, wrapped(spec.doc, "  "));
 }
 
 std::string full_text(const PluginSpec& spec) {
-  std::string text = fmt::format("{}/{}\n  {}\n", name_of(spec.kind), spec.name, spec.doc);
+  std::string text = short_text(spec);
   if (!spec.source.empty()) text += fmt::format("  source: {}\n", spec.source);
   if (!spec.form.empty()) text += fmt::format("  form: {}\n", spec.form);
   if (!spec.reads.empty()) text += fmt::format("  reads: {}\n", fmt::join(spec.reads, ", "));
@@ -69,7 +86,7 @@ std::string full_text(const PluginSpec& spec) {
     text += fmt::format("\n  {}: {}{}, {}\n", param.name, name_of(param.type),
                         param.unit.empty() ? "" : fmt::format(" [{}]", param.unit),
                         param.required() || param.optional ? default_text(param) : "default " + default_text(param));
-    text += fmt::format("    {}\n", param.doc);
+    text += wrapped(param.doc, "    ");
     if (const std::string allowed = allowed_text(param); !allowed.empty()) text += fmt::format("    {}\n", allowed);
   }
   return text;

@@ -8,8 +8,8 @@
 
 namespace flyrock::cli {
 
-/// One line: "restitution/newton   Newton's law with constant coefficients".
-std::string one_line(const PluginSpec& spec);
+/// Kind, name and what it does, 80 columns wide.
+std::string short_text(const PluginSpec& spec);
 /// All that the manifest says, for a terminal.
 std::string full_text(const PluginSpec& spec);
 /// A section with a table of parameters.

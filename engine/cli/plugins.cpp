@@ -56,7 +56,7 @@ int plugins(const Command& command, const Arguments& arguments) {
   const bool single = wanted.find('/') != std::string::npos;
   for (const PluginSpec* spec : specs) {
     if (line.has("markdown") && spec != specs.front()) fmt::print("\n");
-    fmt::print("{}", line.has("markdown") ? markdown(*spec) : single ? full_text(*spec) : one_line(*spec));
+    fmt::print("{}", line.has("markdown") ? markdown(*spec) : single ? full_text(*spec) : short_text(*spec));
   }
   return done;
 }

@@ -178,7 +178,7 @@ int run(const Command& command, const Arguments& arguments) {
   remove_chunks(outcome.chunks, folder.chunks());
   print_faults(results);
   if (!quiet) {
-    fmt::print("{}", summary_text(plan, results));
+    fmt::print("{}", summary_text(plan, results, loaded->warnings));
     if (only) fmt::print("{}", trial_text(plan.points[only->point], results.points[only->point].records));
     fmt::print("report: {}\n", folder.report().string());
   }

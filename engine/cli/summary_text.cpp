@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/terminal.h"
 #include "math/space.h"
 
@@ -18,10 +20,10 @@ std::string point_title(const Plan& plan, std::size_t point) {
 }
 
 std::string group_line(const GroupSummary& group) {
-  std::string text = fmt::format("  {:<16}{:>8}{:>10.3g} %", group.name.empty() ? "all rocks" : group.name,
+  std::string text = fmt::format("  {:<13}{:>8}{:>8.3g} %", group.name.empty() ? "all rocks" : group.name,
                                  group.count, 100 * group.censored_share());
   for (const Statistic s : {Statistic::p50, Statistic::p90, Statistic::p95, Statistic::p99, Statistic::max})
-    text += fmt::format("{:>10}", display(group.at(RockQuantity::runout, s), ""));
+    text += fmt::format("{:>9}", display(group.at(RockQuantity::runout, s), ""));
   return text + '\n';
 }
 
@@ -35,7 +37,9 @@ std::string reasons_line(const GroupSummary& group) {
 std::string wanted(const Verdict& verdict) {
   const Expectation& e = verdict.expectation;
   switch (e.kind) {
-    case ExpectKind::equals: return fmt::format("{} within {:.3g}", shortest(e.value), verdict.tolerance);
+    case ExpectKind::equals:
+      if (verdict.tolerance == 0) return shortest(e.value);
+      return fmt::format("{} within {:.3g}", shortest(e.value), verdict.tolerance);
     case ExpectKind::below: return "below " + shortest(e.value);
     case ExpectKind::above: return "above " + shortest(e.value);
     case ExpectKind::between: return fmt::format("from {} to {}", shortest(e.value), shortest(e.high));
@@ -47,20 +51,20 @@ std::string verdict_line(const Verdict& verdict, bool sweep) {
   static constexpr const char* words[] = {"ok", "FAILED", "not judged"};
   std::string text = fmt::format("  {:<11}{}", words[static_cast<int>(verdict.judgement)], verdict.expectation.measure);
   if (sweep && verdict.point >= 0) text += fmt::format(" at point {}", verdict.point);
-  text += fmt::format(" = {}, expected {}",
-                      display({verdict.computed, verdict.censored}, ""), wanted(verdict));
+  // Ten digits: four would hide how near a textbook's number is met.
+  text += fmt::format(" = {}{:.10g}, expected {}", verdict.censored ? ">= " : "", verdict.computed, wanted(verdict));
   if (!verdict.reason.empty()) text += fmt::format(" ({})", verdict.reason);
   return text + '\n';
 }
 
 }  // namespace
 
-std::string summary_text(const Plan& plan, const Results& results) {
+std::string summary_text(const Plan& plan, const Results& results, const std::vector<std::string>& told) {
   const bool sweep = !plan.axes.empty();
   std::string text = bold(plan.points.front().title.empty() ? "flyrock" : plan.points.front().title) + '\n';
   text += answer(plan, results) + "\n\n";
   if (plan.points.front().bodies.empty()) {
-    text += fmt::format("  {:<16}{:>8}{:>12}{:>10}{:>10}{:>10}{:>10}{:>10}\n", "runout in m", "rocks", "censored", "p50",
+    text += fmt::format("  {:<13}{:>8}{:>10}{:>9}{:>9}{:>9}{:>9}{:>9}\n", "runout in m", "rocks", "censored", "p50",
                         "p90", "p95", "p99", "max");
     for (std::size_t p = 0; p < results.points.size(); ++p) {
       if (sweep) text += point_title(plan, p);
@@ -71,14 +75,14 @@ std::string summary_text(const Plan& plan, const Results& results) {
   }
   if (!results.verdicts.empty()) {
     const int open = results.count(Judgement::not_judged);
-    text += fmt::format("{} of {} expectations hold", results.count(Judgement::passed),
-                        results.verdicts.size() - static_cast<std::size_t>(open));
-    if (open > 0) text += fmt::format(", {} not judged", open);
-    text += '\n';
+    const int judged = static_cast<int>(results.verdicts.size()) - open;
+    if (judged > 0) text += fmt::format("{} of {} expectations hold\n", results.count(Judgement::passed), judged);
+    if (open > 0) text += fmt::format("{} expectation{} not judged\n", open, open == 1 ? "" : "s");
     for (const Verdict& verdict : results.verdicts) text += verdict_line(verdict, sweep);
     text += '\n';
   }
-  for (const std::string& warning : results.warnings) text += fmt::format("warning: {}\n", warning);
+  for (const std::string& warning : results.warnings)
+    if (std::find(told.begin(), told.end(), warning) == told.end()) text += fmt::format("warning: {}\n", warning);
   return text;
 }
 

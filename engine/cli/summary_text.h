@@ -2,13 +2,14 @@
 // The end of a run in the terminal.
 
 #include <string>
+#include <vector>
 
 #include "batch/results.h"
 
 namespace flyrock::cli {
 
-/// Answer, percentiles by point and group, what the rest did, expectations, warnings.
-std::string summary_text(const Plan& plan, const Results& results);
+/// Answer, percentiles by point and group, how the rocks ended, expectations, and the warnings that are not `told` yet.
+std::string summary_text(const Plan& plan, const Results& results, const std::vector<std::string>& told);
 
 /// Each rock of a replayed trial in a line.
 std::string trial_text(const Scenario& scenario, const TrialRecords& records);

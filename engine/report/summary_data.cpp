@@ -50,6 +50,7 @@ Json quality_data(const SolverQuality& q) {
           {"iterations", q.iterations},
           {"toc_iterations", q.toc_iterations},
           {"not_converged", q.not_converged},
+          {"not_converged_residual", number(q.not_converged_residual)},
           {"max_residual", number(q.max_residual)},
           {"max_penetration", number(q.max_penetration)},
           {"energy_gains", q.energy_gains},
@@ -57,15 +58,21 @@ Json quality_data(const SolverQuality& q) {
           {"energy_relative_change", number(q.energy_relative_change)}};
 }
 
+/// How often each law was asked; null where the material has none.
 Json materials_data(const Scenario& scenario, const std::vector<MaterialUse>& use) {
+  const auto asked = [](const std::optional<PluginUse>& law, std::uint64_t times) {
+    return law ? Json(times) : Json(nullptr);
+  };
   Json list = Json::array();
-  for (std::size_t m = 0; m < use.size() && m < scenario.materials.size(); ++m)
-    list.push_back({{"material", scenario.materials[m].name},
+  for (std::size_t m = 0; m < use.size() && m < scenario.materials.size(); ++m) {
+    const Material& material = scenario.materials[m];
+    list.push_back({{"material", material.name},
                     {"contacts", use[m].contacts},
-                    {"restitution", use[m].restitution},
-                    {"friction", use[m].friction},
-                    {"rolling", use[m].rolling},
-                    {"unilateral", use[m].unilateral}});
+                    {"restitution", asked(material.restitution, use[m].restitution)},
+                    {"friction", asked(material.friction, use[m].friction)},
+                    {"rolling", asked(material.rolling, use[m].rolling)},
+                    {"unilateral", asked(material.unilateral, use[m].unilateral)}});
+  }
   return list;
 }
 

@@ -216,7 +216,11 @@ void World<D>::solve_and_apply() {
   const SolveResult result =
       solve_nlgs(problem_, NlgsSettings{settings_.tolerance, settings_.max_iterations}, impulses_);
   quality_.iterations += result.iterations;
-  quality_.not_converged += !result.converged;
+  if (!result.converged) {
+    ++quality_.not_converged;
+    const double scale = problem_.contacts[result.worst_contact].speed_scale;
+    if (scale > 0) quality_.not_converged_residual = std::max(quality_.not_converged_residual, result.residual / scale);
+  }
   quality_.max_residual = std::max(quality_.max_residual, result.residual);
   for (std::size_t a = 0; a < contacts_.size(); ++a) {
     Contact& contact = contacts_[a];

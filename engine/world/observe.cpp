@@ -18,6 +18,7 @@ void SolverQuality::add(const SolverQuality& other) {
   iterations += other.iterations;
   toc_iterations += other.toc_iterations;
   not_converged += other.not_converged;
+  not_converged_residual = std::max(not_converged_residual, other.not_converged_residual);
   max_residual = std::max(max_residual, other.max_residual);
   max_penetration = std::max(max_penetration, other.max_penetration);
   energy_gains += other.energy_gains;

@@ -32,10 +32,10 @@
     root.append(node);
     return node;
   }
-  /** Four significant digits, no exponent between 0.001 and a thousand million. */
+  /** Counts in full; else four significant digits, no exponent between 0.001 and a thousand million. */
   function show(value) {
     if (value === null) return "–";
-    if (value === 0) return "0";
+    if (Number.isSafeInteger(value)) return String(value);
     const size = Math.abs(value);
     if (size >= 1e9 || size < 1e-3) return value.toExponential(3);
     return String(Number(value.toPrecision(4)));
@@ -61,7 +61,8 @@
     const s = group[quantity];
     if (s[name] === null) return right("–");
     const bound = s.lower_bounds.includes(name);
-    return right(bound ? (name === "sd" ? `(${show(s[name])})` : `≥ ${show(s[name])}`) : show(s[name]));
+    const text = show(quantity === "energy" ? s[name] / 1000 : s[name]);  // fences are rated in kJ
+    return right(bound ? (name === "sd" ? `(${text})` : `≥ ${text}`) : text);
   };
   const group_name = (group) => group.group ?? (of_bodies ? "all bodies" : "all rocks");
   const point_name = (point) => {
@@ -217,8 +218,8 @@
     if (summary.fault_count > 0) badge(false, `${summary.fault_count} rocks failed`);
     if (!summary.complete) badge(false, "the run ended early");
     const open = summary.points.reduce((sum, point) => sum + point.solver.not_converged, 0);
-    badge(open === 0, open === 0 ? "every step converged" : `${open} steps did not converge`);
-    if (summary.warnings.length > 0) badge(false, `${summary.warnings.length} warnings (below)`);
+    badge(open === 0, open === 0 ? "every contact problem converged" : `${open} contact problems did not converge`);
+    if (summary.warnings.length > 0) badge(false, `${counted(summary.warnings.length, "warning", "warnings")} (below)`);
     root.append(badges);
     if (many_points) root.append(chooser("Sweep point", summary.points.map(point_name), 0, (i) => { chosen = i; draw_all(); }));
   }
@@ -266,7 +267,7 @@
   }
 
   function reasons_section() {
-    section_of_point(of_bodies ? "How the bodies ended" : "What the rest did", (point) => {
+    section_of_point(of_bodies ? "How the bodies ended" : "How the rocks ended", (point) => {
       const groups = of_bodies ? point.rocks.slice(0, 1) : point.rocks;  // each body has a line of its own below
       const reasons = Object.keys(meaning).filter((reason) => point.rocks[0].stop_reasons[reason] > 0);
       const rows = reasons.map((reason) => [reason, ...groups.flatMap((group) => [group.stop_reasons[reason], right(group.count ? percent(group.stop_reasons[reason] / group.count) : "–")]), meaning[reason]]);
@@ -285,7 +286,7 @@
     const quantities = ["runout", "max_distance", "flight_range", "bounce_height", "speed", "energy", "impacts", "time"];
     section_of_point("Statistics", (point) => [
       ...point.rocks.filter((group) => group.count > group.faults).map((group) => table(`${group_name(group)}: ${group.count - group.faults}`, ["quantity", "unit", ...names],
-        quantities.map((quantity, q) => [quantity, data.units[q] || "–", ...names.map((name) => statistic(group, quantity, name))]))),
+        quantities.map((quantity, q) => [quantity, quantity === "energy" ? "kJ" : data.units[q] || "–", ...names.map((name) => statistic(group, quantity, name))]))),
       paragraph("caption", "Speed, energy (kinetic) and bounce height are the greatest over a rock's path. Percentiles are linear between the order statistics " +
         "(NumPy, PERCENTILE.INC). ≥: censored rocks fall into it, the true number is at least this; a standard deviation in brackets contains censored rocks. Rocks that failed are left out."),
     ]);
@@ -305,10 +306,12 @@
   function expectations_section() {
     if (summary.expectations.length === 0) return;
     const digits = (value) => String(Number(value.toPrecision(7)));
-    const wanted = (e) => e.kind === "equals" ? `${digits(e.expected)} ± ${show(e.tolerance)}` : e.kind === "between" ? `from ${digits(e.expected[0])} to ${digits(e.expected[1])}` : `${e.kind} ${digits(e.expected)}`;
+    const wanted = (e) => e.kind === "equals" ? digits(e.expected) + (e.tolerance === 0 ? "" : ` ± ${show(e.tolerance)}`) : e.kind === "between" ? `from ${digits(e.expected[0])} to ${digits(e.expected[1])}` : `${e.kind} ${digits(e.expected)}`;
     const verdict = (e) => e.passed === null ? { text: "not judged", cls: "" } : e.passed ? { text: "✓ holds", cls: "passed" } : { text: "✗ failed", cls: "failed" };
-    section("Expectations", table("", ["measure", "point", "computed", "expected", "", "why"],
-      summary.expectations.map((e) => [e.measure, e.point, right(e.computed === null ? "–" : digits(e.computed)), right(wanted(e)), verdict(e), e.reason ?? ""])));
+    const reasoned = summary.expectations.some((e) => e.reason);
+    section("Expectations", table("", ["measure", ...(many_points ? ["point"] : []), "computed", "expected", "verdict", ...(reasoned ? ["why"] : [])],
+      summary.expectations.map((e) => [e.measure, ...(many_points ? [e.point] : []), right(e.computed === null ? "–" : digits(e.computed)), right(wanted(e)), verdict(e), ...(reasoned ? [e.reason ?? ""] : [])])),
+      paragraph("caption", "In SI units, angles in rad."));
   }
 
   function faults_section() {
@@ -326,13 +329,14 @@
         ["impact problems", s.impact_problems, "", "impacts solved in impulses"],
         ["iterations", s.iterations, "", "of the contact solver, all problems together"],
         ["time-of-contact iterations", s.toc_iterations, "", "to find where a flight ends"],
-        ["not converged", s.not_converged, "", "problems that kept a residual above solver.tolerance; should be 0"],
-        ["greatest residual", s.max_residual, "m/s", "of the scaled contact equations"],
+        ["not converged", s.not_converged, "", "contact problems that kept a residual above solver.tolerance; should be 0"],
+        ["their greatest residual", s.not_converged === 0 ? null : s.not_converged_residual, "", "relative to the approach speed, as solver.tolerance is"],
+        ["greatest residual", s.max_residual, "m/s", "of the scaled contact equations, all problems"],
         ["greatest penetration", s.max_penetration, "m", "of a rock into the ground or another rock"],
         ["energy gains", s.energy_gains, "", "impacts that made energy beyond rounding; should be 0"],
         ["energy gained", s.energy_gained, "J", "by them, together"],
-        ["relative change of energy", s.energy_relative_change, "", "of the total, from start to end"],
-      ]), table("How often each law was asked", ["material", "contacts", "restitution", "friction", "rolling", "unilateral"],
+        ["relative change of energy", s.energy_relative_change, "", "of the total (height counts from y = 0) from start to end, of the rock where it is greatest"],
+      ]), table("How often each law was asked (–: the material has none)", ["material", "contacts", "restitution", "friction", "rolling", "unilateral"],
         point.materials.map((m) => [m.material, m.contacts, m.restitution, m.friction, m.rolling, m.unilateral]))];
     });
   }
