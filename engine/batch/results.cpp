@@ -29,11 +29,11 @@ std::vector<std::string> collect_warnings(const Plan& plan, const std::vector<Po
   SolverQuality quality;
   for (const PointResult& point : points) quality.add(point.records.quality);
   if (quality.not_converged > 0)
-    warnings.push_back(fmt::format(
-        "solver: {} of {} contact problems did not converge; relative to the approach speed "
-        "their greatest residual is {:.2g}, solver.tolerance is {:.2g}",
-        quality.not_converged, quality.steps + quality.impact_problems, quality.not_converged_residual,
-        plan.points.front().solver.tolerance));
+    warnings.push_back(
+        fmt::format("solver: {} of {} contact problems did not converge; relative to the approach speed "
+                    "their greatest residual is {:.2g}, solver.tolerance is {:.2g}",
+                    quality.not_converged, quality.steps + quality.impact_problems,
+                    quality.not_converged_residual, plan.points.front().solver.tolerance));
   if (quality.energy_gains > 0)
     warnings.push_back(fmt::format("solver: {} impacts gained energy, {:.3g} J together", quality.energy_gains,
                                    quality.energy_gained));
@@ -75,11 +75,13 @@ std::string bodies_answer(const Plan& plan, const Results& results) {
   return text;
 }
 
-/// A statistic of the runout of a group (0: all rocks) over all points that have one: a number, or the range of a sweep.
+/// A statistic of the runout of a group (0: all rocks) over all points that have one: a number, or the range
+/// of a sweep.
 std::string range_of(const Results& results, Statistic statistic, std::size_t group = 0) {
   std::vector<Bounded> values;
   for (const PointResult& point : results.points)
-    if (const Bounded value = point.groups.at(group).at(RockQuantity::runout, statistic); !std::isnan(value.value))
+    if (const Bounded value = point.groups.at(group).at(RockQuantity::runout, statistic);
+        !std::isnan(value.value))
       values.push_back(value);
   if (values.empty()) return "not known";
   const auto less = [](const Bounded& a, const Bounded& b) { return a.value < b.value; };
@@ -179,10 +181,11 @@ std::string answer(const Plan& plan, const Results& results) {
   } else if (!plan.points.front().bodies.empty()) {
     text = bodies_answer(plan, results);
   } else {
-    text = fmt::format("The runout that 95 % of the rocks do not exceed is {}{}; that of 99 % is {}{}; the greatest is {}.",
-                       range_of(results, Statistic::p95), by_group(results, Statistic::p95),
-                       range_of(results, Statistic::p99), by_group(results, Statistic::p99),
-                       range_of(results, Statistic::max));
+    text = fmt::format(
+        "The runout that 95 % of the rocks do not exceed is {}{}; that of 99 % is {}{}; the greatest is {}.",
+        range_of(results, Statistic::p95), by_group(results, Statistic::p95),
+        range_of(results, Statistic::p99), by_group(results, Statistic::p99),
+        range_of(results, Statistic::max));
     if (results.points.size() > 1) text += fmt::format(" The ranges are over {} sweep points.", results.points.size());
     text += censored == 0 ? " No rock is censored."
                           : fmt::format(" {} of the rocks are censored (left the domain or ran out of time): "

@@ -219,7 +219,8 @@ void World<D>::solve_and_apply() {
   if (!result.converged) {
     ++quality_.not_converged;
     const double scale = problem_.contacts[result.worst_contact].speed_scale;
-    if (scale > 0) quality_.not_converged_residual = std::max(quality_.not_converged_residual, result.residual / scale);
+    if (scale > 0)
+      quality_.not_converged_residual = std::max(quality_.not_converged_residual, result.residual / scale);
   }
   quality_.max_residual = std::max(quality_.max_residual, result.residual);
   for (std::size_t a = 0; a < contacts_.size(); ++a) {

@@ -75,7 +75,8 @@ struct SolverQuality {
   std::uint64_t iterations = 0;
   std::uint64_t toc_iterations = 0;    ///< of the time-of-contact search
   std::uint64_t not_converged = 0;
-  double not_converged_residual = 0;   ///< greatest of those, over the speed_scale of its contact: to hold against the tolerance
+  double not_converged_residual =
+      0;  ///< greatest of those, over the speed_scale of its contact: to hold against the tolerance
   double max_residual = 0;             ///< m/s, of the scaled local map
   double max_penetration = 0;          ///< m
   std::uint64_t energy_gains = 0;      ///< impacts with dT > 0 beyond rounding
