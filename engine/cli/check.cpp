@@ -1,23 +1,44 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <vector>
 
 #include "batch/safe_file.h"
 #include "batch/trial.h"
 #include "cli/loading.h"
 #include "host/share.h"
+#include "plugin/conformance.h"
 
 namespace flyrock::cli {
 
 namespace {
 
-/// Loads a plugin file or folder: its manifest is what there is to check without a scenario.
+std::vector<const Plugin*> all_plugins(const Registry& registry) {
+  std::vector<const Plugin*> plugins;
+  for (int kind = 0; kind < plugin_kinds; ++kind)
+    for (const Plugin* plugin : registry.of_kind(static_cast<PluginKind>(kind))) plugins.push_back(plugin);
+  return plugins;
+}
+
+/// Loads a plugin file or folder, and tries what it registers on sampled parameters and states.
 int check_plugin(const std::string& path) {
   LuaSession session(share_folder());
+  const std::vector<const Plugin*> own = all_plugins(session.registry());
   Diagnostics diagnostics;
   session.load_plugin(path, path, {}, diagnostics);
   fmt::print(stderr, "{}", diagnostics.to_text());
   if (diagnostics.has_errors()) return bad_input;
+  std::size_t faults = 0;
+  for (const Plugin* plugin : all_plugins(session.registry())) {
+    if (std::find(own.begin(), own.end(), plugin) != own.end()) continue;
+    for (const std::string& fault : conformance_faults(*plugin)) {
+      fmt::print(stderr, "{}: error: {}/{}: {}\n", path, name_of(plugin->spec.kind), plugin->spec.name,
+                 fault);
+      ++faults;
+    }
+  }
+  if (faults > 0) return bad_input;
   fmt::print("{}: a sound plugin\n", path);
   return done;
 }
@@ -34,7 +55,8 @@ int check_scenario(const std::string& path, const Overrides& overrides, bool str
   }
   for (const std::string& key : plan.not_used) fmt::print("not used: {}\n", key);
   const std::uint64_t trials = plan.points.front().trials;
-  const std::string each = plan.axes.empty() ? "" : fmt::format(" at each of {} sweep points", plan.points.size());
+  const std::string each =
+      plan.axes.empty() ? "" : fmt::format(" at each of {} sweep points", plan.points.size());
   fmt::print("{}: a sound scenario, {} trial{}{}\n", path, trials, trials == 1 ? "" : "s", each);
   return done;
 }

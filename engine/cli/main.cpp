@@ -33,10 +33,12 @@ void print_version() {
 
 void print_help() {
   fmt::print("flyrock simulates blast fly-rock and rockfall on quarry benches.\n\n");
-  for (const Command& command : commands) fmt::print("  flyrock {}\n      {}\n", command.usage, command.summary);
+  for (const Command& command : commands)
+    fmt::print("  flyrock {}\n      {}\n", command.usage, command.summary);
   fmt::print("  flyrock --version\n      says version, build and optional parts\n\n");
-  fmt::print("flyrock COMMAND --help says more. Exit codes: 0 done, 1 an expectation failed,\n"
-             "2 bad input (nothing was run), 3 faults while running, 130 interrupted.\n");
+  fmt::print(
+      "flyrock COMMAND --help says more. Exit codes: 0 done, 1 an expectation failed,\n"
+      "2 bad input (nothing was run), 3 faults while running, 130 interrupted.\n");
 }
 
 int usage_error(const std::string& text, const std::string& help) {

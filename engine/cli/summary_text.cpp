@@ -52,7 +52,8 @@ std::string verdict_line(const Verdict& verdict, bool sweep) {
   std::string text = fmt::format("  {:<11}{}", words[static_cast<int>(verdict.judgement)], verdict.expectation.measure);
   if (sweep && verdict.point >= 0) text += fmt::format(" at point {}", verdict.point);
   // Ten digits: four would hide how near a textbook's number is met.
-  text += fmt::format(" = {}{:.10g}, expected {}", verdict.censored ? ">= " : "", verdict.computed, wanted(verdict));
+  text += fmt::format(" = {}{:.10g}, expected {}", verdict.censored ? ">= " : "", verdict.computed,
+                      wanted(verdict));
   if (!verdict.reason.empty()) text += fmt::format(" ({})", verdict.reason);
   return text + '\n';
 }
@@ -64,8 +65,8 @@ std::string summary_text(const Plan& plan, const Results& results, const std::ve
   std::string text = bold(plan.points.front().title.empty() ? "flyrock" : plan.points.front().title) + '\n';
   text += answer(plan, results) + "\n\n";
   if (plan.points.front().bodies.empty()) {
-    text += fmt::format("  {:<13}{:>8}{:>10}{:>9}{:>9}{:>9}{:>9}{:>9}\n", "runout in m", "rocks", "censored", "p50",
-                        "p90", "p95", "p99", "max");
+    text += fmt::format("  {:<13}{:>8}{:>10}{:>9}{:>9}{:>9}{:>9}{:>9}\n", "runout in m", "rocks", "censored",
+                        "p50", "p90", "p95", "p99", "max");
     for (std::size_t p = 0; p < results.points.size(); ++p) {
       if (sweep) text += point_title(plan, p);
       for (const GroupSummary& group : results.points[p].groups) text += group_line(group);
@@ -76,13 +77,15 @@ std::string summary_text(const Plan& plan, const Results& results, const std::ve
   if (!results.verdicts.empty()) {
     const int open = results.count(Judgement::not_judged);
     const int judged = static_cast<int>(results.verdicts.size()) - open;
-    if (judged > 0) text += fmt::format("{} of {} expectations hold\n", results.count(Judgement::passed), judged);
+    if (judged > 0)
+      text += fmt::format("{} of {} expectations hold\n", results.count(Judgement::passed), judged);
     if (open > 0) text += fmt::format("{} expectation{} not judged\n", open, open == 1 ? "" : "s");
     for (const Verdict& verdict : results.verdicts) text += verdict_line(verdict, sweep);
     text += '\n';
   }
   for (const std::string& warning : results.warnings)
-    if (std::find(told.begin(), told.end(), warning) == told.end()) text += fmt::format("warning: {}\n", warning);
+    if (std::find(told.begin(), told.end(), warning) == told.end())
+      text += fmt::format("warning: {}\n", warning);
   return text;
 }
 

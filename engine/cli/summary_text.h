@@ -8,7 +8,8 @@
 
 namespace flyrock::cli {
 
-/// Answer, percentiles by point and group, how the rocks ended, expectations, and the warnings that are not `told` yet.
+/// Answer, percentiles by point and group, how the rocks ended, expectations, and the warnings that are not
+/// `told` yet.
 std::string summary_text(const Plan& plan, const Results& results, const std::vector<std::string>& told);
 
 /// Each rock of a replayed trial in a line.

@@ -69,6 +69,16 @@ TEST_CASE("check validates and runs nothing") {
 
   folder.write("law.lua", "local fr = require \"flyrock\"\nreturn fr.plugin { kind = \"restitution\", name = \"law\" }\n");
   CHECK(call(folder, "check law.lua").code == 2);
+  folder.write("law.lua", R"(local fr = require "flyrock"
+return fr.plugin {
+  kind = "restitution", name = "law", doc = "Does not read its parameter.",
+  params = { en = fr.number { default = 0.5, min = 0, max = 1, doc = "restitution" } },
+  impact = function(p, contact) return 0.5, 0 end,
+}
+)");
+  const Output idle = call(folder, "check law.lua");
+  CHECK(idle.code == 2);
+  CHECK(idle.err.find("law.lua: error: restitution/law: ") == 0);
 }
 
 TEST_CASE("plugins lists what is registered, as text, Markdown and JSON") {
