@@ -68,7 +68,8 @@ void follow(const fs::path& page) {
   const Folder folder;
   fs::copy(FLYROCK_SOURCE_DIR "/scenarios", folder.path() / "scenarios", fs::copy_options::recursive);
   const fs::path bin = fs::path(FLYROCK_BINARY).parent_path();
-  const std::string setting = "set -eu\nPATH='" + bin.string() + "':$PATH FLYROCK='" FLYROCK_SOURCE_DIR "' FLYROCK_BUILD='" +
+  const std::string setting = "set -eu\nPATH='" + bin.string() +
+                              "':$PATH FLYROCK='" FLYROCK_SOURCE_DIR "' FLYROCK_BUILD='" +
                               bin.parent_path().string() + "'\n";
   for (const Block& block : blocks_of(read(page))) {
     INFO(page << ":\n" << block.text);
