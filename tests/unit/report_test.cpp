@@ -91,10 +91,23 @@ TEST_CASE("A law of a material that was met, and never asked, is a warning") {
         std::vector<std::string>{"material rock: its restitution newton was never asked"});
 }
 
+TEST_CASE("Problems that did not converge are a warning that can be held against the tolerance") {
+  const Plan plan = fake::plan(1);
+  TrialRecords records = fake::records(1, 0);
+  records.quality.not_converged = 2;
+  records.quality.not_converged_residual = 1.5e-6;
+  const Results results = make_results(plan, {records}, {{1}, true, "", {}});
+  const std::string expected =
+      "solver: 2 of 1000 contact problems did not converge; relative to the approach speed their greatest residual is "
+      "1.5e-06, solver.tolerance is 1e-06";
+  CHECK(std::count(results.warnings.begin(), results.warnings.end(), expected) == 1);
+}
+
 TEST_CASE("The answer names the censored share first of all") {
   const Plan plan = fake::plan(200);
   const std::string text = answer(plan, results_of(plan, 200));
   CHECK(text.find("The runout that 95 % of the rocks do not exceed is >= ") == 0);
+  CHECK(text.find(" (blocks ") != std::string::npos);  // groups differ: all together say little
   CHECK(text.find("1 % of the rocks are censored") != std::string::npos);
   CHECK(answer(plan, make_results(plan, {TrialRecords{}}, {{0}, true, "", {}})) == "No rock was released.");
 }
