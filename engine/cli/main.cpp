@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array<Command, 4> commands = {{
     {"run", "run SCENARIO [options]", "runs a scenario and writes its tables and report", run},
-    {"check", "check FILE [--strict]", "validates a scenario, or tries a plugin on sampled states; runs nothing else", check},
+    {"check", "check FILE [--strict]", "validates a scenario, or tries a plugin on sampled states", check},
     {"show", "show SCENARIO [--json]", "prints the resolved scenario: units converted, defaults filled in", show},
     {"plugins", "plugins [KIND[/NAME]] [--markdown | --json]", "lists what is registered, with its parameters", plugins},
 }};
