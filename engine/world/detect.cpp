@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "collision/feature_gap.h"
 #include "collision/narrow_phase.h"
 #include "collision/terrain_contact.h"
 #include "world/world.h"
@@ -124,15 +125,38 @@ void World<D>::match_last() {
   }
 }
 
-/// Keeps the contacts that are closed: within touch plus a share of the size, or carried on from the last step. With
-/// `new_overlaps` left out, one that has opened an overlap since the step began is a touch that the step must be cut at.
+/// Keeps the contacts that are closed now: within touch plus a share of the size, or carried on from the last step.
 template <int D>
-void World<D>::keep_active(double share_of_size, bool new_overlaps) {
+void World<D>::keep_closed(double share_of_size) {
   std::erase_if(contacts_, [&](const Contact& c) {
-    const double closed = c.carried ? carry_reach(c) : 1e-12 + (1e-9 + share_of_size) * contact_size(c);
-    return c.at.gap > closed || (!new_overlaps && c.at.gap < -closed);
+    const double closed = 1e-12 + (1e-9 + share_of_size) * contact_size(c);
+    return c.at.gap > (c.carried ? carry_reach(c) : closed);
   });
   for (const Contact& c : contacts_) quality_.max_penetration = std::max(quality_.max_penetration, -c.at.gap);
+}
+
+/// Keeps the contacts of the middle of a step whose features were closed when it began. One that has closed since is a
+/// touch at which the step must be cut. A contact whose features have changed, but not its place, was closed.
+template <int D>
+void World<D>::keep_closed_at_start() {
+  std::erase_if(contacts_, [&](const Contact& c) {
+    const double reach = carry_reach(c), closed = c.carried ? reach : 1e-12 + 1e-9 * contact_size(c);
+    const double gap = start_gap(c);
+    quality_.max_penetration = std::max(quality_.max_penetration, gap <= closed ? -gap : 0.0);
+    return c.at.gap > reach || gap > closed;
+  });
+}
+
+/// The gap between the features of a contact when the step began.
+template <int D>
+double World<D>::start_gap(const Contact& c) const {
+  const auto at_start = [&](int body, std::uint32_t feature) {
+    const Saved& start = saved_[body];
+    return Placed2{bodies[body].contactors[contactor_of(feature)], {start.x, Rotation2::from_angle(start.angle)}};
+  };
+  const Placed2 candidate = at_start(c.candidate, c.at.feature);
+  if (c.antagonist < 0) return feature_gap(candidate, c.at.feature, *terrain_, c.at.against);
+  return feature_gap(candidate, c.at.feature, at_start(c.antagonist, c.at.against), c.at.against);
 }
 
 template <int D>
@@ -147,8 +171,9 @@ double World<D>::deepest_overlap() {
 template <int D>
 std::span<const HeldContact> World<D>::held(int body, int other) {
   held_.clear();
-  for (const Contact& c : contacts_)
-    if (c.candidate == body && c.antagonist == other) held_.push_back({c.at.feature, c.at.against});
+  for (const auto* list : {&contacts_, &last_})
+    for (const Contact& c : *list)
+      if (c.candidate == body && c.antagonist == other) held_.push_back({c.at.feature, c.at.against});
   return held_;
 }
 
@@ -157,7 +182,9 @@ template double World<2>::carry_reach(const Contact&) const;
 template const std::vector<std::pair<int, int>>& World<2>::near_pairs(double);
 template void World<2>::detect(double);
 template void World<2>::match_last();
-template void World<2>::keep_active(double, bool);
+template void World<2>::keep_closed(double);
+template void World<2>::keep_closed_at_start();
+template double World<2>::start_gap(const Contact&) const;
 template double World<2>::deepest_overlap();
 template std::span<const HeldContact> World<2>::held(int, int);
 

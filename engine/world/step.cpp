@@ -37,7 +37,10 @@ typename World<D>::Outcome World<D>::step(double h, bool cut) {
   for (int cuts = 0;; ++cuts) {
     drift((1 - theta) * h);
     detect((1 - theta) * h);
-    keep_active(0, !cut);
+    if (cut)
+      keep_closed_at_start();
+    else
+      keep_closed(0);
     measure_before();
     for (Body<D>& body : bodies)
       if (body.moves()) body.v += h * gravity_;
@@ -58,7 +61,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut) {
     }
   }
   record_impacts();
-  project_drift();
+  project_drift(cut);
   time += h;
   ++quality_.steps;
   quality_.cut_steps += new_touch;
@@ -71,7 +74,7 @@ typename World<D>::Outcome World<D>::impact() {
   constexpr double event_share = 1e-7;
   impacts_.clear();
   detect(0);
-  keep_active(event_share, true);
+  keep_closed(event_share);
   measure_before();
   begin_manifolds();
   ask_laws();
@@ -129,17 +132,18 @@ std::optional<double> World<D>::first_touch(double h) {
   return first;
 }
 
-/// Contacts that carry on keep their gap only to second order in h. Their gaps are closed, by displacements M^-1 H_n
-/// lambda, without touching the velocities. Deep overlaps of fixed time steps are left, as LMGC90 leaves them.
+/// Contacts that carry on keep their gap only to second order in h. It is closed, by displacements M^-1 H_n lambda,
+/// without touching the velocities; a contact without impulse is only pushed out. The deep overlaps that fixed time steps
+/// make (`exact` false) are left, as LMGC90 leaves them.
 template <int D>
-void World<D>::project_drift() {
+void World<D>::project_drift(bool exact) {
   if (contacts_.empty()) return;
   constexpr int passes = 3;
+  constexpr double deepest = 1e-3;  // of the size: beyond it something else is wrong, and a push would throw the body
   drift_.assign(bodies.size(), Body<D>::Rows::Zero());
   for (int pass = 0; pass < passes; ++pass) {
     for (std::size_t a = 0; a < contacts_.size(); ++a) {
       const Contact& c = contacts_[a];
-      if (c.impulse[0] <= 0) continue;
       const Body<D>& body = bodies[c.candidate];
       const Placed2 candidate{body.contactors[contactor_of(c.at.feature)], body.pose()};
       double gap;
@@ -149,9 +153,11 @@ void World<D>::project_drift() {
         const Body<D>& other = bodies[c.antagonist];
         gap = feature_gap(candidate, c.at.feature, {other.contactors[contactor_of(c.at.against)], other.pose()}, c.at.against);
       }
-      if (std::abs(gap) > carry_reach(c)) continue;
+      const double reach = carry_reach(c);
+      if (gap > reach || gap < -(exact ? std::max(reach, deepest * contact_size(c)) : reach)) continue;
       gap += rows_[a].candidate.col(0).dot(drift_[c.candidate]);
       if (c.antagonist >= 0) gap += rows_[a].antagonist.col(0).dot(drift_[c.antagonist]);
+      if (c.impulse[0] <= 0 && gap >= 0) continue;
       const double lambda = -gap / problem_.contacts[a].w(0, 0);
       drift_[c.candidate] += body.inverse_mass_times(lambda * rows_[a].candidate.col(0));
       if (c.antagonist >= 0)
@@ -184,7 +190,7 @@ template void World<2>::restore();
 template typename World<2>::Outcome World<2>::step(double, bool);
 template typename World<2>::Outcome World<2>::impact();
 template std::optional<double> World<2>::first_touch(double);
-template void World<2>::project_drift();
+template void World<2>::project_drift(bool);
 template typename World<2>::Outcome World<2>::keep(double, bool);
 
 }  // namespace flyrock

@@ -124,7 +124,9 @@ class World {
   // detect.cpp: what touches
   void detect(double ahead);
   void match_last();
-  void keep_active(double share_of_size, bool new_overlaps);
+  void keep_closed(double share_of_size);
+  void keep_closed_at_start();
+  double start_gap(const Contact& contact) const;
   double contact_size(const Contact& contact) const;
   double carry_reach(const Contact& contact) const;
 
@@ -145,7 +147,7 @@ class World {
   void save();
   void restore();
   std::optional<double> first_touch(double h);
-  void project_drift();
+  void project_drift(bool exact);
   Outcome keep(double duration, bool new_touch);
 
   const Terrain* terrain_;

@@ -73,7 +73,8 @@ TEST_CASE("random rocks on random ground never enter it") {
     const BodyHistory& history = bench.run(20);
     REQUIRE(history.reason != StopReason::diverged);
     const Contactor2& shape = bench.world.bodies[0].contactors[0];
-    const double allowed = 4e-6 + 2e-6 * body.size;
+    // A contact drifts by r (w h)^2 / 2 in a step; where its features change meanwhile, that is projected out a step later.
+    const double allowed = 2e-5;
     for (const TrajectoryPoint& point : history.trajectory) {
       const Vec2 x = point.state.position.head<2>();
       if (x.x() < profile.x_min() + 2 || x.x() > profile.x_max() - 2) continue;
