@@ -12,7 +12,7 @@ namespace flyrock {
 namespace {
 
 constexpr std::string_view magic = "flyrchnk";
-constexpr std::uint64_t format = 1;
+constexpr std::uint64_t format = 2;
 
 std::uint64_t crc(std::string_view bytes) {
   boost::crc_32_type sum;
@@ -44,6 +44,16 @@ void walk_impact(Io& io, Rows& rows, Get get) {
   for (int i = 0; i < 3; ++i) io.columns(rows, [&](auto& r) -> auto& { return std::invoke(get, r).place[i]; });
   field(&Impact::vn_before), field(&Impact::vn_after), field(&Impact::vt_before), field(&Impact::vt_after);
   field(&Impact::pn), field(&Impact::pt), field(&Impact::energy_change);
+}
+
+/// What a passage of a gate and the arrival at a barrier have in common; `place` is its gate or barrier.
+template <class Io, class Rows, class Row, class Arrival>
+void walk_arrival(Io& io, Rows& rows, Arrival Row::*arrival, int Arrival::*place) {
+  io.columns(
+      rows, [&](auto& r) -> auto& { return (r.*arrival).*place; }, [&](auto& r) -> auto& { return (r.*arrival).time; },
+      [&](auto& r) -> auto& { return (r.*arrival).speed; },
+      [&](auto& r) -> auto& { return (r.*arrival).kinetic_energy; },
+      [&](auto& r) -> auto& { return (r.*arrival).height; });
 }
 
 /// The stored trajectory of a body is a table of its own (TrajectoryRecord) and not repeated here.
@@ -82,6 +92,10 @@ void walk(Io& io, Records& records) {
              &R::launch_elevation, &R::reason, &R::censored, &R::runout, &R::max_distance, &R::stop_x, &R::stop_y,
              &R::stop_z, &R::flight_range, &R::bounce_height, &R::max_speed, &R::max_energy, &R::impacts, &R::time,
              &R::fault);
+  for (std::size_t mode = 0; mode < travel_mode_names.size(); ++mode)
+    io.columns(
+        records.rocks, [&](auto& r) -> auto& { return r.travel.time[mode]; },
+        [&](auto& r) -> auto& { return r.travel.distance[mode]; });
   io.rows(records.inputs);
   io.columns(records.inputs, &InputRecord::trial, &InputRecord::rock, &InputRecord::draw, &InputRecord::value);
   io.rows(records.impacts);
@@ -91,6 +105,13 @@ void walk(Io& io, Records& records) {
   io.columns(records.trajectories, &TrajectoryRecord::trial, &TrajectoryRecord::rock,
              [](auto& r) -> auto& { return r.point.in_contact; });
   walk_state(io, records.trajectories, [](auto& r) -> auto& { return r.point.state; });
+  io.rows(records.gates);
+  io.columns(records.gates, &GateRecord::trial, &GateRecord::rock);
+  walk_arrival(io, records.gates, &GateRecord::passage, &Passage::gate);
+  io.rows(records.barriers);
+  io.columns(records.barriers, &BarrierRecord::trial, &BarrierRecord::rock,
+             [](auto& r) -> auto& { return r.hit.outcome; });
+  walk_arrival(io, records.barriers, &BarrierRecord::hit, &BarrierHit::barrier);
   io.rows(records.materials);
   io.columns(records.materials, &MaterialUse::contacts, &MaterialUse::restitution, &MaterialUse::friction,
              &MaterialUse::rolling, &MaterialUse::unilateral);

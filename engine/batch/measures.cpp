@@ -29,6 +29,15 @@ int index_of(const std::string& word, const List& names) {
   return static_cast<int>(found - names.begin());
 }
 
+template <class Plan>
+std::vector<std::string> names_of(const std::vector<Plan>& plans) {
+  std::vector<std::string> names;
+  for (const Plan& plan : plans) names.push_back(plan.name);
+  return names;
+}
+
+constexpr std::array<std::string_view, 4> gate_fields = {"passed", "mean_energy", "p95_energy", "p95_height"};
+constexpr std::array<std::string_view, 4> barrier_fields = {"reached", "caught", "over_top", "over_energy"};
 constexpr std::array<std::string_view, 4> solver_fields = {"max_residual", "not_converged", "max_penetration",
                                                            "energy_gains"};
 constexpr std::array<std::string_view, 11> impact_fields = {
@@ -51,6 +60,14 @@ Measure::Measure(const std::string& name, const Scenario& scenario) {
     read_body(words, scenario);
   } else if (words[0] == "rocks") {
     read_rocks(words, scenario);
+  } else if (words[0] == "gate") {
+    kind_ = Kind::gate;
+    index_ = index_of(words[1], names_of(scenario.gates));
+    field_ = words[2];
+  } else if (words[0] == "barrier") {
+    kind_ = Kind::barrier;
+    index_ = index_of(words[1], names_of(scenario.barriers));
+    field_ = words[2];
   } else {
     kind_ = words[0] == "energy" ? Kind::energy : Kind::solver;
     field_ = words[1];
@@ -75,9 +92,7 @@ void Measure::read_rocks(const std::vector<std::string>& words, const Scenario& 
 
 void Measure::read_body(const std::vector<std::string>& words, const Scenario& scenario) {
   kind_ = Kind::body;
-  std::vector<std::string> names;
-  for (const BodyPlan& body : scenario.bodies) names.push_back(body.name);
-  index_ = index_of(words[1], names);
+  index_ = index_of(words[1], names_of(scenario.bodies));
   const std::size_t bracket = words[2].find('[');  // impact[3]
   table_ = words[2].substr(0, bracket);
   if (bracket != std::string::npos)
@@ -100,12 +115,29 @@ Measured Measure::value(const PointResult& result) const {
       const Bounded& number = result.groups.at(index_).at(quantity_, statistic_);
       return {number.value, number.censored, std::isnan(number.value) ? "too few rocks" : ""};
     }
+    case Kind::gate: return gate_value(result.gates.at(index_), field_);
+    case Kind::barrier: return barrier_value(result.barriers.at(index_), field_);
     case Kind::body: break;
   }
   if (static_cast<std::size_t>(index_) >= result.records.bodies.size()) return {0, false, "the body was not run"};
   const BodyHistory& body = result.records.bodies[index_];
   if (is_fault(body.reason)) return {0, false, fmt::format("{}: {}", name_of(body.reason), body.fault)};
   return body_value(body);
+}
+
+Measured Measure::gate_value(const GateSummary& gate, const std::string& field) {
+  const std::array<Bounded, gate_fields.size()> values = {
+      gate.share, gate.energy[static_cast<int>(Statistic::mean)], gate.energy[static_cast<int>(Statistic::p95)],
+      gate.height[static_cast<int>(Statistic::p95)]};
+  const Bounded& number = values[index_of(field, gate_fields)];
+  return {number.value, number.censored, std::isnan(number.value) ? "no rock passed" : ""};
+}
+
+Measured Measure::barrier_value(const BarrierSummary& barrier, const std::string& field) {
+  const std::array<Bounded, barrier_fields.size()> values = {barrier.reached, barrier.shares[0], barrier.shares[1],
+                                                             barrier.shares[2]};
+  const Bounded& number = values[index_of(field, barrier_fields)];
+  return {number.value, number.censored, std::isnan(number.value) ? "too few rocks" : ""};
 }
 
 Measured Measure::body_value(const BodyHistory& body) const {

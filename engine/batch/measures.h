@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "batch/statistics.h"
+#include "batch/crossing_summary.h"
 
 namespace flyrock {
 
@@ -14,6 +14,8 @@ struct PointResult {
   Profile terrain;                   ///< of its first trial, for pictures; no points where it could not be built
   TrialRecords records;
   std::vector<GroupSummary> groups;  ///< all rocks first; see summarise()
+  std::vector<GateSummary> gates;    ///< in the order of Scenario::gates
+  std::vector<BarrierSummary> barriers;
 };
 
 struct Measured {
@@ -23,7 +25,8 @@ struct Measured {
 };
 
 /// One measure of a scenario, read from its name: body.<name>.final.x, body.<name>.impact[2].vn_after,
-/// energy.total.relative_change, solver.max_residual, rocks[.<group>].runout.p95, rocks[.<group>].count.
+/// energy.total.relative_change, solver.max_residual, rocks[.<group>].runout.p95, rocks[.<group>].count,
+/// gate.<name>.passed, barrier.<name>.caught.
 /// scenario/measure.h holds the grammar, docs/results.md what each means.
 class Measure {
  public:
@@ -31,19 +34,21 @@ class Measure {
   Measure(const std::string& name, const Scenario& scenario);
 
   /// Whether it needs the full number of trials (a statistic of rocks).
-  bool of_rocks() const { return kind_ == Kind::statistic || kind_ == Kind::count || kind_ == Kind::censored; }
+  bool of_rocks() const { return kind_ != Kind::body && kind_ != Kind::energy && kind_ != Kind::solver; }
   Measured value(const PointResult& result) const;
 
  private:
-  enum class Kind { statistic, count, censored, body, energy, solver };
+  enum class Kind { statistic, count, censored, gate, barrier, body, energy, solver };
 
   void read_rocks(const std::vector<std::string>& words, const Scenario& scenario);
   void read_body(const std::vector<std::string>& words, const Scenario& scenario);
+  static Measured gate_value(const GateSummary& gate, const std::string& field);
+  static Measured barrier_value(const BarrierSummary& barrier, const std::string& field);
   Measured body_value(const BodyHistory& body) const;
   double state_value(const BodyHistory& body) const;
 
   Kind kind_ = Kind::statistic;
-  int index_ = 0;       ///< of the group (0: all rocks) or of the body
+  int index_ = 0;       ///< of the group (0: all rocks), gate, barrier or body
   int number_ = 0;      ///< of an impact or apex, from 1
   std::string table_;   ///< body: final, max, min, stop_time, contact_time, impact, apex
   std::string field_;   ///< x, vn_before, max_residual

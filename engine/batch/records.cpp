@@ -21,6 +21,8 @@ void append(TrialRecords& to, TrialRecords&& from) {
   append_rows(to.inputs, std::move(from.inputs));
   append_rows(to.impacts, std::move(from.impacts));
   append_rows(to.trajectories, std::move(from.trajectories));
+  append_rows(to.gates, std::move(from.gates));
+  append_rows(to.barriers, std::move(from.barriers));
   to.materials.resize(std::max(to.materials.size(), from.materials.size()));
   for (std::size_t i = 0; i < from.materials.size(); ++i) to.materials[i].add(from.materials[i]);
   to.quality.add(from.quality);

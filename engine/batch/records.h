@@ -29,6 +29,7 @@ struct RockRecord {
   double max_energy = 0;       ///< kinetic, J
   int impacts = 0;
   double time = 0;
+  Travel travel;               ///< time and path by mode of travel
   std::string fault;           ///< diverged, plugin_error: why
 };
 
@@ -52,12 +53,26 @@ struct TrajectoryRecord {
   TrajectoryPoint point;
 };
 
+struct GateRecord {
+  std::uint64_t trial = 0;
+  int rock = 0;
+  Passage passage;
+};
+
+struct BarrierRecord {
+  std::uint64_t trial = 0;
+  int rock = 0;
+  BarrierHit hit;
+};
+
 /// Everything that consecutive trials of one point leave.
 struct TrialRecords {
   std::vector<RockRecord> rocks;
   std::vector<InputRecord> inputs;
   std::vector<ImpactRecord> impacts;
   std::vector<TrajectoryRecord> trajectories;
+  std::vector<GateRecord> gates;
+  std::vector<BarrierRecord> barriers;
   std::vector<MaterialUse> materials;  ///< in the order of Scenario::materials
   SolverQuality quality;
   PhaseTimes times;

@@ -119,6 +119,8 @@ Results make_results(const Plan& plan, std::vector<TrialRecords> records, const 
     PointResult result;
     result.trials = facts.trials.at(point);
     result.groups = summarise(records[point].rocks, group_names(plan.points[point]));
+    result.gates = summarise_gates(records[point], plan.points[point].gates.size());
+    result.barriers = summarise_barriers(records[point], plan.points[point].barriers.size());
     result.records = std::move(records[point]);
     results.points.push_back(std::move(result));
   }

@@ -22,6 +22,13 @@ Bounded quantile(const std::vector<Bounded>& sorted, std::size_t first_censored,
   return {value, first_censored <= high};
 }
 
+std::array<double, 4> shares_of(std::array<double, 4> parts) {
+  double sum = 0;
+  for (const double part : parts) sum += part;
+  for (double& part : parts) part = sum > 0 ? part / sum : unknown;
+  return parts;
+}
+
 GroupSummary summarise_group(const std::string& name, const std::vector<const RockRecord*>& rocks) {
   GroupSummary summary;
   summary.name = name;
@@ -31,6 +38,12 @@ GroupSummary summarise_group(const std::string& name, const std::vector<const Ro
     summary.faults += is_fault(rock->reason);
     summary.censored += !is_fault(rock->reason) && rock->censored;
   }
+  Travel travel;
+  for (const RockRecord* rock : rocks)
+    for (std::size_t m = 0; m < travel_mode_names.size() && !is_fault(rock->reason); ++m)
+      travel.add(static_cast<TravelMode>(m), rock->travel.time[m], rock->travel.distance[m]);
+  summary.time_share = shares_of(travel.time);
+  summary.distance_share = shares_of(travel.distance);
   for (std::size_t q = 0; q < quantity_names.size(); ++q) {
     std::vector<Bounded> values;
     for (const RockRecord* rock : rocks)

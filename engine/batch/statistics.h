@@ -52,6 +52,9 @@ struct GroupSummary {
   std::array<std::uint64_t, 6> reasons{};  ///< indexed by StopReason
   std::array<Statistics, quantity_names.size()> statistics{};
 
+  /// Of all rocks without faults together, indexed by TravelMode; NaN where none has moved.
+  std::array<double, travel_mode_names.size()> time_share{}, distance_share{};
+
   const Bounded& at(RockQuantity quantity, Statistic statistic) const {
     return statistics[static_cast<int>(quantity)][static_cast<int>(statistic)];
   }

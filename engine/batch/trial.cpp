@@ -39,7 +39,11 @@ std::array<ContactState, samples> sampled_contacts() {
 
 }  // namespace
 
-TrialRunner::TrialRunner(const Scenario& scenario) : scenario_(scenario), builder_(scenario) { sample(); }
+TrialRunner::TrialRunner(const Scenario& scenario) : scenario_(scenario), builder_(scenario) {
+  for (const GatePlan& gate : scenario.gates) gates_.push_back({gate.x});
+  for (const BarrierPlan& barrier : scenario.barriers) barriers_.push_back({barrier.x, barrier.height, barrier.capacity});
+  sample();
+}
 
 /// Laws on sampled contacts; shapes, populations, launches and the terrain by building the first trials.
 void TrialRunner::sample() {
@@ -89,6 +93,8 @@ void TrialRunner::run(std::uint64_t number, TrialRecords& out) {
   settings.stop_time = scenario_.stop.time;
   settings.stop_speed = scenario_.stop.speed;
   settings.trajectory_every = stores ? scenario_.output.trajectories_every : 0;
+  settings.gates = gates_;
+  settings.barriers = barriers_;
   settings.keep_impacts = scenario_.output.impacts || !scenario_.bodies.empty();
 
   const bool timed = number % timed_every == 0;
@@ -155,6 +161,9 @@ void TrialRunner::record(std::uint64_t trial, int index, const TrialRock& rock, 
     row.max_energy = history.max.kinetic_energy;
     row.impacts = history.impact_count;
     row.time = history.last.time;
+    row.travel = history.travel;
+    for (const Passage& passage : history.passages) out.gates.push_back({trial, index, passage});
+    for (const BarrierHit& hit : history.barriers) out.barriers.push_back({trial, index, hit});
     if (scenario_.output.impacts)
       for (const Impact& impact : history.impacts) out.impacts.push_back({trial, index, impact});
     for (const TrajectoryPoint& point : history.trajectory) out.trajectories.push_back({trial, index, point});

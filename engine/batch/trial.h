@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "batch/records.h"
+#include "flight/crossings.h"
 #include "scenario/build_trial.h"
 
 namespace flyrock {
@@ -29,6 +30,8 @@ class TrialRunner {
 
   const Scenario& scenario_;
   TrialBuilder builder_;
+  std::vector<Gate> gates_;
+  std::vector<Barrier> barriers_;
 };
 
 }  // namespace flyrock

@@ -55,4 +55,15 @@ Box2 swept_box(const Motion2& motion, double r, double t) {
   return box;
 }
 
+/// With u = v . a / |a| + |a| t and p the speed across a, the speed is sqrt(p^2 + u^2).
+double path_length(const Motion2& motion, double t) {
+  const double a = motion.a.norm();
+  if (a == 0) return t * motion.v.norm();
+  const double along = motion.v.dot(motion.a) / a, across = std::abs(cross(motion.v, motion.a)) / a;
+  const auto antiderivative = [&](double u) {
+    return 0.5 * (u * std::hypot(across, u) + (across > 0 ? across * across * std::asinh(u / across) : 0));
+  };
+  return (antiderivative(along + a * t) - antiderivative(along)) / a;
+}
+
 }  // namespace flyrock

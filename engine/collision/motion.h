@@ -23,6 +23,9 @@ struct TimeWindow {
   bool empty() const { return a > b; }
 };
 
+/// The length of the path over [0, t].
+double path_length(const Motion2& motion, double t);
+
 /// A box with sides along the axes.
 struct Box2 {
   Vec2 low = Vec2::Zero(), high = Vec2::Zero();

@@ -101,6 +101,7 @@ void Observer::clearance(int body, const Motion2& motion, double dt) {
 void Observer::flew(int body, const Motion2& motion, double start, double dt) {
   BodyHistory& h = histories_[body];
   if (dt > 0) has_flown_[body] = true;
+  h.travel.add(has_landed_[body] ? TravelMode::bounce : TravelMode::flight, dt, path_length(motion, dt));
   const double apex = motion.a.y() < 0 ? motion.v.y() / -motion.a.y() : -1;
   if (apex > 0 && apex <= dt) {
     const BodyState top = state(body, motion, apex, start + apex);
@@ -118,8 +119,9 @@ void Observer::flew(int body, const Motion2& motion, double start, double dt) {
   store(body, end, false);
 }
 
-void Observer::stepped(int body, double dt) {
+void Observer::stepped(int body, const Motion2& motion, double dt, TravelMode mode) {
   histories_[body].contact_time += dt;
+  histories_[body].travel.add(mode, dt, path_length(motion, dt));
   const Motion2 now = world_.flight_of(body);
   const BodyState s = state(body, now, 0, world_.time);
   extremes(body, s);
@@ -156,7 +158,8 @@ void Observer::ended(int body, StopReason reason) {
   BodyHistory& h = histories_[body];
   h.reason = reason;
   if (reason != StopReason::diverged) h.last = state(body, world_.flight_of(body), 0, world_.time);
-  if (reason == StopReason::left_domain && !has_landed_[body]) h.flight_range = h.max_distance;
+  const bool flew_away = reason == StopReason::left_domain || reason == StopReason::caught;
+  if (flew_away && !has_landed_[body]) h.flight_range = h.max_distance;
   store(body, h.last, reason == StopReason::stopped);
 }
 

@@ -14,8 +14,8 @@ class Observer {
 
   /// The world flew, or stepped without contact at `body`, along `motion` for dt; `start` is the time at its begin.
   void flew(int body, const Motion2& motion, double start, double dt);
-  /// A contact step of length dt has ended.
-  void stepped(int body, double dt);
+  /// A contact step of length dt has ended, in which the body moved along `motion`.
+  void stepped(int body, const Motion2& motion, double dt, TravelMode mode);
   /// Impacts of the world at its present time.
   void impacts();
   /// The body touches the ground at the present time.

@@ -18,6 +18,7 @@ class Runner {
         settings_(settings),
         histories_(histories),
         observer_(world, settings.trajectory_every, settings.keep_impacts, histories),
+        crossings_(world, settings.gates, settings.barriers, histories),
         rest_since_(world.bodies.size(), -1.0),
         running_(world.bodies.size()) {
     for (std::size_t i = 0; i < running_.size(); ++i) running_[i] = world.bodies[i].kind == BodyKind::dynamic;
@@ -70,7 +71,7 @@ class Runner {
       const PhaseTimer timer(world_.clock, &PhaseTimes::flight);
       for (int i = 0; i < bodies(); ++i) {
         if (!world_.bodies[i].moves()) continue;
-        dt = std::min(dt, time_in_domain(i));
+        dt = std::min({dt, time_in_domain(i), running_[i] ? crossings_.time_to_barrier(i) : dt});
         const Body<2>& body = world_.bodies[i];
         const TouchSearch search{world_.held(i, -1), false, 0, body.size, &world_.quality().toc_iterations};
         for (std::size_t k = 0; k < body.contactors.size(); ++k) {
@@ -88,12 +89,15 @@ class Runner {
       if (dt <= h && may_meet(dt)) return step();
     }
     const double start = world_.time;
+    flights_.clear();
     for (int i = 0; i < bodies(); ++i) {
+      flights_.push_back(world_.flight_of(i));
       if (!running_[i]) continue;
-      observer_.flew(i, world_.flight_of(i), start, dt);
+      observer_.flew(i, flights_[i], start, dt);
       if (dt > world_.settings().time_step) rest_since_[i] = -1;  // a body that rests may lose touch for less
     }
     world_.fly(dt);
+    cross(start, dt);
     return touch && collide();
   }
 
@@ -118,25 +122,54 @@ class Runner {
     const double start = world_.time;
     flights_.clear();
     for (int i = 0; i < bodies(); ++i) flights_.push_back(world_.flight_of(i));
-    const auto outcome = world_.step(std::min(world_.settings().time_step, time_left()), cut && settings_.exact_flight);
+    const auto outcome = world_.step(std::min(step_length(), time_left()), cut && settings_.exact_flight);
     touching_.assign(bodies(), false);
+    slipping_.assign(bodies(), false);
     for (const auto& contact : world_.contacts()) {
       if (contact.impulse[0] <= 0) continue;
-      touching_[contact.candidate] = true;
-      if (contact.antagonist >= 0) touching_[contact.antagonist] = true;
+      for (const int body : {contact.candidate, contact.antagonist}) {
+        if (body < 0) continue;
+        touching_[body] = true;
+        slipping_[body] = slipping_[body] || world_.slips(contact, body);
+      }
     }
     for (int i = 0; i < bodies(); ++i) {
       if (!running_[i]) continue;
       if (touching_[i]) {
+        if (outcome.duration > 0) flights_[i] = straight(flights_[i], world_.bodies[i], outcome.duration);
         observer_.touched(i);
-        observer_.stepped(i, outcome.duration);
+        observer_.stepped(i, flights_[i], outcome.duration, slipping_[i] ? TravelMode::slide : TravelMode::roll);
       } else if (outcome.duration > 0) {
         observer_.flew(i, flights_[i], start, outcome.duration);
       }
       rest(i, touching_[i], start);
     }
     observer_.impacts();
+    cross(start, outcome.duration);
     return outcome.new_touch ? collide() : outcome.in_contact;
+  }
+
+  /// A step at whose end a barrier is about to be reached is cut there. Contact forces bend the path within a step, so
+  /// that at least a hundredth of a step is made: the barrier is passed, not crept up to.
+  double step_length() const {
+    double h = world_.settings().time_step;
+    for (int i = 0; i < bodies(); ++i)
+      if (running_[i]) h = std::min(h, std::max(crossings_.time_to_barrier(i), 0.01 * world_.settings().time_step));
+    return h;
+  }
+
+  /// The mean motion of a step in contact.
+  static Motion2 straight(const Motion2& before, const Body<2>& body, double dt) {
+    return {before.x, (body.x - before.x) / dt, Vec2::Zero(), before.angle, (body.angle - before.angle) / dt, 0};
+  }
+
+  /// Gates and barriers act on what moved along flights_ since `start`.
+  void cross(double start, double dt) {
+    for (int i = 0; i < bodies(); ++i) {
+      if (!running_[i] || !crossings_.moved(i, flights_[i], start, dt)) continue;
+      end(i, StopReason::caught);
+      world_.bodies[i].present = false;
+    }
   }
 
   /// Notes since when a body has been at rest.
@@ -181,9 +214,10 @@ class Runner {
   const RunSettings& settings_;
   std::vector<BodyHistory>& histories_;
   Observer observer_;
+  Crossings crossings_;
   std::vector<double> rest_since_;
   std::vector<bool> running_;
-  std::vector<bool> touching_;
+  std::vector<bool> touching_, slipping_;
   std::vector<Motion2> flights_;
   int stalled_ = 0;
 };

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "world/world.h"
+#include "flight/crossings.h"
 
 namespace flyrock {
 
@@ -13,6 +13,8 @@ struct RunSettings {
   double stop_speed = 0.05;     ///< m/s; slower for `rest_time` in contact is at rest; 0: never
   double trajectory_every = 0;  ///< s between stored points; 0: none
   bool keep_impacts = true;
+  std::span<const Gate> gates;
+  std::span<const Barrier> barriers;
 };
 
 /// A body is at rest when its speed, and its spin times its radius, stay under stop_speed for this long in contact.
@@ -23,6 +25,7 @@ inline constexpr double rest_time = 0.2;
 ///     bodies may meet meanwhile, they go on in steps;
 ///   - at a touch the impact problem of all closed contacts is solved; if all separate, the flight goes on;
 ///   - else steps of the scheme follow, each cut at the first touch of a pair that is not in contact.
+/// A flight ends at a barrier as it does at a touch; a step ends there too, to a hundredth of a step.
 /// Never throws but PluginError; a body whose state is not finite ends with `diverged`.
 void run(World<2>& world, const RunSettings& settings, std::vector<BodyHistory>& histories);
 

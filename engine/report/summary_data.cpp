@@ -37,9 +37,47 @@ Json group_data(const GroupSummary& group) {
                {"faults", group.faults},
                {"censored", group.censored_share()},
                {"stop_reasons", reasons}};
+  Json time = Json::object(), distance = Json::object();
+  for (std::size_t m = 0; m < travel_mode_names.size(); ++m) {
+    time[travel_mode_names[m]] = number(group.time_share[m]);
+    distance[travel_mode_names[m]] = number(group.distance_share[m]);
+  }
+  data["travel"] = {{"time", time}, {"distance", distance}};
   for (std::size_t q = 0; q < quantity_names.size(); ++q)
     data[std::string(quantity_names[q])] = statistics_data(group.statistics[q]);
   return data;
+}
+
+Json gates_data(const Scenario& scenario, const std::vector<GateSummary>& gates) {
+  Json list = Json::array();
+  for (std::size_t g = 0; g < gates.size(); ++g)
+    list.push_back({{"gate", scenario.gates[g].name},
+                    {"x", scenario.gates[g].x},
+                    {"rocks", gates[g].passed},
+                    {"passed", number(gates[g].share.value)},
+                    {"lower_bounds", gates[g].share.censored},
+                    {"speed", statistics_data(gates[g].speed)},
+                    {"energy", statistics_data(gates[g].energy)},
+                    {"height", statistics_data(gates[g].height)}});
+  return list;
+}
+
+Json barriers_data(const Scenario& scenario, const std::vector<BarrierSummary>& barriers) {
+  Json list = Json::array();
+  for (std::size_t b = 0; b < barriers.size(); ++b) {
+    const BarrierSummary& barrier = barriers[b];
+    const BarrierPlan& plan = scenario.barriers[b];
+    Json data = {{"barrier", plan.name}, {"x", plan.x}, {"height_m", plan.height}, {"capacity_J", plan.capacity},
+                 {"rocks", barrier.outcomes[0] + barrier.outcomes[1] + barrier.outcomes[2]},
+                 {"reached", number(barrier.reached.value)}};
+    for (std::size_t o = 0; o < barrier.shares.size(); ++o)
+      data[name_of(static_cast<BarrierOutcome>(o))] = number(barrier.shares[o].value);
+    data["lower_bounds"] = barrier.reached.censored;
+    data["energy"] = statistics_data(barrier.energy);
+    data["height"] = statistics_data(barrier.height);
+    list.push_back(std::move(data));
+  }
+  return list;
 }
 
 Json quality_data(const SolverQuality& q) {
@@ -102,6 +140,8 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
                       {"at", at_point(plan, p)},
                       {"trials", point.trials},
                       {"rocks", groups},
+                      {"gates", gates_data(plan.points[p], point.gates)},
+                      {"barriers", barriers_data(plan.points[p], point.barriers)},
                       {"solver", quality_data(point.records.quality)},
                       {"materials", materials_data(plan.points[p], point.records.materials)}});
   }

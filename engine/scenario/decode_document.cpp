@@ -50,13 +50,16 @@ class DocumentDecoder {
       check_hole(context_, *blast, *scenario_.blast, scenario_.terrain);
     }
     decode_moving(profile);
+    if (const auto barriers = root_.find("barriers"))
+      scenario_.barriers = decode_barriers(context_, *barriers, profile, resolved_);
+    if (const auto gates = root_.find("gates"))
+      scenario_.gates = decode_gates(context_, *gates, profile, resolved_);
     scenario_.solver = decode_solver(context_, root_.find("solver"), resolved_);
     if (const auto stop = part("stop")) scenario_.stop = decode_stop(context_, stop, resolved_);
     scenario_.output = decode_output(context_, root_.find("output"), resolved_);
     decode_sweep();
     if (const auto expect = root_.find("expect"))
-      scenario_.expect = decode_expect(context_, *expect, element_names(root_.find("bodies")),
-                                       element_names(root_.find("rocks")), resolved_);
+      scenario_.expect = decode_expect(context_, *expect, measure_names(), resolved_);
     scenario_.draws = context_.draws;
     return std::move(scenario_);
   }
@@ -112,6 +115,13 @@ class DocumentDecoder {
           context_.diagnostics,
           fmt::format("this version has no design `{}`, expected `grid`", section.text("design")));
     put(resolved_, "sweep", map_value(std::move(map)));
+  }
+
+  MeasureNames measure_names() const {
+    return {.bodies = element_names(root_.find("bodies")),
+            .groups = element_names(root_.find("rocks")),
+            .gates = element_names(root_.find("gates")),
+            .barriers = element_names(root_.find("barriers"))};
   }
 
   std::vector<std::string> pair_names(const std::optional<Profile>& profile) const {

@@ -108,11 +108,9 @@ class ExpectationDecoder {
 }  // namespace
 
 std::vector<Expectation> decode_expect(DecodeContext& context, const Node& node,
-                                       const std::vector<std::string>& bodies,
-                                       const std::vector<std::string>& groups, Map& resolved) {
+                                       const MeasureNames& names, Map& resolved) {
   std::vector<Expectation> expectations;
   if (!node.expect_list(context.diagnostics)) return expectations;
-  const MeasureNames names{bodies, groups};
   List list;
   for (const Node& item : node.items()) {
     Map map;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scenario/decode_params.h"
+#include "scenario/measure.h"
 #include "scenario/scenario.h"
 
 namespace flyrock {
@@ -43,13 +44,18 @@ std::vector<PairPlan> decode_pairs(DecodeContext& context, const Node& node,
                                    const std::vector<Material>& materials,
                                    const std::vector<std::string>& names, Map& resolved);
 
+/// Gates and barriers stand within the profile.
+std::vector<BarrierPlan> decode_barriers(DecodeContext& context, const Node& node,
+                                         const std::optional<Profile>& profile, Map& resolved);
+std::vector<GatePlan> decode_gates(DecodeContext& context, const Node& node,
+                                   const std::optional<Profile>& profile, Map& resolved);
+
 SolverPlan decode_solver(DecodeContext& context, const std::optional<Node>& node, Map& resolved);
 StopPlan decode_stop(DecodeContext& context, const std::optional<Node>& node, Map& resolved);
 OutputPlan decode_output(DecodeContext& context, const std::optional<Node>& node, Map& resolved);
 
 std::vector<Expectation> decode_expect(DecodeContext& context, const Node& node,
-                                       const std::vector<std::string>& bodies,
-                                       const std::vector<std::string>& groups, Map& resolved);
+                                       const MeasureNames& names, Map& resolved);
 
 /// Known keys that nothing in this run reads.
 std::vector<std::string> find_not_used(const Node& root, const Scenario& scenario);

@@ -43,6 +43,14 @@ const Table rock_distributions{{"runout", dimension::length},       {"max_distan
                                {"speed", dimension::speed},         {"energy", dimension::energy},
                                {"impacts", dimension::none},        {"time", dimension::time}};
 const Table rock_totals{{"count", dimension::none}, {"censored", dimension::none}};
+const Table gate_quantities{{"passed", dimension::none},
+                            {"mean_energy", dimension::energy},
+                            {"p95_energy", dimension::energy},
+                            {"p95_height", dimension::length}};
+const Table barrier_quantities{{"reached", dimension::none},
+                               {"caught", dimension::none},
+                               {"over_top", dimension::none},
+                               {"over_energy", dimension::none}};
 const std::vector<std::string> statistics{"mean", "sd", "min", "max", "p50", "p90", "p95", "p99"};
 
 std::vector<std::string> names_of(const Table& table) {
@@ -63,10 +71,12 @@ class MeasureParser {
   }
 
   MeasureInfo parse() {
-    static const std::vector<std::string> kinds{"body", "rocks", "energy", "solver"};
+    static const std::vector<std::string> kinds{"body", "rocks", "gate", "barrier", "energy", "solver"};
     const std::string kind = next(kinds);
     if (kind == "body") parse_body();
     if (kind == "rocks") parse_rocks();
+    if (kind == "gate") parse_named("gates", names_.gates, gate_quantities);
+    if (kind == "barrier") parse_named("barriers", names_.barriers, barrier_quantities);
     if (kind == "solver") finish(solver_quantities);
     if (kind == "energy") {
       next({"total"});
@@ -139,6 +149,12 @@ class MeasureParser {
         info_.dimension = entry.dimension;
         next(statistics);
       }
+  }
+
+  void parse_named(std::string_view section, const std::vector<std::string>& names, const Table& quantities) {
+    if (names.empty()) return fail(fmt::format("the scenario has no {}", section));
+    next(names);
+    finish(quantities);
   }
 
   std::string_view measure_;

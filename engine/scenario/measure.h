@@ -13,6 +13,8 @@ namespace flyrock {
 struct MeasureNames {
   std::vector<std::string> bodies;
   std::vector<std::string> groups;
+  std::vector<std::string> gates;
+  std::vector<std::string> barriers;
 };
 
 struct MeasureInfo {
@@ -24,7 +26,9 @@ struct MeasureInfo {
 ///   body.<name>.final|max|min.<component>, body.<name>.stop_time|contact_time,
 ///   body.<name>.impact[n].<quantity>, body.<name>.apex[n].time|height,
 ///   energy.total.relative_change, solver.<quantity>,
-///   rocks[.<group>].<quantity>.<statistic>, rocks[.<group>].count|censored
+///   rocks[.<group>].<quantity>.<statistic>, rocks[.<group>].count|censored,
+///   gate.<name>.passed|mean_energy|p95_energy|p95_height,
+///   barrier.<name>.reached|caught|over_top|over_energy
 MeasureInfo check_measure(std::string_view measure, const MeasureNames& names);
 
 /// Quantities of rocks, which a group cannot be named after.

@@ -82,6 +82,29 @@ struct PairPlan {
   int material = -1;
 };
 
+/// A place where passing rocks are looked at.
+struct GatePlan {
+  std::string name;
+  double x = 0;  ///< m
+};
+
+/// A fence or berm; flight/crossings.h says what it does.
+struct BarrierPlan {
+  std::string name;
+  double x = 0, height = 0;  ///< m
+  double capacity = 0;       ///< J
+};
+
+/// A distance that is asked of a run: exceeded with `probability` by a rock, or by the farthest rock of a blast.
+struct ClearancePlan {
+  std::string name;
+  double probability = 0;
+  double confidence = 0.95;      ///< of the interval
+  std::optional<double> factor;  ///< of safety; absent: none is applied
+  bool per_blast = false;
+  bool of_max_distance = false;  ///< else of runout
+};
+
 enum class FlightMode { exact, stepped };
 
 struct SolverPlan {
@@ -131,6 +154,8 @@ struct Scenario {
   std::optional<BlastPlan> blast;
   std::vector<RockGroup> rocks;
   std::vector<BodyPlan> bodies;
+  std::vector<BarrierPlan> barriers;
+  std::vector<GatePlan> gates;
   SolverPlan solver;
   StopPlan stop;
   OutputPlan output;

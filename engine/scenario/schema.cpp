@@ -83,7 +83,7 @@ SectionSpec document() {
        or_else(at_most(at_least(integer("trials", "realisations of each sweep point"), 1), exact_integer), 1),
        or_else(choice("rock_contacts", {"off", "on"}, "on: rocks also meet each other"), "off"),
        or_else(at_least(number("gravity", "m/s2", "along -y"), 0), 9.81)},
-      {"plugins", "terrain", "materials", "pairs", "blast", "rocks", "bodies", "solver", "stop", "output",
+      {"plugins", "terrain", "materials", "pairs", "blast", "rocks", "bodies", "barriers", "gates", "solver", "stop", "output",
        "sweep", "expect"}};
 }
 
@@ -164,6 +164,12 @@ std::vector<SectionSpec> make_sections() {
       {"bodies.driven",
        {vector("velocity", "m/s", "that it keeps"), or_else(number("spin", "rad/s", "that it keeps"), 0.0)},
        {}},
+      {"barriers",
+       {text("name", "of the barrier"), number("x", "m", "where it stands"),
+        above(number("height", "m", "above the ground at x"), 0),
+        above(number("capacity", "J", "energy that it takes"), 0)},
+       {}},
+      {"gates", {text("name", "of the gate"), number("x", "m", "where it stands")}, {}},
       {"solver",
        {or_else(above(number("time_step", "s", "of the contact scheme"), 0), 1e-3),
         or_else(at_most(at_least(number("theta", "", "of the theta scheme"), 0.5), 1), 0.5),

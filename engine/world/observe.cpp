@@ -10,6 +10,11 @@ const char* name_of(StopReason reason) {
   return names[static_cast<int>(reason)];
 }
 
+const char* name_of(BarrierOutcome outcome) {
+  constexpr const char* names[] = {"caught", "over_top", "over_energy"};
+  return names[static_cast<int>(outcome)];
+}
+
 void SolverQuality::add(const SolverQuality& other) {
   steps += other.steps;
   cut_steps += other.cut_steps;

@@ -1,6 +1,7 @@
 #pragma once
 // What a run leaves of each body: its states, impacts and extremes.
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -49,6 +50,43 @@ struct TrajectoryPoint {
   bool in_contact = false;
 };
 
+/// A body's centre of mass arrives at a gate; see flight/crossings.h.
+struct Passage {
+  int gate = 0;
+  double time = 0;
+  double speed = 0;           ///< m/s
+  double kinetic_energy = 0;  ///< J
+  double height = 0;          ///< m above the ground at the gate
+};
+
+enum class BarrierOutcome { caught, over_top, over_energy };
+const char* name_of(BarrierOutcome outcome);
+
+/// A body's centre of mass arrives at a barrier; speed and energy are those before it acts.
+struct BarrierHit {
+  int barrier = 0;
+  BarrierOutcome outcome = BarrierOutcome::caught;
+  double time = 0;
+  double speed = 0;           ///< m/s
+  double kinetic_energy = 0;  ///< J
+  double height = 0;          ///< m above the ground at the barrier
+};
+
+/// How a body travels. flight: in the air until it first lands (a contact at its release is none); bounce: in the air after
+/// that; roll: in contact, where every contact sticks or slips slower than a twentieth of the body's speed; slide: in
+/// contact otherwise.
+enum class TravelMode { flight, bounce, slide, roll };
+inline constexpr std::array<const char*, 4> travel_mode_names = {"flight", "bounce", "slide", "roll"};
+
+/// Time [s] and length of path of the centre of mass [m] in each mode, indexed by TravelMode.
+struct Travel {
+  std::array<double, 4> time{}, distance{};
+  void add(TravelMode mode, double dt, double length) {
+    time[static_cast<int>(mode)] += dt;
+    distance[static_cast<int>(mode)] += length;
+  }
+};
+
 struct BodyHistory {
   BodyState first, last;
   BodyState min, max;            ///< each component's extreme over the run, flights included
@@ -61,6 +99,9 @@ struct BodyHistory {
   double flight_range = 0;       ///< m, horizontal distance to the first ground contact
   double bounce_height = 0;      ///< m, greatest height of the centre of mass above the ground below it
   int impact_count = 0;
+  Travel travel;
+  std::vector<Passage> passages;    ///< of gates, each at most once
+  std::vector<BarrierHit> barriers; ///< met, each at most once
   std::vector<Impact> impacts;
   std::vector<Apex> apexes;      ///< after the first impact
   std::vector<TrajectoryPoint> trajectory;

@@ -185,6 +185,13 @@ typename World<D>::Outcome World<D>::keep(double duration, bool new_touch) {
   return outcome;
 }
 
+template <int D>
+bool World<D>::slips(const Contact& contact, int body) const {
+  constexpr double rolling_slip = 0.05;
+  return !contact.sticking && std::abs(relative_velocity(contact)[1]) > rolling_slip * bodies[body].v.norm();
+}
+
+template bool World<2>::slips(const Contact&, int) const;
 template void World<2>::save();
 template void World<2>::restore();
 template typename World<2>::Outcome World<2>::step(double, bool);

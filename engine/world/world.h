@@ -105,6 +105,9 @@ class World {
   /// The boxes of all bodies over the next `dt` of flight, and the pairs of them that may meet.
   const std::vector<std::pair<int, int>>& near_pairs(double dt);
 
+  /// Whether a contact slips faster than a twentieth of the speed of one of its bodies.
+  bool slips(const Contact& contact, int body) const;
+
   double total_energy() const;
   /// The gap below which a contact of a body is closed: 1e-9 size + 1e-12 m.
   double touch(int body) const { return 1e-9 * bodies[body].size + 1e-12; }

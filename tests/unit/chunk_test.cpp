@@ -20,7 +20,11 @@ TrialRecords some_records() {
   rock.runout = -1e300;
   rock.impacts = 3;
   rock.fault = "law.lua:3: said \"no\"";
+  rock.travel.time = {1, 2, 3, 4};
+  rock.travel.distance = {5, 6, 7, 8};
   records.rocks = {rock, RockRecord{}};
+  records.gates = {{7, 1, {.gate = 2, .time = 1.5, .speed = 3, .kinetic_energy = 4, .height = -0.5}}};
+  records.barriers = {{7, 1, {.barrier = 1, .outcome = BarrierOutcome::over_energy, .time = 2, .speed = 9}}};
   records.inputs = {{7, 1, 4, 0.3}};
   ImpactRecord impact{7, 1, {}};
   impact.impact.other = -1;
@@ -57,6 +61,10 @@ TEST_CASE("A chunk reads back as it was written") {
   CHECK(encode_chunk(range, "hash", *read) == bytes);
   CHECK(read->rocks[0].fault == "law.lua:3: said \"no\"");
   CHECK(read->rocks[0].reason == StopReason::plugin_error);
+  CHECK(read->rocks[0].travel.distance[3] == 8);
+  CHECK(read->gates[0].passage.height == -0.5);
+  CHECK(read->barriers[0].hit.outcome == BarrierOutcome::over_energy);
+  CHECK(read->barriers[0].hit.barrier == 1);
   CHECK(read->impacts[0].impact.other == -1);
   CHECK(read->bodies[0].apexes[0].height == 2.25);
   CHECK(std::isnan(read->bodies[0].stop_time));

@@ -90,7 +90,19 @@
     return differences.map((d) => (sum += d) / 1000);
   }
 
-  function draw_tracks(node, point) {
+  /** The height of the ground at x. */
+  function ground_at(terrain, at) {
+    const i = Math.max(1, terrain.x.findIndex((v) => v / 1000 >= at));
+    const [x0, x1, y0, y1] = [terrain.x[i - 1], terrain.x[i], terrain.y[i - 1], terrain.y[i]].map((v) => v / 1000);
+    return x1 > x0 ? y0 + ((y1 - y0) * (at - x0)) / (x1 - x0) : Math.max(y0, y1);
+  }
+  /** Gates as lines over the whole height of a plot, named at its top. */
+  const gate_lines = (gates) => ({
+    shapes: gates.map((g) => ({ type: "line", x0: g.x, x1: g.x, yref: "paper", y0: 0, y1: 1, line: { color: "#009e73", width: 1.5, dash: "dot" } })),
+    annotations: gates.map((g) => ({ x: g.x, y: 1, yref: "paper", yanchor: "top", text: g.gate, showarrow: false, xanchor: "left", bgcolor: "rgba(255,255,255,0.85)", font: { color: "#00694d" } })),
+  });
+
+  function draw_tracks(node, point, { gates, barriers }) {
     const terrain_x = point.terrain.x.map((v) => v / 1000);
     const terrain_y = point.terrain.y.map((v) => v / 1000);
     const traces = [{
@@ -124,9 +136,17 @@
         marker: reason === "stopped" ? { symbol: symbols[reason], size: 5, color: "#1a1d21", opacity: 0.5 } : { symbol: symbols[reason], size: 10, color: "#a63a00" },
         hovertemplate: `${reason} after %{customdata[2]:.2f} s<br>%{customdata[3]}, trial %{customdata[0]}, rock %{customdata[1]}<br>x %{x:.2f} m, y %{y:.2f} m<extra></extra>`,
       });
+    const paths = traces.slice(1);
+    for (const fence of barriers) {
+      const foot = ground_at(point.terrain, fence.x);
+      traces.push({
+        x: [fence.x, fence.x], y: [foot, foot + fence.height_m], mode: "lines", name: `barrier ${fence.barrier}`, line: { color: "#a63a00", width: 5 },
+        hovertemplate: `${fence.barrier}: ${show(fence.height_m)} m, ${show(fence.capacity_J / 1000)} kJ at x = ${show(fence.x)} m<extra></extra>`,
+      });
+    }
     // The window: where rocks were, with the ground below them; zoom out for the rest of the terrain.
-    const seen = traces.slice(1).flatMap((t) => t.x).filter((v) => v !== null);
-    const high = traces.slice(1).flatMap((t) => t.y).filter((v) => v !== null);
+    const seen = paths.flatMap((t) => t.x).filter((v) => v !== null);
+    const high = paths.flatMap((t) => t.y).filter((v) => v !== null);
     const least = (list) => list.reduce((a, b) => Math.min(a, b), Infinity);
     const most = (list) => list.reduce((a, b) => Math.max(a, b), -Infinity);
     let window = {};
@@ -143,7 +163,7 @@
       height, hovermode: "closest", dragmode: "pan",
       xaxis: { ...axis("distance x in m"), range: window.x },
       yaxis: { ...axis("height y in m"), range: window.y, scaleanchor: "x", scaleratio: 1 },
-      legend,
+      ...gate_lines(gates), legend,
     });
   }
 
@@ -238,7 +258,7 @@
       const tracks = data.points[chosen].tracks;
       const trials = new Set(tracks.list.map((t) => t.trial)).size;
       note.textContent = `Shown: ${trials} of ${summary.points[chosen].trials} trials` + (tracks.cut ? " (more were stored than a page holds)." : ".");
-      draw_tracks(node, data.points[chosen]);
+      draw_tracks(node, data.points[chosen], summary.points[chosen]);
     });
   }
 
@@ -264,6 +284,35 @@
     const content = element("div");
     section(title, content);
     redraw.push(() => content.replaceChildren(...build(summary.points[chosen], data.points[chosen])));
+  }
+
+  function crossings_section() {
+    const { gates, barriers } = summary.points[0];
+    if (gates.length + barriers.length === 0) return;
+    const share = (place, value) => right(value === null ? "–" : place.lower_bounds ? `≥ ${percent(value)}` : percent(value));
+    const number = (place, quantity, name) => right(place[quantity][name] === null ? "–" : show(place[quantity][name] / (quantity === "energy" ? 1000 : 1)));
+    section_of_point("Gates and barriers", (point) => [
+      point.gates.length === 0 ? "" : table("Gates: rocks at their first arrival",
+        ["gate", "x m", "rocks", "share", "speed mean m/s", "p95", "energy mean kJ", "p95", "max", "height p95 m", "max"],
+        point.gates.map((g) => [g.gate, g.x, g.rocks, share(g, g.passed), number(g, "speed", "mean"), number(g, "speed", "p95"),
+          number(g, "energy", "mean"), number(g, "energy", "p95"), number(g, "energy", "max"), number(g, "height", "p95"), number(g, "height", "max")])),
+      point.barriers.length === 0 ? "" : table("Barriers: shares of all rocks",
+        ["barrier", "x m", "height m", "capacity kJ", "rocks", "reached", "caught", "over the top", "over energy", "energy p95 kJ", "max", "height p95 m", "max"],
+        point.barriers.map((b) => [b.barrier, b.x, b.height_m, b.capacity_J / 1000, b.rocks, share(b, b.reached), share(b, b.caught), share(b, b.over_top),
+          share(b, b.over_energy), number(b, "energy", "p95"), number(b, "energy", "max"), number(b, "height", "p95"), number(b, "height", "max")])),
+      paragraph("caption", "Read: how many rocks arrive, how fast, with which kinetic energy (rotation included), and how high their centre of mass is above the ground. " +
+        "Over the top: at or above the height of the barrier; over energy: through it, and on with the energy that is left. A rock counts once, when it first arrives. " +
+        "≥: rocks that left the domain or ran out of time had not arrived yet."),
+    ]);
+  }
+
+  function travel_section() {
+    if (of_bodies) return;
+    const modes = ["flight", "bounce", "slide", "roll"];
+    section_of_point("Modes of travel", (point) => [table("Shares of all time and of all path",
+      ["rocks", ...modes.map((mode) => `${mode}, time`), ...modes.map((mode) => `${mode}, path`)],
+      point.rocks.map((group) => [group_name(group), ...["time", "distance"].flatMap((what) => modes.map((mode) => right(group.travel[what][mode] === null ? "–" : percent(group.travel[what][mode]))))])),
+      paragraph("caption", "Flight: until the first landing; bounce: in flight after it; roll: in contact, slipping slower than a twentieth of the speed; slide: in contact otherwise.")]);
   }
 
   function reasons_section() {
@@ -349,6 +398,8 @@
   facts_section();
   tracks_section();
   runout_section();
+  crossings_section();
+  travel_section();
   reasons_section();
   statistics_section();
   sweep_section();

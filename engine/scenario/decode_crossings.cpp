@@ -1,0 +1,61 @@
+// What stands across the path of rocks: barriers and gates. Nothing here may vary within a run.
+
+#include <fmt/format.h>
+
+#include "scenario/decode_sections.h"
+
+namespace flyrock {
+
+namespace {
+
+/// `x` of an element lies on the terrain of the first trial.
+void check_place(DecodeContext& context, const Node& item, const Section& section,
+                 const std::optional<Profile>& profile) {
+  const auto x = item.find("x");
+  if (!x || !section.given("x") || !profile) return;
+  const double at = section.constant("x");
+  if (at > profile->x_min() && at < profile->x_max()) return;
+  x->error(context.diagnostics, fmt::format("{:.6g} m is not on the terrain, which spans x from {:.6g} m to {:.6g} m",
+                                            at, profile->x_min(), profile->x_max()));
+}
+
+template <class Plan, class Read>
+std::vector<Plan> decode_places(DecodeContext& context, const Node& node, std::string_view name,
+                                const std::optional<Profile>& profile, Map& resolved, Read read) {
+  std::vector<Plan> plans;
+  if (!node.expect_list(context.diagnostics)) return plans;
+  List list;
+  for (const Node& item : node.items()) {
+    if (!item.expect_map(context.diagnostics)) continue;
+    Map map;
+    const Section section = decode_section(context, item, name, {}, map);
+    if (const auto given = item.find("name")) check_name(context, *given);
+    check_place(context, item, section, profile);
+    plans.push_back(read(section));
+    list.push_back(map_value(std::move(map)));
+  }
+  refuse_duplicate_names(context, node);
+  put(resolved, name, list_value(std::move(list)));
+  return plans;
+}
+
+}  // namespace
+
+std::vector<BarrierPlan> decode_barriers(DecodeContext& context, const Node& node,
+                                         const std::optional<Profile>& profile, Map& resolved) {
+  return decode_places<BarrierPlan>(context, node, "barriers", profile, resolved, [](const Section& section) {
+    return BarrierPlan{.name = section.text("name"),
+                       .x = section.constant("x"),
+                       .height = section.constant("height"),
+                       .capacity = section.constant("capacity")};
+  });
+}
+
+std::vector<GatePlan> decode_gates(DecodeContext& context, const Node& node,
+                                   const std::optional<Profile>& profile, Map& resolved) {
+  return decode_places<GatePlan>(context, node, "gates", profile, resolved, [](const Section& section) {
+    return GatePlan{.name = section.text("name"), .x = section.constant("x")};
+  });
+}
+
+}  // namespace flyrock

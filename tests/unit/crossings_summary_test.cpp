@@ -1,0 +1,66 @@
+#include <catch2/catch.hpp>
+
+#include "batch/measures.h"
+
+using namespace flyrock;
+
+namespace {
+
+RockRecord rock(std::uint64_t trial, StopReason reason) {
+  RockRecord record;
+  record.trial = trial;
+  record.reason = reason;
+  record.censored = reason == StopReason::timed_out;
+  return record;
+}
+
+/// Four rocks, of which one diverged; energies of 1 and 3 kJ at the gate.
+PointResult result(bool lost_before_the_gate) {
+  PointResult point;
+  TrialRecords& r = point.records;
+  r.rocks = {rock(0, StopReason::stopped), rock(1, StopReason::caught), rock(2, StopReason::diverged),
+             rock(3, lost_before_the_gate ? StopReason::timed_out : StopReason::stopped)};
+  r.gates = {{0, 0, {.gate = 0, .speed = 2, .kinetic_energy = 1000, .height = 0.5}},
+             {1, 0, {.gate = 0, .speed = 4, .kinetic_energy = 3000, .height = 1.5}},
+             {2, 0, {.gate = 0, .speed = 9, .kinetic_energy = 9000, .height = 9}}};
+  r.barriers = {{0, 0, {.barrier = 0, .outcome = BarrierOutcome::over_top, .kinetic_energy = 1000}},
+                {1, 0, {.barrier = 0, .outcome = BarrierOutcome::caught, .kinetic_energy = 3000}}};
+  point.gates = summarise_gates(r, 2);
+  point.barriers = summarise_barriers(r, 1);
+  return point;
+}
+
+Scenario scenario() {
+  Scenario s;
+  s.gates = {{"road", 10}, {"far", 90}};
+  s.barriers = {{"fence", 20, 2, 2000}};
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("Measures of gates and barriers are of the rocks that did not fail") {
+  const PointResult point = result(false);
+  const Scenario s = scenario();
+  const auto value = [&](const char* name) { return Measure(name, s).value(point); };
+  CHECK(value("gate.road.passed").value == Approx(2.0 / 3));
+  CHECK(value("gate.road.mean_energy").value == 2000);
+  CHECK(value("gate.road.p95_energy").value == Approx(2900));
+  CHECK(value("gate.road.p95_height").value == Approx(1.45));
+  CHECK_FALSE(value("gate.road.passed").censored);
+  CHECK(value("gate.far.passed").value == 0);
+  CHECK(value("gate.far.mean_energy").fault == "no rock passed");
+  CHECK(value("barrier.fence.reached").value == Approx(2.0 / 3));
+  CHECK(value("barrier.fence.caught").value == Approx(1.0 / 3));
+  CHECK(value("barrier.fence.over_top").value == Approx(1.0 / 3));
+  CHECK(value("barrier.fence.over_energy").value == 0);
+  CHECK(Measure("gate.road.passed", s).of_rocks());
+}
+
+TEST_CASE("A rock lost before it arrived makes the numbers of a gate lower bounds") {
+  PointResult point = result(true);
+  CHECK(point.gates[0].share.censored);
+  CHECK(point.barriers[0].reached.censored);
+  point.records.gates.push_back({3, 0, {.gate = 0, .speed = 1, .kinetic_energy = 10, .height = 0}});
+  CHECK_FALSE(summarise_gates(point.records, 2)[0].share.censored);
+}
