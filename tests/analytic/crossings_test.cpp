@@ -86,7 +86,8 @@ TEST_CASE("a barrier catches, is passed over, or takes its capacity") {
     CHECK(history.passages[0].kinetic_energy == Approx(energy));  // a gate at the same place sees what arrives
     const double after = history.passages[1].kinetic_energy;
     CHECK(after == Approx(0.25 * energy).epsilon(1e-3));
-    CHECK(history.last.spin.z() == 0);  // at rest in the end
+    // It lands with 5 m/s and 1 rad/s, and comes to roll at (v - k R w) / (1 + k).
+    CHECK(history.last.spin.z() == Approx(-(5 - 0.5 * 0.5 * 1) / 1.5 / 0.5).epsilon(1e-6));
   }
 }
 
