@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "batch/clearance.h"
 #include "batch/safe_file.h"
 #include "batch/sha256.h"
 #include "host/share.h"
@@ -64,6 +65,9 @@ std::optional<LoadedScenario> load_scenario(const std::string& path, const Overr
   std::optional<Plan> plan = decode(*root, loaded.session->registry(), folder.string(), diagnostics);
   if (!plan || diagnostics.has_errors()) return std::nullopt;
   loaded.plan = std::move(*plan);
+  // A shorter run than the scenario asks for lists what it cannot say; a full one must be able to say it.
+  if (loaded.plan.points.front().trials >= loaded.own_trials) check_clearances(*root, loaded.plan, diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
   loaded.warnings = diagnostics.warnings();
   for (const auto& [name, text] : loaded.session->sources()) loaded.sources.push_back({name, sha256(text)});
   loaded.hash = hash_of(loaded.plan, loaded.sources);

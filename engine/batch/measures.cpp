@@ -38,6 +38,7 @@ std::vector<std::string> names_of(const std::vector<Plan>& plans) {
 
 constexpr std::array<std::string_view, 4> gate_fields = {"passed", "mean_energy", "p95_energy", "p95_height"};
 constexpr std::array<std::string_view, 4> barrier_fields = {"reached", "caught", "over_top", "over_energy"};
+constexpr std::array<std::string_view, 4> clearance_fields = {"distance", "lower", "upper", "with_factor"};
 constexpr std::array<std::string_view, 4> solver_fields = {"max_residual", "not_converged", "max_penetration",
                                                            "energy_gains"};
 constexpr std::array<std::string_view, 11> impact_fields = {
@@ -67,6 +68,10 @@ Measure::Measure(const std::string& name, const Scenario& scenario) {
   } else if (words[0] == "barrier") {
     kind_ = Kind::barrier;
     index_ = index_of(words[1], names_of(scenario.barriers));
+    field_ = words[2];
+  } else if (words[0] == "clearance") {
+    kind_ = Kind::clearance;
+    index_ = index_of(words[1], names_of(scenario.clearances));
     field_ = words[2];
   } else {
     kind_ = words[0] == "energy" ? Kind::energy : Kind::solver;
@@ -117,6 +122,7 @@ Measured Measure::value(const PointResult& result) const {
     }
     case Kind::gate: return gate_value(result.gates.at(index_), field_);
     case Kind::barrier: return barrier_value(result.barriers.at(index_), field_);
+    case Kind::clearance: return clearance_value(result.clearances.at(index_), field_);
     case Kind::body: break;
   }
   if (static_cast<std::size_t>(index_) >= result.records.bodies.size()) return {0, false, "the body was not run"};
@@ -138,6 +144,19 @@ Measured Measure::barrier_value(const BarrierSummary& barrier, const std::string
                                                              barrier.shares[2]};
   const Bounded& number = values[index_of(field, barrier_fields)];
   return {number.value, number.censored, std::isnan(number.value) ? "too few rocks" : ""};
+}
+
+Measured Measure::clearance_value(const ClearanceSummary& clearance, const std::string& field) {
+  if (!clearance.enough())
+    return {0, false, fmt::format("it needs {} rocks or blasts, there are {}", clearance.needed, clearance.count)};
+  const bool bound = clearance.distance.censored;
+  // The ends of the interval are known or absent.
+  const std::array<Bounded, clearance_fields.size()> values = {{clearance.distance,
+                                                                {clearance.interval.lower, false},
+                                                                {clearance.interval.upper, false},
+                                                                {clearance.with_factor, bound}}};
+  const Bounded& number = values[index_of(field, clearance_fields)];
+  return {number.value, number.censored, std::isnan(number.value) ? "censored rocks hide that end of the interval" : ""};
 }
 
 Measured Measure::body_value(const BodyHistory& body) const {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "batch/clearance.h"
 #include "batch/crossing_summary.h"
 
 namespace flyrock {
@@ -16,6 +17,7 @@ struct PointResult {
   std::vector<GroupSummary> groups;  ///< all rocks first; see summarise()
   std::vector<GateSummary> gates;    ///< in the order of Scenario::gates
   std::vector<BarrierSummary> barriers;
+  std::vector<ClearanceSummary> clearances;
 };
 
 struct Measured {
@@ -26,7 +28,7 @@ struct Measured {
 
 /// One measure of a scenario, read from its name: body.<name>.final.x, body.<name>.impact[2].vn_after,
 /// energy.total.relative_change, solver.max_residual, rocks[.<group>].runout.p95, rocks[.<group>].count,
-/// gate.<name>.passed, barrier.<name>.caught.
+/// gate.<name>.passed, barrier.<name>.caught, clearance.<name>.distance.
 /// scenario/measure.h holds the grammar, docs/results.md what each means.
 class Measure {
  public:
@@ -38,17 +40,18 @@ class Measure {
   Measured value(const PointResult& result) const;
 
  private:
-  enum class Kind { statistic, count, censored, gate, barrier, body, energy, solver };
+  enum class Kind { statistic, count, censored, gate, barrier, clearance, body, energy, solver };
 
   void read_rocks(const std::vector<std::string>& words, const Scenario& scenario);
   void read_body(const std::vector<std::string>& words, const Scenario& scenario);
   static Measured gate_value(const GateSummary& gate, const std::string& field);
   static Measured barrier_value(const BarrierSummary& barrier, const std::string& field);
+  static Measured clearance_value(const ClearanceSummary& clearance, const std::string& field);
   Measured body_value(const BodyHistory& body) const;
   double state_value(const BodyHistory& body) const;
 
   Kind kind_ = Kind::statistic;
-  int index_ = 0;       ///< of the group (0: all rocks), gate, barrier or body
+  int index_ = 0;       ///< of the group (0: all rocks), gate, barrier, clearance or body
   int number_ = 0;      ///< of an impact or apex, from 1
   std::string table_;   ///< body: final, max, min, stop_time, contact_time, impact, apex
   std::string field_;   ///< x, vn_before, max_residual

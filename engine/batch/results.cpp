@@ -59,6 +59,30 @@ std::string_view ending(StopReason reason) {
 
 std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
 
+/// " Clearance road: 0.001 of the rocks go farther than 320 m (95 % interval 301 to 345 m); with the factor 1.5 that is
+/// 480 m."
+std::string clearances_answer(const Scenario& scenario, const PointResult& point) {
+  std::string text;
+  for (std::size_t c = 0; c < point.clearances.size(); ++c) {
+    const ClearancePlan& plan = scenario.clearances[c];
+    const ClearanceSummary& clearance = point.clearances[c];
+    if (!clearance.enough()) {
+      text += fmt::format(" Clearance {}: not given, it needs {} {} and there are {}.", plan.name, clearance.needed,
+                          plan.per_blast ? "blasts" : "rocks", clearance.count);
+      continue;
+    }
+    const auto end = [](double value) { return std::isnan(value) ? std::string("unknown") : fmt::format("{:.4g}", value); };
+    text += fmt::format(" Clearance {}: {} of the {} farther than {} ({} interval {} to {} m).", plan.name,
+                        percent(plan.probability), plan.per_blast ? "blasts throw a rock" : "rocks go",
+                        display(clearance.distance, "m"), percent(plan.confidence),
+                        end(clearance.interval.lower), end(clearance.interval.upper));
+    if (plan.factor)
+      text += fmt::format(" With the factor {:.4g} that is {}.", *plan.factor,
+                          display({clearance.with_factor, clearance.distance.censored}, "m"));
+  }
+  return text;
+}
+
 std::string bodies_answer(const Plan& plan, const Results& results) {
   const std::vector<std::string> names = group_names(plan.points.front());
   std::string text;
@@ -121,6 +145,7 @@ Results make_results(const Plan& plan, std::vector<TrialRecords> records, const 
     result.groups = summarise(records[point].rocks, group_names(plan.points[point]));
     result.gates = summarise_gates(records[point], plan.points[point].gates.size());
     result.barriers = summarise_barriers(records[point], plan.points[point].barriers.size());
+    result.clearances = summarise_clearances(records[point].rocks, plan.points[point]);
     result.records = std::move(records[point]);
     results.points.push_back(std::move(result));
   }
@@ -188,6 +213,7 @@ std::string answer(const Plan& plan, const Results& results) {
         range_of(results, Statistic::p95), by_group(results, Statistic::p95),
         range_of(results, Statistic::p99), by_group(results, Statistic::p99),
         range_of(results, Statistic::max));
+    if (results.points.size() == 1) text += clearances_answer(plan.points.front(), results.points.front());
     if (results.points.size() > 1) text += fmt::format(" The ranges are over {} sweep points.", results.points.size());
     text += censored == 0 ? " No rock is censored."
                           : fmt::format(" {} of the rocks are censored (left the domain or ran out of time): "

@@ -10,18 +10,6 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// `sorted` by value, and at equal values the known before the censored; `first_censored` is the index of the
-/// first censored one.
-Bounded quantile(const std::vector<Bounded>& sorted, std::size_t first_censored, std::size_t percent) {
-  // h = (n - 1) percent / 100 in whole numbers: the rank does not depend on rounding.
-  const std::size_t hundredths = (sorted.size() - 1) * percent;
-  const std::size_t low = hundredths / 100;
-  const double share = static_cast<double>(hundredths % 100) / 100;
-  const std::size_t high = share > 0 ? low + 1 : low;
-  const double value = sorted[low].value + share * (sorted[high].value - sorted[low].value);
-  return {value, first_censored <= high};
-}
-
 std::array<double, 4> shares_of(std::array<double, 4> parts) {
   double sum = 0;
   for (const double part : parts) sum += part;
@@ -48,7 +36,8 @@ GroupSummary summarise_group(const std::string& name, const std::vector<const Ro
     std::vector<Bounded> values;
     for (const RockRecord* rock : rocks)
       if (!is_fault(rock->reason)) values.push_back(quantity_of(*rock, static_cast<RockQuantity>(q)));
-    summary.statistics[q] = statistics_of(std::move(values));
+    summary.statistics[q] = statistics_of(values);
+    summary.intervals[q] = intervals_of(std::move(values));
   }
   return summary;
 }
@@ -70,35 +59,35 @@ Bounded quantity_of(const RockRecord& rock, RockQuantity quantity) {
   return {};
 }
 
+namespace {
+
+constexpr std::array<std::pair<Statistic, std::size_t>, 6> percents = {{{Statistic::min, 0},
+                                                                        {Statistic::max, 100},
+                                                                        {Statistic::p50, 50},
+                                                                        {Statistic::p90, 90},
+                                                                        {Statistic::p95, 95},
+                                                                        {Statistic::p99, 99}}};
+
+}  // namespace
+
 Statistics statistics_of(std::vector<Bounded> values) {
   Statistics result;
-  result.fill({unknown, false});
-  if (values.empty()) return result;
-  const auto n = static_cast<double>(values.size());
+  const Moments moments = moments_of(values);
+  const Sample sample(std::move(values));
+  result[static_cast<int>(Statistic::mean)] = {moments.mean, sample.any_censored()};
+  result[static_cast<int>(Statistic::sd)] = {moments.sd, sample.any_censored()};
+  for (const auto& [which, percent] : percents) result[static_cast<int>(which)] = sample.percentile(percent);
+  return result;
+}
 
-  double sum = 0;
-  for (const Bounded& v : values) sum += v.value;
-  const double mean = sum / n;
-  double squares = 0;
-  for (const Bounded& v : values) squares += (v.value - mean) * (v.value - mean);
-
-  std::sort(values.begin(), values.end(), [](const Bounded& a, const Bounded& b) {
-    return a.value != b.value ? a.value < b.value : a.censored < b.censored;
-  });
-  const auto is_censored = [](const Bounded& v) { return v.censored; };
-  const auto first = std::find_if(values.begin(), values.end(), is_censored);
-  const auto first_censored = static_cast<std::size_t>(first - values.begin());
-  const bool any = first != values.end();
-
-  const auto set = [&](Statistic which, Bounded value) { result[static_cast<int>(which)] = value; };
-  set(Statistic::mean, {mean, any});
-  if (values.size() > 1) set(Statistic::sd, {std::sqrt(squares / (n - 1)), any});
-  set(Statistic::min, quantile(values, first_censored, 0));
-  set(Statistic::max, quantile(values, first_censored, 100));
-  set(Statistic::p50, quantile(values, first_censored, 50));
-  set(Statistic::p90, quantile(values, first_censored, 90));
-  set(Statistic::p95, quantile(values, first_censored, 95));
-  set(Statistic::p99, quantile(values, first_censored, 99));
+Intervals intervals_of(std::vector<Bounded> values) {
+  Intervals result;
+  result.fill({unknown, unknown});
+  const Sample sample(std::move(values));
+  result[static_cast<int>(Statistic::mean)] = sample.mean_interval(stated_confidence);
+  for (const auto& [which, percent] : percents)
+    if (percent > 0 && percent < 100)
+      result[static_cast<int>(which)] = sample.quantile_interval(static_cast<double>(percent) / 100, stated_confidence);
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "batch/records.h"
+#include "batch/sample.h"
 #include "scenario/scenario.h"
 
 namespace flyrock {
@@ -22,26 +23,20 @@ enum class Statistic { mean, sd, min, max, p50, p90, p95, p99 };
 inline constexpr std::array<std::string_view, 8> statistic_names = {"mean", "sd",  "min", "max",
                                                                     "p50",  "p90", "p95", "p99"};
 
-/// A number that censored rocks may have had a hand in: then it is a lower bound (of the standard deviation:
-/// merely not known). NaN where there are too few rocks.
-struct Bounded {
-  double value = 0;
-  bool censored = false;
-};
-
 using Statistics = std::array<Bounded, statistic_names.size()>;  ///< indexed by Statistic
 
 /// A number of one rock. The path of a censored rock was cut short, so each of its numbers is a lower bound, but
 /// for the flight range of a rock that had landed.
 Bounded quantity_of(const RockRecord& rock, RockQuantity quantity);
 
-/// Statistics of `values`, in any order.
-///   sd         of the sample: sum (x - mean)^2 / (n - 1)
-///   quantile p linear between the order statistics x_0 <= ... <= x_{n-1} at h = (n - 1) p, as NumPy and the
-///              PERCENTILE.INC of spreadsheets: x_floor(h) + (h - floor(h)) (x_floor(h)+1 - x_floor(h))
-/// A quantile is exact where the order statistics up to those that it reads hold whatever the censored values
-/// truly are, that is where every censored bound lies behind them in the order; else it is a lower bound.
+/// Statistics of `values`, in any order; quantiles and standard deviation as in batch/sample.h.
 Statistics statistics_of(std::vector<Bounded> values);
+
+/// The confidence that all intervals of a summary have.
+inline constexpr double stated_confidence = 0.95;
+/// Intervals of the mean and of the percentiles; NaN for the other statistics. The values are taken as independent.
+using Intervals = std::array<Interval, statistic_names.size()>;
+Intervals intervals_of(std::vector<Bounded> values);
 
 /// The rocks of one group, or of all.
 struct GroupSummary {
@@ -51,6 +46,7 @@ struct GroupSummary {
   std::uint64_t censored = 0;
   std::array<std::uint64_t, 6> reasons{};  ///< indexed by StopReason
   std::array<Statistics, quantity_names.size()> statistics{};
+  std::array<Intervals, quantity_names.size()> intervals{};
 
   /// Of all rocks without faults together, indexed by TravelMode; NaN where none has moved.
   std::array<double, travel_mode_names.size()> time_share{}, distance_share{};

@@ -16,6 +16,16 @@ Json at_point(const Plan& plan, std::size_t point) {
   return at;
 }
 
+/// { p95: [lower, upper], ... } of the statistics that have an interval.
+Json intervals_data(const Intervals& intervals) {
+  Json data = Json::object();
+  for (const Statistic s : {Statistic::mean, Statistic::p50, Statistic::p90, Statistic::p95, Statistic::p99}) {
+    const Interval& interval = intervals[static_cast<int>(s)];
+    data[std::string(statistic_names[static_cast<int>(s)])] = {number(interval.lower), number(interval.upper)};
+  }
+  return data;
+}
+
 Json statistics_data(const Statistics& statistics) {
   Json data = Json::object();
   Json bounds = Json::array();
@@ -43,8 +53,10 @@ Json group_data(const GroupSummary& group) {
     distance[travel_mode_names[m]] = number(group.distance_share[m]);
   }
   data["travel"] = {{"time", time}, {"distance", distance}};
-  for (std::size_t q = 0; q < quantity_names.size(); ++q)
-    data[std::string(quantity_names[q])] = statistics_data(group.statistics[q]);
+  for (std::size_t q = 0; q < quantity_names.size(); ++q) {
+    Json& quantity = data[std::string(quantity_names[q])] = statistics_data(group.statistics[q]);
+    quantity["intervals"] = intervals_data(group.intervals[q]);
+  }
   return data;
 }
 
@@ -76,6 +88,28 @@ Json barriers_data(const Scenario& scenario, const std::vector<BarrierSummary>& 
     data["energy"] = statistics_data(barrier.energy);
     data["height"] = statistics_data(barrier.height);
     list.push_back(std::move(data));
+  }
+  return list;
+}
+
+Json clearances_data(const Scenario& scenario, const std::vector<ClearanceSummary>& clearances) {
+  Json list = Json::array();
+  for (std::size_t c = 0; c < clearances.size(); ++c) {
+    const ClearancePlan& plan = scenario.clearances[c];
+    const ClearanceSummary& clearance = clearances[c];
+    list.push_back({{"clearance", plan.name},
+                    {"probability", plan.probability},
+                    {"per", plan.per_blast ? "blast" : "rock"},
+                    {"of", plan.of_max_distance ? "max_distance" : "runout"},
+                    {"count", clearance.count},
+                    {"needed", clearance.needed},
+                    {"distance", number(clearance.distance.value)},
+                    {"lower_bound", clearance.distance.censored},
+                    {"confidence", plan.confidence},
+                    {"lower", number(clearance.interval.lower)},
+                    {"upper", number(clearance.interval.upper)},
+                    {"factor", plan.factor ? Json(*plan.factor) : Json(nullptr)},
+                    {"with_factor", number(clearance.with_factor)}});
   }
   return list;
 }
@@ -142,6 +176,7 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
                       {"rocks", groups},
                       {"gates", gates_data(plan.points[p], point.gates)},
                       {"barriers", barriers_data(plan.points[p], point.barriers)},
+                      {"clearance", clearances_data(plan.points[p], point.clearances)},
                       {"solver", quality_data(point.records.quality)},
                       {"materials", materials_data(plan.points[p], point.records.materials)}});
   }

@@ -54,6 +54,10 @@ class DocumentDecoder {
       scenario_.barriers = decode_barriers(context_, *barriers, profile, resolved_);
     if (const auto gates = root_.find("gates"))
       scenario_.gates = decode_gates(context_, *gates, profile, resolved_);
+    if (const auto clearances = root_.find("clearance")) {
+      if (!root_.find("rocks")) clearances->error(context_.diagnostics, "needs `rocks`, the scenario has none");
+      scenario_.clearances = decode_clearances(context_, *clearances, resolved_);
+    }
     scenario_.solver = decode_solver(context_, root_.find("solver"), resolved_);
     if (const auto stop = part("stop")) scenario_.stop = decode_stop(context_, stop, resolved_);
     scenario_.output = decode_output(context_, root_.find("output"), resolved_);
@@ -117,11 +121,20 @@ class DocumentDecoder {
     put(resolved_, "sweep", map_value(std::move(map)));
   }
 
+  std::vector<std::string> names_with_factor() const {
+    std::vector<std::string> names;
+    for (const ClearancePlan& plan : scenario_.clearances)
+      if (plan.factor) names.push_back(plan.name);
+    return names;
+  }
+
   MeasureNames measure_names() const {
     return {.bodies = element_names(root_.find("bodies")),
             .groups = element_names(root_.find("rocks")),
             .gates = element_names(root_.find("gates")),
-            .barriers = element_names(root_.find("barriers"))};
+            .barriers = element_names(root_.find("barriers")),
+            .clearances = element_names(root_.find("clearance")),
+            .with_factor = names_with_factor()};
   }
 
   std::vector<std::string> pair_names(const std::optional<Profile>& profile) const {

@@ -50,6 +50,8 @@ std::vector<BarrierPlan> decode_barriers(DecodeContext& context, const Node& nod
 std::vector<GatePlan> decode_gates(DecodeContext& context, const Node& node,
                                    const std::optional<Profile>& profile, Map& resolved);
 
+std::vector<ClearancePlan> decode_clearances(DecodeContext& context, const Node& node, Map& resolved);
+
 SolverPlan decode_solver(DecodeContext& context, const std::optional<Node>& node, Map& resolved);
 StopPlan decode_stop(DecodeContext& context, const std::optional<Node>& node, Map& resolved);
 OutputPlan decode_output(DecodeContext& context, const std::optional<Node>& node, Map& resolved);

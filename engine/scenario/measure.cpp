@@ -51,6 +51,10 @@ const Table barrier_quantities{{"reached", dimension::none},
                                {"caught", dimension::none},
                                {"over_top", dimension::none},
                                {"over_energy", dimension::none}};
+const Table clearance_quantities{{"distance", dimension::length},
+                                 {"lower", dimension::length},
+                                 {"upper", dimension::length},
+                                 {"with_factor", dimension::length}};
 const std::vector<std::string> statistics{"mean", "sd", "min", "max", "p50", "p90", "p95", "p99"};
 
 std::vector<std::string> names_of(const Table& table) {
@@ -71,12 +75,13 @@ class MeasureParser {
   }
 
   MeasureInfo parse() {
-    static const std::vector<std::string> kinds{"body", "rocks", "gate", "barrier", "energy", "solver"};
+    static const std::vector<std::string> kinds{"body", "rocks", "gate", "barrier", "clearance", "energy", "solver"};
     const std::string kind = next(kinds);
     if (kind == "body") parse_body();
     if (kind == "rocks") parse_rocks();
     if (kind == "gate") parse_named("gates", names_.gates, gate_quantities);
     if (kind == "barrier") parse_named("barriers", names_.barriers, barrier_quantities);
+    if (kind == "clearance") parse_clearance();
     if (kind == "solver") finish(solver_quantities);
     if (kind == "energy") {
       next({"total"});
@@ -155,6 +160,13 @@ class MeasureParser {
     if (names.empty()) return fail(fmt::format("the scenario has no {}", section));
     next(names);
     finish(quantities);
+  }
+
+  void parse_clearance() {
+    parse_named("clearance", names_.clearances, clearance_quantities);
+    if (!info_.fault.empty() || steps_[2] != "with_factor") return;
+    if (std::find(names_.with_factor.begin(), names_.with_factor.end(), steps_[1]) == names_.with_factor.end())
+      fail(fmt::format("the clearance `{}` has no `factor`", steps_[1]));
   }
 
   std::string_view measure_;

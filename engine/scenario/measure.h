@@ -15,6 +15,8 @@ struct MeasureNames {
   std::vector<std::string> groups;
   std::vector<std::string> gates;
   std::vector<std::string> barriers;
+  std::vector<std::string> clearances;
+  std::vector<std::string> with_factor;  ///< clearances that have a factor
 };
 
 struct MeasureInfo {
@@ -28,7 +30,8 @@ struct MeasureInfo {
 ///   energy.total.relative_change, solver.<quantity>,
 ///   rocks[.<group>].<quantity>.<statistic>, rocks[.<group>].count|censored,
 ///   gate.<name>.passed|mean_energy|p95_energy|p95_height,
-///   barrier.<name>.reached|caught|over_top|over_energy
+///   barrier.<name>.reached|caught|over_top|over_energy,
+///   clearance.<name>.distance|lower|upper|with_factor
 MeasureInfo check_measure(std::string_view measure, const MeasureNames& names);
 
 /// Quantities of rocks, which a group cannot be named after.

@@ -156,6 +156,7 @@ struct Scenario {
   std::vector<BodyPlan> bodies;
   std::vector<BarrierPlan> barriers;
   std::vector<GatePlan> gates;
+  std::vector<ClearancePlan> clearances;
   SolverPlan solver;
   StopPlan stop;
   OutputPlan output;

@@ -71,6 +71,11 @@ ParamSpec above(ParamSpec spec, double limit) {
   return spec;
 }
 
+ParamSpec below(ParamSpec spec, double limit) {
+  spec.below = limit;
+  return spec;
+}
+
 constexpr double exact_integer = 9007199254740992.0;  // 2^53: beyond it not every whole number is a double
 
 SectionSpec document() {
@@ -83,7 +88,7 @@ SectionSpec document() {
        or_else(at_most(at_least(integer("trials", "realisations of each sweep point"), 1), exact_integer), 1),
        or_else(choice("rock_contacts", {"off", "on"}, "on: rocks also meet each other"), "off"),
        or_else(at_least(number("gravity", "m/s2", "along -y"), 0), 9.81)},
-      {"plugins", "terrain", "materials", "pairs", "blast", "rocks", "bodies", "barriers", "gates", "solver", "stop", "output",
+      {"plugins", "terrain", "materials", "pairs", "blast", "rocks", "bodies", "barriers", "gates", "clearance", "solver", "stop", "output",
        "sweep", "expect"}};
 }
 
@@ -170,6 +175,14 @@ std::vector<SectionSpec> make_sections() {
         above(number("capacity", "J", "energy that it takes"), 0)},
        {}},
       {"gates", {text("name", "of the gate"), number("x", "m", "where it stands")}, {}},
+      {"clearance",
+       {text("name", "of the clearance"),
+        below(above(number("probability", "", "with which the distance is exceeded"), 0), 1),
+        or_else(below(above(number("confidence", "", "of the interval"), 0), 1), 0.95),
+        at_least(optional(number("factor", "", "of safety, on the distance; none where it is not given")), 1),
+        or_else(choice("per", {"rock", "blast"}, "blast: the farthest rock of a trial"), "rock"),
+        or_else(choice("of", {"runout", "max_distance"}, "which distance"), "runout")},
+       {}},
       {"solver",
        {or_else(above(number("time_step", "s", "of the contact scheme"), 0), 1e-3),
         or_else(at_most(at_least(number("theta", "", "of the theta scheme"), 0.5), 1), 0.5),

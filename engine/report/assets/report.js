@@ -306,6 +306,22 @@
     ]);
   }
 
+  function clearance_section() {
+    if (summary.points[0].clearance.length === 0) return;
+    section_of_point("Clearance", (point) => [
+      table("", ["clearance", "exceeded by", "distance", "m", "interval", "from m", "to m", "factor", "with the factor m"],
+        point.clearance.map((c) => {
+          const one = c.per === "blast" ? "blasts" : "rocks";
+          const bound = (value) => right(value === null ? "–" : `${c.lower_bound ? "≥ " : ""}${show(value)}`);
+          if (c.count < c.needed) return [c.clearance, `${percent(c.probability)} of ${c.count} ${one}`, `not given: it needs ${c.needed} ${one}`, "", "", "", "", "", ""];
+          return [c.clearance, `${percent(c.probability)} of ${c.count} ${one}`, c.of === "runout" ? "runout" : "max. distance", bound(c.distance),
+            percent(c.confidence), c.lower, c.upper, c.factor === null ? "none" : right(show(c.factor)), bound(c.with_factor)];
+        })),
+      paragraph("caption", "Read: the share of rocks, or of blasts by their farthest rock, that goes beyond the distance in this model. The interval is that of the order statistics (binomial), " +
+        "whatever the distribution; it holds the scatter of this many trials, not the error of the model. A factor is the user's, and is applied once, to the distance. ≥: censored rocks reach it."),
+    ]);
+  }
+
   function travel_section() {
     if (of_bodies) return;
     const modes = ["flight", "bounce", "slide", "roll"];
@@ -333,9 +349,17 @@
     }
     const names = ["mean", "sd", "min", "p50", "p90", "p95", "p99", "max"];
     const quantities = ["runout", "max_distance", "flight_range", "bounce_height", "speed", "energy", "impacts", "time"];
+    const interval_names = ["mean", "p50", "p90", "p95", "p99"];
+    const unit_of = (quantity, q) => (quantity === "energy" ? "kJ" : data.units[q] || "–");
+    const in_unit = (quantity, value) => show(value === null || quantity !== "energy" ? value : value / 1000);
+    const interval = (quantity, [lower, upper]) =>
+      right(lower === null && upper === null ? "–" : `${in_unit(quantity, lower)} to ${in_unit(quantity, upper)}`);
     section_of_point("Statistics", (point) => [
       ...point.rocks.filter((group) => group.count > group.faults).map((group) => table(`${group_name(group)}: ${group.count - group.faults}`, ["quantity", "unit", ...names],
-        quantities.map((quantity, q) => [quantity, quantity === "energy" ? "kJ" : data.units[q] || "–", ...names.map((name) => statistic(group, quantity, name))]))),
+        quantities.map((quantity, q) => [quantity, unit_of(quantity, q), ...names.map((name) => statistic(group, quantity, name))]))),
+      table(`95 % confidence intervals: ${group_name(point.rocks[0])}`, ["quantity", "unit", ...interval_names],
+        quantities.map((quantity, q) => [quantity, unit_of(quantity, q), ...interval_names.map((name) => interval(quantity, point.rocks[0][quantity].intervals[name]))])),
+      paragraph("caption", "Intervals: of percentiles from order statistics (binomial), of the mean from Student's t; rocks are taken as independent. –: the sample is too small for that end, or censored rocks hide it."),
       paragraph("caption", "Speed, energy (kinetic) and bounce height are the greatest over a rock's path. Percentiles are linear between the order statistics " +
         "(NumPy, PERCENTILE.INC). ≥: censored rocks fall into it, the true number is at least this; a standard deviation in brackets contains censored rocks. Rocks that failed are left out."),
     ]);
@@ -398,6 +422,7 @@
   facts_section();
   tracks_section();
   runout_section();
+  clearance_section();
   crossings_section();
   travel_section();
   reasons_section();

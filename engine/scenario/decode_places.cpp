@@ -1,4 +1,4 @@
-// What stands across the path of rocks: barriers and gates. Nothing here may vary within a run.
+// What is asked of rocks at places and distances: barriers, gates, clearances. Nothing here may vary within a run.
 
 #include <fmt/format.h>
 
@@ -20,8 +20,8 @@ void check_place(DecodeContext& context, const Node& item, const Section& sectio
 }
 
 template <class Plan, class Read>
-std::vector<Plan> decode_places(DecodeContext& context, const Node& node, std::string_view name,
-                                const std::optional<Profile>& profile, Map& resolved, Read read) {
+std::vector<Plan> decode_named(DecodeContext& context, const Node& node, std::string_view name, Map& resolved,
+                               Read read) {
   std::vector<Plan> plans;
   if (!node.expect_list(context.diagnostics)) return plans;
   List list;
@@ -30,8 +30,7 @@ std::vector<Plan> decode_places(DecodeContext& context, const Node& node, std::s
     Map map;
     const Section section = decode_section(context, item, name, {}, map);
     if (const auto given = item.find("name")) check_name(context, *given);
-    check_place(context, item, section, profile);
-    plans.push_back(read(section));
+    plans.push_back(read(item, section));
     list.push_back(map_value(std::move(map)));
   }
   refuse_duplicate_names(context, node);
@@ -43,7 +42,8 @@ std::vector<Plan> decode_places(DecodeContext& context, const Node& node, std::s
 
 std::vector<BarrierPlan> decode_barriers(DecodeContext& context, const Node& node,
                                          const std::optional<Profile>& profile, Map& resolved) {
-  return decode_places<BarrierPlan>(context, node, "barriers", profile, resolved, [](const Section& section) {
+  return decode_named<BarrierPlan>(context, node, "barriers", resolved, [&](const Node& item, const Section& section) {
+    check_place(context, item, section, profile);
     return BarrierPlan{.name = section.text("name"),
                        .x = section.constant("x"),
                        .height = section.constant("height"),
@@ -53,8 +53,21 @@ std::vector<BarrierPlan> decode_barriers(DecodeContext& context, const Node& nod
 
 std::vector<GatePlan> decode_gates(DecodeContext& context, const Node& node,
                                    const std::optional<Profile>& profile, Map& resolved) {
-  return decode_places<GatePlan>(context, node, "gates", profile, resolved, [](const Section& section) {
+  return decode_named<GatePlan>(context, node, "gates", resolved, [&](const Node& item, const Section& section) {
+    check_place(context, item, section, profile);
     return GatePlan{.name = section.text("name"), .x = section.constant("x")};
+  });
+}
+
+std::vector<ClearancePlan> decode_clearances(DecodeContext& context, const Node& node, Map& resolved) {
+  return decode_named<ClearancePlan>(context, node, "clearance", resolved, [](const Node&, const Section& section) {
+    ClearancePlan plan{.name = section.text("name"),
+                       .probability = section.constant("probability"),
+                       .confidence = section.constant("confidence")};
+    if (section.given("factor")) plan.factor = section.constant("factor");
+    plan.per_blast = section.text("per") == "blast";
+    plan.of_max_distance = section.text("of") == "max_distance";
+    return plan;
   });
 }
 

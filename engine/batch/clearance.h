@@ -1,0 +1,35 @@
+#pragma once
+// Clearances: distances that rocks, or the farthest rock of each blast, exceed with a given probability.
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "batch/statistics.h"
+#include "scenario/diagnostics.h"
+
+namespace flyrock {
+
+/// A clearance needs so many rocks (or blasts) that 10 of them are expected beyond it: fewer say too little about the tail.
+std::uint64_t needed_for(double probability);
+
+struct ClearanceSummary {
+  std::uint64_t count = 0;   ///< rocks without faults, or trials that have one
+  std::uint64_t needed = 0;  ///< needed_for(probability)
+  /// The quantile 1 - probability and its interval with the confidence of the plan, see Sample; NaN where there are too few.
+  Bounded distance{std::numeric_limits<double>::quiet_NaN(), false};
+  Interval interval{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+  /// factor x distance; NaN without a factor. The interval is left as it is: the factor is applied once.
+  double with_factor = std::numeric_limits<double>::quiet_NaN();
+
+  bool enough() const { return count >= needed; }
+};
+
+/// In the order of Scenario::clearances.
+std::vector<ClearanceSummary> summarise_clearances(const std::vector<RockRecord>& rocks, const Scenario& scenario);
+
+/// An error at each clearance of the scenario's tree that its rocks and trials are too few for, at any point of the sweep.
+/// What a plugin does wrong meanwhile is left to the run to report.
+void check_clearances(const Value& root, const Plan& plan, Diagnostics& diagnostics);
+
+}  // namespace flyrock
