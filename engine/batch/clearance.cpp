@@ -40,9 +40,9 @@ std::string too_few(const ClearancePlan& plan, std::uint64_t trials, std::uint64
   const std::uint64_t needed = needed_for(plan.probability);
   if (each == 0 || trials * each >= needed) return {};
   return fmt::format(
-      "{:.6g} of {} {} are {:.3g} beyond the distance, at least {} are needed: expected at least {} {}, that is `trials: {}`",
-      plan.probability, trials * each, plan.per_blast ? "blasts" : "rocks",
-      plan.probability * static_cast<double>(trials * each), beyond, needed, plan.per_blast ? "blasts" : "rocks",
+      "only {:.3g} of {} {} would be beyond the distance, at least {} must be: expected at least {} {}, that is `trials: {}`",
+      plan.probability * static_cast<double>(trials * each), trials * each, plan.per_blast ? "blasts" : "rocks", beyond,
+      needed, plan.per_blast ? "blasts" : "rocks",
       (needed + each - 1) / each);
 }
 
