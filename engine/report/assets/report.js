@@ -297,9 +297,9 @@
         point.gates.map((g) => [g.gate, g.x, g.rocks, share(g, g.passed), number(g, "speed", "mean"), number(g, "speed", "p95"),
           number(g, "energy", "mean"), number(g, "energy", "p95"), number(g, "energy", "max"), number(g, "height", "p95"), number(g, "height", "max")])),
       point.barriers.length === 0 ? "" : table("Barriers: shares of all rocks",
-        ["barrier", "x m", "height m", "capacity kJ", "rocks", "reached", "caught", "over the top", "over energy", "energy p95 kJ", "max", "height p95 m", "max"],
-        point.barriers.map((b) => [b.barrier, b.x, b.height_m, b.capacity_J / 1000, b.rocks, share(b, b.reached), share(b, b.caught), share(b, b.over_top),
-          share(b, b.over_energy), number(b, "energy", "p95"), number(b, "energy", "max"), number(b, "height", "p95"), number(b, "height", "max")])),
+        ["barrier", "x m", "height m", "capacity kJ", "reached", "caught", "over the top", "over energy", "energy p95 kJ", "max", "height p95 m"],
+        point.barriers.map((b) => [b.barrier, b.x, b.height_m, b.capacity_J / 1000, share(b, b.reached), share(b, b.caught), share(b, b.over_top),
+          share(b, b.over_energy), number(b, "energy", "p95"), number(b, "energy", "max"), number(b, "height", "p95")])),
       paragraph("caption", "Read: how many rocks arrive, how fast, with which kinetic energy (rotation included), and how high their centre of mass is above the ground. " +
         "Over the top: at or above the height of the barrier; over energy: through it, and on with the energy that is left. A rock counts once, when it first arrives. " +
         "≥: rocks that left the domain or ran out of time had not arrived yet."),
