@@ -5,8 +5,8 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
-#include "batch/expectations.h"
 #include "batch/load.h"
+#include "batch/results.h"
 #include "batch/trial.h"
 
 using namespace flyrock;
@@ -33,16 +33,16 @@ void run_few(const std::string& path) {
   const auto loaded = load_scenario(path, overrides, diagnostics);
   INFO(diagnostics.to_text());
   REQUIRE(loaded);
-  std::vector<PointResult> points;
+  std::vector<TrialRecords> records;
+  RunFacts facts{.trials = {}, .full = loaded->own_trials <= 3, .ended_early = {}, .warnings = {}};
   for (const Scenario& scenario : loaded->plan.points) {
-    PointResult point;
+    TrialRecords& of_point = records.emplace_back();
     TrialRunner runner(scenario);
-    for (; point.trials < scenario.trials; ++point.trials) runner.run(point.trials, point.records);
-    for (const RockRecord& rock : point.records.rocks) CHECK(rock.fault == "");
-    point.groups = summarise(point.records.rocks, group_names(scenario));
-    points.push_back(std::move(point));
+    for (std::uint64_t trial = 0; trial < scenario.trials; ++trial) runner.run(trial, of_point);
+    for (const RockRecord& rock : of_point.rocks) CHECK(rock.fault == "");
+    facts.trials.push_back(scenario.trials);
   }
-  for (const Verdict& verdict : judge(loaded->plan, points, loaded->own_trials <= 3)) {
+  for (const Verdict& verdict : make_results(loaded->plan, std::move(records), facts).verdicts) {
     INFO(verdict.expectation.measure << " is " << verdict.computed << ", expected "
                                      << verdict.expectation.value << " " << verdict.reason);
     CHECK(verdict.judgement != Judgement::failed);
