@@ -1,9 +1,12 @@
 #include "batch/run.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
 
+#include "batch/chunk_queue.h"
 #include "batch/safe_file.h"
 #include "batch/statistics.h"
 
@@ -11,87 +14,120 @@ namespace flyrock {
 
 namespace {
 
-/// So many rocks that fail, and none that does not, are no accident: the run would only repeat the message.
-constexpr std::uint64_t hopeless = 20;
+std::uint64_t count_failed(const TrialRecords& records) {
+  return static_cast<std::uint64_t>(std::count_if(records.rocks.begin(), records.rocks.end(),
+                                                  [](const RockRecord& rock) { return is_fault(rock.reason); }));
+}
 
-/// Watches the records for a fault that ends the run.
-class FaultWatch {
+class Run {
  public:
-  explicit FaultWatch(bool strict) : strict_(strict) {}
+  Run(const std::vector<ChunkRange>& chunks, const RunOptions& options)
+      : options_(options), chunks_(chunks), whole_(chunks.size(), 0), queue_(chunks.size(), options.strict) {
+    for (const ChunkRange& chunk : chunks) outcome_.progress.total += chunk.count;
+  }
 
-  /// Why the run ends after a trial, whose rocks start at `from`; or an empty text.
-  std::string after_trial(const TrialRecords& records, std::size_t from) {
-    for (std::size_t i = from; i < records.rocks.size(); ++i) {
-      const RockRecord& rock = records.rocks[i];
-      ++rocks_;
-      failed_ += is_fault(rock.reason);
-      if (strict_ && is_fault(rock.reason))
-        return fmt::format("trial {}, rock {}: {}: {}", rock.trial, rock.rock, name_of(rock.reason), rock.fault);
-      if (rocks_ == hopeless && failed_ == hopeless)
-        return fmt::format("the first {} rocks all failed, the last with: {}", hopeless, rock.fault);
-    }
-    if (strict_ && records.quality.not_converged > 0)
-      return fmt::format("{} steps did not converge", records.quality.not_converged);
-    return {};
+  RunOutcome run(const MakeWorker& make_worker) {
+    const int threads = std::clamp(options_.threads, 1, std::max(1, static_cast<int>(chunks_.size())));
+    {
+      std::vector<std::jthread> others;
+      for (int thread = 1; thread < threads; ++thread)
+        others.emplace_back([&, thread] { work(make_worker, thread); });
+      work(make_worker, 0);
+    }  // joined
+    if (error_) std::rethrow_exception(error_);
+    return conclude();
   }
 
  private:
-  bool strict_;
-  std::uint64_t rocks_ = 0, failed_ = 0;
+  void work(const MakeWorker& make_worker, int thread) {
+    try {
+      const RunTrial run_trial = make_worker(thread);
+      while (const std::optional<std::size_t> chunk = queue_.take()) {
+        if (!keep(*chunk)) run_chunk(*chunk, run_trial);
+        queue_.finish();
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!error_) error_ = std::current_exception();
+      queue_.stop();
+    }
+  }
+
+  /// Whether an earlier run left the chunk. Where a fault may end the run, one with faults is run again: it may have
+  /// to end in the middle.
+  bool keep(std::size_t index) {
+    const ChunkRange& chunk = chunks_[index];
+    const std::filesystem::path path = options_.folder / chunk.file_name();
+    if (!options_.resume || !std::filesystem::exists(path)) return false;
+    std::string why;
+    const std::optional<TrialRecords> records = decode_chunk(read_file(path), chunk, options_.scenario_hash, why);
+    if (!records) return false;
+    const std::uint64_t failed = count_failed(*records);
+    if ((failed > 0 || records->quality.not_converged > 0) && queue_.may_end()) return false;
+    queue_.judge(index, *records, 0);
+    const std::lock_guard lock(mutex_);
+    whole_[index] = 1;
+    outcome_.progress.done += chunk.count;
+    outcome_.progress.kept += chunk.count;
+    outcome_.failed += failed;
+    options_.report(outcome_.progress);
+    return true;
+  }
+
+  void run_chunk(std::size_t index, const RunTrial& run_trial) {
+    ChunkRange chunk = chunks_[index];
+    TrialRecords records;
+    for (std::uint64_t done = 0; done < chunk.count; ++done) {
+      if (options_.interrupted()) {
+        interrupted_ = true;
+        queue_.stop();
+      }
+      if (!queue_.wanted(index)) return;
+      const std::size_t before = records.rocks.size();
+      run_trial(chunk.point, chunk.first + done, records);
+      if (!queue_.judge(index, records, before)) chunk.count = done + 1;
+      const std::lock_guard lock(mutex_);
+      ++outcome_.progress.done;
+      outcome_.progress.rocks += records.rocks.size() - before;
+      options_.report(outcome_.progress);
+    }
+    write_file(options_.folder / chunk.file_name(), encode_chunk(chunk, options_.scenario_hash, records));
+    const std::lock_guard lock(mutex_);
+    chunks_[index] = chunk;
+    whole_[index] = 1;
+    outcome_.failed += count_failed(records);
+    outcome_.times.add(records.times);
+  }
+
+  RunOutcome conclude() {
+    const std::size_t end = queue_.end();
+    for (std::size_t i = 0; i < chunks_.size(); ++i) {
+      if (i <= end && whole_[i]) outcome_.chunks.push_back(chunks_[i]);
+      if (i > end) std::filesystem::remove(options_.folder / chunks_[i].file_name());
+    }
+    if (interrupted_ && outcome_.chunks.size() < std::min(end + 1, chunks_.size())) {
+      outcome_.ending = RunEnding::interrupted;
+    } else if (end < chunks_.size()) {
+      outcome_.ending = RunEnding::faults;
+      outcome_.why = queue_.why();
+    }
+    return std::move(outcome_);
+  }
+
+  const RunOptions& options_;
+  std::vector<ChunkRange> chunks_;  ///< the one in which the run ends becomes short
+  std::vector<char> whole_;         ///< not bool: threads write neighbours
+  ChunkQueue queue_;
+  std::mutex mutex_;  ///< of what follows, and of chunks_ and whole_
+  RunOutcome outcome_;
+  std::exception_ptr error_;
+  std::atomic<bool> interrupted_ = false;
 };
 
 }  // namespace
 
-RunOutcome run_chunks(const std::vector<ChunkRange>& chunks, const RunTrial& run_trial, const RunOptions& options) {
-  RunOutcome outcome;
-  for (const ChunkRange& chunk : chunks) outcome.progress.total += chunk.count;
-  FaultWatch watch(options.strict);
-  for (ChunkRange chunk : chunks) {
-    TrialRecords records;
-    for (std::uint64_t done = 0; done < chunk.count && outcome.why.empty(); ++done) {
-      if (options.interrupted()) {
-        outcome.ending = RunEnding::interrupted;
-        return outcome;
-      }
-      const std::size_t before = records.rocks.size();
-      run_trial(chunk.point, chunk.first + done, records);
-      outcome.why = watch.after_trial(records, before);
-      if (!outcome.why.empty()) chunk.count = done + 1;
-      ++outcome.progress.done;
-      outcome.progress.rocks += records.rocks.size() - before;
-      options.report(outcome.progress);
-    }
-    outcome.times.add(records.times);
-    write_file(options.folder / chunk.file_name(), encode_chunk(chunk, options.scenario_hash, records));
-    outcome.chunks.push_back(chunk);
-    if (!outcome.why.empty()) {
-      outcome.ending = RunEnding::faults;
-      return outcome;
-    }
-  }
-  return outcome;
-}
-
-std::vector<TrialRecords> merge_chunks(const std::vector<ChunkRange>& chunks, int points,
-                                       const std::filesystem::path& folder, const std::string& scenario_hash) {
-  std::vector<TrialRecords> merged(points);
-  for (const ChunkRange& chunk : chunks) {
-    const std::filesystem::path path = folder / chunk.file_name();
-    std::string why;
-    std::optional<TrialRecords> records = decode_chunk(read_file(path), chunk, scenario_hash, why);
-    if (!records) throw FileError(fmt::format("{}: {}", path.string(), why));
-    append(merged.at(static_cast<std::size_t>(chunk.point)), std::move(*records));
-  }
-  return merged;
-}
-
-void remove_chunks(const std::vector<ChunkRange>& chunks, const std::filesystem::path& folder) {
-  std::error_code code;
-  for (const ChunkRange& chunk : chunks) {
-    std::filesystem::remove(folder / chunk.file_name(), code);
-    if (code) throw FileError(fmt::format("cannot remove {}: {}", chunk.file_name(), code.message()));
-  }
-  std::filesystem::remove(folder, code);  // refused where somebody else's files are in it: they stay
+RunOutcome run_chunks(const std::vector<ChunkRange>& chunks, const MakeWorker& make_worker, const RunOptions& options) {
+  return Run(chunks, options).run(make_worker);
 }
 
 }  // namespace flyrock

@@ -1,5 +1,8 @@
 #pragma once
-// Runs the chunks of a plan, and puts the chunk files together again.
+// Runs the chunks of a plan on several threads, and puts the chunk files together again.
+//
+// A chunk is run by one thread from its first trial to its last, and a trial depends on nothing but its point and
+// number: the chunk files are the same for any number of threads. What is done with them is done in their order.
 
 #include <cstdint>
 #include <filesystem>
@@ -14,18 +17,23 @@ namespace flyrock {
 
 /// Appends one trial of one point to `out`.
 using RunTrial = std::function<void(int point, std::uint64_t trial, TrialRecords& out)>;
+/// Makes what runs the trials of a thread, counted from 0; called once in each thread.
+using MakeWorker = std::function<RunTrial(int thread)>;
 
 struct RunProgress {
   std::uint64_t done = 0, total = 0;  ///< trials
-  std::uint64_t rocks = 0;
+  std::uint64_t kept = 0;             ///< of those done: by an earlier run
+  std::uint64_t rocks = 0;            ///< of this run
 };
 
 struct RunOptions {
   std::filesystem::path folder;   ///< of the chunk files; it exists
   std::string scenario_hash;
+  int threads = 1;                ///< at most; a chunk is the least that a thread is given
+  bool resume = false;            ///< keep whole chunk files of this scenario that are there
   bool strict = false;            ///< end at the first rock that fails, at the first step that did not converge
-  std::function<bool()> interrupted = [] { return false; };          ///< asked before each trial
-  std::function<void(const RunProgress&)> report = [](const RunProgress&) {};  ///< told after each trial
+  std::function<bool()> interrupted = [] { return false; };  ///< asked before each trial, by any thread
+  std::function<void(const RunProgress&)> report = [](const RunProgress&) {};  ///< told after each trial, one at a time
 };
 
 enum class RunEnding {
@@ -37,19 +45,15 @@ enum class RunEnding {
 struct RunOutcome {
   RunEnding ending = RunEnding::complete;
   std::string why;                 ///< faults: what ended the run
-  std::vector<ChunkRange> chunks;  ///< written, in order; the last is short where a fault ended the run
+  std::vector<ChunkRange> chunks;  ///< whole ones, in order; the last is short where a fault ended the run
   RunProgress progress;
-  PhaseTimes times;                ///< of the engine, all trials together
+  std::uint64_t failed = 0;        ///< rocks with faults
+  PhaseTimes times;                ///< of the engine, all trials of this run together
 };
 
-/// Runs `chunks` in order and writes a file for each. Throws FileError where one cannot be written.
-RunOutcome run_chunks(const std::vector<ChunkRange>& chunks, const RunTrial& run_trial, const RunOptions& options);
-
-/// The records of each point, from the chunk files in order. Throws FileError where one is not what was written.
-std::vector<TrialRecords> merge_chunks(const std::vector<ChunkRange>& chunks, int points,
-                                       const std::filesystem::path& folder, const std::string& scenario_hash);
-
-/// Removes chunk files, and their folder where nothing else is in it. Throws FileError.
-void remove_chunks(const std::vector<ChunkRange>& chunks, const std::filesystem::path& folder);
+/// Runs `chunks` and leaves a file for each. The chunks of the outcome, and their bytes, are the same for any number
+/// of threads, and whether chunks of an earlier run were kept or not. Throws FileError where one cannot be written,
+/// and what `make_worker` throws.
+RunOutcome run_chunks(const std::vector<ChunkRange>& chunks, const MakeWorker& make_worker, const RunOptions& options);
 
 }  // namespace flyrock

@@ -13,8 +13,29 @@ struct FileError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Writes `bytes` under a temporary name beside `path`, syncs it and renames it: a reader (or the next run
-/// after a power cut) meets the whole file or none. Throws FileError.
+/// A file that is written piece by piece under a temporary name beside `path`. commit() syncs and renames it: a reader
+/// (or the next run after a power cut) meets the whole file or none. Without commit() it goes away.
+class FileWriter {
+ public:
+  /// Throws FileError.
+  explicit FileWriter(std::filesystem::path path);
+  ~FileWriter();
+  FileWriter(const FileWriter&) = delete;
+  FileWriter& operator=(const FileWriter&) = delete;
+
+  /// Throws FileError.
+  void write(std::string_view bytes);
+  void commit();
+
+ private:
+  std::filesystem::path path_, temporary_;
+  int file_ = -1;
+};
+
+/// The name under which the file `path` is written.
+std::filesystem::path temporary_name(const std::filesystem::path& path);
+
+/// A FileWriter at once. Throws FileError.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 /// The bytes of a file. Throws FileError.

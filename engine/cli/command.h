@@ -27,6 +27,7 @@ struct Command {
 };
 
 int run(const Command&, const Arguments&);
+int merge(const Command&, const Arguments&);
 int check(const Command&, const Arguments&);
 int show(const Command&, const Arguments&);
 int plugins(const Command&, const Arguments&);

@@ -14,8 +14,9 @@ namespace flyrock::cli {
 
 namespace {
 
-constexpr std::array<Command, 4> commands = {{
+constexpr std::array<Command, 5> commands = {{
     {"run", "run SCENARIO [options]", "runs a scenario and writes its tables and report", run},
+    {"merge", "merge DIR... -o DIR", "puts the shards of a run together", merge},
     {"check", "check FILE [--strict]", "validates a scenario, or tries a plugin on sampled states", check},
     {"show", "show SCENARIO [--json]", "prints the resolved scenario: units converted, defaults filled in", show},
     {"plugins", "plugins [KIND[/NAME]] [--markdown | --json]", "lists what is registered, with its parameters", plugins},

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "batch/safe_file.h"
 #include "host/share.h"
 #include "report/html.h"
@@ -10,29 +12,80 @@ namespace flyrock::cli {
 
 namespace fs = std::filesystem;
 
-ResultFolder::ResultFolder(fs::path path, bool force) : path_(std::move(path)) {
+namespace {
+
+/// A file of a result folder as JSON; null where it is missing or no JSON, as in a folder that was made half.
+nlohmann::json json_in(const fs::path& file) {
+  std::error_code code;
+  if (!fs::is_regular_file(file, code)) return nullptr;
+  return nlohmann::json::parse(read_file(file), nullptr, false);
+}
+
+}  // namespace
+
+std::string scenario_hash_in(const fs::path& folder) {
+  const nlohmann::json manifest = json_in(folder / "manifest.json");
+  return manifest.is_object() ? manifest.value("scenario_sha256", "") : "";
+}
+
+ResultFolder::ResultFolder(fs::path path, const LoadedScenario& scenario, Existing existing) : path_(std::move(path)) {
   std::error_code code;
   if (!fs::exists(path_, code)) return;
   if (!fs::is_directory(path_, code)) throw UsageError(fmt::format("{} is a file, expected a folder", path_.string()));
-  if (!force && !fs::is_empty(path_, code))
-    throw UsageError(fmt::format("{} exists; --force replaces the results in it, -o DIR names another folder",
+  if (existing == Existing::refused && !fs::is_empty(path_, code))
+    throw UsageError(fmt::format("{} exists; --resume goes on with an unfinished run, --force replaces the results in "
+                                 "it, -o DIR names another folder",
                                  path_.string()));
+  if (existing != Existing::continued) return;
+  const std::string hash = scenario_hash_in(path_);
+  if (!hash.empty() && hash != scenario.hash)
+    throw UsageError(fmt::format("{} holds a run of another scenario, seed, number of trials or version of flyrock; "
+                                 "--force replaces it, -o DIR names another folder",
+                                 path_.string()));
+  continued_ = !hash.empty();
 }
 
-void ResultFolder::open(const LoadedScenario& scenario) {
+std::optional<int> ResultFolder::complete(const Plan& plan) const {
+  if (!continued_ || !fs::exists(path_ / "run.log")) return std::nullopt;  // written when all else is there
+  const nlohmann::json summary = json_in(path_ / "summary.json");
+  if (!summary.is_object() || !summary.at("complete").get<bool>()) return std::nullopt;
+  for (const auto& point : summary.at("points"))
+    if (point.at("trials") != plan.points.front().trials) return std::nullopt;
+  if (summary.at("fault_count") > 0) return faults;
+  for (const auto& expectation : summary.at("expectations"))
+    if (expectation.at("passed") == false) return expectation_failed;
+  return done;
+}
+
+void ResultFolder::open(const LoadedScenario& scenario, const Request& request) {
+  for (const char* name : {"run.log", "summary.json", "rocks.csv", "report.html"}) fs::remove(path_ / name);
+  if (!continued_) remove_chunks(chunks());
   make_folder(chunks());
-  for (const char* name : {"manifest.json", "summary.json", "rocks.csv", "report.html", "run.log"})
-    fs::remove(path_ / name);
-  for (const fs::directory_entry& entry : fs::directory_iterator(chunks()))
-    if (entry.path().extension() == ".chunk") fs::remove(entry.path());
+  write_request(chunks(), request);
   write_file(path_ / "manifest.json", manifest_json(scenario));
 }
 
-void ResultFolder::write(const LoadedScenario& scenario, const Results& results, const RunLog& log) const {
-  write_file(path_ / "rocks.csv", rocks_csv(scenario.plan, results));
-  write_file(path_ / "summary.json", summary_json(scenario.plan, results));
-  write_file(report(), report_html(scenario.plan, results, fs::path(share_folder()) / "report"));
+Results ResultFolder::build(const LoadedScenario& scenario, const std::vector<ChunkFile>& files,
+                            const RunFacts& facts, std::vector<Profile> terrains, const RunLog& log) const {
+  const Plan& plan = scenario.plan;
+  FileWriter rocks(path_ / "rocks.csv");
+  rocks.write(rocks_csv_header(plan));
+  const auto see = [&](const ChunkRange& range, const TrialRecords& records) {
+    rocks.write(rocks_csv_rows(plan, range.point, records.rocks));
+  };
+  Results results =
+      make_results(plan, merge_chunks(files, static_cast<int>(plan.points.size()), scenario.hash, see), facts);
+  for (std::size_t p = 0; p < terrains.size(); ++p) results.points[p].terrain = std::move(terrains[p]);
+  rocks.commit();
+  write_file(path_ / "summary.json", summary_json(plan, results));
+  write_file(report(), report_html(plan, results, fs::path(share_folder()) / "report"));
   write_file(path_ / "run.log", run_log(log));
+  return results;
+}
+
+void ResultFolder::tidy() const {
+  remove_request(chunks());
+  remove_chunks(chunks());
 }
 
 }  // namespace flyrock::cli

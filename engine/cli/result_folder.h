@@ -2,30 +2,50 @@
 // The folder that a run writes.
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "batch/chunk_files.h"
 #include "cli/command.h"
+#include "cli/request.h"
 #include "report/tables.h"
 
 namespace flyrock::cli {
 
+/// What becomes of a folder that has something in it.
+enum class Existing {
+  refused,
+  continued,  ///< --resume: chunks of the same scenario stay, one of another scenario is refused
+  replaced    ///< --force
+};
+
 class ResultFolder {
  public:
-  /// Names the folder and writes nothing. Throws UsageError where it exists with something in it and `force` is
-  /// not set, or where it is a file.
-  ResultFolder(std::filesystem::path path, bool force);
+  /// Names the folder of a scenario and writes nothing. Throws UsageError where it is not to be used.
+  ResultFolder(std::filesystem::path path, const LoadedScenario& scenario, Existing existing);
 
-  /// Makes the folder, removes the results of an earlier run that are in it and writes the manifest. Other
-  /// files stay. Throws FileError.
-  void open(const LoadedScenario& scenario);
+  /// Whether the results of all trials of the scenario stand; the exit code that the run ended with.
+  std::optional<int> complete(const Plan& plan) const;
+
+  /// Makes the folder, removes tables of an earlier run, and its chunks where they are not continued, and writes the
+  /// manifest. Other files stay. Throws FileError.
+  void open(const LoadedScenario& scenario, const Request& request);
   std::filesystem::path chunks() const { return path_ / "chunks"; }
   std::filesystem::path report() const { return path_ / "report.html"; }
 
-  /// Writes tables and report. Throws FileError.
-  void write(const LoadedScenario& scenario, const Results& results, const RunLog& log) const;
+  /// Builds tables and report from chunk files. Throws FileError.
+  Results build(const LoadedScenario& scenario, const std::vector<ChunkFile>& files, const RunFacts& facts,
+                std::vector<Profile> terrains, const RunLog& log) const;
+  /// Removes the chunks, once the results stand. Throws FileError.
+  void tidy() const;
 
  private:
   std::filesystem::path path_;
+  bool continued_ = false;
 };
+
+/// The hash of the scenario in the manifest of a result folder, or an empty text.
+std::string scenario_hash_in(const std::filesystem::path& folder);
 
 }  // namespace flyrock::cli

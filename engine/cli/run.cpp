@@ -1,15 +1,14 @@
 #include "batch/run.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
-#include <ctime>
+#include <thread>
 
-#include "batch/trial.h"
+#include "cli/conclude.h"
 #include "cli/loading.h"
 #include "cli/result_folder.h"
+#include "cli/runners.h"
 #include "cli/summary_text.h"
 #include "cli/terminal.h"
 
@@ -45,29 +44,27 @@ void prepare(const Only& only, Plan& plan) {
   scenario.output.trajectories_first = std::max(scenario.output.trajectories_first, static_cast<int>(only.trial) + 1);
 }
 
-std::vector<ChunkRange> chunks_of(const Plan& plan, const std::optional<Only>& only) {
+/// The part of the chunks that --shard names: every n-th, so that the shards of a sweep take equally long.
+struct Shard {
+  std::uint64_t number = 1, of = 1;
+};
+
+/// "2/3"
+Shard read_shard(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  if (slash == std::string::npos) throw UsageError(fmt::format("--shard: `{}`, expected i/n, as 1/3", text));
+  const Shard shard{whole_number(text.substr(0, slash), "--shard i", 1), whole_number(text.substr(slash + 1), "--shard n", 1)};
+  if (shard.number > shard.of) throw UsageError(fmt::format("--shard: `{}`, expected i from 1 to n", text));
+  return shard;
+}
+
+std::vector<ChunkRange> chunks_of(const Plan& plan, const std::optional<Only>& only, const std::optional<Shard>& shard) {
   if (only) return {{static_cast<int>(only->point), only->trial, only->trial, 1}};
-  return plan_chunks(static_cast<int>(plan.points.size()), plan.points.front().trials);
-}
-
-std::vector<std::uint64_t> trials_of(const std::vector<ChunkRange>& chunks, std::size_t points) {
-  std::vector<std::uint64_t> trials(points, 0);
-  for (const ChunkRange& chunk : chunks) trials[static_cast<std::size_t>(chunk.point)] += chunk.count;
-  return trials;
-}
-
-std::string host_name() {
-  char name[256] = {};
-  return ::gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
-}
-
-/// One runner a point; constructing them makes the sampled calls of every plugin. Throws PluginError.
-using Runners = std::vector<std::unique_ptr<TrialRunner>>;
-Runners make_runners(const LoadedScenario& loaded) {
-  Runners runners;
-  for (const Scenario& point : loaded.plan.points)
-    runners.push_back(std::make_unique<TrialRunner>(point));
-  return runners;
+  const std::vector<ChunkRange> all = plan_chunks(static_cast<int>(plan.points.size()), plan.points.front().trials);
+  if (!shard) return all;
+  std::vector<ChunkRange> chunks;
+  for (std::size_t i = shard->number - 1; i < all.size(); i += shard->of) chunks.push_back(all[i]);
+  return chunks;
 }
 
 struct Execution {
@@ -75,51 +72,41 @@ struct Execution {
   RunLog log;
 };
 
-Execution execute(const LoadedScenario& loaded, Runners& runners, const std::vector<ChunkRange>& chunks,
-                  const std::filesystem::path& folder, bool strict, bool quiet) {
+Execution execute(const std::vector<ChunkRange>& chunks, const MakeWorker& make_worker, RunOptions options, bool quiet) {
   Execution execution;
-  RunLog& log = execution.log;
-  log.started = fmt::format("{:%Y-%m-%dT%H:%M:%S%z}", fmt::localtime(std::time(nullptr)));
-  log.host = host_name();
+  RunLog& log = execution.log = start_log();
+  log.threads = std::min(options.threads, static_cast<int>(chunks.size()));
   const auto start = std::chrono::steady_clock::now();
   ProgressBar bar(!quiet);
-  const RunTrial run_trial = [&](int point, std::uint64_t trial, TrialRecords& out) {
-    runners[static_cast<std::size_t>(point)]->run(trial, out);
-  };
-  execution.outcome = run_chunks(chunks, run_trial,
-                                 {.folder = folder,
-                                  .scenario_hash = loaded.hash,
-                                  .strict = strict,
-                                  .interrupted = was_interrupted,
-                                  .report = [&](const RunProgress& progress) { bar.show(progress); }});
+  options.report = [&](const RunProgress& progress) { bar.show(progress); };
+  execution.outcome = run_chunks(chunks, make_worker, options);
+  const RunProgress& progress = execution.outcome.progress;
   log.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  log.trials = execution.outcome.progress.done;
-  log.rocks = execution.outcome.progress.rocks;
+  log.trials = progress.done - progress.kept;
+  log.kept = progress.kept;
+  log.rocks = progress.rocks;
   log.times = execution.outcome.times;
   return execution;
 }
 
-/// The ground for the report's picture; where it cannot be built, every rock is a row that says why.
-Profile first_terrain(TrialRunner& runner) {
-  try {
-    return runner.terrain_of(0)->profile();
-  } catch (const PluginError&) {
-    return {};
-  }
+/// What a shard leaves: its chunks, for `flyrock merge`.
+int conclude_shard(const RunOutcome& outcome, const Shard& shard, const std::filesystem::path& chunks, bool quiet) {
+  if (!outcome.why.empty()) fmt::print(stderr, "error: the run ended early: {}\n", outcome.why);
+  if (!quiet)
+    fmt::print("shard {} of {}: {} trials in {}; `flyrock merge` puts the shards together\n", shard.number, shard.of,
+               trials_in(outcome.chunks), chunks.string());
+  return outcome.why.empty() && outcome.failed == 0 ? done : faults;
 }
 
-void print_faults(const Results& results) {
-  for (const Fault& fault : results.faults)
-    fmt::print(stderr, "error: point {}, trial {}, rock {}: {}: {}\n", fault.point, fault.trial, fault.rock,
-               name_of(fault.reason), fault.text);
-  if (results.fault_count > results.faults.size())
-    fmt::print(stderr, "error: and {} more rocks that failed\n", results.fault_count - results.faults.size());
-  if (!results.ended_early.empty()) fmt::print(stderr, "error: the run ended early: {}\n", results.ended_early);
+int threads_of(const CommandLine& line) {
+  if (line.has("jobs")) return static_cast<int>(std::min<std::uint64_t>(whole_number(line.text("jobs"), "-j", 1), 1024));
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-int exit_code(const Results& results) {
-  if (!results.ended_early.empty() || results.fault_count > 0) return faults;
-  return results.count(Judgement::failed) > 0 ? expectation_failed : done;
+/// Options that contradict each other.
+void refuse_pairs(const CommandLine& line) {
+  for (const auto& [a, b] : {std::pair("resume", "force"), std::pair("only", "resume"), std::pair("only", "shard")})
+    if (line.has(a) && line.has(b)) throw UsageError(fmt::format("expected one of --{} and --{}", a, b));
 }
 
 po::options_description run_options() {
@@ -129,6 +116,9 @@ po::options_description run_options() {
   add_override_options(options);
   options.add_options()
       ("only", po::value<std::string>()->value_name("point=P,trial=T"), "replays one trial and shows its rocks")
+      ("jobs,j", po::value<std::string>()->value_name("N"), "threads; default all cores")
+      ("shard", po::value<std::string>()->value_name("i/n"), "runs the i-th of n parts, for `flyrock merge`")
+      ("resume", "goes on with a run that was interrupted or killed")
       ("force", "replaces the results in an existing folder")
       ("quiet", "no progress and no summary")
       ("strict", "keys that nothing reads are errors; ends at the first fault or step that did not converge");
@@ -140,16 +130,31 @@ po::options_description run_options() {
 int run(const Command& command, const Arguments& arguments) {
   const CommandLine line = parse(command, run_options(), arguments, 1, 1);
   if (line.help) return done;
+  refuse_pairs(line);
   std::optional<Only> only;
   if (line.has("only")) only = read_only(line.text("only"));
+  std::optional<Shard> shard;
+  if (line.has("shard")) shard = read_shard(line.text("shard"));
   const bool quiet = line.has("quiet"), strict = line.has("strict");
+  const int threads = threads_of(line);
 
-  std::optional<LoadedScenario> loaded = load(line.words[0], overrides_of(line), strict);
+  const Request request{line.words[0], overrides_of(line)};
+  std::optional<LoadedScenario> loaded = load(request.scenario, request.overrides, strict);
   if (!loaded) return bad_input;
   Plan& plan = loaded->plan;
   if (only) prepare(*only, plan);
-  const std::string suffix = only ? fmt::format("-p{}-t{}", only->point, only->trial) : "";
-  ResultFolder folder(line.has("output") ? line.text("output") : "out/" + loaded->name + suffix, line.has("force"));
+  const std::string suffix = only    ? fmt::format("-p{}-t{}", only->point, only->trial)
+                             : shard ? fmt::format("-shard-{}-of-{}", shard->number, shard->of)
+                                     : "";
+  const bool resume = line.has("resume");
+  ResultFolder folder(line.has("output") ? line.text("output") : "out/" + loaded->name + suffix, *loaded,
+                      resume              ? Existing::continued
+                      : line.has("force") ? Existing::replaced
+                                          : Existing::refused);
+  if (const std::optional<int> code = folder.complete(plan)) {
+    if (!quiet) fmt::print("nothing to do, all trials are done\nreport: {}\n", folder.report().string());
+    return *code;
+  }
   Runners runners;
   try {
     runners = make_runners(*loaded);
@@ -158,24 +163,31 @@ int run(const Command& command, const Arguments& arguments) {
     return bad_input;
   }
 
-  folder.open(*loaded);
+  folder.open(*loaded, request);
   catch_interrupt();
-  const auto [outcome, log] = execute(*loaded, runners, chunks_of(plan, only), folder.chunks(), strict, quiet);
+  const auto [outcome, log] = execute(chunks_of(plan, only, shard),
+                                      workers(*loaded, runners, request.scenario, request.overrides),
+                                      {.folder = folder.chunks(),
+                                       .scenario_hash = loaded->hash,
+                                       .threads = threads,
+                                       .resume = resume,
+                                       .strict = strict,
+                                       .interrupted = was_interrupted},
+                                      quiet);
   if (outcome.ending == RunEnding::interrupted) {
-    fmt::print(stderr, "interrupted after {} of {} trials; what was done is kept in {}\n", outcome.progress.done,
-               outcome.progress.total, folder.chunks().string());
+    fmt::print(stderr, "interrupted after {} of {} trials; what was done is kept in {}, --resume goes on\n",
+               trials_in(outcome.chunks), outcome.progress.total, folder.chunks().string());
     return interrupted;
   }
+  if (shard) return conclude_shard(outcome, *shard, folder.chunks(), quiet);
 
-  const int points = static_cast<int>(plan.points.size());
   const RunFacts facts{.trials = trials_of(outcome.chunks, plan.points.size()),
                        .full = !only && plan.points.front().trials >= loaded->own_trials,
                        .ended_early = outcome.why,
                        .warnings = loaded->warnings};
-  Results results = make_results(plan, merge_chunks(outcome.chunks, points, folder.chunks(), loaded->hash), facts);
-  for (std::size_t p = 0; p < runners.size(); ++p) results.points[p].terrain = first_terrain(*runners[p]);
-  folder.write(*loaded, results, log);
-  remove_chunks(outcome.chunks, folder.chunks());
+  const Results results =
+      folder.build(*loaded, chunk_files(outcome.chunks, folder.chunks()), facts, first_terrains(runners), log);
+  folder.tidy();
   print_faults(results);
   if (!quiet) {
     fmt::print("{}", summary_text(plan, results, loaded->warnings));

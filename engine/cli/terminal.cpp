@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -33,10 +34,13 @@ void ProgressBar::show(const RunProgress& progress) {
   last_ = now;
   const double seconds = std::chrono::duration<double>(now - start_).count();
   const double share = static_cast<double>(progress.done) / static_cast<double>(progress.total);
+  // Chunks of an earlier run took no time of this one.
+  const double left = seconds * static_cast<double>(progress.total - progress.done) /
+                      static_cast<double>(std::max<std::uint64_t>(1, progress.done - progress.kept));
   const auto filled = static_cast<std::size_t>(30 * share);
   fmt::print(stderr, "\r[{}{}] {} of {} trials, {:.0f} rocks/s, {} left\033[K", std::string(filled, '#'),
              std::string(30 - filled, '.'), progress.done, progress.total,
-             static_cast<double>(progress.rocks) / seconds, clock_time(seconds * (1 - share) / share));
+             static_cast<double>(progress.rocks) / seconds, clock_time(left));
   std::fflush(stderr);
 }
 

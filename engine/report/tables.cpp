@@ -20,27 +20,29 @@ std::string csv_text(const std::string& text) {
 
 }  // namespace
 
-std::string rocks_csv(const Plan& plan, const Results& results) {
-  const bool space = plan.points.front().dimension == 3;
-  std::string csv = fmt::format(
+std::string rocks_csv_header(const Plan& plan) {
+  return fmt::format(
       "point,trial,rock,group,mass_kg,volume_m3,launch_speed_m_s,launch_elevation_deg,stop_reason,censored,"
       "runout_m,max_distance_m,stop_x_m,stop_y_m,{}flight_range_m,bounce_height_m,max_speed_m_s,max_energy_J,"
       "impacts,time_s\n",
-      space ? "stop_z_m," : "");
-  for (std::size_t point = 0; point < results.points.size(); ++point) {
-    const std::vector<std::string> groups = group_names(plan.points[point]);
-    for (const RockRecord& rock : results.points[point].records.rocks) {
-      csv += fmt::format("{},{},{},{}", point, rock.trial, rock.rock, csv_text(groups.at(rock.group)));
-      const auto number = [&](double value) { csv += ',' + shortest(value); };
-      number(rock.mass), number(rock.volume), number(rock.launch_speed), number(rock.launch_elevation * 180 / pi);
-      csv += fmt::format(",{},{}", name_of(rock.reason), rock.censored ? 1 : 0);
-      number(rock.runout), number(rock.max_distance), number(rock.stop_x), number(rock.stop_y);
-      if (space) number(rock.stop_z);
-      number(rock.flight_range), number(rock.bounce_height), number(rock.max_speed), number(rock.max_energy);
-      csv += fmt::format(",{}", rock.impacts);
-      number(rock.time);
-      csv += '\n';
-    }
+      plan.points.front().dimension == 3 ? "stop_z_m," : "");
+}
+
+std::string rocks_csv_rows(const Plan& plan, int point, const std::vector<RockRecord>& rocks) {
+  const Scenario& scenario = plan.points[static_cast<std::size_t>(point)];
+  const std::vector<std::string> groups = group_names(scenario);
+  std::string csv;
+  for (const RockRecord& rock : rocks) {
+    csv += fmt::format("{},{},{},{}", point, rock.trial, rock.rock, csv_text(groups.at(rock.group)));
+    const auto number = [&](double value) { csv += ',' + shortest(value); };
+    number(rock.mass), number(rock.volume), number(rock.launch_speed), number(rock.launch_elevation * 180 / pi);
+    csv += fmt::format(",{},{}", name_of(rock.reason), rock.censored ? 1 : 0);
+    number(rock.runout), number(rock.max_distance), number(rock.stop_x), number(rock.stop_y);
+    if (scenario.dimension == 3) number(rock.stop_z);
+    number(rock.flight_range), number(rock.bounce_height), number(rock.max_speed), number(rock.max_energy);
+    csv += fmt::format(",{}", rock.impacts);
+    number(rock.time);
+    csv += '\n';
   }
   return csv;
 }
@@ -71,8 +73,8 @@ std::string run_log(const RunLog& log) {
   const PhaseTimes& t = log.times;
   const auto total = static_cast<double>(t.flight + t.detect + t.solve + t.other);
   std::string text = fmt::format(
-      "started  {}\nhost     {}\nthreads  1\ntrials   {}\nrocks    {}\nseconds  {:.3f}\n", log.started, log.host,
-      log.trials, log.rocks, log.seconds);
+      "started  {}\nhost     {}\nthreads  {}\ntrials   {}\nkept     {}\nrocks    {}\nseconds  {:.3f}\n", log.started,
+      log.host, log.threads, log.trials, log.kept, log.rocks, log.seconds);
   if (log.seconds > 0) text += fmt::format("rocks/s  {:.1f}\n", static_cast<double>(log.rocks) / log.seconds);
   const auto share = [&](std::string_view name, std::int64_t time) {
     if (total > 0) text += fmt::format("{:<8} {:5.1f} %\n", name, 100 * static_cast<double>(time) / total);

@@ -12,7 +12,8 @@ namespace flyrock {
 
 /// A row per rock in order of point, trial and rock; numbers as the shortest decimals that read back as
 /// the same double; censored as 0 or 1.
-std::string rocks_csv(const Plan& plan, const Results& results);
+std::string rocks_csv_header(const Plan& plan);
+std::string rocks_csv_rows(const Plan& plan, int point, const std::vector<RockRecord>& rocks);
 
 /// Statistics of each point, expectations, solver quality, warnings. Holds no path, file name or hash.
 std::string summary_json(const Plan& plan, const Results& results);
@@ -24,8 +25,10 @@ std::string manifest_json(const LoadedScenario& scenario);
 struct RunLog {
   std::string started;   ///< local time, ISO 8601
   std::string host;
+  int threads = 1;
   double seconds = 0;    ///< of wall time, from the first trial to the last
-  std::uint64_t rocks = 0, trials = 0;
+  std::uint64_t rocks = 0, trials = 0;  ///< of this run
+  std::uint64_t kept = 0;               ///< trials of earlier runs that it went on from, or of shards
   PhaseTimes times;
 };
 std::string run_log(const RunLog& log);

@@ -77,6 +77,20 @@ inline Output call_and_interrupt(const Folder& folder, const std::string& scenar
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, "", read(err)};
 }
 
+/// `flyrock run SCENARIO --quiet ARGUMENTS...` killed (SIGKILL) after a time, where it has not ended before.
+inline void call_and_kill(const Folder& folder, const std::string& arguments, std::chrono::milliseconds after) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const std::string line = "cd '" + folder.path().string() + "' && exec '" FLYROCK_BINARY "' run " + arguments +
+                             " --quiet 2>/dev/null";
+    ::execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
+    ::_exit(99);
+  }
+  std::this_thread::sleep_for(after);
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+}
+
 /// A small and sound scenario: rocks thrown from a bench onto a floor where they come to rest.
 inline const char* const bench = R"(flyrock: 1
 title: A small bench

@@ -63,7 +63,7 @@ TEST_CASE("An existing folder is replaced with --force only, and other files in 
   const std::string before = read(folder.path() / "r/rocks.csv");
   const Output again = call(folder, "run bench.yaml -o r");
   CHECK(again.code == 2);
-  CHECK(again.err.find("r exists; --force replaces the results in it, -o DIR names another folder") != std::string::npos);
+  CHECK(again.err.find("r exists; --resume goes on with an unfinished run, --force replaces the results in it, -o DIR names another folder") != std::string::npos);
   CHECK(read(folder.path() / "r/rocks.csv") == before);
   REQUIRE(call(folder, "run bench.yaml -o r --quiet --force").code == 0);
   CHECK(read(folder.path() / "r/rocks.csv") != before);

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "batch/chunk_files.h"
 #include "batch/safe_file.h"
 
 using namespace flyrock;
@@ -19,8 +20,8 @@ struct Folder {
 };
 
 /// One rock a trial; it fails from trial `failing` on.
-RunTrial rocks_failing_from(std::uint64_t failing) {
-  return [failing](int point, std::uint64_t trial, TrialRecords& out) {
+MakeWorker rocks_failing_from(std::uint64_t failing) {
+  const RunTrial run_trial = [failing](int point, std::uint64_t trial, TrialRecords& out) {
     RockRecord rock;
     rock.trial = trial;
     rock.runout = 1000 * point + static_cast<double>(trial);
@@ -29,6 +30,11 @@ RunTrial rocks_failing_from(std::uint64_t failing) {
     out.rocks.push_back(rock);
     out.quality.steps += 1;
   };
+  return [run_trial](int) { return run_trial; };
+}
+
+std::vector<TrialRecords> merged(const RunOutcome& outcome, int points, const Folder& folder) {
+  return merge_chunks(chunk_files(outcome.chunks, folder.path), points, "h");
 }
 
 constexpr std::uint64_t never = 1'000'000;
@@ -41,15 +47,15 @@ TEST_CASE("Chunks merge to every trial of every point in order") {
   const RunOutcome outcome = run_chunks(plan, rocks_failing_from(never), {.folder = folder.path, .scenario_hash = "h"});
   CHECK(outcome.ending == RunEnding::complete);
   CHECK(outcome.progress.done == 300);
-  const auto records = merge_chunks(outcome.chunks, 2, folder.path, "h");
+  const auto records = merged(outcome, 2, folder);
   REQUIRE(records.size() == 2);
   for (int point = 0; point < 2; ++point) {
     REQUIRE(records[point].rocks.size() == 150);
     for (int t = 0; t < 150; ++t) CHECK(records[point].rocks[t].runout == 1000 * point + t);
     CHECK(records[point].quality.steps == 150);
   }
-  CHECK_THROWS_AS(merge_chunks(outcome.chunks, 2, folder.path, "other"), FileError);
-  remove_chunks(outcome.chunks, folder.path);
+  CHECK_THROWS_AS(merge_chunks(chunk_files(outcome.chunks, folder.path), 2, "other"), FileError);
+  remove_chunks(folder.path);
   CHECK_FALSE(fs::exists(folder.path));
 }
 
@@ -63,7 +69,7 @@ TEST_CASE("A run goes on after rocks that fail, unless all of the first 20 do") 
   CHECK(all.ending == RunEnding::faults);
   CHECK(all.progress.done == 20);
   CHECK(all.why == "the first 20 rocks all failed, the last with: no law");
-  CHECK(merge_chunks(all.chunks, 1, folder.path, "h")[0].rocks.size() == 20);
+  CHECK(merged(all, 1, folder)[0].rocks.size() == 20);
 }
 
 TEST_CASE("A strict run ends at its first fault, and keeps what was done") {
@@ -73,7 +79,7 @@ TEST_CASE("A strict run ends at its first fault, and keeps what was done") {
       run_chunks(plan, rocks_failing_from(15), {.folder = folder.path, .scenario_hash = "h", .strict = true});
   CHECK(outcome.ending == RunEnding::faults);
   CHECK(outcome.why == "trial 15, rock 0: plugin_error: no law");
-  CHECK(merge_chunks(outcome.chunks, 1, folder.path, "h")[0].rocks.size() == 16);
+  CHECK(merged(outcome, 1, folder)[0].rocks.size() == 16);
 }
 
 TEST_CASE("An interrupted run keeps the chunks that were whole") {
@@ -86,6 +92,61 @@ TEST_CASE("An interrupted run keeps the chunks that were whole") {
   CHECK(outcome.chunks.size() == 2);
   CHECK(fs::exists(folder.path / "p0-c1.chunk"));
   CHECK_FALSE(fs::exists(folder.path / "p0-c2.chunk"));
+}
+
+TEST_CASE("Any number of threads ends a failing run at the same trial, with the same files") {
+  const auto plan = plan_chunks(2, 1000);
+  const bool strict = GENERATE(false, true);
+  const std::uint64_t failing = strict ? GENERATE(0u, 15u, 333u) : GENERATE(0u, 19u);
+  std::vector<std::string> files;
+  std::string why;
+  for (const int threads : {1, 2, 3, 8}) {
+    Folder folder;
+    const RunOutcome outcome =
+        run_chunks(plan, rocks_failing_from(failing),
+                   {.folder = folder.path, .scenario_hash = "h", .threads = threads, .strict = strict});
+    std::vector<std::string> written;
+    for (const ChunkRange& chunk : outcome.chunks) written.push_back(read_file(folder.path / chunk.file_name()));
+    CHECK(static_cast<std::size_t>(std::distance(fs::directory_iterator(folder.path), {})) == written.size());
+    if (threads == 1) {
+      files = written;
+      why = outcome.why;
+    }
+    CHECK(written == files);
+    CHECK(outcome.why == why);
+  }
+}
+
+TEST_CASE("A run goes on from whole chunks, and runs broken and foreign ones again") {
+  Folder folder;
+  const auto plan = plan_chunks(1, 1000);
+  const RunOptions options{.folder = folder.path, .scenario_hash = "h", .threads = 2, .resume = true};
+  const RunOutcome first = run_chunks(plan, rocks_failing_from(900), options);
+  CHECK(first.progress.kept == 0);
+  std::vector<std::string> files;
+  for (const ChunkRange& chunk : plan) files.push_back(read_file(folder.path / chunk.file_name()));
+
+  fs::remove(folder.path / "p0-c0.chunk");
+  fs::resize_file(folder.path / "p0-c7.chunk", 100);
+  fs::copy_file(folder.path / "p0-c3.chunk", folder.path / "p0-c8.chunk", fs::copy_options::overwrite_existing);
+  write_file(folder.path / "p0-c9.chunk", encode_chunk(plan[9], "another scenario", {}));
+  const RunOutcome second = run_chunks(plan, rocks_failing_from(900), options);
+  CHECK(second.progress.kept == 960);
+  CHECK(second.progress.done == 1000);
+  CHECK(second.failed == first.failed);
+  for (std::size_t i = 0; i < plan.size(); ++i) CHECK(read_file(folder.path / plan[i].file_name()) == files[i]);
+
+  RunOptions strict = options;
+  strict.strict = true;
+  const RunOutcome third = run_chunks(plan, rocks_failing_from(900), strict);
+  CHECK(third.why == "trial 900, rock 0: plugin_error: no law");
+  CHECK(third.chunks.back().count == 1);
+}
+
+TEST_CASE("What a worker throws ends the run") {
+  Folder folder;
+  const MakeWorker broken = [](int) -> RunTrial { throw std::runtime_error("no worker"); };
+  CHECK_THROWS_WITH(run_chunks(plan_chunks(1, 10), broken, {.folder = folder.path, .threads = 3}), "no worker");
 }
 
 TEST_CASE("A file that cannot be written is an error that names it, and leaves nothing") {

@@ -1,0 +1,25 @@
+#pragma once
+// The beginning and the end of commands that build results.
+
+#include "batch/chunk.h"
+#include "batch/results.h"
+#include "cli/command.h"
+#include "report/tables.h"
+
+namespace flyrock::cli {
+
+/// Prints the rocks that failed to stderr and why a run ended early.
+void print_faults(const Results& results);
+
+/// 0, expectation_failed or faults; DESIGN section 4.
+int exit_code(const Results& results);
+
+/// A log of here and now.
+RunLog start_log();
+
+/// Trials of all points in `chunks`.
+std::uint64_t trials_in(const std::vector<ChunkRange>& chunks);
+/// Trials of each point in `chunks`.
+std::vector<std::uint64_t> trials_of(const std::vector<ChunkRange>& chunks, std::size_t points);
+
+}  // namespace flyrock::cli

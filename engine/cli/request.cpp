@@ -1,0 +1,44 @@
+#include "cli/request.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "batch/safe_file.h"
+
+namespace flyrock::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::filesystem::path file_in(const std::filesystem::path& chunks) { return chunks / "request.json"; }
+
+}  // namespace
+
+void write_request(const std::filesystem::path& chunks, const Request& request) {
+  Json data = {{"scenario", std::filesystem::absolute(request.scenario).string()}, {"set", request.overrides.set}};
+  if (request.overrides.seed) data["seed"] = *request.overrides.seed;
+  if (request.overrides.trials) data["trials"] = *request.overrides.trials;
+  write_file(file_in(chunks), data.dump(2) + '\n');
+}
+
+Request read_request(const std::filesystem::path& chunks) {
+  const std::filesystem::path file = file_in(chunks);
+  try {
+    const Json data = Json::parse(read_file(file));
+    Request request{data.at("scenario"), {data.at("set"), {}, {}}};
+    if (data.contains("seed")) request.overrides.seed = data["seed"].get<std::uint64_t>();
+    if (data.contains("trials")) request.overrides.trials = data["trials"].get<std::uint64_t>();
+    return request;
+  } catch (const Json::exception& error) {
+    throw FileError(fmt::format("{} is not what a run wrote: {}", file.string(), error.what()));
+  }
+}
+
+void remove_request(const std::filesystem::path& chunks) {
+  std::error_code code;  // a folder that cannot be tidied is no reason to fail a run that is done
+  std::filesystem::remove(file_in(chunks), code);
+}
+
+}  // namespace flyrock::cli

@@ -1,0 +1,145 @@
+// Threads, resuming and shards: one result, however it came about.
+
+#include <catch2/catch.hpp>
+
+#include "program.h"
+
+using namespace flyrock::test;
+
+namespace {
+
+/// The files that may not differ.
+void check_same(const Folder& folder, const std::string& a, const std::string& b) {
+  for (const char* file : {"manifest.json", "summary.json", "rocks.csv", "report.html"}) {
+    INFO(a << " and " << b << ": " << file);
+    const std::string bytes = read(folder.path() / a / file);
+    CHECK_FALSE(bytes.empty());
+    CHECK(bytes == read(folder.path() / b / file));
+  }
+  CHECK_FALSE(folder.has(b + "/chunks"));
+}
+
+/// Two sweep points of 60 trials.
+std::string sweep() {
+  std::string text = bench_with("mu: 0.6", "mu: { sweep: [0.5, 0.7] }");
+  return text.replace(text.find("trials: 4"), 9, "trials: 60");
+}
+
+}  // namespace
+
+TEST_CASE("Any number of threads gives the same bytes") {
+  const Folder folder;
+  folder.write("s.yaml", sweep());
+  for (const char* threads : {"1", "2", "3"}) {
+    const Output run = call(folder, std::string("run s.yaml --quiet -o j") + threads + " -j" + threads);
+    INFO(run.err);
+    REQUIRE(run.code == 0);
+  }
+  check_same(folder, "j1", "j2");
+  check_same(folder, "j1", "j3");
+  CHECK(read(folder.path() / "j2/run.log").find("threads  2") != std::string::npos);
+  CHECK(call(folder, "run s.yaml -j0").err.find("-j: `0` is not a whole number of at least 1") != std::string::npos);
+}
+
+TEST_CASE("A law in Lua runs in several threads") {
+  const Folder folder;
+  folder.write("law.lua", R"(local fr = require "flyrock"
+return fr.plugin {
+  kind = "restitution", name = "mine", form = "newton",
+  doc = "Fades with speed; fails at the fourth impact.", source = "a test",
+  params = {},
+  impact = function(p, contact)
+    if contact.impact_number > 3 then error("too many") end
+    return 0.4 / (1 + contact.approach_speed / 10), 0
+  end,
+}
+)");
+  std::string text = bench_with("{ type: newton, en: 0.3 }", "{ type: mine }");
+  text.replace(text.find("trials: 4"), 9, "trials: 120");
+  folder.write("s.yaml", "plugins: [law.lua]\n" + text);
+  for (const char* threads : {"1", "3"}) call(folder, std::string("run s.yaml --quiet -o j") + threads + " -j" + threads);
+  check_same(folder, "j1", "j3");
+  for (const char* threads : {"1", "3"})
+    CHECK(call(folder, std::string("run s.yaml --strict -o s") + threads + " -j" + threads).code == 3);
+  check_same(folder, "s1", "s3");
+}
+
+TEST_CASE("A run that is killed at any moment and resumed gives the same bytes", "[slow]") {
+  const Folder folder;
+  std::string text = sweep();
+  text.replace(text.find("trials: 60"), 10, "trials: 3000");
+  folder.write("s.yaml", text);
+  const auto start = std::chrono::steady_clock::now();
+  REQUIRE(call(folder, "run s.yaml --quiet -o whole").code == 0);
+  const auto whole = std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - start);
+  for (int kill = 1; kill <= 10; ++kill)
+    call_and_kill(folder, "s.yaml --resume -o killed", whole * ((kill * 37) % 100) / 100);
+  const Output resumed = call(folder, "run s.yaml --resume --quiet -o killed");
+  INFO(resumed.err);
+  CHECK(resumed.code == 0);
+  check_same(folder, "whole", "killed");
+  const Output again = call(folder, "run s.yaml --resume -o killed");
+  CHECK(again.code == 0);
+  CHECK(again.out.find("nothing to do, all trials are done") == 0);
+}
+
+TEST_CASE("An interrupted run is resumed") {
+  const Folder folder;
+  folder.write("s.yaml", bench);
+  REQUIRE(call_and_interrupt(folder, "s.yaml", "out/s/chunks/p0-c0.chunk").code == 130);
+  // Of 100,000 trials: another scenario than the file's own 4.
+  const Output other = call(folder, "run s.yaml --resume");
+  CHECK(other.code == 2);
+  CHECK(other.err.find("out/s holds a run of another scenario, seed, number of trials or version of flyrock") !=
+        std::string::npos);
+  CHECK(folder.has("out/s/chunks/p0-c0.chunk"));
+  CHECK(call(folder, "run s.yaml --resume --force").err.find("expected one of --resume and --force") !=
+        std::string::npos);
+  REQUIRE(call(folder, "run s.yaml --force --quiet").code == 0);
+  // Nothing there, or nothing in it: a start.
+  fs::create_directories(folder.path() / "empty");
+  REQUIRE(call(folder, "run s.yaml --resume --quiet -o empty").code == 0);
+  REQUIRE(call(folder, "run s.yaml --resume --quiet -o absent").code == 0);
+  check_same(folder, "out/s", "empty");
+  check_same(folder, "out/s", "absent");
+}
+
+TEST_CASE("Three shards merged are one run") {
+  const Folder folder;
+  folder.write("s.yaml", sweep());
+  REQUIRE(call(folder, "run s.yaml --quiet -o whole").code == 0);
+  for (const char* shard : {"1/3", "2/3", "3/3"}) {
+    const Output run = call(folder, std::string("run s.yaml --shard ") + shard);
+    INFO(run.err);
+    REQUIRE(run.code == 0);
+    CHECK(run.out.find(std::string("shard ") + shard[0] + " of 3: 40 trials in out/s-shard-") == 0);
+  }
+  const std::string one = "out/s-shard-1-of-3 ", two = "out/s-shard-2-of-3 ", three = "out/s-shard-3-of-3 ";
+  CHECK_FALSE(folder.has("out/s-shard-1-of-3/rocks.csv"));
+  const Output merged = call(folder, "merge " + three + one + two + "-o merged --quiet");
+  INFO(merged.err);
+  CHECK(merged.code == 0);
+  check_same(folder, "whole", "merged");
+
+  const Output some = call(folder, "merge " + one + three + "-o some --quiet");
+  CHECK(some.code == 0);
+  CHECK(some.err.find("40 of 120 chunks are missing, from trial 1 of point 0 on") != std::string::npos);
+  CHECK(call(folder, "merge " + one + two + one + "-o twice").err.find("both hold p0-c0.chunk: a shard given twice") !=
+        std::string::npos);
+  CHECK(call(folder, "run s.yaml --seed 9 --shard 2/3 --quiet -o foreign").code == 0);
+  const Output foreign = call(folder, "merge " + one + "foreign -o f");
+  CHECK(foreign.code == 2);
+  CHECK(foreign.err.find("out/s-shard-1-of-3 and foreign are of different scenarios") != std::string::npos);
+  CHECK(call(folder, "merge whole -o f").err.find("whole has no chunks: it is no shard, its results stand") !=
+        std::string::npos);
+  CHECK(call(folder, "merge nowhere -o f").err.find("nowhere is no result folder") != std::string::npos);
+  CHECK(call(folder, "merge " + one + "-o " + one).err.find("needs a folder of its own") != std::string::npos);
+  CHECK_FALSE(folder.has("f"));
+
+  fs::rename(folder.path() / "s.yaml", folder.path() / "moved.yaml");
+  CHECK(call(folder, "merge " + one + "-o m").err.find("is not here; name it with --scenario FILE") != std::string::npos);
+  CHECK(call(folder, "merge " + one + two + three + "-o m --quiet --scenario moved.yaml").code == 0);
+  check_same(folder, "whole", "m");
+  CHECK(call(folder, "run moved.yaml --shard 4/3").err.find("--shard: `4/3`, expected i from 1 to n") !=
+        std::string::npos);
+}
