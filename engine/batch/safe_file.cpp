@@ -43,9 +43,20 @@ void FileWriter::write(std::string_view bytes) {
 }
 
 void FileWriter::commit() {
-  if (::fsync(file_) != 0) fail("write", path_, errno);
-  if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail("write", path_, errno);
   ::close(std::exchange(file_, -1));
+  commit_file(path_);
+}
+
+void commit_file(const std::filesystem::path& path) {
+  const std::filesystem::path temporary = temporary_name(path);
+  const int file = ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) fail("write", path, errno);
+  const int failure = ::fsync(file) != 0 ? errno : 0;
+  ::close(file);
+  if (failure == 0 && ::rename(temporary.c_str(), path.c_str()) == 0) return;
+  const int code = failure != 0 ? failure : errno;
+  ::unlink(temporary.c_str());
+  fail("write", path, code);
 }
 
 void write_file(const std::filesystem::path& path, std::string_view bytes) {

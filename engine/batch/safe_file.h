@@ -34,6 +34,8 @@ class FileWriter {
 
 /// The name under which the file `path` is written.
 std::filesystem::path temporary_name(const std::filesystem::path& path);
+/// Syncs what was written under the temporary name of `path` and gives it its name. Throws FileError.
+void commit_file(const std::filesystem::path& path);
 
 /// A FileWriter at once. Throws FileError.
 void write_file(const std::filesystem::path& path, std::string_view bytes);

@@ -6,6 +6,7 @@
 
 #include "batch/safe_file.h"
 #include "host/share.h"
+#include "report/database.h"
 #include "report/html.h"
 
 namespace flyrock::cli {
@@ -58,7 +59,7 @@ std::optional<int> ResultFolder::complete(const Plan& plan) const {
 }
 
 void ResultFolder::open(const LoadedScenario& scenario, const Request& request) {
-  for (const char* name : {"run.log", "summary.json", "rocks.csv", "report.html"}) fs::remove(path_ / name);
+  for (const char* name : {"run.log", "summary.json", "rocks.csv", "results.db", "report.html"}) fs::remove(path_ / name);
   if (!continued_) remove_chunks(chunks());
   make_folder(chunks());
   write_request(chunks(), request);
@@ -70,13 +71,16 @@ Results ResultFolder::build(const LoadedScenario& scenario, const std::vector<Ch
   const Plan& plan = scenario.plan;
   FileWriter rocks(path_ / "rocks.csv");
   rocks.write(rocks_csv_header(plan));
+  ResultDatabase database(path_ / "results.db", plan);
   const auto see = [&](const ChunkRange& range, const TrialRecords& records) {
     rocks.write(rocks_csv_rows(plan, range.point, records.rocks));
+    database.add(range.point, records);
   };
   Results results =
       make_results(plan, merge_chunks(files, static_cast<int>(plan.points.size()), scenario.hash, see), facts);
   for (std::size_t p = 0; p < terrains.size(); ++p) results.points[p].terrain = std::move(terrains[p]);
   rocks.commit();
+  database.finish(results);
   write_file(path_ / "summary.json", summary_json(plan, results));
   write_file(report(), report_html(plan, results, fs::path(share_folder()) / "report"));
   write_file(path_ / "run.log", run_log(log));

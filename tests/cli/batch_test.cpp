@@ -1,8 +1,7 @@
 // Threads, resuming and shards: one result, however it came about.
 
-#include <catch2/catch.hpp>
-
 #include "program.h"
+#include "rows.h"
 
 using namespace flyrock::test;
 
@@ -16,6 +15,9 @@ void check_same(const Folder& folder, const std::string& a, const std::string& b
     CHECK_FALSE(bytes.empty());
     CHECK(bytes == read(folder.path() / b / file));
   }
+  const std::vector<std::string> rows = all_rows(folder.path() / a / "results.db");
+  CHECK_FALSE(rows.empty());
+  CHECK(rows == all_rows(folder.path() / b / "results.db"));
   CHECK_FALSE(folder.has(b + "/chunks"));
 }
 

@@ -146,7 +146,8 @@ TEST_CASE("A run goes on from whole chunks, and runs broken and foreign ones aga
 TEST_CASE("What a worker throws ends the run") {
   Folder folder;
   const MakeWorker broken = [](int) -> RunTrial { throw std::runtime_error("no worker"); };
-  CHECK_THROWS_WITH(run_chunks(plan_chunks(1, 10), broken, {.folder = folder.path, .threads = 3}), "no worker");
+  CHECK_THROWS_WITH(run_chunks(plan_chunks(1, 10), broken, {.folder = folder.path, .scenario_hash = "h", .threads = 3}),
+                    "no worker");
 }
 
 TEST_CASE("A file that cannot be written is an error that names it, and leaves nothing") {

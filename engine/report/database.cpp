@@ -1,0 +1,119 @@
+#include "report/database.h"
+
+#include <limits>
+
+#include "math/space.h"
+
+namespace flyrock {
+
+namespace {
+
+constexpr const char* schema = R"(
+CREATE TABLE points (point INTEGER PRIMARY KEY, trials INTEGER);
+CREATE TABLE sweep (point INTEGER, path TEXT, value REAL);
+CREATE TABLE parts (point INTEGER, part INTEGER, name TEXT);
+CREATE TABLE rocks (point INTEGER, trial INTEGER, rock INTEGER, "group" TEXT, mass_kg REAL, volume_m3 REAL,
+  launch_speed_m_s REAL, launch_elevation_deg REAL, stop_reason TEXT, censored INTEGER, runout_m REAL,
+  max_distance_m REAL, stop_x_m REAL, stop_y_m REAL, stop_z_m REAL, flight_range_m REAL, bounce_height_m REAL,
+  max_speed_m_s REAL, max_energy_J REAL, impacts INTEGER, time_s REAL, fault TEXT);
+CREATE TABLE draws (draw INTEGER PRIMARY KEY, path TEXT);
+CREATE TABLE drawn (point INTEGER, trial INTEGER, rock INTEGER, draw INTEGER, value REAL);
+CREATE VIEW inputs AS SELECT point, trial, rock, path, value FROM drawn JOIN draws USING (draw);
+CREATE TABLE impacts (point INTEGER, trial INTEGER, rock INTEGER, number INTEGER, time_s REAL, x_m REAL, y_m REAL,
+  z_m REAL, other INTEGER, part INTEGER, vn_before_m_s REAL, vn_after_m_s REAL, vt_before_m_s REAL, vt_after_m_s REAL,
+  pn_N_s REAL, pt_N_s REAL, energy_change_J REAL);
+CREATE TABLE trajectories (point INTEGER, trial INTEGER, rock INTEGER, time_s REAL, x_m REAL, y_m REAL, z_m REAL,
+  vx_m_s REAL, vy_m_s REAL, vz_m_s REAL, spin_x_rad_s REAL, spin_y_rad_s REAL, spin_z_rad_s REAL, angle_rad REAL,
+  kinetic_energy_J REAL, in_contact INTEGER);
+CREATE TABLE expectations (number INTEGER, measure TEXT, point INTEGER, computed REAL, kind TEXT, expected REAL,
+  expected_high REAL, tolerance REAL, passed INTEGER, reason TEXT);
+)";
+
+// After the rows: an index that grows with them is slower to build.
+constexpr const char* indices = R"(
+CREATE UNIQUE INDEX rocks_by_rock ON rocks (point, trial, rock);
+CREATE INDEX drawn_by_rock ON drawn (point, trial, rock);
+CREATE INDEX impacts_by_rock ON impacts (point, trial, rock);
+CREATE INDEX trajectories_by_rock ON trajectories (point, trial, rock);
+)";
+
+/// INSERT INTO <table> VALUES (?, ..., ?)
+std::string insert_into(const std::string& table, int columns) {
+  std::string sql = "INSERT INTO " + table + " VALUES (?";
+  for (int i = 1; i < columns; ++i) sql += ", ?";
+  return sql + ")";
+}
+
+void add_expectations(const SqliteFile& file, const Results& results) {
+  static constexpr const char* kinds[] = {"equals", "below", "above", "between"};
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  Insertion rows(file, insert_into("expectations", 10));
+  int number = 0;
+  for (const Verdict& v : results.verdicts) {
+    const bool between = v.expectation.kind == ExpectKind::between;
+    // Absent numbers are NaN, which SQLite stores as NULL.
+    rows.row(number++, v.expectation.measure, v.point < 0 ? none : static_cast<double>(v.point), v.computed,
+             kinds[static_cast<int>(v.expectation.kind)], v.expectation.value, between ? v.expectation.high : none,
+             v.tolerance, v.judgement == Judgement::not_judged ? none : double(v.judgement == Judgement::passed),
+             v.reason);
+  }
+}
+
+}  // namespace
+
+ResultDatabase::Insertions::Insertions(const SqliteFile& file)
+    : rocks(file, insert_into("rocks", 22)),
+      drawn(file, insert_into("drawn", 5)),
+      impacts(file, insert_into("impacts", 17)),
+      trajectories(file, insert_into("trajectories", 16)) {}
+
+ResultDatabase::ResultDatabase(const std::filesystem::path& path, const Plan& plan)
+    : plan_(plan), groups_(group_names(plan.points.front())), file_(path) {
+  file_.execute(schema);
+  insertions_ = std::make_unique<Insertions>(file_);
+  add_plan();
+}
+
+void ResultDatabase::add_plan() {
+  Insertion draws(file_, insert_into("draws", 2));
+  const std::vector<Draw>& all = plan_.points.front().draws;
+  for (std::size_t d = 0; d < all.size(); ++d) draws.row(d, all[d].stream);
+  Insertion sweep(file_, insert_into("sweep", 3));
+  for (std::size_t p = 0; p < plan_.points.size(); ++p)
+    for (std::size_t axis = 0; axis < plan_.axes.size(); ++axis) sweep.row(p, plan_.axes[axis].path, plan_.at[p][axis]);
+}
+
+void ResultDatabase::add(int point, const TrialRecords& records) {
+  for (const RockRecord& r : records.rocks)
+    insertions_->rocks.row(point, r.trial, r.rock, groups_.at(static_cast<std::size_t>(r.group)), r.mass, r.volume,
+                           r.launch_speed, r.launch_elevation * 180 / pi, name_of(r.reason), r.censored, r.runout,
+                           r.max_distance, r.stop_x, r.stop_y, r.stop_z, r.flight_range, r.bounce_height, r.max_speed,
+                           r.max_energy, r.impacts, r.time, r.fault);
+  for (const InputRecord& i : records.inputs) insertions_->drawn.row(point, i.trial, i.rock, i.draw, i.value);
+  for (const auto& [trial, rock, i] : records.impacts)
+    insertions_->impacts.row(point, trial, rock, i.number, i.time, i.place.x(), i.place.y(), i.place.z(), i.other,
+                             i.part, i.vn_before, i.vn_after, i.vt_before, i.vt_after, i.pn, i.pt, i.energy_change);
+  for (const auto& [trial, rock, t] : records.trajectories) {
+    const BodyState& s = t.state;
+    insertions_->trajectories.row(point, trial, rock, s.time, s.position.x(), s.position.y(), s.position.z(),
+                                  s.velocity.x(), s.velocity.y(), s.velocity.z(), s.spin.x(), s.spin.y(), s.spin.z(),
+                                  s.angle, s.kinetic_energy, t.in_contact);
+  }
+}
+
+void ResultDatabase::finish(const Results& results) {
+  {
+    Insertion points(file_, insert_into("points", 2)), parts(file_, insert_into("parts", 3));
+    for (std::size_t p = 0; p < results.points.size(); ++p) {
+      points.row(p, results.points[p].trials);
+      const std::vector<std::string>& names = results.points[p].terrain.parts;
+      for (std::size_t part = 0; part < names.size(); ++part) parts.row(p, part, names[part]);
+    }
+    add_expectations(file_, results);
+  }
+  file_.execute(indices);
+  insertions_.reset();  // a statement holds its file open
+  file_.commit();
+}
+
+}  // namespace flyrock

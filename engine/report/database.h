@@ -1,0 +1,39 @@
+#pragma once
+// results.db: everything that a run left, as tables of SQLite. docs/results.md describes the schema.
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "batch/results.h"
+#include "report/sqlite.h"
+
+namespace flyrock {
+
+class ResultDatabase {
+ public:
+  /// Opens the file under a temporary name and makes its tables. Throws FileError, as all that follows.
+  ResultDatabase(const std::filesystem::path& path, const Plan& plan);
+
+  /// The rows of a chunk of one point; chunks come in order.
+  void add(int point, const TrialRecords& records);
+
+  /// Points, terrain parts and expectations; then the indices. The file gets its name.
+  void finish(const Results& results);
+
+ private:
+  struct Insertions {
+    explicit Insertions(const SqliteFile& file);
+    Insertion rocks, drawn, impacts, trajectories;
+  };
+
+  void add_plan();
+
+  const Plan& plan_;
+  std::vector<std::string> groups_;
+  SqliteFile file_;
+  std::unique_ptr<Insertions> insertions_;
+};
+
+}  // namespace flyrock

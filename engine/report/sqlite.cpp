@@ -1,0 +1,51 @@
+#include "report/sqlite.h"
+
+#include <fmt/format.h>
+
+#include "batch/safe_file.h"
+
+namespace flyrock {
+
+SqliteFile::SqliteFile(std::filesystem::path path) : path_(std::move(path)), temporary_(temporary_name(path_)) {
+  std::error_code code;  // what a kill left
+  std::filesystem::remove(temporary_, code);
+  if (sqlite3_open(temporary_.c_str(), &database_) != SQLITE_OK) {
+    const std::string why = database_ ? sqlite3_errmsg(database_) : "no memory";
+    sqlite3_close(database_);
+    throw FileError(fmt::format("cannot write {}: {}", path_.string(), why));
+  }
+  execute("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; PRAGMA locking_mode = EXCLUSIVE; BEGIN");
+}
+
+SqliteFile::~SqliteFile() {
+  if (!database_) return;
+  sqlite3_close(database_);
+  std::error_code code;
+  std::filesystem::remove(temporary_, code);
+}
+
+void SqliteFile::execute(const std::string& sql) {
+  if (sqlite3_exec(database_, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail();
+}
+
+void SqliteFile::commit() {
+  execute("COMMIT");
+  if (sqlite3_close(database_) != SQLITE_OK) fail();
+  database_ = nullptr;
+  commit_file(path_);
+}
+
+void SqliteFile::fail() const {
+  throw FileError(fmt::format("cannot write {}: {}", path_.string(), sqlite3_errmsg(database_)));
+}
+
+Insertion::Insertion(const SqliteFile& file, const std::string& sql) : file_(file) {
+  if (sqlite3_prepare_v2(file.handle(), sql.c_str(), -1, &statement_, nullptr) != SQLITE_OK) file.fail();
+}
+
+void Insertion::step() {
+  if (sqlite3_step(statement_) != SQLITE_DONE) file_.fail();
+  sqlite3_reset(statement_);
+}
+
+}  // namespace flyrock

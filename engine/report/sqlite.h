@@ -1,0 +1,70 @@
+#pragma once
+// SQLite as far as results.db needs it: a file that is built once, and prepared insertions.
+
+#include <sqlite3.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+namespace flyrock {
+
+/// An open database. It is built beside its final place and not synced on the way: a file that is cut short is thrown
+/// away and built again, so that a journal would only cost time.
+class SqliteFile {
+ public:
+  /// Throws FileError, as all that follows.
+  explicit SqliteFile(std::filesystem::path path);
+  ~SqliteFile();
+  SqliteFile(const SqliteFile&) = delete;
+  SqliteFile& operator=(const SqliteFile&) = delete;
+
+  /// One or several statements without results.
+  void execute(const std::string& sql);
+  /// Closes the file, syncs it and gives it its name. Statements are gone by then.
+  void commit();
+
+  [[noreturn]] void fail() const;
+  sqlite3* handle() const { return database_; }
+
+ private:
+  std::filesystem::path path_, temporary_;
+  sqlite3* database_ = nullptr;
+};
+
+/// A prepared INSERT.
+class Insertion {
+ public:
+  Insertion(const SqliteFile& file, const std::string& sql);
+  ~Insertion() { sqlite3_finalize(statement_); }
+  Insertion(const Insertion&) = delete;
+  Insertion& operator=(const Insertion&) = delete;
+
+  /// One row: whole numbers, doubles (NaN becomes NULL) and texts.
+  template <class... Values>
+  void row(const Values&... values) {
+    int column = 0;
+    (bind(++column, values), ...);
+    step();
+  }
+
+ private:
+  void bind(int column, double value) { sqlite3_bind_double(statement_, column, value); }
+  void bind(int column, std::string_view value) {
+    sqlite3_bind_text(statement_, column, value.data(), static_cast<int>(value.size()), SQLITE_TRANSIENT);
+  }
+  template <class Whole>
+    requires std::is_integral_v<Whole>
+  void bind(int column, Whole value) {
+    sqlite3_bind_int64(statement_, column, static_cast<sqlite3_int64>(value));
+  }
+  void bind(int column, std::nullptr_t) { sqlite3_bind_null(statement_, column); }
+  void step();
+
+  const SqliteFile& file_;
+  sqlite3_stmt* statement_ = nullptr;
+};
+
+}  // namespace flyrock

@@ -1,0 +1,62 @@
+// results.db, as docs/results.md describes it.
+
+#include <algorithm>
+
+#include "program.h"
+#include "rows.h"
+
+using namespace flyrock::test;
+
+namespace {
+
+/// The queries of docs/results.md: what stands between ```sql and ```.
+std::vector<std::string> documented_queries() {
+  const std::string text = read(FLYROCK_SOURCE_DIR "/docs/results.md");
+  std::vector<std::string> queries;
+  const std::string fence = "```sql\n";
+  for (std::size_t at = text.find(fence); at != std::string::npos; at = text.find(fence, at)) {
+    at += fence.size();
+    queries.push_back(text.substr(at, text.find("```", at) - at));
+  }
+  return queries;
+}
+
+}  // namespace
+
+TEST_CASE("The database holds what the other tables hold, and every drawn number with its path") {
+  const Folder folder;
+  folder.write("s.yaml", bench_with("mu: 0.6", "mu: { sweep: [0.5, 0.7] }") +
+                             "expect:\n  - { measure: rocks.count, equals: 4 }\n  - { measure: rocks.runout.p95, below: 1 }\n");
+  REQUIRE(call(folder, "run s.yaml -o r --quiet").code == 1);
+  const fs::path db = folder.path() / "r/results.db";
+  CHECK(query(db, "SELECT * FROM points") == std::vector<std::string>{"0|4", "1|4"});
+  CHECK(query(db, "SELECT * FROM sweep") ==
+        std::vector<std::string>{"0|materials.rock.friction.mu|0.5", "1|materials.rock.friction.mu|0.7"});
+  CHECK(query(db, "SELECT count(*) FROM rocks") == std::vector<std::string>{"8"});
+  CHECK(query(db, "SELECT DISTINCT path FROM inputs ORDER BY path") ==
+        std::vector<std::string>{"rocks.blocks.launch.speed", "rocks.blocks.shape.sides"});
+  // The launch draws its speed: the input is the rock's.
+  CHECK(query(db, "SELECT count(*) FROM rocks JOIN inputs USING (point, trial, rock) WHERE path = "
+                  "'rocks.blocks.launch.speed' AND abs(value - launch_speed_m_s) < 1e-9") ==
+        std::vector<std::string>{"8"});
+  CHECK(query(db, "SELECT point, trial, rock FROM rocks GROUP BY point, trial, rock HAVING impacts <> (SELECT count(*) "
+                  "FROM impacts i WHERE i.point = rocks.point AND i.trial = rocks.trial AND i.rock = rocks.rock)")
+            .empty());
+  CHECK(query(db, "SELECT count(DISTINCT trial) FROM trajectories") == std::vector<std::string>{"4"});
+  CHECK(query(db, "SELECT number, point, kind, passed FROM expectations") ==
+        std::vector<std::string>{"0|0|equals|1", "1|1|equals|1", "2|0|below|0", "3|1|below|0"});
+}
+
+TEST_CASE("The queries of docs/results.md run and give rows") {
+  const Folder folder;
+  const Output run =
+      call(folder, "run '" FLYROCK_SOURCE_DIR "/scenarios/ninh_dan/benches_2d.yaml' --trials 20 -o r --quiet");
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  const std::vector<std::string> queries = documented_queries();
+  CHECK(queries.size() == 5);
+  for (const std::string& sql : queries) {
+    INFO(sql);
+    CHECK_FALSE(query(folder.path() / "r/results.db", sql).empty());
+  }
+}
