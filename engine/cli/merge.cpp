@@ -116,7 +116,7 @@ int merge(const Command& command, const Arguments& arguments) {
   folder.tidy();
   print_faults(results);
   if (!line.has("quiet"))
-    fmt::print("{}report: {}\n", summary_text(plan, results), folder.report().string());
+    fmt::print("{}report: {}\n", summary_text(plan, results, loaded->warnings), folder.report().string());
   if (!results.ended_early.empty() && results.fault_count == 0) return done;  // some shards are enough, and it was said
   return exit_code(results);
 }
