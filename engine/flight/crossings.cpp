@@ -1,5 +1,6 @@
 #include "flight/crossings.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -100,7 +100,7 @@ struct ClearancePlan {
   std::string name;
   double probability = 0;
   double confidence = 0.95;      ///< of the interval
-  std::optional<double> factor;  ///< of safety; absent: none is applied
+  std::optional<double> factor = {};  ///< of safety; absent: none is applied
   bool per_blast = false;
   bool of_max_distance = false;  ///< else of runout
 };
