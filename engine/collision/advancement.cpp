@@ -26,7 +26,7 @@ struct State {
 };
 
 /// The time until gap + slope t - bend t^2 / 2 is zero, for gap > 0 or a pair that has just separated. A direction
-/// along which the pair overlaps deeply separates nothing, however fast it opens.
+/// along which the pair overlaps deeply separates nothing, however fast it opens; at the start a held contact may, it has just opened.
 double safe_time(double gap, double slope, double bend, double least_gap, double deep) {
   if (gap < -deep) return 0;
   if (gap <= least_gap) {
@@ -108,7 +108,7 @@ class Search {
         bend += relative_acceleration.norm() + 2 * sr.w_max * speed +
                 (sr.w_max * sr.w_max + std::abs(reference.motion.alpha)) * (lever + speed * horizon);
       }
-      const double time = safe_time(gap, slope, bend, least_gap_, deep_);
+      const double time = safe_time(gap, slope, bend, least_gap_, is_held && t == 0 ? forever : deep_);
       // The horizon ends the bound's validity, not the search, unless it reaches the end of the window.
       least = std::min(least, time >= horizon ? (horizon >= end_ - t ? forever : horizon) : time);
     }
@@ -116,19 +116,20 @@ class Search {
   }
 
   /// How long the fixed direction d separates all points of a from those of b.
-  double fixed_lasts(const Vec2& d, const State& sa, const State& sb) const {
+  double fixed_lasts(const Vec2& d, const State& sa, const State& sb, double t) const {
     const double along = std::max(0.0, d.dot(b_.motion.a - a_.motion.a));
     double least = forever;
     for (int i = 0; i < a_.count; ++i) {
       for (int j = 0; j < b_.count && least > 0; ++j) {
         const std::uint32_t feature = a_.point_id(a_.base, i), against = b_.point_id(b_.base, j);
-        if (search_.held_are_solved && held(feature, against)) continue;
+        const bool is_held = held(feature, against);
+        if (is_held && search_.held_are_solved) continue;
         const Vec2 ra = sa.r * a_.points[i], rb = sb.r * b_.points[j];
         const double gap = d.dot(sa.x + ra - sb.x - rb) - a_.radius - b_.radius + search_.slack;
         const double slope = d.dot(sa.v + cross(sa.w, ra) - sb.v - cross(sb.w, rb));
         const double bend = along + (sa.w_max * sa.w_max + std::abs(a_.motion.alpha)) * ra.norm() +
                             (sb.w_max * sb.w_max + std::abs(b_.motion.alpha)) * rb.norm();
-        least = std::min(least, safe_time(gap, slope, bend, least_gap_, deep_));
+        least = std::min(least, safe_time(gap, slope, bend, least_gap_, is_held && t == 0 ? forever : deep_));
       }
     }
     return least;
@@ -137,7 +138,7 @@ class Search {
   double lasts(const Direction& direction, const State& sa, const State& sb, double t) const {
     if (direction.kind == 0) return edge_lasts(a_, sa, b_, sb, direction.edge, true, t);
     if (direction.kind == 1) return edge_lasts(b_, sb, a_, sa, direction.edge, false, t);
-    return fixed_lasts(direction.fixed, sa, sb);
+    return fixed_lasts(direction.fixed, sa, sb, t);
   }
 
   /// From the nearest point of b to a, where one of them is a disk.
@@ -173,7 +174,7 @@ class Search {
   double end_;
   const TouchSearch& search_;
   double least_gap_;
-  double deep_;  ///< contacts that have just opened overlap by far less
+  double deep_;  ///< what has just opened beside a held contact overlaps by far less
 };
 
 }  // namespace

@@ -7,17 +7,23 @@ namespace flyrock {
 
 namespace {
 
+// A vertex less deep in the ground than this share of the size touches each segment that it is behind; a deeper one, which
+// only fixed time steps produce, is pushed out to the nearest place.
+constexpr double shallow_share = 1e-3;
+
 bool in_cone(const Terrain2& terrain, int corner, const Vec2& direction, double slack) {
   return direction.dot(terrain.tangent(corner - 1)) >= -slack && direction.dot(terrain.tangent(corner)) <= slack;
 }
 
-/// Whether the strip of the segment holds p. At a corner that is not concave the right segment answers alone.
-bool owns(const Terrain2& terrain, int segment, const Vec2& p) {
+/// Whether the strip of the segment holds p. At a corner that is not concave the right segment answers alone; at a concave
+/// one both do, and the strip is longer by `shallow`, for a point that has sunk into the other segment.
+bool owns(const Terrain2& terrain, int segment, const Vec2& p, double shallow) {
   const double length = terrain.length(segment), slack = 1e-9 * length;
   const double s = (p - terrain.start(segment)).dot(terrain.tangent(segment));
-  if (s < -slack || s > length + slack) return false;
   const int next = segment + 1;
-  if (s <= length - slack || next >= terrain.segments() || terrain.corner(next) == Corner::concave) return true;
+  const bool concave_start = terrain.corner(segment) == Corner::concave, concave_end = terrain.corner(next) == Corner::concave;
+  if (s < -(concave_start ? shallow : slack) || s > length + (concave_end ? shallow : slack)) return false;
+  if (s <= length - slack || next >= terrain.segments() || concave_end) return true;
   return (p - terrain.start(next)).dot(terrain.tangent(next)) < -slack;
 }
 
@@ -40,38 +46,39 @@ ContactPoint<2> nearest_place(const Terrain2& terrain, const Vec2& p) {
   return nearest;
 }
 
-bool in_ground(const Terrain2& terrain, const Vec2& p, double by) {
+bool in_ground(const Terrain2& terrain, const Vec2& p) {
   const Profile& profile = terrain.profile();
-  return p.x() >= profile.x_min() && p.x() <= profile.x_max() && p.y() < profile.height(p.x()) - by;
+  return p.x() >= profile.x_min() && p.x() <= profile.x_max() && p.y() < profile.height(p.x());
 }
 
-/// Contacts with segments of a point grown by a radius: the centre of a disk, or a vertex with radius 0.
+/// Contacts with segments of a point grown by a radius: the centre of a disk, or a vertex with radius 0. A point behind a
+/// segment is in the ground, or free beyond another part of the poly-line.
 void point_contacts(const Vec2& p, double radius, std::uint32_t feature, const Terrain2& terrain,
-                    const Terrain2::Run& run, double reach, std::vector<ContactPoint<2>>& out) {
-  bool behind = false;
+                    const Terrain2::Run& run, double reach, double shallow, std::vector<ContactPoint<2>>& out) {
+  bool deep = false;
   for (int i = run.first; i <= run.last; ++i) {
     const double height = (p - terrain.start(i)).dot(terrain.normal(i));
     const double gap = height - radius;
-    if (gap > reach || !owns(terrain, i, p)) continue;
-    if (height >= -reach)
-      out.push_back({p - (radius + 0.5 * gap) * terrain.normal(i), terrain.normal(i), gap, feature, segment_id(i)});
+    if (gap > reach || !owns(terrain, i, p, shallow)) continue;
+    if (height < -reach && !in_ground(terrain, p)) continue;
+    if (height < -shallow)
+      deep = true;
     else
-      behind = true;  // in the ground, or free beyond another part of the poly-line
+      out.push_back({p - (radius + 0.5 * gap) * terrain.normal(i), terrain.normal(i), gap, feature, segment_id(i)});
   }
-  if (behind && in_ground(terrain, p, reach)) {
-    ContactPoint<2> place = nearest_place(terrain, p);
-    place.gap -= radius;
-    place.point = p - (radius + 0.5 * place.gap) * place.normal;
-    place.feature = feature;
-    out.push_back(place);
-  }
+  if (!deep) return;
+  ContactPoint<2> place = nearest_place(terrain, p);
+  place.gap -= radius;
+  place.point = p - (radius + 0.5 * place.gap) * place.normal;
+  place.feature = feature;
+  out.push_back(place);
 }
 
 void disk_contacts(const Placed2& disk, int index, const Terrain2& terrain, const Terrain2::Run& run, double reach,
                    std::vector<ContactPoint<2>>& out) {
   const Vec2 centre = disk.point(0);
   const double radius = disk.shape.radius;
-  point_contacts(centre, radius, vertex_id(index, 0), terrain, run, reach, out);
+  point_contacts(centre, radius, vertex_id(index, 0), terrain, run, reach, shallow_share * radius, out);
   for (int i = std::max(run.first, 1); i <= std::min(run.last + 1, terrain.segments() - 1); ++i) {
     if (terrain.corner(i) != Corner::convex) continue;
     const Vec2 away = centre - terrain.point(i);
@@ -121,7 +128,8 @@ void terrain_contacts(const Placed2& contactor, int contactor_index, const Terra
     return;
   }
   for (int k = 0; k < contactor.count(); ++k)
-    point_contacts(contactor.point(k), 0, vertex_id(contactor_index, k), terrain, run, reach, out);
+    point_contacts(contactor.point(k), 0, vertex_id(contactor_index, k), terrain, run, reach,
+                   shallow_share * contactor.shape.bounding_radius(), out);
     // A polygon that lies flush on a segment is held by the corner at the end of it.
   constexpr double flush = 1e-4;
   edge_contacts(contactor, contactor_index, terrain, run, reach, flush + turn, out);

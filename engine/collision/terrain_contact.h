@@ -13,7 +13,7 @@ namespace flyrock {
 ///
 /// A disk meets each segment whose strip holds its centre, and each convex corner in whose cone of normals it lies.
 /// A polygon meets segments with its vertices and convex corners with its edges. Flat and concave corners are no
-/// features: internal edges are not felt. A vertex below the ground by more than `reach`, which only fixed time
+/// features: internal edges are not felt. A vertex deep below the ground, as only fixed time
 /// steps produce, is pushed out to the nearest place of the poly-line.
 /// `contactor_index` is part of the feature ids. `turn` [rad]: how far the body is turned on from a state without
 /// overlap, as it is in the middle of a step; an edge that has turned out of a corner's cone by no more is still held.

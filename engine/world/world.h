@@ -83,8 +83,8 @@ class World {
     bool in_contact = false;  ///< some contact carries an impulse or stays closed
   };
 
-  /// One step of at most h. With `cut` it ends at the first touch of a pair that is not in contact (an impact is then
-  /// due). Impacts inside a step without cutting are reported to `impacts`.
+  /// One step of at most h: shorter where a contact would drift too far. With `cut` it ends at the first touch of a pair
+  /// that is not in contact (an impact is then due). Impacts inside a step without cutting are reported to `impacts`.
   Outcome step(double h, bool cut);
 
   /// The impact problem without duration of all contacts that are closed now: velocities jump, time stands.
@@ -149,6 +149,7 @@ class World {
   // step.cpp: the scheme
   void save();
   void restore();
+  double drift_share() const;
   std::optional<double> first_touch(double h);
   void project_drift(bool exact);
   Outcome keep(double duration, bool new_touch);
