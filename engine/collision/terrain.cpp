@@ -9,10 +9,18 @@ namespace {
 // Two segments whose directions differ by less than this angle continue each other: the point between them is no
 // feature, so that an internal edge is not felt.
 constexpr double flat_angle = 1e-9;
+
+constexpr double beyond = 1000;  // m
 }  // namespace
 
 Terrain2::Terrain2(Profile profile) : profile_(std::move(profile)) {
-  const int n = profile_.segments();
+  points_.push_back(profile_.points.front() - Vec2(beyond, 0));
+  points_.insert(points_.end(), profile_.points.begin(), profile_.points.end());
+  points_.push_back(profile_.points.back() + Vec2(beyond, 0));
+  part_.push_back(profile_.part.front());
+  part_.insert(part_.end(), profile_.part.begin(), profile_.part.end());
+  part_.push_back(profile_.part.back());
+  const int n = segments();
   for (int i = 0; i < n; ++i) {
     const Vec2 along = end(i) - start(i);
     length_.push_back(along.norm());
@@ -33,6 +41,10 @@ Terrain2::Terrain2(Profile profile) : profile_(std::move(profile)) {
   }
 }
 
+double Terrain2::height(double x) const {
+  return profile_.height(std::clamp(x, profile_.x_min(), profile_.x_max()));
+}
+
 int Terrain2::first_segment(double x) const {
   const double cell = std::floor((x - profile_.x_min()) / cell_);
   int i = grid_[static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(grid_.size() - 1)))];
@@ -42,7 +54,7 @@ int Terrain2::first_segment(double x) const {
 }
 
 Terrain2::Run Terrain2::segments_between(double x_low, double x_high) const {
-  if (x_high < profile_.x_min() || x_low > profile_.x_max()) return {0, -1};
+  if (x_high < points_.front().x() || x_low > points_.back().x()) return {0, -1};
   Run run{first_segment(x_low), 0};
   run.last = run.first;
   while (run.last + 1 < segments() && start(run.last + 1).x() <= x_high) ++run.last;

@@ -10,24 +10,29 @@ namespace flyrock {
 
 enum class Corner { flat, convex, concave };
 
-/// The poly-line with its normals, corners and a uniform grid over x. The ground is below.
+/// The poly-line with its normals, corners and a uniform grid over x. The ground is below. It goes on level for a
+/// kilometre beyond both ends of the profile, so that a body whose centre is still over the profile does not tip over its
+/// end; segments and corners count these two.
 class Terrain2 {
  public:
   explicit Terrain2(Profile profile);
 
   const Profile& profile() const { return profile_; }
-  int segments() const { return profile_.segments(); }
-  const Vec2& start(int segment) const { return profile_.points[segment]; }
-  const Vec2& end(int segment) const { return profile_.points[segment + 1]; }
-  const Vec2& point(int i) const { return profile_.points[i]; }
+  int segments() const { return static_cast<int>(part_.size()); }
+  const Vec2& start(int segment) const { return points_[segment]; }
+  const Vec2& end(int segment) const { return points_[segment + 1]; }
+  const Vec2& point(int i) const { return points_[i]; }
   const Vec2& tangent(int segment) const { return tangent_[segment]; }
   /// Out of the ground.
   const Vec2& normal(int segment) const { return normal_[segment]; }
   double length(int segment) const { return length_[segment]; }
-  int part(int segment) const { return profile_.part[segment]; }
+  int part(int segment) const { return part_[segment]; }
   /// How the poly-line bends at its point i; the end points are flat.
   Corner corner(int i) const { return corner_[i]; }
   Box2 box(int segment) const { return {start(segment).cwiseMin(end(segment)), start(segment).cwiseMax(end(segment))}; }
+
+  /// The height of the ground at x, level beyond the profile.
+  double height(double x) const;
 
   /// The first segment whose right end is at or right of x.
   int first_segment(double x) const;
@@ -39,6 +44,8 @@ class Terrain2 {
 
  private:
   Profile profile_;
+  std::vector<Vec2> points_;
+  std::vector<int> part_;
   std::vector<Vec2> tangent_, normal_;
   std::vector<double> length_;
   std::vector<Corner> corner_;

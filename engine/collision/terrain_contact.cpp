@@ -46,11 +46,6 @@ ContactPoint<2> nearest_place(const Terrain2& terrain, const Vec2& p) {
   return nearest;
 }
 
-bool in_ground(const Terrain2& terrain, const Vec2& p) {
-  const Profile& profile = terrain.profile();
-  return p.x() >= profile.x_min() && p.x() <= profile.x_max() && p.y() < profile.height(p.x());
-}
-
 /// Contacts with segments of a point grown by a radius: the centre of a disk, or a vertex with radius 0. A point behind a
 /// segment is in the ground, or free beyond another part of the poly-line.
 void point_contacts(const Vec2& p, double radius, std::uint32_t feature, const Terrain2& terrain,
@@ -60,7 +55,7 @@ void point_contacts(const Vec2& p, double radius, std::uint32_t feature, const T
     const double height = (p - terrain.start(i)).dot(terrain.normal(i));
     const double gap = height - radius;
     if (gap > reach || !owns(terrain, i, p, shallow)) continue;
-    if (height < -reach && !in_ground(terrain, p)) continue;
+    if (height < -reach && p.y() >= terrain.height(p.x())) continue;
     if (height < -shallow)
       deep = true;
     else

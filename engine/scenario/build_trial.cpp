@@ -29,8 +29,14 @@ constexpr double most_overlap = 1e-6;
 
 void check_start(World<2>& world) {
   double size = 0;
-  for (const Body<2>& body : world.bodies)
-    if (body.moves()) size = std::max(size, body.size);
+  const Profile& profile = world.terrain().profile();
+  for (const Body<2>& body : world.bodies) {
+    if (!body.moves()) continue;
+    size = std::max(size, body.size);
+    if (body.x.x() < profile.x_min() || body.x.x() > profile.x_max())
+      throw PluginError(fmt::format("`{}` starts at x = {:.6g} m, beyond the terrain, which runs from {:.6g} to {:.6g} m",
+                                    body.group, body.x.x(), profile.x_min(), profile.x_max()));
+  }
   if (const double depth = world.deepest_overlap(); depth > most_overlap * size)
     throw PluginError(fmt::format("it starts {:.3g} m inside the terrain or another body", depth));
 }
