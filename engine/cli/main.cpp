@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <system_error>
 
 #include "cli/command.h"
 #include "units/units.h"
@@ -82,7 +84,10 @@ int dispatch(const Arguments& arguments) {
 
 int main(int count, char** words) {
   try {
-    return flyrock::cli::dispatch({words + 1, words + count});
+    const int code = flyrock::cli::dispatch({words + 1, words + count});
+    if (std::fflush(stdout) != 0)
+      throw std::system_error(errno, std::generic_category(), "cannot write to standard output");
+    return code;
   } catch (const std::exception& error) {
     // Bad input has been answered before: this is the machine (a full disk, no memory) or a fault of flyrock.
     std::cerr << "error: " << error.what() << '\n';

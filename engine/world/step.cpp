@@ -24,11 +24,13 @@ void World<D>::restore() {
   }
 }
 
-/// How far the deepest contact has drifted into overlap by the middle of the step, in units of what a step may bring.
+/// How far the worst contact has drifted into overlap from the start to the middle of the step, in units of what a step
+/// may bring.
 template <int D>
 double World<D>::drift_share() const {
   double share = 0;
-  for (const Contact& c : contacts_) share = std::max(share, -c.at.gap / (3 * carry_reach(c)));
+  for (const Contact& c : contacts_)
+    share = std::max(share, (std::min(start_gap(c), 0.0) - c.at.gap) / (3 * carry_reach(c)));
   return share;
 }
 
@@ -51,7 +53,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut) {
     else
       keep_closed(0);
     // An edge that turns fast about a corner while it slides drifts with h^2: a shorter step.
-    if (const double share = drift_share(); cut && share > 1 && refinements++ < most_refinements) {
+    if (const double share = cut ? drift_share() : 0; share > 1 && refinements++ < most_refinements) {
       restore();
       h *= std::max(0.1, 1 / std::sqrt(share));
       new_touch = false;
