@@ -24,6 +24,9 @@ void bind(BoundLaw<LawKind>& bound, const std::unique_ptr<LawKind>& law, const s
   }
 }
 
+// Rocks that meet each other are placed anew as often as this before the trial is refused.
+constexpr int most_places = 1000;
+
 /// A rock that starts deeper than this share of its size inside the ground or another rock is refused.
 constexpr double most_overlap = 1e-6;
 
@@ -38,7 +41,14 @@ void check_start(World<2>& world) {
                                     body.group, body.x.x(), profile.x_min(), profile.x_max()));
   }
   if (const double depth = world.deepest_overlap(); depth > most_overlap * size)
-    throw PluginError(fmt::format("it starts {:.3g} m inside the terrain or another body", depth));
+    throw PluginError(fmt::format("`{}` starts {:.3g} m inside the terrain or another body", world.bodies.back().group, depth));
+}
+
+/// Whether the last body of a world starts free of the others and the terrain.
+bool last_is_free(World<2>& world) { return world.deepest_overlap() <= most_overlap * world.bodies.back().size; }
+
+bool is_random(const std::optional<Release>& release) {
+  return release && (release->kind == ReleaseKind::face || release->kind == ReleaseKind::along || release->kind == ReleaseKind::inside);
 }
 
 }  // namespace
@@ -140,7 +150,7 @@ Trial TrialBuilder::build(std::uint64_t number_of_trial) {
 }
 
 /// Shape, mass, pose and launch of one rock.
-Body<2> TrialBuilder::rock_body(const RockPlan& plan, int g, TrialRock& rock, const Profile& profile) {
+Body<2> TrialBuilder::rock_body(const RockPlan& plan, int g, TrialRock& rock, const Profile& profile, RandomStream& where) {
   const RockGroup& group = scenario_.rocks[g];
   const GroupModels& models = instances_.groups[g];
   const std::string stream = "rocks." + group.name;
@@ -159,7 +169,6 @@ Body<2> TrialBuilder::rock_body(const RockPlan& plan, int g, TrialRock& rock, co
                        : group.orientation ? number(*group.orientation, rock.key)
                                            : turn.uniform(0, 2 * pi);
   body.move_to(Vec2::Zero(), angle);
-  RandomStream where(scenario_.seed, stream + ".release", rock.key);
   Place place;
   if (plan.position)
     place.position = *plan.position;
@@ -216,13 +225,23 @@ void TrialBuilder::build_rocks(Trial& trial, std::uint64_t number_of_trial) {
       rock.group = g;
       rock.key = {number_of_trial, 1 + count % holes, 1 + count, 0};
       ++count;
+      bool added = false;
       try {
-        Body<2> body = rock_body(plan, g, rock, profile);
+        RandomStream where(scenario_.seed, "rocks." + group.name + ".release", rock.key);
+        Body<2> body = rock_body(plan, g, rock, profile, where);
         if (trial.worlds.empty() || !scenario_.rock_contacts)
           trial.worlds.emplace_back(*trial.terrain, gravity, world_settings());
-        rock.body = trial.worlds.back().add(std::move(body));
+        World<2>& world = trial.worlds.back();
+        rock.body = world.add(std::move(body));
+        added = true;
+        for (int places = 1; scenario_.rock_contacts && is_random(group.release) && places < most_places && !last_is_free(world);
+             ++places) {
+          world.remove_last();
+          rock.body = world.add(rock_body(plan, g, rock, profile, where));
+        }
         rock.world = static_cast<int>(trial.worlds.size()) - 1;
         if (scenario_.rock_contacts) {
+          check_start(world);
           keys.push_back(rock.key);
           names.push_back(group.name);
           materials.push_back(group.material);
@@ -233,13 +252,15 @@ void TrialBuilder::build_rocks(Trial& trial, std::uint64_t number_of_trial) {
       } catch (const PluginError& error) {
         rock.world = -1;
         rock.fault = error.what();
+        if (!added) continue;
+        if (scenario_.rock_contacts)
+          trial.worlds.back().remove_last();
+        else
+          trial.worlds.pop_back();
       }
     }
   }
-  if (scenario_.rock_contacts && !trial.worlds.empty()) {
-    connect(trial, trial.worlds.back(), keys, names, materials);
-    check_start(trial.worlds.back());
-  }
+  if (scenario_.rock_contacts && !trial.worlds.empty()) connect(trial, trial.worlds.back(), keys, names, materials);
 }
 
 void TrialBuilder::build_bodies(Trial& trial, std::uint64_t number_of_trial) {

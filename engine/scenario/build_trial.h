@@ -50,7 +50,7 @@ class TrialBuilder {
   Blast blast_at(const DrawKey& key) const;
   void build_rocks(Trial& trial, std::uint64_t number);
   void build_bodies(Trial& trial, std::uint64_t number);
-  Body<2> rock_body(const RockPlan& plan, int group, TrialRock& rock, const Profile& profile);
+  Body<2> rock_body(const RockPlan& plan, int group, TrialRock& rock, const Profile& profile, RandomStream& where);
   Surface* surface(Trial& trial, int material, const DrawKey& key);
   void connect(Trial& trial, World<2>& world, const std::vector<DrawKey>& keys, const std::vector<std::string>& names,
                const std::vector<int>& materials);

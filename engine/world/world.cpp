@@ -17,6 +17,15 @@ int World<D>::add(Body<D> body) {
 }
 
 template <int D>
+void World<D>::remove_last() {
+  bodies.pop_back();
+  terrain_surface_.pop_back();
+  pair_surface_.pop_back();
+  for (auto& row : pair_surface_) row.pop_back();
+  contacts_of_.pop_back();
+}
+
+template <int D>
 void World<D>::set_terrain_surface(int body, int part, Surface* surface) {
   terrain_surface_[body][part] = surface;
 }

@@ -59,6 +59,8 @@ class World {
 
   /// Adds a body; returns its index.
   int add(Body<D> body);
+  /// Takes the body that was added last away again.
+  void remove_last();
   /// The laws between a body and a part of the terrain, or between two bodies; null where nothing is said. The
   /// surfaces belong to the caller.
   void set_terrain_surface(int body, int part, Surface* surface);
