@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "solver/nlgs.h"
+#include "world/manifold.h"
 #include "world/world.h"
 
 namespace flyrock {
 
 namespace {
-
-constexpr double cos_15_degrees = 0.9659258262890683;
 
 /// The columns n, t, rolling of H for a body with lever r: they map its (v, w) to the velocity of the contact.
 Eigen::Matrix3d contact_columns(const Vec2& normal, const Vec2& r) {
@@ -64,7 +63,7 @@ ContactState World<D>::state_of(const Contact& contact) const {
   // Half the distance to the other points of the same manifold is this point's tributary length.
   for (const Contact& other : contacts_)
     if (&other != &contact && other.candidate == contact.candidate && other.antagonist == contact.antagonist &&
-        other.at.normal.dot(contact.at.normal) > cos_15_degrees)
+        same_direction<D>(other.at.normal, contact.at.normal))
       state.length += 0.5 * (other.at.point - contact.at.point).norm();
   state.age = contact.age;
   state.was_sticking = contact.sticking;
@@ -74,8 +73,7 @@ ContactState World<D>::state_of(const Contact& contact) const {
   if (contact.antagonist >= 0)
     state.group_b = bodies[contact.antagonist].group;
   else
-    state.group_b = terrain_->profile().parts[terrain_->part(
-        std::min(terrain_index(contact.at.against), terrain_->segments() - 1))];
+    state.group_b = terrain_->profile().parts[part_of(*terrain_, contact.at.against)];
   state.material = contact.surface->material;
   return state;
 }
@@ -100,7 +98,7 @@ void World<D>::begin_manifolds() {
     for (std::size_t k = 0; k < i && contact.manifold < 0; ++k) {
       const Contact& other = contacts_[k];
       if (other.manifold >= 0 && other.candidate == contact.candidate && other.antagonist == contact.antagonist &&
-          other.at.normal.dot(contact.at.normal) > cos_15_degrees)
+          same_direction<D>(other.at.normal, contact.at.normal))
         contact.manifold = other.manifold;
     }
     if (contact.manifold >= 0) continue;
@@ -253,7 +251,7 @@ void World<D>::record_impacts() {
       impact.body = contact.candidate;
       impact.other = contact.antagonist;
       if (contact.antagonist < 0)
-        impact.part = terrain_->part(std::min(terrain_index(contact.at.against), terrain_->segments() - 1));
+        impact.part = part_of(*terrain_, contact.at.against);
       impact.number = bodies[contact.candidate].impacts;
       impact.time = time;
       impacts_.push_back(impact);

@@ -5,6 +5,7 @@
 #include "collision/feature_gap.h"
 #include "collision/narrow_phase.h"
 #include "collision/terrain_contact.h"
+#include "world/manifold.h"
 #include "world/world.h"
 
 namespace flyrock {
@@ -20,8 +21,6 @@ bool next_to(std::uint32_t a, std::uint32_t b) {
   const auto place = [](std::uint32_t id) { return 2 * terrain_index(id) + (is_corner(id) ? -1 : 0); };
   return std::abs(place(a) - place(b)) <= 2;
 }
-
-constexpr double cos_15_degrees = 0.9659258262890683;
 
 }  // namespace
 
@@ -60,8 +59,7 @@ void World<D>::detect(double ahead) {
       contact.at = point;
       contact.candidate = candidate;
       contact.antagonist = antagonist;
-      contact.surface = antagonist < 0 ? terrain_surface_[candidate][terrain_->part(std::min(
-                                             terrain_index(point.against), terrain_->segments() - 1))]
+      contact.surface = antagonist < 0 ? terrain_surface_[candidate][part_of(*terrain_, point.against)]
                                        : pair_surface_[candidate][antagonist];
       contacts_.push_back(contact);
     }
@@ -114,7 +112,7 @@ void World<D>::match_last() {
       }
       // The same vertex on the next segment of the terrain.
       if (contact.antagonist < 0 && next_to(old.at.against, contact.at.against) &&
-          old.at.normal.dot(contact.at.normal) > cos_15_degrees)
+          same_direction<D>(old.at.normal, contact.at.normal))
         found = &old;
     }
     if (!found) continue;
