@@ -8,8 +8,9 @@
 namespace flyrock {
 
 /// Find impulses r and velocities u with
-///   u = q + W r,   0 <= u_n _|_ r_n >= 0,   |r_t| <= mu r_n opposing u_t,   |r_r| <= mu_r r_n opposing u_r
-/// for each contact. Rows are (n, t, rolling) in 2D and (n, t, s, spinning, 2 rolling) in 3D. q holds the free
+///   u = q + W r,   0 <= u_n _|_ r_n >= 0,   |r_t| <= mu r_n + c_t opposing u_t,   |r_r| <= mu_r r_n opposing u_r
+/// for each contact. A contact with c_t > 0 resists slip also where r_n = 0. A lower bound L of r_n other than 0 is a change
+/// of variable: q + W L e_n in place of q, c_t + mu L in place of c_t. Rows are (n, t, rolling) in 2D and (n, t, s, spinning, 2 rolling) in 3D. q holds the free
 /// velocity and the shift of restitution (e_n v_n^-, e_t v_t^-), so that u is not the velocity after the impact but
 /// that plus the shift. W is the Delassus operator H^T M^-1 H in blocks. SI units: impulses N s, velocities m/s; the
 /// rolling row N m s and rad/s.
@@ -23,7 +24,9 @@ struct ContactProblem {
     Block w;                  ///< the diagonal block
     Row q;
     double mu = 0;
+    double c_t = 0;           ///< N s, at least 0
     double mu_r = 0;          ///< m; 0: no rolling row
+    bool normal = true;       ///< false: r_n = 0 whatever u_n, because the normal impulse is given and stands in q
     double speed_scale = 1;   ///< m/s, to which the tolerance is relative
   };
   /// The block that couples contact a (the owner of the range) with contact `other`.

@@ -37,11 +37,11 @@ Row solve_friction(const Problem::Contact& c, const Row& b) {
     } else {
       const double stiffness = wnn - state * c.mu * wnt;
       if (stiffness <= 0) continue;  // this way of sliding jams
-      rn = -b[0] / stiffness;
-      rt = -state * c.mu * rn;
+      rn = (-b[0] + state * c.c_t * wnt) / stiffness;
+      rt = -state * (c.mu * rn + c.c_t);
     }
     const double violation =
-        std::max(0.0, -rn) + row_violation(state, rt, c.mu * rn, b[1] + wtn * rn + wtt * rt, wtt);
+        std::max(0.0, -rn) + row_violation(state, rt, c.mu * rn + c.c_t, b[1] + wtn * rn + wtt * rt, wtt);
     if (violation < least) {
       least = violation;
       best << rn, rt, 0;
@@ -61,7 +61,7 @@ Row solve_rolling(const Problem::Contact& c, const Row& b) {
       Row rhs = -b;
       if (slide != 0) {
         m.row(1) << slide * c.mu, 1, 0;
-        rhs[1] = 0;
+        rhs[1] = -slide * c.c_t;
       }
       if (roll != 0) {
         m.row(2) << roll * c.mu_r, 0, 1;
@@ -75,7 +75,7 @@ Row solve_rolling(const Problem::Contact& c, const Row& b) {
       if (!invertible) continue;
       const Row r = inverse * rhs;
       const Row u = b + c.w * r;
-      const double violation = std::max(0.0, -r[0]) + row_violation(slide, r[1], c.mu * r[0], u[1], c.w(1, 1)) +
+      const double violation = std::max(0.0, -r[0]) + row_violation(slide, r[1], c.mu * r[0] + c.c_t, u[1], c.w(1, 1)) +
                                row_violation(roll, r[2], c.mu_r * r[0], u[2], c.w(2, 2));
       if (violation < least) {
         least = violation;
@@ -90,18 +90,21 @@ Row solve_rolling(const Problem::Contact& c, const Row& b) {
 }  // namespace
 
 Row solve_local(const Problem::Contact& contact, const Row& b) {
-  if (b[0] >= 0) return Row::Zero();
+  // Open: only cohesion resists slip.
+  const double shear = contact.c_t > 0 ? std::clamp(-b[1] / contact.w(1, 1), -contact.c_t, contact.c_t) : 0;
+  if (!contact.normal || b[0] + contact.w(0, 1) * shear >= 0) return {0, shear, 0};
   Row r = contact.mu_r > 0 ? solve_rolling(contact, b) : solve_friction(contact, b);
   r[0] = std::max(r[0], 0.0);
-  r[1] = std::clamp(r[1], -contact.mu * r[0], contact.mu * r[0]);
+  const double bound = contact.mu * r[0] + contact.c_t;
+  r[1] = std::clamp(r[1], -bound, bound);
   r[2] = std::clamp(r[2], -contact.mu_r * r[0], contact.mu_r * r[0]);
   return r;
 }
 
 double local_error(const Problem::Contact& contact, const Row& u, const Row& r) {
   const double w = std::max(contact.w(0, 0), contact.w(1, 1));
-  const double n = std::abs(r[0] - std::max(0.0, r[0] - u[0] / w)) * w;
-  const double bound = contact.mu * r[0];
+  const double n = contact.normal ? std::abs(r[0] - std::max(0.0, r[0] - u[0] / w)) * w : 0;
+  const double bound = contact.mu * r[0] + contact.c_t;
   const double t = std::abs(r[1] - std::clamp(r[1] - u[1] / w, -bound, bound)) * w;
   if (contact.mu_r <= 0) return std::max(n, t);
   const double rolling_bound = contact.mu_r * r[0], wr = contact.w(2, 2);

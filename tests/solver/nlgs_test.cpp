@@ -43,6 +43,25 @@ TEST_CASE("the local solve satisfies Signorini, Coulomb and rolling for random c
   }
 }
 
+TEST_CASE("a contact with cohesion is solved exactly, open or closed, sliding or sticking") {
+  std::mt19937 rng(2);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  int open_and_held = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const double mu_r = k % 2 ? std::abs(unit(rng)) * 0.3 : 0;
+    auto contact = single({0.3 * unit(rng), unit(rng)}, 0.3 + std::abs(unit(rng)), {unit(rng), unit(rng), unit(rng)},
+                          std::abs(unit(rng)), mu_r);
+    contact.c_t = std::abs(unit(rng));
+    const Problem::Row r = solve_local(contact, contact.q);
+    const Problem::Row u = contact.q + contact.w * r;
+    INFO("case " << k << " r " << r.transpose() << " u " << u.transpose());
+    REQUIRE(local_error(contact, u, r) < 1e-12);
+    REQUIRE(std::abs(r[1]) <= (contact.mu * r[0] + contact.c_t) * (1 + 1e-15));
+    open_and_held += r[0] == 0 && std::abs(u[1]) < 1e-12;
+  }
+  CHECK(open_and_held > 1000);
+}
+
 TEST_CASE("worked rod impacts of the reference, algebraic Newton") {
   // Uniform rod, m = 1, L = 1, at 30 degrees: W_tt 1.75, W_tn 1.299038, W_nn 3.25.
   const auto impact = [](double degrees, double mu, double e, double vx, double vy) {
