@@ -12,7 +12,7 @@ namespace flyrock {
 namespace {
 
 constexpr std::string_view magic = "flyrchnk";
-constexpr std::uint64_t format = 2;
+constexpr std::uint64_t format = 3;
 
 std::uint64_t crc(std::string_view bytes) {
   boost::crc_32_type sum;
@@ -103,7 +103,7 @@ void walk(Io& io, Records& records) {
   walk_impact(io, records.impacts, &ImpactRecord::impact);
   io.rows(records.trajectories);
   io.columns(records.trajectories, &TrajectoryRecord::trial, &TrajectoryRecord::rock,
-             [](auto& r) -> auto& { return r.point.in_contact; });
+             [](auto& r) -> auto& { return r.point.mode; });
   walk_state(io, records.trajectories, [](auto& r) -> auto& { return r.point.state; });
   io.rows(records.gates);
   io.columns(records.gates, &GateRecord::trial, &GateRecord::rock);

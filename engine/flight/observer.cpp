@@ -13,7 +13,8 @@ Observer::Observer(const World<2>& world, double every, bool keep_impacts, std::
       next_sample_(world.bodies.size(), world.time),
       first_contact_height_(world.bodies.size(), 0.0),
       has_flown_(world.bodies.size(), false),
-      has_landed_(world.bodies.size(), false) {
+      has_landed_(world.bodies.size(), false),
+      mode_(world.bodies.size(), TravelMode::flight) {
   histories_.resize(world.bodies.size());
   for (std::size_t i = 0; i < histories_.size(); ++i) {
     BodyHistory& history = histories_[i];
@@ -22,7 +23,7 @@ Observer::Observer(const World<2>& world, double every, bool keep_impacts, std::
     history.first = history.last = history.min = history.max = state(body, world.flight_of(body), 0, world.time);
     history.min_speed = history.max_speed = history.first.velocity.norm();
     clearance(body, world.flight_of(body), 0);
-    store(body, history.first, false);
+    store(body, history.first);
   }
 }
 
@@ -61,11 +62,14 @@ void Observer::extremes(int body, const BodyState& s) {
   h.last = s;
 }
 
-void Observer::store(int body, const BodyState& s, bool in_contact) {
+void Observer::store(int body, const BodyState& s) {
   if (every_ <= 0) return;
   auto& points = histories_[body].trajectory;
-  if (!points.empty() && points.back().state.time == s.time) points.pop_back();
-  points.push_back({s, in_contact});
+  if (!points.empty() && points.back().state.time == s.time) {
+    points.back().state = s;  // an impact changes the velocity, not how the body arrived
+  } else {
+    points.push_back({s, mode_[body]});
+  }
 }
 
 /// The greatest height above the ground along the flight: over each segment a quadratic of time.
@@ -101,7 +105,9 @@ void Observer::clearance(int body, const Motion2& motion, double dt) {
 void Observer::flew(int body, const Motion2& motion, double start, double dt) {
   BodyHistory& h = histories_[body];
   if (dt > 0) has_flown_[body] = true;
-  h.travel.add(has_landed_[body] ? TravelMode::bounce : TravelMode::flight, dt, path_length(motion, dt));
+  store(body, state(body, motion, 0, start));
+  mode_[body] = has_landed_[body] ? TravelMode::bounce : TravelMode::flight;
+  h.travel.add(mode_[body], dt, path_length(motion, dt));
   const double apex = motion.a.y() < 0 ? motion.v.y() / -motion.a.y() : -1;
   if (apex > 0 && apex <= dt) {
     const BodyState top = state(body, motion, apex, start + apex);
@@ -110,24 +116,24 @@ void Observer::flew(int body, const Motion2& motion, double start, double dt) {
   }
   clearance(body, motion, dt);
   if (every_ > 0) {
-    store(body, state(body, motion, 0, start), false);
     for (; next_sample_[body] < start + dt; next_sample_[body] += every_)
-      if (next_sample_[body] > start) store(body, state(body, motion, next_sample_[body] - start, next_sample_[body]), false);
+      if (next_sample_[body] > start) store(body, state(body, motion, next_sample_[body] - start, next_sample_[body]));
   }
   const BodyState end = state(body, motion, dt, start + dt);
   extremes(body, end);
-  store(body, end, false);
+  store(body, end);
 }
 
 void Observer::stepped(int body, const Motion2& motion, double dt, TravelMode mode) {
   histories_[body].contact_time += dt;
+  mode_[body] = mode;
   histories_[body].travel.add(mode, dt, path_length(motion, dt));
   const Motion2 now = world_.flight_of(body);
   const BodyState s = state(body, now, 0, world_.time);
   extremes(body, s);
   clearance(body, now, 0);
   if (every_ > 0 && world_.time >= next_sample_[body]) {
-    store(body, s, true);
+    store(body, s);
     while (next_sample_[body] <= world_.time) next_sample_[body] += every_;
   }
 }
@@ -160,7 +166,7 @@ void Observer::ended(int body, StopReason reason) {
   if (reason != StopReason::diverged) h.last = state(body, world_.flight_of(body), 0, world_.time);
   const bool flew_away = reason == StopReason::left_domain || reason == StopReason::caught;
   if (flew_away && !has_landed_[body]) h.flight_range = h.max_distance;
-  store(body, h.last, reason == StopReason::stopped);
+  store(body, h.last);
 }
 
 }  // namespace flyrock

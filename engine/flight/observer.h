@@ -26,7 +26,7 @@ class Observer {
  private:
   BodyState state(int body, const Motion2& motion, double t, double time) const;
   void extremes(int body, const BodyState& state);
-  void store(int body, const BodyState& state, bool in_contact);
+  void store(int body, const BodyState& state);
   void clearance(int body, const Motion2& motion, double dt);
 
   const World<2>& world_;
@@ -36,6 +36,7 @@ class Observer {
   std::vector<double> next_sample_;
   std::vector<double> first_contact_height_;
   std::vector<bool> has_flown_, has_landed_;
+  std::vector<TravelMode> mode_;  ///< of what was moved last
 };
 
 }  // namespace flyrock

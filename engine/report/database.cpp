@@ -24,7 +24,7 @@ CREATE TABLE impacts (point INTEGER, trial INTEGER, rock INTEGER, number INTEGER
   pn_N_s REAL, pt_N_s REAL, energy_change_J REAL);
 CREATE TABLE trajectories (point INTEGER, trial INTEGER, rock INTEGER, time_s REAL, x_m REAL, y_m REAL, z_m REAL,
   vx_m_s REAL, vy_m_s REAL, vz_m_s REAL, spin_x_rad_s REAL, spin_y_rad_s REAL, spin_z_rad_s REAL, angle_rad REAL,
-  kinetic_energy_J REAL, in_contact INTEGER);
+  kinetic_energy_J REAL, mode TEXT);
 CREATE TABLE expectations (number INTEGER, measure TEXT, point INTEGER, computed REAL, kind TEXT, expected REAL,
   expected_high REAL, tolerance REAL, passed INTEGER, reason TEXT);
 )";
@@ -97,7 +97,7 @@ void ResultDatabase::add(int point, const TrialRecords& records) {
     const BodyState& s = t.state;
     insertions_->trajectories.row(point, trial, rock, s.time, s.position.x(), s.position.y(), s.position.z(),
                                   s.velocity.x(), s.velocity.y(), s.velocity.z(), s.spin.x(), s.spin.y(), s.spin.z(),
-                                  s.angle, s.kinetic_energy, t.in_contact);
+                                  s.angle, s.kinetic_energy, travel_mode_names[static_cast<int>(t.mode)]);
   }
 }
 

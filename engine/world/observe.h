@@ -44,12 +44,6 @@ struct Apex {
 enum class StopReason { stopped, left_domain, timed_out, caught, diverged, plugin_error };
 const char* name_of(StopReason reason);
 
-/// One stored point of a trajectory.
-struct TrajectoryPoint {
-  BodyState state;
-  bool in_contact = false;
-};
-
 /// A body's centre of mass arrives at a gate; see flight/crossings.h.
 struct Passage {
   int gate = 0;
@@ -85,6 +79,12 @@ struct Travel {
     time[static_cast<int>(mode)] += dt;
     distance[static_cast<int>(mode)] += length;
   }
+};
+
+/// One stored point of a trajectory.
+struct TrajectoryPoint {
+  BodyState state;
+  TravelMode mode = TravelMode::flight;  ///< in which it arrived there
 };
 
 struct BodyHistory {

@@ -32,7 +32,7 @@ TrialRecords some_records() {
   impact.impact.energy_change = -12.5;
   records.impacts = {impact};
   TrajectoryRecord point{7, 1, {}};
-  point.point.in_contact = true;
+  point.point.mode = TravelMode::slide;
   point.point.state.position = {4, 5, 6};
   point.point.state.kinetic_energy = 8;
   records.trajectories = {point, point};
