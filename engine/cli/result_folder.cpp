@@ -8,6 +8,7 @@
 #include "host/share.h"
 #include "report/database.h"
 #include "report/html.h"
+#include "report/report_data.h"
 
 namespace flyrock::cli {
 
@@ -82,7 +83,7 @@ Results ResultFolder::build(const LoadedScenario& scenario, const std::vector<Ch
   rocks.commit();
   database.finish(results);
   write_file(path_ / "summary.json", summary_json(plan, results));
-  write_file(report(), report_html(plan, results, fs::path(share_folder()) / "report"));
+  write_file(report(), report_html(report_data(plan, results), fs::path(share_folder()) / "report"));
   write_file(path_ / "run.log", run_log(log));
   return results;
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "batch/safe_file.h"
-#include "report/report_data.h"
 
 namespace flyrock {
 
@@ -24,9 +23,9 @@ std::string script(std::string source) { return replace_all(std::move(source), "
 
 }  // namespace
 
-std::string report_html(const Plan& plan, const Results& results, const std::filesystem::path& assets) {
+std::string report_html(const nlohmann::ordered_json& data, const std::filesystem::path& assets) {
   const std::filesystem::path plotly = assets / "plotly-cartesian.min.js";
-  const std::string& given = plan.points.front().title;
+  const auto given = data.at("summary").at("title").get<std::string>();
   const std::string title = escaped(given.empty() ? "flyrock" : given);
   std::string page = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -34,10 +33,10 @@ std::string report_html(const Plan& plan, const Results& results, const std::fil
       title);
   page += read_file(assets / "report.css");
   page += fmt::format("</style>\n</head>\n<body>\n<main>\n<h1>{}</h1>\n<p class=\"answer\">{}</p>\n", title,
-                      escaped(answer(plan, results)));
+                      escaped(data.at("summary").at("answer").get<std::string>()));
   page += "<noscript><p>Plots and tables need JavaScript; rocks.csv and summary.json hold the same numbers.</p></noscript>\n"
           "<div id=\"report\"></div>\n</main>\n<script type=\"application/json\" id=\"data\">";
-  page += replace_all(report_data(plan, results).dump(), "<", "\\u003c");
+  page += replace_all(data.dump(), "<", "\\u003c");
   page += "</script>\n";
   if (std::filesystem::exists(plotly)) page += "<script>" + script(read_file(plotly)) + "</script>\n";
   page += "<script>\n" + script(read_file(assets / "report.js")) + "</script>\n</body>\n</html>\n";

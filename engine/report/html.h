@@ -4,14 +4,14 @@
 #include <filesystem>
 #include <string>
 
-#include "batch/results.h"
+#include <nlohmann/json.hpp>
 
 namespace flyrock {
 
 /// The page: the answer in its first lines, then plots and tables that report.js draws from the data in
-/// <script type="application/json">. `assets` is the folder with report.css, report.js and Plotly; without
-/// Plotly (see `make deps`) the page says so in place of the plots. The same results give the same bytes.
-/// Throws FileError where report.css or report.js is missing.
-std::string report_html(const Plan& plan, const Results& results, const std::filesystem::path& assets);
+/// <script type="application/json">. `data` is what report_data() gives. `assets` is the folder with report.css, report.js
+/// and Plotly; without Plotly (see `make deps`) the page says so in place of the plots. The same data give the same
+/// bytes. Throws FileError where report.css or report.js is missing.
+std::string report_html(const nlohmann::ordered_json& data, const std::filesystem::path& assets);
 
 }  // namespace flyrock

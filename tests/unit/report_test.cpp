@@ -115,8 +115,8 @@ TEST_CASE("The answer names the censored share first of all") {
 
 TEST_CASE("The same results give the same page, safe against its own data") {
   const Plan plan = fake::plan(50, 2);
-  const std::string page = report_html(plan, results_of(plan, 50), assets);
-  CHECK(page == report_html(plan, results_of(plan, 50), assets));
+  const std::string page = report_html(report_data(plan, results_of(plan, 50)), assets);
+  CHECK(page == report_html(report_data(plan, results_of(plan, 50)), assets));
   CHECK(page.find("<h1>A &lt;/script&gt; &amp; &lt;b&gt;test&lt;/b&gt;</h1>") != std::string::npos);
   const std::size_t data = page.find("<script type=\"application/json\"");
   const std::size_t end = page.find("</script>", data);
@@ -128,7 +128,7 @@ TEST_CASE("The same results give the same page, safe against its own data") {
 
 TEST_CASE("A page without its style sheet is an error that names it") {
   const Plan plan = fake::plan(1);
-  CHECK_THROWS_WITH(report_html(plan, results_of(plan, 1), "/nowhere"), Catch::Contains("cannot read /nowhere/report.css"));
+  CHECK_THROWS_WITH(report_html(report_data(plan, results_of(plan, 1)), "/nowhere"), Catch::Contains("cannot read /nowhere/report.css"));
 }
 
 TEST_CASE("A histogram and its curve count every rock once") {
