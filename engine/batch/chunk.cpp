@@ -84,8 +84,19 @@ void walk_quality(Io& io, Quality& q) {
   io.value(q.energy_relative_change);
 }
 
+template <class Io, class Totals>
+void walk_totals(Io& io, Totals& totals) {
+  io.rows(totals.materials);
+  io.columns(totals.materials, &MaterialUse::contacts, &MaterialUse::restitution, &MaterialUse::friction,
+             &MaterialUse::rolling, &MaterialUse::unilateral);
+  walk_quality(io, totals.quality);
+  io.rows(totals.notes);
+  io.columns(totals.notes, [](auto& note) -> auto& { return note; });
+  walk_bodies(io, totals.bodies);
+}
+
 template <class Io, class Records>
-void walk(Io& io, Records& records) {
+void walk_brief(Io& io, Records& records) {
   using R = RockRecord;
   io.rows(records.rocks);
   io.columns(records.rocks, &R::trial, &R::rock, &R::group, &R::mass, &R::volume, &R::launch_speed,
@@ -96,11 +107,6 @@ void walk(Io& io, Records& records) {
     io.columns(
         records.rocks, [&](auto& r) -> auto& { return r.travel.time[mode]; },
         [&](auto& r) -> auto& { return r.travel.distance[mode]; });
-  io.rows(records.inputs);
-  io.columns(records.inputs, &InputRecord::trial, &InputRecord::rock, &InputRecord::draw, &InputRecord::value);
-  io.rows(records.impacts);
-  io.columns(records.impacts, &ImpactRecord::trial, &ImpactRecord::rock);
-  walk_impact(io, records.impacts, &ImpactRecord::impact);
   io.rows(records.trajectories);
   io.columns(records.trajectories, &TrajectoryRecord::trial, &TrajectoryRecord::rock,
              [](auto& r) -> auto& { return r.point.mode; });
@@ -112,13 +118,16 @@ void walk(Io& io, Records& records) {
   io.columns(records.barriers, &BarrierRecord::trial, &BarrierRecord::rock,
              [](auto& r) -> auto& { return r.hit.outcome; });
   walk_arrival(io, records.barriers, &BarrierRecord::hit, &BarrierHit::barrier);
-  io.rows(records.materials);
-  io.columns(records.materials, &MaterialUse::contacts, &MaterialUse::restitution, &MaterialUse::friction,
-             &MaterialUse::rolling, &MaterialUse::unilateral);
-  walk_quality(io, records.quality);
-  io.rows(records.notes);
-  io.columns(records.notes, [](auto& note) -> auto& { return note; });
-  walk_bodies(io, records.bodies);
+  walk_totals(io, records.totals);
+}
+
+template <class Io, class Records>
+void walk_long(Io& io, Records& records) {
+  io.rows(records.inputs);
+  io.columns(records.inputs, &InputRecord::trial, &InputRecord::rock, &InputRecord::draw, &InputRecord::value);
+  io.rows(records.impacts);
+  io.columns(records.impacts, &ImpactRecord::trial, &ImpactRecord::rock);
+  walk_impact(io, records.impacts, &ImpactRecord::impact);
 }
 
 std::string header(const ChunkRange& range, const std::string& scenario_hash) {
@@ -127,6 +136,28 @@ std::string header(const ChunkRange& range, const std::string& scenario_hash) {
   out.value(scenario_hash);
   out.value(range.point), out.value(range.index), out.value(range.first), out.value(range.count);
   return std::string(magic) + out.bytes();
+}
+
+std::string word(std::uint64_t value) {
+  ColumnWriter out;
+  out.value(value);
+  return out.bytes();
+}
+
+/// The tables whose length stands at `at`, checked; `at` goes on behind their checksum.
+std::string_view section(std::string_view bytes, std::size_t& at) {
+  const auto read_word = [&] {
+    std::uint64_t value = 0;
+    ColumnReader(bytes.substr(at)).value(value);
+    at += 8;
+    return value;
+  };
+  const std::uint64_t length = read_word();
+  if (length > bytes.size() - at) throw ColumnError("cut short");
+  const std::string_view tables = bytes.substr(at, length);
+  at += length;
+  if (read_word() != crc(tables)) throw ColumnError("damaged: its checksum is wrong");
+  return tables;
 }
 
 }  // namespace
@@ -147,37 +178,42 @@ std::vector<ChunkRange> plan_chunks(int points, std::uint64_t trials) {
 }
 
 std::string encode_chunk(const ChunkRange& range, const std::string& scenario_hash, const TrialRecords& records) {
-  ColumnWriter out;
-  walk(out, records);
-  std::string bytes = header(range, scenario_hash) + out.bytes();
-  ColumnWriter sum;
-  sum.value(crc(bytes));
-  return bytes + sum.bytes();
+  std::string bytes = header(range, scenario_hash);
+  const auto add = [&](const std::string& tables) {
+    bytes += word(tables.size());
+    bytes += tables;
+    bytes += word(crc(tables));
+  };
+  ColumnWriter brief, others;
+  walk_brief(brief, records);
+  add(brief.bytes());
+  walk_long(others, records);
+  add(others.bytes());
+  return bytes;
 }
 
 std::optional<TrialRecords> decode_chunk(std::string_view bytes, const ChunkRange& range,
-                                         const std::string& scenario_hash, std::string& why) {
-  const auto refuse = [&](std::string text) {
-    why = std::move(text);
-    return std::nullopt;
-  };
-  if (!bytes.starts_with(magic)) return refuse("not a chunk file");
+                                         const std::string& scenario_hash, Part part, std::string& why) {
   const std::string expected = header(range, scenario_hash);
-  if (bytes.size() < expected.size() + 8) return refuse("cut short");
-  std::uint64_t sum = 0;
-  ColumnReader(bytes.substr(bytes.size() - 8)).value(sum);
-  bytes.remove_suffix(8);
-  if (crc(bytes) != sum) return refuse("damaged: its checksum is wrong");
-  if (!bytes.starts_with(expected)) return refuse("of another format, scenario or range of trials");
+  TrialRecords records;
   try {
-    TrialRecords records;
-    ColumnReader in(bytes.substr(expected.size()));
-    walk(in, records);
-    if (!in.at_end()) return refuse("longer than its tables");
-    return records;
+    if (!bytes.starts_with(magic)) throw ColumnError("not a chunk file");
+    if (bytes.size() < expected.size()) throw ColumnError("cut short");
+    if (!bytes.starts_with(expected)) throw ColumnError("of another format, scenario or range of trials");
+    std::size_t at = expected.size();
+    ColumnReader brief(section(bytes, at));
+    walk_brief(brief, records);
+    if (part == Part::whole) {
+      ColumnReader others(section(bytes, at));
+      walk_long(others, records);
+      if (!others.at_end() || at != bytes.size()) throw ColumnError("longer than its tables");
+    }
+    if (!brief.at_end()) throw ColumnError("longer than its tables");
   } catch (const ColumnError& error) {
-    return refuse(error.what());
+    why = error.what();
+    return std::nullopt;
   }
+  return records;
 }
 
 }  // namespace flyrock

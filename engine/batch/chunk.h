@@ -2,17 +2,19 @@
 // A chunk: N consecutive trials of one point, the unit of work, storage, loss and merging.
 //
 // A chunk file: the magic "flyrchnk", the format, the hash of the resolved scenario, point, first trial and
-// count, then tables stored column by column, and a CRC-32 (IEEE 802.3) of all that precedes it. Integers
-// are 8 bytes in two's complement, doubles IEEE 754 of 8 bytes, both little-endian; a text is its length
+// count, then the tables of Part::brief and those that are long (inputs, impacts), stored column by column. Each of the
+// two is preceded by its length in bytes and followed by its CRC-32 (IEEE 802.3).
+// Integers are 8 bytes in two's complement, doubles IEEE 754 of 8 bytes, both little-endian; a text is its length
 // and its bytes. Wall times are not stored: a chunk holds nothing that may differ between two runs.
 
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "batch/records.h"
+#include "batch/rows.h"
 
 namespace flyrock {
 
@@ -39,8 +41,8 @@ std::vector<ChunkRange> plan_chunks(int points, std::uint64_t trials);
 std::string encode_chunk(const ChunkRange& range, const std::string& scenario_hash, const TrialRecords& records);
 
 /// The records of a chunk file, or nothing where it is cut short, damaged, of another format, scenario or
-/// range; `why` then says which.
+/// range; `why` then says which. Of what follows the `part` that is wanted nothing is read or checked.
 std::optional<TrialRecords> decode_chunk(std::string_view bytes, const ChunkRange& range,
-                                         const std::string& scenario_hash, std::string& why);
+                                         const std::string& scenario_hash, Part part, std::string& why);
 
 }  // namespace flyrock

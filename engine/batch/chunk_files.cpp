@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "batch/safe_file.h"
 
 namespace flyrock {
@@ -14,19 +17,22 @@ std::vector<ChunkFile> chunk_files(const std::vector<ChunkRange>& chunks, const 
   return files;
 }
 
-std::vector<TrialRecords> merge_chunks(const std::vector<ChunkFile>& files, int points,
-                                       const std::string& scenario_hash, const SeeChunk& see) {
-  std::vector<TrialRecords> merged(static_cast<std::size_t>(points));
-  for (const auto& [range, path] : files) {
-    std::string why;
-    std::optional<TrialRecords> records = decode_chunk(read_file(path), range, scenario_hash, why);
-    if (!records) throw FileError(fmt::format("{}: {}", path.string(), why));
-    see(range, *records);
-    records->inputs.clear();
-    records->impacts.clear();
-    append(merged.at(static_cast<std::size_t>(range.point)), std::move(*records));
+std::vector<Rows> rows_in(const std::vector<ChunkFile>& files, int points, const std::string& scenario_hash) {
+  std::vector<Rows> rows;
+  for (int point = 0; point < points; ++point) {
+    std::vector<ChunkFile> own;
+    std::copy_if(files.begin(), files.end(), std::back_inserter(own),
+                 [&](const ChunkFile& file) { return file.range.point == point; });
+    rows.push_back([own = std::move(own), scenario_hash](Part part, const SeeRows& see) {
+      for (const auto& [range, path] : own) {
+        std::string why;
+        const std::optional<TrialRecords> records = decode_chunk(read_file(path), range, scenario_hash, part, why);
+        if (!records) throw FileError(fmt::format("{}: {}", path.string(), why));
+        see(*records);
+      }
+    });
   }
-  return merged;
+  return rows;
 }
 
 void remove_chunks(const fs::path& folder) {

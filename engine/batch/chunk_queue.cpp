@@ -46,8 +46,8 @@ std::string ChunkQueue::reason(const TrialRecords& records, std::size_t from) {
       return fmt::format("the first {} rocks all failed, the last with: {}", hopeless, rock.fault);
     }
   }
-  if (strict_ && records.quality.not_converged > 0)
-    return fmt::format("{} steps did not converge", records.quality.not_converged);
+  if (strict_ && records.totals.quality.not_converged > 0)
+    return fmt::format("{} steps did not converge", records.totals.quality.not_converged);
   return {};
 }
 

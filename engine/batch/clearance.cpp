@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <optional>
 
 #include "scenario/build_trial.h"
 #include "scenario/node.h"
@@ -15,23 +15,21 @@ namespace {
 
 constexpr double beyond = 10;  // rocks that must be expected farther than a clearance
 
-std::vector<Bounded> distances_of(const std::vector<RockRecord>& rocks, const ClearancePlan& plan) {
+/// The distances of rocks, or of the farthest rock of each trial, that a clearance is of.
+void add_distances(const std::vector<RockRecord>& rocks, const ClearancePlan& plan, Sample& sample) {
   const RockQuantity quantity = plan.of_max_distance ? RockQuantity::max_distance : RockQuantity::runout;
-  std::vector<Bounded> values;
-  std::map<std::uint64_t, Bounded> farthest;  // of each trial
-  for (const RockRecord& rock : rocks) {
-    if (is_fault(rock.reason)) continue;
-    const Bounded value = quantity_of(rock, quantity);
-    if (plan.per_blast) {
+  std::optional<Bounded> farthest;  // of the trial
+  for (std::size_t i = 0; i < rocks.size(); ++i) {
+    if (!is_fault(rocks[i].reason)) {
+      const Bounded value = quantity_of(rocks[i], quantity);
+      if (!plan.per_blast) sample.add(value);
       // A censored rock may have gone farther than the farthest known one.
-      Bounded& trial = farthest[rock.trial];
-      trial = {std::max(trial.value, value.value), trial.censored || value.censored};
-    } else {
-      values.push_back(value);
+      farthest = farthest ? Bounded{std::max(farthest->value, value.value), farthest->censored || value.censored} : value;
     }
+    if (i + 1 < rocks.size() && rocks[i + 1].trial == rocks[i].trial) continue;
+    if (plan.per_blast && farthest) sample.add(*farthest);
+    farthest.reset();
   }
-  for (const auto& [trial, value] : farthest) values.push_back(value);
-  return values;
 }
 
 /// Why the trials of a scenario are too few, or an empty text.
@@ -53,16 +51,33 @@ std::uint64_t needed_for(double probability) {
   return static_cast<std::uint64_t>(std::ceil(beyond / probability * (1 - 1e-12)));
 }
 
-std::vector<ClearanceSummary> summarise_clearances(const std::vector<RockRecord>& rocks, const Scenario& scenario) {
+ClearanceTally::ClearanceTally(const std::vector<ClearancePlan>& plans) : plans_(plans) {
+  for (const ClearancePlan& plan : plans_) {
+    const double p = 1 - plan.probability;
+    samples_.emplace_back(Questions{{p}, {{p, plan.confidence}}});
+  }
+}
+
+void ClearanceTally::see(const TrialRecords& chunk) {
+  for (std::size_t c = 0; c < plans_.size(); ++c) add_distances(chunk.rocks, plans_[c], samples_[c]);
+}
+
+bool ClearanceTally::again() {
+  bool more = false;
+  for (Sample& sample : samples_) more |= sample.again();
+  return more;
+}
+
+std::vector<ClearanceSummary> ClearanceTally::summaries() const {
   std::vector<ClearanceSummary> summaries;
-  for (const ClearancePlan& plan : scenario.clearances) {
-    const Sample sample(distances_of(rocks, plan));
+  for (std::size_t c = 0; c < plans_.size(); ++c) {
+    const ClearancePlan& plan = plans_[c];
     ClearanceSummary summary;
-    summary.count = sample.size();
+    summary.count = samples_[c].size();
     summary.needed = needed_for(plan.probability);
     if (summary.enough()) {
-      summary.distance = sample.quantile(1 - plan.probability);
-      summary.interval = sample.quantile_interval(1 - plan.probability, plan.confidence);
+      summary.distance = samples_[c].quantile(1 - plan.probability);
+      summary.interval = samples_[c].quantile_interval(1 - plan.probability, plan.confidence);
       if (plan.factor) summary.with_factor = *plan.factor * summary.distance.value;
     }
     summaries.push_back(summary);

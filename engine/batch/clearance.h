@@ -25,8 +25,19 @@ struct ClearanceSummary {
   bool enough() const { return count >= needed; }
 };
 
-/// In the order of Scenario::clearances.
-std::vector<ClearanceSummary> summarise_clearances(const std::vector<RockRecord>& rocks, const Scenario& scenario);
+/// Finds the clearances of a scenario from rocks that are shown in passes; see read_in_passes().
+class ClearanceTally {
+ public:
+  explicit ClearanceTally(const std::vector<ClearancePlan>& plans);
+  void see(const TrialRecords& chunk);
+  bool again();
+  /// In the order of Scenario::clearances.
+  std::vector<ClearanceSummary> summaries() const;
+
+ private:
+  std::vector<ClearancePlan> plans_;
+  std::vector<Sample> samples_;  ///< of distances
+};
 
 /// An error at each clearance of the scenario's tree that its rocks and trials are too few for, at any point of the sweep.
 /// What a plugin does wrong meanwhile is left to the run to report.

@@ -1,97 +1,96 @@
 #include "batch/crossing_summary.h"
 
+#include <algorithm>
 #include <limits>
-#include <map>
+#include <utility>
 
 namespace flyrock {
 
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+/// The rock of a row, or nullptr where it failed. Rows of a chunk are in order.
+template <class Row>
+const RockRecord* rock_of(const Row& row, const std::vector<RockRecord>& rocks) {
+  const auto found =
+      std::lower_bound(rocks.begin(), rocks.end(), std::pair(row.trial, row.rock), [](const RockRecord& rock, const auto& key) {
+        return std::pair(rock.trial, rock.rock) < key;
+      });
+  return is_fault(found->reason) ? nullptr : &*found;
+}
 
-/// The rocks that count, and who of them is censored.
-class Rocks {
- public:
-  explicit Rocks(const std::vector<RockRecord>& rocks) {
-    for (const RockRecord& rock : rocks) {
-      if (is_fault(rock.reason)) continue;
-      censored_[{rock.trial, rock.rock}] = rock.censored;
-      censored_count_ += rock.censored;
-    }
-  }
-  bool counts(std::uint64_t trial, int rock) const { return censored_.contains({trial, rock}); }
-  bool censored(std::uint64_t trial, int rock) const { return censored_.at({trial, rock}); }
-  std::uint64_t censored_count() const { return censored_count_; }
-  double share(std::uint64_t count) const {
-    return censored_.empty() ? unknown : static_cast<double>(count) / static_cast<double>(censored_.size());
-  }
-
- private:
-  std::map<std::pair<std::uint64_t, int>, bool> censored_;
-  std::uint64_t censored_count_ = 0;
-};
-
-/// The arrivals at one gate or barrier.
-struct Arrivals {
-  std::vector<Bounded> speed, energy, height;
-  std::uint64_t censored = 0;  ///< rocks that arrived and were lost later
-
-  template <class Arrival>
-  void add(const Arrival& arrival, bool is_censored) {
-    speed.push_back({arrival.speed, false});
-    energy.push_back({arrival.kinetic_energy, false});
-    height.push_back({arrival.height, false});
-    censored += is_censored;
-  }
-};
-
-Statistics bounded(std::vector<Bounded> values, bool open) {
-  Statistics statistics = statistics_of(std::move(values));
+Statistics bounded(const Sample& sample, bool open) {
+  Statistics statistics = statistics_of(sample);
   for (Bounded& number : statistics) number.censored = open;
   return statistics;
 }
 
 }  // namespace
 
-std::vector<GateSummary> summarise_gates(const TrialRecords& records, std::size_t gates) {
-  if (gates == 0) return {};
-  const Rocks rocks(records.rocks);
-  std::vector<Arrivals> arrivals(gates);
-  for (const GateRecord& row : records.gates)
-    if (rocks.counts(row.trial, row.rock))
-      arrivals.at(row.passage.gate).add(row.passage, rocks.censored(row.trial, row.rock));
-  std::vector<GateSummary> summaries;
-  for (Arrivals& at : arrivals) {
-    const bool open = at.censored < rocks.censored_count();
-    GateSummary summary;
-    summary.passed = at.speed.size();
-    summary.share = {rocks.share(summary.passed), open};
-    summary.speed = bounded(std::move(at.speed), open);
-    summary.energy = bounded(std::move(at.energy), open);
-    summary.height = bounded(std::move(at.height), open);
-    summaries.push_back(summary);
+CrossingTally::CrossingTally(std::size_t gates, std::size_t barriers) : gates_(gates), barriers_(barriers) {}
+
+void CrossingTally::see(const TrialRecords& chunk) {
+  if (gates_.empty() && barriers_.empty()) return;
+  for (const RockRecord& rock : chunk.rocks) {
+    if (counted_ || is_fault(rock.reason)) continue;
+    ++rocks_;
+    censored_ += rock.censored;
   }
+  for (const GateRecord& row : chunk.gates)
+    if (const RockRecord* rock = rock_of(row, chunk.rocks))
+      add(gates_.at(static_cast<std::size_t>(row.passage.gate)), row.passage, *rock);
+  for (const BarrierRecord& row : chunk.barriers)
+    if (const RockRecord* rock = rock_of(row, chunk.rocks)) {
+      Arrivals& at = barriers_.at(static_cast<std::size_t>(row.hit.barrier));
+      add(at, row.hit, *rock);
+      if (!counted_) ++at.outcomes[static_cast<std::size_t>(row.hit.outcome)];
+    }
+}
+
+template <class Arrival>
+void CrossingTally::add(Arrivals& at, const Arrival& arrival, const RockRecord& rock) {
+  if (!counted_) at.censored += rock.censored;
+  at.speed.add({arrival.speed, false});
+  at.energy.add({arrival.kinetic_energy, false});
+  at.height.add({arrival.height, false});
+}
+
+bool CrossingTally::Arrivals::again() {
+  bool more = false;
+  for (Sample* sample : {&speed, &energy, &height}) more |= sample->again();
+  return more;
+}
+
+bool CrossingTally::again() {
+  counted_ = true;
+  bool more = false;
+  for (auto* places : {&gates_, &barriers_})
+    for (Arrivals& at : *places) more |= at.again();
+  return more;
+}
+
+Bounded CrossingTally::share(std::uint64_t count, const Arrivals& at) const {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  return {rocks_ > 0 ? static_cast<double>(count) / static_cast<double>(rocks_) : unknown, open(at)};
+}
+
+std::vector<GateSummary> CrossingTally::gates() const {
+  std::vector<GateSummary> summaries;
+  for (const Arrivals& at : gates_)
+    summaries.push_back({at.speed.size(), share(at.speed.size(), at), bounded(at.speed, open(at)),
+                         bounded(at.energy, open(at)), bounded(at.height, open(at))});
   return summaries;
 }
 
-std::vector<BarrierSummary> summarise_barriers(const TrialRecords& records, std::size_t barriers) {
-  if (barriers == 0) return {};
-  const Rocks rocks(records.rocks);
-  std::vector<Arrivals> arrivals(barriers);
-  std::vector<BarrierSummary> summaries(barriers);
-  for (const BarrierRecord& row : records.barriers) {
-    if (!rocks.counts(row.trial, row.rock)) continue;
-    arrivals.at(row.hit.barrier).add(row.hit, rocks.censored(row.trial, row.rock));
-    ++summaries[row.hit.barrier].outcomes[static_cast<int>(row.hit.outcome)];
-  }
-  for (std::size_t b = 0; b < barriers; ++b) {
-    const bool open = arrivals[b].censored < rocks.censored_count();
-    BarrierSummary& summary = summaries[b];
-    summary.reached = {rocks.share(arrivals[b].speed.size()), open};
-    for (std::size_t o = 0; o < summary.outcomes.size(); ++o)
-      summary.shares[o] = {rocks.share(summary.outcomes[o]), open};
-    summary.energy = bounded(std::move(arrivals[b].energy), open);
-    summary.height = bounded(std::move(arrivals[b].height), open);
+std::vector<BarrierSummary> CrossingTally::barriers() const {
+  std::vector<BarrierSummary> summaries;
+  for (const Arrivals& at : barriers_) {
+    BarrierSummary summary;
+    summary.outcomes = at.outcomes;
+    summary.reached = share(at.speed.size(), at);
+    for (std::size_t o = 0; o < at.outcomes.size(); ++o) summary.shares[o] = share(at.outcomes[o], at);
+    summary.energy = bounded(at.energy, open(at));
+    summary.height = bounded(at.height, open(at));
+    summaries.push_back(summary);
   }
   return summaries;
 }

@@ -24,8 +24,34 @@ struct BarrierSummary {
   Statistics energy{}, height{};            ///< of the rocks that arrived, before the barrier acts
 };
 
-/// In the order of Scenario::gates and Scenario::barriers.
-std::vector<GateSummary> summarise_gates(const TrialRecords& records, std::size_t gates);
-std::vector<BarrierSummary> summarise_barriers(const TrialRecords& records, std::size_t barriers);
+/// Summarises what arrives at places, shown in passes; see read_in_passes().
+class CrossingTally {
+ public:
+  CrossingTally(std::size_t gates, std::size_t barriers);
+  void see(const TrialRecords& chunk);
+  bool again();
+  /// In the order of Scenario::gates and Scenario::barriers.
+  std::vector<GateSummary> gates() const;
+  std::vector<BarrierSummary> barriers() const;
+
+ private:
+  /// The arrivals at one place.
+  struct Arrivals {
+    std::uint64_t censored = 0;  ///< rocks that arrived and were lost later
+    std::array<std::uint64_t, 3> outcomes{};
+    Sample speed{stated_questions()}, energy{stated_questions()}, height{stated_questions()};
+
+    bool again();
+  };
+
+  template <class Arrival>
+  void add(Arrivals& at, const Arrival& arrival, const RockRecord& rock);
+  bool open(const Arrivals& at) const { return at.censored < censored_; }
+  Bounded share(std::uint64_t count, const Arrivals& at) const;
+
+  bool counted_ = false;  ///< in the first pass
+  std::uint64_t rocks_ = 0, censored_ = 0;  ///< without faults
+  std::vector<Arrivals> gates_, barriers_;
+};
 
 }  // namespace flyrock

@@ -109,9 +109,9 @@ Measured Measure::value(const PointResult& result) const {
   switch (kind_) {
     case Kind::count: return {static_cast<double>(result.groups.at(index_).count), false, {}};
     case Kind::censored: return {result.groups.at(index_).censored_share(), false, {}};
-    case Kind::energy: return {result.records.quality.energy_relative_change, false, {}};
+    case Kind::energy: return {result.totals.quality.energy_relative_change, false, {}};
     case Kind::solver: {
-      const SolverQuality& q = result.records.quality;
+      const SolverQuality& q = result.totals.quality;
       const std::array<double, solver_fields.size()> values = {q.max_residual, static_cast<double>(q.not_converged), q.max_penetration,
                                             static_cast<double>(q.energy_gains)};
       return {values[index_of(field_, solver_fields)], false, {}};
@@ -125,8 +125,8 @@ Measured Measure::value(const PointResult& result) const {
     case Kind::clearance: return clearance_value(result.clearances.at(index_), field_);
     case Kind::body: break;
   }
-  if (static_cast<std::size_t>(index_) >= result.records.bodies.size()) return {0, false, "the body was not run"};
-  const BodyHistory& body = result.records.bodies[index_];
+  if (static_cast<std::size_t>(index_) >= result.totals.bodies.size()) return {0, false, "the body was not run"};
+  const BodyHistory& body = result.totals.bodies[index_];
   if (is_fault(body.reason)) return {0, false, fmt::format("{}: {}", name_of(body.reason), body.fault)};
   return body_value(body);
 }

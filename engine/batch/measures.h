@@ -9,11 +9,12 @@
 
 namespace flyrock {
 
-/// What one point of a sweep left.
+/// What one point of a sweep left, as numbers; its rows are read in passes (batch/rows.h).
 struct PointResult {
   std::uint64_t trials = 0;
   Profile terrain;                   ///< of its first trial, for pictures; no points where it could not be built
-  TrialRecords records;
+  std::vector<RockRecord> first_trial;  ///< rocks of the first trial that ran
+  TrialTotals totals;
   std::vector<GroupSummary> groups;  ///< all rocks first; see summarise()
   std::vector<GateSummary> gates;    ///< in the order of Scenario::gates
   std::vector<BarrierSummary> barriers;

@@ -65,7 +65,20 @@ struct BarrierRecord {
   BarrierHit hit;
 };
 
-/// Everything that consecutive trials of one point leave.
+/// What is counted or summed up over trials: it needs no more room for many of them than for one.
+struct TrialTotals {
+  std::vector<MaterialUse> materials;  ///< in the order of Scenario::materials
+  SolverQuality quality;
+  PhaseTimes times;
+  std::vector<std::string> notes;  ///< distinct notes of launches ("v0^2 < 0: ..."), at most 20
+  std::vector<BodyHistory> bodies; ///< `bodies` scenarios: the last trial's histories, for measures
+
+  /// Those of later trials.
+  void add(const TrialTotals& later);
+  void add_note(const std::string& note);
+};
+
+/// Everything that consecutive trials of one point leave: rows, in order of trial and rock, and totals.
 struct TrialRecords {
   std::vector<RockRecord> rocks;
   std::vector<InputRecord> inputs;
@@ -73,14 +86,7 @@ struct TrialRecords {
   std::vector<TrajectoryRecord> trajectories;
   std::vector<GateRecord> gates;
   std::vector<BarrierRecord> barriers;
-  std::vector<MaterialUse> materials;  ///< in the order of Scenario::materials
-  SolverQuality quality;
-  PhaseTimes times;
-  std::vector<std::string> notes;  ///< distinct notes of launches ("v0^2 < 0: ..."), at most 20
-  std::vector<BodyHistory> bodies; ///< `bodies` scenarios: the last trial's histories, for measures
+  TrialTotals totals;
 };
-
-/// Appends the rows of later trials to those of earlier ones and adds up what is counted.
-void append(TrialRecords& to, TrialRecords&& from);
 
 }  // namespace flyrock

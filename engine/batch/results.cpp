@@ -12,22 +12,62 @@ namespace {
 
 constexpr std::size_t faults_kept = 20;
 
-void collect_faults(Results& results) {
-  for (std::size_t point = 0; point < results.points.size(); ++point) {
-    for (const RockRecord& rock : results.points[point].records.rocks) {
+/// Finds out what one point left.
+class PointTally {
+ public:
+  PointTally(const Scenario& scenario, int point, Results& results)
+      : point_(point),
+        results_(results),
+        rocks_(group_names(scenario)),
+        crossings_(scenario.gates.size(), scenario.barriers.size()),
+        clearances_(scenario.clearances) {}
+
+  /// Rows of the first pass.
+  void see_first(const TrialRecords& chunk) {
+    result_.totals.add(chunk.totals);
+    for (const RockRecord& rock : chunk.rocks) {
+      if (result_.first_trial.empty() || rock.trial == result_.first_trial.front().trial) result_.first_trial.push_back(rock);
       if (!is_fault(rock.reason)) continue;
-      ++results.fault_count;
-      if (results.faults.size() < faults_kept)
-        results.faults.push_back({static_cast<int>(point), rock.trial, rock.rock, rock.reason, rock.fault});
+      ++results_.fault_count;
+      if (results_.faults.size() < faults_kept)
+        results_.faults.push_back({point_, rock.trial, rock.rock, rock.reason, rock.fault});
     }
+    see(chunk);
   }
-}
+
+  void see(const TrialRecords& chunk) {
+    rocks_.see(chunk);
+    crossings_.see(chunk);
+    clearances_.see(chunk);
+  }
+
+  bool again() {
+    const bool rocks = rocks_.again(), crossings = crossings_.again(), clearances = clearances_.again();
+    return rocks || crossings || clearances;
+  }
+
+  PointResult result() {
+    result_.groups = rocks_.summaries();
+    result_.gates = crossings_.gates();
+    result_.barriers = crossings_.barriers();
+    result_.clearances = clearances_.summaries();
+    return std::move(result_);
+  }
+
+ private:
+  int point_;
+  Results& results_;  ///< takes the faults
+  PointResult result_;
+  RockTally rocks_;
+  CrossingTally crossings_;
+  ClearanceTally clearances_;
+};
 
 std::vector<std::string> collect_warnings(const Plan& plan, const std::vector<PointResult>& points) {
   std::vector<std::string> warnings = laws_never_asked(plan, points);
   for (const std::string& key : plan.not_used) warnings.push_back("not used: " + key);
   SolverQuality quality;
-  for (const PointResult& point : points) quality.add(point.records.quality);
+  for (const PointResult& point : points) quality.add(point.totals.quality);
   if (quality.not_converged > 0)
     warnings.push_back(
         fmt::format("solver: {} of {} contact problems did not converge; relative to the approach speed "
@@ -39,7 +79,7 @@ std::vector<std::string> collect_warnings(const Plan& plan, const std::vector<Po
                                    quality.energy_gained));
   std::set<std::string> notes;  // the same launch may have the same trouble at every point
   for (const PointResult& point : points)
-    for (const std::string& note : point.records.notes)
+    for (const std::string& note : point.totals.notes)
       if (notes.insert(note).second) warnings.push_back(note);
   return warnings;
 }
@@ -87,7 +127,7 @@ std::string bodies_answer(const Plan& plan, const Results& results) {
   const std::vector<std::string> names = group_names(plan.points.front());
   std::string text;
   constexpr std::size_t most_named = 4;  // of a heap of bodies the table says more than a sentence
-  const std::vector<RockRecord>& bodies = results.points.front().records.rocks;
+  const std::vector<RockRecord>& bodies = results.points.front().first_trial;
   for (std::size_t b = 0; b < std::min(bodies.size(), most_named); ++b) {
     const RockRecord& body = bodies[b];
     text += fmt::format("{}{} {} after {:.4g} s, {:.4g} m from where it began, with {} impact{}.", b > 0 ? " " : "",
@@ -128,7 +168,7 @@ std::string by_group(const Results& results, Statistic statistic) {
 
 std::uint64_t Results::rocks() const {
   std::uint64_t sum = 0;
-  for (const PointResult& point : points) sum += point.records.rocks.size();
+  for (const PointResult& point : points) sum += point.groups.front().count;
   return sum;
 }
 
@@ -137,22 +177,22 @@ int Results::count(Judgement judgement) const {
                                         [&](const Verdict& verdict) { return verdict.judgement == judgement; }));
 }
 
-Results make_results(const Plan& plan, std::vector<TrialRecords> records, const RunFacts& facts) {
+Results make_results(const Plan& plan, const std::vector<Rows>& rows, const RunFacts& facts, const SeePoint& see) {
   Results results;
-  for (std::size_t point = 0; point < records.size(); ++point) {
-    PointResult result;
-    result.trials = facts.trials.at(point);
-    result.groups = summarise(records[point].rocks, group_names(plan.points[point]));
-    result.gates = summarise_gates(records[point], plan.points[point].gates.size());
-    result.barriers = summarise_barriers(records[point], plan.points[point].barriers.size());
-    result.clearances = summarise_clearances(records[point].rocks, plan.points[point]);
-    result.records = std::move(records[point]);
-    results.points.push_back(std::move(result));
+  for (std::size_t p = 0; p < rows.size(); ++p) {
+    const int point = static_cast<int>(p);
+    PointTally tally(plan.points[p], point, results);
+    rows[p](Part::whole, [&](const TrialRecords& chunk) {
+      see(point, chunk);
+      tally.see_first(chunk);
+    });
+    if (tally.again()) read_in_passes(rows[p], tally);
+    results.points.push_back(tally.result());
+    results.points.back().trials = facts.trials.at(p);
   }
   results.verdicts = judge(plan, results.points, facts.full && facts.ended_early.empty());
   results.warnings = facts.warnings;
   for (std::string& warning : collect_warnings(plan, results.points)) results.warnings.push_back(std::move(warning));
-  collect_faults(results);
   results.ended_early = facts.ended_early;
   return results;
 }
@@ -163,8 +203,8 @@ std::vector<std::string> laws_never_asked(const Plan& plan, const std::vector<Po
   for (std::size_t m = 0; m < materials.size(); ++m) {
     MaterialUse use;
     for (const PointResult& point : points) {
-      if (m >= point.records.materials.size()) continue;
-      const MaterialUse& more = point.records.materials[m];
+      if (m >= point.totals.materials.size()) continue;
+      const MaterialUse& more = point.totals.materials[m];
       use.contacts += more.contacts;
       use.restitution += more.restitution;
       use.friction += more.friction;

@@ -1,12 +1,14 @@
 #pragma once
 // Everything that a run found out: what the tables, the report and the terminal show.
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "batch/expectations.h"
 #include "batch/measures.h"
+#include "batch/rows.h"
 
 namespace flyrock {
 
@@ -40,7 +42,12 @@ struct RunFacts {
   std::vector<std::string> warnings;  ///< of the scenario's reader
 };
 
-Results make_results(const Plan& plan, std::vector<TrialRecords> records, const RunFacts& facts);
+/// Shown the chunks of each point in order, with all their rows.
+using SeePoint = std::function<void(int point, const TrialRecords& chunk)>;
+
+/// `rows` of each point are read in passes; `see` shares the first one. Throws FileError where a chunk cannot be read.
+Results make_results(const Plan& plan, const std::vector<Rows>& rows, const RunFacts& facts,
+                     const SeePoint& see = [](int, const TrialRecords&) {});
 
 /// "material haul_floor: its restitution pfeiffer_bowen was never asked": laws that no contact of any point needed.
 std::vector<std::string> laws_never_asked(const Plan& plan, const std::vector<PointResult>& points);

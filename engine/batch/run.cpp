@@ -60,10 +60,10 @@ class Run {
     const std::filesystem::path path = options_.folder / chunk.file_name();
     if (!options_.resume || !std::filesystem::exists(path)) return false;
     std::string why;
-    const std::optional<TrialRecords> records = decode_chunk(read_file(path), chunk, options_.scenario_hash, why);
+    const std::optional<TrialRecords> records = decode_chunk(read_file(path), chunk, options_.scenario_hash, Part::whole, why);
     if (!records) return false;
     const std::uint64_t failed = count_failed(*records);
-    if ((failed > 0 || records->quality.not_converged > 0) && queue_.may_end()) return false;
+    if ((failed > 0 || records->totals.quality.not_converged > 0) && queue_.may_end()) return false;
     queue_.judge(index, *records, 0);
     const std::lock_guard lock(mutex_);
     whole_[index] = 1;
@@ -96,7 +96,7 @@ class Run {
     chunks_[index] = chunk;
     whole_[index] = 1;
     outcome_.failed += count_failed(records);
-    outcome_.times.add(records.times);
+    outcome_.times.add(records.totals.times);
   }
 
   RunOutcome conclude() {

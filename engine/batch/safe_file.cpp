@@ -4,10 +4,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 namespace flyrock {
@@ -68,10 +67,25 @@ void write_file(const std::filesystem::path& path, std::string_view bytes) {
 std::string read_file(const std::filesystem::path& path) {
   std::error_code code;
   if (std::filesystem::is_directory(path, code)) fail("read", path, EISDIR);
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) fail("read", path, errno ? errno : EIO);
-  return {std::istreambuf_iterator<char>(file), {}};
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) fail("read", path, errno);
+  std::string bytes;
+  std::size_t size = 0;
+  ssize_t count = 1;
+  while (count != 0) {
+    bytes.resize(std::max<std::size_t>(2 * size, 1 << 16));
+    count = ::read(file, bytes.data() + size, bytes.size() - size);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) {
+      const int failure = errno;
+      ::close(file);
+      fail("read", path, failure);
+    }
+    size += static_cast<std::size_t>(count);
+  }
+  ::close(file);
+  bytes.resize(size);
+  return bytes;
 }
 
 void make_folder(const std::filesystem::path& path) {

@@ -1,8 +1,12 @@
 #pragma once
-// A sample of numbers of which some are censored: its percentiles, its mean and their confidence intervals.
+// A sample of numbers of which some are censored: its quantiles, its mean and their confidence intervals. The numbers
+// are not kept: they are shown in passes, see batch/selection.h.
 
-#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <vector>
+
+#include "batch/selection.h"
 
 namespace flyrock {
 
@@ -18,20 +22,38 @@ struct Interval {
   double lower = 0, upper = 0;
 };
 
-/// Values in order, x_0 <= ... <= x_{n-1}; at equal values the known come before the censored.
+/// Mean, and standard deviation of the sample, sum (x - mean)^2 / (n - 1) under the root. NaN where there are too few.
+struct Moments {
+  double mean = 0, sd = 0;
+};
+
+/// What a sample will be asked. Nothing else that rests on order statistics can be answered: they are looked for.
+struct Questions {
+  struct IntervalOf {
+    double p, confidence;
+  };
+  std::vector<double> quantiles;      ///< p from 0 to 1
+  std::vector<IntervalOf> intervals;  ///< of quantiles
+};
+
+/// x_0 <= ... <= x_{n-1}; at equal values the known come before the censored.
 class Sample {
  public:
-  explicit Sample(std::vector<Bounded> values);
+  explicit Sample(Questions questions = {}) : questions_(std::move(questions)) {}
 
-  std::size_t size() const { return sorted_.size(); }
-  bool any_censored() const { return first_censored_ < sorted_.size(); }
+  /// Each number, in the same order in every pass (sums run in it).
+  void add(const Bounded& value);
+  /// Ends a pass; whether another one is needed before the sample can answer.
+  bool again();
+
+  std::uint64_t size() const { return count_; }
+  bool any_censored() const { return least_censored_ < none; }
+  Moments moments() const;
 
   /// Linear between the order statistics at h = (n - 1) p, as NumPy and the PERCENTILE.INC of spreadsheets:
   /// x_floor(h) + (h - floor(h)) (x_floor(h)+1 - x_floor(h)). Exact where the order statistics up to those that it reads
   /// hold whatever the censored values truly are, that is where every censored bound lies behind them in the order; else
   /// a lower bound. NaN of an empty sample.
-  Bounded percentile(std::size_t percent) const;
-  /// The same for p from 0 to 1; a percent as above has no rounding in its rank.
   Bounded quantile(double p) const;
 
   /// Of the quantile p, from order statistics, whatever the distribution of the values: their number below the quantile is
@@ -45,17 +67,23 @@ class Sample {
   Interval mean_interval(double confidence) const;
 
  private:
-  Bounded between(std::size_t low, double share) const;
+  static constexpr double none = std::numeric_limits<double>::infinity();
 
-  std::vector<Bounded> sorted_;
-  std::size_t first_censored_ = 0;
+  std::vector<std::uint64_t> wanted_ranks() const;
+
+  Questions questions_;
+  int pass_ = 0;
+  // The first pass:
+  std::uint64_t count_ = 0;
+  double sum_ = 0, least_ = none, greatest_ = -none, least_censored_ = none;
+  // The second:
+  double squares_ = 0;                ///< of the departures from the mean
+  std::uint64_t first_censored_ = 0;  ///< its rank
+  // The second and later ones:
+  Selection selection_;
 };
 
-/// Mean, and standard deviation of the sample, sum (x - mean)^2 / (n - 1) under the root; in the order of `values`. NaN
-/// where there are too few.
-struct Moments {
-  double mean = 0, sd = 0;
-};
-Moments moments_of(const std::vector<Bounded>& values);
+/// A sample of numbers that are in memory.
+Sample sample_of(const std::vector<Bounded>& values, const Questions& questions);
 
 }  // namespace flyrock

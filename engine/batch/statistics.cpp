@@ -17,30 +17,15 @@ std::array<double, 4> shares_of(std::array<double, 4> parts) {
   return parts;
 }
 
-GroupSummary summarise_group(const std::string& name, const std::vector<const RockRecord*>& rocks) {
-  GroupSummary summary;
-  summary.name = name;
-  summary.count = rocks.size();
-  for (const RockRecord* rock : rocks) {
-    ++summary.reasons[static_cast<int>(rock->reason)];
-    summary.faults += is_fault(rock->reason);
-    summary.censored += !is_fault(rock->reason) && rock->censored;
-  }
-  Travel travel;
-  for (const RockRecord* rock : rocks)
-    for (std::size_t m = 0; m < travel_mode_names.size() && !is_fault(rock->reason); ++m)
-      travel.add(static_cast<TravelMode>(m), rock->travel.time[m], rock->travel.distance[m]);
-  summary.time_share = shares_of(travel.time);
-  summary.distance_share = shares_of(travel.distance);
-  for (std::size_t q = 0; q < quantity_names.size(); ++q) {
-    std::vector<Bounded> values;
-    for (const RockRecord* rock : rocks)
-      if (!is_fault(rock->reason)) values.push_back(quantity_of(*rock, static_cast<RockQuantity>(q)));
-    summary.statistics[q] = statistics_of(values);
-    summary.intervals[q] = intervals_of(std::move(values));
-  }
-  return summary;
-}
+constexpr std::array<std::pair<Statistic, double>, 6> percents = {{{Statistic::min, 0},
+                                                                   {Statistic::max, 1},
+                                                                   {Statistic::p50, 0.50},
+                                                                   {Statistic::p90, 0.90},
+                                                                   {Statistic::p95, 0.95},
+                                                                   {Statistic::p99, 0.99}}};
+
+/// The extremes have none.
+bool has_interval(double p) { return p > 0 && p < 1; }
 
 }  // namespace
 
@@ -59,35 +44,30 @@ Bounded quantity_of(const RockRecord& rock, RockQuantity quantity) {
   return {};
 }
 
-namespace {
+Questions stated_questions() {
+  Questions questions;
+  for (const auto& [which, p] : percents) {
+    questions.quantiles.push_back(p);
+    if (has_interval(p)) questions.intervals.push_back({p, stated_confidence});
+  }
+  return questions;
+}
 
-constexpr std::array<std::pair<Statistic, std::size_t>, 6> percents = {{{Statistic::min, 0},
-                                                                        {Statistic::max, 100},
-                                                                        {Statistic::p50, 50},
-                                                                        {Statistic::p90, 90},
-                                                                        {Statistic::p95, 95},
-                                                                        {Statistic::p99, 99}}};
-
-}  // namespace
-
-Statistics statistics_of(std::vector<Bounded> values) {
+Statistics statistics_of(const Sample& sample) {
   Statistics result;
-  const Moments moments = moments_of(values);
-  const Sample sample(std::move(values));
-  result[static_cast<int>(Statistic::mean)] = {moments.mean, sample.any_censored()};
-  result[static_cast<int>(Statistic::sd)] = {moments.sd, sample.any_censored()};
-  for (const auto& [which, percent] : percents) result[static_cast<int>(which)] = sample.percentile(percent);
+  const auto [mean, sd] = sample.moments();
+  result[static_cast<int>(Statistic::mean)] = {mean, sample.any_censored()};
+  result[static_cast<int>(Statistic::sd)] = {sd, sample.any_censored()};
+  for (const auto& [which, p] : percents) result[static_cast<int>(which)] = sample.quantile(p);
   return result;
 }
 
-Intervals intervals_of(std::vector<Bounded> values) {
+Intervals intervals_of(const Sample& sample) {
   Intervals result;
   result.fill({unknown, unknown});
-  const Sample sample(std::move(values));
   result[static_cast<int>(Statistic::mean)] = sample.mean_interval(stated_confidence);
-  for (const auto& [which, percent] : percents)
-    if (percent > 0 && percent < 100)
-      result[static_cast<int>(which)] = sample.quantile_interval(static_cast<double>(percent) / 100, stated_confidence);
+  for (const auto& [which, p] : percents)
+    if (has_interval(p)) result[static_cast<int>(which)] = sample.quantile_interval(p, stated_confidence);
   return result;
 }
 
@@ -104,16 +84,63 @@ std::vector<std::string> group_names(const Scenario& scenario) {
   return names;
 }
 
-std::vector<GroupSummary> summarise(const std::vector<RockRecord>& rocks, const std::vector<std::string>& groups) {
-  std::vector<const RockRecord*> all;
-  std::vector<std::vector<const RockRecord*>> of_group(groups.size());
-  for (const RockRecord& rock : rocks) {
-    all.push_back(&rock);
-    of_group.at(static_cast<std::size_t>(rock.group)).push_back(&rock);
+GroupTally::GroupTally(const std::string& name) : samples_(quantity_names.size(), Sample(stated_questions())) {
+  counts_.name = name;
+}
+
+void GroupTally::add(const RockRecord& rock) {
+  const bool fault = is_fault(rock.reason);
+  if (!counted_) {
+    ++counts_.count;
+    ++counts_.reasons[static_cast<std::size_t>(rock.reason)];
+    counts_.faults += fault;
+    counts_.censored += !fault && rock.censored;
+    for (std::size_t m = 0; m < travel_mode_names.size() && !fault; ++m)
+      travel_.add(static_cast<TravelMode>(m), rock.travel.time[m], rock.travel.distance[m]);
   }
-  std::vector<GroupSummary> summaries = {summarise_group("", all)};
+  for (std::size_t q = 0; q < samples_.size() && !fault; ++q)
+    samples_[q].add(quantity_of(rock, static_cast<RockQuantity>(q)));
+}
+
+bool GroupTally::again() {
+  counted_ = true;
+  bool more = false;
+  for (Sample& sample : samples_) more |= sample.again();
+  return more;
+}
+
+GroupSummary GroupTally::summary() const {
+  GroupSummary summary = counts_;
+  summary.time_share = shares_of(travel_.time);
+  summary.distance_share = shares_of(travel_.distance);
+  for (std::size_t q = 0; q < samples_.size(); ++q) {
+    summary.statistics[q] = statistics_of(samples_[q]);
+    summary.intervals[q] = intervals_of(samples_[q]);
+  }
+  return summary;
+}
+
+RockTally::RockTally(const std::vector<std::string>& groups) : tallies_{GroupTally("")} {
   if (groups.size() > 1)
-    for (std::size_t g = 0; g < groups.size(); ++g) summaries.push_back(summarise_group(groups[g], of_group[g]));
+    for (const std::string& group : groups) tallies_.emplace_back(group);
+}
+
+void RockTally::see(const TrialRecords& chunk) {
+  for (const RockRecord& rock : chunk.rocks) {
+    tallies_.front().add(rock);
+    if (tallies_.size() > 1) tallies_.at(1 + static_cast<std::size_t>(rock.group)).add(rock);
+  }
+}
+
+bool RockTally::again() {
+  bool more = false;
+  for (GroupTally& tally : tallies_) more |= tally.again();
+  return more;
+}
+
+std::vector<GroupSummary> RockTally::summaries() const {
+  std::vector<GroupSummary> summaries;
+  for (const GroupTally& tally : tallies_) summaries.push_back(tally.summary());
   return summaries;
 }
 

@@ -29,14 +29,15 @@ using Statistics = std::array<Bounded, statistic_names.size()>;  ///< indexed by
 /// for the flight range of a rock that had landed.
 Bounded quantity_of(const RockRecord& rock, RockQuantity quantity);
 
-/// Statistics of `values`, in any order; quantiles and standard deviation as in batch/sample.h.
-Statistics statistics_of(std::vector<Bounded> values);
-
 /// The confidence that all intervals of a summary have.
 inline constexpr double stated_confidence = 0.95;
 /// Intervals of the mean and of the percentiles; NaN for the other statistics. The values are taken as independent.
 using Intervals = std::array<Interval, statistic_names.size()>;
-Intervals intervals_of(std::vector<Bounded> values);
+
+/// What a sample is asked for its statistics and their intervals.
+Questions stated_questions();
+Statistics statistics_of(const Sample& sample);
+Intervals intervals_of(const Sample& sample);
 
 /// The rocks of one group, or of all.
 struct GroupSummary {
@@ -63,7 +64,31 @@ bool is_fault(StopReason reason);
 /// What RockRecord::group counts: the rock groups, or the bodies.
 std::vector<std::string> group_names(const Scenario& scenario);
 
-/// All rocks first, then each group where there is more than one.
-std::vector<GroupSummary> summarise(const std::vector<RockRecord>& rocks, const std::vector<std::string>& groups);
+/// Summarises the rocks of one group, shown in passes.
+class GroupTally {
+ public:
+  explicit GroupTally(const std::string& name);
+  void add(const RockRecord& rock);
+  bool again();
+  GroupSummary summary() const;
+
+ private:
+  bool counted_ = false;  ///< in the first pass
+  GroupSummary counts_;
+  Travel travel_;
+  std::vector<Sample> samples_;  ///< of each quantity
+};
+
+/// Summarises rocks: all of them first, then each group where there is more than one. See read_in_passes().
+class RockTally {
+ public:
+  explicit RockTally(const std::vector<std::string>& groups);
+  void see(const TrialRecords& chunk);
+  bool again();
+  std::vector<GroupSummary> summaries() const;
+
+ private:
+  std::vector<GroupTally> tallies_;
+};
 
 }  // namespace flyrock

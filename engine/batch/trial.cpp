@@ -10,7 +10,6 @@ namespace flyrock {
 
 namespace {
 
-constexpr std::size_t most_notes = 20;
 constexpr std::uint64_t samples = 3;
 
 // Phases are timed in every 16th trial: reading the clock costs as much as a tenth of a step.
@@ -80,7 +79,7 @@ void TrialRunner::fail_trial(std::uint64_t trial, const std::string& fault, Tria
 }
 
 void TrialRunner::run(std::uint64_t number, TrialRecords& out) {
-  out.materials.resize(scenario_.materials.size());
+  out.totals.materials.resize(scenario_.materials.size());
   Trial trial;
   try {
     trial = builder_.build(number);
@@ -110,12 +109,12 @@ void TrialRunner::run(std::uint64_t number, TrialRecords& out) {
     } catch (const PluginError& error) {
       faults[w] = error.what();
     }
-    out.quality.add(world.quality());
+    out.totals.quality.add(world.quality());
   }
   if (timed) {
     const std::int64_t all = (std::chrono::steady_clock::now() - start).count();
     times.other = all - times.flight - times.detect - times.solve;
-    out.times.add(times);
+    out.totals.times.add(times);
   }
 
   for (std::size_t i = 0; i < trial.rocks.size(); ++i) {
@@ -128,12 +127,10 @@ void TrialRunner::run(std::uint64_t number, TrialRecords& out) {
       if (!faults[rock.world].empty()) rock.fault = faults[rock.world];
     }
     record(number, static_cast<int>(i), rock, world, history, out);
-    if (!rock.note.empty() && out.notes.size() < most_notes &&
-        std::find(out.notes.begin(), out.notes.end(), rock.note) == out.notes.end())
-      out.notes.push_back(rock.note);
+    if (!rock.note.empty()) out.totals.add_note(rock.note);
   }
-  for (std::size_t s = 0; s < trial.surfaces.size(); ++s) out.materials[trial.surface_material[s]].add(trial.surfaces[s].use);
-  if (!scenario_.bodies.empty()) out.bodies = histories.front();
+  for (std::size_t s = 0; s < trial.surfaces.size(); ++s) out.totals.materials[trial.surface_material[s]].add(trial.surfaces[s].use);
+  if (!scenario_.bodies.empty()) out.totals.bodies = histories.front();
 }
 
 void TrialRunner::record(std::uint64_t trial, int index, const TrialRock& rock, const World<2>* world,

@@ -70,20 +70,20 @@ void ResultFolder::open(const LoadedScenario& scenario, const Request& request) 
 Results ResultFolder::build(const LoadedScenario& scenario, const std::vector<ChunkFile>& files,
                             const RunFacts& facts, std::vector<Profile> terrains, const RunLog& log) const {
   const Plan& plan = scenario.plan;
-  FileWriter rocks(path_ / "rocks.csv");
-  rocks.write(rocks_csv_header(plan));
+  FileWriter csv(path_ / "rocks.csv");
+  csv.write(rocks_csv_header(plan));
   ResultDatabase database(path_ / "results.db", plan);
-  const auto see = [&](const ChunkRange& range, const TrialRecords& records) {
-    rocks.write(rocks_csv_rows(plan, range.point, records.rocks));
-    database.add(range.point, records);
+  const auto see = [&](int point, const TrialRecords& chunk) {
+    csv.write(rocks_csv_rows(plan, point, chunk.rocks));
+    database.add(point, chunk);
   };
-  Results results =
-      make_results(plan, merge_chunks(files, static_cast<int>(plan.points.size()), scenario.hash, see), facts);
+  const std::vector<Rows> rows = rows_in(files, static_cast<int>(plan.points.size()), scenario.hash);
+  Results results = make_results(plan, rows, facts, see);
   for (std::size_t p = 0; p < terrains.size(); ++p) results.points[p].terrain = std::move(terrains[p]);
-  rocks.commit();
+  csv.commit();
   database.finish(results);
   write_file(path_ / "summary.json", summary_json(plan, results));
-  write_file(report(), report_html(report_data(plan, results), fs::path(share_folder()) / "report"));
+  write_file(report(), report_html(report_data(plan, results, rows), fs::path(share_folder()) / "report"));
   write_file(path_ / "run.log", run_log(log));
   return results;
 }

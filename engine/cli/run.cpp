@@ -191,7 +191,7 @@ int run(const Command& command, const Arguments& arguments) {
   print_faults(results);
   if (!quiet) {
     fmt::print("{}", summary_text(plan, results, loaded->warnings));
-    if (only) fmt::print("{}", trial_text(plan.points[only->point], results.points[only->point].records));
+    if (only) fmt::print("{}", trial_text(plan.points[only->point], results.points[only->point].first_trial));
     fmt::print("report: {}\n", folder.report().string());
   }
   return exit_code(results);

@@ -89,11 +89,11 @@ std::string summary_text(const Plan& plan, const Results& results, const std::ve
   return text;
 }
 
-std::string trial_text(const Scenario& scenario, const TrialRecords& records) {
+std::string trial_text(const Scenario& scenario, const std::vector<RockRecord>& rocks) {
   const std::vector<std::string> groups = group_names(scenario);
   std::string text = fmt::format("  {:<6}{:<16}{:>10}{:>13}{:>13}{:>11}{:>9}{:>9}  {}\n", "rock", "group", "mass kg",
                                  "launch m/s", "elevation", "runout m", "impacts", "time s", "ended");
-  for (const RockRecord& rock : records.rocks)
+  for (const RockRecord& rock : rocks)
     text += fmt::format("  {:<6}{:<16}{:>10.4g}{:>13.4g}{:>9.4g} deg{:>11.4g}{:>9}{:>9.4g}  {}{}\n", rock.rock,
                         groups.at(rock.group), rock.mass, rock.launch_speed, rock.launch_elevation * 180 / pi,
                         rock.runout, rock.impacts, rock.time, name_of(rock.reason),

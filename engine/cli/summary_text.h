@@ -13,6 +13,6 @@ namespace flyrock::cli {
 std::string summary_text(const Plan& plan, const Results& results, const std::vector<std::string>& told);
 
 /// Each rock of a replayed trial in a line.
-std::string trial_text(const Scenario& scenario, const TrialRecords& records);
+std::string trial_text(const Scenario& scenario, const std::vector<RockRecord>& rocks);
 
 }  // namespace flyrock::cli

@@ -1,7 +1,9 @@
 #include "report/report_data.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "report/runout_data.h"
 #include "report/summary_data.h"
 #include "report/track.h"
 
@@ -29,12 +31,6 @@ Json differences(const std::vector<double>& values) {
   return list;
 }
 
-double extent_of(const std::vector<TrajectoryRecord>& rows) {
-  Eigen::AlignedBox3d box;
-  for (const TrajectoryRecord& row : rows) box.extend(row.point.state.position);
-  return box.isEmpty() ? 0 : box.diagonal().norm();
-}
-
 Json track_data(const std::vector<TrajectoryRecord>& rows, const Track& track, int group, double tolerance) {
   std::vector<Vec2> path;
   for (std::size_t i = track.begin; i < track.end; ++i) path.push_back(rows[i].point.state.position.head<2>());
@@ -51,26 +47,43 @@ Json track_data(const std::vector<TrajectoryRecord>& rows, const Track& track, i
           {"y", differences(y)},  {"t", differences(t)}, {"speed", speed}};
 }
 
-/// The tracks of whole trials, as many as fit into `budget` points.
-Json tracks_data(const TrialRecords& records, std::size_t budget) {
-  std::map<std::pair<std::uint64_t, int>, const RockRecord*> rock_of;
-  for (const RockRecord& rock : records.rocks) rock_of[{rock.trial, rock.rock}] = &rock;
-  const double tolerance = track_tolerance * extent_of(records.trajectories);
-  Json list = Json::array();
-  std::size_t points = 0;
-  bool cut = false;
-  for (const Track& track : tracks_of(records.trajectories)) {
-    const auto rock = rock_of.find({track.trial, track.rock});
-    if (rock == rock_of.end()) continue;  // a body that does not move
-    Json data = track_data(records.trajectories, track, rock->second->group, tolerance);
-    points += data["x"].size();
-    cut = points > budget;
-    if (cut) break;
-    data["reason"] = name_of(rock->second->reason);
-    list.push_back(std::move(data));
+/// The tracks of whole rocks, as many as fit into a budget of points.
+class Tracks {
+ public:
+  explicit Tracks(std::size_t budget) : budget_(budget) {}
+
+  void see(const TrialRecords& chunk) {
+    if (pass_ == 0)
+      for (const TrajectoryRecord& row : chunk.trajectories) box_.extend(row.point.state.position);
+    if (pass_ == 1)
+      for (const Track& track : tracks_of(chunk.trajectories))
+        if (!cut_) add(track, chunk);
   }
-  return {{"list", list}, {"cut", cut}};
-}
+
+  bool again() { return ++pass_ < 2; }
+  Json data() const { return {{"list", list_}, {"cut", cut_}}; }
+
+ private:
+  void add(const Track& track, const TrialRecords& chunk) {
+    const auto rock = std::find_if(chunk.rocks.begin(), chunk.rocks.end(), [&](const RockRecord& row) {
+      return row.trial == track.trial && row.rock == track.rock;
+    });
+    if (rock == chunk.rocks.end()) return;  // a body that does not move
+    const double extent = box_.isEmpty() ? 0 : box_.diagonal().norm();
+    Json data = track_data(chunk.trajectories, track, rock->group, track_tolerance * extent);
+    points_ += data["x"].size();
+    cut_ = points_ > budget_;
+    if (cut_) return;
+    data["reason"] = name_of(rock->reason);
+    list_.push_back(std::move(data));
+  }
+
+  std::size_t budget_, points_ = 0;
+  int pass_ = 0;
+  bool cut_ = false;
+  Eigen::AlignedBox3d box_;
+  Json list_ = Json::array();
+};
 
 Json terrain_data(const Profile& terrain) {
   Json x = Json::array(), y = Json::array();
@@ -82,25 +95,60 @@ Json terrain_data(const Profile& terrain) {
 }
 
 /// Of all rocks, then of each group where there is more than one: the order of PointResult::groups.
-Json runouts_data(const PointResult& point) {
-  std::vector<std::vector<Bounded>> values(point.groups.size());
-  for (const RockRecord& rock : point.records.rocks) {
-    if (is_fault(rock.reason)) continue;
-    const Bounded runout = quantity_of(rock, RockQuantity::runout);
-    values[0].push_back(runout);
-    if (values.size() > 1) values[1 + rock.group].push_back(runout);
+class Runouts {
+ public:
+  explicit Runouts(const std::vector<GroupSummary>& groups) {
+    for (const GroupSummary& group : groups)
+      groups_.emplace_back(group.count - group.faults, group.at(RockQuantity::runout, Statistic::min).value,
+                           group.at(RockQuantity::runout, Statistic::max).value);
   }
-  Json list = Json::array();
-  for (const std::vector<Bounded>& group : values) list.push_back(runout_data(group));
-  return list;
-}
+
+  void see(const TrialRecords& chunk) {
+    for (const RockRecord& rock : chunk.rocks) {
+      if (is_fault(rock.reason)) continue;
+      const Bounded runout = quantity_of(rock, RockQuantity::runout);
+      groups_.front().add(runout);
+      if (groups_.size() > 1) groups_.at(1 + static_cast<std::size_t>(rock.group)).add(runout);
+    }
+  }
+
+  bool again() {
+    bool more = false;
+    for (RunoutData& group : groups_) more |= group.again();
+    return more;
+  }
+
+  Json data() const {
+    Json list = Json::array();
+    for (const RunoutData& group : groups_) list.push_back(group.data());
+    return list;
+  }
+
+ private:
+  std::vector<RunoutData> groups_;
+};
+
+/// What is drawn of the rows of a point.
+struct Drawn {
+  Tracks tracks;
+  Runouts runouts;
+
+  void see(const TrialRecords& chunk) {
+    tracks.see(chunk);
+    runouts.see(chunk);
+  }
+  bool again() {
+    const bool of_tracks = tracks.again(), of_runouts = runouts.again();
+    return of_tracks || of_runouts;
+  }
+};
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json bodies_data(const Scenario& scenario, const TrialRecords& records) {
+Json bodies_data(const Scenario& scenario, const TrialTotals& totals) {
   Json list = Json::array();
-  for (std::size_t b = 0; b < records.bodies.size() && b < scenario.bodies.size(); ++b) {
-    const BodyHistory& body = records.bodies[b];
+  for (std::size_t b = 0; b < totals.bodies.size() && b < scenario.bodies.size(); ++b) {
+    const BodyHistory& body = totals.bodies[b];
     list.push_back({{"name", scenario.bodies[b].name},
                     {"reason", name_of(body.reason)},
                     {"stop_time", number(body.stop_time)},
@@ -117,15 +165,17 @@ Json bodies_data(const Scenario& scenario, const TrialRecords& records) {
 
 }  // namespace
 
-Json report_data(const Plan& plan, const Results& results) {
+Json report_data(const Plan& plan, const Results& results, const std::vector<Rows>& rows) {
   Json points = Json::array();
   const std::size_t budget = most_track_points / results.points.size();
   for (std::size_t p = 0; p < results.points.size(); ++p) {
     const PointResult& point = results.points[p];
+    Drawn drawn{Tracks(budget), Runouts(point.groups)};
+    read_in_passes(rows[p], drawn);
     points.push_back({{"terrain", terrain_data(point.terrain)},
-                      {"tracks", tracks_data(point.records, budget)},
-                      {"runout", runouts_data(point)},
-                      {"bodies", bodies_data(plan.points[p], point.records)}});
+                      {"tracks", drawn.tracks.data()},
+                      {"runout", drawn.runouts.data()},
+                      {"bodies", bodies_data(plan.points[p], point.totals)}});
   }
   return {{"summary", summary_data(plan, results)},
           {"scenario", to_yaml(plan.resolved)},

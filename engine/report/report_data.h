@@ -8,11 +8,8 @@
 
 namespace flyrock {
 
-/// The counts of a histogram of runout, the rocks whose runout is known beside those that are censored, and the
-/// share of rocks that went farther than x. Both need no more room for a million rocks than for a thousand.
-nlohmann::ordered_json runout_data(const std::vector<Bounded>& values);
-
+/// `rows` of each point are read in passes.
 /// { summary, scenario, groups, points: [{ terrain, tracks, runout }], bodies }
-nlohmann::ordered_json report_data(const Plan& plan, const Results& results);
+nlohmann::ordered_json report_data(const Plan& plan, const Results& results, const std::vector<Rows>& rows);
 
 }  // namespace flyrock

@@ -1,7 +1,7 @@
+#include "report/runout_data.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "report/report_data.h"
 
 namespace flyrock {
 
@@ -10,7 +10,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double bins_wanted = 40;
-constexpr std::size_t curve_points = 400;
+constexpr std::uint64_t curve_points = 400, tail = 100;
 
 /// The least of 1, 2, 5, 10, 20, ... and their fractions that is not below `width`.
 double round_step(double width) {
@@ -21,38 +21,51 @@ double round_step(double width) {
   return 10 * power;
 }
 
+/// Ranks of the points of the curve among `count` runouts.
+std::vector<std::uint64_t> curve_ranks(std::uint64_t count) {
+  std::vector<std::uint64_t> ranks;
+  const std::uint64_t stride = std::max<std::uint64_t>(1, count / curve_points);
+  // The tail is what the curve is read for: its last 100 rocks are never thinned.
+  for (std::uint64_t i = 0; i < count; i += i + tail >= count ? 1 : std::min(stride, count - tail - i)) ranks.push_back(i);
+  return ranks;
+}
+
 }  // namespace
 
-Json runout_data(const std::vector<Bounded>& values) {
-  std::vector<Bounded> sorted = values;
-  std::sort(sorted.begin(), sorted.end(), [](const Bounded& a, const Bounded& b) {
-    return a.value != b.value ? a.value < b.value : a.censored < b.censored;
-  });
-  const double farthest = sorted.empty() ? 0 : sorted.back().value;
-  const double step = round_step(farthest / bins_wanted);
-  const auto bins = static_cast<std::size_t>(farthest / step) + 1;
-  std::vector<std::uint64_t> known(bins, 0), censored(bins, 0);
-  for (const Bounded& v : sorted) {
-    const auto bin = std::min(static_cast<std::size_t>(v.value / step), bins - 1);
-    ++(v.censored ? censored : known)[bin];
-  }
+RunoutData::RunoutData(std::uint64_t count, double least, double greatest)
+    : count_(count), step_(round_step(count > 0 ? greatest / bins_wanted : 0)), ranks_(curve_ranks(count)) {
+  const std::size_t bins = count > 0 ? static_cast<std::size_t>(greatest / step_) + 1 : 1;
+  known_.assign(bins, 0);
+  censored_.assign(bins, 0);
+  if (count > 0) curve_ = Selection(ranks_, count, least, greatest);
+}
 
+void RunoutData::add(const Bounded& runout) {
+  curve_.add(runout.value);
+  if (binned_) return;
+  ++(runout.censored ? censored_ : known_).at(static_cast<std::size_t>(runout.value / step_));
+  if (runout.censored) least_censored_ = std::min(least_censored_, runout.value);
+}
+
+bool RunoutData::again() {
+  binned_ = true;
+  curve_.end_pass();
+  return curve_.open();
+}
+
+Json RunoutData::data() const {
   // Share of rocks beyond x: at the value of rank i (from 0), the n - 1 - i behind it.
   Json x = Json::array(), share = Json::array();
-  const std::size_t n = sorted.size();
-  const std::size_t stride = std::max<std::size_t>(1, n / curve_points);
-  // The tail is what the curve is read for: its last 100 rocks are never thinned.
-  for (std::size_t i = 0; i < n; i += i + 100 >= n ? 1 : std::min(stride, n - 100 - i)) {
-    x.push_back(std::llround(1000 * sorted[i].value));
-    share.push_back(static_cast<double>(n - 1 - i) / static_cast<double>(n));
+  for (const std::uint64_t rank : ranks_) {
+    x.push_back(std::llround(1000 * curve_.at(rank)));
+    share.push_back(static_cast<double>(count_ - 1 - rank) / static_cast<double>(count_));
   }
-  const auto first = std::find_if(sorted.begin(), sorted.end(), [](const Bounded& v) { return v.censored; });
-  return {{"step", step},
-          {"known", known},
-          {"censored", censored},
+  return {{"step", step_},
+          {"known", known_},
+          {"censored", censored_},
           {"x", x},
           {"share", share},
-          {"known_to", first == sorted.end() ? Json(nullptr) : Json(std::llround(1000 * first->value))}};
+          {"known_to", std::isinf(least_censored_) ? Json(nullptr) : Json(std::llround(1000 * least_censored_))}};
 }
 
 }  // namespace flyrock

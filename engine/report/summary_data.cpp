@@ -177,8 +177,8 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
                       {"gates", gates_data(plan.points[p], point.gates)},
                       {"barriers", barriers_data(plan.points[p], point.barriers)},
                       {"clearance", clearances_data(plan.points[p], point.clearances)},
-                      {"solver", quality_data(point.records.quality)},
-                      {"materials", materials_data(plan.points[p], point.records.materials)}});
+                      {"solver", quality_data(point.totals.quality)},
+                      {"materials", materials_data(plan.points[p], point.totals.materials)}});
   }
   Json verdicts = Json::array();
   for (const Verdict& verdict : results.verdicts) verdicts.push_back(verdict_data(verdict));

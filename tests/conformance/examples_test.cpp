@@ -33,16 +33,17 @@ void run_few(const std::string& path) {
   const auto loaded = load_scenario(path, overrides, diagnostics);
   INFO(diagnostics.to_text());
   REQUIRE(loaded);
-  std::vector<TrialRecords> records;
+  std::vector<Rows> rows;
   RunFacts facts{.trials = {}, .full = loaded->own_trials <= 3, .ended_early = {}, .warnings = {}};
   for (const Scenario& scenario : loaded->plan.points) {
-    TrialRecords& of_point = records.emplace_back();
+    TrialRecords of_point;
     TrialRunner runner(scenario);
     for (std::uint64_t trial = 0; trial < scenario.trials; ++trial) runner.run(trial, of_point);
     for (const RockRecord& rock : of_point.rocks) CHECK(rock.fault == "");
+    rows.push_back(rows_of(std::move(of_point)));
     facts.trials.push_back(scenario.trials);
   }
-  for (const Verdict& verdict : make_results(loaded->plan, std::move(records), facts).verdicts) {
+  for (const Verdict& verdict : make_results(loaded->plan, rows, facts).verdicts) {
     INFO(verdict.expectation.measure << " is " << verdict.computed << ", expected "
                                      << verdict.expectation.value << " " << verdict.reason);
     CHECK(verdict.judgement != Judgement::failed);

@@ -36,15 +36,15 @@ TrialRecords some_records() {
   point.point.state.position = {4, 5, 6};
   point.point.state.kinetic_energy = 8;
   records.trajectories = {point, point};
-  records.materials = {{1, 2, 3, 4, 5}};
-  records.quality.steps = 11;
-  records.quality.max_residual = 1e-9;
-  records.notes = {"v0^2 < 0"};
+  records.totals.materials = {{1, 2, 3, 4, 5}};
+  records.totals.quality.steps = 11;
+  records.totals.quality.max_residual = 1e-9;
+  records.totals.notes = {"v0^2 < 0"};
   BodyHistory body;
   body.last.velocity = {1, 0, -1};
   body.impacts = {impact.impact, impact.impact};
   body.apexes = {{0.5, 2.25}};
-  records.bodies = {body};
+  records.totals.bodies = {body};
   return records;
 }
 
@@ -55,7 +55,7 @@ const ChunkRange range{2, 3, 30, 10};
 TEST_CASE("A chunk reads back as it was written") {
   const std::string bytes = encode_chunk(range, "hash", some_records());
   std::string why;
-  const auto read = decode_chunk(bytes, range, "hash", why);
+  const auto read = decode_chunk(bytes, range, "hash", Part::whole, why);
   REQUIRE(read);
   // Written again, the same records give the same bytes: nothing was lost.
   CHECK(encode_chunk(range, "hash", *read) == bytes);
@@ -66,8 +66,18 @@ TEST_CASE("A chunk reads back as it was written") {
   CHECK(read->barriers[0].hit.outcome == BarrierOutcome::over_energy);
   CHECK(read->barriers[0].hit.barrier == 1);
   CHECK(read->impacts[0].impact.other == -1);
-  CHECK(read->bodies[0].apexes[0].height == 2.25);
-  CHECK(std::isnan(read->bodies[0].stop_time));
+  CHECK(read->totals.bodies[0].apexes[0].height == 2.25);
+  CHECK(std::isnan(read->totals.bodies[0].stop_time));
+}
+
+TEST_CASE("A brief reading of a chunk has all but its long tables") {
+  TrialRecords expected = some_records();
+  std::string why;
+  const auto brief = decode_chunk(encode_chunk(range, "hash", expected), range, "hash", Part::brief, why);
+  REQUIRE(brief);
+  expected.inputs.clear();
+  expected.impacts.clear();
+  CHECK(encode_chunk(range, "hash", *brief) == encode_chunk(range, "hash", expected));
 }
 
 TEST_CASE("A broken or foreign chunk is refused with the reason") {
@@ -75,19 +85,19 @@ TEST_CASE("A broken or foreign chunk is refused with the reason") {
   std::string why;
   SECTION("every truncation") {
     for (std::size_t size = 0; size < bytes.size(); ++size)
-      CHECK_FALSE(decode_chunk(std::string_view(bytes).substr(0, size), range, "hash", why));
+      CHECK_FALSE(decode_chunk(std::string_view(bytes).substr(0, size), range, "hash", Part::whole, why));
   }
   SECTION("a changed bit") {
     for (std::size_t i = 0; i < bytes.size(); i += 7) {
       std::string damaged = bytes;
       damaged[i] = static_cast<char>(damaged[i] ^ 4);
-      CHECK_FALSE(decode_chunk(damaged, range, "hash", why));
+      CHECK_FALSE(decode_chunk(damaged, range, "hash", Part::whole, why));
     }
   }
   SECTION("another scenario or range") {
-    CHECK_FALSE(decode_chunk(bytes, range, "hush", why));
+    CHECK_FALSE(decode_chunk(bytes, range, "hush", Part::whole, why));
     CHECK(why == "of another format, scenario or range of trials");
-    CHECK_FALSE(decode_chunk(bytes, {2, 3, 30, 9}, "hash", why));
+    CHECK_FALSE(decode_chunk(bytes, {2, 3, 30, 9}, "hash", Part::whole, why));
   }
 }
 

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "batch/measures.h"
+#include "batch/rows.h"
 
 using namespace flyrock;
 
@@ -15,9 +16,8 @@ RockRecord rock(std::uint64_t trial, StopReason reason) {
 }
 
 /// Four rocks, of which one diverged; energies of 1 and 3 kJ at the gate.
-PointResult result(bool lost_before_the_gate) {
-  PointResult point;
-  TrialRecords& r = point.records;
+TrialRecords records(bool lost_before_the_gate) {
+  TrialRecords r;
   r.rocks = {rock(0, StopReason::stopped), rock(1, StopReason::caught), rock(2, StopReason::diverged),
              rock(3, lost_before_the_gate ? StopReason::timed_out : StopReason::stopped)};
   r.gates = {{0, 0, {.gate = 0, .speed = 2, .kinetic_energy = 1000, .height = 0.5}},
@@ -25,8 +25,15 @@ PointResult result(bool lost_before_the_gate) {
              {2, 0, {.gate = 0, .speed = 9, .kinetic_energy = 9000, .height = 9}}};
   r.barriers = {{0, 0, {.barrier = 0, .outcome = BarrierOutcome::over_top, .kinetic_energy = 1000}},
                 {1, 0, {.barrier = 0, .outcome = BarrierOutcome::caught, .kinetic_energy = 3000}}};
-  point.gates = summarise_gates(r, 2);
-  point.barriers = summarise_barriers(r, 1);
+  return r;
+}
+
+PointResult result(const TrialRecords& r) {
+  CrossingTally tally(2, 1);
+  read_in_passes(rows_of(r), tally);
+  PointResult point;
+  point.gates = tally.gates();
+  point.barriers = tally.barriers();
   return point;
 }
 
@@ -40,7 +47,7 @@ Scenario scenario() {
 }  // namespace
 
 TEST_CASE("Measures of gates and barriers are of the rocks that did not fail") {
-  const PointResult point = result(false);
+  const PointResult point = result(records(false));
   const Scenario s = scenario();
   const auto value = [&](const char* name) { return Measure(name, s).value(point); };
   CHECK(value("gate.road.passed").value == Approx(2.0 / 3));
@@ -58,9 +65,10 @@ TEST_CASE("Measures of gates and barriers are of the rocks that did not fail") {
 }
 
 TEST_CASE("A rock lost before it arrived makes the numbers of a gate lower bounds") {
-  PointResult point = result(true);
+  TrialRecords rows = records(true);
+  const PointResult point = result(rows);
   CHECK(point.gates[0].share.censored);
   CHECK(point.barriers[0].reached.censored);
-  point.records.gates.push_back({3, 0, {.gate = 0, .speed = 1, .kinetic_energy = 10, .height = 0}});
-  CHECK_FALSE(summarise_gates(point.records, 2)[0].share.censored);
+  rows.gates.push_back({3, 0, {.gate = 0, .speed = 1, .kinetic_energy = 10, .height = 0}});
+  CHECK_FALSE(result(rows).gates[0].share.censored);
 }

@@ -48,8 +48,8 @@ inline Plan plan(std::uint64_t trials, int points = 1) {
 /// Parabolas from the crest; every 100th rock leaves the domain.
 inline TrialRecords records(std::uint64_t trials, int point = 0) {
   TrialRecords out;
-  out.materials.resize(2);
-  out.materials[0] = {9, 9, 9, 9, 9};
+  out.totals.materials.resize(2);
+  out.totals.materials[0] = {9, 9, 9, 9, 9};
   for (std::uint64_t t = 0; t < trials; ++t) {
     for (int r = 0; r < 2; ++r) {
       const double u = uniform_at(7, hash_name("fake"), {.trial = t, .rock = static_cast<std::uint64_t>(r) + 1});
@@ -77,9 +77,16 @@ inline TrialRecords records(std::uint64_t trials, int point = 0) {
       }
     }
   }
-  out.quality.steps = 1000;
-  out.quality.max_residual = 3e-7;
+  out.totals.quality.steps = 1000;
+  out.totals.quality.max_residual = 3e-7;
   return out;
+}
+
+/// The rows of each point of plan().
+inline std::vector<Rows> rows(std::uint64_t trials, int points = 1) {
+  std::vector<Rows> all;
+  for (int p = 0; p < points; ++p) all.push_back(rows_of(records(trials, p)));
+  return all;
 }
 
 }  // namespace flyrock::fake

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "batch/rows.h"
+
 using namespace flyrock;
 
 namespace {
@@ -22,9 +24,12 @@ Scenario of_bodies() {
 }
 
 PointResult result_of(const Scenario& scenario, std::vector<RockRecord> rocks) {
+  RockTally tally(group_names(scenario));
+  TrialRecords records;
+  records.rocks = std::move(rocks);
+  read_in_passes(rows_of(records), tally);
   PointResult result;
-  result.groups = summarise(rocks, group_names(scenario));
-  result.records.rocks = std::move(rocks);
+  result.groups = tally.summaries();
   return result;
 }
 
@@ -83,9 +88,9 @@ TEST_CASE("Measures of bodies, of the solver and of the energy") {
   body.impacts.resize(2);
   body.impacts[1].vn_after = 1.5;
   body.apexes = {{0.5, 2.25}};
-  result.records.bodies = {body};
-  result.records.quality.max_residual = 1e-7;
-  result.records.quality.energy_relative_change = -0.5;
+  result.totals.bodies = {body};
+  result.totals.quality.max_residual = 1e-7;
+  result.totals.quality.energy_relative_change = -0.5;
   const auto value = [&](const char* name) { return Measure(name, scenario).value(result); };
   CHECK(value("body.ball.final.vy").value == -4);
   CHECK(value("body.ball.final.speed").value == 5);

@@ -16,5 +16,5 @@ TEST_CASE("rocks released at random into one place start apart, and come to rest
   runner.run(0, records);
   REQUIRE(records.rocks.size() == 12);
   for (const RockRecord& rock : records.rocks) CHECK(rock.reason == StopReason::stopped);
-  CHECK(records.quality.max_penetration < 1e-4);
+  CHECK(records.totals.quality.max_penetration < 1e-4);
 }

@@ -4,6 +4,7 @@
 
 #include "fake_results.h"
 #include "report/report_data.h"
+#include "report/runout_data.h"
 #include "report/summary_data.h"
 #include "report/tables.h"
 #include "report/track.h"
@@ -13,12 +14,23 @@ using namespace flyrock;
 namespace {
 
 Results results_of(const Plan& plan, std::uint64_t trials) {
-  std::vector<TrialRecords> records;
-  for (std::size_t p = 0; p < plan.points.size(); ++p) records.push_back(fake::records(trials, static_cast<int>(p)));
-  Results results =
-      make_results(plan, std::move(records), {std::vector<std::uint64_t>(plan.points.size(), trials), true, "", {}});
+  const std::size_t points = plan.points.size();
+  Results results = make_results(plan, fake::rows(trials, static_cast<int>(points)),
+                                 {std::vector<std::uint64_t>(points, trials), true, "", {}});
   for (PointResult& point : results.points) point.terrain = fake::bench();
   return results;
+}
+
+nlohmann::ordered_json data_of(const Plan& plan, std::uint64_t trials) {
+  return report_data(plan, results_of(plan, trials), fake::rows(trials, static_cast<int>(plan.points.size())));
+}
+
+RunoutData runouts(const std::vector<Bounded>& values, double greatest) {
+  RunoutData data(values.size(), 0, greatest);
+  do {
+    for (const Bounded& value : values) data.add(value);
+  } while (data.again());
+  return data;
 }
 
 const std::filesystem::path assets = std::filesystem::path(FLYROCK_SHARE_DIR) / "report";
@@ -33,8 +45,8 @@ std::string first_lines(const std::string& text, int count) {
 
 TEST_CASE("rocks.csv has a row per rock with the shortest decimals") {
   Plan plan = fake::plan(1);
-  Results results = results_of(plan, 1);
-  RockRecord& rock = results.points[0].records.rocks[0];
+  std::vector<RockRecord> rocks = fake::records(1).rocks;
+  RockRecord& rock = rocks[0];
   rock = {};
   rock.mass = 0.1;
   rock.volume = 1.0 / 3;
@@ -43,7 +55,7 @@ TEST_CASE("rocks.csv has a row per rock with the shortest decimals") {
   rock.censored = true;
   rock.max_energy = 1e22;
   rock.impacts = 4;
-  const std::string csv = rocks_csv_header(plan) + rocks_csv_rows(plan, 0, results.points[0].records.rocks);
+  const std::string csv = rocks_csv_header(plan) + rocks_csv_rows(plan, 0, rocks);
   CHECK(first_lines(csv, 2) ==
         "point,trial,rock,group,mass_kg,volume_m3,launch_speed_m_s,launch_elevation_deg,stop_reason,censored,"
         "runout_m,max_distance_m,stop_x_m,stop_y_m,flight_range_m,bounce_height_m,max_speed_m_s,max_energy_J,"
@@ -87,7 +99,7 @@ TEST_CASE("A law of a material that was met, and never asked, is a warning") {
   plan.points[0].materials[0].restitution = PluginUse{&newton, {}, {}, ""};
   plan.points[0].materials[0].friction = PluginUse{&newton, {}, {}, ""};
   PointResult result;
-  result.records.materials = {{.contacts = 3, .restitution = 0, .friction = 3}, {.contacts = 1}};
+  result.totals.materials = {{.contacts = 3, .restitution = 0, .friction = 3}, {.contacts = 1}};
   CHECK(laws_never_asked(plan, {result}) ==
         std::vector<std::string>{"material rock: its restitution newton was never asked"});
 }
@@ -95,9 +107,9 @@ TEST_CASE("A law of a material that was met, and never asked, is a warning") {
 TEST_CASE("Problems that did not converge are a warning that can be held against the tolerance") {
   const Plan plan = fake::plan(1);
   TrialRecords records = fake::records(1, 0);
-  records.quality.not_converged = 2;
-  records.quality.not_converged_residual = 1.5e-6;
-  const Results results = make_results(plan, {records}, {{1}, true, "", {}});
+  records.totals.quality.not_converged = 2;
+  records.totals.quality.not_converged_residual = 1.5e-6;
+  const Results results = make_results(plan, {rows_of(records)}, {{1}, true, "", {}});
   const std::string expected =
       "solver: 2 of 1000 contact problems did not converge; relative to the approach speed their greatest residual is "
       "1.5e-06, solver.tolerance is 1e-06";
@@ -110,13 +122,13 @@ TEST_CASE("The answer names the censored share first of all") {
   CHECK(text.find("The runout that 95 % of the rocks do not exceed is >= ") == 0);
   CHECK(text.find(" (blocks ") != std::string::npos);  // groups differ: all together say little
   CHECK(text.find("1 % of the rocks are censored") != std::string::npos);
-  CHECK(answer(plan, make_results(plan, {TrialRecords{}}, {{0}, true, "", {}})) == "No rock was released.");
+  CHECK(answer(plan, make_results(plan, {rows_of({})}, {{0}, true, "", {}})) == "No rock was released.");
 }
 
 TEST_CASE("The same results give the same page, safe against its own data") {
   const Plan plan = fake::plan(50, 2);
-  const std::string page = report_html(report_data(plan, results_of(plan, 50)), assets);
-  CHECK(page == report_html(report_data(plan, results_of(plan, 50)), assets));
+  const std::string page = report_html(data_of(plan, 50), assets);
+  CHECK(page == report_html(data_of(plan, 50), assets));
   CHECK(page.find("<h1>A &lt;/script&gt; &amp; &lt;b&gt;test&lt;/b&gt;</h1>") != std::string::npos);
   const std::size_t data = page.find("<script type=\"application/json\"");
   const std::size_t end = page.find("</script>", data);
@@ -128,13 +140,13 @@ TEST_CASE("The same results give the same page, safe against its own data") {
 
 TEST_CASE("A page without its style sheet is an error that names it") {
   const Plan plan = fake::plan(1);
-  CHECK_THROWS_WITH(report_html(report_data(plan, results_of(plan, 1)), "/nowhere"), Catch::Contains("cannot read /nowhere/report.css"));
+  CHECK_THROWS_WITH(report_html(data_of(plan, 1), "/nowhere"), Catch::Contains("cannot read /nowhere/report.css"));
 }
 
 TEST_CASE("A histogram and its curve count every rock once") {
   std::vector<Bounded> values;
   for (int i = 0; i < 5000; ++i) values.push_back({0.05 * i, i % 1000 == 999});
-  const auto data = runout_data(values);
+  const auto data = runouts(values, 0.05 * 4999).data();
   std::uint64_t known = 0, censored = 0;
   for (const auto& count : data["known"]) known += count.get<std::uint64_t>();
   for (const auto& count : data["censored"]) censored += count.get<std::uint64_t>();
@@ -145,8 +157,8 @@ TEST_CASE("A histogram and its curve count every rock once") {
   CHECK(data["x"].size() == data["share"].size());
   CHECK(data["x"].size() < 600);
   CHECK(data["known_to"] == 49950);
-  CHECK(runout_data({})["known"].size() == 1);
-  CHECK(runout_data({{0, false}, {0, false}})["known"][0] == 2);
+  CHECK(runouts({}, 0).data()["known"].size() == 1);
+  CHECK(runouts({{0, false}, {0, false}}, 0).data()["known"][0] == 2);
 }
 
 TEST_CASE("A thinned path keeps its corners and its ends") {

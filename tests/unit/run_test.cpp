@@ -28,13 +28,21 @@ MakeWorker rocks_failing_from(std::uint64_t failing) {
     rock.reason = trial < failing ? StopReason::stopped : StopReason::plugin_error;
     if (trial >= failing) rock.fault = "no law";
     out.rocks.push_back(rock);
-    out.quality.steps += 1;
+    out.totals.quality.steps += 1;
   };
   return [run_trial](int) { return run_trial; };
 }
 
-std::vector<TrialRecords> merged(const RunOutcome& outcome, int points, const Folder& folder) {
-  return merge_chunks(chunk_files(outcome.chunks, folder.path), points, "h");
+/// The rocks of each point, as the chunk files hold them.
+std::vector<std::vector<RockRecord>> merged(const RunOutcome& outcome, int points, const Folder& folder) {
+  std::vector<std::vector<RockRecord>> all;
+  for (const Rows& rows : rows_in(chunk_files(outcome.chunks, folder.path), points, "h")) {
+    auto& of_point = all.emplace_back();
+    rows(Part::brief, [&](const TrialRecords& chunk) {
+      of_point.insert(of_point.end(), chunk.rocks.begin(), chunk.rocks.end());
+    });
+  }
+  return all;
 }
 
 constexpr std::uint64_t never = 1'000'000;
@@ -47,14 +55,14 @@ TEST_CASE("Chunks merge to every trial of every point in order") {
   const RunOutcome outcome = run_chunks(plan, rocks_failing_from(never), {.folder = folder.path, .scenario_hash = "h"});
   CHECK(outcome.ending == RunEnding::complete);
   CHECK(outcome.progress.done == 300);
-  const auto records = merged(outcome, 2, folder);
-  REQUIRE(records.size() == 2);
+  const auto rocks = merged(outcome, 2, folder);
+  REQUIRE(rocks.size() == 2);
   for (int point = 0; point < 2; ++point) {
-    REQUIRE(records[point].rocks.size() == 150);
-    for (int t = 0; t < 150; ++t) CHECK(records[point].rocks[t].runout == 1000 * point + t);
-    CHECK(records[point].quality.steps == 150);
+    REQUIRE(rocks[point].size() == 150);
+    for (int t = 0; t < 150; ++t) CHECK(rocks[point][t].runout == 1000 * point + t);
   }
-  CHECK_THROWS_AS(merge_chunks(chunk_files(outcome.chunks, folder.path), 2, "other"), FileError);
+  const auto foreign = rows_in(chunk_files(outcome.chunks, folder.path), 2, "other");
+  CHECK_THROWS_AS(foreign[0](Part::brief, [](const TrialRecords&) {}), FileError);
   remove_chunks(folder.path);
   CHECK_FALSE(fs::exists(folder.path));
 }
@@ -69,7 +77,7 @@ TEST_CASE("A run goes on after rocks that fail, unless all of the first 20 do") 
   CHECK(all.ending == RunEnding::faults);
   CHECK(all.progress.done == 20);
   CHECK(all.why == "the first 20 rocks all failed, the last with: no law");
-  CHECK(merged(all, 1, folder)[0].rocks.size() == 20);
+  CHECK(merged(all, 1, folder)[0].size() == 20);
 }
 
 TEST_CASE("A strict run ends at its first fault, and keeps what was done") {
@@ -79,7 +87,7 @@ TEST_CASE("A strict run ends at its first fault, and keeps what was done") {
       run_chunks(plan, rocks_failing_from(15), {.folder = folder.path, .scenario_hash = "h", .strict = true});
   CHECK(outcome.ending == RunEnding::faults);
   CHECK(outcome.why == "trial 15, rock 0: plugin_error: no law");
-  CHECK(merged(outcome, 1, folder)[0].rocks.size() == 16);
+  CHECK(merged(outcome, 1, folder)[0].size() == 16);
 }
 
 TEST_CASE("An interrupted run keeps the chunks that were whole") {

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "batch/rows.h"
+
 using namespace flyrock;
 
 namespace {
@@ -10,6 +12,16 @@ std::vector<Bounded> known(std::initializer_list<double> values) {
   std::vector<Bounded> list;
   for (double v : values) list.push_back({v, false});
   return list;
+}
+
+Statistics statistics_of(const std::vector<Bounded>& values) { return flyrock::statistics_of(sample_of(values, stated_questions())); }
+
+std::vector<GroupSummary> summarise(const std::vector<RockRecord>& rocks, const std::vector<std::string>& groups) {
+  RockTally tally(groups);
+  TrialRecords records;
+  records.rocks = rocks;
+  read_in_passes(rows_of(records), tally);
+  return tally.summaries();
 }
 
 const Bounded& get(const Statistics& statistics, Statistic which) { return statistics[static_cast<int>(which)]; }
@@ -38,7 +50,7 @@ TEST_CASE("Statistics of a sample, quantiles linear between order statistics") {
 }
 
 TEST_CASE("Too few values have no statistics") {
-  for (const Bounded& number : statistics_of({})) CHECK(std::isnan(number.value));
+  for (const Bounded& number : statistics_of(std::vector<Bounded>{})) CHECK(std::isnan(number.value));
   const Statistics one = statistics_of(known({5}));
   CHECK(get(one, Statistic::p95).value == 5);
   CHECK(std::isnan(get(one, Statistic::sd).value));

@@ -1,0 +1,81 @@
+#include "batch/selection.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "random/stream.h"
+
+using namespace flyrock;
+
+namespace {
+
+/// The order statistics of all `ranks`, and the passes that it took.
+std::vector<double> select(const std::vector<double>& values, const std::vector<std::uint64_t>& ranks, int& passes) {
+  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+  Selection selection(ranks, values.size(), *least, *greatest);
+  for (passes = 0; selection.open(); ++passes) {
+    for (const double value : values) selection.add(value);
+    selection.end_pass();
+  }
+  std::vector<double> found;
+  for (const std::uint64_t rank : ranks) found.push_back(selection.at(rank));
+  return found;
+}
+
+/// Compares with the sorted column; returns the passes.
+int check(std::vector<double> values) {
+  const std::uint64_t n = values.size();
+  const std::vector<std::uint64_t> ranks = {0, n / 2, n / 2, n - 1, n * 95 / 100, n * 99 / 100, n / 3};
+  int passes = 0;
+  const std::vector<double> found = select(values, ranks, passes);
+  std::sort(values.begin(), values.end());
+  for (std::size_t i = 0; i < ranks.size(); ++i) CHECK(found[i] == values[ranks[i]]);
+  return passes;
+}
+
+double uniform(std::uint64_t i) { return uniform_at(5, hash_name("selection"), {.trial = i}); }
+
+}  // namespace
+
+TEST_CASE("Order statistics are those of the sorted column, in a few passes") {
+  std::vector<double> values;
+  SECTION("few are kept") {
+    for (std::uint64_t i = 0; i < 1000; ++i) values.push_back(uniform(i) - 0.5);
+    CHECK(check(values) == 1);
+  }
+  SECTION("numbers of one size") {
+    for (std::uint64_t i = 0; i < 200'000; ++i) values.push_back(100 + 200 * uniform(i));
+    CHECK(check(values) == 2);
+  }
+  SECTION("heavy tails of both signs") {
+    for (std::uint64_t i = 0; i < 50'000; ++i) values.push_back(std::pow(uniform(i) - 0.5, -3));
+    CHECK(check(values) <= 4);
+  }
+  SECTION("many that are equal, and their neighbours") {
+    for (std::uint64_t i = 0; i < 50'000; ++i)
+      values.push_back(uniform(i) < 0.9 ? 1.0 : std::nextafter(1.0, uniform(i) < 0.95 ? 0 : 2));
+    CHECK(check(values) == 1);
+    values.push_back(1e300);
+    values.push_back(-1e300);
+    CHECK(check(values) <= 7);
+  }
+  SECTION("all of them are one number") {
+    CHECK(check(std::vector<double>(5000, -3.5)) == 0);
+  }
+  SECTION("zeros of both signs are one number") {
+    for (int i = 0; i < 3000; ++i) values.push_back(i % 2 == 0 ? 0.0 : -0.0);
+    CHECK(check(values) == 0);
+  }
+}
+
+TEST_CASE("What nobody looked for has no answer") {
+  Selection selection({1}, 3, 1, 3);
+  for (const double value : {3.0, 1.0, 2.0}) selection.add(value);
+  selection.end_pass();
+  CHECK(selection.at(1) == 2);
+  CHECK_THROWS_AS(selection.at(0), std::out_of_range);
+  CHECK_THROWS_AS(Selection({3}, 3, 1, 3), std::out_of_range);
+  CHECK_FALSE(Selection().open());
+}
