@@ -2,60 +2,113 @@
 // The friction problem of one step or impact: no bodies, only numbers.
 
 #include <Eigen/Dense>
+#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace flyrock {
 
 /// Find impulses r and velocities u with
-///   u = q + W r,   0 <= u_n _|_ r_n >= 0,   |r_t| <= mu r_n + c_t opposing u_t,   |r_r| <= mu_r r_n opposing u_r
-/// for each contact. A contact with c_t > 0 resists slip also where r_n = 0. A lower bound L of r_n other than 0 is a change
-/// of variable: q + W L e_n in place of q, c_t + mu L in place of c_t. Rows are (n, t, rolling) in 2D and (n, t, s, spinning, 2 rolling) in 3D. q holds the free
-/// velocity and the shift of restitution (e_n v_n^-, e_t v_t^-), so that u is not the velocity after the impact but
-/// that plus the shift. W is the Delassus operator H^T M^-1 H in blocks. SI units: impulses N s, velocities m/s; the
-/// rolling row N m s and rad/s.
+///   u = q + W r,   0 <= u_n _|_ r_n >= 0,   |r_g| <= mu_g r_n + c_g opposing u_g for each group g of rows
+/// for each contact. Rows are (n, t, rolling) in 2D and (n, t, s, spinning, 2 rolling) in 3D; the groups are friction
+/// (t, or t and s), spinning and rolling, with the coefficients mu, mu_spin and mu_r; only friction has a constant part
+/// c_t: a contact with c_t > 0 resists slip also where r_n = 0. A lower bound L of r_n other than 0 is a change of
+/// variable: q + W L e_n in place of q, c_t + mu L in place of c_t. q holds the free velocity and the shift of restitution (e_n v_n^-, e_t v_t^-), so that u is not the velocity after the impact but that plus the shift.
+/// W is the Delassus operator H^T M^-1 H in blocks; it may be singular and slightly unsymmetric. SI units: impulses N s,
+/// velocities m/s; rolling and spinning rows N m s and rad/s.
 template <int D>
 struct ContactProblem {
   static constexpr int rows = D == 2 ? 3 : 6;
   using Block = Eigen::Matrix<double, rows, rows>;
   using Row = Eigen::Matrix<double, rows, 1>;
 
+  /// Rows of a contact that one bound holds together: a segment or a disc whose radius grows with r_n.
+  struct Group {
+    int first, count;
+  };
+  static constexpr auto groups = [] {
+    if constexpr (D == 2)
+      return std::array<Group, 2>{{{1, 1}, {2, 1}}};
+    else
+      return std::array<Group, 3>{{{1, 2}, {3, 1}, {4, 2}}};
+  }();
+
   struct Contact {
     Block w;                  ///< the diagonal block
     Row q;
     double mu = 0;
     double c_t = 0;           ///< N s, at least 0
-    double mu_r = 0;          ///< m; 0: no rolling row
+    double mu_r = 0;          ///< m; 0: no rolling resistance
+    double mu_spin = 0;       ///< m; 0: no resistance to spinning; 3D only
     bool normal = true;       ///< false: r_n = 0 whatever u_n, because the normal impulse is given and stands in q
     double speed_scale = 1;   ///< m/s, to which the tolerance is relative
-  };
-  /// The block that couples contact a (the owner of the range) with contact `other`.
-  struct Coupling {
-    int other = 0;
-    Block w;
+
+    /// The coefficient of a group of rows.
+    double bound(int group) const { return group == 0 ? mu : group + 1 == static_cast<int>(groups.size()) ? mu_r : mu_spin; }
+    /// The radius of a group's segment or disc for the normal impulse r_n.
+    double radius(int group, double r_n) const { return bound(group) * r_n + (group == 0 ? c_t : 0); }
+    /// Friction alone, with the cone of Coulomb.
+    bool is_plain() const { return normal && c_t <= 0 && !resists_rotation(); }
+    /// Whether rows beyond friction can carry an impulse.
+    bool resists_rotation() const { return mu_r > 0 || mu_spin > 0; }
   };
 
   std::vector<Contact> contacts;
-  std::vector<int> first;            ///< couplings of contact a: [first[a], first[a + 1])
-  std::vector<Coupling> couplings;
+  std::vector<int> first;  ///< the couplings of contact a are [first[a], first[a + 1])
 
   int size() const { return static_cast<int>(contacts.size()); }
-  void clear() { contacts.clear(), first.clear(), couplings.clear(); }
+  /// The leading rows that are in use: D where no contact resists rotation. Blocks of couplings have this size.
+  int width() const { return width_; }
+  /// The contact that coupling k couples to the owner of its range.
+  int other(int k) const { return other_[k]; }
+  int couplings() const { return static_cast<int>(other_.size()); }
 
-  /// q_a + sum over b != a of W_ab r_b.
+  /// Empties the problem; `width` is D or `rows`.
+  void clear(int width = rows) {
+    contacts.clear(), first.clear(), other_.clear(), blocks_.clear();
+    width_ = width;
+  }
+  /// Adds the block that couples the contact being described (the owner of the range) with contact `b`.
+  void couple(int b, const Block& w) {
+    other_.push_back(b);
+    for (int column = 0; column < width_; ++column)
+      for (int row = 0; row < width_; ++row) blocks_.push_back(w(row, column));
+  }
+  /// The block of coupling k; N = width().
+  template <int N>
+  Eigen::Map<const Eigen::Matrix<double, N, N>> block(int k) const {
+    return Eigen::Map<const Eigen::Matrix<double, N, N>>(blocks_.data() + static_cast<std::size_t>(k) * N * N);
+  }
+
+  /// q_a + sum over b != a of W_ab r_b; rows beyond width() are those of q.
   Row outside_velocity(int a, const std::vector<Row>& r) const {
     Row u = contacts[a].q;
-    for (int k = first[a]; k < first[a + 1]; ++k) u.noalias() += couplings[k].w * r[couplings[k].other];
+    if (width_ == D)
+      add_couplings<D>(a, r, u);
+    else
+      add_couplings<rows>(a, r, u);
     return u;
   }
-};
+  /// q_a + sum over all b of W_ab r_b.
+  Row velocity(int a, const std::vector<Row>& r) const {
+    Row u = outside_velocity(a, r);
+    if (width_ == D)
+      u.template head<D>().noalias() += contacts[a].w.template topLeftCorner<D, D>() * r[a].template head<D>();
+    else
+      u.noalias() += contacts[a].w * r[a];
+    return u;
+  }
+  /// u += sum over b != a of W_ab r_b; N = width().
+  template <int N>
+  void add_couplings(int a, const std::vector<Row>& r, Row& u) const {
+    for (int k = first[a]; k < first[a + 1]; ++k)
+      u.template head<N>().noalias() += block<N>(k) * r[other_[k]].template head<N>();
+  }
 
-/// How a solve ended.
-struct SolveResult {
-  bool converged = false;
-  int iterations = 0;
-  double residual = 0;     ///< m/s, the largest scaled local error
-  int worst_contact = -1;  ///< where it is
+ private:
+  int width_ = rows;
+  std::vector<int> other_;
+  std::vector<double> blocks_;  ///< column by column, width x width each, in the order of the couplings
 };
 
 }  // namespace flyrock

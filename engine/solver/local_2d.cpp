@@ -101,16 +101,4 @@ Row solve_local(const Problem::Contact& contact, const Row& b) {
   return r;
 }
 
-double local_error(const Problem::Contact& contact, const Row& u, const Row& r) {
-  const double w = std::max(contact.w(0, 0), contact.w(1, 1));
-  const double n = contact.normal ? std::abs(r[0] - std::max(0.0, r[0] - u[0] / w)) * w : 0;
-  const double bound = contact.mu * r[0] + contact.c_t;
-  const double t = std::abs(r[1] - std::clamp(r[1] - u[1] / w, -bound, bound)) * w;
-  if (contact.mu_r <= 0) return std::max(n, t);
-  const double rolling_bound = contact.mu_r * r[0], wr = contact.w(2, 2);
-  const double roll = std::abs(r[2] - std::clamp(r[2] - u[2] / wr, -rolling_bound, rolling_bound)) *
-                      std::sqrt(contact.w(0, 0) * wr);
-  return std::max({n, t, roll});
-}
-
 }  // namespace flyrock

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/nlgs.h"
 #include "world/manifold.h"
 #include "world/world.h"
 
@@ -165,7 +164,7 @@ void World<D>::assemble(double h, bool warm) {
     return contacts_[a].candidate == body ? rows_[a].candidate : rows_[a].antagonist;
   };
   for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) {
-    problem_.first.push_back(static_cast<int>(problem_.couplings.size()));
+    problem_.first.push_back(problem_.couplings());
     for (const int body : {contacts_[a].candidate, contacts_[a].antagonist}) {
       if (body < 0 || !bodies[body].moves()) continue;
       Eigen::Matrix<double, Space<D>::dof, Problem::rows> mobility;  // M^-1 H of contact a
@@ -175,11 +174,11 @@ void World<D>::assemble(double h, bool warm) {
         if (b == a)
           problem_.contacts[a].w += w;
         else
-          problem_.couplings.push_back({b, w});
+          problem_.couple(b, w);
       }
     }
   }
-  problem_.first.push_back(static_cast<int>(problem_.couplings.size()));
+  problem_.first.push_back(problem_.couplings());
   // A body without rotational inertia to speak of cannot roll.
   for (auto& contact : problem_.contacts)
     if (contact.w(2, 2) <= 0) contact.mu_r = 0;
@@ -212,7 +211,7 @@ template <int D>
 void World<D>::solve_and_apply() {
   const PhaseTimer timer(clock, &PhaseTimes::solve);
   const SolveResult result =
-      solve_nlgs(problem_, NlgsSettings{settings_.tolerance, settings_.max_iterations}, impulses_);
+      nlgs_.solve(problem_, {settings_.tolerance, settings_.max_iterations}, impulses_);
   quality_.iterations += result.iterations;
   if (!result.converged) {
     ++quality_.not_converged;

@@ -8,7 +8,7 @@
 #include "collision/contact.h"
 #include "collision/geometry.h"
 #include "collision/time_of_contact.h"
-#include "solver/contact_problem.h"
+#include "solver/nlgs.h"
 #include "world/body.h"
 #include "world/observe.h"
 #include "world/phase_clock.h"
@@ -171,6 +171,7 @@ class World {
   std::vector<HeldContact> held_;
   Problem problem_;
   std::vector<Row> impulses_;
+  Nlgs<D> nlgs_;
   std::vector<std::vector<int>> contacts_of_;  ///< of each body that contacts move
   std::vector<int> island_;
   std::vector<double> island_speed_;

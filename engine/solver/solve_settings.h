@@ -1,0 +1,36 @@
+#pragma once
+// What a solve is asked for, and how it ended.
+
+#include <optional>
+#include <string_view>
+
+namespace flyrock {
+
+/// Which solver is used; `automatic` is written "auto".
+enum class SolverKind { automatic, nlgs, proximal_newton };
+
+/// By what a solve is judged (residual.h): in a time step by the scaled error of every contact, in m/s and relative to its
+/// speed_scale; for comparison with others by |F| / |q| of the whole.
+enum class ErrorMeasure { step, merit };
+
+struct SolveSettings {
+  double tolerance = 1e-6;
+  int max_iterations = 1000;  ///< sweeps of NLGS, or factorisations of the second solver
+  ErrorMeasure measure = ErrorMeasure::step;
+  SolverKind solver = SolverKind::automatic;
+};
+
+/// How a solve ended.
+struct SolveResult {
+  bool converged = false;
+  int iterations = 0;
+  double residual = 0;      ///< the largest local error [m/s], or |F| / |q|, by the measure
+  int worst_contact = -1;   ///< where the error is largest
+  SolverKind solver = SolverKind::nlgs;  ///< which gave the answer
+};
+
+/// "auto", "nlgs", "proximal_newton".
+std::string_view name_of(SolverKind kind);
+std::optional<SolverKind> solver_of_name(std::string_view name);
+
+}  // namespace flyrock
