@@ -1,8 +1,10 @@
 #include "plugin/contact_law.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace flyrock {
 
@@ -16,6 +18,18 @@ void require(bool fine, const Law& law, std::string_view entry, std::string_view
 }
 
 }  // namespace
+
+namespace {
+constexpr std::array<std::string_view, 5> form_names = {"newton", "newton_mean", "poisson", "energy", "velocity"};
+}
+
+std::string_view name_of(RestitutionForm form) { return form_names[static_cast<std::size_t>(form)]; }
+
+std::optional<RestitutionForm> restitution_form(std::string_view name) {
+  const auto found = std::find(form_names.begin(), form_names.end(), name);
+  if (found == form_names.end()) return std::nullopt;
+  return static_cast<RestitutionForm>(found - form_names.begin());
+}
 
 const std::vector<ContactField>& contact_fields() {
   static const std::vector<ContactField> fields{

@@ -1,6 +1,7 @@
 #pragma once
 // How a contact answers: restitution, friction, rolling resistance, the normal condition.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,7 +10,17 @@
 
 namespace flyrock {
 
-enum class RestitutionForm { newton };
+/// What e_n and e_t mean; solver/restitution.h has the equations.
+enum class RestitutionForm {
+  newton,       ///< e_n of the normal, e_t of the tangential velocity
+  newton_mean,  ///< e_n of the normal velocity, friction on the mean of the tangential velocities before and after
+  poisson,      ///< e_n of the normal impulse
+  energy,       ///< e_n^2 of the normal work
+  velocity      ///< v_n^+ = -e_n v_n^-, v_t^+ = e_t v_t^-, whatever the friction
+};
+std::string_view name_of(RestitutionForm form);
+std::optional<RestitutionForm> restitution_form(std::string_view name);
+
 enum class NormalCondition { signorini };
 
 /// All that the solver knows of a contact's law.

@@ -28,7 +28,8 @@ const std::map<std::string, std::set<std::string>>& may_see() {
     add("host", {"scenario"});
     add("batch", {"host"});
     add("report", {"batch"});
-    add("cli", {"report"});
+    add("verify", {"flight"});
+    add("cli", {"report", "verify"});
     return sees;
   }();
   return floors;

@@ -1,0 +1,135 @@
+#include "solver/restitution.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/impact_path.h"
+
+namespace flyrock {
+
+template <int D>
+bool ImpactSolver<D>::two_phase(int a, const Rebound<D>& rebound) const {
+  return rebound.e_n > 0 && (rebound.form == RestitutionForm::poisson || rebound.form == RestitutionForm::energy) &&
+         free_[a][0] < 0;
+}
+
+/// Gives a contact that is coupled to no other its impulse, and puts that into q. False where it must take part in the
+/// common problem.
+template <int D>
+bool ImpactSolver<D>::solve_alone(Problem& problem, int a, const Rebound<D>& rebound) {
+  auto& contact = problem.contacts[a];
+  const bool alone = problem.first[a] == problem.first[a + 1];
+  const Eigen::Matrix<double, D, D> w = contact.w.template topLeftCorner<D, D>();
+  const Eigen::Matrix<double, D, 1> v = contact.q.template head<D>();
+  if (rebound.form == RestitutionForm::velocity && rebound.before[0] < 0) {
+    if (!alone)
+      throw PluginError(
+          "restitution of form velocity at a contact whose body touches something else at the same time, expected a contact "
+          "of its own");
+    Eigen::Matrix<double, D, 1> after = rebound.e_t * rebound.before.template head<D>();
+    after[0] = -rebound.e_n * rebound.before[0];
+    alone_[a].template head<D>() = w.ldlt().solve(after - v);
+  } else if (alone && two_phase(a, rebound) && contact.c_t == 0 && contact.mu_r == 0) {
+    const ImpactEnd end = rebound.form == RestitutionForm::poisson ? ImpactEnd::poisson : ImpactEnd::energy;
+    alone_[a].template head<D>() = impact_path(w, v, contact.mu, end, rebound.e_n);
+  } else {
+    return false;
+  }
+  contact.q += contact.w * alone_[a];
+  contact.normal = false;
+  contact.mu = contact.c_t = contact.mu_r = 0;
+  return true;
+}
+
+template <int D>
+SolveResult ImpactSolver<D>::solve(Problem& problem, const std::vector<Rebound<D>>& rebounds, const NlgsSettings& settings,
+                                   std::vector<Row>& r) {
+  const int n = problem.size();
+  free_.resize(n), turn_.resize(n), expansion_.resize(n);
+  alone_.assign(n, Row::Zero());
+  factor_.assign(n, -1);
+  bool phases = false;
+  for (int a = 0; a < n; ++a) {
+    auto& contact = problem.contacts[a];
+    const Rebound<D>& rebound = rebounds[a];
+    free_[a] = contact.q;
+    if (solve_alone(problem, a, rebound)) {
+      r[a].setZero();
+    } else if (two_phase(a, rebound)) {
+      factor_[a] = rebound.e_n;
+      phases = true;
+    } else if (rebound.form == RestitutionForm::newton) {
+      contact.q[0] += rebound.e_n * (rebound.as_lmgc90 ? rebound.before[0] : std::min(0.0, rebound.before[0]));
+      contact.q.template segment<D - 1>(1) += rebound.e_t * rebound.before.template segment<D - 1>(1);
+    } else if (rebound.form == RestitutionForm::newton_mean) {
+      contact.q[0] += rebound.e_n * std::min(0.0, rebound.before[0]);
+      contact.q.template tail<Problem::rows - 1>() += rebound.before.template tail<Problem::rows - 1>();
+    }
+  }
+
+  SolveResult result = solve_nlgs(problem, settings, r);
+  if (phases) {
+    for (int a = 0; a < n; ++a) turn_[a] = problem.outside_velocity(a, r) + problem.contacts[a].w * r[a];
+    constexpr int most_adjustments = 100;
+    constexpr double balanced = 1e-10;
+    double imbalance = 0;
+    for (int k = 0; k < most_adjustments; ++k) {
+      const SolveResult expansion = expand(problem, settings, r);
+      result.converged = result.converged && expansion.converged;
+      result.iterations += expansion.iterations;
+      if (expansion.residual > result.residual || !expansion.converged)
+        result.residual = expansion.residual, result.worst_contact = expansion.worst_contact;
+      imbalance = adjust_factors(problem, rebounds, r);
+      if (imbalance <= balanced) break;
+    }
+    result.converged = result.converged && imbalance <= balanced;
+    for (int a = 0; a < n; ++a) r[a] += expansion_[a];
+  }
+  for (int a = 0; a < n; ++a) r[a] += alone_[a];
+  return result;
+}
+
+/// The second phase: impulses L + r with L = f r_Cn given. Rolling resistance takes its share in compression alone.
+template <int D>
+SolveResult ImpactSolver<D>::expand(Problem& problem, const NlgsSettings& settings, const std::vector<Row>& compression) {
+  const auto given = [&](int a) { return factor_[a] > 0 ? factor_[a] * compression[a][0] : 0.0; };
+  for (int a = 0; a < problem.size(); ++a) {
+    auto& contact = problem.contacts[a];
+    contact.q = turn_[a] + given(a) * contact.w.col(0);
+    for (int k = problem.first[a]; k < problem.first[a + 1]; ++k)
+      contact.q += given(problem.couplings[k].other) * problem.couplings[k].w.col(0);
+    contact.c_t = contact.mu * given(a);
+    expansion_[a].setZero();
+  }
+  const SolveResult result = solve_nlgs(problem, settings, expansion_);
+  for (int a = 0; a < problem.size(); ++a) expansion_[a][0] += given(a);
+  return result;
+}
+
+/// Brings f of the contacts of form energy towards their balance; how far the worst of them was from it, as a share.
+template <int D>
+double ImpactSolver<D>::adjust_factors(const Problem& problem, const std::vector<Rebound<D>>& rebounds,
+                                       const std::vector<Row>& compression) {
+  double worst = 0;
+  for (int a = 0; a < problem.size(); ++a) {
+    if (factor_[a] <= 0 || rebounds[a].form != RestitutionForm::energy || compression[a][0] <= 0) continue;
+    const double given = factor_[a] * compression[a][0];
+    Row change = problem.contacts[a].w * expansion_[a];
+    for (int k = problem.first[a]; k < problem.first[a + 1]; ++k)
+      change += problem.couplings[k].w * expansion_[problem.couplings[k].other];
+    const double lost = -0.5 * compression[a][0] * (free_[a][0] + turn_[a][0]);
+    const double released = 0.5 * expansion_[a][0] * (2 * turn_[a][0] + change[0]);
+    const double allowed = rebounds[a].e_n * rebounds[a].e_n * lost;
+    if (allowed <= 0) continue;
+    // Where the others press harder than f asks, the contact does not open and its work is below what is allowed.
+    const bool pressed = expansion_[a][0] > given * (1 + 1e-9);
+    if (pressed && released <= allowed) continue;
+    worst = std::max(worst, std::abs(released / allowed - 1));
+    factor_[a] *= std::clamp(std::sqrt(allowed / std::max(released, 0.01 * allowed)), 0.5, 2.0);
+  }
+  return worst;
+}
+
+template class ImpactSolver<2>;
+
+}  // namespace flyrock

@@ -1,0 +1,60 @@
+#pragma once
+// The impact problem: contacts that rebound, alone or several at once.
+
+#include <vector>
+
+#include "plugin/contact_law.h"
+#include "solver/contact_problem.h"
+#include "solver/nlgs.h"
+
+namespace flyrock {
+
+/// How one contact of an impact rebounds. A contact that closes too slowly to rebound, or rests, has the default.
+template <int D>
+struct Rebound {
+  RestitutionForm form = RestitutionForm::newton;
+  double e_n = 0;
+  double e_t = 0;
+  bool as_lmgc90 = false;  ///< newton: also a contact that separates keeps to v_n^+ >= -e_n v_n^-
+  typename ContactProblem<D>::Row before = ContactProblem<D>::Row::Zero();  ///< its velocity v^-
+};
+
+/// Solves the friction problem of contacts that rebound. On entry `problem.q` is the free velocity; `rebounds` has one entry a
+/// contact. With v = q + W r and v_n^* = min(0, v_n^-):
+///  - newton:      0 <= v_n + e_n v_n^* _|_ r_n >= 0, Coulomb on v_t + e_t v_t^-. May gain energy.
+///  - newton_mean: the same normal condition, Coulomb (and rolling) on the mean of v_t and v_t^- (Fremond). Never gains for
+///                 e_n <= 1; a contact that sticks ends with v_t = -v_t^-.
+///  - poisson, energy: a contact that is coupled to no other, without rolling resistance and cohesion, follows its path in
+///                 impulse space (impact_path.h). Several go through two phases (Glocker and Pfeiffer): compression as with
+///                 e = 0, impulses r_C; then restitution with r_n >= f r_Cn and Coulomb on the velocity at its end. poisson
+///                 has f = e_n; for energy f is iterated, contact by contact, until the normal work of restitution is
+///                 -e_n^2 times that of compression (at most so, where other contacts press harder).
+///  - velocity:    v_n = -e_n v_n^-, v_t = e_t v_t^- whatever the friction; only for a contact that is coupled to no other:
+///                 else PluginError.
+/// Forms mix: a contact of newton or newton_mean keeps its conditions in both phases. `r` holds the start (zero, or the
+/// impulses of the last step) and the answer. `problem` is left as it was solved last. Sources: M. Jean 1999; M. Fremond
+/// 1995; C. Glocker and F. Pfeiffer 1995; W. J. Stronge 1990.
+template <int D>
+class ImpactSolver {
+ public:
+  using Problem = ContactProblem<D>;
+  using Row = typename Problem::Row;
+
+  SolveResult solve(Problem& problem, const std::vector<Rebound<D>>& rebounds, const NlgsSettings& settings,
+                    std::vector<Row>& r);
+
+ private:
+  bool two_phase(int a, const Rebound<D>& rebound) const;
+  bool solve_alone(Problem& problem, int a, const Rebound<D>& rebound);
+  SolveResult expand(Problem& problem, const NlgsSettings& settings, const std::vector<Row>& compression);
+  double adjust_factors(const Problem& problem, const std::vector<Rebound<D>>& rebounds,
+                        const std::vector<Row>& compression);
+
+  std::vector<Row> alone_;      // impulses of contacts that were solved by themselves
+  std::vector<Row> free_;       // q of compression, without shifts
+  std::vector<Row> turn_;       // velocity at the end of compression
+  std::vector<Row> expansion_;  // impulses of restitution
+  std::vector<double> factor_;  // f of each contact; -1: it has no second phase
+};
+
+}  // namespace flyrock

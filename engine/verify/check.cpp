@@ -1,0 +1,23 @@
+#include "verify/check.h"
+
+#include <cmath>
+
+namespace flyrock {
+
+void add_worst(Checks& checks, const std::string& name, const std::string& kind, double tolerance,
+               std::initializer_list<Measured> numbers) {
+  const Measured* worst = nullptr;
+  double error = -1;
+  for (const Measured& number : numbers) {
+    // Written so that a number that is none is the worst of all.
+    const double difference = std::abs(number.computed - number.expected);
+    if (difference <= error) continue;
+    worst = &number;
+    if (std::isnan(difference)) break;
+    error = difference;
+  }
+  const bool passed = std::abs(worst->computed - worst->expected) <= tolerance;
+  checks.push_back({name + ": " + worst->name, kind, worst->computed, worst->expected, tolerance, passed});
+}
+
+}  // namespace flyrock

@@ -1,0 +1,45 @@
+#pragma once
+// A row of the verification suite: a computed number beside the one that it must be.
+
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+namespace flyrock {
+
+struct Check {
+  std::string name;  ///< "rod impact C, poisson: v_n"
+  std::string kind;  ///< problem: one solve; path: one impact in impulse space; run: a scenario
+  double computed = 0;
+  double expected = 0;
+  double tolerance = 0;  ///< of the difference
+  bool passed = false;
+};
+
+/// A number with its name, computed and as it must be.
+struct Measured {
+  const char* name;
+  double computed;
+  double expected;
+};
+
+using Checks = std::vector<Check>;
+
+/// Adds the number that is farthest from what it must be, as the row of them all.
+void add_worst(Checks& checks, const std::string& name, const std::string& kind, double tolerance,
+               std::initializer_list<Measured> numbers);
+
+// The groups of problems; sources beside the numbers.
+
+/// A rod that strikes the ground with its tip, a double pendulum, a box on its corner; all forms of restitution.
+void check_worked_impacts(Checks& checks);
+/// A ball that strikes obliquely: newton, poisson and energy agree.
+void check_oblique_ball(Checks& checks);
+/// Three and five balls in contact, struck by the first.
+void check_ball_rows(Checks& checks);
+/// A rod beyond the paradox of Painleve: an impulse, and no energy gained.
+void check_painleve_rod(Checks& checks);
+/// Random rod impacts: which forms gain energy, and how often.
+void check_random_impacts(Checks& checks);
+
+}  // namespace flyrock
