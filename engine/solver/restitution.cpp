@@ -29,7 +29,7 @@ bool ImpactSolver<D>::solve_alone(Problem& problem, int a, const Rebound<D>& reb
     Eigen::Matrix<double, D, 1> after = rebound.e_t * rebound.before.template head<D>();
     after[0] = -rebound.e_n * rebound.before[0];
     alone_[a].template head<D>() = w.ldlt().solve(after - v);
-  } else if (alone && two_phase(a, rebound) && contact.c_t == 0 && contact.mu_r == 0) {
+  } else if (alone && two_phase(a, rebound) && contact.c_t == 0 && !contact.resists_rotation()) {
     const ImpactEnd end = rebound.form == RestitutionForm::poisson ? ImpactEnd::poisson : ImpactEnd::energy;
     alone_[a].template head<D>() = impact_path(w, v, contact.mu, end, rebound.e_n);
   } else {
@@ -37,15 +37,15 @@ bool ImpactSolver<D>::solve_alone(Problem& problem, int a, const Rebound<D>& reb
   }
   contact.q += contact.w * alone_[a];
   contact.normal = false;
-  contact.mu = contact.c_t = contact.mu_r = 0;
+  contact.mu = contact.c_t = contact.mu_r = contact.mu_spin = 0;
   return true;
 }
 
 template <int D>
-SolveResult ImpactSolver<D>::solve(Problem& problem, const std::vector<Rebound<D>>& rebounds, const NlgsSettings& settings,
+SolveResult ImpactSolver<D>::solve(Problem& problem, const std::vector<Rebound<D>>& rebounds, const SolveSettings& settings,
                                    std::vector<Row>& r) {
   const int n = problem.size();
-  free_.resize(n), turn_.resize(n), expansion_.resize(n);
+  free_.resize(n), turn_.resize(n), given_.resize(n), expansion_.resize(n);
   alone_.assign(n, Row::Zero());
   factor_.assign(n, -1);
   bool phases = false;
@@ -67,7 +67,7 @@ SolveResult ImpactSolver<D>::solve(Problem& problem, const std::vector<Rebound<D
     }
   }
 
-  SolveResult result = solve_nlgs(problem, settings, r);
+  SolveResult result = nlgs_.solve(problem, settings, r);
   if (phases) {
     for (int a = 0; a < n; ++a) turn_[a] = problem.outside_velocity(a, r) + problem.contacts[a].w * r[a];
     constexpr int most_adjustments = 100;
@@ -91,18 +91,20 @@ SolveResult ImpactSolver<D>::solve(Problem& problem, const std::vector<Rebound<D
 
 /// The second phase: impulses L + r with L = f r_Cn given. Rolling resistance takes its share in compression alone.
 template <int D>
-SolveResult ImpactSolver<D>::expand(Problem& problem, const NlgsSettings& settings, const std::vector<Row>& compression) {
-  const auto given = [&](int a) { return factor_[a] > 0 ? factor_[a] * compression[a][0] : 0.0; };
+SolveResult ImpactSolver<D>::expand(Problem& problem, const SolveSettings& settings, const std::vector<Row>& compression) {
+  for (int a = 0; a < problem.size(); ++a) {
+    given_[a].setZero();
+    if (factor_[a] > 0) given_[a][0] = factor_[a] * compression[a][0];
+  }
   for (int a = 0; a < problem.size(); ++a) {
     auto& contact = problem.contacts[a];
-    contact.q = turn_[a] + given(a) * contact.w.col(0);
-    for (int k = problem.first[a]; k < problem.first[a + 1]; ++k)
-      contact.q += given(problem.couplings[k].other) * problem.couplings[k].w.col(0);
-    contact.c_t = contact.mu * given(a);
+    contact.q = turn_[a];
+    contact.q = problem.outside_velocity(a, given_) + contact.w.col(0) * given_[a][0];
+    contact.c_t = contact.mu * given_[a][0];
     expansion_[a].setZero();
   }
-  const SolveResult result = solve_nlgs(problem, settings, expansion_);
-  for (int a = 0; a < problem.size(); ++a) expansion_[a][0] += given(a);
+  const SolveResult result = nlgs_.solve(problem, settings, expansion_);
+  for (int a = 0; a < problem.size(); ++a) expansion_[a] += given_[a];
   return result;
 }
 
@@ -113,16 +115,14 @@ double ImpactSolver<D>::adjust_factors(const Problem& problem, const std::vector
   double worst = 0;
   for (int a = 0; a < problem.size(); ++a) {
     if (factor_[a] <= 0 || rebounds[a].form != RestitutionForm::energy || compression[a][0] <= 0) continue;
-    const double given = factor_[a] * compression[a][0];
-    Row change = problem.contacts[a].w * expansion_[a];
-    for (int k = problem.first[a]; k < problem.first[a + 1]; ++k)
-      change += problem.couplings[k].w * expansion_[problem.couplings[k].other];
+    const auto& contact = problem.contacts[a];
+    const double change = (problem.outside_velocity(a, expansion_) - contact.q + contact.w * expansion_[a])[0];
     const double lost = -0.5 * compression[a][0] * (free_[a][0] + turn_[a][0]);
-    const double released = 0.5 * expansion_[a][0] * (2 * turn_[a][0] + change[0]);
+    const double released = 0.5 * expansion_[a][0] * (2 * turn_[a][0] + change);
     const double allowed = rebounds[a].e_n * rebounds[a].e_n * lost;
     if (allowed <= 0) continue;
     // Where the others press harder than f asks, the contact does not open and its work is below what is allowed.
-    const bool pressed = expansion_[a][0] > given * (1 + 1e-9);
+    const bool pressed = expansion_[a][0] > given_[a][0] * (1 + 1e-9);
     if (pressed && released <= allowed) continue;
     worst = std::max(worst, std::abs(released / allowed - 1));
     factor_[a] *= std::clamp(std::sqrt(allowed / std::max(released, 0.01 * allowed)), 0.5, 2.0);
@@ -131,5 +131,6 @@ double ImpactSolver<D>::adjust_factors(const Problem& problem, const std::vector
 }
 
 template class ImpactSolver<2>;
+template class ImpactSolver<3>;
 
 }  // namespace flyrock

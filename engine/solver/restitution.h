@@ -32,7 +32,8 @@ struct Rebound {
 ///  - velocity:    v_n = -e_n v_n^-, v_t = e_t v_t^- whatever the friction; only for a contact that is coupled to no other:
 ///                 else PluginError.
 /// Forms mix: a contact of newton or newton_mean keeps its conditions in both phases. `r` holds the start (zero, or the
-/// impulses of the last step) and the answer. `problem` is left as it was solved last. Sources: M. Jean 1999; M. Fremond
+/// impulses of the last step) and the answer. `problem` is left as it was solved last. Rolling and spinning resistance of a contact with two phases act in
+/// compression. Instantiated for D = 2, 3. Sources: M. Jean 1999; M. Fremond
 /// 1995; C. Glocker and F. Pfeiffer 1995; W. J. Stronge 1990.
 template <int D>
 class ImpactSolver {
@@ -40,19 +41,21 @@ class ImpactSolver {
   using Problem = ContactProblem<D>;
   using Row = typename Problem::Row;
 
-  SolveResult solve(Problem& problem, const std::vector<Rebound<D>>& rebounds, const NlgsSettings& settings,
+  SolveResult solve(Problem& problem, const std::vector<Rebound<D>>& rebounds, const SolveSettings& settings,
                     std::vector<Row>& r);
 
  private:
   bool two_phase(int a, const Rebound<D>& rebound) const;
   bool solve_alone(Problem& problem, int a, const Rebound<D>& rebound);
-  SolveResult expand(Problem& problem, const NlgsSettings& settings, const std::vector<Row>& compression);
+  SolveResult expand(Problem& problem, const SolveSettings& settings, const std::vector<Row>& compression);
   double adjust_factors(const Problem& problem, const std::vector<Rebound<D>>& rebounds,
                         const std::vector<Row>& compression);
 
+  Nlgs<D> nlgs_;
   std::vector<Row> alone_;      // impulses of contacts that were solved by themselves
   std::vector<Row> free_;       // q of compression, without shifts
   std::vector<Row> turn_;       // velocity at the end of compression
+  std::vector<Row> given_;      // f r_Cn of the normal rows
   std::vector<Row> expansion_;  // impulses of restitution
   std::vector<double> factor_;  // f of each contact; -1: it has no second phase
 };

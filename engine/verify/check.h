@@ -9,7 +9,7 @@ namespace flyrock {
 
 struct Check {
   std::string name;  ///< "rod impact C, poisson: v_n"
-  std::string kind;  ///< problem: one solve; path: one impact in impulse space; run: a scenario
+  std::string kind;  ///< problem: one solve; run: a scenario
   double computed = 0;
   double expected = 0;
   double tolerance = 0;  ///< of the difference

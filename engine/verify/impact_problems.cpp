@@ -23,16 +23,18 @@ std::vector<double> struck_row(int n, double e, RestitutionForm form) {
     contact.w = Eigen::Vector3d(2, 2, 1).asDiagonal();
     contact.q = {a == 0 ? -1.0 : 0.0, 0, 0};
     problem.contacts.push_back(contact);
-    problem.first.push_back(static_cast<int>(problem.couplings.size()));
+    problem.first.push_back(problem.couplings());
     for (const int b : {a - 1, a + 1})
-      if (b >= 0 && b + 1 < n) problem.couplings.push_back({b, Eigen::Vector3d(-1, -1, 0).asDiagonal()});
+      if (b >= 0 && b + 1 < n) problem.couple(b, Eigen::Vector3d(-1, -1, 0).asDiagonal().toDenseMatrix());
     rebounds[a].form = form;
     rebounds[a].e_n = e;
     rebounds[a].before = contact.q;
   }
-  problem.first.push_back(static_cast<int>(problem.couplings.size()));
+  problem.first.push_back(problem.couplings());
   std::vector<ContactProblem<2>::Row> r(n - 1, ContactProblem<2>::Row::Zero());
-  ImpactSolver<2>().solve(problem, rebounds, {1e-13, 10000}, r);
+  SolveSettings settings;
+  settings.tolerance = 1e-13;
+  ImpactSolver<2>().solve(problem, rebounds, settings, r);
   std::vector<double> speeds;
   for (int i = 0; i < n; ++i)
     speeds.push_back((i == 0 ? 1 : 0) + (i > 0 ? r[i - 1][0] : 0) - (i + 1 < n ? r[i][0] : 0));
@@ -43,7 +45,7 @@ std::vector<double> struck_row(int n, double e, RestitutionForm form) {
 
 // Sphere of mass 1 and radius 1 at (3, -2) m/s without spin, e = 0.5: it sticks where mu >= 2 |v_t| / (7 (1 + e) |v_n|).
 void check_oblique_ball(Checks& checks) {
-  SingleImpact ball;
+  SingleImpact<2> ball;
   ball.w << 1, 0, 0, 3.5;
   ball.v = {-2, 3};
   ball.e = 0.5;
@@ -53,7 +55,7 @@ void check_oblique_ball(Checks& checks) {
     const double p_t = sticks ? -6.0 / 7 : -0.6, v_t = sticks ? 0 : 0.9;
     for (const RestitutionForm form : {RestitutionForm::newton, RestitutionForm::newton_mean, RestitutionForm::poisson,
                                        RestitutionForm::energy}) {
-      const SingleOutcome out = solve_single(ball, form);
+      const SingleOutcome<2> out = solve_single(ball, form);
       const bool mean = sticks && form == RestitutionForm::newton_mean;  // here v_t^+ comes from mu p_n, not from sticking
       add_worst(checks, fmt::format("oblique ball that {}, {}", sticks ? "sticks" : "slips", name_of(form)), "problem", 1e-10,
                 {{"p_n", out.impulse[0], 3}, {"p_t", out.impulse[1], mean ? -0.9 : p_t}, {"v_t", out.after[1], mean ? -0.15 : v_t}});
@@ -81,7 +83,7 @@ void check_painleve_rod(Checks& checks) {
                                        RestitutionForm::energy}) {
       double least_impulse = 1e300, gained = 0;
       for (const double slip : {-1.0, 0.0, 0.2, 1.0}) {
-        const SingleOutcome out = solve_single({rod_mobility(std::atan(2.0)), {-1, slip}, mu, 0.0}, form);
+        const SingleOutcome<2> out = solve_single<2>({rod_mobility(std::atan(2.0)), {-1, slip}, mu, 0.0}, form);
         least_impulse = std::min(least_impulse, out.impulse[0]);
         gained = std::max(gained, out.energy);
       }
@@ -101,7 +103,7 @@ void check_random_impacts(Checks& checks) {
   while (struck < trials) {
     const double angle = rng.uniform(5, 85) * pi / 180, course = rng.uniform(0, 2 * pi), spin = rng.uniform(-2, 2);
     const double x = 0.5 * std::cos(angle), y = -0.5 * std::sin(angle);
-    SingleImpact impact{rod_mobility(angle), {std::sin(course) + spin * x, std::cos(course) - spin * y}, rng.uniform(), rng.uniform()};
+    SingleImpact<2> impact{rod_mobility(angle), {std::sin(course) + spin * x, std::cos(course) - spin * y}, rng.uniform(), rng.uniform()};
     const bool jams = impact.w(0, 0) <= impact.mu * std::abs(impact.w(0, 1));
     if (impact.v[0] >= 0 || jams) continue;
     ++struck;

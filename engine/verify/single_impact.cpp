@@ -6,8 +6,9 @@ namespace flyrock {
 
 namespace {
 
-SingleOutcome outcome_of(const SingleImpact& impact, const Eigen::Vector2d& impulse) {
-  const Eigen::Vector2d after = impact.v + impact.w * impulse;
+template <int D>
+SingleOutcome<D> outcome_of(const SingleImpact<D>& impact, const Eigen::Matrix<double, D, 1>& impulse) {
+  const Eigen::Matrix<double, D, 1> after = impact.v + impact.w * impulse;
   return {impulse, after, 0.5 * impulse.dot(impact.v + after)};
 }
 
@@ -20,31 +21,41 @@ Eigen::Matrix2d rod_mobility(double angle) {
   return w;
 }
 
-SingleOutcome solve_single(const SingleImpact& impact, RestitutionForm form, bool phases) {
-  ContactProblem<2> problem;
-  ContactProblem<2>::Contact contact;
+template <int D>
+SingleOutcome<D> solve_single(const SingleImpact<D>& impact, RestitutionForm form, bool phases) {
+  using Problem = ContactProblem<D>;
+  using Row = typename Problem::Row;
+  Problem problem;
+  typename Problem::Contact contact;
   contact.w.setZero();
-  contact.w.topLeftCorner<2, 2>() = impact.w;
-  contact.q = {impact.v[0], impact.v[1], 0};
+  contact.w.template topLeftCorner<D, D>() = impact.w;
+  contact.q.setZero();
+  contact.q.template head<D>() = impact.v;
   contact.mu = impact.mu;
   contact.speed_scale = impact.v.norm();
   problem.contacts.push_back(contact);
-  problem.first = {0, 0};
-  if (phases) {  // coupled, by a block of zeros, to itself
-    problem.couplings.push_back({0, ContactProblem<2>::Block::Zero()});
-    problem.first[1] = 1;
-  }
-  Rebound<2> rebound;
+  problem.first = {0};
+  if (phases) problem.couple(0, Problem::Block::Zero());  // coupled, by a block of zeros, to itself
+  problem.first.push_back(problem.couplings());
+  Rebound<D> rebound;
   rebound.form = form;
   rebound.e_n = impact.e;
   rebound.before = contact.q;
-  std::vector<ContactProblem<2>::Row> impulse(1, ContactProblem<2>::Row::Zero());
-  ImpactSolver<2>().solve(problem, {rebound}, {1e-13, 1000}, impulse);
-  return outcome_of(impact, impulse[0].head<2>());
+  std::vector<Row> impulse(1, Row::Zero());
+  SolveSettings settings;
+  settings.tolerance = 1e-13;
+  ImpactSolver<D>().solve(problem, {rebound}, settings, impulse);
+  return outcome_of<D>(impact, impulse[0].template head<D>());
 }
 
-SingleOutcome follow_single(const SingleImpact& impact, ImpactEnd end) {
-  return outcome_of(impact, impact_path(impact.w, impact.v, impact.mu, end, impact.e));
+template <int D>
+SingleOutcome<D> follow_single(const SingleImpact<D>& impact, ImpactEnd end) {
+  return outcome_of<D>(impact, impact_path(impact.w, impact.v, impact.mu, end, impact.e));
 }
+
+template SingleOutcome<2> solve_single(const SingleImpact<2>&, RestitutionForm, bool);
+template SingleOutcome<3> solve_single(const SingleImpact<3>&, RestitutionForm, bool);
+template SingleOutcome<2> follow_single(const SingleImpact<2>&, ImpactEnd);
+template SingleOutcome<3> follow_single(const SingleImpact<3>&, ImpactEnd);
 
 }  // namespace flyrock

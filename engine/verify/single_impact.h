@@ -1,5 +1,5 @@
 #pragma once
-// One impact of one contact in the plane, solved by a form of restitution.
+// One impact of one contact, solved by a form of restitution.
 
 #include <Eigen/Dense>
 
@@ -8,17 +8,19 @@
 
 namespace flyrock {
 
-/// Components (n, t), as in ContactProblem.
+/// Components (n, t) or (n, t, s), as in ContactProblem.
+template <int D>
 struct SingleImpact {
-  Eigen::Matrix2d w;
-  Eigen::Vector2d v;
+  Eigen::Matrix<double, D, D> w;
+  Eigen::Matrix<double, D, 1> v;
   double mu = 0;
   double e = 0;
 };
 
 /// What an impact leaves: its impulse, the velocity after it, and the energy dT = p.(v^- + v^+)/2 that it brought.
+template <int D>
 struct SingleOutcome {
-  Eigen::Vector2d impulse, after;
+  Eigen::Matrix<double, D, 1> impulse, after;
   double energy = 0;
 };
 
@@ -26,8 +28,10 @@ struct SingleOutcome {
 Eigen::Matrix2d rod_mobility(double angle);
 
 /// By the solver of impacts. `phases`: as if coupled to another contact, so that poisson and energy take their two phases.
-SingleOutcome solve_single(const SingleImpact& impact, RestitutionForm form, bool phases = false);
+template <int D>
+SingleOutcome<D> solve_single(const SingleImpact<D>& impact, RestitutionForm form, bool phases = false);
 /// Along the path in impulse space.
-SingleOutcome follow_single(const SingleImpact& impact, ImpactEnd end);
+template <int D>
+SingleOutcome<D> follow_single(const SingleImpact<D>& impact, ImpactEnd end);
 
 }  // namespace flyrock
