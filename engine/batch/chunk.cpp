@@ -75,6 +75,13 @@ void walk_bodies(Io& io, Bodies& bodies) {
   }
 }
 
+template <class Io, class E>
+void walk_envelopes(Io& io, E& envelopes) {
+  std::string bytes = envelopes.bytes();
+  io.value(bytes);
+  if constexpr (!std::is_const_v<E>) envelopes = Envelopes::read(bytes);
+}
+
 template <class Io, class Quality>
 void walk_quality(Io& io, Quality& q) {
   io.value(q.steps), io.value(q.cut_steps), io.value(q.flights), io.value(q.impact_problems);
@@ -128,6 +135,7 @@ void walk_long(Io& io, Records& records) {
   io.rows(records.impacts);
   io.columns(records.impacts, &ImpactRecord::trial, &ImpactRecord::rock);
   walk_impact(io, records.impacts, &ImpactRecord::impact);
+  walk_envelopes(io, records.totals.envelopes);
 }
 
 std::string header(const ChunkRange& range, const std::string& scenario_hash) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "batch/envelope.h"
 #include "world/observe.h"
 #include "world/phase_clock.h"
 #include "world/surface.h"
@@ -68,6 +69,7 @@ struct BarrierRecord {
 /// What is counted or summed up over trials: it needs no more room for many of them than for one.
 struct TrialTotals {
   std::vector<MaterialUse> materials;  ///< in the order of Scenario::materials
+  Envelopes envelopes;                 ///< of rocks without faults
   SolverQuality quality;
   PhaseTimes times;
   std::vector<std::string> notes;  ///< distinct notes of launches ("v0^2 < 0: ..."), at most 20

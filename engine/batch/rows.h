@@ -10,7 +10,7 @@ namespace flyrock {
 
 /// What a pass reads of each chunk.
 enum class Part {
-  brief,  ///< without inputs and impacts, which are long: those are empty
+  brief,  ///< without inputs, impacts and envelopes, which are long: those are empty
   whole
 };
 

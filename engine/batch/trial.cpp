@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "batch/statistics.h"
 #include "flight/run.h"
 
 namespace flyrock {
@@ -42,6 +43,7 @@ TrialRunner::TrialRunner(const Scenario& scenario) : scenario_(scenario), builde
   for (const GatePlan& gate : scenario.gates) gates_.push_back({gate.x});
   for (const BarrierPlan& barrier : scenario.barriers) barriers_.push_back({barrier.x, barrier.height, barrier.capacity});
   sample();
+  if (scenario.bodies.empty()) bin_width_ = envelope_width(terrain_of(0)->profile());
 }
 
 /// Laws on sampled contacts; shapes, populations, launches and the terrain by building the first trials.
@@ -92,6 +94,7 @@ void TrialRunner::run(std::uint64_t number, TrialRecords& out) {
   settings.stop_time = scenario_.stop.time;
   settings.stop_speed = scenario_.stop.speed;
   settings.trajectory_every = stores ? scenario_.output.trajectories_every : 0;
+  settings.bin_width = bin_width_;
   settings.gates = gates_;
   settings.barriers = barriers_;
   settings.keep_impacts = scenario_.output.impacts || !scenario_.bodies.empty();
@@ -159,6 +162,7 @@ void TrialRunner::record(std::uint64_t trial, int index, const TrialRock& rock, 
     row.impacts = history.impact_count;
     row.time = history.last.time;
     row.travel = history.travel;
+    if (!is_fault(row.reason)) out.totals.envelopes.add(row.group, history.path);
     for (const Passage& passage : history.passages) out.gates.push_back({trial, index, passage});
     for (const BarrierHit& hit : history.barriers) out.barriers.push_back({trial, index, hit});
     if (scenario_.output.impacts)

@@ -32,6 +32,7 @@ class TrialRunner {
   TrialBuilder builder_;
   std::vector<Gate> gates_;
   std::vector<Barrier> barriers_;
+  double bin_width_ = 0;  ///< m, of envelopes; 0 for `bodies`
 };
 
 }  // namespace flyrock

@@ -5,7 +5,8 @@
 
 namespace flyrock {
 
-Observer::Observer(const World<2>& world, double every, bool keep_impacts, std::vector<BodyHistory>& histories)
+Observer::Observer(const World<2>& world, double every, bool keep_impacts, double bin_width,
+                   std::vector<BodyHistory>& histories)
     : world_(world),
       every_(every),
       keep_impacts_(keep_impacts),
@@ -19,10 +20,13 @@ Observer::Observer(const World<2>& world, double every, bool keep_impacts, std::
   for (std::size_t i = 0; i < histories_.size(); ++i) {
     BodyHistory& history = histories_[i];
     history = {};
+    if (world.bodies[i].kind == BodyKind::dynamic)
+      history.path = PathBins(bin_width, world.terrain().profile().x_min(), world.terrain().profile().x_max());
     const int body = static_cast<int>(i);
     history.first = history.last = history.min = history.max = state(body, world.flight_of(body), 0, world.time);
     history.min_speed = history.max_speed = history.first.velocity.norm();
     clearance(body, world.flight_of(body), 0);
+    speeds(body, world.flight_of(body), 0);
     store(body, history.first);
   }
 }
@@ -72,9 +76,9 @@ void Observer::store(int body, const BodyState& s) {
   }
 }
 
-/// The greatest height above the ground along the flight: over each segment a quadratic of time.
+/// The greatest height above the ground along the flight, in all and in each bin: over each segment a quadratic of time.
 void Observer::clearance(int body, const Motion2& motion, double dt) {
-  double& highest = histories_[body].bounce_height;
+  BodyHistory& history = histories_[body];
   const Terrain2& terrain = world_.terrain();
   const Vec2 end = motion.position(dt);
   const double low = std::min(motion.x.x(), end.x()), high = std::max(motion.x.x(), end.x());
@@ -94,12 +98,26 @@ void Observer::clearance(int body, const Motion2& motion, double dt) {
       const Vec2 p = motion.position(t);
       return p.y() - (a.y() + slope * (p.x() - a.x()));
     };
-    highest = std::max({highest, above(from), above(to)});
-    if (motion.a.y() < 0) {
-      const double top = (motion.v.y() - slope * motion.v.x()) / -motion.a.y();
-      if (top > from && top < to) highest = std::max(highest, above(top));
-    }
+    const double top = motion.a.y() < 0 ? (motion.v.y() - slope * motion.v.x()) / -motion.a.y() : from;
+    const auto highest = [&](double t0, double t1) {
+      return std::max({above(t0), above(std::clamp(top, t0, t1)), above(t1)});
+    };
+    history.bounce_height = std::max(history.bounce_height, highest(from, to));
+    history.path.visit(motion.x.x(), motion.v.x(), from, to, [&](PathBin& bin, double t0, double t1) {
+      bin.height = std::max(bin.height, highest(t0, t1));
+    });
   }
+}
+
+/// The greatest speed and energy in each bin: squares of speeds are convex in time, so that they are at an end.
+void Observer::speeds(int body, const Motion2& motion, double dt) {
+  histories_[body].path.visit(motion.x.x(), motion.v.x(), 0, dt, [&](PathBin& bin, double t0, double t1) {
+    for (const double t : {t0, t1}) {
+      const BodyState s = state(body, motion, t, 0);
+      bin.speed = std::max(bin.speed, s.velocity.norm());
+      bin.energy = std::max(bin.energy, s.kinetic_energy);
+    }
+  });
 }
 
 void Observer::flew(int body, const Motion2& motion, double start, double dt) {
@@ -115,6 +133,7 @@ void Observer::flew(int body, const Motion2& motion, double start, double dt) {
     if (keep_impacts_ && world_.bodies[body].impacts > 0) h.apexes.push_back({top.time, top.position.y() - first_contact_height_[body]});
   }
   clearance(body, motion, dt);
+  speeds(body, motion, dt);
   if (every_ > 0) {
     for (; next_sample_[body] < start + dt; next_sample_[body] += every_)
       if (next_sample_[body] > start) store(body, state(body, motion, next_sample_[body] - start, next_sample_[body]));
@@ -131,7 +150,9 @@ void Observer::stepped(int body, const Motion2& motion, double dt, TravelMode mo
   const Motion2 now = world_.flight_of(body);
   const BodyState s = state(body, now, 0, world_.time);
   extremes(body, s);
-  clearance(body, now, 0);
+  clearance(body, motion, dt);
+  speeds(body, motion, dt);
+  speeds(body, now, 0);
   if (every_ > 0 && world_.time >= next_sample_[body]) {
     store(body, s);
     while (next_sample_[body] <= world_.time) next_sample_[body] += every_;

@@ -10,7 +10,9 @@ namespace flyrock {
 class Observer {
  public:
   /// `every`: seconds between stored points of trajectories, 0 for none; the ends of each flight are stored too.
-  Observer(const World<2>& world, double every, bool keep_impacts, std::vector<BodyHistory>& histories);
+  /// `bin_width`: m, of BodyHistory::path.
+  Observer(const World<2>& world, double every, bool keep_impacts, double bin_width,
+           std::vector<BodyHistory>& histories);
 
   /// The world flew, or stepped without contact at `body`, along `motion` for dt; `start` is the time at its begin.
   void flew(int body, const Motion2& motion, double start, double dt);
@@ -28,6 +30,7 @@ class Observer {
   void extremes(int body, const BodyState& state);
   void store(int body, const BodyState& state);
   void clearance(int body, const Motion2& motion, double dt);
+  void speeds(int body, const Motion2& motion, double dt);
 
   const World<2>& world_;
   double every_;

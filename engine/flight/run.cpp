@@ -17,7 +17,7 @@ class Runner {
       : world_(world),
         settings_(settings),
         histories_(histories),
-        observer_(world, settings.trajectory_every, settings.keep_impacts, histories),
+        observer_(world, settings.trajectory_every, settings.keep_impacts, settings.bin_width, histories),
         crossings_(world, settings.gates, settings.barriers, histories),
         rest_since_(world.bodies.size(), -1.0),
         running_(world.bodies.size()) {

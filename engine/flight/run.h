@@ -13,6 +13,7 @@ struct RunSettings {
   double stop_speed = 0.05;     ///< m/s; slower for `rest_time` in contact is at rest; 0: never
   double trajectory_every = 0;  ///< s between stored points; 0: none
   bool keep_impacts = true;
+  double bin_width = 0;         ///< m, of BodyHistory::path; 0: none is kept
   std::span<const Gate> gates;
   std::span<const Barrier> barriers;
 };

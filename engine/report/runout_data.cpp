@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/round_step.h"
+
 namespace flyrock {
 
 namespace {
@@ -11,15 +13,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr double bins_wanted = 40;
 constexpr std::uint64_t curve_points = 400, tail = 100;
-
-/// The least of 1, 2, 5, 10, 20, ... and their fractions that is not below `width`.
-double round_step(double width) {
-  if (!(width > 0)) return 1;
-  const double power = std::pow(10, std::floor(std::log10(width)));
-  for (const double step : {1.0, 2.0, 5.0})
-    if (step * power >= width) return step * power;
-  return 10 * power;
-}
 
 /// Ranks of the points of the curve among `count` runouts.
 std::vector<std::uint64_t> curve_ranks(std::uint64_t count) {

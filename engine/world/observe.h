@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "math/space.h"
+#include "world/path_bins.h"
 
 namespace flyrock {
 
@@ -100,6 +101,7 @@ struct BodyHistory {
   double bounce_height = 0;      ///< m, greatest height of the centre of mass above the ground below it
   int impact_count = 0;
   Travel travel;
+  PathBins path;                    ///< greatest height, speed and energy along x
   std::vector<Passage> passages;    ///< of gates, each at most once
   std::vector<BarrierHit> barriers; ///< met, each at most once
   std::vector<Impact> impacts;

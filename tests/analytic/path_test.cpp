@@ -25,3 +25,39 @@ TEST_CASE("A stored point says in which mode the body arrived there") {
     CHECK(distance[mode] == Approx(history.travel.distance[mode]).margin(0.02 * history.max_distance));
   CHECK(history.trajectory.back().mode == TravelMode::roll);
 }
+
+TEST_CASE("The bins along a parabola hold its heights, speeds and energies") {
+  lab::Material ground(0, 10);
+  lab::Bench bench(lab::ground(100), ground);
+  const double vx = 10, vy = 12, g = 9.81, radius = 0.2, mass = 10;
+  bench.add(lab::disk(radius, mass, {0.5, radius}, {vx, vy}));
+  bench.run_settings.bin_width = 2;
+  const BodyHistory& history = bench.run(2 * vy / g);  // until it lands
+  const PathBins& path = history.path;
+  CHECK(path.first() == 0);
+  REQUIRE(path.bins().size() >= 12);
+  const auto height = [&](double t) { return radius + t * (vy - 0.5 * g * t); };
+  const auto speed2 = [&](double t) { return vx * vx + (vy - g * t) * (vy - g * t); };
+  for (std::size_t i = 0; i < 12; ++i) {
+    const double enters = i == 0 ? 0 : (2.0 * static_cast<double>(i) - 0.5) / vx;
+    const double leaves = (2.0 * static_cast<double>(i) + 1.5) / vx;
+    CHECK(path.bins()[i].height == Approx(height(std::clamp(vy / g, enters, leaves))));
+    CHECK(path.bins()[i].speed == Approx(std::sqrt(std::max(speed2(enters), speed2(leaves)))));
+    CHECK(path.bins()[i].energy == Approx(0.5 * mass * std::max(speed2(enters), speed2(leaves))));
+  }
+}
+
+TEST_CASE("Bins grow to both sides and end with the ground") {
+  PathBins path(1, -3, 3);
+  const auto count = [](PathBin& bin, double t0, double t1) { bin.height += t1 - t0; };
+  path.visit(0.5, 1, 0, 1, count);    // to 1.5
+  path.visit(1.5, -2, 0, 1.5, count); // to -1.5
+  path.visit(-1.5, -1, 0, 9, count);  // beyond the ground: its first bin keeps the rest
+  CHECK(path.first() == -3);
+  REQUIRE(path.bins().size() == 5);
+  double time = 0;
+  for (const PathBin& bin : path.bins()) time += bin.height;
+  CHECK(time == Approx(1 + 1.5 + 9));
+  CHECK(path.bins()[0].height == Approx(8.5));
+  CHECK(path.bins()[3].height == Approx(0.5 + 0.5));
+}

@@ -1,0 +1,152 @@
+#include "batch/envelope.h"
+
+#include <numeric>
+
+#include "batch/columns.h"
+#include "math/round_step.h"
+
+namespace flyrock {
+
+namespace {
+
+constexpr double least = 1e-3, ratio = 1.02;
+constexpr std::uint64_t most_codes = 4096;  // beyond any finite energy
+
+std::size_t code_of(double value) {
+  if (!(value >= least)) return 0;
+  const double code = std::floor(std::log(value / least) / std::log(ratio)) + 1;
+  return static_cast<std::size_t>(std::min(code, static_cast<double>(most_codes - 1)));
+}
+
+/// The middle of a code's values, on a logarithmic scale.
+double value_of(std::size_t code) {
+  return code == 0 ? 0 : least * std::pow(ratio, static_cast<double>(code) - 0.5);
+}
+
+void count(std::vector<std::uint32_t>& counts, std::size_t code, std::uint32_t times) {
+  if (code >= counts.size()) counts.resize(code + 1, 0);
+  counts[code] += times;
+}
+
+// Whole numbers of 7 bits a byte, the last byte without its highest bit (LEB128).
+
+void put(std::string& bytes, std::uint64_t number) {
+  for (; number >= 128; number >>= 7) bytes.push_back(static_cast<char>(number | 128));
+  bytes.push_back(static_cast<char>(number));
+}
+
+std::uint64_t take(std::string_view& bytes) {
+  std::uint64_t number = 0;
+  for (int shift = 0; shift < 64; shift += 7) {
+    if (bytes.empty()) throw ColumnError("the envelopes end early");
+    const auto byte = static_cast<unsigned char>(bytes.front());
+    bytes.remove_prefix(1);
+    number |= static_cast<std::uint64_t>(byte & 127) << shift;
+    if (byte < 128) return number;
+  }
+  throw ColumnError("a number of the envelopes is too long");
+}
+
+/// ..., -1, 0, 1, ... to whole numbers from 0, small ones to small ones.
+std::uint64_t folded(std::int64_t n) { return static_cast<std::uint64_t>(n) << 1 ^ static_cast<std::uint64_t>(n >> 63); }
+std::int64_t unfolded(std::uint64_t n) { return static_cast<std::int64_t>(n >> 1) ^ -static_cast<std::int64_t>(n & 1); }
+
+}  // namespace
+
+double envelope_width(const Profile& terrain) { return round_step((terrain.x_max() - terrain.x_min()) / 200); }
+
+double EnvelopeBin::quantile(EnvelopeQuantity quantity, double p) const {
+  const std::vector<std::uint32_t>& of = counts[static_cast<std::size_t>(quantity)];
+  const double wanted = p * static_cast<double>(rocks());
+  std::uint64_t seen = 0;
+  std::size_t code = 0;
+  for (; code < of.size(); ++code) {
+    seen += of[code];
+    if (seen > 0 && static_cast<double>(seen) >= wanted) break;
+  }
+  return value_of(code);
+}
+
+std::uint64_t EnvelopeBin::rocks() const {
+  return std::accumulate(counts[0].begin(), counts[0].end(), std::uint64_t{0});
+}
+
+void EnvelopeBin::add(const EnvelopeBin& other) {
+  for (std::size_t q = 0; q < counts.size(); ++q)
+    for (std::size_t code = 0; code < other.counts[q].size(); ++code)
+      if (other.counts[q][code] > 0) count(counts[q], code, other.counts[q][code]);
+}
+
+void Envelopes::add(int group, const PathBins& path) {
+  if (path.bins().empty()) return;
+  auto& bins = groups_[group];
+  for (std::size_t i = 0; i < path.bins().size(); ++i) {
+    const PathBin& seen = path.bins()[i];
+    auto& counts = bins[path.first() + static_cast<std::int64_t>(i)].counts;
+    count(counts[0], code_of(seen.height), 1);
+    count(counts[1], code_of(seen.speed), 1);
+    count(counts[2], code_of(seen.energy), 1);
+  }
+}
+
+void Envelopes::add(const Envelopes& later) {
+  for (const auto& [group, bins] : later.groups_)
+    for (const auto& [bin, counts] : bins) groups_[group][bin].add(counts);
+}
+
+const std::map<std::int64_t, EnvelopeBin>& Envelopes::of_group(int group) const {
+  static const std::map<std::int64_t, EnvelopeBin> none;
+  const auto found = groups_.find(group);
+  return found == groups_.end() ? none : found->second;
+}
+
+std::map<std::int64_t, EnvelopeBin> Envelopes::of_all() const {
+  std::map<std::int64_t, EnvelopeBin> all;
+  for (const auto& [group, bins] : groups_)
+    for (const auto& [bin, counts] : bins) all[bin].add(counts);
+  return all;
+}
+
+std::string Envelopes::bytes() const {
+  std::string bytes;
+  put(bytes, groups_.size());
+  for (const auto& [group, bins] : groups_) {
+    put(bytes, static_cast<std::uint64_t>(group));
+    put(bytes, bins.size());
+    for (const auto& [bin, envelope] : bins) {
+      put(bytes, folded(bin));
+      for (const std::vector<std::uint32_t>& counts : envelope.counts) {
+        put(bytes, static_cast<std::uint64_t>(std::count_if(counts.begin(), counts.end(), [](auto n) { return n > 0; })));
+        for (std::size_t code = 0, before = 0; code < counts.size(); ++code) {
+          if (counts[code] == 0) continue;
+          put(bytes, code - before);
+          put(bytes, counts[code]);
+          before = code;
+        }
+      }
+    }
+  }
+  return bytes;
+}
+
+Envelopes Envelopes::read(std::string_view bytes) {
+  Envelopes envelopes;
+  for (std::uint64_t groups = take(bytes); groups > 0; --groups) {
+    auto& bins = envelopes.groups_[static_cast<int>(take(bytes))];
+    for (std::uint64_t n = take(bytes); n > 0; --n) {
+      EnvelopeBin& bin = bins[unfolded(take(bytes))];
+      for (std::vector<std::uint32_t>& counts : bin.counts) {
+        std::uint64_t code = 0;
+        for (std::uint64_t entries = take(bytes); entries > 0; --entries) {
+          code += take(bytes);
+          if (code >= most_codes) throw ColumnError("a code of the envelopes is too great");
+          count(counts, code, static_cast<std::uint32_t>(take(bytes)));
+        }
+      }
+    }
+  }
+  if (!bytes.empty()) throw ColumnError("the envelopes are longer than their bins");
+  return envelopes;
+}
+
+}  // namespace flyrock
