@@ -151,8 +151,10 @@ void Observer::stepped(int body, const Motion2& motion, double dt, TravelMode mo
   const BodyState s = state(body, now, 0, world_.time);
   extremes(body, s);
   clearance(body, motion, dt);
-  speeds(body, motion, dt);
-  speeds(body, now, 0);
+  histories_[body].path.visit(motion.x.x(), motion.v.x(), 0, dt, [&](PathBin& bin, double, double) {
+    bin.speed = std::max(bin.speed, s.velocity.norm());
+    bin.energy = std::max(bin.energy, s.kinetic_energy);
+  });
   if (every_ > 0 && world_.time >= next_sample_[body]) {
     store(body, s);
     while (next_sample_[body] <= world_.time) next_sample_[body] += every_;
