@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "collision/safe_time.h"
+
 namespace flyrock {
 
 namespace {
@@ -25,23 +27,10 @@ struct State {
         w_max(std::max(std::abs(w), std::abs(hull.motion.spin(end)))) {}
 };
 
-/// The time until gap + slope t - bend t^2 / 2 is zero, for gap > 0 or a pair that has just separated. A direction
-/// along which the pair overlaps deeply separates nothing, however fast it opens; at the start a held contact may, it has just opened.
-double safe_time(double gap, double slope, double bend, double least_gap, double deep) {
-  if (gap < -deep) return 0;
-  if (gap <= least_gap) {
-    if (slope < 0) return 0;
-    return bend > 0 ? 2 * slope / bend : forever;
-  }
-  if (bend <= 0) return slope >= 0 ? forever : gap / -slope;
-  const double root = std::sqrt(slope * slope + 2 * bend * gap);
-  return slope >= 0 ? (slope + root) / bend : 2 * gap / (root - slope);
-}
-
 class Search {
  public:
   Search(const MovingHull& a, const MovingHull& b, double end, const TouchSearch& search)
-      : a_(a), b_(b), end_(end), search_(search), least_gap_(1e-12 * search.size), deep_(1e-5 * search.size) {}
+      : a_(a), b_(b), end_(end), search_(search), scale_(search.size) {}
 
   std::optional<double> run(double t) {
     Direction direction;
@@ -71,12 +60,6 @@ class Search {
     Vec2 fixed = Vec2::Zero();  ///< kind 2: from b to a, kept in the world
   };
 
-  bool held(std::uint32_t feature, std::uint32_t against) const {
-    for (const HeldContact& h : search_.held)
-      if (h.feature == feature && h.against == against) return true;
-    return false;
-  }
-
   /// How long the edge `edge` of `reference` separates it from the points of `other`.
   double edge_lasts(const MovingHull& reference, const State& sr, const MovingHull& other, const State& so, int edge,
                     bool reference_is_a, double t) const {
@@ -88,7 +71,7 @@ class Search {
     for (int j = 0; j < other.count && least > 0; ++j) {
       const std::uint32_t edge_id = reference.edge_id(reference.base, edge);
       const std::uint32_t point_id = other.point_id(other.base, j);
-      const bool is_held = reference_is_a ? held(edge_id, point_id) : held(point_id, edge_id);
+      const bool is_held = reference_is_a ? search_.holds(edge_id, point_id) : search_.holds(point_id, edge_id);
       if (is_held && search_.held_are_solved) continue;
       const Vec2 arm = so.r * other.points[j];
       const Vec2 w = so.x + arm - sr.x;
@@ -108,7 +91,7 @@ class Search {
         bend += relative_acceleration.norm() + 2 * sr.w_max * speed +
                 (sr.w_max * sr.w_max + std::abs(reference.motion.alpha)) * (lever + speed * horizon);
       }
-      const double time = safe_time(gap, slope, bend, least_gap_, is_held && t == 0 ? forever : deep_);
+      const double time = safe_time(gap, slope, bend, scale_, is_held && t == 0);
       // The horizon ends the bound's validity, not the search, unless it reaches the end of the window.
       least = std::min(least, time >= horizon ? (horizon >= end_ - t ? forever : horizon) : time);
     }
@@ -122,14 +105,14 @@ class Search {
     for (int i = 0; i < a_.count; ++i) {
       for (int j = 0; j < b_.count && least > 0; ++j) {
         const std::uint32_t feature = a_.point_id(a_.base, i), against = b_.point_id(b_.base, j);
-        const bool is_held = held(feature, against);
+        const bool is_held = search_.holds(feature, against);
         if (is_held && search_.held_are_solved) continue;
         const Vec2 ra = sa.r * a_.points[i], rb = sb.r * b_.points[j];
         const double gap = d.dot(sa.x + ra - sb.x - rb) - a_.radius - b_.radius + search_.slack;
         const double slope = d.dot(sa.v + cross(sa.w, ra) - sb.v - cross(sb.w, rb));
         const double bend = along + (sa.w_max * sa.w_max + std::abs(a_.motion.alpha)) * ra.norm() +
                             (sb.w_max * sb.w_max + std::abs(b_.motion.alpha)) * rb.norm();
-        least = std::min(least, safe_time(gap, slope, bend, least_gap_, is_held && t == 0 ? forever : deep_));
+        least = std::min(least, safe_time(gap, slope, bend, scale_, is_held && t == 0));
       }
     }
     return least;
@@ -173,8 +156,7 @@ class Search {
   const MovingHull& b_;
   double end_;
   const TouchSearch& search_;
-  double least_gap_;
-  double deep_;  ///< what has just opened beside a held contact overlaps by far less
+  GapScale scale_;
 };
 
 }  // namespace

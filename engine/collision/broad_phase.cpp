@@ -5,7 +5,8 @@
 
 namespace flyrock {
 
-const std::vector<std::pair<int, int>>& SortAndSweep::pairs(const std::vector<Box2>& boxes) {
+template <int D>
+const std::vector<std::pair<int, int>>& SortAndSweep::pairs(const std::vector<Box<D>>& boxes) {
   if (order_.size() != boxes.size()) {
     order_.resize(boxes.size());
     std::iota(order_.begin(), order_.end(), 0);
@@ -20,5 +21,8 @@ const std::vector<std::pair<int, int>>& SortAndSweep::pairs(const std::vector<Bo
   std::sort(pairs_.begin(), pairs_.end());
   return pairs_;
 }
+
+template const std::vector<std::pair<int, int>>& SortAndSweep::pairs(const std::vector<Box2>&);
+template const std::vector<std::pair<int, int>>& SortAndSweep::pairs(const std::vector<Box3>&);
 
 }  // namespace flyrock

@@ -12,7 +12,8 @@ class SortAndSweep {
  public:
   /// The pairs (i < j) of boxes that overlap, sorted. The order along x is kept between calls, so that sorting costs
   /// little while boxes move little.
-  const std::vector<std::pair<int, int>>& pairs(const std::vector<Box2>& boxes);
+  template <int D>
+  const std::vector<std::pair<int, int>>& pairs(const std::vector<Box<D>>& boxes);
 
  private:
   std::vector<int> order_;

@@ -29,4 +29,16 @@ inline std::uint32_t corner_id(int corner) { return static_cast<std::uint32_t>(c
 inline bool is_corner(std::uint32_t terrain_id) { return (terrain_id & 1) == 0; }
 inline int terrain_index(std::uint32_t terrain_id) { return static_cast<int>(terrain_id >> 1); }
 
+/// In 3D a feature is a vertex, edge or face; a sphere has the vertex 0, a plane as terrain the face 0.
+enum class FeatureKind : std::uint32_t { vertex, edge, face };
+inline std::uint32_t feature_id(int contactor, FeatureKind kind, int index) {
+  return static_cast<std::uint32_t>(contactor) << 16 | static_cast<std::uint32_t>(index) << 2 |
+         static_cast<std::uint32_t>(kind);
+}
+inline FeatureKind kind_of(std::uint32_t feature) { return static_cast<FeatureKind>(feature & 3); }
+inline int index_of(std::uint32_t feature) { return static_cast<int>(feature >> 2 & 0x3fff); }
+
+/// The contactor's index in a feature id, in 2D and 3D.
+inline int contactor_of(std::uint32_t feature) { return static_cast<int>(feature >> 16); }
+
 }  // namespace flyrock

@@ -4,11 +4,11 @@ namespace flyrock {
 
 namespace {
 bool is_edge(std::uint32_t feature) { return feature & 1; }
-int index_of(std::uint32_t feature) { return static_cast<int>(feature >> 1 & 0x7fff); }
+int index_2d(std::uint32_t feature) { return static_cast<int>(feature >> 1 & 0x7fff); }
 }  // namespace
 
 double feature_gap(const Placed2& contactor, std::uint32_t feature, const Terrain2& terrain, std::uint32_t against) {
-  const int i = terrain_index(against), k = index_of(feature);
+  const int i = terrain_index(against), k = index_2d(feature);
   if (is_edge(feature)) return contactor.outside(k, terrain.point(i)) - contactor.shape.radius;
   const Vec2 p = contactor.point(k);
   const double distance =
@@ -17,7 +17,7 @@ double feature_gap(const Placed2& contactor, std::uint32_t feature, const Terrai
 }
 
 double feature_gap(const Placed2& candidate, std::uint32_t feature, const Placed2& antagonist, std::uint32_t against) {
-  const int k = index_of(feature), j = index_of(against);
+  const int k = index_2d(feature), j = index_2d(against);
   const double radii = candidate.shape.radius + antagonist.shape.radius;
   if (is_edge(feature)) return candidate.outside(k, antagonist.point(j)) - radii;
   if (is_edge(against)) return antagonist.outside(j, candidate.point(k)) - radii;

@@ -4,6 +4,7 @@
 #include "collision/contact.h"
 #include "collision/placed.h"
 #include "collision/terrain.h"
+#include "collision/terrain3.h"
 
 namespace flyrock {
 
@@ -13,7 +14,7 @@ double feature_gap(const Placed2& contactor, std::uint32_t feature, const Terrai
 /// The gap between features of two contactors, as body_contacts names them [m].
 double feature_gap(const Placed2& candidate, std::uint32_t feature, const Placed2& antagonist, std::uint32_t against);
 
-/// The contactor's index in a feature id.
-inline int contactor_of(std::uint32_t feature) { return static_cast<int>(feature >> 16); }
+double feature_gap(const Placed3& contactor, std::uint32_t feature, const Terrain3& terrain, std::uint32_t against);
+double feature_gap(const Placed3& candidate, std::uint32_t feature, const Placed3& antagonist, std::uint32_t against);
 
 }  // namespace flyrock

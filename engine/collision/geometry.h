@@ -4,6 +4,7 @@
 #include "collision/motion.h"
 #include "collision/placed.h"
 #include "collision/terrain.h"
+#include "collision/terrain3.h"
 
 namespace flyrock {
 
@@ -17,6 +18,17 @@ struct Geometry<2> {
   using Box = Box2;
   using Pose = Pose2;
   using Contactor = Contactor2;
+  using Placed = Placed2;
+};
+
+template <>
+struct Geometry<3> {
+  using Terrain = Terrain3;
+  using Motion = Motion3;
+  using Box = Box3;
+  using Pose = Pose3;
+  using Contactor = Contactor3;
+  using Placed = Placed3;
 };
 
 }  // namespace flyrock

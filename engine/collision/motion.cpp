@@ -31,22 +31,62 @@ void keep_below(double x, double v, double a, double limit, TimeWindow& window) 
 
 }  // namespace
 
-TimeWindow meeting_window(const Motion2& motion, double r, const Box2& box, double t_max) {
+GivenRotation GivenRotation::between(const Rotation3& start, const Vec3& w, const Rotation3& end, double h) {
+  const Vec3 turned = (end * start.inverse()).vector();
+  return {start, w, 2 / (h * h) * (turned - h * w)};
+}
+
+/// The spin of exp(u(t)) R is u' + (1 - cos u)/u^2 u x u' + (u - sin u)/u^3 u x (u x u'), u = |u|.
+Turn GivenRotation::at(double t) const {
+  const Vec3 u = t * (w + 0.5 * t * alpha), rate = w + t * alpha, across = u.cross(rate);
+  const double angle = u.norm();
+  // Near 0 by their series, where the quotients cancel.
+  const double first = angle < 1e-3 ? 0.5 - angle * angle / 24 : (1 - std::cos(angle)) / (angle * angle);
+  const double second = angle < 1e-2 ? 1.0 / 6 - angle * angle / 120 : (angle - std::sin(angle)) / std::pow(angle, 3);
+  return {Rotation3::from_vector(u) * start, rate + first * across + second * u.cross(across)};
+}
+
+/// The map from u' to the spin lengthens nothing.
+double GivenRotation::greatest_spin(double t) const { return std::max(w.norm(), (w + t * alpha).norm()); }
+
+/// Its own rate of change is at most |u'|/2, and 0 where the axis stays.
+double GivenRotation::greatest_spin_rate(double t) const {
+  const double spin = greatest_spin(t);
+  return alpha.norm() + (w.cross(alpha).isZero(0) ? 0 : 0.5 * spin * spin);
+}
+
+Turn Motion3::turn(double t) const {
+  return std::visit([t](const auto& r) { return r.at(t); }, rotation);
+}
+
+double Motion3::greatest_spin(double t) const {
+  const auto* given = std::get_if<GivenRotation>(&rotation);
+  return given ? given->greatest_spin(t) : std::get<FreeRotation>(rotation).greatest_spin();
+}
+
+double Motion3::greatest_spin_rate(double t) const {
+  const auto* given = std::get_if<GivenRotation>(&rotation);
+  return given ? given->greatest_spin_rate(t) : std::get<FreeRotation>(rotation).greatest_spin_rate();
+}
+
+template <int D>
+TimeWindow meeting_window(const Path<D>& path, double r, const Box<D>& box, double t_max) {
   TimeWindow window{0, t_max};
-  for (int k = 0; k < 2; ++k) {
-    if (!window.empty()) keep_below(motion.x[k], motion.v[k], motion.a[k], box.high[k] + r, window);
-    if (!window.empty()) keep_below(-motion.x[k], -motion.v[k], -motion.a[k], r - box.low[k], window);
+  for (int k = 0; k < D; ++k) {
+    if (!window.empty()) keep_below(path.x[k], path.v[k], path.a[k], box.high[k] + r, window);
+    if (!window.empty()) keep_below(-path.x[k], -path.v[k], -path.a[k], r - box.low[k], window);
   }
   return window;
 }
 
-Box2 swept_box(const Motion2& motion, double r, double t) {
-  const Vec2 end = motion.position(t);
-  Box2 box{motion.x.cwiseMin(end), motion.x.cwiseMax(end)};
-  for (int k = 0; k < 2; ++k) {
-    const double turn = motion.a[k] != 0 ? -motion.v[k] / motion.a[k] : -1;
+template <int D>
+Box<D> swept_box(const Path<D>& path, double r, double t) {
+  const Vec<D> end = path.position(t);
+  Box<D> box{path.x.cwiseMin(end), path.x.cwiseMax(end)};
+  for (int k = 0; k < D; ++k) {
+    const double turn = path.a[k] != 0 ? -path.v[k] / path.a[k] : -1;
     if (turn <= 0 || turn >= t) continue;
-    const double extreme = motion.position(turn)[k];
+    const double extreme = path.position(turn)[k];
     box.low[k] = std::min(box.low[k], extreme);
     box.high[k] = std::max(box.high[k], extreme);
   }
@@ -56,14 +96,23 @@ Box2 swept_box(const Motion2& motion, double r, double t) {
 }
 
 /// With u = v . a / |a| + |a| t and p the speed across a, the speed is sqrt(p^2 + u^2).
-double path_length(const Motion2& motion, double t) {
-  const double a = motion.a.norm();
-  if (a == 0) return t * motion.v.norm();
-  const double along = motion.v.dot(motion.a) / a, across = std::abs(cross(motion.v, motion.a)) / a;
+template <int D>
+double path_length(const Path<D>& path, double t) {
+  const double a = path.a.norm();
+  if (a == 0) return t * path.v.norm();
+  const Vec<D> direction = path.a / a;
+  const double along = path.v.dot(direction), across = (path.v - along * direction).norm();
   const auto antiderivative = [&](double u) {
     return 0.5 * (u * std::hypot(across, u) + (across > 0 ? across * across * std::asinh(u / across) : 0));
   };
   return (antiderivative(along + a * t) - antiderivative(along)) / a;
 }
+
+template TimeWindow meeting_window(const Path<2>&, double, const Box2&, double);
+template TimeWindow meeting_window(const Path<3>&, double, const Box3&, double);
+template Box2 swept_box(const Path<2>&, double, double);
+template Box3 swept_box(const Path<3>&, double, double);
+template double path_length(const Path<2>&, double);
+template double path_length(const Path<3>&, double);
 
 }  // namespace flyrock

@@ -2,6 +2,7 @@
 // A contactor at its place in the world.
 
 #include "geometry/contactor.h"
+#include "geometry/contactor3.h"
 
 namespace flyrock {
 
@@ -23,6 +24,31 @@ struct Placed2 {
   /// Distance of a point from the line of an edge, positive outside.
   double outside(int edge, const Vec2& world) const {
     return shape.normals[edge].dot(pose.r.inverse(world - pose.x) - shape.points[edge]);
+  }
+};
+
+struct Pose3 {
+  Vec3 x = Vec3::Zero();
+  Rotation3 r;
+
+  Vec3 operator*(const Vec3& local) const { return x + r * local; }
+};
+
+/// A view of a contactor, which must outlive it.
+struct Placed3 {
+  const Contactor3& shape;
+  Pose3 pose;
+
+  int count() const { return static_cast<int>(shape.points.size()); }
+  int faces() const { return static_cast<int>(shape.faces.size()); }
+  Vec3 point(int i) const { return pose * shape.points[i]; }
+  Vec3 normal(int face) const { return pose.r * shape.faces[face].normal; }
+  /// A vertex of a face's loop.
+  Vec3 corner(int face, int i) const { return point(shape.vertex(shape.faces[face], i)); }
+  /// Distance of a point from the plane of a face, positive outside.
+  double outside(int face, const Vec3& world) const {
+    const Contactor3::Face& f = shape.faces[face];
+    return f.normal.dot(pose.r.inverse(world - pose.x) - shape.points[shape.vertex(f, 0)]);
   }
 };
 

@@ -6,6 +6,7 @@
 #include "collision/contact.h"
 #include "collision/placed.h"
 #include "collision/terrain.h"
+#include "collision/terrain3.h"
 
 namespace flyrock {
 
@@ -19,5 +20,10 @@ namespace flyrock {
 /// overlap, as it is in the middle of a step; an edge that has turned out of a corner's cone by no more is still held.
 void terrain_contacts(const Placed2& contactor, int contactor_index, const Terrain2& terrain, double reach, double turn,
                       std::vector<ContactPoint<2>>& out);
+
+/// Appends the contacts of a sphere or convex polyhedron with a plane whose gap is at most `reach` [m]: of a polyhedron
+/// its vertices, at most four.
+void terrain_contacts(const Placed3& contactor, int contactor_index, const Terrain3& terrain, double reach,
+                      std::vector<ContactPoint<3>>& out);
 
 }  // namespace flyrock

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "collision/advancement.h"
+#include "collision/round_path.h"
 #include "math/polynomial.h"
 
 namespace flyrock {
@@ -14,17 +15,6 @@ namespace {
 std::uint32_t terrain_point(int base, int i) { return corner_id(base + i); }
 std::uint32_t terrain_edge(int base, int) { return segment_id(base); }
 
-bool holds(const TouchSearch& search, std::uint32_t feature, std::uint32_t against) {
-  return std::any_of(search.held.begin(), search.held.end(),
-                     [&](const HeldContact& h) { return h.feature == feature && h.against == against; });
-}
-
-/// The constant term of a distance polynomial: a contact that has just opened counts from 0, so that a bounce
-/// on the same place takes 2 v / g to the last bit.
-double start_gap(double gap, bool just_opened, const TouchSearch& search) {
-  return just_opened && std::abs(gap) <= 1e-6 * search.size ? 0.0 : gap + search.slack;
-}
-
 class DiskSearch {
  public:
   DiskSearch(double radius, std::uint32_t feature, const Motion2& motion, const Terrain2& terrain,
@@ -32,10 +22,10 @@ class DiskSearch {
       : radius_(radius), feature_(feature), motion_(motion), terrain_(terrain), search_(search) {}
 
   void segment(int i, const TimeWindow& window, std::optional<double>& best) const {
-    const bool held = holds(search_, feature_, segment_id(i));
+    const bool held = search_.holds(feature_, segment_id(i));
     if (held && search_.held_are_solved) return;
     const Vec2& n = terrain_.normal(i);
-    const std::array<double, 3> gap{start_gap(n.dot(motion_.x - terrain_.start(i)) - radius_, held, search_),
+    const std::array<double, 3> gap{search_.start_gap(n.dot(motion_.x - terrain_.start(i)) - radius_, held),
                                     n.dot(motion_.v), 0.5 * n.dot(motion_.a)};
     const auto t = first_fall(gap, window.a, window.b);
     if (!t || (best && *t >= *best)) return;
@@ -46,16 +36,10 @@ class DiskSearch {
 
   void corner(int i, const TimeWindow& window, std::optional<double>& best) const {
     if (terrain_.corner(i) != Corner::convex) return;
-    const bool held = holds(search_, feature_, corner_id(i));
+    const bool held = search_.holds(feature_, corner_id(i));
     if (held && search_.held_are_solved) return;
-    // (|x - corner|^2 - r^2) / 2r: near contact the gap itself, and a polynomial of degree 4 along a parabola.
-    const Vec2 x = motion_.x - terrain_.point(i);
-    const Vec2 &v = motion_.v, &a = motion_.a;
-    const double distance = x.norm(), scale = 0.5 / radius_;
-    const double gap = start_gap(distance - radius_, held, search_);
-    const std::array<double, 5> square{gap * (distance + radius_) * scale, 2 * x.dot(v) * scale,
-                                       (v.squaredNorm() + x.dot(a)) * scale, v.dot(a) * scale,
-                                       0.25 * a.squaredNorm() * scale};
+    const Path<2> relative{motion_.x - terrain_.point(i), motion_.v, motion_.a};
+    const auto square = ball_gap(relative, radius_, search_.start_gap(relative.x.norm() - radius_, held));
     const auto t = first_fall(square, window.a, window.b);
     if (t && (!best || *t < *best)) best = t;
   }
@@ -75,6 +59,15 @@ MovingHull hull_of(const Contactor2& contactor, int index, const Motion2& motion
 }
 
 }  // namespace
+
+bool TouchSearch::holds(std::uint32_t feature, std::uint32_t against) const {
+  return std::any_of(held.begin(), held.end(),
+                     [&](const HeldContact& h) { return h.feature == feature && h.against == against; });
+}
+
+double TouchSearch::start_gap(double gap, bool just_opened) const {
+  return just_opened && std::abs(gap) <= 1e-6 * size ? 0.0 : gap + slack;
+}
 
 std::optional<double> time_of_contact(const Contactor2& contactor, int contactor_index, const Motion2& motion,
                                       const Terrain2& terrain, double t_max, const TouchSearch& search) {

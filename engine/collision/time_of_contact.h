@@ -7,7 +7,9 @@
 #include "collision/contact.h"
 #include "collision/motion.h"
 #include "collision/terrain.h"
+#include "collision/terrain3.h"
 #include "geometry/contactor.h"
+#include "geometry/contactor3.h"
 
 namespace flyrock {
 
@@ -26,6 +28,11 @@ struct TouchSearch {
   double slack = 0;
   double size = 1;              ///< m, of the body: a time is exact to a gap of 1e-12 of it
   std::uint64_t* iterations = nullptr;
+
+  bool holds(std::uint32_t feature, std::uint32_t against) const;
+  /// The gap at the start as a distance polynomial takes it: a contact that has just opened counts from 0, so that a
+  /// bounce on the same place takes 2 v / g to the last bit.
+  double start_gap(double gap, bool just_opened) const;
 };
 
 /// The first time in [0, t_max] at which the moving contactor touches the terrain and approaches it; the answer lies
@@ -43,5 +50,13 @@ std::optional<double> time_of_contact(const Contactor2& contactor, int contactor
 /// The same for two moving contactors.
 std::optional<double> time_of_contact(const Contactor2& a, int a_index, const Motion2& a_motion, const Contactor2& b,
                                       int b_index, const Motion2& b_motion, double t_max, const TouchSearch& search);
+
+/// In 3D. A sphere about the centre of mass and a plane or another such sphere: the exact root, degree 2 and 4. Others:
+/// directed conservative advancement, as above; the directions are the normals of faces, the line from the nearest place of
+/// a contactor to the centre of a sphere, turning with it, and the products of two edges.
+std::optional<double> time_of_contact(const Contactor3& contactor, int contactor_index, const Motion3& motion,
+                                      const Terrain3& terrain, double t_max, const TouchSearch& search);
+std::optional<double> time_of_contact(const Contactor3& a, int a_index, const Motion3& a_motion, const Contactor3& b,
+                                      int b_index, const Motion3& b_motion, double t_max, const TouchSearch& search);
 
 }  // namespace flyrock

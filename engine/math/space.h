@@ -32,6 +32,41 @@ struct Rotation2 {
   Vec2 inverse(const Vec2& v) const { return {c * v.x() + s * v.y(), -s * v.x() + c * v.y()}; }
 };
 
+/// A rotation of space: a unit quaternion, and the matrix that it is, so that many points are turned cheaply.
+class Rotation3 {
+ public:
+  Rotation3() = default;
+  explicit Rotation3(const Eigen::Quaterniond& q) : q_(q.normalized()), matrix_(q_.toRotationMatrix()) {}
+  explicit Rotation3(const Eigen::Matrix3d& orthonormal) : Rotation3(Eigen::Quaterniond(orthonormal)) {}
+
+  /// The exponential map: the turn by |v| [rad] about the axis v.
+  static Rotation3 from_vector(const Vec3& v);
+  /// Its inverse: the v with from_vector(v) = *this and |v| <= pi.
+  Vec3 vector() const;
+
+  Vec3 operator*(const Vec3& v) const { return matrix_ * v; }
+  Rotation3 operator*(const Rotation3& first) const { return Rotation3(q_ * first.q_); }
+  Vec3 inverse(const Vec3& v) const { return matrix_.transpose() * v; }
+  Rotation3 inverse() const { return Rotation3(q_.conjugate()); }
+  const Eigen::Quaterniond& quaternion() const { return q_; }
+  const Eigen::Matrix3d& matrix() const { return matrix_; }
+
+ private:
+  Eigen::Quaterniond q_ = Eigen::Quaterniond::Identity();
+  Eigen::Matrix3d matrix_ = Eigen::Matrix3d::Identity();
+};
+
+/// The frame of a contact of normal n: the columns n, t.  t = (n_y, -n_x) is +x on level ground.
+inline Eigen::Matrix2d contact_frame(const Vec2& n) {
+  Eigen::Matrix2d frame;
+  frame << n.x(), n.y(), n.y(), -n.x();
+  return frame;
+}
+
+/// The columns n, t, s with s x t = n; on level ground t = +x. Continuous in n but for the cone n_z = -0.9, where no
+/// level and no upright face lies.
+Eigen::Matrix3d contact_frame(const Vec3& n);
+
 /// What depends on the dimension: the type of a spin, of a moment of inertia and of a rotation, and the number of
 /// velocity components of a rigid body.
 template <int D>
@@ -43,6 +78,14 @@ struct Space<2> {
   using Inertia = double;  ///< kg m2 about the centre of mass
   using Rotation = Rotation2;
   static constexpr int dof = 3;  ///< (v_x, v_y, omega)
+};
+
+template <>
+struct Space<3> {
+  using Spin = Vec3;     ///< rad/s, world frame
+  using Inertia = Vec3;  ///< kg m2, the principal moments about the centre of mass: a body's frame is its principal one
+  using Rotation = Rotation3;
+  static constexpr int dof = 6;  ///< (v_x, v_y, v_z, omega_x, omega_y, omega_z)
 };
 
 }  // namespace flyrock

@@ -1,0 +1,307 @@
+#include "collision/advancement3.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "collision/round_contact.h"
+#include "collision/round_path.h"
+#include "collision/safe_time.h"
+#include "collision/separating_axis.h"
+#include "math/polynomial.h"
+
+namespace flyrock {
+
+namespace {
+
+constexpr double forever = std::numeric_limits<double>::infinity();
+constexpr int most_iterations = 500;
+
+/// A contactor at one time, with bounds of its motion until the end of the search.
+struct State {
+  Turn turn;
+  Vec3 x, v;
+  double w_max;      ///< greatest spin
+  double w_rate;     ///< greatest rate of change of the spin
+  State(const MovingContactor& c, double t, double end)
+      : turn(c.motion.turn(t)),
+        x(c.motion.position(t)),
+        v(c.motion.velocity(t)),
+        w_max(c.motion.greatest_spin(end)),
+        w_rate(c.motion.greatest_spin_rate(end)) {}
+
+  Vec3 arm(const Vec3& local) const { return turn.rotation * local; }
+  Vec3 velocity_at(const Vec3& arm) const { return v + turn.spin.cross(arm); }
+  /// Bound of the acceleration of a point at a lever, beside that of the centre of mass.
+  double bend(double lever) const { return (w_max * w_max + w_rate) * lever; }
+  bool turns() const { return w_max > 0 || w_rate > 0; }
+};
+
+class PlaneSearch {
+ public:
+  PlaneSearch(const MovingContactor& c, const Plane& plane, double end, const TouchSearch& search)
+      : c_(c), plane_(plane), end_(end), search_(search), scale_(search.size), ball_(c.shape.bounding_radius()) {}
+
+  /// How long the plane stays clear of all vertices, from t on.
+  double lasts(double t) const {
+    const State s(c_, t, end_);
+    double least = forever;
+    for (int i = 0; i < static_cast<int>(c_.shape.points.size()) && least > 0; ++i) {
+      const bool held = search_.holds(feature_id(c_.index, FeatureKind::vertex, i), feature_id(0, FeatureKind::face, 0));
+      if (held && search_.held_are_solved) continue;
+      const Vec3 arm = s.arm(c_.shape.points[i]);
+      const double gap = plane_.distance(s.x + arm) - c_.shape.radius + search_.slack;
+      const double slope = plane_.normal.dot(s.velocity_at(arm));
+      const double bend = std::max(0.0, -plane_.normal.dot(c_.motion.a)) + s.bend(arm.norm());
+      least = std::min(least, safe_time(gap, slope, bend, scale_, held && t == 0));
+    }
+    return least;
+  }
+
+  /// The height of the ball about the whole contactor over the plane, as a polynomial of t.
+  std::array<double, 3> clearance() const {
+    return {plane_.distance(c_.motion.x) - ball_ + search_.slack, plane_.normal.dot(c_.motion.v),
+            0.5 * plane_.normal.dot(c_.motion.a)};
+  }
+
+ private:
+  const MovingContactor& c_;
+  const Plane& plane_;
+  double end_;
+  const TouchSearch& search_;
+  GapScale scale_;
+  double ball_;
+};
+
+class PairSearch {
+ public:
+  PairSearch(const MovingContactor& a, const MovingContactor& b, double end, const TouchSearch& search)
+      : a_(a), b_(b), end_(end), search_(search), scale_(search.size) {}
+
+  /// How long the direction that was last followed, or else the best one, separates the pair.
+  double lasts(double t) {
+    const State sa(a_, t, end_), sb(b_, t, end_);
+    const double step = chosen_ ? lasts(direction_, sa, sb, t) : 0;
+    return step > 0 ? step : longest(sa, sb, t);
+  }
+
+  std::array<double, 5> clearance() const {
+    Path<3> relative = a_.motion;
+    relative.x -= b_.motion.x;
+    relative.v -= b_.motion.v;
+    relative.a -= b_.motion.a;
+    const double balls = a_.shape.bounding_radius() + b_.shape.bounding_radius();
+    return ball_gap(relative, balls, relative.x.norm() - balls + search_.slack);
+  }
+
+ private:
+  /// A normal that turns with a contactor (of_a, of_b), or the product of two edges.
+  struct Direction {
+    enum class Kind { of_a, of_b, edges } kind = Kind::of_a;
+    Vec3 local = Vec3::UnitZ();   ///< of_a, of_b: in that body's frame, outward
+    double support = 0;           ///< of_a, of_b: how far the contactor reaches along it from the body's origin
+    std::uint32_t feature = 0;    ///< of_a, of_b: what it belongs to
+    int edge_a = 0, edge_b = 0;   ///< edges
+    double sign = 1;              ///< edges: of the product that points from b to a
+  };
+
+  static std::uint32_t vertex(const MovingContactor& c, int i) { return feature_id(c.index, FeatureKind::vertex, i); }
+
+  /// A sphere has one contact with a convex contactor, whatever the feature it has reached.
+  bool held(std::uint32_t feature, std::uint32_t against) const {
+    if (!a_.shape.round() && !b_.shape.round()) return search_.holds(feature, against);
+    return std::any_of(search_.held.begin(), search_.held.end(), [&](const HeldContact& h) {
+      return contactor_of(h.feature) == a_.index && contactor_of(h.against) == b_.index;
+    });
+  }
+
+  /// Bounds of the motion of the difference of two points, while a normal turns.
+  struct Bounds {
+    double horizon;       ///< s for which they hold
+    double speed;         ///< of the difference
+    double acceleration;  ///< of the difference
+  };
+
+  /// The least of safe_time for one pair of points. n' and n'' are bounded by turn and turn_rate.
+  double point_lasts(double gap, double slope, double lever, double turn, double turn_rate, const Bounds& b, bool opened,
+                     double t) const {
+    const double reach = lever + b.speed * b.horizon;
+    const double bend = turn_rate * reach + 2 * turn * b.speed + b.acceleration;
+    const double time = safe_time(gap + search_.slack, slope, bend, scale_, opened);
+    // The horizon ends the bound's validity, not the search, unless it reaches the end of the window.
+    return time >= b.horizon ? (b.horizon >= end_ - t ? forever : b.horizon) : time;
+  }
+
+  double face_lasts(const Direction& d, const MovingContactor& reference, const State& sr, const MovingContactor& other,
+                    const State& so, double t) const {
+    const Vec3 normal = sr.arm(d.local), normal_rate = sr.turn.spin.cross(normal);
+    const Vec3 relative_a = other.motion.a - reference.motion.a;
+    const double offset = d.support + reference.shape.radius + other.shape.radius;
+    double least = forever;
+    for (int j = 0; j < static_cast<int>(other.shape.points.size()) && least > 0; ++j) {
+      const bool is_held = &reference == &a_ ? held(d.feature, vertex(other, j)) : held(vertex(other, j), d.feature);
+      if (is_held && search_.held_are_solved) continue;
+      const Vec3 arm = so.arm(other.shape.points[j]), away = so.x + arm - sr.x;
+      const double lever = away.norm(), turn = sr.w_max, turn_rate = turn * turn + sr.w_rate;
+      Bounds bounds{end_ - t, (so.v - sr.v).norm() + relative_a.norm() * (end_ - t) + so.w_max * arm.norm(),
+                    so.bend(arm.norm())};
+      if (sr.turns()) {
+        // The lever of a turning normal must not grow without bound.
+        if (bounds.speed > 0) bounds.horizon = std::min(bounds.horizon, (lever + search_.size) / bounds.speed);
+        bounds.acceleration += relative_a.norm();
+      } else {
+        bounds.acceleration += std::max(0.0, -normal.dot(relative_a));
+      }
+      const double slope = normal_rate.dot(away) + normal.dot(so.velocity_at(arm) - sr.v);
+      least = std::min(least, point_lasts(normal.dot(away) - offset, slope, lever, turn, turn_rate, bounds,
+                                          is_held && t == 0, t));
+    }
+    return least;
+  }
+
+  /// The normal n = N/|N| of N = E x F: with s = |N| and W the sum of the spins, |N'| <= W and |N''| <= W^2 + their rates;
+  /// |n'| <= W/s, |n''| <= |N''|/s + 3 W^2/s^2. They hold with s/2 for a time s/(2 W).
+  double edges_last(const Direction& d, const State& sa, const State& sb, double t) const {
+    const Contactor3::Edge &ea = a_.shape.edges[d.edge_a], &eb = b_.shape.edges[d.edge_b];
+    const auto along = [](const MovingContactor& c, const State& s, const Contactor3::Edge& e) {
+      return s.arm((c.shape.points[e.end] - c.shape.points[e.start]).normalized());
+    };
+    const Vec3 e = along(a_, sa, ea), f = along(b_, sb, eb), product = d.sign * e.cross(f);
+    const double sine = product.norm(), w = sa.w_max + sb.w_max;
+    if (sine < 1e-6) return 0;
+    const Vec3 normal = product / sine;
+    const Vec3 rate = d.sign / sine * (sa.turn.spin.cross(e).cross(f) + e.cross(sb.turn.spin.cross(f)));
+    const Vec3 normal_rate = rate - normal * normal.dot(rate);
+    const double s = 0.5 * sine, turn = w / s;
+    const double turn_rate = (w * w + sa.w_rate + sb.w_rate) / s + 3 * turn * turn;
+    const Vec3 relative_a = a_.motion.a - b_.motion.a;
+    const double size_a = a_.shape.bounding_radius(), size_b = b_.shape.bounding_radius();
+    Bounds bounds{end_ - t, (sa.v - sb.v).norm() + relative_a.norm() * (end_ - t) + sa.w_max * size_a + sb.w_max * size_b,
+                  sa.bend(size_a) + sb.bend(size_b) + relative_a.norm()};
+    const bool is_held = held(feature_id(a_.index, FeatureKind::edge, d.edge_a), feature_id(b_.index, FeatureKind::edge, d.edge_b));
+    if (w > 0) bounds.horizon = std::min(bounds.horizon, s / w);
+    if (bounds.speed > 0) bounds.horizon = std::min(bounds.horizon, ((sa.x - sb.x).norm() + search_.size) / bounds.speed);
+    double least = forever;
+    for (int i = 0; i < static_cast<int>(a_.shape.points.size()); ++i) {
+      const Vec3 arm_a = sa.arm(a_.shape.points[i]), va = sa.velocity_at(arm_a);
+      for (int j = 0; j < static_cast<int>(b_.shape.points.size()) && least > 0; ++j) {
+        const bool on_edges = (i == ea.start || i == ea.end) && (j == eb.start || j == eb.end);
+        if (on_edges && is_held && search_.held_are_solved) continue;
+        const Vec3 arm_b = sb.arm(b_.shape.points[j]), away = sa.x + arm_a - sb.x - arm_b;
+        const double slope = normal_rate.dot(away) + normal.dot(va - sb.velocity_at(arm_b));
+        least = std::min(least, point_lasts(normal.dot(away), slope, away.norm(), turn, turn_rate, bounds,
+                                            on_edges && is_held && t == 0, t));
+      }
+    }
+    return least;
+  }
+
+  double lasts(const Direction& d, const State& sa, const State& sb, double t) const {
+    switch (d.kind) {
+      case Direction::Kind::of_a: return face_lasts(d, a_, sa, b_, sb, t);
+      case Direction::Kind::of_b: return face_lasts(d, b_, sb, a_, sa, t);
+      case Direction::Kind::edges: break;
+    }
+    return edges_last(d, sa, sb, t);
+  }
+
+  /// Follows the direction that separates longest; returns how long: 0 where none does.
+  double longest(const State& sa, const State& sb, double t) {
+    double best = 0;
+    const double enough = end_ - t;
+    const auto try_direction = [&](const Direction& candidate) {
+      if (best >= enough) return;
+      if (const double time = lasts(candidate, sa, sb, t); time > best) best = time, direction_ = candidate;
+    };
+    const auto try_faces = [&](const MovingContactor& c, Direction::Kind kind) {
+      for (int f = 0; f < static_cast<int>(c.shape.faces.size()); ++f) {
+        const Contactor3::Face& face = c.shape.faces[f];
+        const double support = face.normal.dot(c.shape.points[c.shape.vertex(face, 0)]);
+        try_direction({kind, face.normal, support, feature_id(c.index, FeatureKind::face, f), 0, 0, 1});
+      }
+    };
+    try_faces(b_, Direction::Kind::of_b);
+    try_faces(a_, Direction::Kind::of_a);
+    const Placed3 a{a_.shape, {sa.x, sa.turn.rotation}}, b{b_.shape, {sb.x, sb.turn.rotation}};
+    if (a_.shape.round()) {
+      try_direction(towards(a.point(0), b, sb, b_.index, Direction::Kind::of_b));
+    } else if (b_.shape.round()) {
+      try_direction(towards(b.point(0), a, sa, a_.index, Direction::Kind::of_a));
+    } else if (const EdgeAxis axis = best_edge_axis(a, b); axis.of_a >= 0) {
+      Direction edges;
+      edges.kind = Direction::Kind::edges;
+      edges.edge_a = axis.of_a;
+      edges.edge_b = axis.of_b;
+      const auto along = [](const Placed3& p, int e) {
+        return Vec3(p.point(p.shape.edges[e].end) - p.point(p.shape.edges[e].start));
+      };
+      edges.sign = along(a, axis.of_a).cross(along(b, axis.of_b)).dot(axis.normal) > 0 ? -1 : 1;
+      try_direction(edges);
+    }
+    chosen_ = true;
+    return best;
+  }
+
+  /// From the nearest place of a contactor to the centre of a sphere.
+  static Direction towards(const Vec3& centre, const Placed3& c, const State& s, int index, Direction::Kind kind) {
+    Direction d;
+    d.kind = kind;
+    if (c.shape.round()) {
+      const Vec3 away = centre - c.point(0);
+      d.local = s.turn.rotation.inverse(away.norm() > 0 ? Vec3(away.normalized()) : Vec3::UnitZ());
+      d.feature = feature_id(index, FeatureKind::vertex, 0);
+    } else {
+      const NearestPlace place = nearest_place(c, centre);
+      d.local = s.turn.rotation.inverse(place.normal);
+      d.feature = feature_id(index, place.kind, place.index);
+    }
+    d.support = -forever;
+    for (const Vec3& p : c.shape.points) d.support = std::max(d.support, d.local.dot(p));
+    return d;
+  }
+
+  const MovingContactor& a_;
+  const MovingContactor& b_;
+  double end_;
+  const TouchSearch& search_;
+  GapScale scale_;
+  Direction direction_;
+  bool chosen_ = false;
+};
+
+/// Follows `search` from one safe time to the next. Where the balls about the contactors are clear of each other it goes
+/// on to where they meet.
+template <class Search>
+std::optional<double> advance(Search&& search, double end, std::uint64_t* iterations) {
+  const auto clearance = search.clearance();
+  double t = 0;
+  for (int i = 0; i < most_iterations; ++i) {
+    if (evaluate(clearance, t) > 0) {
+      const auto meet = first_fall(clearance, t, end);
+      if (!meet) return std::nullopt;
+      t = std::max(t, *meet);
+    }
+    if (iterations) ++*iterations;
+    const double step = search.lasts(t);
+    if (step <= 0) return t;
+    if (step >= end - t) return std::nullopt;
+    const double next = t + step;
+    if (next <= t) return t;  // below the resolution of time
+    t = next;
+  }
+  return t;
+}
+
+}  // namespace
+
+std::optional<double> advance_to_plane(const MovingContactor& contactor, const Plane& plane, double end,
+                                       const TouchSearch& search) {
+  return advance(PlaneSearch(contactor, plane, end, search), end, search.iterations);
+}
+
+std::optional<double> advance_to_contact(const MovingContactor& a, const MovingContactor& b, double end,
+                                         const TouchSearch& search) {
+  return advance(PairSearch(a, b, end, search), end, search.iterations);
+}
+
+}  // namespace flyrock

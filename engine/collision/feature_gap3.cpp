@@ -1,0 +1,55 @@
+#include <utility>
+
+#include "collision/feature_gap.h"
+
+namespace flyrock {
+
+namespace {
+
+Vec3 edge_start(const Placed3& shape, int edge) { return shape.point(shape.shape.edges[edge].start); }
+Vec3 edge_direction(const Placed3& shape, int edge) {
+  return (shape.point(shape.shape.edges[edge].end) - edge_start(shape, edge)).normalized();
+}
+/// Between the normals of the two faces.
+Vec3 edge_outward(const Placed3& shape, int edge) {
+  return shape.normal(shape.shape.edges[edge].left) + shape.normal(shape.shape.edges[edge].right);
+}
+
+double edge_edge(const Placed3& a, int ea, const Placed3& b, int eb) {
+  const Vec3 da = edge_direction(a, ea), db = edge_direction(b, eb);
+  const Vec3 from_b_to_a = edge_outward(b, eb) - edge_outward(a, ea);
+  Vec3 normal = da.cross(db);
+  if (normal.norm() < 1e-9) normal = from_b_to_a - da * da.dot(from_b_to_a);  // parallel
+  if (normal.dot(from_b_to_a) < 0) normal = -normal;
+  return normal.normalized().dot(edge_start(a, ea) - edge_start(b, eb));
+}
+
+/// The distance of the vertex `v` of a from a feature of b.
+double from_vertex(const Placed3& a, int v, const Placed3& b, std::uint32_t feature) {
+  const Vec3 p = a.point(v);
+  const int i = index_of(feature);
+  switch (kind_of(feature)) {
+    case FeatureKind::face: return b.outside(i, p);
+    case FeatureKind::edge: return edge_direction(b, i).cross(p - edge_start(b, i)).norm();
+    case FeatureKind::vertex: break;
+  }
+  return (p - b.point(i)).norm();
+}
+
+}  // namespace
+
+double feature_gap(const Placed3& contactor, std::uint32_t feature, const Terrain3& terrain, std::uint32_t) {
+  return terrain.plane().distance(contactor.point(index_of(feature))) - contactor.shape.radius;
+}
+
+double feature_gap(const Placed3& candidate, std::uint32_t feature, const Placed3& antagonist, std::uint32_t against) {
+  const FeatureKind of_candidate = kind_of(feature), of_antagonist = kind_of(against);
+  const double radii = candidate.shape.radius + antagonist.shape.radius;
+  if (of_candidate == FeatureKind::vertex)
+    return from_vertex(candidate, index_of(feature), antagonist, against) - radii;
+  if (of_antagonist == FeatureKind::vertex)
+    return from_vertex(antagonist, index_of(against), candidate, feature) - radii;
+  return edge_edge(candidate, index_of(feature), antagonist, index_of(against)) - radii;
+}
+
+}  // namespace flyrock

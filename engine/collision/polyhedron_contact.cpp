@@ -1,0 +1,157 @@
+// Contacts of spheres and convex polyhedra.
+
+#include <algorithm>
+#include <boost/container/static_vector.hpp>
+#include <cmath>
+
+#include "collision/contact_patch.h"
+#include "collision/narrow_phase.h"
+#include "collision/round_contact.h"
+#include "collision/separating_axis.h"
+
+namespace flyrock {
+
+namespace {
+
+using Contacts = std::vector<ContactPoint<3>>;
+
+// Faces that lean against each other by less than about this angle are flush: a face of the first body is preferred to one
+// of the second, and either to a pair of edges, so that the manifold of a body at rest does not flicker.
+constexpr double flush = 1e-4;
+
+void sphere_sphere(const Placed3& a, int ia, const Placed3& b, int ib, double reach, Contacts& out) {
+  const Vec3 away = a.point(0) - b.point(0);
+  const double distance = away.norm(), gap = distance - a.shape.radius - b.shape.radius;
+  if (gap > reach) return;
+  const Vec3 normal = distance > 0 ? Vec3(away / distance) : Vec3::UnitZ();
+  out.push_back({b.point(0) + (b.shape.radius + 0.5 * gap) * normal, normal, gap,
+                 feature_id(ia, FeatureKind::vertex, 0), feature_id(ib, FeatureKind::vertex, 0)});
+}
+
+/// The contact as the sphere sees it: the normal points to the sphere.
+void sphere_polyhedron(const Placed3& sphere, int sphere_index, const Placed3& polyhedron, int polyhedron_index,
+                       bool sphere_is_candidate, double reach, Contacts& out) {
+  const Vec3 centre = sphere.point(0);
+  const NearestPlace place = nearest_place(polyhedron, centre);
+  const double radius = sphere.shape.radius, gap = place.distance - radius;
+  if (gap > reach) return;
+  const Vec3 point = centre - (radius + 0.5 * gap) * place.normal;
+  const std::uint32_t round = feature_id(sphere_index, FeatureKind::vertex, 0);
+  const std::uint32_t flat = feature_id(polyhedron_index, place.kind, place.index);
+  if (sphere_is_candidate)
+    out.push_back({point, place.normal, gap, round, flat});
+  else
+    out.push_back({point, -place.normal, gap, flat, round});
+}
+
+/// One contact, at the middle of the shortest line between the two edges.
+void edge_edge(const Placed3& a, int ia, const Placed3& b, int ib, const EdgeAxis& axis, Contacts& out) {
+  const Contactor3::Edge &ea = a.shape.edges[axis.of_a], &eb = b.shape.edges[axis.of_b];
+  const Vec3 pa = a.point(ea.start), pb = b.point(eb.start);
+  const Vec3 da = a.point(ea.end) - pa, db = b.point(eb.end) - pb, away = pa - pb;
+  const double aa = da.squaredNorm(), bb = db.squaredNorm(), ab = da.dot(db);
+  const double s = std::clamp((ab * db.dot(away) - bb * da.dot(away)) / (aa * bb - ab * ab), 0.0, 1.0);
+  const double t = std::clamp((ab * s + db.dot(away)) / bb, 0.0, 1.0);
+  out.push_back({0.5 * (pa + s * da + pb + t * db), -axis.normal, axis.separation,
+                 feature_id(ia, FeatureKind::edge, axis.of_a), feature_id(ib, FeatureKind::edge, axis.of_b)});
+}
+
+/// A corner of the incident face while it is clipped: features that make it, and the line to the next corner.
+struct Corner {
+  Vec3 point;
+  FeatureKind of_reference = FeatureKind::face;  ///< face: it is a vertex of the incident face
+  int reference = 0;                             ///< the face, edge or vertex
+  int incident = 0;                              ///< the vertex, edge or face
+  int line = 0;                                  ///< edge of the incident shape, or -1 - k on side k of the reference
+};
+using Polygon = boost::container::static_vector<Corner, 2 * Contactor3::most_face_vertices + 8>;
+
+/// What cutting the line behind `from` at side k of the reference face makes.
+Corner cut(const Corner& from, const Vec3& point, const Contactor3& reference, const Contactor3::Face& face, int k,
+           int incident_face) {
+  if (from.line >= 0) return {point, FeatureKind::edge, reference.loop_edge[face.first + k], from.line, 0};
+  const int side = -1 - from.line;
+  const int corner = (k + 1) % face.count == side ? side : k;
+  return {point, FeatureKind::vertex, reference.vertex(face, corner), incident_face, 0};
+}
+
+Polygon clipped_face(const Placed3& reference, int face_index, const Placed3& incident, int incident_face) {
+  const Contactor3::Face &face = reference.shape.faces[face_index], &other = incident.shape.faces[incident_face];
+  Polygon polygon;
+  for (int i = 0; i < other.count; ++i)
+    polygon.push_back({incident.corner(incident_face, i), FeatureKind::face, face_index,
+                       incident.shape.vertex(other, i), incident.shape.loop_edge[other.first + i]});
+  const Vec3 normal = reference.normal(face_index);
+  for (int k = 0; k < face.count && !polygon.empty(); ++k) {
+    const Vec3 start = reference.corner(face_index, k);
+    const Vec3 along = reference.corner(face_index, (k + 1) % face.count) - start;
+    const Vec3 outward = along.cross(normal) / along.norm();
+    const double slack = 1e-9 * along.norm();  // a vertex on the side stays a vertex
+    Polygon kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Corner &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
+      const double d = outward.dot(from.point - start), e = outward.dot(to.point - start);
+      const bool from_inside = d <= slack, to_inside = e <= slack;
+      if (from_inside) kept.push_back(from);
+      if (from_inside == to_inside) continue;
+      Corner corner = cut(from, from.point + d / (d - e) * (to.point - from.point), reference.shape, face, k, incident_face);
+      corner.line = from_inside ? -1 - k : from.line;
+      kept.push_back(corner);
+    }
+    polygon = kept;
+  }
+  return polygon;
+}
+
+void face_face(const Placed3& reference, int reference_index, int face, const Placed3& incident, int incident_index,
+               bool reference_is_candidate, double reach, Contacts& out) {
+  const Vec3 normal = reference.normal(face), start = reference.corner(face, 0);
+  int facing = 0;
+  double least = 2;
+  for (int f = 0; f < incident.faces(); ++f)
+    if (const double along = incident.normal(f).dot(normal); along < least) least = along, facing = f;
+  const std::size_t begin = out.size();
+  for (const Corner& corner : clipped_face(reference, face, incident, facing)) {
+    const double gap = normal.dot(corner.point - start);
+    if (gap > reach) continue;
+    const FeatureKind of_incident = corner.of_reference == FeatureKind::face   ? FeatureKind::vertex
+                                    : corner.of_reference == FeatureKind::edge ? FeatureKind::edge
+                                                                               : FeatureKind::face;
+    const std::uint32_t of_r = feature_id(reference_index, corner.of_reference, corner.reference);
+    const std::uint32_t of_i = feature_id(incident_index, of_incident, corner.incident);
+    const Vec3 middle = corner.point - 0.5 * gap * normal;
+    if (reference_is_candidate)
+      out.push_back({middle, -normal, gap, of_r, of_i});
+    else
+      out.push_back({middle, normal, gap, of_i, of_r});
+  }
+  keep_four(out, begin);
+}
+
+void polyhedron_polyhedron(const Placed3& a, int ia, const Placed3& b, int ib, double reach, Contacts& out) {
+  const FaceAxis of_a = best_face_axis(a, b);
+  if (of_a.separation > reach) return;
+  const FaceAxis of_b = best_face_axis(b, a);
+  if (of_b.separation > reach) return;
+  const double slack = flush * std::min(a.shape.bounding_radius(), b.shape.bounding_radius());
+  const EdgeAxis edges = best_edge_axis(a, b);
+  if (edges.separation > reach) return;
+  if (edges.separation > std::max(of_a.separation, of_b.separation) + slack)
+    return edge_edge(a, ia, b, ib, edges, out);
+  if (of_b.separation > of_a.separation + slack)
+    face_face(b, ib, of_b.face, a, ia, false, reach, out);
+  else
+    face_face(a, ia, of_a.face, b, ib, true, reach, out);
+}
+
+}  // namespace
+
+void body_contacts(const Placed3& candidate, int ic, const Placed3& antagonist, int ia, double reach, Contacts& out) {
+  const bool round_candidate = candidate.shape.round(), round_antagonist = antagonist.shape.round();
+  if (round_candidate && round_antagonist) return sphere_sphere(candidate, ic, antagonist, ia, reach, out);
+  if (round_candidate) return sphere_polyhedron(candidate, ic, antagonist, ia, true, reach, out);
+  if (round_antagonist) return sphere_polyhedron(antagonist, ia, candidate, ic, false, reach, out);
+  polyhedron_polyhedron(candidate, ic, antagonist, ia, reach, out);
+}
+
+}  // namespace flyrock

@@ -1,0 +1,23 @@
+#pragma once
+// The ground of a 3D run, prepared for contact search.
+
+#include "collision/contact.h"
+#include "geometry/plane.h"
+
+namespace flyrock {
+
+class Terrain3 {
+ public:
+  explicit Terrain3(Plane plane) : plane_(std::move(plane)) {}
+
+  const Plane& plane() const { return plane_; }
+  const std::vector<std::string>& parts() const { return plane_.parts; }
+  /// The part that a contact's `against` names.
+  int part(std::uint32_t against) const { return index_of(against); }
+  double height(double x, double y) const { return plane_.height(x, y); }
+
+ private:
+  Plane plane_;
+};
+
+}  // namespace flyrock

@@ -1,0 +1,104 @@
+#include "geometry/contactor3.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+namespace flyrock {
+
+namespace {
+
+// A vertex may stand out of the plane of a face by this share of the polyhedron's size.
+constexpr double flat_share = 1e-9;
+
+/// Twice the area of a loop times its normal (Newell).
+Vec3 area_vector(const std::vector<Vec3>& points, const std::vector<int>& loop) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    sum += (points[loop[i]] - points[loop[0]]).cross(points[loop[(i + 1) % loop.size()]] - points[loop[0]]);
+  return sum;
+}
+
+void add_faces(Contactor3& shape, const std::vector<std::vector<int>>& faces) {
+  for (const auto& loop : faces) {
+    if (loop.size() < 3) throw std::invalid_argument("a face of a polyhedron has fewer than 3 vertices");
+    if (loop.size() > Contactor3::most_face_vertices)
+      throw std::invalid_argument(fmt::format("a face of a polyhedron has {} vertices, at most {} are possible",
+                                              loop.size(), Contactor3::most_face_vertices));
+    const Vec3 area = area_vector(shape.points, loop);
+    if (!(area.norm() > 0)) throw std::invalid_argument("a face of a polyhedron has no area");
+    shape.faces.push_back({area.normalized(), static_cast<int>(shape.loop.size()), static_cast<int>(loop.size())});
+    shape.loop.insert(shape.loop.end(), loop.begin(), loop.end());
+  }
+}
+
+/// Each edge is run through by two faces, once in each direction.
+void add_edges(Contactor3& shape) {
+  std::map<std::pair<int, int>, int> edge_of;  // by (start, end) of its left face
+  shape.loop_edge.assign(shape.loop.size(), -1);
+  for (int f = 0; f < static_cast<int>(shape.faces.size()); ++f) {
+    const Contactor3::Face& face = shape.faces[f];
+    for (int i = 0; i < face.count; ++i) {
+      const int a = shape.vertex(face, i), b = shape.vertex(face, (i + 1) % face.count);
+      const auto other = edge_of.find({b, a});
+      int edge = static_cast<int>(shape.edges.size());
+      if (other != edge_of.end()) {
+        edge = other->second;
+        shape.edges[edge].right = f;
+      } else {
+        shape.edges.push_back({a, b, f, -1});
+      }
+      if (!edge_of.insert({{a, b}, edge}).second)
+        throw std::invalid_argument("two faces of a polyhedron run through an edge in one direction");
+      shape.loop_edge[face.first + i] = edge;
+    }
+  }
+  for (const Contactor3::Edge& edge : shape.edges)
+    if (edge.right < 0) throw std::invalid_argument("the faces of a polyhedron do not close");
+}
+
+}  // namespace
+
+Contactor3 Contactor3::sphere(double radius, const Vec3& centre) {
+  Contactor3 shape;
+  shape.points = {centre};
+  shape.radius = radius;
+  return shape;
+}
+
+Contactor3 Contactor3::box(const Vec3& size) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < 8; ++i)
+    points.push_back(0.5 * size.cwiseProduct(Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
+  return polyhedron(std::move(points),
+                    {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}});
+}
+
+Contactor3 Contactor3::polyhedron(std::vector<Vec3> points, const std::vector<std::vector<int>>& faces) {
+  Contactor3 shape;
+  shape.points = std::move(points);
+  add_faces(shape, faces);
+  add_edges(shape);
+  Vec3 low = shape.points[0], high = low;
+  for (const Vec3& p : shape.points) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  for (const Face& face : shape.faces)
+    for (const Vec3& p : shape.points)
+      if (face.normal.dot(p - shape.points[shape.vertex(face, 0)]) > flat_share * (high - low).norm())
+        throw std::invalid_argument("a polyhedron is not convex");
+  return shape;
+}
+
+double Contactor3::bounding_radius() const {
+  double farthest = 0;
+  for (const Vec3& point : points) farthest = std::max(farthest, point.norm());
+  return farthest + radius;
+}
+
+void Contactor3::change_frame(const Vec3& origin, const Rotation3& r) {
+  for (Vec3& point : points) point = r.inverse(point - origin);
+  for (Face& face : faces) face.normal = r.inverse(face.normal);
+}
+
+}  // namespace flyrock

@@ -1,0 +1,65 @@
+#include "geometry/volume_properties.h"
+
+#include <Eigen/Eigenvalues>
+
+namespace flyrock {
+
+namespace {
+
+/// Integrals of 1, r and r r^T about one origin; sums of these are exact.
+struct Moments {
+  double volume = 0;
+  Vec3 first = Vec3::Zero();
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+};
+
+void add_sphere(Moments& sum, double radius, const Vec3& centre) {
+  const double volume = 4.0 / 3.0 * pi * radius * radius * radius;
+  sum.volume += volume;
+  sum.first += volume * centre;
+  sum.second += volume * (centre * centre.transpose() + radius * radius / 5 * Eigen::Matrix3d::Identity());
+}
+
+/// The tetrahedron (origin, a, b, c), with its sign.
+void add_tetrahedron(Moments& sum, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double det = a.dot(b.cross(c));
+  const Vec3 total = a + b + c;
+  sum.volume += det / 6;
+  sum.first += det / 24 * total;
+  sum.second += det / 120 *
+                (a * a.transpose() + b * b.transpose() + c * c.transpose() + total * total.transpose());
+}
+
+}  // namespace
+
+VolumeProperties volume_properties(const std::vector<Contactor3>& contactors) {
+  if (contactors.empty()) return {};
+  // Moments about a point of the body: a body drawn far from the frame's origin loses no digits.
+  const Vec3 origin = contactors.front().points.front();
+  Moments sum;
+  for (const Contactor3& shape : contactors) {
+    if (shape.round()) {
+      add_sphere(sum, shape.radius, shape.points[0] - origin);
+      continue;
+    }
+    for (const Contactor3::Face& face : shape.faces)
+      for (int i = 1; i + 1 < face.count; ++i)
+        add_tetrahedron(sum, shape.points[shape.vertex(face, 0)] - origin, shape.points[shape.vertex(face, i)] - origin,
+                        shape.points[shape.vertex(face, i + 1)] - origin);
+  }
+  const Vec3 centre = sum.first / sum.volume;
+  const Eigen::Matrix3d second = sum.second - sum.volume * centre * centre.transpose();
+  return {sum.volume, origin + centre, second.trace() * Eigen::Matrix3d::Identity() - second};
+}
+
+PrincipalFrame principal_frame(const Eigen::Matrix3d& inertia) {
+  Eigen::Matrix3d off = inertia;
+  off.diagonal().setZero();
+  if (off.norm() <= 1e-12 * inertia.trace()) return {inertia.diagonal(), {}};
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inertia);
+  Eigen::Matrix3d axes = solver.eigenvectors();
+  if (axes.determinant() < 0) axes.col(2) *= -1;
+  return {solver.eigenvalues(), Rotation3(axes)};
+}
+
+}  // namespace flyrock

@@ -1,0 +1,35 @@
+#include "geometry/contactor3.h"
+
+#include <catch2/catch.hpp>
+#include <stdexcept>
+
+using namespace flyrock;
+
+TEST_CASE("the faces of a box close, point outwards and share its twelve edges") {
+  const Contactor3 box = Contactor3::box({1, 2, 3});
+  CHECK(box.points.size() == 8);
+  CHECK(box.faces.size() == 6);
+  REQUIRE(box.edges.size() == 12);
+  CHECK(box.bounding_radius() == Approx(std::sqrt(14.0) / 2));
+  for (const Contactor3::Face& face : box.faces) {
+    CHECK(face.normal.dot(box.points[box.vertex(face, 0)]) > 0);
+    CHECK(face.normal.cwiseAbs().sum() == 1);
+  }
+  for (const Contactor3::Edge& edge : box.edges) {
+    const Vec3 along = (box.points[edge.end] - box.points[edge.start]).normalized();
+    // Outside, the left face is on the left: its normal, then the right one, turn about the edge.
+    CHECK((box.faces[edge.left].normal.cross(box.faces[edge.right].normal) - along).norm() < 1e-15);
+  }
+}
+
+TEST_CASE("a polyhedron that is none is refused") {
+  const std::vector<Vec3> points{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+  CHECK_THROWS_WITH(Contactor3::polyhedron(points, {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}}),
+                    "the faces of a polyhedron do not close");
+  CHECK_THROWS_WITH(Contactor3::polyhedron(points, {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 2, 3}}),
+                    "two faces of a polyhedron run through an edge in one direction");
+  CHECK_THROWS_WITH(Contactor3::polyhedron(points, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}),
+                    "a polyhedron is not convex");  // inside out
+  CHECK_THROWS_WITH(Contactor3::polyhedron({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}),
+                    "a face of a polyhedron has no area");
+}

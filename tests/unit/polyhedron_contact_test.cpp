@@ -1,0 +1,200 @@
+#include <catch2/catch.hpp>
+#include <random>
+#include <set>
+
+#include "collision/broad_phase.h"
+#include "collision/contact_patch.h"
+#include "collision/feature_gap.h"
+#include "collision/narrow_phase.h"
+#include "collision/terrain_contact.h"
+
+using namespace flyrock;
+
+namespace {
+
+using Contacts = std::vector<ContactPoint<3>>;
+
+const Terrain3 level{Plane{}};
+const Contactor3 cube = Contactor3::box({1, 1, 1});
+
+Contacts between(const Placed3& a, const Placed3& b, double reach) {
+  Contacts contacts;
+  body_contacts(a, 1, b, 2, reach, contacts);
+  for (const auto& c : contacts) {
+    CHECK(c.normal.norm() == Approx(1).epsilon(1e-14));
+    CHECK(contactor_of(c.feature) == 1);
+    CHECK(contactor_of(c.against) == 2);
+    // Of faces that lean against each other, as deep overlap makes them, the edges have a normal of their own.
+    if (c.gap > -0.011)
+      CHECK(feature_gap(a, c.feature, b, c.against) == Approx(c.gap).margin(1e-9));
+  }
+  return contacts;
+}
+
+std::set<std::pair<std::uint32_t, std::uint32_t>> ids(const Contacts& contacts) {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> set;
+  for (const auto& c : contacts) set.insert({c.feature, c.against});
+  return set;
+}
+
+}  // namespace
+
+TEST_CASE("a sphere and a box on a plane") {
+  const Plane slope{{0, 0, 1}, Vec3(0, 1, 2).normalized(), {""}};
+  const Terrain3 ground{slope};
+  const Contactor3 ball = Contactor3::sphere(0.5);
+  Contacts contacts;
+  terrain_contacts({ball, {Vec3(3, 0, 1) + 0.4 * slope.normal, {}}}, 0, ground, 0, contacts);
+  REQUIRE(contacts.size() == 1);
+  CHECK(contacts[0].gap == Approx(-0.1));
+  CHECK((contacts[0].point - (Vec3(3, 0, 1) - 0.05 * slope.normal)).norm() < 1e-15);
+
+  contacts.clear();
+  const Placed3 box{cube, {Vec3(0, 0, 0.5 + 1e-7), {}}};
+  terrain_contacts(box, 3, level, 1e-6, contacts);
+  REQUIRE(contacts.size() == 4);
+  for (const auto& c : contacts) {
+    CHECK(c.gap == Approx(1e-7).epsilon(1e-6));
+    CHECK(feature_gap(box, c.feature, level, c.against) == c.gap);
+    CHECK(contactor_of(c.feature) == 3);
+  }
+  contacts.clear();
+  terrain_contacts(box, 3, level, 1e-8, contacts);
+  CHECK(contacts.empty());
+}
+
+TEST_CASE("of many contacts the deepest and the widest four are kept, and share the area") {
+  Contacts contacts;
+  for (int i = 0; i < 12; ++i) {
+    const double angle = 2 * pi * i / 12;
+    contacts.push_back({{std::cos(angle), std::sin(angle), 0}, Vec3::UnitZ(), i == 5 ? -1e-3 : 0, static_cast<std::uint32_t>(i), 0});
+  }
+  keep_four(contacts, 0);
+  CHECK(ids(contacts) == std::set<std::pair<std::uint32_t, std::uint32_t>>{{2, 0}, {5, 0}, {8, 0}, {11, 0}});
+
+  const std::vector<Vec3> rectangle{{0, 0, 0}, {3, 0, 0}, {3, 2, 0}, {0, 2, 0}, {1, 1, 0}};
+  for (std::size_t i = 0; i < 4; ++i) CHECK(tributary_area(rectangle, i, Vec3::UnitZ()) == Approx(1.5));
+  CHECK(tributary_area(rectangle, 4, Vec3::UnitZ()) == 0);
+  const std::vector<Vec3> triangle{{0, 0, 0}, {3, 0, 0}, {0, 2, 0}};
+  for (std::size_t i = 0; i < 3; ++i) CHECK(tributary_area(triangle, i, Vec3::UnitZ()) == Approx(1));
+  CHECK(tributary_area(std::span(triangle).first(2), 0, Vec3::UnitZ()) == 0);
+}
+
+TEST_CASE("a sphere meets the face, edge, vertex and inside of a box") {
+  const Contactor3 ball = Contactor3::sphere(0.5);
+  struct Case {
+    Vec3 centre, normal;
+    double gap;
+    FeatureKind kind;
+  };
+  const double d = 0.25 / std::sqrt(2.0), e = 0.25 / std::sqrt(3.0);
+  for (const Case& c : {Case{{0, 0, 0.9}, {0, 0, 1}, -0.1, FeatureKind::face},
+                        Case{{0.5 + d, 0.1, 0.5 + d}, {1, 0, 1}, -0.25, FeatureKind::edge},
+                        Case{{-0.5 - e, 0.5 + e, 0.5 + e}, {-1, 1, 1}, -0.25, FeatureKind::vertex},
+                        Case{{0, 0.4, 0.1}, {0, 1, 0}, -0.6, FeatureKind::face}}) {
+    const Rotation3 turn = Rotation3::from_vector({0.2, 0.5, -1});
+    const Placed3 sphere{ball, {turn * c.centre, {}}}, box{cube, {Vec3::Zero(), turn}};
+    const Contacts there = between(sphere, box, 0), back = between(box, sphere, 0);
+    REQUIRE(there.size() == 1);
+    REQUIRE(back.size() == 1);
+    CHECK(there[0].gap == Approx(c.gap));
+    CHECK((there[0].normal - turn * c.normal.normalized()).norm() < 1e-14);
+    CHECK((back[0].normal + there[0].normal).norm() < 1e-14);
+    CHECK(kind_of(there[0].against) == c.kind);
+  }
+}
+
+TEST_CASE("a box on a box: four contacts that keep their ids while it slides and turns a little") {
+  const Placed3 below{cube, {Vec3::Zero(), {}}};
+  for (const double angle : {0.0, 0.3, 0.785}) {
+    const Rotation3 turn = Rotation3::from_vector({0, 0, angle});
+    const auto at = [&](double shift, const Vec3& tilt) {
+      return between({cube, {Vec3(0.3 + shift, 0.2, 1 - 1e-8), Rotation3::from_vector(tilt) * turn}}, below, 1e-6);
+    };
+    const Contacts contacts = at(0, Vec3::Zero());
+    REQUIRE(contacts.size() == 4);
+    for (const auto& c : contacts) {
+      CHECK(c.gap == Approx(-1e-8));
+      CHECK((c.normal - Vec3::UnitZ()).norm() < 1e-12);
+    }
+    CHECK(ids(at(1e-6, {0, 0, 1e-7})) == ids(contacts));
+    CHECK(ids(at(-1e-6, {1e-8, -1e-8, 0})) == ids(contacts));
+  }
+}
+
+TEST_CASE("two edges meet in one contact, a vertex and a face in one") {
+  const Placed3 roof{cube, {Vec3::Zero(), Rotation3::from_vector({pi / 4, 0, 0})}};  // an edge along x on top
+  const double top = std::sqrt(0.5);
+  const Placed3 keel{cube, {Vec3(0, 0, 2 * top - 0.01), Rotation3::from_vector({0, pi / 4, 0})}};
+  const Contacts crossed = between(keel, roof, 0);
+  REQUIRE(crossed.size() == 1);
+  CHECK(crossed[0].gap == Approx(-0.01));
+  CHECK((crossed[0].normal - Vec3::UnitZ()).norm() < 1e-12);
+  CHECK((crossed[0].point - Vec3(0, 0, top - 0.005)).norm() < 1e-12);
+  CHECK(kind_of(crossed[0].feature) == FeatureKind::edge);
+
+  const Rotation3 on_tip(Eigen::Quaterniond::FromTwoVectors(Vec3(1, 1, 1), Vec3::UnitZ()));
+  const Contacts tip = between({cube, {Vec3(0.1, 0.1, 0.5 + std::sqrt(0.75) + 0.001), on_tip}}, {cube, {}}, 0.01);
+  REQUIRE(tip.size() == 1);
+  CHECK(tip[0].gap == Approx(0.001));
+  CHECK(kind_of(tip[0].feature) == FeatureKind::vertex);
+  CHECK(kind_of(tip[0].against) == FeatureKind::face);
+}
+
+TEST_CASE("boxes thrown together: overlap gives contacts, their push along the normal parts them") {
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> draw(-1, 1);
+  const auto any = [&] { return Vec3(draw(generator), draw(generator), draw(generator)); };
+  const Contactor3 slab = Contactor3::box({1, 0.8, 0.3});
+  int met = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const Placed3 a{slab, {any(), Rotation3::from_vector(3 * any())}};
+    const Placed3 b{cube, {Vec3::Zero(), Rotation3::from_vector(3 * any())}};
+    Contacts contacts;
+    body_contacts(a, 1, b, 2, 0, contacts);
+    // By brute force: the least gap over all axes of faces and of pairs of edges.
+    double separation = -1e300;
+    std::vector<Vec3> axes;
+    for (int f = 0; f < 6; ++f) axes.push_back(a.normal(f)), axes.push_back(b.normal(f));
+    for (int f = 0; f < 6; ++f)
+      for (int g = 0; g < 6; ++g) axes.push_back(a.normal(f).cross(b.normal(g)));
+    for (const Vec3& axis : axes) {
+      if (axis.norm() < 1e-6) continue;
+      double low = 1e300, high = -1e300;
+      for (int i = 0; i < 8; ++i) {
+        low = std::min(low, axis.dot(a.point(i)) / axis.norm());
+        high = std::max(high, axis.dot(b.point(i)) / axis.norm());
+      }
+      separation = std::max(separation, low - high);
+    }
+    REQUIRE(contacts.empty() == (separation > 0));
+    if (contacts.empty()) continue;
+    ++met;
+    double deepest = 0;
+    for (const auto& c : contacts) deepest = std::min(deepest, c.gap);
+    CHECK(deepest == Approx(separation).margin(1e-4));
+    const Placed3 pushed{slab, {a.pose.x + (-separation + 1e-3) * contacts[0].normal, a.pose.r}};
+    contacts.clear();
+    body_contacts(pushed, 1, b, 2, 0, contacts);
+    CHECK(contacts.empty());
+  }
+  CHECK(met > 500);
+}
+
+TEST_CASE("sort and sweep in 3D finds the pairs that brute force finds") {
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> draw(0, 1);
+  SortAndSweep sweep;
+  for (int round = 0; round < 5; ++round) {
+    std::vector<Box3> boxes;
+    for (int i = 0; i < 60; ++i) {
+      const Vec3 low(draw(generator), draw(generator), draw(generator));
+      boxes.push_back({low, low + 0.3 * Vec3(draw(generator), draw(generator), draw(generator))});
+    }
+    std::vector<std::pair<int, int>> expected;
+    for (int i = 0; i < 60; ++i)
+      for (int j = i + 1; j < 60; ++j)
+        if (boxes[i].overlaps(boxes[j])) expected.push_back({i, j});
+    CHECK(sweep.pairs(boxes) == expected);
+  }
+}
