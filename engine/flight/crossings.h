@@ -1,7 +1,7 @@
 #pragma once
 // Gates, which look at what passes them, and barriers, which hold it.
 //
-// Both stand at an x of the terrain and act once on each body: when its centre of mass first arrives there from the side
+// Both stand at an x of the terrain (in 3D a vertical plane across x) and act once on each body: when its centre of mass first arrives there from the side
 // on which it started (a body that starts at x arrives at once). In flight the moment is that of the parabola; within a
 // step in contact the centre of mass moves on a straight line.
 
@@ -25,24 +25,27 @@ struct Barrier {
   double capacity = 0;  ///< J
 };
 
+template <int D>
 class Crossings {
  public:
+  using Motion = typename Geometry<D>::Motion;
+
   /// Gates and barriers outlive the object. Passages and barriers met are appended to the histories.
-  Crossings(World<2>& world, std::span<const Gate> gates, std::span<const Barrier> barriers,
+  Crossings(World<D>& world, std::span<const Gate> gates, std::span<const Barrier> barriers,
             std::vector<BodyHistory>& histories);
 
   /// Until a body in flight arrives at its next barrier [s]; infinity where it does not.
   double time_to_barrier(int body) const;
   /// The world has moved by dt, and the body along `motion` from the time `start`: gates and barriers act. Whether a
   /// barrier has caught the body.
-  bool moved(int body, const Motion2& motion, double start, double dt);
+  bool moved(int body, const Motion& motion, double start, double dt);
 
  private:
   /// Places still ahead of a body: the side they lie on, +1 right, -1 left, or 0 once it has arrived.
   using Sides = std::vector<int>;
   bool meet(int body, int barrier);
 
-  World<2>& world_;
+  World<D>& world_;
   std::span<const Gate> gates_;
   std::span<const Barrier> barriers_;
   std::vector<BodyHistory>& histories_;

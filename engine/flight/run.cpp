@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flight/ground.h"
 #include "flight/observer.h"
 
 namespace flyrock {
@@ -11,9 +12,12 @@ namespace {
 
 constexpr double fastest = 1e5;  // m/s; beyond it a run has diverged
 
+template <int D>
 class Runner {
  public:
-  Runner(World<2>& world, const RunSettings& settings, std::vector<BodyHistory>& histories)
+  using Motion = typename Geometry<D>::Motion;
+
+  Runner(World<D>& world, const RunSettings& settings, std::vector<BodyHistory>& histories)
       : world_(world),
         settings_(settings),
         histories_(histories),
@@ -72,7 +76,7 @@ class Runner {
       for (int i = 0; i < bodies(); ++i) {
         if (!world_.bodies[i].moves()) continue;
         dt = std::min({dt, time_in_domain(i), running_[i] ? crossings_.time_to_barrier(i) : dt});
-        const Body<2>& body = world_.bodies[i];
+        const Body<D>& body = world_.bodies[i];
         const TouchSearch search{world_.held(i, -1), false, 0, body.size, &world_.quality().toc_iterations};
         for (std::size_t k = 0; k < body.contactors.size(); ++k) {
           const auto t = time_of_contact(body.contactors[k], static_cast<int>(k), world_.flight_of(i), world_.terrain(),
@@ -103,25 +107,26 @@ class Runner {
 
   bool may_meet(double dt) {
     for (const auto& [i, j] : world_.near_pairs(dt)) {
-      const Body<2>&a = world_.bodies[i], &b = world_.bodies[j];
+      const Body<D>&a = world_.bodies[i], &b = world_.bodies[j];
       if (a.present && b.present && (a.moves() || b.moves())) return true;
     }
     return false;
   }
 
   double time_in_domain(int i) const {
-    const Body<2>& body = world_.bodies[i];
-    const Profile& profile = world_.terrain().profile();
+    const Body<D>& body = world_.bodies[i];
+    const auto [low, high] = extent(world_.terrain());
     if (body.v.x() == 0) return time_left();
-    const double edge = body.v.x() > 0 ? profile.x_max() : profile.x_min();
+    const double edge = body.v.x() > 0 ? high : low;
     // A little beyond the edge, so that end_bodies finds it outside.
     return std::max(0.0, (edge - body.x.x()) / body.v.x()) * (1 + 1e-12) + 1e-12;
   }
 
   bool step(bool cut = true) {
     const double start = world_.time;
+    starts_.clear();
     flights_.clear();
-    for (int i = 0; i < bodies(); ++i) flights_.push_back(world_.flight_of(i));
+    for (const Body<D>& body : world_.bodies) starts_.push_back(moment_of(body));
     const auto outcome = world_.step(std::min(step_length(), time_left()), cut && settings_.exact_flight);
     touching_.assign(bodies(), false);
     slipping_.assign(bodies(), false);
@@ -134,9 +139,11 @@ class Runner {
       }
     }
     for (int i = 0; i < bodies(); ++i) {
+      const Body<D>& body = world_.bodies[i];
+      flights_.push_back(touching_[i] && outcome.duration > 0 ? mean_motion(starts_[i], body, outcome.duration)
+                                                              : free_motion(body, starts_[i], world_.gravity()));
       if (!running_[i]) continue;
       if (touching_[i]) {
-        if (outcome.duration > 0) flights_[i] = straight(flights_[i], world_.bodies[i], outcome.duration);
         observer_.touched(i);
         observer_.stepped(i, flights_[i], outcome.duration, slipping_[i] ? TravelMode::slide : TravelMode::roll);
       } else if (outcome.duration > 0) {
@@ -158,11 +165,6 @@ class Runner {
     return h;
   }
 
-  /// The mean motion of a step in contact.
-  static Motion2 straight(const Motion2& before, const Body<2>& body, double dt) {
-    return {before.x, (body.x - before.x) / dt, Vec2::Zero(), before.angle, (body.angle - before.angle) / dt, 0};
-  }
-
   /// Gates and barriers act on what moved along flights_ since `start`.
   void cross(double start, double dt) {
     for (int i = 0; i < bodies(); ++i) {
@@ -174,8 +176,8 @@ class Runner {
 
   /// Notes since when a body has been at rest.
   void rest(int i, bool touching, double start) {
-    const Body<2>& body = world_.bodies[i];
-    const bool slow = body.v.norm() < settings_.stop_speed && std::abs(body.w) * body.radius < settings_.stop_speed;
+    const Body<D>& body = world_.bodies[i];
+    const bool slow = body.v.norm() < settings_.stop_speed && body.spin_speed() * body.radius < settings_.stop_speed;
     if (!touching || !slow) {
       rest_since_[i] = -1;
       histories_[i].stop_time = std::numeric_limits<double>::quiet_NaN();
@@ -188,18 +190,18 @@ class Runner {
   /// Ends what has come to rest, left the terrain or diverged. In a world of several bodies one at rest may be hit
   /// again, so that all must be at rest, and no driven one on its way.
   void end_bodies() {
-    bool all_at_rest = std::none_of(world_.bodies.begin(), world_.bodies.end(), [](const Body<2>& body) {
-      return body.kind == BodyKind::driven && (body.v.norm() > 0 || body.w != 0);
+    const auto [low, high] = extent(world_.terrain());
+    bool all_at_rest = std::none_of(world_.bodies.begin(), world_.bodies.end(), [](const Body<D>& body) {
+      return body.kind == BodyKind::driven && (body.v.norm() > 0 || body.spin_speed() > 0);
     });
     for (int i = 0; i < bodies(); ++i) {
       if (!running_[i]) continue;
-      Body<2>& body = world_.bodies[i];
-      const Profile& profile = world_.terrain().profile();
-      if (!body.x.allFinite() || !body.v.allFinite() || !std::isfinite(body.w) || body.v.norm() > fastest) {
+      Body<D>& body = world_.bodies[i];
+      if (!body.is_finite() || body.v.norm() > fastest) {
         histories_[i].fault = "its state is not finite, or it is faster than 100 km/s";
         body.present = false;
         end(i, StopReason::diverged);
-      } else if (body.x.x() < profile.x_min() || body.x.x() > profile.x_max()) {
+      } else if (body.x.x() < low || body.x.x() > high) {
         end(i, StopReason::left_domain);
         body.present = false;
       }
@@ -210,22 +212,27 @@ class Runner {
       if (running_[i]) end(i, StopReason::stopped);
   }
 
-  World<2>& world_;
+  World<D>& world_;
   const RunSettings& settings_;
   std::vector<BodyHistory>& histories_;
-  Observer observer_;
-  Crossings crossings_;
+  Observer<D> observer_;
+  Crossings<D> crossings_;
   std::vector<double> rest_since_;
   std::vector<bool> running_;
   std::vector<bool> touching_, slipping_;
-  std::vector<Motion2> flights_;
+  std::vector<Moment<D>> starts_;
+  std::vector<Motion> flights_;  ///< of the last flight or step, from its start
   int stalled_ = 0;
 };
 
 }  // namespace
 
-void run(World<2>& world, const RunSettings& settings, std::vector<BodyHistory>& histories) {
-  Runner(world, settings, histories).run();
+template <int D>
+void run(World<D>& world, const RunSettings& settings, std::vector<BodyHistory>& histories) {
+  Runner<D>(world, settings, histories).run();
 }
+
+template void run(World<2>&, const RunSettings&, std::vector<BodyHistory>&);
+template void run(World<3>&, const RunSettings&, std::vector<BodyHistory>&);
 
 }  // namespace flyrock

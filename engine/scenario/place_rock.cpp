@@ -19,7 +19,7 @@ Place on_face(int bench, const Body<2>& rock, const Profile& profile, RandomStre
   double low = 1e300, high = -1e300, depth = 1e300;
   for (const Contactor2& contactor : rock.contactors) {
     for (const Vec2& local : contactor.points) {
-      const Vec2 p = rock.rotation * local;
+      const Vec2 p = rock.attitude.rotation * local;
       low = std::min(low, p.dot(up) - contactor.radius);
       high = std::max(high, p.dot(up) + contactor.radius);
       depth = std::min(depth, p.dot(out) - contactor.radius);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/volume_properties.h"
+
 namespace flyrock {
 
 Body<2> make_body(std::vector<Contactor2> contactors, double density, double mass, double thickness) {
@@ -19,6 +21,49 @@ Body<2> make_body(std::vector<Contactor2> contactors, double density, double mas
   body.inertia = body.mass * properties.polar_moment / properties.area;
   body.radius = std::sqrt(properties.area / pi);
   return body;
+}
+
+Body<3> make_body(std::vector<Contactor3> contactors, double density, double mass) {
+  const VolumeProperties properties = volume_properties(contactors);
+  const PrincipalFrame principal = principal_frame(properties.inertia);
+  Body<3> body;
+  for (Contactor3& contactor : contactors) {
+    contactor.change_frame(properties.centroid, principal.rotation);
+    body.size = std::max(body.size, contactor.bounding_radius());
+  }
+  body.contactors = std::move(contactors);
+  body.volume = properties.volume;
+  body.mass = density > 0 ? density * body.volume : mass;
+  body.inertia = body.mass / properties.volume * principal.moments;
+  body.radius = std::cbrt(0.75 * properties.volume / pi);
+  body.attitude = principal.rotation;
+  return body;
+}
+
+Vec3 free_spin(const Body<3>& body, double h, double theta) {
+  constexpr int most_iterations = 20;
+  const auto& r = body.attitude.rotation;
+  const auto& moments = body.inertia;
+  const Vec3 before = r.inverse(body.w);
+  const auto momentum = [&](const Vec3& w) -> Vec3 { return moments.cwiseProduct(w); };
+  const auto skew = [](const Vec3& a) {
+    Eigen::Matrix3d m;
+    m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+    return m;
+  };
+  // Newton's method in the body's frame, where I is diagonal.
+  Vec3 w = before;
+  for (int i = 0; i < most_iterations; ++i) {
+    const Vec3 middle = (1 - theta) * before + theta * w;
+    const Vec3 residual = momentum(w - before) + h * middle.cross(momentum(middle));
+    Eigen::Matrix3d slope = h * theta * (skew(middle) * moments.asDiagonal().toDenseMatrix() - skew(momentum(middle)));
+    slope.diagonal() += moments;
+    const Vec3 change = slope.inverse() * residual;
+    if (!change.allFinite()) break;
+    w -= change;
+    if (change.norm() <= 1e-15 * w.norm()) break;
+  }
+  return r * w;
 }
 
 }  // namespace flyrock

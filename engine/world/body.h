@@ -1,12 +1,11 @@
 #pragma once
 // A rigid body.
 
+#include <cmath>
 #include <string>
 #include <vector>
 
-#include "collision/motion.h"
-#include "collision/placed.h"
-#include "geometry/contactor.h"
+#include "collision/geometry.h"
 
 namespace flyrock {
 
@@ -16,48 +15,115 @@ enum class BodyKind {
   driven    ///< moves at a given velocity
 };
 
-/// SI units; x is the centre of mass, in the world; contactors are in the frame of the centre of mass.
+/// How a body is turned from its own frame to the world.
+template <int D>
+struct Attitude;
+
+template <>
+struct Attitude<2> {
+  double angle = 0;  ///< rad, counted through full turns
+  Rotation2 rotation;
+
+  Attitude() = default;
+  Attitude(double a) : angle(a), rotation(Rotation2::from_angle(a)) {}
+  /// Turned on by `turn` [rad].
+  Attitude turned(double turn) const { return turn == 0 ? *this : Attitude(angle + turn); }
+};
+
+template <>
+struct Attitude<3> {
+  Rotation3 rotation;
+
+  Attitude() = default;
+  Attitude(const Rotation3& r) : rotation(r) {}
+  /// Turned on by |turn| [rad] about the axis `turn`, world frame.
+  Attitude turned(const Vec3& turn) const { return turn.isZero(0) ? *this : Attitude(Rotation3::from_vector(turn) * rotation); }
+};
+
+/// SI units; x is the centre of mass, in the world; contactors are in the frame of the centre of mass, in 3D the principal
+/// one.
 template <int D>
 struct Body {
   using Rows = Eigen::Matrix<double, Space<D>::dof, 1>;
+  using Spin = typename Space<D>::Spin;
+  using Contactor = typename Geometry<D>::Contactor;
 
   std::string group;
   BodyKind kind = BodyKind::dynamic;
   bool present = true;  ///< false once it has left the run: it meets nothing
-  std::vector<Contactor2> contactors;
+  std::vector<Contactor> contactors;
   double mass = 0;
   typename Space<D>::Inertia inertia{};
   double volume = 0;
-  double size = 0;    ///< radius of the circle about the centre of mass that holds it
+  double size = 0;    ///< radius of the circle (sphere) about the centre of mass that holds it
   double radius = 0;  ///< of the disk (sphere) of equal area (volume)
 
   Vec<D> x = Vec<D>::Zero(), v = Vec<D>::Zero();
-  double angle = 0;   ///< counted through full turns
-  typename Space<D>::Spin w{};
-  typename Space<D>::Rotation rotation;
+  Attitude<D> attitude;
+  Spin w = no_spin();  ///< rad/s, world frame
 
-  int impacts = 0;    ///< manifolds that closed faster than rest_speed
+  int impacts = 0;     ///< manifolds that closed faster than rest_speed
 
+  static Spin no_spin();
   bool moves() const { return kind == BodyKind::dynamic && present; }
   /// M^-1 h, the change of velocity that the row h of H^T brings; 0 for a body that contacts do not move.
   Rows inverse_mass_times(const Rows& h) const;
   /// (v, w) as one column.
   Rows velocity() const;
   void add_velocity(const Rows& dv);
-  void move_to(const Vec<D>& position, double new_angle);
-  Pose2 pose() const { return {x, rotation}; }
+  /// Moves by (dx, turn), a small displacement.
+  void displace(const Rows& by);
+  void move_to(const Vec<D>& position, const Attitude<D>& turned) { x = position, attitude = turned; }
+  typename Geometry<D>::Pose pose() const { return {x, attitude.rotation}; }
+  double spin_speed() const;  ///< |w|, rad/s
+  /// 1/2 (m v.v + w.I w) [J]; 0 for a body that is not dynamic.
   double kinetic_energy() const;
-  Vec<D> velocity_at(const Vec<D>& point) const;
+  Vec<D> velocity_at(const Vec<D>& point) const {
+    const Vec<D> lever = point - x;
+    if constexpr (D == 2)
+      return v + cross(w, lever);
+    else
+      return v + w.cross(lever);
+  }
+  bool is_finite() const { return x.allFinite() && v.allFinite() && std::isfinite(spin_speed()); }
 };
 
+/// The spin at the end of h without torque, by the theta scheme with the gyroscopic term implicit:
+///   I (w+ - w) + h w_th x I w_th = 0,  w_th = (1 - theta) w + theta w+,  I at the attitude of now.
+/// theta = 1/2 keeps |I w| and the energy. In the plane there is no such term.
+inline double free_spin(const Body<2>& body, double, double) { return body.w; }
+Vec3 free_spin(const Body<3>& body, double h, double theta);
+
+template <>
+inline double Body<2>::no_spin() {
+  return 0;
+}
+template <>
+inline Vec3 Body<3>::no_spin() {
+  return Vec3::Zero();
+}
 template <>
 inline Body<2>::Rows Body<2>::inverse_mass_times(const Rows& h) const {
   if (!moves()) return Rows::Zero();
   return {h[0] / mass, h[1] / mass, h[2] / inertia};
 }
 template <>
+inline Body<3>::Rows Body<3>::inverse_mass_times(const Rows& h) const {
+  if (!moves()) return Rows::Zero();
+  Rows change;
+  change << h.head<3>() / mass,
+      attitude.rotation * Vec3(attitude.rotation.inverse(h.tail<3>()).cwiseQuotient(inertia));
+  return change;
+}
+template <>
 inline Body<2>::Rows Body<2>::velocity() const {
   return {v.x(), v.y(), w};
+}
+template <>
+inline Body<3>::Rows Body<3>::velocity() const {
+  Rows both;
+  both << v, w;
+  return both;
 }
 template <>
 inline void Body<2>::add_velocity(const Rows& dv) {
@@ -65,22 +131,42 @@ inline void Body<2>::add_velocity(const Rows& dv) {
   w += dv[2];
 }
 template <>
-inline void Body<2>::move_to(const Vec2& position, double new_angle) {
-  x = position;
-  if (new_angle != angle) rotation = Rotation2::from_angle(new_angle);
-  angle = new_angle;
+inline void Body<3>::add_velocity(const Rows& dv) {
+  v += dv.head<3>();
+  w += dv.tail<3>();
 }
 template <>
-inline double Body<2>::kinetic_energy() const {
-  return kind == BodyKind::dynamic ? 0.5 * (mass * v.squaredNorm() + inertia * w * w) : 0.0;
+inline void Body<2>::displace(const Rows& by) {
+  move_to(x + by.head<2>(), attitude.turned(by[2]));
 }
 template <>
-inline Vec2 Body<2>::velocity_at(const Vec2& point) const {
-  return v + cross(w, Vec2(point - x));
+inline void Body<3>::displace(const Rows& by) {
+  move_to(x + by.head<3>(), attitude.turned(by.tail<3>()));
+}
+template <>
+inline double Body<2>::spin_speed() const {
+  return std::abs(w);
+}
+template <>
+inline double Body<3>::spin_speed() const {
+  return w.norm();
+}
+
+/// w.I w of a spin in the world frame.
+inline double twice_spin_energy(const Body<2>& body, const Attitude<2>&, double w) { return body.inertia * w * w; }
+inline double twice_spin_energy(const Body<3>& body, const Attitude<3>& attitude, const Vec3& w) {
+  return body.inertia.dot(attitude.rotation.inverse(w).cwiseAbs2());
+}
+template <int D>
+double Body<D>::kinetic_energy() const {
+  return kind == BodyKind::dynamic ? 0.5 * (mass * v.squaredNorm() + twice_spin_energy(*this, attitude, w)) : 0.0;
 }
 
 /// A dynamic body of contactors that do not overlap: moves them to the centre of mass and computes area, volume, mass
 /// and inertia exactly. `thickness` <= 0 takes default_thickness. Give a density [kg/m3], or a mass [kg] with density 0.
 Body<2> make_body(std::vector<Contactor2> contactors, double density, double mass, double thickness);
+
+/// The same in space. The body's frame becomes the principal one: attitude stands for the frame of the contactors as given.
+Body<3> make_body(std::vector<Contactor3> contactors, double density, double mass);
 
 }  // namespace flyrock

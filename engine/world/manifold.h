@@ -1,5 +1,5 @@
 #pragma once
-// What the contacts of one manifold share.
+// What the contacts of one manifold share, and where on the terrain they lie.
 
 #include <algorithm>
 
@@ -19,5 +19,18 @@ bool same_direction(const Vec<D>& a, const Vec<D>& b) {
 inline int part_of(const Terrain2& terrain, std::uint32_t against) {
   return terrain.part(std::min(terrain_index(against), terrain.segments() - 1));
 }
+inline int part_of(const Terrain3& terrain, std::uint32_t against) { return terrain.part(against); }
+
+/// The names of the parts of the terrain.
+inline const std::vector<std::string>& parts_of(const Terrain2& terrain) { return terrain.profile().parts; }
+inline const std::vector<std::string>& parts_of(const Terrain3& terrain) { return terrain.parts(); }
+
+/// Whether two features of the terrain are one place: a segment and the corners at its ends, or two segments that meet.
+inline bool next_to(const Terrain2&, std::uint32_t a, std::uint32_t b) {
+  // In half segments: a corner i lies half-way between the segments i - 1 and i.
+  const auto place = [](std::uint32_t id) { return 2 * terrain_index(id) + (is_corner(id) ? -1 : 0); };
+  return std::abs(place(a) - place(b)) <= 2;
+}
+inline bool next_to(const Terrain3&, std::uint32_t a, std::uint32_t b) { return a == b; }
 
 }  // namespace flyrock

@@ -9,7 +9,8 @@
 #include "collision/geometry.h"
 #include "collision/time_of_contact.h"
 #include "solver/nlgs.h"
-#include "world/body.h"
+#include "world/contact_rows.h"
+#include "world/motions.h"
 #include "world/observe.h"
 #include "world/phase_clock.h"
 #include "world/surface.h"
@@ -115,18 +116,25 @@ class World {
   double touch(int body) const { return 1e-9 * bodies[body].size + 1e-12; }
 
  private:
-  /// A contact's rows of H^T for its two bodies; zero for the terrain and for bodies that contacts do not move.
+  using Placed = typename Geometry<D>::Placed;
+
+  /// A contact's columns of H^T for its two bodies; zero for the terrain.
   struct ContactRows {
-    Eigen::Matrix<double, Space<D>::dof, Problem::rows> candidate, antagonist;
+    ContactColumns<D> candidate, antagonist;
+  };
+  /// Of the contacts of one impact: means weighted by the normal impulse, and the tangential impulse.
+  struct ImpactSum {
+    double weight = 0;
+    Vec<D> place = Vec<D>::Zero();
+    double vn_before = 0, vn_after = 0;
+    Vec<D - 1> vt_before = Vec<D - 1>::Zero(), vt_after = Vec<D - 1>::Zero(), pt = Vec<D - 1>::Zero();
   };
   struct Saved {
-    Vec<D> x, v;
-    double angle;
-    typename Space<D>::Spin w;
+    Moment<D> moment;
     int impacts;
   };
 
-  // detect.cpp: what touches
+  // detect.ipp: what touches
   void detect(double ahead);
   void match_last();
   void keep_closed(double share_of_size);
@@ -135,20 +143,25 @@ class World {
   double contact_size(const Contact& contact) const;
   double carry_reach(const Contact& contact) const;
 
-  // assemble.cpp: the friction problem
-  Row relative_velocity(const Contact& contact) const;
-  ContactState state_of(const Contact& contact) const;
-  void measure_before();
+  // ask_laws.ipp: what the laws of the contacts answer
   void begin_manifolds();
+  ContactState state_of(const Contact& contact) const;
   void ask_laws();
+
+  // assemble.ipp: the friction problem
+  Row relative_velocity(const Contact& contact) const;
+  void measure_before();
   void assemble(double h, bool warm);
   void scale_by_island(double h);
+
+  // rebound.ipp: its solution with restitution, applied; what it left
+  void shift_by_restitution();
   void solve_and_apply();
-  void record_impacts();
   Row velocity_after(int a) const;
+  void record_impacts();
   bool stays_closed(int a) const;
 
-  // step.cpp: the scheme
+  // step.ipp: the scheme
   void save();
   void restore();
   double drift_share() const;
@@ -168,6 +181,7 @@ class World {
   std::vector<ContactPoint<D>> points_;
   std::vector<ContactRows> rows_;
   std::vector<Impact> impacts_;
+  std::vector<ImpactSum> sums_;
   std::vector<HeldContact> held_;
   Problem problem_;
   std::vector<Row> impulses_;
@@ -181,7 +195,7 @@ class World {
   std::vector<typename Body<D>::Rows> drift_;
 };
 
-/// t of a contact in 2D: (n_y, -n_x), +x on level ground.
-inline Vec2 tangent_of(const Vec2& normal) { return {normal.y(), -normal.x()}; }
+extern template class World<2>;
+extern template class World<3>;
 
 }  // namespace flyrock

@@ -45,7 +45,7 @@ TEST_CASE("every floor includes only itself and the floors below it") {
   for (const fs::path& tree : {root / "engine", root / "lua"}) {
     for (const auto& entry : fs::recursive_directory_iterator(tree)) {
       const std::string extension = entry.path().extension();
-      if (extension != ".h" && extension != ".cpp") continue;
+      if (extension != ".h" && extension != ".cpp" && extension != ".ipp") continue;
       const std::string floor = entry.path().parent_path().filename();
       if (!may_see().contains(floor)) continue;
       ++files;

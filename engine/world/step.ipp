@@ -1,3 +1,4 @@
+#pragma once
 // The Moreau-Jean scheme and the impact without duration.
 
 #include <algorithm>
@@ -11,16 +12,17 @@ namespace flyrock {
 template <int D>
 void World<D>::save() {
   saved_.clear();
-  for (const Body<D>& body : bodies) saved_.push_back({body.x, body.v, body.angle, body.w, body.impacts});
+  for (const Body<D>& body : bodies) saved_.push_back({moment_of(body), body.impacts});
 }
 
 template <int D>
 void World<D>::restore() {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    bodies[i].move_to(saved_[i].x, saved_[i].angle);
-    bodies[i].v = saved_[i].v;
-    bodies[i].w = saved_[i].w;
-    bodies[i].impacts = saved_[i].impacts;
+    const auto& [moment, impacts] = saved_[i];
+    bodies[i].move_to(moment.x, moment.attitude);
+    bodies[i].v = moment.v;
+    bodies[i].w = moment.w;
+    bodies[i].impacts = impacts;
   }
 }
 
@@ -34,14 +36,15 @@ double World<D>::drift_share() const {
   return share;
 }
 
-/// v_free = v + h g;  contacts at q_m = q + h (1 - theta) v;  v+ = v_free + M^-1 H r;  q+ = q_m + h theta v+.
+/// v_free = v + h g, and w_free of free_spin;  contacts at q_m = q + h (1 - theta) v;  v+ = v_free + M^-1 H r;
+/// q+ = q_m + h theta v+.
 template <int D>
 typename World<D>::Outcome World<D>::step(double h, bool cut) {
   constexpr int most_cuts = 4, most_refinements = 4;
   const double theta = settings_.theta;
   const auto drift = [&](double dt) {
     for (Body<D>& body : bodies)
-      if (body.present && body.kind != BodyKind::fixed) body.move_to(body.x + dt * body.v, body.angle + dt * body.w);
+      if (body.present && body.kind != BodyKind::fixed) body.displace(dt * body.velocity());
   };
   save();
   bool new_touch = false;
@@ -60,8 +63,11 @@ typename World<D>::Outcome World<D>::step(double h, bool cut) {
       continue;
     }
     measure_before();
-    for (Body<D>& body : bodies)
-      if (body.moves()) body.v += h * gravity_;
+    for (Body<D>& body : bodies) {
+      if (!body.moves()) continue;
+      body.v += h * gravity_;
+      body.w = free_spin(body, h, theta);
+    }
     begin_manifolds();
     ask_laws();
     assemble(h, true);
@@ -114,13 +120,7 @@ template <int D>
 std::optional<double> World<D>::first_touch(double h) {
   const PhaseTimer timer(clock, &PhaseTimes::detect);
   std::optional<double> first;
-  const auto motion_of = [&](int i) {
-    // x(t) runs from q to q+ with the velocity of the start: v + t (2 theta (v+ - v) / h).
-    const double rate = 2 * settings_.theta / h;
-    const Body<D>& body = bodies[i];
-    const Saved& start = saved_[i];
-    return Motion{start.x, start.v, rate * (body.v - start.v), start.angle, start.w, rate * (body.w - start.w)};
-  };
+  const auto motion_of = [&](int i) { return step_motion(saved_[i].moment, bodies[i], h, settings_.theta); };
   const auto consider = [&](std::optional<double> t) {
     if (t && (!first || *t < *first)) first = t;
   };
@@ -133,8 +133,8 @@ std::optional<double> World<D>::first_touch(double h) {
   }
   if (bodies.size() < 2) return first;
   boxes_.clear();
-  for (std::size_t i = 0; i < bodies.size(); ++i) boxes_.push_back(swept_box(motion_of(static_cast<int>(i)), bodies[i].size, h));
-  for (const auto& [i, j] : broad_phase_.pairs(boxes_)) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) boxes_.push_back(swept_box<D>(motion_of(static_cast<int>(i)), bodies[i].size, h));
+  for (const auto& [i, j] : broad_phase_.template pairs<D>(boxes_)) {
     const Body<D>&a = bodies[i], &b = bodies[j];
     if (!a.present || !b.present || (!a.moves() && !b.moves())) continue;
     Contact probe;
@@ -163,13 +163,13 @@ void World<D>::project_drift(bool exact) {
     for (std::size_t a = 0; a < contacts_.size(); ++a) {
       const Contact& c = contacts_[a];
       const Body<D>& body = bodies[c.candidate];
-      const Placed2 candidate{body.contactors[contactor_of(c.at.feature)], body.pose()};
+      const Placed candidate{body.contactors[contactor_of(c.at.feature)], body.pose()};
       double gap;
       if (c.antagonist < 0) {
         gap = feature_gap(candidate, c.at.feature, *terrain_, c.at.against);
       } else {
         const Body<D>& other = bodies[c.antagonist];
-        gap = feature_gap(candidate, c.at.feature, {other.contactors[contactor_of(c.at.against)], other.pose()}, c.at.against);
+        gap = feature_gap(candidate, c.at.feature, Placed{other.contactors[contactor_of(c.at.against)], other.pose()}, c.at.against);
       }
       const double reach = carry_reach(c);
       if (gap > reach || gap < -(exact ? std::max(reach, deepest * contact_size(c)) : reach)) continue;
@@ -184,7 +184,7 @@ void World<D>::project_drift(bool exact) {
   }
   for (std::size_t i = 0; i < bodies.size(); ++i)
     if (bodies[i].moves())
-      bodies[i].move_to(bodies[i].x + drift_[i].template head<D>(), bodies[i].angle + drift_[i][D]);
+      bodies[i].displace(drift_[i]);
 }
 
 /// Keeps the contacts for the next step, and says whether some of them last.
@@ -195,7 +195,7 @@ typename World<D>::Outcome World<D>::keep(double duration, bool new_touch) {
     Contact& c = contacts_[a];
     const bool closed = stays_closed(static_cast<int>(a));
     c.carried = closed;
-    c.sticking = c.impulse[0] > 0 && std::abs(c.impulse[1]) < (1 - 1e-9) * c.law.mu_s * c.impulse[0];
+    c.sticking = c.impulse[0] > 0 && tangential(c.impulse).norm() < (1 - 1e-9) * c.law.mu_s * c.impulse[0];
     c.age = closed ? c.age + duration : 0;
     outcome.in_contact = outcome.in_contact || c.carried;
   }
@@ -206,17 +206,7 @@ typename World<D>::Outcome World<D>::keep(double duration, bool new_touch) {
 template <int D>
 bool World<D>::slips(const Contact& contact, int body) const {
   constexpr double rolling_slip = 0.05;
-  return !contact.sticking && std::abs(relative_velocity(contact)[1]) > rolling_slip * bodies[body].v.norm();
+  return !contact.sticking && tangential(relative_velocity(contact)).norm() > rolling_slip * bodies[body].v.norm();
 }
-
-template bool World<2>::slips(const Contact&, int) const;
-template void World<2>::save();
-template void World<2>::restore();
-template double World<2>::drift_share() const;
-template typename World<2>::Outcome World<2>::step(double, bool);
-template typename World<2>::Outcome World<2>::impact();
-template std::optional<double> World<2>::first_touch(double);
-template void World<2>::project_drift(bool);
-template typename World<2>::Outcome World<2>::keep(double, bool);
 
 }  // namespace flyrock

@@ -1,3 +1,7 @@
+#pragma once
+// Bodies added and taken away, free flight, energy.
+
+#include "world/manifold.h"
 #include "world/world.h"
 
 namespace flyrock {
@@ -9,7 +13,7 @@ World<D>::World(const Terrain& terrain, const Vec<D>& gravity, const WorldSettin
 template <int D>
 int World<D>::add(Body<D> body) {
   bodies.push_back(std::move(body));
-  terrain_surface_.emplace_back(terrain_->profile().parts.size(), nullptr);
+  terrain_surface_.emplace_back(parts_of(*terrain_).size(), nullptr);
   pair_surface_.emplace_back();
   for (auto& row : pair_surface_) row.resize(bodies.size(), nullptr);
   contacts_of_.emplace_back();
@@ -37,19 +41,18 @@ void World<D>::set_pair_surface(int a, int b, Surface* surface) {
 
 template <int D>
 typename World<D>::Motion World<D>::flight_of(int body) const {
-  const Body<D>& b = bodies[body];
-  if (!b.moves()) return {b.x, b.v, Vec<D>::Zero(), b.angle, b.w, 0};
-  return {b.x, b.v, gravity_, b.angle, b.w, 0};
+  return free_motion(bodies[body], moment_of(bodies[body]), gravity_);
 }
 
 template <int D>
 void World<D>::fly(double dt) {
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    Body<D>& body = bodies[i];
+  for (Body<D>& body : bodies) {
     if (!body.present || body.kind == BodyKind::fixed) continue;
-    const Motion motion = flight_of(static_cast<int>(i));
-    body.move_to(motion.position(dt), motion.angle_at(dt));
+    const Motion motion = free_motion(body, moment_of(body), gravity_);
+    const Turned<D> turned = turn_at(motion, dt);
+    body.move_to(motion.position(dt), turned.attitude);
     body.v = motion.velocity(dt);
+    body.w = turned.spin;
   }
   time += dt;
   ++quality_.flights;
@@ -62,7 +65,5 @@ double World<D>::total_energy() const {
     if (body.moves()) energy += body.kinetic_energy() - body.mass * gravity_.dot(body.x);
   return energy;
 }
-
-template class World<2>;
 
 }  // namespace flyrock

@@ -1,3 +1,4 @@
+#pragma once
 // What touches: contacts within reach, matched with those of the last step.
 
 #include <algorithm>
@@ -15,12 +16,6 @@ namespace {
 // A contact that carried an impulse in the last step stays active up to this share of its size: one step missed on a
 // sliding contact costs mu g h.
 constexpr double carry_share = 1e-6;
-
-bool next_to(std::uint32_t a, std::uint32_t b) {
-  // In half segments: a corner i lies half-way between the segments i - 1 and i.
-  const auto place = [](std::uint32_t id) { return 2 * terrain_index(id) + (is_corner(id) ? -1 : 0); };
-  return std::abs(place(a) - place(b)) <= 2;
-}
 
 }  // namespace
 
@@ -44,11 +39,13 @@ template <int D>
 const std::vector<std::pair<int, int>>& World<D>::near_pairs(double dt) {
   boxes_.clear();
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    boxes_.push_back(swept_box(flight_of(static_cast<int>(i)), bodies[i].size * (1 + carry_share), dt));
-  return broad_phase_.pairs(boxes_);
+    boxes_.push_back(swept_box<D>(Path<D>{bodies[i].x, bodies[i].v, bodies[i].moves() ? gravity_ : Vec<D>::Zero()},
+                               bodies[i].size * (1 + carry_share), dt));
+  return broad_phase_.template pairs<D>(boxes_);
 }
 
-/// `ahead` [s]: how far the bodies have been moved on from the start of a step.
+/// `ahead` [s]: how far the bodies have been moved on from the start of a step; in 2D an edge may have turned out of the
+/// cone of a corner meanwhile.
 template <int D>
 void World<D>::detect(double ahead) {
   const PhaseTimer timer(clock, &PhaseTimes::detect);
@@ -75,9 +72,13 @@ void World<D>::detect(double ahead) {
     if (body.moves()) {
       points_.clear();
       const double reach = carry_reach(probe);
-      for (std::size_t k = 0; k < body.contactors.size(); ++k)
-        terrain_contacts({body.contactors[k], body.pose()}, static_cast<int>(k), *terrain_, reach,
-                         std::abs(body.w) * ahead, points_);
+      for (int k = 0; k < static_cast<int>(body.contactors.size()); ++k) {
+        const Placed contactor{body.contactors[k], body.pose()};
+        if constexpr (D == 2)
+          terrain_contacts(contactor, k, *terrain_, reach, body.spin_speed() * ahead, points_);
+        else
+          terrain_contacts(contactor, k, *terrain_, reach, points_);
+      }
       append(i, -1);
     }
     for (; pair != pairs.end() && pair->first == i; ++pair) {
@@ -88,8 +89,8 @@ void World<D>::detect(double ahead) {
       const double reach = carry_reach(probe);
       for (std::size_t k = 0; k < body.contactors.size(); ++k)
         for (std::size_t j = 0; j < other.contactors.size(); ++j)
-          body_contacts({body.contactors[k], body.pose()}, static_cast<int>(k), {other.contactors[j], other.pose()},
-                        static_cast<int>(j), reach, points_);
+          body_contacts(Placed{body.contactors[k], body.pose()}, static_cast<int>(k),
+                        Placed{other.contactors[j], other.pose()}, static_cast<int>(j), reach, points_);
       append(i, pair->second);
     }
   }
@@ -111,7 +112,7 @@ void World<D>::match_last() {
         break;
       }
       // The same vertex on the next segment of the terrain.
-      if (contact.antagonist < 0 && next_to(old.at.against, contact.at.against) &&
+      if (contact.antagonist < 0 && next_to(*terrain_, old.at.against, contact.at.against) &&
           same_direction<D>(old.at.normal, contact.at.normal))
         found = &old;
     }
@@ -149,10 +150,10 @@ void World<D>::keep_closed_at_start() {
 template <int D>
 double World<D>::start_gap(const Contact& c) const {
   const auto at_start = [&](int body, std::uint32_t feature) {
-    const Saved& start = saved_[body];
-    return Placed2{bodies[body].contactors[contactor_of(feature)], {start.x, Rotation2::from_angle(start.angle)}};
+    const Moment<D>& start = saved_[body].moment;
+    return Placed{bodies[body].contactors[contactor_of(feature)], {start.x, start.attitude.rotation}};
   };
-  const Placed2 candidate = at_start(c.candidate, c.at.feature);
+  const Placed candidate = at_start(c.candidate, c.at.feature);
   if (c.antagonist < 0) return feature_gap(candidate, c.at.feature, *terrain_, c.at.against);
   return feature_gap(candidate, c.at.feature, at_start(c.antagonist, c.at.against), c.at.against);
 }
@@ -174,16 +175,5 @@ std::span<const HeldContact> World<D>::held(int body, int other) {
       if (c.candidate == body && c.antagonist == other) held_.push_back({c.at.feature, c.at.against});
   return held_;
 }
-
-template double World<2>::contact_size(const Contact&) const;
-template double World<2>::carry_reach(const Contact&) const;
-template const std::vector<std::pair<int, int>>& World<2>::near_pairs(double);
-template void World<2>::detect(double);
-template void World<2>::match_last();
-template void World<2>::keep_closed(double);
-template void World<2>::keep_closed_at_start();
-template double World<2>::start_gap(const Contact&) const;
-template double World<2>::deepest_overlap();
-template std::span<const HeldContact> World<2>::held(int, int);
 
 }  // namespace flyrock

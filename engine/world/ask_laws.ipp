@@ -1,0 +1,92 @@
+#pragma once
+// What the laws of the contacts answer at the start of a step or impact.
+
+#include <cmath>
+
+#include "world/manifold.h"
+#include "world/world.h"
+
+namespace flyrock {
+
+template <int D>
+ContactState World<D>::state_of(const Contact& contact) const {
+  const Body<D>& body = bodies[contact.candidate];
+  ContactState state;
+  state.approach_speed = contact.approach();
+  state.slip_speed = tangential(contact.before).norm();
+  state.impact_angle = std::atan2(state.approach_speed, state.slip_speed);
+  state.gap = contact.at.gap;
+  double inverse_mass = 0;
+  for (const int i : {contact.candidate, contact.antagonist}) {
+    if (i < 0) continue;
+    const typename Body<D>::Rows h = contact_columns<D>(contact.at.normal, contact.at.point - bodies[i].x).col(0);
+    inverse_mass += h.dot(bodies[i].inverse_mass_times(h));
+  }
+  state.effective_mass = 1 / inverse_mass;
+  state.mass = body.mass;
+  state.radius = body.radius;
+  state.spin = body.spin_speed();
+  state.kinetic_energy = body.kinetic_energy();
+  // Half the distance to the other points of the same manifold is this point's tributary length.
+  for (const Contact& other : contacts_)
+    if (&other != &contact && other.candidate == contact.candidate && other.antagonist == contact.antagonist &&
+        same_direction<D>(other.at.normal, contact.at.normal))
+      state.length += 0.5 * (other.at.point - contact.at.point).norm();
+  state.age = contact.age;
+  state.was_sticking = contact.sticking;
+  state.impact_number = body.impacts;
+  state.time = time;
+  state.group_a = body.group;
+  if (contact.antagonist >= 0)
+    state.group_b = bodies[contact.antagonist].group;
+  else
+    state.group_b = parts_of(*terrain_)[part_of(*terrain_, contact.at.against)];
+  state.material = contact.surface->material;
+  return state;
+}
+
+/// Groups the contacts that close faster than rest_speed into manifolds, and counts them as impacts of their bodies.
+template <int D>
+void World<D>::begin_manifolds() {
+  int manifolds = 0;
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    Contact& contact = contacts_[i];
+    contact.manifold = -1;
+    if (contact.approach() <= settings_.rest_speed) continue;
+    for (std::size_t k = 0; k < i && contact.manifold < 0; ++k) {
+      const Contact& other = contacts_[k];
+      if (other.manifold >= 0 && other.candidate == contact.candidate && other.antagonist == contact.antagonist &&
+          same_direction<D>(other.at.normal, contact.at.normal))
+        contact.manifold = other.manifold;
+    }
+    if (contact.manifold >= 0) continue;
+    contact.manifold = manifolds++;
+    ++bodies[contact.candidate].impacts;
+    if (contact.antagonist >= 0) ++bodies[contact.antagonist].impacts;
+    if (contact.surface) contact.surface->begin_impact(bodies[contact.candidate].impacts);
+  }
+}
+
+template <int D>
+void World<D>::ask_laws() {
+  for (Contact& contact : contacts_) {
+    contact.law = {};
+    Surface* surface = contact.surface;
+    if (!surface) continue;
+    ++surface->use.contacts;
+    const bool impact = contact.manifold >= 0;
+    const ContactState state = impact || surface->reads_state() ? state_of(contact) : ContactState{};
+    if (impact) {
+      const Restitution restitution = surface->ask_restitution(state);
+      contact.law.e_n = restitution.e_n;
+      contact.law.e_t = restitution.e_t;
+    }
+    const Friction friction = surface->ask_friction(state);
+    contact.law.mu_s = friction.mu_s;
+    contact.law.mu_d = friction.mu_d;
+    contact.law.mu_r = surface->ask_rolling(state);
+    contact.law.condition = surface->ask_condition(state);
+  }
+}
+
+}  // namespace flyrock

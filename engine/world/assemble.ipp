@@ -1,0 +1,102 @@
+#pragma once
+// The friction problem of the active contacts: Delassus operator and free velocity.
+
+#include <algorithm>
+
+#include "world/world.h"
+
+namespace flyrock {
+
+template <int D>
+typename World<D>::Row World<D>::relative_velocity(const Contact& contact) const {
+  const Body<D>& a = bodies[contact.candidate];
+  Vec<D> v = a.velocity_at(contact.at.point);
+  auto spin = a.w;
+  if (contact.antagonist >= 0) {
+    v -= bodies[contact.antagonist].velocity_at(contact.at.point);
+    spin -= bodies[contact.antagonist].w;
+  }
+  return contact_velocity<D>(contact.at.normal, v, spin);
+}
+
+template <int D>
+void World<D>::measure_before() {
+  for (Contact& contact : contacts_) contact.before = relative_velocity(contact);
+}
+
+/// W = sum over bodies of H^T M^-1 H, and q = u_free; `warm` starts from the last impulses.
+template <int D>
+void World<D>::assemble(double h, bool warm) {
+  const auto turns = [](const Contact& c) { return c.law.mu_r > 0; };
+  problem_.clear(std::any_of(contacts_.begin(), contacts_.end(), turns) ? Problem::rows : D);
+  rows_.clear();
+  impulses_.clear();
+  for (auto& list : contacts_of_) list.clear();
+  for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) {
+    Contact& contact = contacts_[a];
+    ContactRows rows;
+    rows.antagonist.setZero();
+    const auto columns = [&](int body) { return contact_columns<D>(contact.at.normal, contact.at.point - bodies[body].x); };
+    rows.candidate = columns(contact.candidate);
+    if (contact.antagonist >= 0) rows.antagonist = -columns(contact.antagonist);
+    rows_.push_back(rows);
+    if (bodies[contact.candidate].moves()) contacts_of_[contact.candidate].push_back(a);
+    if (contact.antagonist >= 0 && bodies[contact.antagonist].moves()) contacts_of_[contact.antagonist].push_back(a);
+
+    typename Problem::Contact row;
+    row.q = relative_velocity(contact);
+    row.mu = contact.sticking ? contact.law.mu_s : contact.law.mu_d;
+    row.mu_r = contact.law.mu_r;
+    row.w.setZero();
+    problem_.contacts.push_back(row);
+    impulses_.push_back(warm && contact.carried ? contact.impulse : Row::Zero());
+  }
+
+  const auto of = [&](int a, int body) -> const auto& {
+    return contacts_[a].candidate == body ? rows_[a].candidate : rows_[a].antagonist;
+  };
+  for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) {
+    problem_.first.push_back(problem_.couplings());
+    for (const int body : {contacts_[a].candidate, contacts_[a].antagonist}) {
+      if (body < 0 || !bodies[body].moves()) continue;
+      ContactColumns<D> mobility;  // M^-1 H of contact a
+      for (int k = 0; k < Problem::rows; ++k) mobility.col(k) = bodies[body].inverse_mass_times(of(a, body).col(k));
+      for (const int b : contacts_of_[body]) {
+        const typename Problem::Block w = mobility.transpose() * of(b, body);
+        if (b == a)
+          problem_.contacts[a].w += w;
+        else
+          problem_.couple(b, w);
+      }
+    }
+  }
+  problem_.first.push_back(problem_.couplings());
+  // A body without rotational inertia to speak of cannot roll.
+  for (auto& contact : problem_.contacts)
+    if (contact.w(D, D) <= 0) contact.mu_r = 0;
+  scale_by_island(h);
+}
+
+/// The tolerance of a contact is relative to g h, or to the fastest approach in its island of touching bodies.
+template <int D>
+void World<D>::scale_by_island(double h) {
+  island_.resize(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) island_[i] = static_cast<int>(i);
+  const auto root = [&](int i) {
+    while (island_[i] != i) i = island_[i] = island_[island_[i]];
+    return i;
+  };
+  const auto mover = [&](const Contact& c) { return bodies[c.candidate].moves() ? c.candidate : c.antagonist; };
+  for (const Contact& c : contacts_)
+    if (c.antagonist >= 0 && bodies[c.candidate].moves() && bodies[c.antagonist].moves())
+      island_[root(c.candidate)] = root(c.antagonist);
+  island_speed_.assign(bodies.size(), gravity_.norm() * (h > 0 ? h : settings_.time_step));
+  for (const Contact& c : contacts_) {
+    double& speed = island_speed_[root(mover(c))];
+    speed = std::max(speed, c.approach());
+  }
+  for (std::size_t a = 0; a < contacts_.size(); ++a)
+    problem_.contacts[a].speed_scale = island_speed_[root(mover(contacts_[a]))];
+}
+
+}  // namespace flyrock
