@@ -33,15 +33,23 @@ FileWriter::~FileWriter() {
 }
 
 void FileWriter::write(std::string_view bytes) {
+  buffer_ += bytes;
+  if (buffer_.size() >= 1 << 16) flush();
+}
+
+void FileWriter::flush() {
+  std::string_view bytes = buffer_;
   while (!bytes.empty()) {
     const ssize_t written = ::write(file_, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) fail("write", path_, errno);
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
+  buffer_.clear();
 }
 
 void FileWriter::commit() {
+  flush();
   ::close(std::exchange(file_, -1));
   commit_file(path_);
 }

@@ -28,6 +28,9 @@ class FileWriter {
   void commit();
 
  private:
+  void flush();
+
+  std::string buffer_;
   std::filesystem::path path_, temporary_;
   int file_ = -1;
 };

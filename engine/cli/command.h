@@ -17,6 +17,11 @@ struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What a command was given is not to be used: a folder that cannot be written, a damaged file. Nothing was run.
+struct InputError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 using Arguments = std::vector<std::string>;
 
 struct Command {
@@ -28,6 +33,8 @@ struct Command {
 
 int run(const Command&, const Arguments&);
 int merge(const Command&, const Arguments&);
+int report(const Command&, const Arguments&);
+int export_result(const Command&, const Arguments&);
 int check(const Command&, const Arguments&);
 int show(const Command&, const Arguments&);
 int plugins(const Command&, const Arguments&);

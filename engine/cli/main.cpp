@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -16,9 +17,11 @@ namespace flyrock::cli {
 
 namespace {
 
-constexpr std::array<Command, 5> commands = {{
+constexpr std::array<Command, 7> commands = {{
     {"run", "run SCENARIO [options]", "runs a scenario and writes its tables and report", run},
     {"merge", "merge DIR... -o DIR", "puts the shards of a run together", merge},
+    {"report", "report DIR", "builds report.html of a result folder again", report},
+    {"export", "export DIR --to csv|vtk [-o PATH]", "writes a result as CSV tables or for ParaView", export_result},
     {"check", "check FILE [--strict]", "validates a scenario, or tries a plugin on sampled states", check},
     {"show", "show SCENARIO [--json]", "prints the resolved scenario: units converted, defaults filled in", show},
     {"plugins", "plugins [KIND[/NAME]] [--markdown | --json]", "lists what is registered, with its parameters", plugins},
@@ -69,6 +72,9 @@ int dispatch(const Arguments& arguments) {
     if (word != command.name) continue;
     try {
       return command.call(command, Arguments(arguments.begin() + 1, arguments.end()));
+    } catch (const InputError& error) {
+      fmt::print(stderr, "error: {}\n", error.what());
+      return bad_input;
     } catch (const UsageError& error) {
       return usage_error(error.what(), fmt::format("flyrock {} --help", command.name));
     }
@@ -83,6 +89,7 @@ int dispatch(const Arguments& arguments) {
 }  // namespace flyrock::cli
 
 int main(int count, char** words) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows beyond a limit is an error like a full disk, not a sudden end
   try {
     const int code = flyrock::cli::dispatch({words + 1, words + count});
     if (std::fflush(stdout) != 0)

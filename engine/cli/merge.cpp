@@ -50,6 +50,15 @@ std::vector<ChunkFile> find_chunks(const std::vector<ChunkRange>& chunks, const 
   return files;
 }
 
+/// Reads every chunk once before anything is written. Throws InputError.
+void check_whole(const std::vector<ChunkFile>& files, const std::string& hash) {
+  for (const ChunkFile& file : files) {
+    std::string why;
+    if (!decode_chunk(read_file(file.path), file.range, hash, Part::whole, why))
+      throw InputError(fmt::format("{} is not what a run wrote: {}; run its shard again with --resume", file.path.string(), why));
+  }
+}
+
 /// "12 of 300 chunks are missing, from trial 40 of point 0 on", or nothing.
 std::string missing_text(const std::vector<ChunkRange>& chunks, const std::vector<ChunkFile>& files) {
   if (files.size() == chunks.size()) return {};
@@ -102,6 +111,8 @@ int merge(const Command& command, const Arguments& arguments) {
   const std::vector<ChunkFile> files = find_chunks(chunks, shards);
   std::vector<ChunkRange> found;
   for (const ChunkFile& file : files) found.push_back(file.range);
+
+  check_whole(files, hash);
 
   ResultFolder folder(line.text("output"), *loaded, line.has("force") ? Existing::replaced : Existing::refused);
   Runners runners = make_runners(*loaded);

@@ -16,6 +16,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* run_log_name = "run.log";  ///< written when all else is there
+
 /// A file of a result folder as JSON; null where it is missing or no JSON, as in a folder that was made half.
 nlohmann::json json_in(const fs::path& file) {
   std::error_code code;
@@ -23,17 +25,39 @@ nlohmann::json json_in(const fs::path& file) {
   return nlohmann::json::parse(read_file(file), nullptr, false);
 }
 
+/// What another process is writing is neither read nor replaced.
+void refuse_written(const fs::path& folder) {
+  if (FolderLock::held(folder)) throw InputError(fmt::format("{}: another flyrock is writing there", folder.string()));
+}
+
 }  // namespace
 
 std::string scenario_hash_in(const fs::path& folder) {
+  refuse_written(folder);
   const nlohmann::json manifest = json_in(folder / "manifest.json");
-  return manifest.is_object() ? manifest.value("scenario_sha256", "") : "";
+  if (!manifest.is_object()) return "";
+  if (manifest.value("format", 0) != result_format)
+    throw InputError(fmt::format("{} was written by flyrock {} in format {}, this one has format {}: run the scenario again, "
+                                 "with --force or -o DIR",
+                                 folder.string(), manifest.value("flyrock", "?"), manifest.value("format", 0), result_format));
+  return manifest.value("scenario_sha256", "");
+}
+
+fs::path finished_result(const std::string& folder) {
+  const fs::path path(folder);
+  if (scenario_hash_in(path).empty()) throw InputError(fmt::format("{} is no result folder: it has no manifest.json", folder));
+  if (!fs::exists(path / run_log_name))
+    throw InputError(fmt::format("{} has no results yet: `flyrock run --resume` goes on with a run that was interrupted, "
+                                 "`flyrock merge` puts shards together",
+                                 folder));
+  return path;
 }
 
 ResultFolder::ResultFolder(fs::path path, const LoadedScenario& scenario, Existing existing) : path_(std::move(path)) {
   std::error_code code;
   if (!fs::exists(path_, code)) return;
-  if (!fs::is_directory(path_, code)) throw UsageError(fmt::format("{} is a file, expected a folder", path_.string()));
+  if (!fs::is_directory(path_, code)) throw InputError(fmt::format("{} is a file, expected a folder", path_.string()));
+  refuse_written(path_);
   if (existing == Existing::refused && !fs::is_empty(path_, code))
     throw UsageError(fmt::format("{} exists; --resume goes on with an unfinished run, --force replaces the results in "
                                  "it, -o DIR names another folder",
@@ -48,7 +72,7 @@ ResultFolder::ResultFolder(fs::path path, const LoadedScenario& scenario, Existi
 }
 
 std::optional<int> ResultFolder::complete(const Plan& plan) const {
-  if (!continued_ || !fs::exists(path_ / "run.log")) return std::nullopt;  // written when all else is there
+  if (!continued_ || !fs::exists(path_ / run_log_name)) return std::nullopt;
   const nlohmann::json summary = json_in(path_ / "summary.json");
   if (!summary.is_object() || !summary.at("complete").get<bool>()) return std::nullopt;
   for (const auto& point : summary.at("points"))
@@ -60,11 +84,20 @@ std::optional<int> ResultFolder::complete(const Plan& plan) const {
 }
 
 void ResultFolder::open(const LoadedScenario& scenario, const Request& request) {
-  for (const char* name : {"run.log", "summary.json", "rocks.csv", "results.db", "report.html"}) fs::remove(path_ / name);
-  if (!continued_) remove_chunks(chunks());
-  make_folder(chunks());
-  write_request(chunks(), request);
-  write_file(path_ / "manifest.json", manifest_json(scenario));
+  try {
+    make_folder(path_);
+    lock_.emplace(path_);
+    for (const char* name : {run_log_name, "summary.json", "rocks.csv", "results.db", "report.html"})
+      fs::remove(path_ / name);
+    if (!continued_) remove_chunks(chunks());
+    make_folder(chunks());
+    write_request(chunks(), request);
+    write_file(path_ / "manifest.json", manifest_json(scenario));
+  } catch (const FileError& error) {
+    throw InputError(error.what());
+  } catch (const fs::filesystem_error& error) {
+    throw InputError(fmt::format("cannot write in {}: {}", path_.string(), error.code().message()));
+  }
 }
 
 Results ResultFolder::build(const LoadedScenario& scenario, const std::vector<ChunkFile>& files,
@@ -81,10 +114,11 @@ Results ResultFolder::build(const LoadedScenario& scenario, const std::vector<Ch
   Results results = make_results(plan, rows, facts, see);
   for (std::size_t p = 0; p < terrains.size(); ++p) results.points[p].terrain = std::move(terrains[p]);
   csv.commit();
-  database.finish(results);
+  const nlohmann::ordered_json drawn = report_data(plan, results, rows);
+  database.finish(results, drawn.dump());
   write_file(path_ / "summary.json", summary_json(plan, results));
-  write_file(report(), report_html(report_data(plan, results, rows), fs::path(share_folder()) / "report"));
-  write_file(path_ / "run.log", run_log(log));
+  write_file(report(), report_html(drawn, fs::path(share_folder()) / "report"));
+  write_file(path_ / run_log_name, run_log(log));
   return results;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "batch/chunk_files.h"
+#include "batch/folder_lock.h"
 #include "cli/command.h"
 #include "cli/request.h"
 #include "report/tables.h"
@@ -22,14 +23,15 @@ enum class Existing {
 
 class ResultFolder {
  public:
-  /// Names the folder of a scenario and writes nothing. Throws UsageError where it is not to be used.
+  /// Names the folder of a scenario and writes nothing. Throws UsageError where it is not to be used so, InputError where
+  /// it is no folder or another run is writing it.
   ResultFolder(std::filesystem::path path, const LoadedScenario& scenario, Existing existing);
 
   /// Whether the results of all trials of the scenario stand; the exit code that the run ended with.
   std::optional<int> complete(const Plan& plan) const;
 
-  /// Makes the folder, removes tables of an earlier run, and its chunks where they are not continued, and writes the
-  /// manifest. Other files stay. Throws FileError.
+  /// Makes the folder and holds it, removes tables of an earlier run, and its chunks where they are not continued, and
+  /// writes the manifest. Other files stay. Throws InputError where the folder cannot be written or held.
   void open(const LoadedScenario& scenario, const Request& request);
   std::filesystem::path chunks() const { return path_ / "chunks"; }
   std::filesystem::path report() const { return path_ / "report.html"; }
@@ -43,9 +45,14 @@ class ResultFolder {
  private:
   std::filesystem::path path_;
   bool continued_ = false;
+  std::optional<FolderLock> lock_;  ///< from open() on
 };
 
-/// The hash of the scenario in the manifest of a result folder, or an empty text.
+/// The hash of the scenario in the manifest of a result folder, or an empty text where it is none. Throws InputError where
+/// it is of a format that this flyrock does not read, or a run is writing it.
 std::string scenario_hash_in(const std::filesystem::path& folder);
+
+/// The path of a result folder whose tables stand. Throws InputError where it is none.
+std::filesystem::path finished_result(const std::string& folder);
 
 }  // namespace flyrock::cli

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <thread>
 
+#include "batch/safe_file.h"
 #include "cli/conclude.h"
 #include "cli/loading.h"
 #include "cli/result_folder.h"
@@ -67,19 +68,36 @@ std::vector<ChunkRange> chunks_of(const Plan& plan, const std::optional<Only>& o
   return chunks;
 }
 
+/// What the command line asks for.
+struct Job {
+  Request request;
+  std::optional<Only> only;
+  std::optional<Shard> shard;
+  int threads = 1;
+  bool resume = false, force = false, quiet = false, strict = false;
+};
+
 struct Execution {
   RunOutcome outcome;
   RunLog log;
 };
 
-Execution execute(const std::vector<ChunkRange>& chunks, const MakeWorker& make_worker, RunOptions options, bool quiet) {
+Execution execute(const Job& job, const LoadedScenario& loaded, Runners& runners, const std::filesystem::path& folder) {
+  RunOptions options{.folder = folder,
+                     .scenario_hash = loaded.hash,
+                     .threads = job.threads,
+                     .resume = job.resume,
+                     .strict = job.strict,
+                     .interrupted = was_interrupted};
+  const std::vector<ChunkRange> chunks = chunks_of(loaded.plan, job.only, job.shard);
   Execution execution;
   RunLog& log = execution.log = start_log();
   log.threads = std::min(options.threads, static_cast<int>(chunks.size()));
   const auto start = std::chrono::steady_clock::now();
-  ProgressBar bar(!quiet);
+  ProgressBar bar(!job.quiet);
   options.report = [&](const RunProgress& progress) { bar.show(progress); };
-  execution.outcome = run_chunks(chunks, make_worker, options);
+  execution.outcome =
+      run_chunks(chunks, workers(loaded, runners, job.request.scenario, job.request.overrides), options);
   const RunProgress& progress = execution.outcome.progress;
   log.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   log.trials = progress.done - progress.kept;
@@ -125,34 +143,68 @@ po::options_description run_options() {
   return options;
 }
 
+Job read_job(const CommandLine& line) {
+  refuse_pairs(line);
+  Job job{.request = {line.words[0], overrides_of(line)}, .only = {}, .shard = {}, .threads = threads_of(line)};
+  if (line.has("only")) job.only = read_only(line.text("only"));
+  if (line.has("shard")) job.shard = read_shard(line.text("shard"));
+  job.resume = line.has("resume");
+  job.force = line.has("force");
+  job.quiet = line.has("quiet");
+  job.strict = line.has("strict");
+  return job;
+}
+
+std::string default_folder(const Job& job, const std::string& scenario) {
+  std::string name = "out/" + scenario;
+  if (job.only) name += fmt::format("-p{}-t{}", job.only->point, job.only->trial);
+  if (job.shard) name += fmt::format("-shard-{}-of-{}", job.shard->number, job.shard->of);
+  return name;
+}
+
+/// Runs the trials and builds what they leave, in a folder that is open.
+int carry_out(const Job& job, const LoadedScenario& loaded, Runners& runners, const ResultFolder& folder) {
+  const Plan& plan = loaded.plan;
+  catch_interrupt();
+  const auto [outcome, log] = execute(job, loaded, runners, folder.chunks());
+  if (outcome.ending == RunEnding::interrupted) {
+    fmt::print(stderr, "interrupted after {} of {} trials; what was done is kept in {}, --resume goes on\n",
+               trials_in(outcome.chunks), outcome.progress.total, folder.chunks().string());
+    return interrupted;
+  }
+  if (job.shard) return conclude_shard(outcome, *job.shard, folder.chunks(), job.quiet);
+
+  const RunFacts facts{.trials = trials_of(outcome.chunks, plan.points.size()),
+                       .full = !job.only && plan.points.front().trials >= loaded.own_trials,
+                       .ended_early = outcome.why,
+                       .warnings = loaded.warnings};
+  const Results results =
+      folder.build(loaded, chunk_files(outcome.chunks, folder.chunks()), facts, first_terrains(runners), log);
+  folder.tidy();
+  print_faults(results);
+  if (!job.quiet) {
+    fmt::print("{}", summary_text(plan, results, loaded.warnings));
+    if (job.only) fmt::print("{}", trial_text(plan.points[job.only->point], results.points[job.only->point].first_trial));
+    fmt::print("report: {}\n", folder.report().string());
+  }
+  return exit_code(results);
+}
+
 }  // namespace
 
 int run(const Command& command, const Arguments& arguments) {
   const CommandLine line = parse(command, run_options(), arguments, 1, 1);
   if (line.help) return done;
-  refuse_pairs(line);
-  std::optional<Only> only;
-  if (line.has("only")) only = read_only(line.text("only"));
-  std::optional<Shard> shard;
-  if (line.has("shard")) shard = read_shard(line.text("shard"));
-  const bool quiet = line.has("quiet"), strict = line.has("strict");
-  const int threads = threads_of(line);
-
-  const Request request{line.words[0], overrides_of(line)};
-  std::optional<LoadedScenario> loaded = load(request.scenario, request.overrides, strict);
+  const Job job = read_job(line);
+  std::optional<LoadedScenario> loaded = load(job.request.scenario, job.request.overrides, job.strict);
   if (!loaded) return bad_input;
-  Plan& plan = loaded->plan;
-  if (only) prepare(*only, plan);
-  const std::string suffix = only    ? fmt::format("-p{}-t{}", only->point, only->trial)
-                             : shard ? fmt::format("-shard-{}-of-{}", shard->number, shard->of)
-                                     : "";
-  const bool resume = line.has("resume");
-  ResultFolder folder(line.has("output") ? line.text("output") : "out/" + loaded->name + suffix, *loaded,
-                      resume              ? Existing::continued
-                      : line.has("force") ? Existing::replaced
-                                          : Existing::refused);
-  if (const std::optional<int> code = folder.complete(plan)) {
-    if (!quiet) fmt::print("nothing to do, all trials are done\nreport: {}\n", folder.report().string());
+  if (job.only) prepare(*job.only, loaded->plan);
+  ResultFolder folder(line.has("output") ? line.text("output") : default_folder(job, loaded->name), *loaded,
+                      job.resume  ? Existing::continued
+                      : job.force ? Existing::replaced
+                                  : Existing::refused);
+  if (const std::optional<int> code = folder.complete(loaded->plan)) {
+    if (!job.quiet) fmt::print("nothing to do, all trials are done\nreport: {}\n", folder.report().string());
     return *code;
   }
   Runners runners;
@@ -162,39 +214,13 @@ int run(const Command& command, const Arguments& arguments) {
     fmt::print(stderr, "{}: error: {}\n", line.words[0], error.what());
     return bad_input;
   }
-
-  folder.open(*loaded, request);
-  catch_interrupt();
-  const auto [outcome, log] = execute(chunks_of(plan, only, shard),
-                                      workers(*loaded, runners, request.scenario, request.overrides),
-                                      {.folder = folder.chunks(),
-                                       .scenario_hash = loaded->hash,
-                                       .threads = threads,
-                                       .resume = resume,
-                                       .strict = strict,
-                                       .interrupted = was_interrupted},
-                                      quiet);
-  if (outcome.ending == RunEnding::interrupted) {
-    fmt::print(stderr, "interrupted after {} of {} trials; what was done is kept in {}, --resume goes on\n",
-               trials_in(outcome.chunks), outcome.progress.total, folder.chunks().string());
-    return interrupted;
+  folder.open(*loaded, job.request);
+  try {
+    return carry_out(job, *loaded, runners, folder);
+  } catch (const FileError& error) {  // a full disk
+    fmt::print(stderr, "error: {}; what was done is kept in {}, --resume goes on\n", error.what(), folder.chunks().string());
+    return faults;
   }
-  if (shard) return conclude_shard(outcome, *shard, folder.chunks(), quiet);
-
-  const RunFacts facts{.trials = trials_of(outcome.chunks, plan.points.size()),
-                       .full = !only && plan.points.front().trials >= loaded->own_trials,
-                       .ended_early = outcome.why,
-                       .warnings = loaded->warnings};
-  const Results results =
-      folder.build(*loaded, chunk_files(outcome.chunks, folder.chunks()), facts, first_terrains(runners), log);
-  folder.tidy();
-  print_faults(results);
-  if (!quiet) {
-    fmt::print("{}", summary_text(plan, results, loaded->warnings));
-    if (only) fmt::print("{}", trial_text(plan.points[only->point], results.points[only->point].first_trial));
-    fmt::print("report: {}\n", folder.report().string());
-  }
-  return exit_code(results);
 }
 
 }  // namespace flyrock::cli

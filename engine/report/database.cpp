@@ -1,8 +1,12 @@
 #include "report/database.h"
 
+#include <fmt/format.h>
+
 #include <limits>
 
+#include "batch/safe_file.h"
 #include "math/space.h"
+#include "report/tables.h"
 
 namespace flyrock {
 
@@ -15,7 +19,8 @@ CREATE TABLE parts (point INTEGER, part INTEGER, name TEXT);
 CREATE TABLE rocks (point INTEGER, trial INTEGER, rock INTEGER, "group" TEXT, mass_kg REAL, volume_m3 REAL,
   launch_speed_m_s REAL, launch_elevation_deg REAL, stop_reason TEXT, censored INTEGER, runout_m REAL,
   max_distance_m REAL, stop_x_m REAL, stop_y_m REAL, stop_z_m REAL, flight_range_m REAL, bounce_height_m REAL,
-  max_speed_m_s REAL, max_energy_J REAL, impacts INTEGER, time_s REAL, fault TEXT);
+  max_speed_m_s REAL, max_energy_J REAL, impacts INTEGER, time_s REAL, flight_s REAL, flight_m REAL, bounce_s REAL,
+  bounce_m REAL, slide_s REAL, slide_m REAL, roll_s REAL, roll_m REAL, fault TEXT);
 CREATE TABLE draws (draw INTEGER PRIMARY KEY, path TEXT);
 CREATE TABLE drawn (point INTEGER, trial INTEGER, rock INTEGER, draw INTEGER, value REAL);
 CREATE VIEW inputs AS SELECT point, trial, rock, path, value FROM drawn JOIN draws USING (draw);
@@ -25,6 +30,11 @@ CREATE TABLE impacts (point INTEGER, trial INTEGER, rock INTEGER, number INTEGER
 CREATE TABLE trajectories (point INTEGER, trial INTEGER, rock INTEGER, time_s REAL, x_m REAL, y_m REAL, z_m REAL,
   vx_m_s REAL, vy_m_s REAL, vz_m_s REAL, spin_x_rad_s REAL, spin_y_rad_s REAL, spin_z_rad_s REAL, angle_rad REAL,
   kinetic_energy_J REAL, mode TEXT);
+CREATE TABLE gates (point INTEGER, trial INTEGER, rock INTEGER, gate TEXT, time_s REAL, speed_m_s REAL, energy_J REAL,
+  height_m REAL);
+CREATE TABLE barriers (point INTEGER, trial INTEGER, rock INTEGER, barrier TEXT, outcome TEXT, time_s REAL,
+  speed_m_s REAL, energy_J REAL, height_m REAL);
+CREATE TABLE report (data TEXT);
 CREATE TABLE expectations (number INTEGER, measure TEXT, point INTEGER, computed REAL, kind TEXT, expected REAL,
   expected_high REAL, tolerance REAL, passed INTEGER, reason TEXT);
 )";
@@ -34,6 +44,8 @@ constexpr const char* indices = R"(
 CREATE UNIQUE INDEX rocks_by_rock ON rocks (point, trial, rock);
 CREATE INDEX drawn_by_rock ON drawn (point, trial, rock);
 CREATE INDEX impacts_by_rock ON impacts (point, trial, rock);
+CREATE INDEX gates_by_rock ON gates (point, trial, rock);
+CREATE INDEX barriers_by_rock ON barriers (point, trial, rock);
 CREATE INDEX trajectories_by_rock ON trajectories (point, trial, rock);
 )";
 
@@ -62,14 +74,16 @@ void add_expectations(const SqliteFile& file, const Results& results) {
 }  // namespace
 
 ResultDatabase::Insertions::Insertions(const SqliteFile& file)
-    : rocks(file, insert_into("rocks", 22)),
+    : rocks(file, insert_into("rocks", 30)),
       drawn(file, insert_into("drawn", 5)),
       impacts(file, insert_into("impacts", 17)),
-      trajectories(file, insert_into("trajectories", 16)) {}
+      trajectories(file, insert_into("trajectories", 16)),
+      gates(file, insert_into("gates", 8)),
+      barriers(file, insert_into("barriers", 9)) {}
 
 ResultDatabase::ResultDatabase(const std::filesystem::path& path, const Plan& plan)
     : plan_(plan), groups_(group_names(plan.points.front())), file_(path) {
-  file_.execute(schema);
+  file_.execute(schema + fmt::format("PRAGMA user_version = {};", result_format));
   insertions_ = std::make_unique<Insertions>(file_);
   add_plan();
 }
@@ -84,15 +98,24 @@ void ResultDatabase::add_plan() {
 }
 
 void ResultDatabase::add(int point, const TrialRecords& records) {
+  const Scenario& scenario = plan_.points[static_cast<std::size_t>(point)];
   for (const RockRecord& r : records.rocks)
     insertions_->rocks.row(point, r.trial, r.rock, groups_.at(static_cast<std::size_t>(r.group)), r.mass, r.volume,
                            r.launch_speed, r.launch_elevation * 180 / pi, name_of(r.reason), r.censored, r.runout,
                            r.max_distance, r.stop_x, r.stop_y, r.stop_z, r.flight_range, r.bounce_height, r.max_speed,
-                           r.max_energy, r.impacts, r.time, r.fault);
+                           r.max_energy, r.impacts, r.time, r.travel.time[0], r.travel.distance[0], r.travel.time[1],
+                           r.travel.distance[1], r.travel.time[2], r.travel.distance[2], r.travel.time[3],
+                           r.travel.distance[3], r.fault);
   for (const InputRecord& i : records.inputs) insertions_->drawn.row(point, i.trial, i.rock, i.draw, i.value);
   for (const auto& [trial, rock, i] : records.impacts)
     insertions_->impacts.row(point, trial, rock, i.number, i.time, i.place.x(), i.place.y(), i.place.z(), i.other,
                              i.part, i.vn_before, i.vn_after, i.vt_before, i.vt_after, i.pn, i.pt, i.energy_change);
+  for (const auto& [trial, rock, p] : records.gates)
+    insertions_->gates.row(point, trial, rock, scenario.gates.at(static_cast<std::size_t>(p.gate)).name, p.time, p.speed,
+                           p.kinetic_energy, p.height);
+  for (const auto& [trial, rock, h] : records.barriers)
+    insertions_->barriers.row(point, trial, rock, scenario.barriers.at(static_cast<std::size_t>(h.barrier)).name,
+                              name_of(h.outcome), h.time, h.speed, h.kinetic_energy, h.height);
   for (const auto& [trial, rock, t] : records.trajectories) {
     const BodyState& s = t.state;
     insertions_->trajectories.row(point, trial, rock, s.time, s.position.x(), s.position.y(), s.position.z(),
@@ -101,8 +124,9 @@ void ResultDatabase::add(int point, const TrialRecords& records) {
   }
 }
 
-void ResultDatabase::finish(const Results& results) {
+void ResultDatabase::finish(const Results& results, const std::string& report) {
   {
+    Insertion(file_, insert_into("report", 1)).row(report);
     Insertion points(file_, insert_into("points", 2)), parts(file_, insert_into("parts", 3));
     for (std::size_t p = 0; p < results.points.size(); ++p) {
       points.row(p, results.points[p].trials);
@@ -114,6 +138,13 @@ void ResultDatabase::finish(const Results& results) {
   file_.execute(indices);
   insertions_.reset();  // a statement holds its file open
   file_.commit();
+}
+
+std::string stored_report(const std::filesystem::path& path) {
+  const SqliteReader file(path);
+  Query row(file, "SELECT data FROM report");
+  if (!row.next()) throw FileError(fmt::format("{} holds no data of a report", path.string()));
+  return row.text(0);
 }
 
 }  // namespace flyrock

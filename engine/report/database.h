@@ -19,13 +19,13 @@ class ResultDatabase {
   /// The rows of a chunk of one point; chunks come in order.
   void add(int point, const TrialRecords& records);
 
-  /// Points, terrain parts and expectations; then the indices. The file gets its name.
-  void finish(const Results& results);
+  /// Points, terrain parts and expectations, and `report`, the data of the page; then the indices. The file gets its name.
+  void finish(const Results& results, const std::string& report);
 
  private:
   struct Insertions {
     explicit Insertions(const SqliteFile& file);
-    Insertion rocks, drawn, impacts, trajectories;
+    Insertion rocks, drawn, impacts, trajectories, gates, barriers;
   };
 
   void add_plan();
@@ -35,5 +35,8 @@ class ResultDatabase {
   SqliteFile file_;
   std::unique_ptr<Insertions> insertions_;
 };
+
+/// What finish() was given as `report`. Throws FileError.
+std::string stored_report(const std::filesystem::path& path);
 
 }  // namespace flyrock

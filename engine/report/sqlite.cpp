@@ -43,6 +43,32 @@ Insertion::Insertion(const SqliteFile& file, const std::string& sql) : file_(fil
   if (sqlite3_prepare_v2(file.handle(), sql.c_str(), -1, &statement_, nullptr) != SQLITE_OK) file.fail();
 }
 
+SqliteReader::SqliteReader(std::filesystem::path path) : path_(std::move(path)) {
+  if (sqlite3_open_v2(path_.c_str(), &database_, SQLITE_OPEN_READONLY, nullptr) == SQLITE_OK) return;
+  const std::string why = database_ ? sqlite3_errmsg(database_) : "no memory";
+  sqlite3_close(database_);
+  throw FileError(fmt::format("cannot read {}: {}", path_.string(), why));
+}
+
+void SqliteReader::fail() const {
+  throw FileError(fmt::format("cannot read {}: {}", path_.string(), sqlite3_errmsg(database_)));
+}
+
+Query::Query(const SqliteReader& file, const std::string& sql) : file_(file) {
+  if (sqlite3_prepare_v2(file.handle(), sql.c_str(), -1, &statement_, nullptr) != SQLITE_OK) file.fail();
+}
+
+bool Query::next() {
+  const int code = sqlite3_step(statement_);
+  if (code != SQLITE_ROW && code != SQLITE_DONE) file_.fail();
+  return code == SQLITE_ROW;
+}
+
+std::string Query::text(int column) const {
+  const auto* bytes = reinterpret_cast<const char*>(sqlite3_column_text(statement_, column));
+  return {bytes, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column))};
+}
+
 void Insertion::step() {
   if (sqlite3_step(statement_) != SQLITE_DONE) file_.fail();
   sqlite3_reset(statement_);

@@ -1,8 +1,9 @@
 #pragma once
-// SQLite as far as results.db needs it: a file that is built once, and prepared insertions.
+// SQLite as far as results.db needs it: a file that is built once with prepared insertions, and queries of a file that stands.
 
 #include <sqlite3.h>
 
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -42,7 +43,7 @@ class Insertion {
   Insertion(const Insertion&) = delete;
   Insertion& operator=(const Insertion&) = delete;
 
-  /// One row: whole numbers, doubles (NaN becomes NULL) and texts.
+  /// One row: whole numbers, doubles (NULL where they are not finite) and texts.
   template <class... Values>
   void row(const Values&... values) {
     int column = 0;
@@ -51,7 +52,12 @@ class Insertion {
   }
 
  private:
-  void bind(int column, double value) { sqlite3_bind_double(statement_, column, value); }
+  void bind(int column, double value) {
+    if (std::isfinite(value))
+      sqlite3_bind_double(statement_, column, value);
+    else
+      sqlite3_bind_null(statement_, column);
+  }
   void bind(int column, std::string_view value) {
     sqlite3_bind_text(statement_, column, value.data(), static_cast<int>(value.size()), SQLITE_TRANSIENT);
   }
@@ -60,10 +66,51 @@ class Insertion {
   void bind(int column, Whole value) {
     sqlite3_bind_int64(statement_, column, static_cast<sqlite3_int64>(value));
   }
-  void bind(int column, std::nullptr_t) { sqlite3_bind_null(statement_, column); }
   void step();
 
   const SqliteFile& file_;
+  sqlite3_stmt* statement_ = nullptr;
+};
+
+/// A database that is read, also where its folder cannot be written.
+class SqliteReader {
+ public:
+  /// Throws FileError.
+  explicit SqliteReader(std::filesystem::path path);
+  ~SqliteReader() { sqlite3_close(database_); }
+  SqliteReader(const SqliteReader&) = delete;
+  SqliteReader& operator=(const SqliteReader&) = delete;
+
+  [[noreturn]] void fail() const;
+  sqlite3* handle() const { return database_; }
+
+ private:
+  std::filesystem::path path_;
+  sqlite3* database_ = nullptr;
+};
+
+/// A SELECT, row by row. Columns count from 0.
+class Query {
+ public:
+  /// Throws FileError, as next().
+  Query(const SqliteReader& file, const std::string& sql);
+  ~Query() { sqlite3_finalize(statement_); }
+  Query(const Query&) = delete;
+  Query& operator=(const Query&) = delete;
+
+  /// Goes to the next row; false behind the last.
+  bool next();
+
+  int columns() const { return sqlite3_column_count(statement_); }
+  std::string name(int column) const { return sqlite3_column_name(statement_, column); }
+  /// SQLITE_NULL, SQLITE_INTEGER, SQLITE_FLOAT or SQLITE_TEXT.
+  int type(int column) const { return sqlite3_column_type(statement_, column); }
+  double real(int column) const { return sqlite3_column_double(statement_, column); }
+  std::int64_t whole(int column) const { return sqlite3_column_int64(statement_, column); }
+  std::string text(int column) const;
+
+ private:
+  const SqliteReader& file_;
   sqlite3_stmt* statement_ = nullptr;
 };
 

@@ -4,21 +4,10 @@
 
 #include "batch/chunk.h"
 #include "math/space.h"
+#include "report/csv.h"
 #include "report/summary_data.h"
 
 namespace flyrock {
-
-namespace {
-
-/// A field of a CSV line, quoted where it has to be (RFC 4180).
-std::string csv_text(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
-}  // namespace
 
 std::string rocks_csv_header(const Plan& plan) {
   return fmt::format(
@@ -34,7 +23,7 @@ std::string rocks_csv_rows(const Plan& plan, int point, const std::vector<RockRe
   std::string csv;
   for (const RockRecord& rock : rocks) {
     csv += fmt::format("{},{},{},{}", point, rock.trial, rock.rock, csv_text(groups.at(rock.group)));
-    const auto number = [&](double value) { csv += ',' + shortest(value); };
+    const auto number = [&](double value) { (csv += ',') += csv_number(value); };
     number(rock.mass), number(rock.volume), number(rock.launch_speed), number(rock.launch_elevation * 180 / pi);
     csv += fmt::format(",{},{}", name_of(rock.reason), rock.censored ? 1 : 0);
     number(rock.runout), number(rock.max_distance), number(rock.stop_x), number(rock.stop_y);
@@ -58,7 +47,7 @@ std::string manifest_json(const LoadedScenario& loaded) {
   for (const SourceHash& source : loaded.sources)
     sources.push_back({{"name", source.name}, {"sha256", source.sha256}});
   const Json manifest = {{"flyrock", FLYROCK_ENGINE_VERSION},
-                         {"format", 1},
+                         {"format", result_format},
                          {"scenario_sha256", loaded.hash},
                          {"seed", first.seed},
                          {"trials", first.trials},

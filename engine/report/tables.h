@@ -10,8 +10,12 @@
 
 namespace flyrock {
 
+/// Of the layout of a result folder and its database: raised when an older flyrock, or this one with an older folder, would
+/// misread it.
+inline constexpr int result_format = 2;
+
 /// A row per rock in order of point, trial and rock; numbers as the shortest decimals that read back as
-/// the same double; censored as 0 or 1.
+/// the same double, nothing where there is no number; censored as 0 or 1.
 std::string rocks_csv_header(const Plan& plan);
 std::string rocks_csv_rows(const Plan& plan, int point, const std::vector<RockRecord>& rocks);
 

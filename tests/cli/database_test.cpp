@@ -47,14 +47,33 @@ TEST_CASE("The database holds what the other tables hold, and every drawn number
         std::vector<std::string>{"0|0|equals|1", "1|1|equals|1", "2|0|below|0", "3|1|below|0"});
 }
 
+TEST_CASE("The database has who passed a gate, who met a barrier, and how rocks travelled") {
+  const Folder folder;
+  folder.write("s.yaml", std::string(bench) +
+                             "gates: [{ name: road, x: 6 }]\nbarriers: [{ name: fence, x: 9, height: 30, capacity: 1 MJ }]\n");
+  REQUIRE(call(folder, "run s.yaml -o r --quiet").code == 0);
+  const fs::path db = folder.path() / "r/results.db";
+  const std::string summary = read(folder.path() / "r/summary.json");
+  CHECK(summary.find("\"rocks\": " + query(db, "SELECT count(*) FROM gates WHERE gate = 'road'")[0]) != std::string::npos);
+  CHECK(query(db, "SELECT count(*) FROM barriers WHERE barrier = 'fence' AND outcome = 'caught'") ==
+        query(db, "SELECT count(*) FROM rocks WHERE stop_reason = 'caught'"));
+  CHECK(query(db, "SELECT count(*) > 0 FROM barriers") == std::vector<std::string>{"1"});
+  // A rock that is caught ends there and then.
+  CHECK(query(db, "SELECT count(*) FROM barriers JOIN rocks r USING (point, trial, rock) WHERE outcome = 'caught' AND "
+                  "abs(r.time_s - barriers.time_s) > 1e-9") == std::vector<std::string>{"0"});
+  CHECK(query(db, "SELECT DISTINCT abs(flight_s + bounce_s + slide_s + roll_s - time_s) < 1e-9 FROM rocks") ==
+        std::vector<std::string>{"1"});
+}
+
 TEST_CASE("The queries of docs/results.md run and give rows") {
   const Folder folder;
   const Output run =
-      call(folder, "run '" FLYROCK_SOURCE_DIR "/scenarios/ninh_dan/benches_2d.yaml' --trials 20 -o r --quiet");
+      call(folder, "run '" FLYROCK_SOURCE_DIR "/scenarios/ninh_dan/benches_2d.yaml' --trials 20 -o r --quiet "
+                   "--set gates='[{ name: road, x: 20 }]' --set barriers='[{ name: fence, x: 25, height: 3, capacity: 500 kJ }]'");
   INFO(run.err);
   REQUIRE(run.code == 0);
   const std::vector<std::string> queries = documented_queries();
-  CHECK(queries.size() == 5);
+  CHECK(queries.size() == 7);
   for (const std::string& sql : queries) {
     INFO(sql);
     CHECK_FALSE(query(folder.path() / "r/results.db", sql).empty());

@@ -51,13 +51,18 @@ struct Output {
   std::string out, err;
 };
 
+/// A line for a shell, in a folder.
+inline Output shell(const Folder& folder, const std::string& line) {
+  const fs::path out = folder.path() / ".out", err = folder.path() / ".err";
+  const std::string whole = "cd '" + folder.path().string() + "' && { " + line + "; } >'" + out.string() + "' 2>'" +
+                            err.string() + "'";
+  const int status = std::system(whole.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out), read(err)};
+}
+
 /// `flyrock ARGUMENTS` in a folder; the arguments are words for a shell.
 inline Output call(const Folder& folder, const std::string& arguments) {
-  const fs::path out = folder.path() / ".out", err = folder.path() / ".err";
-  const std::string line = "cd '" + folder.path().string() + "' && '" FLYROCK_BINARY "' " + arguments + " >'" +
-                           out.string() + "' 2>'" + err.string() + "'";
-  const int status = std::system(line.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out), read(err)};
+  return shell(folder, "'" FLYROCK_BINARY "' " + arguments);
 }
 
 /// `flyrock run SCENARIO` with more trials than it can finish, interrupted as by Ctrl-C when `until` exists (after

@@ -1,0 +1,62 @@
+// Writes what results.db holds in the formats of other programs.
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+
+#include "cli/result_folder.h"
+#include "report/export_csv.h"
+#include "report/export_vtk.h"
+#include "units/units.h"
+
+namespace flyrock::cli {
+
+namespace po = boost::program_options;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Format {
+  const char* name;
+  /// Of the database, into a folder; returns the files.
+  std::vector<fs::path> (*write)(const fs::path& results, const fs::path& folder);
+  const char* nothing;  ///< why there may be no file
+};
+
+constexpr std::array<Format, 2> formats = {{
+    {"csv", export_csv, ""},
+    {"vtk", export_vtk, "no trajectory is stored; output.trajectories of the scenario says how many are"},
+}};
+
+const Format& format_of(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Format& format : formats) {
+    if (name == format.name) return format;
+    names.emplace_back(format.name);
+  }
+  const std::string near = nearest_name(name, names);
+  throw UsageError(fmt::format("--to: unknown format `{}`{}; there are {}", name,
+                               near.empty() ? "" : fmt::format(", did you mean `{}`?", near), fmt::join(names, ", ")));
+}
+
+}  // namespace
+
+int export_result(const Command& command, const Arguments& arguments) {
+  po::options_description options("options");
+  options.add_options()
+      ("to", po::value<std::string>()->value_name("FORMAT"), "csv (every table) or vtk (trajectories, for ParaView); required")
+      ("output,o", po::value<std::string>()->value_name("PATH"), "folder of the files; default DIR/<format>");
+  const CommandLine line = parse(command, options, arguments, 1, 1);
+  if (line.help) return done;
+  if (!line.has("to")) throw UsageError(fmt::format("expected --to FORMAT: flyrock {}", command.usage));
+  const Format& format = format_of(line.text("to"));
+  const fs::path result = finished_result(line.words[0]);
+  const fs::path folder = line.has("output") ? fs::path(line.text("output")) : result / format.name;
+  const std::vector<fs::path> files = format.write(result / "results.db", folder);
+  for (const fs::path& file : files) fmt::print("{}\n", file.string());
+  if (files.empty()) fmt::print(stderr, "nothing written: {}\n", format.nothing);
+  return done;
+}
+
+}  // namespace flyrock::cli

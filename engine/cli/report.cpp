@@ -1,0 +1,26 @@
+// Builds report.html again, from the data that stands in results.db: with the drawing of this flyrock.
+
+#include "report/html.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "batch/safe_file.h"
+#include "cli/result_folder.h"
+#include "host/share.h"
+#include "report/database.h"
+
+namespace flyrock::cli {
+
+int report(const Command& command, const Arguments& arguments) {
+  const CommandLine line = parse(command, boost::program_options::options_description("options"), arguments, 1, 1);
+  if (line.help) return done;
+  const std::filesystem::path folder = finished_result(line.words[0]), page = folder / "report.html";
+  const auto data = nlohmann::ordered_json::parse(stored_report(folder / "results.db"));
+  write_file(page, report_html(data, std::filesystem::path(share_folder()) / "report"));
+  fmt::print("report: {}\n", page.string());
+  return done;
+}
+
+}  // namespace flyrock::cli

@@ -1,0 +1,75 @@
+#include "report/export_csv.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+
+#include "batch/safe_file.h"
+#include "report/csv.h"
+#include "report/sqlite.h"
+
+namespace flyrock {
+
+namespace {
+
+struct Table {
+  const char* name;
+  const char* rows;
+};
+
+constexpr std::array<Table, 10> tables = {{
+    {"points", "SELECT * FROM points ORDER BY rowid"},
+    {"sweep", "SELECT * FROM sweep ORDER BY rowid"},
+    {"parts", "SELECT * FROM parts ORDER BY rowid"},
+    {"rocks", "SELECT * FROM rocks ORDER BY rowid"},
+    {"inputs", "SELECT point, trial, rock, path, value FROM drawn JOIN draws USING (draw) ORDER BY drawn.rowid"},
+    {"impacts", "SELECT * FROM impacts ORDER BY rowid"},
+    {"trajectories", "SELECT * FROM trajectories ORDER BY rowid"},
+    {"gates", "SELECT * FROM gates ORDER BY rowid"},
+    {"barriers", "SELECT * FROM barriers ORDER BY rowid"},
+    {"expectations", "SELECT * FROM expectations ORDER BY rowid"},
+}};
+
+/// A line, of `field` of each column.
+template <class Field>
+std::string line_of(const Query& row, Field field) {
+  std::string line;
+  for (int c = 0; c < row.columns(); ++c) {
+    if (c > 0) line += ',';
+    line += field(c);
+  }
+  return line + '\n';
+}
+
+std::string value_text(const Query& row, int column) {
+  switch (row.type(column)) {
+    case SQLITE_INTEGER: return fmt::format("{}", row.whole(column));
+    case SQLITE_FLOAT: return csv_number(row.real(column));
+    case SQLITE_TEXT: return csv_text(row.text(column));
+    default: return "";
+  }
+}
+
+void write_table(const SqliteReader& database, const Table& table, const std::filesystem::path& path) {
+  Query row(database, table.rows);
+  FileWriter file(path);
+  file.write(line_of(row, [&](int c) { return row.name(c); }));
+  while (row.next()) file.write(line_of(row, [&](int c) { return value_text(row, c); }));
+  file.commit();
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> export_csv(const std::filesystem::path& results, const std::filesystem::path& folder) {
+  const SqliteReader database(results);
+  make_folder(folder);
+  std::vector<std::filesystem::path> files;
+  for (const Table& table : tables) {
+    files.push_back(folder / (std::string(table.name) + ".csv"));
+    write_table(database, table, files.back());
+  }
+  return files;
+}
+
+}  // namespace flyrock

@@ -1,0 +1,136 @@
+// What may go wrong around a run: one clear line, nothing lost, the right exit code.
+
+#include <fcntl.h>
+#include <sys/file.h>
+
+#include <algorithm>
+
+#include "same_result.h"
+
+using namespace flyrock::test;
+
+namespace {
+
+bool one_line(const std::string& text) { return !text.empty() && text.find('\n') == text.size() - 1; }
+
+void check_refused(const Folder& folder, const std::string& arguments, const std::string& text) {
+  const Output output = call(folder, arguments);
+  INFO(arguments << ": " << output.err);
+  CHECK(output.code == 2);
+  CHECK(output.err.find(text) != std::string::npos);
+}
+
+/// The line as a user without rights would run it.
+std::string as_nobody(const std::string& line) {
+  if (::geteuid() != 0) return line;
+  return "setpriv --reuid=65534 --regid=65534 --clear-groups sh -c '" + line + "'";
+}
+
+std::string many_trials() {
+  std::string text = bench;
+  return text.replace(text.find("trials: 4"), 9, "trials: 400");
+}
+
+}  // namespace
+
+TEST_CASE("A full disk is one line, and --resume goes on with what was done") {
+  const Folder folder;
+  folder.write("s.yaml", many_trials());
+  REQUIRE(call(folder, "run s.yaml --quiet -o whole").code == 0);
+  // Files may not grow beyond so many blocks of 512 bytes: too few for a chunk, then too few for the database.
+  for (const int blocks : {20, 300}) {
+    const Output full = shell(folder, "ulimit -f " + std::to_string(blocks) + "; '" FLYROCK_BINARY "' run s.yaml --quiet -o full --resume");
+    INFO(full.err);
+    CHECK(full.code == 3);
+    CHECK(one_line(full.err));
+    CHECK(full.err.find("error: cannot write full/") == 0);
+    CHECK(full.err.find("; what was done is kept in full/chunks, --resume goes on") != std::string::npos);
+    CHECK_FALSE(folder.has("full/run.log"));
+  }
+  REQUIRE(call(folder, "run s.yaml --quiet -o full --resume").code == 0);
+  check_same(folder, "whole", "full");
+}
+
+TEST_CASE("A folder that cannot be written is told before anything runs") {
+  const Folder folder;
+  folder.write("s.yaml", bench);
+  folder.write("file", "not a folder");
+  check_refused(folder, "run s.yaml -o file", "file is a file, expected a folder");
+  check_refused(folder, "run s.yaml -o file/below", "cannot make the folder file/below: Not a directory");
+  fs::create_directories(folder.path() / "closed");
+  fs::permissions(folder.path() / "closed", fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_exec |
+                                                fs::perms::others_read);
+  for (const char* path : {"closed", "closed/r"}) {
+    const Output output = shell(folder, as_nobody("\"" FLYROCK_BINARY "\" run s.yaml --quiet -o " + std::string(path)));
+    INFO(output.err);
+    CHECK(output.code == 2);
+    CHECK(one_line(output.err));
+    CHECK(output.err.find("Permission denied") != std::string::npos);
+  }
+  CHECK(fs::is_empty(folder.path() / "closed"));
+}
+
+TEST_CASE("A result of an older format is neither read nor gone on with") {
+  const Folder folder;
+  folder.write("s.yaml", bench);
+  REQUIRE(call(folder, "run s.yaml --quiet -o r").code == 0);
+  std::string manifest = read(folder.path() / "r/manifest.json");
+  const std::size_t at = manifest.find("\"format\": 2");
+  REQUIRE(at != std::string::npos);
+  folder.write("r/manifest.json", manifest.replace(at, 11, "\"format\": 1"));
+  for (const char* command : {"report r", "export r --to csv", "merge r -o m", "run s.yaml --resume -o r"})
+    check_refused(folder, command, "error: r was written by flyrock 0.1.0 in format 1, this one has format 2: run the "
+                                   "scenario again, with --force or -o DIR\n");
+  CHECK(folder.has("r/results.db"));
+  CHECK(call(folder, "run s.yaml --force --quiet -o r").code == 0);
+  CHECK(call(folder, "report r").code == 0);
+}
+
+TEST_CASE("Nobody reads or writes a folder in which a run is writing") {
+  const Folder folder;
+  folder.write("s.yaml", bench);
+  REQUIRE(call(folder, "run s.yaml --quiet -o r").code == 0);
+  CHECK_FALSE(folder.has("r/lock"));
+  folder.write("r/lock", "");
+  const int lock = ::open((folder.path() / "r/lock").c_str(), O_RDWR);
+  REQUIRE(::flock(lock, LOCK_EX | LOCK_NB) == 0);
+  for (const char* command : {"report r", "export r --to vtk", "merge r -o m", "run s.yaml --resume -o r",
+                              "run s.yaml --force -o r", "run s.yaml -o r"})
+    check_refused(folder, command, "error: r: another flyrock is writing there\n");
+  ::close(lock);  // as when that run is killed: the file stays, the lock does not
+  CHECK(call(folder, "report r").code == 0);
+  CHECK(call(folder, "run s.yaml --force --quiet -o r").code == 0);
+  CHECK_FALSE(folder.has("r/lock"));
+}
+
+TEST_CASE("A report is refused while its run is writing, and the run goes on") {
+  const Folder folder;
+  folder.write("s.yaml", many_trials());
+  const Output both = shell(folder, "'" FLYROCK_BINARY "' run s.yaml --quiet -o r & run=$!; n=0; "
+                                    "while [ ! -e r/chunks/p0-c0.chunk ] && [ $n -lt 400 ]; do sleep 0.02; n=$((n+1)); done; "
+                                    "kill -STOP $run; '" FLYROCK_BINARY "' report r; echo report $?; "
+                                    "'" FLYROCK_BINARY "' run s.yaml --force -o r; echo second run $?; "
+                                    "kill -CONT $run; wait $run; echo run $?");
+  INFO(both.err);
+  CHECK(both.out == "report 2\nsecond run 2\nrun 0\n");
+  CHECK(both.err == "error: r: another flyrock is writing there\nerror: r: another flyrock is writing there\n");
+  CHECK(call(folder, "report r").code == 0);
+}
+
+TEST_CASE("A damaged chunk is found before a merge makes anything") {
+  const Folder folder;
+  folder.write("s.yaml", bench);
+  for (const char* shard : {"1", "2"})
+    REQUIRE(call(folder, std::string("run s.yaml --quiet --shard ") + shard + "/2 -o s" + shard).code == 0);
+  const fs::path chunk = folder.path() / "s2/chunks/p0-c3.chunk";
+  const std::string whole = read(chunk);
+  std::string damaged = whole;
+  damaged[damaged.size() / 2] ^= 1;
+  folder.write("s2/chunks/p0-c3.chunk", damaged);
+  check_refused(folder, "merge s1 s2 -o m", "error: s2/chunks/p0-c3.chunk is not what a run wrote: damaged: its checksum is wrong; "
+                                            "run its shard again with --resume\n");
+  CHECK_FALSE(folder.has("m"));
+  REQUIRE(call(folder, "run s.yaml --quiet --shard 2/2 -o s2 --resume").code == 0);
+  CHECK(read(chunk) == whole);
+  CHECK(call(folder, "merge s1 s2 -o m --quiet").code == 0);
+}
