@@ -220,26 +220,30 @@ class PairSearch {
         try_direction({kind, face.normal, support, feature_id(c.index, FeatureKind::face, f), 0, 0, 1});
       }
     };
-    try_faces(b_, Direction::Kind::of_b);
-    try_faces(a_, Direction::Kind::of_a);
     const Placed3 a{a_.shape, {sa.x, sa.turn.rotation}}, b{b_.shape, {sb.x, sb.turn.rotation}};
     if (a_.shape.round()) {
       try_direction(towards(a.point(0), b, sb, b_.index, Direction::Kind::of_b));
     } else if (b_.shape.round()) {
       try_direction(towards(b.point(0), a, sa, a_.index, Direction::Kind::of_a));
-    } else if (const EdgeAxis axis = best_edge_axis(a, b); axis.of_a >= 0) {
-      Direction edges;
-      edges.kind = Direction::Kind::edges;
-      edges.edge_a = axis.of_a;
-      edges.edge_b = axis.of_b;
-      const auto along = [](const Placed3& p, int e) {
-        return Vec3(p.point(p.shape.edges[e].end) - p.point(p.shape.edges[e].start));
-      };
-      edges.sign = along(a, axis.of_a).cross(along(b, axis.of_b)).dot(axis.normal) > 0 ? -1 : 1;
-      try_direction(edges);
+    } else {
+      try_faces(b_, Direction::Kind::of_b);
+      try_faces(a_, Direction::Kind::of_a);
+      if (const EdgeAxis axis = best_edge_axis(a, b); axis.of_a >= 0) try_direction(across(axis, a, b));
     }
     chosen_ = true;
     return best;
+  }
+
+  static Direction across(const EdgeAxis& axis, const Placed3& a, const Placed3& b) {
+    const auto along = [](const Placed3& p, int e) {
+      return Vec3(p.point(p.shape.edges[e].end) - p.point(p.shape.edges[e].start));
+    };
+    Direction d;
+    d.kind = Direction::Kind::edges;
+    d.edge_a = axis.of_a;
+    d.edge_b = axis.of_b;
+    d.sign = along(a, axis.of_a).cross(along(b, axis.of_b)).dot(axis.normal) > 0 ? -1 : 1;
+    return d;
   }
 
   /// From the nearest place of a contactor to the centre of a sphere.
