@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "collision/narrow_phase.h"
 #include "collision/separating_axis.h"
 #include "collision/time_of_contact.h"
 
@@ -165,6 +166,32 @@ TEST_CASE("tumbling boxes touch with a gap of at most 1e-11, and not before") {
   CHECK(met > 100);
   CHECK(edges > 30);
   CHECK(most < 300);
+}
+
+TEST_CASE("a box that slides over the edge of another is held by the solver's contacts and touches nothing new") {
+  const double overhang = GENERATE(0.0, 0.3, 0.45), yaw = GENERATE(0.0, 0.4), spin = GENERATE(0.0, 1e-7, 2.0);
+  Motion3 below, above;
+  below.x = {0, 0, -0.5};
+  above.x = {overhang, 0.1, 0.5};
+  above.v = {1, 0.5, 0};
+  above.rotation = GivenRotation{Rotation3::from_vector({0, 0, yaw}), {0, 0, spin}, Vec3::Zero()};
+  std::vector<ContactPoint<3>> contacts;
+  body_contacts({cube, {above.x, above.turn(0).rotation}}, 0, {cube, {below.x, {}}}, 0, 1e-6, contacts);
+  REQUIRE(contacts.size() == 4);
+  std::vector<HeldContact> held;
+  for (const auto& c : contacts) held.push_back({c.feature, c.against});
+  std::uint64_t iterations = 0;
+  const TouchSearch search{held, true, 0.5e-9, 1, &iterations};
+  CHECK_FALSE(time_of_contact(cube, 0, above, cube, 0, below, 1e-3, search));
+  CHECK(iterations < 100);
+  // The other way round, and a third that comes down on it.
+  for (auto& h : held) std::swap(h.feature, h.against);
+  CHECK_FALSE(time_of_contact(cube, 0, below, cube, 0, above, 1e-3, {held, true, 0.5e-9, 1, &iterations}));
+  Motion3 third = above;
+  third.x.z() += 1 + 5e-4;
+  third.v.z() = -1;
+  CHECK(time_of_contact(cube, 0, third, cube, 0, above, 1e-3, {{}, true, 0, 1, &iterations}).value() ==
+        Approx(5e-4).epsilon(1e-9));
 }
 
 TEST_CASE("a given rotation ends where it should, and its spin is its derivative") {
