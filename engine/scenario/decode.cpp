@@ -47,7 +47,11 @@ class PlanDecoder {
  public:
   PlanDecoder(const Value& root, const Registry& registry, const std::string& folder,
               Diagnostics& diagnostics)
-      : tree_(root), registry_(registry), folder_(folder), diagnostics_(diagnostics) {}
+      : tree_(root),
+        registry_(registry),
+        folder_(folder),
+        diagnostics_(diagnostics),
+        a_plugin_failed_(diagnostics.has_errors()) {}
 
   std::optional<Plan> decode() {
     if (!Node::root(tree_).expect_map(diagnostics_)) return std::nullopt;
@@ -72,7 +76,7 @@ class PlanDecoder {
  private:
   void decode_point(const std::vector<std::size_t>& point) {
     for (std::size_t a = 0; a < sweeps_.size(); ++a) *sweeps_[a].slot = sweeps_[a].values[point[a]];
-    DecodeContext context{registry_, folder_, diagnostics_, swept_};
+    DecodeContext context{registry_, folder_, diagnostics_, swept_, a_plugin_failed_};
     Map resolved;
     Scenario scenario = decode_document(context, Node::root(tree_), resolved);
     if (diagnostics_.has_errors()) return;
@@ -140,6 +144,7 @@ class PlanDecoder {
   const Registry& registry_;
   const std::string& folder_;
   Diagnostics& diagnostics_;
+  const bool a_plugin_failed_;  // or another step before this one
   std::vector<SweptValue> sweeps_;
   std::set<std::string> swept_;
   std::vector<List> resolved_values_;  ///< of each axis and step

@@ -17,6 +17,7 @@ struct DecodeContext {
   std::string folder;  ///< of the scenario, for files that it names
   Diagnostics& diagnostics;
   const std::set<std::string>& swept;  ///< paths of the sweep's axes
+  bool a_plugin_failed = false;        ///< to load, which was reported: an unknown name is no news then
   int dimension = 2;
   std::vector<Draw> draws = {};
   std::map<std::string, double> swept_values = {};  ///< by path, SI; of the axes met where a sweep may stand

@@ -253,8 +253,9 @@ std::optional<PluginUse> decode_plugin(DecodeContext& context, const Node& node,
     }
     type = *text;
     if (!context.registry.find(kind, type)) {
-      child->error(context.diagnostics,
-                   fmt::format("unknown {} `{}`{}", name_of(kind), type, suggestion(type, known)));
+      if (!context.a_plugin_failed)
+        child->error(context.diagnostics,
+                     fmt::format("unknown {} `{}`{}", name_of(kind), type, suggestion(type, known)));
       return std::nullopt;
     }
   } else if (type.empty()) {

@@ -19,30 +19,12 @@ void check_place(DecodeContext& context, const Node& item, const Section& sectio
                                             at, profile->x_min(), profile->x_max()));
 }
 
-template <class Plan, class Read>
-std::vector<Plan> decode_named(DecodeContext& context, const Node& node, std::string_view name, Map& resolved,
-                               Read read) {
-  std::vector<Plan> plans;
-  if (!node.expect_list(context.diagnostics)) return plans;
-  List list;
-  for (const Node& item : node.items()) {
-    if (!item.expect_map(context.diagnostics)) continue;
-    Map map;
-    const Section section = decode_section(context, item, name, {}, map);
-    if (const auto given = item.find("name")) check_name(context, *given);
-    plans.push_back(read(item, section));
-    list.push_back(map_value(std::move(map)));
-  }
-  refuse_duplicate_names(context, node);
-  put(resolved, name, list_value(std::move(list)));
-  return plans;
-}
-
 }  // namespace
 
 std::vector<BarrierPlan> decode_barriers(DecodeContext& context, const Node& node,
                                          const std::optional<Profile>& profile, Map& resolved) {
-  return decode_named<BarrierPlan>(context, node, "barriers", resolved, [&](const Node& item, const Section& section) {
+  return decode_list<BarrierPlan>(context, node, "barriers", resolved, [&](const Node& item, Map& map) {
+    const Section section = decode_section(context, item, "barriers", {}, map);
     check_place(context, item, section, profile);
     return BarrierPlan{.name = section.text("name"),
                        .x = section.constant("x"),
@@ -53,14 +35,16 @@ std::vector<BarrierPlan> decode_barriers(DecodeContext& context, const Node& nod
 
 std::vector<GatePlan> decode_gates(DecodeContext& context, const Node& node,
                                    const std::optional<Profile>& profile, Map& resolved) {
-  return decode_named<GatePlan>(context, node, "gates", resolved, [&](const Node& item, const Section& section) {
+  return decode_list<GatePlan>(context, node, "gates", resolved, [&](const Node& item, Map& map) {
+    const Section section = decode_section(context, item, "gates", {}, map);
     check_place(context, item, section, profile);
     return GatePlan{.name = section.text("name"), .x = section.constant("x")};
   });
 }
 
 std::vector<ClearancePlan> decode_clearances(DecodeContext& context, const Node& node, Map& resolved) {
-  return decode_named<ClearancePlan>(context, node, "clearance", resolved, [](const Node&, const Section& section) {
+  return decode_list<ClearancePlan>(context, node, "clearance", resolved, [&](const Node& item, Map& map) {
+    const Section section = decode_section(context, item, "clearance", {}, map);
     ClearancePlan plan{.name = section.text("name"),
                        .probability = section.constant("probability"),
                        .confidence = section.constant("confidence")};

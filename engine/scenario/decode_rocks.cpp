@@ -98,7 +98,6 @@ RockGroup decode_group(DecodeContext& context, const Node& node, const std::vect
   const SectionSpec& spec = section_spec("rocks");
   RockGroup group;
   const Section section(spec.keys, decode_params(context, node, spec.keys, rock_rules, resolved));
-  if (const auto name = node.find("name")) check_name(context, *name);
   group.name = section.text("name");
   if (const auto population = decode_plugin(context, node, PluginKind::population, population_rules, resolved,
                                             spec.key_names(), default_population))
@@ -127,7 +126,6 @@ BodyPlan decode_body(DecodeContext& context, const Node& node, const std::vector
                      Map& resolved) {
   BodyPlan body;
   const Section section = decode_section(context, node, "bodies", body_rules, resolved);
-  if (const auto name = node.find("name")) check_name(context, *name);
   body.name = section.text("name");
   body.fixed = section.constant("fixed") != 0;
   if (const auto driven = node.find("driven")) {
@@ -156,22 +154,9 @@ BodyPlan decode_body(DecodeContext& context, const Node& node, const std::vector
   return body;
 }
 
-template <class Item, class Decode>
-std::vector<Item> decode_list(DecodeContext& context, const Node& node, std::string_view key, Map& resolved,
-                              Decode decode) {
-  std::vector<Item> items;
-  if (!node.expect_list(context.diagnostics)) return items;
-  List list;
-  for (const Node& item : node.items()) {
-    if (!item.expect_map(context.diagnostics)) continue;
-    Map map;
-    items.push_back(decode(item, map));
-    list.push_back(map_value(std::move(map)));
-  }
-  if (node.items().empty()) node.error(context.diagnostics, "is empty, expected at least one element");
-  refuse_duplicate_names(context, node);
-  put(resolved, key, list_value(std::move(list)));
-  return items;
+void refuse_empty(DecodeContext& context, const Node& list) {
+  if (list.value->list() && list.items().empty())
+    list.error(context.diagnostics, "is empty, expected at least one element");
 }
 
 }  // namespace
@@ -192,6 +177,7 @@ void refuse_duplicate_names(DecodeContext& context, const Node& list) {
 std::vector<RockGroup> decode_rocks(DecodeContext& context, const Node& node,
                                     const std::vector<Material>& materials,
                                     const std::optional<Profile>& profile, Map& resolved) {
+  refuse_empty(context, node);
   return decode_list<RockGroup>(context, node, "rocks", resolved, [&](const Node& item, Map& map) {
     return decode_group(context, item, materials, profile, map);
   });
@@ -199,6 +185,7 @@ std::vector<RockGroup> decode_rocks(DecodeContext& context, const Node& node,
 
 std::vector<BodyPlan> decode_bodies(DecodeContext& context, const Node& node,
                                     const std::vector<Material>& materials, Map& resolved) {
+  refuse_empty(context, node);
   return decode_list<BodyPlan>(context, node, "bodies", resolved, [&](const Node& item, Map& map) {
     return decode_body(context, item, materials, map);
   });

@@ -65,4 +65,23 @@ std::vector<std::string> find_not_used(const Node& root, const Scenario& scenari
 /// An error at each element of a list whose `name` an earlier one has; group and body names.
 void refuse_duplicate_names(DecodeContext& context, const Node& list);
 
+/// A list of elements with names: decode(element, map) reads one and appends what it read to `map`.
+template <class Item, class Decode>
+std::vector<Item> decode_list(DecodeContext& context, const Node& node, std::string_view key, Map& resolved,
+                              Decode&& decode) {
+  std::vector<Item> items;
+  if (!node.expect_list(context.diagnostics)) return items;
+  List list;
+  for (const Node& item : node.items()) {
+    if (!item.expect_map(context.diagnostics)) continue;
+    Map map;
+    if (const auto name = item.find("name")) check_name(context, *name);
+    items.push_back(decode(item, map));
+    list.push_back(map_value(std::move(map)));
+  }
+  refuse_duplicate_names(context, node);
+  put(resolved, key, list_value(std::move(list)));
+  return items;
+}
+
 }  // namespace flyrock

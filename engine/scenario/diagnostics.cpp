@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "scenario/printable.h"
+
 namespace flyrock {
 
 namespace {
@@ -22,10 +24,12 @@ std::string place(const Diagnostic& diagnostic) {
 }
 
 /// The quoted line and a caret below the column. Columns count characters, not bytes; a tab is repeated, so
-/// that the caret stands right at any tab width.
+/// that the caret stands right at any tab width. Nothing where the line is no text for a terminal.
 std::string quotation(const Location& at) {
   if (!at.source || at.line < 1 || at.line > static_cast<int>(at.source->lines.size())) return {};
+  constexpr std::size_t longest = 200;
   const std::string& line = at.source->lines[at.line - 1];
+  if (line.size() > longest || printable(line) != line) return {};
   std::string blanks;
   int column = 1;
   for (char c : line) {
@@ -41,9 +45,10 @@ std::string message(const Diagnostic& diagnostic) {
   return diagnostic.path.empty() ? diagnostic.text : diagnostic.path + ": " + diagnostic.text;
 }
 
-bool is_same(const Diagnostic& a, const Diagnostic& b) {
-  return a.severity == b.severity && source_name(a) == source_name(b) && a.at.line == b.at.line &&
-         a.at.column == b.at.column && a.path == b.path && a.text == b.text;
+/// The message in one line.
+std::string headline(const Diagnostic& diagnostic) {
+  const char* severity = diagnostic.severity == Severity::error ? "error" : "warning";
+  return fmt::format("{}{}: {}\n", place(diagnostic), severity, message(diagnostic));
 }
 
 }  // namespace
@@ -57,9 +62,9 @@ void Diagnostics::warning(const Location& at, const std::string& path, const std
 }
 
 void Diagnostics::add(Diagnostic diagnostic) {
-  for (const Diagnostic& known : all_)
-    if (is_same(known, diagnostic)) return;
-  all_.push_back(std::move(diagnostic));
+  diagnostic.path = printable(diagnostic.path);
+  diagnostic.text = printable(diagnostic.text);
+  if (known_.insert(headline(diagnostic)).second) all_.push_back(std::move(diagnostic));
 }
 
 bool Diagnostics::has_errors() const {
@@ -81,14 +86,12 @@ std::string Diagnostics::to_text() const {
   std::stable_sort(sorted.begin(), sorted.end(),
                    [&](const Diagnostic* a, const Diagnostic* b) { return key(a) < key(b); });
   std::string text;
-  for (const Diagnostic* diagnostic : sorted) text += flyrock::to_text(*diagnostic);
+  constexpr std::size_t most = 100;
+  for (std::size_t i = 0; i < std::min(most, sorted.size()); ++i) text += flyrock::to_text(*sorted[i]);
+  if (sorted.size() > most) text += fmt::format("and {} more\n", sorted.size() - most);
   return text;
 }
 
-std::string to_text(const Diagnostic& diagnostic) {
-  const char* severity = diagnostic.severity == Severity::error ? "error" : "warning";
-  return fmt::format("{}{}: {}\n{}", place(diagnostic), severity, message(diagnostic),
-                     quotation(diagnostic.at));
-}
+std::string to_text(const Diagnostic& diagnostic) { return headline(diagnostic) + quotation(diagnostic.at); }
 
 }  // namespace flyrock

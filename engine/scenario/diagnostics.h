@@ -1,6 +1,7 @@
 #pragma once
 // Messages about a scenario: all are collected, none stops the reading.
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,13 +29,14 @@ class Diagnostics {
   std::vector<std::string> warnings() const;
 
   /// Each as `file:line:column: error: path: text`, then the line and a caret under the column; in the order
-  /// of lines and columns.
+  /// of lines and columns. The first 100; how many more there are is said at the end.
   std::string to_text() const;
 
  private:
   void add(Diagnostic diagnostic);
 
   std::vector<Diagnostic> all_;
+  std::set<std::string> known_;  ///< texts of all, to keep each once
 };
 
 /// One message in that form.

@@ -8,6 +8,14 @@
 
 namespace flyrock {
 
+/// The factory whose products are an Adapter for the plugin behind the interface Kind.
+template <class Kind, class Adapter>
+Factory adapter_factory(std::shared_ptr<const LuaPlugin> plugin) {
+  return FactoryOf<Kind>([plugin = std::move(plugin)](Params& params) -> std::unique_ptr<Kind> {
+    return std::make_unique<Adapter>(plugin, params);
+  });
+}
+
 Factory restitution_factory(std::shared_ptr<const LuaPlugin> plugin);
 Factory friction_factory(std::shared_ptr<const LuaPlugin> plugin);
 Factory rolling_factory(std::shared_ptr<const LuaPlugin> plugin);

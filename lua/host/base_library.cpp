@@ -7,6 +7,7 @@
 #include <string>
 
 #include "host/ordered_pairs.h"
+#include "host/read_only.h"
 #include "host/sandbox.h"
 #include "host/state.h"
 
@@ -60,6 +61,10 @@ int set_metatable(lua_State* lua) {
   luaL_argexpected(lua, lua_isnoneornil(lua, 2) || lua_istable(lua, 2), 2, "nil or table");
   if (luaL_getmetafield(lua, 1, "__metatable") != LUA_TNIL)
     raise(lua, "this table is protected: it keeps its metatable");
+  if (push_shown(lua, 2)) {
+    if (push_view(lua, -1)) lua_copy(lua, -2, 2);
+    lua_settop(lua, 2);
+  }
   if (lua_istable(lua, 2))
     for (const char* name : {"__gc", "__mode"}) {  // both act when garbage is collected: never the same twice
       lua_pushstring(lua, name);
@@ -69,6 +74,20 @@ int set_metatable(lua_State* lua) {
   lua_settop(lua, 2);
   lua_setmetatable(lua, 1);
   return 1;
+}
+
+int get_metatable(lua_State* lua) {
+  luaL_checkany(lua, 1);
+  if (luaL_getmetafield(lua, 1, "__metatable") != LUA_TNIL) return 1;
+  if (!lua_getmetatable(lua, 1)) lua_pushnil(lua);
+  push_view(lua, -1);
+  return 1;
+}
+
+/// rawget and rawlen see the fields of a view. The original in upvalue 1.
+int raw_access(lua_State* lua) {
+  if (push_shown(lua, 1)) lua_replace(lua, 1);
+  return lua_tocfunction(lua, lua_upvalueindex(1))(lua);
 }
 
 /// tostring without addresses.
@@ -106,10 +125,11 @@ int print(lua_State* lua) {
   return 0;
 }
 
-/// The original in upvalue 1, after paying for the state that it makes: each coroutine starts its own count
-/// of instructions.
+/// Pays for the state of a coroutine: each starts its own count of instructions.
+void charge_coroutine(lua_State* lua) { charge(lua, 10 * Budget::interval); }
+
 int create_coroutine(lua_State* lua) {
-  charge(lua, Budget::interval);
+  charge_coroutine(lua);
   return lua_tocfunction(lua, lua_upvalueindex(1))(lua);
 }
 
@@ -117,6 +137,48 @@ int resume(lua_State* lua) {
   const int results = lua_tocfunction(lua, lua_upvalueindex(1))(lua);
   if (!lua_toboolean(lua, -results)) raise_if_exceeded(lua);
   return results;
+}
+
+/// Not where the budget is exceeded: in a coroutine that died inside the hook, no hook counts what its __close
+/// methods do.
+int close(lua_State* lua) {
+  if (const std::string& exceeded = budget_of(lua).exceeded; !exceeded.empty()) exceed(lua, exceeded);
+  return lua_tocfunction(lua, lua_upvalueindex(1))(lua);
+}
+
+/// The function that coroutine.wrap answers with. Upvalues: resume, the coroutine, close.
+int resume_wrapped(lua_State* lua) {
+  lua_pushvalue(lua, lua_upvalueindex(1));
+  lua_pushvalue(lua, lua_upvalueindex(2));
+  lua_rotate(lua, 1, 2);
+  lua_call(lua, lua_gettop(lua) - 1, LUA_MULTRET);
+  if (lua_toboolean(lua, 1)) return lua_gettop(lua) - 1;
+  const int status = lua_status(lua_tothread(lua, lua_upvalueindex(2)));
+  if (status != LUA_OK && status != LUA_YIELD) {  // it failed, now or while its variables are closed
+    lua_pushvalue(lua, lua_upvalueindex(3));
+    lua_pushvalue(lua, lua_upvalueindex(2));
+    lua_call(lua, 1, 2);
+  }
+  if (lua_type(lua, -1) == LUA_TSTRING) {
+    luaL_where(lua, 1);
+    lua_insert(lua, -2);
+    lua_concat(lua, 2);
+  }
+  return lua_error(lua);
+}
+
+/// Upvalues: create, resume, close.
+int wrap(lua_State* lua) {
+  luaL_checktype(lua, 1, LUA_TFUNCTION);
+  lua_settop(lua, 1);
+  lua_pushvalue(lua, lua_upvalueindex(1));
+  lua_insert(lua, 1);
+  lua_call(lua, 1, 1);
+  lua_pushvalue(lua, lua_upvalueindex(2));
+  lua_insert(lua, 1);
+  lua_pushvalue(lua, lua_upvalueindex(3));
+  lua_pushcclosure(lua, resume_wrapped, 3);
+  return 1;
 }
 
 void wrap_original(lua_State* lua, const char* name, lua_CFunction wrapper) {
@@ -130,8 +192,8 @@ void wrap_original(lua_State* lua, const char* name, lua_CFunction wrapper) {
 void add_base_library(lua_State* lua) {
   lua_pushcfunction(lua, luaopen_base);  // fills the state's own table of globals, which no code of ours sees
   lua_call(lua, 0, 1);
-  for (const char* name : {"assert", "error", "getmetatable", "ipairs", "rawequal", "rawget", "rawlen",
-                           "select", "tonumber", "type", "_VERSION"}) {
+  for (const char* name : {"assert", "error", "ipairs", "rawequal", "rawget", "rawlen", "select",
+                           "tonumber", "type", "_VERSION"}) {
     lua_getfield(lua, -1, name);
     lua_setfield(lua, -3, name);
   }
@@ -141,16 +203,22 @@ void add_base_library(lua_State* lua) {
                               {"pcall", protected_call},
                               {"xpcall", protected_call_with_handler},
                               {"setmetatable", guarded<set_metatable>},
+                              {"getmetatable", get_metatable},
                               {"tostring", to_text},
                               {"print", print},
                               {nullptr, nullptr}};
   luaL_setfuncs(lua, own, 0);
+  for (const char* name : {"rawget", "rawlen"}) wrap_original(lua, name, raw_access);
 }
 
 void add_coroutine_library(lua_State* lua) {
   wrap_original(lua, "create", create_coroutine);
-  wrap_original(lua, "wrap", create_coroutine);
   wrap_original(lua, "resume", resume);
+  wrap_original(lua, "close", close);
+  const int library = lua_gettop(lua);
+  for (const char* name : {"create", "resume", "close"}) lua_getfield(lua, library, name);
+  lua_pushcclosure(lua, wrap, 3);
+  lua_setfield(lua, library, "wrap");
 }
 
 }  // namespace flyrock

@@ -35,8 +35,11 @@ double texts(lua_State* lua) {
 
 double repeat(lua_State* lua) {
   const double length = lua_isstring(lua, 1) ? static_cast<double>(lua_rawlen(lua, 1)) : 0;
-  constexpr double copies_per_instruction = 8;
-  return std::max(0.0, lua_tonumber(lua, 2)) * (1 / copies_per_instruction + length / bytes_per_instruction);
+  const double between = lua_isstring(lua, 3) ? static_cast<double>(lua_rawlen(lua, 3)) : 0;
+  const double copies = std::max(0.0, lua_tonumber(lua, 2));
+  if (copies * (length + between) > Budget::text_limit + between) exceed(lua, Budget::long_text);
+  constexpr double copies_per_instruction = 64;
+  return copies / copies_per_instruction;
 }
 
 double range(lua_State* lua, int first, int last, double length) {

@@ -9,6 +9,9 @@ namespace flyrock {
 
 namespace {
 
+constexpr const char* out_of_memory = "needed more than 256 MiB of memory";
+static_assert(Budget::memory_limit == 256 << 20 && Budget::text_limit == 1 << 20);
+
 /// What is over its limit after `instructions` more, or an empty text.
 std::string spend(Budget& budget, double instructions) {
   budget.left -= instructions;
@@ -25,47 +28,63 @@ std::string spend(Budget& budget, double instructions) {
 
 /// `level` is that of the Lua function to name: 0 in a hook, 1 in a C function.
 void spend_or_raise(lua_State* lua, double instructions, int level) {
-  Budget& budget = budget_of(lua);
-  if (budget.exceeded.empty()) budget.exceeded = spend(budget, instructions);
-  if (budget.exceeded.empty()) return;
-  luaL_where(lua, level);
-  lua_pushstring(lua, budget.exceeded.c_str());
-  lua_concat(lua, 2);
-  lua_error(lua);
+  const Budget& budget = budget_of(lua);
+  const std::string over = budget.exceeded.empty() ? spend(budget_of(lua), instructions) : budget.exceeded;
+  if (!over.empty()) exceed(lua, over, level);
 }
 
 void look(lua_State* lua, lua_Debug*) { spend_or_raise(lua, Budget::interval, 0); }
 
-}  // namespace
-
-std::string Budget::memory_text() {
-  return fmt::format("needed more than {} MiB of memory", memory_limit >> 20);
+/// Why a block is not given, or null.
+const char* refusal(const Budget& budget, bool text, std::size_t more, std::size_t size) {
+  if (text && size > Budget::text_limit) return Budget::long_text;
+  if (budget.memory + more > Budget::memory_limit) return out_of_memory;
+  return nullptr;
 }
+
+}  // namespace
 
 void Budget::arm(double instructions) {
   limit = left = instructions;
   timed = false;
+  refused = "";
   exceeded.clear();
+}
+
+std::string place_of(lua_State* lua) {
+  lua_Debug frame;
+  for (int level = 0; lua && lua_getstack(lua, level, &frame); ++level)
+    if (lua_getinfo(lua, "Sl", &frame) && frame.currentline > 0)
+      return fmt::format("{}:{}: ", frame.short_src, frame.currentline);
+  return {};
 }
 
 Budget& budget_of(lua_State* lua) { return **static_cast<Budget**>(lua_getextraspace(lua)); }
 
 void* allocate(void* data, void* block, std::size_t old_size, std::size_t new_size) {
   constexpr std::size_t large = 1 << 16;
-  constexpr double bytes_per_instruction = 64;
+  constexpr double bytes_per_instruction = 256;
   Budget& budget = *static_cast<Budget*>(data);
-  if (!block) old_size = 0;  // Lua then passes the kind of object
+  const bool text = !block && old_size == LUA_TSTRING;  // for a new block Lua passes the kind of object
+  if (!block) old_size = 0;
   if (new_size == 0) {
     std::free(block);
     budget.memory -= old_size;
     return nullptr;
   }
   if (new_size > old_size) {
-    if (budget.memory - old_size + new_size > Budget::memory_limit) return nullptr;
+    if (const char* why = refusal(budget, text, new_size - old_size, new_size)) {
+      budget.refused = why;
+      budget.refused_at = place_of(budget.lua);
+      return nullptr;
+    }
     if (new_size > large) budget.left -= static_cast<double>(new_size) / bytes_per_instruction;
   }
   void* moved = std::realloc(block, new_size);
-  if (moved) budget.memory += new_size - old_size;
+  if (moved)
+    budget.memory += new_size - old_size;
+  else
+    budget.refused = "needed more memory than the machine has left", budget.refused_at = place_of(budget.lua);
   return moved;
 }
 
@@ -73,12 +92,28 @@ void count_instructions(lua_State* lua) { lua_sethook(lua, look, LUA_MASKCOUNT, 
 
 void charge(lua_State* lua, double instructions) { spend_or_raise(lua, instructions, 1); }
 
+void exceed(lua_State* lua, const std::string& text, int level) {
+  budget_of(lua).exceeded = text;
+  luaL_where(lua, level);
+  lua_pushlstring(lua, text.data(), text.size());
+  lua_concat(lua, 2);
+  lua_error(lua);
+  std::terminate();  // lua_error does not return
+}
+
 void raise_if_exceeded(lua_State* lua) {
+  name_refusal(lua);
+  if (!budget_of(lua).exceeded.empty()) lua_error(lua);
+}
+
+void name_refusal(lua_State* lua) {
+  // The status would not do: coroutine.wrap raises the same text as an ordinary error.
   Budget& budget = budget_of(lua);
-  // Lua's own text; the status would not do, since coroutine.wrap raises it as an ordinary error.
-  if (lua_type(lua, -1) == LUA_TSTRING && std::string_view(lua_tostring(lua, -1)) == "not enough memory")
-    budget.exceeded = Budget::memory_text();
-  if (!budget.exceeded.empty()) lua_error(lua);
+  if (!*budget.refused || lua_type(lua, -1) != LUA_TSTRING) return;
+  if (std::string_view(lua_tostring(lua, -1)) != "not enough memory") return;
+  budget.exceeded = budget.refused;
+  lua_pop(lua, 1);
+  lua_pushfstring(lua, "%s%s", budget.refused_at.c_str(), budget.refused);
 }
 
 }  // namespace flyrock

@@ -14,20 +14,22 @@ namespace flyrock {
 
 struct Budget {
   static constexpr std::size_t memory_limit = std::size_t{256} << 20;  ///< bytes a state
+  static constexpr std::size_t text_limit = std::size_t{1} << 20;  ///< bytes a text: no hook counts comparing
   static constexpr double call_limit = 1e7;                            ///< instructions of one call
   static constexpr double load_limit = 1e8;                            ///< instructions of loading one file
+  static constexpr const char* long_text = "made a text of more than 1 MiB";
   static constexpr std::chrono::seconds time_limit{4};  ///< of one call, and of loading one file
-  static constexpr int interval = 1000;                 ///< instructions between two looks
+  static constexpr int interval = 100;                  ///< instructions between two looks
 
   std::size_t memory = 0;  ///< bytes in use
   double limit = 0;        ///< instructions of the call under way
   double left = 0;
   bool timed = false;  ///< whether `start` is set: a short call never asks for the time
   std::chrono::steady_clock::time_point start;
-  std::string exceeded;  ///< what went over its limit in this call, or empty
-
-  /// "needed more than 256 MiB of memory".
-  static std::string memory_text();
+  lua_State* lua = nullptr;  ///< the state that this is the budget of
+  const char* refused = "";  ///< what the allocator refused last
+  std::string refused_at;    ///< and the place of the Lua code that asked for it
+  std::string exceeded;      ///< what went over its limit in this call, or empty
 
   /// Starts a call.
   void arm(double instructions);
@@ -36,9 +38,12 @@ struct Budget {
 /// The budget of a state or of one of its coroutines.
 Budget& budget_of(lua_State* lua);
 
-/// The allocator of a state; `budget` is a Budget. Refuses what goes over the memory limit. Large blocks
-/// cost instructions, since filling them takes time that no hook sees.
+/// The allocator of a state; `budget` is a Budget. Refuses what goes over the limits of memory and of a text.
+/// Large blocks cost instructions, since filling them takes time that no hook sees.
 void* allocate(void* budget, void* block, std::size_t old_size, std::size_t new_size);
+
+/// "my_law.lua:16: ", where the innermost Lua code that is running stands; empty where none runs.
+std::string place_of(lua_State* lua);
 
 /// Counts the instructions of Lua code from here on.
 void count_instructions(lua_State* lua);
@@ -46,7 +51,13 @@ void count_instructions(lua_State* lua);
 /// Counts the work of a C function in instructions; a Lua error where the budget is used up.
 void charge(lua_State* lua, double instructions);
 
+/// Ends the call: raises `text` as what it went over. `level` is that of the Lua function to name.
+[[noreturn]] void exceed(lua_State* lua, const std::string& text, int level = 1);
+
 /// Raises the error at the top of the stack again where it tells of a limit exceeded.
 void raise_if_exceeded(lua_State* lua);
+
+/// Where the error at the top of the stack is Lua's own about memory: puts what the allocator refused in its place.
+void name_refusal(lua_State* lua);
 
 }  // namespace flyrock

@@ -38,7 +38,8 @@ void LuaSession::Host::open_libraries(lua_State* lua, const std::string& share) 
   globals_ = luaL_ref(lua, LUA_REGISTRYINDEX);
 
   const std::string path = share + "/lua/flyrock/init.lua";
-  const LuaFile* module = files_.read(path, "flyrock/init.lua");
+  std::string fault;
+  const LuaFile* module = files_.read(path, "flyrock/init.lua", fault);
   if (!module) throw std::runtime_error(fmt::format("flyrock's Lua module is missing: cannot read {}", path));
   lua_createtable(lua, 0, 2);
   add_function("scenario", guarded<scenario>);
@@ -74,7 +75,8 @@ void LuaSession::Host::run_file(lua_State* lua, const LuaFile& file) {
   lua_rawgeti(lua, LUA_REGISTRYINDEX, globals_);
   push_environment(lua, -1);
   const int environment = lua_gettop(lua);
-  if (luaL_loadbufferx(lua, file.text.data(), file.text.size(), ("@" + file.source->name).c_str(), "t") !=
+  const std::string_view code = file.code();
+  if (luaL_loadbufferx(lua, code.data(), code.size(), ("@" + file.source->name).c_str(), "t") !=
       LUA_OK)
     lua_error(lua);
   lua_pushvalue(lua, environment);
@@ -95,12 +97,10 @@ void LuaSession::Host::load_builtin(const std::string& path, const std::string& 
 
 void LuaSession::Host::load_plugin(const std::string& path, const std::string& shown, const Location& at,
                                    Diagnostics& diagnostics) {
-  const LuaFile* file = files_.read(path, shown);
+  std::string fault;
+  const LuaFile* file = files_.read(path, shown, fault);
   if (!file)
-    return diagnostics.error(at, "plugins",
-                             fmt::format("cannot read `{}`, expected a Lua file, or a folder with plugin.lua "
-                                         "in it",
-                                         shown));
+    return diagnostics.error(at, "plugins", fault + ", expected a Lua file, or a folder with plugin.lua in it");
   sources_.push_back({shown, file->text});
   const std::size_t before = diagnostics.all().size();
   load(*file, diagnostics, [](lua_State*) {});
@@ -110,9 +110,10 @@ void LuaSession::Host::load_plugin(const std::string& path, const std::string& s
 
 std::optional<Value> LuaSession::Host::read_scenario(const std::string& path, const std::string& shown,
                                                      Diagnostics& diagnostics) {
-  const LuaFile* file = files_.read(path, shown);
+  std::string fault;
+  const LuaFile* file = files_.read(path, shown, fault);
   if (!file) {
-    diagnostics.error({std::make_shared<Source>(Source{shown, {}}), 0, 0}, "", "cannot read the file");
+    diagnostics.error({std::make_shared<Source>(Source{shown, {}}), 0, 0}, "", fault + ", expected a Lua file");
     return std::nullopt;
   }
   std::optional<Value> value;
@@ -144,6 +145,7 @@ std::pair<const LuaFile*, FieldPlaces> LuaSession::Host::calling(lua_State* lua,
   if (!file)
     throw std::runtime_error(
         fmt::format("fr.{} is for loading: it stands at the top level of a file", function));
+  charge(lua, 10'000 + 5.0 * static_cast<double>(file->text.size()));  // for the scanning of the source
   return {file, FieldPlaces(file->source, function, frame.currentline)};
 }
 
@@ -230,6 +232,16 @@ int LuaSession::Host::require(lua_State* lua) {
   return 1;
 }
 
+namespace {
+
+/// Whether a path lies in a folder, also after its symbolic links.
+bool is_within(const fs::path& path, const fs::path& folder) {
+  const fs::path inside = fs::weakly_canonical(path), outside = fs::weakly_canonical(folder.empty() ? "." : folder);
+  return std::mismatch(outside.begin(), outside.end(), inside.begin(), inside.end()).first == outside.end();
+}
+
+}  // namespace
+
 void LuaSession::Host::require_file(lua_State* lua, const std::string& name) {
   if (!main_) throw std::runtime_error("require is for loading: it stands at the top level of a file");
   constexpr const char* allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.";
@@ -244,11 +256,12 @@ void LuaSession::Host::require_file(lua_State* lua, const std::string& name) {
     lua_rawgeti(lua, LUA_REGISTRYINDEX, found->second);
     return;
   }
+  if (!is_within(path, main_->folder))
+    throw std::runtime_error(fmt::format("require: `{}` leads out of the folder of {}", name, main_->source->name));
   const std::string shown = (fs::path(main_->source->name).parent_path() / (relative + ".lua")).string();
-  const LuaFile* file = files_.read(path, shown);
-  if (!file)
-    throw std::runtime_error(
-        fmt::format("require: no module `{}`: expected `flyrock`, or the file {}", name, shown));
+  std::string fault;
+  const LuaFile* file = files_.read(path, shown, fault);
+  if (!file) throw std::runtime_error(fmt::format("require: {}, expected a module beside the file", fault));
   sources_.push_back({shown, file->text});
   struct Loading {  // forgets the file where it fails: an error of Lua unwinds this frame
     std::map<std::string, int>& required;

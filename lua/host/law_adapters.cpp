@@ -84,26 +84,19 @@ class LuaUnilateral : public LuaLaw<UnilateralLaw> {
   }
 };
 
-template <class Kind, class Adapter>
-Factory factory(std::shared_ptr<const LuaPlugin> plugin) {
-  return FactoryOf<Kind>([plugin](Params& params) -> std::unique_ptr<Kind> {
-    return std::make_unique<Adapter>(plugin, params);
-  });
-}
-
 }  // namespace
 
 Factory restitution_factory(std::shared_ptr<const LuaPlugin> plugin) {
-  return factory<RestitutionLaw, LuaRestitution>(std::move(plugin));
+  return adapter_factory<RestitutionLaw, LuaRestitution>(std::move(plugin));
 }
 Factory friction_factory(std::shared_ptr<const LuaPlugin> plugin) {
-  return factory<FrictionLaw, LuaFriction>(std::move(plugin));
+  return adapter_factory<FrictionLaw, LuaFriction>(std::move(plugin));
 }
 Factory rolling_factory(std::shared_ptr<const LuaPlugin> plugin) {
-  return factory<RollingLaw, LuaRolling>(std::move(plugin));
+  return adapter_factory<RollingLaw, LuaRolling>(std::move(plugin));
 }
 Factory unilateral_factory(std::shared_ptr<const LuaPlugin> plugin) {
-  return factory<UnilateralLaw, LuaUnilateral>(std::move(plugin));
+  return adapter_factory<UnilateralLaw, LuaUnilateral>(std::move(plugin));
 }
 
 }  // namespace flyrock

@@ -111,15 +111,22 @@ std::vector<int> LuaParameters::references() const {
 LuaCall::LuaCall(std::shared_ptr<const LuaPlugin> plugin, Params& params,
                  std::vector<View> (*make_views)(lua_State*, const PluginSpec&))
     : plugin_(std::move(plugin)) {
-  run([&](lua_State* lua) {
-    parameters_ = std::make_unique<LuaParameters>(lua, plugin_->spec, params);
-    views_ = make_views(lua, plugin_->spec);
-  });
+  try {
+    plugin_->state->run(Budget::load_limit, [&](lua_State* lua) {
+      parameters_ = std::make_unique<LuaParameters>(lua, plugin_->spec, params);
+      views_ = make_views(lua, plugin_->spec);
+      lua_rawgeti(lua, LUA_REGISTRYINDEX, plugin_->function);
+      outer_ = std::make_unique<OuterLocals>(lua, plugin_->entry);
+    });
+  } catch (const LuaError& error) {
+    rethrow(error);
+  }
 }
 
 LuaCall::~LuaCall() {
   for (const int reference : parameters_->references()) plugin_->state->release(reference);
   for (const View& view : views_) plugin_->state->release(view.reference());
+  plugin_->state->release(outer_->reference());
 }
 
 void LuaCall::call(lua_State* lua, Values values, std::initializer_list<const void*> objects,
@@ -129,17 +136,20 @@ void LuaCall::call(lua_State* lua, Values values, std::initializer_list<const vo
   auto view = views_.begin();
   for (const void* object : objects) (view++)->push(lua, object);
   lua_call(lua, 1 + static_cast<int>(objects.size()), results);
+  if (const char* changed = outer_->restore(lua))
+    fail(fmt::format("changed `{}`, a local variable outside of it: a plugin keeps nothing from call to call, so that "
+                     "every run is the same",
+                     changed));
 }
 
-void LuaCall::close() const {
-  for (View& view : views_) view.close();
+void LuaCall::end_failed(const LuaError& error) const {
+  plugin_->state->run(Budget::call_limit, [&](lua_State* lua) { outer_->restore(lua); });
+  rethrow(error);
 }
 
 void LuaCall::rethrow(const LuaError& error) const {
   const std::string text = error.what();
-  const std::size_t place = text.find(".lua:");
-  const bool placed = place != text.npos && place < text.find(": ");
-  if (placed) throw PluginError(fmt::format("plugin {}, {}", plugin_->spec.name, text));
+  if (has_place(text)) throw PluginError(fmt::format("plugin {}, {}", plugin_->spec.name, text));
   throw PluginError(fmt::format("plugin {}: {}() {}", plugin_->origin, plugin_->entry, text));
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "host/freeze.h"
 #include "host/state.h"
 #include "host/view.h"
 #include "plugin/params.h"
@@ -63,10 +64,14 @@ class LuaCall {
   /// stack. Throws PluginError, also for a LuaError in `read`.
   template <class Read>
   void operator()(Values values, std::initializer_list<const void*> objects, int results, Read&& read) const {
-    run([&](lua_State* lua) {
-      call(lua, values, objects, results);
-      read(lua);
-    });
+    try {
+      plugin_->state->run(Budget::call_limit, [&](lua_State* lua) {
+        call(lua, values, objects, results);
+        read(lua);
+      });
+    } catch (const LuaError& error) {
+      end_failed(error);
+    }
   }
 
   /// Throws PluginError "plugin my_law, my_law.lua:14: impact() <text>".
@@ -75,26 +80,14 @@ class LuaCall {
   double number(lua_State* lua, int index, const char* name) const;
 
  private:
-  template <class Body>
-  void run(Body&& body) const {
-    try {
-      plugin_->state->run(Budget::call_limit, body);
-    } catch (const LuaError& error) {
-      close();
-      rethrow(error);
-    } catch (...) {
-      close();
-      throw;
-    }
-    close();
-  }
   void call(lua_State* lua, Values values, std::initializer_list<const void*> objects, int results) const;
-  void close() const;
+  [[noreturn]] void end_failed(const LuaError& error) const;
   [[noreturn]] void rethrow(const LuaError& error) const;
 
   std::shared_ptr<const LuaPlugin> plugin_;
   mutable std::unique_ptr<LuaParameters> parameters_;  // the state of the interpreter, not of the law
   mutable std::vector<View> views_;
+  std::unique_ptr<OuterLocals> outer_;
 };
 
 }  // namespace flyrock

@@ -76,26 +76,19 @@ class LuaVelocity : public VelocityModel {
   LuaCall call_;
 };
 
-template <class Kind, class Adapter>
-Factory factory(std::shared_ptr<const LuaPlugin> plugin) {
-  return FactoryOf<Kind>([plugin](Params& params) -> std::unique_ptr<Kind> {
-    return std::make_unique<Adapter>(plugin, params);
-  });
-}
-
 }  // namespace
 
 Factory shape_factory(std::shared_ptr<const LuaPlugin> plugin) {
-  return factory<ShapeModel, LuaShape>(std::move(plugin));
+  return adapter_factory<ShapeModel, LuaShape>(std::move(plugin));
 }
 Factory terrain_factory(std::shared_ptr<const LuaPlugin> plugin) {
-  return factory<TerrainModel, LuaTerrain>(std::move(plugin));
+  return adapter_factory<TerrainModel, LuaTerrain>(std::move(plugin));
 }
 Factory population_factory(std::shared_ptr<const LuaPlugin> plugin) {
-  return factory<Population, LuaPopulation>(std::move(plugin));
+  return adapter_factory<Population, LuaPopulation>(std::move(plugin));
 }
 Factory velocity_factory(std::shared_ptr<const LuaPlugin> plugin) {
-  return factory<VelocityModel, LuaVelocity>(std::move(plugin));
+  return adapter_factory<VelocityModel, LuaVelocity>(std::move(plugin));
 }
 
 }  // namespace flyrock

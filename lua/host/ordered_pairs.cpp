@@ -8,6 +8,7 @@
 #include <tuple>
 #include <vector>
 
+#include "host/read_only.h"
 #include "host/state.h"
 
 namespace flyrock {
@@ -116,6 +117,7 @@ int ordered_pairs(lua_State* lua) {
 int ordered_next(lua_State* lua) {
   luaL_checktype(lua, 1, LUA_TTABLE);
   lua_settop(lua, 2);
+  if (push_shown(lua, 1)) lua_replace(lua, 1);
   const bool first = lua_isnil(lua, 2);
   lua_pushnil(lua);  // 3: the best key so far
   double steps = 0;

@@ -13,6 +13,20 @@ namespace flyrock {
 /// `what` names it in messages: "p", "math". `is_data` says that it holds values, which a plugin may return.
 void make_read_only(lua_State* lua, const std::string& what, bool is_data = false);
 
+/// Makes the table at `index` a view of its own fields, in place: who holds it cannot write it any more.
+/// Its metamethods stay, but for those that write. `refuse` is its __newindex; it finds `what` in upvalue 1.
+void freeze_table(lua_State* lua, int index, const std::string& what, int (*refuse)(lua_State*));
+
+/// Marks the table at `index`, which has a metatable, as one that no Lua code gets hold of: it is its own view.
+void mark_hidden(lua_State* lua, int index);
+
+/// Pushes the table that the view at `index` shows, or returns false where it is no view.
+bool push_shown(lua_State* lua, int index);
+
+/// Pushes the view whose fields stand in the table at `index`, or returns false where there is none: frozen
+/// tables are metatables by their fields, since Lua asks metatables past any view.
+bool push_view(lua_State* lua, int index);
+
 /// Replaces a view of data at the top of the stack by what it shows; false where it is a view of other
 /// things. What is no view stays as it is.
 bool see_through(lua_State* lua);

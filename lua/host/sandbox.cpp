@@ -89,6 +89,7 @@ void push_globals(lua_State* lua) {
   lua_pushcclosure(lua, guarded<refuse_undefined>, 1);
   lua_setfield(lua, -2, "__index");
   lua_setmetatable(lua, -2);
+  mark_hidden(lua, -1);
 }
 
 void push_environment(lua_State* lua, int globals) {
@@ -103,31 +104,7 @@ void push_environment(lua_State* lua, int globals) {
 }
 
 void freeze_environment(lua_State* lua, int index) {
-  index = lua_absindex(lua, index);
-  lua_createtable(lua, 0, 0);  // takes the file's own globals, so that assigning one asks the metatable
-  for (lua_pushnil(lua); lua_next(lua, index);) {
-    lua_pushvalue(lua, -2);
-    lua_insert(lua, -2);
-    lua_rawset(lua, -4);
-  }
-  for (lua_pushnil(lua); lua_next(lua, -2); lua_pop(lua, 1)) {
-    lua_pushvalue(lua, -2);
-    lua_pushnil(lua);
-    lua_rawset(lua, index);
-  }
-  lua_createtable(lua, 0, 1);
-  lua_getmetatable(lua, index);
-  lua_getfield(lua, -1, "__index");
-  lua_setfield(lua, -3, "__index");
-  lua_pop(lua, 1);
-  lua_setmetatable(lua, -2);  // own globals, then the shared ones
-
-  lua_getmetatable(lua, index);
-  lua_insert(lua, -2);
-  lua_setfield(lua, -2, "__index");
-  lua_pushcfunction(lua, guarded<refuse_global>);
-  lua_setfield(lua, -2, "__newindex");
-  lua_pop(lua, 1);
+  freeze_table(lua, index, "", guarded<refuse_global>);
 }
 
 }  // namespace flyrock

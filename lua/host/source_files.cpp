@@ -1,5 +1,7 @@
 #include "host/source_files.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <fstream>
 #include <lua.hpp>
@@ -30,7 +32,8 @@ std::vector<std::string> lines_of(const std::string& text) {
 }  // namespace
 
 std::optional<std::string> read_bytes(const std::string& path) {
-  if (std::filesystem::is_directory(path)) return std::nullopt;
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(path, none)) return std::nullopt;  // a pipe or a device may never end
   std::ifstream file(path, std::ios::binary);
   if (!file) return std::nullopt;
   std::ostringstream text;
@@ -38,9 +41,25 @@ std::optional<std::string> read_bytes(const std::string& path) {
   return text.str();
 }
 
-const LuaFile* SourceFiles::read(const std::string& path, const std::string& shown) {
+std::string_view LuaFile::code() const {
+  std::string_view code = text;
+  if (code.starts_with("\xEF\xBB\xBF")) code.remove_prefix(3);
+  if (code.starts_with('#')) code.remove_prefix(std::min(code.find('\n'), code.size()));
+  return code;
+}
+
+const LuaFile* SourceFiles::read(const std::string& path, const std::string& shown, std::string& fault) {
+  constexpr std::uintmax_t largest = 4 << 20;
+  std::error_code none;
+  if (const auto size = std::filesystem::file_size(path, none); !none && size > largest) {
+    fault = fmt::format("`{}` is larger than 4 MiB", shown);
+    return nullptr;
+  }
   auto text = read_bytes(path);
-  if (!text) return nullptr;
+  if (!text) {
+    fault = fmt::format("cannot read `{}`", shown);
+    return nullptr;
+  }
   LuaFile file;
   file.path = path;
   file.folder = std::filesystem::path(path).parent_path().string();

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scenario/value.h"
@@ -13,8 +14,11 @@ namespace flyrock {
 struct LuaFile {
   std::string path;    ///< to open
   std::string folder;  ///< in which it stands
-  std::string text;
+  std::string text;    ///< as it stands in the file
   std::shared_ptr<const Source> source;  ///< its name as shown, and its lines
+
+  /// The text for Lua: without a byte order mark and a first line that begins with `#`.
+  std::string_view code() const;
 };
 
 /// The bytes of a file, or nothing.
@@ -22,8 +26,9 @@ std::optional<std::string> read_bytes(const std::string& path);
 
 class SourceFiles {
  public:
-  /// Reads a file; null where it cannot be read. The pointer holds as long as this object.
-  const LuaFile* read(const std::string& path, const std::string& shown);
+  /// Reads a file of at most 4 MiB; null where it cannot be read, and `fault` says why. The pointer holds as long as
+  /// this object.
+  const LuaFile* read(const std::string& path, const std::string& shown, std::string& fault);
   /// The file that Lua calls `chunk` ("@my_law.lua"), or null.
   const LuaFile* of_chunk(const std::string& chunk) const;
   /// Splits "my_law.lua:16: what is wrong" into place and text. Without a place in a known file the whole

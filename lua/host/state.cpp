@@ -6,6 +6,8 @@
 #include <lua.hpp>
 #include <new>
 
+#include "scenario/printable.h"
+
 namespace flyrock {
 
 namespace {
@@ -28,8 +30,20 @@ int call_body(lua_State* lua) {
 }
 
 std::string error_text(lua_State* lua) {
-  if (lua_type(lua, -1) == LUA_TSTRING) return lua_tostring(lua, -1);
+  if (lua_type(lua, -1) == LUA_TSTRING) {
+    std::size_t length;
+    const char* text = lua_tolstring(lua, -1, &length);
+    return printable({text, length});
+  }
   return fmt::format("raised an error that is no text but a {}", luaL_typename(lua, -1));
+}
+
+/// The message handler: names the place where a message does not. (Those of memory do not come here.)
+int add_place(lua_State* lua) {
+  std::string text = error_text(lua);
+  if (!has_place(text)) text = place_of(lua) + text;
+  lua_pushlstring(lua, text.data(), text.size());
+  return 1;
 }
 
 }  // namespace
@@ -38,6 +52,7 @@ LuaState::LuaState() : budget_(std::make_unique<Budget>()) {
   lua_ = lua_newstate(allocate, budget_.get());
   if (!lua_) throw std::bad_alloc();
   *static_cast<Budget**>(lua_getextraspace(lua_)) = budget_.get();
+  budget_->lua = lua_;
 }
 
 LuaState::~LuaState() { lua_close(lua_); }
@@ -46,19 +61,27 @@ void LuaState::run_protected(double instructions, Body body, void* data) {
   ProtectedBody call{body, data, nullptr};
   budget_->arm(instructions);
   count_instructions(lua_);
+  lua_pushcfunction(lua_, add_place);
   lua_pushcfunction(lua_, call_body);
   lua_pushlightuserdata(lua_, &call);
-  const int status = lua_pcall(lua_, 1, 0, 0);
+  const int status = lua_pcall(lua_, 1, 0, -3);
   if (status != LUA_OK) {
+    name_refusal(lua_);
     const std::string text = error_text(lua_);
     lua_settop(lua_, 0);
-    throw LuaError(text == "not enough memory" ? budget_->memory_text() : text);
+    throw LuaError(text);
   }
+  lua_settop(lua_, 0);
   if (call.thrown) std::rethrow_exception(call.thrown);
 }
 
 void LuaState::release(int reference) {
   run(Budget::call_limit, [&](lua_State* lua) { luaL_unref(lua, LUA_REGISTRYINDEX, reference); });
+}
+
+bool has_place(std::string_view text) {
+  const std::size_t place = text.find(".lua:");
+  return place != text.npos && place < text.find(": ");
 }
 
 void raise(lua_State* lua, const std::string& text) {

@@ -43,6 +43,9 @@ class LuaState {
   lua_State* lua_;
 };
 
+/// Whether a message begins with the place of Lua code: "my_law.lua:16: ...".
+bool has_place(std::string_view text);
+
 /// Raises `text` as a Lua error with the place of the Lua code that is running.
 [[noreturn]] void raise(lua_State* lua, const std::string& text);
 

@@ -36,12 +36,8 @@ void View::push(lua_State* lua, const void* object) {
   lua_rawgeti(lua, LUA_REGISTRYINDEX, reference_);
 }
 
-void View::close() { box_->object = nullptr; }
-
 int View::index(lua_State* lua) {
   const Box& box = *static_cast<Box*>(lua_touserdata(lua, 1));
-  if (!box.object)
-    raise(lua, fmt::format("`{}` is valid only during the call that it was passed to", box.type->name));
   lua_pushvalue(lua, 2);
   if (lua_rawget(lua, lua_upvalueindex(1)) == LUA_TNUMBER) {
     box.type->push(lua, box.object, static_cast<int>(lua_tointeger(lua, -1)));
@@ -60,8 +56,6 @@ const void* viewed(lua_State* lua, int index, const ViewType& type) {
   const auto* box = static_cast<const View::Box*>(lua_touserdata(lua, index));  // all our userdata are boxes
   if (!box || box->type != &type)
     raise(lua, fmt::format("a method of `{0}` was called without it: write {0}:method(...)", type.name));
-  if (!box->object)
-    raise(lua, fmt::format("`{}` is valid only during the call that it was passed to", type.name));
   return box->object;
 }
 

@@ -17,7 +17,8 @@ struct ViewType {
 };
 
 /// A userdata that shows the fields of an object; reading any other is an error with the nearest name.
-/// One is made for each plugin in use and pointed at an object before a call: a call makes no garbage.
+/// One is made for each plugin in use and pointed at an object before a call: a call makes no garbage. Nobody
+/// keeps it: what outlives a call is frozen (freeze.h).
 class View {
  public:
   /// `fields`: names and the numbers that `push` knows them by. Leaves nothing on the stack.
@@ -25,8 +26,6 @@ class View {
 
   /// Points the view at an object and pushes it.
   void push(lua_State* lua, const void* object);
-  /// Ends a call: who kept the view gets an error from now on.
-  void close();
   /// For the owner to release.
   int reference() const { return reference_; }
 

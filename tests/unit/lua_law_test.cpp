@@ -1,5 +1,7 @@
 // Contact laws written in Lua: what they get, what they may answer, how their errors read.
 
+#include <malloc.h>
+
 #include <catch2/catch.hpp>
 #include <chrono>
 
@@ -174,26 +176,93 @@ TEST_CASE("errors while a law runs name the line") {
   CHECK(failure("function(p, c)\n    p.en = 1\n    return 1\n  end") ==
         "plugin my_law, my_law.lua:6: `p` cannot be changed");
   CHECK(failure("function(p, c) error({}) end") ==
-        "plugin my_law, my_law.lua:5: impact() raised an error that is no text but a table");
+        "plugin my_law, my_law.lua:5: raised an error that is no text but a table");
   CHECK(failure("function(p, c)\n    counter = 1\n  end") ==
         "plugin my_law, my_law.lua:6: globals are frozen after loading: `counter` cannot be set, use a local "
         "variable");
 }
 
-TEST_CASE("a view that a plugin kept is refused after the call") {
+TEST_CASE("what stands outside of a law is put back after each call") {
   LuaFixture lua;
-  lua.write("keep.lua", R"(local fr = require "flyrock"
-local kept
+  lua.write("wear.lua", R"(local fr = require "flyrock"
+local worn, nan, kept = 0, 0 / 0, nil
 return fr.plugin { kind = "restitution", name = "my_law", doc = "d", impact = function(p, contact)
-  if kept then return kept.gap end
-  kept = contact
-  return 1
+  local before = worn
+  assert(nan ~= nan)
+  if contact.gap == 1 then worn = worn + 1 end
+  if contact.gap == 2 then kept = contact end
+  if contact.gap == 3 then worn = 5; error("worn out") end
+  return before
 end })");
-  REQUIRE(lua.load("keep.lua") == "");
+  REQUIRE(lua.load("wear.lua") == "");
   const auto use = use_of(lua.session, PluginKind::restitution, "my_law", {});
   const auto law = make_instance<RestitutionLaw>(use, 2);
-  CHECK(law->impact({}, {}).e_n == 1);
-  CHECK(law->impact({}, {}).e_n == 0);  // the same view, pointed at the contact of this call
+  const auto at_gap = [&](double gap) {
+    ContactState contact;
+    contact.gap = gap;
+    return law->impact({}, contact).e_n;
+  };
+  const std::string changed = "plugin my_law, wear.lua:3: impact() changed `{}`, a local variable outside of it: a "
+                              "plugin keeps nothing from call to call, so that every run is the same";
+  CHECK(at_gap(0) == 0);
+  CHECK_THROWS_WITH(at_gap(1), fmt::format(fmt::runtime(changed), "worn"));
+  CHECK_THROWS_WITH(at_gap(2), fmt::format(fmt::runtime(changed), "kept"));
+  CHECK_THROWS_WITH(at_gap(3), "plugin my_law, wear.lua:8: worn out");
+  CHECK(at_gap(0) == 0);
+}
+
+TEST_CASE("tables outside of a law are frozen and work as before") {
+  LuaFixture lua;
+  lua.write("class.lua", R"(local fr = require "flyrock"
+local Law = { half = 0.5 }
+Law.__index = Law
+Law.__add = function(a, b) return a.en + b.en end
+function Law.new(en) return setmetatable({ en = en }, Law) end
+function Law:at(speed) return self.en * self.half ^ speed end
+local one = Law.new(1)
+local strict = setmetatable({ known = 1 }, { __index = function(t, key) return key .. "?" end })
+local list = { 7, 8, 9 }
+return fr.plugin { kind = "restitution", name = "my_law", doc = "d", impact = function(p, contact)
+  local two = Law.new(2)
+  assert(getmetatable(one) == Law and getmetatable(two) == Law)
+  assert(one + two == 3 and one:at(1) == 0.5 and two:at(0) == 2)
+  assert(strict.known == 1 and strict.other == "other?")
+  assert(#list == 3 and next(list) == 1 and rawlen(list) == 3 and rawget(list, 3) == 9)
+  assert(table.concat(list, ",") == "7,8,9" and select(2, table.unpack(list)) == 8)
+  local sum = 0
+  for _, x in ipairs(list) do sum = sum + x end
+  for _, x in pairs(list) do sum = sum + x end
+  for _, change in ipairs {
+    function() list[1] = 0 end, function() table.insert(list, 1) end, function() table.remove(list) end,
+    function() Law.half = 1 end, function() one.en = 1 end, function() setmetatable(list, {}) end,
+    function() getmetatable(two).__index = nil end, function() strict.new = 1 end,
+  } do
+    assert(not pcall(change))
+  end
+  return sum
+end })");
+  REQUIRE(lua.load("class.lua") == "");
+  const auto use = use_of(lua.session, PluginKind::restitution, "my_law", {});
+  const auto law = make_instance<RestitutionLaw>(use, 2);
+  for (int call = 0; call < 2; ++call) CHECK(law->impact({}, {}).e_n == 48);
+  CHECK(make_instance<RestitutionLaw>(use, 2)->impact({}, {}).e_n == 48);  // frozen once more
+}
+
+TEST_CASE("a call of a law makes no garbage") {
+  LuaSession session(FLYROCK_SHARE_DIR);
+  const auto use = use_of(session, PluginKind::restitution, "pfeiffer_bowen", {0.35, 0.1, 9.144});
+  const auto law = make_instance<RestitutionLaw>(use, 2);
+  auto values = values_of(use);
+  ContactState contact;
+  const auto call = [&](int i) {
+    contact.approach_speed = 0.1 * i;
+    values[0] = 0.3 + 1e-3 * i;  // a draw that changes
+    law->impact(values, contact);
+  };
+  call(0);
+  const std::size_t before = mallinfo2().uordblks;
+  for (int i = 1; i <= 100; ++i) call(i);
+  CHECK(mallinfo2().uordblks == before);
 }
 
 TEST_CASE("friction, rolling and the normal condition") {

@@ -132,8 +132,26 @@ return fr.plugin { kind = "rolling", name = "mine", doc = "d", rolling = functio
   CHECK(lua.session.sources().back().name == "mine/constants.lua");
   lua.write("lost.lua", "local x = require 'nothing'");
   CHECK(lua.load("lost.lua") ==
-        "lost.lua:1:1: require: no module `nothing`: expected `flyrock`, or the file nothing.lua\n");
+        "lost.lua:1:1: require: cannot read `nothing.lua`, expected a module beside the file\n");
   lua.write("out.lua", "local x = require '../x'");
   CHECK(lua.load("out.lua") ==
         "out.lua:1:1: require: `../x` is no module, expected letters, digits and _, with dots for folders\n");
+}
+
+TEST_CASE("require stays in the folder, and files have a size") {
+  LuaFixture lua;
+  lua.write("mine/plugin.lua", "local x = require 'link'");
+  lua.write("outside.lua", "return 1");
+  std::filesystem::create_symlink("../outside.lua", lua.folder / "mine/link.lua");
+  CHECK(lua.load("mine") == "mine/plugin.lua:1:1: require: `link` leads out of the folder of mine/plugin.lua\n");
+  lua.write("huge.lua", std::string(5 << 20, '\n'));
+  CHECK(lua.load("huge.lua") ==
+        ":0:0: plugins: `huge.lua` is larger than 4 MiB, expected a Lua file, or a folder with plugin.lua in it\n");
+  CHECK(lua.load("/dev/zero").find("cannot read `/dev/zero`") != std::string::npos);
+}
+
+TEST_CASE("a byte order mark and a first line for the shell are no Lua") {
+  LuaFixture lua;
+  lua.write("bom.lua", "\xEF\xBB\xBF#!/usr/bin/lua\nlocal x = = 1\n");
+  CHECK(lua.load("bom.lua") == "bom.lua:2:1: unexpected symbol near '='\n");
 }

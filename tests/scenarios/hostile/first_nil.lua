@@ -1,0 +1,7 @@
+local fr = require "flyrock"
+return fr.plugin {
+  kind = "restitution", name = "hostile", doc = "answers nothing",
+  impact = function(p, contact)
+    
+  end,
+}

@@ -1,0 +1,2 @@
+local fr = require "flyrock"
+return fr.plugin { kind = "restitution" name = "hostile" }

@@ -1,0 +1,1 @@
+return { en = 0.3, calls = { 0 } }

@@ -1,0 +1,10 @@
+local fr = require "flyrock"
+local worn = 0.3
+return fr.plugin {
+  kind = "restitution", name = "hostile", doc = "changes a local and fails",
+  impact = function(p, contact)
+    if contact.time == 0 or contact.group_a ~= "hostile" then return 0.3 end
+    worn = 0
+    error("worn out")
+  end,
+}

@@ -1,0 +1,80 @@
+// Hostile plugins: each file of tests/scenarios/hostile is used as a law. What `flyrock run` says and its exit
+// code stand in the .expect; where only the rocks of the group `hostile` suffer, the others are as with a sound law.
+
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <sstream>
+#include <vector>
+
+#include "cli/program.h"
+
+using namespace flyrock::test;
+
+namespace {
+
+const fs::path folder_of_laws = fs::path(FLYROCK_SOURCE_DIR) / "tests/scenarios/hostile";
+
+std::string scenario(const std::string& law) {
+  const std::string type = law.empty() ? "newton, en: 0.3" : "hostile";
+  return "flyrock: 1\ndimension: 2\nmethod: nscd\nseed: 3\ntrials: 2\nplugins: [" + law + R"(]
+terrain: { type: profile, points: [[-20, 10], [0, 10], [3, 0], [300, 0]], material: ground }
+materials:
+  ground: { restitution: { type: )" + type + R"( }, friction: { type: coulomb, mu: 0.6 } }
+rocks:
+  - name: sound
+    density: 2700
+    shape: { type: polygon, sides: 6, diameter: 0.5 }
+    release: { position: [0, 12] }
+    launch: { type: fixed, speed: { uniform: [5, 15] }, elevation: 20 deg }
+  - name: hostile
+    density: 2700
+    shape: { type: polygon, sides: 6, diameter: 0.5 }
+    release: { position: [0, 14] }
+    launch: { type: fixed, speed: { uniform: [5, 15] }, elevation: 20 deg }
+stop: { time: 60 s }
+)";
+}
+
+/// The rows of rocks.csv whose group is `sound`.
+std::vector<std::string> sound_rows(const Folder& folder) {
+  std::istringstream table(read(folder.path() / "out/rocks.csv"));
+  std::vector<std::string> rows;
+  for (std::string row; std::getline(table, row);)
+    if (row.find(",sound,") != std::string::npos) rows.push_back(row);
+  return rows;
+}
+
+Output run_with(const Folder& folder, const std::string& law) {
+  folder.write("quarry.yaml", scenario(law));
+  return call(folder, "run quarry.yaml -o out --force --quiet");
+}
+
+bool updates() { return std::getenv("FLYROCK_UPDATE_EXPECT") != nullptr; }  // as in bad_test.cpp
+
+}  // namespace
+
+TEST_CASE("hostile plugins are contained, each with its exact text", "[slow]") {
+  const Folder folder;
+  fs::copy(folder_of_laws, folder.path(), fs::copy_options::recursive);
+  REQUIRE(run_with(folder, "").code == 0);
+  const std::vector<std::string> undisturbed = sound_rows(folder);
+  REQUIRE(undisturbed.size() == 2);
+
+  std::vector<fs::path> laws;
+  for (const auto& entry : fs::directory_iterator(folder_of_laws))
+    if (entry.path().extension() == ".lua") laws.push_back(entry.path());
+  std::sort(laws.begin(), laws.end());
+  REQUIRE(laws.size() >= 80);
+  for (const fs::path& law : laws) {
+    INFO(law.filename());
+    const auto start = std::chrono::steady_clock::now();
+    const Output output = run_with(folder, law.filename().string());
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    CHECK(spent.count() < 30);  // calls end after 4 s at most, sanitizers and a busy machine included
+    const std::string said = "exit " + std::to_string(output.code) + "\n" + output.err;
+    const fs::path expect = fs::path(law).replace_extension(".expect");
+    if (updates()) std::ofstream(expect) << said;
+    CHECK(said == read(expect));
+    if (output.code == 3) CHECK(sound_rows(folder) == undisturbed);
+  }
+}
