@@ -14,8 +14,6 @@ struct MovingContactor {
   const Contactor3& shape;
   const Motion3& motion;
   int index = 0;  ///< of the contactor in its body, for feature ids
-
-  Vec3 position(double t) const { return motion.position(t); }
 };
 
 /// The first time in [0, end] at which the contactor touches the plane and approaches it; see time_of_contact.

@@ -103,15 +103,30 @@ Polygon clipped_face(const Placed3& reference, int face_index, const Placed3& in
   return polygon;
 }
 
+/// The face of `incident` that is turned to a reference face of normal n: of those at the vertex that reaches furthest
+/// against n, the one that is most opposed to it.
+int facing(const Placed3& incident, const Vec3& normal) {
+  const Contactor3& shape = incident.shape;
+  const Vec3 local = incident.pose.r.inverse(normal);
+  int nearest = 0;
+  for (int i = 1; i < incident.count(); ++i)
+    if (local.dot(shape.points[i]) < local.dot(shape.points[nearest])) nearest = i;
+  int best = 0;
+  double least = 2;
+  for (int f = 0; f < incident.faces(); ++f) {
+    const double along = local.dot(shape.faces[f].normal);
+    if (along >= least) continue;
+    const auto* loop = &shape.loop[shape.faces[f].first];
+    if (std::find(loop, loop + shape.faces[f].count, nearest) != loop + shape.faces[f].count) least = along, best = f;
+  }
+  return best;
+}
+
 void face_face(const Placed3& reference, int reference_index, int face, const Placed3& incident, int incident_index,
                bool reference_is_candidate, double reach, Contacts& out) {
   const Vec3 normal = reference.normal(face), start = reference.corner(face, 0);
-  int facing = 0;
-  double least = 2;
-  for (int f = 0; f < incident.faces(); ++f)
-    if (const double along = incident.normal(f).dot(normal); along < least) least = along, facing = f;
   const std::size_t begin = out.size();
-  for (const Corner& corner : clipped_face(reference, face, incident, facing)) {
+  for (const Corner& corner : clipped_face(reference, face, incident, facing(incident, normal))) {
     const double gap = normal.dot(corner.point - start);
     if (gap > reach) continue;
     const FeatureKind of_incident = corner.of_reference == FeatureKind::face   ? FeatureKind::vertex
@@ -133,15 +148,19 @@ void polyhedron_polyhedron(const Placed3& a, int ia, const Placed3& b, int ib, d
   if (of_a.separation > reach) return;
   const FaceAxis of_b = best_face_axis(b, a);
   if (of_b.separation > reach) return;
-  const double slack = flush * std::min(a.shape.bounding_radius(), b.shape.bounding_radius());
   const EdgeAxis edges = best_edge_axis(a, b);
   if (edges.separation > reach) return;
-  if (edges.separation > std::max(of_a.separation, of_b.separation) + slack)
-    return edge_edge(a, ia, b, ib, edges, out);
-  if (of_b.separation > of_a.separation + slack)
-    face_face(b, ib, of_b.face, a, ia, false, reach, out);
-  else
-    face_face(a, ia, of_a.face, b, ib, true, reach, out);
+  const double slack = flush * std::min(a.shape.bounding_radius(), b.shape.bounding_radius());
+  const double of_faces = std::max(of_a.separation, of_b.separation);
+  const std::size_t begin = out.size();
+  if (edges.separation <= of_faces + slack) {
+    if (of_b.separation > of_a.separation + slack)
+      face_face(b, ib, of_b.face, a, ia, false, reach, out);
+    else
+      face_face(a, ia, of_a.face, b, ib, true, reach, out);
+  }
+  // Two edges may cross beside a face that is all but as good.
+  if (out.size() == begin && edges.separation > of_faces) edge_edge(a, ia, b, ib, edges, out);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "collision/narrow_phase.h"
 #include "collision/separating_axis.h"
 #include "collision/time_of_contact.h"
+#include "geometry/hull.h"
 
 using namespace flyrock;
 
@@ -136,18 +137,20 @@ TEST_CASE("two balls meet on the exact root, a ball meets a box as the distance 
   CHECK_FALSE(time_of_contact(ball, 0, a, ball, 0, thrown({3, 1.9, 1.5}, {-2, 0, 5}), 10, {}));
 }
 
-TEST_CASE("tumbling boxes touch with a gap of at most 1e-11, and not before") {
+TEST_CASE("tumbling polyhedra touch with a gap of at most 1e-11, and not before") {
   std::mt19937 generator(11);
   std::uniform_real_distribution<double> draw(-1, 1);
   const auto any = [&] { return Vec3(draw(generator), draw(generator), draw(generator)); };
   const Vec3 moments(0.52, 1.16, 1.36);
-  const Contactor3 box = Contactor3::box({1, 0.6, 0.4});
+  std::vector<Vec3> points;
+  for (int i = 0; i < 12; ++i) points.push_back(0.6 * any().normalized());
+  const Contactor3 box = GENERATE(true, false) ? Contactor3::box({1, 0.6, 0.4}) : convex_hull(points);
   TouchSearch search;
   std::uint64_t iterations = 0, most = 0;
   search.iterations = &iterations;
   const double spin = GENERATE(0.0, 3.0, 50.0);
   int met = 0, edges = 0;
-  for (int k = 0; k < 300; ++k) {
+  for (int k = 0; k < 200; ++k) {
     const Motion3 a = tumbling({-3, 0, 0}, Vec3(4, 0, 0) + 0.5 * any(), moments, Rotation3::from_vector(3 * any()), spin * any());
     const Motion3 b = tumbling({3, 0, 0}, Vec3(-2, 0, 0) + 0.5 * any(), cube_moments, Rotation3::from_vector(3 * any()), spin * any());
     iterations = 0;
@@ -163,8 +166,8 @@ TEST_CASE("tumbling boxes touch with a gap of at most 1e-11, and not before") {
     const Placed3 pa{box, {a.position(*t), a.turn(*t).rotation}}, pb{cube, {b.position(*t), b.turn(*t).rotation}};
     edges += best_edge_axis(pa, pb).separation > std::max(best_face_axis(pa, pb).separation, best_face_axis(pb, pa).separation);
   }
-  CHECK(met > 100);
-  CHECK(edges > 30);
+  CHECK(met > 70);
+  CHECK(edges > 20);
   CHECK(most < 300);
 }
 
