@@ -8,30 +8,52 @@
 
 namespace flyrock {
 
+namespace {
+
+constexpr int few = 8;  // contacts: plain sweeps, judged after each
+
+}  // namespace
+
 template <int D>
-void Nlgs<D>::prepare(const Problem& problem) {
+void Nlgs<D>::begin(const Problem& problem, const SolveSettings& settings, std::vector<Row>& r) {
+  problem_ = &problem;
+  settings_ = settings;
+  result_ = {};
+  wanted_ = settings.tolerance;
+  if (settings.measure == ErrorMeasure::merit) wanted_ *= merit(problem, r).q;
+  foretold_ = 1;
+  next_judgement_ = 1;
+  best_residual_ = std::numeric_limits<double>::infinity();
   if constexpr (D == 3) {
     friction_.clear();
     for (const auto& contact : problem.contacts)
       friction_.emplace_back(contact.w.template topLeftCorner<3, 3>(), contact.mu);
   }
+  accelerated_ = problem.size() > few;
+  if (!accelerated_) return;
+  const int width = problem.width();
+  scale_.clear();
+  for (const auto& contact : problem.contacts)
+    for (int row = 0; row < width; ++row) scale_.push_back(std::sqrt(std::max(0.0, contact.w(row, row))));
+  from_.resize(scale_.size());
+  to_.resize(scale_.size());
+  anderson_.begin(scale_);
 }
 
 /// One sweep over the leading N rows. Answers with the error that it met on its way: before each contact is solved, its
 /// error by the measure, relative to its speed_scale; the greatest, or |F|.
 template <int D>
 template <int N>
-double Nlgs<D>::sweep(const Problem& problem, ErrorMeasure measure, std::vector<Row>& r) const {
+double Nlgs<D>::sweep_rows(std::vector<Row>& r) const {
+  const Problem& problem = *problem_;
   double greatest = 0, squares = 0;
   for (int a = 0; a < problem.size(); ++a) {
     const auto& contact = problem.contacts[a];
-    Row b;
-    b.template head<N>() = contact.q.template head<N>();
-    if constexpr (N < Problem::rows) b.template tail<Problem::rows - N>().setZero();
+    Row b = contact.q;
     problem.template add_couplings<N>(a, r, b);
     Row u = b;
     u.template head<N>().noalias() += contact.w.template topLeftCorner<N, N>() * r[a].template head<N>();
-    if (measure == ErrorMeasure::merit)
+    if (settings_.measure == ErrorMeasure::merit)
       squares += natural_map_squared<D>(contact, u, r[a]);
     else
       greatest = std::max(greatest, local_error<D>(contact, u, r[a]) / contact.speed_scale);
@@ -39,41 +61,61 @@ double Nlgs<D>::sweep(const Problem& problem, ErrorMeasure measure, std::vector<
       r[a] = solve_local(contact, b);
     } else if (contact.is_plain()) {
       r[a].template head<3>() = friction_[a].solve(b.template head<3>(), r[a].template head<3>());
+      r[a].template tail<3>().setZero();
     } else {
       r[a] = solve_bounded(contact, b, r[a]);
     }
   }
-  return measure == ErrorMeasure::merit ? std::sqrt(squares) : greatest;
+  return settings_.measure == ErrorMeasure::merit ? std::sqrt(squares) : greatest;
 }
 
 template <int D>
-SolveResult Nlgs<D>::solve(const Problem& problem, const SolveSettings& settings, std::vector<Row>& r, double worth) {
-  constexpr int few = 8;       // contacts: judged after every sweep
-  constexpr int window = 8;    // sweeps over which the fall of the errors is measured
-  constexpr int at_least = 32; // sweeps between two judgements
-  prepare(problem);
-  errors_.clear();
-  double wanted = settings.tolerance;
-  if (settings.measure == ErrorMeasure::merit) wanted *= merit(problem, r).q;
-  SolveResult result;
-  for (int since_judged = 1; result.iterations < settings.max_iterations; ++since_judged) {
-    errors_.push_back(problem.width() == D ? sweep<D>(problem, settings.measure, r)
-                                           : sweep<Problem::rows>(problem, settings.measure, r));
-    const int k = result.iterations++;
-    const double fall = k > 0 ? errors_[k] / errors_[k - 1] : 0;
-    if (problem.size() <= few || errors_[k] * fall <= wanted || since_judged == at_least ||
-        result.iterations == settings.max_iterations) {
-      judge(problem, settings, r, result);
-      if (result.converged) return result;
-      since_judged = 0;
+double Nlgs<D>::sweep(std::vector<Row>& r) const {
+  return problem_->width() == D ? sweep_rows<D>(r) : sweep_rows<Problem::rows>(r);
+}
+
+/// r is what a sweep made of from_: the next start.
+template <int D>
+void Nlgs<D>::accelerate(std::vector<Row>& r) {
+  const int width = problem_->width();
+  for (int a = 0, k = 0; a < problem_->size(); ++a)
+    for (int row = 0; row < width; ++row) to_[k++] = r[a][row];
+  anderson_.mix(from_.data(), to_.data());
+  for (int a = 0, k = 0; a < problem_->size(); ++a)
+    for (int row = 0; row < width; ++row) r[a][row] = to_[k++];
+}
+
+template <int D>
+const SolveResult& Nlgs<D>::run(int sweeps, std::vector<Row>& r) {
+  constexpr int longest_wait = 32;
+  const Problem& problem = *problem_;
+  const int end = std::min(settings_.max_iterations, result_.iterations + sweeps);
+  while (result_.iterations < end) {
+    if (accelerated_)
+      for (int a = 0, k = 0; a < problem.size(); ++a)
+        for (int row = 0; row < problem.width(); ++row) from_[k++] = r[a][row];
+    const double met = sweep(r);
+    const int k = ++result_.iterations;
+    if (problem.size() <= few || k >= next_judgement_ || met * foretold_ <= wanted_ || k == end) {
+      judge(problem, settings_, r, result_);
+      if (result_.converged) return result_;
+      const double scale = settings_.measure == ErrorMeasure::merit ? settings_.tolerance / wanted_
+                                                                    : problem.contacts[result_.worst_contact].speed_scale;
+      if (met > 0 && scale > 0) foretold_ = std::min(1.0, result_.residual / (met * scale));
+      next_judgement_ = k + std::min(k, longest_wait);
+      if (result_.residual < best_residual_) best_ = r, best_residual_ = result_.residual;
     }
-    if (result.iterations >= 0.25 * worth && k % window == window - 1 && k >= window) {
-      const double fall_of_one = std::log(errors_[k] / errors_[k - window]) / window;
-      if (!(std::log(wanted / errors_[k]) > fall_of_one * worth)) break;
-    }
+    if (accelerated_) accelerate(r);
   }
-  judge(problem, settings, r, result);
-  return result;
+  r = best_;
+  judge(problem, settings_, r, result_);
+  return result_;
+}
+
+template <int D>
+SolveResult Nlgs<D>::solve(const Problem& problem, const SolveSettings& settings, std::vector<Row>& r) {
+  begin(problem, settings, r);
+  return run(settings.max_iterations, r);
 }
 
 template class Nlgs<2>;

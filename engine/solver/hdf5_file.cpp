@@ -1,0 +1,171 @@
+#include "solver/hdf5_file.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#ifdef FLYROCK_HAS_HDF5
+#include <hdf5.h>
+#endif
+
+namespace flyrock {
+
+#ifdef FLYROCK_HAS_HDF5
+
+namespace {
+
+/// An identifier of HDF5, closed at the end of its scope.
+class Handle {
+ public:
+  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  operator hid_t() const { return id_; }
+
+ private:
+  hid_t id_;
+  herr_t (*close_)(hid_t);
+};
+
+/// HDF5 prints its stack of errors on the terminal unless it is told not to.
+void be_silent() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+
+template <typename Number>
+std::vector<Number> read(hid_t file, const std::string& name, const std::string& path, H5T_class_t kind, hid_t type) {
+  constexpr hsize_t most = 1u << 30;
+  const auto fault = [&](const char* what) { return std::runtime_error(fmt::format("{}: {}: {}", name, path, what)); };
+  const Handle set(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose);
+  if (set < 0) throw fault("not in the file");
+  const Handle stored(H5Dget_type(set), H5Tclose), space(H5Dget_space(set), H5Sclose);
+  const H5T_class_t found = H5Tget_class(stored);
+  if (found != kind && !(kind == H5T_FLOAT && found == H5T_INTEGER))
+    throw fault(kind == H5T_FLOAT ? "expected numbers" : "expected integers");
+  const hssize_t count = H5Sget_simple_extent_npoints(space);
+  if (count < 0 || static_cast<hsize_t>(count) > most) throw fault("has no sensible size");
+  // A size that is not backed by bytes in the file would be filled with zeros.
+  if (H5Dget_storage_size(set) == 0 && count > 0) throw fault("has no data");
+  std::vector<Number> numbers(static_cast<std::size_t>(count));
+  if (count > 0 && H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()) < 0) throw fault("cannot be read");
+  return numbers;
+}
+
+void write_set(hid_t file, const std::string& name, const std::string& path, hid_t type, hid_t space, const void* data) {
+  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose), creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_create_intermediate_group(links, 1);
+  H5Pset_obj_track_times(creation, false);
+  const Handle set(H5Dcreate2(file, path.c_str(), type, space, links, creation, H5P_DEFAULT), H5Dclose);
+  if (set < 0 || H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0)
+    throw std::runtime_error(fmt::format("{}: {}: cannot be written", name, path));
+}
+
+template <typename Number>
+void write_numbers(hid_t file, const std::string& name, const std::string& path, hid_t type, const std::vector<Number>& numbers) {
+  const hsize_t count = numbers.size();
+  const Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  write_set(file, name, path, type, space, numbers.data());
+}
+
+}  // namespace
+
+bool has_hdf5() { return true; }
+
+Hdf5File Hdf5File::open(const std::string& name) {
+  be_silent();
+  const hid_t file = H5Fopen(name.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  if (file < 0) throw std::runtime_error(fmt::format("{}: cannot be opened as an HDF5 file", name));
+  return {name, file};
+}
+
+Hdf5File Hdf5File::create(const std::string& name) {
+  be_silent();
+  const hid_t file = H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  if (file < 0) throw std::runtime_error(fmt::format("{}: cannot be created", name));
+  return {name, file};
+}
+
+Hdf5File::~Hdf5File() {
+  if (handle_ >= 0) H5Fclose(handle_);
+}
+
+bool Hdf5File::has(const std::string& path) const {
+  // Each link on the way must be there: H5Lexists fails where a group is missing.
+  for (std::size_t end = path.find('/', 1);; end = path.find('/', end + 1)) {
+    if (H5Lexists(handle_, path.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
+    if (end == std::string::npos) return true;
+  }
+}
+
+std::vector<std::int64_t> Hdf5File::integers(const std::string& path) const {
+  return read<std::int64_t>(handle_, name_, path, H5T_INTEGER, H5T_NATIVE_INT64);
+}
+
+std::vector<double> Hdf5File::doubles(const std::string& path) const {
+  auto numbers = read<double>(handle_, name_, path, H5T_FLOAT, H5T_NATIVE_DOUBLE);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (!std::isfinite(numbers[i])) throw std::runtime_error(fmt::format("{}: {}: number {} is not finite", name_, path, i));
+  return numbers;
+}
+
+std::string Hdf5File::text(const std::string& path) const {
+  if (!has(path)) return {};
+  const Handle set(H5Dopen2(handle_, path.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle type(H5Dget_type(set), H5Tclose);
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) return {};
+  std::string result(H5Tget_size(type), '\0');
+  if (H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, result.data()) < 0) return {};
+  return result.c_str();
+}
+
+void Hdf5File::write(const std::string& path, const std::vector<double>& numbers) {
+  write_numbers(handle_, name_, path, H5T_NATIVE_DOUBLE, numbers);
+}
+
+void Hdf5File::write(const std::string& path, const std::vector<std::int32_t>& numbers) {
+  write_numbers(handle_, name_, path, H5T_NATIVE_INT32, numbers);
+}
+
+void Hdf5File::write(const std::string& path, const std::string& text) {
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose), space(H5Screate(H5S_SCALAR), H5Sclose);
+  H5Tset_size(type, text.size() + 1);
+  write_set(handle_, name_, path, type, space, text.c_str());
+}
+
+#else
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& name) {
+  throw std::runtime_error(fmt::format("{}: this flyrock was built without HDF5 (Debian: libhdf5-dev)", name));
+}
+
+}  // namespace
+
+bool has_hdf5() { return false; }
+Hdf5File Hdf5File::open(const std::string& name) { refuse(name); }
+Hdf5File Hdf5File::create(const std::string& name) { refuse(name); }
+Hdf5File::~Hdf5File() = default;
+bool Hdf5File::has(const std::string&) const { refuse(name_); }
+std::vector<std::int64_t> Hdf5File::integers(const std::string&) const { refuse(name_); }
+std::vector<double> Hdf5File::doubles(const std::string&) const { refuse(name_); }
+std::string Hdf5File::text(const std::string&) const { refuse(name_); }
+void Hdf5File::write(const std::string&, const std::vector<double>&) { refuse(name_); }
+void Hdf5File::write(const std::string&, const std::vector<std::int32_t>&) { refuse(name_); }
+void Hdf5File::write(const std::string&, const std::string&) { refuse(name_); }
+
+#endif
+
+Hdf5File::Hdf5File(Hdf5File&& other) noexcept : name_(std::move(other.name_)), handle_(std::exchange(other.handle_, -1)) {}
+
+std::int64_t Hdf5File::integer(const std::string& path) const {
+  const std::vector<std::int64_t> numbers = integers(path);
+  if (numbers.size() != 1) throw std::runtime_error(fmt::format("{}: {}: expected one integer, found {}", name_, path, numbers.size()));
+  return numbers.front();
+}
+
+}  // namespace flyrock

@@ -1,0 +1,46 @@
+#pragma once
+// An HDF5 file of numbers: the few calls of the C library that FCLIB's layout needs.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace flyrock {
+
+/// Whether this build has HDF5. Without it, opening or creating a file throws an error that says so.
+bool has_hdf5();
+
+/// Every fault is a std::runtime_error of one line that names the file and, where there is one, the path in it.
+class Hdf5File {
+ public:
+  static Hdf5File open(const std::string& name);    ///< for reading
+  static Hdf5File create(const std::string& name);  ///< empty, in place of what was there
+  ~Hdf5File();
+  Hdf5File(Hdf5File&& other) noexcept;
+  Hdf5File(const Hdf5File&) = delete;
+  Hdf5File& operator=(const Hdf5File&) = delete;
+
+  const std::string& name() const { return name_; }
+  bool has(const std::string& path) const;
+
+  /// All numbers of a data set, in the order of the file.
+  std::vector<std::int64_t> integers(const std::string& path) const;
+  std::vector<double> doubles(const std::string& path) const;  ///< finite, or an error
+  /// The number of a data set that holds one.
+  std::int64_t integer(const std::string& path) const;
+  /// A text; empty where the file has none there.
+  std::string text(const std::string& path) const;
+
+  /// Groups on the way are made. Integers are written as 32 bits, as FCLIB does; a file keeps no times.
+  void write(const std::string& path, const std::vector<double>& numbers);
+  void write(const std::string& path, const std::vector<std::int32_t>& numbers);
+  void write(const std::string& path, const std::string& text);
+
+ private:
+  Hdf5File(std::string name, std::int64_t handle) : name_(std::move(name)), handle_(handle) {}
+
+  std::string name_;
+  std::int64_t handle_;
+};
+
+}  // namespace flyrock
