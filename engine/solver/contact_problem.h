@@ -80,6 +80,14 @@ struct ContactProblem {
     return Eigen::Map<const Eigen::Matrix<double, N, N>>(blocks_.data() + static_cast<std::size_t>(k) * N * N);
   }
 
+  /// The block of coupling k in all rows; rows beyond width() are zero.
+  Block full_block(int k) const {
+    Block w = Block::Zero();
+    w.topLeftCorner(width_, width_) = Eigen::Map<const Eigen::MatrixXd>(
+        blocks_.data() + static_cast<std::size_t>(k) * width_ * width_, width_, width_);
+    return w;
+  }
+
   /// q_a + sum over b != a of W_ab r_b; rows beyond width() are those of q.
   Row outside_velocity(int a, const std::vector<Row>& r) const {
     Row u = contacts[a].q;
