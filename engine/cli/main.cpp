@@ -11,13 +11,14 @@
 #include <system_error>
 
 #include "cli/command.h"
+#include "solver/hdf5_file.h"
 #include "units/units.h"
 
 namespace flyrock::cli {
 
 namespace {
 
-constexpr std::array<Command, 7> commands = {{
+constexpr std::array<Command, 8> commands = {{
     {"run", "run SCENARIO [options]", "runs a scenario and writes its tables and report", run},
     {"merge", "merge DIR... -o DIR", "puts the shards of a run together", merge},
     {"report", "report DIR", "builds report.html of a result folder again", report},
@@ -25,6 +26,7 @@ constexpr std::array<Command, 7> commands = {{
     {"check", "check FILE [--strict]", "validates a scenario, or tries a plugin on sampled states", check},
     {"show", "show SCENARIO [--json]", "prints the resolved scenario: units converted, defaults filled in", show},
     {"plugins", "plugins [KIND[/NAME]] [--markdown | --json]", "lists what is registered, with its parameters", plugins},
+    {"solve", "solve PROBLEM.hdf5 [options]", "solves a friction problem in the layout of FCLIB", solve},
 }};
 
 void print_version() {
@@ -33,8 +35,8 @@ void print_version() {
 #else
   const char* build = "debug";
 #endif
-  fmt::print("flyrock {}\nbuild: {}, {}, C++{}\noptional parts: none\n", FLYROCK_VERSION, build, "GCC " __VERSION__,
-             __cplusplus / 100 % 100);
+  fmt::print("flyrock {}\nbuild: {}, {}, C++{}\noptional parts: {}\n", FLYROCK_VERSION, build, "GCC " __VERSION__,
+             __cplusplus / 100 % 100, has_hdf5() ? "HDF5" : "none");
 }
 
 void print_help() {

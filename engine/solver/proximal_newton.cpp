@@ -101,6 +101,12 @@ bool ProximalNewton<D>::step(const Problem& problem, double alpha, std::vector<R
     const State& state = states_[a];
     for (int i = 0; i < state.unknowns; ++i) r[a] += z_[state.first + i] * state.directions.col(i);
     if (r[a][0] < 0) r[a].setZero();
+    for (int g = 0; g < static_cast<int>(Problem::groups.size()); ++g) {  // exactly within bounds
+      const auto [begin, count] = Problem::groups[g];
+      const double radius = problem.contacts[a].radius(g, r[a][0]), size = r[a].segment(begin, count).stableNorm();
+      if (size > radius)
+        for (int i = begin; i < begin + count; ++i) r[a][i] *= radius / size;
+    }
   }
   return true;
 }

@@ -1,0 +1,109 @@
+// Solves a friction problem from disk.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "cli/command.h"
+#include "solver/fclib.h"
+#include "solver/residual.h"
+#include "solver/solve.h"
+#include "units/units.h"
+
+namespace flyrock::cli {
+
+namespace po = boost::program_options;
+
+namespace {
+
+SolverKind solver_option(const std::string& name) {
+  if (const auto kind = solver_of_name(name)) return *kind;
+  const std::string near = nearest_name(name, {"auto", "nlgs", "proximal_newton"});
+  throw UsageError(fmt::format("unknown solver `{}`, expected auto, nlgs or proximal_newton{}", name,
+                               near.empty() ? "" : fmt::format("; did you mean `{}`?", near)));
+}
+
+double tolerance_option(const std::string& text) {
+  const std::optional<double> number = parse_number(text);
+  if (!number || !std::isfinite(*number) || *number <= 0)
+    throw UsageError(fmt::format("--tolerance is `{}`, expected a number above 0", text));
+  return *number;
+}
+
+struct Answer {
+  SolveResult result;
+  Merit merit;
+  double seconds = 0;
+  int contacts = 0, dimension = 0;
+  std::vector<double> r;
+};
+
+template <int D>
+Answer solve_stored(const StoredProblem<D>& stored, const SolveSettings& settings) {
+  using Clock = std::chrono::steady_clock;
+  Answer answer;
+  answer.contacts = stored.problem.size();
+  answer.dimension = D;
+  auto r = stored.start;
+  const auto begin = Clock::now();
+  answer.result = flyrock::solve(stored.problem, settings, r);
+  answer.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  answer.merit = merit(stored.problem, r);
+  for (const auto& row : r)
+    for (int i = 0; i < stored.problem.width(); ++i) answer.r.push_back(row[i]);
+  return answer;
+}
+
+void print(const Answer& answer, bool json) {
+  const SolveResult& result = answer.result;
+  if (json) {
+    const nlohmann::ordered_json tree = {{"iterations", result.iterations},
+                                         {"seconds", answer.seconds},
+                                         {"converged", result.converged},
+                                         {"solver", name_of(result.solver)},
+                                         {"merit", {{"rel", answer.merit.relative()}, {"fclib", answer.merit.fclib()}}},
+                                         {"r", answer.r}};
+    fmt::print("{}\n", tree.dump());
+    return;
+  }
+  fmt::print("{} contacts in {}D: {} after {} {} of {} in {:.3g} s\n", answer.contacts, answer.dimension,
+             result.converged ? "converged" : "not converged", result.iterations,
+             result.solver == SolverKind::nlgs ? "sweeps" : "steps", name_of(result.solver), answer.seconds);
+  fmt::print("|F|/|q| {:.3g}, of FCLIB {:.3g}; worst at contact {}\n", answer.merit.relative(), answer.merit.fclib(),
+             answer.merit.worst_contact);
+}
+
+}  // namespace
+
+int solve(const Command& command, const Arguments& arguments) {
+  po::options_description options("options");
+  options.add_options()
+      ("solver", po::value<std::string>()->default_value("auto")->value_name("S"), "auto, nlgs or proximal_newton")
+      ("tolerance", po::value<std::string>()->default_value("1e-8")->value_name("T"), "on |F|/|q|")
+      ("max-iterations", po::value<std::string>()->default_value("100000")->value_name("N"), "sweeps, or steps of proximal_newton")
+      ("json", "as JSON, with the impulses r");
+  const CommandLine line = parse(command, options, arguments, 1, 1);
+  if (line.help) return done;
+  SolveSettings settings;
+  settings.measure = ErrorMeasure::merit;
+  settings.solver = solver_option(line.text("solver"));
+  settings.tolerance = tolerance_option(line.text("tolerance"));
+  const std::uint64_t iterations = whole_number(line.text("max-iterations"), "--max-iterations", 1);
+  settings.max_iterations = static_cast<int>(std::min<std::uint64_t>(iterations, 1'000'000'000));
+  std::optional<AnyProblem> problem;
+  try {
+    problem = read_fclib(line.words[0]);
+  } catch (const std::runtime_error& error) {
+    std::cerr << "error: " << error.what() << '\n';
+    return bad_input;
+  }
+  const Answer answer = std::visit([&](const auto& stored) { return solve_stored(stored, settings); }, *problem);
+  print(answer, line.has("json"));
+  return answer.result.converged ? done : expectation_failed;
+}
+
+}  // namespace flyrock::cli
