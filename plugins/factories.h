@@ -10,6 +10,8 @@ namespace flyrock::plugins {
 
 std::unique_ptr<ShapeModel> make_disk(Params& params);
 std::unique_ptr<ShapeModel> make_polygon(Params& params);
+std::unique_ptr<ShapeModel> make_sphere(Params& params);
+std::unique_ptr<ShapeModel> make_box(Params& params);
 std::unique_ptr<Population> make_independent(Params& params);
 std::unique_ptr<RestitutionLaw> make_newton(Params& params);
 std::unique_ptr<FrictionLaw> make_coulomb(Params& params);
@@ -20,5 +22,6 @@ std::unique_ptr<VelocityModel> make_gurney(Params& params);
 std::unique_ptr<VelocityModel> make_bench_fit(Params& params);
 std::unique_ptr<TerrainModel> make_benches(Params& params);
 std::unique_ptr<TerrainModel> make_profile(Params& params);
+std::unique_ptr<TerrainModel> make_plane(Params& params);
 
 }  // namespace flyrock::plugins

@@ -9,6 +9,8 @@ FLYROCK_MODULE(table) {
   using enum flyrock::PluginKind;
   table[{shape, "disk"}] = make_disk;
   table[{shape, "polygon"}] = make_polygon;
+  table[{shape, "sphere"}] = make_sphere;
+  table[{shape, "box"}] = make_box;
   table[{population, "independent"}] = make_independent;
   table[{restitution, "newton"}] = make_newton;
   table[{friction, "coulomb"}] = make_coulomb;
@@ -19,5 +21,6 @@ FLYROCK_MODULE(table) {
   table[{velocity, "bench_fit"}] = make_bench_fit;
   table[{terrain, "benches"}] = make_benches;
   table[{terrain, "profile"}] = make_profile;
+  table[{terrain, "plane"}] = make_plane;
   return nullptr;
 }

@@ -85,6 +85,13 @@ std::vector<ClearanceSummary> ClearanceTally::summaries() const {
   return summaries;
 }
 
+namespace {
+std::uint64_t rocks_of_a_trial(const Scenario& scenario) {
+  return scenario.dimension == 2 ? TrialBuilder<2>(scenario).build(0).rocks.size()
+                                 : TrialBuilder<3>(scenario).build(0).rocks.size();
+}
+}  // namespace
+
 void check_clearances(const Value& root, const Plan& plan, Diagnostics& diagnostics) {
   const auto list = Node::root(root).find("clearance");
   if (!list) return;
@@ -92,7 +99,7 @@ void check_clearances(const Value& root, const Plan& plan, Diagnostics& diagnost
   std::vector<std::string> faults(items.size());
   for (const Scenario& scenario : plan.points) {
     try {
-      const std::uint64_t rocks = TrialBuilder(scenario).build(0).rocks.size();
+      const std::uint64_t rocks = rocks_of_a_trial(scenario);
       for (std::size_t i = 0; i < items.size(); ++i)
         if (faults[i].empty()) faults[i] = too_few(scenario.clearances[i], scenario.trials, rocks);
     } catch (const PluginError&) {

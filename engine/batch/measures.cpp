@@ -55,7 +55,7 @@ double impact_value(const Impact& impact, const std::string& field) {
 
 }  // namespace
 
-Measure::Measure(const std::string& name, const Scenario& scenario) {
+Measure::Measure(const std::string& name, const Scenario& scenario) : dimension_(scenario.dimension) {
   const std::vector<std::string> words = split(name);
   if (words[0] == "body") {
     read_body(words, scenario);
@@ -182,7 +182,7 @@ double Measure::state_value(const BodyHistory& body) const {
   if (field_ == "speed" && table_ != "final") return table_ == "max" ? body.max_speed : body.min_speed;
   const BodyState& s = table_ == "final" ? body.last : table_ == "max" ? body.max : body.min;
   const std::array<double, state_fields.size()> values = {s.position.x(), s.position.y(), s.position.z(), s.velocity.x(),
-                                         s.velocity.y(), s.velocity.z(), s.velocity.norm(), s.spin.z(),
+                                         s.velocity.y(), s.velocity.z(), s.velocity.norm(), dimension_ == 2 ? s.spin.z() : s.spin.norm(),
                                          s.spin.x(),     s.spin.y(),     s.spin.z(),     s.angle,
                                          s.kinetic_energy};
   return values[index_of(field_, state_fields)];

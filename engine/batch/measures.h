@@ -54,6 +54,7 @@ class Measure {
   Kind kind_ = Kind::statistic;
   int index_ = 0;       ///< of the group (0: all rocks), gate, barrier, clearance or body
   int number_ = 0;      ///< of an impact or apex, from 1
+  int dimension_ = 2;
   std::string table_;   ///< body: final, max, min, stop_time, contact_time, impact, apex
   std::string field_;   ///< x, vn_before, max_residual
   RockQuantity quantity_ = RockQuantity::runout;

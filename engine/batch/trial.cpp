@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "batch/statistics.h"
+#include "flight/ground.h"
 #include "flight/run.h"
 
 namespace flyrock {
@@ -37,17 +38,57 @@ std::array<ContactState, samples> sampled_contacts() {
   return states;
 }
 
+Profile picture(const Terrain2& terrain) { return terrain.profile(); }
+Profile picture(const Terrain3& terrain) {
+  constexpr double half = 100;
+  Profile cut;
+  cut.points = {{-half, terrain.height(-half, 0)}, {half, terrain.height(half, 0)}};
+  cut.part = {0};
+  cut.parts = terrain.parts();
+  return cut;
+}
+
 }  // namespace
 
-TrialRunner::TrialRunner(const Scenario& scenario) : scenario_(scenario), builder_(scenario) {
+template <int D>
+class TrialRunner::Trials : public OfDimension {
+ public:
+  explicit Trials(const Scenario& scenario);
+  void run(std::uint64_t trial, TrialRecords& out) override;
+  Profile picture_of(std::uint64_t trial) override { return picture(*builder_.terrain_of(trial)); }
+
+ private:
+  void sample();
+  void fail_trial(std::uint64_t trial, const std::string& fault, TrialRecords& out) const;
+  void record(std::uint64_t trial, int index, const TrialRock& rock, const World<D>* world, const BodyHistory& history,
+              TrialRecords& out) const;
+  void record_inputs(std::uint64_t trial, int index, const TrialRock& rock, TrialRecords& out) const;
+
+  const Scenario& scenario_;
+  TrialBuilder<D> builder_;
+  std::vector<Gate> gates_;
+  std::vector<Barrier> barriers_;
+  double bin_width_ = 0;  ///< m, of envelopes; 0 for `bodies` and on terrain without ends
+};
+
+TrialRunner::TrialRunner(const Scenario& scenario) {
+  if (scenario.dimension == 2)
+    of_dimension_ = std::make_unique<Trials<2>>(scenario);
+  else
+    of_dimension_ = std::make_unique<Trials<3>>(scenario);
+}
+
+template <int D>
+TrialRunner::Trials<D>::Trials(const Scenario& scenario) : scenario_(scenario), builder_(scenario) {
   for (const GatePlan& gate : scenario.gates) gates_.push_back({gate.x});
   for (const BarrierPlan& barrier : scenario.barriers) barriers_.push_back({barrier.x, barrier.height, barrier.capacity});
   sample();
-  if (scenario.bodies.empty()) bin_width_ = envelope_width(terrain_of(0)->profile());
+  if (D == 2 && scenario.bodies.empty()) bin_width_ = envelope_width(picture_of(0));
 }
 
 /// Laws on sampled contacts; shapes, populations, launches and the terrain by building the first trials.
-void TrialRunner::sample() {
+template <int D>
+void TrialRunner::Trials<D>::sample() {
   for (std::size_t m = 0; m < scenario_.materials.size(); ++m) {
     const Material& material = scenario_.materials[m];
     const MaterialLaws& laws = builder_.instances().materials[m];
@@ -66,13 +107,14 @@ void TrialRunner::sample() {
     }
   }
   for (std::uint64_t trial = 0; trial < std::min(samples, scenario_.trials); ++trial) {
-    const Trial built = builder_.build(trial);
+    const Trial<D> built = builder_.build(trial);
     for (const TrialRock& rock : built.rocks)
       if (!rock.fault.empty()) throw PluginError(rock.fault);
   }
 }
 
-void TrialRunner::fail_trial(std::uint64_t trial, const std::string& fault, TrialRecords& out) const {
+template <int D>
+void TrialRunner::Trials<D>::fail_trial(std::uint64_t trial, const std::string& fault, TrialRecords& out) const {
   RockRecord row;
   row.trial = trial;
   row.reason = StopReason::plugin_error;
@@ -80,9 +122,10 @@ void TrialRunner::fail_trial(std::uint64_t trial, const std::string& fault, Tria
   out.rocks.push_back(row);
 }
 
-void TrialRunner::run(std::uint64_t number, TrialRecords& out) {
+template <int D>
+void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
   out.totals.materials.resize(scenario_.materials.size());
-  Trial trial;
+  Trial<D> trial;
   try {
     trial = builder_.build(number);
   } catch (const PluginError& error) {
@@ -105,7 +148,7 @@ void TrialRunner::run(std::uint64_t number, TrialRecords& out) {
   std::vector<std::vector<BodyHistory>> histories(trial.worlds.size());
   std::vector<std::string> faults(trial.worlds.size());
   for (std::size_t w = 0; w < trial.worlds.size(); ++w) {
-    World<2>& world = trial.worlds[w];
+    World<D>& world = trial.worlds[w];
     if (timed) world.clock = &times;
     try {
       flyrock::run(world, settings, histories[w]);
@@ -123,7 +166,7 @@ void TrialRunner::run(std::uint64_t number, TrialRecords& out) {
   for (std::size_t i = 0; i < trial.rocks.size(); ++i) {
     TrialRock& rock = trial.rocks[i];
     BodyHistory history;
-    const World<2>* world = nullptr;
+    const World<D>* world = nullptr;
     if (rock.world >= 0) {
       world = &trial.worlds[rock.world];
       history = histories[rock.world][rock.body];
@@ -136,7 +179,8 @@ void TrialRunner::run(std::uint64_t number, TrialRecords& out) {
   if (!scenario_.bodies.empty()) out.totals.bodies = histories.front();
 }
 
-void TrialRunner::record(std::uint64_t trial, int index, const TrialRock& rock, const World<2>* world,
+template <int D>
+void TrialRunner::Trials<D>::record(std::uint64_t trial, int index, const TrialRock& rock, const World<D>* world,
                          const BodyHistory& history, TrialRecords& out) const {
   RockRecord row;
   row.trial = trial;
@@ -148,13 +192,14 @@ void TrialRunner::record(std::uint64_t trial, int index, const TrialRock& rock, 
   row.fault = rock.fault.empty() ? history.fault : rock.fault;
   row.censored = row.reason == StopReason::left_domain || row.reason == StopReason::timed_out;
   if (world) {
-    const Body<2>& body = world->bodies[rock.body];
+    const Body<D>& body = world->bodies[rock.body];
     row.mass = body.mass;
     row.volume = body.volume;
-    row.runout = std::abs(history.last.position.x() - history.first.position.x());
+    row.runout = horizontal(Vec<D>((history.last.position - history.first.position).template head<D>()));
     row.max_distance = history.max_distance;
     row.stop_x = history.last.position.x();
     row.stop_y = history.last.position.y();
+    row.stop_z = history.last.position.z();
     row.flight_range = history.flight_range;
     row.bounce_height = history.bounce_height;
     row.max_speed = history.max_speed;
@@ -174,7 +219,8 @@ void TrialRunner::record(std::uint64_t trial, int index, const TrialRock& rock, 
 }
 
 /// Every draw that concerns the rock: all but those of other groups, and those per impact.
-void TrialRunner::record_inputs(std::uint64_t trial, int index, const TrialRock& rock, TrialRecords& out) const {
+template <int D>
+void TrialRunner::Trials<D>::record_inputs(std::uint64_t trial, int index, const TrialRock& rock, TrialRecords& out) const {
   const std::string own = scenario_.bodies.empty() ? "rocks." + scenario_.rocks[rock.group].name + "."
                                                    : "bodies." + scenario_.bodies[rock.group].name + ".";
   for (std::size_t d = 0; d < scenario_.draws.size(); ++d) {

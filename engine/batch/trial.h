@@ -16,23 +16,21 @@ class TrialRunner {
   explicit TrialRunner(const Scenario& scenario);
 
   /// Appends one trial. A rock that fails is a row with its reason, never an exception.
-  void run(std::uint64_t trial, TrialRecords& out);
+  void run(std::uint64_t trial, TrialRecords& out) { of_dimension_->run(trial, out); }
 
-  /// The terrain of a trial, for pictures.
-  std::shared_ptr<const Terrain2> terrain_of(std::uint64_t trial) { return builder_.terrain_of(trial); }
+  /// The terrain of a trial, for pictures; in 3D its cut along x at y = 0, 100 m to either side.
+  Profile picture_of(std::uint64_t trial) { return of_dimension_->picture_of(trial); }
 
  private:
-  void sample();
-  void fail_trial(std::uint64_t trial, const std::string& fault, TrialRecords& out) const;
-  void record(std::uint64_t trial, int index, const TrialRock& rock, const World<2>* world, const BodyHistory& history,
-              TrialRecords& out) const;
-  void record_inputs(std::uint64_t trial, int index, const TrialRock& rock, TrialRecords& out) const;
+  struct OfDimension {
+    virtual ~OfDimension() = default;
+    virtual void run(std::uint64_t trial, TrialRecords& out) = 0;
+    virtual Profile picture_of(std::uint64_t trial) = 0;
+  };
+  template <int D>
+  class Trials;
 
-  const Scenario& scenario_;
-  TrialBuilder builder_;
-  std::vector<Gate> gates_;
-  std::vector<Barrier> barriers_;
-  double bin_width_ = 0;  ///< m, of envelopes; 0 for `bodies`
+  std::unique_ptr<OfDimension> of_dimension_;
 };
 
 }  // namespace flyrock

@@ -48,7 +48,7 @@ std::vector<Profile> first_terrains(Runners& runners) {
   std::vector<Profile> terrains;
   for (const auto& runner : runners) {
     try {
-      terrains.push_back(runner->terrain_of(0)->profile());
+      terrains.push_back(runner->picture_of(0));
     } catch (const PluginError&) {
       terrains.emplace_back();
     }

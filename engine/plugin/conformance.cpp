@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/volume_properties.h"
 #include "plugin/sampled_params.h"
 
 namespace flyrock {
@@ -108,23 +109,59 @@ void check_contactors(const std::vector<Contactor2>& contactors) {
   if (!(area.area > 0 && area.polar_moment > 0)) fail("a rock has no area or no inertia");
 }
 
-// One overload a kind: everything that an instance answers, checked.
+void add(Answer& answer, const std::vector<Contactor3>& contactors) {
+  answer.push_back(static_cast<double>(contactors.size()));
+  for (const Contactor3& contactor : contactors) {
+    answer.push_back(contactor.radius);
+    for (const Vec3& point : contactor.points) answer.insert(answer.end(), point.begin(), point.end());
+  }
+}
 
-Answer answer_of(const ShapeModel& shape, Values values) {
+void check_contactors(const std::vector<Contactor3>& contactors) {
+  if (contactors.empty()) fail("a rock has no contactor");
+  for (const Contactor3& contactor : contactors) {
+    const bool finite = std::all_of(contactor.points.begin(), contactor.points.end(),
+                                    [](const Vec3& point) { return point.allFinite(); });
+    if (!finite || !std::isfinite(contactor.radius)) fail("a contactor is not finite");
+  }
+  const VolumeProperties properties = volume_properties(contactors);
+  if (!(properties.volume > 0 && properties.inertia.trace() > 0)) fail("a rock has no volume or no inertia");
+}
+
+// One overload a kind: everything that an instance of a dimension answers, checked.
+
+Answer answer_of(const ShapeModel& shape, Values values, int dimension) {
   Answer answer;
   for (int i = 0; i < draws; ++i) {
     RandomStream rng = stream(i);
-    const auto contactors = shape.build(values, rng);
-    check_contactors(contactors);
-    add(answer, contactors);
+    const auto see = [&](const auto& contactors) {
+      check_contactors(contactors);
+      add(answer, contactors);
+    };
+    if (dimension == 2)
+      see(shape.build(values, rng));
+    else
+      see(shape.build_3d(values, rng));
   }
   return answer;
 }
 
-Answer answer_of(const Population& population, Values values) {
+Answer answer_of(const Population& population, Values values, int dimension) {
   Answer answer;
   for (int i = 0; i < draws; ++i) {
     RandomStream rng = stream(i);
+    if (dimension == 3) {
+      for (const RockPlan3& rock : population.rocks_3d(values, Plane{}, sampled_blast(i), rng)) {
+        if (!rock.contactors.empty()) check_contactors(rock.contactors);
+        add(answer, rock.contactors);
+        const Vec3 position = rock.position.value_or(Vec3::Zero());
+        if (!position.allFinite()) fail("a rock of the population has no finite position");
+        const Eigen::Vector4d turn = rock.orientation.value_or(Rotation3()).quaternion().coeffs();
+        answer.insert(answer.end(), position.begin(), position.end());
+        answer.insert(answer.end(), turn.begin(), turn.end());
+      }
+      continue;
+    }
     for (const RockPlan& rock : population.rocks(values, level_ground(), sampled_blast(i), rng)) {
       if (!rock.contactors.empty()) check_contactors(rock.contactors);
       add(answer, rock.contactors);
@@ -136,21 +173,31 @@ Answer answer_of(const Population& population, Values values) {
   return answer;
 }
 
-Answer answer_of(const VelocityModel& model, Values values) {
+Answer answer_of(const VelocityModel& model, Values values, int dimension) {
   Answer answer;
   for (int i = 0; i < draws; ++i) {
     RandomStream rng = stream(i);
-    const Launch launch = model.launch(values, sampled_rock(i), sampled_blast(i), rng);
+    RockView rock = sampled_rock(i);
+    rock.dimension = dimension;
+    const Launch launch = model.launch(values, rock, sampled_blast(i), rng);
     if (!launch.velocity.allFinite() || !launch.spin.allFinite()) fail("a launch is not finite");
     for (int c = 0; c < 3; ++c) answer.insert(answer.end(), {launch.velocity[c], launch.spin[c]});
   }
   return answer;
 }
 
-Answer answer_of(const TerrainModel& terrain, Values values) {
+Answer answer_of(const TerrainModel& terrain, Values values, int dimension) {
   Answer answer;
   for (int i = 0; i < draws; ++i) {
     RandomStream rng = stream(i);
+    if (dimension == 3) {
+      const Plane plane = terrain.build_3d(values, rng);
+      if (!plane.point.allFinite() || !(std::abs(plane.normal.norm() - 1) < 1e-9 && plane.normal.z() > 0))
+        fail("a plane has no finite point or no unit normal that points upwards");
+      answer.insert(answer.end(), plane.point.begin(), plane.point.end());
+      answer.insert(answer.end(), plane.normal.begin(), plane.normal.end());
+      continue;
+    }
     const Profile profile = terrain.build(values, rng);
     if (std::string fault = profile.fault(); !fault.empty()) fail(fault);
     for (const Vec2& point : profile.points) answer.insert(answer.end(), {point.x(), point.y()});
@@ -182,7 +229,7 @@ Answer numbers_of(const UnilateralLaw& law, Values values, const ContactState& c
 }
 
 template <class SomeLaw>
-requires std::derived_from<SomeLaw, Law> Answer answer_of(const SomeLaw& law, Values values) {
+requires std::derived_from<SomeLaw, Law> Answer answer_of(const SomeLaw& law, Values values, int) {
   Answer answer;
   for (int i = 0; i < law_states; ++i) {
     const Answer numbers = numbers_of(law, values, sampled_contact(i));
@@ -195,18 +242,18 @@ requires std::derived_from<SomeLaw, Law> Answer answer_of(const SomeLaw& law, Va
 
 /// Makes an instance and asks it. Nothing where these parameters do not go together; `refusal` then says why.
 template <class Interface>
-std::optional<Answer> ask(const Plugin& plugin, const std::vector<ParamValue>& values, std::string& refusal) {
+std::optional<Answer> ask(const Plugin& plugin, int dimension, const std::vector<ParamValue>& values, std::string& refusal) {
   const PluginUse use{&plugin, values, dense_slots(values), "conformance"};
   std::unique_ptr<Interface> instance;
   try {
-    instance = make_instance<Interface>(use, 2);
+    instance = make_instance<Interface>(use, dimension);
   } catch (const PluginError& error) {
     refusal = error.what();
     return std::nullopt;
   }
   std::vector<double> numbers;
   for (const Number& slot : use.slots) numbers.push_back(slot.constant);
-  return answer_of(*instance, numbers);
+  return answer_of(*instance, numbers, dimension);
 }
 
 template <class Interface>
@@ -216,23 +263,26 @@ std::vector<std::string> faults(const Plugin& plugin, const FactoryOf<Interface>
   std::string refusal;
   bool made = params.empty(), tried = params.empty();
   std::vector<bool> given(params.size(), false), felt(params.size(), false);
-  for (int sample = 0; sample < samples; ++sample)
-    for (auto& values : sample_variants(plugin.spec, rng)) {
+  // In the dimensions that it has; it refuses the others.
+  for (int sample = 0; sample < 2 * samples; ++sample) {
+    const int dimension = sample < samples ? 2 : 3;
+    for (auto& values : sample_variants(plugin.spec, dimension, rng)) {
       tried = true;
-      const auto answer = ask<Interface>(plugin, values, refusal);
+      const auto answer = ask<Interface>(plugin, dimension, values, refusal);
       if (!answer) continue;
       made = true;
-      if (ask<Interface>(plugin, values, refusal) != answer) fail("two equal calls answer differently");
+      if (ask<Interface>(plugin, dimension, values, refusal) != answer) fail("two equal calls answer differently");
       for (std::size_t i = 0; i < params.size(); ++i) {
         if (!values[i].given || !can_sample(params[i])) continue;
         auto changed = values;
-        changed[i] = sample_param(params[i], rng);
-        const auto other = ask<Interface>(plugin, changed, refusal);
+        changed[i] = sample_param(params[i], dimension, rng);
+        const auto other = ask<Interface>(plugin, dimension, changed, refusal);
         if (!other) continue;
         given[i] = true;
         felt[i] = felt[i] || other != answer;
       }
     }
+  }
   std::vector<std::string> list;
   if (tried && !made) list.push_back("it cannot be made with parameters within their limits: " + refusal);
   for (std::size_t i = 0; i < params.size(); ++i)

@@ -8,6 +8,8 @@
 
 #include "blast/blast.h"
 #include "geometry/contactor.h"
+#include "geometry/contactor3.h"
+#include "geometry/plane.h"
 #include "geometry/profile.h"
 #include "plugin/params.h"
 #include "random/stream.h"
@@ -15,18 +17,21 @@
 namespace flyrock {
 
 /// `shape`: contactors of one rock, in any frame; the engine moves them to the centre of mass and
-/// computes mass and inertia. Throws PluginError.
+/// computes mass and inertia. A model answers in the dimensions that it has, and its factory refuses others
+/// (Params::require_dimension). Throws PluginError.
 class ShapeModel {
  public:
   virtual ~ShapeModel() = default;
-  virtual std::vector<Contactor2> build(Values values, RandomStream& rng) const = 0;
+  virtual std::vector<Contactor2> build(Values values, RandomStream& rng) const;
+  virtual std::vector<Contactor3> build_3d(Values values, RandomStream& rng) const;
 };
 
-/// `terrain`: the static contactors. Throws PluginError.
+/// `terrain`: the static contactors, in the dimensions that the model has. Throws PluginError.
 class TerrainModel {
  public:
   virtual ~TerrainModel() = default;
-  virtual Profile build(Values values, RandomStream& rng) const = 0;
+  virtual Profile build(Values values, RandomStream& rng) const;
+  virtual Plane build_3d(Values values, RandomStream& rng) const;
 };
 
 /// A rock as a velocity model sees it. SI units; z components are 0 in 2D.
@@ -66,12 +71,20 @@ struct RockPlan {
   std::optional<double> angle;   ///< rad
 };
 
-/// `population`: the rocks of a group in one trial. Throws PluginError.
+struct RockPlan3 {
+  std::vector<Contactor3> contactors;
+  std::optional<Vec3> position;         ///< of the centre of mass
+  std::optional<Rotation3> orientation; ///< of the contactors as given
+};
+
+/// `population`: the rocks of a group in one trial, in the dimensions that the model has. Throws PluginError.
 class Population {
  public:
   virtual ~Population() = default;
   virtual std::vector<RockPlan> rocks(Values values, const Profile& terrain, const Blast& blast,
-                                      RandomStream& rng) const = 0;
+                                      RandomStream& rng) const;
+  virtual std::vector<RockPlan3> rocks_3d(Values values, const Plane& terrain, const Blast& blast,
+                                          RandomStream& rng) const;
 };
 
 }  // namespace flyrock

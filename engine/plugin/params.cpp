@@ -27,13 +27,19 @@ int Params::at(std::string_view name, std::initializer_list<ParamType> types) {
   return i;
 }
 
+void Params::require_dimension(int dimension) const {
+  if (dimension_ != dimension)
+    throw PluginError(fmt::format("plugin {}: the {} `{}` is of dimension {}, the scenario has dimension {}", spec_.name,
+                                  name_of(spec_.kind), spec_.name, dimension, dimension_));
+}
+
 bool Params::given(std::string_view name) const {
   const int i = spec_.find(name);
   return i >= 0 && values_[i].given;
 }
 
 int Params::slot(std::string_view name) {
-  return slots_[at(name, {ParamType::number, ParamType::integer, ParamType::boolean})];
+  return slots_[at(name, {ParamType::number, ParamType::integer, ParamType::boolean, ParamType::spin})];
 }
 
 int Params::vector_slot(std::string_view name) { return slots_[at(name, {ParamType::vector})]; }

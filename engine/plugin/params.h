@@ -39,9 +39,12 @@ class Params {
   Params(const PluginSpec& spec, const std::vector<ParamValue>& values, int dimension);
 
   int dimension() const { return dimension_; }
+  /// Throws PluginError where the scenario has another dimension.
+  void require_dimension(int dimension) const;
   /// Whether an optional parameter was given. Does not mark it as read.
   bool given(std::string_view name) const;
-  /// The slot of a number, integer or boolean. An optional one that was left out is -1.
+  /// The slot of a number, integer or boolean, or of a spin: in 3D the first of three. An optional one that was left out
+  /// is -1.
   int slot(std::string_view name);
   /// The first of the slots of a vector; -1 where it was left out.
   int vector_slot(std::string_view name);

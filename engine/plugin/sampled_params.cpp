@@ -32,7 +32,7 @@ bool can_sample(const ParamSpec& spec) {
   return spec.type != ParamType::text && spec.type != ParamType::file;
 }
 
-ParamValue sample_param(const ParamSpec& spec, RandomStream& rng) {
+ParamValue sample_param(const ParamSpec& spec, int dimension, RandomStream& rng) {
   ParamValue value;
   value.given = true;
   switch (spec.type) {
@@ -44,7 +44,9 @@ ParamValue sample_param(const ParamSpec& spec, RandomStream& rng) {
       value.numbers = {{static_cast<double>(rng.integer(0, 1))}};
       break;
     case ParamType::vector:
-      value.numbers = {{sample_number(spec, rng)}, {sample_number(spec, rng)}};
+    case ParamType::spin:
+      for (int i = 0; i < (spec.type == ParamType::spin && dimension == 2 ? 1 : dimension); ++i)
+        value.numbers.push_back({sample_number(spec, rng)});
       break;
     case ParamType::choice:
       value.text = spec.choices[rng.integer(0, static_cast<std::int64_t>(spec.choices.size()) - 1)];
@@ -60,7 +62,7 @@ ParamValue sample_param(const ParamSpec& spec, RandomStream& rng) {
   return value;
 }
 
-std::vector<std::vector<ParamValue>> sample_variants(const PluginSpec& spec, RandomStream& rng) {
+std::vector<std::vector<ParamValue>> sample_variants(const PluginSpec& spec, int dimension, RandomStream& rng) {
   std::vector<std::size_t> varied;
   for (std::size_t i = 0; i < spec.params.size(); ++i) {
     const ParamSpec& param = spec.params[i];
@@ -74,7 +76,7 @@ std::vector<std::vector<ParamValue>> sample_variants(const PluginSpec& spec, Ran
       const ParamSpec& param = spec.params[i];
       const auto place = std::find(varied.begin(), varied.end(), i) - varied.begin();
       const bool given = param.optional ? choice >> place & 1 : can_sample(param);
-      values.push_back(given ? sample_param(param, rng) : ParamValue{});
+      values.push_back(given ? sample_param(param, dimension, rng) : ParamValue{});
       if (!given && param.default_text) {
         values.back().given = true;
         values.back().text = *param.default_text;

@@ -14,10 +14,10 @@ bool can_sample(const ParamSpec& spec);
 
 /// A value within the limits: near the default where there is one that is not 0, else in the range (an open
 /// side is one unit long; whole numbers six steps). Points are those of a convex polygon with x increasing.
-ParamValue sample_param(const ParamSpec& spec, RandomStream& rng);
+ParamValue sample_param(const ParamSpec& spec, int dimension, RandomStream& rng);
 
 /// Every choice of optional parameters (at most ten of them are varied) with all the others given; nothing
 /// where a required one cannot be sampled.
-std::vector<std::vector<ParamValue>> sample_variants(const PluginSpec& spec, RandomStream& rng);
+std::vector<std::vector<ParamValue>> sample_variants(const PluginSpec& spec, int dimension, RandomStream& rng);
 
 }  // namespace flyrock

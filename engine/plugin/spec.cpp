@@ -18,8 +18,8 @@ std::optional<PluginKind> plugin_kind(std::string_view name) {
 }
 
 std::string_view name_of(ParamType type) {
-  constexpr std::array<std::string_view, 8> names{"number", "integer", "boolean", "choice",
-                                                  "text",   "vector",  "points",  "file"};
+  constexpr std::array<std::string_view, 9> names{"number", "integer", "boolean", "choice",
+                                                  "text",   "vector",  "points",  "file",    "spin"};
   return names[static_cast<std::size_t>(type)];
 }
 

@@ -24,7 +24,8 @@ enum class ParamType {
   text,     ///< any text
   vector,   ///< `dimension` numbers with one unit, each may be a distribution
   points,   ///< a list of points [[x, y], ...], constant
-  file      ///< the name of a file beside the scenario; the host gives its full path
+  file,     ///< the name of a file beside the scenario; the host gives its full path
+  spin      ///< about z in 2D: a number; in 3D a vector in the world frame. May be a distribution
 };
 std::string_view name_of(ParamType type);
 

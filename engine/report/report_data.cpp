@@ -31,15 +31,19 @@ Json differences(const std::vector<double>& values) {
   return list;
 }
 
-Json track_data(const std::vector<TrajectoryRecord>& rows, const Track& track, int group, double tolerance) {
+/// A place as it is drawn: the vertical plane of 2D; space seen from the side.
+Vec2 in_view(const Vec3& place, int dimension) { return {place.x(), place[dimension - 1]}; }
+
+Json track_data(const std::vector<TrajectoryRecord>& rows, const Track& track, int group, int dimension, double tolerance) {
   std::vector<Vec2> path;
-  for (std::size_t i = track.begin; i < track.end; ++i) path.push_back(rows[i].point.state.position.head<2>());
+  for (std::size_t i = track.begin; i < track.end; ++i)
+    path.push_back(in_view(rows[i].point.state.position, dimension));
   std::vector<double> x, y, t;
   Json speed = Json::array();
   for (const std::size_t i : simplify(path, tolerance)) {
     const BodyState& state = rows[track.begin + i].point.state;
-    x.push_back(state.position.x());
-    y.push_back(state.position.y());
+    x.push_back(path[i].x());
+    y.push_back(path[i].y());
     t.push_back(state.time);
     speed.push_back(thousandth(state.velocity.norm()));
   }
@@ -50,7 +54,7 @@ Json track_data(const std::vector<TrajectoryRecord>& rows, const Track& track, i
 /// The tracks of whole rocks, as many as fit into a budget of points.
 class Tracks {
  public:
-  explicit Tracks(std::size_t budget) : budget_(budget) {}
+  Tracks(std::size_t budget, int dimension) : budget_(budget), dimension_(dimension) {}
 
   void see(const TrialRecords& chunk) {
     if (pass_ == 0)
@@ -70,7 +74,7 @@ class Tracks {
     });
     if (rock == chunk.rocks.end()) return;  // a body that does not move
     const double extent = box_.isEmpty() ? 0 : box_.diagonal().norm();
-    Json data = track_data(chunk.trajectories, track, rock->group, track_tolerance * extent);
+    Json data = track_data(chunk.trajectories, track, rock->group, dimension_, track_tolerance * extent);
     points_ += data["x"].size();
     cut_ = points_ > budget_;
     if (cut_) return;
@@ -79,6 +83,7 @@ class Tracks {
   }
 
   std::size_t budget_, points_ = 0;
+  int dimension_;
   int pass_ = 0;
   bool cut_ = false;
   Eigen::AlignedBox3d box_;
@@ -170,7 +175,7 @@ Json report_data(const Plan& plan, const Results& results, const std::vector<Row
   const std::size_t budget = most_track_points / results.points.size();
   for (std::size_t p = 0; p < results.points.size(); ++p) {
     const PointResult& point = results.points[p];
-    Drawn drawn{Tracks(budget), Runouts(point.groups)};
+    Drawn drawn{Tracks(budget, plan.points[p].dimension), Runouts(point.groups)};
     read_in_passes(rows[p], drawn);
     points.push_back({{"terrain", terrain_data(point.terrain)},
                       {"tracks", drawn.tracks.data()},

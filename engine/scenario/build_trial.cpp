@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenario/place_rock.h"
+#include "flight/ground.h"
+#include "scenario/dimensions.h"
+#include "world/manifold.h"
 
 namespace flyrock {
 
@@ -30,22 +32,24 @@ constexpr int most_places = 1000;
 /// A rock that starts deeper than this share of its size inside the ground or another rock is refused.
 constexpr double most_overlap = 1e-6;
 
-void check_start(World<2>& world) {
+template <int D>
+void check_start(World<D>& world) {
   double size = 0;
-  const Profile& profile = world.terrain().profile();
-  for (const Body<2>& body : world.bodies) {
+  const auto [low, high] = extent(world.terrain());
+  for (const Body<D>& body : world.bodies) {
     if (!body.moves()) continue;
     size = std::max(size, body.size);
-    if (body.x.x() < profile.x_min() || body.x.x() > profile.x_max())
+    if (body.x.x() < low || body.x.x() > high)
       throw PluginError(fmt::format("`{}` starts at x = {:.6g} m, beyond the terrain, which runs from {:.6g} to {:.6g} m",
-                                    body.group, body.x.x(), profile.x_min(), profile.x_max()));
+                                    body.group, body.x.x(), low, high));
   }
   if (const double depth = world.deepest_overlap(); depth > most_overlap * size)
     throw PluginError(fmt::format("`{}` starts {:.3g} m inside the terrain or another body", world.bodies.back().group, depth));
 }
 
 /// Whether the last body of a world starts free of the others and the terrain.
-bool last_is_free(World<2>& world) { return world.deepest_overlap() <= most_overlap * world.bodies.back().size; }
+template <int D>
+bool last_is_free(World<D>& world) { return world.deepest_overlap() <= most_overlap * world.bodies.back().size; }
 
 bool is_random(const std::optional<Release>& release) {
   return release && (release->kind == ReleaseKind::face || release->kind == ReleaseKind::along || release->kind == ReleaseKind::inside);
@@ -53,30 +57,38 @@ bool is_random(const std::optional<Release>& release) {
 
 }  // namespace
 
-TrialBuilder::TrialBuilder(const Scenario& scenario) : scenario_(scenario), instances_(scenario) {}
+template <int D>
+TrialBuilder<D>::TrialBuilder(const Scenario& scenario) : scenario_(scenario), instances_(scenario) {}
 
-WorldSettings TrialBuilder::world_settings() const {
+template <int D>
+WorldSettings TrialBuilder<D>::world_settings() const {
   const SolverPlan& solver = scenario_.solver;
   return {solver.time_step, solver.theta, solver.tolerance, solver.max_iterations, solver.rest_speed};
 }
 
-std::shared_ptr<const Terrain2> TrialBuilder::terrain_of(std::uint64_t trial) {
+template <int D>
+std::shared_ptr<const typename TrialBuilder<D>::Terrain> TrialBuilder<D>::terrain_of(std::uint64_t trial) {
   if (kept_terrain_) return kept_terrain_;
   const PluginUse& model = scenario_.terrain.model;
   DrawKey key;
   key.trial = trial;
   RandomStream rng(scenario_.seed, "terrain", {});  // a terrain plugin draws once a run
-  Profile profile = instances_.terrain->build(values_of(model, scenario_, key), rng);
-  if (const std::string fault = profile.fault(); !fault.empty())
-    throw PluginError(fmt::format("plugin {}: build() returned a poly-line that is no profile: {}",
-                                  model.plugin->spec.name, fault));
-  auto terrain = std::make_shared<const Terrain2>(with_zones(std::move(profile), scenario_.terrain.zones));
+  auto terrain = std::make_shared<const Terrain>(
+      make_terrain(*instances_.terrain, model, scenario_, key, rng, static_cast<const Terrain*>(nullptr)));
   if (std::all_of(model.slots.begin(), model.slots.end(), [](const Number& n) { return n.is_constant(); }))
     kept_terrain_ = terrain;
   return terrain;
 }
 
-Blast TrialBuilder::blast_at(const DrawKey& key) const {
+template <int D>
+Vec<D> TrialBuilder<D>::gravity(const DrawKey& key) const {
+  Vec<D> down = Vec<D>::Zero();
+  down[D - 1] = -number(scenario_.gravity, key);
+  return down;
+}
+
+template <int D>
+Blast TrialBuilder<D>::blast_at(const DrawKey& key) const {
   Blast blast;
   if (!scenario_.blast) return blast;
   for (const auto& [field, value] : scenario_.blast->fields) blast[field] = number(value, key);
@@ -84,7 +96,8 @@ Blast TrialBuilder::blast_at(const DrawKey& key) const {
   return blast;
 }
 
-Surface* TrialBuilder::surface(Trial& trial, int material, const DrawKey& key) {
+template <int D>
+Surface* TrialBuilder<D>::surface(Trial<D>& trial, int material, const DrawKey& key) {
   const Material& plan = scenario_.materials[material];
   const MaterialLaws& laws = instances_.materials[material];
   Surface& surface = trial.surfaces.emplace_back();
@@ -100,7 +113,8 @@ Surface* TrialBuilder::surface(Trial& trial, int material, const DrawKey& key) {
 }
 
 /// `pairs` decides; else two that show the same material use it.
-int TrialBuilder::material_between(const std::string& a, int material_a, const std::string& b, int material_b) const {
+template <int D>
+int TrialBuilder<D>::material_between(const std::string& a, int material_a, const std::string& b, int material_b) const {
   for (const PairPlan& pair : scenario_.pairs)
     if ((pair.a == a && pair.b == b) || (pair.a == b && pair.b == a)) return pair.material;
   if (material_a >= 0 && material_a == material_b) return material_a;
@@ -109,7 +123,8 @@ int TrialBuilder::material_between(const std::string& a, int material_a, const s
                                 a, b, a, b));
 }
 
-int TrialBuilder::material_of_part(const std::string& name, const std::string& part) const {
+template <int D>
+int TrialBuilder<D>::material_of_part(const std::string& name, const std::string& part) const {
   for (const std::string& terrain : {"terrain." + part, std::string("terrain")})
     for (const PairPlan& pair : scenario_.pairs)
       if ((pair.a == name && pair.b == terrain) || (pair.b == name && pair.a == terrain)) return pair.material;
@@ -120,9 +135,10 @@ int TrialBuilder::material_of_part(const std::string& name, const std::string& p
 }
 
 /// Gives every body of a world its surfaces: with each part of the terrain, and with every other body.
-void TrialBuilder::connect(Trial& trial, World<2>& world, const std::vector<DrawKey>& keys,
+template <int D>
+void TrialBuilder<D>::connect(Trial<D>& trial, World<D>& world, const std::vector<DrawKey>& keys,
                            const std::vector<std::string>& names, const std::vector<int>& materials) {
-  const auto& parts = trial.terrain->profile().parts;
+  const auto& parts = parts_of(*trial.terrain);
   const int bodies = static_cast<int>(world.bodies.size());
   for (int i = 0; i < bodies; ++i) {
     std::vector<Surface*> of_material(scenario_.materials.size(), nullptr);
@@ -139,8 +155,9 @@ void TrialBuilder::connect(Trial& trial, World<2>& world, const std::vector<Draw
   }
 }
 
-Trial TrialBuilder::build(std::uint64_t number_of_trial) {
-  Trial trial;
+template <int D>
+Trial<D> TrialBuilder<D>::build(std::uint64_t number_of_trial) {
+  Trial<D> trial;
   trial.terrain = terrain_of(number_of_trial);
   if (scenario_.bodies.empty())
     build_rocks(trial, number_of_trial);
@@ -150,64 +167,80 @@ Trial TrialBuilder::build(std::uint64_t number_of_trial) {
 }
 
 /// Shape, mass, pose and launch of one rock.
-Body<2> TrialBuilder::rock_body(const RockPlan& plan, int g, TrialRock& rock, const Profile& profile, RandomStream& where) {
+template <int D>
+template <class Plan>
+Body<D> TrialBuilder<D>::rock_body(const Plan& plan, int g, TrialRock& rock, const Terrain& terrain, RandomStream& where) {
   const RockGroup& group = scenario_.rocks[g];
   const GroupModels& models = instances_.groups[g];
   const std::string stream = "rocks." + group.name;
-  std::vector<Contactor2> contactors = plan.contactors;
+  auto contactors = plan.contactors;
   if (contactors.empty()) {
     RandomStream rng(scenario_.seed, stream + ".shape", rock.key);
-    contactors = models.shape->build(values_of(*group.shape, scenario_, rock.key), rng);
+    contactors = contactors_of<D>(*models.shape, values_of(*group.shape, scenario_, rock.key), rng);
   }
   const double mass = group.mass ? number(*group.mass, rock.key) : 0;
   const double density = group.mass ? 0 : number(group.density, rock.key);
-  Body<2> body = make_body(std::move(contactors), density, mass, group.thickness ? number(*group.thickness, rock.key) : 0);
-  body.group = group.name;
-
   RandomStream turn(scenario_.seed, stream + ".orientation", rock.key);
-  const double angle = plan.angle          ? *plan.angle
-                       : group.orientation ? number(*group.orientation, rock.key)
-                                           : turn.uniform(0, 2 * pi);
-  body.move_to(Vec2::Zero(), angle);
-  Place place;
+  Body<D> body;
+  if constexpr (D == 2) {
+    body = make_body(std::move(contactors), density, mass, group.thickness ? number(*group.thickness, rock.key) : 0);
+    body.attitude = plan.angle          ? *plan.angle
+                    : group.orientation ? number(*group.orientation, rock.key)
+                                        : turn.uniform(0, 2 * pi);
+  } else {
+    body = make_body(std::move(contactors), density, mass);
+    const Rotation3 turned = plan.orientation ? *plan.orientation
+                             : group.turn     ? rotation_of(*group.turn, scenario_, rock.key)
+                                              : random_rotation(turn);
+    body.attitude = turned * body.attitude.rotation;
+  }
+  body.group = group.name;
+  Place<D> place;
   if (plan.position)
     place.position = *plan.position;
   else if (group.release)
-    place = place_rock(*group.release, scenario_, rock.key, where, body, profile);
+    place = place_rock(*group.release, scenario_, rock.key, where, body, ground_of(terrain));
   else
     throw PluginError(fmt::format("rocks.{}: neither the population nor `release` says where a rock starts", group.name));
-  body.move_to(place.position, angle);
-
-  if (models.launch) {
-    RockView view;
-    view.mass = body.mass;
-    view.volume = body.volume;
-    view.density = body.mass / body.volume;
-    view.diameter = 2 * body.radius;
-    view.position.head<2>() = body.x;
-    view.outward = place.outward;
-    view.face_angle = place.face_angle;
-    view.group = group.name;
-    RandomStream rng(scenario_.seed, stream + ".launch", rock.key);
-    const Launch launch = models.launch->launch(values_of(*group.launch, scenario_, rock.key), view, blast_at(rock.key), rng);
-    if (!launch.velocity.allFinite() || !launch.spin.allFinite())
-      throw PluginError(fmt::format("plugin {}: launch() returned a velocity or spin that is not finite",
-                                    group.launch->plugin->spec.name));
-    body.v = launch.velocity.head<2>();
-    body.w = launch.spin.z();
-    rock.note = launch.note;
-    rock.launch_speed = body.v.norm();
-    if (rock.launch_speed > 0) rock.launch_elevation = std::atan2(body.v.y(), body.v.x() * place.outward.x());
-  }
+  body.x = place.position;
+  if (models.launch) launch(g, rock, place, body);
   return body;
 }
 
-void TrialBuilder::build_rocks(Trial& trial, std::uint64_t number_of_trial) {
-  const Profile& profile = trial.terrain->profile();
+template <int D>
+void TrialBuilder<D>::launch(int g, TrialRock& rock, const Place<D>& place, Body<D>& body) {
+  const RockGroup& group = scenario_.rocks[g];
+  RockView view;
+  view.dimension = D;
+  view.mass = body.mass;
+  view.volume = body.volume;
+  view.density = body.mass / body.volume;
+  view.diameter = 2 * body.radius;
+  view.position.template head<D>() = body.x;
+  view.outward = place.outward;
+  view.face_angle = place.face_angle;
+  view.group = group.name;
+  RandomStream rng(scenario_.seed, "rocks." + group.name + ".launch", rock.key);
+  const Launch launch = instances_.groups[g].launch->launch(values_of(*group.launch, scenario_, rock.key), view,
+                                                            blast_at(rock.key), rng);
+  if (!launch.velocity.allFinite() || !launch.spin.allFinite())
+    throw PluginError(fmt::format("plugin {}: launch() returned a velocity or spin that is not finite",
+                                  group.launch->plugin->spec.name));
+  body.v = launch.velocity.head<D>();
+  if constexpr (D == 2)
+    body.w = launch.spin.z();
+  else
+    body.w = launch.spin;
+  rock.note = launch.note;
+  rock.launch_speed = body.v.norm();
+  if (rock.launch_speed > 0) rock.launch_elevation = elevation_of(body.v, place.outward);
+}
+
+template <int D>
+void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial) {
   const auto holes = static_cast<std::uint64_t>(scenario_.blast ? scenario_.blast->holes : 1);
   DrawKey of_trial;
   of_trial.trial = number_of_trial;
-  const Vec2 gravity(0, -number(scenario_.gravity, of_trial));
 
   std::vector<DrawKey> keys;
   std::vector<std::string> names;
@@ -218,9 +251,9 @@ void TrialBuilder::build_rocks(Trial& trial, std::uint64_t number_of_trial) {
     RandomStream rng(scenario_.seed, "rocks." + group.name + ".population", of_trial);
     DrawKey first_hole = of_trial;
     first_hole.hole = 1;
-    const auto plans = instances_.groups[g].population->rocks(values_of(group.population, scenario_, of_trial), profile,
-                                                               blast_at(first_hole), rng);
-    for (const RockPlan& plan : plans) {
+    const auto plans = rocks_of(*instances_.groups[g].population, values_of(group.population, scenario_, of_trial),
+                                *trial.terrain, blast_at(first_hole), rng);
+    for (const auto& plan : plans) {
       TrialRock& rock = trial.rocks.emplace_back();
       rock.group = g;
       rock.key = {number_of_trial, 1 + count % holes, 1 + count, 0};
@@ -228,16 +261,16 @@ void TrialBuilder::build_rocks(Trial& trial, std::uint64_t number_of_trial) {
       bool added = false;
       try {
         RandomStream where(scenario_.seed, "rocks." + group.name + ".release", rock.key);
-        Body<2> body = rock_body(plan, g, rock, profile, where);
+        Body<D> body = rock_body(plan, g, rock, *trial.terrain, where);
         if (trial.worlds.empty() || !scenario_.rock_contacts)
-          trial.worlds.emplace_back(*trial.terrain, gravity, world_settings());
-        World<2>& world = trial.worlds.back();
+          trial.worlds.emplace_back(*trial.terrain, gravity(of_trial), world_settings());
+        World<D>& world = trial.worlds.back();
         rock.body = world.add(std::move(body));
         added = true;
         for (int places = 1; scenario_.rock_contacts && is_random(group.release) && places < most_places && !last_is_free(world);
              ++places) {
           world.remove_last();
-          rock.body = world.add(rock_body(plan, g, rock, profile, where));
+          rock.body = world.add(rock_body(plan, g, rock, *trial.terrain, where));
         }
         rock.world = static_cast<int>(trial.worlds.size()) - 1;
         if (scenario_.rock_contacts) {
@@ -263,10 +296,11 @@ void TrialBuilder::build_rocks(Trial& trial, std::uint64_t number_of_trial) {
   if (scenario_.rock_contacts && !trial.worlds.empty()) connect(trial, trial.worlds.back(), keys, names, materials);
 }
 
-void TrialBuilder::build_bodies(Trial& trial, std::uint64_t number_of_trial) {
+template <int D>
+void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_trial) {
   DrawKey of_trial;
   of_trial.trial = number_of_trial;
-  World<2>& world = trial.worlds.emplace_back(*trial.terrain, Vec2(0, -number(scenario_.gravity, of_trial)), world_settings());
+  World<D>& world = trial.worlds.emplace_back(*trial.terrain, gravity(of_trial), world_settings());
   std::vector<DrawKey> keys;
   std::vector<std::string> names;
   std::vector<int> materials;
@@ -277,24 +311,30 @@ void TrialBuilder::build_bodies(Trial& trial, std::uint64_t number_of_trial) {
     rock.key = {number_of_trial, 0, static_cast<std::uint64_t>(i) + 1, 0};
     const auto value = [&](const Number& n) { return number(n, rock.key); };
     RandomStream rng(scenario_.seed, "bodies." + plan.name + ".shape", rock.key);
-    Body<2> body = make_body(instances_.bodies[i]->build(values_of(plan.shape, scenario_, rock.key), rng),
-                             plan.density ? value(*plan.density) : 0, plan.mass ? value(*plan.mass) : 0,
-                             plan.thickness ? value(*plan.thickness) : 0);
+    auto contactors = contactors_of<D>(*instances_.bodies[i], values_of(plan.shape, scenario_, rock.key), rng);
+    const double density = plan.density ? value(*plan.density) : 0, mass = plan.mass ? value(*plan.mass) : 0;
+    Body<D> body;
+    if constexpr (D == 2) {
+      body = make_body(std::move(contactors), density, mass, plan.thickness ? value(*plan.thickness) : 0);
+      body.attitude = value(plan.orientation);
+    } else {
+      body = make_body(std::move(contactors), density, mass);
+      if (plan.turn) body.attitude = rotation_of(*plan.turn, scenario_, rock.key) * body.attitude.rotation;
+    }
     body.group = plan.name;
-    body.move_to({value(plan.position[0]), value(plan.position[1])}, value(plan.orientation));
-    if (!plan.velocity.empty()) body.v = {value(plan.velocity[0]), value(plan.velocity[1])};
-    body.w = value(plan.spin);
-    if (plan.fixed) {
-      body.kind = BodyKind::fixed;
-      body.v.setZero();
-      body.w = 0;
-    } else if (plan.driven) {
+    for (int k = 0; k < D; ++k) body.x[k] = value(plan.position[k]);
+    if (plan.driven) {
       body.kind = BodyKind::driven;
-      body.v = {plan.driven->first[0], plan.driven->first[1]};
-      body.w = plan.driven->second;
+      for (int k = 0; k < D; ++k) body.v[k] = plan.driven->velocity[k];
+      body.w = spin_of<D>([&](int k) { return plan.driven->spin[k]; });
+    } else if (plan.fixed) {
+      body.kind = BodyKind::fixed;
+    } else {
+      for (int k = 0; k < D; ++k) body.v[k] = value(plan.velocity[k]);
+      body.w = spin_of<D>([&](int k) { return value(plan.spin[k]); });
     }
     rock.launch_speed = body.v.norm();
-    if (rock.launch_speed > 0) rock.launch_elevation = std::atan2(body.v.y(), body.v.x());
+    if (rock.launch_speed > 0) rock.launch_elevation = elevation_of(body.v, Vec3::UnitX());
     rock.world = 0;
     rock.body = world.add(std::move(body));
     keys.push_back(rock.key);
@@ -305,5 +345,8 @@ void TrialBuilder::build_bodies(Trial& trial, std::uint64_t number_of_trial) {
   connect(trial, world, keys, names, materials);
   check_start(world);
 }
+
+template class TrialBuilder<2>;
+template class TrialBuilder<3>;
 
 }  // namespace flyrock

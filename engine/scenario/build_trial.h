@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scenario/instances.h"
+#include "scenario/place_rock.h"
 #include "world/world.h"
 
 namespace flyrock {
@@ -24,35 +25,42 @@ struct TrialRock {
   std::string fault;       ///< why it could not be built
 };
 
+template <int D>
 struct Trial {
-  std::shared_ptr<const Terrain2> terrain;
-  std::deque<World<2>> worlds;     ///< one a rock, or one for all where they meet
+  std::shared_ptr<const typename Geometry<D>::Terrain> terrain;
+  std::deque<World<D>> worlds;     ///< one a rock, or one for all where they meet
   std::vector<TrialRock> rocks;
   std::deque<Surface> surfaces;    ///< of all worlds
   std::vector<int> surface_material;  ///< of each surface: index into Scenario::materials
 };
 
-/// Builds trials. Keeps the terrain where no draw changes it.
+/// Builds trials of a scenario of D dimensions. Keeps the terrain where no draw changes it. Instantiated for D = 2, 3.
+template <int D>
 class TrialBuilder {
  public:
+  using Terrain = typename Geometry<D>::Terrain;
+
   /// Throws PluginError: the plugins cannot be made, or a pair of bodies has no material.
   explicit TrialBuilder(const Scenario& scenario);
 
   /// A rock that cannot be built is a TrialRock with `fault`. Throws PluginError where the terrain or a population fails.
-  Trial build(std::uint64_t trial);
+  Trial<D> build(std::uint64_t trial);
 
   /// The terrain of a trial.
-  std::shared_ptr<const Terrain2> terrain_of(std::uint64_t trial);
+  std::shared_ptr<const Terrain> terrain_of(std::uint64_t trial);
 
   const Instances& instances() const { return instances_; }
 
  private:
   Blast blast_at(const DrawKey& key) const;
-  void build_rocks(Trial& trial, std::uint64_t number);
-  void build_bodies(Trial& trial, std::uint64_t number);
-  Body<2> rock_body(const RockPlan& plan, int group, TrialRock& rock, const Profile& profile, RandomStream& where);
-  Surface* surface(Trial& trial, int material, const DrawKey& key);
-  void connect(Trial& trial, World<2>& world, const std::vector<DrawKey>& keys, const std::vector<std::string>& names,
+  void build_rocks(Trial<D>& trial, std::uint64_t number);
+  void build_bodies(Trial<D>& trial, std::uint64_t number);
+  template <class Plan>
+  Body<D> rock_body(const Plan& plan, int group, TrialRock& rock, const Terrain& terrain, RandomStream& where);
+  void launch(int group, TrialRock& rock, const Place<D>& place, Body<D>& body);
+  Vec<D> gravity(const DrawKey& key) const;
+  Surface* surface(Trial<D>& trial, int material, const DrawKey& key);
+  void connect(Trial<D>& trial, World<D>& world, const std::vector<DrawKey>& keys, const std::vector<std::string>& names,
                const std::vector<int>& materials);
   int material_between(const std::string& a, int material_a, const std::string& b, int material_b) const;
   int material_of_part(const std::string& name, const std::string& part) const;
@@ -61,7 +69,7 @@ class TrialBuilder {
 
   const Scenario& scenario_;
   Instances instances_;
-  std::shared_ptr<const Terrain2> kept_terrain_;
+  std::shared_ptr<const Terrain> kept_terrain_;
 };
 
 }  // namespace flyrock

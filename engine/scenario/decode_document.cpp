@@ -36,15 +36,17 @@ class DocumentDecoder {
     Map materials_map;
     scenario_.materials = decode_materials(context_, part("materials"), materials_map);
     std::optional<Profile> profile;
+    std::vector<std::string> parts;
     if (const auto node = part("terrain")) {
       DecodedTerrain terrain =
           decode_terrain(context_, *node, scenario_.materials, scenario_.seed, resolved_);
       scenario_.terrain = std::move(terrain.plan);
       profile = std::move(terrain.profile);
+      parts = std::move(terrain.parts);
     }
     for (Entry& entry : materials_map) resolved_.push_back(std::move(entry));
     if (const auto pairs = root_.find("pairs"))
-      scenario_.pairs = decode_pairs(context_, *pairs, scenario_.materials, pair_names(profile), resolved_);
+      scenario_.pairs = decode_pairs(context_, *pairs, scenario_.materials, pair_names(parts), resolved_);
     if (const auto blast = root_.find("blast")) {
       scenario_.blast = decode_blast(context_, *blast, resolved_);
       check_hole(context_, *blast, *scenario_.blast, scenario_.terrain);
@@ -90,11 +92,10 @@ class DocumentDecoder {
     const Section section(specs, std::move(values));
     if (section.given("flyrock") && section.constant("flyrock") != 1)
       error_at("flyrock", "this version reads format 1");
-    if (section.constant("dimension") == 3)
-      error_at("dimension", "this version computes in 2D only, expected 2");
     if (section.text("method") == "lumped_mass" || section.text("method") == "ballistic")
       error_at("method",
                fmt::format("this version has no method `{}`, expected `nscd`", section.text("method")));
+    if (section.constant("dimension") == 3) scenario_.dimension = context_.dimension = 3;
     scenario_.title = section.text("title");
     scenario_.seed = static_cast<std::uint64_t>(section.constant("seed"));
     scenario_.trials = static_cast<std::uint64_t>(section.constant("trials"));
@@ -129,7 +130,8 @@ class DocumentDecoder {
   }
 
   MeasureNames measure_names() const {
-    return {.bodies = element_names(root_.find("bodies")),
+    return {.dimension = scenario_.dimension,
+            .bodies = element_names(root_.find("bodies")),
             .groups = element_names(root_.find("rocks")),
             .gates = element_names(root_.find("gates")),
             .barriers = element_names(root_.find("barriers")),
@@ -137,14 +139,12 @@ class DocumentDecoder {
             .with_factor = names_with_factor()};
   }
 
-  std::vector<std::string> pair_names(const std::optional<Profile>& profile) const {
+  std::vector<std::string> pair_names(const std::vector<std::string>& parts) const {
     std::vector<std::string> names = element_names(root_.find("bodies"));
     for (const std::string& name : element_names(root_.find("rocks"))) names.push_back(name);
     names.emplace_back("terrain");
-    if (profile)
-      for (const std::string& name : profile->parts)
-        if (!name.empty()) names.push_back("terrain." + name);
-    for (const Zone& zone : scenario_.terrain.zones) names.push_back("terrain." + zone.name);
+    for (const std::string& part : parts)
+      if (!part.empty()) names.push_back("terrain." + part);
     return names;
   }
 

@@ -183,6 +183,8 @@ std::string expected_text(const ParamSpec& spec) {
       return "a list of points [x, y]";
     case ParamType::file:
       return "the name of a file";
+    case ParamType::spin:
+      return "a spin in rad/s: a number in 2D, three in 3D";
   }
   return {};
 }

@@ -124,6 +124,9 @@ void decode_param(DecodeContext& context, const Node& node, const ParamSpec& spe
                   ParamValue& value, Value& resolved) {
   value.given = true;
   switch (spec.type) {
+    case ParamType::spin:
+      if (context.dimension == 3) return decode_vector(context, node, spec, rules, value, resolved);
+      [[fallthrough]];
     case ParamType::number:
     case ParamType::integer:
       if (std::optional<DecodedNumber> decoded = decode_number(context, node, spec, rules)) {
@@ -147,8 +150,11 @@ void decode_param(DecodeContext& context, const Node& node, const ParamSpec& spe
 }
 
 /// The default of a parameter that was not written; false where it has none.
-bool take_default(const ParamSpec& spec, ParamValue& value, Value& resolved) {
-  if (spec.default_number) {
+bool take_default(const ParamSpec& spec, int dimension, ParamValue& value, Value& resolved) {
+  if (spec.default_number && spec.type == ParamType::spin && dimension == 3) {
+    value.numbers.assign(3, {*spec.default_number, -1});
+    resolved = list_value(List(3, number_value(*spec.default_number, spec.dimension)));
+  } else if (spec.default_number) {
     value.numbers = {{*spec.default_number, -1}};
     resolved = number_value(*spec.default_number, spec.dimension);
     if (spec.type == ParamType::boolean) resolved.data = *spec.default_number != 0;
@@ -195,7 +201,7 @@ std::vector<ParamValue> decode_params(DecodeContext& context, const Node& map,
     else if (spec.required())
       context.diagnostics.error(map.key_at, map.path,
                                 fmt::format("`{}` is missing, expected {}", spec.name, expected_text(spec)));
-    else if (!take_default(spec, values[i], shown_value))
+    else if (!take_default(spec, context.dimension, values[i], shown_value))
       continue;
     put(resolved, spec.name, std::move(shown_value));
     if (is_number_type(spec.type) && values[i].numbers.empty()) values[i].numbers = {Number{}};
@@ -218,10 +224,10 @@ std::optional<Number> Section::optional_number(std::string_view name) const {
   return given(name) ? std::optional<Number>(number(name)) : std::nullopt;
 }
 
-std::vector<Vec2> Section::points(std::string_view name) const {
-  std::vector<Vec2> list;
+std::vector<Vec3> Section::points(std::string_view name) const {
+  std::vector<Vec3> list;
   for (const std::vector<double>& point : at(name).points)
-    if (point.size() == 2) list.emplace_back(point[0], point[1]);
+    if (!point.empty()) list.emplace_back(point[0], point[1], point.size() > 2 ? point[2] : 0);
   return list;
 }
 

@@ -31,7 +31,8 @@ class Section {
   int integer(std::string_view name) const { return static_cast<int>(constant(name)); }
   const std::string& text(std::string_view name) const { return at(name).text; }
   const std::vector<Number>& vector(std::string_view name) const { return at(name).numbers; }
-  std::vector<Vec2> points(std::string_view name) const;
+  /// Points of the scenario's dimension; z = 0 in 2D.
+  std::vector<Vec3> points(std::string_view name) const;
 
  private:
   const ParamValue& at(std::string_view name) const;

@@ -38,6 +38,41 @@ void check_bench(DecodeContext& context, const Node& node, int bench, const std:
   node.error(context.diagnostics, fmt::format("there is no bench {}, {}", bench, found));
 }
 
+/// In 3D: { axis, angle } or a quaternion [w, x, y, z].
+std::optional<TurnPlan> decode_turn(DecodeContext& context, const Node& parent, const NumberRules& rules, Map& resolved) {
+  const std::optional<Node> node = parent.find("orientation");
+  if (!node) return std::nullopt;
+  TurnPlan turn;
+  const auto vanishes = [](const std::vector<Number>& numbers) {
+    return std::all_of(numbers.begin(), numbers.end(), [](const Number& n) { return n.is_constant() && n.constant == 0; });
+  };
+  if (node->value->map()) {
+    Map map;
+    const Section section = decode_section(context, *node, "orientation 3D", rules, map);
+    turn.axis = section.vector("axis");
+    turn.angle = section.number("angle");
+    if (turn.axis.size() == 3 && vanishes(turn.axis)) node->error(context.diagnostics, "`axis` has no direction");
+    put(resolved, "orientation", map_value(std::move(map)));
+    return turn;
+  }
+  const std::vector<Node> items = node->is_list() ? node->items() : std::vector<Node>();
+  if (items.size() != 4) {
+    node->error(context.diagnostics, "expected { axis: [x, y, z], angle } or a quaternion [w, x, y, z]");
+    return std::nullopt;
+  }
+  ParamSpec component;
+  component.name = "orientation";
+  List list;
+  for (const Node& item : items) {
+    std::optional<DecodedNumber> decoded = decode_number(context, item, component, rules);
+    turn.quaternion.push_back(decoded ? decoded->number : Number{1});
+    if (decoded) list.push_back(std::move(decoded->resolved));
+  }
+  if (vanishes(turn.quaternion)) node->error(context.diagnostics, "the quaternion is zero, which is no rotation");
+  put(resolved, "orientation", list_value(std::move(list)));
+  return turn;
+}
+
 std::optional<Release> decode_release(DecodeContext& context, const Node& node,
                                       const std::optional<Profile>& profile, Map& resolved) {
   constexpr std::array<std::pair<std::string_view, ReleaseKind>, 5> kinds{
@@ -54,6 +89,12 @@ std::optional<Release> decode_release(DecodeContext& context, const Node& node,
   if (chosen == kinds.end()) {
     node.refuse_unknown_keys(names, context.diagnostics);
     context.diagnostics.error(node.key_at, node.path, fmt::format("expected one of {}", choice_text(names)));
+    return std::nullopt;
+  }
+  if (context.dimension == 3 && chosen->second != ReleaseKind::position && chosen->second != ReleaseKind::along) {
+    const Node key = *node.find(chosen->first);
+    context.diagnostics.error(key.key_at, key.path,
+                              fmt::format("`{}` places rocks in dimension 2, expected `position` or `along` in 3", chosen->first));
     return std::nullopt;
   }
   const Section section =
@@ -95,7 +136,8 @@ std::optional<PluginUse> decode_part(DecodeContext& context, const Node& node, P
 
 RockGroup decode_group(DecodeContext& context, const Node& node, const std::vector<Material>& materials,
                        const std::optional<Profile>& profile, Map& resolved) {
-  const SectionSpec& spec = section_spec("rocks");
+  const bool plane = context.dimension == 2;
+  const SectionSpec& spec = section_spec(plane ? "rocks" : "rocks 3D");
   RockGroup group;
   const Section section(spec.keys, decode_params(context, node, spec.keys, rock_rules, resolved));
   group.name = section.text("name");
@@ -105,8 +147,12 @@ RockGroup decode_group(DecodeContext& context, const Node& node, const std::vect
   check_mass(context, node, section, false);
   group.density = section.number("density");
   group.mass = section.optional_number("mass");
-  group.thickness = section.optional_number("thickness");
-  group.orientation = section.optional_number("orientation");
+  if (plane) {
+    group.thickness = section.optional_number("thickness");
+    group.orientation = section.optional_number("orientation");
+  } else {
+    group.turn = decode_turn(context, node, rock_rules, resolved);
+  }
   group.material = decode_material(context, node, section, materials);
   group.shape = decode_part(context, node, PluginKind::shape, "shape", rock_rules, resolved);
   if (const auto release = node.find("release")) {
@@ -125,27 +171,32 @@ RockGroup decode_group(DecodeContext& context, const Node& node, const std::vect
 BodyPlan decode_body(DecodeContext& context, const Node& node, const std::vector<Material>& materials,
                      Map& resolved) {
   BodyPlan body;
-  const Section section = decode_section(context, node, "bodies", body_rules, resolved);
+  const bool plane = context.dimension == 2;
+  const Section section = decode_section(context, node, plane ? "bodies" : "bodies 3D", body_rules, resolved);
   body.name = section.text("name");
   body.fixed = section.constant("fixed") != 0;
   if (const auto driven = node.find("driven")) {
     Map map;
     const Section motion = decode_section(context, driven, "bodies.driven", {}, map);
-    std::vector<double> velocity;
-    for (const Number& component : motion.vector("velocity")) velocity.push_back(component.constant);
-    body.driven.emplace(std::move(velocity), motion.constant("spin"));
+    BodyPlan::Driven& kept = body.driven.emplace();
+    for (const Number& component : motion.vector("velocity")) kept.velocity.push_back(component.constant);
+    for (const Number& component : motion.vector("spin")) kept.spin.push_back(component.constant);
     if (body.fixed) driven->error(context.diagnostics, "a body is either `fixed` or `driven`");
     put(resolved, "driven", map_value(std::move(map)));
   }
   check_mass(context, node, section, body.fixed || body.driven);
   body.density = section.optional_number("density");
   body.mass = section.optional_number("mass");
-  body.thickness = section.optional_number("thickness");
   body.position = section.vector("position");
   body.velocity = section.vector("velocity");
   if (body.velocity.empty()) body.velocity.assign(context.dimension, Number{});
-  body.spin = section.number("spin");
-  body.orientation = section.number("orientation");
+  body.spin = section.vector("spin");
+  if (plane) {
+    body.thickness = section.optional_number("thickness");
+    body.orientation = section.number("orientation");
+  } else {
+    body.turn = decode_turn(context, node, body_rules, resolved);
+  }
   body.material = decode_material(context, node, section, materials);
   if (const auto shape = decode_part(context, node, PluginKind::shape, "shape", body_rules, resolved))
     body.shape = *shape;

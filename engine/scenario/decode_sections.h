@@ -19,9 +19,11 @@ std::vector<Material> decode_materials(DecodeContext& context, const std::option
 /// The index of the material that a node names, -1 where there is none (which is reported).
 int find_material(DecodeContext& context, const Node& node, const std::vector<Material>& materials);
 
-/// The terrain, and its profile as built in trial 0 for the checks that need its parts and faces.
+/// The terrain, and for the checks of what refers to it: its parts and zones, and in 2D its profile, as built in trial 0.
+/// No parts where it could not be built.
 struct DecodedTerrain {
   TerrainPlan plan;
+  std::vector<std::string> parts;
   std::optional<Profile> profile;
 };
 DecodedTerrain decode_terrain(DecodeContext& context, const Node& node,

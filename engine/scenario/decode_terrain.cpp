@@ -48,17 +48,23 @@ std::vector<Zone> decode_zones(DecodeContext& context, const Node& node, Map& re
   return zones;
 }
 
-std::optional<Profile> build_profile(DecodeContext& context, const Node& node, const PluginUse& use,
-                                     std::uint64_t seed) {
+/// Builds the terrain of trial 0, for its parts and, in 2D, its profile.
+void try_to_build(DecodeContext& context, const Node& node, const PluginUse& use, std::uint64_t seed,
+                  DecodedTerrain& terrain) {
   try {
     const DrawKey key;
     std::vector<double> values;
     for (const Number& slot : use.slots) values.push_back(slot.value(context.draws, seed, key));
     RandomStream rng(seed, use.path, key);
-    return make_instance<TerrainModel>(use, context.dimension)->build(values, rng);
+    const auto model = make_instance<TerrainModel>(use, context.dimension);
+    if (context.dimension == 3) {
+      terrain.parts = model->build_3d(values, rng).parts;
+    } else {
+      terrain.profile = model->build(values, rng);
+      terrain.parts = terrain.profile->parts;
+    }
   } catch (const PluginError& error) {
     context.diagnostics.error(node.key_at, node.path, error.what());
-    return std::nullopt;
   }
 }
 
@@ -141,13 +147,16 @@ DecodedTerrain decode_terrain(DecodeContext& context, const Node& node,
                                  {"material", "materials", "zones"});
   if (use && context.diagnostics.all().size() == messages) {
     terrain.plan.model = *use;
-    terrain.profile = build_profile(context, node, *use, seed);
+    try_to_build(context, node, *use, seed, terrain);
   }
-  if (const auto zones = node.find("zones")) terrain.plan.zones = decode_zones(context, *zones, map);
-  if (terrain.profile) {
-    std::vector<std::string> parts = terrain.profile->parts;
-    for (const Zone& zone : terrain.plan.zones) parts.push_back(zone.name);
-    decode_part_materials(context, node, materials, parts, terrain.plan, map);
+  if (const auto zones = node.find("zones")) {
+    if (context.dimension == 3)
+      context.diagnostics.error(zones->key_at, zones->path, "zones are stretches of a profile, which dimension 3 does not have");
+    terrain.plan.zones = decode_zones(context, *zones, map);
+  }
+  if (!terrain.parts.empty()) {
+    for (const Zone& zone : terrain.plan.zones) terrain.parts.push_back(zone.name);
+    decode_part_materials(context, node, materials, terrain.parts, terrain.plan, map);
   }
   put(resolved, "terrain", map_value(std::move(map)));
   return terrain;

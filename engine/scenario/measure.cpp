@@ -19,10 +19,22 @@ using Table = std::vector<Named>;
 
 constexpr Dimension impulse{1, 1, -1, 0};
 
-const Table state_components{
+const Table state_components_2d{
     {"x", dimension::length}, {"y", dimension::length},    {"vx", dimension::speed},
     {"vy", dimension::speed}, {"speed", dimension::speed}, {"spin", dimension::spin},
     {"wz", dimension::spin},  {"angle", dimension::angle}, {"kinetic_energy", dimension::energy}};
+const Table extreme_components_3d{
+    {"x", dimension::length}, {"y", dimension::length},    {"z", dimension::length}, {"vx", dimension::speed},
+    {"vy", dimension::speed}, {"vz", dimension::speed},    {"speed", dimension::speed}, {"wx", dimension::spin},
+    {"wy", dimension::spin},  {"wz", dimension::spin},     {"kinetic_energy", dimension::energy}};
+
+/// `base` and one more.
+Table with(Table base, Named entry) {
+  base.push_back(entry);
+  return base;
+}
+const Table state_components_3d = with(extreme_components_3d, {"spin", dimension::spin});
+
 const Table impact_quantities{{"time", dimension::time},
                               {"x", dimension::length},
                               {"y", dimension::length},
@@ -33,6 +45,7 @@ const Table impact_quantities{{"time", dimension::time},
                               {"pn", impulse},
                               {"pt", impulse},
                               {"energy_change", dimension::energy}};
+const Table impact_quantities_3d = with(impact_quantities, {"z", dimension::length});
 const Table apex_quantities{{"time", dimension::time}, {"height", dimension::length}};
 const Table solver_quantities{{"max_residual", dimension::speed},
                               {"not_converged", dimension::none},
@@ -134,8 +147,10 @@ class MeasureParser {
     strip_index("apex");
     const std::string kind =
         next({"final", "max", "min", "stop_time", "contact_time", "impact[n]", "apex[n]"});
-    if (kind == "final" || kind == "max" || kind == "min") finish(state_components);
-    if (kind == "impact[n]") finish(impact_quantities);
+    const bool plane = names_.dimension == 2;
+    if (kind == "final") finish(plane ? state_components_2d : state_components_3d);
+    if (kind == "max" || kind == "min") finish(plane ? state_components_2d : extreme_components_3d);
+    if (kind == "impact[n]") finish(plane ? impact_quantities : impact_quantities_3d);
     if (kind == "apex[n]") finish(apex_quantities);
     if (kind == "stop_time" || kind == "contact_time") info_.dimension = dimension::time;
   }

@@ -11,6 +11,7 @@ namespace flyrock {
 
 /// What a measure may name.
 struct MeasureNames {
+  int dimension = 2;
   std::vector<std::string> bodies;
   std::vector<std::string> groups;
   std::vector<std::string> gates;

@@ -9,7 +9,7 @@ namespace flyrock {
 
 namespace {
 
-Place on_face(int bench, const Body<2>& rock, const Profile& profile, RandomStream& rng) {
+Place<2> on_face(int bench, const Body<2>& rock, const Profile& profile, RandomStream& rng) {
   if (bench < 1 || bench > static_cast<int>(profile.faces.size()))
     throw PluginError(fmt::format("release: bench {} does not exist, the terrain has {} bench faces", bench,
                                   profile.faces.size()));
@@ -29,14 +29,14 @@ Place on_face(int bench, const Body<2>& rock, const Profile& profile, RandomStre
   if (room < 0)
     throw PluginError(fmt::format("release: a rock {:.3g} m long does not fit on the face of bench {}, {:.3g} m long",
                                   high - low, bench, (crest - toe).norm()));
-  Place place;
+  Place<2> place;
   place.position = toe + (rng.uniform() * room - low) * up - depth * out;
   place.outward = {out.x() < 0 ? -1.0 : 1.0, 0, 0};
   place.face_angle = std::atan2(up.y(), std::abs(up.x()));
   return place;
 }
 
-Vec2 along(const std::vector<Vec2>& points, RandomStream& rng) {
+Vec3 along(const std::vector<Vec3>& points, RandomStream& rng) {
   double length = 0;
   for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
   double left = rng.uniform() * length;
@@ -49,9 +49,9 @@ Vec2 along(const std::vector<Vec2>& points, RandomStream& rng) {
   return points.front();
 }
 
-/// Uniform over a convex polygon: a triangle of the fan by its area, then a point in it.
-Vec2 inside(const std::vector<Vec2>& points, RandomStream& rng) {
-  const auto area = [&](std::size_t i) { return std::abs(cross(Vec2(points[i] - points[0]), Vec2(points[i + 1] - points[0]))); };
+/// Uniform over a convex polygon of the plane: a triangle of the fan by its area, then a point in it.
+Vec3 inside(const std::vector<Vec3>& points, RandomStream& rng) {
+  const auto area = [&](std::size_t i) { return std::abs((points[i] - points[0]).cross(points[i + 1] - points[0]).z()); };
   double total = 0;
   for (std::size_t i = 1; i + 1 < points.size(); ++i) total += area(i);
   double left = rng.uniform() * total;
@@ -64,10 +64,10 @@ Vec2 inside(const std::vector<Vec2>& points, RandomStream& rng) {
 
 }  // namespace
 
-Place place_rock(const Release& release, const Scenario& scenario, const DrawKey& key, RandomStream& rng,
-                 const Body<2>& rock, const Profile& profile) {
+Place<2> place_rock(const Release& release, const Scenario& scenario, const DrawKey& key, RandomStream& rng,
+                    const Body<2>& rock, const Profile& profile) {
   const auto number = [&](const Number& n) { return n.value(scenario.draws, scenario.seed, key); };
-  Place place;
+  Place<2> place;
   switch (release.kind) {
     case ReleaseKind::face:
       return on_face(release.bench, rock, profile, rng);
@@ -83,13 +83,46 @@ Place place_rock(const Release& release, const Scenario& scenario, const DrawKey
       place.position = {number(release.position[0]), number(release.position[1])};
       break;
     case ReleaseKind::along:
-      place.position = along(release.points, rng);
+      place.position = along(release.points, rng).head<2>();
       break;
     case ReleaseKind::inside:
-      place.position = inside(release.points, rng);
+      place.position = inside(release.points, rng).head<2>();
       break;
   }
   return place;
+}
+
+Place<3> place_rock(const Release& release, const Scenario& scenario, const DrawKey& key, RandomStream& rng,
+                    const Body<3>&, const Plane&) {
+  Place<3> place;
+  if (release.kind == ReleaseKind::along)
+    place.position = along(release.points, rng);
+  else
+    for (int i = 0; i < 3; ++i) place.position[i] = release.position[i].value(scenario.draws, scenario.seed, key);
+  return place;
+}
+
+Rotation3 rotation_of(const TurnPlan& turn, const Scenario& scenario, const DrawKey& key) {
+  const auto number = [&](const Number& n) { return n.value(scenario.draws, scenario.seed, key); };
+  Eigen::Quaterniond q(1, 0, 0, 0);
+  double length = 0;
+  if (turn.axis.empty()) {
+    q = {number(turn.quaternion[0]), number(turn.quaternion[1]), number(turn.quaternion[2]), number(turn.quaternion[3])};
+    length = q.norm();
+  } else {
+    const Vec3 axis(number(turn.axis[0]), number(turn.axis[1]), number(turn.axis[2]));
+    length = axis.norm();
+    if (length > 0) q = Eigen::AngleAxisd(number(turn.angle), axis / length);
+  }
+  if (!(length > 0)) throw PluginError("orientation: its axis or quaternion was drawn as zero, which is no rotation");
+  return Rotation3(q);
+}
+
+/// Source: K. Shoemake, Uniform random rotations, Graphics Gems III, 1992.
+Rotation3 random_rotation(RandomStream& rng) {
+  const double u = rng.uniform(), a = 2 * pi * rng.uniform(), b = 2 * pi * rng.uniform();
+  const double p = std::sqrt(1 - u), q = std::sqrt(u);
+  return Rotation3(Eigen::Quaterniond(q * std::cos(b), p * std::sin(a), p * std::cos(a), q * std::sin(b)));
 }
 
 Profile with_zones(Profile profile, const std::vector<Zone>& zones) {

@@ -49,7 +49,14 @@ struct Release {
   int bench = 1;                 ///< face: which, from 1
   Number x, above_ground;        ///< above_ground: height of the centre of mass above the ground at x
   std::vector<Number> position;  ///< of the centre of mass
-  std::vector<Vec2> points;      ///< along a poly-line, or inside a convex polygon, uniformly
+  std::vector<Vec3> points;      ///< along a poly-line, or (2D) inside a convex polygon, uniformly; z = 0 in 2D
+};
+
+/// How a body of 3D is turned: about an axis by an angle [rad], or by a quaternion [w, x, y, z] that maps body to world.
+struct TurnPlan {
+  std::vector<Number> axis;        ///< three, or none
+  Number angle;
+  std::vector<Number> quaternion;  ///< four, or none
 };
 
 struct RockGroup {
@@ -61,7 +68,8 @@ struct RockGroup {
   Number density;                     ///< kg/m3
   std::optional<Number> mass;         ///< kg; in place of density
   std::optional<Number> thickness;    ///< m; absent: default_thickness
-  std::optional<Number> orientation;  ///< rad; absent: random and uniform
+  std::optional<Number> orientation;  ///< 2D, rad; absent: random and uniform
+  std::optional<TurnPlan> turn;       ///< 3D; absent: random and uniform
   int material = -1;                  ///< shown to other rocks; -1 none
 };
 
@@ -70,9 +78,14 @@ struct BodyPlan {
   PluginUse shape;
   std::optional<Number> density, mass, thickness;
   std::vector<Number> position, velocity;
-  Number spin, orientation;
+  std::vector<Number> spin;           ///< one number in 2D, three in 3D
+  Number orientation;                 ///< 2D, rad
+  std::optional<TurnPlan> turn;       ///< 3D; absent: as the shape is described
   bool fixed = false;
-  std::optional<std::pair<std::vector<double>, double>> driven;  ///< velocity and spin
+  struct Driven {
+    std::vector<double> velocity, spin;
+  };
+  std::optional<Driven> driven;
   int material = -1;
 };
 

@@ -82,12 +82,12 @@ SectionSpec document() {
   return {
       "",
       {integer("flyrock", "format version"), or_else(text("title", "what the scenario is about"), ""),
-       at_most(at_least(integer("dimension", "2: a vertical plane"), 2), 3),
+       at_most(at_least(integer("dimension", "2: a vertical plane; 3: space"), 2), 3),
        choice("method", {"nscd", "lumped_mass", "ballistic"}, "how rocks move"),
        or_else(at_most(at_least(integer("seed", "of all random numbers"), 0), exact_integer), 1),
        or_else(at_most(at_least(integer("trials", "realisations of each sweep point"), 1), exact_integer), 1),
        or_else(choice("rock_contacts", {"off", "on"}, "on: rocks also meet each other"), "off"),
-       or_else(at_least(number("gravity", "m/s2", "along -y"), 0), 9.81)},
+       or_else(at_least(number("gravity", "m/s2", "along -y in 2D, -z in 3D"), 0), 9.81)},
       {"plugins", "terrain", "materials", "pairs", "blast", "rocks", "bodies", "barriers", "gates", "clearance", "solver", "stop", "output",
        "sweep", "expect"}};
 }
@@ -110,11 +110,14 @@ std::vector<ParamSpec> blast_keys(std::string_view prefix) {
 
 std::vector<ParamSpec> mass_keys() {
   return {above(optional(number("density", "kg/m3", "of the rock; or `mass`")), 0),
-          above(optional(number("mass", "kg", "of the rock; or `density`")), 0),
-          above(optional(number("thickness", "m",
-                                "2D; by default that of the sphere of equal cross-section area")),
-                0)};
+          above(optional(number("mass", "kg", "of the rock; or `density`")), 0)};
 }
+
+ParamSpec thickness() {
+  return above(optional(number("thickness", "m", "by default that of the sphere of equal cross-section area")), 0);
+}
+
+ParamSpec spin(std::string doc) { return or_else(key(ParamType::spin, "spin", "rad/s", std::move(doc)), 0.0); }
 
 std::vector<ParamSpec> joined(std::vector<ParamSpec> first, std::vector<ParamSpec> second) {
   for (ParamSpec& spec : second) first.push_back(std::move(spec));
@@ -143,9 +146,12 @@ std::vector<SectionSpec> make_sections() {
        {}},
       {"rocks",
        joined(joined({text("name", "of the group")}, mass_keys()),
-              {optional(number("orientation", "rad", "random and uniform where it is not given")),
+              {thickness(), optional(number("orientation", "rad", "random and uniform where it is not given")),
                optional(text("material", "shown to other rocks"))}),
        {"type", "shape", "release", "launch"}},
+      {"rocks 3D",
+       joined(joined({text("name", "of the group")}, mass_keys()), {optional(text("material", "shown to other rocks"))}),
+       {"type", "shape", "orientation", "release", "launch"}},
       {"rocks.release: from",
        {choice("from", {"face"}, "the face of a bench"),
         or_else(at_least(integer("bench", "from 1, the uppermost"), 1), 1)},
@@ -159,15 +165,23 @@ std::vector<SectionSpec> make_sections() {
       {"rocks.release: inside", {points("inside", "a convex polygon, uniformly")}, {}},
       {"bodies",
        joined(joined({text("name", "of the body")}, mass_keys()),
-              {vector("position", "m", "of the centre of mass"),
+              {thickness(), vector("position", "m", "of the centre of mass"),
                optional(vector("velocity", "m/s", "at rest where it is not given")),
                or_else(number("spin", "rad/s", "counter-clockwise"), 0.0),
                or_else(number("orientation", "rad", "counter-clockwise"), 0.0),
                boolean("fixed", false, "whether it never moves"),
                optional(text("material", "shown to other bodies, where `pairs` is silent"))}),
        {"shape", "driven"}},
-      {"bodies.driven",
-       {vector("velocity", "m/s", "that it keeps"), or_else(number("spin", "rad/s", "that it keeps"), 0.0)},
+      {"bodies 3D",
+       joined(joined({text("name", "of the body")}, mass_keys()),
+              {vector("position", "m", "of the centre of mass"),
+               optional(vector("velocity", "m/s", "at rest where it is not given")),
+               spin("components in the world frame"), boolean("fixed", false, "whether it never moves"),
+               optional(text("material", "shown to other bodies, where `pairs` is silent"))}),
+       {"shape", "orientation", "driven"}},
+      {"bodies.driven", {vector("velocity", "m/s", "that it keeps"), spin("that it keeps")}, {}},
+      {"orientation 3D",
+       {vector("axis", "", "about which it is turned"), number("angle", "rad", "by which it is turned")},
        {}},
       {"barriers",
        {text("name", "of the barrier"), number("x", "m", "where it stands"),

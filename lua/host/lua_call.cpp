@@ -21,23 +21,26 @@ LuaParameters::LuaParameters(lua_State* lua, const PluginSpec& spec, Params& par
       lua_pushboolean(lua, 1);
       lua_setfield(lua, table + 1, param.name.c_str());
     }
-    switch (param.type) {
+    const bool components = param.type == ParamType::vector || (param.type == ParamType::spin && params.dimension() == 3);
+    switch (components ? ParamType::vector : param.type) {
       case ParamType::number:
       case ParamType::integer:
       case ParamType::boolean:
+      case ParamType::spin:
         if (const int slot = params.slot(param.name); slot >= 0)
           fields_.push_back({param.name, param.type, slot, 0});
         break;
       case ParamType::vector:
-        if (const int slot = params.vector_slot(param.name); slot >= 0) {
+        if (const int slot = param.type == ParamType::spin ? params.slot(param.name) : params.vector_slot(param.name);
+            slot >= 0) {
           lua_createtable(lua, params.dimension(), 0);
           lua_pushvalue(lua, -1);
-          const int components = luaL_ref(lua, LUA_REGISTRYINDEX);
-          vectors_.push_back(components);
+          const int list = luaL_ref(lua, LUA_REGISTRYINDEX);
+          vectors_.push_back(list);
           make_read_only(lua, "p." + param.name, true);
           lua_setfield(lua, table, param.name.c_str());
           for (int i = 0; i < params.dimension(); ++i)
-            fields_.push_back({param.name, param.type, slot + i, i + 1, components});
+            fields_.push_back({param.name, param.type, slot + i, i + 1, list});
         }
         break;
       case ParamType::choice:

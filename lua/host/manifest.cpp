@@ -45,8 +45,9 @@ class ParamReader {
     if (!read_type()) return std::nullopt;
     spec_.doc = table_.text("doc").value_or("");
     spec_.optional = table_.boolean("optional").value_or(false);
-    const bool numeric = spec_.type == ParamType::number || spec_.type == ParamType::integer;
-    if (spec_.type == ParamType::number || spec_.type == ParamType::vector || spec_.type == ParamType::points)
+    const bool spin = spec_.type == ParamType::spin;
+    const bool numeric = spin || spec_.type == ParamType::number || spec_.type == ParamType::integer;
+    if (spin || spec_.type == ParamType::number || spec_.type == ParamType::vector || spec_.type == ParamType::points)
       read_unit();
     if (numeric || spec_.type == ParamType::vector) read_limits();
     read_default();
@@ -60,7 +61,7 @@ class ParamReader {
  private:
   bool read_type() {
     if (table_.failed()) return false;
-    constexpr int types = 8;
+    constexpr int types = 9;
     const auto type = table_.text("type");
     for (int i = 0; type && i < types; ++i)
       if (name_of(static_cast<ParamType>(i)) == *type) {
@@ -70,7 +71,7 @@ class ParamReader {
     table_.error(
         "",
         "expected a parameter: fr.number { ... }, fr.integer, fr.boolean, fr.choice, fr.text, fr.vector, "
-        "fr.points or fr.file");
+        "fr.points, fr.file or fr.spin");
     return false;
   }
 
@@ -121,6 +122,7 @@ class ParamReader {
     switch (spec_.type) {
       case ParamType::number:
       case ParamType::integer:
+      case ParamType::spin:
         spec_.default_number = si(table_.number("default"));
         if (spec_.default_number) check_default(*spec_.default_number);
         break;

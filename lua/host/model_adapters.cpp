@@ -30,7 +30,9 @@ Value ask(const LuaCall& call, Values values, std::initializer_list<const void*>
 class LuaShape : public ShapeModel {
  public:
   LuaShape(std::shared_ptr<const LuaPlugin> plugin, Params& params)
-      : call_(std::move(plugin), params, random_only) {}
+      : call_(std::move(plugin), params, random_only) {
+    params.require_dimension(2);
+  }
   std::vector<Contactor2> build(Values values, RandomStream& rng) const override {
     return read_shape(call_, ask(call_, values, {&rng}));
   }
@@ -42,7 +44,9 @@ class LuaShape : public ShapeModel {
 class LuaTerrain : public TerrainModel {
  public:
   LuaTerrain(std::shared_ptr<const LuaPlugin> plugin, Params& params)
-      : call_(std::move(plugin), params, random_only) {}
+      : call_(std::move(plugin), params, random_only) {
+    params.require_dimension(2);
+  }
   Profile build(Values values, RandomStream& rng) const override {
     return read_terrain(call_, ask(call_, values, {&rng}));
   }
@@ -54,7 +58,9 @@ class LuaTerrain : public TerrainModel {
 class LuaPopulation : public Population {
  public:
   LuaPopulation(std::shared_ptr<const LuaPlugin> plugin, Params& params)
-      : call_(std::move(plugin), params, terrain_blast_random) {}
+      : call_(std::move(plugin), params, terrain_blast_random) {
+    params.require_dimension(2);
+  }
   std::vector<RockPlan> rocks(Values values, const Profile& terrain, const Blast& blast,
                               RandomStream& rng) const override {
     return read_rocks(call_, ask(call_, values, {&terrain, &blast, &rng}));

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "flight/run.h"
+#include "world/manifold.h"
 
 namespace flyrock::lab {
 
@@ -70,19 +71,21 @@ inline Body<2> box(double width, double height, double mass, const Vec2& at, dou
 }
 
 /// A world in which all contacts share one material.
-struct Bench {
-  Terrain2 terrain;
-  World<2> world;
+template <int D>
+struct BenchOf {
+  typename Geometry<D>::Terrain terrain;
+  World<D> world;
   RunSettings run_settings;
   std::vector<BodyHistory> histories;
   Surface* surface;
 
-  Bench(Profile profile, Material& material, const WorldSettings& settings = {}, const Vec2& gravity = {0, -9.81})
-      : terrain(std::move(profile)), world(terrain, gravity, settings), surface(&material.surface) {}
+  BenchOf(typename Geometry<D>::Terrain ground, Material& material, const WorldSettings& settings,
+          const Vec<D>& gravity)
+      : terrain(std::move(ground)), world(terrain, gravity, settings), surface(&material.surface) {}
 
-  int add(Body<2> body) {
+  int add(Body<D> body) {
     const int i = world.add(std::move(body));
-    for (std::size_t part = 0; part < terrain.profile().parts.size(); ++part)
+    for (std::size_t part = 0; part < parts_of(terrain).size(); ++part)
       world.set_terrain_surface(i, static_cast<int>(part), surface);
     for (int k = 0; k < i; ++k) world.set_pair_surface(k, i, surface);
     return i;
@@ -92,6 +95,11 @@ struct Bench {
     flyrock::run(world, run_settings, histories);
     return histories[0];
   }
+};
+
+struct Bench : BenchOf<2> {
+  Bench(Profile profile, Material& material, const WorldSettings& settings = {}, const Vec2& gravity = {0, -9.81})
+      : BenchOf<2>(Terrain2(std::move(profile)), material, settings, gravity) {}
 };
 
 }  // namespace flyrock::lab

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "analytic/lab.h"
+#include "analytic/lab_3d.h"
 
 namespace {
 std::atomic<long> allocations{0};
@@ -43,7 +43,32 @@ long allocations_of(double seconds, bool exact) {
   return during;
 }
 
+/// The same of a box and a sphere on an incline of space.
+long allocations_in_space(double seconds, bool exact) {
+  Material material(0.4, 0.5, 0.05);
+  Bench3 bench(plane(0.1, 0.5), material);
+  Body<3> tumbling = box({1, 0.7, 0.5}, 1000, {0, 0, 3}, Vec3(0.6, 0, -0.8), Vec3(0.8, 0, 0.6));
+  tumbling.w = {1, 2, 3};
+  bench.add(tumbling);
+  bench.add(sphere(0.4, 1000, {3, 0, 4}, {2, 0, 0}));
+  bench.run_settings.exact_flight = exact;
+  bench.run_settings.keep_impacts = false;
+  bench.run_settings.stop_speed = 0;
+  const long before = allocations;
+  bench.run(seconds);
+  const long during = allocations - before;
+  CHECK(bench.world.quality().steps > 100);
+  return during;
+}
+
 }  // namespace
+
+TEST_CASE("the step loop in space does not allocate") {
+  const bool exact = GENERATE(true, false);
+  const long warm = allocations_in_space(2, exact);
+  CHECK(allocations_in_space(6, exact) <= warm + 8);
+  CHECK(warm < 400);
+}
 
 TEST_CASE("the step loop does not allocate") {
   const bool exact = GENERATE(true, false);

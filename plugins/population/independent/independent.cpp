@@ -13,13 +13,20 @@ class Independent : public Population {
   explicit Independent(Params& params) : per_trial_(params.slot("per_trial")) {}
 
   std::vector<RockPlan> rocks(Values values, const Profile&, const Blast&, RandomStream&) const override {
-    const double count = values[per_trial_];
-    if (!(count >= 1))
-      throw PluginError(fmt::format("plugin independent: per_trial is {:.6g}, must be at least 1", count));
-    return std::vector<RockPlan>(static_cast<std::size_t>(std::llround(count)));
+    return std::vector<RockPlan>(count(values));
+  }
+  std::vector<RockPlan3> rocks_3d(Values values, const Plane&, const Blast&, RandomStream&) const override {
+    return std::vector<RockPlan3>(count(values));
   }
 
  private:
+  std::size_t count(Values values) const {
+    const double given = values[per_trial_];
+    if (!(given >= 1))
+      throw PluginError(fmt::format("plugin independent: per_trial is {:.6g}, must be at least 1", given));
+    return static_cast<std::size_t>(std::llround(given));
+  }
+
   int per_trial_;
 };
 

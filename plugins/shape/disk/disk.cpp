@@ -8,7 +8,7 @@ namespace {
 
 class Disk : public ShapeModel {
  public:
-  explicit Disk(Params& params) : radius_(params.slot("radius")) {}
+  explicit Disk(Params& params) : radius_(params.slot("radius")) { params.require_dimension(2); }
 
   std::vector<Contactor2> build(Values values, RandomStream&) const override {
     const double radius = values[radius_];

@@ -73,6 +73,7 @@ class DrawnPolygon : public ShapeModel {
 }  // namespace
 
 std::unique_ptr<ShapeModel> make_polygon(Params& params) {
+  params.require_dimension(2);
   auto vertices = params.points2("vertices");
   const int sides = params.slot("sides"), diameter = params.slot("diameter");
   const int irregularity = params.slot("irregularity");

@@ -18,7 +18,9 @@ class Benches : public TerrainModel {
         height_(params.slot("height")),
         face_angle_(params.slot("face_angle")),
         berm_(params.slot("berm")),
-        floor_(params.slot("floor")) {}
+        floor_(params.slot("floor")) {
+    params.require_dimension(2);
+  }
 
   Profile build(Values values, RandomStream&) const override {
     const double count = values[count_], height = values[height_], angle = values[face_angle_];

@@ -47,6 +47,7 @@ std::vector<Vec2> read_points(const std::string& path) {
 class ProfileTerrain : public TerrainModel {
  public:
   explicit ProfileTerrain(Params& params) {
+    params.require_dimension(2);
     profile_.points = params.points2("points");
     const std::string file = params.text("file");
     if (params.given("points") == params.given("file")) fail("expected either `points` or a `file`");

@@ -21,7 +21,10 @@ class Fixed : public VelocityModel {
 
   Launch launch(Values values, const RockView& rock, const Blast&, RandomStream&) const override {
     Launch launch;
-    launch.spin.z() = values[spin_];
+    if (components_ == 2)
+      launch.spin.z() = values[spin_];
+    else
+      for (int i = 0; i < 3; ++i) launch.spin[i] = values[spin_ + i];
     if (speed_ >= 0)
       launch.velocity = aim_.velocity(values, rock, values[speed_]);
     else

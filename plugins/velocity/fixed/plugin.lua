@@ -12,7 +12,7 @@ return fr.plugin {
       doc = "above the outward horizontal of the face (elsewhere +x); 0 where it is left out",
     },
     azimuth = fr.number { optional = true, unit = "deg", doc = "turn about the vertical, 3D; 0 where it is left out" },
-    spin = fr.number { default = 0, unit = "rad/s", doc = "anticlockwise" },
+    spin = fr.spin { default = 0, unit = "rad/s", doc = "anticlockwise; in 3D its components in the world frame" },
   },
   native = "fixed",
 }

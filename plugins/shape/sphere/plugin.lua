@@ -1,0 +1,11 @@
+local fr = require "flyrock"
+
+return fr.plugin {
+  kind = "shape",
+  name = "sphere",
+  doc = "A sphere (3D): the rock that rolls. On a level floor only rolling resistance stops it.",
+  params = {
+    radius = fr.number { above = 0, unit = "m", doc = "radius" },
+  },
+  native = "sphere",
+}
