@@ -33,12 +33,14 @@ Made<Interface> make(const LuaSession& session, PluginKind kind, const std::stri
     ParamValue value;
     const auto found = given.find(spec.name);
     value.given = found != given.end() || spec.default_number || spec.default_text;
-    if (spec.default_number) value.numbers = {{*spec.default_number, -1}};
+    const bool components = spec.type == ParamType::spin && dimension == 3;
+    if (spec.default_number) value.numbers.assign(components ? 3 : 1, {*spec.default_number, -1});
     if (spec.default_text) value.text = *spec.default_text;
     if (found != given.end()) {
       if (auto number = std::get_if<double>(&found->second)) value.numbers = {{*number, -1}};
       if (auto text = std::get_if<const char*>(&found->second)) value.text = *text;
       if (auto points = std::get_if<std::vector<std::vector<double>>>(&found->second)) value.points = *points;
+      if (std::get_if<std::vector<double>>(&found->second)) value.numbers.clear();
       if (auto vector = std::get_if<std::vector<double>>(&found->second))
         for (double component : *vector) value.numbers.push_back({component, -1});
     }
