@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "plugins/factories.h"
 
 namespace flyrock::plugins {
@@ -19,12 +21,12 @@ class PlaneTerrain : public TerrainModel {
     };
     const Vec3 normal = vector(normal_, Vec3::UnitZ());
     const double length = normal.norm();
-    if (!(normal.z() > 1e-6 * length))
-      throw PluginError(fmt::format("plugin plane: its normal is [{:.6g}, {:.6g}, {:.6g}], must point upwards (z above 0)",
+    if (!(std::abs(normal.z()) > 1e-6 * length))
+      throw PluginError(fmt::format("plugin plane: its normal is [{:.6g}, {:.6g}, {:.6g}], must not be horizontal",
                                     normal.x(), normal.y(), normal.z()));
     Plane plane;
     plane.point = vector(point_, Vec3::Zero());
-    plane.normal = normal / length;
+    plane.normal = normal / std::copysign(length, normal.z());  // out of the ground
     return plane;
   }
 

@@ -6,7 +6,7 @@ return fr.plugin {
   doc = "A plane without ends (3D).",
   params = {
     point = fr.vector { optional = true, unit = "m", doc = "a point of it; the origin where it is left out" },
-    normal = fr.vector { optional = true, doc = "out of the ground, of any length, z above 0; upwards where it is left out" },
+    normal = fr.vector { optional = true, doc = "of any length and either sense, not horizontal; vertical where it is left out" },
   },
   native = "plane",
 }
