@@ -11,6 +11,10 @@ FLYROCK_MODULE(table) {
   table[{shape, "polygon"}] = make_polygon;
   table[{shape, "sphere"}] = make_sphere;
   table[{shape, "box"}] = make_box;
+  table[{shape, "polyhedron"}] = make_polyhedron;
+  table[{shape, "random_polyhedron"}] = make_random_polyhedron;
+  table[{shape, "eota111"}] = make_eota111;
+  table[{shape, "eota221"}] = make_eota221;
   table[{population, "independent"}] = make_independent;
   table[{restitution, "newton"}] = make_newton;
   table[{friction, "coulomb"}] = make_coulomb;

@@ -63,6 +63,13 @@ std::vector<Vec2> Params::points2(std::string_view name) {
   return points;
 }
 
+std::vector<Vec3> Params::points3(std::string_view name) {
+  std::vector<Vec3> points;
+  for (const auto& point : values_[at(name, {ParamType::points})].points)
+    points.emplace_back(point[0], point[1], point[2]);
+  return points;
+}
+
 std::vector<std::string> Params::unread() const {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < read_.size(); ++i)

@@ -53,6 +53,7 @@ class Params {
   /// A choice, text or file; empty where it was left out.
   std::string text(std::string_view name);
   std::vector<Vec2> points2(std::string_view name);
+  std::vector<Vec3> points3(std::string_view name);
 
   /// Declared parameters that nobody asked for.
   std::vector<std::string> unread() const;

@@ -52,7 +52,10 @@ ParamValue sample_param(const ParamSpec& spec, int dimension, RandomStream& rng)
       value.text = spec.choices[rng.integer(0, static_cast<std::int64_t>(spec.choices.size()) - 1)];
       break;
     case ParamType::points:
-      value.points = {{0, 0}, {2, -rng.uniform()}, {3, rng.uniform()}};
+      if (dimension == 2)
+        value.points = {{0, 0}, {2, -rng.uniform()}, {3, rng.uniform()}};
+      else
+        value.points = {{0, 0, 0}, {2, -rng.uniform(), 0}, {3, rng.uniform(), 0}, {1, 0, 1 + rng.uniform()}};
       break;
     case ParamType::text:
     case ParamType::file:

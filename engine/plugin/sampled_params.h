@@ -13,7 +13,8 @@ namespace flyrock {
 bool can_sample(const ParamSpec& spec);
 
 /// A value within the limits: near the default where there is one that is not 0, else in the range (an open
-/// side is one unit long; whole numbers six steps). Points are those of a convex polygon with x increasing.
+/// side is one unit long; whole numbers six steps). Points are those of a convex polygon with x increasing, in 3D
+/// of a tetrahedron.
 ParamValue sample_param(const ParamSpec& spec, int dimension, RandomStream& rng);
 
 /// Every choice of optional parameters (at most ten of them are varied) with all the others given; nothing

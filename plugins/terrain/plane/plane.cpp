@@ -8,29 +8,49 @@ namespace flyrock::plugins {
 
 namespace {
 
+constexpr double half_length = 1000;  // m, of the profile that a plane is in 2D
+
 class PlaneTerrain : public TerrainModel {
  public:
   explicit PlaneTerrain(Params& params)
-      : point_(params.vector_slot("point")), normal_(params.vector_slot("normal")) {
-    params.require_dimension(3);
+      : point_(params.vector_slot("point")), normal_(params.vector_slot("normal")) {}
+
+  Profile build(Values values, RandomStream&) const override {
+    const Vec2 point = point_of<2>(values), normal = normal_of<2>(values);
+    const Vec2 slope = half_length / normal.y() * Vec2(normal.y(), -normal.x());
+    Profile profile;
+    profile.points = {point - slope, point + slope};
+    profile.part = {0};
+    profile.parts = {""};
+    return profile;
   }
 
   Plane build_3d(Values values, RandomStream&) const override {
-    const auto vector = [&](int slot, const Vec3& otherwise) {
-      return slot < 0 ? otherwise : Vec3(values[slot], values[slot + 1], values[slot + 2]);
-    };
-    const Vec3 normal = vector(normal_, Vec3::UnitZ());
-    const double length = normal.norm();
-    if (!(std::abs(normal.z()) > 1e-6 * length))
-      throw PluginError(fmt::format("plugin plane: its normal is [{:.6g}, {:.6g}, {:.6g}], must not be horizontal",
-                                    normal.x(), normal.y(), normal.z()));
     Plane plane;
-    plane.point = vector(point_, Vec3::Zero());
-    plane.normal = normal / std::copysign(length, normal.z());  // out of the ground
+    plane.point = point_of<3>(values);
+    plane.normal = normal_of<3>(values);
     return plane;
   }
 
  private:
+  template <int D>
+  Vec<D> point_of(Values values) const {
+    return point_ < 0 ? Vec<D>(Vec<D>::Zero()) : Vec<D>(Eigen::Map<const Vec<D>>(values.data() + point_));
+  }
+
+  /// Unit, upwards: the ground is below.
+  template <int D>
+  Vec<D> normal_of(Values values) const {
+    if (normal_ < 0) return Vec<D>::Unit(D - 1);
+    const Vec<D> normal = Eigen::Map<const Vec<D>>(values.data() + normal_);
+    const double length = normal.norm(), rise = std::abs(normal[D - 1]);
+    if (!(rise > 1e-6 * length))
+      throw PluginError(fmt::format("plugin plane: its normal has the vertical component {:.6g} of a length of {:.6g}: the "
+                                    "plane stands upright and has no ground below",
+                                    normal[D - 1], length));
+    return std::copysign(1 / length, normal[D - 1]) * normal;
+  }
+
   int point_, normal_;
 };
 

@@ -1,0 +1,57 @@
+// The norm blocks eota111 and eota221.
+
+#include <fmt/format.h>
+
+#include "geometry/hull.h"
+#include "plugins/factories.h"
+
+namespace flyrock::plugins {
+
+namespace {
+
+/// The hull of the points (+-L/2, +-L/4, +-L/4) and their permutations, each axis scaled: 24 vertices, 26 faces, 17/24 of
+/// the volume of the box about it.
+Contactor3 norm_block(const Vec3& size) {
+  std::vector<Vec3> points;
+  for (int axis = 0; axis < 3; ++axis)
+    for (int corner = 0; corner < 8; ++corner) {
+      Vec3 p = Vec3::Constant(0.25);
+      p[axis] = 0.5;
+      for (int k = 0; k < 3; ++k)
+        if (corner >> k & 1) p[k] = -p[k];
+      points.push_back(p.cwiseProduct(size));
+    }
+  return convex_hull(points);
+}
+
+class NormBlock : public ShapeModel {
+ public:
+  NormBlock(Params& params, const char* name, const Vec3& sides)
+      : name_(name), block_(norm_block(sides)), length_(params.slot("length")) {
+    params.require_dimension(3);
+  }
+  std::vector<Contactor3> build_3d(Values values, RandomStream&) const override {
+    const double length = values[length_];
+    if (!(length > 0))
+      throw PluginError(fmt::format("plugin {}: length is {:.6g} m, must be above 0", name_, length));
+    Contactor3 block = block_;
+    for (Vec3& p : block.points) p *= length;
+    return {block};
+  }
+
+ private:
+  const char* name_;
+  Contactor3 block_;  ///< of length 1
+  int length_;
+};
+
+}  // namespace
+
+std::unique_ptr<ShapeModel> make_eota111(Params& params) {
+  return std::make_unique<NormBlock>(params, "eota111", Vec3(1, 1, 1));
+}
+std::unique_ptr<ShapeModel> make_eota221(Params& params) {
+  return std::make_unique<NormBlock>(params, "eota221", Vec3(1, 1, 0.5));
+}
+
+}  // namespace flyrock::plugins
