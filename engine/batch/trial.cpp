@@ -1,12 +1,16 @@
 #include "batch/trial.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "batch/safe_file.h"
 #include "batch/statistics.h"
 #include "flight/ground.h"
 #include "flight/run.h"
+#include "solver/fclib.h"
 
 namespace flyrock {
 
@@ -147,9 +151,19 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
   PhaseTimes times;
   std::vector<std::vector<BodyHistory>> histories(trial.worlds.size());
   std::vector<std::string> faults(trial.worlds.size());
+  constexpr int most_hard_problems = 10;
+  int kept = 0;
   for (std::size_t w = 0; w < trial.worlds.size(); ++w) {
     World<D>& world = trial.worlds[w];
     if (timed) world.clock = &times;
+    if (scenario_.output.hard_problems && !hard_problems.empty())
+      world.on_hard_problem = [&](const auto& problem, const auto& start_of_solve) {
+        if (kept == most_hard_problems) return;
+        make_folder(hard_problems);
+        const std::string name = fmt::format("trial-{}-{}.hdf5", number, kept++);
+        write_fclib((hard_problems / name).string(), problem, start_of_solve,
+                    fmt::format("{}, trial {}, {} s", scenario_.title, number, world.time));
+      };
     try {
       flyrock::run(world, settings, histories[w]);
     } catch (const PluginError& error) {

@@ -2,6 +2,7 @@
 // Runs the trials of one point of a plan.
 
 #include <cstdint>
+#include <filesystem>
 
 #include "batch/records.h"
 #include "flight/crossings.h"
@@ -18,11 +19,16 @@ class TrialRunner {
   /// Appends one trial. A rock that fails is a row with its reason, never an exception.
   void run(std::uint64_t trial, TrialRecords& out) { of_dimension_->run(trial, out); }
 
+  /// Where problems that did not converge are written, if output.hard_problems asks for them: at most ten a trial, as
+  /// trial-<t>-<n>.hdf5. The folder is made when it is needed.
+  void keep_hard_problems(const std::filesystem::path& folder) { of_dimension_->hard_problems = folder; }
+
   /// The terrain of a trial, for pictures; in 3D its cut along x at y = 0, 100 m to either side.
   Profile picture_of(std::uint64_t trial) { return of_dimension_->picture_of(trial); }
 
  private:
   struct OfDimension {
+    std::filesystem::path hard_problems;  ///< empty: none are kept
     virtual ~OfDimension() = default;
     virtual void run(std::uint64_t trial, TrialRecords& out) = 0;
     virtual Profile picture_of(std::uint64_t trial) = 0;

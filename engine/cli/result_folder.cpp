@@ -89,7 +89,7 @@ void ResultFolder::open(const LoadedScenario& scenario, const Request& request) 
     lock_.emplace(path_);
     for (const char* name : {run_log_name, "summary.json", "rocks.csv", "results.db", "report.html"})
       fs::remove(path_ / name);
-    if (!continued_) remove_chunks(chunks());
+    if (!continued_) remove_chunks(chunks()), fs::remove_all(hard_problems());
     make_folder(chunks());
     write_request(chunks(), request);
     write_file(path_ / "manifest.json", manifest_json(scenario));

@@ -34,6 +34,8 @@ class ResultFolder {
   /// writes the manifest. Other files stay. Throws InputError where the folder cannot be written or held.
   void open(const LoadedScenario& scenario, const Request& request);
   std::filesystem::path chunks() const { return path_ / "chunks"; }
+  /// Where steps that did not converge are kept.
+  std::filesystem::path hard_problems() const { return path_ / "hard_problems"; }
   std::filesystem::path report() const { return path_ / "report.html"; }
 
   /// Builds tables and report from chunk files. Throws FileError.

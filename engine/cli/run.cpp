@@ -82,8 +82,8 @@ struct Execution {
   RunLog log;
 };
 
-Execution execute(const Job& job, const LoadedScenario& loaded, Runners& runners, const std::filesystem::path& folder) {
-  RunOptions options{.folder = folder,
+Execution execute(const Job& job, const LoadedScenario& loaded, Runners& runners, const ResultFolder& folder) {
+  RunOptions options{.folder = folder.chunks(),
                      .scenario_hash = loaded.hash,
                      .threads = job.threads,
                      .resume = job.resume,
@@ -97,7 +97,7 @@ Execution execute(const Job& job, const LoadedScenario& loaded, Runners& runners
   ProgressBar bar(!job.quiet);
   options.report = [&](const RunProgress& progress) { bar.show(progress); };
   execution.outcome =
-      run_chunks(chunks, workers(loaded, runners, job.request.scenario, job.request.overrides), options);
+      run_chunks(chunks, workers(loaded, runners, job.request.scenario, job.request.overrides, folder.hard_problems()), options);
   const RunProgress& progress = execution.outcome.progress;
   log.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   log.trials = progress.done - progress.kept;
@@ -166,7 +166,7 @@ std::string default_folder(const Job& job, const std::string& scenario) {
 int carry_out(const Job& job, const LoadedScenario& loaded, Runners& runners, const ResultFolder& folder) {
   const Plan& plan = loaded.plan;
   catch_interrupt();
-  const auto [outcome, log] = execute(job, loaded, runners, folder.chunks());
+  const auto [outcome, log] = execute(job, loaded, runners, folder);
   if (outcome.ending == RunEnding::interrupted) {
     fmt::print(stderr, "interrupted after {} of {} trials; what was done is kept in {}, --resume goes on\n",
                trials_in(outcome.chunks), outcome.progress.total, folder.chunks().string());
@@ -209,7 +209,7 @@ int run(const Command& command, const Arguments& arguments) {
   }
   Runners runners;
   try {
-    runners = make_runners(*loaded);
+    runners = make_runners(*loaded, folder.hard_problems());
   } catch (const PluginError& error) {
     fmt::print(stderr, "{}: error: {}\n", line.words[0], error.what());
     return bad_input;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "batch/safe_file.h"
+#include "solver/hdf5_file.h"
 
 namespace flyrock::cli {
 
@@ -22,22 +23,28 @@ struct Reading {
 
 }  // namespace
 
-Runners make_runners(const LoadedScenario& scenario) {
+Runners make_runners(const LoadedScenario& scenario, const std::filesystem::path& hard_problems) {
   Runners runners;
-  for (const Scenario& point : scenario.plan.points) runners.push_back(std::make_unique<TrialRunner>(point));
+  for (const Scenario& point : scenario.plan.points) {
+    if (!hard_problems.empty() && point.output.hard_problems && !has_hdf5())
+      throw PluginError("output.hard_problems needs a flyrock that was built with HDF5 (Debian: libhdf5-dev)");
+    runners.push_back(std::make_unique<TrialRunner>(point));
+    if (!hard_problems.empty())
+      runners.back()->keep_hard_problems(hard_problems / fmt::format("point-{}", runners.size() - 1));
+  }
   return runners;
 }
 
 MakeWorker workers(const LoadedScenario& scenario, Runners& runners, const std::string& path,
-                   const Overrides& overrides) {
-  return [&, path, overrides](int thread) -> RunTrial {
+                   const Overrides& overrides, const std::filesystem::path& hard_problems) {
+  return [&, path, overrides, hard_problems](int thread) -> RunTrial {
     if (thread == 0) return trial_of(runners);
     const auto reading = std::make_shared<Reading>();
     Diagnostics diagnostics;
     reading->scenario = load_scenario(path, overrides, diagnostics);
     if (!reading->scenario || reading->scenario->hash != scenario.hash)
       throw FileError(fmt::format("{}, or a file that it names, was changed while the run started", path));
-    reading->runners = make_runners(*reading->scenario);
+    reading->runners = make_runners(*reading->scenario, hard_problems);
     return [reading, run = trial_of(reading->runners)](int point, std::uint64_t trial, TrialRecords& out) {
       run(point, trial, out);
     };

@@ -63,7 +63,7 @@ TrialBuilder<D>::TrialBuilder(const Scenario& scenario) : scenario_(scenario), i
 template <int D>
 WorldSettings TrialBuilder<D>::world_settings() const {
   const SolverPlan& solver = scenario_.solver;
-  return {solver.time_step, solver.theta, solver.tolerance, solver.max_iterations, solver.rest_speed};
+  return {solver.time_step, solver.theta, solver.tolerance, solver.max_iterations, solver.rest_speed, solver.kind};
 }
 
 template <int D>

@@ -8,7 +8,8 @@ SolverPlan decode_solver(DecodeContext& context, const std::optional<Node>& node
   Map map;
   const Section section = decode_section(context, node, "solver", {}, map);
   put(resolved, "solver", map_value(std::move(map)));
-  return {.time_step = section.constant("time_step"),
+  return {.kind = *solver_of_name(section.text("name")),
+          .time_step = section.constant("time_step"),
           .theta = section.constant("theta"),
           .tolerance = section.constant("tolerance"),
           .max_iterations = section.integer("max_iterations"),
@@ -30,7 +31,8 @@ OutputPlan decode_output(DecodeContext& context, const std::optional<Node>& node
                                               "output.trajectories", {}, trajectories_map);
   put(map, "trajectories", map_value(std::move(trajectories_map)));
   put(resolved, "output", map_value(std::move(map)));
-  return {trajectories.integer("first"), trajectories.constant("every"), section.constant("impacts") != 0};
+  return {trajectories.integer("first"), trajectories.constant("every"), section.constant("impacts") != 0,
+          section.constant("hard_problems") != 0};
 }
 
 }  // namespace flyrock

@@ -9,6 +9,7 @@
 
 #include "plugin/registry.h"
 #include "scenario/value.h"
+#include "solver/solve_settings.h"
 
 namespace flyrock {
 
@@ -121,6 +122,7 @@ struct ClearancePlan {
 enum class FlightMode { exact, stepped };
 
 struct SolverPlan {
+  SolverKind kind = SolverKind::automatic;
   double time_step = 1e-3;  ///< s
   double theta = 0.5;
   double tolerance = 1e-6;
@@ -138,6 +140,7 @@ struct OutputPlan {
   int trajectories_first = 100;      ///< trials with trajectories
   double trajectories_every = 0.02;  ///< s
   bool impacts = true;
+  bool hard_problems = false;        ///< steps that did not converge are kept as FCLIB files
 };
 
 enum class ExpectKind { equals, below, above, between };

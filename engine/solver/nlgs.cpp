@@ -40,8 +40,8 @@ void Nlgs<D>::begin(const Problem& problem, const SolveSettings& settings, std::
   anderson_.begin(scale_);
 }
 
-/// One sweep over the leading N rows. Answers with the error that it met on its way: before each contact is solved, its
-/// error by the measure, relative to its speed_scale; the greatest, or |F|.
+/// One sweep over the leading N rows. Answers, in problems of more than a few contacts, with the error that it met on its
+/// way: before each contact is solved, its error by the measure, relative to its speed_scale; the greatest, or |F|.
 template <int D>
 template <int N>
 double Nlgs<D>::sweep_rows(std::vector<Row>& r) const {
@@ -51,12 +51,14 @@ double Nlgs<D>::sweep_rows(std::vector<Row>& r) const {
     const auto& contact = problem.contacts[a];
     Row b = contact.q;
     problem.template add_couplings<N>(a, r, b);
-    Row u = b;
-    u.template head<N>().noalias() += contact.w.template topLeftCorner<N, N>() * r[a].template head<N>();
-    if (settings_.measure == ErrorMeasure::merit)
-      squares += natural_map_squared<D>(contact, u, r[a]);
-    else
-      greatest = std::max(greatest, local_error<D>(contact, u, r[a]) / contact.speed_scale);
+    if (accelerated_) {
+      Row u = b;
+      u.template head<N>().noalias() += contact.w.template topLeftCorner<N, N>() * r[a].template head<N>();
+      if (settings_.measure == ErrorMeasure::merit)
+        squares += natural_map_squared<D>(contact, u, r[a]);
+      else
+        greatest = std::max(greatest, local_error<D>(contact, u, r[a]) / contact.speed_scale);
+    }
     if constexpr (D == 2) {
       r[a] = solve_local(contact, b);
     } else if (contact.is_plain()) {
@@ -96,7 +98,7 @@ const SolveResult& Nlgs<D>::run(int sweeps, std::vector<Row>& r) {
         for (int row = 0; row < problem.width(); ++row) from_[k++] = r[a][row];
     const double met = sweep(r);
     const int k = ++result_.iterations;
-    if (problem.size() <= few || k >= next_judgement_ || met * foretold_ <= wanted_ || k == end) {
+    if (!accelerated_ || k >= next_judgement_ || met * foretold_ <= wanted_ || k == end) {
       judge(problem, settings_, r, result_);
       if (result_.converged) return result_;
       const double scale = settings_.measure == ErrorMeasure::merit ? settings_.tolerance / wanted_

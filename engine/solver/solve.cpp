@@ -1,6 +1,6 @@
 #include "solver/solve.h"
 
-#include <algorithm>
+#include "solver/proximal_point.h"
 
 namespace flyrock {
 
@@ -16,20 +16,25 @@ SolveResult Solver<D>::solve(const ContactProblem<D>& problem, const SolveSettin
 
 template <int D>
 SolveResult Solver<D>::take_turns(const ContactProblem<D>& problem, const SolveSettings& settings, std::vector<Row>& r) {
-  constexpr int first_turn = 128;
+  constexpr int first_turn = 128;  // sweeps
   constexpr int first_steps = 10;
   constexpr int sweeps_of_a_step = 20;
+  constexpr int most_steps = 20;   // of a turn; then they have stalled twice
   nlgs_.begin(problem, settings, r);
   SolveResult result = nlgs_.run(first_turn, r);
-  int steps = first_steps;
-  while (!result.converged && result.iterations < settings.max_iterations) {
+  for (int steps = first_steps; !result.converged && result.iterations < settings.max_iterations; steps *= 2) {
+    if (steps > most_steps) {
+      const int used = result.iterations;
+      result = solve_proximal_point(problem, settings, settings.max_iterations - used, r);
+      result.iterations += used;
+      return result;
+    }
     if (!newton_) newton_.emplace();
     best_ = r;
     const SolveResult newton = newton_->solve(problem, settings, nlgs_, steps, best_);
     if (newton.converged || newton.residual < result.residual) r = best_;
     if (newton.converged) return newton;
-    result = nlgs_.run(std::max(first_turn, 2 * steps * sweeps_of_a_step), r);
-    steps *= 2;
+    result = nlgs_.run(2 * steps * sweeps_of_a_step, r);
   }
   return result;
 }

@@ -10,9 +10,9 @@
 namespace flyrock {
 
 /// Solves friction problems with the solver that the settings name. `automatic` begins with NLGS, which nearly always
-/// suffices; where its residual no longer falls quickly, it takes turns with Newton steps (proximal_newton.h), each turn
-/// costing about as much as all before it, until one of them converges or the sweeps are spent. What a turn costs is counted
-/// in sweeps, not timed: the same problem takes the same way on every machine.
+/// suffices; then it takes turns with Newton steps (proximal_newton.h), and where both have stalled twice it goes on with
+/// proximal points (proximal_point.h), until one of them converges or the sweeps are spent. What a turn costs is counted,
+/// not timed: the same problem takes the same way on every machine.
 /// It keeps its buffers: no allocation while NLGS suffices. Instantiated for D = 2, 3.
 template <int D>
 class Solver {

@@ -23,11 +23,16 @@ template <int D>
 void World<D>::solve_and_apply() {
   const PhaseTimer timer(clock, &PhaseTimes::solve);
   shift_by_restitution();
-  const SolveResult result =
-      nlgs_.solve(problem_, {settings_.tolerance, settings_.max_iterations}, impulses_);
+  if (on_hard_problem) start_ = impulses_;
+  SolveSettings wanted;
+  wanted.tolerance = settings_.tolerance;
+  wanted.max_iterations = settings_.max_iterations;
+  wanted.solver = settings_.solver;
+  const SolveResult result = solver_.solve(problem_, wanted, impulses_);
   quality_.iterations += result.iterations;
   if (!result.converged) {
     ++quality_.not_converged;
+    if (on_hard_problem) on_hard_problem(problem_, start_);
     const double scale = problem_.contacts[result.worst_contact].speed_scale;
     if (scale > 0)
       quality_.not_converged_residual = std::max(quality_.not_converged_residual, result.residual / scale);

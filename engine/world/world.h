@@ -8,7 +8,7 @@
 #include "collision/contact.h"
 #include "collision/geometry.h"
 #include "collision/time_of_contact.h"
-#include "solver/nlgs.h"
+#include "solver/solve.h"
 #include "world/contact_rows.h"
 #include "world/motions.h"
 #include "world/observe.h"
@@ -20,9 +20,10 @@ namespace flyrock {
 struct WorldSettings {
   double time_step = 1e-3;    ///< s
   double theta = 0.5;         ///< of the scheme, in [1/2, 1]
-  double tolerance = 1e-6;    ///< of NLGS
+  double tolerance = 1e-6;    ///< of the contact solver
   int max_iterations = 1000;
   double rest_speed = 0.02;   ///< m/s; slower approaches are without restitution
+  SolverKind solver = SolverKind::automatic;
 };
 
 /// A contact of the world with its law and what it carries.
@@ -78,6 +79,8 @@ class World {
   SolverQuality& quality() { return quality_; }
   /// Where phases are timed; null: nowhere.
   PhaseTimes* clock = nullptr;
+  /// Told of each problem that did not converge, with the start of its impulses; empty: nobody.
+  std::function<void(const Problem&, const std::vector<Row>&)> on_hard_problem;
 
   /// What a step or an impact tells.
   struct Outcome {
@@ -185,7 +188,8 @@ class World {
   std::vector<HeldContact> held_;
   Problem problem_;
   std::vector<Row> impulses_;
-  Nlgs<D> nlgs_;
+  Solver<D> solver_;
+  std::vector<Row> start_;  ///< of the impulses, where hard problems are kept
   std::vector<std::vector<int>> contacts_of_;  ///< of each body that contacts move
   std::vector<int> island_;
   std::vector<double> island_speed_;

@@ -1,0 +1,74 @@
+// flyrock solve, and the problems that a run leaves for it.
+
+#include <catch2/catch.hpp>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+
+using namespace flyrock::test;
+
+namespace {
+
+constexpr const char* pile = R"(flyrock: 1
+title: two boxes
+dimension: 2
+method: nscd
+terrain: { type: profile, points: [[-5, 0], [5, 0]], material: rock }
+materials: { rock: { friction: { type: coulomb, mu: 0.6 } } }
+bodies:
+  - { name: lower, shape: { type: polygon, vertices: [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]] },
+      density: 2700, position: [0, 0.5], material: rock }
+  - { name: upper, shape: { type: polygon, vertices: [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]] },
+      density: 2700, position: [0.2, 1.5], velocity: [1, 0], material: rock }
+solver: { max_iterations: 1, tolerance: 1e-12 }
+stop: { time: 0.02 s }
+output: { hard_problems: true }
+)";
+
+bool without_hdf5(const Folder& folder) {
+  if (call(folder, "--version").out.find("HDF5") != std::string::npos) return false;
+  std::cout << "SKIPPED: built without HDF5\n";
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("A problem that did not converge is kept and solved alone") {
+  const Folder folder;
+  if (without_hdf5(folder)) return;
+  folder.write("pile.yaml", pile);
+  REQUIRE(call(folder, "run pile.yaml -o out --quiet").code == 0);
+  const std::string problem = "out/hard_problems/point-0/trial-0-0.hdf5";
+  REQUIRE(folder.has(problem));
+  const Output again = call(folder, "solve " + problem + " --solver nlgs --max-iterations 1");
+  CHECK(again.code == 1);
+  CHECK(again.out.find("4 contacts in 2D: not converged after 1 sweeps of nlgs") == 0);
+  const Output solved = call(folder, "solve " + problem + " --json");
+  CHECK(solved.code == 0);
+  const auto answer = nlohmann::json::parse(solved.out);
+  CHECK(answer["converged"] == true);
+  CHECK(answer["merit"]["rel"].get<double>() <= 1e-8);
+  CHECK(answer["merit"].contains("fclib"));
+  CHECK(answer["r"].size() == 8);
+  CHECK(answer["solver"] == "nlgs");
+  REQUIRE(call(folder, "run pile.yaml -o out --quiet --force --set output.hard_problems=false").code == 0);
+  CHECK_FALSE(folder.has("out/hard_problems"));
+}
+
+TEST_CASE("What is no problem is exit code 2") {
+  const Folder folder;
+  const auto error = [&](const std::string& line) {
+    const Output output = call(folder, line);
+    CHECK(output.code == 2);
+    return output.err;
+  };
+  CHECK(error("solve a.hdf5 --solver nlg").find("unknown solver `nlg`, expected auto, nlgs or proximal_newton; did you mean `nlgs`?") !=
+        std::string::npos);
+  CHECK(error("solve a.hdf5 --tolerance -1").find("--tolerance is `-1`, expected a number above 0") != std::string::npos);
+  CHECK(error("solve a.hdf5 --max-iterations 0").find("not a whole number of at least 1") != std::string::npos);
+  if (without_hdf5(folder)) return;
+  CHECK(error("solve absent.hdf5") == "error: absent.hdf5: cannot be opened as an HDF5 file\n");
+  folder.write("text.hdf5", "no HDF5");
+  CHECK(error("solve text.hdf5") == "error: text.hdf5: cannot be opened as an HDF5 file\n");
+}
