@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace flyrock {
 
@@ -39,7 +40,8 @@ Eigen::Matrix3d about_z(double angle) {
 FreeRotation::FreeRotation(const Vec3& moments, const Rotation3& rotation, const Vec3& spin) : start_(rotation) {
   const Vec3 w = rotation.inverse(spin);
   int order[3] = {0, 1, 2};
-  std::stable_sort(order, order + 3, [&](int i, int j) { return moments[i] < moments[j]; });
+  // Equal moments keep their order. Not std::stable_sort, which allocates: a motion is made in every step.
+  std::sort(order, order + 3, [&](int i, int j) { return std::pair(moments[i], i) < std::pair(moments[j], j); });
   const int low = order[0], middle = order[1], high = order[2];
 
   const bool low_pair = equal(moments[low], moments[middle]), high_pair = equal(moments[middle], moments[high]);
