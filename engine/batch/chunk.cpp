@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/crc.hpp>
 
 #include "batch/columns.h"
@@ -102,6 +103,8 @@ void walk_totals(Io& io, Totals& totals) {
   walk_bodies(io, totals.bodies);
 }
 
+// The tables that each part adds to the one before.
+
 template <class Io, class Records>
 void walk_brief(Io& io, Records& records) {
   using R = RockRecord;
@@ -114,10 +117,6 @@ void walk_brief(Io& io, Records& records) {
     io.columns(
         records.rocks, [&](auto& r) -> auto& { return r.travel.time[mode]; },
         [&](auto& r) -> auto& { return r.travel.distance[mode]; });
-  io.rows(records.trajectories);
-  io.columns(records.trajectories, &TrajectoryRecord::trial, &TrajectoryRecord::rock,
-             [](auto& r) -> auto& { return r.point.mode; });
-  walk_state(io, records.trajectories, [](auto& r) -> auto& { return r.point.state; });
   io.rows(records.gates);
   io.columns(records.gates, &GateRecord::trial, &GateRecord::rock);
   walk_arrival(io, records.gates, &GateRecord::passage, &Passage::gate);
@@ -129,6 +128,14 @@ void walk_brief(Io& io, Records& records) {
 }
 
 template <class Io, class Records>
+void walk_paths(Io& io, Records& records) {
+  io.rows(records.trajectories);
+  io.columns(records.trajectories, &TrajectoryRecord::trial, &TrajectoryRecord::rock,
+             [](auto& r) -> auto& { return r.point.mode; });
+  walk_state(io, records.trajectories, [](auto& r) -> auto& { return r.point.state; });
+}
+
+template <class Io, class Records>
 void walk_long(Io& io, Records& records) {
   io.rows(records.inputs);
   io.columns(records.inputs, &InputRecord::trial, &InputRecord::rock, &InputRecord::draw, &InputRecord::value);
@@ -136,6 +143,17 @@ void walk_long(Io& io, Records& records) {
   io.columns(records.impacts, &ImpactRecord::trial, &ImpactRecord::rock);
   walk_impact(io, records.impacts, &ImpactRecord::impact);
   walk_envelopes(io, records.totals.envelopes);
+}
+
+constexpr std::array<Part, 3> parts = {Part::brief, Part::paths, Part::whole};
+
+template <class Io, class Records>
+void walk_part(Io& io, Part part, Records& records) {
+  switch (part) {
+    case Part::brief: return walk_brief(io, records);
+    case Part::paths: return walk_paths(io, records);
+    case Part::whole: return walk_long(io, records);
+  }
 }
 
 std::string header(const ChunkRange& range, const std::string& scenario_hash) {
@@ -173,7 +191,7 @@ std::string_view section(std::string_view bytes, std::size_t& at) {
 std::string ChunkRange::file_name() const { return fmt::format("p{}-c{}.chunk", point, index); }
 
 std::uint64_t chunk_size(std::uint64_t trials) {
-  return std::clamp<std::uint64_t>((trials + 99) / 100, 1, 1000);
+  return std::clamp<std::uint64_t>((trials + 99) / 100, 1, 250);
 }
 
 std::vector<ChunkRange> plan_chunks(int points, std::uint64_t trials) {
@@ -187,16 +205,13 @@ std::vector<ChunkRange> plan_chunks(int points, std::uint64_t trials) {
 
 std::string encode_chunk(const ChunkRange& range, const std::string& scenario_hash, const TrialRecords& records) {
   std::string bytes = header(range, scenario_hash);
-  const auto add = [&](const std::string& tables) {
-    bytes += word(tables.size());
-    bytes += tables;
-    bytes += word(crc(tables));
-  };
-  ColumnWriter brief, others;
-  walk_brief(brief, records);
-  add(brief.bytes());
-  walk_long(others, records);
-  add(others.bytes());
+  for (const Part part : parts) {
+    ColumnWriter tables;
+    walk_part(tables, part, records);
+    bytes += word(tables.bytes().size());
+    bytes += tables.bytes();
+    bytes += word(crc(tables.bytes()));
+  }
   return bytes;
 }
 
@@ -209,14 +224,13 @@ std::optional<TrialRecords> decode_chunk(std::string_view bytes, const ChunkRang
     if (bytes.size() < expected.size()) throw ColumnError("cut short");
     if (!bytes.starts_with(expected)) throw ColumnError("of another format, scenario or range of trials");
     std::size_t at = expected.size();
-    ColumnReader brief(section(bytes, at));
-    walk_brief(brief, records);
-    if (part == Part::whole) {
-      ColumnReader others(section(bytes, at));
-      walk_long(others, records);
-      if (!others.at_end() || at != bytes.size()) throw ColumnError("longer than its tables");
+    for (const Part each : parts) {
+      if (each > part) return records;
+      ColumnReader tables(section(bytes, at));
+      walk_part(tables, each, records);
+      if (!tables.at_end()) throw ColumnError("longer than its tables");
     }
-    if (!brief.at_end()) throw ColumnError("longer than its tables");
+    if (at != bytes.size()) throw ColumnError("longer than its tables");
   } catch (const ColumnError& error) {
     why = error.what();
     return std::nullopt;

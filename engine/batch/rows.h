@@ -10,8 +10,9 @@ namespace flyrock {
 
 /// What a pass reads of each chunk.
 enum class Part {
-  brief,  ///< without inputs, impacts and envelopes, which are long: those are empty
-  whole
+  brief,  ///< rocks, gates, barriers, totals but envelopes; the other tables, which are long, are empty
+  paths,  ///< and trajectories
+  whole   ///< and inputs, impacts, envelopes
 };
 
 using SeeRows = std::function<void(const TrialRecords& chunk)>;
@@ -26,9 +27,9 @@ Rows rows_of(TrialRecords records);
 /// Passes over the rows until `reader` has seen enough. It has see(const TrialRecords&), called for each chunk, and
 /// bool again(), called after each pass: whether it needs another one.
 template <class Reader>
-void read_in_passes(const Rows& rows, Reader& reader) {
+void read_in_passes(const Rows& rows, Reader& reader, Part part = Part::brief) {
   do {
-    rows(Part::brief, [&](const TrialRecords& chunk) { reader.see(chunk); });
+    rows(part, [&](const TrialRecords& chunk) { reader.see(chunk); });
   } while (reader.again());
 }
 

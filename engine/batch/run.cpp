@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -91,8 +92,12 @@ class Run {
       outcome_.progress.rocks += records.rocks.size() - before;
       options_.report(outcome_.progress);
     }
-    write_file(options_.folder / chunk.file_name(), encode_chunk(chunk, options_.scenario_hash, records));
+    const auto start = std::chrono::steady_clock::now();
+    write_file(options_.folder / chunk.file_name(), encode_chunk(chunk, options_.scenario_hash, records),
+               Sync::no);
+    const std::chrono::nanoseconds store_time = std::chrono::steady_clock::now() - start;
     const std::lock_guard lock(mutex_);
+    outcome_.store_time += store_time.count();
     chunks_[index] = chunk;
     whole_[index] = 1;
     outcome_.failed += count_failed(records);

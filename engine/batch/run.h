@@ -49,6 +49,7 @@ struct RunOutcome {
   RunProgress progress;
   std::uint64_t failed = 0;        ///< rocks with faults
   PhaseTimes times;                ///< of the engine, all trials of this run together
+  std::int64_t store_time = 0;     ///< ns for writing chunk files, all threads together
 };
 
 /// Runs `chunks` and leaves a file for each. The chunks of the outcome, and their bytes, are the same for any number

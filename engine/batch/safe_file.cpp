@@ -21,7 +21,8 @@ namespace {
 
 std::filesystem::path temporary_name(const std::filesystem::path& path) { return path.string() + ".partial"; }
 
-FileWriter::FileWriter(std::filesystem::path path) : path_(std::move(path)), temporary_(temporary_name(path_)) {
+FileWriter::FileWriter(std::filesystem::path path, Sync sync)
+    : path_(std::move(path)), temporary_(temporary_name(path_)), sync_(sync) {
   file_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (file_ < 0) fail("write", path_, errno);
 }
@@ -51,23 +52,26 @@ void FileWriter::flush() {
 void FileWriter::commit() {
   flush();
   ::close(std::exchange(file_, -1));
-  commit_file(path_);
+  commit_file(path_, sync_);
 }
 
-void commit_file(const std::filesystem::path& path) {
+void commit_file(const std::filesystem::path& path, Sync sync) {
   const std::filesystem::path temporary = temporary_name(path);
-  const int file = ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) fail("write", path, errno);
-  const int failure = ::fsync(file) != 0 ? errno : 0;
-  ::close(file);
+  int failure = 0;
+  if (sync == Sync::yes) {
+    const int file = ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) fail("write", path, errno);
+    if (::fsync(file) != 0) failure = errno;
+    ::close(file);
+  }
   if (failure == 0 && ::rename(temporary.c_str(), path.c_str()) == 0) return;
   const int code = failure != 0 ? failure : errno;
   ::unlink(temporary.c_str());
   fail("write", path, code);
 }
 
-void write_file(const std::filesystem::path& path, std::string_view bytes) {
-  FileWriter file(path);
+void write_file(const std::filesystem::path& path, std::string_view bytes, Sync sync) {
+  FileWriter file(path, sync);
   file.write(bytes);
   file.commit();
 }

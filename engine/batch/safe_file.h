@@ -13,12 +13,18 @@ struct FileError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Whether a file must also outlast a power cut.
+enum class Sync {
+  yes,
+  no  ///< it may then be broken: for files with a checksum that can be made again. A sync takes some milliseconds
+};
+
 /// A file that is written piece by piece under a temporary name beside `path`. commit() syncs and renames it: a reader
 /// (or the next run after a power cut) meets the whole file or none. Without commit() it goes away.
 class FileWriter {
  public:
   /// Throws FileError.
-  explicit FileWriter(std::filesystem::path path);
+  explicit FileWriter(std::filesystem::path path, Sync sync = Sync::yes);
   ~FileWriter();
   FileWriter(const FileWriter&) = delete;
   FileWriter& operator=(const FileWriter&) = delete;
@@ -32,16 +38,17 @@ class FileWriter {
 
   std::string buffer_;
   std::filesystem::path path_, temporary_;
+  Sync sync_;
   int file_ = -1;
 };
 
 /// The name under which the file `path` is written.
 std::filesystem::path temporary_name(const std::filesystem::path& path);
-/// Syncs what was written under the temporary name of `path` and gives it its name. Throws FileError.
-void commit_file(const std::filesystem::path& path);
+/// Gives its name to what was written under the temporary name of `path`. Throws FileError.
+void commit_file(const std::filesystem::path& path, Sync sync = Sync::yes);
 
 /// A FileWriter at once. Throws FileError.
-void write_file(const std::filesystem::path& path, std::string_view bytes);
+void write_file(const std::filesystem::path& path, std::string_view bytes, Sync sync = Sync::yes);
 
 /// The bytes of a file. Throws FileError.
 std::string read_file(const std::filesystem::path& path);

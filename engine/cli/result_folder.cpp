@@ -1,7 +1,9 @@
 #include "cli/result_folder.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
+#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "batch/safe_file.h"
@@ -101,7 +103,8 @@ void ResultFolder::open(const LoadedScenario& scenario, const Request& request) 
 }
 
 Results ResultFolder::build(const LoadedScenario& scenario, const std::vector<ChunkFile>& files,
-                            const RunFacts& facts, std::vector<Profile> terrains, const RunLog& log) const {
+                            const RunFacts& facts, std::vector<Profile> terrains, RunLog log) const {
+  const auto start = std::chrono::steady_clock::now();
   const Plan& plan = scenario.plan;
   FileWriter csv(path_ / "rocks.csv");
   csv.write(rocks_csv_header(plan));
@@ -118,6 +121,10 @@ Results ResultFolder::build(const LoadedScenario& scenario, const std::vector<Ch
   database.finish(results, drawn.dump());
   write_file(path_ / "summary.json", summary_json(plan, results));
   write_file(report(), report_html(drawn, fs::path(share_folder()) / "report"));
+  log.table_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  struct rusage usage {};
+  ::getrusage(RUSAGE_SELF, &usage);
+  log.peak_memory = usage.ru_maxrss;
   write_file(path_ / run_log_name, run_log(log));
   return results;
 }

@@ -38,9 +38,9 @@ class ResultFolder {
   std::filesystem::path hard_problems() const { return path_ / "hard_problems"; }
   std::filesystem::path report() const { return path_ / "report.html"; }
 
-  /// Builds tables and report from chunk files. Throws FileError.
+  /// Builds tables and report from chunk files, and times it. Throws FileError.
   Results build(const LoadedScenario& scenario, const std::vector<ChunkFile>& files, const RunFacts& facts,
-                std::vector<Profile> terrains, const RunLog& log) const;
+                std::vector<Profile> terrains, RunLog log) const;
   /// Removes the chunks, once the results stand. Throws FileError.
   void tidy() const;
 

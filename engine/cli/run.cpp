@@ -104,6 +104,7 @@ Execution execute(const Job& job, const LoadedScenario& loaded, Runners& runners
   log.kept = progress.kept;
   log.rocks = progress.rocks;
   log.times = execution.outcome.times;
+  log.store_seconds = 1e-9 * static_cast<double>(execution.outcome.store_time) / log.threads;
   return execution;
 }
 

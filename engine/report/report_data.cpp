@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "report/runout_data.h"
 #include "report/summary_data.h"
@@ -57,14 +58,15 @@ class Tracks {
   Tracks(std::size_t budget, int dimension) : budget_(budget), dimension_(dimension) {}
 
   void see(const TrialRecords& chunk) {
-    if (pass_ == 0)
+    if (!measured_) {
       for (const TrajectoryRecord& row : chunk.trajectories) box_.extend(row.point.state.position);
-    if (pass_ == 1)
-      for (const Track& track : tracks_of(chunk.trajectories))
-        if (!cut_) add(track, chunk);
+      return;
+    }
+    for (const Track& track : tracks_of(chunk.trajectories))
+      if (!cut_) add(track, chunk);
   }
 
-  bool again() { return ++pass_ < 2; }
+  bool again() { return !std::exchange(measured_, true); }
   Json data() const { return {{"list", list_}, {"cut", cut_}}; }
 
  private:
@@ -84,8 +86,7 @@ class Tracks {
 
   std::size_t budget_, points_ = 0;
   int dimension_;
-  int pass_ = 0;
-  bool cut_ = false;
+  bool measured_ = false, cut_ = false;
   Eigen::AlignedBox3d box_;
   Json list_ = Json::array();
 };
@@ -133,21 +134,6 @@ class Runouts {
   std::vector<RunoutData> groups_;
 };
 
-/// What is drawn of the rows of a point.
-struct Drawn {
-  Tracks tracks;
-  Runouts runouts;
-
-  void see(const TrialRecords& chunk) {
-    tracks.see(chunk);
-    runouts.see(chunk);
-  }
-  bool again() {
-    const bool of_tracks = tracks.again(), of_runouts = runouts.again();
-    return of_tracks || of_runouts;
-  }
-};
-
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json bodies_data(const Scenario& scenario, const TrialTotals& totals) {
@@ -175,11 +161,13 @@ Json report_data(const Plan& plan, const Results& results, const std::vector<Row
   const std::size_t budget = most_track_points / results.points.size();
   for (std::size_t p = 0; p < results.points.size(); ++p) {
     const PointResult& point = results.points[p];
-    Drawn drawn{Tracks(budget, plan.points[p].dimension), Runouts(point.groups)};
-    read_in_passes(rows[p], drawn);
+    Tracks tracks(budget, plan.points[p].dimension);
+    read_in_passes(rows[p], tracks, Part::paths);
+    Runouts runouts(point.groups);
+    read_in_passes(rows[p], runouts);
     points.push_back({{"terrain", terrain_data(point.terrain)},
-                      {"tracks", drawn.tracks.data()},
-                      {"runout", drawn.runouts.data()},
+                      {"tracks", tracks.data()},
+                      {"runout", runouts.data()},
                       {"bodies", bodies_data(plan.points[p], point.totals)}});
   }
   return {{"summary", summary_data(plan, results)},

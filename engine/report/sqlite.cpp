@@ -9,12 +9,13 @@ namespace flyrock {
 SqliteFile::SqliteFile(std::filesystem::path path) : path_(std::move(path)), temporary_(temporary_name(path_)) {
   std::error_code code;  // what a kill left
   std::filesystem::remove(temporary_, code);
-  if (sqlite3_open(temporary_.c_str(), &database_) != SQLITE_OK) {
+  if (sqlite3_open_v2(temporary_.c_str(), &database_, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX,
+                      nullptr) != SQLITE_OK) {
     const std::string why = database_ ? sqlite3_errmsg(database_) : "no memory";
     sqlite3_close(database_);
     throw FileError(fmt::format("cannot write {}: {}", path_.string(), why));
   }
-  execute("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; PRAGMA locking_mode = EXCLUSIVE; BEGIN");
+  execute("PRAGMA page_size = 32768; PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; PRAGMA locking_mode = EXCLUSIVE; BEGIN");
 }
 
 SqliteFile::~SqliteFile() {

@@ -43,7 +43,7 @@ class Insertion {
   Insertion(const Insertion&) = delete;
   Insertion& operator=(const Insertion&) = delete;
 
-  /// One row: whole numbers, doubles (NULL where they are not finite) and texts.
+  /// One row, written before it returns, so that texts are not copied: whole numbers, doubles (NULL where they are not finite) and texts.
   template <class... Values>
   void row(const Values&... values) {
     int column = 0;
@@ -59,7 +59,7 @@ class Insertion {
       sqlite3_bind_null(statement_, column);
   }
   void bind(int column, std::string_view value) {
-    sqlite3_bind_text(statement_, column, value.data(), static_cast<int>(value.size()), SQLITE_TRANSIENT);
+    sqlite3_bind_text(statement_, column, value.data(), static_cast<int>(value.size()), SQLITE_STATIC);
   }
   template <class Whole>
     requires std::is_integral_v<Whole>

@@ -30,10 +30,13 @@ struct RunLog {
   std::string started;   ///< local time, ISO 8601
   std::string host;
   int threads = 1;
-  double seconds = 0;    ///< of wall time, from the first trial to the last
+  double seconds = 0;    ///< of wall time, from the first trial to the last, with its chunk files
   std::uint64_t rocks = 0, trials = 0;  ///< of this run
   std::uint64_t kept = 0;               ///< trials of earlier runs that it went on from, or of shards
   PhaseTimes times;
+  double store_seconds = 0;             ///< of wall time, for the chunk files: those of all threads over their number
+  long peak_memory = 0;                 ///< kB, of the process
+  double table_seconds = 0;             ///< of wall time, behind the last trial: tables and report
 };
 std::string run_log(const RunLog& log);
 

@@ -11,7 +11,7 @@ namespace {
 
 class VtpWriter {
  public:
-  explicit VtpWriter(const std::filesystem::path& path) : file_(path) {}
+  explicit VtpWriter(const std::filesystem::path& path) : file_(path, Sync::no) {}
 
   void write(const VtkPoints& data) {
     const bool lines = !data.line_ends.empty();

@@ -291,15 +291,29 @@ std::optional<PluginUse> decode_plugin(DecodeContext& context, const Node& node,
   return use;
 }
 
+namespace {
+
+bool is_name(const std::string& text) {
+  return std::all_of(text.begin(), text.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  });
+}
+
+constexpr const char* name_rule = "expected letters, digits, `_` and `-`";
+
+}  // namespace
+
 bool check_name(DecodeContext& context, const Node& node) {
   const std::string* text = node.value->text();
   if (!text) return false;  // reported as not being text
-  auto is_word = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-  };
-  if (std::all_of(text->begin(), text->end(), is_word)) return true;
-  node.error(context.diagnostics,
-             fmt::format("{} is not a name, expected letters, digits, `_` and `-`", shown(*node.value)));
+  if (is_name(*text)) return true;
+  node.error(context.diagnostics, fmt::format("{} is not a name, {}", shown(*node.value), name_rule));
+  return false;
+}
+
+bool check_key(DecodeContext& context, const Node& node) {
+  if (is_name(node.key)) return true;
+  context.diagnostics.error(node.key_at, node.path, fmt::format("`{}` is not a name, {}", node.key, name_rule));
   return false;
 }
 

@@ -54,5 +54,7 @@ std::optional<PluginUse> decode_plugin(DecodeContext& context, const Node& node,
 
 /// Text that becomes a step of paths and measures: letters, digits, `_` and `-`.
 bool check_name(DecodeContext& context, const Node& node);
+/// The same of the key at which a node stands.
+bool check_key(DecodeContext& context, const Node& node);
 
 }  // namespace flyrock

@@ -121,6 +121,7 @@ std::vector<Material> decode_materials(DecodeContext& context, const std::option
   if (!node || !node->expect_map(context.diagnostics)) return materials;
   Map all;
   for (const Node& entry : node->entries()) {
+    check_key(context, entry);
     Material material;
     material.name = entry.key;
     Map laws;

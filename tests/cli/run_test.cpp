@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program.h"
+#include "rows.h"
 
 using namespace flyrock::test;
 
@@ -53,6 +54,41 @@ TEST_CASE("Trials are the same whatever runs beside them") {
   CHECK(row.starts_with("0,3,0,blocks,"));
   CHECK(all.ends_with(row));
   CHECK(only.out.find("runout m") != std::string::npos);
+}
+
+TEST_CASE("A trial that is replayed has the rows and the trajectory that it had in the run") {
+  const Folder folder;
+  folder.write("bench.yaml", bench_with("mu: 0.6", "mu: { sweep: [0.5, 0.7] }") +
+                                 "gates: [{ name: road, x: 6 }]\nbarriers: [{ name: fence, x: 9, height: 3, capacity: 5 kJ }]\n");
+  REQUIRE(call(folder, "run bench.yaml -o all --quiet").code == 0);
+  REQUIRE(call(folder, "run bench.yaml -o one --quiet --only point=1,trial=2").code == 0);
+  const fs::path all = folder.path() / "all/results.db", one = folder.path() / "one/results.db";
+  for (const std::string table : {"rocks", "inputs", "impacts", "trajectories", "gates", "barriers"}) {
+    INFO(table);
+    const auto rows = query(one, "SELECT * FROM " + table);
+    CHECK_FALSE(rows.empty());
+    CHECK(rows == query(all, "SELECT * FROM " + table + " WHERE point = 1 AND trial = 2"));
+  }
+  // A trial whose trajectory the run did not store has the same rows, and its trajectory.
+  folder.write("few.yaml", read(folder.path() / "bench.yaml") + "output: { trajectories: { first: 1, every: 20 ms } }\n");
+  REQUIRE(call(folder, "run few.yaml -o few --quiet").code == 0);
+  REQUIRE(call(folder, "run few.yaml -o again --quiet --only point=1,trial=2").code == 0);
+  CHECK(query(folder.path() / "few/results.db", "SELECT * FROM trajectories WHERE trial = 2").empty());
+  CHECK(query(folder.path() / "again/results.db", "SELECT * FROM trajectories") == query(one, "SELECT * FROM trajectories"));
+  CHECK(query(folder.path() / "again/results.db", "SELECT * FROM rocks") == query(one, "SELECT * FROM rocks"));
+}
+
+TEST_CASE("Rocks that run out of time or leave the domain are rows, and no faults") {
+  const Folder folder;
+  folder.write("short.yaml", bench_with("time: 60 s", "time: 0.1 s"));
+  folder.write("near.yaml", bench_with("[300, 0]", "[3.5, 0]"));
+  for (const auto& [name, reason] : {std::pair("short", "timed_out"), std::pair("near", "left_domain")}) {
+    const Output run = call(folder, "run " + std::string(name) + ".yaml -o " + name + " --quiet --strict");
+    INFO(run.err);
+    CHECK(run.code == 0);
+    CHECK(query(folder.path() / name / "results.db", "SELECT DISTINCT stop_reason, censored, fault FROM rocks") ==
+          std::vector<std::string>{std::string(reason) + "|1|"});
+  }
 }
 
 TEST_CASE("An existing folder is replaced with --force only, and other files in it stay") {

@@ -62,6 +62,10 @@ TEST_CASE("rocks.csv has a row per rock with the shortest decimals") {
         "impacts,time_s\n"
         "0,0,0,blocks,0.1,0.3333333333333333,0,90,timed_out,1,0,0,0,0,0,0,0,1e+22,4,0\n");
   CHECK(csv.find("\"loose, small\"") != std::string::npos);
+  rock.runout = std::numeric_limits<double>::quiet_NaN();
+  rock.stop_x = -std::numeric_limits<double>::infinity();
+  CHECK(first_lines(rocks_csv_rows(plan, 0, rocks), 1) ==
+        "0,0,0,blocks,0.1,0.3333333333333333,0,90,timed_out,1,,0,,0,0,0,0,1e+22,4,0\n");
 }
 
 TEST_CASE("summary.json holds statistics, censoring, expectations and warnings") {
