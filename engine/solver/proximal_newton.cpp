@@ -7,6 +7,22 @@
 
 namespace flyrock {
 
+namespace {
+
+/// Exactly within bounds, where a step ends a little outside. On the way it is left there: clipped steps do not converge.
+template <int D>
+void clip(const ContactProblem<D>& problem, std::vector<typename ContactProblem<D>::Row>& r) {
+  for (int a = 0; a < problem.size(); ++a)
+    for (int g = 0; g < static_cast<int>(ContactProblem<D>::groups.size()); ++g) {
+      const auto [begin, count] = ContactProblem<D>::groups[g];
+      const double radius = problem.contacts[a].radius(g, r[a][0]), size = r[a].segment(begin, count).stableNorm();
+      if (size > radius)
+        for (int i = begin; i < begin + count; ++i) r[a][i] *= radius / size;
+    }
+}
+
+}  // namespace
+
 /// Fills states_; answers with the number of unknowns.
 template <int D>
 int ProximalNewton<D>::read_states(const Problem& problem, const std::vector<Row>& r) {
@@ -101,12 +117,6 @@ bool ProximalNewton<D>::step(const Problem& problem, double alpha, std::vector<R
     const State& state = states_[a];
     for (int i = 0; i < state.unknowns; ++i) r[a] += z_[state.first + i] * state.directions.col(i);
     if (r[a][0] < 0) r[a].setZero();
-    for (int g = 0; g < static_cast<int>(Problem::groups.size()); ++g) {  // exactly within bounds
-      const auto [begin, count] = Problem::groups[g];
-      const double radius = problem.contacts[a].radius(g, r[a][0]), size = r[a].segment(begin, count).stableNorm();
-      if (size > radius)
-        for (int i = begin; i < begin + count; ++i) r[a][i] *= radius / size;
-    }
   }
   return true;
 }
@@ -128,6 +138,10 @@ SolveResult ProximalNewton<D>::solve(const Problem& problem, const SolveSettings
     const bool solved = step(problem, alpha, trial_);
     SolveResult found;
     judge(problem, settings, trial_, found);
+    if (found.converged) {
+      clip(problem, trial_);
+      judge(problem, settings, trial_, found);
+    }
     if (!found.converged) {
       swept_ = trial_;
       for (int k = 0; k < sweeps; ++k) sweeper.sweep_once(swept_);
@@ -145,6 +159,10 @@ SolveResult ProximalNewton<D>::solve(const Problem& problem, const SolveSettings
     }
   }
   r = best_;
+  if (!best.converged) {
+    clip(problem, r);
+    judge(problem, settings, r, best);
+  }
   best.iterations = taken;
   best.solver = SolverKind::proximal_newton;
   return best;
