@@ -11,7 +11,7 @@ PLOTLY := node_modules/plotly.js-cartesian-dist-min/plotly-cartesian.min.js
 help:
 	@echo "make demo   build, run the Ninh Dan blast (1000 trials) and say where its report is"
 	@echo "make test   build and run the tests: fast (release and sanitizers) and full"
-	@echo "make bench  rocks per second and the share of time by phase"
+	@echo "make bench  rocks per second, the share of time by phase, and what a law in Lua costs"
 	@echo "make deps   install what is missing: Debian packages and Plotly"
 
 deps: $(PLOTLY)
@@ -42,7 +42,7 @@ test-heavy: build-release
 	ctest --test-dir build/release -L heavy --output-on-failure
 
 bench: build-bench
-	tests/bench/run.sh build/bench/bin/flyrock
+	tests/bench/run.sh build/bench/bin
 
 clean:
 	rm -rf build out

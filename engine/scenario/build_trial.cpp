@@ -13,6 +13,21 @@ namespace flyrock {
 
 namespace {
 
+/// Throws where the arithmetic of contacts would overflow or lose a body.
+template <int D>
+void refuse_extremes(const Body<D>& body) {
+  constexpr double most = 1e30;
+  double inertia;  // the least moment
+  if constexpr (D == 2)
+    inertia = body.inertia;
+  else
+    inertia = body.inertia.minCoeff();
+  if (body.mass > 1 / most && body.mass < most && std::isnormal(inertia)) return;
+  throw PluginError(fmt::format("`{}` has a mass of {:.3g} kg and a moment of inertia of {:.3g} kg m2, expected a mass from "
+                                "{:.0e} to {:.0e} kg",
+                                body.group, body.mass, inertia, 1 / most, most));
+}
+
 template <class LawKind>
 void bind(BoundLaw<LawKind>& bound, const std::unique_ptr<LawKind>& law, const std::optional<PluginUse>& use,
           const Scenario& scenario, const DrawKey& key) {
@@ -195,6 +210,7 @@ Body<D> TrialBuilder<D>::rock_body(const Plan& plan, int g, TrialRock& rock, con
     body.attitude = turned * body.attitude.rotation;
   }
   body.group = group.name;
+  refuse_extremes(body);
   Place<D> place;
   if (plan.position)
     place.position = *plan.position;
@@ -322,6 +338,7 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
       if (plan.turn) body.attitude = rotation_of(*plan.turn, scenario_, rock.key) * body.attitude.rotation;
     }
     body.group = plan.name;
+    if (!plan.fixed && !plan.driven) refuse_extremes(body);
     for (int k = 0; k < D; ++k) body.x[k] = value(plan.position[k]);
     if (plan.driven) {
       body.kind = BodyKind::driven;

@@ -67,6 +67,7 @@ class PlanDecoder {
     for (const auto& [name, at] : plugin_files(tree_, diagnostics_)) plan_.plugin_files.push_back(name);
     for (const auto& point : grid_points(sizes)) decode_point(point);
     if (diagnostics_.has_errors()) return std::nullopt;
+    refuse_too_many_trials();
     write_sweeps();
     resolve_expectations();
     plan_.not_used = find_not_used(Node::root(tree_), plan_.points.front());
@@ -95,6 +96,16 @@ class PlanDecoder {
     if (plan_.points.empty()) plan_.resolved = std::move(tree);
     plan_.points.push_back(std::move(scenario));
     plan_.at.push_back(std::move(at));
+  }
+
+  void refuse_too_many_trials() {
+    constexpr double most = 1e9;
+    const double points = static_cast<double>(plan_.points.size());
+    const double trials = static_cast<double>(plan_.points.front().trials);
+    if (points * trials > most)
+      diagnostics_.error(tree_.find("trials")->at, "trials",
+                         fmt::format("{:.6g} at each of {} points of the sweep, must be at most {:.0e} in all", trials,
+                                     points, most));
   }
 
   /// The resolved tree of the first point gets its sweeps back.

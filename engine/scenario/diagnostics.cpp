@@ -17,7 +17,7 @@ std::string source_name(const Diagnostic& diagnostic) {
 
 /// "file:line:column: ", as much of it as is known.
 std::string place(const Diagnostic& diagnostic) {
-  const std::string name = source_name(diagnostic);
+  const std::string name = printable(source_name(diagnostic));
   if (name.empty()) return {};
   if (diagnostic.at.line == 0) return name + ": ";
   return fmt::format("{}:{}:{}: ", name, diagnostic.at.line, diagnostic.at.column);

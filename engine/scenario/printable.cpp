@@ -29,13 +29,15 @@ bool is_control(std::string_view one) {
 
 }  // namespace
 
-bool is_utf8(std::string_view text) {
+std::string text_fault(std::string_view text) {
   while (!text.empty()) {
     const std::size_t length = character(text);
-    if (length == 0) return false;
+    if (length == 0) return "is not UTF-8";
+    const std::string_view one = text.substr(0, length);
+    if (is_control(one) && one != "\n") return "holds the control character " + printable(one);
     text.remove_prefix(length);
   }
-  return true;
+  return {};
 }
 
 std::string printable(std::string_view text, std::size_t longest) {

@@ -1,6 +1,7 @@
 #include "scenario/yaml_reader.h"
 
 #include <fmt/format.h>
+#include <yaml-cpp/depthguard.h>
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
@@ -8,6 +9,7 @@
 #include <map>
 #include <sstream>
 
+#include "scenario/printable.h"
 #include "units/units.h"
 
 namespace flyrock {
@@ -15,6 +17,7 @@ namespace flyrock {
 namespace {
 
 constexpr std::size_t most_values = 100000;  // aliases expanded: a few lines can name billions
+constexpr std::size_t most_bytes = 4 << 20;
 
 std::shared_ptr<const Source> make_source(const std::string& text, const std::string& name) {
   auto source = std::make_shared<Source>();
@@ -50,7 +53,7 @@ class TreeBuilder : public YAML::EventHandler {
       : source_(std::move(source)), diagnostics_(diagnostics) {}
 
   Value take() { return std::move(root_); }
-  Location locate(const YAML::Mark& mark) const;
+  Location locate(const YAML::Mark& mark);
 
   void OnDocumentStart(const YAML::Mark&) override {}
   void OnDocumentEnd() override {}
@@ -79,6 +82,7 @@ class TreeBuilder : public YAML::EventHandler {
     std::string key;  ///< of a map: the key that waits for its value
     Location key_at;
     bool has_key;
+    std::map<std::string, int> line_of = {};  ///< of a map: where its keys stand
   };
 
   Value make(decltype(Value::data) data, const YAML::Mark& mark) {
@@ -104,15 +108,21 @@ class TreeBuilder : public YAML::EventHandler {
   std::vector<Open> open_;
   std::map<YAML::anchor_t, Value> anchors_;
   std::size_t values_ = 0;
+  /// How far the line of the last mark was counted, and the bytes in it that begin no character: a file may be one line.
+  struct {
+    int line = -1, bytes = 0, inner = 0;
+  } counted_;
 };
 
 /// Marks count from 0, and bytes; places count from 1, and characters.
-Location TreeBuilder::locate(const YAML::Mark& mark) const {
+Location TreeBuilder::locate(const YAML::Mark& mark) {
   Location at{source_, mark.line + 1, mark.column + 1};
   if (mark.line >= 0 && mark.line < static_cast<int>(source_->lines.size())) {
     const std::string& line = source_->lines[mark.line];
-    for (int i = 0; i < mark.column && i < static_cast<int>(line.size()); ++i)
-      if ((line[i] & 0xC0) == 0x80) --at.column;
+    if (counted_.line != mark.line || counted_.bytes > mark.column) counted_ = {mark.line, 0, 0};
+    for (; counted_.bytes < std::min(mark.column, static_cast<int>(line.size())); ++counted_.bytes)
+      if ((line[counted_.bytes] & 0xC0) == 0x80) ++counted_.inner;
+    at.column -= counted_.inner;
   }
   return at;
 }
@@ -125,6 +135,8 @@ void TreeBuilder::check_tag(const YAML::Mark& mark, const std::string& tag) {
 void TreeBuilder::OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                            const std::string& text) {
   check_tag(mark, tag);
+  if (const std::string fault = text_fault(text); !fault.empty())  // an escape: "\e"
+    diagnostics_.error(locate(mark), path_of(pending_key()), "the text " + fault);
   finish(tag == "?" ? resolve(mark, text) : make(text, mark), anchor);
 }
 
@@ -196,12 +208,12 @@ void TreeBuilder::take_key(const Value& key) {
 void TreeBuilder::add_entry(Open& map, Value value) {
   map.has_key = false;
   if (map.key.empty() || map.key == "<<") return;  // reported
-  for (const Entry& entry : *map.value.map())
-    if (entry.key == map.key) {
-      diagnostics_.error(map.key_at, path_of(map.key),
-                         fmt::format("duplicate key, the first one is in line {}", entry.at.line));
-      return;
-    }
+  const auto [first, is_new] = map.line_of.emplace(map.key, map.key_at.line);
+  if (!is_new) {
+    diagnostics_.error(map.key_at, path_of(map.key),
+                       fmt::format("duplicate key, the first one is in line {}", first->second));
+    return;
+  }
   map.value.map()->push_back({std::move(map.key), map.key_at, std::move(value)});
 }
 
@@ -218,6 +230,17 @@ std::string TreeBuilder::path_of(const std::string& key) const {
     if (!step.empty()) path += (path.empty() ? "" : ".") + step;
   }
   return path;
+}
+
+/// yaml-cpp guesses at bytes that are no text, and a result file could not hold them.
+bool has_foreign_bytes(const std::shared_ptr<const Source>& source, Diagnostics& diagnostics) {
+  for (std::size_t i = 0; i < source->lines.size(); ++i)
+    if (const std::string fault = text_fault(source->lines[i]); !fault.empty()) {
+      diagnostics.error({source, static_cast<int>(i) + 1, 1}, "",
+                        fmt::format("the line {}, expected a text file saved as UTF-8", fault));
+      return true;
+    }
+  return false;
 }
 
 /// yaml-cpp gives an unclear message, or none, for a tab in the indentation.
@@ -245,7 +268,11 @@ std::string bracket_hint(const std::string& message) {
 
 std::optional<Value> read_yaml(const std::string& text, const std::string& name, Diagnostics& diagnostics) {
   const std::shared_ptr<const Source> source = make_source(text, name);
-  if (has_tab_indentation(source, diagnostics)) return std::nullopt;
+  if (text.size() > most_bytes) {
+    diagnostics.error({source, 0, 0}, "", "the file is larger than 4 MiB, expected a scenario");
+    return std::nullopt;
+  }
+  if (has_foreign_bytes(source, diagnostics) || has_tab_indentation(source, diagnostics)) return std::nullopt;
   Diagnostics found;  // of this text alone: earlier errors are not a reason to give up
   TreeBuilder builder(source, found);
   std::istringstream stream(text);
@@ -257,6 +284,8 @@ std::optional<Value> read_yaml(const std::string& text, const std::string& name,
     if (parser.HandleNextDocument(second))
       found.error(second.take().at, "", "a second document: a scenario is one document");
     if (!found.has_errors()) return root;
+  } catch (const YAML::DeepRecursion& exception) {
+    found.error(builder.locate(exception.mark), "", "not YAML: nested too deeply");
   } catch (const YAML::Exception& exception) {
     found.error(builder.locate(exception.mark), "",
                 "not YAML: " + exception.msg + bracket_hint(exception.msg));

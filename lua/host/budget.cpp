@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <ctime>
 #include <lua.hpp>
 
 namespace flyrock {
@@ -12,6 +13,13 @@ namespace {
 constexpr const char* out_of_memory = "needed more than 256 MiB of memory";
 static_assert(Budget::memory_limit == 256 << 20 && Budget::text_limit == 1 << 20);
 
+/// The time that this thread has had.
+std::chrono::nanoseconds processor_time() {
+  timespec time;
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
 /// What is over its limit after `instructions` more, or an empty text.
 std::string spend(Budget& budget, double instructions) {
   budget.left -= instructions;
@@ -20,8 +28,10 @@ std::string spend(Budget& budget, double instructions) {
   if (!budget.timed) {
     budget.timed = true;
     budget.start = now;
+    budget.processor_start = processor_time();
   }
-  if (now - budget.start > Budget::time_limit)
+  // A busy machine is no fault of the plugin; the time of the processor takes longer to ask for, so it comes second.
+  if (now - budget.start > Budget::time_limit && processor_time() - budget.processor_start > Budget::time_limit)
     return fmt::format("ran for more than {} s", Budget::time_limit.count());
   return {};
 }

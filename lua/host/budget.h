@@ -18,7 +18,7 @@ struct Budget {
   static constexpr double call_limit = 1e7;                            ///< instructions of one call
   static constexpr double load_limit = 1e8;                            ///< instructions of loading one file
   static constexpr const char* long_text = "made a text of more than 1 MiB";
-  static constexpr std::chrono::seconds time_limit{4};  ///< of one call, and of loading one file
+  static constexpr std::chrono::seconds time_limit{4};  ///< of the processor: one call, or loading one file
   static constexpr int interval = 100;                  ///< instructions between two looks
 
   std::size_t memory = 0;  ///< bytes in use
@@ -26,6 +26,7 @@ struct Budget {
   double left = 0;
   bool timed = false;  ///< whether `start` is set: a short call never asks for the time
   std::chrono::steady_clock::time_point start;
+  std::chrono::nanoseconds processor_start;
   lua_State* lua = nullptr;  ///< the state that this is the budget of
   const char* refused = "";  ///< what the allocator refused last
   std::string refused_at;    ///< and the place of the Lua code that asked for it

@@ -7,6 +7,7 @@
 #include <lua.hpp>
 
 #include "host/read_only.h"
+#include "scenario/printable.h"
 
 namespace flyrock {
 
@@ -38,6 +39,7 @@ class Reader {
         std::size_t length;
         const char* text = lua_tolstring(lua_, -1, &length);
         value.data = std::string(text, length);
+        if (const std::string fault = text_fault({text, length}); !fault.empty()) fail(path, "a text that " + fault);
         break;
       }
       case LUA_TTABLE:
@@ -91,6 +93,8 @@ class Reader {
     for (lua_pushnil(lua_); lua_next(lua_, -2); lua_pop(lua_, 1)) {
       if (lua_type(lua_, -2) == LUA_TSTRING) {
         is_map = true;
+        if (const std::string fault = text_fault(lua_tostring(lua_, -2)); !fault.empty())
+          fail(path, "a key that " + fault);
         map.push_back({lua_tostring(lua_, -2), {}, {}});
       } else if (lua_isinteger(lua_, -2) && lua_tointeger(lua_, -2) >= 1 &&
                  lua_tointeger(lua_, -2) <= length) {

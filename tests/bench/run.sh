@@ -1,7 +1,8 @@
 #!/bin/sh
-# make bench: rocks per second to rest on one core and the share of time by phase, median of five runs each.
+# make bench: rocks per second to rest on one core and the share of time by phase, median of five runs each; then the
+# time of the Ninh Dan run with its restitution in Lua over that with the same law native, in pairs of runs.
 set -eu
-flyrock=$1
+flyrock=$1/flyrock
 here=$(cd "$(dirname "$0")" && pwd)
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
@@ -23,3 +24,21 @@ for trials in 10000 100000; do
   "$flyrock" run "$here/many.yaml" --trials $trials -o "$out/many" --force --quiet
   printf 'many         %8s rocks  (%s)\n' $trials "$(sed -nE '/^(store|tables|memory)/s/  */ /gp' "$out/many/run.log" | paste -s -d ',' -)"
 done
+# A pair is two runs, one after the other and each first in turn: what else the machine does meets both.
+ninh_dan=$here/../../scenarios/ninh_dan/benches_2d.yaml
+law() { sed "s/restitution: { type: [a-z_]*/restitution: { type: $1/" "$ninh_dan"; }
+law newton > "$out/native.yaml"
+{ law newton_in_lua; echo "plugins: [newton_in_lua.lua]"; } > "$out/lua.yaml"
+cp "$here/newton_in_lua.lua" "$out"
+seconds() {
+  "$flyrock" run "$out/$1.yaml" -o "$out/$1" -j 1 --force --quiet > /dev/null || [ $? = 1 ]  # 1: an expectation failed
+  sed -n 's/^seconds  *//p' "$out/$1/run.log"
+}
+for pair in 1 2 3 4 5 6 7 8 9; do
+  if [ $((pair % 2)) = 0 ]; then native=$(seconds native); lua=$(seconds lua); else lua=$(seconds lua); native=$(seconds native); fi
+  awk "BEGIN { print $lua / $native }" >> "$out/ratios"
+done
+cmp "$out/native/rocks.csv" "$out/lua/rocks.csv"
+printf 'restitution in Lua: %s times the native run (median of 9 pairs, %s to %s); one call: %s\n' \
+  $(sort -n "$out/ratios" | sed -n '5p;1p;9p' | awk '{ v[NR] = $1 } END { print v[2], v[1], v[3] }') \
+  "$("$1/flyrock_law_call" "$here/newton_in_lua.lua")"

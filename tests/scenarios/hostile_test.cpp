@@ -78,3 +78,28 @@ TEST_CASE("hostile plugins are contained, each with its exact text", "[slow]") {
     if (output.code == 3) CHECK(sound_rows(folder) == undisturbed);
   }
 }
+
+TEST_CASE("a law that fails for every rock ends the run early, and at once with --strict") {
+  const Folder folder;
+  folder.write("tired.lua", R"(local fr = require "flyrock"
+return fr.plugin { kind = "restitution", name = "hostile", doc = "fails in every run", impact = function(p, contact)
+  if contact.time > 0 then error("tired") end
+  return 0.3
+end })");
+  folder.write("quarry.yaml", scenario("tired.lua"));
+  const auto count = [](const std::string& text, const std::string& part) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++found;
+    return found;
+  };
+  const Output run = call(folder, "run quarry.yaml -o all --quiet --trials 1000");
+  INFO(run.err);
+  CHECK(run.code == 3);
+  CHECK(run.err.find("the run ended early") != std::string::npos);
+  CHECK(count(read(folder.path() / "all/rocks.csv"), "plugin_error") == 20);
+  const Output strict = call(folder, "run quarry.yaml -o strict --quiet --strict");
+  INFO(strict.err);
+  CHECK(strict.code == 3);
+  CHECK(count(read(folder.path() / "strict/rocks.csv"), "plugin_error") == 2);  // the rocks of the first trial
+  CHECK(count(strict.err, "tired.lua:3: tired") >= 1);
+}

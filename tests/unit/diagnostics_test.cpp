@@ -39,8 +39,9 @@ TEST_CASE("what a terminal would obey is shown as text") {
   CHECK(printable("h\xc3\xb6he caf\xe9 \xed\xa0\x80 \xc0\xaf \xf0\x9f\xaa\xa8") ==
         "h\xc3\xb6he caf\\xE9 \\xED\\xA0\\x80 \\xC0\\xAF \xf0\x9f\xaa\xa8");
   CHECK(printable(std::string(1000, 'x')) == std::string(500, 'x') + "...");
-  CHECK(is_utf8("h\xc3\xb6he"));
-  CHECK_FALSE(is_utf8("\xf4\x90\x80\x80"));
+  CHECK(text_fault("h\xc3\xb6he\n\t") == "");
+  CHECK(text_fault("\xf4\x90\x80\x80") == "is not UTF-8");
+  CHECK(text_fault("x\x1b[2J") == "holds the control character \\x1B");
 }
 
 TEST_CASE("the first hundred messages are shown, and each once") {

@@ -3,7 +3,6 @@
 #include <malloc.h>
 
 #include <catch2/catch.hpp>
-#include <chrono>
 
 #include "plugin/registry.h"
 #include "unit/lua_fixture.h"
@@ -293,25 +292,4 @@ fr.plugin { kind = "unilateral", name = "v", doc = "d", condition = function(p) 
   CHECK(condition("u") == NormalCondition::signorini);
   CHECK_THROWS_WITH(condition("v"),
                     "plugin v, laws.lua:6: condition() returned \"glue\", expected \"signorini\"");
-}
-
-TEST_CASE("a call of a law in Lua is fast", "[slow]") {
-  LuaSession session(FLYROCK_SHARE_DIR);
-  const auto use = use_of(session, PluginKind::restitution, "pfeiffer_bowen", {0.35, 0.1, 9.144});
-  const auto law = make_instance<RestitutionLaw>(use, 2);
-  const auto values = values_of(use);
-  ContactState contact;
-  double best = 1e9;
-  for (int batch = 0; batch < 20; ++batch) {  // the fastest: others use this machine too
-    constexpr int calls = 100'000;
-    const auto start = std::chrono::steady_clock::now();
-    for (int i = 0; i < calls; ++i) {
-      contact.approach_speed = 1e-4 * i;
-      law->impact(values, contact);
-    }
-    const std::chrono::duration<double, std::nano> spent = std::chrono::steady_clock::now() - start;
-    best = std::min(best, spent.count() / calls);
-  }
-  WARN("impact() in Lua: " << best << " ns a call");
-  CHECK(best < 5000);  // sanitizers included
 }
