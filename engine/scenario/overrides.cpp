@@ -80,13 +80,16 @@ void apply(Value& root, const std::string& assignment, Diagnostics& diagnostics)
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0)
     return diagnostics.error(at, "", "expected path=value, as in --set terrain.height=10");
+  const std::string path = assignment.substr(0, equals);
+  if (path.find('[') != std::string::npos)
+    return diagnostics.error(at, path, "an element of a list is written with a dot: rocks.0.density, or by its name");
   Diagnostics reading;
   std::optional<Value> value = read_yaml(assignment.substr(equals + 1), source->name, reading);
   for (const Diagnostic& diagnostic : reading.all())
-    diagnostics.error(at, assignment.substr(0, equals), "the value cannot be read: " + diagnostic.text);
+    diagnostics.error(at, path, "the value cannot be read: " + diagnostic.text);
   if (!value) return;
   relocate(*value, at);
-  set_path(root, assignment.substr(0, equals), std::move(*value), at, diagnostics);
+  set_path(root, path, std::move(*value), at, diagnostics);
 }
 
 void set_number(Value& root, const char* key, std::uint64_t number, Diagnostics& diagnostics) {

@@ -45,6 +45,12 @@ bool has_leading_zero(std::string_view text) {
          text.find_first_not_of("0123456789.") == std::string_view::npos && text[1] != '.';
 }
 
+/// Ends the reading of a file that is YAML and no scenario.
+struct Refusal {
+  Location at;
+  std::string text;
+};
+
 /// Builds the tree from the parser's events. Events are used rather than YAML::Node because they keep
 /// duplicate keys, tags and the place of every scalar.
 class TreeBuilder : public YAML::EventHandler {
@@ -163,7 +169,7 @@ void TreeBuilder::OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) {
   }
   const std::size_t count = count_values(found->second);
   if (values_ + count > most_values)
-    throw YAML::ParserException(mark, fmt::format("more than {} values, aliases expanded", most_values));
+    throw Refusal{locate(mark), fmt::format("more than {} values, aliases expanded", most_values)};
   values_ += count;
   finish(found->second, 0);
 }
@@ -176,7 +182,7 @@ void TreeBuilder::close() {
 
 void TreeBuilder::finish(Value value, YAML::anchor_t anchor) {
   if (++values_ > most_values)
-    throw YAML::ParserException(YAML::Mark::null_mark(), fmt::format("more than {} values", most_values));
+    throw Refusal{{source_, 0, 0}, fmt::format("more than {} values, expected a scenario", most_values)};
   if (anchor) anchors_[anchor] = value;
   if (open_.empty()) {
     root_ = std::move(value);
@@ -284,6 +290,8 @@ std::optional<Value> read_yaml(const std::string& text, const std::string& name,
     if (parser.HandleNextDocument(second))
       found.error(second.take().at, "", "a second document: a scenario is one document");
     if (!found.has_errors()) return root;
+  } catch (const Refusal& refusal) {
+    found.error(refusal.at, "", refusal.text);
   } catch (const YAML::DeepRecursion& exception) {
     found.error(builder.locate(exception.mark), "", "not YAML: nested too deeply");
   } catch (const YAML::Exception& exception) {
