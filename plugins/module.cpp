@@ -18,8 +18,9 @@ FLYROCK_MODULE(table) {
   table[{population, "independent"}] = make_independent;
   table[{restitution, "newton"}] = make_newton;
   table[{friction, "coulomb"}] = make_coulomb;
+  table[{friction, "slip_weakening"}] = make_slip_weakening;
   table[{rolling, "rolling_resistance"}] = make_rolling_resistance;
-  table[{unilateral, "signorini"}] = make_signorini;
+  table[{unilateral, "penalty"}] = make_penalty;
   table[{velocity, "fixed"}] = make_fixed;
   table[{velocity, "gurney"}] = make_gurney;
   table[{velocity, "bench_fit"}] = make_bench_fit;

@@ -75,7 +75,7 @@ std::vector<std::string> collect_warnings(const Plan& plan, const std::vector<Po
                     quality.not_converged, quality.steps + quality.impact_problems,
                     quality.not_converged_residual, plan.points.front().solver.tolerance));
   if (quality.energy_gains > 0)
-    warnings.push_back(fmt::format("solver: {} impacts gained energy, {:.3g} J together", quality.energy_gains,
+    warnings.push_back(fmt::format("solver: {} impacts or steps gained energy, {:.3g} J together", quality.energy_gains,
                                    quality.energy_gained));
   std::set<std::string> notes;  // the same launch may have the same trouble at every point
   for (const PointResult& point : points)

@@ -21,6 +21,15 @@ constexpr std::uint64_t samples = 3;
 // Phases are timed in every 16th trial: reading the clock costs as much as a tenth of a step.
 constexpr std::uint64_t timed_every = 16;
 
+/// Calls a law of a material on one sampled state, with a memory that is new, and checks its answer.
+template <class LawKind, class Ask>
+void try_law(const std::unique_ptr<LawKind>& law, const std::optional<PluginUse>& use, ContactState state, Ask&& ask) {
+  if (!law) return;
+  std::vector<double> history(use->plugin->spec.history.size(), 0.0);
+  state.history = history;
+  check_answer(*law, ask(*law, state));
+}
+
 /// States of a contact as laws meet them: a slow, an oblique and a fast impact.
 std::array<ContactState, samples> sampled_contacts() {
   std::array<ContactState, samples> states;
@@ -101,13 +110,15 @@ void TrialRunner::Trials<D>::sample() {
       ContactState state = states[i];
       state.material = material.name;
       const DrawKey key{i, 1, 1, 1};
-      if (laws.restitution)
-        check_answer(*laws.restitution, laws.restitution->impact(values_of(*material.restitution, scenario_, key), state));
-      if (laws.friction)
-        check_answer(*laws.friction, laws.friction->friction(values_of(*material.friction, scenario_, key), state));
-      if (laws.rolling)
-        check_rolling(*laws.rolling, laws.rolling->rolling(values_of(*material.rolling, scenario_, key), state));
-      if (laws.unilateral) laws.unilateral->condition(values_of(*material.unilateral, scenario_, key), state);
+      const auto values = [&](const auto& use) { return values_of(*use, scenario_, key); };
+      try_law(laws.restitution, material.restitution, state,
+              [&](const auto& law, const auto& s) { return law.impact(values(material.restitution), s); });
+      try_law(laws.friction, material.friction, state,
+              [&](const auto& law, const auto& s) { return law.friction(values(material.friction), s); });
+      try_law(laws.rolling, material.rolling, state,
+              [&](const auto& law, const auto& s) { return law.rolling(values(material.rolling), s); });
+      try_law(laws.unilateral, material.unilateral, state,
+              [&](const auto& law, const auto& s) { return law.condition(values(material.unilateral), s); });
     }
   }
   for (std::uint64_t trial = 0; trial < std::min(samples, scenario_.trials); ++trial) {

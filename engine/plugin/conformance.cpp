@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "geometry/volume_properties.h"
@@ -37,10 +38,12 @@ ContactState sampled_contact(int number) {
   state.spin = rng.uniform(-50, 50);
   state.kinetic_energy = state.mass / 2 * (std::pow(state.approach_speed, 2) + std::pow(state.slip_speed, 2));
   state.length = rng.uniform();
+  state.area = rng.uniform();
   state.age = rng.uniform();
   state.was_sticking = static_cast<double>(rng.integer(0, 1));
   state.impact_number = static_cast<double>(rng.integer(1, 100));
   state.time = rng.uniform(0, 60);
+  state.step = 1e-3 * rng.uniform();
   state.group_a = "blocks";
   state.group_b = "terrain.face";
   state.material = "rock";
@@ -209,30 +212,35 @@ Answer answer_of(const TerrainModel& terrain, Values values, int dimension) {
 Answer numbers_of(const RestitutionLaw& law, Values values, const ContactState& contact) {
   const Restitution answer = law.impact(values, contact);
   check_answer(law, answer);
-  return {answer.e_n, answer.e_t};
+  return {answer.e_n, answer.e_t, static_cast<double>(answer.form), answer.as_lmgc90 ? 1.0 : 0.0};
 }
 
 Answer numbers_of(const FrictionLaw& law, Values values, const ContactState& contact) {
   const Friction answer = law.friction(values, contact);
   check_answer(law, answer);
-  return {answer.mu_s, answer.mu_d};
+  return {answer.mu_s, answer.mu_d, answer.c_n, answer.c_t};
 }
 
 Answer numbers_of(const RollingLaw& law, Values values, const ContactState& contact) {
-  const double mu_r = law.rolling(values, contact);
-  check_rolling(law, mu_r);
-  return {mu_r};
+  const Rolling answer = law.rolling(values, contact);
+  check_answer(law, answer);
+  return {answer.mu_r, answer.mu_spin};
 }
 
 Answer numbers_of(const UnilateralLaw& law, Values values, const ContactState& contact) {
-  return {static_cast<double>(law.condition(values, contact))};
+  const Unilateral answer = law.condition(values, contact);
+  check_answer(law, answer);
+  return {static_cast<double>(answer.condition), answer.stiffness, answer.pull};
 }
 
 template <class SomeLaw>
 requires std::derived_from<SomeLaw, Law> Answer answer_of(const SomeLaw& law, Values values, int) {
   Answer answer;
+  std::array<double, most_history> history{};
   for (int i = 0; i < law_states; ++i) {
-    const Answer numbers = numbers_of(law, values, sampled_contact(i));
+    ContactState contact = sampled_contact(i);
+    contact.history = history;
+    const Answer numbers = numbers_of(law, values, contact);
     if (law.constant() && i > 0 && !std::equal(numbers.begin(), numbers.end(), answer.begin()))
       fail("says that it is constant and answers two states differently");
     answer.insert(answer.end(), numbers.begin(), numbers.end());

@@ -10,25 +10,45 @@ namespace flyrock {
 
 namespace {
 
-void require(bool fine, const Law& law, std::string_view entry, std::string_view name, double value,
-             std::string_view expected) {
-  if (!fine)
-    throw PluginError(
-        fmt::format("plugin {}: {}() returned {} = {:.6g}, must be {}", law.origin(), entry, name, value, expected));
+constexpr std::array<std::string_view, 5> form_names = {"newton", "newton_mean", "poisson", "energy", "velocity"};
+constexpr std::array<std::string_view, 4> condition_names = {"signorini", "quasi_shock", "cohesive", "penalty"};
+
+template <class Kind, std::size_t n>
+std::optional<Kind> find_name(const std::array<std::string_view, n>& names, std::string_view name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<Kind>(found - names.begin());
 }
+
+/// Checks the numbers of one answer.
+class Answer {
+ public:
+  Answer(const Law& law, std::string_view entry) : law_(law), entry_(entry) {}
+
+  void require(bool fine, std::string_view name, double value, std::string_view expected) const {
+    if (!fine)
+      throw PluginError(
+          fmt::format("plugin {}: {}() returned {} = {:.6g}, must be {}", law_.origin(), entry_, name, value, expected));
+  }
+  void not_negative(std::string_view name, double value) const {
+    require(std::isfinite(value), name, value, "finite");
+    require(value >= 0, name, value, "at least 0");
+  }
+
+ private:
+  const Law& law_;
+  std::string_view entry_;
+};
 
 }  // namespace
 
-namespace {
-constexpr std::array<std::string_view, 5> form_names = {"newton", "newton_mean", "poisson", "energy", "velocity"};
-}
-
 std::string_view name_of(RestitutionForm form) { return form_names[static_cast<std::size_t>(form)]; }
-
 std::optional<RestitutionForm> restitution_form(std::string_view name) {
-  const auto found = std::find(form_names.begin(), form_names.end(), name);
-  if (found == form_names.end()) return std::nullopt;
-  return static_cast<RestitutionForm>(found - form_names.begin());
+  return find_name<RestitutionForm>(form_names, name);
+}
+std::string_view name_of(NormalCondition condition) { return condition_names[static_cast<std::size_t>(condition)]; }
+std::optional<NormalCondition> normal_condition(std::string_view name) {
+  return find_name<NormalCondition>(condition_names, name);
 }
 
 const std::vector<ContactField>& contact_fields() {
@@ -43,10 +63,12 @@ const std::vector<ContactField>& contact_fields() {
       {"spin", &ContactState::spin, {}},
       {"kinetic_energy", &ContactState::kinetic_energy, {}},
       {"length", &ContactState::length, {}},
+      {"area", &ContactState::area, {}},
       {"age", &ContactState::age, {}},
       {"was_sticking", &ContactState::was_sticking, {}},
       {"impact_number", &ContactState::impact_number, {}},
       {"time", &ContactState::time, {}},
+      {"step", &ContactState::step, {}},
       {"group_a", {}, &ContactState::group_a},
       {"group_b", {}, &ContactState::group_b},
       {"material", {}, &ContactState::material},
@@ -55,23 +77,41 @@ const std::vector<ContactField>& contact_fields() {
 }
 
 void check_answer(const Law& law, const Restitution& answer) {
-  require(std::isfinite(answer.e_n), law, "impact", "e_n", answer.e_n, "finite");
-  require(answer.e_n >= 0, law, "impact", "e_n", answer.e_n, "at least 0");
-  require(std::isfinite(answer.e_t), law, "impact", "e_t", answer.e_t, "finite");
-  require(std::abs(answer.e_t) <= 1, law, "impact", "e_t", answer.e_t, "from -1 to 1");
+  const Answer impact(law, "impact");
+  impact.not_negative("e_n", answer.e_n);
+  impact.require(std::isfinite(answer.e_t), "e_t", answer.e_t, "finite");
+  const bool has_e_t = answer.form == RestitutionForm::newton || answer.form == RestitutionForm::velocity;
+  if (has_e_t)
+    impact.require(std::abs(answer.e_t) <= 1, "e_t", answer.e_t, "from -1 to 1");
+  else
+    impact.require(answer.e_t == 0, "e_t", answer.e_t,
+                   fmt::format("0: the form {} has no tangential restitution", name_of(answer.form)));
 }
 
 void check_answer(const Law& law, const Friction& answer) {
-  require(std::isfinite(answer.mu_s), law, "friction", "mu_s", answer.mu_s, "finite");
-  require(answer.mu_s >= 0, law, "friction", "mu_s", answer.mu_s, "at least 0");
-  require(std::isfinite(answer.mu_d), law, "friction", "mu_d", answer.mu_d, "finite");
-  require(answer.mu_d >= 0, law, "friction", "mu_d", answer.mu_d, "at least 0");
-  require(answer.mu_d <= answer.mu_s, law, "friction", "mu_d", answer.mu_d, "at most mu_s");
+  const Answer friction(law, "friction");
+  friction.not_negative("mu_s", answer.mu_s);
+  friction.not_negative("mu_d", answer.mu_d);
+  friction.require(answer.mu_d <= answer.mu_s, "mu_d", answer.mu_d, "at most mu_s");
+  friction.not_negative("c_n", answer.c_n);
+  friction.not_negative("c_t", answer.c_t);
+  friction.require(answer.c_t >= answer.mu_s * answer.c_n * (1 - 1e-12), "c_t", answer.c_t,
+                   fmt::format("at least mu_s c_n = {:.6g}: a pull c_n beyond c_t / mu_s is outside the cone of friction",
+                               answer.mu_s * answer.c_n));
 }
 
-void check_rolling(const Law& law, double mu_r) {
-  require(std::isfinite(mu_r), law, "rolling", "mu_r", mu_r, "finite");
-  require(mu_r >= 0, law, "rolling", "mu_r", mu_r, "at least 0");
+void check_answer(const Law& law, const Rolling& answer) {
+  const Answer rolling(law, "rolling");
+  rolling.not_negative("mu_r", answer.mu_r);
+  rolling.not_negative("mu_spin", answer.mu_spin);
+}
+
+void check_answer(const Law& law, const Unilateral& answer) {
+  const Answer condition(law, "condition");
+  condition.not_negative("a stiffness", answer.stiffness);
+  if (answer.condition == NormalCondition::penalty)
+    condition.require(answer.stiffness > 0, "a stiffness", answer.stiffness, "above 0");
+  condition.not_negative("a pull", answer.pull);
 }
 
 }  // namespace flyrock

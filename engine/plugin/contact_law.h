@@ -2,6 +2,7 @@
 // How a contact answers: restitution, friction, rolling resistance, the normal condition.
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,17 +22,30 @@ enum class RestitutionForm {
 std::string_view name_of(RestitutionForm form);
 std::optional<RestitutionForm> restitution_form(std::string_view name);
 
-enum class NormalCondition { signorini };
+/// How a contact bears pressure, in a step of length h that leads to a gap g without contact forces.
+enum class NormalCondition {
+  signorini,    ///< of a closed contact 0 <= U_n _|_ r_n >= 0
+  quasi_shock,  ///< 0 <= max(0, g)/h + U_n _|_ r_n >= 0: the gap that is left may close
+  cohesive,     ///< signorini on r_n + h c_n: the contact bears a pull up to c_n
+  penalty       ///< r_n = h k max(0, -g), a spring in place of a constraint, as in smooth DEM
+};
+std::string_view name_of(NormalCondition condition);
+std::optional<NormalCondition> normal_condition(std::string_view name);
 
-/// All that the solver knows of a contact's law.
+/// All that the solver knows of a contact's law. Forces, not impulses: a step of length h bears h times as much.
 struct ContactLaw {
   RestitutionForm form = RestitutionForm::newton;
   NormalCondition condition = NormalCondition::signorini;
-  double e_n = 0;   ///< normal restitution of this impact
-  double e_t = 0;   ///< tangential restitution, form `newton` only
-  double mu_s = 0;  ///< Coulomb coefficient while the contact sticks
-  double mu_d = 0;  ///< Coulomb coefficient while it slides
-  double mu_r = 0;  ///< m; bound of the rolling torque: |m_r| <= mu_r r_n
+  double e_n = 0;           ///< normal restitution of this impact
+  double e_t = 0;           ///< tangential restitution, forms `newton` and `velocity` only
+  bool as_lmgc90 = false;   ///< form `newton`: as LMGC90's RST_CLB, see solver/restitution.h
+  double mu_s = 0;          ///< Coulomb coefficient while the contact sticks
+  double mu_d = 0;          ///< Coulomb coefficient while it slides
+  double c_n = 0;           ///< N; the pull that the contact bears: r_n >= -c_n
+  double c_t = 0;           ///< N; shear strength beside friction: |r_t| <= mu r_n + c_t, at least mu c_n
+  double mu_r = 0;          ///< m; bound of the rolling torque: |m_r| <= mu_r r_n
+  double mu_spin = 0;       ///< m; bound of the torque about the normal: |m_n| <= mu_spin r_n; 3D only
+  double stiffness = 0;     ///< N/m; k of the condition `penalty`
 };
 
 /// What a law may read of its contact. SI units; velocities at the contact point, relative.
@@ -46,14 +60,19 @@ struct ContactState {
   double radius = 0;            ///< m, of the disk (sphere) of equal area (volume)
   double spin = 0;              ///< rad/s, of the candidate
   double kinetic_energy = 0;    ///< J, of the candidate
-  double length = 0;            ///< m, tributary length of this point in 2D, 0 for a single point
+  double length = 0;            ///< m, tributary length of this point in 2D; 0 for a single point and in 3D
+  double area = 0;              ///< m2, tributary area; in 2D the length times the thickness of the candidate
   double age = 0;               ///< s since the contact closed
   double was_sticking = 0;      ///< 1 where the contact stuck in the last step, else 0
   double impact_number = 0;     ///< impacts of the candidate so far, this one included; from 1
   double time = 0;              ///< s
+  double step = 0;              ///< s, length of the step that the law is asked for; 0 for an impact
   std::string_view group_a;     ///< candidate: name of its group or body
   std::string_view group_b;     ///< antagonist: name of its group or body, or terrain.<part>
   std::string_view material;    ///< name of the material in force
+  /// The law's memory, in the order of its manifest: zero at the birth of its pair or contact, kept between calls. A law
+  /// may write it; the engine takes a step that is done again back to the memory with which it began.
+  std::span<double> history;
 };
 
 /// A field of a contact by its name; one of `number` and `text` is set.
@@ -64,13 +83,27 @@ struct ContactField {
 };
 const std::vector<ContactField>& contact_fields();
 
+/// Answers; fields as in ContactLaw.
 struct Restitution {
   double e_n = 0;
   double e_t = 0;
+  RestitutionForm form = RestitutionForm::newton;
+  bool as_lmgc90 = false;
 };
 struct Friction {
   double mu_s = 0;
   double mu_d = 0;
+  double c_n = 0;
+  double c_t = 0;
+};
+struct Rolling {
+  double mu_r = 0;
+  double mu_spin = 0;
+};
+struct Unilateral {
+  NormalCondition condition = NormalCondition::signorini;
+  double stiffness = 0;  ///< N/m, of `penalty`
+  double pull = 0;       ///< N, of `cohesive`: c_n, with c_t = mu c_n
 };
 
 /// The law kinds. Laws are immutable and shared by threads (a Lua law belongs to one worker). `values` are the
@@ -94,18 +127,19 @@ class FrictionLaw : public Law {
 };
 class RollingLaw : public Law {
  public:
-  /// The bound mu_r [m] of the rolling torque.
-  virtual double rolling(Values values, const ContactState& contact) const = 0;
+  virtual Rolling rolling(Values values, const ContactState& contact) const = 0;
 };
 class UnilateralLaw : public Law {
  public:
-  virtual NormalCondition condition(Values values, const ContactState& contact) const = 0;
+  virtual Unilateral condition(Values values, const ContactState& contact) const = 0;
 };
 
 /// Throw PluginError "plugin NAME, FILE:LINE: impact() returned e_n = -0.2, must be at least 0" where an
-/// answer is not finite or out of range (e_n >= 0, -1 <= e_t <= 1, mu >= 0, mu_d <= mu_s, mu_r >= 0).
+/// answer is not finite or out of range: e_n >= 0, -1 <= e_t <= 1 and 0 for a form that has none, mu >= 0, mu_d <= mu_s,
+/// c_n >= 0, c_t >= mu_s c_n, mu_r and mu_spin >= 0, stiffness > 0 where it counts, pull >= 0.
 void check_answer(const Law& law, const Restitution& answer);
 void check_answer(const Law& law, const Friction& answer);
-void check_rolling(const Law& law, double mu_r);
+void check_answer(const Law& law, const Rolling& answer);
+void check_answer(const Law& law, const Unilateral& answer);
 
 }  // namespace flyrock

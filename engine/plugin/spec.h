@@ -47,12 +47,17 @@ struct ParamSpec {
   bool required() const { return !optional && !default_number && !default_text && !default_vector; }
 };
 
+/// Names that the history of one law may have: a contact keeps room for the laws of its four kinds.
+inline constexpr std::size_t most_history = 4;
+
 struct PluginSpec {
   PluginKind kind = PluginKind::shape;
   std::string name;
   std::string doc;
   std::string source;              ///< the publication that the model comes from
-  std::string form;                ///< restitution: "newton"
+  std::string form;                ///< restitution: "newton", "poisson", ...
+  std::vector<std::string> history;    ///< names of what the law remembers
+  bool history_of_contact = false;     ///< remembered per contact, else per pair of bodies
   std::vector<std::string> reads;  ///< "blast.burden", "contact.approach_speed"
   bool declares_reads = false;
   std::vector<ParamSpec> params;

@@ -34,6 +34,9 @@ void bind(BoundLaw<LawKind>& bound, const std::unique_ptr<LawKind>& law, const s
   if (!law) return;
   bound.law = law.get();
   bound.values = values_of(*use, scenario, key);
+  bound.memory = use->plugin->spec.history.size();
+  bound.per_contact = use->plugin->spec.history_of_contact;
+  if (!bound.per_contact) bound.history.assign(bound.memory, 0.0);
   for (std::size_t slot = 0; slot < use->slots.size(); ++slot) {
     const Number& number = use->slots[slot];
     if (!number.is_constant() && scenario.draws[number.draw].scope == Scope::impact)

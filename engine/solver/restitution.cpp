@@ -41,6 +41,15 @@ bool ImpactSolver<D>::solve_alone(Problem& problem, int a, const Rebound<D>& reb
   return true;
 }
 
+/// q + W given.
+template <int D>
+void ImpactSolver<D>::add_given(Problem& problem) const {
+  for (int a = 0; a < problem.size(); ++a) {
+    auto& contact = problem.contacts[a];
+    contact.q = problem.outside_velocity(a, given_) + contact.w.col(0) * given_[a][0];
+  }
+}
+
 template <int D>
 SolveResult ImpactSolver<D>::solve(Problem& problem, const std::vector<Rebound<D>>& rebounds, const SolveSettings& settings,
                                    std::vector<Row>& r) {
@@ -48,7 +57,14 @@ SolveResult ImpactSolver<D>::solve(Problem& problem, const std::vector<Rebound<D
   free_.resize(n), turn_.resize(n), given_.resize(n), expansion_.resize(n);
   alone_.assign(n, Row::Zero());
   factor_.assign(n, -1);
-  bool phases = false;
+  bool given = false, phases = false;
+  for (int a = 0; a < n; ++a) {
+    given_[a].setZero();
+    given_[a][0] = rebounds[a].given;
+    given = given || rebounds[a].given != 0;
+    r[a][0] = std::max(0.0, r[a][0] - rebounds[a].given);
+  }
+  if (given) add_given(problem);
   for (int a = 0; a < n; ++a) {
     auto& contact = problem.contacts[a];
     const Rebound<D>& rebound = rebounds[a];
@@ -67,7 +83,7 @@ SolveResult ImpactSolver<D>::solve(Problem& problem, const std::vector<Rebound<D
     }
   }
 
-  SolveResult result = nlgs_.solve(problem, settings, r);
+  SolveResult result = solver_.solve(problem, settings, r);
   if (phases) {
     for (int a = 0; a < n; ++a) turn_[a] = problem.outside_velocity(a, r) + problem.contacts[a].w * r[a];
     constexpr int most_adjustments = 100;
@@ -85,7 +101,10 @@ SolveResult ImpactSolver<D>::solve(Problem& problem, const std::vector<Rebound<D
     result.converged = result.converged && imbalance <= balanced;
     for (int a = 0; a < n; ++a) r[a] += expansion_[a];
   }
-  for (int a = 0; a < n; ++a) r[a] += alone_[a];
+  for (int a = 0; a < n; ++a) {
+    r[a] += alone_[a];
+    r[a][0] += rebounds[a].given;
+  }
   return result;
 }
 
@@ -93,17 +112,15 @@ SolveResult ImpactSolver<D>::solve(Problem& problem, const std::vector<Rebound<D
 template <int D>
 SolveResult ImpactSolver<D>::expand(Problem& problem, const SolveSettings& settings, const std::vector<Row>& compression) {
   for (int a = 0; a < problem.size(); ++a) {
+    auto& contact = problem.contacts[a];
     given_[a].setZero();
     if (factor_[a] > 0) given_[a][0] = factor_[a] * compression[a][0];
-  }
-  for (int a = 0; a < problem.size(); ++a) {
-    auto& contact = problem.contacts[a];
     contact.q = turn_[a];
-    contact.q = problem.outside_velocity(a, given_) + contact.w.col(0) * given_[a][0];
     contact.c_t = contact.mu * given_[a][0];
     expansion_[a].setZero();
   }
-  const SolveResult result = nlgs_.solve(problem, settings, expansion_);
+  add_given(problem);
+  const SolveResult result = solver_.solve(problem, settings, expansion_);
   for (int a = 0; a < problem.size(); ++a) expansion_[a] += given_[a];
   return result;
 }

@@ -5,7 +5,7 @@
 
 #include "plugin/contact_law.h"
 #include "solver/contact_problem.h"
-#include "solver/nlgs.h"
+#include "solver/solve.h"
 
 namespace flyrock {
 
@@ -16,6 +16,7 @@ struct Rebound {
   double e_n = 0;
   double e_t = 0;
   bool as_lmgc90 = false;  ///< newton: also a contact that separates keeps to v_n^+ >= -e_n v_n^-
+  double given = 0;        ///< N s, a part of the normal impulse that is given: below 0 a pull that the contact bears
   typename ContactProblem<D>::Row before = ContactProblem<D>::Row::Zero();  ///< its velocity v^-
 };
 
@@ -31,6 +32,7 @@ struct Rebound {
 ///                 -e_n^2 times that of compression (at most so, where other contacts press harder).
 ///  - velocity:    v_n = -e_n v_n^-, v_t = e_t v_t^- whatever the friction; only for a contact that is coupled to no other:
 ///                 else PluginError.
+/// A given impulse L belongs to r_n: where the contact has normal rows, r_n >= L; its c_t is that of a bound on r_n - L.
 /// Forms mix: a contact of newton or newton_mean keeps its conditions in both phases. `r` holds the start (zero, or the
 /// impulses of the last step) and the answer. `problem` is left as it was solved last. Rolling and spinning resistance of a contact with two phases act in
 /// compression. Instantiated for D = 2, 3. Sources: M. Jean 1999; M. Fremond
@@ -46,16 +48,17 @@ class ImpactSolver {
 
  private:
   bool two_phase(int a, const Rebound<D>& rebound) const;
+  void add_given(Problem& problem) const;
   bool solve_alone(Problem& problem, int a, const Rebound<D>& rebound);
   SolveResult expand(Problem& problem, const SolveSettings& settings, const std::vector<Row>& compression);
   double adjust_factors(const Problem& problem, const std::vector<Rebound<D>>& rebounds,
                         const std::vector<Row>& compression);
 
-  Nlgs<D> nlgs_;
+  Solver<D> solver_;
   std::vector<Row> alone_;      // impulses of contacts that were solved by themselves
   std::vector<Row> free_;       // q of compression, without shifts
   std::vector<Row> turn_;       // velocity at the end of compression
-  std::vector<Row> given_;      // f r_Cn of the normal rows
+  std::vector<Row> given_;      // normal impulses that q holds: rebounds' own, or f r_Cn in expansion
   std::vector<Row> expansion_;  // impulses of restitution
   std::vector<double> factor_;  // f of each contact; -1: it has no second phase
 };

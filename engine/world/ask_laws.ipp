@@ -1,6 +1,7 @@
 #pragma once
 // What the laws of the contacts answer at the start of a step or impact.
 
+#include <algorithm>
 #include <cmath>
 
 #include "world/manifold.h"
@@ -8,8 +9,22 @@
 
 namespace flyrock {
 
+/// The share of one point in the area of the convex patch that `points` span: 0 for fewer than three.
+inline double tributary_area(std::vector<Vec3>& points, const Vec3& normal) {
+  if (points.size() < 3) return 0;
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& point : points) middle += point / static_cast<double>(points.size());
+  const Vec3 x = (points[0] - middle).normalized(), y = normal.cross(x);
+  const auto angle = [&](const Vec3& point) { return std::atan2(y.dot(point - middle), x.dot(point - middle)); };
+  std::sort(points.begin(), points.end(), [&](const Vec3& a, const Vec3& b) { return angle(a) < angle(b); });
+  double area = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    area += 0.5 * normal.dot((points[i] - middle).cross(points[(i + 1) % points.size()] - middle));
+  return area / static_cast<double>(points.size());
+}
+
 template <int D>
-ContactState World<D>::state_of(const Contact& contact) const {
+ContactState World<D>::state_of(const Contact& contact, double h) {
   const Body<D>& body = bodies[contact.candidate];
   ContactState state;
   state.approach_speed = contact.approach();
@@ -19,23 +34,31 @@ ContactState World<D>::state_of(const Contact& contact) const {
   double inverse_mass = 0;
   for (const int i : {contact.candidate, contact.antagonist}) {
     if (i < 0) continue;
-    const typename Body<D>::Rows h = contact_columns<D>(contact.at.normal, contact.at.point - bodies[i].x).col(0);
-    inverse_mass += h.dot(bodies[i].inverse_mass_times(h));
+    const typename Body<D>::Rows normal = contact_columns<D>(contact.at.normal, contact.at.point - bodies[i].x).col(0);
+    inverse_mass += normal.dot(bodies[i].inverse_mass_times(normal));
   }
   state.effective_mass = 1 / inverse_mass;
   state.mass = body.mass;
   state.radius = body.radius;
   state.spin = body.spin_speed();
   state.kinetic_energy = body.kinetic_energy();
-  // Half the distance to the other points of the same manifold is this point's tributary length.
+  // In the plane half the distance to the other points of the same manifold is this point's tributary length.
+  patch_.clear();
   for (const Contact& other : contacts_)
-    if (&other != &contact && other.candidate == contact.candidate && other.antagonist == contact.antagonist &&
+    if (other.candidate == contact.candidate && other.antagonist == contact.antagonist &&
         same_direction<D>(other.at.normal, contact.at.normal))
-      state.length += 0.5 * (other.at.point - contact.at.point).norm();
+      patch_.push_back(other.at.point);
+  if constexpr (D == 2) {
+    for (const Vec<D>& point : patch_) state.length += 0.5 * (point - contact.at.point).norm();
+    state.area = state.length * body.volume / (pi * body.radius * body.radius);
+  } else {
+    state.area = tributary_area(patch_, contact.at.normal);
+  }
   state.age = contact.age;
   state.was_sticking = contact.sticking;
   state.impact_number = body.impacts;
   state.time = time;
+  state.step = h;
   state.group_a = body.group;
   if (contact.antagonist >= 0)
     state.group_b = bodies[contact.antagonist].group;
@@ -68,24 +91,15 @@ void World<D>::begin_manifolds() {
 }
 
 template <int D>
-void World<D>::ask_laws() {
+void World<D>::ask_laws(double h) {
   for (Contact& contact : contacts_) {
     contact.law = {};
     Surface* surface = contact.surface;
     if (!surface) continue;
     ++surface->use.contacts;
     const bool impact = contact.manifold >= 0;
-    const ContactState state = impact || surface->reads_state() ? state_of(contact) : ContactState{};
-    if (impact) {
-      const Restitution restitution = surface->ask_restitution(state);
-      contact.law.e_n = restitution.e_n;
-      contact.law.e_t = restitution.e_t;
-    }
-    const Friction friction = surface->ask_friction(state);
-    contact.law.mu_s = friction.mu_s;
-    contact.law.mu_d = friction.mu_d;
-    contact.law.mu_r = surface->ask_rolling(state);
-    contact.law.condition = surface->ask_condition(state);
+    ContactState state = impact || surface->reads_state() ? state_of(contact, h) : ContactState{};
+    contact.law = surface->ask(state, impact, contact.history);
   }
 }
 

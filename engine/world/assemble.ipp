@@ -24,10 +24,10 @@ void World<D>::measure_before() {
   for (Contact& contact : contacts_) contact.before = relative_velocity(contact);
 }
 
-/// W = sum over bodies of H^T M^-1 H, and q = u_free; `warm` starts from the last impulses.
+/// W = sum over bodies of H^T M^-1 H, q = u_free, and the laws; `warm` starts from the last impulses.
 template <int D>
 void World<D>::assemble(double h, bool warm) {
-  const auto turns = [](const Contact& c) { return c.law.mu_r > 0; };
+  const auto turns = [](const Contact& c) { return c.law.mu_r > 0 || c.law.mu_spin > 0; };
   problem_.clear(std::any_of(contacts_.begin(), contacts_.end(), turns) ? Problem::rows : D);
   rows_.clear();
   impulses_.clear();
@@ -45,8 +45,6 @@ void World<D>::assemble(double h, bool warm) {
 
     typename Problem::Contact row;
     row.q = relative_velocity(contact);
-    row.mu = contact.sticking ? contact.law.mu_s : contact.law.mu_d;
-    row.mu_r = contact.law.mu_r;
     row.w.setZero();
     problem_.contacts.push_back(row);
     impulses_.push_back(warm && contact.carried ? contact.impulse : Row::Zero());
@@ -71,10 +69,16 @@ void World<D>::assemble(double h, bool warm) {
     }
   }
   problem_.first.push_back(problem_.couplings());
-  // A body without rotational inertia to speak of cannot roll.
-  for (auto& contact : problem_.contacts)
-    if (contact.w(D, D) <= 0) contact.mu_r = 0;
+  apply_laws(h);
   scale_by_island(h);
+}
+
+/// The body that stands for the island of a contact.
+template <int D>
+int World<D>::island_of(const Contact& contact) {
+  int i = bodies[contact.candidate].moves() ? contact.candidate : contact.antagonist;
+  while (island_[i] != i) i = island_[i] = island_[island_[i]];
+  return i;
 }
 
 /// The tolerance of a contact is relative to g h, or to the fastest approach in its island of touching bodies.
@@ -86,17 +90,16 @@ void World<D>::scale_by_island(double h) {
     while (island_[i] != i) i = island_[i] = island_[island_[i]];
     return i;
   };
-  const auto mover = [&](const Contact& c) { return bodies[c.candidate].moves() ? c.candidate : c.antagonist; };
   for (const Contact& c : contacts_)
     if (c.antagonist >= 0 && bodies[c.candidate].moves() && bodies[c.antagonist].moves())
       island_[root(c.candidate)] = root(c.antagonist);
   island_speed_.assign(bodies.size(), gravity_.norm() * (h > 0 ? h : settings_.time_step));
   for (const Contact& c : contacts_) {
-    double& speed = island_speed_[root(mover(c))];
+    double& speed = island_speed_[island_of(c)];
     speed = std::max(speed, c.approach());
   }
   for (std::size_t a = 0; a < contacts_.size(); ++a)
-    problem_.contacts[a].speed_scale = island_speed_[root(mover(contacts_[a]))];
+    problem_.contacts[a].speed_scale = island_speed_[island_of(contacts_[a])];
 }
 
 }  // namespace flyrock

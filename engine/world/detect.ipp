@@ -118,6 +118,8 @@ void World<D>::match_last() {
     }
     if (!found) continue;
     contact.impulse = found->impulse;
+    contact.law = found->law;
+    contact.history = found->history;
     contact.age = found->age;
     contact.carried = found->carried;
     contact.sticking = found->sticking;

@@ -3,32 +3,33 @@
 
 #include <algorithm>
 
+#include "solver/law_terms.h"
 #include "world/manifold.h"
 #include "world/world.h"
 
 namespace flyrock {
 
-/// Signorini with Newton's law: 0 <= u_n + e_n min(0, v_n^-) _|_ r_n >= 0; friction on u_t + e_t v_t^-.
 template <int D>
-void World<D>::shift_by_restitution() {
+void World<D>::apply_laws(double h) {
+  rebounds_.resize(contacts_.size());
   for (std::size_t a = 0; a < contacts_.size(); ++a) {
     const Contact& contact = contacts_[a];
-    Row& q = problem_.contacts[a].q;
-    q[0] += contact.law.e_n * std::min(0.0, contact.before[0]);
-    q.template segment<D - 1>(1) += contact.law.e_t * tangential(contact.before);
+    auto& row = problem_.contacts[a];
+    rebounds_[a].before = contact.before;
+    set_law<D>(contact.law, contact.sticking, contact.at.gap, h, row, rebounds_[a]);
+    if (row.w(D, D) <= 0) row.mu_r = row.mu_spin = 0;  // a body without rotational inertia to speak of cannot roll
   }
 }
 
 template <int D>
 void World<D>::solve_and_apply() {
   const PhaseTimer timer(clock, &PhaseTimes::solve);
-  shift_by_restitution();
   if (on_hard_problem) start_ = impulses_;
   SolveSettings wanted;
   wanted.tolerance = settings_.tolerance;
   wanted.max_iterations = settings_.max_iterations;
   wanted.solver = settings_.solver;
-  const SolveResult result = solver_.solve(problem_, wanted, impulses_);
+  const SolveResult result = solver_.solve(problem_, rebounds_, wanted, impulses_);
   quality_.iterations += result.iterations;
   if (!result.converged) {
     ++quality_.not_converged;
@@ -58,20 +59,23 @@ typename World<D>::Row World<D>::velocity_after(int a) const {
   return u;
 }
 
-/// One Impact a manifold; the energy change of them all is audited.
+/// One Impact a manifold. The energy that the contacts of an island bring in an impact, or a step of length h, is audited: beyond
+/// rounding, and beyond |r| g h / 2 of a contact that opens or reverses its slip within the step, there should be none.
 template <int D>
-void World<D>::record_impacts() {
+void World<D>::record_impacts(double h) {
   impacts_.clear();
   sums_.clear();
-  double change = 0, rounding = 0;
+  island_gain_.assign(bodies.size(), 0.0);
   for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) {
     const Contact& contact = contacts_[a];
     const Row after = velocity_after(a);
     const double energy = 0.5 * contact.impulse.dot(contact.before + after);
-    change += energy;
-    rounding += contact.impulse.template head<D>().norm() *
+    double& gain = island_gain_[island_of(contact)];
+    // A spring returns what it took.
+    if (contact.law.condition != NormalCondition::penalty) gain += energy;
+    gain -= contact.impulse.template head<D>().norm() *
                 (1e-12 * (contact.before.norm() + after.norm()) +
-                 10 * settings_.tolerance * problem_.contacts[a].speed_scale);
+                 10 * settings_.tolerance * problem_.contacts[a].speed_scale + 0.5 * gravity_.norm() * h);
     if (contact.manifold < 0) continue;
     if (contact.manifold >= static_cast<int>(impacts_.size())) {
       Impact impact;
@@ -110,19 +114,23 @@ void World<D>::record_impacts() {
     impact.vt_after = slip(sum.vt_after) / sum.weight;
     impact.pt = slip(sum.pt);
   }
-  if (!impacts_.empty() && change > rounding) {
-    ++quality_.energy_gains;
-    quality_.energy_gained += change;
-  }
+  for (const double gain : island_gain_)
+    if (gain > 0) {
+      ++quality_.energy_gains;
+      quality_.energy_gained += gain;
+    }
 }
 
 /// Whether contact a counts as closed after an impact or step. Restitution throws it off at any speed. Otherwise it opens
 /// where it is faster than g h / 2: slower, it would close again within a step, and a block that rocks to rest would do
-/// so without end.
+/// so without end. `duration`: of the step.
 template <int D>
-bool World<D>::stays_closed(int a) const {
+bool World<D>::stays_closed(int a, double duration) const {
   const Contact& contact = contacts_[a];
   const double speed = velocity_after(a)[0];
+  // A spring lets go where its gap has opened, at the end of the step.
+  if (contact.law.condition == NormalCondition::penalty)
+    return speed <= 0 || contact.at.gap + settings_.theta * duration * speed <= 0;
   if (contact.manifold >= 0 && contact.law.e_n > 0) return speed <= 0;
   const double within_tolerance = 10 * settings_.tolerance * problem_.contacts[a].speed_scale + 1e-14 * contact.before.norm();
   return speed <= std::max(within_tolerance, 0.5 * gravity_.norm() * settings_.time_step);

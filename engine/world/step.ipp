@@ -13,6 +13,8 @@ template <int D>
 void World<D>::save() {
   saved_.clear();
   for (const Body<D>& body : bodies) saved_.push_back({moment_of(body), body.impacts});
+  memory_.clear();
+  for (const Surface* surface : surfaces_) surface->save_history(memory_);
 }
 
 template <int D>
@@ -24,15 +26,18 @@ void World<D>::restore() {
     bodies[i].w = moment.w;
     bodies[i].impacts = impacts;
   }
+  const double* memory = memory_.data();
+  for (Surface* surface : surfaces_) memory = surface->restore_history(memory);
 }
 
 /// How far the worst contact has drifted into overlap from the start to the middle of the step, in units of what a step
-/// may bring.
+/// may bring. Springs overlap by their nature.
 template <int D>
 double World<D>::drift_share() const {
   double share = 0;
   for (const Contact& c : contacts_)
-    share = std::max(share, (std::min(start_gap(c), 0.0) - c.at.gap) / (3 * carry_reach(c)));
+    if (c.law.condition != NormalCondition::penalty)
+      share = std::max(share, (std::min(start_gap(c), 0.0) - c.at.gap) / (3 * carry_reach(c)));
   return share;
 }
 
@@ -69,7 +74,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut) {
       body.w = free_spin(body, h, theta);
     }
     begin_manifolds();
-    ask_laws();
+    ask_laws(h);
     assemble(h, true);
     if (!contacts_.empty()) solve_and_apply();
     drift(theta * h);
@@ -84,7 +89,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut) {
       return {0, true, true};
     }
   }
-  record_impacts();
+  record_impacts(h);
   project_drift(cut);
   time += h;
   ++quality_.steps;
@@ -101,14 +106,14 @@ typename World<D>::Outcome World<D>::impact() {
   keep_closed(event_share);
   measure_before();
   begin_manifolds();
-  ask_laws();
+  ask_laws(0);
   assemble(0, false);
   const bool approaching = std::any_of(contacts_.begin(), contacts_.end(), [](const Contact& c) { return c.before[0] < 0; });
   if (approaching) {
     solve_and_apply();
     ++quality_.impact_problems;
   }
-  record_impacts();
+  record_impacts(0);
   Outcome outcome = keep(0, false);
   outcome.new_touch = approaching;
   for (Contact& c : last_) c.impulse.setZero();  // of an impact: no start for the step that follows
@@ -162,6 +167,7 @@ void World<D>::project_drift(bool exact) {
   for (int pass = 0; pass < passes; ++pass) {
     for (std::size_t a = 0; a < contacts_.size(); ++a) {
       const Contact& c = contacts_[a];
+      if (c.law.condition == NormalCondition::penalty) continue;
       const Body<D>& body = bodies[c.candidate];
       const Placed candidate{body.contactors[contactor_of(c.at.feature)], body.pose()};
       double gap;
@@ -193,9 +199,10 @@ typename World<D>::Outcome World<D>::keep(double duration, bool new_touch) {
   Outcome outcome{duration, new_touch, false};
   for (std::size_t a = 0; a < contacts_.size(); ++a) {
     Contact& c = contacts_[a];
-    const bool closed = stays_closed(static_cast<int>(a));
+    const bool closed = stays_closed(static_cast<int>(a), duration);
     c.carried = closed;
-    c.sticking = c.impulse[0] > 0 && tangential(c.impulse).norm() < (1 - 1e-9) * c.law.mu_s * c.impulse[0];
+    const double held = c.mu() * c.impulse[0] + duration * c.law.c_t;  // by friction at most
+    c.sticking = held > 0 && tangential(c.impulse).norm() < (1 - 1e-9) * held;
     c.age = closed ? c.age + duration : 0;
     outcome.in_contact = outcome.in_contact || c.carried;
   }

@@ -1,16 +1,22 @@
 #include "world/surface.h"
 
+#include <algorithm>
+#include <span>
+
 namespace flyrock {
 
 namespace {
 
-/// The answer of a law: kept where it is constant, asked and checked otherwise.
+/// The answer of a law: kept where it is constant, asked and checked otherwise. `own`: what it remembers of the contact.
 template <class Answer, class LawKind, class Ask>
-Answer answer(const BoundLaw<LawKind>& bound, std::optional<Answer>& kept, std::uint64_t& asked, Ask&& ask) {
+Answer answer(BoundLaw<LawKind>& bound, std::optional<Answer>& kept, std::uint64_t& asked, ContactState& state,
+              std::span<double> own, Ask&& ask) {
   if (!bound.law) return Answer{};
   ++asked;
   if (kept) return *kept;
-  const Answer given = ask();
+  state.history = bound.per_contact ? own.first(bound.memory) : std::span(bound.history);
+  const Answer given = ask(*bound.law, bound.values, state);
+  check_answer(*bound.law, given);
   if (bound.constant()) kept = given;
   return given;
 }
@@ -43,35 +49,52 @@ void Surface::begin_impact(std::uint64_t impact_number) {
   draw_again(unilateral, seed, key);
 }
 
-Restitution Surface::ask_restitution(const ContactState& state) {
-  return answer(restitution, constant_restitution_, use.restitution, [&] {
-    const Restitution given = restitution.law->impact(restitution.values, state);
-    check_answer(*restitution.law, given);
-    return given;
-  });
-}
-
-Friction Surface::ask_friction(const ContactState& state) {
-  return answer(friction, constant_friction_, use.friction, [&] {
-    const Friction given = friction.law->friction(friction.values, state);
-    check_answer(*friction.law, given);
-    return given;
-  });
-}
-
-double Surface::ask_rolling(const ContactState& state) {
-  return answer(rolling, constant_rolling_, use.rolling, [&] {
-    const double given = rolling.law->rolling(rolling.values, state);
-    check_rolling(*rolling.law, given);
-    return given;
-  });
-}
-
-NormalCondition Surface::ask_condition(const ContactState& state) {
-  return answer(unilateral, constant_condition_, use.unilateral,
-                [&] { return unilateral.law->condition(unilateral.values, state); });
+ContactLaw Surface::ask(ContactState& state, bool impact, ContactHistory& history) {
+  const auto own = [&](std::size_t kind) { return std::span(history).subspan(kind * most_history, most_history); };
+  ContactLaw law;
+  if (impact) {
+    const Restitution given = answer(restitution, constant_restitution_, use.restitution, state, own(0),
+                                     [](const auto& l, const auto& p, const auto& s) { return l.impact(p, s); });
+    law.form = given.form;
+    law.as_lmgc90 = given.as_lmgc90;
+    law.e_n = given.e_n;
+    law.e_t = given.e_t;
+  }
+  const Friction friction_given = answer(friction, constant_friction_, use.friction, state, own(1),
+                                         [](const auto& l, const auto& p, const auto& s) { return l.friction(p, s); });
+  const Rolling rolling_given = answer(rolling, constant_rolling_, use.rolling, state, own(2),
+                                       [](const auto& l, const auto& p, const auto& s) { return l.rolling(p, s); });
+  const Unilateral normal = answer(unilateral, constant_unilateral_, use.unilateral, state, own(3),
+                                   [](const auto& l, const auto& p, const auto& s) { return l.condition(p, s); });
+  law.mu_s = friction_given.mu_s;
+  law.mu_d = friction_given.mu_d;
+  law.mu_r = rolling_given.mu_r;
+  law.mu_spin = rolling_given.mu_spin;
+  law.condition = normal.condition;
+  law.stiffness = normal.stiffness;
+  law.c_n = friction_given.c_n;
+  law.c_t = friction_given.c_t;
+  if (normal.condition == NormalCondition::cohesive) {  // a pull shifts the whole cone of friction
+    law.c_n += normal.pull;
+    law.c_t += law.mu_s * normal.pull;
+  }
+  return law;
 }
 
 bool Surface::reads_state() const { return varies(friction) || varies(rolling) || varies(unilateral); }
+
+void Surface::save_history(std::vector<double>& memory) const {
+  const auto append = [&](const auto& bound) { memory.insert(memory.end(), bound.history.begin(), bound.history.end()); };
+  append(restitution), append(friction), append(rolling), append(unilateral);
+}
+
+const double* Surface::restore_history(const double* memory) {
+  const auto take = [&](auto& bound) {
+    std::copy_n(memory, bound.history.size(), bound.history.begin());
+    memory += bound.history.size();
+  };
+  take(restitution), take(friction), take(rolling), take(unilateral);
+  return memory;
+}
 
 }  // namespace flyrock

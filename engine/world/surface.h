@@ -18,6 +18,9 @@ struct MaterialUse {
   void add(const MaterialUse& other);
 };
 
+/// What the laws of one contact remember, where they remember it per contact.
+using ContactHistory = std::array<double, 4 * most_history>;
+
 /// A law with the values of its parameters; absent where the material does not name one.
 template <class LawKind>
 struct BoundLaw {
@@ -29,6 +32,9 @@ struct BoundLaw {
     const Draw* draw;
   };
   std::vector<ImpactDraw> per_impact;
+  std::size_t memory = 0;      ///< numbers that the law remembers
+  bool per_contact = false;    ///< of each contact, else of the pair
+  std::vector<double> history; ///< of the pair
 
   /// Whether one answer serves for the whole run.
   bool constant() const { return law->constant() && per_impact.empty(); }
@@ -48,18 +54,19 @@ class Surface {
 
   /// Draws what is drawn per impact. Called when a manifold closes, before its contacts ask.
   void begin_impact(std::uint64_t impact_number);
-  Restitution ask_restitution(const ContactState& state);
-  Friction ask_friction(const ContactState& state);
-  double ask_rolling(const ContactState& state);
-  NormalCondition ask_condition(const ContactState& state);
+  /// The law of a contact in this state; restitution is asked only of an `impact`. `history`: of this contact.
+  ContactLaw ask(ContactState& state, bool impact, ContactHistory& history);
   /// Whether some law that is asked at every step reads the state of its contact.
   bool reads_state() const;
+  /// The memory of the pair, to be taken back to: appended to `memory`, and read from it; the latter returns what follows.
+  void save_history(std::vector<double>& memory) const;
+  const double* restore_history(const double* memory);
 
  private:
   std::optional<Restitution> constant_restitution_;
   std::optional<Friction> constant_friction_;
-  std::optional<double> constant_rolling_;
-  std::optional<NormalCondition> constant_condition_;
+  std::optional<Rolling> constant_rolling_;
+  std::optional<Unilateral> constant_unilateral_;
 };
 
 }  // namespace flyrock

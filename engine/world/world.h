@@ -8,7 +8,7 @@
 #include "collision/contact.h"
 #include "collision/geometry.h"
 #include "collision/time_of_contact.h"
-#include "solver/solve.h"
+#include "solver/restitution.h"
 #include "world/contact_rows.h"
 #include "world/motions.h"
 #include "world/observe.h"
@@ -36,6 +36,7 @@ struct WorldContact {
   int antagonist = -1;       ///< a body, or -1 for the terrain
   Surface* surface = nullptr;
   ContactLaw law;
+  ContactHistory history{};  ///< what the laws remember of this contact
   Row impulse = Row::Zero();
   Row before = Row::Zero();  ///< velocity at the start of the step or impact, in the frame of detection
   double age = 0;            ///< s since it closed
@@ -43,6 +44,8 @@ struct WorldContact {
   bool sticking = false;
   int manifold = -1;         ///< of the impacts of this step; -1: no impact
 
+  /// The coefficient of friction in force.
+  double mu() const { return sticking ? law.mu_s : law.mu_d; }
   double approach() const { return before[0] < 0 ? -before[0] : 0; }
 };
 
@@ -137,6 +140,8 @@ class World {
     int impacts;
   };
 
+  void know(Surface* surface);
+
   // detect.ipp: what touches
   void detect(double ahead);
   void match_last();
@@ -148,21 +153,22 @@ class World {
 
   // ask_laws.ipp: what the laws of the contacts answer
   void begin_manifolds();
-  ContactState state_of(const Contact& contact) const;
-  void ask_laws();
+  ContactState state_of(const Contact& contact, double h);
+  void ask_laws(double h);
 
   // assemble.ipp: the friction problem
   Row relative_velocity(const Contact& contact) const;
   void measure_before();
   void assemble(double h, bool warm);
   void scale_by_island(double h);
+  int island_of(const Contact& contact);
 
   // rebound.ipp: its solution with restitution, applied; what it left
-  void shift_by_restitution();
+  void apply_laws(double h);
   void solve_and_apply();
   Row velocity_after(int a) const;
-  void record_impacts();
-  bool stays_closed(int a) const;
+  void record_impacts(double h);
+  bool stays_closed(int a, double duration) const;
 
   // step.ipp: the scheme
   void save();
@@ -182,20 +188,25 @@ class World {
   std::vector<Contact> contacts_;  ///< active in the step at hand
   std::vector<Contact> last_;      ///< of the last step that stands
   std::vector<ContactPoint<D>> points_;
+  std::vector<Vec<D>> patch_;      ///< the points of one manifold
   std::vector<ContactRows> rows_;
   std::vector<Impact> impacts_;
   std::vector<ImpactSum> sums_;
   std::vector<HeldContact> held_;
   Problem problem_;
   std::vector<Row> impulses_;
-  Solver<D> solver_;
+  std::vector<Rebound<D>> rebounds_;
+  ImpactSolver<D> solver_;
   std::vector<Row> start_;  ///< of the impulses, where hard problems are kept
   std::vector<std::vector<int>> contacts_of_;  ///< of each body that contacts move
   std::vector<int> island_;
   std::vector<double> island_speed_;
+  std::vector<double> island_gain_;  ///< energy that an island got, less what rounding allows
   SortAndSweep broad_phase_;
   std::vector<typename Geometry<D>::Box> boxes_;
   std::vector<Saved> saved_;
+  std::vector<Surface*> surfaces_;  ///< each once
+  std::vector<double> memory_;      ///< what the surfaces remembered when the step began
   std::vector<typename Body<D>::Rows> drift_;
 };
 

@@ -32,11 +32,19 @@ void World<D>::remove_last() {
 template <int D>
 void World<D>::set_terrain_surface(int body, int part, Surface* surface) {
   terrain_surface_[body][part] = surface;
+  know(surface);
 }
 
 template <int D>
 void World<D>::set_pair_surface(int a, int b, Surface* surface) {
   pair_surface_[std::min(a, b)][std::max(a, b)] = surface;
+  know(surface);
+}
+
+/// Surfaces remember: a step that is done again takes them back.
+template <int D>
+void World<D>::know(Surface* surface) {
+  if (surface && std::find(surfaces_.begin(), surfaces_.end(), surface) == surfaces_.end()) surfaces_.push_back(surface);
 }
 
 template <int D>

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
 #include <lua.hpp>
 
 #include "host/adapter_kinds.h"
@@ -12,14 +11,19 @@ namespace flyrock {
 
 namespace {
 
-std::vector<View> contact_only(lua_State* lua, const PluginSpec&) { return {contact_view(lua)}; }
+/// The contact, and behind it the law's memory, which is reached through the contact.
+std::vector<View> contact_and_history(lua_State* lua, const PluginSpec& spec) {
+  if (spec.history.empty()) return {contact_view(lua)};
+  const View history = history_view(lua, spec);
+  return {contact_view(lua, &history), history};
+}
 
 /// What all laws share; `Kind` is the interface of one.
 template <class Kind>
 class LuaLaw : public Kind {
  public:
   LuaLaw(std::shared_ptr<const LuaPlugin> plugin, Params& params)
-      : call_(std::move(plugin), params, contact_only) {}
+      : call_(std::move(plugin), params, contact_and_history) {}
   bool constant() const override { return call_.plugin().only_parameters; }
   std::string origin() const override { return call_.plugin().origin; }
 
@@ -29,9 +33,11 @@ class LuaLaw : public Kind {
 
 class LuaRestitution : public LuaLaw<RestitutionLaw> {
  public:
-  using LuaLaw::LuaLaw;
+  LuaRestitution(std::shared_ptr<const LuaPlugin> plugin, Params& params)
+      : LuaLaw(plugin, params), form_(*restitution_form(plugin->spec.form)) {}
   Restitution impact(Values values, const ContactState& contact) const override {
     Restitution answer;
+    answer.form = form_;
     call_(values, {&contact}, 3, [&](lua_State* lua) {
       answer.e_n = call_.number(lua, 1, "e_n");
       if (!lua_isnil(lua, 2)) answer.e_t = call_.number(lua, 2, "e_t");
@@ -39,6 +45,9 @@ class LuaRestitution : public LuaLaw<RestitutionLaw> {
     });
     return answer;
   }
+
+ private:
+  RestitutionForm form_;
 };
 
 class LuaFriction : public LuaLaw<FrictionLaw> {
@@ -46,11 +55,12 @@ class LuaFriction : public LuaLaw<FrictionLaw> {
   using LuaLaw::LuaLaw;
   Friction friction(Values values, const ContactState& contact) const override {
     Friction answer;
-    call_(values, {&contact}, 3, [&](lua_State* lua) {
+    call_(values, {&contact}, 5, [&](lua_State* lua) {
       answer.mu_s = call_.number(lua, 1, "mu_s");
       answer.mu_d = lua_isnil(lua, 2) ? answer.mu_s : call_.number(lua, 2, "mu_d");
-      if (!lua_isnil(lua, 3))
-        call_.fail("returned a third value, expected mu_s, mu_d (cohesion is not in this version)");
+      if (!lua_isnil(lua, 3)) answer.c_n = call_.number(lua, 3, "c_n");
+      if (!lua_isnil(lua, 4)) answer.c_t = call_.number(lua, 4, "c_t");
+      if (!lua_isnil(lua, 5)) call_.fail("returned a fifth value, expected mu_s, mu_d, c_n, c_t");
     });
     return answer;
   }
@@ -59,28 +69,39 @@ class LuaFriction : public LuaLaw<FrictionLaw> {
 class LuaRolling : public LuaLaw<RollingLaw> {
  public:
   using LuaLaw::LuaLaw;
-  double rolling(Values values, const ContactState& contact) const override {
-    double mu_r = 0;
-    call_(values, {&contact}, 2, [&](lua_State* lua) {
-      mu_r = call_.number(lua, 1, "mu_r");
-      if (!lua_isnil(lua, 2))
-        call_.fail("returned a second value, expected mu_r (spinning is not in this version)");
+  Rolling rolling(Values values, const ContactState& contact) const override {
+    Rolling answer;
+    call_(values, {&contact}, 3, [&](lua_State* lua) {
+      answer.mu_r = call_.number(lua, 1, "mu_r");
+      if (!lua_isnil(lua, 2)) answer.mu_spin = call_.number(lua, 2, "mu_spin");
+      if (!lua_isnil(lua, 3)) call_.fail("returned a third value, expected mu_r, mu_spin");
     });
-    return mu_r;
+    return answer;
   }
 };
 
 class LuaUnilateral : public LuaLaw<UnilateralLaw> {
  public:
   using LuaLaw::LuaLaw;
-  NormalCondition condition(Values values, const ContactState& contact) const override {
-    call_(values, {&contact}, 1, [&](lua_State* lua) {
+  Unilateral condition(Values values, const ContactState& contact) const override {
+    Unilateral answer;
+    call_(values, {&contact}, 2, [&](lua_State* lua) {
       const char* name = lua_type(lua, 1) == LUA_TSTRING ? lua_tostring(lua, 1) : nullptr;
-      if (!name || std::strcmp(name, "signorini") != 0)
-        call_.fail(fmt::format("returned {}, expected \"signorini\"",
-                               name ? fmt::format("\"{}\"", name) : luaL_typename(lua, 1)));
+      const auto condition = normal_condition(name ? name : "");
+      if (!condition)
+        call_.fail(fmt::format(
+            "returned {}, expected \"signorini\", \"quasi_shock\", \"cohesive\" with the pull that it bears, or \"penalty\" "
+            "with its stiffness",
+            name ? fmt::format("\"{}\"", name) : luaL_typename(lua, 1)));
+      answer.condition = *condition;
+      if (*condition == NormalCondition::penalty)
+        answer.stiffness = call_.number(lua, 2, "the stiffness");
+      else if (*condition == NormalCondition::cohesive)
+        answer.pull = call_.number(lua, 2, "the pull");
+      else if (!lua_isnil(lua, 2))
+        call_.fail(fmt::format("returned a second value with \"{}\", which has none", name));
     });
-    return NormalCondition::signorini;
+    return answer;
   }
 };
 

@@ -183,6 +183,7 @@ class ManifestReader {
       check_entry();
     }
     read_reads();
+    read_history();
     read_params();
     table_.finish();
     if (table_.failed() || params_failed_) return std::nullopt;
@@ -206,9 +207,9 @@ class ManifestReader {
   void read_form(const std::optional<std::string>& form) {
     if (spec_.kind == PluginKind::restitution) {
       spec_.form = form.value_or("newton");
-      if (spec_.form != "newton")
-        table_.error("form",
-                     fmt::format("`{}`, expected `newton`, the form that this version solves", spec_.form));
+      if (!restitution_form(spec_.form))
+        table_.error("form", fmt::format("`{}`, expected `newton`, `newton_mean`, `poisson`, `energy` or `velocity`",
+                                         spec_.form));
     } else if (form) {
       table_.error("form", fmt::format("a {} has no form: only a restitution has", name_of(spec_.kind)));
     }
@@ -248,6 +249,30 @@ class ManifestReader {
                                           hint.empty() ? ", expected one of " + one_of(known) : hint));
       }
     spec_.reads = *reads;
+  }
+
+  /// What a law remembers: names, and whether each contact or each pair of bodies has its own.
+  void read_history() {
+    spec_.history = table_.texts("history").value_or(std::vector<std::string>{});
+    const auto owner = table_.text("history_of");
+    const bool law = spec_.kind == PluginKind::restitution || spec_.kind == PluginKind::friction ||
+                     spec_.kind == PluginKind::rolling || spec_.kind == PluginKind::unilateral;
+    if (!spec_.history.empty() && !law)
+      table_.error("history", fmt::format("a {} has no history: only laws of contacts have", name_of(spec_.kind)));
+    if (spec_.history.size() > most_history)
+      table_.error("history", fmt::format("{} names, expected at most {}", spec_.history.size(), most_history));
+    for (std::size_t i = 0; i < spec_.history.size(); ++i) {
+      const std::string& name = spec_.history[i];
+      if (!is_identifier(name))
+        table_.error("history", fmt::format("`{}`, expected small letters, digits and _, a letter first", name));
+      if (std::find(spec_.history.begin(), spec_.history.begin() + i, name) != spec_.history.begin() + i)
+        table_.error("history", fmt::format("`{}` twice", name));
+    }
+    if (!owner) return;
+    if (spec_.history.empty()) table_.error("history_of", "says whose history it is, and there is none: expected `history`");
+    if (*owner != "pair" && *owner != "contact")
+      table_.error("history_of", fmt::format("`{}`, expected `pair` or `contact`", *owner));
+    spec_.history_of_contact = *owner == "contact";
   }
 
   void read_params() {

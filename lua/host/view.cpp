@@ -21,9 +21,10 @@ View::View(lua_State* lua, const ViewType& type,
     lua_pushinteger(lua, number);
     lua_rawset(lua, -3);
   }
+  lua_pushvalue(lua, -1);
   lua_pushcclosure(lua, guarded<View::index>, 1);
-  lua_setfield(lua, -2, "__index");
-  lua_pushcfunction(lua, guarded<View::refuse_write>);
+  lua_setfield(lua, -3, "__index");
+  lua_pushcclosure(lua, guarded<View::new_index>, 1);
   lua_setfield(lua, -2, "__newindex");
   lua_pushboolean(lua, 0);
   lua_setfield(lua, -2, "__metatable");
@@ -36,20 +37,35 @@ void View::push(lua_State* lua, const void* object) {
   lua_rawgeti(lua, LUA_REGISTRYINDEX, reference_);
 }
 
-int View::index(lua_State* lua) {
-  const Box& box = *static_cast<Box*>(lua_touserdata(lua, 1));
-  lua_pushvalue(lua, 2);
-  if (lua_rawget(lua, lua_upvalueindex(1)) == LUA_TNUMBER) {
-    box.type->push(lua, box.object, static_cast<int>(lua_tointeger(lua, -1)));
-    return 1;
-  }
-  const std::string field = lua_type(lua, 2) == LUA_TSTRING ? lua_tostring(lua, 2) : luaL_typename(lua, 2);
-  raise(lua, fmt::format("`{}` has no field `{}`{}", box.type->name, field,
-                         did_you_mean(field, text_keys(lua, lua_upvalueindex(1)))));
+void View::push(lua_State* lua, int reference, const void* object) {
+  lua_rawgeti(lua, LUA_REGISTRYINDEX, reference);
+  static_cast<Box*>(lua_touserdata(lua, -1))->object = object;
 }
 
-int View::refuse_write(lua_State* lua) {
-  raise(lua, fmt::format("`{}` cannot be changed", static_cast<Box*>(lua_touserdata(lua, 1))->type->name));
+/// The number of the field that the key at index 2 names.
+int View::field(lua_State* lua, const Box& box) {
+  lua_pushvalue(lua, 2);
+  if (lua_rawget(lua, lua_upvalueindex(1)) == LUA_TNUMBER) {
+    const auto number = static_cast<int>(lua_tointeger(lua, -1));
+    lua_pop(lua, 1);
+    return number;
+  }
+  const std::string name = lua_type(lua, 2) == LUA_TSTRING ? lua_tostring(lua, 2) : luaL_typename(lua, 2);
+  raise(lua, fmt::format("`{}` has no field `{}`{}", box.type->name, name,
+                         did_you_mean(name, text_keys(lua, lua_upvalueindex(1)))));
+}
+
+int View::index(lua_State* lua) {
+  const Box& box = *static_cast<Box*>(lua_touserdata(lua, 1));
+  box.type->push(lua, box.object, field(lua, box));
+  return 1;
+}
+
+int View::new_index(lua_State* lua) {
+  const Box& box = *static_cast<Box*>(lua_touserdata(lua, 1));
+  if (!box.type->assign) raise(lua, fmt::format("`{}` cannot be changed", box.type->name));
+  box.type->assign(lua, box.object, field(lua, box));
+  return 0;
 }
 
 const void* viewed(lua_State* lua, int index, const ViewType& type) {

@@ -14,6 +14,8 @@ namespace flyrock {
 struct ViewType {
   const char* name;  ///< "contact"
   void (*push)(lua_State* lua, const void* object, int field);
+  /// Takes the value at the top of the stack for a field; null: the object cannot be changed.
+  void (*assign)(lua_State* lua, const void* object, int field) = nullptr;
 };
 
 /// A userdata that shows the fields of an object; reading any other is an error with the nearest name.
@@ -26,6 +28,8 @@ class View {
 
   /// Points the view at an object and pushes it.
   void push(lua_State* lua, const void* object);
+  /// Points the view with this reference at an object and pushes it.
+  static void push(lua_State* lua, int reference, const void* object);
   /// For the owner to release.
   int reference() const { return reference_; }
 
@@ -35,8 +39,9 @@ class View {
     const void* object;
   };
   friend const void* viewed(lua_State* lua, int index, const ViewType& type);
+  static int field(lua_State* lua, const Box& box);
   static int index(lua_State* lua);
-  static int refuse_write(lua_State* lua);
+  static int new_index(lua_State* lua);
 
   Box* box_;  // lives as long as the reference
   int reference_;

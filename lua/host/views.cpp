@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <lua.hpp>
 
 #include "host/state.h"
@@ -17,8 +18,12 @@ void push_point(lua_State* lua, const Vec2& point) { push_vector(lua, {point.x()
 
 // contact
 
+/// The field `history` has this number less the reference of its view.
+constexpr int history_field = -1;
+
 void push_contact(lua_State* lua, const void* object, int field) {
   const auto& contact = *static_cast<const ContactState*>(object);
+  if (field <= history_field) return View::push(lua, history_field - field, contact.history.data());
   const ContactField& info = contact_fields()[field];
   if (info.number)
     lua_pushnumber(lua, contact.*info.number);
@@ -26,6 +31,20 @@ void push_contact(lua_State* lua, const void* object, int field) {
     push_text(lua, contact.*info.text);
 }
 constexpr ViewType contact_type{"contact", push_contact};
+
+void push_history(lua_State* lua, const void* object, int field) {
+  lua_pushnumber(lua, static_cast<const double*>(object)[field]);
+}
+
+void assign_history(lua_State* lua, const void* object, int field) {
+  const lua_Number number = lua_type(lua, 3) == LUA_TNUMBER ? lua_tonumber(lua, 3) : NAN;
+  if (!std::isfinite(number))
+    raise(lua, fmt::format("`contact.history.{}` was set to {}, expected a finite number", lua_tostring(lua, 2),
+                           lua_type(lua, 3) == LUA_TNUMBER ? "a number that is not finite" : luaL_typename(lua, 3)));
+  // The memory belongs to the engine, which passed it as one that the law may write.
+  static_cast<double*>(const_cast<void*>(object))[field] = number;
+}
+constexpr ViewType history_type{"contact.history", push_history, assign_history};
 
 // rock
 
@@ -181,11 +200,18 @@ std::vector<std::pair<std::string_view, int>> numbered(const std::string_view (&
 
 }  // namespace
 
-View contact_view(lua_State* lua) {
+View contact_view(lua_State* lua, const View* history) {
   std::vector<std::pair<std::string_view, int>> fields;
   for (const ContactField& field : contact_fields())
     fields.emplace_back(field.name, static_cast<int>(fields.size()));
+  if (history) fields.emplace_back("history", history_field - history->reference());
   return View(lua, contact_type, fields);
+}
+
+View history_view(lua_State* lua, const PluginSpec& spec) {
+  std::vector<std::pair<std::string_view, int>> fields;
+  for (const std::string& name : spec.history) fields.emplace_back(name, static_cast<int>(fields.size()));
+  return View(lua, history_type, fields);
 }
 
 View rock_view(lua_State* lua) { return View(lua, rock_type, numbered(rock_names)); }

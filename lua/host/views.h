@@ -7,7 +7,10 @@
 
 namespace flyrock {
 
-View contact_view(lua_State* lua);
+/// With `history`, its field `history` is that view, pointed at the contact's memory.
+View contact_view(lua_State* lua, const View* history = nullptr);
+/// What a law remembers, by the names of its manifest; the one view that may be written, with finite numbers.
+View history_view(lua_State* lua, const PluginSpec& spec);
 /// Fields of RockView; position and outward are { x, y } in 2D. Method rock:direction(speed, elevation
 /// [, azimuth]): the velocity above the outward horizontal, in rad.
 View rock_view(lua_State* lua);

@@ -27,7 +27,7 @@ struct Resistance : RollingLaw {
   explicit Resistance(double m) : mu_r(m) {}
   bool constant() const override { return true; }
   std::string origin() const override { return "rolling_resistance"; }
-  double rolling(Values, const ContactState&) const override { return mu_r; }
+  Rolling rolling(Values, const ContactState&) const override { return {mu_r, 0}; }
 };
 
 /// One material for everything.

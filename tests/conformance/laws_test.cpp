@@ -40,9 +40,9 @@ TEST_CASE("coulomb takes the coefficient or the angle") {
 TEST_CASE("rolling resistance and Signorini's condition") {
   const auto rolling =
       make<RollingLaw>(session(), PluginKind::rolling, "rolling_resistance", {{"mu_r", 0.05}});
-  CHECK(rolling.model->rolling(rolling.values, {}) == 0.05);
+  CHECK(rolling.model->rolling(rolling.values, {}).mu_r == 0.05);
   const auto unilateral = make<UnilateralLaw>(session(), PluginKind::unilateral, "signorini", {});
-  CHECK(unilateral.model->condition(unilateral.values, {}) == NormalCondition::signorini);
+  CHECK(unilateral.model->condition(unilateral.values, {}).condition == NormalCondition::signorini);
 }
 
 TEST_CASE("independent asks for its number of rocks and leaves the rest to the group") {

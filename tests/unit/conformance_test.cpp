@@ -19,10 +19,10 @@ class RollingUnderTest : public RollingLaw {
       : wrong_(wrong), slot_(wrong.reads ? params.slot("mu_r") : -1) {}
   bool constant() const override { return wrong_.constant; }
   std::string origin() const override { return "under_test"; }
-  double rolling(Values values, const ContactState& contact) const override {
-    if (wrong_.negative) return -1;
+  Rolling rolling(Values values, const ContactState& contact) const override {
+    if (wrong_.negative) return {-1, 0};
     const double mu_r = wrong_.uses ? values[slot_] : 0.1;
-    return wrong_.follows_state ? mu_r * contact.radius : mu_r;
+    return {wrong_.follows_state ? mu_r * contact.radius : mu_r, 0};
   }
 
  private:

@@ -28,7 +28,7 @@ const std::map<std::string, std::set<std::string>>& may_see() {
     add("host", {"scenario"});
     add("batch", {"host"});
     add("report", {"batch"});
-    add("verify", {"flight"});
+    add("verify", {"batch"});
     add("cli", {"report", "verify"});
     return sees;
   }();

@@ -17,10 +17,13 @@ PluginUse use_of(const LuaSession& session, PluginKind kind, const std::string& 
   PluginUse use;
   use.plugin = session.registry().find(kind, name);
   REQUIRE(use.plugin);
-  for (const auto& number : numbers) {
+  for (std::size_t i = 0; i < use.plugin->spec.params.size(); ++i) {
+    const auto& number = i < numbers.size() ? numbers[i] : std::nullopt;
+    const auto& text = use.plugin->spec.params[i].default_text;
     ParamValue value;
-    value.given = number.has_value();
+    value.given = number || text;
     if (number) value.numbers = {Number{*number, -1}};
+    if (text) value.text = *text;
     use.values.push_back(value);
   }
   use.slots = dense_slots(use.values);
@@ -283,13 +286,15 @@ fr.plugin { kind = "unilateral", name = "v", doc = "d", condition = function(p) 
   ContactState contact;
   contact.radius = 0.5;
   CHECK(
-      make_instance<RollingLaw>(use_of(lua.session, PluginKind::rolling, "r", {}), 2)->rolling({}, contact) ==
+      make_instance<RollingLaw>(use_of(lua.session, PluginKind::rolling, "r", {}), 2)->rolling({}, contact).mu_r ==
       0.05);
   const auto condition = [&](const std::string& name) {
     return make_instance<UnilateralLaw>(use_of(lua.session, PluginKind::unilateral, name, {}), 2)
-        ->condition({}, {});
+        ->condition({}, {})
+        .condition;
   };
   CHECK(condition("u") == NormalCondition::signorini);
   CHECK_THROWS_WITH(condition("v"),
-                    "plugin v, laws.lua:6: condition() returned \"glue\", expected \"signorini\"");
+                    "plugin v, laws.lua:6: condition() returned \"glue\", expected \"signorini\", \"quasi_shock\", "
+                    "\"cohesive\" with the pull that it bears, or \"penalty\" with its stiffness");
 }

@@ -8,6 +8,7 @@ return fr.plugin {
   source = "V. Acary and F. Bourrier, Coulomb friction with rolling resistance as a cone complementarity problem, 2021",
   params = {
     mu_r = fr.number { min = 0, unit = "m", doc = "bound of the torque over the normal reaction" },
+    mu_spin = fr.number { default = 0, min = 0, unit = "m", doc = "the same for the torque about the normal; acts in 3D" },
   },
   native = "rolling_resistance",
 }

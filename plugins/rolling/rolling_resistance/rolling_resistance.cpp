@@ -6,14 +6,14 @@ namespace {
 
 class RollingResistance : public RollingLaw {
  public:
-  explicit RollingResistance(Params& params) : mu_r_(params.slot("mu_r")) {}
+  explicit RollingResistance(Params& params) : mu_r_(params.slot("mu_r")), mu_spin_(params.slot("mu_spin")) {}
 
   bool constant() const override { return true; }
   std::string origin() const override { return "rolling_resistance"; }
-  double rolling(Values values, const ContactState&) const override { return values[mu_r_]; }
+  Rolling rolling(Values values, const ContactState&) const override { return {values[mu_r_], values[mu_spin_]}; }
 
  private:
-  int mu_r_;
+  int mu_r_, mu_spin_;
 };
 
 }  // namespace

@@ -6,5 +6,5 @@ return fr.plugin {
   doc = "Contacts push and never pull: 0 <= gap _|_ r_n >= 0. The condition of every contact that names no other.",
   source = "A. Signorini 1933",
   params = {},
-  native = "signorini",
+  condition = function(p) return "signorini" end,
 }

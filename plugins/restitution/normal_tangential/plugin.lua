@@ -1,0 +1,16 @@
+local fr = require "flyrock"
+
+-- R_n and R_t of rockfall practice are no restitution of contact mechanics: they give the velocity after the impact.
+return fr.plugin {
+  kind = "restitution",
+  name = "normal_tangential",
+  form = "velocity",
+  doc = "The coefficients of rockfall practice: v_n+ = -rn v_n-, v_t+ = rt v_t- at the point of contact, whatever the "
+    .. "friction. For a contact that meets nothing else at the same time, as a ball on a slope or a lumped mass.",
+  source = "E. Hoek and J. W. Bray 1977; RocFall",
+  params = {
+    rn = fr.number { min = 0, doc = "kept share of the normal velocity" },
+    rt = fr.number { min = 0, max = 1, doc = "kept share of the tangential velocity" },
+  },
+  impact = function(p) return p.rn, p.rt end,
+}

@@ -1,0 +1,155 @@
+// Laws as terms of the problem, on one contact of a body of 2 kg.
+
+#include <catch2/catch.hpp>
+
+#include "solver/law_terms.h"
+
+using namespace flyrock;
+
+namespace {
+
+using Row = Eigen::Vector3d;
+
+constexpr double mass = 2, h = 1e-3;
+
+struct Solved {
+  Row impulse, velocity;
+};
+
+Solved solve(const ContactLaw& law, double gap, double duration, const Row& before, const Row& free, bool sticking = false) {
+  ContactProblem<2> problem;
+  ContactProblem<2>::Contact contact;
+  contact.w = Eigen::Vector3d(1 / mass, 1 / mass, 1).asDiagonal();
+  contact.q = free;
+  Rebound<2> rebound;
+  rebound.before = before;
+  set_law<2>(law, sticking, gap, duration, contact, rebound);
+  problem.contacts.push_back(contact);
+  problem.first = {0, 0};
+  std::vector<Row> r(1, Row::Zero());
+  ImpactSolver<2>().solve(problem, {rebound}, {}, r);
+  return {r[0], free + contact.w * r[0]};
+}
+
+}  // namespace
+
+TEST_CASE("a cohesive contact bears its pull and no more, and its friction goes with it") {
+  ContactLaw law;
+  law.condition = NormalCondition::cohesive;
+  law.mu_s = law.mu_d = 0.5;
+  law.c_n = 100;  // N: 0.05 m/s for 2 kg in 1 ms
+  law.c_t = 50;
+  const Solved held = solve(law, 0, h, Row::Zero(), {0.04, 0.004, 0});
+  CHECK(held.impulse[0] == Approx(-0.08));
+  CHECK(held.velocity.head<2>().norm() < 1e-12);
+  const Solved torn = solve(law, 0, h, Row::Zero(), {0.08, 0.01, 0});
+  CHECK(torn.impulse[0] == Approx(-0.1));
+  CHECK(torn.velocity[0] == Approx(0.03));
+  CHECK(torn.impulse[1] == Approx(0).margin(1e-15));  // at full pull the cone of friction has its tip
+  const Solved pulled = solve(law, 0, h, Row::Zero(), {0.02, 1, 0});
+  CHECK(pulled.impulse[0] == Approx(-0.04));
+  CHECK(pulled.impulse[1] == Approx(-0.5 * (-0.04 + 0.1)));
+}
+
+TEST_CASE("shear strength holds an open contact of a joint without friction") {
+  ContactLaw law;
+  law.c_t = 100;
+  CHECK(solve(law, 0, h, Row::Zero(), {1, 0.04, 0}).velocity[1] == Approx(0).margin(1e-15));
+  CHECK(solve(law, 0, h, Row::Zero(), {1, 0.08, 0}).velocity[1] == Approx(0.03));
+}
+
+TEST_CASE("a quasi-shock lets the gap close within the step, Signorini's condition does not") {
+  ContactLaw law;
+  CHECK(solve(law, 1e-4, h, Row::Zero(), {-0.5, 0, 0}).velocity[0] == Approx(0).margin(1e-15));
+  law.condition = NormalCondition::quasi_shock;
+  CHECK(solve(law, 1e-4, h, Row::Zero(), {-0.5, 0, 0}).velocity[0] == Approx(-0.1));
+  CHECK(solve(law, -1e-4, h, Row::Zero(), {-0.5, 0, 0}).velocity[0] == Approx(0).margin(1e-15));
+}
+
+TEST_CASE("a spring pushes with k times the overlap, and friction is bound by that") {
+  ContactLaw law;
+  law.condition = NormalCondition::penalty;
+  law.stiffness = 1e5;
+  law.mu_s = law.mu_d = 0.3;
+  const Solved pushed = solve(law, -2e-3, h, Row::Zero(), {-0.5, 1, 0});
+  CHECK(pushed.impulse[0] == Approx(0.2));
+  CHECK(pushed.impulse[1] == Approx(-0.06));
+  CHECK(pushed.velocity[0] == Approx(-0.4));
+  CHECK(solve(law, 1e-3, h, Row::Zero(), {-0.5, 1, 0}).impulse.norm() == 0);
+  CHECK(solve(law, -2e-3, 0, {-0.5, 1, 0}, {-0.5, 1, 0}).impulse.norm() == 0);  // an impact has no duration
+}
+
+TEST_CASE("LMGC90's law lets a separating contact come back, Moreau's does not") {
+  ContactLaw law;
+  law.e_n = 0.5;
+  const Row before(1, 0, 0), free(-1, 0, 0);
+  CHECK(solve(law, 0, h, before, free).velocity[0] == Approx(0).margin(1e-15));
+  law.as_lmgc90 = true;
+  CHECK(solve(law, 0, h, before, free).velocity[0] == Approx(-0.5));
+}
+
+TEST_CASE("the form velocity gives the velocity whatever the friction, and refuses company") {
+  ContactLaw law;
+  law.form = RestitutionForm::velocity;
+  law.e_n = 0.4;
+  law.e_t = 0.8;
+  const Row v(-2, 3, 0);
+  const Solved solved = solve(law, 0, 0, v, v);
+  CHECK(solved.velocity[0] == Approx(0.8));
+  CHECK(solved.velocity[1] == Approx(2.4));
+
+  ContactProblem<2> problem;
+  ContactProblem<2>::Contact contact;
+  contact.w = Eigen::Vector3d(1, 1, 1).asDiagonal();
+  contact.q = v;
+  Rebound<2> rebound;
+  rebound.before = v;
+  set_law<2>(law, false, 0, 0, contact, rebound);
+  for (int a : {0, 1}) {
+    problem.contacts.push_back(contact);
+    problem.first.push_back(problem.couplings());
+    problem.couple(1 - a, Eigen::Matrix3d::Identity() * 0.5);
+  }
+  problem.first.push_back(problem.couplings());
+  std::vector<Row> r(2, Row::Zero());
+  CHECK_THROWS_AS(ImpactSolver<2>().solve(problem, {rebound, rebound}, {}, r), PluginError);
+}
+
+TEST_CASE("several contacts under the energetic form keep their balance and gain nothing") {
+  // A square of 2 kg that lands flat and sliding, on two corners.
+  for (const double mu : {0.0, 0.3, 1.0})
+    for (const double slip : {-3.0, -0.5, 0.0, 2.0}) {
+      ContactProblem<2> problem;
+      std::vector<Rebound<2>> rebounds(2);
+      const auto columns = [](double x) {
+        Eigen::Matrix3d c;  // columns n, t, rolling of H for a lever (x, -0.5)
+        c << 0, 1, 0, 1, 0, 0, x, 0.5, 1;
+        return c;
+      };
+      const Eigen::Matrix3d inverse_mass = Eigen::Vector3d(0.5, 0.5, 3).asDiagonal();
+      const Eigen::Vector3d motion(slip, -1, 0.1);
+      const double x[] = {-0.5, 0.5};
+      for (int a : {0, 1}) {
+        ContactProblem<2>::Contact contact;
+        contact.w = columns(x[a]).transpose() * inverse_mass * columns(x[a]);
+        contact.q = columns(x[a]).transpose() * motion;
+        contact.mu = mu;
+        rebounds[a] = {RestitutionForm::energy, 0.6, 0, false, 0, contact.q};
+        problem.contacts.push_back(contact);
+        problem.first.push_back(problem.couplings());
+        problem.couple(1 - a, columns(x[a]).transpose() * inverse_mass * columns(x[1 - a]));
+      }
+      problem.first.push_back(problem.couplings());
+      std::vector<Row> r(2, Row::Zero());
+      SolveSettings settings;
+      settings.tolerance = 1e-12;
+      const SolveResult result = ImpactSolver<2>().solve(problem, rebounds, settings, r);
+      INFO("mu " << mu << ", slip " << slip << ", r " << r[0].transpose() << " | " << r[1].transpose());
+      CHECK(result.converged);
+      const Eigen::Vector3d after = motion + inverse_mass * (columns(-0.5) * r[0] + columns(0.5) * r[1]);
+      const auto energy = [&](const Eigen::Vector3d& v) { return v.cwiseProduct(v).dot(Eigen::Vector3d(1, 1, 1.0 / 6)); };
+      CHECK(energy(after) <= energy(motion));
+      CHECK(after[1] > 0);
+      if (mu == 0) CHECK(after[1] == Approx(0.6).epsilon(1e-6));
+    }
+}
