@@ -1,8 +1,9 @@
 # Run as a script: SOURCE is the project's root, SHARE the folder to fill.
-foreach(folder plugins lua report)
+foreach(folder plugins lua report scenarios)
   file(REMOVE_RECURSE ${SHARE}/${folder})
 endforeach()
 file(COPY ${SOURCE}/plugins DESTINATION ${SHARE} FILES_MATCHING PATTERN "*.lua" PATTERN "*.yaml" PATTERN "*.csv")
+file(COPY ${SOURCE}/scenarios/course DESTINATION ${SHARE}/scenarios)
 file(COPY ${SOURCE}/lua/flyrock DESTINATION ${SHARE}/lua FILES_MATCHING PATTERN "*.lua")
 file(COPY ${SOURCE}/engine/report/assets/ DESTINATION ${SHARE}/report)
 set(plotly ${SOURCE}/node_modules/plotly.js-cartesian-dist-min/plotly-cartesian.min.js)

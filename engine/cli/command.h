@@ -38,6 +38,8 @@ int export_result(const Command&, const Arguments&);
 int check(const Command&, const Arguments&);
 int show(const Command&, const Arguments&);
 int plugins(const Command&, const Arguments&);
+int law(const Command&, const Arguments&);
+int verify(const Command&, const Arguments&);
 int solve(const Command&, const Arguments&);
 
 /// A parsed command line: options by their name, and the words between them.

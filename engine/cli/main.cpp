@@ -18,7 +18,7 @@ namespace flyrock::cli {
 
 namespace {
 
-constexpr std::array<Command, 8> commands = {{
+constexpr std::array<Command, 10> commands = {{
     {"run", "run SCENARIO [options]", "runs a scenario and writes its tables and report", run},
     {"merge", "merge DIR... -o DIR", "puts the shards of a run together", merge},
     {"report", "report DIR", "builds report.html of a result folder again", report},
@@ -26,6 +26,8 @@ constexpr std::array<Command, 8> commands = {{
     {"check", "check FILE [--strict]", "validates a scenario, or tries a plugin on sampled states", check},
     {"show", "show SCENARIO [--json]", "prints the resolved scenario: units converted, defaults filled in", show},
     {"plugins", "plugins [KIND[/NAME]] [--markdown | --json]", "lists what is registered, with its parameters", plugins},
+    {"law", "law KIND/NAME [-o FILE] [--set PARAMETER=VALUE]...", "draws the graph of a contact law from solved contacts", law},
+    {"verify", "verify [--json]", "computes problems with known answers and compares", verify},
     {"solve", "solve PROBLEM.hdf5 [options]", "solves a friction problem in the layout of FCLIB", solve},
 }};
 

@@ -4,6 +4,7 @@
 
 #include <sstream>
 
+#include "cli/command.h"
 #include "scenario/value.h"
 
 namespace flyrock::cli {
@@ -70,6 +71,31 @@ Json default_json(const ParamSpec& param) {
 }
 
 }  // namespace
+
+std::vector<const PluginSpec*> select_plugins(const Registry& registry, const std::string& wanted) {
+  const std::size_t slash = wanted.find('/');
+  const std::string kind_word = wanted.substr(0, slash);
+  const std::optional<PluginKind> kind = plugin_kind(kind_word);
+  if (!wanted.empty() && !kind) {
+    std::vector<std::string> kinds;
+    for (int k = 0; k < plugin_kinds; ++k) kinds.emplace_back(name_of(static_cast<PluginKind>(k)));
+    const std::string near = nearest_name(kind_word, kinds);
+    throw UsageError(fmt::format("unknown kind `{}`, expected one of: {}{}", kind_word, fmt::join(kinds, ", "),
+                                 near.empty() ? "" : fmt::format("; did you mean `{}`?", near)));
+  }
+  std::vector<const PluginSpec*> specs;
+  for (int k = 0; k < plugin_kinds; ++k)
+    if (!kind || *kind == static_cast<PluginKind>(k))
+      for (const Plugin* plugin : registry.of_kind(static_cast<PluginKind>(k))) specs.push_back(&plugin->spec);
+  if (slash == std::string::npos) return specs;
+
+  const std::string name = wanted.substr(slash + 1);
+  if (const Plugin* plugin = registry.find(*kind, name)) return {&plugin->spec};
+  const std::vector<std::string> names = registry.names(*kind);
+  const std::string near = nearest_name(name, names);
+  throw UsageError(fmt::format("unknown {} `{}`, expected one of: {}{}", kind_word, name, fmt::join(names, ", "),
+                               near.empty() ? "" : fmt::format("; did you mean `{}`?", near)));
+}
 
 std::string short_text(const PluginSpec& spec) {
   return fmt::format("{}/{}\n{}", name_of(spec.kind), spec.name, wrapped(spec.doc, "  "));

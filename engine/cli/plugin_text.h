@@ -3,11 +3,14 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "plugin/registry.h"
 
 namespace flyrock::cli {
 
+/// The plugins that "KIND" or "KIND/NAME" selects; all where the text is empty. Throws UsageError for an unknown one.
+std::vector<const PluginSpec*> select_plugins(const Registry& registry, const std::string& wanted);
 /// Kind, name and what it does, 80 columns wide.
 std::string short_text(const PluginSpec& spec);
 /// All that the manifest says, for a terminal.

@@ -5,10 +5,10 @@
 namespace flyrock {
 
 void add_worst(Checks& checks, const std::string& name, const std::string& kind, double tolerance,
-               std::initializer_list<Measured> numbers) {
-  const Measured* worst = nullptr;
+               std::initializer_list<Compared> numbers) {
+  const Compared* worst = nullptr;
   double error = -1;
-  for (const Measured& number : numbers) {
+  for (const Compared& number : numbers) {
     // Written so that a number that is none is the worst of all.
     const double difference = std::abs(number.computed - number.expected);
     if (difference <= error) continue;
@@ -18,6 +18,17 @@ void add_worst(Checks& checks, const std::string& name, const std::string& kind,
   }
   const bool passed = std::abs(worst->computed - worst->expected) <= tolerance;
   checks.push_back({name + ": " + worst->name, kind, worst->computed, worst->expected, tolerance, passed});
+}
+
+Checks all_checks(const std::string& share) {
+  Checks checks;
+  check_oblique_ball(checks);
+  check_worked_impacts(checks);
+  check_ball_rows(checks);
+  check_painleve_rod(checks);
+  check_random_impacts(checks);
+  check_scenarios(checks, share);
+  return checks;
 }
 
 }  // namespace flyrock

@@ -17,7 +17,7 @@ struct Check {
 };
 
 /// A number with its name, computed and as it must be.
-struct Measured {
+struct Compared {
   const char* name;
   double computed;
   double expected;
@@ -27,7 +27,7 @@ using Checks = std::vector<Check>;
 
 /// Adds the number that is farthest from what it must be, as the row of them all.
 void add_worst(Checks& checks, const std::string& name, const std::string& kind, double tolerance,
-               std::initializer_list<Measured> numbers);
+               std::initializer_list<Compared> numbers);
 
 // The groups of problems; sources beside the numbers.
 
@@ -41,5 +41,12 @@ void check_ball_rows(Checks& checks);
 void check_painleve_rod(Checks& checks);
 /// Random rod impacts: which forms gain energy, and how often.
 void check_random_impacts(Checks& checks);
+
+/// Runs of the scenarios of the course and of the examples of contact laws, in the folder `share`, against what they expect.
+/// Throws std::runtime_error for one that cannot be read, PluginError for one that cannot be run.
+void check_scenarios(Checks& checks, const std::string& share);
+
+/// All of them, in this order.
+Checks all_checks(const std::string& share);
 
 }  // namespace flyrock

@@ -56,7 +56,7 @@ std::string without_make(const std::string& commands) {
 std::vector<fs::path> pages() {
   const fs::path source = FLYROCK_SOURCE_DIR;
   std::vector<fs::path> list = {source / "README.md", source / "CONTRIBUTING.md"};
-  for (const auto& entry : fs::directory_iterator(source / "docs"))
+  for (const auto& entry : fs::recursive_directory_iterator(source / "docs"))
     if (entry.path().extension() == ".md") list.push_back(entry.path());
   for (const auto& entry : fs::directory_iterator(source / "scenarios"))
     if (fs::exists(entry.path() / "README.md")) list.push_back(entry.path() / "README.md");
