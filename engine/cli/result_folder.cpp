@@ -117,7 +117,7 @@ Results ResultFolder::build(const LoadedScenario& scenario, const std::vector<Ch
   Results results = make_results(plan, rows, facts, see);
   for (std::size_t p = 0; p < terrains.size(); ++p) results.points[p].terrain = std::move(terrains[p]);
   csv.commit();
-  const nlohmann::ordered_json drawn = report_data(plan, results, rows);
+  const nlohmann::ordered_json drawn = report_data(scenario, results, rows);
   database.finish(results, drawn.dump());
   write_file(path_ / "summary.json", summary_json(plan, results));
   write_file(report(), report_html(drawn, fs::path(share_folder()) / "report"));

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
+#include "report/convergence.h"
+#include "report/envelope_data.h"
+#include "report/law_data.h"
 #include "report/runout_data.h"
+#include "report/sensitivity.h"
 #include "report/summary_data.h"
-#include "report/track.h"
+#include "report/tracks.h"
 
 namespace flyrock {
 
@@ -16,80 +19,8 @@ using Json = nlohmann::ordered_json;
 
 /// Points of trajectories in one page; 15 bytes each.
 constexpr std::size_t most_track_points = 150'000;
-/// A thinned path departs from the stored one by this share of the plot's extent at most: a seventh of a pixel.
-constexpr double track_tolerance = 1e-4;
 
 std::int64_t thousandth(double value) { return std::llround(1000 * value); }
-
-/// Whole thousandths, the first as it is and then the differences.
-Json differences(const std::vector<double>& values) {
-  Json list = Json::array();
-  std::int64_t before = 0;
-  for (double value : values) {
-    list.push_back(thousandth(value) - before);
-    before = thousandth(value);
-  }
-  return list;
-}
-
-/// A place as it is drawn: the vertical plane of 2D; space seen from the side.
-Vec2 in_view(const Vec3& place, int dimension) { return {place.x(), place[dimension - 1]}; }
-
-Json track_data(const std::vector<TrajectoryRecord>& rows, const Track& track, int group, int dimension, double tolerance) {
-  std::vector<Vec2> path;
-  for (std::size_t i = track.begin; i < track.end; ++i)
-    path.push_back(in_view(rows[i].point.state.position, dimension));
-  std::vector<double> x, y, t;
-  Json speed = Json::array();
-  for (const std::size_t i : simplify(path, tolerance)) {
-    const BodyState& state = rows[track.begin + i].point.state;
-    x.push_back(path[i].x());
-    y.push_back(path[i].y());
-    t.push_back(state.time);
-    speed.push_back(thousandth(state.velocity.norm()));
-  }
-  return {{"trial", track.trial}, {"rock", track.rock},   {"group", group}, {"x", differences(x)},
-          {"y", differences(y)},  {"t", differences(t)}, {"speed", speed}};
-}
-
-/// The tracks of whole rocks, as many as fit into a budget of points.
-class Tracks {
- public:
-  Tracks(std::size_t budget, int dimension) : budget_(budget), dimension_(dimension) {}
-
-  void see(const TrialRecords& chunk) {
-    if (!measured_) {
-      for (const TrajectoryRecord& row : chunk.trajectories) box_.extend(row.point.state.position);
-      return;
-    }
-    for (const Track& track : tracks_of(chunk.trajectories))
-      if (!cut_) add(track, chunk);
-  }
-
-  bool again() { return !std::exchange(measured_, true); }
-  Json data() const { return {{"list", list_}, {"cut", cut_}}; }
-
- private:
-  void add(const Track& track, const TrialRecords& chunk) {
-    const auto rock = std::find_if(chunk.rocks.begin(), chunk.rocks.end(), [&](const RockRecord& row) {
-      return row.trial == track.trial && row.rock == track.rock;
-    });
-    if (rock == chunk.rocks.end()) return;  // a body that does not move
-    const double extent = box_.isEmpty() ? 0 : box_.diagonal().norm();
-    Json data = track_data(chunk.trajectories, track, rock->group, dimension_, track_tolerance * extent);
-    points_ += data["x"].size();
-    cut_ = points_ > budget_;
-    if (cut_) return;
-    data["reason"] = name_of(rock->reason);
-    list_.push_back(std::move(data));
-  }
-
-  std::size_t budget_, points_ = 0;
-  int dimension_;
-  bool measured_ = false, cut_ = false;
-  Eigen::AlignedBox3d box_;
-  Json list_ = Json::array();
-};
 
 Json terrain_data(const Profile& terrain) {
   Json x = Json::array(), y = Json::array();
@@ -105,8 +36,9 @@ class Runouts {
  public:
   explicit Runouts(const std::vector<GroupSummary>& groups) {
     for (const GroupSummary& group : groups)
-      groups_.emplace_back(group.count - group.faults, group.at(RockQuantity::runout, Statistic::min).value,
-                           group.at(RockQuantity::runout, Statistic::max).value);
+      groups_.push_back({RunoutData(group.count - group.faults, group.at(RockQuantity::runout, Statistic::min).value,
+                                    group.at(RockQuantity::runout, Statistic::max).value),
+                         Convergence(group.count - group.faults)});
   }
 
   void see(const TrialRecords& chunk) {
@@ -120,18 +52,36 @@ class Runouts {
 
   bool again() {
     bool more = false;
-    for (RunoutData& group : groups_) more |= group.again();
+    for (Group& group : groups_) more |= group.again();
     return more;
   }
 
-  Json data() const {
+  Json distributions() const {
     Json list = Json::array();
-    for (const RunoutData& group : groups_) list.push_back(group.data());
+    for (const Group& group : groups_) list.push_back(group.distribution.data());
+    return list;
+  }
+  Json convergence() const {
+    Json list = Json::array();
+    for (const Group& group : groups_) list.push_back(group.convergence.data());
     return list;
   }
 
  private:
-  std::vector<RunoutData> groups_;
+  struct Group {
+    RunoutData distribution;
+    Convergence convergence;
+
+    void add(const Bounded& runout) {
+      distribution.add(runout);
+      convergence.add(runout);
+    }
+    bool again() {
+      const bool of_distribution = distribution.again(), of_convergence = convergence.again();
+      return of_distribution || of_convergence;
+    }
+  };
+  std::vector<Group> groups_;
 };
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
@@ -154,10 +104,36 @@ Json bodies_data(const Scenario& scenario, const TrialTotals& totals) {
   return list;
 }
 
+/// The rock that meets the laws in their graphs: the last of the first trial.
+LawSubject subject_of(const PointResult& point) {
+  LawSubject subject{500, 0.35};  // where every rock failed before it was made
+  for (const RockRecord& rock : point.first_trial)
+    if (rock.mass > 0) subject = {rock.mass, std::cbrt(3 * rock.volume / (4 * pi))};
+  return subject;
+}
+
+/// { name, sha256, plugins: [{ name, sha256 }] }
+Json source_data(const LoadedScenario& scenario) {
+  Json plugins = Json::array();
+  for (const SourceHash& source : scenario.sources) plugins.push_back({{"name", source.name}, {"sha256", source.sha256}});
+  return {{"name", scenario.name}, {"sha256", scenario.hash}, {"plugins", plugins}};
+}
+
+/// { terrain, impact }: whether the terrain differs from trial to trial, and the numbers that are drawn at each impact.
+Json drawn_data(const Scenario& scenario) {
+  const std::vector<Number>& slots = scenario.terrain.model.slots;
+  Json impact = Json::array();
+  for (const Draw& draw : scenario.draws)
+    if (draw.scope == Scope::impact) impact.push_back(draw.stream);
+  return {{"terrain", std::any_of(slots.begin(), slots.end(), [](const Number& n) { return !n.is_constant(); })},
+          {"impact", impact}};
+}
+
 }  // namespace
 
-Json report_data(const Plan& plan, const Results& results, const std::vector<Rows>& rows) {
-  Json points = Json::array();
+Json report_data(const LoadedScenario& scenario, const Results& results, const std::vector<Rows>& rows) {
+  const Plan& plan = scenario.plan;
+  Json points = Json::array(), first_laws;
   const std::size_t budget = most_track_points / results.points.size();
   for (std::size_t p = 0; p < results.points.size(); ++p) {
     const PointResult& point = results.points[p];
@@ -165,15 +141,25 @@ Json report_data(const Plan& plan, const Results& results, const std::vector<Row
     read_in_passes(rows[p], tracks, Part::paths);
     Runouts runouts(point.groups);
     read_in_passes(rows[p], runouts);
+    Sensitivity sensitivity(plan.points[p]);
+    rows[p](Part::whole, [&](const TrialRecords& chunk) { sensitivity.see(chunk); });
+    const Json laws = law_data(plan.points[p], subject_of(results.points.front()));
+    if (p == 0) first_laws = laws;
     points.push_back({{"terrain", terrain_data(point.terrain)},
                       {"tracks", tracks.data()},
-                      {"runout", runouts.data()},
+                      {"runout", runouts.distributions()},
+                      {"convergence", runouts.convergence()},
+                      {"envelopes", envelope_data(point)},
+                      {"sensitivity", sensitivity.data()},
+                      {"laws", p > 0 && laws == first_laws ? Json(nullptr) : laws},
                       {"bodies", bodies_data(plan.points[p], point.totals)}});
   }
   return {{"summary", summary_data(plan, results)},
+          {"source", source_data(scenario)},
           {"scenario", to_yaml(plan.resolved)},
           {"groups", group_names(plan.points.front())},
           {"units", quantity_units},
+          {"drawn", drawn_data(plan.points.front())},
           {"points", points}};
 }
 

@@ -7,7 +7,7 @@
 #include "report/runout_data.h"
 #include "report/summary_data.h"
 #include "report/tables.h"
-#include "report/track.h"
+#include "report/tracks.h"
 
 using namespace flyrock;
 

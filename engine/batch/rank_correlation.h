@@ -1,0 +1,22 @@
+#pragma once
+// Spearman's rank correlation, with its confidence interval.
+
+#include <cstdint>
+#include <vector>
+
+namespace flyrock {
+
+/// Fewer pairs say too little.
+inline constexpr std::size_t least_pairs = 30;
+
+struct RankCorrelation {
+  double r = 0;                 ///< from -1 to 1; NaN where one of the columns has one value only
+  double lower = 0, upper = 0;  ///< of its interval; NaN for fewer than least_pairs pairs
+};
+
+/// Of two columns of equal length: the correlation of their ranks, equal values having the mean of their ranks. The
+/// interval is that of Fisher's z with the variance (1 + r^2 / 2) / (n - 3). Source: Bonett and Wright 2000, Sample size
+/// requirements for estimating Pearson, Kendall and Spearman correlations.
+RankCorrelation rank_correlation(const std::vector<double>& a, const std::vector<double>& b, double confidence);
+
+}  // namespace flyrock

@@ -1,0 +1,33 @@
+#pragma once
+// How percentiles of runout settle as more rocks are run.
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "batch/statistics.h"
+
+namespace flyrock {
+
+/// The percentiles of the first n rocks of a group, in their order, with their intervals, for up to 24 counts n that grow
+/// by equal ratios to all rocks. See read_in_passes().
+class Convergence {
+ public:
+  /// `count` rocks without faults will be shown.
+  explicit Convergence(std::uint64_t count);
+
+  void add(const Bounded& runout);
+  bool again();
+
+  /// { n: [...], p50: { value, lower, upper, censored: [...] }, p95: ..., p99: ... }
+  nlohmann::ordered_json data() const;
+
+ private:
+  struct Start {
+    std::uint64_t count;  ///< rocks
+    Sample sample;
+  };
+  std::vector<Start> starts_;
+  std::uint64_t seen_ = 0;  ///< in this pass
+};
+
+}  // namespace flyrock
