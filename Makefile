@@ -13,6 +13,7 @@ help:
 	@echo "make test   build and run the tests: fast (release and sanitizers) and full"
 	@echo "make bench  rocks per second, the share of time by phase, and what a law in Lua costs"
 	@echo "make deps   install what is missing: Debian packages and Plotly"
+	@echo "make deps-browser   Chromium too, for the tests that open the report"
 
 deps: $(PLOTLY)
 	@missing=""; for p in $(PACKAGES); do \
@@ -20,6 +21,10 @@ deps: $(PLOTLY)
 	  dpkg-query -W -f '$${Status}' $$p 2> /dev/null | grep -q 'ok installed' || missing="$$missing $$p"; done; \
 	if [ -n "$$missing" ]; then $(SUDO) apt-get update -qq && \
 	  DEBIAN_FRONTEND=noninteractive $(SUDO) apt-get install -y -qq --no-install-recommends $$missing; fi
+
+# Large, and only for tests; those say SKIPPED without it.
+deps-browser: deps
+	command -v chromium > /dev/null || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends chromium; }
 
 $(PLOTLY): package-lock.json
 	@command -v npm > /dev/null || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends npm; }
@@ -47,4 +52,4 @@ bench: build-bench
 clean:
 	rm -rf build out
 
-.PHONY: help deps demo test test-heavy bench clean
+.PHONY: help deps deps-browser demo test test-heavy bench clean

@@ -53,7 +53,7 @@ std::int64_t unfolded(std::uint64_t n) { return static_cast<std::int64_t>(n >> 1
 
 }  // namespace
 
-double envelope_width(const Profile& terrain) { return round_step((terrain.x_max() - terrain.x_min()) / 200); }
+double envelope_width(const Profile& terrain) { return round_step((terrain.x_max() - terrain.x_min()) / 400); }
 
 double EnvelopeBin::quantile(EnvelopeQuantity quantity, double p) const {
   const std::vector<std::uint32_t>& of = counts[static_cast<std::size_t>(quantity)];

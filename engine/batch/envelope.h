@@ -21,7 +21,7 @@ namespace flyrock {
 enum class EnvelopeQuantity { height, speed, energy };
 inline constexpr std::array<std::string_view, 3> envelope_quantity_names = {"height", "speed", "energy"};
 
-/// The width of the bins over a terrain [m]: a 200th of its length, rounded up to 1, 2 or 5 times a power of ten. It is
+/// The width of the bins over a terrain [m]: a 400th of its length, rounded up to 1, 2 or 5 times a power of ten. It is
 /// taken from the terrain of trial 0, so that all chunks of a point have the same bins.
 double envelope_width(const Profile& terrain);
 

@@ -84,86 +84,6 @@ std::vector<std::string> collect_warnings(const Plan& plan, const std::vector<Po
   return warnings;
 }
 
-/// How a body or a rock ended, as the end of a sentence.
-std::string_view ending(StopReason reason) {
-  switch (reason) {
-    case StopReason::stopped: return "came to rest";
-    case StopReason::left_domain: return "left the domain";
-    case StopReason::timed_out: return "was still moving";
-    case StopReason::caught: return "was caught";
-    case StopReason::diverged:
-    case StopReason::plugin_error: break;
-  }
-  return "failed";
-}
-
-std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
-
-/// " Clearance road: 0.001 of the rocks go farther than 320 m (95 % interval 301 to 345 m); with the factor 1.5 that is
-/// 480 m."
-std::string clearances_answer(const Scenario& scenario, const PointResult& point) {
-  std::string text;
-  for (std::size_t c = 0; c < point.clearances.size(); ++c) {
-    const ClearancePlan& plan = scenario.clearances[c];
-    const ClearanceSummary& clearance = point.clearances[c];
-    if (!clearance.enough()) {
-      text += fmt::format(" Clearance {}: not given, it needs {} {} and there are {}.", plan.name, clearance.needed,
-                          plan.per_blast ? "blasts" : "rocks", clearance.count);
-      continue;
-    }
-    const auto end = [](double value) { return std::isnan(value) ? std::string("unknown") : fmt::format("{:.4g}", value); };
-    text += fmt::format(" Clearance {}: {} of the {} farther than {} ({} interval {} to {} m).", plan.name,
-                        percent(plan.probability), plan.per_blast ? "blasts throw a rock" : "rocks go",
-                        display(clearance.distance, "m"), percent(plan.confidence),
-                        end(clearance.interval.lower), end(clearance.interval.upper));
-    if (plan.factor)
-      text += fmt::format(" With the factor {:.4g} that is {}.", *plan.factor,
-                          display({clearance.with_factor, clearance.distance.censored}, "m"));
-  }
-  return text;
-}
-
-std::string bodies_answer(const Plan& plan, const Results& results) {
-  const std::vector<std::string> names = group_names(plan.points.front());
-  std::string text;
-  constexpr std::size_t most_named = 4;  // of a heap of bodies the table says more than a sentence
-  const std::vector<RockRecord>& bodies = results.points.front().first_trial;
-  for (std::size_t b = 0; b < std::min(bodies.size(), most_named); ++b) {
-    const RockRecord& body = bodies[b];
-    text += fmt::format("{}{} {} after {:.4g} s, {:.4g} m from where it began, with {} impact{}.", b > 0 ? " " : "",
-                        names.at(static_cast<std::size_t>(body.group)), ending(body.reason), body.time, body.runout,
-                        body.impacts, body.impacts == 1 ? "" : "s");
-  }
-  if (bodies.size() > most_named) text += fmt::format(" In all {} bodies moved.", bodies.size());
-  if (results.points.size() > 1) text += fmt::format(" (Point 0 of {}.)", results.points.size());
-  return text;
-}
-
-/// A statistic of the runout of a group (0: all rocks) over all points that have one: a number, or the range
-/// of a sweep.
-std::string range_of(const Results& results, Statistic statistic, std::size_t group = 0) {
-  std::vector<Bounded> values;
-  for (const PointResult& point : results.points)
-    if (const Bounded value = point.groups.at(group).at(RockQuantity::runout, statistic);
-        !std::isnan(value.value))
-      values.push_back(value);
-  if (values.empty()) return "not known";
-  const auto less = [](const Bounded& a, const Bounded& b) { return a.value < b.value; };
-  const auto [low, high] = std::minmax_element(values.begin(), values.end(), less);
-  if (low->value == high->value) return display(*high, "m");
-  return fmt::format("{} to {}", display(*low, "m"), display(*high, "m"));
-}
-
-/// " (blocks 217 m, loose 15.1 m)": of all rocks together a percentile says little where groups differ.
-std::string by_group(const Results& results, Statistic statistic) {
-  const std::vector<GroupSummary>& groups = results.points.front().groups;
-  if (groups.size() < 2) return "";
-  std::vector<std::string> parts;
-  for (std::size_t g = 1; g < groups.size(); ++g)
-    parts.push_back(fmt::format("{} {}", groups[g].name, range_of(results, statistic, g)));
-  return fmt::format(" ({})", fmt::join(parts, ", "));
-}
-
 }  // namespace
 
 std::uint64_t Results::rocks() const {
@@ -226,43 +146,6 @@ std::vector<std::string> laws_never_asked(const Plan& plan, const std::vector<Po
     note(materials[m].unilateral, use.unilateral, "unilateral");
   }
   return warnings;
-}
-
-std::string display(const Bounded& number, std::string_view unit) {
-  if (std::isnan(number.value)) return "-";
-  const std::string text = fmt::format("{}{:.4g}", number.censored ? ">= " : "", number.value);
-  return unit.empty() ? text : fmt::format("{} {}", text, unit);
-}
-
-std::string answer(const Plan& plan, const Results& results) {
-  const std::uint64_t rocks = results.rocks();
-  if (rocks == 0) return "No rock was released.";
-  std::uint64_t known = 0, censored = 0;
-  for (const PointResult& point : results.points) {
-    known += point.groups.front().count - point.groups.front().faults;
-    censored += point.groups.front().censored;
-  }
-  std::string text;
-  if (known == 0) {
-    text = fmt::format("All {} rocks failed.", rocks);
-  } else if (!plan.points.front().bodies.empty()) {
-    text = bodies_answer(plan, results);
-  } else {
-    text = fmt::format(
-        "The runout that 95 % of the rocks do not exceed is {}{}; that of 99 % is {}{}; the greatest is {}.",
-        range_of(results, Statistic::p95), by_group(results, Statistic::p95),
-        range_of(results, Statistic::p99), by_group(results, Statistic::p99),
-        range_of(results, Statistic::max));
-    if (results.points.size() == 1) text += clearances_answer(plan.points.front(), results.points.front());
-    if (results.points.size() > 1) text += fmt::format(" The ranges are over {} sweep points.", results.points.size());
-    text += censored == 0 ? " No rock is censored."
-                          : fmt::format(" {} of the rocks are censored (left the domain or ran out of time): "
-                                        "their distances are lower bounds.",
-                                        percent(static_cast<double>(censored) / static_cast<double>(known)));
-  }
-  if (known > 0 && known < rocks) text += fmt::format(" {} rocks failed and are in no statistic.", rocks - known);
-  if (!results.ended_early.empty()) text += fmt::format(" The run ended early: {}.", results.ended_early);
-  return text;
 }
 
 }  // namespace flyrock

@@ -52,10 +52,4 @@ Results make_results(const Plan& plan, const std::vector<Rows>& rows, const RunF
 /// "material haul_floor: its restitution pfeiffer_bowen was never asked": laws that no contact of any point needed.
 std::vector<std::string> laws_never_asked(const Plan& plan, const std::vector<PointResult>& points);
 
-/// The run in a sentence or two: how far rocks went, and which share of them is censored.
-std::string answer(const Plan& plan, const Results& results);
-
-/// "182 m", ">= 182 m", "-" where there is no value: four significant digits.
-std::string display(const Bounded& number, std::string_view unit);
-
 }  // namespace flyrock

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "batch/answer.h"
 #include "cli/terminal.h"
 #include "math/space.h"
 

@@ -21,25 +21,34 @@ std::string escaped(std::string text) {
 /// Within a script, "</script" would end it wherever it stands.
 std::string script(std::string source) { return replace_all(std::move(source), "</script", "<\\/script"); }
 
+/// The scripts of the page, in one scope, in this order: each uses what stands before it.
+std::string scripts(const std::filesystem::path& assets) {
+  std::string joined = "\"use strict\";\n(() => {\n";
+  for (const char* name : {"page.js", "tracks.js", "plots.js", "small_plots.js", "tables.js", "report.js"})
+    joined += read_file(assets / name);
+  return joined + "})();\n";
+}
+
 }  // namespace
 
 std::string report_html(const nlohmann::ordered_json& data, const std::filesystem::path& assets) {
   const std::filesystem::path plotly = assets / "plotly-cartesian.min.js";
-  const auto given = data.at("summary").at("title").get<std::string>();
+  const auto text = [&](const char* key) { return data.at("summary").at(key).get<std::string>(); };
+  const std::string given = text("title");
   const std::string title = escaped(given.empty() ? "flyrock" : given);
   std::string page = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n<style>\n",
       title);
   page += read_file(assets / "report.css");
-  page += fmt::format("</style>\n</head>\n<body>\n<main>\n<h1>{}</h1>\n<p class=\"answer\">{}</p>\n", title,
-                      escaped(data.at("summary").at("answer").get<std::string>()));
+  page += fmt::format("</style>\n</head>\n<body>\n<main>\n<h1>{}</h1>\n<p class=\"answer\">{}</p>\n<p class=\"facts\">{}</p>\n", title,
+                      escaped(text("answer")), escaped(text("assumptions")));
   page += "<noscript><p>Plots and tables need JavaScript; rocks.csv and summary.json hold the same numbers.</p></noscript>\n"
           "<div id=\"report\"></div>\n</main>\n<script type=\"application/json\" id=\"data\">";
   page += replace_all(data.dump(), "<", "\\u003c");
   page += "</script>\n";
   if (std::filesystem::exists(plotly)) page += "<script>" + script(read_file(plotly)) + "</script>\n";
-  page += "<script>\n" + script(read_file(assets / "report.js")) + "</script>\n</body>\n</html>\n";
+  page += "<script>\n" + script(scripts(assets)) + "</script>\n</body>\n</html>\n";
   return page;
 }
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "batch/answer.h"
+
 namespace flyrock {
 
 namespace {
@@ -192,6 +194,7 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
   Json data = {{"flyrock", FLYROCK_ENGINE_VERSION},
                {"title", first.title},
                {"answer", answer(plan, results)},
+               {"assumptions", assumptions(plan)},
                {"dimension", first.dimension},
                {"method", "nscd"},
                {"seed", first.seed},

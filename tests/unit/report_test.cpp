@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "batch/answer.h"
 #include "fake_results.h"
 #include "report/report_data.h"
 #include "report/runout_data.h"
@@ -22,7 +23,9 @@ Results results_of(const Plan& plan, std::uint64_t trials) {
 }
 
 nlohmann::ordered_json data_of(const Plan& plan, std::uint64_t trials) {
-  return report_data(plan, results_of(plan, trials), fake::rows(trials, static_cast<int>(plan.points.size())));
+  LoadedScenario scenario;
+  scenario.plan = plan;
+  return report_data(scenario, results_of(plan, trials), fake::rows(trials, static_cast<int>(plan.points.size())));
 }
 
 RunoutData runouts(const std::vector<Bounded>& values, double greatest) {

@@ -1,0 +1,133 @@
+// The data of the page, and what every part of it is built with. No framework; Plotly draws where it is embedded.
+
+const data = JSON.parse(document.getElementById("data").textContent);
+const summary = data.summary;
+const root = document.getElementById("report");
+// Okabe and Ito: told apart with any colour vision; line styles and forms tell them apart in print.
+const colour = { blue: "#0072b2", vermillion: "#d55e00", green: "#009e73", purple: "#cc79a7", orange: "#e69f00", sky: "#56b4e9", ink: "#1a1d21", brick: "#a63a00" };
+const modes = ["flight", "bounce", "slide", "roll"];  // by number, as in the data
+const of_bodies = data.points.some((point) => point.bodies.length > 0);
+const many_points = data.points.length > 1;
+
+/** What is shown: a sweep point, and a group of rocks (0: all of them). */
+const shown = { point: 0, group: summary.points[0].rocks.length > 1 ? 1 : 0 };
+const redraw = [];  // each draws one part for what is shown
+
+// ---- elements --------------------------------------------------------------------------------------------------
+function element(name, attributes = {}, ...children) {
+  const node = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) node.setAttribute(key, value);
+  node.append(...children.filter((child) => child !== null));
+  return node;
+}
+const paragraph = (cls, text) => element("p", { class: cls }, text);
+function section(title, ...children) {
+  const node = element("section", { id: title.toLowerCase().replaceAll(" ", "-") }, element("h2", {}, title), ...children);
+  root.append(node);
+  return node;
+}
+/** A section whose content is built anew for what is shown. */
+function section_of_point(title, build) {
+  const content = element("div");
+  section(title, content);
+  redraw.push(() => content.replaceChildren(...build(summary.points[shown.point], data.points[shown.point])));
+}
+/** The numbers of a plot, for those who cannot or do not want to read it. */
+const numbers = (...tables) => element("details", {}, element("summary", {}, "Numbers of this plot"), ...tables);
+
+// ---- numbers ---------------------------------------------------------------------------------------------------
+/** Counts in full; else four significant digits, no exponent between 0.001 and a thousand million. */
+function show(value) {
+  if (value === null || value === undefined) return "–";
+  if (Number.isSafeInteger(value)) return String(value);
+  const size = Math.abs(value);
+  if (size >= 1e9 || size < 1e-3) return value.toExponential(3);
+  return String(Number(value.toPrecision(4)));
+}
+const percent = (share) => `${Number((100 * share).toPrecision(3))} %`;
+const counted = (n, one, many) => `${n} ${n === 1 ? one : many}`;
+const right = (text) => ({ text, cls: "number" });
+/** Differences of thousandths to values. */
+function sums(differences) {
+  let sum = 0;
+  return differences.map((d) => (sum += d) / 1000);
+}
+const group_name = (group) => group.group ?? (of_bodies ? "all bodies" : "all rocks");
+const point_name = (point) => {
+  const at = Object.entries(point.at).map(([path, value]) => `${path} = ${show(value)}`).join(", ");
+  return `point ${point.point}${at ? `: ${at}` : ""}`;
+};
+const shown_group = () => summary.points[shown.point].rocks[shown.group];
+/** "blocks, point 3: mu = 0.4": what a plot shows, for its caption and for print. */
+function shown_text() {
+  const parts = [group_name(shown_group())];
+  if (many_points) parts.push(point_name(summary.points[shown.point]));
+  return parts.join(", ");
+}
+/** A statistic, with "≥" where censored rocks fall into it. */
+function statistic(group, quantity, name) {
+  const s = group[quantity];
+  if (s[name] === null) return right("–");
+  const text = show(quantity === "energy" ? s[name] / 1000 : s[name]);  // fences are rated in kJ
+  if (!s.lower_bounds.includes(name)) return right(text);
+  return right(name === "sd" ? `(${text})` : `≥ ${text}`);
+}
+
+/** A table; cells are text, numbers (to the right) or { text, cls }. */
+function table(caption, head, rows) {
+  const cell = (name, content) => {
+    const is_object = content !== null && typeof content === "object";
+    const text = is_object ? content.text : typeof content === "number" ? show(content) : content === null ? "–" : content;
+    const cls = is_object ? content.cls : typeof content === "number" || content === null ? "number" : "";
+    return element(name, cls ? { class: cls } : {}, text);
+  };
+  const is_number = (column) => rows.some((row) => typeof row[column] === "number" || row[column]?.cls === "number");
+  const header = element("tr", {}, ...head.map((text, i) => element("th", is_number(i) ? { scope: "col", class: "number" } : { scope: "col" }, text)));
+  const body = rows.map((row) => element("tr", {}, ...row.map((content) => cell("td", content))));
+  return element("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": caption || "table" },
+    element("table", {}, caption ? element("caption", {}, caption) : null, element("thead", {}, header), element("tbody", {}, ...body)));
+}
+
+/** A labelled choice; `change` gets the value of what was chosen. */
+function chooser(label, options, current, change) {
+  const select = element("select", { "aria-label": label }, ...options.map(([value, name]) => element("option", { value }, name)));
+  select.value = String(current);
+  select.addEventListener("change", () => change(select.value));
+  return element("label", { class: "chooser" }, `${label} `, select);
+}
+
+// ---- plots -----------------------------------------------------------------------------------------------------
+const font = { family: "system-ui, DejaVu Sans, sans-serif", size: 13, color: colour.ink };
+const legend = { orientation: "h", y: 1.02, yanchor: "bottom", x: 0, traceorder: "normal" };
+const axis = (title) => ({ title: { text: title }, gridcolor: "#e6e9ed", zerolinecolor: "#b8c0c9", linecolor: "#5a6370", ticks: "outside", automargin: true });
+/** A bin, a count and a share cannot be dragged to a better place: only the trajectories move and zoom. */
+function plot(node, traces, layout, movable = false) {
+  if (typeof Plotly === "undefined") {
+    node.textContent = "Plotly was not installed when this report was made (make deps): no picture.";
+    return;
+  }
+  const base = { font, paper_bgcolor: "#fff", plot_bgcolor: "#fff", margin: { l: 70, r: 24, t: 30, b: 56 }, hoverlabel: { align: "left" }, dragmode: movable ? "pan" : false };
+  const config = { responsive: true, displaylogo: false, scrollZoom: movable, displayModeBar: movable, modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d"] };
+  Plotly.react(node, traces, { ...base, ...layout }, config);
+}
+/** Paper is narrower than a screen: plots are drawn anew for it, and afterwards for the screen again. */
+const paper_width = 690;
+function resize_plots(width) {
+  for (const node of document.querySelectorAll(".js-plotly-plot")) Plotly.relayout(node, width ? { autosize: false, width } : { autosize: true, width: undefined });
+}
+window.addEventListener("beforeprint", () => resize_plots(paper_width));
+window.addEventListener("afterprint", () => resize_plots(null));
+const plot_node = (label) => element("div", { class: "plot", role: "img", "aria-label": label });
+/** The left and right end, or lowest and highest value, of a list without nulls. */
+const least = (list) => list.reduce((a, b) => Math.min(a, b), Infinity);
+const most = (list) => list.reduce((a, b) => Math.max(a, b), -Infinity);
+
+/** Gates and barriers as lines over the whole height of a plot, named at its top, a line of text apart. */
+function place_lines(point, height) {
+  const places = [...point.gates.map((g) => ({ x: g.x, name: g.gate, line: { color: colour.green, width: 1.5, dash: "dot" } })),
+    ...point.barriers.map((b) => ({ x: b.x, name: b.barrier, line: { color: colour.brick, width: 1.5, dash: "dash" } }))].sort((a, b) => a.x - b.x);
+  return {
+    shapes: places.map((p) => ({ type: "line", x0: p.x, x1: p.x, yref: "paper", y0: 0, y1: 1, line: p.line })),
+    annotations: places.map((p, i) => ({ x: p.x, y: 1 - ((i % 3) * 18) / height, yref: "paper", yanchor: "top", text: p.name, showarrow: false, xanchor: "left", bgcolor: "rgba(255,255,255,0.85)", font: { color: p.line.color } })),
+  };
+}

@@ -1,0 +1,171 @@
+// Runout, envelopes along x, rank correlations, convergence.
+
+// ---- runout ----------------------------------------------------------------------------------------------------
+function draw_runout(node, runout, group) {
+  const centre = runout.known.map((_, i) => (i + 0.5) * runout.step);
+  const count = runout.known.reduce((a, b) => a + b, 0) + runout.censored.reduce((a, b) => a + b, 0);
+  const bar = (y, name, marker) => ({
+    type: "bar", x: centre, y, width: runout.step, name, marker,
+    hovertemplate: `%{y} of ${count} rocks within ${show(runout.step / 2)} m of %{x:.1f} m<extra>${name}</extra>`,
+  });
+  const edge = { color: "#fff", width: 0.5 };
+  const traces = [bar(runout.known, "known runout", { color: colour.blue, line: edge })];
+  if (runout.known_to !== null) traces.push(bar(runout.censored, "censored: at least this far", { color: colour.orange, pattern: { shape: "/" }, line: edge }));
+  const x = runout.x.map((v) => v / 1000), share = runout.share.map((s) => (s > 0 ? 100 * s : null));
+  const known = (v) => runout.known_to === null || v <= runout.known_to / 1000;
+  const curve = (name, keep, dash) => ({
+    x, y: share.map((s, i) => (keep(x[i]) ? s : null)), xaxis: "x", yaxis: "y2", mode: "lines", name,
+    line: { color: colour.ink, width: 2, dash, shape: "hv" },
+    hovertemplate: `%{y:.3g} % of the rocks went farther than %{x:.1f} m<extra></extra>`,
+  });
+  traces.push(curve("share beyond x", known, "solid"));
+  if (runout.known_to !== null) traces.push(curve("share beyond x, at least", (v) => v >= runout.known_to / 1000, "dot"));
+  const marks = ["p50", "p95", "p99"].filter((name) => group.runout[name] !== null).map((name) => ({ name, value: group.runout[name], bound: group.runout.lower_bounds.includes(name) }));
+  plot(node, traces, {
+    height: 540, barmode: "stack", bargap: 0, legend,
+    xaxis: { ...axis("runout in m, from release to stop"), anchor: "y2", rangemode: "tozero" },
+    yaxis: { ...axis("rocks"), domain: [0.54, 1] },
+    yaxis2: { ...axis("rocks beyond x in %"), domain: [0, 0.46], type: "log", dtick: 1 },
+    shapes: marks.map((m) => ({ type: "line", x0: m.value, x1: m.value, yref: "paper", y0: 0, y1: 1, line: { color: colour.vermillion, width: 1.5, dash: "dash" } })),
+    annotations: marks.map((m, i) => ({ x: m.value, y: 1 - 0.055 * i, yref: "paper", text: `${m.name} ${m.bound ? "≥ " : ""}${show(m.value)} m`, showarrow: false, xanchor: "left", bgcolor: "rgba(255,255,255,0.85)", font: { color: colour.brick } })),
+  });
+}
+
+/** Distances that shares of the rocks exceed, from the curve. */
+function exceedance_table(runout, count) {
+  const rows = [];
+  for (const share of [0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001]) {
+    if (share * count < 1) break;
+    const i = runout.share.findIndex((s) => s <= share), value = runout.x[i] / 1000;
+    rows.push([right(percent(share)), right(`${runout.known_to !== null && value >= runout.known_to / 1000 ? "≥ " : ""}${show(value)}`)]);
+  }
+  return table("Exceedance", ["share of rocks", "go farther than m"], rows);
+}
+
+function runout_section() {
+  if (of_bodies || summary.points.every((point) => point.rocks[0].count === point.rocks[0].faults)) return;
+  const node = plot_node("Distribution of runout: histogram and share of rocks beyond a distance; the same numbers in the table below");
+  const note = paragraph("note", ""), table_place = element("div");
+  section("Runout", node, note, paragraph("caption",
+    "Read: above, how many rocks stopped at a distance; below, the share of rocks that went farther than x, on a logarithmic scale: " +
+    "go across from an accepted share to the curve, and down to the distance. Runout is the horizontal distance from release to stop. Dashed: p50, p95 and p99, which that share of the rocks does not exceed."), numbers(table_place));
+  redraw.push(() => {
+    const group = shown_group(), runout = data.points[shown.point].runout[shown.group], count = group.count - group.faults;
+    note.textContent = `Shown: ${shown_text()}; ${counted(count, "rock", "rocks")}. ` + (group.censored === 0 ? "None is censored: every runout is known."
+      : `${percent(group.censored)} are censored (left the domain or ran out of time): their distance is a lower bound, and so is every number marked ≥.`);
+    draw_runout(node, runout, group);
+    table_place.replaceChildren(exceedance_table(runout, count));
+  });
+}
+
+// ---- envelopes -------------------------------------------------------------------------------------------------
+const envelope_rows = [["height", "bounce height in m", 1], ["speed", "speed in m/s", 1], ["energy", "energy in kJ", 1000]];
+const envelope_lines = [["p50", "solid", colour.blue, 2], ["p95", "dash", colour.vermillion, 2], ["max", "dot", colour.ink, 1.5]];
+
+function draw_envelopes(node, envelopes, group, point) {
+  const width = envelopes.width, x = [...group.x, group.x.at(-1) + width];
+  const stepped = (list, unit) => [...list, list.at(-1)].map((v) => v / unit);
+  const traces = [];
+  envelope_rows.forEach(([quantity, title, unit], row) => {
+    for (const [name, dash, line_colour, line_width] of envelope_lines)
+      traces.push({
+        x, y: stepped(group[quantity][name], unit), yaxis: `y${row + 1}`, name: name === "max" ? "greatest" : name, legendgroup: name, showlegend: row === 0, mode: "lines",
+        line: { shape: "hv", dash, color: line_colour, width: line_width }, hovertemplate: `x from %{x:.1f} m: ${name} %{y:.3g}<extra>${title}</extra>`,
+      });
+  });
+  traces.push({ x: group.x.map((v) => v + width / 2), y: group.count, yaxis: "y4", type: "bar", width, name: "rocks that came here", showlegend: false, marker: { color: colour.sky }, hovertemplate: "%{y} rocks came to x = %{x:.1f} m<extra></extra>" });
+  const rows = [[0.77, 1], [0.53, 0.75], [0.29, 0.51], [0, 0.26]];
+  const layout = { height: 760, legend, hovermode: "closest", bargap: 0, xaxis: { ...axis("distance x in m"), anchor: "y4" } };
+  envelope_rows.forEach(([, title], row) => { layout[`yaxis${row === 0 ? "" : row + 1}`] = { ...axis(title), domain: rows[row], rangemode: "tozero" }; });
+  layout.yaxis4 = { ...axis("rocks"), domain: rows[3], rangemode: "tozero" };
+  plot(node, traces, { ...layout, ...place_lines(point, 760) });
+}
+
+function envelopes_section() {
+  if (of_bodies || data.points.every((point) => point.envelopes.groups[0].x.length === 0)) return;
+  const node = plot_node("Envelopes of bounce height, speed and energy along x; the same numbers in the table below");
+  const note = paragraph("caption", ""), table_place = element("div");
+  section("Envelopes along x", node, note, paragraph("caption",
+    "Read: at the x of a planned fence or berm, how high above the ground, how fast and with which kinetic energy (rotation included) the centres of mass pass, of the rocks that come there at all; " +
+    "the bars say how many those are. p50 and p95: half and 95 % of them stay below; far out, where few rocks come, the lines rest on few numbers. A rock counts with its greatest value within the bin; " +
+    "heights and speeds in flight are exact, in contact those at the ends of time steps; all are rounded to 1 %. A fence must be higher than a centre of mass by the radius of the rock."), numbers(table_place));
+  redraw.push(() => {
+    const envelopes = data.points[shown.point].envelopes, group = envelopes.groups[shown.group];
+    if (group.x.length === 0) return;
+    note.textContent = `Shown: ${shown_text()}; bins of ${show(envelopes.width)} m.`;
+    draw_envelopes(node, envelopes, group, summary.points[shown.point]);
+    table_place.replaceChildren(table("", ["x from m", "rocks", ...envelope_rows.flatMap(([, title]) => [`${title}: p50`, "p95", "greatest"])],
+      group.x.map((x, i) => [x, group.count[i], ...envelope_rows.flatMap(([quantity, , unit]) => envelope_lines.map(([name]) => group[quantity][name][i] / unit))])));
+  });
+}
+
+// ---- rank correlation of inputs --------------------------------------------------------------------------------
+const most_inputs = 15;
+
+function draw_tornado(node, inputs) {
+  const lines = inputs.slice(0, most_inputs).reverse();  // the strongest on top
+  const sure = (line) => line.lower > 0 || line.upper < 0;
+  const bars = (keep, name, fill) => ({
+    type: "bar", orientation: "h", name, x: lines.map((line) => (keep(line) ? line.r : null)), y: lines.map((line) => line.path), marker: fill,
+    error_x: { type: "data", symmetric: false, array: lines.map((line) => line.upper - line.r), arrayminus: lines.map((line) => line.r - line.lower), color: colour.ink, thickness: 1.5 },
+    customdata: lines.map((line) => [line.lower, line.upper]), hovertemplate: "%{y}<br>rank correlation %{x:.3f}, 95 % interval %{customdata[0]:.3f} to %{customdata[1]:.3f}<extra></extra>",
+  });
+  plot(node, [
+    bars((line) => sure(line) && line.r > 0, "more of it: farther", { color: colour.blue }),
+    bars((line) => sure(line) && line.r < 0, "more of it: less far", { color: colour.vermillion, pattern: { shape: "/" } }),
+    bars((line) => !sure(line), "not told from chance", { color: "#c3c9d1" }),
+  ], {
+    height: 130 + 28 * lines.length, barmode: "overlay", legend, margin: { l: 20, r: 24, t: 30, b: 56 },
+    xaxis: { ...axis("rank correlation with runout"), range: [-1, 1] }, yaxis: { automargin: true, ticks: "" },
+  });
+}
+
+function sensitivity_section() {
+  if (of_bodies) return;
+  const content = element("div");
+  section("What the runout depends on", content);
+  redraw.push(() => {
+    const lists = data.points[shown.point].sensitivity;
+    const group = shown.group === 0 && lists.length === 1 ? 0 : shown.group - 1;
+    if (group < 0) return content.replaceChildren(paragraph("note", "Choose one group of rocks: each has its own inputs."));
+    const { count, inputs } = lists[group];
+    if (count < 30) return content.replaceChildren(paragraph("note", `Needs at least 30 rocks that did not fail; there are ${count}.`));
+    if (inputs.length === 0) return content.replaceChildren(paragraph("note", "Nothing that differs from rock to rock was drawn from a distribution."));
+    const node = plot_node("Rank correlation of each input with runout; the same numbers in the table below");
+    const each = data.drawn.impact.length > 0 ? ` Drawn at every impact and therefore not ranked: ${data.drawn.impact.join(", ")}.` : "";
+    content.replaceChildren(node, paragraph("caption", `Shown: ${shown_text()}; ${count === 10000 ? "the first 10000 rocks" : counted(count, "rock", "rocks")}, ${inputs.length > most_inputs ? `the ${most_inputs} strongest of ${inputs.length} inputs` : "every number that was drawn from a distribution"}. ` +
+      "Read: the input with the longest bar orders the runouts most; it is the one to measure first. Spearman's rank correlation from -1 to 1, with its 95 % confidence interval as a whisker; " +
+      "where that holds 0 the sample does not tell it from chance. It sees rising and falling influence, not one that turns round; a censored runout has the rank of its lower bound." + each),
+      numbers(table("", ["input", "rank correlation", "95 % from", "to"], inputs.map((line) => [line.path, line.r, line.lower, line.upper]))));
+    draw_tornado(node, inputs);
+  });
+}
+
+// ---- convergence -----------------------------------------------------------------------------------------------
+let percentile = "p95";
+
+function draw_convergence(node, convergence) {
+  const c = convergence[percentile], known = c.lower.map((low, i) => low !== null && c.upper[i] !== null);
+  const band = (list) => convergence.n.map((_, i) => (known[i] ? list[i] : null));
+  plot(node, [
+    { x: convergence.n, y: band(c.lower), mode: "lines", line: { color: colour.sky, width: 1 }, showlegend: false, hoverinfo: "skip" },
+    { x: convergence.n, y: band(c.upper), mode: "lines", name: "95 % confidence interval", line: { color: colour.sky, width: 1 }, fill: "tonexty", fillcolor: "rgba(86,180,233,0.3)", hovertemplate: "up to %{y:.4g} m<extra></extra>" },
+    { x: convergence.n, y: c.value, mode: "lines+markers", name: `${percentile} of runout`, line: { color: colour.blue, width: 2 }, marker: { size: 6, symbol: c.censored.map((is) => (is ? "triangle-up" : "circle")) }, hovertemplate: `%{x} rocks: ${percentile} %{y:.4g} m<extra></extra>` },
+  ], { height: 360, legend, xaxis: { ...axis("rocks, in the order of their trials"), type: "log" }, yaxis: { ...axis("runout in m"), rangemode: "tozero" } });
+}
+
+function convergence_section() {
+  if (of_bodies || summary.points.every((point) => point.rocks[0].count === point.rocks[0].faults)) return;
+  const node = plot_node("A percentile of runout against the number of rocks; the same numbers in the table below");
+  const note = paragraph("caption", ""), table_place = element("div");
+  const update = () => {
+    const convergence = data.points[shown.point].convergence[shown.group], c = convergence[percentile];
+    note.textContent = `Shown: ${percentile}, ${shown_text()}.`;
+    draw_convergence(node, convergence);
+    table_place.replaceChildren(table("", ["rocks", `${percentile} m`, "95 % from", "to"], convergence.n.map((n, i) => [n, right(`${c.censored[i] ? "≥ " : ""}${show(c.value[i])}`), c.lower[i], c.upper[i]])));
+  };
+  section("Were there enough trials", chooser("Percentile", ["p50", "p95", "p99"].map((name) => [name, name]), percentile, (name) => { percentile = name; update(); }), node, note, paragraph("caption",
+    "Read: the line should have settled, and the band be narrow enough for the decision, long before the right end. The band is the binomial interval of the order statistics of the first n rocks; it begins where they are enough for it. " +
+    "Four times as many rocks halve it. Triangles: censored rocks fall into the percentile, it is a lower bound."), numbers(table_place));
+  redraw.push(update);
+}

@@ -1,0 +1,114 @@
+// Plots that come in rows of small ones: the points of a sweep, the laws of the materials.
+
+const most_small = 24;
+/** "", 2, 3, ...: how Plotly numbers axes. */
+const nth = (i) => (i === 0 ? "" : String(i + 1));
+/** The place of small plot i of n in `columns` columns; rows run downwards. */
+function cell_of(i, n, columns) {
+  const rows = Math.ceil(n / columns), column = i % columns, row = Math.floor(i / columns), gap_x = 0.05, gap_y = 0.32 / rows;
+  const width = (1 - gap_x * (columns - 1)) / columns, height = (1 - gap_y * (rows - 1)) / rows;
+  return { x: [column * (width + gap_x), column * (width + gap_x) + width], y: [1 - row * (height + gap_y) - height, 1 - row * (height + gap_y)] };
+}
+
+// ---- sweep -----------------------------------------------------------------------------------------------------
+/** The percentiles against the value of the only axis of a sweep. */
+function draw_sweep(node, path, group) {
+  const x = summary.points.map((point) => point.at[path]);
+  const traces = [["p50", "circle", colour.blue, "solid"], ["p95", "square", colour.vermillion, "dash"], ["p99", "diamond", colour.green, "dot"]].map(([name, symbol, line_colour, dash]) => {
+    const s = summary.points.map((point) => point.rocks[group].runout), ends = s.map((q) => q.intervals[name]);
+    return {
+      x, y: s.map((q) => q[name]), name, mode: "lines+markers", line: { color: line_colour, dash }, marker: { symbol, size: 8 },
+      error_y: { type: "data", symmetric: false, array: s.map((q, i) => (ends[i][1] === null ? 0 : ends[i][1] - q[name])), arrayminus: s.map((q, i) => (ends[i][0] === null ? 0 : q[name] - ends[i][0])), color: line_colour, thickness: 1 },
+      hovertemplate: `${path} = %{x}<br>${name} of runout %{y:.1f} m<extra></extra>`,
+    };
+  });
+  plot(node, traces, { height: 360, xaxis: axis(path), yaxis: { ...axis("runout in m"), rangemode: "tozero" }, legend });
+}
+
+/** A histogram of runout for each point, all to the same scales. */
+function draw_points(node, group) {
+  const points = summary.points.slice(0, most_small), columns = 4, rows = Math.ceil(points.length / columns);
+  const runouts = points.map((_, i) => data.points[i].runout[group]);
+  const far = most(runouts.map((r) => r.known.length * r.step));
+  const shares = runouts.map((r) => { const all = r.known.map((n, i) => n + r.censored[i]), sum = all.reduce((a, b) => a + b, 0); return all.map((n) => (100 * n) / sum / r.step); });
+  const high = most(shares.flat().filter(Number.isFinite));
+  const layout = { height: 90 + 190 * rows, showlegend: false, bargap: 0, margin: { l: 50, r: 10, t: 30, b: 50 }, annotations: [], shapes: [] };
+  const traces = points.map((point, i) => {
+    const place = cell_of(i, points.length, columns), r = runouts[i], p95 = point.rocks[group].runout.p95;
+    layout[`xaxis${nth(i)}`] = { ...axis(""), domain: place.x, anchor: `y${nth(i)}`, range: [0, far], nticks: 5, title: i + columns >= points.length ? { text: "runout in m", font: { size: 11 } } : undefined };
+    layout[`yaxis${nth(i)}`] = { ...axis(""), domain: place.y, anchor: `x${nth(i)}`, range: [0, 1.05 * high], nticks: 4, showticklabels: i % columns === 0, title: i % columns === 0 ? { text: "% per m", font: { size: 11 } } : undefined };
+    layout.annotations.push({ x: place.x[0], y: place.y[1], xref: "paper", yref: "paper", xanchor: "left", yanchor: "bottom", showarrow: false, font: { size: 11 },
+      text: `<b>${point.point}</b> ${Object.values(point.at).map(show).join(", ")}${p95 === null ? "" : `; p95 ${point.rocks[group].runout.lower_bounds.includes("p95") ? "≥ " : ""}${show(p95)} m`}` });
+    if (p95 !== null) layout.shapes.push({ type: "line", xref: `x${nth(i)}`, yref: `y${nth(i)} domain`, x0: p95, x1: p95, y0: 0, y1: 1, line: { color: colour.vermillion, width: 1.5, dash: "dash" } });
+    return { type: "bar", x: shares[i].map((_, bin) => (bin + 0.5) * r.step), y: shares[i], width: r.step, xaxis: `x${nth(i)}`, yaxis: `y${nth(i)}`, marker: { color: colour.blue },
+      hovertemplate: `${point_name(point)}<br>%{y:.3g} % per m at %{x:.1f} m<extra></extra>` };
+  });
+  plot(node, traces, layout);
+}
+
+function sweep_section() {
+  if (!many_points || of_bodies) return;
+  const paths = Object.keys(summary.points[0].at), content = element("div");
+  const clearances = summary.points[0].clearance.map((c) => c.clearance);
+  section("Sweep", content);
+  redraw.push(() => {
+    const group = shown.group, name = group_name(summary.points[0].rocks[group]);
+    const small = plot_node("A histogram of runout for each sweep point; the same percentiles in the table below");
+    const cut = summary.points.length > most_small ? ` The first ${most_small} of ${summary.points.length} points are drawn.` : "";
+    const nodes = [small, paragraph("caption", `Shown: ${name}; ${paths.join(", ")} above each plot after its number.${cut} ` +
+      "Read: how the distribution of runout moves from point to point; all plots have the same scales, the dashed line is p95. The same rocks meet every point: differences are not noise of the draw.")];
+    const drawn = paths.length === 1 ? plot_node("Percentiles of runout over the swept value") : null;
+    if (drawn) nodes.push(drawn, paragraph("caption", "Read: how much the percentiles depend on the swept value; whiskers are their 95 % confidence intervals."));
+    nodes.push(table(`Runout in m: ${name}`, ["point", ...paths, "p50", "p95", "95 % from", "to", "p99", "greatest", "censored", "failed", ...clearances.map((c) => `clearance ${c} m`)],
+      summary.points.map((point) => {
+        const s = point.rocks[group], interval = s.runout.intervals.p95;
+        return [point.point, ...paths.map((path) => point.at[path]), statistic(s, "runout", "p50"), statistic(s, "runout", "p95"), interval[0], interval[1], statistic(s, "runout", "p99"), statistic(s, "runout", "max"), right(percent(s.censored)), s.faults,
+          ...point.clearance.map((c) => right(c.distance === null ? "–" : `${c.lower_bound ? "≥ " : ""}${show(c.distance)}`))];
+      })));
+    content.replaceChildren(...nodes);
+    if (summary.points.some((point) => point.rocks[group].runout.p95 !== null)) draw_points(small, group);
+    else small.textContent = "No runout is known at any point.";
+    if (drawn) draw_sweep(drawn, paths[0], group);
+  });
+}
+
+// ---- laws ------------------------------------------------------------------------------------------------------
+function draw_laws(node, graphs) {
+  const columns = 3, rows = Math.ceil(graphs.length / columns);
+  const layout = { height: 70 + 230 * rows, showlegend: false, annotations: [], margin: { l: 60, r: 10, t: 40, b: 50 } };
+  const styles = [["solid", colour.blue, "rgba(0,114,178,0.2)"], ["dash", colour.vermillion, "rgba(213,94,0,0.2)"]];
+  const traces = graphs.flatMap((graph, i) => {
+    const place = cell_of(i, graphs.length, columns), on = { x: graph.speed, xaxis: `x${nth(i)}`, yaxis: `y${nth(i)}`, mode: "lines" };
+    layout[`xaxis${nth(i)}`] = { ...axis(graph.x), domain: place.x, anchor: `y${nth(i)}`, type: "log", tickvals: [0.1, 1, 10, 50], range: [-1, Math.log10(50)] };
+    layout[`yaxis${nth(i)}`] = { ...axis(graph.y), domain: place.y, anchor: `x${nth(i)}`, rangemode: "tozero", nticks: 5 };
+    for (const key of [`xaxis${nth(i)}`, `yaxis${nth(i)}`]) layout[key].title.font = { size: 11 };
+    layout.annotations.push({ x: place.x[0], y: place.y[1], xref: "paper", yref: "paper", xanchor: "left", yanchor: "bottom", showarrow: false, font: { size: 12 }, text: `<b>${graph.material}</b> ${graph.kind} ${graph.law}` });
+    return graph.curves.flatMap((curve, c) => {
+      const [dash, line_colour, fill] = styles[c], line = { ...on, y: curve.middle, line: { dash, color: line_colour, width: 2 }, hovertemplate: `${curve.name}: %{y:.4g} at %{x:.3g} m/s<extra>${graph.law}</extra>` };
+      if (!graph.drawn) return [line];
+      const edge = { ...on, line: { width: 0 }, hoverinfo: "skip" };
+      return [{ ...edge, y: curve.low }, { ...edge, y: curve.high, fill: "tonexty", fillcolor: fill }, line];
+    });
+  });
+  plot(node, traces, layout);
+}
+
+function laws_section() {
+  const first = data.points[0].laws;
+  if (first.graphs.length === 0) return;
+  const content = element("div");
+  section("Laws used", content);
+  redraw.push(() => {
+    const laws = data.points[shown.point].laws ?? first;
+    const node = plot_node("Graphs of the laws of each material; the same numbers in the table below");
+    const at = (list, speed, graph) => list[graph.speed.findIndex((v) => v >= speed)] ?? null;
+    const faults = laws.graphs.filter((graph) => graph.fault);
+    content.replaceChildren(node, paragraph("caption", (many_points ? `Shown: ${point_name(summary.points[shown.point])}. ` : "") +
+      `Read: what each material answers, asked of the laws themselves, for a rock of ${show(laws.mass)} kg and ${show(laws.radius)} m radius at its first impact. Restitution: solid, an impact at 90° to the surface; dashed, at 30°. ` +
+      "Friction: solid, static; dashed, dynamic. Rolling: the bound of the torque over the normal force. A band holds nine tenths of the drawn parameters, the line is their median. A material without a law has no restitution, friction or resistance of that kind."),
+      faults.length === 0 ? "" : element("ul", {}, ...faults.map((graph) => element("li", {}, `${graph.material}, ${graph.kind}: the law failed where its curve ends: ${graph.fault}`))),
+      numbers(table("", ["material", "kind", "law", "curve", "unit", "at 0.1 m/s", "1 m/s", "10 m/s", "50 m/s", "what it is", "source"],
+        laws.graphs.flatMap((graph) => graph.curves.map((curve) => [graph.material, graph.kind, graph.law, curve.name, graph.y, ...[0.1, 1, 10, 49.9].map((speed) => at(curve.middle, speed, graph)), graph.doc, graph.source])))));
+    draw_laws(node, laws.graphs);
+  });
+}

@@ -1,0 +1,111 @@
+// The paths of rocks over the ground, coloured by mode of travel.
+
+const mode_lines = [
+  { color: colour.blue, width: 1, dash: "solid" },
+  { color: colour.vermillion, width: 1, dash: "solid" },
+  { color: colour.purple, width: 4, dash: "solid" },
+  { color: colour.green, width: 4, dash: "dot" },
+];
+const end_symbols = { stopped: "circle", left_domain: "x", timed_out: "triangle-up", caught: "square", diverged: "star", plugin_error: "star" };
+const end_meanings = {
+  stopped: "came to rest",
+  left_domain: "left the terrain of the model: its distance is a lower bound",
+  timed_out: "still moving at stop.time: its distance is a lower bound",
+  caught: "caught by a barrier",
+  diverged: "fault: the computation failed for this rock",
+  plugin_error: "fault: a law or model failed for this rock",
+};
+
+/** The mode of each point of a track. */
+function modes_of(track) {
+  const list = [];
+  for (let i = 0; i < track.modes.length; i += 2) for (let n = 0; n < track.modes[i]; ++n) list.push(track.modes[i + 1]);
+  return list;
+}
+
+/** One trace for each mode, one for each way in which paths end. */
+function track_traces(tracks) {
+  const lines = modes.map(() => ({ x: [], y: [], customdata: [] }));
+  const ends = new Map();
+  for (const track of tracks) {
+    const x = sums(track.x), y = sums(track.y), t = sums(track.t), mode = modes_of(track), group = data.groups[track.group];
+    const at = (i) => [track.trial, track.rock, t[i], track.speed[i] / 1000, group];
+    const point = (line, i) => (line.x.push(x[i]), line.y.push(y[i]), line.customdata.push(at(i)));
+    for (let i = 1; i < x.length; ++i) {  // the stretch that arrives at i
+      const line = lines[mode[i]];
+      if (i === 1 || mode[i] !== mode[i - 1]) point(line, i - 1);
+      point(line, i);
+      if (i + 1 === x.length || mode[i + 1] !== mode[i]) (line.x.push(null), line.y.push(null), line.customdata.push(null));
+    }
+    if (!ends.has(track.reason)) ends.set(track.reason, { x: [], y: [], customdata: [] });
+    point(ends.get(track.reason), x.length - 1);
+  }
+  const hover = (what) => `${what}<br>%{customdata[4]}, trial %{customdata[0]}, rock %{customdata[1]}<br>time %{customdata[2]:.2f} s, speed %{customdata[3]:.2f} m/s<br>x %{x:.2f} m, y %{y:.2f} m<extra></extra>`;
+  const traces = [];
+  lines.forEach((line, mode) => {
+    if (line.x.length > 0) traces.push({ ...line, mode: "lines", name: modes[mode], line: mode_lines[mode], opacity: mode < 2 ? 0.5 : 0.85, hovertemplate: hover(modes[mode]) });
+  });
+  for (const reason of Object.keys(end_meanings).filter((r) => ends.has(r)))  // what stopped first, so that the few others lie on top
+    traces.push({
+      ...ends.get(reason), mode: "markers", name: reason, hovertemplate: hover(reason),
+      marker: reason === "stopped" ? { symbol: end_symbols[reason], size: 5, color: colour.ink, opacity: 0.5 } : { symbol: end_symbols[reason], size: 10, color: colour.brick },
+    });
+  return traces;
+}
+
+/** The height of the ground at x. */
+function ground_at(terrain, at) {
+  const i = Math.max(1, terrain.x.findIndex((v) => v / 1000 >= at));
+  const [x0, x1, y0, y1] = [terrain.x[i - 1], terrain.x[i], terrain.y[i - 1], terrain.y[i]].map((v) => v / 1000);
+  return x1 > x0 ? y0 + ((y1 - y0) * (at - x0)) / (x1 - x0) : Math.max(y0, y1);
+}
+
+function draw_tracks(node, point, crossings, tracks) {
+  const terrain_x = point.terrain.x.map((v) => v / 1000), terrain_y = point.terrain.y.map((v) => v / 1000);
+  const paths = track_traces(tracks);
+  const fences = crossings.barriers.map((fence) => {
+    const foot = ground_at(point.terrain, fence.x);
+    return {
+      x: [fence.x, fence.x], y: [foot, foot + fence.height_m], mode: "lines", name: `barrier ${fence.barrier}`, line: { color: colour.brick, width: 5 }, showlegend: false,
+      hovertemplate: `${fence.barrier}: ${show(fence.height_m)} m, ${show(fence.capacity_J / 1000)} kJ at x = ${show(fence.x)} m<extra></extra>`,
+    };
+  });
+  // The window: where rocks were, with the ground below them; zoom out for the rest of the terrain.
+  const seen = paths.flatMap((t) => t.x).filter((v) => v !== null), high = paths.flatMap((t) => t.y).filter((v) => v !== null);
+  let window = {}, height = 420;
+  if (seen.length > 0) {
+    const left = least(seen), far = most(seen), margin = 0.04 * Math.max(far - left, most(high) - least(high), 0.1);
+    const ground = terrain_y.filter((_, i) => terrain_x[i] >= left - margin && terrain_x[i] <= far + margin);
+    const low = least([...high, ...ground]) - margin, top = most([...high, ...ground]) + margin;
+    window = { x: [left - margin, far + margin], y: [low, top] };
+    const drawn = (node.clientWidth || 1000) - 110;
+    height = Math.min(620, Math.max(280, (drawn * (top - low)) / (window.x[1] - window.x[0]) + 150));
+  }
+  const ground = { x: terrain_x, y: terrain_y, mode: "lines", name: "ground", line: { color: "#3b3f45", width: 2 }, hoverinfo: "skip" };
+  plot(node, [ground, ...paths, ...fences], {
+    height, hovermode: "closest", legend,
+    xaxis: { ...axis("distance x in m"), range: window.x },
+    yaxis: { ...axis("height y in m"), range: window.y, scaleanchor: "x", scaleratio: 1 },
+    ...place_lines(crossings, height),
+  }, true);
+}
+
+function tracks_section() {
+  if (data.points.every((point) => point.tracks.list.length === 0)) {
+    section("Trajectories", paragraph("note", "No trajectory was stored (output.trajectories)."));
+    return;
+  }
+  const node = plot_node("Trajectories over the terrain, coloured by mode of travel; the tables of travel and of ends below hold the shares");
+  const note = paragraph("caption", "");
+  section("Trajectories", node, note, paragraph("caption",
+    "Read: the paths of centres of mass over the ground, both axes to the same scale. Flight: until the first landing; bounce: in the air after it; slide and roll: in contact " +
+    "(thick lines). A mark is where a path ended; its form says why. Drag to move, scroll to zoom, double-click to return; hover for trial, rock, time and speed; click a name in the legend to hide it." +
+    (data.drawn.terrain ? " The terrain is drawn anew in each trial; the ground shown is that of trial 0, so that the paths of other trials need not touch it." : "")));
+  redraw.push(() => {
+    const page = data.points[shown.point], point = summary.points[shown.point];
+    const tracks = page.tracks.list.filter((track) => shown.group === 0 || track.group === shown.group - 1);
+    const trials = new Set(tracks.map((t) => t.trial)).size;
+    note.textContent = `Shown: ${shown_text()}; ${trials} of ${counted(point.trials, "trial", "trials")}` + (page.tracks.cut ? " (more were stored than a page holds)." : ".");
+    draw_tracks(node, page, point, tracks);
+  });
+}

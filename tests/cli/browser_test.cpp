@@ -1,0 +1,98 @@
+// The report in a browser. Needs Chromium (make deps-browser) and Plotly (make deps); says SKIPPED without them.
+
+#include <catch2/catch.hpp>
+
+#include "program.h"
+
+using namespace flyrock::test;
+
+namespace {
+
+bool can_draw() {
+  return std::system("command -v chromium > /dev/null") == 0 && fs::exists(FLYROCK_SHARE_DIR "/report/plotly-cartesian.min.js");
+}
+
+std::size_t count(const std::string& text, const std::string& what) {
+  std::size_t found = 0;
+  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += what.size()) ++found;
+  return found;
+}
+
+struct Opened {
+  std::string page;     ///< as the scripts left it
+  std::string console;  ///< what the browser logged
+  double seconds = 0;   ///< with the start of the browser
+};
+
+Opened open_report(const Folder& folder, const std::string& result) {
+  const fs::path page = folder.path() / ".page", log = folder.path() / ".log";
+  const std::string line = "timeout 120 chromium --headless --no-sandbox --disable-gpu --enable-logging=stderr --user-data-dir='" +
+                           (folder.path() / ".browser").string() + "' --dump-dom 'file://" +
+                           (folder.path() / result / "report.html").string() + "' >'" + page.string() + "' 2>'" + log.string() + "'";
+  const auto start = std::chrono::steady_clock::now();
+  const int status = std::system(line.c_str());
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  INFO(read(log));
+  REQUIRE(WIFEXITED(status));
+  REQUIRE(WEXITSTATUS(status) == 0);
+  return {read(page), read(log), seconds};
+}
+
+/// Every section's plot holds a picture, and the browser complained of nothing. At least `plots` of them.
+void check_drawn(const Folder& folder, const std::string& result, std::size_t plots) {
+  const Opened report = open_report(folder, result);
+  INFO(report.console);
+  CHECK(report.console.find("CONSOLE") == std::string::npos);
+  const std::size_t nodes = count(report.page, "<div class=\"plot"), drawn = count(report.page, "<div class=\"plot js-plotly-plot\"");
+  CHECK(drawn == nodes);
+  CHECK(drawn >= plots);
+  CHECK(count(report.page, "class=\"plot-container plotly\"") == drawn);
+  // The last section stands: no script ended before.
+  CHECK(report.page.find("<h2>How to reproduce this</h2>") != std::string::npos);
+  WARN(result << ": " << drawn << " plots, " << report.seconds << " s with the start of the browser");
+}
+
+}  // namespace
+
+TEST_CASE("A browser draws every plot of a report and complains of nothing", "[slow]") {
+  if (!can_draw()) {
+    WARN("SKIPPED: no Chromium or no Plotly");
+    return;
+  }
+  const Folder folder;
+  const std::string scenario = "run " FLYROCK_SOURCE_DIR "/scenarios/ninh_dan/benches_2d.yaml --quiet ";
+  REQUIRE(call(folder, scenario + "-o one").code == 0);  // its 1000 trials
+  check_drawn(folder, "one", 6);
+  CHECK(fs::file_size(folder.path() / "one/report.html") < 10'000'000);
+  REQUIRE(call(folder, scenario + "-o sweep --trials 50 --set terrain.berm=\"{ sweep: [6 m, 8 m, 10 m] }\" "
+                                  "--set materials.haul_floor.friction=\"{ type: coulomb, mu: { sweep: [0.4, 0.5, 0.6, 0.7] } }\"").code == 0);
+  check_drawn(folder, "sweep", 7);
+}
+
+TEST_CASE("A browser opens the report of a run in which rocks failed, all or some", "[slow]") {
+  if (!can_draw()) {
+    WARN("SKIPPED: no Chromium or no Plotly");
+    return;
+  }
+  const Folder folder;
+  folder.write("law.lua", R"(local fr = require "flyrock"
+return fr.plugin {
+  kind = "restitution", name = "fails", form = "newton",
+  doc = "Fails in flight, above a mass.", source = "a test",
+  params = { mass = fr.number { default = 0, min = 0, unit = "kg", doc = "of the lightest rock that fails" } },
+  impact = function(p, contact)
+    if contact.time > 0 and contact.mass > p.mass then error("too heavy") end
+    return 0.4, 0
+  end,
+}
+)");
+  std::string text = "plugins: [law.lua]\n" + bench_with("{ type: newton, en: 0.3 }", "{ type: fails, mass: { sweep: [0, 200] } }");
+  text.replace(text.find("trials: 4"), 9, "trials: 40");
+  text.replace(text.find("diameter: 0.5"), 13, "diameter: { uniform: [0.4, 0.7] }");
+  text.replace(text.find("time: 60 s"), 10, "time: 3 s");
+  folder.write("all.yaml", text);
+  const Output run = call(folder, "run all.yaml --quiet -o failed");
+  INFO(run.err);
+  CHECK(run.code == 3);
+  check_drawn(folder, "failed", 1);
+}
