@@ -13,7 +13,7 @@ namespace flyrock {
 namespace {
 
 constexpr std::string_view magic = "flyrchnk";
-constexpr std::uint64_t format = 3;
+constexpr std::uint64_t format = 4;
 
 std::uint64_t crc(std::string_view bytes) {
   boost::crc_32_type sum;

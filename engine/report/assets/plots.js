@@ -165,7 +165,7 @@ function convergence_section() {
     table_place.replaceChildren(table("", ["rocks", `${percentile} m`, "95 % from", "to"], convergence.n.map((n, i) => [n, right(`${c.censored[i] ? "≥ " : ""}${show(c.value[i])}`), c.lower[i], c.upper[i]])));
   };
   section("Were there enough trials", chooser("Percentile", ["p50", "p95", "p99"].map((name) => [name, name]), percentile, (name) => { percentile = name; update(); }), node, note, paragraph("caption",
-    "Read: the line should have settled, and the band be narrow enough for the decision, long before the right end. The band is the binomial interval of the order statistics of the first n rocks; it begins where they are enough for it. " +
+    "Read: the line should have settled, and the band be narrow enough for the decision, long before the right end. The band is the binomial interval of the order statistics of the first n rocks; it begins where they are enough for it, and ends where censored rocks hide its upper end. " +
     "Four times as many rocks halve it. Triangles: censored rocks fall into the percentile, it is a lower bound."), numbers(table_place));
   redraw.push(update);
 }

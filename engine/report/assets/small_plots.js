@@ -30,8 +30,8 @@ function draw_points(node, group) {
   const points = summary.points.slice(0, most_small), columns = 4, rows = Math.ceil(points.length / columns);
   const runouts = points.map((_, i) => data.points[i].runout[group]);
   const far = most(runouts.map((r) => r.known.length * r.step));
-  const shares = runouts.map((r) => { const all = r.known.map((n, i) => n + r.censored[i]), sum = all.reduce((a, b) => a + b, 0); return all.map((n) => (100 * n) / sum / r.step); });
-  const high = most(shares.flat().filter(Number.isFinite));
+  const shares = runouts.map((r) => { const all = r.known.map((n, i) => n + r.censored[i]), sum = all.reduce((a, b) => a + b, 0); return all.map((n) => (100 * n) / Math.max(sum, 1) / r.step); });
+  const high = most(shares.flat());
   const layout = { height: 90 + 190 * rows, showlegend: false, bargap: 0, margin: { l: 50, r: 10, t: 30, b: 50 }, annotations: [], shapes: [] };
   const traces = points.map((point, i) => {
     const place = cell_of(i, points.length, columns), r = runouts[i], p95 = point.rocks[group].runout.p95;

@@ -1,0 +1,144 @@
+// What the page is given to draw.
+
+#include <catch2/catch.hpp>
+
+#include "batch/law_graph.h"
+#include "batch/load.h"
+#include "report/convergence.h"
+#include "report/rounded.h"
+#include "report/sensitivity.h"
+#include "report/tracks.h"
+
+using namespace flyrock;
+
+namespace {
+
+/// Rocks whose runout grows with draw 0, falls a little with draw 1; draw 2 is the same for all of them.
+TrialRecords rocks_with_inputs(int count) {
+  TrialRecords chunk;
+  for (int i = 0; i < count; ++i) {
+    const auto trial = static_cast<std::uint64_t>(i);
+    const double a = uniform_at(5, 1, {.trial = trial}), b = uniform_at(5, 2, {.trial = trial});
+    RockRecord rock;
+    rock.trial = trial;
+    rock.reason = i % 50 == 7 ? StopReason::diverged : StopReason::stopped;
+    rock.runout = 10 * a * a - 2 * b;
+    chunk.rocks.push_back(rock);
+    for (const auto& [draw, value] : {std::pair(0, a), std::pair(1, b), std::pair(2, 4.0)})
+      chunk.inputs.push_back({trial, 0, draw, value});
+  }
+  return chunk;
+}
+
+Scenario with_draws() {
+  Scenario scenario;
+  scenario.rocks.resize(1);
+  scenario.draws.resize(3);
+  for (std::size_t i = 0; i < 3; ++i) scenario.draws[i].stream = "input " + std::to_string(i);
+  return scenario;
+}
+
+}  // namespace
+
+TEST_CASE("Inputs are ranked by what they do to the runout") {
+  Sensitivity sensitivity(with_draws());
+  sensitivity.see(rocks_with_inputs(1000));
+  const auto data = sensitivity.data();
+  REQUIRE(data.size() == 1);
+  CHECK(data[0]["count"] == 980);  // without faults
+  const auto& inputs = data[0]["inputs"];
+  REQUIRE(inputs.size() == 2);  // one value in all rocks orders nothing
+  CHECK(inputs[0]["path"] == "input 0");
+  CHECK(inputs[0]["r"] > 0.9);
+  CHECK(inputs[0]["lower"] < inputs[0]["r"]);
+  CHECK(inputs[0]["upper"] > inputs[0]["r"]);
+  CHECK(inputs[1]["path"] == "input 1");
+  CHECK(inputs[1]["upper"] < 0);
+
+  Sensitivity few(with_draws());
+  few.see(rocks_with_inputs(20));
+  CHECK(few.data()[0]["inputs"].empty());
+
+  Sensitivity many(with_draws());
+  for (int i = 0; i < 11; ++i) many.see(rocks_with_inputs(1000));
+  CHECK(many.data()[0]["count"] == 10'000);
+}
+
+TEST_CASE("A percentile converges to that of all rocks") {
+  constexpr int count = 2000;
+  Convergence convergence(count);
+  do {
+    for (int i = 0; i < count; ++i) convergence.add({static_cast<double>((i * 997) % count), i == 1999});
+  } while (convergence.again());
+  const auto data = convergence.data();
+  const auto& n = data["n"];
+  CHECK(n.size() == 24);
+  CHECK(n.front() == 20);
+  CHECK(n.back() == count);
+  CHECK(std::is_sorted(n.begin(), n.end()));
+  CHECK(data["p50"]["value"].back() == 999.5);
+  CHECK(data["p95"]["lower"].front().is_null());  // 20 rocks say nothing of the tail
+  CHECK(data["p95"]["lower"].back() < 1899);
+  CHECK(data["p95"]["censored"].front() == false);
+  CHECK(data["p50"]["upper"].front().is_number());
+  CHECK(data["p95"]["censored"].back() == true);  // the last rock, at 1003, is censored
+  CHECK(data["p95"]["upper"].back().is_null());
+  CHECK(Convergence(0).data()["n"].empty());
+  CHECK(Convergence(3).data()["n"].size() == 1);
+}
+
+TEST_CASE("The graph of a law is the law") {
+  Diagnostics diagnostics;
+  const auto loaded = load_scenario(FLYROCK_SOURCE_DIR "/scenarios/ninh_dan/benches_2d.yaml", {}, diagnostics);
+  REQUIRE(loaded);
+  const std::vector<LawGraph> graphs = law_graphs(loaded->plan.points.front(), {200, 0.3});
+  const auto graph_of = [&](const std::string& material, const std::string& kind) {
+    for (const LawGraph& graph : graphs)
+      if (graph.material == material && graph.kind == kind) return graph;
+    return LawGraph{};
+  };
+  const LawGraph fading = graph_of("haul_floor", "restitution");
+  REQUIRE(fading.law == "pfeiffer_bowen");
+  REQUIRE(fading.curves.size() == 2);
+  CHECK_FALSE(fading.drawn);
+  const double slow = fading.curves[0].middle.front();
+  for (std::size_t i = 0; i < fading.speed.size(); ++i) {
+    const double v = fading.speed[i] / 9.144, v0 = fading.speed[0] / 9.144;
+    CHECK(fading.curves[0].middle[i] == Approx(slow * (1 + v0 * v0) / (1 + v * v)));
+    CHECK(fading.curves[0].low[i] == fading.curves[0].high[i]);
+  }
+  const LawGraph drawn = graph_of("broken_rock", "restitution");
+  REQUIRE(drawn.drawn);
+  CHECK(drawn.curves[0].low[0] < drawn.curves[0].middle[0]);
+  CHECK(drawn.curves[0].middle[0] < drawn.curves[0].high[0]);
+  CHECK(graph_of("haul_floor", "friction").curves[0].middle[7] == Approx(std::tan(33 * pi / 180)));
+  CHECK(graph_of("haul_floor", "friction").fault.empty());
+}
+
+TEST_CASE("A thinned path keeps where it changes its mode of travel") {
+  TrialRecords chunk;
+  chunk.rocks.resize(1);
+  for (int i = 0; i <= 20; ++i) {  // a straight line, half of it in the air
+    TrajectoryRecord row;
+    row.point.state.time = 0.1 * i;
+    row.point.state.position = {1.0 * i, 0, 0};
+    row.point.mode = i <= 10 ? TravelMode::bounce : TravelMode::slide;
+    chunk.trajectories.push_back(row);
+  }
+  Tracks tracks(1000);
+  do tracks.see(chunk);
+  while (tracks.again());
+  const auto data = tracks.data();
+  REQUIRE(data["list"].size() == 1);
+  CHECK(data["list"][0]["x"] == nlohmann::ordered_json::array({0, 10000, 10000}));
+  CHECK(data["list"][0]["modes"] == nlohmann::ordered_json::array({2, 1, 1, 2}));
+  CHECK(data["cut"] == false);
+}
+
+TEST_CASE("Rounded numbers have four digits and no tail") {
+  CHECK(rounded(0.1234567).dump() == "0.1235");
+  CHECK(rounded(-98765.4).dump() == "-98770.0");
+  CHECK(rounded(1e-7 / 3).dump() == "3.333e-08");
+  CHECK(rounded(0).dump() == "0");
+  CHECK(rounded(std::numeric_limits<double>::quiet_NaN()).is_null());
+}
