@@ -77,7 +77,7 @@ TEST_CASE("A percentile converges to that of all rocks") {
   CHECK(n.back() == count);
   CHECK(std::is_sorted(n.begin(), n.end()));
   CHECK(data["p50"]["value"].back() == 999.5);
-  CHECK(data["p95"]["lower"].front().is_null());  // 20 rocks say nothing of the tail
+  CHECK(data["p95"]["upper"].front().is_null());  // 20 rocks say nothing of the tail
   CHECK(data["p95"]["lower"].back() < 1899);
   CHECK(data["p95"]["censored"].front() == false);
   CHECK(data["p50"]["upper"].front().is_number());

@@ -102,10 +102,9 @@ const legend = { orientation: "h", y: 1.02, yanchor: "bottom", x: 0, traceorder:
 const axis = (title) => ({ title: { text: title }, gridcolor: "#e6e9ed", zerolinecolor: "#b8c0c9", linecolor: "#5a6370", ticks: "outside", automargin: true });
 /** A bin, a count and a share cannot be dragged to a better place: only the trajectories move and zoom. */
 function plot(node, traces, layout, movable = false) {
-  if (typeof Plotly === "undefined") {
-    node.textContent = "Plotly was not installed when this report was made (make deps): no picture.";
-    return;
-  }
+  if (typeof Plotly === "undefined") return no_plot(node, "Plotly was not installed when this report was made (make deps): no picture.");
+  node.classList.remove("note");
+  node.classList.add("plot");
   const base = { font, paper_bgcolor: "#fff", plot_bgcolor: "#fff", margin: { l: 70, r: 24, t: 30, b: 56 }, hoverlabel: { align: "left" }, dragmode: movable ? "pan" : false };
   const config = { responsive: true, displaylogo: false, scrollZoom: movable, displayModeBar: movable, modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d"] };
   Plotly.react(node, traces, { ...base, ...layout }, config);
@@ -117,6 +116,12 @@ function resize_plots(width) {
 }
 window.addEventListener("beforeprint", () => resize_plots(paper_width));
 window.addEventListener("afterprint", () => resize_plots(null));
+/** Words in place of a plot. */
+function no_plot(node, text) {
+  if (typeof Plotly !== "undefined") Plotly.purge(node);
+  node.className = "note";
+  node.textContent = text;
+}
 const plot_node = (label) => element("div", { class: "plot", role: "img", "aria-label": label });
 /** The left and right end, or lowest and highest value, of a list without nulls. */
 const least = (list) => list.reduce((a, b) => Math.min(a, b), Infinity);

@@ -91,8 +91,9 @@ function envelopes_section() {
     "heights and speeds in flight are exact, in contact those at the ends of time steps; all are rounded to 1 %. A fence must be higher than a centre of mass by the radius of the rock."), numbers(table_place));
   redraw.push(() => {
     const envelopes = data.points[shown.point].envelopes, group = envelopes.groups[shown.group];
-    if (group.x.length === 0) return;
     note.textContent = `Shown: ${shown_text()}; bins of ${show(envelopes.width)} m.`;
+    table_place.replaceChildren();
+    if (group.x.length === 0) return no_plot(node, "No rock without a fault.");
     draw_envelopes(node, envelopes, group, summary.points[shown.point]);
     table_place.replaceChildren(table("", ["x from m", "rocks", ...envelope_rows.flatMap(([, title]) => [`${title}: p50`, "p95", "greatest"])],
       group.x.map((x, i) => [x, group.count[i], ...envelope_rows.flatMap(([quantity, , unit]) => envelope_lines.map(([name]) => group[quantity][name][i] / unit))])));

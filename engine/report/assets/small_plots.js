@@ -67,7 +67,7 @@ function sweep_section() {
       })));
     content.replaceChildren(...nodes);
     if (summary.points.some((point) => point.rocks[group].runout.p95 !== null)) draw_points(small, group);
-    else small.textContent = "No runout is known at any point.";
+    else no_plot(small, "No runout is known at any point.");
     if (drawn) draw_sweep(drawn, paths[0], group);
   });
 }
