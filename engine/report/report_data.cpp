@@ -108,15 +108,15 @@ Json bodies_data(const Scenario& scenario, const TrialTotals& totals) {
 LawSubject subject_of(const PointResult& point) {
   LawSubject subject{500, 0.35};  // where every rock failed before it was made
   for (const RockRecord& rock : point.first_trial)
-    if (rock.mass > 0) subject = {rock.mass, std::cbrt(3 * rock.volume / (4 * pi))};
+    if (rock.mass > 0 && rock.volume > 0) subject = {rock.mass, std::cbrt(3 * rock.volume / (4 * pi))};
   return subject;
 }
 
-/// { name, sha256, plugins: [{ name, sha256 }] }
+/// { sha256, plugins: [{ name, sha256 }] }; not the name of the scenario's file, which may change before shards are merged.
 Json source_data(const LoadedScenario& scenario) {
   Json plugins = Json::array();
   for (const SourceHash& source : scenario.sources) plugins.push_back({{"name", source.name}, {"sha256", source.sha256}});
-  return {{"name", scenario.name}, {"sha256", scenario.hash}, {"plugins", plugins}};
+  return {{"sha256", scenario.hash}, {"plugins", plugins}};
 }
 
 /// { terrain, impact }: whether the terrain differs from trial to trial, and the numbers that are drawn at each impact.

@@ -10,7 +10,7 @@
 namespace flyrock {
 
 /// `rows` of each point are read in passes; the laws of the scenario are sampled (call it in the thread of its session).
-/// { summary, source: { name, sha256, plugins }, scenario, groups, units, drawn, points: [{ terrain, tracks, runout,
+/// { summary, source: { sha256, plugins }, scenario, groups, units, drawn, points: [{ terrain, tracks, runout,
 /// convergence, envelopes, sensitivity, laws, bodies }] }. `laws` is null where it is that of point 0.
 nlohmann::ordered_json report_data(const LoadedScenario& scenario, const Results& results, const std::vector<Rows>& rows);
 

@@ -127,7 +127,7 @@ function warnings_section() {
 }
 
 function reproduce_section() {
-  const source = data.source, file = `${source.name}.yaml`;
+  const source = data.source, file = "scenario.yaml";
   section("How to reproduce this",
     paragraph("", `Every number of this page follows from the scenario below, its seed ${summary.seed} and flyrock ${summary.flyrock}: save it as ${file} beside the files that it names, and run`),
     element("pre", { tabindex: "0" }, `flyrock run ${file}\nflyrock run ${file} --only point=0,trial=0   # one trial again, with its trajectory`),
