@@ -125,7 +125,7 @@ TEST_CASE("A thinned path keeps where it changes its mode of travel") {
     row.point.mode = i <= 10 ? TravelMode::bounce : TravelMode::slide;
     chunk.trajectories.push_back(row);
   }
-  Tracks tracks(1000);
+  Tracks tracks(1000, 2);
   do tracks.see(chunk);
   while (tracks.again());
   const auto data = tracks.data();
