@@ -25,6 +25,8 @@ std::unique_ptr<UnilateralLaw> make_penalty(Params& params);
 std::unique_ptr<VelocityModel> make_fixed(Params& params);
 std::unique_ptr<VelocityModel> make_gurney(Params& params);
 std::unique_ptr<VelocityModel> make_bench_fit(Params& params);
+std::unique_ptr<VelocityModel> make_richards_moore(Params& params);
+std::unique_ptr<VelocityModel> make_mckenzie(Params& params);
 std::unique_ptr<TerrainModel> make_benches(Params& params);
 std::unique_ptr<TerrainModel> make_profile(Params& params);
 std::unique_ptr<TerrainModel> make_plane(Params& params);

@@ -24,6 +24,8 @@ FLYROCK_MODULE(table) {
   table[{velocity, "fixed"}] = make_fixed;
   table[{velocity, "gurney"}] = make_gurney;
   table[{velocity, "bench_fit"}] = make_bench_fit;
+  table[{velocity, "richards_moore"}] = make_richards_moore;
+  table[{velocity, "mckenzie"}] = make_mckenzie;
   table[{terrain, "benches"}] = make_benches;
   table[{terrain, "profile"}] = make_profile;
   table[{terrain, "plane"}] = make_plane;

@@ -1,5 +1,11 @@
 #include "blast/blast.h"
 
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "math/space.h"
+
 namespace flyrock {
 
 const std::vector<BlastFieldInfo>& blast_fields() {
@@ -27,6 +33,20 @@ const std::vector<BlastFieldInfo>& blast_fields() {
        "opening angle of the prism that a hole breaks out to the face"},
   };
   return fields;
+}
+
+double positive(const Blast& blast, BlastField field) {
+  const double value = blast[field];
+  const BlastFieldInfo& info = blast_fields()[static_cast<std::size_t>(field)];
+  if (!(value > 0))
+    throw std::invalid_argument(
+        fmt::format("blast.{} is {:.6g} {}, must be above 0", info.path, value, info.unit));
+  return value;
+}
+
+double linear_charge(const Blast& blast) {
+  const double diameter = positive(blast, BlastField::hole_diameter);
+  return pi / 4 * diameter * diameter * positive(blast, BlastField::explosive_density);
 }
 
 const std::vector<Explosive>& explosives() {

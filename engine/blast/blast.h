@@ -49,6 +49,17 @@ struct Blast {
   double& operator[](BlastField field) { return values[static_cast<int>(field)]; }
 };
 
+/// A field that a formula needs above 0. Throws std::invalid_argument, "blast.burden is -1 m, must be above 0",
+/// also where the field is not given (NaN).
+double positive(const Blast& blast, BlastField field);
+
+/// g [m/s2] of the published distances: those who measured them stood on level ground of the Earth, whatever the
+/// gravity of a scenario is.
+inline constexpr double range_gravity = 9.81;
+
+/// Mass of charge per length of hole [kg/m]: W/l = pi/4 d^2 rho_e. Throws std::invalid_argument.
+double linear_charge(const Blast& blast);
+
 /// Explosives known by name: `explosive: ANFO`.
 struct Explosive {
   std::string_view name;

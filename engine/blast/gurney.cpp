@@ -9,27 +9,13 @@
 
 namespace flyrock {
 
-namespace {
-
-double positive(const Blast& blast, BlastField field) {
-  const double value = blast[field];
-  const BlastFieldInfo& info = blast_fields()[static_cast<std::size_t>(field)];
-  if (!(value > 0))
-    throw std::invalid_argument(
-        fmt::format("blast.{} is {:.6g} {}, must be above 0", info.path, value, info.unit));
-  return value;
-}
-
-}  // namespace
-
 double charge_to_mass(const Blast& blast) {
-  const double diameter = positive(blast, BlastField::hole_diameter);
   const double burden = positive(blast, BlastField::burden);
   const double angle = positive(blast, BlastField::breakout_angle);
   if (angle >= pi)
     throw std::invalid_argument(fmt::format("blast.breakout_angle is {:.6g} rad, must be below pi", angle));
-  const double linear_charge = pi / 4 * diameter * diameter * positive(blast, BlastField::explosive_density);
-  return linear_charge / (positive(blast, BlastField::rock_density) * burden * burden * std::tan(angle / 2));
+  const double rock = positive(blast, BlastField::rock_density) * burden * burden * std::tan(angle / 2);
+  return linear_charge(blast) / rock;
 }
 
 double gurney_factor(GurneyGeometry geometry, double charge_to_mass) {

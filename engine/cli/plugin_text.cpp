@@ -104,6 +104,7 @@ std::string short_text(const PluginSpec& spec) {
 std::string full_text(const PluginSpec& spec) {
   std::string text = short_text(spec);
   if (!spec.source.empty()) text += fmt::format("  source: {}\n", spec.source);
+  if (!spec.validity.empty()) text += wrapped("valid: " + spec.validity, "  ");
   if (!spec.form.empty()) text += fmt::format("  form: {}\n", spec.form);
   if (!spec.reads.empty()) text += fmt::format("  reads: {}\n", fmt::join(spec.reads, ", "));
   text += fmt::format("  file: {}{}\n", spec.file, spec.native.empty() ? "" : " (native)");
@@ -121,6 +122,7 @@ std::string full_text(const PluginSpec& spec) {
 std::string markdown(const PluginSpec& spec) {
   std::string text = fmt::format("## {}/{}\n\n{}\n", name_of(spec.kind), spec.name, spec.doc);
   if (!spec.source.empty()) text += fmt::format("\nSource: {}\n", spec.source);
+  if (!spec.validity.empty()) text += fmt::format("\nValid: {}\n", spec.validity);
   if (!spec.form.empty()) text += fmt::format("\nForm: `{}`\n", spec.form);
   if (!spec.reads.empty()) text += fmt::format("\nReads: `{}`\n", fmt::join(spec.reads, "`, `"));
   if (spec.params.empty()) return text + "\nNo parameters.\n";
@@ -149,6 +151,7 @@ Json json_of(const PluginSpec& spec) {
   }
   Json data = {{"kind", name_of(spec.kind)}, {"name", spec.name}, {"doc", spec.doc},
                {"source", spec.source},      {"file", spec.file}, {"native", !spec.native.empty()}};
+  if (!spec.validity.empty()) data["validity"] = spec.validity;
   if (!spec.form.empty()) data["form"] = spec.form;
   data["reads"] = spec.reads;
   data["params"] = params;

@@ -55,6 +55,7 @@ struct PluginSpec {
   std::string name;
   std::string doc;
   std::string source;              ///< the publication that the model comes from
+  std::string validity;            ///< where the model holds; outside it says so in a note
   std::string form;                ///< restitution: "newton", "poisson", ...
   std::vector<std::string> history;    ///< names of what the law remembers
   bool history_of_contact = false;     ///< remembered per contact, else per pair of bodies

@@ -176,6 +176,7 @@ class ManifestReader {
                    fmt::format("`{}`, expected small letters, digits and _, a letter first", spec_.name));
     spec_.doc = table_.required_text("doc");
     spec_.source = table_.text("source").value_or("");
+    spec_.validity = table_.text("validity").value_or("");
     spec_.native = table_.text("native").value_or("");
     const auto form = table_.text("form");
     if (kind_known) {

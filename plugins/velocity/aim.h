@@ -4,7 +4,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "blast/gurney.h"
 #include "plugin/models.h"
 
 namespace flyrock::plugins {
@@ -20,22 +19,29 @@ class Aim {
   }
 
   /// Whether the scenario gives a direction of its own.
-  bool given() const { return elevation_ >= 0 || azimuth_ >= 0; }
+  bool given() const { return given_elevation() || azimuth_ >= 0; }
 
-  Vec3 velocity(Values values, const RockView& rock, double speed) const {
-    const double elevation = elevation_ < 0 ? 0 : values[elevation_];
-    const double azimuth = azimuth_ < 0 ? 0 : values[azimuth_];
-    return direction_velocity(rock, speed, elevation, azimuth);
+  bool given_elevation() const { return elevation_ >= 0; }
+
+  /// At the elevation of the scenario, or at `otherwise` [rad] where it gives none.
+  Vec3 velocity(Values values, const RockView& rock, double speed, double otherwise = 0) const {
+    return velocity_at(values, rock, speed, given_elevation() ? values[elevation_] : otherwise);
+  }
+
+  /// At an elevation [rad] that the model knows, turned by the azimuth of the scenario.
+  Vec3 velocity_at(Values values, const RockView& rock, double speed, double elevation) const {
+    return direction_velocity(rock, speed, elevation, azimuth_ < 0 ? 0 : values[azimuth_]);
   }
 
  private:
   int elevation_, azimuth_;
 };
 
-/// charge_to_mass with the plugin's name on what is wrong with the blast.
-inline double charge_ratio(const Blast& blast, const std::string& plugin) {
+/// The answer of a formula, with the plugin's name on what is wrong with the blast.
+template <class Formula>
+auto of_the_blast(const std::string& plugin, Formula formula) {
   try {
-    return charge_to_mass(blast);
+    return formula();
   } catch (const std::invalid_argument& fault) {
     throw PluginError("plugin " + plugin + ": " + fault.what());
   }

@@ -6,6 +6,7 @@
 
 #include "blast/bench_fit.h"
 #include "blast/gurney.h"
+#include "blast/mckenzie.h"
 #include "math/space.h"
 
 using namespace flyrock;
@@ -116,4 +117,25 @@ TEST_CASE("the paper's 2 to 3 m/s need a burden beyond 6 m") {
         Approx(2).epsilon(0.05));
   CHECK(std::sqrt(squared_speed(limestone, BenchFitForm::linear, charge_to_mass(ninh_dan(6.08)))) ==
         Approx(3).epsilon(0.05));
+}
+
+TEST_CASE("McKenzie's scaled depth of burial, range and fragment") {
+  Blast blast;
+  blast[BlastField::explosive_density] = 1150;
+  blast[BlastField::hole_diameter] = 0.229;
+  blast[BlastField::hole_stemming] = 3.8;
+  blast[BlastField::hole_charge_length] = 9.7;
+  CHECK(linear_charge(blast) == Approx(47.365).epsilon(1e-5));
+  const double depth = scaled_depth_of_burial(blast);
+  CHECK(depth == Approx(1.0369).epsilon(1e-4));
+  CHECK(mckenzie_range(depth, 0.229) == Approx(337.0).epsilon(1e-4));
+  blast = ninh_dan();
+  blast[BlastField::hole_stemming] = 2.3;
+  blast[BlastField::hole_charge_length] = 5;
+  CHECK(scaled_depth_of_burial(blast) == Approx(1.463).epsilon(1e-3));
+  CHECK(mckenzie_fragment(scaled_depth_of_burial(blast), 0.102, 2700) == Approx(0.0287).epsilon(2e-3));
+  blast[BlastField::hole_charge_length] = 1.02;  // ten diameters: more charge below throws no rock at the collar
+  const double ten = scaled_depth_of_burial(blast);
+  blast[BlastField::hole_charge_length] = 9;
+  CHECK(scaled_depth_of_burial(blast) == ten);
 }

@@ -24,7 +24,8 @@ const std::map<std::string, std::set<std::string>>& may_see() {
     add("solver", {"plugin"});
     add("world", {"collision", "solver"});
     add("flight", {"world"});
-    add("scenario", {"flight"});
+    add("trajectory", {"world"});
+    add("scenario", {"flight", "trajectory"});
     add("host", {"scenario"});
     add("batch", {"host"});
     add("report", {"batch"});

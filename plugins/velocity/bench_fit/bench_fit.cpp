@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "blast/gurney.h"
 #include "plugins/factories.h"
 #include "plugins/velocity/aim.h"
 
@@ -18,8 +19,8 @@ class BenchFitLaunch : public VelocityModel {
         aim_(params, "bench_fit") {}
 
   Launch launch(Values values, const RockView& rock, const Blast& blast, RandomStream&) const override {
-    const double squared =
-        squared_speed(bench_fit(rock_, blast.is_anfo), form_, charge_ratio(blast, "bench_fit"));
+    const double ratio = of_the_blast("bench_fit", [&] { return charge_to_mass(blast); });
+    const double squared = squared_speed(bench_fit(rock_, blast.is_anfo), form_, ratio);
     Launch launch;
     launch.velocity = aim_.velocity(values, rock, std::sqrt(std::max(squared, 0.0)));
     launch.note = note(blast.is_anfo, squared);

@@ -20,7 +20,8 @@ class Gurney : public VelocityModel {
   explicit Gurney(Params& params) : geometry_(geometry_of(params.text("geometry"))), aim_(params, "gurney") {}
 
   Launch launch(Values values, const RockView& rock, const Blast& blast, RandomStream&) const override {
-    const double factor = gurney_factor(geometry_, charge_ratio(blast, "gurney"));
+    const double ratio = of_the_blast("gurney", [&] { return charge_to_mass(blast); });
+    const double factor = gurney_factor(geometry_, ratio);
     Launch launch;
     launch.velocity = aim_.velocity(values, rock, blast[BlastField::gurney_constant] * factor);
     return launch;
