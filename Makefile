@@ -49,7 +49,10 @@ test-heavy: build-release
 bench: build-bench
 	tests/bench/run.sh build/bench/bin
 
+drawings:
+	lua5.4 docs/drawings/breakout.lua > docs/images/breakout.svg
+
 clean:
 	rm -rf build out
 
-.PHONY: help deps deps-browser demo test test-heavy bench clean
+.PHONY: help deps deps-browser demo test test-heavy bench drawings clean

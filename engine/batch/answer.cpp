@@ -99,7 +99,8 @@ std::string bodies_answer(const Plan& plan, const Results& results) {
 /// " (blocks 217 m, loose 15.1 m)": of all rocks together a percentile says little where groups differ.
 std::string by_group(const Results& results, Statistic statistic) {
   const std::vector<GroupSummary>& groups = results.points.front().groups;
-  if (groups.size() < 2) return "";
+  constexpr std::size_t most_named = 4;  // of more the table says more than a sentence
+  if (groups.size() < 2 || groups.size() > most_named + 1) return "";
   std::vector<std::string> parts;
   for (std::size_t g = 1; g < groups.size(); ++g)
     parts.push_back(fmt::format("{} {}", groups[g].name, range_of(results, statistic, g)));

@@ -64,7 +64,8 @@ class PointTally {
 };
 
 std::vector<std::string> collect_warnings(const Plan& plan, const std::vector<PointResult>& points) {
-  std::vector<std::string> warnings = laws_never_asked(plan, points);
+  std::vector<std::string> warnings;
+  if (plan.points.front().method != Method::ballistic) warnings = laws_never_asked(plan, points);
   for (const std::string& key : plan.not_used) warnings.push_back("not used: " + key);
   SolverQuality quality;
   for (const PointResult& point : points) quality.add(point.totals.quality);

@@ -40,6 +40,7 @@ Bounded quantity_of(const RockRecord& rock, RockQuantity quantity) {
     case RockQuantity::energy: return {rock.max_energy, cut};
     case RockQuantity::impacts: return {static_cast<double>(rock.impacts), cut};
     case RockQuantity::time: return {rock.time, cut};
+    case RockQuantity::launch_speed: return {rock.launch_speed, false};
   }
   return {};
 }

@@ -14,10 +14,10 @@
 namespace flyrock {
 
 /// What is counted of a rock, under its name in measures and summary.json.
-enum class RockQuantity { runout, max_distance, flight_range, bounce_height, speed, energy, impacts, time };
-inline constexpr std::array<std::string_view, 8> quantity_names = {
-    "runout", "max_distance", "flight_range", "bounce_height", "speed", "energy", "impacts", "time"};
-inline constexpr std::array<std::string_view, 8> quantity_units = {"m", "m", "m", "m", "m/s", "J", "", "s"};
+enum class RockQuantity { runout, max_distance, flight_range, bounce_height, speed, energy, impacts, time, launch_speed };
+inline constexpr std::array<std::string_view, 9> quantity_names = {
+    "runout", "max_distance", "flight_range", "bounce_height", "speed", "energy", "impacts", "time", "launch_speed"};
+inline constexpr std::array<std::string_view, 9> quantity_units = {"m", "m", "m", "m", "m/s", "J", "", "s", "m/s"};
 
 enum class Statistic { mean, sd, min, max, p50, p90, p95, p99 };
 inline constexpr std::array<std::string_view, 8> statistic_names = {"mean", "sd",  "min", "max",
@@ -26,7 +26,7 @@ inline constexpr std::array<std::string_view, 8> statistic_names = {"mean", "sd"
 using Statistics = std::array<Bounded, statistic_names.size()>;  ///< indexed by Statistic
 
 /// A number of one rock. The path of a censored rock was cut short, so each of its numbers is a lower bound, but
-/// for the flight range of a rock that had landed.
+/// for its launch speed and the flight range of a rock that had landed.
 Bounded quantity_of(const RockRecord& rock, RockQuantity quantity);
 
 /// The confidence that all intervals of a summary have.

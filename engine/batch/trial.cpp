@@ -11,6 +11,7 @@
 #include "flight/ground.h"
 #include "flight/run.h"
 #include "solver/fclib.h"
+#include "trajectory/ballistic_run.h"
 
 namespace flyrock {
 
@@ -73,6 +74,8 @@ class TrialRunner::Trials : public OfDimension {
  private:
   void sample();
   void fail_trial(std::uint64_t trial, const std::string& fault, TrialRecords& out) const;
+  /// The rocks of a trial by the method ballistic: a history a world.
+  std::vector<std::vector<BodyHistory>> fly(const Trial<D>& trial, const RunSettings& settings) const;
   void record(std::uint64_t trial, int index, const TrialRock& rock, const World<D>* world, const BodyHistory& history,
               TrialRecords& out) const;
   void record_inputs(std::uint64_t trial, int index, const TrialRock& rock, TrialRecords& out) const;
@@ -164,7 +167,9 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
   std::vector<std::string> faults(trial.worlds.size());
   constexpr int most_hard_problems = 10;
   int kept = 0;
-  for (std::size_t w = 0; w < trial.worlds.size(); ++w) {
+  const bool flies = scenario_.method == Method::ballistic;
+  if (flies) histories = fly(trial, settings);
+  for (std::size_t w = 0; w < trial.worlds.size() && !flies; ++w) {
     World<D>& world = trial.worlds[w];
     if (timed) world.clock = &times;
     if (scenario_.output.hard_problems && !hard_problems.empty())
@@ -184,6 +189,7 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
   }
   if (timed) {
     const std::int64_t all = (std::chrono::steady_clock::now() - start).count();
+    if (flies) times.flight = all;
     times.other = all - times.flight - times.detect - times.solve;
     out.totals.times.add(times);
   }
@@ -202,6 +208,25 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
   }
   for (std::size_t s = 0; s < trial.surfaces.size(); ++s) out.totals.materials[trial.surface_material[s]].add(trial.surfaces[s].use);
   if (!scenario_.bodies.empty()) out.totals.bodies = histories.front();
+}
+
+template <int D>
+std::vector<std::vector<BodyHistory>> TrialRunner::Trials<D>::fly(const Trial<D>& trial, const RunSettings& settings) const {
+  std::vector<std::vector<BodyHistory>> histories(trial.worlds.size());
+  if constexpr (D == 2) {  // the reader refuses the method in 3D
+    for (const TrialRock& rock : trial.rocks) {
+      if (rock.world < 0) continue;
+      const Body<2>& body = trial.worlds[rock.world].bodies[rock.body];
+      BallisticRun flight;
+      flight.forces = builder_.forces_on(rock, body);
+      flight.start_time = rock.start_time;
+      flight.stop_time = rock.start_time + settings.stop_time;
+      flight.trajectory_every = settings.trajectory_every;
+      flight.bin_width = settings.bin_width;
+      histories[rock.world].push_back(run_ballistic(body, trial.terrain->profile(), flight));
+    }
+  }
+  return histories;
 }
 
 template <int D>
@@ -230,7 +255,7 @@ void TrialRunner::Trials<D>::record(std::uint64_t trial, int index, const TrialR
     row.max_speed = history.max_speed;
     row.max_energy = history.max.kinetic_energy;
     row.impacts = history.impact_count;
-    row.time = history.last.time;
+    row.time = history.last.time - rock.start_time;
     row.travel = history.travel;
     if (!is_fault(row.reason)) out.totals.envelopes.add(row.group, history.path);
     for (const Passage& passage : history.passages) out.gates.push_back({trial, index, passage});

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "batch/records.h"
-#include "flight/crossings.h"
+#include "flight/run.h"
 #include "scenario/build_trial.h"
 
 namespace flyrock {

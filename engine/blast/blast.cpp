@@ -18,19 +18,29 @@ const std::vector<BlastFieldInfo>& blast_fields() {
        "Gurney constant sqrt(2E): 0.44 D for ANFO, D/3 for other explosives unless it is given"},
       {BlastField::hole_diameter, "hole.diameter", "hole_diameter", "m", dimension::length,
        "diameter of the hole and of its charge"},
+      {BlastField::hole_length, "hole.length", "hole_length", "m", dimension::length,
+       "length of the hole: stemming and charge"},
       {BlastField::hole_stemming, "hole.stemming", "hole_stemming", "m", dimension::length,
        "length of the stemming above the charge"},
       {BlastField::hole_charge_length, "hole.charge_length", "hole_charge_length", "m", dimension::length,
        "length of the charge"},
       {BlastField::hole_subdrilling, "hole.subdrilling", "hole_subdrilling", "m", dimension::length,
        "depth of the hole below the bench's floor"},
+      {BlastField::hole_deviation, "hole.deviation", "hole_deviation", "", dimension::none,
+       "deviation of the hole towards the face, in m per m of depth"},
       {BlastField::burden, "burden", "burden", "m", dimension::length,
-       "least distance from a hole of the front row to the face"},
+       "least distance from the charge of a hole of the front row to the face"},
+      {BlastField::burden_crest, "burden_crest", "burden_crest", "m", dimension::length,
+       "distance from the collar of a hole of the front row to the crest"},
+      {BlastField::burden_toe, "burden_toe", "burden_toe", "m", dimension::length,
+       "distance from the planned foot of a hole of the front row to the toe"},
       {BlastField::spacing, "spacing", "spacing", "m", dimension::length, "distance of the holes in a row"},
       {BlastField::rock_density, "rock_density", "rock_density", "kg/m3", dimension::density,
        "density of the rock mass"},
       {BlastField::breakout_angle, "breakout_angle", "breakout_angle", "rad", dimension::angle,
        "opening angle of the prism that a hole breaks out to the face"},
+      {BlastField::powder_factor, "powder_factor", "powder_factor", "kg/m3", dimension::density,
+       "explosive over rock, as the plan states it"},
   };
   return fields;
 }
@@ -50,10 +60,12 @@ double linear_charge(const Blast& blast) {
 }
 
 const std::vector<Explosive>& explosives() {
-  constexpr double anfo_velocity = 4273;
+  constexpr double anfo_velocity = 4273, emulsion_velocity = 5200;
   static const std::vector<Explosive> known{
       {"ANFO", 850, anfo_velocity, 0.44 * anfo_velocity, true,
        "Roth 1979: sqrt(2E) = 0.44 D; 850 kg/m3 poured, our assumption"},
+      {"emulsion", 1150, emulsion_velocity, emulsion_velocity / 3, false,
+       "Roth 1979: sqrt(2E) = D/3; 1150 kg/m3 and D = 5200 m/s of a bulk emulsion, our assumption"},
   };
   return known;
 }

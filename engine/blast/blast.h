@@ -17,13 +17,18 @@ enum class BlastField {
   detonation_velocity,
   gurney_constant,   ///< sqrt(2E) of the Gurney model; 0.44 D for ANFO, D/3 for other explosives
   hole_diameter,
+  hole_length,
   hole_stemming,
   hole_charge_length,
   hole_subdrilling,
-  burden,
+  hole_deviation,
+  burden,  ///< the least of the charge
+  burden_crest,
+  burden_toe,
   spacing,
   rock_density,
   breakout_angle,
+  powder_factor,
   count
 };
 

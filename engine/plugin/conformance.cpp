@@ -57,6 +57,11 @@ Blast sampled_blast(int number) {
   blast[BlastField::detonation_velocity] = rng.uniform(3000, 5500);
   blast[BlastField::gurney_constant] = rng.uniform(1500, 2500);
   blast[BlastField::hole_diameter] = rng.uniform(0.076, 0.25);
+  blast[BlastField::hole_length] = rng.uniform(5, 16);
+  blast[BlastField::hole_deviation] = rng.uniform(-0.05, 0.05);
+  blast[BlastField::burden_crest] = rng.uniform(2, 6);
+  blast[BlastField::burden_toe] = rng.uniform(2, 6);
+  blast[BlastField::powder_factor] = rng.uniform(0.2, 1);
   blast[BlastField::hole_stemming] = rng.uniform(1, 4);
   blast[BlastField::hole_charge_length] = rng.uniform(3, 12);
   blast[BlastField::hole_subdrilling] = rng.uniform(0.3, 1);

@@ -163,6 +163,23 @@ Json verdict_data(const Verdict& verdict) {
   return data;
 }
 
+/// The design of the blast, with the median of what is drawn; null where the scenario does not say enough.
+Json blast_data(const BlastPlan& plan) {
+  const BlastDesign& design = plan.design;
+  return {{"holes", plan.pattern.holes()},
+          {"charge_kg_per_m", number(design.linear_charge)},
+          {"charge_per_hole_kg", number(design.charge_per_hole)},
+          {"explosive_kg", number(design.explosive)},
+          {"rock_m3", number(design.rock)},
+          {"powder_factor_kg_m3", number(design.powder_factor)},
+          {"powder_factor_shallow_kg_m3", number(design.powder_factor_shallow)},
+          {"powder_factor_deep_kg_m3", number(design.powder_factor_deep)},
+          {"burden_m", number(plan.typical[BlastField::burden])},
+          {"scaled_depth_of_burial_m_kg13", number(design.depth_of_burial)},
+          {"farthest_fragment_m", number(design.fragment)},
+          {"last_hole_s", number(design.last_time)}};
+}
+
 }  // namespace
 
 nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
@@ -196,11 +213,12 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
                {"answer", answer(plan, results)},
                {"assumptions", assumptions(plan)},
                {"dimension", first.dimension},
-               {"method", "nscd"},
+               {"method", name_of(first.method)},
                {"seed", first.seed},
                {"trials", first.trials},
                {"complete", results.ended_early.empty()}};
   if (!results.ended_early.empty()) data["ended_early"] = results.ended_early;
+  if (first.blast) data["blast"] = blast_data(*first.blast);
   data["points"] = points;
   data["expectations"] = verdicts;
   data["fault_count"] = results.fault_count;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "flight/ground.h"
+#include "scenario/blast_at.h"
 #include "scenario/dimensions.h"
 #include "world/manifold.h"
 
@@ -65,12 +66,22 @@ void check_start(World<D>& world) {
     throw PluginError(fmt::format("`{}` starts {:.3g} m inside the terrain or another body", world.bodies.back().group, depth));
 }
 
+/// A point that flies starts above the ground of the terrain.
+void check_start_of_point(const Body<2>& body, const Profile& profile) {
+  const bool beyond = body.x.x() < profile.x_min() || body.x.x() > profile.x_max();
+  const double depth = beyond ? 0 : profile.height(body.x.x()) - body.x.y();
+  if (beyond || depth > most_overlap * body.size)
+    throw PluginError(fmt::format("`{}` starts at ({:.6g}, {:.6g}) m, {}", body.group, body.x.x(), body.x.y(),
+                                  beyond ? "beyond the terrain" : fmt::format("{:.3g} m inside the terrain", depth)));
+}
+
 /// Whether the last body of a world starts free of the others and the terrain.
 template <int D>
 bool last_is_free(World<D>& world) { return world.deepest_overlap() <= most_overlap * world.bodies.back().size; }
 
 bool is_random(const std::optional<Release>& release) {
-  return release && (release->kind == ReleaseKind::face || release->kind == ReleaseKind::along || release->kind == ReleaseKind::inside);
+  return release && (release->kind == ReleaseKind::face || release->kind == ReleaseKind::bench_top ||
+                     release->kind == ReleaseKind::along || release->kind == ReleaseKind::inside);
 }
 
 }  // namespace
@@ -106,12 +117,14 @@ Vec<D> TrialBuilder<D>::gravity(const DrawKey& key) const {
 }
 
 template <int D>
-Blast TrialBuilder<D>::blast_at(const DrawKey& key) const {
-  Blast blast;
-  if (!scenario_.blast) return blast;
-  for (const auto& [field, value] : scenario_.blast->fields) blast[field] = number(value, key);
-  blast.is_anfo = scenario_.blast->is_anfo;
-  return blast;
+Forces<D> TrialBuilder<D>::forces_on(const TrialRock& rock, const Body<D>& body) const {
+  Forces<D> forces;
+  forces.gravity = gravity(rock.key);
+  if (!scenario_.air) return forces;
+  const AirPlan& air = *scenario_.air;
+  forces.drag = drag_constant(number(air.density, rock.key), number(air.cd, rock.key), body.mass, body.volume);
+  for (std::size_t i = 0; i < air.wind.size(); ++i) forces.wind[static_cast<int>(i)] = number(air.wind[i], rock.key);
+  return forces;
 }
 
 template <int D>
@@ -241,7 +254,7 @@ void TrialBuilder<D>::launch(int g, TrialRock& rock, const Place<D>& place, Body
   view.group = group.name;
   RandomStream rng(scenario_.seed, "rocks." + group.name + ".launch", rock.key);
   const Launch launch = instances_.groups[g].launch->launch(values_of(*group.launch, scenario_, rock.key), view,
-                                                            blast_at(rock.key), rng);
+                                                            blast_at(scenario_, rock.key), rng);
   if (!launch.velocity.allFinite() || !launch.spin.allFinite())
     throw PluginError(fmt::format("plugin {}: launch() returned a velocity or spin that is not finite",
                                   group.launch->plugin->spec.name));
@@ -257,7 +270,7 @@ void TrialBuilder<D>::launch(int g, TrialRock& rock, const Place<D>& place, Body
 
 template <int D>
 void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial) {
-  const auto holes = static_cast<std::uint64_t>(scenario_.blast ? scenario_.blast->holes : 1);
+  const auto holes = static_cast<std::uint64_t>(scenario_.blast ? scenario_.blast->pattern.holes() : 1);
   DrawKey of_trial;
   of_trial.trial = number_of_trial;
 
@@ -271,11 +284,12 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
     DrawKey first_hole = of_trial;
     first_hole.hole = 1;
     const auto plans = rocks_of(*instances_.groups[g].population, values_of(group.population, scenario_, of_trial),
-                                *trial.terrain, blast_at(first_hole), rng);
+                                *trial.terrain, blast_at(scenario_, first_hole), rng);
     for (const auto& plan : plans) {
       TrialRock& rock = trial.rocks.emplace_back();
       rock.group = g;
       rock.key = {number_of_trial, 1 + count % holes, 1 + count, 0};
+      if (scenario_.blast && !scenario_.rock_contacts) rock.start_time = scenario_.blast->pattern.time(hole_of(rock.key));
       ++count;
       bool added = false;
       try {
@@ -284,6 +298,7 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
         if (trial.worlds.empty() || !scenario_.rock_contacts)
           trial.worlds.emplace_back(*trial.terrain, gravity(of_trial), world_settings());
         World<D>& world = trial.worlds.back();
+        world.time = rock.start_time;
         rock.body = world.add(std::move(body));
         added = true;
         for (int places = 1; scenario_.rock_contacts && is_random(group.release) && places < most_places && !last_is_free(world);
@@ -297,6 +312,8 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
           keys.push_back(rock.key);
           names.push_back(group.name);
           materials.push_back(group.material);
+        } else if (scenario_.method == Method::ballistic) {
+          if constexpr (D == 2) check_start_of_point(world.bodies.back(), trial.terrain->profile());
         } else {
           connect(trial, trial.worlds.back(), {rock.key}, {group.name}, {group.material});
           check_start(trial.worlds.back());

@@ -9,6 +9,7 @@
 
 #include "scenario/instances.h"
 #include "scenario/place_rock.h"
+#include "trajectory/ballistic.h"
 #include "world/world.h"
 
 namespace flyrock {
@@ -19,6 +20,7 @@ struct TrialRock {
   DrawKey key;             ///< of its draws
   int world = -1;          ///< index into Trial::worlds; -1 where it could not be built
   int body = 0;            ///< in that world
+  double start_time = 0;   ///< s, when its hole goes off; 0 where rocks meet each other, which leave together
   double launch_speed = 0; ///< m/s
   double launch_elevation = 0;  ///< rad above the outward horizontal
   std::string note;        ///< of its velocity model
@@ -49,10 +51,12 @@ class TrialBuilder {
   /// The terrain of a trial.
   std::shared_ptr<const Terrain> terrain_of(std::uint64_t trial);
 
+  /// What acts on a flying rock of a trial; `body` is its body.
+  Forces<D> forces_on(const TrialRock& rock, const Body<D>& body) const;
+
   const Instances& instances() const { return instances_; }
 
  private:
-  Blast blast_at(const DrawKey& key) const;
   void build_rocks(Trial<D>& trial, std::uint64_t number);
   void build_bodies(Trial<D>& trial, std::uint64_t number);
   template <class Plan>

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 #include "scenario/decode_sections.h"
 
@@ -10,7 +12,7 @@ namespace {
 
 /// One spec at a time, because the burden varies from hole to hole and the rest from trial to trial.
 NumberRules rules_of(std::string_view path) {
-  const bool is_of_hole = path.starts_with("hole.") || path == "burden";
+  const bool is_of_hole = path.starts_with("hole.") || path.starts_with("burden");
   return {.varies = true, .scope = is_of_hole ? Scope::hole : Scope::trial, .finest = Scope::rock};
 }
 
@@ -79,9 +81,66 @@ Range field_range(const DecodeContext& context, const BlastPlan& plan, BlastFiel
   return found == plan.fields.end() ? Range{} : range_of(context, found->second);
 }
 
+double middle_of(const DecodeContext& context, const Number& number) {
+  return number.is_constant() ? number.constant : context.draws[number.draw].distribution.quantile(0.5);
+}
+
 std::string metres(const Range& range) {
   if (range.low == range.high) return fmt::format("{:.6g} m", range.low);
   return fmt::format("{:.6g} to {:.6g} m", range.low, range.high);
+}
+
+/// Two of length, stemming and charge length give the third; three have to agree.
+void check_lengths(DecodeContext& context, const Node& hole, const BlastPlan& plan) {
+  using enum BlastField;
+  const auto given = [&](BlastField field) { return plan.fields.contains(field); };
+  const Range length = field_range(context, plan, hole_length), stemming = field_range(context, plan, hole_stemming),
+              charge = field_range(context, plan, hole_charge_length);
+  const auto left = [&](const char* what, double least) {
+    if (least <= 0)
+      hole.error(context.diagnostics, fmt::format("the length ({}) leaves {:.6g} m for the {} at worst, expected above 0",
+                                                  metres(length), least, what));
+  };
+  if (!given(hole_length)) return;
+  if (!given(hole_charge_length) && given(hole_stemming)) left("charge", length.low - stemming.high);
+  if (!given(hole_stemming) && given(hole_charge_length)) left("stemming", length.low - charge.high);
+  if (!given(hole_stemming) || !given(hole_charge_length)) return;
+  constexpr double rounding = 1e-9;
+  const bool drawn = length.low < length.high || stemming.low < stemming.high || charge.low < charge.high;
+  if (drawn || std::abs(length.low - stemming.low - charge.low) > rounding)
+    hole.error(context.diagnostics,
+               fmt::format("length ({}), stemming ({}) and charge_length ({}) {}; give two of them, the third follows",
+                           metres(length), metres(stemming), metres(charge),
+                           drawn ? "are given and drawn apart" : "disagree, length = stemming + charge_length"));
+}
+
+/// `burden`, or both `burden_crest` and `burden_toe` with what the depth of the charge needs.
+void check_burdens(DecodeContext& context, const Node& blast, const BlastPlan& plan) {
+  using enum BlastField;
+  const auto given = [&](BlastField field) { return plan.fields.contains(field); };
+  const bool crest = given(burden_crest), toe = given(burden_toe);
+  const int lengths = given(hole_length) + given(hole_stemming) + given(hole_charge_length);
+  if (given(burden) && (crest || toe))
+    blast.error(context.diagnostics, "has `burden` and that at the crest or toe, expected either `burden` or both others");
+  else if (crest != toe)
+    blast.error(context.diagnostics, fmt::format("`{}` is missing, `{}` alone gives no burden of the charge",
+                                                 crest ? "burden_toe" : "burden_crest", crest ? "burden_crest" : "burden_toe"));
+  else if (crest && lengths < 2)
+    blast.error(context.diagnostics, "burdens at crest and toe need two of hole.length, hole.stemming and hole.charge_length");
+  if (given(hole_deviation) && !crest)
+    blast.error(context.diagnostics, "`hole.deviation` changes the burden along the hole, which needs burden_crest and burden_toe");
+}
+
+/// Completes the blast of medians, and says what does not agree in it.
+void complete_plan(DecodeContext& context, const Node& node, BlastPlan& plan) {
+  try {
+    complete(plan.typical);
+    plan.design = design_of(plan.typical, plan.pattern);
+  } catch (const std::invalid_argument& fault) {
+    return context.diagnostics.error(node.key_at, "", fault.what());  // it begins with the path
+  }
+  if (const std::string text = disagreement(plan.typical, plan.design); !text.empty())
+    context.diagnostics.warning(node.key_at, node.path, text);
 }
 
 }  // namespace
@@ -107,17 +166,26 @@ BlastPlan decode_blast(DecodeContext& context, const Node& node, Map& resolved) 
     if (holes > most_holes)
       rows->error(context.diagnostics,
                   fmt::format("has {:.6g} holes, must be at most {:.6g}", holes, most_holes));
-    plan.holes = static_cast<int>(std::clamp(holes, 1.0, most_holes));
+    if (holes <= most_holes)
+      plan.pattern = {section.integer("count"), section.integer("holes"), section.constant("distance"),
+                      section.constant("delay_row"), section.constant("delay_hole"), section.constant("delay_in_hole")};
     put(map, "rows", map_value(std::move(fields)));
   }
   put(resolved, "blast", map_value(std::move(map)));
+  for (const auto& [field, value] : plan.fields) plan.typical[field] = middle_of(context, value);
+  plan.typical.is_anfo = plan.is_anfo;
+  const std::size_t faults = context.diagnostics.all().size();
+  if (const auto hole = node.find("hole")) check_lengths(context, *hole, plan);
+  check_burdens(context, node, plan);
+  if (context.diagnostics.all().size() == faults) complete_plan(context, node, plan);
   return plan;
 }
 
 void check_hole(DecodeContext& context, const Node& blast, const BlastPlan& plan,
                 const TerrainPlan& terrain) {
   const std::optional<Node> hole = blast.find("hole");
-  if (!hole || !plan.fields.contains(BlastField::hole_charge_length) || !terrain.model.plugin) return;
+  const bool has_length = plan.fields.contains(BlastField::hole_length);
+  if (!hole || !plan.provides(BlastField::hole_charge_length) || !terrain.model.plugin) return;
   if (terrain.model.plugin->spec.name != "benches") return;
   const int index = terrain.model.plugin->spec.find("height");
   if (index < 0) return;
@@ -125,7 +193,13 @@ void check_hole(DecodeContext& context, const Node& blast, const BlastPlan& plan
   const Range stemming = field_range(context, plan, BlastField::hole_stemming);
   const Range charge = field_range(context, plan, BlastField::hole_charge_length);
   const Range subdrilling = field_range(context, plan, BlastField::hole_subdrilling);
-  const Range length{stemming.low + charge.low, stemming.high + charge.high};
+  const Range length = has_length ? field_range(context, plan, BlastField::hole_length)
+                                  : Range{stemming.low + charge.low, stemming.high + charge.high};
+  if (has_length && length.high > height.low + subdrilling.low)
+    return context.diagnostics.error(
+        hole->key_at, hole->path,
+        fmt::format("length ({}) is longer than bench height ({}) + subdrilling ({})", metres(length), metres(height),
+                    metres(subdrilling)));
   if (length.high > height.low + subdrilling.low)
     return context.diagnostics.error(
         hole->key_at, hole->path,

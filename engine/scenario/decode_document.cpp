@@ -33,13 +33,17 @@ class DocumentDecoder {
     root_.refuse_unknown_keys(section_spec("").key_names(), context_.diagnostics);
     decode_keys();
     decode_plugins();
+    if (const auto air = root_.find("air")) scenario_.air = decode_air(context_, *air, resolved_);
+    check_method();
     Map materials_map;
-    scenario_.materials = decode_materials(context_, part("materials"), materials_map);
+    const bool flies = scenario_.method == Method::ballistic;
+    scenario_.materials =
+        decode_materials(context_, flies ? root_.find("materials") : part("materials"), materials_map);
     std::optional<Profile> profile;
     std::vector<std::string> parts;
     if (const auto node = part("terrain")) {
       DecodedTerrain terrain =
-          decode_terrain(context_, *node, scenario_.materials, scenario_.seed, resolved_);
+          decode_terrain(context_, *node, scenario_.materials, !flies, scenario_.seed, resolved_);
       scenario_.terrain = std::move(terrain.plan);
       profile = std::move(terrain.profile);
       parts = std::move(terrain.parts);
@@ -92,15 +96,27 @@ class DocumentDecoder {
     const Section section(specs, std::move(values));
     if (section.given("flyrock") && section.constant("flyrock") != 1)
       error_at("flyrock", "this version reads format 1");
-    if (section.text("method") == "lumped_mass" || section.text("method") == "ballistic")
-      error_at("method",
-               fmt::format("this version has no method `{}`, expected `nscd`", section.text("method")));
+    if (section.text("method") == "lumped_mass")
+      error_at("method", "this version has no method `lumped_mass`, expected `nscd` or `ballistic`");
+    scenario_.method = section.text("method") == "ballistic" ? Method::ballistic : Method::nscd;
     if (section.constant("dimension") == 3) scenario_.dimension = context_.dimension = 3;
     scenario_.title = section.text("title");
     scenario_.seed = static_cast<std::uint64_t>(section.constant("seed"));
     scenario_.trials = static_cast<std::uint64_t>(section.constant("trials"));
     scenario_.rock_contacts = section.text("rock_contacts") == "on";
     scenario_.gravity = section.number("gravity");
+  }
+
+  /// What a method cannot do.
+  void check_method() {
+    if (scenario_.method == Method::nscd) {
+      if (scenario_.air) error_at("air", "acts in the method `ballistic`; flights of `nscd` are without air");
+      return;
+    }
+    if (scenario_.dimension == 3) error_at("method", "`ballistic` flies in dimension 2 only, so far");
+    if (scenario_.rock_contacts) error_at("rock_contacts", "rocks of the method `ballistic` are points that never meet");
+    for (const char* key : {"bodies", "pairs", "barriers", "gates"})
+      error_at(key, "belongs to the method `nscd`; `ballistic` flies rocks to the first ground they meet");
   }
 
   void decode_plugins() {
@@ -201,7 +217,7 @@ class DocumentDecoder {
     for (const BlastFieldInfo& info : blast_fields()) {
       if (field != fmt::format("blast.{}", info.path) && field != fmt::format("blast.{}", info.name))
         continue;
-      const bool given = scenario_.blast && scenario_.blast->fields.contains(info.field);
+      const bool given = scenario_.blast && scenario_.blast->provides(info.field);
       return given ? std::string() : std::string(info.path);
     }
     return {};

@@ -103,6 +103,10 @@ std::optional<Release> decode_release(DecodeContext& context, const Node& node,
   release.kind = chosen->second;
   switch (release.kind) {
     case ReleaseKind::face:
+    case ReleaseKind::collar:
+    case ReleaseKind::bench_top:
+      if (section.text("from") == "collar") release.kind = ReleaseKind::collar;
+      if (section.text("from") == "bench_top") release.kind = ReleaseKind::bench_top;
       release.bench = section.integer("bench");
       check_bench(context, node, release.bench, profile);
       break;

@@ -1,8 +1,16 @@
-// How a run is computed, ended and stored: solver, stop, output. Nothing here may vary within a run.
+// The air, and how a run is computed, ended and stored: solver, stop, output, which may not vary within a run.
 
 #include "scenario/decode_sections.h"
 
 namespace flyrock {
+
+AirPlan decode_air(DecodeContext& context, const Node& node, Map& resolved) {
+  constexpr NumberRules rules{.varies = true, .scope = Scope::trial, .finest = Scope::rock};
+  Map map;
+  const Section section = decode_section(context, node, "air", rules, map);
+  put(resolved, "air", map_value(std::move(map)));
+  return {section.number("density"), section.number("cd"), section.vector("wind")};
+}
 
 SolverPlan decode_solver(DecodeContext& context, const std::optional<Node>& node, Map& resolved) {
   Map map;

@@ -27,7 +27,8 @@ struct DecodedTerrain {
   std::optional<Profile> profile;
 };
 DecodedTerrain decode_terrain(DecodeContext& context, const Node& node,
-                              const std::vector<Material>& materials, std::uint64_t seed, Map& resolved);
+                              const std::vector<Material>& materials, bool needs_materials,
+                              std::uint64_t seed, Map& resolved);
 
 BlastPlan decode_blast(DecodeContext& context, const Node& node, Map& resolved);
 
@@ -53,6 +54,8 @@ std::vector<GatePlan> decode_gates(DecodeContext& context, const Node& node,
                                    const std::optional<Profile>& profile, Map& resolved);
 
 std::vector<ClearancePlan> decode_clearances(DecodeContext& context, const Node& node, Map& resolved);
+
+AirPlan decode_air(DecodeContext& context, const Node& node, Map& resolved);
 
 SolverPlan decode_solver(DecodeContext& context, const std::optional<Node>& node, Map& resolved);
 StopPlan decode_stop(DecodeContext& context, const std::optional<Node>& node, Map& resolved);

@@ -140,7 +140,8 @@ std::vector<Material> decode_materials(DecodeContext& context, const std::option
 }
 
 DecodedTerrain decode_terrain(DecodeContext& context, const Node& node,
-                              const std::vector<Material>& materials, std::uint64_t seed, Map& resolved) {
+                              const std::vector<Material>& materials, bool needs_materials,
+                              std::uint64_t seed, Map& resolved) {
   DecodedTerrain terrain;
   Map map;
   const std::size_t messages = context.diagnostics.all().size();
@@ -155,9 +156,11 @@ DecodedTerrain decode_terrain(DecodeContext& context, const Node& node,
       context.diagnostics.error(zones->key_at, zones->path, "zones are stretches of a profile, which dimension 3 does not have");
     terrain.plan.zones = decode_zones(context, *zones, map);
   }
+  const bool names_materials = node.find("material") || node.find("materials");
   if (!terrain.parts.empty()) {
     for (const Zone& zone : terrain.plan.zones) terrain.parts.push_back(zone.name);
-    decode_part_materials(context, node, materials, terrain.parts, terrain.plan, map);
+    if (needs_materials || names_materials)
+      decode_part_materials(context, node, materials, terrain.parts, terrain.plan, map);
   }
   put(resolved, "terrain", map_value(std::move(map)));
   return terrain;

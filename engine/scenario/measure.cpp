@@ -54,7 +54,8 @@ const Table solver_quantities{{"max_residual", dimension::speed},
 const Table rock_distributions{{"runout", dimension::length},       {"max_distance", dimension::length},
                                {"flight_range", dimension::length}, {"bounce_height", dimension::length},
                                {"speed", dimension::speed},         {"energy", dimension::energy},
-                               {"impacts", dimension::none},        {"time", dimension::time}};
+                               {"impacts", dimension::none},        {"time", dimension::time},
+                               {"launch_speed", dimension::speed}};
 const Table rock_totals{{"count", dimension::none}, {"censored", dimension::none}};
 const Table gate_quantities{{"passed", dimension::none},
                             {"mean_energy", dimension::energy},

@@ -22,6 +22,23 @@ bool may_read(const PluginSpec& spec, const BlastFieldInfo& info) {
   return reads(spec, info) || (!spec.declares_reads && spec.native.empty());
 }
 
+/// Whether a given field makes up one that does not stand in the scenario itself but follows (blast/design.h).
+bool feeds(const BlastPlan& plan, BlastField field, BlastField result) {
+  using enum BlastField;
+  if (plan.fields.contains(result) || !plan.provides(result)) return false;
+  const auto is_length = [](BlastField f) { return f == hole_length || f == hole_stemming || f == hole_charge_length; };
+  if (is_length(result)) return is_length(field);
+  return result == burden && (is_length(field) || field == hole_subdrilling || field == hole_deviation ||
+                              field == burden_crest || field == burden_toe);
+}
+
+/// A release at the collars or on the bench top finds the rows by their burden and distance.
+bool places_by_rows(const Scenario& scenario) {
+  return std::any_of(scenario.rocks.begin(), scenario.rocks.end(), [](const RockGroup& group) {
+    return group.release && (group.release->kind == ReleaseKind::collar || group.release->kind == ReleaseKind::bench_top);
+  });
+}
+
 /// The plugins that get the blast, by name.
 std::map<std::string, const PluginSpec*> blast_readers(const Scenario& scenario) {
   std::map<std::string, const PluginSpec*> readers;
@@ -45,8 +62,17 @@ void find_blast_keys(const Node& blast, const Scenario& scenario, std::vector<st
   const bool explosive_by_name = blast.value->find("explosive") && blast.value->find("explosive")->text();
   bool explosive_is_read = false;
   for (const BlastFieldInfo& info : blast_fields()) {
-    const bool is_read = std::any_of(readers.begin(), readers.end(),
-                                     [&](const auto& reader) { return may_read(*reader.second, info); });
+    const auto read_by_plugin = [&](const BlastFieldInfo& other) {
+      return std::any_of(readers.begin(), readers.end(),
+                         [&](const auto& reader) { return may_read(*reader.second, other); });
+    };
+    const bool holds_rows = info.field == BlastField::burden || info.field == BlastField::burden_crest;
+    const bool is_read =
+        read_by_plugin(info) || (holds_rows && places_by_rows(scenario)) ||
+        (info.field == BlastField::powder_factor && std::isfinite(scenario.blast->design.powder_factor)) ||
+        std::any_of(blast_fields().begin(), blast_fields().end(), [&](const BlastFieldInfo& other) {
+          return feeds(*scenario.blast, info.field, other.field) && read_by_plugin(other);
+        });
     const std::size_t dot = info.path.find('.');
     if (info.path.starts_with("explosive.")) explosive_is_read = explosive_is_read || is_read;
     const std::optional<Node> parent =
@@ -57,12 +83,20 @@ void find_blast_keys(const Node& blast, const Scenario& scenario, std::vector<st
   }
   if (explosive_by_name && !explosive_is_read)
     list.push_back(fmt::format("blast.explosive ({})", reason(readers)));
-  if (const auto rows = blast.find("rows"))
-    for (const char* key : {"distance", "delay_row", "delay_hole"})
-      if (rows->find(key)) list.push_back(fmt::format("blast.rows.{} (nothing reads it)", key));
+  const auto rows = blast.find("rows");
+  if (rows && rows->find("distance") && !places_by_rows(scenario))
+    list.push_back("blast.rows.distance (no rock is released at a collar or on the bench top)");
+  if (rows && scenario.rock_contacts)
+    for (const char* key : {"delay_row", "delay_hole", "delay_in_hole"})
+      if (rows->find(key)) list.push_back(fmt::format("blast.rows.{} (rocks that meet each other leave together)", key));
 }
 
 void find_materials(const Scenario& scenario, std::vector<std::string>& list) {
+  if (scenario.method == Method::ballistic) {
+    for (const Material& material : scenario.materials)
+      list.push_back(fmt::format("materials.{} (the method ballistic has no contacts)", material.name));
+    return;
+  }
   std::set<int> used;
   for (const auto& [part, material] : scenario.terrain.material_of_part) used.insert(material);
   for (const PairPlan& pair : scenario.pairs) used.insert(pair.material);
@@ -98,6 +132,8 @@ std::vector<std::string> find_not_used(const Node& root, const Scenario& scenari
   std::vector<std::string> list;
   if (const auto blast = root.find("blast")) find_blast_keys(*blast, scenario, list);
   find_materials(scenario, list);
+  if (scenario.method == Method::ballistic && root.find("solver"))
+    list.emplace_back("solver (the method ballistic has no contacts)");
   find_rock_contacts(root, scenario, list);
   return list;
 }

@@ -5,15 +5,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenario/blast_at.h"
+
 namespace flyrock {
 
 namespace {
 
-Place<2> on_face(int bench, const Body<2>& rock, const Profile& profile, RandomStream& rng) {
+const Profile::Face& face_of(int bench, const Profile& profile) {
   if (bench < 1 || bench > static_cast<int>(profile.faces.size()))
     throw PluginError(fmt::format("release: bench {} does not exist, the terrain has {} bench faces", bench,
                                   profile.faces.size()));
-  const auto& [toe, crest] = profile.faces[bench - 1];
+  return profile.faces[bench - 1];
+}
+
+Place<2> on_face(int bench, const Body<2>& rock, const Profile& profile, RandomStream& rng) {
+  const auto& [toe, crest] = face_of(bench, profile);
   const Vec2 up = (crest - toe).normalized();
   const Vec2 out(up.y(), -up.x());
   double low = 1e300, high = -1e300, depth = 1e300;
@@ -33,6 +39,31 @@ Place<2> on_face(int bench, const Body<2>& rock, const Profile& profile, RandomS
   place.position = toe + (rng.uniform() * room - low) * up - depth * out;
   place.outward = {out.x() < 0 ? -1.0 : 1.0, 0, 0};
   place.face_angle = std::atan2(up.y(), std::abs(up.x()));
+  return place;
+}
+
+/// Resting on the bench above a face: at the collar of the rock's hole, or anywhere up to the last row.
+Place<2> on_top(const Release& release, const Scenario& scenario, const DrawKey& key, RandomStream& rng, const Body<2>& rock,
+                const Profile& profile) {
+  const Profile::Face& face = face_of(release.bench, profile);
+  const Blast blast = blast_at(scenario, key);
+  const double front = std::isnan(blast[BlastField::burden_crest]) ? blast[BlastField::burden] : blast[BlastField::burden_crest];
+  if (std::isnan(front)) throw PluginError("release: the place of the holes needs blast.burden, or burden_crest and burden_toe");
+  const Pattern& pattern = scenario.blast->pattern;
+  const int row = release.kind == ReleaseKind::collar ? pattern.row(hole_of(key)) : pattern.rows - 1;
+  if (row > 0 && pattern.row_distance <= 0) throw PluginError("release: the place of a second row needs blast.rows.distance");
+  const double back = front + row * pattern.row_distance;
+  const double share = release.kind == ReleaseKind::collar ? 1 : rng.uniform();
+  const double out = face.toe.x() < face.crest.x() ? -1 : 1;
+  const double x = face.crest.x() - out * share * back;
+  if (x < profile.x_min() || x > profile.x_max())
+    throw PluginError(fmt::format("release: a hole {:.6g} m behind the crest lies beyond the terrain", back));
+  double low = 1e300;
+  for (const Contactor2& contactor : rock.contactors)
+    for (const Vec2& local : contactor.points) low = std::min(low, (rock.attitude.rotation * local).y() - contactor.radius);
+  Place<2> place;
+  place.position = {x, profile.height(x) - low};
+  place.outward = {out, 0, 0};
   return place;
 }
 
@@ -71,6 +102,9 @@ Place<2> place_rock(const Release& release, const Scenario& scenario, const Draw
   switch (release.kind) {
     case ReleaseKind::face:
       return on_face(release.bench, rock, profile, rng);
+    case ReleaseKind::collar:
+    case ReleaseKind::bench_top:
+      return on_top(release, scenario, key, rng, rock, profile);
     case ReleaseKind::above_ground: {
       const double x = number(release.x);
       if (x < profile.x_min() || x > profile.x_max())

@@ -17,7 +17,8 @@ struct Place {
 };
 
 /// Places a rock of given orientation by a release. `face`: uniform along the bench face, as far as the rock fits
-/// between toe and crest, touching it. `inside`: uniform over a convex polygon. Throws PluginError where it does not
+/// between toe and crest, touching it. `collar`: on the bench above, at the collar of the hole of `key`; `bench_top`:
+/// uniform from the crest to the last row of holes. `inside`: uniform over a convex polygon. Throws PluginError where it does not
 /// fit or there is no such bench.
 Place<2> place_rock(const Release& release, const Scenario& scenario, const DrawKey& key, RandomStream& rng,
                     const Body<2>& rock, const Profile& profile);

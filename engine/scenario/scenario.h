@@ -7,13 +7,27 @@
 #include <string>
 #include <vector>
 
+#include "blast/design.h"
 #include "plugin/registry.h"
 #include "scenario/value.h"
 #include "solver/solve_settings.h"
 
 namespace flyrock {
 
-enum class Method { nscd };
+enum class Method {
+  nscd,
+  ballistic  ///< each rock is a point that flies to the first ground it meets
+};
+
+/// As the scenario writes it.
+inline std::string_view name_of(Method method) { return method == Method::ballistic ? "ballistic" : "nscd"; }
+
+/// The air that flying rocks meet.
+struct AirPlan {
+  Number density;            ///< kg/m3
+  Number cd;                 ///< drag coefficient on the sphere of equal volume
+  std::vector<Number> wind;  ///< m/s; empty: calm
+};
 
 /// A way in which a surface answers; a law that is absent takes the default (no restitution, no friction,
 /// no rolling resistance, signorini).
@@ -35,19 +49,32 @@ struct TerrainPlan {
   std::vector<Zone> zones;
 };
 
-/// The blast with the number of every field given; `rows` give the number of holes.
+/// The blast with the number of every field given.
 struct BlastPlan {
   std::map<BlastField, Number> fields;
   bool is_anfo = false;
-  int holes = 1;  ///< rows x holes; rock k belongs to hole k mod holes
+  Pattern pattern;     ///< rock k belongs to hole k mod holes
+  Blast typical;       ///< completed, with the median of what is drawn
+  BlastDesign design;  ///< of the typical blast
+
+  /// Whether a field is given or follows from others.
+  bool provides(BlastField field) const { return !std::isnan(typical[field]); }
 };
 
-enum class ReleaseKind { face, above_ground, position, along, inside };
+enum class ReleaseKind {
+  face,
+  collar,     ///< on the bench above, at the collar of the rock's hole
+  bench_top,  ///< between the crest and the last row of holes
+  above_ground,
+  position,
+  along,
+  inside
+};
 
 /// Where a rock starts.
 struct Release {
   ReleaseKind kind = ReleaseKind::position;
-  int bench = 1;                 ///< face: which, from 1
+  int bench = 1;                 ///< face, collar, bench_top: which, from 1
   Number x, above_ground;        ///< above_ground: height of the centre of mass above the ground at x
   std::vector<Number> position;  ///< of the centre of mass
   std::vector<Vec3> points;      ///< along a poly-line, or (2D) inside a convex polygon, uniformly; z = 0 in 2D
@@ -164,6 +191,7 @@ struct Scenario {
   std::uint64_t trials = 1;
   bool rock_contacts = false;
   Number gravity;
+  std::optional<AirPlan> air;  ///< absent: none
   TerrainPlan terrain;
   std::vector<Material> materials;
   std::vector<PairPlan> pairs;

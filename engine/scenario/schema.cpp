@@ -88,7 +88,7 @@ SectionSpec document() {
        or_else(at_least(integer("trials", "realisations of each sweep point"), 1), 1),
        or_else(choice("rock_contacts", {"off", "on"}, "on: rocks also meet each other"), "off"),
        or_else(at_least(number("gravity", "m/s2", "along -y in 2D, -z in 3D"), 0), 9.81)},
-      {"plugins", "terrain", "materials", "pairs", "blast", "rocks", "bodies", "barriers", "gates", "clearance", "solver", "stop", "output",
+      {"plugins", "air", "terrain", "materials", "pairs", "blast", "rocks", "bodies", "barriers", "gates", "clearance", "solver", "stop", "output",
        "sweep", "expect"}};
 }
 
@@ -103,7 +103,10 @@ std::vector<ParamSpec> blast_keys(std::string_view prefix) {
     ParamSpec spec = optional(number(std::string(path), std::string(info.unit), std::string(info.doc)));
     const bool may_be_zero =
         info.field == BlastField::hole_stemming || info.field == BlastField::hole_subdrilling;
-    keys.push_back(may_be_zero ? at_least(std::move(spec), 0) : above(std::move(spec), 0));
+    if (info.field == BlastField::hole_deviation)
+      keys.push_back(std::move(spec));  // away from the face it is negative
+    else
+      keys.push_back(may_be_zero ? at_least(std::move(spec), 0) : above(std::move(spec), 0));
   }
   return keys;
 }
@@ -127,6 +130,11 @@ std::vector<ParamSpec> joined(std::vector<ParamSpec> first, std::vector<ParamSpe
 std::vector<SectionSpec> make_sections() {
   return {
       document(),
+      {"air",
+       {or_else(above(number("density", "kg/m3", "of the air"), 0), 1.225),
+        at_least(number("cd", "", "drag coefficient, on the sphere of equal volume"), 0),
+        optional(vector("wind", "m/s", "calm where it is not given"))},
+       {}},
       {"terrain", {optional(text("material", "of a terrain of one part"))}, {"type", "materials", "zones"}},
       {"terrain.zones",
        {text("name", "its part, in `materials`"), number("from", "m", "least x"),
@@ -142,7 +150,8 @@ std::vector<SectionSpec> make_sections() {
         above(optional(number("distance", "m", "from row to row")), 0),
         or_else(at_least(integer("holes", "of a row"), 1), 1),
         at_least(optional(number("delay_row", "s", "from row to row")), 0),
-        at_least(optional(number("delay_hole", "s", "from hole to hole")), 0)},
+        at_least(optional(number("delay_hole", "s", "from hole to hole")), 0),
+        at_least(optional(number("delay_in_hole", "s", "from the signal to the charge, in every hole")), 0)},
        {}},
       {"rocks",
        joined(joined({text("name", "of the group")}, mass_keys()),
@@ -153,7 +162,8 @@ std::vector<SectionSpec> make_sections() {
        joined(joined({text("name", "of the group")}, mass_keys()), {optional(text("material", "shown to other rocks"))}),
        {"type", "shape", "orientation", "release", "launch"}},
       {"rocks.release: from",
-       {choice("from", {"face"}, "the face of a bench"),
+       {choice("from", {"face", "collar", "bench_top"},
+               "the face of a bench; above it, the collar of the rock's hole; the top as far as the last row"),
         or_else(at_least(integer("bench", "from 1, the uppermost"), 1), 1)},
        {}},
       {"rocks.release: x",

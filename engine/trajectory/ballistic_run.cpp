@@ -18,6 +18,7 @@ class FlightLog {
     history_.first = history_.last = history_.min = history_.max = state(run.start_time, body.x, body.v);
     history_.min_speed = history_.max_speed = body.v.norm();
     history_.bounce_height = height(body.x);
+    history_.path = PathBins(run.bin_width, ground.x_min(), ground.x_max());
   }
 
   void see(const Arc<2>& arc, double end) {
@@ -25,9 +26,11 @@ class FlightLog {
       store(at(arc, (t - arc.start) / arc.length));
       next_sample_ += run_.trajectory_every;
     }
-    if (const auto apex = first_fall(rates(arc, Vec2::UnitY()), 0, end)) widen(at(arc, *apex));
+    for (const Vec2& way : {Vec2(0, 1), Vec2(1, 0), Vec2(-1, 0)})  // the apex, and where a wind turns the rock
+      if (const auto turn = first_fall(rates(arc, way), 0, end)) widen(at(arc, *turn));
     widen(at(arc, end));
     highest(arc, end);
+    bins(arc, end);
     const double length = boost::math::quadrature::gauss<double, 20>::integrate(
         [&](double s) { return arc.velocity(s).norm() * arc.length; }, 0.0, end);
     history_.travel.add(TravelMode::flight, end * arc.length, length);
@@ -51,7 +54,7 @@ class FlightLog {
     state.position.head<2>() = position;
     state.velocity.head<2>() = velocity;
     state.spin.z() = body_.w;
-    state.angle = body_.angle + body_.w * (time - run_.start_time);
+    state.angle = body_.attitude.angle + body_.w * (time - run_.start_time);
     state.kinetic_energy = 0.5 * (body_.mass * velocity.squaredNorm() + body_.inertia * body_.w * body_.w);
     return state;
   }
@@ -104,6 +107,23 @@ class FlightLog {
         if (const auto s = first_fall(past, 0, end)) look(*s);
       }
       if (const auto s = first_fall(rates(arc, perpendicular(b - a)), 0, end)) look(*s);
+    }
+  }
+
+  /// The bins along x, in pieces of an arc so short that x is linear in them.
+  void bins(const Arc<2>& arc, double end) {
+    constexpr int pieces = 16;
+    for (int i = 0; i < pieces; ++i) {
+      const double from = end * i / pieces, to = end * (i + 1) / pieces;
+      const double x = arc.position(from).x(), rate = (arc.position(to).x() - x) / (to - from);
+      history_.path.visit(x - rate * from, rate, from, to, [&](PathBin& bin, double s0, double s1) {
+        for (const double s : {s0, 0.5 * (s0 + s1), s1}) {
+          const BodyState seen = at(arc, s);
+          bin.height = std::max(bin.height, height(seen.position.head<2>()));
+          bin.speed = std::max(bin.speed, seen.velocity.norm());
+          bin.energy = std::max(bin.energy, seen.kinetic_energy);
+        }
+      });
     }
   }
 

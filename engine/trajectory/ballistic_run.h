@@ -11,6 +11,7 @@ struct BallisticRun {
   Forces<2> forces;
   double start_time = 0, stop_time = 60;  ///< s; the flight lasts stop_time - start_time at most
   double trajectory_every = 0;            ///< s between stored points; 0: none
+  double bin_width = 0;                   ///< m, of BodyHistory::path; 0: none is kept
 };
 
 /// Flies the body from its place with its velocity and spin. It `stopped` where it met the ground, left the domain, or

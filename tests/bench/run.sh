@@ -7,7 +7,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
-for scenario in "$here/../../scenarios/ninh_dan/benches_2d.yaml" "$here/../../scenarios/ninh_dan/rockfall_2d.yaml" "$here/s3.yaml"; do
+for scenario in "$here/../../scenarios/ninh_dan/benches_2d.yaml" "$here/../../scenarios/ninh_dan/rockfall_2d.yaml" "$here/s3.yaml" "$here/shots.yaml"; do
   name=$(basename "$scenario" .yaml)
   for run in 1 2 3 4 5; do
     "$flyrock" run "$scenario" -o "$out/$name" -j 1 --force --quiet > /dev/null 2>&1 || true

@@ -4,7 +4,7 @@
 #include "trajectory/ballistic.h"
 
 #include <catch2/catch.hpp>
-#include <chrono>
+#include <ctime>
 
 #include "random/stream.h"
 #include "trajectory/vacuum.h"
@@ -197,16 +197,16 @@ TEST_CASE("shots over a bench: error against small steps, and how many a second"
     if (landing.on_ground && landing.position.x() > 5)
       worst = std::max(worst, (landing.position - reference_landing(forces, from, velocity, 1e-3)).norm());
   }
-  CHECK(worst < 5e-4);  // the reference's last step is straight: g dt^2 / 8 and its slope
+  CHECK(worst < 1e-4);  // the reference's last step is straight: g dt^2 / 8 and its slope
   WARN("greatest difference from the reference: " << worst << " m");
   const int shots = 100'000;
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();  // of the processor: other programs take none of it
   double sum = 0;
   for (int i = 0; i < shots; ++i)
     sum += land(BallisticFlight<2>(air(sphere_drag(rng.uniform(0.05, 1), 1)), {0, 12.5},
                                    launch(rng.uniform(10, 80), rng.uniform(5, 85))),
                 0, ground, 1e3, [](const Arc<2>&, double) {})
                .position.x();
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  WARN("a million shots with drag: " << 10 * seconds.count() << " s on one core, mean x " << sum / shots << " m");
+  const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  WARN("a million shots with drag: " << 1e6 / shots * seconds << " s on one core, mean x " << sum / shots << " m");
 }

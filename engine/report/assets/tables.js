@@ -61,7 +61,7 @@ function statistics_section() {
     return;
   }
   const names = ["mean", "sd", "min", "p50", "p90", "p95", "p99", "max"];
-  const quantities = ["runout", "max_distance", "flight_range", "bounce_height", "speed", "energy", "impacts", "time"];
+  const quantities = ["runout", "max_distance", "flight_range", "bounce_height", "speed", "energy", "impacts", "time", "launch_speed"];
   const interval_names = ["mean", "p50", "p90", "p95", "p99"];
   const unit_of = (quantity, q) => (quantity === "energy" ? "kJ" : data.units[q] || "–");
   const in_unit = (quantity, value) => show(value === null || quantity !== "energy" ? value : value / 1000);

@@ -16,13 +16,12 @@ return fr.plugin {
   params = {
     mode = fr.choice { choices = { "bench", "crater" }, default = "bench", doc = "which blasts" },
     elevation = fr.number { default = 45, unit = "deg", doc = "above the outward horizontal of the face (elsewhere +x)" },
-    azimuth = fr.number { optional = true, unit = "deg", doc = "turn about the vertical, 3D; 0 where it is left out" },
   },
   launch = function(p, rock, blast)
     local inches = blast.hole_diameter / 0.0254
     local range = factor[p.mode] * inches ^ (2 / 3)
     return {
-      velocity = rock:direction(math.sqrt(g * range), p.elevation, p.azimuth),
+      velocity = rock:direction(math.sqrt(g * range), p.elevation),
       note = "lundborg: gives a distance L, not a speed; rocks start at sqrt(g L), which reaches L at 45 degrees "
         .. "on level ground without air",
     }

@@ -1,0 +1,100 @@
+// What the method ballistic keeps of a flight, against the parabola.
+
+#include "trajectory/ballistic_run.h"
+
+#include <catch2/catch.hpp>
+
+#include "trajectory/vacuum.h"
+
+using namespace flyrock;
+
+namespace {
+
+constexpr double g = 9.81;
+
+Profile bench() {
+  Profile ground;
+  ground.points = {{-50, 12}, {0, 12}, {4, 0}, {600, 0}};
+  ground.part = {0, 0, 0};
+  ground.parts = {""};
+  return ground;
+}
+
+Body<2> rock(const Vec2& position, const Vec2& velocity) {
+  Body<2> body = make_body({Contactor2::disk(0.1, Vec2::Zero())}, 2700, 0, 0);
+  body.move_to(position, 0);
+  body.v = velocity;
+  body.w = 2;
+  return body;
+}
+
+BallisticRun without_air() {
+  BallisticRun run;
+  run.forces.gravity = {0, -g};
+  return run;
+}
+
+}  // namespace
+
+TEST_CASE("a flight over a bench keeps the numbers of its parabola") {
+  const Body<2> body = rock({-2, 13}, {20, 10});
+  BallisticRun run = without_air();
+  run.trajectory_every = 0.1;
+  const BodyHistory h = run_ballistic(body, bench(), run);
+  const double range = vacuum_range(std::hypot(20, 10), std::atan2(10, 20), 13, g);
+  CHECK(h.reason == StopReason::stopped);
+  CHECK(h.flight_range == Approx(range).epsilon(1e-12));
+  CHECK(h.max_distance == Approx(range).epsilon(1e-12));
+  CHECK(h.last.time == Approx(range / 20).epsilon(1e-12));
+  CHECK(h.stop_time == h.last.time);
+  CHECK(h.max.position.y() == Approx(13 + 100 / (2 * g)).epsilon(1e-12));
+  CHECK(h.bounce_height == Approx(13 + 100 / (2 * g)).epsilon(1e-12));  // the apex lies beyond the toe
+  CHECK(h.max_speed == Approx(std::sqrt(500 + 2 * g * 13)).epsilon(1e-12));
+  CHECK(h.last.angle == Approx(2 * h.last.time).epsilon(1e-12));
+  CHECK(h.max.kinetic_energy == Approx(0.5 * body.mass * (500 + 2 * g * 13) + 2 * body.inertia).epsilon(1e-12));
+  double path = 0;
+  for (int i = 0; i < 100000; ++i) path += std::hypot(20, 10 - g * (i + 0.5) * h.last.time / 1e5) * h.last.time / 1e5;
+  CHECK(h.travel.distance[0] == Approx(path).epsilon(1e-9));
+  CHECK(h.travel.time[0] == Approx(h.last.time).epsilon(1e-12));
+  CHECK(h.impact_count == 0);
+  REQUIRE(h.trajectory.size() == static_cast<std::size_t>(h.last.time / 0.1) + 2);
+  CHECK((h.trajectory[10].state.position.head<2>() - Vec2(18, 13 + 10 - g / 2)).norm() < 1e-9);
+}
+
+TEST_CASE("the greatest height above the ground may be above a toe, or along a slope") {
+  // Level above the floor after the toe and falling: highest above the toe itself.
+  const BodyHistory level = run_ballistic(rock({-1, 12.5}, {30, 0}), bench(), without_air());
+  const double t = 5 / 30.0;
+  CHECK(level.bounce_height == Approx(12.5 - g * t * t / 2).epsilon(1e-9));
+  Profile slope;  // down at 45 degrees: farthest from it in the vertical where the path is parallel to it
+  slope.points = {{-10, 10}, {500, -500}};
+  slope.part = {0};
+  slope.parts = {""};
+  const BodyHistory down = run_ballistic(rock({0, 0.1}, {20, 0}), slope, without_air());
+  CHECK(down.bounce_height == Approx(0.1 + 20 * 20 / (2 * g)).epsilon(1e-9));
+}
+
+TEST_CASE("flights that leave or run out of time say so") {
+  CHECK(run_ballistic(rock({-20, 13}, {-30, 20}), bench(), without_air()).reason == StopReason::left_domain);
+  BallisticRun run = without_air();
+  run.stop_time = 1;
+  const BodyHistory timed = run_ballistic(rock({0, 13}, {1, 20}), bench(), run);
+  CHECK(timed.reason == StopReason::timed_out);
+  CHECK(timed.last.time == 1);
+  CHECK(std::isnan(timed.stop_time));
+}
+
+TEST_CASE("the bins along x hold the heights and speeds of a flight with drag") {
+  BallisticRun run = without_air();
+  run.forces.drag = 0.0034;
+  run.bin_width = 10;
+  const BodyHistory h = run_ballistic(rock({0, 12}, {42, 42}), bench(), run);
+  double highest = 0, fastest = 0;
+  for (const PathBin& bin : h.path.bins()) {
+    highest = std::max(highest, bin.height);
+    fastest = std::max(fastest, bin.speed);
+  }
+  CHECK(highest == Approx(h.bounce_height).epsilon(1e-3));
+  CHECK(fastest == Approx(h.max_speed).epsilon(1e-9));
+  CHECK(static_cast<double>(h.path.bins().size()) == Approx(h.flight_range / 10).margin(1.01));
+}
