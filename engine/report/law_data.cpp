@@ -18,9 +18,9 @@ Json rounded_all(const std::vector<double>& values) {
 
 Json law_data(const Scenario& scenario, const LawSubject& subject) {
   Json graphs = Json::array();
-  for (const LawGraph& graph : law_graphs(scenario, subject)) {
+  for (const MaterialGraph& graph : material_graphs(scenario, subject)) {
     Json curves = Json::array();
-    for (const LawCurve& curve : graph.curves) {
+    for (const MaterialCurve& curve : graph.curves) {
       Json data = {{"name", curve.name}, {"middle", rounded_all(curve.middle)}};
       if (graph.drawn) data["low"] = rounded_all(curve.low), data["high"] = rounded_all(curve.high);
       curves.push_back(std::move(data));

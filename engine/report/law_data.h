@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "batch/law_graph.h"
+#include "batch/material_graphs.h"
 
 namespace flyrock {
 

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "batch/law_graph.h"
+#include "batch/material_graphs.h"
 #include "batch/load.h"
 #include "report/convergence.h"
 #include "report/rounded.h"
@@ -91,13 +91,13 @@ TEST_CASE("The graph of a law is the law") {
   Diagnostics diagnostics;
   const auto loaded = load_scenario(FLYROCK_SOURCE_DIR "/scenarios/ninh_dan/benches_2d.yaml", {}, diagnostics);
   REQUIRE(loaded);
-  const std::vector<LawGraph> graphs = law_graphs(loaded->plan.points.front(), {200, 0.3});
+  const std::vector<MaterialGraph> graphs = material_graphs(loaded->plan.points.front(), {200, 0.3});
   const auto graph_of = [&](const std::string& material, const std::string& kind) {
-    for (const LawGraph& graph : graphs)
+    for (const MaterialGraph& graph : graphs)
       if (graph.material == material && graph.kind == kind) return graph;
-    return LawGraph{};
+    return MaterialGraph{};
   };
-  const LawGraph fading = graph_of("haul_floor", "restitution");
+  const MaterialGraph fading = graph_of("haul_floor", "restitution");
   REQUIRE(fading.law == "pfeiffer_bowen");
   REQUIRE(fading.curves.size() == 2);
   CHECK_FALSE(fading.drawn);
@@ -107,7 +107,7 @@ TEST_CASE("The graph of a law is the law") {
     CHECK(fading.curves[0].middle[i] == Approx(slow * (1 + v0 * v0) / (1 + v * v)));
     CHECK(fading.curves[0].low[i] == fading.curves[0].high[i]);
   }
-  const LawGraph drawn = graph_of("broken_rock", "restitution");
+  const MaterialGraph drawn = graph_of("broken_rock", "restitution");
   REQUIRE(drawn.drawn);
   CHECK(drawn.curves[0].low[0] < drawn.curves[0].middle[0]);
   CHECK(drawn.curves[0].middle[0] < drawn.curves[0].high[0]);

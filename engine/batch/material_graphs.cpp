@@ -1,6 +1,7 @@
-#include "batch/law_graph.h"
+#include "batch/material_graphs.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 
@@ -14,8 +15,8 @@ namespace {
 constexpr int speeds = 41, draws = 50, of_low = 2, of_high = 47;  // of 50 in order: nine tenths lie between
 constexpr double slowest = 0.1, fastest = 50;
 
-/// The answer of a law to the values of its parameters and a speed; one number for each curve.
-using Answer = std::function<std::vector<double>(Values, double speed)>;
+/// The answer of a law to the values of its parameters and a speed, at a contact; one number for each curve.
+using Answer = std::function<std::vector<double>(Values, const ContactState&, double speed)>;
 
 /// The values of a law's parameters, drawn as often as a graph needs.
 std::vector<std::vector<double>> parameters(const PluginUse& use, const Scenario& scenario) {
@@ -25,7 +26,7 @@ std::vector<std::vector<double>> parameters(const PluginUse& use, const Scenario
   return list;
 }
 
-LawGraph sample(LawGraph graph, const Scenario& scenario, const PluginUse& use, const Answer& answer) {
+MaterialGraph sample(MaterialGraph graph, ContactState contact, const Scenario& scenario, const PluginUse& use, const Answer& answer) {
   const PluginSpec& spec = use.plugin->spec;
   graph.law = spec.name;
   graph.doc = spec.doc;
@@ -37,7 +38,9 @@ LawGraph sample(LawGraph graph, const Scenario& scenario, const PluginUse& use, 
       const double speed = slowest * std::pow(fastest / slowest, i / (speeds - 1.0));
       std::vector<std::vector<double>> answers(graph.curves.size());  // of each curve
       for (const std::vector<double>& values : list) {
-        const std::vector<double> one = answer(values, speed);
+        std::array<double, most_history> history{};  // of a contact that has just been born
+        contact.history = history;
+        const std::vector<double> one = answer(values, contact, speed);
         for (std::size_t c = 0; c < one.size(); ++c) answers[c].push_back(one[c]);
       }
       graph.speed.push_back(speed);
@@ -83,16 +86,16 @@ ContactState moving(ContactState state, double slip, double spin, double speed) 
   return state;
 }
 
-void add_graphs(const Material& material, const Scenario& scenario, const LawSubject& subject, std::vector<LawGraph>& graphs) {
+void add_graphs(const Material& material, const Scenario& scenario, const LawSubject& subject, std::vector<MaterialGraph>& graphs) {
   const ContactState contact = contact_of(material, subject);
   if (const auto& use = material.restitution) {
     const auto law = make_instance<RestitutionLaw>(*use, scenario.dimension);
     graphs.push_back(sample({.material = material.name, .kind = "restitution", .x = "approach speed in m/s", .y = "e_n",
                              .curves = {{.name = "impact at 90°"}, {.name = "impact at 30°"}}},
-                            scenario, *use, [&](Values values, double speed) {
+                            contact, scenario, *use, [&](Values values, const ContactState& at, double speed) {
                               std::vector<double> e_n;
                               for (const double angle : {pi / 2, pi / 6}) {
-                                const Restitution answer = law->impact(values, impact(contact, speed, angle));
+                                const Restitution answer = law->impact(values, impact(at, speed, angle));
                                 check_answer(*law, answer);
                                 e_n.push_back(answer.e_n);
                               }
@@ -103,8 +106,8 @@ void add_graphs(const Material& material, const Scenario& scenario, const LawSub
     const auto law = make_instance<FrictionLaw>(*use, scenario.dimension);
     graphs.push_back(sample({.material = material.name, .kind = "friction", .x = "speed of slip in m/s", .y = "mu",
                              .curves = {{.name = "static"}, {.name = "dynamic"}}},
-                            scenario, *use, [&](Values values, double speed) {
-                              const Friction answer = law->friction(values, moving(contact, speed, 0, speed));
+                            contact, scenario, *use, [&](Values values, const ContactState& at, double speed) {
+                              const Friction answer = law->friction(values, moving(at, speed, 0, speed));
                               check_answer(*law, answer);
                               return std::vector{answer.mu_s, answer.mu_d};
                             }));
@@ -113,18 +116,18 @@ void add_graphs(const Material& material, const Scenario& scenario, const LawSub
     const auto law = make_instance<RollingLaw>(*use, scenario.dimension);
     graphs.push_back(sample({.material = material.name, .kind = "rolling", .x = "speed of rolling in m/s", .y = "mu_r in m",
                              .curves = {{.name = "bound of the torque over the normal force"}}},
-                            scenario, *use, [&](Values values, double speed) {
-                              const double mu_r = law->rolling(values, moving(contact, 0, speed / subject.radius, speed));
-                              check_rolling(*law, mu_r);
-                              return std::vector{mu_r};
+                            contact, scenario, *use, [&](Values values, const ContactState& at, double speed) {
+                              const Rolling answer = law->rolling(values, moving(at, 0, speed / subject.radius, speed));
+                              check_answer(*law, answer);
+                              return std::vector{answer.mu_r};
                             }));
   }
 }
 
 }  // namespace
 
-std::vector<LawGraph> law_graphs(const Scenario& scenario, const LawSubject& subject) {
-  std::vector<LawGraph> graphs;
+std::vector<MaterialGraph> material_graphs(const Scenario& scenario, const LawSubject& subject) {
+  std::vector<MaterialGraph> graphs;
   for (const Material& material : scenario.materials) add_graphs(material, scenario, subject, graphs);
   return graphs;
 }
