@@ -244,6 +244,7 @@ requires std::derived_from<SomeLaw, Law> Answer answer_of(const SomeLaw& law, Va
   std::array<double, most_history> history{};
   for (int i = 0; i < law_states; ++i) {
     ContactState contact = sampled_contact(i);
+    if (i % 2 == 0) history.fill(0);  // a contact that has just been born, and one that remembers
     contact.history = history;
     const Answer numbers = numbers_of(law, values, contact);
     if (law.constant() && i > 0 && !std::equal(numbers.begin(), numbers.end(), answer.begin()))

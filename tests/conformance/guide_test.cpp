@@ -37,7 +37,7 @@ std::vector<std::string> lua_plugins(const std::string& page) {
 
 TEST_CASE("the plugins of the guide load and conform") {
   const auto blocks = lua_plugins(read(FLYROCK_SOURCE_DIR "/docs/writing-a-plugin.md"));
-  REQUIRE(blocks.size() == 2);
+  REQUIRE(blocks.size() == 3);
   LuaSession session(FLYROCK_SHARE_DIR);
   const std::string path = (std::filesystem::temp_directory_path() / "flyrock_guide_plugin.lua").string();
   for (const std::string& block : blocks) {
@@ -49,8 +49,11 @@ TEST_CASE("the plugins of the guide load and conform") {
   std::filesystem::remove(path);
   const Plugin* law = session.registry().find(PluginKind::restitution, "mass_law");
   const Plugin* launch = session.registry().find(PluginKind::velocity, "scaled_burden");
+  const Plugin* remembering = session.registry().find(PluginKind::friction, "worn");
   REQUIRE(law);
   REQUIRE(launch);
+  REQUIRE(remembering);
   CHECK(conformance_faults(*law) == std::vector<std::string>{});
   CHECK(conformance_faults(*launch) == std::vector<std::string>{});
+  CHECK(conformance_faults(*remembering) == std::vector<std::string>{});
 }

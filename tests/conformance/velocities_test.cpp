@@ -216,7 +216,7 @@ TEST_CASE("every velocity model reads the fields of the blast that it declares, 
     for (const BlastFieldInfo& field : blast_fields()) {
       INFO(field.path);
       Blast changed = blast;
-      changed[field.field] *= 0.9;
+      changed[field.field] *= 0.15;  // of a long charge mckenzie takes ten diameters
       bool felt = false;
       for (const ModelParams& params : modes().at(spec.name))
         felt = felt || launch(spec.name, params, changed).velocity != launch(spec.name, params, blast).velocity;

@@ -58,7 +58,10 @@ Plugin shape(std::vector<Vec2> vertices) {
   Plugin plugin;
   plugin.spec.kind = PluginKind::shape;
   plugin.make =
-      FactoryOf<ShapeModel>([vertices](Params&) { return std::make_unique<ShapeUnderTest>(vertices); });
+      FactoryOf<ShapeModel>([vertices](Params& params) {
+    params.require_dimension(2);
+    return std::make_unique<ShapeUnderTest>(vertices);
+  });
   return plugin;
 }
 

@@ -121,8 +121,14 @@ fr.plugin {
   for (int i = 0; i < 100; ++i) {
     const ContactState contact = sampled_contact(rng);
     const double en = rng.uniform(), et = rng.uniform(-1, 1);
-    const auto native = use_of(lua.session, PluginKind::restitution, "newton", {en, et});
-    const auto scripted = use_of(lua.session, PluginKind::restitution, "lua_newton", {en, et});
+    const auto with = [&](const std::string& name) {
+      const PluginSpec& spec = lua.session.registry().find(PluginKind::restitution, name)->spec;
+      std::vector<std::optional<double>> numbers(spec.params.size());
+      numbers[spec.find("en")] = en;
+      numbers[spec.find("et")] = et;
+      return use_of(lua.session, PluginKind::restitution, name, numbers);
+    };
+    const auto native = with("newton"), scripted = with("lua_newton");
     const auto a = make_instance<RestitutionLaw>(native, 2)->impact(values_of(native), contact);
     const auto b = make_instance<RestitutionLaw>(scripted, 2)->impact(values_of(scripted), contact);
     CHECK(a.e_n == b.e_n);

@@ -101,8 +101,8 @@ TEST_CASE("a plugin is native or Lua, with the function of its kind") {
         "p.lua:3:10: native: no shared object `newton.so` beside the manifest\n");
   CHECK(message("friction = function(p) return 0 end, impact = function(p) return 0 end") ==
         "p.lua:3:1: friction: a restitution has no function `friction`, expected `impact`\n");
-  CHECK(message("form = 'poisson', impact = function(p) return 0 end") ==
-        "p.lua:3:8: form: `poisson`, expected `newton`, the form that this version solves\n");
+  CHECK(message("form = 'elastic', impact = function(p) return 0 end") ==
+        "p.lua:3:8: form: `elastic`, expected `newton`, `newton_mean`, `poisson`, `energy` or `velocity`\n");
   CHECK(message("impact = 0.5") == "p.lua:3:10: impact: a number, expected a function\n");
 }
 
