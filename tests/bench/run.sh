@@ -31,7 +31,8 @@ law newton > "$out/native.yaml"
 { law newton_in_lua; echo "plugins: [newton_in_lua.lua]"; } > "$out/lua.yaml"
 cp "$here/newton_in_lua.lua" "$out"
 seconds() {
-  "$flyrock" run "$out/$1.yaml" -o "$out/$1" -j 1 --force --quiet > /dev/null || [ $? = 1 ]  # 1: an expectation failed
+  "$flyrock" run "$out/$1.yaml" -o "$out/$1" -j 1 --force --quiet > "$out/messages" 2>&1 ||
+    [ $? = 1 ] || { cat "$out/messages" >&2; exit 1; }  # 1: an expectation failed
   sed -n 's/^seconds  *//p' "$out/$1/run.log"
 }
 for pair in 1 2 3 4 5 6 7 8 9; do
