@@ -6,6 +6,7 @@
 #include "report/convergence.h"
 #include "report/envelope_data.h"
 #include "report/law_data.h"
+#include "report/rounded.h"
 #include "report/runout_data.h"
 #include "report/sensitivity.h"
 #include "report/summary_data.h"
@@ -19,8 +20,6 @@ using Json = nlohmann::ordered_json;
 
 /// Points of trajectories in one page; 15 bytes each.
 constexpr std::size_t most_track_points = 150'000;
-
-std::int64_t thousandth(double value) { return std::llround(1000 * value); }
 
 Json terrain_data(const Profile& terrain) {
   Json x = Json::array(), y = Json::array();

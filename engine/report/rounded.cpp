@@ -13,4 +13,6 @@ nlohmann::ordered_json rounded(double value) {
   return digits > 0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;
 }
 
+std::int64_t thousandth(double value) { return std::llround(1000 * value); }
+
 }  // namespace flyrock

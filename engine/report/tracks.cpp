@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/rounded.h"
+
 namespace flyrock {
 
 namespace {
@@ -11,8 +13,6 @@ using Json = nlohmann::ordered_json;
 
 /// A thinned path departs from the stored one by this share of the plot's extent at most: a seventh of a pixel.
 constexpr double track_tolerance = 1e-4;
-
-std::int64_t thousandth(double value) { return std::llround(1000 * value); }
 
 /// Whole thousandths, the first as it is and then the differences.
 Json differences(const std::vector<double>& values) {

@@ -1,27 +1,13 @@
 #pragma once
 // What the laws of the contacts answer at the start of a step or impact.
 
-#include <algorithm>
 #include <cmath>
 
+#include "collision/contact_patch.h"
 #include "world/manifold.h"
 #include "world/world.h"
 
 namespace flyrock {
-
-/// The share of one point in the area of the convex patch that `points` span: 0 for fewer than three.
-inline double tributary_area(std::vector<Vec3>& points, const Vec3& normal) {
-  if (points.size() < 3) return 0;
-  Vec3 middle = Vec3::Zero();
-  for (const Vec3& point : points) middle += point / static_cast<double>(points.size());
-  const Vec3 x = (points[0] - middle).normalized(), y = normal.cross(x);
-  const auto angle = [&](const Vec3& point) { return std::atan2(y.dot(point - middle), x.dot(point - middle)); };
-  std::sort(points.begin(), points.end(), [&](const Vec3& a, const Vec3& b) { return angle(a) < angle(b); });
-  double area = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    area += 0.5 * normal.dot((points[i] - middle).cross(points[(i + 1) % points.size()] - middle));
-  return area / static_cast<double>(points.size());
-}
 
 template <int D>
 ContactState World<D>::state_of(const Contact& contact, double h) {
@@ -42,17 +28,20 @@ ContactState World<D>::state_of(const Contact& contact, double h) {
   state.radius = body.radius;
   state.spin = body.spin_speed();
   state.kinetic_energy = body.kinetic_energy();
-  // In the plane half the distance to the other points of the same manifold is this point's tributary length.
   patch_.clear();
-  for (const Contact& other : contacts_)
+  std::size_t which = 0;
+  for (const Contact& other : contacts_) {
+    if (&other == &contact) which = patch_.size();
     if (other.candidate == contact.candidate && other.antagonist == contact.antagonist &&
         same_direction<D>(other.at.normal, contact.at.normal))
       patch_.push_back(other.at.point);
+  }
   if constexpr (D == 2) {
+    // Half the distance to the other point of the same manifold is this point's tributary length.
     for (const Vec<D>& point : patch_) state.length += 0.5 * (point - contact.at.point).norm();
     state.area = state.length * body.volume / (pi * body.radius * body.radius);
   } else {
-    state.area = tributary_area(patch_, contact.at.normal);
+    state.area = tributary_area(patch_, which, contact.at.normal);
   }
   state.age = contact.age;
   state.was_sticking = contact.sticking;
