@@ -49,10 +49,15 @@ test-heavy: build-release
 bench: build-bench
 	tests/bench/run.sh build/bench/bin
 
+KINDS := shape population terrain velocity restitution friction rolling unilateral
+reference: build-bench
+	mkdir -p docs/reference
+	for kind in $(KINDS); do build/bench/bin/flyrock plugins $$kind --markdown > docs/reference/$$kind.md || exit 1; done
+
 drawings:
 	lua5.4 docs/drawings/breakout.lua > docs/images/breakout.svg
 
 clean:
 	rm -rf build out
 
-.PHONY: help deps deps-browser demo test test-heavy bench drawings clean
+.PHONY: help deps deps-browser demo test test-heavy bench reference drawings clean

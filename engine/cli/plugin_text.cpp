@@ -13,15 +13,23 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// "9.144 m/s", "90 deg": a value in SI as the manifest would write it.
+std::string in_unit(double value, const ParamSpec& param) {
+  if (param.unit.empty()) return shortest(value);
+  const double factor = parse_unit(param.unit)->factor;
+  const std::string number = factor == 1 ? shortest(value) : fmt::format("{:.12g}", value / factor);
+  return number + " " + param.unit;
+}
+
 std::string default_text(const ParamSpec& param) {
   if (param.default_number) {
     if (param.type == ParamType::boolean) return *param.default_number != 0 ? "true" : "false";
-    return shortest(*param.default_number) + (param.unit.empty() ? "" : " " + si_unit(param.dimension));
+    return in_unit(*param.default_number, param);
   }
   if (param.default_text) return *param.default_text;
   if (param.default_vector) {
     std::vector<std::string> numbers;
-    for (double number : *param.default_vector) numbers.push_back(shortest(number));
+    for (double number : *param.default_vector) numbers.push_back(in_unit(number, param));
     return fmt::format("[{}]", fmt::join(numbers, ", "));
   }
   return param.optional ? "may be left out" : "required";
@@ -30,12 +38,17 @@ std::string default_text(const ParamSpec& param) {
 /// "at least 0, below 1", "linear | as_printed", or nothing.
 std::string allowed_text(const ParamSpec& param) {
   std::vector<std::string> limits;
-  if (param.min) limits.push_back("at least " + shortest(*param.min));
-  if (param.above) limits.push_back("above " + shortest(*param.above));
-  if (param.max) limits.push_back("at most " + shortest(*param.max));
-  if (param.below) limits.push_back("below " + shortest(*param.below));
+  if (param.min) limits.push_back("at least " + in_unit(*param.min, param));
+  if (param.above) limits.push_back("above " + in_unit(*param.above, param));
+  if (param.max) limits.push_back("at most " + in_unit(*param.max, param));
+  if (param.below) limits.push_back("below " + in_unit(*param.below, param));
   if (!param.choices.empty()) limits.push_back(fmt::format("{}", fmt::join(param.choices, " | ")));
   return fmt::format("{}", fmt::join(limits, ", "));
+}
+
+/// "bond, slip, per contact"
+std::string memory_text(const PluginSpec& spec) {
+  return fmt::format("{}, per {}", fmt::join(spec.history, ", "), spec.history_of_contact ? "contact" : "pair of bodies");
 }
 
 /// Lines of whole words, at most 80 columns wide.
@@ -107,6 +120,7 @@ std::string full_text(const PluginSpec& spec) {
   if (!spec.validity.empty()) text += wrapped("valid: " + spec.validity, "  ");
   if (!spec.form.empty()) text += fmt::format("  form: {}\n", spec.form);
   if (!spec.reads.empty()) text += fmt::format("  reads: {}\n", fmt::join(spec.reads, ", "));
+  if (!spec.history.empty()) text += fmt::format("  remembers: {}\n", memory_text(spec));
   text += fmt::format("  file: {}{}\n", spec.file, spec.native.empty() ? "" : " (native)");
   if (spec.params.empty()) text += "  no parameters\n";
   for (const ParamSpec& param : spec.params) {
@@ -125,6 +139,7 @@ std::string markdown(const PluginSpec& spec) {
   if (!spec.validity.empty()) text += fmt::format("\nValid: {}\n", spec.validity);
   if (!spec.form.empty()) text += fmt::format("\nForm: `{}`\n", spec.form);
   if (!spec.reads.empty()) text += fmt::format("\nReads: `{}`\n", fmt::join(spec.reads, "`, `"));
+  if (!spec.history.empty()) text += fmt::format("\nRemembers: {}\n", memory_text(spec));
   if (spec.params.empty()) return text + "\nNo parameters.\n";
   text += "\n| parameter | type | unit | default | allowed | |\n|---|---|---|---|---|---|\n";
   for (const ParamSpec& param : spec.params)

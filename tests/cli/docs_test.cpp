@@ -90,6 +90,17 @@ void follow(const fs::path& page) {
 
 }  // namespace
 
+TEST_CASE("The reference is what the manifests say: make reference") {
+  const Folder folder;
+  int kinds = 0;
+  for (const auto& entry : fs::directory_iterator(FLYROCK_SOURCE_DIR "/docs/reference")) {
+    const std::string kind = entry.path().stem().string();
+    CHECK(call(folder, "plugins " + kind + " --markdown").out == read(entry.path()));
+    ++kinds;
+  }
+  CHECK(kinds == 8);
+}
+
 TEST_CASE("The pages do what they say", "[slow]") {
   for (const fs::path& page : pages()) follow(page);
 }
