@@ -1,12 +1,13 @@
 #include "batch/chunk.h"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <array>
-#include <boost/crc.hpp>
 
 #include "batch/columns.h"
+#include "batch/safe_file.h"
 
 namespace flyrock {
 
@@ -16,9 +17,7 @@ constexpr std::string_view magic = "flyrchnk";
 constexpr std::uint64_t format = 4;
 
 std::uint64_t crc(std::string_view bytes) {
-  boost::crc_32_type sum;
-  sum.process_bytes(bytes.data(), bytes.size());
-  return sum.checksum();
+  return ::crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
 }
 
 // The walks. `Rows` is a vector of records, const where they are written.
@@ -145,6 +144,7 @@ void walk_long(Io& io, Records& records) {
   walk_envelopes(io, records.totals.envelopes);
 }
 
+constexpr std::size_t word_size = 8;
 constexpr std::array<Part, 3> parts = {Part::brief, Part::paths, Part::whole};
 
 template <class Io, class Records>
@@ -175,7 +175,7 @@ std::string_view section(std::string_view bytes, std::size_t& at) {
   const auto read_word = [&] {
     std::uint64_t value = 0;
     ColumnReader(bytes.substr(at)).value(value);
-    at += 8;
+    at += word_size;
     return value;
   };
   const std::uint64_t length = read_word();
@@ -236,6 +236,24 @@ std::optional<TrialRecords> decode_chunk(std::string_view bytes, const ChunkRang
     return std::nullopt;
   }
   return records;
+}
+
+std::optional<TrialRecords> read_chunk(const std::filesystem::path& path, const ChunkRange& range,
+                                       const std::string& scenario_hash, Part part, std::string& why) {
+  FileReader file(path);
+  std::string bytes;
+  file.append_to(bytes, header(range, scenario_hash).size());
+  for (const Part each : parts) {
+    const std::size_t at = bytes.size();
+    file.append_to(bytes, word_size);
+    if (each > part || bytes.size() < at + word_size) break;
+    std::uint64_t length = 0;
+    ColumnReader(std::string_view(bytes).substr(at)).value(length);
+    file.append_to(bytes, length);
+    file.append_to(bytes, word_size);  // the checksum
+  }
+  if (part == Part::whole) file.append_to(bytes, 1);  // there should be none
+  return decode_chunk(bytes, range, scenario_hash, part, why);
 }
 
 }  // namespace flyrock

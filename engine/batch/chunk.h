@@ -46,4 +46,8 @@ std::string encode_chunk(const ChunkRange& range, const std::string& scenario_ha
 std::optional<TrialRecords> decode_chunk(std::string_view bytes, const ChunkRange& range,
                                          const std::string& scenario_hash, Part part, std::string& why);
 
+/// decode_chunk() of a file, of which no more is read than it needs. Throws FileError.
+std::optional<TrialRecords> read_chunk(const std::filesystem::path& path, const ChunkRange& range,
+                                       const std::string& scenario_hash, Part part, std::string& why);
+
 }  // namespace flyrock

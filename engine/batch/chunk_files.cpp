@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <iterator>
-
 #include "batch/safe_file.h"
 
 namespace flyrock {
@@ -12,26 +9,26 @@ namespace flyrock {
 namespace fs = std::filesystem;
 
 std::vector<ChunkFile> chunk_files(const std::vector<ChunkRange>& chunks, const fs::path& folder) {
+  const auto shared = std::make_shared<const fs::path>(folder);
   std::vector<ChunkFile> files;
-  for (const ChunkRange& chunk : chunks) files.push_back({chunk, folder / chunk.file_name()});
+  files.reserve(chunks.size());
+  for (const ChunkRange& chunk : chunks) files.push_back({chunk, shared});
   return files;
 }
 
-std::vector<Rows> rows_in(const std::vector<ChunkFile>& files, int points, const std::string& scenario_hash) {
+std::vector<Rows> rows_in(std::vector<ChunkFile> files, int points, const std::string& scenario_hash) {
+  const auto all = std::make_shared<const std::vector<ChunkFile>>(std::move(files));
   std::vector<Rows> rows;
-  for (int point = 0; point < points; ++point) {
-    std::vector<ChunkFile> own;
-    std::copy_if(files.begin(), files.end(), std::back_inserter(own),
-                 [&](const ChunkFile& file) { return file.range.point == point; });
-    rows.push_back([own = std::move(own), scenario_hash](Part part, const SeeRows& see) {
-      for (const auto& [range, path] : own) {
+  for (int point = 0; point < points; ++point)
+    rows.push_back([all, point, scenario_hash](Part part, const SeeRows& see) {
+      for (const ChunkFile& file : *all) {
+        if (file.range.point != point) continue;
         std::string why;
-        const std::optional<TrialRecords> records = decode_chunk(read_file(path), range, scenario_hash, part, why);
-        if (!records) throw FileError(fmt::format("{}: {}", path.string(), why));
+        const std::optional<TrialRecords> records = read_chunk(file.path(), file.range, scenario_hash, part, why);
+        if (!records) throw FileError(fmt::format("{}: {}", file.path().string(), why));
         see(*records);
       }
     });
-  }
   return rows;
 }
 

@@ -56,6 +56,11 @@ bool ChunkQueue::may_end() const {
   return strict_ || !hope_;
 }
 
+std::size_t ChunkQueue::end() const {
+  const std::lock_guard lock(mutex_);
+  return std::min(end_, chunks_);
+}
+
 bool ChunkQueue::wanted(std::size_t chunk) const {
   const std::lock_guard lock(mutex_);
   return !stopped_ && chunk <= end_;

@@ -39,8 +39,8 @@ class ChunkQueue {
   void stop();
 
   /// The chunk in which a fault ended the run, and why; the number of chunks and an empty text where none did.
-  std::size_t end() const { return std::min(end_, chunks_); }
-  const std::string& why() const { return why_; }
+  std::size_t end() const;
+  const std::string& why() const { return why_; }  ///< asked when all threads have ended
 
  private:
   std::string reason(const TrialRecords& records, std::size_t from);

@@ -12,25 +12,26 @@ namespace {
 
 constexpr std::size_t faults_kept = 20;
 
+}  // namespace
+
 /// Finds out what one point left.
 class PointTally {
  public:
-  PointTally(const Scenario& scenario, int point, Results& results)
+  PointTally(const Scenario& scenario, int point)
       : point_(point),
-        results_(results),
         rocks_(group_names(scenario)),
         crossings_(scenario.gates.size(), scenario.barriers.size()),
         clearances_(scenario.clearances) {}
 
-  /// Rows of the first pass.
-  void see_first(const TrialRecords& chunk) {
+  /// Rows of the first pass; their faults go into `results`.
+  void see_first(const TrialRecords& chunk, Results& results) {
     result_.totals.add(chunk.totals);
     for (const RockRecord& rock : chunk.rocks) {
       if (result_.first_trial.empty() || rock.trial == result_.first_trial.front().trial) result_.first_trial.push_back(rock);
       if (!is_fault(rock.reason)) continue;
-      ++results_.fault_count;
-      if (results_.faults.size() < faults_kept)
-        results_.faults.push_back({point_, rock.trial, rock.rock, rock.reason, rock.fault});
+      ++results.fault_count;
+      if (results.faults.size() < faults_kept)
+        results.faults.push_back({point_, rock.trial, rock.rock, rock.reason, rock.fault});
     }
     see(chunk);
   }
@@ -56,12 +57,13 @@ class PointTally {
 
  private:
   int point_;
-  Results& results_;  ///< takes the faults
   PointResult result_;
   RockTally rocks_;
   CrossingTally crossings_;
   ClearanceTally clearances_;
 };
+
+namespace {
 
 std::vector<std::string> collect_warnings(const Plan& plan, const std::vector<PointResult>& points) {
   std::vector<std::string> warnings;
@@ -98,24 +100,34 @@ int Results::count(Judgement judgement) const {
                                         [&](const Verdict& verdict) { return verdict.judgement == judgement; }));
 }
 
-Results make_results(const Plan& plan, const std::vector<Rows>& rows, const RunFacts& facts, const SeePoint& see) {
-  Results results;
-  for (std::size_t p = 0; p < rows.size(); ++p) {
-    const int point = static_cast<int>(p);
-    PointTally tally(plan.points[p], point, results);
-    rows[p](Part::whole, [&](const TrialRecords& chunk) {
-      see(point, chunk);
-      tally.see_first(chunk);
-    });
-    if (tally.again()) read_in_passes(rows[p], tally);
-    results.points.push_back(tally.result());
-    results.points.back().trials = facts.trials.at(p);
+ResultTally::ResultTally(const Plan& plan) : plan_(plan) {
+  for (const Scenario& point : plan.points) tallies_.emplace_back(point, static_cast<int>(tallies_.size()));
+}
+
+ResultTally::~ResultTally() = default;
+
+void ResultTally::see(int point, const TrialRecords& chunk) {
+  tallies_.at(static_cast<std::size_t>(point)).see_first(chunk, results_);
+}
+
+Results ResultTally::finish(const std::vector<Rows>& rows, const RunFacts& facts) {
+  for (std::size_t p = 0; p < tallies_.size(); ++p) {
+    if (tallies_[p].again()) read_in_passes(rows.at(p), tallies_[p]);
+    results_.points.push_back(tallies_[p].result());
+    results_.points.back().trials = facts.trials.at(p);
   }
-  results.verdicts = judge(plan, results.points, facts.full && facts.ended_early.empty());
-  results.warnings = facts.warnings;
-  for (std::string& warning : collect_warnings(plan, results.points)) results.warnings.push_back(std::move(warning));
-  results.ended_early = facts.ended_early;
-  return results;
+  results_.verdicts = judge(plan_, results_.points, facts.full && facts.ended_early.empty());
+  results_.warnings = facts.warnings;
+  for (std::string& warning : collect_warnings(plan_, results_.points)) results_.warnings.push_back(std::move(warning));
+  results_.ended_early = facts.ended_early;
+  return std::move(results_);
+}
+
+Results make_results(const Plan& plan, const std::vector<Rows>& rows, const RunFacts& facts) {
+  ResultTally tally(plan);
+  for (std::size_t p = 0; p < rows.size(); ++p)
+    rows[p](Part::whole, [&](const TrialRecords& chunk) { tally.see(static_cast<int>(p), chunk); });
+  return tally.finish(rows, facts);
 }
 
 std::vector<std::string> laws_never_asked(const Plan& plan, const std::vector<PointResult>& points) {

@@ -1,7 +1,6 @@
 #pragma once
 // Everything that a run found out: what the tables, the report and the terminal show.
 
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,12 +41,27 @@ struct RunFacts {
   std::vector<std::string> warnings;  ///< of the scenario's reader
 };
 
-/// Shown the chunks of each point in order, with all their rows.
-using SeePoint = std::function<void(int point, const TrialRecords& chunk)>;
+class PointTally;
 
-/// `rows` of each point are read in passes; `see` shares the first one. Throws FileError where a chunk cannot be read.
-Results make_results(const Plan& plan, const std::vector<Rows>& rows, const RunFacts& facts,
-                     const SeePoint& see = [](int, const TrialRecords&) {});
+/// Finds out what a run left: in a first pass, which may be while it runs, and in further passes over the rows.
+class ResultTally {
+ public:
+  explicit ResultTally(const Plan& plan);
+  ~ResultTally();
+
+  /// The chunks of all points in order, with all their rows.
+  void see(int point, const TrialRecords& chunk);
+  /// The same chunks again. Throws FileError where one cannot be read.
+  Results finish(const std::vector<Rows>& rows, const RunFacts& facts);
+
+ private:
+  const Plan& plan_;
+  Results results_;
+  std::vector<PointTally> tallies_;
+};
+
+/// All passes at once, over the rows of each point.
+Results make_results(const Plan& plan, const std::vector<Rows>& rows, const RunFacts& facts);
 
 /// "material haul_floor: its restitution pfeiffer_bowen was never asked": laws that no contact of any point needed.
 std::vector<std::string> laws_never_asked(const Plan& plan, const std::vector<PointResult>& points);

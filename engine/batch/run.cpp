@@ -1,5 +1,7 @@
 #include "batch/run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -61,17 +63,20 @@ class Run {
     const std::filesystem::path path = options_.folder / chunk.file_name();
     if (!options_.resume || !std::filesystem::exists(path)) return false;
     std::string why;
-    const std::optional<TrialRecords> records = decode_chunk(read_file(path), chunk, options_.scenario_hash, Part::whole, why);
+    const std::optional<TrialRecords> records = read_chunk(path, chunk, options_.scenario_hash, Part::whole, why);
     if (!records) return false;
     const std::uint64_t failed = count_failed(*records);
     if ((failed > 0 || records->totals.quality.not_converged > 0) && queue_.may_end()) return false;
     queue_.judge(index, *records, 0);
-    const std::lock_guard lock(mutex_);
-    whole_[index] = 1;
-    outcome_.progress.done += chunk.count;
-    outcome_.progress.kept += chunk.count;
-    outcome_.failed += failed;
-    options_.report(outcome_.progress);
+    {
+      const std::lock_guard lock(mutex_);
+      whole_[index] = 1;
+      outcome_.progress.done += chunk.count;
+      outcome_.progress.kept += chunk.count;
+      outcome_.failed += failed;
+      options_.report(outcome_.progress);
+    }
+    show(index, *records);
     return true;
   }
 
@@ -96,12 +101,43 @@ class Run {
     write_file(options_.folder / chunk.file_name(), encode_chunk(chunk, options_.scenario_hash, records),
                Sync::no);
     const std::chrono::nanoseconds store_time = std::chrono::steady_clock::now() - start;
-    const std::lock_guard lock(mutex_);
-    outcome_.store_time += store_time.count();
-    chunks_[index] = chunk;
-    whole_[index] = 1;
-    outcome_.failed += count_failed(records);
-    outcome_.times.add(records.totals.times);
+    {
+      const std::lock_guard lock(mutex_);
+      outcome_.store_time += store_time.count();
+      chunks_[index] = chunk;
+      whole_[index] = 1;
+      outcome_.failed += count_failed(records);
+      outcome_.times.add(records.totals.times);
+    }
+    show(index, records);
+  }
+
+  /// Shows a chunk that has become whole, if it is the next, and those behind it that had to wait for it. No lock is
+  /// held meanwhile: other threads go on. Chunks that had to wait are read back, so that none is kept in memory.
+  void show(std::size_t index, const TrialRecords& records) {
+    std::unique_lock lock(mutex_);
+    if (showing_ || index != shown_) return;
+    showing_ = true;
+    std::optional<TrialRecords> waited;
+    while (shown_ < chunks_.size() && whole_[shown_] && shown_ <= queue_.end()) {
+      const ChunkRange chunk = chunks_[shown_];
+      lock.unlock();
+      const auto start = std::chrono::steady_clock::now();
+      if (shown_ != index) waited = read_back(chunk);
+      options_.see(chunk.point, waited ? *waited : records);
+      lock.lock();
+      outcome_.see_time += (std::chrono::steady_clock::now() - start).count();
+      ++shown_;
+    }
+    showing_ = false;
+  }
+
+  TrialRecords read_back(const ChunkRange& chunk) const {
+    const std::filesystem::path path = options_.folder / chunk.file_name();
+    std::string why;
+    std::optional<TrialRecords> records = read_chunk(path, chunk, options_.scenario_hash, Part::whole, why);
+    if (!records) throw FileError(fmt::format("{}: {}", path.string(), why));
+    return std::move(*records);
   }
 
   RunOutcome conclude() {
@@ -124,6 +160,8 @@ class Run {
   std::vector<char> whole_;         ///< not bool: threads write neighbours
   ChunkQueue queue_;
   std::mutex mutex_;  ///< of what follows, and of chunks_ and whole_
+  std::size_t shown_ = 0;  ///< chunks, from the first
+  bool showing_ = false;   ///< by some thread
   RunOutcome outcome_;
   std::exception_ptr error_;
   std::atomic<bool> interrupted_ = false;

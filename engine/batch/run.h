@@ -34,6 +34,8 @@ struct RunOptions {
   bool strict = false;            ///< end at the first rock that fails, at the first step that did not converge
   std::function<bool()> interrupted = [] { return false; };  ///< asked before each trial, by any thread
   std::function<void(const RunProgress&)> report = [](const RunProgress&) {};  ///< told after each trial, one at a time
+  /// Shown each chunk of the outcome in its order, while others run: by any thread, one at a time.
+  std::function<void(int point, const TrialRecords&)> see = [](int, const TrialRecords&) {};
 };
 
 enum class RunEnding {
@@ -50,6 +52,7 @@ struct RunOutcome {
   std::uint64_t failed = 0;        ///< rocks with faults
   PhaseTimes times;                ///< of the engine, all trials of this run together
   std::int64_t store_time = 0;     ///< ns for writing chunk files, all threads together
+  std::int64_t see_time = 0;       ///< ns for showing chunks
 };
 
 /// Runs `chunks` and leaves a file for each. The chunks of the outcome, and their bytes, are the same for any number

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 namespace flyrock {
@@ -76,27 +77,33 @@ void write_file(const std::filesystem::path& path, std::string_view bytes, Sync 
   file.commit();
 }
 
-std::string read_file(const std::filesystem::path& path) {
+FileReader::FileReader(std::filesystem::path path) : path_(std::move(path)) {
   std::error_code code;
-  if (std::filesystem::is_directory(path, code)) fail("read", path, EISDIR);
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) fail("read", path, errno);
-  std::string bytes;
-  std::size_t size = 0;
-  ssize_t count = 1;
-  while (count != 0) {
-    bytes.resize(std::max<std::size_t>(2 * size, 1 << 16));
-    count = ::read(file, bytes.data() + size, bytes.size() - size);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) {
-      const int failure = errno;
-      ::close(file);
-      fail("read", path, failure);
-    }
-    size += static_cast<std::size_t>(count);
+  if (std::filesystem::is_directory(path_, code)) fail("read", path_, EISDIR);
+  file_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file_ < 0) fail("read", path_, errno);
+}
+
+FileReader::~FileReader() { ::close(file_); }
+
+void FileReader::append_to(std::string& bytes, std::uint64_t count) {
+  constexpr std::uint64_t at_once = 1 << 20;  // a count may be damaged: what is not there takes no memory
+  while (count > 0) {
+    const std::size_t size = bytes.size();
+    const auto wanted = static_cast<std::size_t>(std::min(count, at_once));
+    bytes.resize(size + wanted);
+    const ssize_t read = ::read(file_, bytes.data() + size, wanted);
+    const int failure = errno;
+    bytes.resize(size + static_cast<std::size_t>(std::max<ssize_t>(read, 0)));
+    if (read == 0) return;
+    if (read > 0) count -= static_cast<std::uint64_t>(read);
+    else if (failure != EINTR) fail("read", path_, failure);
   }
-  ::close(file);
-  bytes.resize(size);
+}
+
+std::string read_file(const std::filesystem::path& path) {
+  std::string bytes;
+  FileReader(path).append_to(bytes, std::numeric_limits<std::uint64_t>::max());
   return bytes;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Files that are either whole or absent.
 
+#include <cstdint>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -49,6 +50,23 @@ void commit_file(const std::filesystem::path& path, Sync sync = Sync::yes);
 
 /// A FileWriter at once. Throws FileError.
 void write_file(const std::filesystem::path& path, std::string_view bytes, Sync sync = Sync::yes);
+
+/// A file that is read from its beginning on.
+class FileReader {
+ public:
+  /// Throws FileError.
+  explicit FileReader(std::filesystem::path path);
+  ~FileReader();
+  FileReader(const FileReader&) = delete;
+  FileReader& operator=(const FileReader&) = delete;
+
+  /// The next `count` bytes, fewer where the file ends before. Throws FileError.
+  void append_to(std::string& bytes, std::uint64_t count);
+
+ private:
+  std::filesystem::path path_;
+  int file_ = -1;
+};
 
 /// The bytes of a file. Throws FileError.
 std::string read_file(const std::filesystem::path& path);

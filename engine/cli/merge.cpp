@@ -36,15 +36,17 @@ std::string common_hash(const std::vector<std::string>& shards) {
 
 /// The chunks of a plan that the shards hold, in order.
 std::vector<ChunkFile> find_chunks(const std::vector<ChunkRange>& chunks, const std::vector<std::string>& shards) {
+  std::vector<std::shared_ptr<const fs::path>> folders;
+  for (const std::string& shard : shards) folders.push_back(std::make_shared<const fs::path>(fs::path(shard) / "chunks"));
   std::vector<ChunkFile> files;
   for (const ChunkRange& chunk : chunks) {
     const std::string* holder = nullptr;
-    for (const std::string& shard : shards) {
-      const fs::path file = fs::path(shard) / "chunks" / chunk.file_name();
-      if (!fs::exists(file)) continue;
-      if (holder) throw UsageError(fmt::format("{} and {} both hold {}: a shard given twice", *holder, shard, chunk.file_name()));
-      holder = &shard;
-      files.push_back({chunk, file});
+    for (std::size_t s = 0; s < shards.size(); ++s) {
+      const ChunkFile file{chunk, folders[s]};
+      if (!fs::exists(file.path())) continue;
+      if (holder) throw UsageError(fmt::format("{} and {} both hold {}: a shard given twice", *holder, shards[s], chunk.file_name()));
+      holder = &shards[s];
+      files.push_back(file);
     }
   }
   return files;
@@ -54,8 +56,8 @@ std::vector<ChunkFile> find_chunks(const std::vector<ChunkRange>& chunks, const 
 void check_whole(const std::vector<ChunkFile>& files, const std::string& hash) {
   for (const ChunkFile& file : files) {
     std::string why;
-    if (!decode_chunk(read_file(file.path), file.range, hash, Part::whole, why))
-      throw InputError(fmt::format("{} is not what a run wrote: {}; run its shard again with --resume", file.path.string(), why));
+    if (!read_chunk(file.path(), file.range, hash, Part::whole, why))
+      throw InputError(fmt::format("{} is not what a run wrote: {}; run its shard again with --resume", file.path().string(), why));
   }
 }
 
@@ -123,7 +125,11 @@ int merge(const Command& command, const Arguments& arguments) {
                        .warnings = loaded->warnings};
   RunLog log = start_log();
   log.kept = trials_in(found);
-  const Results results = folder.build(*loaded, files, facts, first_terrains(runners), log);
+  const std::vector<Rows> rows = rows_in(files, static_cast<int>(plan.points.size()), hash);
+  ResultWriter writer(folder.path(), *loaded);
+  for (std::size_t p = 0; p < rows.size(); ++p)
+    rows[p](Part::whole, [&](const TrialRecords& chunk) { writer.see(static_cast<int>(p), chunk); });
+  const Results results = folder.build(writer, rows, facts, first_terrains(runners), log);
   folder.tidy();
   print_faults(results);
   if (!line.has("quiet"))

@@ -8,9 +8,6 @@
 
 #include "batch/safe_file.h"
 #include "host/share.h"
-#include "report/database.h"
-#include "report/html.h"
-#include "report/report_data.h"
 
 namespace flyrock::cli {
 
@@ -102,26 +99,11 @@ void ResultFolder::open(const LoadedScenario& scenario, const Request& request) 
   }
 }
 
-Results ResultFolder::build(const LoadedScenario& scenario, const std::vector<ChunkFile>& files,
-                            const RunFacts& facts, std::vector<Profile> terrains, RunLog log) const {
+Results ResultFolder::build(ResultWriter& writer, const std::vector<Rows>& rows, const RunFacts& facts,
+                            std::vector<Profile> terrains, RunLog log) const {
   const auto start = std::chrono::steady_clock::now();
-  const Plan& plan = scenario.plan;
-  FileWriter csv(path_ / "rocks.csv");
-  csv.write(rocks_csv_header(plan));
-  ResultDatabase database(path_ / "results.db", plan);
-  const auto see = [&](int point, const TrialRecords& chunk) {
-    csv.write(rocks_csv_rows(plan, point, chunk.rocks));
-    database.add(point, chunk);
-  };
-  const std::vector<Rows> rows = rows_in(files, static_cast<int>(plan.points.size()), scenario.hash);
-  Results results = make_results(plan, rows, facts, see);
-  for (std::size_t p = 0; p < terrains.size(); ++p) results.points[p].terrain = std::move(terrains[p]);
-  csv.commit();
-  const nlohmann::ordered_json drawn = report_data(scenario, results, rows);
-  database.finish(results, drawn.dump());
-  write_file(path_ / "summary.json", summary_json(plan, results));
-  write_file(report(), report_html(drawn, fs::path(share_folder()) / "report"));
-  log.table_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  Results results = writer.finish(rows, facts, std::move(terrains), fs::path(share_folder()) / "report");
+  log.finish_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   struct rusage usage {};
   ::getrusage(RUSAGE_SELF, &usage);
   log.peak_memory = usage.ru_maxrss;

@@ -10,6 +10,7 @@
 #include "batch/folder_lock.h"
 #include "cli/command.h"
 #include "cli/request.h"
+#include "report/result_writer.h"
 #include "report/tables.h"
 
 namespace flyrock::cli {
@@ -33,13 +34,14 @@ class ResultFolder {
   /// Makes the folder and holds it, removes tables of an earlier run, and its chunks where they are not continued, and
   /// writes the manifest. Other files stay. Throws InputError where the folder cannot be written or held.
   void open(const LoadedScenario& scenario, const Request& request);
+  const std::filesystem::path& path() const { return path_; }
   std::filesystem::path chunks() const { return path_ / "chunks"; }
   /// Where steps that did not converge are kept.
   std::filesystem::path hard_problems() const { return path_ / "hard_problems"; }
   std::filesystem::path report() const { return path_ / "report.html"; }
 
-  /// Builds tables and report from chunk files, and times it. Throws FileError.
-  Results build(const LoadedScenario& scenario, const std::vector<ChunkFile>& files, const RunFacts& facts,
+  /// Finishes the tables and the report of what `writer` has seen, and logs it. Throws FileError.
+  Results build(ResultWriter& writer, const std::vector<Rows>& rows, const RunFacts& facts,
                 std::vector<Profile> terrains, RunLog log) const;
   /// Removes the chunks, once the results stand. Throws FileError.
   void tidy() const;

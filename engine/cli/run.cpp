@@ -82,7 +82,9 @@ struct Execution {
   RunLog log;
 };
 
-Execution execute(const Job& job, const LoadedScenario& loaded, Runners& runners, const ResultFolder& folder) {
+/// Runs the trials; `writer`, if any, sees them.
+Execution execute(const Job& job, const LoadedScenario& loaded, Runners& runners, const ResultFolder& folder,
+                  std::optional<ResultWriter>& writer) {
   RunOptions options{.folder = folder.chunks(),
                      .scenario_hash = loaded.hash,
                      .threads = job.threads,
@@ -96,6 +98,7 @@ Execution execute(const Job& job, const LoadedScenario& loaded, Runners& runners
   const auto start = std::chrono::steady_clock::now();
   ProgressBar bar(!job.quiet);
   options.report = [&](const RunProgress& progress) { bar.show(progress); };
+  if (writer) options.see = [&](int point, const TrialRecords& chunk) { writer->see(point, chunk); };
   execution.outcome =
       run_chunks(chunks, workers(loaded, runners, job.request.scenario, job.request.overrides, folder.hard_problems()), options);
   const RunProgress& progress = execution.outcome.progress;
@@ -105,6 +108,7 @@ Execution execute(const Job& job, const LoadedScenario& loaded, Runners& runners
   log.rocks = progress.rocks;
   log.times = execution.outcome.times;
   log.store_seconds = 1e-9 * static_cast<double>(execution.outcome.store_time) / log.threads;
+  log.table_seconds = 1e-9 * static_cast<double>(execution.outcome.see_time) / log.threads;
   return execution;
 }
 
@@ -167,7 +171,9 @@ std::string default_folder(const Job& job, const std::string& scenario) {
 int carry_out(const Job& job, const LoadedScenario& loaded, Runners& runners, const ResultFolder& folder) {
   const Plan& plan = loaded.plan;
   catch_interrupt();
-  const auto [outcome, log] = execute(job, loaded, runners, folder);
+  std::optional<ResultWriter> writer;
+  if (!job.shard) writer.emplace(folder.path(), loaded);
+  const auto [outcome, log] = execute(job, loaded, runners, folder, writer);
   if (outcome.ending == RunEnding::interrupted) {
     fmt::print(stderr, "interrupted after {} of {} trials; what was done is kept in {}, --resume goes on\n",
                trials_in(outcome.chunks), outcome.progress.total, folder.chunks().string());
@@ -179,8 +185,9 @@ int carry_out(const Job& job, const LoadedScenario& loaded, Runners& runners, co
                        .full = !job.only && plan.points.front().trials >= loaded.own_trials,
                        .ended_early = outcome.why,
                        .warnings = loaded.warnings};
-  const Results results =
-      folder.build(loaded, chunk_files(outcome.chunks, folder.chunks()), facts, first_terrains(runners), log);
+  const std::vector<Rows> rows =
+      rows_in(chunk_files(outcome.chunks, folder.chunks()), static_cast<int>(plan.points.size()), loaded.hash);
+  const Results results = folder.build(*writer, rows, facts, first_terrains(runners), log);
   folder.tidy();
   print_faults(results);
   if (!job.quiet) {

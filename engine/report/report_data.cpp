@@ -8,9 +8,7 @@
 #include "report/law_data.h"
 #include "report/rounded.h"
 #include "report/runout_data.h"
-#include "report/sensitivity.h"
 #include "report/summary_data.h"
-#include "report/tracks.h"
 
 namespace flyrock {
 
@@ -130,31 +128,45 @@ Json drawn_data(const Scenario& scenario) {
 
 }  // namespace
 
-Json report_data(const LoadedScenario& scenario, const Results& results, const std::vector<Rows>& rows) {
-  const Plan& plan = scenario.plan;
+ReportData::ReportData(const LoadedScenario& scenario) : scenario_(scenario) {
+  const std::vector<Scenario>& points = scenario.plan.points;
+  for (const Scenario& point : points) points_.push_back({Tracks(most_track_points / points.size(), point.dimension), {}});
+  sensitivity_.emplace(points.front());
+}
+
+void ReportData::close_point() {
+  points_[open_].sensitivity = sensitivity_->data();
+  if (++open_ < points_.size()) sensitivity_.emplace(scenario_.plan.points[open_]);
+}
+
+void ReportData::see(int point, const TrialRecords& chunk) {
+  while (open_ < static_cast<std::size_t>(point)) close_point();
+  points_[open_].tracks.measure(chunk);
+  sensitivity_->see(chunk);
+}
+
+Json ReportData::finish(const Results& results, const std::vector<Rows>& rows) {
+  const Plan& plan = scenario_.plan;
+  while (open_ < points_.size()) close_point();
   Json points = Json::array(), first_laws;
-  const std::size_t budget = most_track_points / results.points.size();
-  for (std::size_t p = 0; p < results.points.size(); ++p) {
+  for (std::size_t p = 0; p < points_.size(); ++p) {
     const PointResult& point = results.points[p];
-    Tracks tracks(budget, plan.points[p].dimension);
-    read_in_passes(rows[p], tracks, Part::paths);
+    rows[p](Part::paths, [&](const TrialRecords& chunk) { points_[p].tracks.see(chunk); });
     Runouts runouts(point.groups);
     read_in_passes(rows[p], runouts);
-    Sensitivity sensitivity(plan.points[p]);
-    rows[p](Part::whole, [&](const TrialRecords& chunk) { sensitivity.see(chunk); });
     const Json laws = law_data(plan.points[p], subject_of(results.points.front()));
     if (p == 0) first_laws = laws;
     points.push_back({{"terrain", terrain_data(point.terrain)},
-                      {"tracks", tracks.data()},
+                      {"tracks", points_[p].tracks.data()},
                       {"runout", runouts.distributions()},
                       {"convergence", runouts.convergence()},
                       {"envelopes", envelope_data(point)},
-                      {"sensitivity", sensitivity.data()},
+                      {"sensitivity", points_[p].sensitivity},
                       {"laws", p > 0 && laws == first_laws ? Json(nullptr) : laws},
                       {"bodies", bodies_data(plan.points[p], point.totals)}});
   }
   return {{"summary", summary_data(plan, results)},
-          {"source", source_data(scenario)},
+          {"source", source_data(scenario_)},
           {"scenario", to_yaml(plan.resolved)},
           {"groups", group_names(plan.points.front())},
           {"units", quantity_units},

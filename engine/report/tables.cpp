@@ -71,9 +71,9 @@ std::string run_log(const RunLog& log) {
   share("flight", t.flight), share("detect", t.detect), share("solve", t.solve), share("other", t.other);
   const auto wall = [&](std::string_view name, double seconds) {
     text += fmt::format("{:<8} {:.3f} s, {:.1f} % of the wall time\n", name, seconds,
-                        100 * seconds / (log.seconds + log.table_seconds));
+                        100 * seconds / (log.seconds + log.finish_seconds));
   };
-  wall("store", log.store_seconds), wall("tables", log.table_seconds);
+  wall("store", log.store_seconds), wall("tables", log.table_seconds + log.finish_seconds);
   text += fmt::format("memory   {:.1f} MB at most\n", static_cast<double>(log.peak_memory) / 1000);
   return text;
 }

@@ -36,7 +36,8 @@ struct RunLog {
   PhaseTimes times;
   double store_seconds = 0;             ///< of wall time, for the chunk files: those of all threads over their number
   long peak_memory = 0;                 ///< kB, of the process
-  double table_seconds = 0;             ///< of wall time, behind the last trial: tables and report
+  double table_seconds = 0;             ///< the same, for the tables that grow while trials run
+  double finish_seconds = 0;            ///< of wall time, behind the last trial: the rest of the tables, and the report
 };
 std::string run_log(const RunLog& log);
 

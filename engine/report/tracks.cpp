@@ -120,12 +120,13 @@ std::vector<Track> tracks_of(const std::vector<TrajectoryRecord>& rows) {
   return tracks;
 }
 
+void Tracks::measure(const TrialRecords& chunk) {
+  for (const TrajectoryRecord& row : chunk.trajectories) box_.extend(row.point.state.position);
+}
+
 void Tracks::see(const TrialRecords& chunk) {
-  if (pass_ == 0)
-    for (const TrajectoryRecord& row : chunk.trajectories) box_.extend(row.point.state.position);
-  if (pass_ == 1)
-    for (const Track& track : tracks_of(chunk.trajectories))
-      if (!cut_) add(track, chunk);
+  for (const Track& track : tracks_of(chunk.trajectories))
+    if (!cut_) add(track, chunk);
 }
 
 void Tracks::add(const Track& track, const TrialRecords& chunk) {

@@ -24,13 +24,13 @@ struct Track {
 std::vector<Track> tracks_of(const std::vector<TrajectoryRecord>& rows);
 
 /// The paths of whole rocks, as many as fit into a budget of points: each thinned, with time, speed and mode of travel.
-/// See read_in_passes().
+/// All chunks are measured first, then seen.
 class Tracks {
  public:
   Tracks(std::size_t budget, int dimension) : budget_(budget), dimension_(dimension) {}
 
+  void measure(const TrialRecords& chunk);
   void see(const TrialRecords& chunk);
-  bool again() { return ++pass_ < 2; }
 
   /// { list: [{ trial, rock, group, x, y, t, speed, modes, reason }], cut }: x, y and t as differences of thousandths,
   /// speed in thousandths; modes is how many points follow each other in a mode, by turns with the mode's number.
@@ -41,7 +41,6 @@ class Tracks {
 
   std::size_t budget_, points_ = 0;
   int dimension_;
-  int pass_ = 0;
   bool cut_ = false;
   Eigen::AlignedBox3d box_;  ///< of all paths: what a thinned path may depart is a share of it
   nlohmann::ordered_json list_ = nlohmann::ordered_json::array();

@@ -126,8 +126,8 @@ TEST_CASE("A thinned path keeps where it changes its mode of travel") {
     chunk.trajectories.push_back(row);
   }
   Tracks tracks(1000, 2);
-  do tracks.see(chunk);
-  while (tracks.again());
+  tracks.measure(chunk);
+  tracks.see(chunk);
   const auto data = tracks.data();
   REQUIRE(data["list"].size() == 1);
   CHECK(data["list"][0]["x"] == nlohmann::ordered_json::array({0, 10000, 10000}));

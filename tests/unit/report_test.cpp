@@ -25,7 +25,11 @@ Results results_of(const Plan& plan, std::uint64_t trials) {
 nlohmann::ordered_json data_of(const Plan& plan, std::uint64_t trials) {
   LoadedScenario scenario;
   scenario.plan = plan;
-  return report_data(scenario, results_of(plan, trials), fake::rows(trials, static_cast<int>(plan.points.size())));
+  const std::vector<Rows> rows = fake::rows(trials, static_cast<int>(plan.points.size()));
+  ReportData data(scenario);
+  for (std::size_t p = 0; p < rows.size(); ++p)
+    rows[p](Part::whole, [&](const TrialRecords& chunk) { data.see(static_cast<int>(p), chunk); });
+  return data.finish(results_of(plan, trials), rows);
 }
 
 RunoutData runouts(const std::vector<Bounded>& values, double greatest) {

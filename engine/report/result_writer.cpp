@@ -1,0 +1,37 @@
+#include "report/result_writer.h"
+
+#include "report/html.h"
+#include "report/tables.h"
+
+namespace flyrock {
+
+ResultWriter::ResultWriter(const std::filesystem::path& folder, const LoadedScenario& scenario)
+    : folder_(folder),
+      plan_(scenario.plan),
+      csv_(folder / "rocks.csv"),
+      database_(folder / "results.db", plan_),
+      tally_(plan_),
+      report_(scenario) {
+  csv_.write(rocks_csv_header(plan_));
+}
+
+void ResultWriter::see(int point, const TrialRecords& chunk) {
+  csv_.write(rocks_csv_rows(plan_, point, chunk.rocks));
+  database_.add(point, chunk);
+  tally_.see(point, chunk);
+  report_.see(point, chunk);
+}
+
+Results ResultWriter::finish(const std::vector<Rows>& rows, const RunFacts& facts, std::vector<Profile> terrains,
+                             const std::filesystem::path& assets) {
+  Results results = tally_.finish(rows, facts);
+  for (std::size_t p = 0; p < terrains.size(); ++p) results.points[p].terrain = std::move(terrains[p]);
+  const nlohmann::ordered_json drawn = report_.finish(results, rows);
+  csv_.commit();
+  database_.finish(results, drawn.dump());
+  write_file(folder_ / "summary.json", summary_json(plan_, results));
+  write_file(folder_ / "report.html", report_html(drawn, assets));
+  return results;
+}
+
+}  // namespace flyrock
