@@ -1,5 +1,7 @@
 #include "batch/envelope.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "batch/columns.h"
@@ -12,20 +14,24 @@ namespace {
 constexpr double least = 1e-3, ratio = 1.02;
 constexpr std::uint64_t most_codes = 4096;  // beyond any finite energy
 
-std::size_t code_of(double value) {
+std::uint32_t code_of(double value) {
   if (!(value >= least)) return 0;
   const double code = std::floor(std::log(value / least) / std::log(ratio)) + 1;
-  return static_cast<std::size_t>(std::min(code, static_cast<double>(most_codes - 1)));
+  return static_cast<std::uint32_t>(std::min(code, static_cast<double>(most_codes - 1)));
 }
 
 /// The middle of a code's values, on a logarithmic scale.
-double value_of(std::size_t code) {
+double value_of(std::uint32_t code) {
   return code == 0 ? 0 : least * std::pow(ratio, static_cast<double>(code) - 0.5);
 }
 
-void count(std::vector<std::uint32_t>& counts, std::size_t code, std::uint32_t times) {
-  if (code >= counts.size()) counts.resize(code + 1, 0);
-  counts[code] += times;
+void count(std::vector<CodeCount>& counts, const CodeCount& more) {
+  const auto at = std::lower_bound(counts.begin(), counts.end(), more.code,
+                                   [](const CodeCount& c, std::uint32_t code) { return c.code < code; });
+  if (at != counts.end() && at->code == more.code)
+    at->rocks += more.rocks;
+  else
+    counts.insert(at, more);
 }
 
 // Whole numbers of 7 bits a byte, the last byte without its highest bit (LEB128).
@@ -56,25 +62,22 @@ std::int64_t unfolded(std::uint64_t n) { return static_cast<std::int64_t>(n >> 1
 double envelope_width(const Profile& terrain) { return round_step((terrain.x_max() - terrain.x_min()) / 400); }
 
 double EnvelopeBin::quantile(EnvelopeQuantity quantity, double p) const {
-  const std::vector<std::uint32_t>& of = counts[static_cast<std::size_t>(quantity)];
+  const std::vector<CodeCount>& of = counts[static_cast<std::size_t>(quantity)];
   const double wanted = p * static_cast<double>(rocks());
   std::uint64_t seen = 0;
-  std::size_t code = 0;
-  for (; code < of.size(); ++code) {
-    seen += of[code];
-    if (seen > 0 && static_cast<double>(seen) >= wanted) break;
-  }
-  return value_of(code);
+  auto at = of.begin();
+  while (static_cast<double>(seen += at->rocks) < wanted) ++at;
+  return value_of(at->code);
 }
 
 std::uint64_t EnvelopeBin::rocks() const {
-  return std::accumulate(counts[0].begin(), counts[0].end(), std::uint64_t{0});
+  return std::accumulate(counts[0].begin(), counts[0].end(), std::uint64_t{0},
+                         [](std::uint64_t sum, const CodeCount& c) { return sum + c.rocks; });
 }
 
 void EnvelopeBin::add(const EnvelopeBin& other) {
   for (std::size_t q = 0; q < counts.size(); ++q)
-    for (std::size_t code = 0; code < other.counts[q].size(); ++code)
-      if (other.counts[q][code] > 0) count(counts[q], code, other.counts[q][code]);
+    for (const CodeCount& more : other.counts[q]) count(counts[q], more);
 }
 
 void Envelopes::add(int group, const PathBins& path) {
@@ -83,9 +86,9 @@ void Envelopes::add(int group, const PathBins& path) {
   for (std::size_t i = 0; i < path.bins().size(); ++i) {
     const PathBin& seen = path.bins()[i];
     auto& counts = bins[path.first() + static_cast<std::int64_t>(i)].counts;
-    count(counts[0], code_of(seen.height), 1);
-    count(counts[1], code_of(seen.speed), 1);
-    count(counts[2], code_of(seen.energy), 1);
+    count(counts[0], {code_of(seen.height), 1});
+    count(counts[1], {code_of(seen.speed), 1});
+    count(counts[2], {code_of(seen.energy), 1});
   }
 }
 
@@ -115,12 +118,12 @@ std::string Envelopes::bytes() const {
     put(bytes, bins.size());
     for (const auto& [bin, envelope] : bins) {
       put(bytes, folded(bin));
-      for (const std::vector<std::uint32_t>& counts : envelope.counts) {
-        put(bytes, static_cast<std::uint64_t>(std::count_if(counts.begin(), counts.end(), [](auto n) { return n > 0; })));
-        for (std::size_t code = 0, before = 0; code < counts.size(); ++code) {
-          if (counts[code] == 0) continue;
+      for (const std::vector<CodeCount>& counts : envelope.counts) {
+        put(bytes, counts.size());
+        std::uint32_t before = 0;
+        for (const auto& [code, rocks] : counts) {
           put(bytes, code - before);
-          put(bytes, counts[code]);
+          put(bytes, rocks);
           before = code;
         }
       }
@@ -135,12 +138,12 @@ Envelopes Envelopes::read(std::string_view bytes) {
     auto& bins = envelopes.groups_[static_cast<int>(take(bytes))];
     for (std::uint64_t n = take(bytes); n > 0; --n) {
       EnvelopeBin& bin = bins[unfolded(take(bytes))];
-      for (std::vector<std::uint32_t>& counts : bin.counts) {
+      for (std::vector<CodeCount>& counts : bin.counts) {
         std::uint64_t code = 0;
         for (std::uint64_t entries = take(bytes); entries > 0; --entries) {
           code += take(bytes);
           if (code >= most_codes) throw ColumnError("a code of the envelopes is too great");
-          count(counts, code, static_cast<std::uint32_t>(take(bytes)));
+          count(counts, {static_cast<std::uint32_t>(code), static_cast<std::uint32_t>(take(bytes))});
         }
       }
     }

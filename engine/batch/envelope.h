@@ -25,9 +25,14 @@ inline constexpr std::array<std::string_view, 3> envelope_quantity_names = {"hei
 /// taken from the terrain of trial 0, so that all chunks of a point have the same bins.
 double envelope_width(const Profile& terrain);
 
+/// How many rocks had a value of this code.
+struct CodeCount {
+  std::uint32_t code = 0, rocks = 0;
+};
+
 /// The rocks of one group that visited one bin.
 struct EnvelopeBin {
-  std::array<std::vector<std::uint32_t>, 3> counts;  ///< [EnvelopeQuantity][code]
+  std::array<std::vector<CodeCount>, 3> counts;  ///< [EnvelopeQuantity], in the order of their codes, those that occur
 
   /// The least value that at least a share p of the rocks does not exceed, to 1 %; the bin is not empty.
   double quantile(EnvelopeQuantity quantity, double p) const;

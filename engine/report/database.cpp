@@ -124,6 +124,8 @@ void ResultDatabase::add(int point, const TrialRecords& records) {
   }
 }
 
+void ResultDatabase::index() { file_.execute(indices); }
+
 void ResultDatabase::finish(const Results& results, const std::string& report) {
   {
     Insertion(file_, insert_into("report", 1)).row(report);
@@ -135,7 +137,6 @@ void ResultDatabase::finish(const Results& results, const std::string& report) {
     }
     add_expectations(file_, results);
   }
-  file_.execute(indices);
   insertions_.reset();  // a statement holds its file open
   file_.commit();
 }

@@ -19,7 +19,10 @@ class ResultDatabase {
   /// The rows of a chunk of one point; chunks come in order.
   void add(int point, const TrialRecords& records);
 
-  /// Points, terrain parts and expectations, and `report`, the data of the page; then the indices. The file gets its name.
+  /// Behind the last chunk: the indices of its rows. They take a while, and other work can be done beside them.
+  void index();
+
+  /// Points, terrain parts and expectations, and `report`, the data of the page. The file gets its name.
   void finish(const Results& results, const std::string& report);
 
  private:

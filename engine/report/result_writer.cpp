@@ -1,5 +1,7 @@
 #include "report/result_writer.h"
 
+#include <future>
+
 #include "report/html.h"
 #include "report/tables.h"
 
@@ -24,10 +26,12 @@ void ResultWriter::see(int point, const TrialRecords& chunk) {
 
 Results ResultWriter::finish(const std::vector<Rows>& rows, const RunFacts& facts, std::vector<Profile> terrains,
                              const std::filesystem::path& assets) {
+  std::future<void> index = std::async(std::launch::async, [&] { database_.index(); });
   Results results = tally_.finish(rows, facts);
   for (std::size_t p = 0; p < terrains.size(); ++p) results.points[p].terrain = std::move(terrains[p]);
   const nlohmann::ordered_json drawn = report_.finish(results, rows);
   csv_.commit();
+  index.get();
   database_.finish(results, drawn.dump());
   write_file(folder_ / "summary.json", summary_json(plan_, results));
   write_file(folder_ / "report.html", report_html(drawn, assets));
