@@ -6,6 +6,7 @@
 
 #include "batch/safe_file.h"
 #include "math/space.h"
+#include "report/envelope_data.h"
 #include "report/tables.h"
 
 namespace flyrock {
@@ -16,6 +17,7 @@ constexpr const char* schema = R"(
 CREATE TABLE points (point INTEGER PRIMARY KEY, trials INTEGER);
 CREATE TABLE sweep (point INTEGER, path TEXT, value REAL);
 CREATE TABLE parts (point INTEGER, part INTEGER, name TEXT);
+CREATE TABLE ground (point INTEGER, x_m REAL, y_m REAL, z_m REAL, part INTEGER);
 CREATE TABLE rocks (point INTEGER, trial INTEGER, rock INTEGER, "group" TEXT, mass_kg REAL, volume_m3 REAL,
   launch_speed_m_s REAL, launch_elevation_deg REAL, stop_reason TEXT, censored INTEGER, runout_m REAL,
   max_distance_m REAL, stop_x_m REAL, stop_y_m REAL, stop_z_m REAL, flight_range_m REAL, bounce_height_m REAL,
@@ -34,6 +36,9 @@ CREATE TABLE gates (point INTEGER, trial INTEGER, rock INTEGER, gate TEXT, time_
   height_m REAL);
 CREATE TABLE barriers (point INTEGER, trial INTEGER, rock INTEGER, barrier TEXT, outcome TEXT, time_s REAL,
   speed_m_s REAL, energy_J REAL, height_m REAL);
+CREATE TABLE envelopes (point INTEGER, "group" TEXT, x_m REAL, width_m REAL, rocks INTEGER, height_p50_m REAL,
+  height_p95_m REAL, height_max_m REAL, speed_p50_m_s REAL, speed_p95_m_s REAL, speed_max_m_s REAL, energy_p50_J REAL,
+  energy_p95_J REAL, energy_max_J REAL);
 CREATE TABLE report (data TEXT);
 CREATE TABLE expectations (number INTEGER, measure TEXT, point INTEGER, computed REAL, kind TEXT, expected REAL,
   expected_high REAL, tolerance REAL, passed INTEGER, reason TEXT);
@@ -68,6 +73,33 @@ void add_expectations(const SqliteFile& file, const Results& results) {
              kinds[static_cast<int>(v.expectation.kind)], v.expectation.value, between ? v.expectation.high : none,
              v.tolerance, v.judgement == Judgement::not_judged ? none : double(v.judgement == Judgement::passed),
              v.reason);
+  }
+}
+
+void add_ground(const SqliteFile& file, const Plan& plan, const Results& results) {
+  Insertion rows(file, insert_into("ground", 5));
+  for (std::size_t p = 0; p < results.points.size(); ++p) {
+    const Profile& ground = results.points[p].terrain;
+    const bool space = plan.points[p].dimension == 3;
+    for (std::size_t i = 0; i < ground.points.size(); ++i) {
+      const double height = ground.points[i].y();
+      // The last point has no segment behind it.
+      const double part = i < ground.part.size() ? ground.part[i] : std::numeric_limits<double>::quiet_NaN();
+      rows.row(p, ground.points[i].x(), space ? 0 : height, space ? height : 0, part);
+    }
+  }
+}
+
+void add_envelopes(const SqliteFile& file, const Results& results) {
+  Insertion rows(file, insert_into("envelopes", 14));
+  for (std::size_t p = 0; p < results.points.size(); ++p) {
+    const std::vector<std::vector<EnvelopeRow>> groups = envelope_rows(results.points[p]);
+    for (std::size_t g = 0; g < groups.size(); ++g)
+      for (const EnvelopeRow& row : groups[g]) {
+        const auto& [height, speed, energy] = row.levels;
+        rows.row(p, results.points[p].groups[g].name, row.x, envelope_width(results.points[p]), row.rocks, height[0],
+                 height[1], height[2], speed[0], speed[1], speed[2], energy[0], energy[1], energy[2]);
+      }
   }
 }
 
@@ -135,6 +167,8 @@ void ResultDatabase::finish(const Results& results, const std::string& report) {
       const std::vector<std::string>& names = results.points[p].terrain.parts;
       for (std::size_t part = 0; part < names.size(); ++part) parts.row(p, part, names[part]);
     }
+    add_ground(file_, plan_, results);
+    add_envelopes(file_, results);
     add_expectations(file_, results);
   }
   insertions_.reset();  // a statement holds its file open

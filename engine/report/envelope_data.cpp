@@ -8,19 +8,32 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json group_data(const std::map<std::int64_t, EnvelopeBin>& bins, double width) {
+std::vector<EnvelopeRow> rows_of_group(const std::map<std::int64_t, EnvelopeBin>& bins, double width) {
+  std::vector<EnvelopeRow> rows;
+  for (const auto& [number, bin] : bins) {
+    EnvelopeRow& row = rows.emplace_back();
+    row.x = static_cast<double>(number) * width;
+    row.rocks = bin.rocks();
+    for (std::size_t q = 0; q < row.levels.size(); ++q)
+      for (std::size_t level = 0; level < envelope_levels.size(); ++level)
+        row.levels[q][level] = bin.quantile(static_cast<EnvelopeQuantity>(q), envelope_levels[level].second);
+  }
+  return rows;
+}
+
+Json group_data(const std::vector<EnvelopeRow>& rows) {
   Json x = Json::array(), count = Json::array();
-  for (const auto& [bin, envelope] : bins) {
-    x.push_back(rounded(static_cast<double>(bin) * width));
-    count.push_back(envelope.rocks());
+  for (const EnvelopeRow& row : rows) {
+    x.push_back(rounded(row.x));
+    count.push_back(row.rocks);
   }
   Json data = {{"x", x}, {"count", count}};
   for (std::size_t q = 0; q < envelope_quantity_names.size(); ++q) {
     Json& quantity = data[std::string(envelope_quantity_names[q])];
-    for (const auto& [name, p] : {std::pair("p50", 0.5), std::pair("p95", 0.95), std::pair("max", 1.0)}) {
+    for (std::size_t level = 0; level < envelope_levels.size(); ++level) {
       Json values = Json::array();
-      for (const auto& [bin, envelope] : bins) values.push_back(rounded(envelope.quantile(static_cast<EnvelopeQuantity>(q), p)));
-      quantity[name] = values;
+      for (const EnvelopeRow& row : rows) values.push_back(rounded(row.levels[q][level]));
+      quantity[envelope_levels[level].first] = values;
     }
   }
   return data;
@@ -28,13 +41,23 @@ Json group_data(const std::map<std::int64_t, EnvelopeBin>& bins, double width) {
 
 }  // namespace
 
-Json envelope_data(const PointResult& point) {
+double envelope_width(const PointResult& point) {
+  return point.terrain.points.empty() ? 0 : envelope_width(point.terrain);
+}
+
+std::vector<std::vector<EnvelopeRow>> envelope_rows(const PointResult& point) {
   const Envelopes& envelopes = point.totals.envelopes;
-  const double width = point.terrain.points.empty() ? 0 : envelope_width(point.terrain);
-  Json groups = Json::array({group_data(envelopes.of_all(), width)});
+  const double width = envelope_width(point);
+  std::vector<std::vector<EnvelopeRow>> groups = {rows_of_group(envelopes.of_all(), width)};
   for (std::size_t g = 1; g < point.groups.size(); ++g)
-    groups.push_back(group_data(envelopes.of_group(static_cast<int>(g) - 1), width));
-  return {{"width", width}, {"groups", groups}};
+    groups.push_back(rows_of_group(envelopes.of_group(static_cast<int>(g) - 1), width));
+  return groups;
+}
+
+Json envelope_data(const PointResult& point) {
+  Json groups = Json::array();
+  for (const std::vector<EnvelopeRow>& rows : envelope_rows(point)) groups.push_back(group_data(rows));
+  return {{"width", envelope_width(point)}, {"groups", groups}};
 }
 
 }  // namespace flyrock

@@ -18,16 +18,18 @@ struct Table {
   const char* rows;
 };
 
-constexpr std::array<Table, 10> tables = {{
+constexpr std::array<Table, 12> tables = {{
     {"points", "SELECT * FROM points ORDER BY rowid"},
     {"sweep", "SELECT * FROM sweep ORDER BY rowid"},
     {"parts", "SELECT * FROM parts ORDER BY rowid"},
+    {"ground", "SELECT * FROM ground ORDER BY rowid"},
     {"rocks", "SELECT * FROM rocks ORDER BY rowid"},
     {"inputs", "SELECT point, trial, rock, path, value FROM drawn JOIN draws USING (draw) ORDER BY drawn.rowid"},
     {"impacts", "SELECT * FROM impacts ORDER BY rowid"},
     {"trajectories", "SELECT * FROM trajectories ORDER BY rowid"},
     {"gates", "SELECT * FROM gates ORDER BY rowid"},
     {"barriers", "SELECT * FROM barriers ORDER BY rowid"},
+    {"envelopes", "SELECT * FROM envelopes ORDER BY rowid"},
     {"expectations", "SELECT * FROM expectations ORDER BY rowid"},
 }};
 

@@ -123,6 +123,25 @@ void write_series(const fs::path& index, const std::vector<Path>& paths) {
   write_pvd(index, series);
 }
 
+/// A line a segment, so that each can tell its part.
+void write_ground(const fs::path& file, const SqliteReader& database, std::int64_t point) {
+  Query row(database, fmt::format("SELECT x_m, y_m, z_m, part FROM ground WHERE point = {} ORDER BY rowid", point));
+  VtkPoints lines;
+  VtkArray parts{"part", {}};
+  Vec3 before = Vec3::Zero();
+  for (bool first = true; row.next(); first = false) {
+    const Vec3 place(row.real(0), row.real(1), row.real(2));
+    if (!first) {
+      lines.points.insert(lines.points.end(), {before, place});
+      lines.line_ends.push_back(lines.points.size());
+    }
+    if (row.type(3) != SQLITE_NULL) parts.values.push_back(row.real(3));
+    before = place;
+  }
+  lines.of_cells = {std::move(parts)};
+  write_vtp(file, lines);
+}
+
 }  // namespace
 
 std::vector<fs::path> export_vtk(const fs::path& results, const fs::path& folder) {
@@ -140,6 +159,8 @@ std::vector<fs::path> export_vtk(const fs::path& results, const fs::path& folder
     write_lines(files.back(), paths);
     files.push_back(folder / fmt::format("rocks-p{}.pvd", point));
     write_series(files.back(), paths);
+    files.push_back(folder / fmt::format("ground-p{}.vtp", point));
+    write_ground(files.back(), database, point);
   }
   return files;
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <ctime>
 #include <lua.hpp>
@@ -31,8 +33,8 @@ std::string spend(Budget& budget, double instructions) {
     budget.processor_start = processor_time();
   }
   // A busy machine is no fault of the plugin; the time of the processor takes longer to ask for, so it comes second.
-  if (now - budget.start > Budget::time_limit && processor_time() - budget.processor_start > Budget::time_limit)
-    return fmt::format("ran for more than {} s", Budget::time_limit.count());
+  if (now - budget.start > budget.time_limit && processor_time() - budget.processor_start > budget.time_limit)
+    return fmt::format("ran for more than {} s", std::chrono::duration<double>(budget.time_limit).count());
   return {};
 }
 
@@ -56,6 +58,7 @@ const char* refusal(const Budget& budget, bool text, std::size_t more, std::size
 
 void Budget::arm(double instructions) {
   limit = left = instructions;
+  time_limit = std::min<std::chrono::nanoseconds>(static_cast<std::int64_t>(instructions) * instruction_time, longest_time);
   timed = false;
   refused = "";
   exceeded.clear();

@@ -23,7 +23,7 @@ template <class Kind>
 class LuaLaw : public Kind {
  public:
   LuaLaw(std::shared_ptr<const LuaPlugin> plugin, Params& params)
-      : call_(std::move(plugin), params, contact_and_history) {}
+      : call_(std::move(plugin), params, contact_and_history, Budget::law_limit) {}
   bool constant() const override { return call_.plugin().only_parameters; }
   std::string origin() const override { return call_.plugin().origin; }
 

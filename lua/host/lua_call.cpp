@@ -112,8 +112,8 @@ std::vector<int> LuaParameters::references() const {
 }
 
 LuaCall::LuaCall(std::shared_ptr<const LuaPlugin> plugin, Params& params,
-                 std::vector<View> (*make_views)(lua_State*, const PluginSpec&))
-    : plugin_(std::move(plugin)) {
+                 std::vector<View> (*make_views)(lua_State*, const PluginSpec&), double instructions)
+    : plugin_(std::move(plugin)), instructions_(instructions) {
   try {
     plugin_->state->run(Budget::load_limit, [&](lua_State* lua) {
       parameters_ = std::make_unique<LuaParameters>(lua, plugin_->spec, params);
@@ -146,7 +146,7 @@ void LuaCall::call(lua_State* lua, Values values, std::initializer_list<const vo
 }
 
 void LuaCall::end_failed(const LuaError& error) const {
-  plugin_->state->run(Budget::call_limit, [&](lua_State* lua) { outer_->restore(lua); });
+  plugin_->state->run(instructions_, [&](lua_State* lua) { outer_->restore(lua); });
   rethrow(error);
 }
 

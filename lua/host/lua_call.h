@@ -51,9 +51,9 @@ class LuaParameters {
 /// An entry function that is ready to be called. Belongs to one thread.
 class LuaCall {
  public:
-  /// `make_views` returns what the function is passed after p, in order.
+  /// `make_views` returns what the function is passed after p, in order; a call may use `instructions`.
   LuaCall(std::shared_ptr<const LuaPlugin> plugin, Params& params,
-          std::vector<View> (*make_views)(lua_State*, const PluginSpec&));
+          std::vector<View> (*make_views)(lua_State*, const PluginSpec&), double instructions);
   ~LuaCall();
   LuaCall(const LuaCall&) = delete;
   LuaCall& operator=(const LuaCall&) = delete;
@@ -65,7 +65,7 @@ class LuaCall {
   template <class Read>
   void operator()(Values values, std::initializer_list<const void*> objects, int results, Read&& read) const {
     try {
-      plugin_->state->run(Budget::call_limit, [&](lua_State* lua) {
+      plugin_->state->run(instructions_, [&](lua_State* lua) {
         call(lua, values, objects, results);
         read(lua);
       });
@@ -85,6 +85,7 @@ class LuaCall {
   [[noreturn]] void rethrow(const LuaError& error) const;
 
   std::shared_ptr<const LuaPlugin> plugin_;
+  double instructions_;
   mutable std::unique_ptr<LuaParameters> parameters_;  // the state of the interpreter, not of the law
   mutable std::vector<View> views_;
   std::unique_ptr<OuterLocals> outer_;

@@ -30,7 +30,7 @@ Value ask(const LuaCall& call, Values values, std::initializer_list<const void*>
 class LuaShape : public ShapeModel {
  public:
   LuaShape(std::shared_ptr<const LuaPlugin> plugin, Params& params)
-      : call_(std::move(plugin), params, random_only) {
+      : call_(std::move(plugin), params, random_only, Budget::call_limit) {
     params.require_dimension(2);
   }
   std::vector<Contactor2> build(Values values, RandomStream& rng) const override {
@@ -44,7 +44,7 @@ class LuaShape : public ShapeModel {
 class LuaTerrain : public TerrainModel {
  public:
   LuaTerrain(std::shared_ptr<const LuaPlugin> plugin, Params& params)
-      : call_(std::move(plugin), params, random_only) {
+      : call_(std::move(plugin), params, random_only, Budget::call_limit) {
     params.require_dimension(2);
   }
   Profile build(Values values, RandomStream& rng) const override {
@@ -58,7 +58,7 @@ class LuaTerrain : public TerrainModel {
 class LuaPopulation : public Population {
  public:
   LuaPopulation(std::shared_ptr<const LuaPlugin> plugin, Params& params)
-      : call_(std::move(plugin), params, terrain_blast_random) {
+      : call_(std::move(plugin), params, terrain_blast_random, Budget::call_limit) {
     params.require_dimension(2);
   }
   std::vector<RockPlan> rocks(Values values, const Profile& terrain, const Blast& blast,
@@ -73,7 +73,7 @@ class LuaPopulation : public Population {
 class LuaVelocity : public VelocityModel {
  public:
   LuaVelocity(std::shared_ptr<const LuaPlugin> plugin, Params& params)
-      : call_(std::move(plugin), params, rock_blast_random) {}
+      : call_(std::move(plugin), params, rock_blast_random, Budget::call_limit) {}
   Launch launch(Values values, const RockView& rock, const Blast& blast, RandomStream& rng) const override {
     return read_launch(call_, ask(call_, values, {&rock, &blast, &rng}), rock.dimension);
   }

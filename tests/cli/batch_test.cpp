@@ -70,6 +70,21 @@ TEST_CASE("A run that is killed at any moment and resumed gives the same bytes",
   CHECK(again.out.find("nothing to do, all trials are done") == 0);
 }
 
+TEST_CASE("A million rocks take no more memory than ten thousand", "[heavy]") {
+  const Folder folder;
+  const auto peak = [&](const std::string& trials) {  // MB
+    REQUIRE(call(folder, "run " FLYROCK_SOURCE_DIR "/tests/bench/many.yaml --quiet --force -j2 -o r --trials " + trials).code == 0);
+    const std::string log = read(folder.path() / "r/run.log");
+    return std::stod(log.substr(log.find("memory") + 6));
+  };
+  const double few = peak("10000"), many = peak("1000000");
+  WARN("at most " << few << " MB for ten thousand rocks, " << many << " MB for a million");
+  // Chunks grow from 100 to 250 trials and the list of chunks to 4000: some 2 MB. A byte kept of each rock would be 1 MB,
+  // a double of each 8 MB.
+  CHECK(many - few < 4);
+  CHECK(many < 40);
+}
+
 TEST_CASE("An interrupted run is resumed") {
   const Folder folder;
   folder.write("s.yaml", bench);

@@ -24,11 +24,11 @@ struct Opened {
   double seconds = 0;   ///< with the start of the browser
 };
 
-Opened open_report(const Folder& folder, const std::string& result) {
+Opened open_page(const Folder& folder, const fs::path& opened) {
   const fs::path page = folder.path() / ".page", log = folder.path() / ".log";
   const std::string line = "timeout 120 chromium --headless --no-sandbox --disable-gpu --enable-logging=stderr --user-data-dir='" +
                            (folder.path() / ".browser").string() + "' --dump-dom 'file://" +
-                           (folder.path() / result / "report.html").string() + "' >'" + page.string() + "' 2>'" + log.string() + "'";
+                           opened.string() + "' >'" + page.string() + "' 2>'" + log.string() + "'";
   const auto start = std::chrono::steady_clock::now();
   const int status = std::system(line.c_str());
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -40,9 +40,11 @@ Opened open_report(const Folder& folder, const std::string& result) {
   return {read(page), console, seconds};
 }
 
-/// Every section's plot holds a picture, and the browser complained of nothing. At least `plots` of them.
-void check_drawn(const Folder& folder, const std::string& result, std::size_t plots) {
-  const Opened report = open_report(folder, result);
+/// Every section's plot holds a picture, and the browser complained of nothing. At least `plots` of them. Returns the
+/// seconds that the page took, without the start of the browser.
+double check_drawn(const Folder& folder, const std::string& result, std::size_t plots) {
+  const double start = open_page(folder, folder.path() / folder.write("empty.html", "<!DOCTYPE html><title>Empty</title>")).seconds;
+  const Opened report = open_page(folder, folder.path() / result / "report.html");
   CHECK(report.console == "");
   const std::size_t drawn = count(report.page, "<div class=\"plot js-plotly-plot\"");
   CHECK(drawn >= plots);
@@ -50,7 +52,8 @@ void check_drawn(const Folder& folder, const std::string& result, std::size_t pl
   CHECK(count(report.page, "class=\"plot-container plotly\"") == drawn);
   // The last section stands: no script ended before.
   CHECK(report.page.find("<h2>How to reproduce this</h2>") != std::string::npos);
-  WARN(result << ": " << drawn << " plots, " << report.seconds << " s with the start of the browser");
+  WARN(result << ": " << drawn << " plots, " << report.seconds - start << " s behind the " << start << " s of an empty page");
+  return report.seconds - start;
 }
 
 }  // namespace
@@ -63,7 +66,8 @@ TEST_CASE("A browser draws every plot of a report and complains of nothing", "[s
   const Folder folder;
   const std::string scenario = "run " FLYROCK_SOURCE_DIR "/scenarios/ninh_dan/benches_2d.yaml --quiet ";
   REQUIRE(call(folder, scenario + "-o one").code == 0);  // its 1000 trials
-  check_drawn(folder, "one", 6);
+  // Under 3 s on a machine that has nothing else to do: the machine of the tests has, which may take five times as long.
+  CHECK(check_drawn(folder, "one", 6) < 15);
   CHECK(fs::file_size(folder.path() / "one/report.html") < 10'000'000);
   REQUIRE(call(folder, scenario + "-o sweep --trials 50 --set terrain.berm=\"{ sweep: [6 m, 8 m, 10 m] }\" "
                                   "--set materials.haul_floor.friction=\"{ type: coulomb, mu: { sweep: [0.4, 0.5, 0.6, 0.7] } }\"").code == 0);

@@ -43,6 +43,14 @@ TEST_CASE("The database holds what the other tables hold, and every drawn number
                   "FROM impacts i WHERE i.point = rocks.point AND i.trial = rocks.trial AND i.rock = rocks.rock)")
             .empty());
   CHECK(query(db, "SELECT count(DISTINCT trial) FROM trajectories") == std::vector<std::string>{"4"});
+  // Envelopes: every rock passes the place where it starts, and somewhere the fastest is the fastest of all, to 1 %.
+  CHECK(query(db, "SELECT DISTINCT rocks FROM envelopes WHERE x_m <= 0 AND x_m + width_m > 0") == std::vector<std::string>{"4"});
+  CHECK(query(db, "SELECT point, abs(max(speed_max_m_s) / (SELECT max(max_speed_m_s) FROM rocks r WHERE r.point = e.point) - 1) < 0.011, "
+                  "abs(max(energy_max_J) / (SELECT max(max_energy_J) FROM rocks r WHERE r.point = e.point) - 1) < 0.011, "
+                  "min(height_p50_m <= height_p95_m AND height_p95_m <= height_max_m) FROM envelopes e GROUP BY point") ==
+        std::vector<std::string>{"0|1|1|1", "1|1|1|1"});
+  CHECK(query(db, "SELECT x_m, y_m, z_m, part FROM ground WHERE point = 1") ==
+        std::vector<std::string>{"-20.0|10.0|0.0|0", "0.0|10.0|0.0|0", "3.0|0.0|0.0|0", "300.0|0.0|0.0|NULL"});
   CHECK(query(db, "SELECT number, point, kind, passed FROM expectations") ==
         std::vector<std::string>{"0|0|equals|1", "1|1|equals|1", "2|0|below|0", "3|1|below|0"});
 }

@@ -76,7 +76,11 @@ TEST_CASE("Trajectories are exported for ParaView") {
   const Output vtk = call(folder, "export r --to vtk");
   INFO(vtk.err);
   REQUIRE(vtk.code == 0);
-  CHECK(vtk.out == "r/vtk/trajectories-p0.vtp\nr/vtk/rocks-p0.pvd\nr/vtk/trajectories-p1.vtp\nr/vtk/rocks-p1.pvd\n");
+  CHECK(vtk.out == "r/vtk/trajectories-p0.vtp\nr/vtk/rocks-p0.pvd\nr/vtk/ground-p0.vtp\n"
+                   "r/vtk/trajectories-p1.vtp\nr/vtk/rocks-p1.pvd\nr/vtk/ground-p1.vtp\n");
+  const std::string ground = read(folder.path() / "r/vtk/ground-p1.vtp");
+  CHECK(ground.find("NumberOfPoints=\"6\" NumberOfVerts=\"0\" NumberOfLines=\"3\"") != std::string::npos);
+  CHECK(ground.find("-20 10 0\n0 10 0\n0 10 0\n3 0 0\n3 0 0\n300 0 0\n") != std::string::npos);
   const std::string lines = read(folder.path() / "r/vtk/trajectories-p1.vtp");
   const std::string points = query(folder.path() / "r/results.db", "SELECT count(*) FROM trajectories WHERE point = 1")[0];
   CHECK(lines.find("NumberOfPoints=\"" + points + "\" NumberOfVerts=\"0\" NumberOfLines=\"4\"") != std::string::npos);

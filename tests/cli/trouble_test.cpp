@@ -4,6 +4,7 @@
 #include <sys/file.h>
 
 #include <algorithm>
+#include <regex>
 
 #include "same_result.h"
 
@@ -75,11 +76,11 @@ TEST_CASE("A result of an older format is neither read nor gone on with") {
   folder.write("s.yaml", bench);
   REQUIRE(call(folder, "run s.yaml --quiet -o r").code == 0);
   std::string manifest = read(folder.path() / "r/manifest.json");
-  const std::size_t at = manifest.find("\"format\": 2");
+  const std::size_t at = manifest.find("\"format\": 3");
   REQUIRE(at != std::string::npos);
-  folder.write("r/manifest.json", manifest.replace(at, 11, "\"format\": 1"));
+  folder.write("r/manifest.json", manifest.replace(at, 11, "\"format\": 2"));
   for (const char* command : {"report r", "export r --to csv", "merge r -o m", "run s.yaml --resume -o r"})
-    check_refused(folder, command, "error: r was written by flyrock 0.1.0 in format 1, this one has format 2: run the "
+    check_refused(folder, command, "error: r was written by flyrock 0.1.0 in format 2, this one has format 3: run the "
                                    "scenario again, with --force or -o DIR\n");
   CHECK(folder.has("r/results.db"));
   CHECK(call(folder, "run s.yaml --force --quiet -o r").code == 0);
@@ -115,6 +116,38 @@ TEST_CASE("A report is refused while its run is writing, and the run goes on") {
   CHECK(both.out == "report 2\nsecond run 2\nrun 0\n");
   CHECK(both.err == "error: r: another flyrock is writing there\nerror: r: another flyrock is writing there\n");
   CHECK(call(folder, "report r").code == 0);
+}
+
+TEST_CASE("A rock that a law throws beyond all numbers is a row that diverged, and no nan or inf is printed") {
+  const Folder folder;
+  folder.write("law.lua", R"(local fr = require "flyrock"
+return fr.plugin {
+  kind = "restitution", name = "huge", form = "newton", doc = "Throws heavy rocks back.", source = "a test",
+  params = { en = fr.number { default = 1e300, min = 0, doc = "of a heavy rock" } },
+  impact = function(p, contact)
+    if contact.time > 0 and contact.mass > 250 then return p.en, 0 end
+    return 0.4, 0
+  end,
+}
+)");
+  std::string text = "plugins: [law.lua]\n" + bench_with("{ type: newton, en: 0.3 }", "{ type: huge }");
+  text.replace(text.find("diameter: 0.5"), 13, "diameter: { uniform: [0.4, 0.6] }");
+  folder.write("s.yaml", text.replace(text.find("trials: 4"), 9, "trials: 30"));
+  const Output run = call(folder, "run s.yaml -o r");
+  CHECK(run.code == 3);
+  CHECK(run.err.find("error: point 0, trial 3, rock 0: diverged: its state is not finite, or it is faster than 100 km/s\n") == 0);
+  CHECK(run.out.find("24 stopped, 6 diverged\n") != std::string::npos);
+  // 1000 km/s, which is a number still.
+  const Output fast = call(folder, "run s.yaml -o fast --set materials.rock.restitution.en=1e5");
+  CHECK(fast.code == 3);
+  CHECK(fast.out.find("24 stopped, 6 diverged\n") != std::string::npos);
+  for (const char* result : {"r", "fast"}) {
+    REQUIRE(call(folder, std::string("export ") + result + " --to csv").code == 0);
+    const std::regex no_number("\\b(nan|inf)\\b", std::regex::icase);
+    for (const fs::path& file : {"rocks.csv", "summary.json", "csv/rocks.csv", "csv/impacts.csv", "csv/trajectories.csv"})
+      CHECK_FALSE(std::regex_search(read(folder.path() / result / file), no_number));
+    CHECK_FALSE(std::regex_search(run.out + run.err + fast.out + fast.err, no_number));
+  }
 }
 
 TEST_CASE("A damaged chunk is found before a merge makes anything") {

@@ -166,7 +166,7 @@ TEST_CASE("wrong answers of a law name the plugin, the place and what was expect
   CHECK(failure("function(p, c) return 0.5, true end") ==
         "plugin my_law, my_law.lua:5: impact() returned boolean for e_t, expected a number");
   CHECK(failure("function(p, c) return 0/0 end") ==
-        "plugin my_law, my_law.lua:5: impact() returned e_n = -nan, must be finite");
+        "plugin my_law, my_law.lua:5: impact() returned e_n = nan, must be finite");
   CHECK(failure("function(p, c) return 1, 0, 3 end") ==
         "plugin my_law, my_law.lua:5: impact() returned a third value, expected e_n, e_t");
 }
