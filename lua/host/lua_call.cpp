@@ -146,7 +146,11 @@ void LuaCall::call(lua_State* lua, Values values, std::initializer_list<const vo
 }
 
 void LuaCall::end_failed(const LuaError& error) const {
-  plugin_->state->run(instructions_, [&](lua_State* lua) { outer_->restore(lua); });
+  plugin_->state->run(instructions_, [&](lua_State* lua) {
+    outer_->restore(lua);
+    // What the call left would otherwise count for later ones: what they say would depend on the rocks of this thread.
+    lua_gc(lua, LUA_GCCOLLECT);
+  });
   rethrow(error);
 }
 
