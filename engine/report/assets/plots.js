@@ -11,12 +11,14 @@ function draw_runout(node, runout, group) {
   const edge = { color: "#fff", width: 0.5 };
   const traces = [bar(runout.known, "known runout", { color: colour.blue, line: edge })];
   if (runout.known_to !== null) traces.push(bar(runout.censored, "censored: at least this far", { color: colour.orange, pattern: { shape: "/" }, line: edge }));
-  const x = runout.x.map((v) => v / 1000), share = runout.share.map((s) => (s > 0 ? 100 * s : null));
+  // A logarithmic scale has no 0: the line ends level at the rock that nobody passed.
+  const x = runout.x.map((v) => v / 1000), share = runout.share.map((s, i) => (s > 0 ? 100 * s : i > 0 ? 100 * runout.share[i - 1] : null));
+  const told = runout.share.map((s, i) => `${s > 0 ? `${show(100 * s)} % of the rocks` : "No rock"} went farther than ${show(x[i])} m`);
   const known = (v) => runout.known_to === null || v <= runout.known_to / 1000;
   const curve = (name, keep, dash) => ({
     x, y: share.map((s, i) => (keep(x[i]) ? s : null)), xaxis: "x", yaxis: "y2", mode: "lines", name,
     line: { color: colour.ink, width: 2, dash, shape: "hv" },
-    hovertemplate: `%{y:.3g} % of the rocks went farther than %{x:.1f} m<extra></extra>`,
+    text: told, hovertemplate: "%{text}<extra></extra>",
   });
   traces.push(curve("share beyond x", known, "solid"));
   if (runout.known_to !== null) traces.push(curve("share beyond x, at least", (v) => v >= runout.known_to / 1000, "dot"));

@@ -67,11 +67,12 @@ function statistics_section() {
   const in_unit = (quantity, value) => show(value === null || quantity !== "energy" ? value : value / 1000);
   const interval = (quantity, [lower, upper]) =>
     right(lower === null && upper === null ? "–" : `${in_unit(quantity, lower)} to ${in_unit(quantity, upper)}`);
-  section_of_point("Statistics", (point) => [
-    ...point.rocks.filter((group) => group.count > group.faults).map((group) => table(`${group_name(group)}: ${group.count - group.faults}`, ["quantity", "unit", ...names],
+  const sound = (point) => point.rocks.filter((group) => group.count > group.faults);
+  section_of_point("Statistics", (point) => sound(point).length === 0 ? [paragraph("", "There are none: every rock failed.")] : [
+    ...sound(point).map((group) => table(`${group_name(group)}: ${group.count - group.faults}`, ["quantity", "unit", ...names],
       quantities.map((quantity, q) => [quantity, unit_of(quantity, q), ...names.map((name) => statistic(group, quantity, name))]))),
-    table(`95 % confidence intervals: ${group_name(point.rocks[0])}`, ["quantity", "unit", ...interval_names],
-      quantities.map((quantity, q) => [quantity, unit_of(quantity, q), ...interval_names.map((name) => interval(quantity, point.rocks[0][quantity].intervals[name]))])),
+    ...sound(point).map((group) => table(`95 % confidence intervals: ${group_name(group)}`, ["quantity", "unit", ...interval_names],
+      quantities.map((quantity, q) => [quantity, unit_of(quantity, q), ...interval_names.map((name) => interval(quantity, group[quantity].intervals[name]))]))),
     paragraph("caption", "Intervals: of percentiles from order statistics (binomial), of the mean from Student's t; rocks are taken as independent. –: the sample is too small for that end, or censored rocks hide it."),
     paragraph("caption", "Speed, energy (kinetic) and bounce height are the greatest over a rock's path. Percentiles are linear between the order statistics " +
       "(NumPy, PERCENTILE.INC). ≥: censored rocks fall into it, the true number is at least this; a standard deviation in brackets contains censored rocks. Rocks that failed are left out."),
