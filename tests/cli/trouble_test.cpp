@@ -144,7 +144,7 @@ return fr.plugin {
   for (const char* result : {"r", "fast"}) {
     REQUIRE(call(folder, std::string("export ") + result + " --to csv").code == 0);
     const std::regex no_number("\\b(nan|inf)\\b", std::regex::icase);
-    for (const fs::path& file : {"rocks.csv", "summary.json", "csv/rocks.csv", "csv/impacts.csv", "csv/trajectories.csv"})
+    for (const char* file : {"rocks.csv", "summary.json", "csv/rocks.csv", "csv/impacts.csv", "csv/trajectories.csv"})
       CHECK_FALSE(std::regex_search(read(folder.path() / result / file), no_number));
     CHECK_FALSE(std::regex_search(run.out + run.err + fast.out + fast.err, no_number));
   }
