@@ -1,42 +1,71 @@
 #include "solver/solve.h"
 
-#include "solver/proximal_point.h"
+#include <algorithm>
+#include <cmath>
+
+#include "solver/proximal_newton.h"
 
 namespace flyrock {
 
+namespace {
+
+constexpr int sweeps_of_a_step = 10;  // what a factorisation counts as
+
+/// The residual in units of what is wanted.
+template <int D>
+double excess(const ContactProblem<D>& problem, const SolveSettings& settings, const SolveResult& result) {
+  const double scale = settings.measure == ErrorMeasure::merit ? 1 : problem.contacts[result.worst_contact].speed_scale;
+  return result.residual / (settings.tolerance * scale);
+}
+
+}  // namespace
+
+template <int D>
+Solver<D>::Solver() = default;
+template <int D>
+Solver<D>::Solver(Solver&&) noexcept = default;
+template <int D>
+Solver<D>& Solver<D>::operator=(Solver&&) noexcept = default;
+template <int D>
+Solver<D>::~Solver() = default;
+
 template <int D>
 SolveResult Solver<D>::solve(const ContactProblem<D>& problem, const SolveSettings& settings, std::vector<Row>& r) {
-  if (settings.solver == SolverKind::automatic) return take_turns(problem, settings, r);
-  if (settings.solver == SolverKind::nlgs) return nlgs_.solve(problem, settings, r);
-  constexpr int first_sweeps = 20;
-  nlgs_.begin(problem, settings, r);
-  for (int k = 0; k < first_sweeps; ++k) nlgs_.sweep_once(r);
-  return newton_.emplace().solve(problem, settings, nlgs_, settings.max_iterations, r);
+  switch (settings.solver) {
+    case SolverKind::nlgs: return nlgs_.solve(problem, settings, r);
+    case SolverKind::proximal_newton: return solve_by_newton(problem, settings, r);
+    case SolverKind::automatic: break;
+  }
+  return solve_by_both(problem, settings, r);
 }
 
 template <int D>
-SolveResult Solver<D>::take_turns(const ContactProblem<D>& problem, const SolveSettings& settings, std::vector<Row>& r) {
-  constexpr int first_turn = 128;  // sweeps
-  constexpr int first_steps = 10;
-  constexpr int sweeps_of_a_step = 20;
-  constexpr int most_steps = 20;   // of a turn; then they have stalled twice
+SolveResult Solver<D>::solve_by_newton(const ContactProblem<D>& problem, const SolveSettings& settings, std::vector<Row>& r) {
+  constexpr int first_sweeps = 20;
+  nlgs_.begin(problem, settings, r);
+  for (int k = 0; k < first_sweeps; ++k) nlgs_.sweep_once(r);
+  if (!newton_) newton_ = std::make_unique<ProximalNewton<D>>();
+  return newton_->solve(problem, settings, nlgs_, settings.max_iterations, r);
+}
+
+template <int D>
+SolveResult Solver<D>::solve_by_both(const ContactProblem<D>& problem, const SolveSettings& settings, std::vector<Row>& r) {
+  constexpr int first_turn = 32, turn = 64;  // sweeps
+  constexpr int longest_way = 300;           // sweeps; Newton steps are shorter
   nlgs_.begin(problem, settings, r);
   SolveResult result = nlgs_.run(first_turn, r);
-  for (int steps = first_steps; !result.converged && result.iterations < settings.max_iterations; steps *= 2) {
-    if (steps > most_steps) {
-      const int used = result.iterations;
-      result = solve_proximal_point(problem, settings, settings.max_iterations - used, r);
-      result.iterations += used;
-      return result;
-    }
-    if (!newton_) newton_.emplace();
-    best_ = r;
-    const SolveResult newton = newton_->solve(problem, settings, nlgs_, steps, best_);
-    if (newton.converged || newton.residual < result.residual) r = best_;
-    if (newton.converged) return newton;
-    result = nlgs_.run(2 * steps * sweeps_of_a_step, r);
+  for (bool shorter = true; shorter && !result.converged && result.iterations < settings.max_iterations;) {
+    const double before = excess(problem, settings, result);
+    const int begin = result.iterations;
+    result = nlgs_.run(begin == first_turn ? turn - first_turn : turn, r);
+    const double after = excess(problem, settings, result);
+    // Sweeps that are left at the rate of the last turn: log(after) / (log(before / after) / length).
+    shorter = std::log(after) * (result.iterations - begin) <= longest_way * std::log(before / after);
   }
-  return result;
+  if (result.converged || result.iterations >= settings.max_iterations) return result;
+  if (!newton_) newton_ = std::make_unique<ProximalNewton<D>>();
+  const int steps = (settings.max_iterations - result.iterations + sweeps_of_a_step - 1) / sweeps_of_a_step;
+  return newton_->solve(problem, settings, nlgs_, steps, r);
 }
 
 template class Solver<2>;
