@@ -67,6 +67,35 @@ TEST_CASE("Chunks merge to every trial of every point in order") {
   CHECK_FALSE(fs::exists(folder.path));
 }
 
+TEST_CASE("Each chunk is shown once, in order, as its file holds it, whatever thread ran it") {
+  for (const std::uint64_t failing : {never, std::uint64_t{40}}) {  // to the end, and to a fault that ends the run
+    for (const int threads : {1, 2, 5}) {
+      Folder folder;
+      const auto plan = plan_chunks(2, 300);
+      std::vector<std::vector<RockRecord>> seen(2);
+      RunOptions options{.folder = folder.path, .scenario_hash = "h", .threads = threads, .strict = true};
+      options.see = [&](int point, const TrialRecords& chunk) {
+        auto& of_point = seen.at(static_cast<std::size_t>(point));
+        of_point.insert(of_point.end(), chunk.rocks.begin(), chunk.rocks.end());
+      };
+      const auto check = [&](const RunOutcome& outcome) {
+        const auto files = merged(outcome, 2, folder);
+        for (std::size_t point = 0; point < 2; ++point) {
+          REQUIRE(seen[point].size() == files[point].size());
+          for (std::size_t i = 0; i < files[point].size(); ++i) CHECK(seen[point][i].runout == files[point][i].runout);
+        }
+        CHECK(seen[0].size() == std::min<std::uint64_t>(failing + 1, 300));
+      };
+      check(run_chunks(plan, rocks_failing_from(failing), options));
+      // Half of the chunks are there already.
+      for (std::size_t i = 0; i < plan.size(); i += 2) fs::remove(folder.path / plan[i].file_name());
+      seen.assign(2, {});
+      options.resume = true;
+      check(run_chunks(plan, rocks_failing_from(failing), options));
+    }
+  }
+}
+
 TEST_CASE("A run goes on after rocks that fail, unless all of the first 20 do") {
   Folder folder;
   const auto plan = plan_chunks(1, 100);
