@@ -142,11 +142,17 @@ std::string answer(const Plan& plan, const Results& results) {
 
 std::string assumptions(const Plan& plan) {
   const Scenario& scenario = plan.points.front();
-  std::string text = fmt::format("Assumed: {}, rigid bodies, ", scenario.dimension == 2 ? "a vertical section (2D)" : "space (3D)");
-  if (scenario.bodies.empty())
-    text += scenario.rock_contacts ? "rocks that meet each other, " : "each rock alone, rocks do not meet each other, ";
-  text += "no drag of the air; contacts by non-smooth contact dynamics, ";
-  text += scenario.solver.flight == FlightMode::exact ? "flights exact between them." : "flights in time steps.";
+  std::string text = fmt::format("Assumed: {}, ", scenario.dimension == 2 ? "a vertical section (2D)" : "space (3D)");
+  if (scenario.method == Method::ballistic) {
+    text += "each rock is a point whose path ends where it first meets the ground: what it does there is not computed; ";
+    text += scenario.air ? "drag of the air as on a sphere of equal volume." : "no drag of the air.";
+  } else {
+    text += "rigid bodies, ";
+    if (scenario.bodies.empty())
+      text += scenario.rock_contacts ? "rocks that meet each other, " : "each rock alone, rocks do not meet each other, ";
+    text += "no drag of the air; contacts by non-smooth contact dynamics, ";
+    text += scenario.solver.flight == FlightMode::exact ? "flights exact between them." : "flights in time steps.";
+  }
   if (!scenario.bodies.empty()) return text;
   return text + " Percentiles are those of this model and of the numbers given to it: whether it is the bench in question is not "
                 "part of the computation.";

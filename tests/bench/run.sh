@@ -1,6 +1,7 @@
 #!/bin/sh
 # make bench: rocks per second to rest on one core and the share of time by phase, median of five runs each; then the
-# time of the Ninh Dan run with its restitution in Lua over that with the same law native, in pairs of runs.
+# time of the Ninh Dan run with its restitution in Lua over that with the same law native, and with one thread over that
+# with two, in pairs of runs.
 set -eu
 flyrock=$1/flyrock
 here=$(cd "$(dirname "$0")" && pwd)
@@ -31,15 +32,21 @@ law newton > "$out/native.yaml"
 { law newton_in_lua; echo "plugins: [newton_in_lua.lua]"; } > "$out/lua.yaml"
 cp "$here/newton_in_lua.lua" "$out"
 seconds() {
-  "$flyrock" run "$out/$1.yaml" -o "$out/$1" -j 1 --force --quiet > "$out/messages" 2>&1 ||
+  "$flyrock" run "$out/$1.yaml" -o "$out/$1" -j $2 --force --quiet > "$out/messages" 2>&1 ||
     [ $? = 1 ] || { cat "$out/messages" >&2; exit 1; }  # 1: an expectation failed
   sed -n 's/^seconds  *//p' "$out/$1/run.log"
 }
 for pair in 1 2 3 4 5 6 7 8 9; do
-  if [ $((pair % 2)) = 0 ]; then native=$(seconds native); lua=$(seconds lua); else lua=$(seconds lua); native=$(seconds native); fi
+  if [ $((pair % 2)) = 0 ]; then native=$(seconds native 1); lua=$(seconds lua 1); else lua=$(seconds lua 1); native=$(seconds native 1); fi
   awk "BEGIN { print $lua / $native }" >> "$out/ratios"
 done
 cmp "$out/native/rocks.csv" "$out/lua/rocks.csv"
 printf 'restitution in Lua: %s times the native run (median of 9 pairs, %s to %s); one call: %s\n' \
   $(sort -n "$out/ratios" | sed -n '5p;1p;9p' | awk '{ v[NR] = $1 } END { print v[2], v[1], v[3] }') \
   "$("$1/flyrock_law_call" "$here/newton_in_lua.lua")"
+for pair in 1 2 3 4 5 6 7 8 9; do
+  if [ $((pair % 2)) = 0 ]; then one=$(seconds native 1); two=$(seconds native 2); else two=$(seconds native 2); one=$(seconds native 1); fi
+  awk "BEGIN { print $one / $two }" >> "$out/speedups"
+done
+printf 'two threads: %s times as fast as one (median of 9 pairs, %s to %s)\n' \
+  $(sort -n "$out/speedups" | sed -n '5p;1p;9p' | awk '{ v[NR] = $1 } END { print v[2], v[1], v[3] }')

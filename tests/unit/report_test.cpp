@@ -136,6 +136,17 @@ TEST_CASE("The answer names the censored share first of all") {
   CHECK(answer(plan, make_results(plan, {rows_of({})}, {{0}, true, "", {}})) == "No rock was released.");
 }
 
+TEST_CASE("The assumptions are those of the method") {
+  Plan plan = fake::plan(1);
+  CHECK(assumptions(plan).find("each rock alone, rocks do not meet each other, no drag of the air; contacts by non-smooth") != std::string::npos);
+  plan.points[0].method = Method::ballistic;
+  CHECK(assumptions(plan).find("Assumed: a vertical section (2D), each rock is a point whose path ends where it first meets the ground") == 0);
+  CHECK(assumptions(plan).find("no drag of the air.") != std::string::npos);
+  plan.points[0].air.emplace();
+  CHECK(assumptions(plan).find("drag of the air as on a sphere of equal volume.") != std::string::npos);
+  CHECK(assumptions(plan).find("contact") == std::string::npos);
+}
+
 TEST_CASE("The same results give the same page, safe against its own data") {
   const Plan plan = fake::plan(50, 2);
   const std::string page = report_html(data_of(plan, 50), assets);

@@ -27,7 +27,8 @@ function facts_section() {
   if (summary.fault_count > 0) badge(false, `${summary.fault_count} rocks failed`);
   if (!summary.complete) badge(false, "the run ended early");
   const open = summary.points.reduce((sum, point) => sum + point.solver.not_converged, 0);
-  badge(open === 0, open === 0 ? "every contact problem converged" : `${open} contact problems did not converge`);
+  const solved = summary.points.reduce((sum, point) => sum + point.solver.steps + point.solver.impact_problems, 0);
+  if (solved > 0) badge(open === 0, open === 0 ? "every contact problem converged" : `${open} contact problems did not converge`);
   const gains = summary.points.reduce((sum, point) => sum + point.solver.energy_gains, 0);
   if (gains > 0) badge(false, `${counted(gains, "impact", "impacts")} gained energy (see Solver quality)`);
   if (summary.not_used.length > 0) badge(false, `${counted(summary.not_used.length, "key", "keys")} not used (below)`);

@@ -68,7 +68,7 @@ function statistics_section() {
   const interval = (quantity, [lower, upper]) =>
     right(lower === null && upper === null ? "–" : `${in_unit(quantity, lower)} to ${in_unit(quantity, upper)}`);
   const sound = (point) => point.rocks.filter((group) => group.count > group.faults);
-  section_of_point("Statistics", (point) => sound(point).length === 0 ? [paragraph("", "There are none: every rock failed.")] : [
+  section_of_point("Statistics", (point) => sound(point).length === 0 ? [paragraph("", "There are none: no rock came through.")] : [
     ...sound(point).map((group) => table(`${group_name(group)}: ${group.count - group.faults}`, ["quantity", "unit", ...names],
       quantities.map((quantity, q) => [quantity, unit_of(quantity, q), ...names.map((name) => statistic(group, quantity, name))]))),
     ...sound(point).map((group) => table(`95 % confidence intervals: ${group_name(group)}`, ["quantity", "unit", ...interval_names],
