@@ -11,7 +11,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A thinned path departs from the stored one by this share of the plot's extent at most: a seventh of a pixel.
+/// A thinned path departs from the stored one by this share of the extent of its group at most: a seventh of a pixel of a
+/// plot of the group.
 constexpr double track_tolerance = 1e-4;
 
 /// Whole thousandths, the first as it is and then the differences.
@@ -71,6 +72,14 @@ Json track_data(const std::vector<TrajectoryRecord>& rows, const Track& track, i
   return {{"x", differences(x)}, {"y", differences(y)}, {"t", differences(t)}, {"speed", speed}, {"modes", runs_of(modes)}};
 }
 
+/// Null for a body that does not move: it has no row.
+const RockRecord* rock_of(const Track& track, const TrialRecords& chunk) {
+  const auto rock = std::find_if(chunk.rocks.begin(), chunk.rocks.end(), [&](const RockRecord& row) {
+    return row.trial == track.trial && row.rock == track.rock;
+  });
+  return rock == chunk.rocks.end() ? nullptr : &*rock;
+}
+
 double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
   const Vec2 along = b - a;
   const double length2 = along.squaredNorm();
@@ -121,7 +130,11 @@ std::vector<Track> tracks_of(const std::vector<TrajectoryRecord>& rows) {
 }
 
 void Tracks::measure(const TrialRecords& chunk) {
-  for (const TrajectoryRecord& row : chunk.trajectories) box_.extend(row.point.state.position);
+  for (const Track& track : tracks_of(chunk.trajectories)) {
+    const RockRecord* rock = rock_of(track, chunk);
+    for (std::size_t i = track.begin; rock && i < track.end; ++i)
+      boxes_[rock->group].extend(chunk.trajectories[i].point.state.position);
+  }
 }
 
 void Tracks::see(const TrialRecords& chunk) {
@@ -130,11 +143,9 @@ void Tracks::see(const TrialRecords& chunk) {
 }
 
 void Tracks::add(const Track& track, const TrialRecords& chunk) {
-  const auto rock = std::find_if(chunk.rocks.begin(), chunk.rocks.end(), [&](const RockRecord& row) {
-    return row.trial == track.trial && row.rock == track.rock;
-  });
-  if (rock == chunk.rocks.end()) return;  // a body that does not move
-  const double extent = box_.isEmpty() ? 0 : box_.diagonal().norm();
+  const RockRecord* rock = rock_of(track, chunk);
+  if (!rock) return;
+  const double extent = boxes_.at(rock->group).diagonal().norm();
   Json data = {{"trial", track.trial}, {"rock", track.rock}, {"group", rock->group}, {"reason", name_of(rock->reason)}};
   data.update(track_data(chunk.trajectories, track, dimension_, track_tolerance * extent));
   points_ += data["x"].size();

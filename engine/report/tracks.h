@@ -2,6 +2,7 @@
 // Trajectories thinned to what a plot can show.
 
 #include <cstddef>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -42,7 +43,7 @@ class Tracks {
   std::size_t budget_, points_ = 0;
   int dimension_;
   bool cut_ = false;
-  Eigen::AlignedBox3d box_;  ///< of all paths: what a thinned path may depart is a share of it
+  std::map<int, Eigen::AlignedBox3d> boxes_;  ///< of the paths of each group, which a plot may show alone
   nlohmann::ordered_json list_ = nlohmann::ordered_json::array();
 };
 

@@ -135,6 +135,28 @@ TEST_CASE("A thinned path keeps where it changes its mode of travel") {
   CHECK(data["cut"] == false);
 }
 
+TEST_CASE("A group of short paths keeps their form beside a group of long ones") {
+  TrialRecords chunk;
+  for (const auto& [group, reach] : {std::pair(0, 1.0), std::pair(1, 5000.0)}) {
+    RockRecord rock;
+    rock.rock = rock.group = group;
+    chunk.rocks.push_back(rock);
+    for (int i = 0; i <= 20; ++i) {
+      TrajectoryRecord row{0, group, {}};
+      const double along = i / 20.0;
+      row.point.state.position = {reach * along, reach * along * (1 - along), 0};
+      chunk.trajectories.push_back(row);
+    }
+  }
+  Tracks tracks(1000, 2);
+  tracks.measure(chunk);
+  tracks.see(chunk);
+  const auto list = tracks.data()["list"];
+  REQUIRE(list.size() == 2);
+  CHECK(list[0]["y"].size() > 10);
+  CHECK(list[0]["y"].size() == list[1]["y"].size());
+}
+
 TEST_CASE("Rounded numbers have four digits and no tail") {
   CHECK(rounded(0.1234567).dump() == "0.1235");
   CHECK(rounded(-98765.4).dump() == "-98770.0");
