@@ -169,7 +169,8 @@ bool ProximalNewton<D>::find_next_centre(Nlgs<D>& sweeper, int steps, std::vecto
     for (; share > least_step; share *= 0.5) {
       for (int a = 0; a < n; ++a) trial_[a] = r[a] + share * direction_[a];
       after = find_error(trial_, smoothing);
-      if (after <= (1 - sufficient * share) * before) break;
+      // The first step is a whole one: it moves far, and the next mends what its curvature costs.
+      if ((k == 0 && std::isfinite(after)) || after <= (1 - sufficient * share) * before) break;
     }
     if (share <= least_step) return false;
     r.swap(trial_);
