@@ -218,7 +218,7 @@ std::vector<std::vector<BodyHistory>> TrialRunner::Trials<D>::fly(const Trial<D>
       if (rock.world < 0) continue;
       const Body<2>& body = trial.worlds[rock.world].bodies[rock.body];
       BallisticRun flight;
-      flight.forces = builder_.forces_on(rock, body);
+      flight.forces = {trial.worlds[rock.world].gravity(), body.air};
       flight.start_time = rock.start_time;
       flight.stop_time = rock.start_time + settings.stop_time;
       flight.trajectory_every = settings.trajectory_every;

@@ -12,15 +12,6 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// When a motion whose x is linear in time arrives at `x`, which lies on its side `side`; 0 where it is there already.
-template <int D>
-double arrival(const Path<D>& motion, double x, int side) {
-  if (side == 0) return never;
-  const double ahead = side * (x - motion.x.x()), speed = side * motion.v.x();
-  if (ahead <= 0) return 0;
-  return speed > 0 ? ahead / speed : never;
-}
-
 /// The place moved along x onto the gate, free of rounding.
 template <int D>
 Vec<D> at_x(Vec<D> place, double x) {
@@ -37,6 +28,18 @@ std::vector<int> sides_of(std::span<const Place> places, double start) {
 
 }  // namespace
 
+/// The first root of ahead = v t + a t^2 / 2, free of cancellation; without air a is 0.
+template <int D>
+double arrival(const Path<D>& path, double x, int side) {
+  const double ahead = side * (x - path.x.x()), speed = side * path.v.x();
+  if (ahead <= 0) return 0;
+  if (ahead == never) return never;
+  const double discriminant = speed * speed + 2 * side * path.a.x() * ahead;
+  if (discriminant < 0) return never;
+  const double sum = speed + std::sqrt(discriminant);
+  return sum > 0 ? 2 * ahead / sum : never;
+}
+
 template <int D>
 Crossings<D>::Crossings(World<D>& world, std::span<const Gate> gates, std::span<const Barrier> barriers,
                      std::vector<BodyHistory>& histories)
@@ -48,11 +51,10 @@ Crossings<D>::Crossings(World<D>& world, std::span<const Gate> gates, std::span<
 }
 
 template <int D>
-double Crossings<D>::time_to_barrier(int body) const {
-  const Path<D> path{world_.bodies[body].x, world_.bodies[body].v};
+double Crossings<D>::time_to_barrier(int body, const Path<D>& path) const {
   double first = never;
   for (std::size_t b = 0; b < barriers_.size(); ++b)
-    first = std::min(first, arrival<D>(path, barriers_[b].x, barrier_side_[body][b]));
+    if (const int side = barrier_side_[body][b]; side != 0) first = std::min(first, arrival<D>(path, barriers_[b].x, side));
   return first;
 }
 
@@ -60,6 +62,7 @@ template <int D>
 bool Crossings<D>::moved(int body, const Motion& motion, double start, double dt) {
   const Body<D>& b = world_.bodies[body];
   for (std::size_t g = 0; g < gates_.size(); ++g) {
+    if (gate_side_[body][g] == 0) continue;
     const double t = arrival<D>(motion, gates_[g].x, gate_side_[body][g]);
     if (t > dt) continue;
     gate_side_[body][g] = 0;
@@ -75,7 +78,7 @@ bool Crossings<D>::moved(int body, const Motion& motion, double start, double dt
     histories_[body].passages.push_back(passage);
   }
   for (std::size_t k = 0; k < barriers_.size(); ++k) {
-    if (arrival<D>(motion, barriers_[k].x, barrier_side_[body][k]) > dt) continue;
+    if (barrier_side_[body][k] == 0 || arrival<D>(motion, barriers_[k].x, barrier_side_[body][k]) > dt) continue;
     barrier_side_[body][k] = 0;
     if (meet(body, static_cast<int>(k))) return true;
   }
@@ -107,6 +110,8 @@ bool Crossings<D>::meet(int body, int barrier) {
   return hit.outcome == BarrierOutcome::caught;
 }
 
+template double arrival(const Path<2>&, double, int);
+template double arrival(const Path<3>&, double, int);
 template class Crossings<2>;
 template class Crossings<3>;
 

@@ -25,6 +25,11 @@ struct Barrier {
   double capacity = 0;  ///< J
 };
 
+/// When a path arrives at the place x [m], which lies on its side `side` (+1 right, -1 left) [s]: 0 where it is there
+/// already, infinity where it never does.
+template <int D>
+double arrival(const Path<D>& path, double x, int side);
+
 template <int D>
 class Crossings {
  public:
@@ -34,8 +39,8 @@ class Crossings {
   Crossings(World<D>& world, std::span<const Gate> gates, std::span<const Barrier> barriers,
             std::vector<BodyHistory>& histories);
 
-  /// Until a body in flight arrives at its next barrier [s]; infinity where it does not.
-  double time_to_barrier(int body) const;
+  /// Until a body on `path` arrives at its next barrier [s]; infinity where it does not.
+  double time_to_barrier(int body, const Path<D>& path) const;
   /// The world has moved by dt, and the body along `motion` from the time `start`: gates and barriers act. Whether a
   /// barrier has caught the body.
   bool moved(int body, const Motion& motion, double start, double dt);

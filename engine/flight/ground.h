@@ -20,18 +20,26 @@ double ground_height(const Terrain3& terrain, const Vec3& at);
 inline double horizontal(const Vec2& v) { return std::abs(v.x()); }
 inline double horizontal(const Vec3& v) { return v.head<2>().norm(); }
 
+/// The mean speed along x over [0, dt], with which paths are cut into pieces along x: exact but in air, where it is out by
+/// |a_x| dt^2 / 8, less than a millimetre in a leg.
+template <int D>
+double rate_along_x(const Path<D>& path, double dt) {
+  return path.v.x() + 0.5 * dt * path.a.x();
+}
+
 /// Calls visit(from, to, highest) for each part of [0, dt] in which the height of the path above the ground is one
 /// quadratic of time; highest(t0, t1) is the greatest height in a part of it. In 2D: over each segment.
 template <class Visit>
 void visit_heights(const Terrain2& terrain, const Path<2>& path, double dt, Visit visit) {
   const Vec2 end = path.position(dt);
+  const double rate = rate_along_x(path, dt);
   const auto run = terrain.segments_between(std::min(path.x.x(), end.x()), std::max(path.x.x(), end.x()));
   for (int i = run.first; i <= run.last; ++i) {
     const Vec2 &a = terrain.start(i), &b = terrain.end(i);
     if (b.x() <= a.x()) continue;  // vertical: its top belongs to a neighbour
     double from = 0, to = dt;
-    if (path.v.x() != 0) {
-      const double t1 = (a.x() - path.x.x()) / path.v.x(), t2 = (b.x() - path.x.x()) / path.v.x();
+    if (rate != 0) {
+      const double t1 = (a.x() - path.x.x()) / rate, t2 = (b.x() - path.x.x()) / rate;
       from = std::max(from, std::min(t1, t2));
       to = std::min(to, std::max(t1, t2));
       if (from > to) continue;
@@ -41,7 +49,8 @@ void visit_heights(const Terrain2& terrain, const Path<2>& path, double dt, Visi
       const Vec2 p = path.position(t);
       return p.y() - (a.y() + slope * (p.x() - a.x()));
     };
-    const double top = path.a.y() < 0 ? (path.v.y() - slope * path.v.x()) / -path.a.y() : from;
+    const double bend = path.a.y() - slope * path.a.x();
+    const double top = bend < 0 ? (path.v.y() - slope * path.v.x()) / -bend : from;
     visit(from, to, [&](double t0, double t1) { return std::max({above(t0), above(std::clamp(top, t0, t1)), above(t1)}); });
   }
 }

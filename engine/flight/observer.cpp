@@ -101,9 +101,10 @@ void Observer<D>::store(int body, const BodyState& s) {
 template <int D>
 void Observer<D>::clearance(int body, const Path<D>& path, double dt) {
   BodyHistory& history = histories_[body];
+  const double rate = rate_along_x(path, dt);
   visit_heights(world_.terrain(), path, dt, [&](double from, double to, const auto& highest) {
     history.bounce_height = std::max(history.bounce_height, highest(from, to));
-    history.path.visit(path.x.x(), path.v.x(), from, to, [&](PathBin& bin, double t0, double t1) {
+    history.path.visit(path.x.x(), rate, from, to, [&](PathBin& bin, double t0, double t1) {
       bin.height = std::max(bin.height, highest(t0, t1));
     });
   });
@@ -112,7 +113,7 @@ void Observer<D>::clearance(int body, const Path<D>& path, double dt) {
 /// The greatest speed and energy in each bin: squares of speeds are convex in time, so that they are at an end.
 template <int D>
 void Observer<D>::speeds(int body, const Motion& motion, double dt) {
-  histories_[body].path.visit(motion.x.x(), motion.v.x(), 0, dt, [&](PathBin& bin, double t0, double t1) {
+  histories_[body].path.visit(motion.x.x(), rate_along_x<D>(motion, dt), 0, dt, [&](PathBin& bin, double t0, double t1) {
     for (const double t : {t0, t1}) {
       const BodyState s = along(body, motion, t, 0);
       bin.speed = std::max(bin.speed, s.velocity.norm());

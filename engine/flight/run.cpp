@@ -1,6 +1,7 @@
 #include "flight/run.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "flight/ground.h"
@@ -26,6 +27,7 @@ class Runner {
         rest_since_(world.bodies.size(), -1.0),
         running_(world.bodies.size()) {
     for (std::size_t i = 0; i < running_.size(); ++i) running_[i] = world.bodies[i].kind == BodyKind::dynamic;
+    in_air_ = std::any_of(world.bodies.begin(), world.bodies.end(), [](const Body<D>& b) { return b.air.drag > 0; });
   }
 
   void run() {
@@ -67,19 +69,39 @@ class Runner {
     return outcome.in_contact;
   }
 
-  /// All bodies jump to the next touch, the end of the domain or of the run; whether contacts remain there.
+  /// All bodies fly to the next touch, the end of the domain, of the run or of a leg through air; whether contacts remain there.
   bool fly() {
-    double dt = time_left();
+    if (!in_air_) return jump(time_left());
+    double leg = time_left();
+    for (const Body<D>& body : world_.bodies)
+      if (body.moves()) leg = std::min(leg, leg_length(body.air, body.v, world_.gravity()));
+    accelerations_.clear();
+    for (const Body<D>& body : world_.bodies)
+      accelerations_.push_back(leg_accelerations(body.air, body.v, world_.gravity(), leg));
+    for (const int half : {0, 1}) {
+      for (int i = 0; i < bodies(); ++i) world_.bodies[i].push = accelerations_[i][half];
+      const double begin = world_.time;
+      if (jump(0.5 * leg)) return true;
+      if (world_.time - begin < 0.499 * leg) break;  // something happened on the way
+    }
+    return false;
+  }
+
+  /// All bodies jump along their parabolas to the next touch, the end of the domain or the time `longest`; whether contacts
+  /// remain there.
+  bool jump(double longest) {
+    double dt = longest;
     bool touch = false;
     {
       const PhaseTimer timer(world_.clock, &PhaseTimes::flight);
       for (int i = 0; i < bodies(); ++i) {
         if (!world_.bodies[i].moves()) continue;
-        dt = std::min({dt, time_in_domain(i), running_[i] ? crossings_.time_to_barrier(i) : dt});
         const Body<D>& body = world_.bodies[i];
+        const Motion flight = world_.flight_of(i);
+        dt = std::min({dt, time_in_domain(flight), running_[i] ? crossings_.time_to_barrier(i, flight) : dt});
         const TouchSearch search{world_.held(i, -1), false, 0, body.size, &world_.quality().toc_iterations};
         for (std::size_t k = 0; k < body.contactors.size(); ++k) {
-          const auto t = time_of_contact(body.contactors[k], static_cast<int>(k), world_.flight_of(i), world_.terrain(),
+          const auto t = time_of_contact(body.contactors[k], static_cast<int>(k), flight, world_.terrain(),
                                          dt, search);
           if (t) dt = *t, touch = true;
         }
@@ -113,13 +135,10 @@ class Runner {
     return false;
   }
 
-  double time_in_domain(int i) const {
-    const Body<D>& body = world_.bodies[i];
+  double time_in_domain(const Path<D>& flight) const {
     const auto [low, high] = extent(world_.terrain());
-    if (body.v.x() == 0) return time_left();
-    const double edge = body.v.x() > 0 ? high : low;
     // A little beyond the edge, so that end_bodies finds it outside.
-    return std::max(0.0, (edge - body.x.x()) / body.v.x()) * (1 + 1e-12) + 1e-12;
+    return std::min(arrival(flight, low, -1), arrival(flight, high, 1)) * (1 + 1e-12) + 1e-12;
   }
 
   bool step(bool cut = true) {
@@ -127,7 +146,10 @@ class Runner {
     starts_.clear();
     flights_.clear();
     for (const Body<D>& body : world_.bodies) starts_.push_back(moment_of(body));
-    const auto outcome = world_.step(std::min(step_length(), time_left()), cut && settings_.exact_flight);
+    const double h = std::min(step_length(), time_left());
+    if (in_air_)
+      for (Body<D>& body : world_.bodies) body.push = mean_acceleration(body.air, body.v, world_.gravity(), h);
+    const auto outcome = world_.step(h, cut && settings_.exact_flight);
     touching_.assign(bodies(), false);
     slipping_.assign(bodies(), false);
     for (const auto& contact : world_.contacts()) {
@@ -161,7 +183,7 @@ class Runner {
   double step_length() const {
     double h = world_.settings().time_step;
     for (int i = 0; i < bodies(); ++i)
-      if (running_[i]) h = std::min(h, std::max(crossings_.time_to_barrier(i), 0.01 * world_.settings().time_step));
+      if (running_[i]) h = std::min(h, std::max(crossings_.time_to_barrier(i, {world_.bodies[i].x, world_.bodies[i].v}), 0.01 * world_.settings().time_step));
     return h;
   }
 
@@ -222,6 +244,8 @@ class Runner {
   std::vector<bool> touching_, slipping_;
   std::vector<Moment<D>> starts_;
   std::vector<Motion> flights_;  ///< of the last flight or step, from its start
+  bool in_air_ = false;
+  std::vector<std::array<Vec<D>, 2>> accelerations_;  ///< by the air, of the leg at hand
   int stalled_ = 0;
 };
 

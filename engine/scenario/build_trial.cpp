@@ -117,14 +117,13 @@ Vec<D> TrialBuilder<D>::gravity(const DrawKey& key) const {
 }
 
 template <int D>
-Forces<D> TrialBuilder<D>::forces_on(const TrialRock& rock, const Body<D>& body) const {
-  Forces<D> forces;
-  forces.gravity = gravity(rock.key);
-  if (!scenario_.air) return forces;
-  const AirPlan& air = *scenario_.air;
-  forces.drag = drag_constant(number(air.density, rock.key), number(air.cd, rock.key), body.mass, body.volume);
-  for (std::size_t i = 0; i < air.wind.size(); ++i) forces.wind[static_cast<int>(i)] = number(air.wind[i], rock.key);
-  return forces;
+Air<D> TrialBuilder<D>::air_of(const Body<D>& body, const DrawKey& key) const {
+  Air<D> air;
+  if (!scenario_.air) return air;
+  const AirPlan& plan = *scenario_.air;
+  air.drag = drag_constant(number(plan.density, key), number(plan.cd, key), body.mass, body.volume);
+  for (std::size_t i = 0; i < plan.wind.size(); ++i) air.wind[static_cast<int>(i)] = number(plan.wind[i], key);
+  return air;
 }
 
 template <int D>
@@ -235,6 +234,7 @@ Body<D> TrialBuilder<D>::rock_body(const Plan& plan, int g, TrialRock& rock, con
   else
     throw PluginError(fmt::format("rocks.{}: neither the population nor `release` says where a rock starts", group.name));
   body.x = place.position;
+  body.air = air_of(body, rock.key);
   if (models.launch) launch(g, rock, place, body);
   return body;
 }
@@ -370,6 +370,7 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
       for (int k = 0; k < D; ++k) body.v[k] = value(plan.velocity[k]);
       body.w = spin_of<D>([&](int k) { return value(plan.spin[k]); });
     }
+    if (!plan.fixed && !plan.driven) body.air = air_of(body, rock.key);
     rock.launch_speed = body.v.norm();
     if (rock.launch_speed > 0) rock.launch_elevation = elevation_of(body.v, Vec3::UnitX());
     rock.world = 0;

@@ -9,7 +9,6 @@
 
 #include "scenario/instances.h"
 #include "scenario/place_rock.h"
-#include "trajectory/ballistic.h"
 #include "world/world.h"
 
 namespace flyrock {
@@ -51,9 +50,6 @@ class TrialBuilder {
   /// The terrain of a trial.
   std::shared_ptr<const Terrain> terrain_of(std::uint64_t trial);
 
-  /// What acts on a flying rock of a trial; `body` is its body.
-  Forces<D> forces_on(const TrialRock& rock, const Body<D>& body) const;
-
   const Instances& instances() const { return instances_; }
 
  private:
@@ -63,6 +59,7 @@ class TrialBuilder {
   Body<D> rock_body(const Plan& plan, int group, TrialRock& rock, const Terrain& terrain, RandomStream& where);
   void launch(int group, TrialRock& rock, const Place<D>& place, Body<D>& body);
   Vec<D> gravity(const DrawKey& key) const;
+  Air<D> air_of(const Body<D>& body, const DrawKey& key) const;
   Surface* surface(Trial<D>& trial, int material, const DrawKey& key);
   void connect(Trial<D>& trial, World<D>& world, const std::vector<DrawKey>& keys, const std::vector<std::string>& names,
                const std::vector<int>& materials);

@@ -109,10 +109,7 @@ class DocumentDecoder {
 
   /// What a method cannot do.
   void check_method() {
-    if (scenario_.method == Method::nscd) {
-      if (scenario_.air) error_at("air", "acts in the method `ballistic`; flights of `nscd` are without air");
-      return;
-    }
+    if (scenario_.method == Method::nscd) return;
     if (scenario_.dimension == 3) error_at("method", "`ballistic` flies in dimension 2 only, so far");
     if (scenario_.rock_contacts) error_at("rock_contacts", "rocks of the method `ballistic` are points that never meet");
     for (const char* key : {"bodies", "pairs", "barriers", "gates"})

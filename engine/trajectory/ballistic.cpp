@@ -36,18 +36,13 @@ State<D> joined(const Vec<D>& position, const Vec<D>& velocity) {
 
 }  // namespace
 
-double drag_constant(double density, double cd, double mass, double volume) {
-  const double radius = std::cbrt(3 * volume / (4 * pi));
-  return density * cd * pi * radius * radius / (2 * mass);
-}
-
 template <int D>
 BallisticFlight<D>::BallisticFlight(const Forces<D>& forces, const Vec<D>& position, const Vec<D>& velocity, double time)
     : forces_(forces), now_{position, velocity, forces.acceleration(velocity)}, time_(time) {}
 
 template <int D>
 Arc<D> BallisticFlight<D>::next(double longest) {
-  if (forces_.drag == 0) {
+  if (forces_.air.drag == 0) {
     const Arc<D> arc = parabola(time_, longest, now_);
     now_.position = arc.position(1);
     now_.velocity = arc.velocity(1);

@@ -1,28 +1,21 @@
 #pragma once
 // The flight of a point under gravity and the drag of the air.
 //
-//   dv/dt = g - k |v - w| (v - w),   k = rho c_d A / (2 m)
-// with the wind w and the cross-section A of the sphere of the rock's volume. Without air the flight is the parabola, in
-// closed form; with it the pair of Dormand and Prince of orders 5 and 4 (Boost.Odeint) with steps adapted to a tolerance.
+// world/air.h has the equation. Without air the flight is the parabola, in closed form; with it the pair of Dormand and
+// Prince of orders 5 and 4 (Boost.Odeint) with steps adapted to a tolerance.
 // Source: field practice since Stojadinovic et al. 2011, who integrate the same equation.
 
 #include "trajectory/arc.h"
+#include "world/air.h"
 
 namespace flyrock {
-
-/// k [1/m] of a rock of `mass` [kg] and `volume` [m3] in air of `density` [kg/m3] with the drag coefficient cd.
-double drag_constant(double density, double cd, double mass, double volume);
 
 template <int D>
 struct Forces {
   Vec<D> gravity = Vec<D>::Zero();  ///< m/s2
-  Vec<D> wind = Vec<D>::Zero();     ///< m/s
-  double drag = 0;                  ///< k, 1/m
+  Air<D> air;
 
-  Vec<D> acceleration(const Vec<D>& velocity) const {
-    const Vec<D> through_air = velocity - wind;
-    return gravity - drag * through_air.norm() * through_air;
-  }
+  Vec<D> acceleration(const Vec<D>& velocity) const { return gravity + air.acceleration(velocity); }
 };
 
 /// The error that a step may add: this many m and m/s, and this share of position and velocity.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "collision/geometry.h"
+#include "world/air.h"
 
 namespace flyrock {
 
@@ -61,6 +62,9 @@ struct Body {
   Vec<D> x = Vec<D>::Zero(), v = Vec<D>::Zero();
   Attitude<D> attitude;
   Spin w = no_spin();  ///< rad/s, world frame
+
+  Air<D> air;                    ///< that it flies through
+  Vec<D> push = Vec<D>::Zero();  ///< m/s2, its acceleration by the air over the flight or step at hand
 
   int impacts = 0;     ///< manifolds that closed faster than rest_speed
 

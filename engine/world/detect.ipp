@@ -39,7 +39,7 @@ template <int D>
 const std::vector<std::pair<int, int>>& World<D>::near_pairs(double dt) {
   boxes_.clear();
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    boxes_.push_back(swept_box<D>(Path<D>{bodies[i].x, bodies[i].v, bodies[i].moves() ? gravity_ : Vec<D>::Zero()},
+    boxes_.push_back(swept_box<D>(Path<D>{bodies[i].x, bodies[i].v, bodies[i].moves() ? Vec<D>(gravity_ + bodies[i].push) : Vec<D>::Zero()},
                                bodies[i].size * (1 + carry_share), dt));
   return broad_phase_.template pairs<D>(boxes_);
 }

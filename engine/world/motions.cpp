@@ -3,12 +3,12 @@
 namespace flyrock {
 
 Motion2 free_motion(const Body<2>& body, const Moment<2>& start, const Vec2& gravity) {
-  return {{start.x, start.v, body.moves() ? gravity : Vec2::Zero()}, start.attitude.angle, start.w, 0};
+  return {{start.x, start.v, body.moves() ? Vec2(gravity + body.push) : Vec2::Zero()}, start.attitude.angle, start.w, 0};
 }
 
 Motion3 free_motion(const Body<3>& body, const Moment<3>& start, const Vec3& gravity) {
   if (!body.moves()) return {{start.x, start.v, Vec3::Zero()}, GivenRotation{start.attitude.rotation, start.w, Vec3::Zero()}};
-  return {{start.x, start.v, gravity}, FreeRotation(body.inertia, start.attitude.rotation, start.w)};
+  return {{start.x, start.v, gravity + body.push}, FreeRotation(body.inertia, start.attitude.rotation, start.w)};
 }
 
 Motion2 step_motion(const Moment<2>& start, const Body<2>& b, double h, double theta) {

@@ -29,7 +29,7 @@ Moment<D> moment_of(const Body<D>& body) {
   return {body.x, body.v, body.attitude, body.w};
 }
 
-/// From `start`, under gravity and without torque; a body that forces do not move keeps its velocities.
+/// From `start`, under gravity and the push of the air, without torque; a body that forces do not move keeps its velocities.
 Motion2 free_motion(const Body<2>& body, const Moment<2>& start, const Vec2& gravity);
 Motion3 free_motion(const Body<3>& body, const Moment<3>& start, const Vec3& gravity);
 

@@ -41,7 +41,7 @@ double World<D>::drift_share() const {
   return share;
 }
 
-/// v_free = v + h g, and w_free of free_spin;  contacts at q_m = q + h (1 - theta) v;  v+ = v_free + M^-1 H r;
+/// v_free = v + h (g + the push of the air), and w_free of free_spin;  contacts at q_m = q + h (1 - theta) v;  v+ = v_free + M^-1 H r;
 /// q+ = q_m + h theta v+.
 template <int D>
 typename World<D>::Outcome World<D>::step(double h, bool cut) {
@@ -70,7 +70,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut) {
     measure_before();
     for (Body<D>& body : bodies) {
       if (!body.moves()) continue;
-      body.v += h * gravity_;
+      body.v += h * (gravity_ + body.push);
       body.w = free_spin(body, h, theta);
     }
     begin_manifolds();

@@ -86,7 +86,7 @@ TEST_CASE("flights that leave or run out of time say so") {
 
 TEST_CASE("the bins along x hold the heights and speeds of a flight with drag") {
   BallisticRun run = without_air();
-  run.forces.drag = 0.0034;
+  run.forces.air.drag = 0.0034;
   run.bin_width = 10;
   const BodyHistory h = run_ballistic(rock({0, 12}, {42, 42}), bench(), run);
   double highest = 0, fastest = 0;

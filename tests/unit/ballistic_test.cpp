@@ -36,7 +36,7 @@ double sphere_drag(double diameter, double cd) {
   return drag_constant(1.225, cd, 2700 * volume, volume);
 }
 
-Forces<2> air(double drag, double wind = 0) { return {{0, -g}, {wind, 0}, drag}; }
+Forces<2> air(double drag, double wind = 0) { return {{0, -g}, {drag, {wind, 0}}}; }
 
 Vec2 launch(double speed, double degrees) {
   return speed * Vec2(std::cos(degrees * pi / 180), std::sin(degrees * pi / 180));
@@ -131,7 +131,7 @@ TEST_CASE("flights in space: an azimuth turns the path, a cross wind drifts it")
   const double drag = sphere_drag(0.1, 1);
   const Vec2 v = launch(60, 45);
   const auto at = [&](const Vec3& velocity, const Vec3& wind) {
-    BallisticFlight<3> flight({{0, 0, -g}, wind, drag}, Vec3::Zero(), velocity);
+    BallisticFlight<3> flight({{0, 0, -g}, {drag, wind}}, Vec3::Zero(), velocity);
     double time = 0;
     Vec3 place;
     while (time < 7) {
