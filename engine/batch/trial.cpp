@@ -10,6 +10,7 @@
 #include "batch/statistics.h"
 #include "flight/ground.h"
 #include "flight/run.h"
+#include "scenario/dimensions.h"
 #include "solver/fclib.h"
 #include "trajectory/ballistic_run.h"
 
@@ -213,18 +214,19 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
 template <int D>
 std::vector<std::vector<BodyHistory>> TrialRunner::Trials<D>::fly(const Trial<D>& trial, const RunSettings& settings) const {
   std::vector<std::vector<BodyHistory>> histories(trial.worlds.size());
-  if constexpr (D == 2) {  // the reader refuses the method in 3D
-    for (const TrialRock& rock : trial.rocks) {
-      if (rock.world < 0) continue;
-      const Body<2>& body = trial.worlds[rock.world].bodies[rock.body];
-      BallisticRun flight;
-      flight.forces = {trial.worlds[rock.world].gravity(), body.air};
-      flight.start_time = rock.start_time;
-      flight.stop_time = rock.start_time + settings.stop_time;
-      flight.trajectory_every = settings.trajectory_every;
-      flight.bin_width = settings.bin_width;
-      histories[rock.world].push_back(run_ballistic(body, trial.terrain->profile(), flight));
-    }
+  for (const TrialRock& rock : trial.rocks) {
+    if (rock.world < 0) continue;
+    const World<D>& world = trial.worlds[rock.world];
+    const Body<D>& body = world.bodies[rock.body];
+    BallisticRun<D> flight;
+    flight.forces = {world.gravity(), body.air};
+    flight.start_time = rock.start_time;
+    flight.stop_time = rock.start_time + settings.stop_time;
+    flight.trajectory_every = settings.trajectory_every;
+    flight.bin_width = settings.bin_width;
+    flight.gates = gates_;
+    flight.barriers = barriers_;
+    histories[rock.world].push_back(run_ballistic(body, ground_of(*trial.terrain), flight));
   }
   return histories;
 }

@@ -19,13 +19,6 @@ Vec<D> at_x(Vec<D> place, double x) {
   return place;
 }
 
-template <class Place>
-std::vector<int> sides_of(std::span<const Place> places, double start) {
-  std::vector<int> sides;
-  for (const Place& place : places) sides.push_back(place.x >= start ? 1 : -1);
-  return sides;
-}
-
 }  // namespace
 
 /// The first root of ahead = v t + a t^2 / 2, free of cancellation; without air a is 0.
@@ -96,16 +89,10 @@ bool Crossings<D>::meet(int body, int barrier) {
   hit.speed = b.v.norm();
   hit.kinetic_energy = energy;
   hit.height = b.x[D - 1] - ground_height(world_.terrain(), at_x<D>(b.x, fence.x));
-  if (hit.height >= fence.height) {
-    hit.outcome = BarrierOutcome::over_top;
-  } else if (energy <= fence.capacity) {
-    hit.outcome = BarrierOutcome::caught;
-  } else {
-    hit.outcome = BarrierOutcome::over_energy;
-    const double left = std::sqrt(1 - fence.capacity / energy);
-    b.v *= left;
-    b.w *= left;
-  }
+  hit.outcome = outcome_of(fence, hit);
+  const double left = velocity_left(fence, hit);
+  b.v *= left;
+  b.w *= left;
   histories_[body].barriers.push_back(hit);
   return hit.outcome == BarrierOutcome::caught;
 }

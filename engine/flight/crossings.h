@@ -1,29 +1,14 @@
 #pragma once
-// Gates, which look at what passes them, and barriers, which hold it.
-//
-// Both stand at an x of the terrain (in 3D a vertical plane across x) and act once on each body: when its centre of mass first arrives there from the side
-// on which it started (a body that starts at x arrives at once). In flight the moment is that of the parabola; within a
-// step in contact the centre of mass moves on a straight line.
+// Gates and barriers (world/places.h) on the way of a world's bodies. In flight the moment of arrival is that of the parabola;
+// within a step in contact the centre of mass moves on a straight line.
 
 #include <span>
 #include <vector>
 
+#include "world/places.h"
 #include "world/world.h"
 
 namespace flyrock {
-
-struct Gate {
-  double x = 0;  ///< m
-};
-
-/// A fence or berm. A body that arrives at `height` above the ground or higher goes on over the top. Lower, it is caught
-/// where its kinetic energy E, of translation and rotation, is at most `capacity`; else it goes through, and its
-/// velocity and spin are scaled by sqrt(1 - capacity / E), which takes `capacity` from its energy.
-struct Barrier {
-  double x = 0;         ///< m
-  double height = 0;    ///< m above the ground at x
-  double capacity = 0;  ///< J
-};
 
 /// When a path arrives at the place x [m], which lies on its side `side` (+1 right, -1 left) [s]: 0 where it is there
 /// already, infinity where it never does.
@@ -46,8 +31,6 @@ class Crossings {
   bool moved(int body, const Motion& motion, double start, double dt);
 
  private:
-  /// Places still ahead of a body: the side they lie on, +1 right, -1 left, or 0 once it has arrived.
-  using Sides = std::vector<int>;
   bool meet(int body, int barrier);
 
   World<D>& world_;

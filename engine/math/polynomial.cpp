@@ -57,6 +57,16 @@ Roots roots_between(std::span<const double> c, double low, double high) {
   return roots;
 }
 
+/// Whether p > 0 on [0, high], seen from its coefficients alone.
+bool stays_positive(std::span<const double> c, double high) {
+  double least = c[0], power = 1;
+  for (std::size_t k = 1; k < c.size(); ++k) {
+    power *= high;
+    least += std::min(c[k], 0.0) * power;
+  }
+  return least > 0;
+}
+
 }  // namespace
 
 double evaluate(std::span<const double> c, double t) {
@@ -66,6 +76,7 @@ double evaluate(std::span<const double> c, double t) {
 }
 
 std::optional<double> first_fall(std::span<const double> c, double low, double high) {
+  if (low == 0 && stays_positive(c, high)) return std::nullopt;
   if (evaluate(c, low) <= 0) {
     // The first derivative at low that is not zero says where p goes from there.
     std::array<double, max_degree + 1> d{};

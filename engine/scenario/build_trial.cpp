@@ -67,6 +67,11 @@ void check_start(World<D>& world) {
 }
 
 /// A point that flies starts above the ground of the terrain.
+void check_start_of_point(const Body<3>& body, const Plane& plane) {
+  if (const double depth = -plane.distance(body.x); depth > most_overlap * body.size)
+    throw PluginError(fmt::format("`{}` starts at ({:.6g}, {:.6g}, {:.6g}) m, {:.3g} m inside the terrain", body.group, body.x.x(),
+                                  body.x.y(), body.x.z(), depth));
+}
 void check_start_of_point(const Body<2>& body, const Profile& profile) {
   const bool beyond = body.x.x() < profile.x_min() || body.x.x() > profile.x_max();
   const double depth = beyond ? 0 : profile.height(body.x.x()) - body.x.y();
@@ -313,7 +318,7 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
           names.push_back(group.name);
           materials.push_back(group.material);
         } else if (scenario_.method == Method::ballistic) {
-          if constexpr (D == 2) check_start_of_point(world.bodies.back(), trial.terrain->profile());
+          check_start_of_point(world.bodies.back(), ground_of(*trial.terrain));
         } else {
           connect(trial, trial.worlds.back(), {rock.key}, {group.name}, {group.material});
           check_start(trial.worlds.back());

@@ -110,9 +110,8 @@ class DocumentDecoder {
   /// What a method cannot do.
   void check_method() {
     if (scenario_.method == Method::nscd) return;
-    if (scenario_.dimension == 3) error_at("method", "`ballistic` flies in dimension 2 only, so far");
     if (scenario_.rock_contacts) error_at("rock_contacts", "rocks of the method `ballistic` are points that never meet");
-    for (const char* key : {"bodies", "pairs", "barriers", "gates"})
+    for (const char* key : {"bodies", "pairs"})
       error_at(key, "belongs to the method `nscd`; `ballistic` flies rocks to the first ground they meet");
   }
 

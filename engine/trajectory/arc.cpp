@@ -35,27 +35,13 @@ std::optional<double> touch(const Arc<2>& arc, const Coefficients& p, const Vec2
 }  // namespace
 
 template <int D>
-Vec<D> Arc<D>::position(double s) const {
-  Vec<D> p = c[5];
-  for (int k = 4; k >= 0; --k) p = p * s + c[k];
-  return p;
-}
-
-template <int D>
-Vec<D> Arc<D>::velocity(double s) const {
-  Vec<D> v = 5 * c[5];
-  for (int k = 4; k >= 1; --k) v = v * s + k * c[k];
-  return v / length;
-}
-
-template <int D>
 Eigen::AlignedBox<double, D> Arc<D>::box() const {
   // Control points b_i = sum over k <= i of C(i, k) / C(5, k) c_k.
-  constexpr double binomial[6][6] = {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}, {1, 5, 10, 10, 5, 1}};
+  constexpr double share[6][6] = {{1}, {1, 0.2}, {1, 0.4, 0.1}, {1, 0.6, 0.3, 0.1}, {1, 0.8, 0.6, 0.4, 0.2}, {1, 1, 1, 1, 1, 1}};
   Eigen::AlignedBox<double, D> box;
   for (int i = 0; i <= 5; ++i) {
     Vec<D> point = Vec<D>::Zero();
-    for (int k = 0; k <= i; ++k) point += binomial[i][k] / binomial[5][k] * c[k];
+    for (int k = 0; k <= i; ++k) point += share[i][k] * c[k];
     box.extend(point);
   }
   return box;
@@ -94,25 +80,37 @@ std::optional<double> first_touch(const Arc<2>& arc, const Profile& ground) {
     const Vec2 &a = *i, &b = *(i + 1);
     if (std::max(a.y(), b.y()) < box.min().y()) continue;
     const Vec2 normal = perpendicular(b - a).normalized();
-    Coefficients height;
-    for (int k = 0; k < 6; ++k) height[k] = normal.dot(arc.c[k]);
+    Coefficients height = arc.along(normal);
     height[0] = normal.dot(arc.c[0] - a);
     if (const auto s = touch(arc, height, a, b); s && (!first || *s < *first)) first = s;
   }
   return first;
 }
 
+std::optional<double> first_touch(const Arc<3>& arc, const Plane& ground) {
+  Coefficients height = arc.along(ground.normal);
+  height[0] = ground.distance(arc.c[0]);
+  return first_fall(height, 0, 1);
+}
+
+template <int D>
+std::optional<double> first_arrival(const Arc<D>& arc, double x, double side, double end) {
+  const Coefficients ahead = arc.along(-side * Vec<D>::Unit(0), side * x);
+  return ahead[0] <= 0 ? 0 : first_fall(ahead, 0, end);
+}
+
 std::optional<double> first_exit(const Arc<2>& arc, const Profile& ground) {
   std::optional<double> first;
   for (const double side : {-1.0, 1.0}) {
-    Coefficients inside;  // how far the end lies ahead
-    for (int k = 0; k < 6; ++k) inside[k] = -side * arc.c[k].x();
-    inside[0] += side * (side < 0 ? ground.x_min() : ground.x_max());
+    const double end = side < 0 ? ground.x_min() : ground.x_max();
+    const Coefficients inside = arc.along(-side * Vec2::UnitX(), side * end);
     if (const auto s = first_fall(inside, 0, 1); s && (!first || *s < *first)) first = s;
   }
   return first;
 }
 
+template std::optional<double> first_arrival(const Arc<2>&, double, double, double);
+template std::optional<double> first_arrival(const Arc<3>&, double, double, double);
 template struct Arc<2>;
 template struct Arc<3>;
 template Arc<2> arc_between(double, double, const FlightState<2>&, const FlightState<2>&);

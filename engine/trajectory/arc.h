@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "geometry/plane.h"
 #include "geometry/profile.h"
 #include "math/space.h"
 
@@ -16,8 +17,24 @@ struct Arc {
   double start = 0, length = 0;  ///< s
   std::array<Vec<D>, 6> c;
 
-  Vec<D> position(double s) const;
-  Vec<D> velocity(double s) const;  ///< m/s
+  Vec<D> position(double s) const {
+    Vec<D> p = c[5];
+    for (int k = 4; k >= 0; --k) p = p * s + c[k];
+    return p;
+  }
+  Vec<D> velocity(double s) const {  ///< m/s
+    Vec<D> v = 5 * c[5];
+    for (int k = 4; k >= 1; --k) v = v * s + k * c[k];
+    return v / length;
+  }
+  bool is_parabola() const { return c[3].isZero(0) && c[4].isZero(0) && c[5].isZero(0); }
+  /// The coefficients of n . p(s) + offset.
+  std::array<double, 6> along(const Vec<D>& n, double offset = 0) const {
+    std::array<double, 6> of;
+    for (int k = 0; k < 6; ++k) of[k] = n.dot(c[k]);
+    of[0] += offset;
+    return of;
+  }
   /// A box with sides along the axes around the whole arc (of its control points as a Bezier curve).
   Eigen::AlignedBox<double, D> box() const;
 };
@@ -41,7 +58,15 @@ Arc<D> parabola(double start, double length, const FlightState<D>& from);
 /// profile has no ground.
 std::optional<double> first_touch(const Arc<2>& arc, const Profile& ground);
 
-/// The first s in [0, 1] at which the arc goes beyond an end of the profile.
+std::optional<double> first_touch(const Arc<3>& arc, const Plane& ground);
+
+/// The first s in [0, 1] at which the arc goes beyond an end of the profile. A plane has none.
 std::optional<double> first_exit(const Arc<2>& arc, const Profile& ground);
+inline std::optional<double> first_exit(const Arc<3>&, const Plane&) { return std::nullopt; }
+
+/// The first s in [0, end] at which the arc arrives at the place x [m] on its side `side` (+1 right, -1 left); 0 where it
+/// begins there or beyond.
+template <int D>
+std::optional<double> first_arrival(const Arc<D>& arc, double x, double side, double end);
 
 }  // namespace flyrock

@@ -38,30 +38,38 @@ class BallisticFlight {
   double step_ = 0.05;  // s, to begin with
 };
 
-/// Where a flight over a profile ends: at the ground, or at the end of the profile or of the time.
+/// How far along an arc a flight goes: to the ground, to the end of the terrain, or to s = 1.
+struct ArcEnd {
+  double s = 1;
+  bool on_ground = false, left = false;
+};
+template <int D, class Ground>
+ArcEnd end_of(const Arc<D>& arc, const Ground& ground) {
+  const std::optional<double> touch = first_touch(arc, ground), exit = first_exit(arc, ground);
+  if (touch && (!exit || *touch <= *exit)) return {*touch, true, false};
+  if (exit) return {*exit, false, true};
+  return {};
+}
+
+/// Where a flight ends: at the ground, or at the end of the terrain or of the time.
+template <int D>
 struct Landing {
   bool on_ground = false, left = false;  ///< neither: the time was up
   double time = 0;
-  Vec2 position = Vec2::Zero(), velocity = Vec2::Zero();
+  Vec<D> position = Vec<D>::Zero(), velocity = Vec<D>::Zero();
 };
 
-/// Flies to the ground, the end of the profile or the time `latest` [s]; `see(arc, end)` is called with every arc and the s
-/// in [0, 1] at which it ends.
-template <class See>
-Landing land(BallisticFlight<2> flight, double start, const Profile& ground, double latest, See see) {
-  Landing landing;
+/// Flies from the time `start` [s] to the ground, the end of the terrain or the time `latest`; `see(arc, end)` is called with
+/// every arc and the s in [0, 1] at which it ends.
+template <int D, class Ground, class See>
+Landing<D> land(BallisticFlight<D> flight, double start, const Ground& ground, double latest, See see) {
+  Landing<D> landing;
   landing.time = start;
-  while (landing.time < latest) {
-    const Arc<2> arc = flight.next(latest - landing.time);
-    const std::optional<double> touch = first_touch(arc, ground), exit = first_exit(arc, ground);
-    landing.on_ground = touch && (!exit || *touch <= *exit);
-    landing.left = !landing.on_ground && exit;
-    const double end = landing.on_ground ? *touch : exit.value_or(1);
-    landing.time = arc.start + end * arc.length;
-    landing.position = arc.position(end);
-    landing.velocity = arc.velocity(end);
-    see(arc, end);
-    if (landing.on_ground || landing.left) break;
+  while (landing.time < latest && !landing.on_ground && !landing.left) {
+    const Arc<D> arc = flight.next(latest - landing.time);
+    const ArcEnd end = end_of(arc, ground);
+    landing = {end.on_ground, end.left, arc.start + end.s * arc.length, arc.position(end.s), arc.velocity(end.s)};
+    see(arc, end.s);
   }
   return landing;
 }

@@ -3,19 +3,24 @@
 
 #include "trajectory/ballistic.h"
 #include "world/body.h"
-#include "world/observe.h"
+#include "world/places.h"
 
 namespace flyrock {
 
+template <int D>
 struct BallisticRun {
-  Forces<2> forces;
+  Forces<D> forces;
   double start_time = 0, stop_time = 60;  ///< s; the flight lasts stop_time - start_time at most
   double trajectory_every = 0;            ///< s between stored points; 0: none
-  double bin_width = 0;                   ///< m, of BodyHistory::path; 0: none is kept
+  double bin_width = 0;                   ///< m, of BodyHistory::path; 0: none is kept; 2D
+  std::span<const Gate> gates;
+  std::span<const Barrier> barriers;
 };
 
-/// Flies the body from its place with its velocity and spin. It `stopped` where it met the ground, left the domain, or
-/// timed out; what a flight does not have (impacts, contact) is empty.
-BodyHistory run_ballistic(const Body<2>& body, const Profile& ground, const BallisticRun& run);
+/// Flies the body from its place with its velocity and spin. It `stopped` where it met the ground, was caught by a barrier,
+/// left the domain, or timed out; what a flight does not have (impacts, contact) is empty. The ground is a Profile in 2D and a
+/// Plane in 3D.
+template <int D, class Ground>
+BodyHistory run_ballistic(const Body<D>& body, const Ground& ground, const BallisticRun<D>& run);
 
 }  // namespace flyrock

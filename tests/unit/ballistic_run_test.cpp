@@ -28,8 +28,8 @@ Body<2> rock(const Vec2& position, const Vec2& velocity) {
   return body;
 }
 
-BallisticRun without_air() {
-  BallisticRun run;
+BallisticRun<2> without_air() {
+  BallisticRun<2> run;
   run.forces.gravity = {0, -g};
   return run;
 }
@@ -38,7 +38,7 @@ BallisticRun without_air() {
 
 TEST_CASE("a flight over a bench keeps the numbers of its parabola") {
   const Body<2> body = rock({-2, 13}, {20, 10});
-  BallisticRun run = without_air();
+  BallisticRun<2> run = without_air();
   run.trajectory_every = 0.1;
   const BodyHistory h = run_ballistic(body, bench(), run);
   const double range = vacuum_range(std::hypot(20, 10), std::atan2(10, 20), 13, g);
@@ -76,7 +76,7 @@ TEST_CASE("the greatest height above the ground may be above a toe, or along a s
 
 TEST_CASE("flights that leave or run out of time say so") {
   CHECK(run_ballistic(rock({-20, 13}, {-30, 20}), bench(), without_air()).reason == StopReason::left_domain);
-  BallisticRun run = without_air();
+  BallisticRun<2> run = without_air();
   run.stop_time = 1;
   const BodyHistory timed = run_ballistic(rock({0, 13}, {1, 20}), bench(), run);
   CHECK(timed.reason == StopReason::timed_out);
@@ -85,7 +85,7 @@ TEST_CASE("flights that leave or run out of time say so") {
 }
 
 TEST_CASE("the bins along x hold the heights and speeds of a flight with drag") {
-  BallisticRun run = without_air();
+  BallisticRun<2> run = without_air();
   run.forces.air.drag = 0.0034;
   run.bin_width = 10;
   const BodyHistory h = run_ballistic(rock({0, 12}, {42, 42}), bench(), run);
@@ -97,4 +97,61 @@ TEST_CASE("the bins along x hold the heights and speeds of a flight with drag") 
   CHECK(highest == Approx(h.bounce_height).epsilon(1e-3));
   CHECK(fastest == Approx(h.max_speed).epsilon(1e-9));
   CHECK(static_cast<double>(h.path.bins().size()) == Approx(h.flight_range / 10).margin(1.01));
+}
+
+TEST_CASE("gates see a flight pass, and fences catch it, let it over the top, or through with what energy is left") {
+  const Body<2> body = rock({0, 12}, {20, 10});
+  const double range = vacuum_range(std::hypot(20, 10), std::atan2(10, 20), 12, g);
+  const auto height = [&](double x) { return 12 + x / 2 - g * x * x / 800; };
+  BallisticRun<2> run = without_air();
+  const std::vector<Gate> gates{{30}, {range + 1}};
+  run.gates = gates;
+  const BodyHistory free = run_ballistic(body, bench(), run);
+  REQUIRE(free.passages.size() == 1);
+  CHECK(free.passages[0].time == Approx(1.5).epsilon(1e-12));
+  CHECK(free.passages[0].height == Approx(height(30)).epsilon(1e-12));
+  CHECK(free.passages[0].speed == Approx(std::hypot(20, 10 - 1.5 * g)).epsilon(1e-12));
+
+  const double energy = free.passages[0].kinetic_energy;
+  CHECK(energy == Approx(0.5 * (body.mass * std::pow(free.passages[0].speed, 2) + 4 * body.inertia)).epsilon(1e-12));
+  const auto fenced = [&](double high, double capacity) {
+    const std::vector<Barrier> fence{{30, high, capacity}};
+    run.barriers = fence;
+    return run_ballistic(body, bench(), run);
+  };
+  const BodyHistory caught = fenced(height(30) + 1, 1.01 * energy);
+  CHECK(caught.reason == StopReason::caught);
+  CHECK(caught.last.position.x() == Approx(30).epsilon(1e-12));
+  CHECK(caught.last.time == Approx(1.5).epsilon(1e-12));
+  const BodyHistory over = fenced(height(30) - 1, 1e9);
+  CHECK(over.barriers.at(0).outcome == BarrierOutcome::over_top);
+  CHECK(over.flight_range == Approx(range).epsilon(1e-12));
+  const BodyHistory through = fenced(height(30) + 1, 0.36 * energy);
+  CHECK(through.barriers.at(0).outcome == BarrierOutcome::over_energy);
+  const Vec2 slower = 0.8 * Vec2(20, 10 - 1.5 * g);
+  CHECK(through.flight_range ==
+        Approx(30 + vacuum_range(slower.norm(), std::atan2(slower.y(), slower.x()), height(30), g)).epsilon(1e-12));
+}
+
+TEST_CASE("in space a flight lands on its plane, and turns with the azimuth of the launch") {
+  Plane ground;
+  ground.normal = Vec3(0.1, -0.2, 1).normalized();
+  const auto flown = [&](double azimuth, double drag) {
+    Body<3> body = make_body({Contactor3::sphere(0.1)}, 2700, 0);
+    body.x = {0, 0, 12};
+    body.v = {20 * std::cos(azimuth), 20 * std::sin(azimuth), 15};
+    BallisticRun<3> run;
+    run.forces = {{0, 0, -g}, {drag, Vec3::Zero()}};
+    return run_ballistic(body, ground, run);
+  };
+  // On the plane the flight lasts until 12 + 15 t - g t^2/2 = (-0.1 vx + 0.2 vy) t.
+  for (const double azimuth : {0.0, 1.0, 4.0}) {
+    const double slope = -0.1 * 20 * std::cos(azimuth) + 0.2 * 20 * std::sin(azimuth), up = 15 - slope;
+    const BodyHistory h = flown(azimuth, 0);
+    CHECK(h.reason == StopReason::stopped);
+    CHECK(h.flight_range == Approx(20 * (up + std::sqrt(up * up + 2 * g * 12)) / g).epsilon(1e-12));
+    CHECK(h.bounce_height == Approx(12 + up * up / (2 * g)).epsilon(1e-12));
+    CHECK(std::atan2(h.last.position.y(), h.last.position.x()) == Approx(std::remainder(azimuth, 2 * pi)).epsilon(1e-9));
+    CHECK(flown(azimuth, 0.01).flight_range < 0.95 * h.flight_range);
+  }
 }
