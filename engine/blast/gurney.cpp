@@ -18,6 +18,12 @@ double charge_to_mass(const Blast& blast) {
   return linear_charge(blast) / rock;
 }
 
+bool is_usual_breakout(const Blast& blast) {
+  constexpr double rounding = 1e-9;
+  const double angle = blast[BlastField::breakout_angle];
+  return angle >= pi / 2 - rounding && angle <= 2 * pi / 3 + rounding;
+}
+
 double gurney_factor(GurneyGeometry geometry, double charge_to_mass) {
   double gas = 0;  // the part of the charge's own mass that moves along
   switch (geometry) {

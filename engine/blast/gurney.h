@@ -12,6 +12,12 @@ namespace flyrock {
 /// below pi. Source: J. Roth, A model for the determination of flyrock range, USBM J0387242 (1979).
 double charge_to_mass(const Blast& blast);
 
+/// Whether the breakout angle is one that the prism is given for: 90 to 120 degrees (Roth 1979).
+bool is_usual_breakout(const Blast& blast);
+
+/// c/m up to which the gas may be neglected beside the rock: the forms of Gurney's model then differ by 3 %.
+inline constexpr double light_charge = 0.1;
+
 /// The bodies between which Gurney's model shares the energy of the explosive.
 enum class GurneyGeometry {
   roth,      ///< f = sqrt(c/m): the gas takes no part of the energy

@@ -114,12 +114,18 @@ std::string short_text(const PluginSpec& spec) {
   return fmt::format("{}/{}\n{}", name_of(spec.kind), spec.name, wrapped(spec.doc, "  "));
 }
 
+std::vector<std::string> texts_of(const std::vector<FieldRead>& reads) {
+  std::vector<std::string> texts;
+  for (const FieldRead& read : reads) texts.push_back(read.text());
+  return texts;
+}
+
 std::string full_text(const PluginSpec& spec) {
   std::string text = short_text(spec);
   if (!spec.source.empty()) text += fmt::format("  source: {}\n", spec.source);
   if (!spec.validity.empty()) text += wrapped("valid: " + spec.validity, "  ");
   if (!spec.form.empty()) text += fmt::format("  form: {}\n", spec.form);
-  if (!spec.reads.empty()) text += fmt::format("  reads: {}\n", fmt::join(spec.reads, ", "));
+  if (!spec.reads.empty()) text += fmt::format("  reads: {}\n", fmt::join(texts_of(spec.reads), ", "));
   if (!spec.history.empty()) text += fmt::format("  remembers: {}\n", memory_text(spec));
   text += fmt::format("  file: {}{}\n", spec.file, spec.native.empty() ? "" : " (native)");
   if (spec.params.empty()) text += "  no parameters\n";
@@ -138,7 +144,7 @@ std::string markdown(const PluginSpec& spec) {
   if (!spec.source.empty()) text += fmt::format("\nSource: {}\n", spec.source);
   if (!spec.validity.empty()) text += fmt::format("\nValid: {}\n", spec.validity);
   if (!spec.form.empty()) text += fmt::format("\nForm: `{}`\n", spec.form);
-  if (!spec.reads.empty()) text += fmt::format("\nReads: `{}`\n", fmt::join(spec.reads, "`, `"));
+  if (!spec.reads.empty()) text += fmt::format("\nReads: `{}`\n", fmt::join(texts_of(spec.reads), "`, `"));
   if (!spec.history.empty()) text += fmt::format("\nRemembers: {}\n", memory_text(spec));
   if (spec.params.empty()) return text + "\nNo parameters.\n";
   text += "\n| parameter | type | unit | default | allowed | |\n|---|---|---|---|---|---|\n";
@@ -168,7 +174,7 @@ Json json_of(const PluginSpec& spec) {
                {"source", spec.source},      {"file", spec.file}, {"native", !spec.native.empty()}};
   if (!spec.validity.empty()) data["validity"] = spec.validity;
   if (!spec.form.empty()) data["form"] = spec.form;
-  data["reads"] = spec.reads;
+  data["reads"] = texts_of(spec.reads);
   data["params"] = params;
   return data;
 }

@@ -77,6 +77,12 @@ std::vector<std::string> Params::unread() const {
   return names;
 }
 
+bool holds(const FieldRead& read, const PluginSpec& spec, const std::vector<ParamValue>& values) {
+  if (read.always()) return true;
+  const std::string& chosen = values.at(static_cast<std::size_t>(spec.find(read.param))).text;
+  return std::find(read.choices.begin(), read.choices.end(), chosen) != read.choices.end();
+}
+
 std::vector<Number> dense_slots(const std::vector<ParamValue>& values) {
   std::vector<Number> slots;
   for (const ParamValue& value : values) slots.insert(slots.end(), value.numbers.begin(), value.numbers.end());

@@ -68,6 +68,9 @@ class Params {
   std::vector<bool> read_;
 };
 
+/// Whether a plugin with these parameters reads what `read` names.
+bool holds(const FieldRead& read, const PluginSpec& spec, const std::vector<ParamValue>& values);
+
 /// The slots of a parameter list in order, as Params numbers them.
 std::vector<Number> dense_slots(const std::vector<ParamValue>& values);
 

@@ -23,6 +23,13 @@ std::string_view name_of(ParamType type) {
   return names[static_cast<std::size_t>(type)];
 }
 
+std::string FieldRead::text() const {
+  if (always()) return field;
+  std::string of;
+  for (const std::string& choice : choices) of += (of.empty() ? "" : " or ") + choice;
+  return field + " if " + param + " is " + of;
+}
+
 int PluginSpec::find(std::string_view param) const {
   for (std::size_t i = 0; i < params.size(); ++i)
     if (params[i].name == param) return static_cast<int>(i);

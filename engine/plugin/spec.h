@@ -50,6 +50,17 @@ struct ParamSpec {
 /// Names that the history of one law may have: a contact keeps room for the laws of its four kinds.
 inline constexpr std::size_t most_history = 4;
 
+/// A field of the blast or the contact that a plugin reads: always, or where a choice among its parameters asks for it. A
+/// manifest writes "blast.burden" or "blast.burden if mode is face_burst or cratering".
+struct FieldRead {
+  std::string field;
+  std::string param;                 ///< empty: always
+  std::vector<std::string> choices;  ///< of that parameter
+
+  bool always() const { return param.empty(); }
+  std::string text() const;
+};
+
 struct PluginSpec {
   PluginKind kind = PluginKind::shape;
   std::string name;
@@ -59,7 +70,7 @@ struct PluginSpec {
   std::string form;                ///< restitution: "newton", "poisson", ...
   std::vector<std::string> history;    ///< names of what the law remembers
   bool history_of_contact = false;     ///< remembered per contact, else per pair of bodies
-  std::vector<std::string> reads;  ///< "blast.burden", "contact.approach_speed"
+  std::vector<FieldRead> reads;    ///< "blast.burden", "contact.approach_speed"
   bool declares_reads = false;
   std::vector<ParamSpec> params;
   std::string file;                ///< the manifest, as it was named to the loader

@@ -200,12 +200,21 @@ class DocumentDecoder {
       const Plugin* plugin =
           type && type->text() ? context_.registry.find(PluginKind::velocity, *type->text()) : nullptr;
       if (!plugin) continue;
-      for (const std::string& field : plugin->spec.reads)
-        if (const std::string missing = missing_field(field); !missing.empty())
+      for (const FieldRead& read : plugin->spec.reads)
+        if (const std::string missing = missing_field(read.field); asks_for(read, plugin->spec, *launch->value) && !missing.empty())
           context_.diagnostics.error(
               launch->key_at, launch->path,
               fmt::format("{} reads `blast.{}`, which the scenario does not give", *type->text(), missing));
     }
+  }
+
+  /// Whether the plugin as it is written in the scenario reads the field; its parameters may still be wrong.
+  static bool asks_for(const FieldRead& read, const PluginSpec& spec, const Value& use) {
+    if (read.always()) return true;
+    const Value* written = use.find(read.param);
+    const std::string* text = written ? written->text() : nullptr;
+    const std::string chosen = text ? *text : spec.params[spec.find(read.param)].default_text.value_or("");
+    return std::find(read.choices.begin(), read.choices.end(), chosen) != read.choices.end();
   }
 
   /// The path of a field that a manifest names and the scenario lacks, or an empty text.

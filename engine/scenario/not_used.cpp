@@ -11,15 +11,17 @@ namespace flyrock {
 
 namespace {
 
-bool reads(const PluginSpec& spec, const BlastFieldInfo& info) {
-  return std::any_of(spec.reads.begin(), spec.reads.end(), [&](const std::string& field) {
-    return field == fmt::format("blast.{}", info.path) || field == fmt::format("blast.{}", info.name);
+bool reads(const PluginUse& use, const BlastFieldInfo& info) {
+  const PluginSpec& spec = use.plugin->spec;
+  return std::any_of(spec.reads.begin(), spec.reads.end(), [&](const FieldRead& read) {
+    const bool named = read.field == fmt::format("blast.{}", info.path) || read.field == fmt::format("blast.{}", info.name);
+    return named && holds(read, spec, use.values);
   });
 }
 
 /// A Lua plugin may read what it likes where its manifest does not say.
-bool may_read(const PluginSpec& spec, const BlastFieldInfo& info) {
-  return reads(spec, info) || (!spec.declares_reads && spec.native.empty());
+bool may_read(const PluginUse& use, const BlastFieldInfo& info) {
+  return reads(use, info) || (!use.plugin->spec.declares_reads && use.plugin->spec.native.empty());
 }
 
 /// Whether a given field makes up one that does not stand in the scenario itself but follows (blast/design.h).
@@ -39,21 +41,22 @@ bool places_by_rows(const Scenario& scenario) {
   });
 }
 
-/// The plugins that get the blast, by name.
-std::map<std::string, const PluginSpec*> blast_readers(const Scenario& scenario) {
-  std::map<std::string, const PluginSpec*> readers;
+/// The uses of plugins that get the blast, of one name together.
+using Readers = std::map<std::string, std::vector<const PluginUse*>>;
+Readers blast_readers(const Scenario& scenario) {
+  Readers readers;
   for (const RockGroup& group : scenario.rocks) {
-    if (group.launch) readers[group.launch->plugin->spec.name] = &group.launch->plugin->spec;
+    if (group.launch) readers[group.launch->plugin->spec.name].push_back(&*group.launch);
     if (group.population.plugin->spec.name != default_population)
-      readers[group.population.plugin->spec.name] = &group.population.plugin->spec;
+      readers[group.population.plugin->spec.name].push_back(&group.population);
   }
   return readers;
 }
 
-std::string reason(const std::map<std::string, const PluginSpec*>& readers) {
+std::string reason(const Readers& readers) {
   if (readers.empty()) return "nothing reads it";
   std::string names;
-  for (const auto& [name, spec] : readers) names += (names.empty() ? "" : ", ") + name;
+  for (const auto& [name, uses] : readers) names += (names.empty() ? "" : ", ") + name;
   return names + (readers.size() == 1 ? " does not read it" : " do not read it");
 }
 
@@ -63,8 +66,9 @@ void find_blast_keys(const Node& blast, const Scenario& scenario, std::vector<st
   bool explosive_is_read = false;
   for (const BlastFieldInfo& info : blast_fields()) {
     const auto read_by_plugin = [&](const BlastFieldInfo& other) {
-      return std::any_of(readers.begin(), readers.end(),
-                         [&](const auto& reader) { return may_read(*reader.second, other); });
+      return std::any_of(readers.begin(), readers.end(), [&](const auto& reader) {
+        return std::any_of(reader.second.begin(), reader.second.end(), [&](const PluginUse* use) { return may_read(*use, other); });
+      });
     };
     const bool holds_rows = info.field == BlastField::burden || info.field == BlastField::burden_crest;
     const bool is_read =

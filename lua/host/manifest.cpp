@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include "blast/blast.h"
 #include "host/locate.h"
@@ -183,9 +184,9 @@ class ManifestReader {
       read_form(form);
       check_entry();
     }
-    read_reads();
     read_history();
     read_params();
+    read_reads();
     table_.finish();
     if (table_.failed() || params_failed_) return std::nullopt;
     return spec_;
@@ -243,13 +244,46 @@ class ManifestReader {
     std::vector<std::string> known;
     for (const BlastFieldInfo& field : blast_fields()) known.push_back(fmt::format("blast.{}", field.path));
     for (const ContactField& field : contact_fields()) known.push_back(fmt::format("contact.{}", field.name));
-    for (const std::string& name : *reads)
-      if (std::find(known.begin(), known.end(), name) == known.end()) {
-        const std::string hint = did_you_mean(name, known);
-        table_.error("reads", fmt::format("unknown field `{}`{}", name,
+    for (const std::string& text : *reads) {
+      const FieldRead read = read_of(text);
+      if (std::find(known.begin(), known.end(), read.field) == known.end()) {
+        const std::string hint = did_you_mean(read.field, known);
+        table_.error("reads", fmt::format("unknown field `{}`{}", read.field,
                                           hint.empty() ? ", expected one of " + one_of(known) : hint));
       }
-    spec_.reads = *reads;
+      if (!read.always()) check_condition(read);
+      spec_.reads.push_back(read);
+    }
+  }
+
+  /// "FIELD" or "FIELD if PARAM is CHOICE or CHOICE".
+  static FieldRead read_of(const std::string& text) {
+    const auto cut = [](const std::string& whole, std::string_view at) {
+      const std::size_t place = whole.find(at);
+      if (place == whole.npos) return std::pair(whole, std::string());
+      return std::pair(whole.substr(0, place), whole.substr(place + at.size()));
+    };
+    FieldRead read;
+    std::string condition, choices;
+    std::tie(read.field, condition) = cut(text, " if ");
+    std::tie(read.param, choices) = cut(condition, " is ");
+    while (!choices.empty()) {
+      std::string choice;
+      std::tie(choice, choices) = cut(choices, " or ");
+      read.choices.push_back(choice);
+    }
+    return read;
+  }
+
+  void check_condition(const FieldRead& read) {
+    const int param = spec_.find(read.param);
+    if (param < 0 || spec_.params[param].type != ParamType::choice)
+      return table_.error("reads", fmt::format("`{}` is no parameter with choices, expected `FIELD if PARAM is CHOICE`", read.param));
+    const std::vector<std::string>& known = spec_.params[param].choices;
+    for (const std::string& choice : read.choices)
+      if (std::find(known.begin(), known.end(), choice) == known.end())
+        table_.error("reads", fmt::format("`{}` is no choice of `{}`, expected {}", choice, read.param, one_of(known)));
+    if (read.choices.empty()) table_.error("reads", fmt::format("`{}` without a choice, expected `FIELD if PARAM is CHOICE`", read.param));
   }
 
   /// What a law remembers: names, and whether each contact or each pair of bodies has its own.

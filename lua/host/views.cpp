@@ -219,8 +219,9 @@ View rock_view(lua_State* lua) { return View(lua, rock_type, numbered(rock_names
 View blast_view(lua_State* lua, const PluginSpec& spec) {
   std::vector<std::pair<std::string_view, int>> fields;
   for (const BlastFieldInfo& field : blast_fields()) {
-    const bool declared = std::find(spec.reads.begin(), spec.reads.end(),
-                                    fmt::format("blast.{}", field.path)) != spec.reads.end();
+    const bool declared = std::any_of(spec.reads.begin(), spec.reads.end(), [&](const FieldRead& read) {
+      return read.field == fmt::format("blast.{}", field.path);
+    });
     fields.emplace_back(field.name, static_cast<int>(fields.size()) + (declared ? 0 : undeclared));
   }
   return View(lua, blast_type, fields);

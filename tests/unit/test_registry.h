@@ -96,12 +96,12 @@ struct StubPlane : TerrainModel {
 
 template <class Interface, class Stub>
 void add(Registry& registry, PluginKind kind, std::string name, std::vector<ParamSpec> params,
-         std::vector<std::string> reads = {}) {
+         const std::vector<std::string>& reads = {}) {
   PluginSpec spec;
   spec.kind = kind;
   spec.name = std::move(name);
   spec.params = std::move(params);
-  spec.reads = std::move(reads);
+  for (const std::string& field : reads) spec.reads.push_back({field, {}, {}});
   spec.native = spec.name;
   registry.add({spec, FactoryOf<Interface>([spec](Params& p) {
                   read_all(p, spec);

@@ -23,18 +23,20 @@ class BenchFitLaunch : public VelocityModel {
     const double squared = squared_speed(bench_fit(rock_, blast.is_anfo), form_, ratio);
     Launch launch;
     launch.velocity = aim_.velocity(values, rock, std::sqrt(std::max(squared, 0.0)));
-    launch.note = note(blast.is_anfo, squared);
+    launch.note = note(blast, squared);
     return launch;
   }
 
  private:
   /// What the user must know of this speed, the gravest first.
-  std::string note(bool anfo, double squared) const {
+  std::string note(const Blast& blast, double squared) const {
     if (squared < 0)
       return "bench_fit: v0^2 < 0, the charge is too small for the fit; the rock starts at rest";
     if (form_ == BenchFitForm::as_printed)
       return "bench_fit: form as_printed takes the square root of c/m; its speeds are those of no quarry";
-    if (rock_ == BenchRock::limestone && !anfo)
+    if (!is_usual_breakout(blast))
+      return "bench_fit: the breakout angle lies outside 90 to 120 degrees, for which the prism is given";
+    if (rock_ == BenchRock::limestone && !blast.is_anfo)
       return "bench_fit: the fit of limestone is printed for ANFO only and is used here for another "
              "explosive";
     return {};

@@ -6,6 +6,8 @@ return fr.plugin {
   doc = "Launch speed fitted to bench blasts: v0^2 = K f(c/m) - C, with constants for limestone and granite, ANFO or "
     .. "another explosive (as the blast says). Where v0^2 < 0 the rock starts at rest and the run says so.",
   source = "Fly-rock distance (Ninh Dan), equation 6, after J. Roth 1979",
+  validity = "breakout angles of 90 to 120 degrees; charges large enough for v0^2 > 0; limestone is printed for ANFO only. "
+    .. "Outside the run warns.",
   reads = {
     "blast.explosive.density", "blast.hole.diameter", "blast.burden", "blast.rock_density", "blast.breakout_angle",
   },

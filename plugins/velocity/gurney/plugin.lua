@@ -6,6 +6,8 @@ return fr.plugin {
   doc = "Launch speed of the burden from the energy of the charge: v0 = sqrt(2E) f(c/m) with "
     .. "c/m = (W/l) / (rho b^2 tan(alpha/2)) and W/l = pi/4 d^2 rho_e. Every rock of the burden starts at this speed.",
   source = "J. Roth, A model for the determination of flyrock range, USBM J0387242, 1979; R. W. Gurney 1943",
+  validity = "breakout angles of 90 to 120 degrees; with roth, a charge far lighter than the rock, c/m up to 0.1. Outside "
+    .. "the run warns.",
   reads = {
     "blast.explosive.density", "blast.explosive.gurney_constant", "blast.hole.diameter", "blast.burden",
     "blast.rock_density", "blast.breakout_angle",

@@ -9,7 +9,10 @@ return fr.plugin {
   source = "A. B. Richards and A. J. Moore, Flyrock control - by chance or design, ISEE 2004",
   validity = "k is fitted to a site: 13.5 in soft to 27 in hard rock (recalled, unverified); 14 to 30 in use. Outside 13.5 "
     .. "to 30 the run warns.",
-  reads = { "blast.explosive.density", "blast.hole.diameter", "blast.hole.stemming", "blast.burden" },
+  reads = {
+    "blast.explosive.density", "blast.hole.diameter", "blast.burden if mode is face_burst",
+    "blast.hole.stemming if mode is cratering or stemming_ejection",
+  },
   params = {
     mode = fr.choice {
       choices = { "face_burst", "cratering", "stemming_ejection" }, default = "face_burst", doc = "where the gas breaks out",
