@@ -55,16 +55,21 @@ ClearanceTally::ClearanceTally(const std::vector<ClearancePlan>& plans) : plans_
   for (const ClearancePlan& plan : plans_) {
     const double p = 1 - plan.probability;
     samples_.emplace_back(Questions{{p}, {{p, plan.confidence}}});
+    sectors_.emplace_back(plan);
   }
 }
 
 void ClearanceTally::see(const TrialRecords& chunk) {
-  for (std::size_t c = 0; c < plans_.size(); ++c) add_distances(chunk.rocks, plans_[c], samples_[c]);
+  for (std::size_t c = 0; c < plans_.size(); ++c) {
+    add_distances(chunk.rocks, plans_[c], samples_[c]);
+    if (plans_[c].sectors > 0) sectors_[c].see(chunk);
+  }
 }
 
 bool ClearanceTally::again() {
   bool more = false;
   for (Sample& sample : samples_) more |= sample.again();
+  for (SectorTally& sectors : sectors_) more |= sectors.again();
   return more;
 }
 
@@ -80,6 +85,7 @@ std::vector<ClearanceSummary> ClearanceTally::summaries() const {
       summary.interval = samples_[c].quantile_interval(1 - plan.probability, plan.confidence);
       if (plan.factor) summary.with_factor = *plan.factor * summary.distance.value;
     }
+    summary.sectors = sectors_[c].summaries(summary.needed);
     summaries.push_back(summary);
   }
   return summaries;

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "batch/statistics.h"
+#include "batch/sectors.h"
 #include "scenario/diagnostics.h"
 
 namespace flyrock {
@@ -22,6 +22,8 @@ struct ClearanceSummary {
   /// factor x distance; NaN without a factor. The interval is left as it is: the factor is applied once.
   double with_factor = std::numeric_limits<double>::quiet_NaN();
 
+  std::vector<SectorSummary> sectors;  ///< where the plan asks for them
+
   bool enough() const { return count >= needed; }
 };
 
@@ -36,7 +38,8 @@ class ClearanceTally {
 
  private:
   std::vector<ClearancePlan> plans_;
-  std::vector<Sample> samples_;  ///< of distances
+  std::vector<Sample> samples_;       ///< of distances
+  std::vector<SectorTally> sectors_;  ///< empty ones where none are asked for
 };
 
 /// An error at each clearance of the scenario's tree that its rocks and trials are too few for, at any point of the sweep.

@@ -19,6 +19,19 @@ void check_place(DecodeContext& context, const Node& item, const Section& sectio
                                             at, profile->x_min(), profile->x_max()));
 }
 
+/// The distance by azimuth about a point.
+void decode_sectors(DecodeContext& context, const Node& item, const Section& section, ClearancePlan& plan) {
+  const auto error_at = [&](const char* key, const char* text) { item.find(key)->error(context.diagnostics, text); };
+  if (section.given("x")) plan.x = section.constant("x");
+  if (section.given("y")) plan.y = section.constant("y");
+  for (const char* key : {"x", "y"})
+    if (section.given(key) && !section.given("sectors")) error_at(key, "is the point that `sectors` are about, and there are none");
+  if (!section.given("sectors")) return;
+  plan.sectors = section.integer("sectors");
+  if (context.dimension != 3) error_at("sectors", "are of azimuth, which needs dimension 3");
+  if (plan.of_max_distance) error_at("of", "max_distance has no direction: `sectors` go with runout");
+}
+
 }  // namespace
 
 std::vector<BarrierPlan> decode_barriers(DecodeContext& context, const Node& node,
@@ -51,6 +64,7 @@ std::vector<ClearancePlan> decode_clearances(DecodeContext& context, const Node&
     if (section.given("factor")) plan.factor = section.constant("factor");
     plan.per_blast = section.text("per") == "blast";
     plan.of_max_distance = section.text("of") == "max_distance";
+    decode_sectors(context, item, section, plan);
     return plan;
   });
 }

@@ -144,6 +144,8 @@ struct ClearancePlan {
   std::optional<double> factor = {};  ///< of safety; absent: none is applied
   bool per_blast = false;
   bool of_max_distance = false;  ///< else of runout
+  int sectors = 0;               ///< 3D: also by azimuth, in so many sectors about (x, y); 0: not
+  double x = 0, y = 0;           ///< m
 };
 
 enum class FlightMode { exact, stepped };
