@@ -100,7 +100,17 @@ std::string bodies_answer(const Plan& plan, const Results& results) {
 std::string by_group(const Results& results, Statistic statistic) {
   const std::vector<GroupSummary>& groups = results.points.front().groups;
   constexpr std::size_t most_named = 4;  // of more the table says more than a sentence
-  if (groups.size() < 2 || groups.size() > most_named + 1) return "";
+  if (groups.size() < 2) return "";
+  if (groups.size() > most_named + 1) {
+    const auto shorter = [&](const GroupSummary& a, const GroupSummary& b) {
+      return a.at(RockQuantity::runout, statistic).value < b.at(RockQuantity::runout, statistic).value;
+    };
+    const auto [least, most] = std::minmax_element(groups.begin() + 1, groups.end(), shorter);
+    const auto of = [&](auto group) {
+      return fmt::format("{} {}", group->name, range_of(results, statistic, static_cast<std::size_t>(group - groups.begin())));
+    };
+    return fmt::format(" (from {} to {})", of(least), of(most));
+  }
   std::vector<std::string> parts;
   for (std::size_t g = 1; g < groups.size(); ++g)
     parts.push_back(fmt::format("{} {}", groups[g].name, range_of(results, statistic, g)));
@@ -150,7 +160,8 @@ std::string assumptions(const Plan& plan) {
     text += "rigid bodies, ";
     if (scenario.bodies.empty())
       text += scenario.rock_contacts ? "rocks that meet each other, " : "each rock alone, rocks do not meet each other, ";
-    text += "no drag of the air; contacts by non-smooth contact dynamics, ";
+    text += scenario.air ? "drag of the air as on a sphere of equal volume; " : "no drag of the air; ";
+    text += "contacts by non-smooth contact dynamics, ";
     text += scenario.solver.flight == FlightMode::exact ? "flights exact between them." : "flights in time steps.";
   }
   if (!scenario.bodies.empty()) return text;

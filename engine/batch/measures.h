@@ -6,6 +6,7 @@
 
 #include "batch/clearance.h"
 #include "batch/crossing_summary.h"
+#include "batch/reach.h"
 
 namespace flyrock {
 
@@ -19,6 +20,7 @@ struct PointResult {
   std::vector<GateSummary> gates;    ///< in the order of Scenario::gates
   std::vector<BarrierSummary> barriers;
   std::vector<ClearanceSummary> clearances;
+  std::vector<Reach> reaches;        ///< of the method ballistic
 };
 
 struct Measured {

@@ -18,7 +18,8 @@ constexpr std::size_t faults_kept = 20;
 class PointTally {
  public:
   PointTally(const Scenario& scenario, int point)
-      : point_(point),
+      : scenario_(scenario),
+        point_(point),
         rocks_(group_names(scenario)),
         crossings_(scenario.gates.size(), scenario.barriers.size()),
         clearances_(scenario.clearances) {}
@@ -52,10 +53,12 @@ class PointTally {
     result_.gates = crossings_.gates();
     result_.barriers = crossings_.barriers();
     result_.clearances = clearances_.summaries();
+    if (scenario_.method == Method::ballistic) result_.reaches = reaches_of(scenario_, result_.groups);
     return std::move(result_);
   }
 
  private:
+  const Scenario& scenario_;
   int point_;
   PointResult result_;
   RockTally rocks_;

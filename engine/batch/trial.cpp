@@ -197,14 +197,12 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
 
   for (std::size_t i = 0; i < trial.rocks.size(); ++i) {
     TrialRock& rock = trial.rocks[i];
-    BodyHistory history;
-    const World<D>* world = nullptr;
-    if (rock.world >= 0) {
-      world = &trial.worlds[rock.world];
-      history = histories[rock.world][rock.body];
+    if (rock.world < 0) {
+      record(number, static_cast<int>(i), rock, nullptr, {}, out);
+    } else {
       if (!faults[rock.world].empty()) rock.fault = faults[rock.world];
+      record(number, static_cast<int>(i), rock, &trial.worlds[rock.world], histories[rock.world][rock.body], out);
     }
-    record(number, static_cast<int>(i), rock, world, history, out);
     if (!rock.note.empty()) out.totals.add_note(rock.note);
   }
   for (std::size_t s = 0; s < trial.surfaces.size(); ++s) out.totals.materials[trial.surface_material[s]].add(trial.surfaces[s].use);

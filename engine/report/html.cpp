@@ -24,7 +24,7 @@ std::string script(std::string source) { return replace_all(std::move(source), "
 /// The scripts of the page, in one scope, in this order: each uses what stands before it.
 std::string scripts(const std::filesystem::path& assets) {
   std::string joined = "\"use strict\";\n(() => {\n";
-  for (const char* name : {"page.js", "tracks.js", "plots.js", "small_plots.js", "tables.js", "report.js"})
+  for (const char* name : {"page.js", "reach.js", "tracks.js", "plots.js", "small_plots.js", "curves.js", "area.js", "tables.js", "report.js"})
     joined += read_file(assets / name);
   return joined + "})();\n";
 }

@@ -6,6 +6,7 @@
 #include "report/convergence.h"
 #include "report/envelope_data.h"
 #include "report/law_data.h"
+#include "report/reach_data.h"
 #include "report/rounded.h"
 #include "report/runout_data.h"
 #include "report/summary_data.h"
@@ -162,6 +163,7 @@ Json ReportData::finish(const Results& results, const std::vector<Rows>& rows) {
                       {"convergence", runouts.convergence()},
                       {"envelopes", envelope_data(point)},
                       {"sensitivity", points_[p].sensitivity},
+                      {"shrouds", shroud_data(point.reaches)},
                       {"laws", p > 0 && laws == first_laws ? Json(nullptr) : laws},
                       {"bodies", bodies_data(plan.points[p], point.totals)}});
   }

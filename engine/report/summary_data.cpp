@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "batch/answer.h"
+#include "report/reach_data.h"
 
 namespace flyrock {
 
@@ -94,6 +95,19 @@ Json barriers_data(const Scenario& scenario, const std::vector<BarrierSummary>& 
   return list;
 }
 
+/// The distance by azimuth about a point: { x, y, sectors: [{ azimuth_deg, count, greatest, distance, lower_bound, with_factor }] }.
+Json area_data(const ClearancePlan& plan, const std::vector<SectorSummary>& sectors) {
+  Json list = Json::array();
+  for (const SectorSummary& sector : sectors)
+    list.push_back({{"azimuth_deg", sector.azimuth * 180 / pi},
+                    {"count", sector.count},
+                    {"greatest", number(sector.greatest.value)},
+                    {"distance", number(sector.distance.value)},
+                    {"lower_bound", sector.greatest.censored},
+                    {"with_factor", number(sector.with_factor)}});
+  return {{"x", plan.x}, {"y", plan.y}, {"sectors", list}};
+}
+
 Json clearances_data(const Scenario& scenario, const std::vector<ClearanceSummary>& clearances) {
   Json list = Json::array();
   for (std::size_t c = 0; c < clearances.size(); ++c) {
@@ -112,6 +126,7 @@ Json clearances_data(const Scenario& scenario, const std::vector<ClearanceSummar
                     {"upper", number(clearance.interval.upper)},
                     {"factor", plan.factor ? Json(*plan.factor) : Json(nullptr)},
                     {"with_factor", number(clearance.with_factor)}});
+    if (plan.sectors > 0) list.back()["area"] = area_data(plan, clearance.sectors);
   }
   return list;
 }
@@ -196,6 +211,7 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
                       {"gates", gates_data(plan.points[p], point.gates)},
                       {"barriers", barriers_data(plan.points[p], point.barriers)},
                       {"clearance", clearances_data(plan.points[p], point.clearances)},
+                      {"reach", reach_data(plan.points[p], point.reaches)},
                       {"solver", quality_data(point.totals.quality)},
                       {"materials", materials_data(plan.points[p], point.totals.materials)}});
   }

@@ -35,6 +35,12 @@ struct Arc {
     of[0] += offset;
     return of;
   }
+  /// The coefficients of its derivative by s.
+  std::array<double, 5> rate_along(const Vec<D>& n) const {
+    std::array<double, 5> rate;
+    for (int k = 1; k <= 5; ++k) rate[k - 1] = k * n.dot(c[k]);
+    return rate;
+  }
   /// A box with sides along the axes around the whole arc (of its control points as a Bezier curve).
   Eigen::AlignedBox<double, D> box() const;
 };

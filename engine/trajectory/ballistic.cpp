@@ -73,35 +73,6 @@ Arc<D> BallisticFlight<D>::next(double longest) {
   return arc;
 }
 
-Farthest farthest(const Forces<2>& forces, double speed, double height) {
-  constexpr double wide = 1e6;  // m, beyond any flight
-  Profile ground;
-  ground.points = {{-wide, -height}, {wide, -height}};
-  ground.part = {0};
-  ground.parts = {""};
-  const auto range = [&](double elevation) {
-    const Vec2 velocity = speed * Vec2(std::cos(elevation), std::sin(elevation));
-    const double day = 86400;
-    return land(BallisticFlight<2>(forces, Vec2::Zero(), velocity), 0, ground, day, [](const Arc<2>&, double) {})
-        .position.x();
-  };
-  // Golden section: the range has one maximum over the elevation.
-  const double golden = (std::sqrt(5.0) - 1) / 2;
-  double low = 0, high = pi / 2;
-  double a = high - golden * (high - low), b = low + golden * (high - low);
-  double range_a = range(a), range_b = range(b);
-  while (high - low > 1e-4) {
-    if (range_a < range_b) {
-      low = a, a = b, range_a = range_b;
-      range_b = range(b = low + golden * (high - low));
-    } else {
-      high = b, b = a, range_b = range_a;
-      range_a = range(a = high - golden * (high - low));
-    }
-  }
-  return {0.5 * (low + high), std::max(range_a, range_b)};
-}
-
 template class BallisticFlight<2>;
 template class BallisticFlight<3>;
 

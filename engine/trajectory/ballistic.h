@@ -74,11 +74,4 @@ Landing<D> land(BallisticFlight<D> flight, double start, const Ground& ground, d
   return landing;
 }
 
-/// The elevation [rad] in (0, pi/2) that goes farthest over level ground `height` [m] below the launch, to 1e-4 rad, and
-/// its distance [m]. `forces` with gravity along -y.
-struct Farthest {
-  double elevation = 0, range = 0;
-};
-Farthest farthest(const Forces<2>& forces, double speed, double height);
-
 }  // namespace flyrock

@@ -10,14 +10,6 @@ namespace flyrock {
 
 namespace {
 
-/// The coefficients of d/ds of n . p(s).
-template <int D>
-std::array<double, 5> rates(const Arc<D>& arc, const Vec<D>& n) {
-  std::array<double, 5> rate;
-  for (int k = 1; k <= 5; ++k) rate[k - 1] = k * n.dot(arc.c[k]);
-  return rate;
-}
-
 /// The height of the ground [m] at a place, or beyond the end of the terrain at that end.
 double ground_at(const Profile& ground, const Vec2& p) { return ground.height(std::clamp(p.x(), ground.x_min(), ground.x_max())); }
 double ground_at(const Plane& ground, const Vec3& p) { return ground.height(p.x(), p.y()); }
@@ -49,12 +41,12 @@ void visit_highest(const Arc<2>& arc, const Profile& ground, double end, Look lo
     if (b.x() < box.min().x() || a.x() > box.max().x()) continue;
     for (const double side : {-1.0, 1.0})
       if (const auto s = first_arrival(arc, b.x(), side, end)) look(*s);
-    if (const auto s = first_fall(rates<2>(arc, perpendicular(b - a)), 0, end)) look(*s);
+    if (const auto s = first_fall(arc.rate_along(perpendicular(b - a)), 0, end)) look(*s);
   }
 }
 template <class Look>
 void visit_highest(const Arc<3>& arc, const Plane& ground, double end, Look look) {
-  if (const auto s = first_fall(rates<3>(arc, ground.normal), 0, end)) look(*s);
+  if (const auto s = first_fall(arc.rate_along(ground.normal), 0, end)) look(*s);
 }
 
 }  // namespace
@@ -81,10 +73,10 @@ void FlightLog<D, Ground>::see(const Arc<D>& arc, double end) {
     next_sample_ += run_.trajectory_every;
   }
   const Vec<D> up = Vec<D>::Unit(D - 1);
-  if (const auto apex = first_fall(rates<D>(arc, up), 0, end); apex && *apex > 0) widen(at(arc, *apex));
+  if (const auto apex = first_fall(arc.rate_along(up), 0, end); apex && *apex > 0) widen(at(arc, *apex));
   for (int k = 0; k < D - 1; ++k)  // where a wind turns the rock
     for (const double side : {-1.0, 1.0})
-      if (const auto turn = first_fall(rates<D>(arc, side * Vec<D>::Unit(k)), 0, end); turn && *turn > 0) widen(at(arc, *turn));
+      if (const auto turn = first_fall(arc.rate_along(side * Vec<D>::Unit(k)), 0, end); turn && *turn > 0) widen(at(arc, *turn));
   widen(at(arc, end));
   highest(arc, end);
   bins(arc, end);

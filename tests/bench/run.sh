@@ -20,6 +20,8 @@ for scenario in "$here/../../scenarios/ninh_dan/benches_2d.yaml" "$here/../../sc
   printf '%-12s %8s rocks/s  (%s)  %s steps, %s flights\n' "$name" "$rate" "$phases" "$(count steps)" "$(count flights)"
 done
 
+"$1/flyrock_shots"
+
 # Memory does not grow with the number of rocks; 1000000 gives the same (about a minute). All threads, as an engineer runs it.
 for trials in 10000 100000; do
   "$flyrock" run "$here/many.yaml" --trials $trials -o "$out/many" --force --quiet

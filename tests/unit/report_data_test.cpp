@@ -55,6 +55,15 @@ TEST_CASE("Inputs are ranked by what they do to the runout") {
   CHECK(inputs[1]["path"] == "input 1");
   CHECK(inputs[1]["upper"] < 0);
 
+  const auto& curve = inputs[0]["curve"];
+  REQUIRE(curve["x"].size() == 10);  // tenths
+  for (std::size_t i = 0; i < 10; ++i) {
+    CHECK(curve["low"][i] <= curve["middle"][i]);
+    CHECK(curve["middle"][i] <= curve["high"][i]);
+    if (i > 0) CHECK(curve["x"][i] > curve["x"][i - 1]);
+    if (i > 0) CHECK(curve["middle"][i] > curve["middle"][i - 1]);
+  }
+
   Sensitivity few(with_draws());
   few.see(rocks_with_inputs(20));
   CHECK(few.data()[0]["inputs"].empty());

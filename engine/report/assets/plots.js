@@ -136,11 +136,13 @@ function sensitivity_section() {
     if (inputs.length === 0) return content.replaceChildren(paragraph("note", "Nothing that differs from rock to rock was drawn from a distribution."));
     const node = plot_node("Rank correlation of each input with runout; the same numbers in the table below");
     const each = data.drawn.impact.length > 0 ? ` Drawn at every impact and therefore not ranked: ${data.drawn.impact.join(", ")}.` : "";
+    const curves = curves_of(inputs);
     content.replaceChildren(node, paragraph("caption", `Shown: ${shown_text()}; ${count === 10000 ? "the first 10000 rocks" : counted(count, "rock", "rocks")}, ${inputs.length > most_inputs ? `the ${most_inputs} strongest of ${inputs.length} inputs` : "every number that was drawn from a distribution"}. ` +
       "Read: the input with the longest bar orders the runouts most; it is the one to measure first. Spearman's rank correlation from -1 to 1, with its 95 % confidence interval as a whisker; " +
       "where that holds 0 the sample does not tell it from chance. It sees rising and falling influence, not one that turns round; a censored runout has the rank of its lower bound." + each),
-      numbers(table("", ["input", "rank correlation", "95 % from", "to"], inputs.map((line) => [line.path, line.r, line.lower, line.upper]))));
+      numbers(table("", ["input", "rank correlation", "95 % from", "to"], inputs.map((line) => [line.path, line.r, line.lower, line.upper]))), ...curves.nodes);
     draw_tornado(node, inputs);
+    curves.draw();
   });
 }
 

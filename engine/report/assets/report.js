@@ -38,9 +38,11 @@ function facts_section() {
 }
 
 facts_section();
+reach_section();
 tracks_section();
 runout_section();
 clearance_section();
+area_section();
 crossings_section();
 envelopes_section();
 sensitivity_section();

@@ -60,7 +60,7 @@ function ground_at(terrain, at) {
   return x1 > x0 ? y0 + ((y1 - y0) * (at - x0)) / (x1 - x0) : Math.max(y0, y1);
 }
 
-function draw_tracks(node, point, crossings, tracks) {
+function draw_tracks(node, point, crossings, tracks, shrouds) {
   const terrain_x = point.terrain.x.map((v) => v / 1000), terrain_y = point.terrain.y.map((v) => v / 1000);
   const paths = track_traces(tracks);
   const fences = crossings.barriers.map((fence) => {
@@ -71,7 +71,8 @@ function draw_tracks(node, point, crossings, tracks) {
     };
   });
   // The window: where rocks were, with the ground below them; zoom out for the rest of the terrain.
-  const seen = paths.flatMap((t) => t.x).filter((v) => v !== null), high = paths.flatMap((t) => t.y).filter((v) => v !== null);
+  const shown_lines = [...paths, ...shrouds.slice(0, 1)];  // the shroud of the median speed, not of the greatest
+  const seen = shown_lines.flatMap((t) => t.x).filter((v) => v !== null), high = shown_lines.flatMap((t) => t.y).filter((v) => v !== null);
   let window = {}, height = 420;
   if (seen.length > 0) {
     const left = least(seen), far = most(seen), margin = 0.04 * Math.max(far - left, most(high) - least(high), 0.1);
@@ -82,7 +83,7 @@ function draw_tracks(node, point, crossings, tracks) {
     height = Math.min(620, Math.max(280, (drawn * (top - low)) / (window.x[1] - window.x[0]) + 150));
   }
   const ground = { x: terrain_x, y: terrain_y, mode: "lines", name: "ground", line: { color: "#3b3f45", width: 2 }, hoverinfo: "skip" };
-  plot(node, [ground, ...paths, ...fences], {
+  plot(node, [ground, ...shrouds, ...paths, ...fences], {
     height, hovermode: "closest", legend,
     xaxis: { ...axis("distance x in m"), range: window.x },
     yaxis: { ...axis("height y in m"), range: window.y, scaleanchor: "x", scaleratio: 1 },
@@ -100,12 +101,13 @@ function tracks_section() {
   section("Trajectories", node, note, paragraph("caption",
     "Read: the paths of centres of mass over the ground, both axes to the same scale. Flight: until the first landing; bounce: in the air after it; slide and roll: in contact " +
     "(thick lines). A mark is where a path ended; its form says why. Drag to move, scroll to zoom, double-click to return; hover for trial, rock, time and speed; click a name in the legend to hide it." +
+    (data.points.some((point) => point.shrouds.length > 0) ? " Dashed: the shroud of all launch angles at the median, the 95 % and the greatest launch speed of the group shown; no rock of that speed leaves it." : "") +
     (data.drawn.terrain ? " The terrain is drawn anew in each trial; the ground shown is that of trial 0, so that the paths of other trials need not touch it." : "")));
   redraw.push(() => {
     const page = data.points[shown.point], point = summary.points[shown.point];
     const tracks = page.tracks.list.filter((track) => shown.group === 0 || track.group === shown.group - 1);
     const trials = new Set(tracks.map((t) => t.trial)).size;
     note.textContent = `Shown: ${shown_text()}; ${trials} of ${counted(point.trials, "trial", "trials")}` + (page.tracks.cut ? " (more were stored than a page holds)." : ".");
-    draw_tracks(node, page, point, tracks);
+    draw_tracks(node, page, point, tracks, shroud_traces(page));
   });
 }
