@@ -54,17 +54,10 @@ CREATE INDEX barriers_by_rock ON barriers (point, trial, rock);
 CREATE INDEX trajectories_by_rock ON trajectories (point, trial, rock);
 )";
 
-/// INSERT INTO <table> VALUES (?, ..., ?)
-std::string insert_into(const std::string& table, int columns) {
-  std::string sql = "INSERT INTO " + table + " VALUES (?";
-  for (int i = 1; i < columns; ++i) sql += ", ?";
-  return sql + ")";
-}
-
 void add_expectations(const SqliteFile& file, const Results& results) {
   static constexpr const char* kinds[] = {"equals", "below", "above", "between"};
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  Insertion rows(file, insert_into("expectations", 10));
+  Insertion rows(file, "expectations", 10);
   int number = 0;
   for (const Verdict& v : results.verdicts) {
     const bool between = v.expectation.kind == ExpectKind::between;
@@ -77,7 +70,7 @@ void add_expectations(const SqliteFile& file, const Results& results) {
 }
 
 void add_ground(const SqliteFile& file, const Plan& plan, const Results& results) {
-  Insertion rows(file, insert_into("ground", 5));
+  Insertion rows(file, "ground", 5);
   for (std::size_t p = 0; p < results.points.size(); ++p) {
     const Profile& ground = results.points[p].terrain;
     const bool space = plan.points[p].dimension == 3;
@@ -91,7 +84,7 @@ void add_ground(const SqliteFile& file, const Plan& plan, const Results& results
 }
 
 void add_envelopes(const SqliteFile& file, const Results& results) {
-  Insertion rows(file, insert_into("envelopes", 14));
+  Insertion rows(file, "envelopes", 14);
   for (std::size_t p = 0; p < results.points.size(); ++p) {
     const std::vector<std::vector<EnvelopeRow>> groups = envelope_rows(results.points[p]);
     for (std::size_t g = 0; g < groups.size(); ++g)
@@ -106,12 +99,12 @@ void add_envelopes(const SqliteFile& file, const Results& results) {
 }  // namespace
 
 ResultDatabase::Insertions::Insertions(const SqliteFile& file)
-    : rocks(file, insert_into("rocks", 30)),
-      drawn(file, insert_into("drawn", 5)),
-      impacts(file, insert_into("impacts", 17)),
-      trajectories(file, insert_into("trajectories", 16)),
-      gates(file, insert_into("gates", 8)),
-      barriers(file, insert_into("barriers", 9)) {}
+    : rocks(file, "rocks", 30),
+      drawn(file, "drawn", 5),
+      impacts(file, "impacts", 17),
+      trajectories(file, "trajectories", 16),
+      gates(file, "gates", 8),
+      barriers(file, "barriers", 9) {}
 
 ResultDatabase::ResultDatabase(const std::filesystem::path& path, const Plan& plan)
     : plan_(plan), groups_(group_names(plan.points.front())), file_(path) {
@@ -121,47 +114,55 @@ ResultDatabase::ResultDatabase(const std::filesystem::path& path, const Plan& pl
 }
 
 void ResultDatabase::add_plan() {
-  Insertion draws(file_, insert_into("draws", 2));
+  Insertion draws(file_, "draws", 2);
   const std::vector<Draw>& all = plan_.points.front().draws;
   for (std::size_t d = 0; d < all.size(); ++d) draws.row(d, all[d].stream);
-  Insertion sweep(file_, insert_into("sweep", 3));
+  Insertion sweep(file_, "sweep", 3);
   for (std::size_t p = 0; p < plan_.points.size(); ++p)
     for (std::size_t axis = 0; axis < plan_.axes.size(); ++axis) sweep.row(p, plan_.axes[axis].path, plan_.at[p][axis]);
 }
 
 void ResultDatabase::add(int point, const TrialRecords& records) {
   const Scenario& scenario = plan_.points[static_cast<std::size_t>(point)];
-  for (const RockRecord& r : records.rocks)
-    insertions_->rocks.row(point, r.trial, r.rock, groups_.at(static_cast<std::size_t>(r.group)), r.mass, r.volume,
-                           r.launch_speed, r.launch_elevation * 180 / pi, name_of(r.reason), r.censored, r.runout,
-                           r.max_distance, r.stop_x, r.stop_y, r.stop_z, r.flight_range, r.bounce_height, r.max_speed,
-                           r.max_energy, r.impacts, r.time, r.travel.time[0], r.travel.distance[0], r.travel.time[1],
-                           r.travel.distance[1], r.travel.time[2], r.travel.distance[2], r.travel.time[3],
-                           r.travel.distance[3], r.fault);
-  for (const InputRecord& i : records.inputs) insertions_->drawn.row(point, i.trial, i.rock, i.draw, i.value);
-  for (const auto& [trial, rock, i] : records.impacts)
-    insertions_->impacts.row(point, trial, rock, i.number, i.time, i.place.x(), i.place.y(), i.place.z(), i.other,
-                             i.part, i.vn_before, i.vn_after, i.vt_before, i.vt_after, i.pn, i.pt, i.energy_change);
-  for (const auto& [trial, rock, p] : records.gates)
-    insertions_->gates.row(point, trial, rock, scenario.gates.at(static_cast<std::size_t>(p.gate)).name, p.time, p.speed,
-                           p.kinetic_energy, p.height);
-  for (const auto& [trial, rock, h] : records.barriers)
-    insertions_->barriers.row(point, trial, rock, scenario.barriers.at(static_cast<std::size_t>(h.barrier)).name,
-                              name_of(h.outcome), h.time, h.speed, h.kinetic_energy, h.height);
-  for (const auto& [trial, rock, t] : records.trajectories) {
-    const BodyState& s = t.state;
-    insertions_->trajectories.row(point, trial, rock, s.time, s.position.x(), s.position.y(), s.position.z(),
-                                  s.velocity.x(), s.velocity.y(), s.velocity.z(), s.spin.x(), s.spin.y(), s.spin.z(),
-                                  s.angle, s.kinetic_energy, travel_mode_names[static_cast<int>(t.mode)]);
-  }
+  insertions_->rocks.rows(records.rocks, [&](Statement& to, const RockRecord& r) {
+    to.put(point, r.trial, r.rock, groups_.at(static_cast<std::size_t>(r.group)), r.mass, r.volume, r.launch_speed,
+           r.launch_elevation * 180 / pi, name_of(r.reason), r.censored, r.runout, r.max_distance, r.stop_x, r.stop_y,
+           r.stop_z, r.flight_range, r.bounce_height, r.max_speed, r.max_energy, r.impacts, r.time);
+    for (std::size_t mode = 0; mode < travel_mode_names.size(); ++mode) to.put(r.travel.time[mode], r.travel.distance[mode]);
+    to.put(r.fault);
+  });
+  insertions_->drawn.rows(records.inputs, [&](Statement& to, const InputRecord& i) {
+    to.put(point, i.trial, i.rock, i.draw, i.value);
+  });
+  insertions_->impacts.rows(records.impacts, [&](Statement& to, const ImpactRecord& r) {
+    const Impact& i = r.impact;
+    to.put(point, r.trial, r.rock, i.number, i.time, i.place.x(), i.place.y(), i.place.z(), i.other, i.part, i.vn_before,
+           i.vn_after, i.vt_before, i.vt_after, i.pn, i.pt, i.energy_change);
+  });
+  insertions_->gates.rows(records.gates, [&](Statement& to, const GateRecord& r) {
+    const Passage& p = r.passage;
+    to.put(point, r.trial, r.rock, scenario.gates.at(static_cast<std::size_t>(p.gate)).name, p.time, p.speed,
+           p.kinetic_energy, p.height);
+  });
+  insertions_->barriers.rows(records.barriers, [&](Statement& to, const BarrierRecord& r) {
+    const BarrierHit& h = r.hit;
+    to.put(point, r.trial, r.rock, scenario.barriers.at(static_cast<std::size_t>(h.barrier)).name, name_of(h.outcome),
+           h.time, h.speed, h.kinetic_energy, h.height);
+  });
+  insertions_->trajectories.rows(records.trajectories, [&](Statement& to, const TrajectoryRecord& r) {
+    const BodyState& s = r.point.state;
+    to.put(point, r.trial, r.rock, s.time, s.position.x(), s.position.y(), s.position.z(), s.velocity.x(),
+           s.velocity.y(), s.velocity.z(), s.spin.x(), s.spin.y(), s.spin.z(), s.angle, s.kinetic_energy,
+           travel_mode_names[static_cast<std::size_t>(r.point.mode)]);
+  });
 }
 
 void ResultDatabase::index() { file_.execute(indices); }
 
 void ResultDatabase::finish(const Results& results, const std::string& report) {
   {
-    Insertion(file_, insert_into("report", 1)).row(report);
-    Insertion points(file_, insert_into("points", 2)), parts(file_, insert_into("parts", 3));
+    Insertion(file_, "report", 1).row(report);
+    Insertion points(file_, "points", 2), parts(file_, "parts", 3);
     for (std::size_t p = 0; p < results.points.size(); ++p) {
       points.row(p, results.points[p].trials);
       const std::vector<std::string>& names = results.points[p].terrain.parts;

@@ -2,9 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <vector>
+
 #include "batch/safe_file.h"
 
 namespace flyrock {
+
+namespace {
+
+/// INSERT INTO <table> VALUES (?, ..., ?), ..., (?, ..., ?)
+std::string insert_into(const std::string& table, int columns, std::size_t rows) {
+  const std::vector<std::string> values(static_cast<std::size_t>(columns), "?");
+  const std::vector<std::string> each(rows, fmt::format("({})", fmt::join(values, ", ")));
+  return fmt::format("INSERT INTO {} VALUES {}", table, fmt::join(each, ", "));
+}
+
+}  // namespace
 
 SqliteFile::SqliteFile(std::filesystem::path path) : path_(std::move(path)), temporary_(temporary_name(path_)) {
   std::error_code code;  // what a kill left
@@ -40,7 +53,7 @@ void SqliteFile::fail() const {
   throw FileError(fmt::format("cannot write {}: {}", path_.string(), sqlite3_errmsg(database_)));
 }
 
-Insertion::Insertion(const SqliteFile& file, const std::string& sql) : file_(file) {
+Statement::Statement(const SqliteFile& file, const std::string& sql) : file_(file) {
   if (sqlite3_prepare_v2(file.handle(), sql.c_str(), -1, &statement_, nullptr) != SQLITE_OK) file.fail();
 }
 
@@ -70,9 +83,13 @@ std::string Query::text(int column) const {
   return {bytes, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column))};
 }
 
-void Insertion::step() {
+void Statement::step() {
   if (sqlite3_step(statement_) != SQLITE_DONE) file_.fail();
   sqlite3_reset(statement_);
+  filled_ = 0;
 }
+
+Insertion::Insertion(const SqliteFile& file, const std::string& table, int columns)
+    : one_(file, insert_into(table, columns, 1)), many_(file, insert_into(table, columns, at_once)) {}
 
 }  // namespace flyrock
