@@ -59,10 +59,8 @@ std::vector<SectorSummary> SectorTally::summaries(std::uint64_t needed) const {
     summary.azimuth = (static_cast<double>(i) + 0.5) * 2 * pi / plan_.sectors;
     summary.count = sector.sample.size();
     if (summary.count > 0) summary.greatest = sector.greatest;
-    if (summary.count >= needed) {
-      summary.distance = sector.sample.quantile(1 - plan_.probability);
-      if (plan_.factor) summary.with_factor = *plan_.factor * summary.distance.value;
-    }
+    if (summary.count >= needed) summary.distance = sector.sample.quantile(1 - plan_.probability);
+    if (plan_.factor) summary.with_factor = *plan_.factor * (summary.count >= needed ? summary.distance : summary.greatest).value;
     summaries.push_back(summary);
   }
   return summaries;

@@ -16,7 +16,8 @@ struct SectorSummary {
   Bounded greatest{std::numeric_limits<double>::quiet_NaN(), false};
   /// What the share `probability` of these exceeds; NaN where they are fewer than needed_for(probability).
   Bounded distance{std::numeric_limits<double>::quiet_NaN(), false};
-  double with_factor = std::numeric_limits<double>::quiet_NaN();  ///< factor x distance, or NaN
+  /// factor x distance, or x greatest where there is no distance: where few rocks ended some did; NaN without a factor or rocks.
+  double with_factor = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Finds the distances of a clearance with `sectors`, shown in passes; see read_in_passes(). A censored rock counts where it was

@@ -65,7 +65,8 @@ TEST_CASE("a clearance by azimuth: quantiles of each sector, and of too few rock
   CHECK(sectors[2].greatest.value == Approx(10));
   CHECK(sectors[2].greatest.censored);
   CHECK(std::isnan(sectors[2].distance.value));
-  CHECK(std::isnan(sectors[2].with_factor));
+  CHECK(sectors[2].with_factor == 2 * sectors[2].greatest.value);
   CHECK(sectors[0].count == 0);
   CHECK(std::isnan(sectors[0].greatest.value));
+  CHECK(std::isnan(sectors[0].with_factor));
 }

@@ -17,7 +17,7 @@ function draw_area(node, clearance) {
   const traces = [];
   if (clearance.factor !== null && area.sectors.some((s) => s.with_factor !== null)) traces.push(line(`with the factor ${show(clearance.factor)}`, (s) => s.with_factor, { line: { color: colour.vermillion, width: 2 }, fill: "toself", fillcolor: "rgba(213,94,0,0.08)" }));
   traces.push(line("farthest rock", (s) => s.greatest, { line: { color: colour.ink, width: 1, dash: "dot" } }));
-  if (area.sectors.some((s) => s.distance !== null)) traces.push(line(`exceeded by ${percent(clearance.probability)} of those that end there`, (s) => s.distance, { line: { color: colour.blue, width: 2 }, fill: "toself", fillcolor: "rgba(0,114,178,0.15)" }));
+  if (area.sectors.some((s) => s.distance !== null)) traces.push(line(`exceeded by ${percent(clearance.probability)} of those that end there, or the farthest`, (s) => s.distance ?? s.greatest, { line: { color: colour.blue, width: 2 }, fill: "toself", fillcolor: "rgba(0,114,178,0.15)" }));
   traces.push({ x: [area.x], y: [area.y], mode: "markers", name: "centre", marker: { symbol: "cross", size: 11, color: colour.ink }, hoverinfo: "skip" });
   plot(node, traces, { height: 620, legend, hovermode: "closest", xaxis: axis("x in m"), yaxis: { ...axis("y in m"), scaleanchor: "x", scaleratio: 1 } }, true);
 }
@@ -32,7 +32,7 @@ function area_section() {
     content.replaceChildren(...clearances.flatMap((clearance, i) => [element("h3", {}, clearance.clearance), nodes[i],
       numbers(table("", ["azimuth °", "rocks", "farthest m", "distance m", "with the factor m"], clearance.area.sectors.map((s) => [s.azimuth_deg, s.count, right(`${s.lower_bound ? "≥ " : ""}${show(s.greatest)}`), s.distance, s.with_factor])))]),
       paragraph("caption", "Read: the plan, north where +y is; in each sector of azimuth about the centre, the distance that this share of the rocks that end there exceeds, and the farthest of them. " +
-        "The factor is the user's, on the distance. A sector in which too few rocks ended for the share (10 must be beyond) has the farthest rock only. All groups of rocks together."));
+        "Where too few rocks ended for the share (10 must be beyond) the farthest rock stands for it, also under the factor, which is the user's. A sector in which no rock ended reaches to the centre. All groups of rocks together."));
     clearances.forEach((clearance, i) => draw_area(nodes[i], clearance));
   });
 }
