@@ -27,7 +27,7 @@ constexpr std::array<Command, 10> commands = {{
     {"show", "show SCENARIO [--json]", "prints the resolved scenario: units converted, defaults filled in", show},
     {"plugins", "plugins [KIND[/NAME]] [--markdown | --json]", "lists what is registered, with its parameters", plugins},
     {"law", "law KIND/NAME [-o FILE] [--set PARAMETER=VALUE]...", "draws the graph of a contact law from solved contacts", law},
-    {"verify", "verify [--json]", "computes problems with known answers and compares", verify},
+    {"verify", "verify [--data DIR] [--json]", "computes problems with known answers and compares", verify},
     {"solve", "solve PROBLEM.hdf5 [options]", "solves a friction problem in the layout of FCLIB", solve},
 }};
 

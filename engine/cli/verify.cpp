@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
@@ -14,10 +15,22 @@ namespace flyrock::cli {
 
 int verify(const Command& command, const Arguments& arguments) {
   boost::program_options::options_description options("options");
-  options.add_options()("json", "a list of objects");
+  options.add_options()
+      ("data", boost::program_options::value<std::string>()->value_name("DIR"), "also the friction problems *.hdf5 of DIR or DIR/fclib")
+      ("json", "a list of objects");
   const CommandLine line = parse(command, options, arguments, 0, 0);
   if (line.help) return done;
-  const Checks checks = all_checks(share_folder());
+  Checks checks;
+  if (line.has("data")) {
+    try {
+      check_fclib_problems(checks, line.text("data"));
+    } catch (const std::runtime_error& error) {
+      std::cerr << "error: " << error.what() << '\n';
+      return bad_input;
+    }
+  }
+  const Checks others = all_checks(share_folder());
+  checks.insert(checks.end(), others.begin(), others.end());
   const auto failed = std::count_if(checks.begin(), checks.end(), [](const Check& check) { return !check.passed; });
   if (line.has("json")) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();

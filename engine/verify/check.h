@@ -46,7 +46,11 @@ void check_random_impacts(Checks& checks);
 /// Throws std::runtime_error for one that cannot be read, PluginError for one that cannot be run.
 void check_scenarios(Checks& checks, const std::string& share);
 
-/// All of them, in this order.
+/// The friction problems (solver/fclib.h) *.hdf5 in `folder`, or in its folder fclib: |F|/|q| <= 1e-8 by the automatic solver.
+/// Throws std::runtime_error where there is none, or one cannot be read.
+void check_fclib_problems(Checks& checks, const std::string& folder);
+
+/// All that need no data, in this order.
 Checks all_checks(const std::string& share);
 
 }  // namespace flyrock

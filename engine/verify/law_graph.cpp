@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solver/law_terms.h"
+#include "world/surface.h"
 
 namespace flyrock {
 
@@ -12,16 +13,28 @@ namespace {
 
 constexpr double mass = 500, radius = 0.3, inertia = 0.4 * mass * radius * radius, g = 9.81, step = 1e-3;
 
-/// A law with what it is asked with.
+/// A law with constant parameters by itself, asked as a pair of bodies asks it.
 template <class LawKind>
-struct Asked {
-  std::unique_ptr<LawKind> law;
-  std::vector<double> values, history;
-
-  explicit Asked(const PluginUse& use) : law(make_instance<LawKind>(use, 2)), history(use.plugin->spec.history.size(), 0.0) {
-    for (const Number& slot : use.slots) values.push_back(slot.constant);
+class Asked {
+ public:
+  Asked(const PluginUse& use, BoundLaw<LawKind> Surface::* kind) : law_(make_instance<LawKind>(use, 2)), kind_(kind) {
+    BoundLaw<LawKind>& bound = surface_.*kind;
+    bound.law = law_.get();
+    for (const Number& slot : use.slots) bound.values.push_back(slot.constant);
+    bound.memory = use.plugin->spec.history.size();
+    forget();
   }
-  void forget() { std::fill(history.begin(), history.end(), 0.0); }
+  void forget() { (surface_.*kind_).history.assign((surface_.*kind_).memory, 0.0); }
+  bool remembers() const { return (surface_.*kind_).memory > 0; }
+  ContactLaw operator()(ContactState state) {
+    ContactHistory of_contact{};  // here the pair remembers
+    return surface_.ask(state, std::is_same_v<LawKind, RestitutionLaw>, of_contact);
+  }
+
+ private:
+  std::unique_ptr<LawKind> law_;
+  BoundLaw<LawKind> Surface::* kind_;
+  Surface surface_;
 };
 
 ContactState ball_at(double approach, double slip) {
@@ -68,15 +81,7 @@ std::vector<LawGraph> graphs_of(Asked<RestitutionLaw> asked) {
     for (int i = from; i <= to; ++i) {
       const auto [at, approach, slip] = point(i);
       asked.forget();
-      ContactState state = ball_at(approach, slip);
-      state.history = asked.history;
-      const Restitution given = asked.law->impact(asked.values, state);
-      check_answer(*asked.law, given);
-      ContactLaw law;
-      law.form = given.form;
-      law.as_lmgc90 = given.as_lmgc90;
-      law.e_n = given.e_n;
-      law.e_t = given.e_t;
+      ContactLaw law = asked(ball_at(approach, slip));
       law.mu_s = law.mu_d = 0.5;
       const Eigen::Vector3d before(-approach, slip, 0);
       const Solved solved = solve(law, false, 0, 0, before, before);
@@ -101,18 +106,6 @@ std::vector<LawGraph> graphs_of(Asked<RestitutionLaw> asked) {
                 2, 89)};
 }
 
-ContactLaw friction_of(Asked<FrictionLaw>& asked, ContactState& state) {
-  state.history = asked.history;
-  const Friction given = asked.law->friction(asked.values, state);
-  check_answer(*asked.law, given);
-  ContactLaw law;
-  law.mu_s = given.mu_s;
-  law.mu_d = given.mu_d;
-  law.c_n = given.c_n;
-  law.c_t = given.c_t;
-  return law;
-}
-
 std::vector<LawGraph> graphs_of(Asked<FrictionLaw> asked) {
   LawGraph graph{"pressed by its weight", "slip velocity after the step [m/s]", "r_t / (m g h)", {{"it stuck before", {}, {}}, {"it slid before", {}, {}}}};
   for (const bool sticking : {true, false})
@@ -122,21 +115,19 @@ std::vector<LawGraph> graphs_of(Asked<FrictionLaw> asked) {
       ContactState state = ball_at(0, std::abs(slip));
       state.was_sticking = sticking;
       state.age = state.step = step;
-      const ContactLaw law = friction_of(asked, state);
-      const Solved solved = solve(law, sticking, 0, step, {0, slip, 0}, {-g * step, slip, 0});
+      const Solved solved = solve(asked(state), sticking, 0, step, {0, slip, 0}, {-g * step, slip, 0});
       LawGraph::Case& to = graph.cases[sticking ? 0 : 1];
       to.at.push_back(solved.velocity[1]);
       to.value.push_back(solved.impulse[1] / (mass * g * step));
     }
-  if (asked.history.empty()) return {graph};
+  if (!asked.remembers()) return {graph};
   asked.forget();
   LawGraph slide{"along a slide at 1 m/s", "way [m]", "r_t / (m g h)", {{"", {}, {}}}};
   for (int i = 0; i <= 200; ++i) {
     ContactState state = ball_at(0, 1);
     state.age = i * 0.01;
     state.step = 0.01;
-    const ContactLaw law = friction_of(asked, state);
-    const Solved solved = solve(law, false, 0, step, {0, -1, 0}, {-g * step, -1, 0});
+    const Solved solved = solve(asked(state), false, 0, step, {0, -1, 0}, {-g * step, -1, 0});
     slide.cases[0].at.push_back(state.age);
     slide.cases[0].value.push_back(solved.impulse[1] / (mass * g * step));
   }
@@ -151,12 +142,7 @@ std::vector<LawGraph> graphs_of(Asked<RollingLaw> asked) {
     ContactState state = ball_at(0, 0);
     state.spin = std::abs(spin);
     state.step = step;
-    state.history = asked.history;
-    const Rolling given = asked.law->rolling(asked.values, state);
-    check_answer(*asked.law, given);
-    ContactLaw law;
-    law.mu_r = given.mu_r;
-    const Solved solved = solve(law, false, 0, step, {0, 0, spin}, {-g * step, 0, spin});
+    const Solved solved = solve(asked(state), false, 0, step, {0, 0, spin}, {-g * step, 0, spin});
     graph.cases[0].at.push_back(solved.velocity[2]);
     graph.cases[0].value.push_back(solved.impulse[2] / solved.impulse[0]);
   }
@@ -169,14 +155,7 @@ std::vector<LawGraph> graphs_of(Asked<UnilateralLaw> asked) {
     ContactState state = ball_at(0, 0);
     state.gap = gap;
     state.step = step;
-    state.history = asked.history;
-    const Unilateral given = asked.law->condition(asked.values, state);
-    check_answer(*asked.law, given);
-    ContactLaw law;
-    law.condition = given.condition;
-    law.stiffness = given.stiffness;
-    if (given.condition == NormalCondition::cohesive) law.c_n = given.pull;
-    const Solved solved = solve(law, false, gap, step, {free, 0, 0}, {free, 0, 0});
+    const Solved solved = solve(asked(state), false, gap, step, {free, 0, 0}, {free, 0, 0});
     to.at.push_back(by_gap ? gap : solved.velocity[0]);
     to.value.push_back(solved.impulse[0] / step);
   };
@@ -194,10 +173,10 @@ std::vector<LawGraph> graphs_of(Asked<UnilateralLaw> asked) {
 
 std::vector<LawGraph> law_graphs(const PluginUse& use) {
   switch (use.plugin->spec.kind) {
-    case PluginKind::restitution: return graphs_of(Asked<RestitutionLaw>(use));
-    case PluginKind::friction: return graphs_of(Asked<FrictionLaw>(use));
-    case PluginKind::rolling: return graphs_of(Asked<RollingLaw>(use));
-    case PluginKind::unilateral: return graphs_of(Asked<UnilateralLaw>(use));
+    case PluginKind::restitution: return graphs_of(Asked<RestitutionLaw>(use, &Surface::restitution));
+    case PluginKind::friction: return graphs_of(Asked<FrictionLaw>(use, &Surface::friction));
+    case PluginKind::rolling: return graphs_of(Asked<RollingLaw>(use, &Surface::rolling));
+    case PluginKind::unilateral: return graphs_of(Asked<UnilateralLaw>(use, &Surface::unilateral));
     default: break;
   }
   throw PluginError(fmt::format("plugin {}: a {} has no graph, expected a restitution, friction, rolling or unilateral law",

@@ -54,3 +54,13 @@ TEST_CASE("verify holds in all its rows", "[slow]") {
   }
   CHECK(output.code == 0);
 }
+
+TEST_CASE("verify says where it finds no friction problems") {
+  const Folder folder;
+  const Output absent = call(folder, "verify --data nowhere");
+  CHECK(absent.code == 2);
+  CHECK(absent.err == "error: nowhere: no such folder\n");
+  const Output empty = call(folder, "verify --data .");
+  CHECK(empty.code == 2);
+  CHECK(empty.err == "error: .: holds no friction problems, expected *.hdf5 there or in its folder fclib\n");
+}
