@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -37,7 +38,7 @@ double tolerance_option(const std::string& text) {
 struct Answer {
   SolveResult result;
   Merit merit;
-  double seconds = 0;
+  double seconds = 0, processor_seconds = 0;
   int contacts = 0, dimension = 0;
   std::vector<double> r;
 };
@@ -49,9 +50,11 @@ Answer solve_stored(const StoredProblem<D>& stored, const SolveSettings& setting
   answer.contacts = stored.problem.size();
   answer.dimension = D;
   auto r = stored.start;
+  const std::clock_t processor_begin = std::clock();
   const auto begin = Clock::now();
   answer.result = flyrock::solve(stored.problem, settings, r);
   answer.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  answer.processor_seconds = static_cast<double>(std::clock() - processor_begin) / CLOCKS_PER_SEC;
   answer.merit = merit(stored.problem, r);
   for (const auto& row : r)
     for (int i = 0; i < stored.problem.width(); ++i) answer.r.push_back(row[i]);
@@ -63,6 +66,7 @@ void print(const Answer& answer, bool json) {
   if (json) {
     const nlohmann::ordered_json tree = {{"iterations", result.iterations},
                                          {"seconds", answer.seconds},
+                                         {"processor_seconds", answer.processor_seconds},
                                          {"converged", result.converged},
                                          {"solver", name_of(result.solver)},
                                          {"merit", {{"rel", answer.merit.relative()}, {"fclib", answer.merit.fclib()}}},

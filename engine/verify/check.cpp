@@ -5,7 +5,7 @@
 namespace flyrock {
 
 void add_worst(Checks& checks, const std::string& name, const std::string& kind, double tolerance,
-               std::initializer_list<Compared> numbers) {
+               const std::vector<Compared>& numbers) {
   const Compared* worst = nullptr;
   double error = -1;
   for (const Compared& number : numbers) {
@@ -27,6 +27,7 @@ Checks all_checks(const std::string& share) {
   check_ball_rows(checks);
   check_painleve_rod(checks);
   check_random_impacts(checks);
+  check_launch_formulas(checks);
   check_scenarios(checks, share);
   return checks;
 }

@@ -1,7 +1,6 @@
 #pragma once
 // A row of the verification suite: a computed number beside the one that it must be.
 
-#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -9,7 +8,7 @@ namespace flyrock {
 
 struct Check {
   std::string name;  ///< "rod impact C, poisson: v_n"
-  std::string kind;  ///< problem: one solve; run: a scenario
+  std::string kind;  ///< problem: one solve; formula; run: a scenario
   double computed = 0;
   double expected = 0;
   double tolerance = 0;  ///< of the difference
@@ -27,7 +26,7 @@ using Checks = std::vector<Check>;
 
 /// Adds the number that is farthest from what it must be, as the row of them all.
 void add_worst(Checks& checks, const std::string& name, const std::string& kind, double tolerance,
-               std::initializer_list<Compared> numbers);
+               const std::vector<Compared>& numbers);
 
 // The groups of problems; sources beside the numbers.
 
@@ -41,6 +40,9 @@ void check_ball_rows(Checks& checks);
 void check_painleve_rod(Checks& checks);
 /// Random rod impacts: which forms gain energy, and how often.
 void check_random_impacts(Checks& checks);
+
+/// Launch speeds and ranges of blasts: Roth, the fit of bench blasts, Richards and Moore, McKenzie.
+void check_launch_formulas(Checks& checks);
 
 /// Runs of the scenarios of the course and of the examples of contact laws, in the folder `share`, against what they expect.
 /// Throws std::runtime_error for one that cannot be read, PluginError for one that cannot be run.
