@@ -20,9 +20,17 @@ std::string point_title(const Plan& plan, std::size_t point) {
   return fmt::format("point {}: {}\n", point, fmt::join(values, ", "));
 }
 
-std::string group_line(const GroupSummary& group) {
-  std::string text = fmt::format("  {:<13}{:>8}{:>8.3g} %", group.name.empty() ? "all rocks" : group.name,
-                                 group.count, 100 * group.censored_share());
+std::string row_name(const GroupSummary& group) { return group.name.empty() ? "all rocks" : group.name; }
+
+/// The width of the first column: the longest name of a group.
+std::size_t name_width(const Results& results) {
+  std::size_t width = 13;
+  for (const GroupSummary& group : results.points.front().groups) width = std::max(width, row_name(group).size());
+  return width;
+}
+
+std::string group_line(const GroupSummary& group, std::size_t width) {
+  std::string text = fmt::format("  {:<{}}{:>8}{:>8.3g} %", row_name(group), width, group.count, 100 * group.censored_share());
   for (const Statistic s : {Statistic::p50, Statistic::p90, Statistic::p95, Statistic::p99, Statistic::max})
     text += fmt::format("{:>9}", display(group.at(RockQuantity::runout, s), ""));
   return text + '\n';
@@ -66,11 +74,12 @@ std::string summary_text(const Plan& plan, const Results& results, const std::ve
   std::string text = bold(plan.points.front().title.empty() ? "flyrock" : plan.points.front().title) + '\n';
   text += answer(plan, results) + "\n\n";
   if (plan.points.front().bodies.empty()) {
-    text += fmt::format("  {:<13}{:>8}{:>10}{:>9}{:>9}{:>9}{:>9}{:>9}\n", "runout in m", "rocks", "censored",
-                        "p50", "p90", "p95", "p99", "max");
+    const std::size_t width = name_width(results);
+    text += fmt::format("  {:<{}}{:>8}{:>10}{:>9}{:>9}{:>9}{:>9}{:>9}\n", "runout in m", width, "rocks", "censored", "p50",
+                        "p90", "p95", "p99", "max");
     for (std::size_t p = 0; p < results.points.size(); ++p) {
       if (sweep) text += point_title(plan, p);
-      for (const GroupSummary& group : results.points[p].groups) text += group_line(group);
+      for (const GroupSummary& group : results.points[p].groups) text += group_line(group, width);
       text += reasons_line(results.points[p].groups.front());
     }
     text += '\n';
