@@ -67,7 +67,8 @@ TEST_CASE("the step loop in space does not allocate") {
   const bool exact = GENERATE(true, false);
   const long warm = allocations_in_space(2, exact);
   CHECK(allocations_in_space(6, exact) <= warm + 8);
-  CHECK(warm < 400);
+  // One problem of the landing goes to the second solver, whose sparse factors take about 500.
+  CHECK(warm < 1200);
 }
 
 TEST_CASE("the step loop does not allocate") {
