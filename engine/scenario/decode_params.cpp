@@ -96,7 +96,40 @@ std::vector<double> decode_point(DecodeContext& context, const Node& node, const
   return point.size() == items.size() ? point : std::vector<double>();
 }
 
-/// Points. Those of a parameter called `vertices` or `inside` are the outline of a convex polygon, wherever
+/// The corners of a polygon of space in its own plane; empty where they span none or leave it by more than a millionth of
+/// its size.
+std::vector<Vec2> flattened(const std::vector<std::vector<double>>& points) {
+  std::vector<Vec3> corners;
+  for (const std::vector<double>& point : points) corners.emplace_back(point[0], point[1], point[2]);
+  Vec3 twice_area = Vec3::Zero();
+  double size = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    twice_area += (corners[i] - corners[0]).cross(corners[(i + 1) % corners.size()] - corners[0]);
+    size = std::max(size, (corners[i] - corners[0]).norm());
+  }
+  if (twice_area.norm() <= 1e-12 * size * size) return {};
+  const Vec3 normal = twice_area.normalized();
+  const Eigen::Matrix3d frame = contact_frame(normal);
+  std::vector<Vec2> flat;
+  for (const Vec3& corner : corners) {
+    const Vec3 p = frame.transpose() * (corner - corners[0]);
+    if (std::abs(p[0]) > 1e-6 * size) return {};
+    flat.emplace_back(p[1], p[2]);
+  }
+  return flat;
+}
+
+/// What is wrong with points as the outline of a convex polygon, or an empty text.
+std::string outline_fault(const std::vector<std::vector<double>>& points, int dimension) {
+  std::vector<Vec2> vertices;
+  if (dimension == 2)
+    for (const std::vector<double>& point : points) vertices.emplace_back(point[0], point[1]);
+  else if (vertices = flattened(points); vertices.empty())
+    return "expected the corners of a polygon that lie in one plane and not on one line";
+  return make_convex(vertices);
+}
+
+/// Points. Those of a parameter called `inside`, and in 2D `vertices`, are the outline of a convex polygon, wherever
 /// it stands: what is wrong with it is said here, where its place in the file is known.
 void decode_points(DecodeContext& context, const Node& node, const ParamSpec& spec, ParamValue& value,
                    Value& resolved) {
@@ -111,12 +144,9 @@ void decode_points(DecodeContext& context, const Node& node, const ParamSpec& sp
     list.push_back(list_value(std::move(coordinates)));
     value.points.push_back(std::move(point));
   }
-  if (good && (spec.name == "vertices" || spec.name == "inside") && context.dimension == 2) {
-    std::vector<Vec2> vertices;
-    for (const std::vector<double>& point : value.points) vertices.emplace_back(point[0], point[1]);
-    if (const std::string fault = make_convex(vertices); !fault.empty())
+  if (good && (spec.name == "inside" || (spec.name == "vertices" && context.dimension == 2)))
+    if (const std::string fault = outline_fault(value.points, context.dimension); !fault.empty())
       node.error(context.diagnostics, fault);
-  }
   resolved = list_value(std::move(list));
 }
 

@@ -91,16 +91,19 @@ std::optional<Release> decode_release(DecodeContext& context, const Node& node,
     context.diagnostics.error(node.key_at, node.path, fmt::format("expected one of {}", choice_text(names)));
     return std::nullopt;
   }
-  if (context.dimension == 3 && chosen->second != ReleaseKind::position && chosen->second != ReleaseKind::along) {
+  const bool space = context.dimension == 3;
+  if (space && chosen->second == ReleaseKind::face) {
     const Node key = *node.find(chosen->first);
     context.diagnostics.error(key.key_at, key.path,
-                              fmt::format("`{}` places rocks in dimension 2, expected `position` or `along` in 3", chosen->first));
+                              "`from` needs the benches of a profile, which dimension 3 does not have, expected `position`, "
+                              "`along`, `inside`, or `x` with `above_ground`");
     return std::nullopt;
   }
-  const Section section =
-      decode_section(context, node, fmt::format("rocks.release: {}", chosen->first), rock_rules, resolved);
   Release release;
   release.kind = chosen->second;
+  const bool on_ground = release.kind == ReleaseKind::above_ground;
+  const Section section = decode_section(
+      context, node, fmt::format("rocks.release: {}{}", chosen->first, space && on_ground ? " 3D" : ""), rock_rules, resolved);
   switch (release.kind) {
     case ReleaseKind::face:
     case ReleaseKind::collar:
@@ -112,6 +115,7 @@ std::optional<Release> decode_release(DecodeContext& context, const Node& node,
       break;
     case ReleaseKind::above_ground:
       release.x = section.number("x");
+      if (space) release.y = section.number("y");
       release.above_ground = section.number("above_ground");
       break;
     case ReleaseKind::position:

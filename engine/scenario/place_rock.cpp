@@ -80,9 +80,9 @@ Vec3 along(const std::vector<Vec3>& points, RandomStream& rng) {
   return points.front();
 }
 
-/// Uniform over a convex polygon of the plane: a triangle of the fan by its area, then a point in it.
+/// Uniform over a flat convex polygon: a triangle of the fan by its area, then a point in it.
 Vec3 inside(const std::vector<Vec3>& points, RandomStream& rng) {
-  const auto area = [&](std::size_t i) { return std::abs((points[i] - points[0]).cross(points[i + 1] - points[0]).z()); };
+  const auto area = [&](std::size_t i) { return (points[i] - points[0]).cross(points[i + 1] - points[0]).norm(); };
   double total = 0;
   for (std::size_t i = 1; i + 1 < points.size(); ++i) total += area(i);
   double left = rng.uniform() * total;
@@ -127,12 +127,29 @@ Place<2> place_rock(const Release& release, const Scenario& scenario, const Draw
 }
 
 Place<3> place_rock(const Release& release, const Scenario& scenario, const DrawKey& key, RandomStream& rng,
-                    const Body<3>&, const Plane&) {
+                    const Body<3>&, const Plane& plane) {
+  const auto number = [&](const Number& n) { return n.value(scenario.draws, scenario.seed, key); };
   Place<3> place;
-  if (release.kind == ReleaseKind::along)
-    place.position = along(release.points, rng);
-  else
-    for (int i = 0; i < 3; ++i) place.position[i] = release.position[i].value(scenario.draws, scenario.seed, key);
+  switch (release.kind) {
+    case ReleaseKind::above_ground: {
+      const double x = number(release.x), y = number(release.y);
+      place.position = {x, y, plane.height(x, y) + number(release.above_ground)};
+      break;
+    }
+    case ReleaseKind::position:
+      for (int i = 0; i < 3; ++i) place.position[i] = number(release.position[i]);
+      break;
+    case ReleaseKind::along:
+      place.position = along(release.points, rng);
+      break;
+    case ReleaseKind::inside:
+      place.position = inside(release.points, rng);
+      break;
+    case ReleaseKind::face:
+    case ReleaseKind::collar:
+    case ReleaseKind::bench_top:
+      throw PluginError("release: dimension 3 has no bench faces");
+  }
   return place;
 }
 

@@ -23,7 +23,7 @@ struct Place {
 Place<2> place_rock(const Release& release, const Scenario& scenario, const DrawKey& key, RandomStream& rng,
                     const Body<2>& rock, const Profile& profile);
 
-/// In 3D a rock is placed at a position or along a poly-line.
+/// In 3D there are no faces: a rock is placed at a position, along a poly-line, inside a flat polygon or above the ground.
 Place<3> place_rock(const Release& release, const Scenario& scenario, const DrawKey& key, RandomStream& rng,
                     const Body<3>& rock, const Plane& plane);
 

@@ -75,9 +75,9 @@ enum class ReleaseKind {
 struct Release {
   ReleaseKind kind = ReleaseKind::position;
   int bench = 1;                 ///< face, collar, bench_top: which, from 1
-  Number x, above_ground;        ///< above_ground: height of the centre of mass above the ground at x
+  Number x, y, above_ground;     ///< above_ground: height of the centre of mass above the ground at x (and y in 3D)
   std::vector<Number> position;  ///< of the centre of mass
-  std::vector<Vec3> points;      ///< along a poly-line, or (2D) inside a convex polygon, uniformly; z = 0 in 2D
+  std::vector<Vec3> points;      ///< along a poly-line, or inside a flat convex polygon, uniformly; z = 0 in 2D
 };
 
 /// How a body of 3D is turned: about an axis by an angle [rad], or by a quaternion [w, x, y, z] that maps body to world.
