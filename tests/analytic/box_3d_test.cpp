@@ -61,6 +61,21 @@ TEST_CASE("a box stands on four corners that carry m g h together") {
   CHECK(sum == Approx(1000 * g * 1e-3).epsilon(1e-9));
 }
 
+TEST_CASE("a box that spins on its square base is stopped by the friction of its corners and by spinning resistance") {
+  const double side = 0.4, mass = 20, mu = 0.3, mu_spin = GENERATE(0.0, 0.05), spin = 10;
+  Material material(0, mu, 0, 0, mu_spin);
+  Bench3 bench(plane(), material);
+  bench.add(box({side, side, 0.2}, mass, {0, 0, 0.1}));
+  bench.world.bodies[0].w = {0, 0, spin};
+  bench.run_settings.stop_speed = 0;
+  // However the corners share the weight: I w' = -m g (mu side/sqrt 2 + mu_spin), I = m side^2/6.
+  const double slowing = 6 * g / (side * side) * (mu * side / std::sqrt(2.0) + mu_spin);
+  CHECK(bench.run(0.5 * spin / slowing).last.spin.z() == Approx(spin / 2).epsilon(1e-4));
+  const BodyState rest = bench.run(spin / slowing + 0.002).last;
+  CHECK(rest.spin.norm() < 1e-6);
+  CHECK(rest.position.head<2>().norm() < 1e-3);
+}
+
 TEST_CASE("a box on an incline topples where b/h is less than tan, and slides where mu is") {
   const double slope = std::atan(0.5), azimuth = 0.8;
   const double ratio = GENERATE(0.495, 0.505);  // b/h: the line of gravity leaves the base at 0.5

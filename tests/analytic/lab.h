@@ -23,11 +23,11 @@ struct Coulomb : FrictionLaw {
   Friction friction(Values, const ContactState&) const override { return {mu, mu}; }
 };
 struct Resistance : RollingLaw {
-  double mu_r;
-  explicit Resistance(double m) : mu_r(m) {}
+  double mu_r, mu_spin;
+  Resistance(double rolling, double spinning) : mu_r(rolling), mu_spin(spinning) {}
   bool constant() const override { return true; }
   std::string origin() const override { return "rolling_resistance"; }
-  Rolling rolling(Values, const ContactState&) const override { return {mu_r, 0}; }
+  Rolling rolling(Values, const ContactState&) const override { return {mu_r, mu_spin}; }
 };
 
 /// One material for everything.
@@ -36,10 +36,11 @@ struct Material {
   Coulomb coulomb;
   Resistance resistance;
   Surface surface;
-  Material(double e_n, double mu, double mu_r = 0, double e_t = 0) : newton(e_n, e_t), coulomb(mu), resistance(mu_r) {
+  Material(double e_n, double mu, double mu_r = 0, double e_t = 0, double mu_spin = 0)
+      : newton(e_n, e_t), coulomb(mu), resistance(mu_r, mu_spin) {
     surface.restitution.law = &newton;
     surface.friction.law = &coulomb;
-    if (mu_r > 0) surface.rolling.law = &resistance;
+    if (mu_r > 0 || mu_spin > 0) surface.rolling.law = &resistance;
   }
   Material(const Material&) = delete;
 };

@@ -118,3 +118,17 @@ TEST_CASE("rolling resistance stops a sphere with 5 mu_r g / (7 R), and holds it
       CHECK(history.last.velocity.head<2>().norm() > 1e-3);
   }
 }
+
+TEST_CASE("spinning resistance stops a sphere on its place after 2 R^2 w / (5 mu_spin g)") {
+  const double radius = 0.3, mu_spin = 0.02, spin = 20;
+  Material material(0, 0.5, 0, 0, mu_spin);
+  Bench3 bench(plane(), material);
+  bench.add(sphere(radius, 50, {0, 0, radius}, Vec3::Zero(), {0, 0, spin}));
+  bench.run_settings.stop_speed = 0;
+  const double stop = 2 * radius * radius * spin / (5 * mu_spin * g);
+  const double half = bench.run(0.5 * stop).last.spin.z();
+  CHECK(half == Approx(spin / 2).epsilon(1e-9));
+  const BodyState rest = bench.run(stop + 0.002).last;
+  CHECK(rest.spin.norm() < 1e-9);
+  CHECK(rest.position.head<2>().norm() < 1e-12);
+}
