@@ -10,16 +10,21 @@ namespace {
 
 using Contacts = std::vector<ContactPoint<2>>;
 
-/// The edge of `polygon` from which `other` is furthest out, and by how much.
+/// The edge of `polygon` from which the points of `other` are furthest out, and by how much. One that holds them off by
+/// more than `reach` ends the search.
 struct Separation {
   int edge = 0;
   double distance = -1e300;
 };
-Separation separation(const Placed2& polygon, const Placed2& other) {
+Separation separation(const Placed2& polygon, const Placed2& other, double reach) {
   Separation best;
-  for (int e = 0; e < polygon.count(); ++e) {
+  const Vec2 away = polygon.pose.r.inverse(other.pose.x - polygon.pose.x);
+  for (int e = 0; e < polygon.count() && best.distance <= reach; ++e) {
+    const Vec2& normal = polygon.shape.normals[e];
+    const Vec2 turned = other.pose.r.inverse(polygon.pose.r * normal);  // the normal in the frame of `other`
     double nearest = 1e300;
-    for (int i = 0; i < other.count(); ++i) nearest = std::min(nearest, polygon.outside(e, other.point(i)));
+    for (const Vec2& point : other.shape.points) nearest = std::min(nearest, turned.dot(point));
+    nearest += normal.dot(away - polygon.shape.points[e]);
     if (nearest > best.distance) best = {e, nearest};
   }
   return best;
@@ -47,7 +52,7 @@ bool disk_polygon(const Placed2& disk, const Placed2& polygon, double reach, Con
                   bool& on_edge) {
   const Vec2 centre = disk.point(0);
   const double radius = disk.shape.radius;
-  const Separation face = separation(polygon, disk);
+  const Separation face = separation(polygon, disk, reach + radius);
   if (face.distance - radius > reach) return false;
   const Vec2 p = polygon.point(face.edge), q = polygon.point((face.edge + 1) % polygon.count());
   const Vec2 along = q - p;
@@ -67,8 +72,10 @@ bool disk_polygon(const Placed2& disk, const Placed2& polygon, double reach, Con
 }
 
 void polygon_polygon(const Placed2& a, int ia, const Placed2& b, int ib, double reach, Contacts& out) {
-  const Separation of_a = separation(a, b), of_b = separation(b, a);
-  if (std::max(of_a.distance, of_b.distance) > reach) return;
+  const Separation of_a = separation(a, b, reach);
+  if (of_a.distance > reach) return;
+  const Separation of_b = separation(b, a, reach);
+  if (of_b.distance > reach) return;
   // A preference for one side keeps the reference from flickering where both are equal.
   const double slack = 1e-9 * a.shape.points[0].norm();
   const bool a_is_reference = of_a.distance > of_b.distance + slack;

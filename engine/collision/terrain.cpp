@@ -1,7 +1,6 @@
 #include "collision/terrain.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace flyrock {
 
@@ -46,7 +45,7 @@ double Terrain2::height(double x) const {
 }
 
 int Terrain2::first_segment(double x) const {
-  const double cell = std::floor((x - profile_.x_min()) / cell_);
+  const double cell = (x - profile_.x_min()) / cell_;
   int i = grid_[static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(grid_.size() - 1)))];
   while (i > 0 && end(i - 1).x() >= x) --i;
   while (i < segments() - 1 && end(i).x() < x) ++i;

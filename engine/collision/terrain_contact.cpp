@@ -122,10 +122,10 @@ void terrain_contacts(const Placed2& contactor, int contactor_index, const Terra
     disk_contacts(contactor, contactor_index, terrain, run, reach, out);
     return;
   }
+  const double shallow = shallow_share * contactor.shape.bounding_radius();
   for (int k = 0; k < contactor.count(); ++k)
-    point_contacts(contactor.point(k), 0, vertex_id(contactor_index, k), terrain, run, reach,
-                   shallow_share * contactor.shape.bounding_radius(), out);
-    // A polygon that lies flush on a segment is held by the corner at the end of it.
+    point_contacts(contactor.point(k), 0, vertex_id(contactor_index, k), terrain, run, reach, shallow, out);
+  // A polygon that lies flush on a segment is held by the corner at the end of it.
   constexpr double flush = 1e-4;
   edge_contacts(contactor, contactor_index, terrain, run, reach, flush + turn, out);
 }

@@ -152,7 +152,6 @@ void Observer<D>::stepped(int body, const Motion& motion, double dt, TravelMode 
   mode_[body] = mode;
   histories_[body].travel.add(mode, dt, path_length<D>(motion, dt));
   const BodyState s = present(body);
-  extremes(body, s);
   clearance(body, motion, dt);
   histories_[body].path.visit(motion.x.x(), motion.v.x(), 0, dt, [&](PathBin& bin, double, double) {
     bin.speed = std::max(bin.speed, s.velocity.norm());
@@ -165,7 +164,7 @@ void Observer<D>::stepped(int body, const Motion& motion, double dt, TravelMode 
 }
 
 template <int D>
-void Observer<D>::impacts() {
+void Observer<D>::arrived() {
   for (const Impact& impact : world_.impacts()) {
     for (const int body : {impact.body, impact.other}) {
       if (body < 0) continue;

@@ -21,8 +21,8 @@ class Observer {
   void flew(int body, const Motion& motion, double start, double dt);
   /// A contact step of length dt has ended, in which the body moved along `motion`.
   void stepped(int body, const Motion& motion, double dt, TravelMode mode);
-  /// Impacts of the world at its present time.
-  void impacts();
+  /// A step or an impact has ended, after what is told of each body: the impacts, and where all bodies are now.
+  void arrived();
   /// The body touches the ground at the present time.
   void touched(int body);
   /// The run of the body ends now.

@@ -37,10 +37,13 @@ class Runner {
       const double before = world_.time;
       in_contact = settings_.exact_flight && !in_contact ? fly() : step();
       end_bodies();
-      // A pair that touches again and again without time passing goes on by one whole step.
+      // Bodies in contact that touch again and again without time passing are left to their contacts for a short step; where
+      // that is not what held it up, one goes on that no touch cuts.
       stalled_ = world_.time - before < 1e-9 * world_.settings().time_step ? stalled_ + 1 : 0;
       if (stalled_ > 50) {
-        in_contact = step(false);
+        const double stuck = world_.time;
+        in_contact = step(Touches::of_new_pairs);
+        if (world_.time == stuck) in_contact = step(Touches::none);
         stalled_ = 0;
       }
     }
@@ -64,7 +67,7 @@ class Runner {
   /// Solves the impact problem of what is closed now; whether contacts remain.
   bool collide() {
     const auto outcome = world_.impact();
-    observer_.impacts();
+    observer_.arrived();
     for (const auto& contact : world_.contacts()) observer_.touched(contact.candidate);
     return outcome.in_contact;
   }
@@ -141,15 +144,20 @@ class Runner {
     return std::min(arrival(flight, low, -1), arrival(flight, high, 1)) * (1 + 1e-12) + 1e-12;
   }
 
-  bool step(bool cut = true) {
+  /// Which touches cut a step.
+  enum class Touches { all, of_new_pairs, none };
+
+  bool step(Touches touches = Touches::all) {
     const double start = world_.time;
     starts_.clear();
     flights_.clear();
     for (const Body<D>& body : world_.bodies) starts_.push_back(moment_of(body));
-    const double h = std::min(step_length(), time_left());
+    constexpr double blind = 0.1;  // of a step that passes over touches: overlaps that it makes stay small
+    const double h = std::min((touches == Touches::all ? 1 : blind) * step_length(), time_left());
     if (in_air_)
       for (Body<D>& body : world_.bodies) body.push = mean_acceleration(body.air, body.v, world_.gravity(), h);
-    const auto outcome = world_.step(h, cut && settings_.exact_flight);
+    const bool cut = touches != Touches::none && settings_.exact_flight;
+    const auto outcome = world_.step(h, cut, touches == Touches::of_new_pairs);
     touching_.assign(bodies(), false);
     slipping_.assign(bodies(), false);
     for (const auto& contact : world_.contacts()) {
@@ -173,7 +181,7 @@ class Runner {
       }
       rest(i, touching_[i], start);
     }
-    observer_.impacts();
+    observer_.arrived();
     cross(start, outcome.duration);
     return outcome.new_touch ? collide() : outcome.in_contact;
   }

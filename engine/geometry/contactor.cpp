@@ -72,9 +72,9 @@ Contactor2 Contactor2::polygon(std::vector<Vec2> vertices) {
 }
 
 double Contactor2::bounding_radius() const {
-  double farthest = 0;
-  for (const Vec2& point : points) farthest = std::max(farthest, point.norm());
-  return farthest + radius;
+  double farthest = 0;  // squared
+  for (const Vec2& point : points) farthest = std::max(farthest, point.squaredNorm());
+  return std::sqrt(farthest) + radius;
 }
 
 void Contactor2::translate(const Vec2& by) {

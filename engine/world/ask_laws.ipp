@@ -82,12 +82,18 @@ void World<D>::begin_manifolds() {
 template <int D>
 void World<D>::ask_laws(double h) {
   for (Contact& contact : contacts_) {
-    contact.law = {};
     Surface* surface = contact.surface;
-    if (!surface) continue;
+    if (!surface) {
+      contact.law = {};
+      continue;
+    }
     ++surface->use.contacts;
     const bool impact = contact.manifold >= 0;
-    ContactState state = impact || surface->reads_state() ? state_of(contact, h) : ContactState{};
+    if (const ContactLaw* known = impact ? nullptr : surface->known()) {
+      contact.law = *known;
+      continue;
+    }
+    ContactState state = state_of(contact, h);
     contact.law = surface->ask(state, impact, contact.history);
   }
 }

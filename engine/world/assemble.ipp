@@ -49,7 +49,18 @@ void World<D>::assemble(double h, bool warm) {
     problem_.contacts.push_back(row);
     impulses_.push_back(warm && contact.carried ? contact.impulse : Row::Zero());
   }
+  if (problem_.width() == D)
+    couple<D>();
+  else
+    couple<Problem::rows>();
+  apply_laws(h);
+  scale_by_island(h);
+}
 
+/// The blocks of W; those between two contacts in N = problem_.width() rows.
+template <int D>
+template <int N>
+void World<D>::couple() {
   const auto of = [&](int a, int body) -> const auto& {
     return contacts_[a].candidate == body ? rows_[a].candidate : rows_[a].antagonist;
   };
@@ -59,18 +70,17 @@ void World<D>::assemble(double h, bool warm) {
       if (body < 0 || !bodies[body].moves()) continue;
       ContactColumns<D> mobility;  // M^-1 H of contact a
       for (int k = 0; k < Problem::rows; ++k) mobility.col(k) = bodies[body].inverse_mass_times(of(a, body).col(k));
+      problem_.contacts[a].w.noalias() += mobility.transpose() * of(a, body);
       for (const int b : contacts_of_[body]) {
-        const typename Problem::Block w = mobility.transpose() * of(b, body);
-        if (b == a)
-          problem_.contacts[a].w += w;
-        else
-          problem_.couple(b, w);
+        if (b == a) continue;
+        typename Problem::Block w = Problem::Block::Zero();
+        w.template topLeftCorner<N, N>().noalias() =
+            mobility.template leftCols<N>().transpose() * of(b, body).template leftCols<N>();
+        problem_.couple(b, w);
       }
     }
   }
   problem_.first.push_back(problem_.couplings());
-  apply_laws(h);
-  scale_by_island(h);
 }
 
 /// The body that stands for the island of a contact.
@@ -93,7 +103,7 @@ void World<D>::scale_by_island(double h) {
   for (const Contact& c : contacts_)
     if (c.antagonist >= 0 && bodies[c.candidate].moves() && bodies[c.antagonist].moves())
       island_[root(c.candidate)] = root(c.antagonist);
-  island_speed_.assign(bodies.size(), gravity_.norm() * (h > 0 ? h : settings_.time_step));
+  island_speed_.assign(bodies.size(), g_ * (h > 0 ? h : settings_.time_step));
   for (const Contact& c : contacts_) {
     double& speed = island_speed_[island_of(c)];
     speed = std::max(speed, c.approach());

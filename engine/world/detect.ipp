@@ -20,19 +20,19 @@ constexpr double carry_share = 1e-6;
 }  // namespace
 
 template <int D>
-double World<D>::contact_size(const Contact& contact) const {
-  const Body<D>& a = bodies[contact.candidate];
-  if (contact.antagonist < 0) return a.size;
-  const Body<D>& b = bodies[contact.antagonist];
+double World<D>::contact_size(int candidate, int antagonist) const {
+  const Body<D>& a = bodies[candidate];
+  if (antagonist < 0) return a.size;
+  const Body<D>& b = bodies[antagonist];
   return !a.moves() ? b.size : !b.moves() ? a.size : std::min(a.size, b.size);
 }
 
 /// A body that keeps contact by its curvature or by turning about a vertex opens a gap of at most g h^2 / 8 in half a
 /// step before it flies off.
 template <int D>
-double World<D>::carry_reach(const Contact& contact) const {
+double World<D>::carry_reach(int candidate, int antagonist) const {
   const double h = settings_.time_step;
-  return carry_share * contact_size(contact) + 0.25 * gravity_.norm() * h * h;
+  return carry_share * contact_size(candidate, antagonist) + 0.25 * g_ * h * h;
 }
 
 template <int D>
@@ -44,6 +44,24 @@ const std::vector<std::pair<int, int>>& World<D>::near_pairs(double dt) {
   return broad_phase_.template pairs<D>(boxes_);
 }
 
+/// The pairs of bodies that are within reach of each other now.
+template <int D>
+const std::vector<std::pair<int, int>>& World<D>::close_pairs() {
+  boxes_.clear();
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const auto pose = bodies[i].pose();
+    const double reach = carry_reach(static_cast<int>(i), -1);
+    auto& box = boxes_.emplace_back(typename Geometry<D>::Box{pose.x, pose.x});
+    for (const auto& contactor : bodies[i].contactors)
+      for (const Vec<D>& local : contactor.points) {
+        const Vec<D> point = pose * local, extent = Vec<D>::Constant(contactor.radius + reach);
+        box.low = box.low.cwiseMin(point - extent);
+        box.high = box.high.cwiseMax(point + extent);
+      }
+  }
+  return broad_phase_.template pairs<D>(boxes_);
+}
+
 /// `ahead` [s]: how far the bodies have been moved on from the start of a step; in 2D an edge may have turned out of the
 /// cone of a corner meanwhile.
 template <int D>
@@ -52,26 +70,23 @@ void World<D>::detect(double ahead) {
   contacts_.clear();
   auto append = [&](int candidate, int antagonist) {
     for (const ContactPoint<D>& point : points_) {
-      Contact contact;
+      Contact& contact = contacts_.emplace_back();
       contact.at = point;
       contact.candidate = candidate;
       contact.antagonist = antagonist;
       contact.surface = antagonist < 0 ? terrain_surface_[candidate][part_of(*terrain_, point.against)]
                                        : pair_surface_[candidate][antagonist];
-      contacts_.push_back(contact);
     }
   };
   // By candidate, the terrain first, then the antagonists in their order: the order of NLGS, and what match_last needs.
   static const std::vector<std::pair<int, int>> none;
-  const auto& pairs = bodies.size() > 1 ? near_pairs(0) : none;
+  const auto& pairs = bodies.size() > 1 ? close_pairs() : none;
   auto pair = pairs.begin();
   for (int i = 0; i < static_cast<int>(bodies.size()); ++i) {
     const Body<D>& body = bodies[i];
-    Contact probe;
-    probe.candidate = i;
     if (body.moves()) {
       points_.clear();
-      const double reach = carry_reach(probe);
+      const double reach = carry_reach(i, -1);
       for (int k = 0; k < static_cast<int>(body.contactors.size()); ++k) {
         const Placed contactor{body.contactors[k], body.pose()};
         if constexpr (D == 2)
@@ -85,8 +100,7 @@ void World<D>::detect(double ahead) {
       const Body<D>& other = bodies[pair->second];
       if (!body.present || !other.present || (!body.moves() && !other.moves())) continue;
       points_.clear();
-      probe.antagonist = pair->second;
-      const double reach = carry_reach(probe);
+      const double reach = carry_reach(i, pair->second);
       for (std::size_t k = 0; k < body.contactors.size(); ++k)
         for (std::size_t j = 0; j < other.contactors.size(); ++j)
           body_contacts(Placed{body.contactors[k], body.pose()}, static_cast<int>(k),
@@ -130,34 +144,45 @@ void World<D>::match_last() {
 template <int D>
 void World<D>::keep_closed(double share_of_size) {
   std::erase_if(contacts_, [&](const Contact& c) {
-    const double closed = 1e-12 + (1e-9 + share_of_size) * contact_size(c);
-    return c.at.gap > (c.carried ? carry_reach(c) : closed);
+    const double closed = 1e-12 + (1e-9 + share_of_size) * contact_size(c.candidate, c.antagonist);
+    return c.at.gap > (c.carried ? carry_reach(c.candidate, c.antagonist) : closed);
   });
   for (const Contact& c : contacts_) quality_.max_penetration = std::max(quality_.max_penetration, -c.at.gap);
 }
 
 /// Keeps the contacts of the middle of a step whose features were closed when it began. One that has closed since is a
-/// touch at which the step must be cut. A contact whose features have changed, but not its place, was closed.
+/// touch at which the step must be cut. A contact whose features have changed, but not its place, was closed: new features
+/// that lay deeper in each other than a step may bring did so beside one another. Returns how far the worst that is kept has
+/// drifted into overlap since the start, in units of what a step may bring; springs overlap by their nature.
 template <int D>
-void World<D>::keep_closed_at_start() {
+double World<D>::keep_closed_at_start() {
+  double share = 0;
   std::erase_if(contacts_, [&](const Contact& c) {
-    const double reach = carry_reach(c), closed = c.carried ? reach : 1e-12 + 1e-9 * contact_size(c);
-    const double gap = start_gap(c);
-    quality_.max_penetration = std::max(quality_.max_penetration, gap <= closed ? -gap : 0.0);
-    return c.at.gap > reach || gap > closed;
+    const double reach = carry_reach(c.candidate, c.antagonist), closed = c.carried ? reach : 1e-12 + 1e-9 * contact_size(c.candidate, c.antagonist);
+    const double gap = gap_at(c, [&](int body) {
+      const Moment<D>& start = saved_[body].moment;
+      return typename Geometry<D>::Pose{start.x, start.attitude.rotation};
+    });
+    const double may_drift = 3 * reach;
+    if (c.at.gap > reach || gap > closed || (!c.carried && gap < -may_drift)) return true;
+    quality_.max_penetration = std::max(quality_.max_penetration, -gap);
+    if (c.law.condition != NormalCondition::penalty)
+      share = std::max(share, (std::min(gap, 0.0) - c.at.gap) / may_drift);
+    return false;
   });
+  return share;
 }
 
-/// The gap between the features of a contact when the step began.
+/// The gap between the features of a contact, with each body where pose_of(body) says.
 template <int D>
-double World<D>::start_gap(const Contact& c) const {
-  const auto at_start = [&](int body, std::uint32_t feature) {
-    const Moment<D>& start = saved_[body].moment;
-    return Placed{bodies[body].contactors[contactor_of(feature)], {start.x, start.attitude.rotation}};
+template <class PoseOf>
+double World<D>::gap_at(const Contact& c, PoseOf pose_of) const {
+  const auto placed = [&](int body, std::uint32_t feature) {
+    return Placed{bodies[body].contactors[contactor_of(feature)], pose_of(body)};
   };
-  const Placed candidate = at_start(c.candidate, c.at.feature);
+  const Placed candidate = placed(c.candidate, c.at.feature);
   if (c.antagonist < 0) return feature_gap(candidate, c.at.feature, *terrain_, c.at.against);
-  return feature_gap(candidate, c.at.feature, at_start(c.antagonist, c.at.against), c.at.against);
+  return feature_gap(candidate, c.at.feature, placed(c.antagonist, c.at.against), c.at.against);
 }
 
 template <int D>

@@ -66,16 +66,18 @@ void World<D>::record_impacts(double h) {
   impacts_.clear();
   sums_.clear();
   island_gain_.assign(bodies.size(), 0.0);
+  after_.resize(contacts_.size());
   for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) {
     const Contact& contact = contacts_[a];
-    const Row after = velocity_after(a);
+    after_[a] = velocity_after(a);
+    const Row& after = after_[a];
     const double energy = 0.5 * contact.impulse.dot(contact.before + after);
     double& gain = island_gain_[island_of(contact)];
     // A spring returns what it took.
     if (contact.law.condition != NormalCondition::penalty) gain += energy;
     gain -= contact.impulse.template head<D>().norm() *
                 (1e-12 * (contact.before.norm() + after.norm()) +
-                 10 * settings_.tolerance * problem_.contacts[a].speed_scale + 0.5 * gravity_.norm() * h);
+                 10 * settings_.tolerance * problem_.contacts[a].speed_scale + 0.5 * g_ * h);
     if (contact.manifold < 0) continue;
     if (contact.manifold >= static_cast<int>(impacts_.size())) {
       Impact impact;
@@ -127,13 +129,13 @@ void World<D>::record_impacts(double h) {
 template <int D>
 bool World<D>::stays_closed(int a, double duration) const {
   const Contact& contact = contacts_[a];
-  const double speed = velocity_after(a)[0];
+  const double speed = after_[a][0];
   // A spring lets go where its gap has opened, at the end of the step.
   if (contact.law.condition == NormalCondition::penalty)
     return speed <= 0 || contact.at.gap + settings_.theta * duration * speed <= 0;
   if (contact.manifold >= 0 && contact.law.e_n > 0) return speed <= 0;
   const double within_tolerance = 10 * settings_.tolerance * problem_.contacts[a].speed_scale + 1e-14 * contact.before.norm();
-  return speed <= std::max(within_tolerance, 0.5 * gravity_.norm() * settings_.time_step);
+  return speed <= std::max(within_tolerance, 0.5 * g_ * settings_.time_step);
 }
 
 }  // namespace flyrock

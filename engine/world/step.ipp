@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "collision/feature_gap.h"
 #include "world/world.h"
 
 namespace flyrock {
@@ -30,21 +29,10 @@ void World<D>::restore() {
   for (Surface* surface : surfaces_) memory = surface->restore_history(memory);
 }
 
-/// How far the worst contact has drifted into overlap from the start to the middle of the step, in units of what a step
-/// may bring. Springs overlap by their nature.
-template <int D>
-double World<D>::drift_share() const {
-  double share = 0;
-  for (const Contact& c : contacts_)
-    if (c.law.condition != NormalCondition::penalty)
-      share = std::max(share, (std::min(start_gap(c), 0.0) - c.at.gap) / (3 * carry_reach(c)));
-  return share;
-}
-
 /// v_free = v + h (g + the push of the air), and w_free of free_spin;  contacts at q_m = q + h (1 - theta) v;  v+ = v_free + M^-1 H r;
 /// q+ = q_m + h theta v+.
 template <int D>
-typename World<D>::Outcome World<D>::step(double h, bool cut) {
+typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
   constexpr int most_cuts = 4, most_refinements = 4;
   const double theta = settings_.theta;
   const auto drift = [&](double dt) {
@@ -56,12 +44,13 @@ typename World<D>::Outcome World<D>::step(double h, bool cut) {
   for (int cuts = 0, refinements = 0;;) {
     drift((1 - theta) * h);
     detect((1 - theta) * h);
+    double share = 0;
     if (cut)
-      keep_closed_at_start();
+      share = keep_closed_at_start();
     else
       keep_closed(0);
     // An edge that turns fast about a corner while it slides drifts with h^2: a shorter step.
-    if (const double share = cut ? drift_share() : 0; share > 1 && refinements++ < most_refinements) {
+    if (share > 1 && refinements++ < most_refinements) {
       restore();
       h *= std::max(0.1, 1 / std::sqrt(share));
       new_touch = false;
@@ -79,7 +68,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut) {
     if (!contacts_.empty()) solve_and_apply();
     drift(theta * h);
     if (!cut || cuts++ == most_cuts) break;
-    const std::optional<double> touch = first_touch(h);
+    const std::optional<double> touch = first_touch(h, pass_held);
     if (!touch || *touch >= h * (1 - 1e-9)) break;
     new_touch = true;
     restore();
@@ -120,9 +109,10 @@ typename World<D>::Outcome World<D>::impact() {
   return outcome;
 }
 
-/// The first touch of a pair that is not in contact, along the path of the step.
+/// The first touch of places that are not in contact, along the path of the step; with `pass_held` of bodies that have no
+/// contact with each other.
 template <int D>
-std::optional<double> World<D>::first_touch(double h) {
+std::optional<double> World<D>::first_touch(double h, bool pass_held) {
   const PhaseTimer timer(clock, &PhaseTimes::detect);
   std::optional<double> first;
   const auto motion_of = [&](int i) { return step_motion(saved_[i].moment, bodies[i], h, settings_.theta); };
@@ -132,7 +122,9 @@ std::optional<double> World<D>::first_touch(double h) {
   for (int i = 0; i < static_cast<int>(bodies.size()); ++i) {
     const Body<D>& body = bodies[i];
     if (!body.moves()) continue;
-    const TouchSearch search{held(i, -1), true, 0.5 * touch(i), body.size, &quality_.toc_iterations};
+    const auto held_here = held(i, -1);
+    if (pass_held && !held_here.empty()) continue;
+    const TouchSearch search{held_here, true, 0.5 * touch(i), body.size, &quality_.toc_iterations};
     for (std::size_t k = 0; k < body.contactors.size(); ++k)
       consider(time_of_contact(body.contactors[k], static_cast<int>(k), motion_of(i), *terrain_, first.value_or(h), search));
   }
@@ -142,11 +134,10 @@ std::optional<double> World<D>::first_touch(double h) {
   for (const auto& [i, j] : broad_phase_.template pairs<D>(boxes_)) {
     const Body<D>&a = bodies[i], &b = bodies[j];
     if (!a.present || !b.present || (!a.moves() && !b.moves())) continue;
-    Contact probe;
-    probe.candidate = i;
-    probe.antagonist = j;
-    const double size = contact_size(probe);
-    const TouchSearch search{held(i, j), true, 0.5e-9 * size + 0.5e-12, size, &quality_.toc_iterations};
+    const auto held_here = held(i, j);
+    if (pass_held && !held_here.empty()) continue;
+    const double size = contact_size(i, j);
+    const TouchSearch search{held_here, true, 0.5e-9 * size + 0.5e-12, size, &quality_.toc_iterations};
     for (std::size_t k = 0; k < a.contactors.size(); ++k)
       for (std::size_t l = 0; l < b.contactors.size(); ++l)
         consider(time_of_contact(a.contactors[k], static_cast<int>(k), motion_of(i), b.contactors[l], static_cast<int>(l),
@@ -164,26 +155,22 @@ void World<D>::project_drift(bool exact) {
   constexpr int passes = 3;
   constexpr double deepest = 1e-3;  // of the size: beyond it something else is wrong, and a push would throw the body
   drift_.assign(bodies.size(), Body<D>::Rows::Zero());
+  gaps_.clear();
+  for (const Contact& c : contacts_) {
+    const double gap = gap_at(c, [&](int body) { return bodies[body].pose(); });
+    const double reach = carry_reach(c.candidate, c.antagonist);
+    const bool near = gap <= reach && gap >= -(exact ? std::max(reach, deepest * contact_size(c.candidate, c.antagonist)) : reach);
+    gaps_.push_back(near && c.law.condition != NormalCondition::penalty ? std::optional(gap) : std::nullopt);
+  }
   for (int pass = 0; pass < passes; ++pass) {
     for (std::size_t a = 0; a < contacts_.size(); ++a) {
+      if (!gaps_[a]) continue;
       const Contact& c = contacts_[a];
-      if (c.law.condition == NormalCondition::penalty) continue;
-      const Body<D>& body = bodies[c.candidate];
-      const Placed candidate{body.contactors[contactor_of(c.at.feature)], body.pose()};
-      double gap;
-      if (c.antagonist < 0) {
-        gap = feature_gap(candidate, c.at.feature, *terrain_, c.at.against);
-      } else {
-        const Body<D>& other = bodies[c.antagonist];
-        gap = feature_gap(candidate, c.at.feature, Placed{other.contactors[contactor_of(c.at.against)], other.pose()}, c.at.against);
-      }
-      const double reach = carry_reach(c);
-      if (gap > reach || gap < -(exact ? std::max(reach, deepest * contact_size(c)) : reach)) continue;
-      gap += rows_[a].candidate.col(0).dot(drift_[c.candidate]);
+      double gap = *gaps_[a] + rows_[a].candidate.col(0).dot(drift_[c.candidate]);
       if (c.antagonist >= 0) gap += rows_[a].antagonist.col(0).dot(drift_[c.antagonist]);
       if (c.impulse[0] <= 0 && gap >= 0) continue;
       const double lambda = -gap / problem_.contacts[a].w(0, 0);
-      drift_[c.candidate] += body.inverse_mass_times(lambda * rows_[a].candidate.col(0));
+      drift_[c.candidate] += bodies[c.candidate].inverse_mass_times(lambda * rows_[a].candidate.col(0));
       if (c.antagonist >= 0)
         drift_[c.antagonist] += bodies[c.antagonist].inverse_mass_times(lambda * rows_[a].antagonist.col(0));
     }

@@ -43,6 +43,7 @@ void MaterialUse::add(const MaterialUse& other) {
 
 void Surface::begin_impact(std::uint64_t impact_number) {
   key.impact = impact_number;
+  known_.reset();
   draw_again(restitution, seed, key);
   draw_again(friction, seed, key);
   draw_again(rolling, seed, key);
@@ -51,21 +52,17 @@ void Surface::begin_impact(std::uint64_t impact_number) {
 
 ContactLaw Surface::ask(ContactState& state, bool impact, ContactHistory& history) {
   const auto own = [&](std::size_t kind) { return std::span(history).subspan(kind * most_history, most_history); };
-  ContactLaw law;
-  if (impact) {
-    const Restitution given = answer(restitution, constant_restitution_, use.restitution, state, own(0),
-                                     [](const auto& l, const auto& p, const auto& s) { return l.impact(p, s); });
-    law.form = given.form;
-    law.as_lmgc90 = given.as_lmgc90;
-    law.e_n = given.e_n;
-    law.e_t = given.e_t;
-  }
+  Restitution rebound;
+  if (impact)
+    rebound = answer(restitution, constant_restitution_, use.restitution, state, own(0),
+                     [](const auto& l, const auto& p, const auto& s) { return l.impact(p, s); });
   const Friction friction_given = answer(friction, constant_friction_, use.friction, state, own(1),
                                          [](const auto& l, const auto& p, const auto& s) { return l.friction(p, s); });
   const Rolling rolling_given = answer(rolling, constant_rolling_, use.rolling, state, own(2),
                                        [](const auto& l, const auto& p, const auto& s) { return l.rolling(p, s); });
   const Unilateral normal = answer(unilateral, constant_unilateral_, use.unilateral, state, own(3),
                                    [](const auto& l, const auto& p, const auto& s) { return l.condition(p, s); });
+  ContactLaw law;
   law.mu_s = friction_given.mu_s;
   law.mu_d = friction_given.mu_d;
   law.mu_r = rolling_given.mu_r;
@@ -78,10 +75,21 @@ ContactLaw Surface::ask(ContactState& state, bool impact, ContactHistory& histor
     law.c_n += normal.pull;
     law.c_t += law.mu_s * normal.pull;
   }
+  if (!varies(friction) && !varies(rolling) && !varies(unilateral)) known_ = law;
+  law.form = rebound.form;
+  law.as_lmgc90 = rebound.as_lmgc90;
+  law.e_n = rebound.e_n;
+  law.e_t = rebound.e_t;
   return law;
 }
 
-bool Surface::reads_state() const { return varies(friction) || varies(rolling) || varies(unilateral); }
+const ContactLaw* Surface::known() {
+  if (!known_) return nullptr;
+  use.friction += friction.law != nullptr;
+  use.rolling += rolling.law != nullptr;
+  use.unilateral += unilateral.law != nullptr;
+  return &*known_;
+}
 
 void Surface::save_history(std::vector<double>& memory) const {
   const auto append = [&](const auto& bound) { memory.insert(memory.end(), bound.history.begin(), bound.history.end()); };

@@ -56,8 +56,9 @@ class Surface {
   void begin_impact(std::uint64_t impact_number);
   /// The law of a contact in this state; restitution is asked only of an `impact`. `history`: of this contact.
   ContactLaw ask(ContactState& state, bool impact, ContactHistory& history);
-  /// Whether some law that is asked at every step reads the state of its contact.
-  bool reads_state() const;
+  /// The same of a contact without impact, where it is known without asking: no law that is asked at every step reads the
+  /// state, and all have been asked since the last impact. Else null.
+  const ContactLaw* known();
   /// The memory of the pair, to be taken back to: appended to `memory`, and read from it; the latter returns what follows.
   void save_history(std::vector<double>& memory) const;
   const double* restore_history(const double* memory);
@@ -67,6 +68,7 @@ class Surface {
   std::optional<Friction> constant_friction_;
   std::optional<Rolling> constant_rolling_;
   std::optional<Unilateral> constant_unilateral_;
+  std::optional<ContactLaw> known_;  ///< friction, rolling and unilateral
 };
 
 }  // namespace flyrock

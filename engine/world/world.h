@@ -2,6 +2,7 @@
 // Bodies, terrain, contacts, and one step of the Moreau-Jean scheme or one impact.
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "collision/broad_phase.h"
@@ -92,9 +93,10 @@ class World {
     bool in_contact = false;  ///< some contact carries an impulse or stays closed
   };
 
-  /// One step of at most h: shorter where a contact would drift too far. With `cut` it ends at the first touch of a pair
-  /// that is not in contact (an impact is then due). Impacts inside a step without cutting are reported to `impacts`.
-  Outcome step(double h, bool cut);
+  /// One step of at most h: shorter where a contact would drift too far. With `cut` it ends at the first touch of places
+  /// that are not in contact (an impact is then due), with `pass_held` only of bodies that have no contact with each other.
+  /// Impacts inside a step without cutting are reported to `impacts`.
+  Outcome step(double h, bool cut, bool pass_held = false);
 
   /// The impact problem without duration of all contacts that are closed now: velocities jump, time stands.
   Outcome impact();
@@ -146,10 +148,12 @@ class World {
   void detect(double ahead);
   void match_last();
   void keep_closed(double share_of_size);
-  void keep_closed_at_start();
-  double start_gap(const Contact& contact) const;
-  double contact_size(const Contact& contact) const;
-  double carry_reach(const Contact& contact) const;
+  double keep_closed_at_start();
+  template <class PoseOf>
+  double gap_at(const Contact& contact, PoseOf pose_of) const;
+  const std::vector<std::pair<int, int>>& close_pairs();
+  double contact_size(int candidate, int antagonist) const;
+  double carry_reach(int candidate, int antagonist) const;
 
   // ask_laws.ipp: what the laws of the contacts answer
   void begin_manifolds();
@@ -160,6 +164,8 @@ class World {
   Row relative_velocity(const Contact& contact) const;
   void measure_before();
   void assemble(double h, bool warm);
+  template <int N>
+  void couple();
   void scale_by_island(double h);
   int island_of(const Contact& contact);
 
@@ -173,13 +179,13 @@ class World {
   // step.ipp: the scheme
   void save();
   void restore();
-  double drift_share() const;
-  std::optional<double> first_touch(double h);
+  std::optional<double> first_touch(double h, bool pass_held);
   void project_drift(bool exact);
   Outcome keep(double duration, bool new_touch);
 
   const Terrain* terrain_;
   Vec<D> gravity_;
+  double g_;  ///< its size, m/s2
   WorldSettings settings_;
   SolverQuality quality_;
   std::vector<std::vector<Surface*>> terrain_surface_;  ///< [body][part]
@@ -197,6 +203,7 @@ class World {
   std::vector<Row> impulses_;
   std::vector<Rebound<D>> rebounds_;
   ImpactSolver<D> solver_;
+  std::vector<Row> after_;  ///< velocities of the contacts after the step or impact, in the frame of detection
   std::vector<Row> start_;  ///< of the impulses, where hard problems are kept
   std::vector<std::vector<int>> contacts_of_;  ///< of each body that contacts move
   std::vector<int> island_;
@@ -208,6 +215,7 @@ class World {
   std::vector<Surface*> surfaces_;  ///< each once
   std::vector<double> memory_;      ///< what the surfaces remembered when the step began
   std::vector<typename Body<D>::Rows> drift_;
+  std::vector<std::optional<double>> gaps_;  ///< of the contacts whose drift is projected out
 };
 
 extern template class World<2>;

@@ -8,7 +8,7 @@ namespace flyrock {
 
 template <int D>
 World<D>::World(const Terrain& terrain, const Vec<D>& gravity, const WorldSettings& settings)
-    : terrain_(&terrain), gravity_(gravity), settings_(settings) {}
+    : terrain_(&terrain), gravity_(gravity), g_(gravity.norm()), settings_(settings) {}
 
 template <int D>
 int World<D>::add(Body<D> body) {

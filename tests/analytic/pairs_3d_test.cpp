@@ -1,7 +1,10 @@
 // Bodies of space that meet each other.
 #include <catch2/catch.hpp>
 
+#include <random>
+
 #include "analytic/lab_3d.h"
+#include "geometry/hull.h"
 
 using namespace flyrock;
 using namespace flyrock::lab;
@@ -37,4 +40,20 @@ TEST_CASE("two spheres that strike each other keep their momentum and lose (1 - 
   REQUIRE(bench.histories[0].impacts.size() == 1);
   CHECK(bench.histories[0].impacts[0].energy_change == Approx(-0.5 * (2.0 / 3) * 16 * (1 - e * e)).epsilon(1e-9));
   CHECK(bench.histories[0].impacts[0].time == Approx(1.5 / 4).epsilon(1e-9));
+}
+
+TEST_CASE("polyhedra that fall on each other overlap by less than half a millimetre", "[slow]") {
+  Material material(0.2, 0.6);
+  Bench3 bench(plane(), material);
+  std::mt19937 rng(GENERATE(7, 8));
+  const auto uniform = [&](double a, double b) { return a + (b - a) * (rng() / 4294967296.0); };
+  for (int k = 0; k < 24; ++k) {
+    std::vector<Vec3> points;
+    for (int i = 0; i < 14; ++i) points.push_back(0.27 * Vec3(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)).normalized());
+    Body<3> rock = make_body({convex_hull(points)}, 2700, 0);
+    rock.x = {uniform(0, 0.3), uniform(0, 0.2), 1.0 + k};
+    bench.add(rock);
+  }
+  bench.run(5);
+  CHECK(bench.world.quality().max_penetration < 5e-4);
 }
