@@ -8,26 +8,12 @@
 #include "flight/ground.h"
 #include "scenario/blast_at.h"
 #include "scenario/dimensions.h"
+#include "scenario/start_checks.h"
 #include "world/manifold.h"
 
 namespace flyrock {
 
 namespace {
-
-/// Throws where the arithmetic of contacts would overflow or lose a body.
-template <int D>
-void refuse_extremes(const Body<D>& body) {
-  constexpr double most = 1e30;
-  double inertia;  // the least moment
-  if constexpr (D == 2)
-    inertia = body.inertia;
-  else
-    inertia = body.inertia.minCoeff();
-  if (body.mass > 1 / most && body.mass < most && std::isnormal(inertia)) return;
-  throw PluginError(fmt::format("`{}` has a mass of {:.3g} kg and a moment of inertia of {:.3g} kg m2, expected a mass from "
-                                "{:.0e} to {:.0e} kg",
-                                body.group, body.mass, inertia, 1 / most, most));
-}
 
 template <class LawKind>
 void bind(BoundLaw<LawKind>& bound, const std::unique_ptr<LawKind>& law, const std::optional<PluginUse>& use,
@@ -47,42 +33,6 @@ void bind(BoundLaw<LawKind>& bound, const std::unique_ptr<LawKind>& law, const s
 
 // Rocks that meet each other are placed anew as often as this before the trial is refused.
 constexpr int most_places = 1000;
-
-/// A rock that starts deeper than this share of its size inside the ground or another rock is refused.
-constexpr double most_overlap = 1e-6;
-
-template <int D>
-void check_start(World<D>& world) {
-  double size = 0;
-  const auto [low, high] = extent(world.terrain());
-  for (const Body<D>& body : world.bodies) {
-    if (!body.moves()) continue;
-    size = std::max(size, body.size);
-    if (body.x.x() < low || body.x.x() > high)
-      throw PluginError(fmt::format("`{}` starts at x = {:.6g} m, beyond the terrain, which runs from {:.6g} to {:.6g} m",
-                                    body.group, body.x.x(), low, high));
-  }
-  if (const double depth = world.deepest_overlap(); depth > most_overlap * size)
-    throw PluginError(fmt::format("`{}` starts {:.3g} m inside the terrain or another body", world.bodies.back().group, depth));
-}
-
-/// A point that flies starts above the ground of the terrain.
-void check_start_of_point(const Body<3>& body, const Plane& plane) {
-  if (const double depth = -plane.distance(body.x); depth > most_overlap * body.size)
-    throw PluginError(fmt::format("`{}` starts at ({:.6g}, {:.6g}, {:.6g}) m, {:.3g} m inside the terrain", body.group, body.x.x(),
-                                  body.x.y(), body.x.z(), depth));
-}
-void check_start_of_point(const Body<2>& body, const Profile& profile) {
-  const bool beyond = body.x.x() < profile.x_min() || body.x.x() > profile.x_max();
-  const double depth = beyond ? 0 : profile.height(body.x.x()) - body.x.y();
-  if (beyond || depth > most_overlap * body.size)
-    throw PluginError(fmt::format("`{}` starts at ({:.6g}, {:.6g}) m, {}", body.group, body.x.x(), body.x.y(),
-                                  beyond ? "beyond the terrain" : fmt::format("{:.3g} m inside the terrain", depth)));
-}
-
-/// Whether the last body of a world starts free of the others and the terrain.
-template <int D>
-bool last_is_free(World<D>& world) { return world.deepest_overlap() <= most_overlap * world.bodies.back().size; }
 
 bool is_random(const std::optional<Release>& release) {
   return release && (release->kind == ReleaseKind::face || release->kind == ReleaseKind::bench_top ||
