@@ -27,8 +27,7 @@ Observer<D>::Observer(const World<D>& world, double every, bool keep_impacts, do
     if (world.bodies[i].kind == BodyKind::dynamic && bin_width > 0)
       history.path = PathBins(bin_width, low, high);
     const int body = static_cast<int>(i);
-    history.first = history.last = history.min = history.max = present(body);
-    history.min_speed = history.max_speed = history.first.velocity.norm();
+    history.begin(present(body));
     const Motion now = world.flight_of(body);
     clearance(body, now, 0);
     speeds(body, now, 0);
@@ -69,20 +68,7 @@ template <int D>
 void Observer<D>::extremes(int body, const BodyState& s) {
   if (!s.position.allFinite() || !s.velocity.allFinite()) return;  // NaN does not enter a history
   BodyHistory& h = histories_[body];
-  const auto widen = [](auto& low, auto& high, const auto& value) {
-    low = low.cwiseMin(value);
-    high = high.cwiseMax(value);
-  };
-  widen(h.min.position, h.max.position, s.position);
-  widen(h.min.velocity, h.max.velocity, s.velocity);
-  widen(h.min.spin, h.max.spin, s.spin);
-  h.min.angle = std::min(h.min.angle, s.angle);
-  h.max.angle = std::max(h.max.angle, s.angle);
-  h.min.kinetic_energy = std::min(h.min.kinetic_energy, s.kinetic_energy);
-  h.max.kinetic_energy = std::max(h.max.kinetic_energy, s.kinetic_energy);
-  const double speed = s.velocity.norm();
-  h.min_speed = std::min(h.min_speed, speed);
-  h.max_speed = std::max(h.max_speed, speed);
+  h.include(s);
   h.max_distance = std::max(h.max_distance, horizontal(Vec<D>((s.position - h.first.position).template head<D>())));
   h.last = s;
 }

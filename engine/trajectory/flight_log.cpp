@@ -60,8 +60,7 @@ FlightLog<D, Ground>::FlightLog(const Body<D>& body, const Ground& ground, const
       twice_spin_energy_(twice_spin_energy(body, body.attitude, body.w)),
       next_sample_(run.start_time),
       gates_(sides_of(run.gates, body.x.x())) {
-  history_.first = history_.last = history_.min = history_.max = state(run.start_time, body.x, body.v);
-  history_.min_speed = history_.max_speed = body.v.norm();
+  history_.begin(state(run.start_time, body.x, body.v));
   history_.bounce_height = height(body.x);
   history_.path = bins_over(ground, run.bin_width);
 }
@@ -137,18 +136,7 @@ BodyState FlightLog<D, Ground>::at(const Arc<D>& arc, double s) const {
 
 template <int D, class Ground>
 void FlightLog<D, Ground>::widen(const BodyState& s) {
-  const auto stretch = [](auto& low, auto& high, const auto& value) {
-    low = low.cwiseMin(value);
-    high = high.cwiseMax(value);
-  };
-  stretch(history_.min.position, history_.max.position, s.position);
-  stretch(history_.min.velocity, history_.max.velocity, s.velocity);
-  history_.min.angle = std::min(history_.min.angle, s.angle);
-  history_.max.angle = std::max(history_.max.angle, s.angle);
-  history_.min.kinetic_energy = std::min(history_.min.kinetic_energy, s.kinetic_energy);
-  history_.max.kinetic_energy = std::max(history_.max.kinetic_energy, s.kinetic_energy);
-  history_.min_speed = std::min(history_.min_speed, s.velocity.norm());
-  history_.max_speed = std::max(history_.max_speed, s.velocity.norm());
+  history_.include(s);
   const Vec<D> away = s.position.template head<D>() - body_.x;
   history_.max_distance = std::max(history_.max_distance, horizontal(away));
 }

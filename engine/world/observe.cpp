@@ -15,6 +15,28 @@ const char* name_of(BarrierOutcome outcome) {
   return names[static_cast<int>(outcome)];
 }
 
+void BodyHistory::begin(const BodyState& state) {
+  first = last = min = max = state;
+  min_speed = max_speed = state.velocity.norm();
+}
+
+void BodyHistory::include(const BodyState& state) {
+  const auto widen = [](auto& low, auto& high, const auto& value) {
+    low = low.cwiseMin(value);
+    high = high.cwiseMax(value);
+  };
+  widen(min.position, max.position, state.position);
+  widen(min.velocity, max.velocity, state.velocity);
+  widen(min.spin, max.spin, state.spin);
+  min.angle = std::min(min.angle, state.angle);
+  max.angle = std::max(max.angle, state.angle);
+  min.kinetic_energy = std::min(min.kinetic_energy, state.kinetic_energy);
+  max.kinetic_energy = std::max(max.kinetic_energy, state.kinetic_energy);
+  const double speed = state.velocity.norm();
+  min_speed = std::min(min_speed, speed);
+  max_speed = std::max(max_speed, speed);
+}
+
 void SolverQuality::add(const SolverQuality& other) {
   steps += other.steps;
   cut_steps += other.cut_steps;

@@ -107,6 +107,11 @@ struct BodyHistory {
   std::vector<Impact> impacts;
   std::vector<Apex> apexes;      ///< after the first impact
   std::vector<TrajectoryPoint> trajectory;
+
+  /// Starts at a state: the first, the last and all extremes.
+  void begin(const BodyState& state);
+  /// Widens the extremes, but for max_distance, whose horizontal depends on the dimension.
+  void include(const BodyState& state);
 };
 
 /// How well the equations were solved.
