@@ -40,7 +40,7 @@ struct State {
 class PlaneSearch {
  public:
   PlaneSearch(const MovingContactor& c, const Plane& plane, double end, const TouchSearch& search)
-      : c_(c), plane_(plane), end_(end), search_(search), scale_(search.size), ball_(c.shape.bounding_radius()) {}
+      : c_(c), plane_(plane), end_(end), search_(search), scale_(search.size), ball_(c.shape.bound) {}
 
   /// How long the plane stays clear of all vertices, from t on.
   double lasts(double t) const {
@@ -90,7 +90,7 @@ class PairSearch {
     relative.x -= b_.motion.x;
     relative.v -= b_.motion.v;
     relative.a -= b_.motion.a;
-    const double balls = a_.shape.bounding_radius() + b_.shape.bounding_radius();
+    const double balls = a_.shape.bound + b_.shape.bound;
     return ball_gap(relative, balls, relative.x.norm() - balls + search_.slack);
   }
 
@@ -175,7 +175,7 @@ class PairSearch {
     const double s = 0.5 * sine, turn = w / s;
     const double turn_rate = (w * w + sa.w_rate + sb.w_rate) / s + 3 * turn * turn;
     const Vec3 relative_a = a_.motion.a - b_.motion.a;
-    const double size_a = a_.shape.bounding_radius(), size_b = b_.shape.bounding_radius();
+    const double size_a = a_.shape.bound, size_b = b_.shape.bound;
     Bounds bounds{end_ - t, (sa.v - sb.v).norm() + relative_a.norm() * (end_ - t) + sa.w_max * size_a + sb.w_max * size_b,
                   sa.bend(size_a) + sb.bend(size_b) + relative_a.norm()};
     const bool is_held = held(feature_id(a_.index, FeatureKind::edge, d.edge_a), feature_id(b_.index, FeatureKind::edge, d.edge_b));

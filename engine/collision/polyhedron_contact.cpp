@@ -150,7 +150,7 @@ void polyhedron_polyhedron(const Placed3& a, int ia, const Placed3& b, int ib, d
   if (of_b.separation > reach) return;
   const EdgeAxis edges = best_edge_axis(a, b);
   if (edges.separation > reach) return;
-  const double slack = flush * std::min(a.shape.bounding_radius(), b.shape.bounding_radius());
+  const double slack = flush * std::min(a.shape.bound, b.shape.bound);
   const double of_faces = std::max(of_a.separation, of_b.separation);
   const std::size_t begin = out.size();
   if (edges.separation <= of_faces + slack) {

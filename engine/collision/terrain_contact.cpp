@@ -122,7 +122,7 @@ void terrain_contacts(const Placed2& contactor, int contactor_index, const Terra
     disk_contacts(contactor, contactor_index, terrain, run, reach, out);
     return;
   }
-  const double shallow = shallow_share * contactor.shape.bounding_radius();
+  const double shallow = shallow_share * contactor.shape.bound;
   for (int k = 0; k < contactor.count(); ++k)
     point_contacts(contactor.point(k), 0, vertex_id(contactor_index, k), terrain, run, reach, shallow, out);
   // A polygon that lies flush on a segment is held by the corner at the end of it.

@@ -71,7 +71,7 @@ double TouchSearch::start_gap(double gap, bool just_opened) const {
 
 std::optional<double> time_of_contact(const Contactor2& contactor, int contactor_index, const Motion2& motion,
                                       const Terrain2& terrain, double t_max, const TouchSearch& search) {
-  const double reach = contactor.bounding_radius();
+  const double reach = contactor.bound;
   const bool round = contactor.points.size() == 1 && contactor.points[0].isZero();
   const DiskSearch disk(contactor.radius, vertex_id(contactor_index, 0), motion, terrain, search);
   const MovingHull hull = hull_of(contactor, contactor_index, motion);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace flyrock {
 
@@ -62,23 +63,25 @@ void add_contactor(Moments& sum, const Contactor2& contactor, const Vec2& origin
   }
 }
 
-}  // namespace
-
-Contactor2 Contactor2::disk(double radius, const Vec2& centre) { return {{centre}, {}, radius}; }
-
-Contactor2 Contactor2::polygon(std::vector<Vec2> vertices) {
-  auto normals = edge_normals(vertices);
-  return {std::move(vertices), std::move(normals), 0};
-}
-
-double Contactor2::bounding_radius() const {
+double bound_of(const std::vector<Vec2>& points, double radius) {
   double farthest = 0;  // squared
   for (const Vec2& point : points) farthest = std::max(farthest, point.squaredNorm());
   return std::sqrt(farthest) + radius;
 }
 
+}  // namespace
+
+Contactor2 Contactor2::disk(double radius, const Vec2& centre) { return {{centre}, {}, radius, centre.norm() + radius}; }
+
+Contactor2 Contactor2::polygon(std::vector<Vec2> vertices) {
+  auto normals = edge_normals(vertices);
+  const double bound = bound_of(vertices, 0);
+  return {std::move(vertices), std::move(normals), 0, bound};
+}
+
 void Contactor2::translate(const Vec2& by) {
   for (Vec2& point : points) point += by;
+  bound = bound_of(points, radius);
 }
 
 std::string make_convex(std::vector<Vec2>& vertices) {

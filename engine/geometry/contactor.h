@@ -15,13 +15,12 @@ struct Contactor2 {
   std::vector<Vec2> points;
   std::vector<Vec2> normals;  ///< outward unit normal of the edge from points[i] to points[i + 1]; none for a disk
   double radius = 0;
+  double bound = 0;  ///< radius of the smallest circle about the frame's origin that holds the contactor
 
   static Contactor2 disk(double radius, const Vec2& centre = Vec2::Zero());
   /// Counter-clockwise convex polygon; the normals are computed.
   static Contactor2 polygon(std::vector<Vec2> vertices);
 
-  /// Radius of the smallest circle about the frame's origin that holds the contactor.
-  double bounding_radius() const;
   void translate(const Vec2& by);
 };
 

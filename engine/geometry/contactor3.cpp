@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 
@@ -59,12 +60,19 @@ void add_edges(Contactor3& shape) {
     if (edge.right < 0) throw std::invalid_argument("the faces of a polyhedron do not close");
 }
 
+double bound_of(const std::vector<Vec3>& points, double radius) {
+  double farthest = 0;  // squared
+  for (const Vec3& point : points) farthest = std::max(farthest, point.squaredNorm());
+  return std::sqrt(farthest) + radius;
+}
+
 }  // namespace
 
 Contactor3 Contactor3::sphere(double radius, const Vec3& centre) {
   Contactor3 shape;
   shape.points = {centre};
   shape.radius = radius;
+  shape.bound = bound_of(shape.points, radius);
   return shape;
 }
 
@@ -87,18 +95,19 @@ Contactor3 Contactor3::polyhedron(std::vector<Vec3> points, const std::vector<st
     for (const Vec3& p : shape.points)
       if (face.normal.dot(p - shape.points[shape.vertex(face, 0)]) > flat_share * (high - low).norm())
         throw std::invalid_argument("a polyhedron is not convex");
+  shape.bound = bound_of(shape.points, 0);
   return shape;
-}
-
-double Contactor3::bounding_radius() const {
-  double farthest = 0;
-  for (const Vec3& point : points) farthest = std::max(farthest, point.norm());
-  return farthest + radius;
 }
 
 void Contactor3::change_frame(const Vec3& origin, const Rotation3& r) {
   for (Vec3& point : points) point = r.inverse(point - origin);
   for (Face& face : faces) face.normal = r.inverse(face.normal);
+  bound = bound_of(points, radius);
+}
+
+void Contactor3::scale(double factor) {
+  for (Vec3& point : points) point *= factor;
+  bound = bound_of(points, radius);
 }
 
 }  // namespace flyrock

@@ -30,6 +30,7 @@ struct Contactor3 {
   std::vector<Face> faces;      ///< none for a sphere
   std::vector<Edge> edges;
   double radius = 0;
+  double bound = 0;             ///< radius of the smallest sphere about the frame's origin that holds the contactor
 
   static Contactor3 sphere(double radius, const Vec3& centre = Vec3::Zero());
   /// A box about the origin with sides along the axes.
@@ -40,10 +41,10 @@ struct Contactor3 {
 
   bool round() const { return points.size() == 1; }
   int vertex(const Face& face, int i) const { return loop[face.first + i]; }
-  /// Radius of the smallest sphere about the frame's origin that holds the contactor.
-  double bounding_radius() const;
   /// Expresses the contactor in another frame: p becomes r^-1 (p - origin).
   void change_frame(const Vec3& origin, const Rotation3& r);
+  /// Makes a polyhedron larger by a factor, about the origin.
+  void scale(double factor);
 };
 
 }  // namespace flyrock

@@ -12,7 +12,7 @@ Body<2> make_body(std::vector<Contactor2> contactors, double density, double mas
   Body<2> body;
   for (Contactor2& contactor : contactors) {
     contactor.translate(-properties.centroid);
-    body.size = std::max(body.size, contactor.bounding_radius());
+    body.size = std::max(body.size, contactor.bound);
   }
   body.contactors = std::move(contactors);
   const double t = thickness > 0 ? thickness : default_thickness(properties.area);
@@ -29,7 +29,7 @@ Body<3> make_body(std::vector<Contactor3> contactors, double density, double mas
   Body<3> body;
   for (Contactor3& contactor : contactors) {
     contactor.change_frame(properties.centroid, principal.rotation);
-    body.size = std::max(body.size, contactor.bounding_radius());
+    body.size = std::max(body.size, contactor.bound);
   }
   body.contactors = std::move(contactors);
   body.volume = properties.volume;

@@ -10,7 +10,7 @@ TEST_CASE("the faces of a box close, point outwards and share its twelve edges")
   CHECK(box.points.size() == 8);
   CHECK(box.faces.size() == 6);
   REQUIRE(box.edges.size() == 12);
-  CHECK(box.bounding_radius() == Approx(std::sqrt(14.0) / 2));
+  CHECK(box.bound == Approx(std::sqrt(14.0) / 2));
   for (const Contactor3::Face& face : box.faces) {
     CHECK(face.normal.dot(box.points[box.vertex(face, 0)]) > 0);
     CHECK(face.normal.cwiseAbs().sum() == 1);

@@ -74,11 +74,11 @@ TEST_CASE("a body in 2D has the volume of the sphere of equal cross-section") {
 
 TEST_CASE("contactors know their extent and move") {
   auto square = Contactor2::polygon({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
-  CHECK(square.bounding_radius() == Approx(std::sqrt(2.0)));
+  CHECK(square.bound == Approx(std::sqrt(2.0)));
   CHECK((square.normals[0] - Vec2(0, -1)).norm() < 1e-15);
   square.translate({1, 1});
-  CHECK(square.bounding_radius() == Approx(std::sqrt(8.0)));
-  CHECK(Contactor2::disk(0.5, {3, 4}).bounding_radius() == Approx(5.5));
+  CHECK(square.bound == Approx(std::sqrt(8.0)));
+  CHECK(Contactor2::disk(0.5, {3, 4}).bound == Approx(5.5));
 }
 
 TEST_CASE("make_convex turns vertices round and names what is wrong") {

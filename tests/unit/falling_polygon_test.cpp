@@ -17,7 +17,7 @@ TEST_CASE("a falling square meets the segments of a bench") {
   motion.x = {6, 25.2};
   motion.a = {0, -9.81};
   TouchSearch search;
-  search.size = square.bounding_radius();
+  search.size = square.bound;
   for (double horizon : {0.5, 1.0, 60.0}) {
     const auto touch = time_of_contact(square, 0, motion, terrain, horizon, search);
     REQUIRE(touch);

@@ -80,7 +80,7 @@ TEST_CASE("a tumbling box touches a plane with a gap of at most 1e-12 of its siz
   const Vec3 size(1, 0.6, 0.4), moments(0.52, 1.16, 1.36);
   const Contactor3 box = Contactor3::box(size);
   TouchSearch search;
-  search.size = box.bounding_radius();
+  search.size = box.bound;
   std::uint64_t iterations = 0;
   search.iterations = &iterations;
   const double spin = GENERATE(0.0, 0.7, 3.0, 40.0, 500.0);

@@ -57,7 +57,7 @@ TEST_CASE("a pair released at gap 0 with a speed away returns; without, it touch
 TEST_CASE("the gap at the time of contact is at most 1e-12 of the size, and not negative") {
   const Terrain2 ground = level();
   TouchSearch search;
-  search.size = square.bounding_radius();
+  search.size = square.bound;
   std::uint64_t iterations = 0;
   search.iterations = &iterations;
   const double w = GENERATE(0.0, 0.7, -3.0, 40.0, 500.0);

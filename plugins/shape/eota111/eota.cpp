@@ -35,7 +35,7 @@ class NormBlock : public ShapeModel {
     if (!(length > 0))
       throw PluginError(fmt::format("plugin {}: length is {:.6g} m, must be above 0", name_, length));
     Contactor3 block = block_;
-    for (Vec3& p : block.points) p *= length;
+    block.scale(length);
     return {block};
   }
 

@@ -52,8 +52,7 @@ class RandomPolyhedron : public ShapeModel {
     for (Vec3& p : points) p = p.cwiseProduct(Vec3(1, elongation, elongation * flatness));
     Contactor3 hull = convex_hull(points);
     const double volume = volume_properties({hull}).volume;
-    const double scale = diameter * std::cbrt(pi / 6 / volume);
-    for (Vec3& p : hull.points) p *= scale;
+    hull.scale(diameter * std::cbrt(pi / 6 / volume));
     return {hull};
   }
 
