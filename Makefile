@@ -12,6 +12,7 @@ help:
 	@echo "make demo   build, run the Ninh Dan blast (1000 trials) and say where its report is"
 	@echo "make test   build and run the tests: fast (release and sanitizers) and full"
 	@echo "make bench  rocks per second, the share of time by phase, and what a law in Lua costs"
+	@echo "make reference   write docs/reference from the manifests of the plugins"
 	@echo "make deps   install what is missing: Debian packages and Plotly"
 	@echo "make deps-browser   Chromium too, for the tests that open the report"
 
