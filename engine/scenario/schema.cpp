@@ -131,8 +131,9 @@ std::vector<SectionSpec> make_sections() {
   return {
       document(),
       {"air",
-       {or_else(above(number("density", "kg/m3", "of the air"), 0), 1.225),
-        at_least(number("cd", "", "drag coefficient, on the sphere of equal volume"), 0),
+       // Bounded: the steps of a flight shrink with the drag.
+       {or_else(at_most(above(number("density", "kg/m3", "of the air"), 0), 100), 1.225),
+        at_most(at_least(number("cd", "", "drag coefficient, on the sphere of equal volume"), 0), 100),
         optional(vector("wind", "m/s", "calm where it is not given"))},
        {}},
       {"terrain", {optional(text("material", "of a terrain of one part"))}, {"type", "materials", "zones"}},
