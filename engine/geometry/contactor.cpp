@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/bound.h"
+
 namespace flyrock {
 
 namespace {
@@ -61,12 +63,6 @@ void add_contactor(Moments& sum, const Contactor2& contactor, const Vec2& origin
     sum.add(turn * r * r / 2, -std::pow(r, 3) / 3 * perpendicular(normal - before), turn * std::pow(r, 4) / 4,
             a);
   }
-}
-
-double bound_of(const std::vector<Vec2>& points, double radius) {
-  double farthest = 0;  // squared
-  for (const Vec2& point : points) farthest = std::max(farthest, point.squaredNorm());
-  return std::sqrt(farthest) + radius;
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "geometry/bound.h"
+
 namespace flyrock {
 
 namespace {
@@ -58,12 +60,6 @@ void add_edges(Contactor3& shape) {
   }
   for (const Contactor3::Edge& edge : shape.edges)
     if (edge.right < 0) throw std::invalid_argument("the faces of a polyhedron do not close");
-}
-
-double bound_of(const std::vector<Vec3>& points, double radius) {
-  double farthest = 0;  // squared
-  for (const Vec3& point : points) farthest = std::max(farthest, point.squaredNorm());
-  return std::sqrt(farthest) + radius;
 }
 
 }  // namespace
