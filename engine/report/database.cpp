@@ -7,6 +7,7 @@
 #include "batch/safe_file.h"
 #include "math/space.h"
 #include "report/envelope_data.h"
+#include "report/rock_rows.h"
 #include "report/tables.h"
 
 namespace flyrock {
@@ -24,14 +25,6 @@ CREATE TABLE rocks (point INTEGER, trial INTEGER, rock INTEGER, "group" TEXT, ma
   max_speed_m_s REAL, max_energy_J REAL, impacts INTEGER, time_s REAL, flight_s REAL, flight_m REAL, bounce_s REAL,
   bounce_m REAL, slide_s REAL, slide_m REAL, roll_s REAL, roll_m REAL, fault TEXT);
 CREATE TABLE draws (draw INTEGER PRIMARY KEY, path TEXT);
-CREATE TABLE drawn (point INTEGER, trial INTEGER, rock INTEGER, draw INTEGER, value REAL);
-CREATE VIEW inputs AS SELECT point, trial, rock, path, value FROM drawn JOIN draws USING (draw);
-CREATE TABLE impacts (point INTEGER, trial INTEGER, rock INTEGER, number INTEGER, time_s REAL, x_m REAL, y_m REAL,
-  z_m REAL, other INTEGER, part INTEGER, vn_before_m_s REAL, vn_after_m_s REAL, vt_before_m_s REAL, vt_after_m_s REAL,
-  pn_N_s REAL, pt_N_s REAL, energy_change_J REAL);
-CREATE TABLE trajectories (point INTEGER, trial INTEGER, rock INTEGER, time_s REAL, x_m REAL, y_m REAL, z_m REAL,
-  vx_m_s REAL, vy_m_s REAL, vz_m_s REAL, spin_x_rad_s REAL, spin_y_rad_s REAL, spin_z_rad_s REAL, angle_rad REAL,
-  kinetic_energy_J REAL, mode TEXT);
 CREATE TABLE gates (point INTEGER, trial INTEGER, rock INTEGER, gate TEXT, time_s REAL, speed_m_s REAL, energy_J REAL,
   height_m REAL);
 CREATE TABLE barriers (point INTEGER, trial INTEGER, rock INTEGER, barrier TEXT, outcome TEXT, time_s REAL,
@@ -44,14 +37,13 @@ CREATE TABLE expectations (number INTEGER, measure TEXT, point INTEGER, computed
   expected_high REAL, tolerance REAL, passed INTEGER, reason TEXT);
 )";
 
+constexpr const char* inputs_view = "CREATE VIEW inputs AS SELECT point, trial, rock, path, value FROM drawn JOIN draws USING (draw);";
+
 // After the rows: an index that grows with them is slower to build.
 constexpr const char* indices = R"(
 CREATE UNIQUE INDEX rocks_by_rock ON rocks (point, trial, rock);
-CREATE INDEX drawn_by_rock ON drawn (point, trial, rock);
-CREATE INDEX impacts_by_rock ON impacts (point, trial, rock);
 CREATE INDEX gates_by_rock ON gates (point, trial, rock);
 CREATE INDEX barriers_by_rock ON barriers (point, trial, rock);
-CREATE INDEX trajectories_by_rock ON trajectories (point, trial, rock);
 )";
 
 void add_expectations(const SqliteFile& file, const Results& results) {
@@ -98,18 +90,20 @@ void add_envelopes(const SqliteFile& file, const Results& results) {
 
 }  // namespace
 
-ResultDatabase::Insertions::Insertions(const SqliteFile& file)
+ResultDatabase::Insertions::Insertions(const SqliteFile& file, int dimension)
     : rocks(file, "rocks", 30),
-      drawn(file, "drawn", 5),
-      impacts(file, "impacts", 17),
-      trajectories(file, "trajectories", 16),
+      rows_of_rock(file, "rows_of_rock", 6),
+      inputs(file, "input_rows", input_table.width(dimension)),
+      impacts(file, "impact_rows", impact_table.width(dimension)),
+      trajectories(file, "trajectory_rows", trajectory_table.width(dimension)),
       gates(file, "gates", 8),
       barriers(file, "barriers", 9) {}
 
 ResultDatabase::ResultDatabase(const std::filesystem::path& path, const Plan& plan)
     : plan_(plan), groups_(group_names(plan.points.front())), file_(path) {
-  file_.execute(schema + fmt::format("PRAGMA user_version = {};", result_format));
-  insertions_ = std::make_unique<Insertions>(file_);
+  const int dimension = plan.points.front().dimension;
+  file_.execute(schema + rock_tables_schema(dimension) + inputs_view + fmt::format("PRAGMA user_version = {};", result_format));
+  insertions_ = std::make_unique<Insertions>(file_, dimension);
   add_plan();
 }
 
@@ -124,6 +118,10 @@ void ResultDatabase::add_plan() {
 
 void ResultDatabase::add(int point, const TrialRecords& records) {
   const Scenario& scenario = plan_.points[static_cast<std::size_t>(point)];
+  const bool space = scenario.dimension == 3;
+  RowsOfRocks inputs(records.inputs, written_.inputs);
+  RowsOfRocks impacts(records.impacts, written_.impacts);
+  RowsOfRocks trajectories(records.trajectories, written_.trajectories);
   insertions_->rocks.rows(records.rocks, [&](Statement& to, const RockRecord& r) {
     to.put(point, r.trial, r.rock, groups_.at(static_cast<std::size_t>(r.group)), r.mass, r.volume, r.launch_speed,
            r.launch_elevation * 180 / pi, name_of(r.reason), r.censored, r.runout, r.max_distance, r.stop_x, r.stop_y,
@@ -131,13 +129,23 @@ void ResultDatabase::add(int point, const TrialRecords& records) {
     for (std::size_t mode = 0; mode < travel_mode_names.size(); ++mode) to.put(r.travel.time[mode], r.travel.distance[mode]);
     to.put(r.fault);
   });
-  insertions_->drawn.rows(records.inputs, [&](Statement& to, const InputRecord& i) {
-    to.put(point, i.trial, i.rock, i.draw, i.value);
+  insertions_->rows_of_rock.rows(records.rocks, [&](Statement& to, const RockRecord& r) {
+    for (const auto& [first, last] : {inputs.of(r), impacts.of(r), trajectories.of(r)}) to.put(first, last);
   });
+  insertions_->inputs.rows(records.inputs, [](Statement& to, const InputRecord& i) { to.put(i.draw, i.value); });
   insertions_->impacts.rows(records.impacts, [&](Statement& to, const ImpactRecord& r) {
     const Impact& i = r.impact;
-    to.put(point, r.trial, r.rock, i.number, i.time, i.place.x(), i.place.y(), i.place.z(), i.other, i.part, i.vn_before,
-           i.vn_after, i.vt_before, i.vt_after, i.pn, i.pt, i.energy_change);
+    to.put(i.number, i.time, i.place.x(), i.place.y());
+    if (space) to.put(i.place.z());
+    to.put(i.other, i.part, i.vn_before, i.vn_after, i.vt_before, i.vt_after, i.pn, i.pt, i.energy_change);
+  });
+  insertions_->trajectories.rows(records.trajectories, [&](Statement& to, const TrajectoryRecord& r) {
+    const BodyState& s = r.point.state;
+    to.put(s.time, s.position.x(), s.position.y());
+    if (space) to.put(s.position.z());
+    to.put(s.velocity.x(), s.velocity.y());
+    if (space) to.put(s.velocity.z(), s.spin.x(), s.spin.y());
+    to.put(s.spin.z(), s.angle, s.kinetic_energy, travel_mode_names[static_cast<std::size_t>(r.point.mode)]);
   });
   insertions_->gates.rows(records.gates, [&](Statement& to, const GateRecord& r) {
     const Passage& p = r.passage;
@@ -148,12 +156,6 @@ void ResultDatabase::add(int point, const TrialRecords& records) {
     const BarrierHit& h = r.hit;
     to.put(point, r.trial, r.rock, scenario.barriers.at(static_cast<std::size_t>(h.barrier)).name, name_of(h.outcome),
            h.time, h.speed, h.kinetic_energy, h.height);
-  });
-  insertions_->trajectories.rows(records.trajectories, [&](Statement& to, const TrajectoryRecord& r) {
-    const BodyState& s = r.point.state;
-    to.put(point, r.trial, r.rock, s.time, s.position.x(), s.position.y(), s.position.z(), s.velocity.x(),
-           s.velocity.y(), s.velocity.z(), s.spin.x(), s.spin.y(), s.spin.z(), s.angle, s.kinetic_energy,
-           travel_mode_names[static_cast<std::size_t>(r.point.mode)]);
   });
 }
 

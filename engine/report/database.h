@@ -27,8 +27,8 @@ class ResultDatabase {
 
  private:
   struct Insertions {
-    explicit Insertions(const SqliteFile& file);
-    Insertion rocks, drawn, impacts, trajectories, gates, barriers;
+    Insertions(const SqliteFile& file, int dimension);
+    Insertion rocks, rows_of_rock, inputs, impacts, trajectories, gates, barriers;
   };
 
   void add_plan();
@@ -37,6 +37,9 @@ class ResultDatabase {
   std::vector<std::string> groups_;
   SqliteFile file_;
   std::unique_ptr<Insertions> insertions_;
+  struct {
+    std::int64_t inputs = 0, impacts = 0, trajectories = 0;
+  } written_;  ///< rows
 };
 
 /// What finish() was given as `report`. Throws FileError.

@@ -18,15 +18,16 @@ struct Table {
   const char* rows;
 };
 
+// A rock's rows come out of a view in the order of their keys.
 constexpr std::array<Table, 12> tables = {{
     {"points", "SELECT * FROM points ORDER BY rowid"},
     {"sweep", "SELECT * FROM sweep ORDER BY rowid"},
     {"parts", "SELECT * FROM parts ORDER BY rowid"},
     {"ground", "SELECT * FROM ground ORDER BY rowid"},
     {"rocks", "SELECT * FROM rocks ORDER BY rowid"},
-    {"inputs", "SELECT point, trial, rock, path, value FROM drawn JOIN draws USING (draw) ORDER BY drawn.rowid"},
-    {"impacts", "SELECT * FROM impacts ORDER BY rowid"},
-    {"trajectories", "SELECT * FROM trajectories ORDER BY rowid"},
+    {"inputs", "SELECT * FROM inputs ORDER BY point, trial, rock"},
+    {"impacts", "SELECT * FROM impacts ORDER BY point, trial, rock"},
+    {"trajectories", "SELECT * FROM trajectories ORDER BY point, trial, rock"},
     {"gates", "SELECT * FROM gates ORDER BY rowid"},
     {"barriers", "SELECT * FROM barriers ORDER BY rowid"},
     {"envelopes", "SELECT * FROM envelopes ORDER BY rowid"},

@@ -148,7 +148,7 @@ std::vector<fs::path> export_vtk(const fs::path& results, const fs::path& folder
   const SqliteReader database(results);
   Query rows(database,
              "SELECT t.point, t.trial, t.rock, runout_m, volume_m3, t.time_s, x_m, y_m, z_m, vx_m_s, vy_m_s, vz_m_s, "
-             "kinetic_energy_J, mode FROM trajectories t JOIN rocks USING (point, trial, rock) ORDER BY t.rowid");
+             "kinetic_energy_J, mode FROM trajectories t JOIN rocks USING (point, trial, rock) ORDER BY t.point, t.trial, t.rock");
   std::vector<fs::path> files;
   bool more = rows.next();
   if (more) make_folder(folder);

@@ -28,7 +28,7 @@ SqliteFile::SqliteFile(std::filesystem::path path) : path_(std::move(path)), tem
     sqlite3_close(database_);
     throw FileError(fmt::format("cannot write {}: {}", path_.string(), why));
   }
-  execute("PRAGMA page_size = 8192; PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; PRAGMA locking_mode = EXCLUSIVE; BEGIN");
+  execute("PRAGMA page_size = 16384; PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; PRAGMA locking_mode = EXCLUSIVE; BEGIN");
 }
 
 SqliteFile::~SqliteFile() {

@@ -96,7 +96,7 @@ class Insertion {
   }
 
  private:
-  static constexpr std::size_t at_once = 16;  ///< rows of a statement: fewer statements take a third less of the time
+  static constexpr std::size_t at_once = 32;  ///< rows of a statement: fewer statements take a third less of the time
 
   Statement one_, many_;
 };

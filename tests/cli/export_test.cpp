@@ -53,7 +53,7 @@ TEST_CASE("Every table of a result is exported as CSV") {
   REQUIRE(csv.code == 0);
   const fs::path db = folder.path() / "r/results.db";
   for (const std::string& table : query(db, "SELECT name FROM sqlite_master WHERE type IN ('table', 'view') AND name "
-                                            "NOT IN ('drawn', 'draws', 'report') ORDER BY name")) {
+                                            "NOT IN ('drawn', 'draws', 'report', 'rows_of_rock') AND name NOT LIKE '%\\_rows' ESCAPE '\\' ORDER BY name")) {
     INFO(table);
     CHECK(csv.out.find("tables/" + table + ".csv\n") != std::string::npos);
     CHECK(std::to_string(lines_in(folder.path() / "tables" / (table + ".csv")) - 1) ==
