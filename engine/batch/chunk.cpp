@@ -14,7 +14,7 @@ namespace flyrock {
 namespace {
 
 constexpr std::string_view magic = "flyrchnk";
-constexpr std::uint64_t format = 4;
+constexpr std::uint64_t format = 5;
 
 std::uint64_t crc(std::string_view bytes) {
   return ::crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
@@ -127,47 +127,47 @@ void walk_brief(Io& io, Records& records) {
 }
 
 template <class Io, class Records>
-void walk_paths(Io& io, Records& records) {
-  io.rows(records.trajectories);
-  io.columns(records.trajectories, &TrajectoryRecord::trial, &TrajectoryRecord::rock,
-             [](auto& r) -> auto& { return r.point.mode; });
-  walk_state(io, records.trajectories, [](auto& r) -> auto& { return r.point.state; });
-}
-
-template <class Io, class Records>
 void walk_long(Io& io, Records& records) {
   io.rows(records.inputs);
   io.columns(records.inputs, &InputRecord::trial, &InputRecord::rock, &InputRecord::draw, &InputRecord::value);
   io.rows(records.impacts);
   io.columns(records.impacts, &ImpactRecord::trial, &ImpactRecord::rock);
   walk_impact(io, records.impacts, &ImpactRecord::impact);
+  io.rows(records.trajectories);
+  io.columns(records.trajectories, &TrajectoryRecord::trial, &TrajectoryRecord::rock,
+             [](auto& r) -> auto& { return r.point.mode; });
+  walk_state(io, records.trajectories, [](auto& r) -> auto& { return r.point.state; });
   walk_envelopes(io, records.totals.envelopes);
 }
 
 constexpr std::size_t word_size = 8;
-constexpr std::array<Part, 3> parts = {Part::brief, Part::paths, Part::whole};
+constexpr std::array<Part, 2> parts = {Part::brief, Part::whole};
 
 template <class Io, class Records>
 void walk_part(Io& io, Part part, Records& records) {
-  switch (part) {
-    case Part::brief: return walk_brief(io, records);
-    case Part::paths: return walk_paths(io, records);
-    case Part::whole: return walk_long(io, records);
-  }
+  if (part == Part::brief)
+    walk_brief(io, records);
+  else
+    walk_long(io, records);
+}
+
+void write_header(ColumnWriter& out, const ChunkRange& range, const std::string& scenario_hash) {
+  out.raw(magic);
+  out.value(format);
+  out.value(scenario_hash);
+  out.value(range.point), out.value(range.index), out.value(range.first), out.value(range.count);
 }
 
 std::string header(const ChunkRange& range, const std::string& scenario_hash) {
   ColumnWriter out;
-  out.value(format);
-  out.value(scenario_hash);
-  out.value(range.point), out.value(range.index), out.value(range.first), out.value(range.count);
-  return std::string(magic) + out.bytes();
+  write_header(out, range, scenario_hash);
+  return out.take();
 }
 
-std::string word(std::uint64_t value) {
-  ColumnWriter out;
-  out.value(value);
-  return out.bytes();
+/// Room for about all tables of a chunk.
+std::size_t size_of(const TrialRecords& records) {
+  const auto size = [](const auto& rows) { return rows.size() * sizeof(rows[0]); };
+  return size(records.rocks) + size(records.inputs) + size(records.impacts) + size(records.trajectories);
 }
 
 /// The tables whose length stands at `at`, checked; `at` goes on behind their checksum.
@@ -204,15 +204,18 @@ std::vector<ChunkRange> plan_chunks(int points, std::uint64_t trials) {
 }
 
 std::string encode_chunk(const ChunkRange& range, const std::string& scenario_hash, const TrialRecords& records) {
-  std::string bytes = header(range, scenario_hash);
+  ColumnWriter out(size_of(records));
+  write_header(out, range, scenario_hash);
   for (const Part part : parts) {
-    ColumnWriter tables;
-    walk_part(tables, part, records);
-    bytes += word(tables.bytes().size());
-    bytes += tables.bytes();
-    bytes += word(crc(tables.bytes()));
+    const std::size_t length_at = out.bytes().size();
+    out.value(std::uint64_t{0});
+    walk_part(out, part, records);
+    const std::string_view tables = std::string_view(out.bytes()).substr(length_at + word_size);
+    const std::uint64_t length = tables.size(), checksum = crc(tables);
+    out.replace(length_at, length);
+    out.value(checksum);
   }
-  return bytes;
+  return out.take();
 }
 
 std::optional<TrialRecords> decode_chunk(std::string_view bytes, const ChunkRange& range,

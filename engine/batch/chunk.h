@@ -2,8 +2,8 @@
 // A chunk: N consecutive trials of one point, the unit of work, storage, loss and merging.
 //
 // A chunk file: the magic "flyrchnk", the format, the hash of the resolved scenario, point, first trial and
-// count, then the tables of Part::brief, those that Part::paths adds, and those that Part::whole adds, stored column by
-// column. Each of the three is preceded by its length in bytes and followed by its CRC-32 (IEEE 802.3).
+// count, then the tables of Part::brief and those that Part::whole adds, stored column by column (batch/columns.h). Each of
+// the two is preceded by its length in bytes and followed by its CRC-32 (IEEE 802.3).
 // Integers are 8 bytes in two's complement, doubles IEEE 754 of 8 bytes, both little-endian; a text is its length
 // and its bytes. Wall times are not stored: a chunk holds nothing that may differ between two runs.
 

@@ -1,7 +1,11 @@
 #pragma once
 // Tables of records as columns of bytes. A table is described once, by a walk over its columns, and the same
 // walk writes and reads it, so that the two cannot drift apart.
+//
+// A column of numbers is a byte, then the number of each row; where the byte is 1, the same number stands in all rows and
+// only once here (the coordinates of the plane that are zero take a third of a trajectory).
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -19,9 +23,22 @@ struct ColumnError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Rows of a table: a count beyond is no count.
+inline constexpr std::uint64_t most_rows = std::uint64_t{1} << 30;
+
 class ColumnWriter {
  public:
+  explicit ColumnWriter(std::size_t expected = 0) { bytes_.reserve(expected); }
+
   const std::string& bytes() const { return bytes_; }
+  std::string take() { return std::move(bytes_); }
+  void raw(std::string_view bytes) { bytes_ += bytes; }
+
+  /// Another whole number in place of the one at byte `at`.
+  void replace(std::size_t at, std::uint64_t word) {
+    const Little little = little_endian(word);
+    std::copy(little.begin(), little.end(), bytes_.begin() + static_cast<std::ptrdiff_t>(at));
+  }
 
   template <class T>
   void value(const T& v) {
@@ -29,11 +46,9 @@ class ColumnWriter {
       value(static_cast<std::uint64_t>(v.size()));
       bytes_ += v;
     } else if constexpr (std::is_same_v<T, double>) {
-      value(std::bit_cast<std::uint64_t>(v));
+      value(word_of(v));
     } else {
-      const auto word = static_cast<std::uint64_t>(v);
-      std::array<char, 8> little;  // at once: byte by byte takes most of the time of a table
-      for (std::size_t i = 0; i < little.size(); ++i) little[i] = static_cast<char>(word >> 8 * i);
+      const Little little = little_endian(static_cast<std::uint64_t>(v));
       bytes_.append(little.data(), little.size());
     }
   }
@@ -50,9 +65,42 @@ class ColumnWriter {
   }
 
  private:
+  using Little = std::array<char, 8>;
+  static Little little_endian(std::uint64_t word) {
+    Little little;
+    for (std::size_t i = 0; i < little.size(); ++i) little[i] = static_cast<char>(word >> 8 * i);
+    return little;
+  }
+  template <class T>
+  static std::uint64_t word_of(const T& v) {
+    if constexpr (std::is_same_v<T, double>)
+      return std::bit_cast<std::uint64_t>(v);
+    else
+      return static_cast<std::uint64_t>(v);
+  }
+
   template <class Row, class Get>
   void column(const std::vector<Row>& rows, Get get) {
-    for (const Row& row : rows) value(std::invoke(get, row));
+    using T = std::remove_cvref_t<std::invoke_result_t<Get, const Row&>>;
+    if constexpr (std::is_same_v<T, std::string>) {
+      for (const Row& row : rows) value(std::invoke(get, row));
+    } else {
+      const auto word = [&](const Row& row) { return word_of(std::invoke(get, row)); };
+      const bool same = std::all_of(rows.begin(), rows.end(), [&](const Row& row) { return word(row) == word(rows.front()); });
+      bytes_.push_back(static_cast<char>(same));
+      const std::size_t count = same ? std::min<std::size_t>(rows.size(), 1) : rows.size();
+      char* at = grown(count * sizeof(Little));
+      for (std::size_t i = 0; i < count; ++i, at += sizeof(Little)) {
+        const Little little = little_endian(word(rows[i]));
+        std::copy(little.begin(), little.end(), at);
+      }
+    }
+  }
+
+  /// Room for so many more bytes.
+  char* grown(std::size_t count) {
+    bytes_.resize(bytes_.size() + count);
+    return bytes_.data() + bytes_.size() - count;
   }
 
   std::string bytes_;
@@ -78,7 +126,7 @@ class ColumnReader {
   template <class Row>
   void rows(std::vector<Row>& rows) {
     const std::uint64_t count = word();
-    if (count > rest_.size() / 8) throw ColumnError("more rows than bytes");  // a row has a word at least
+    if (count > most_rows) throw ColumnError("more rows than fit into memory");
     rows.resize(count);
   }
 
@@ -90,7 +138,18 @@ class ColumnReader {
  private:
   template <class Row, class Get>
   void column(std::vector<Row>& rows, Get get) {
-    for (Row& row : rows) value(std::invoke(get, row));
+    using T = std::remove_cvref_t<std::invoke_result_t<Get, Row&>>;
+    if constexpr (std::is_same_v<T, std::string>) {
+      for (Row& row : rows) value(std::invoke(get, row));
+    } else {
+      const char same = take(1).front();
+      if (same != 0 && same != 1) throw ColumnError("a column that is neither one number nor many");
+      T number{};
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (i == 0 || same == 0) value(number);
+        std::invoke(get, rows[i]) = number;
+      }
+    }
   }
 
   std::uint64_t word() {

@@ -11,8 +11,7 @@ namespace flyrock {
 /// What a pass reads of each chunk.
 enum class Part {
   brief,  ///< rocks, gates, barriers, totals but envelopes; the other tables, which are long, are empty
-  paths,  ///< and trajectories
-  whole   ///< and inputs, impacts, envelopes
+  whole   ///< and inputs, impacts, trajectories, envelopes
 };
 
 using SeeRows = std::function<void(const TrialRecords& chunk)>;

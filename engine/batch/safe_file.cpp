@@ -35,19 +35,27 @@ FileWriter::~FileWriter() {
 }
 
 void FileWriter::write(std::string_view bytes) {
-  buffer_ += bytes;
-  if (buffer_.size() >= 1 << 16) flush();
+  constexpr std::size_t at_once = 1 << 16;
+  if (buffer_.size() + bytes.size() < at_once) {
+    buffer_ += bytes;
+  } else {
+    flush();
+    put(bytes);
+  }
 }
 
 void FileWriter::flush() {
-  std::string_view bytes = buffer_;
+  put(buffer_);
+  buffer_.clear();
+}
+
+void FileWriter::put(std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(file_, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) fail("write", path_, errno);
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
-  buffer_.clear();
 }
 
 void FileWriter::commit() {

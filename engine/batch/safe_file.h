@@ -36,6 +36,7 @@ class FileWriter {
 
  private:
   void flush();
+  void put(std::string_view bytes);  ///< past the buffer
 
   std::string buffer_;
   std::filesystem::path path_, temporary_;
