@@ -47,8 +47,14 @@ std::string report_html(const nlohmann::ordered_json& data, const std::filesyste
           "<div id=\"report\"></div>\n</main>\n<script type=\"application/json\" id=\"data\">";
   page += replace_all(data.dump(), "<", "\\u003c");
   page += "</script>\n";
-  if (std::filesystem::exists(plotly)) page += "<script>" + script(read_file(plotly)) + "</script>\n";
-  page += "<script>\n" + script(scripts(assets)) + "</script>\n</body>\n</html>\n";
+  if (std::filesystem::exists(plotly)) {
+    page += "<script>";
+    page += script(read_file(plotly));
+    page += "</script>\n";
+  }
+  page += "<script>\n";
+  page += script(scripts(assets));
+  page += "</script>\n</body>\n</html>\n";
   return page;
 }
 

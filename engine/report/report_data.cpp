@@ -5,6 +5,7 @@
 
 #include "report/convergence.h"
 #include "report/envelope_data.h"
+#include "report/json_object.h"
 #include "report/law_data.h"
 #include "report/reach_data.h"
 #include "report/rounded.h"
@@ -26,7 +27,7 @@ Json terrain_data(const Profile& terrain) {
     x.push_back(thousandth(point.x()));
     y.push_back(thousandth(point.y()));
   }
-  return {{"x", x}, {"y", y}, {"part", terrain.part}, {"parts", terrain.parts}};
+  return {{"x", std::move(x)}, {"y", std::move(y)}, {"part", terrain.part}, {"parts", terrain.parts}};
 }
 
 /// Of all rocks, then of each group where there is more than one: the order of PointResult::groups.
@@ -129,51 +130,50 @@ Json drawn_data(const Scenario& scenario) {
 
 }  // namespace
 
-ReportData::ReportData(const LoadedScenario& scenario) : scenario_(scenario) {
-  const std::vector<Scenario>& points = scenario.plan.points;
-  for (const Scenario& point : points) points_.push_back({Tracks(most_track_points / points.size(), point.dimension), {}});
-  sensitivity_.emplace(points.front());
+ReportData::ReportData(const LoadedScenario& scenario) : scenario_(scenario) { open_point(); }
+
+void ReportData::open_point() {
+  const std::vector<Scenario>& points = scenario_.plan.points;
+  const Scenario& next = points[closed_.size()];
+  open_.emplace(Tracks(most_track_points / points.size(), next.dimension), Sensitivity(next));
 }
 
 void ReportData::close_point() {
-  points_[open_].sensitivity = sensitivity_->data();
-  if (++open_ < points_.size()) sensitivity_.emplace(scenario_.plan.points[open_]);
+  closed_.push_back({open_->tracks.data(), open_->sensitivity.data()});
+  open_.reset();
+  if (closed_.size() < scenario_.plan.points.size()) open_point();
 }
 
 void ReportData::see(int point, const TrialRecords& chunk) {
-  while (open_ < static_cast<std::size_t>(point)) close_point();
-  points_[open_].tracks.measure(chunk);
-  sensitivity_->see(chunk);
+  while (closed_.size() < static_cast<std::size_t>(point)) close_point();
+  open_->tracks.see(chunk);
+  open_->sensitivity.see(chunk);
+}
+
+void ReportData::close() {
+  while (open_) close_point();
 }
 
 Json ReportData::finish(const Results& results, const std::vector<Rows>& rows) {
+  close();
   const Plan& plan = scenario_.plan;
-  while (open_ < points_.size()) close_point();
   Json points = Json::array(), first_laws;
-  for (std::size_t p = 0; p < points_.size(); ++p) {
+  for (std::size_t p = 0; p < closed_.size(); ++p) {
     const PointResult& point = results.points[p];
-    rows[p](Part::paths, [&](const TrialRecords& chunk) { points_[p].tracks.see(chunk); });
     Runouts runouts(point.groups);
     read_in_passes(rows[p], runouts);
-    const Json laws = law_data(plan.points[p], subject_of(results.points.front()));
+    Json laws = law_data(plan.points[p], subject_of(results.points.front()));
     if (p == 0) first_laws = laws;
-    points.push_back({{"terrain", terrain_data(point.terrain)},
-                      {"tracks", points_[p].tracks.data()},
-                      {"runout", runouts.distributions()},
-                      {"convergence", runouts.convergence()},
-                      {"envelopes", envelope_data(point)},
-                      {"sensitivity", points_[p].sensitivity},
-                      {"shrouds", shroud_data(point.reaches)},
-                      {"laws", p > 0 && laws == first_laws ? Json(nullptr) : laws},
-                      {"bodies", bodies_data(plan.points[p], point.totals)}});
+    else if (laws == first_laws) laws = nullptr;
+    points.push_back(json_object(
+        "terrain", terrain_data(point.terrain), "tracks", std::move(closed_[p].tracks), "runout", runouts.distributions(),
+        "convergence", runouts.convergence(), "envelopes", envelope_data(point), "sensitivity",
+        std::move(closed_[p].sensitivity), "shrouds", shroud_data(point.reaches), "laws", std::move(laws), "bodies",
+        bodies_data(plan.points[p], point.totals)));
   }
-  return {{"summary", summary_data(plan, results)},
-          {"source", source_data(scenario_)},
-          {"scenario", to_yaml(plan.resolved)},
-          {"groups", group_names(plan.points.front())},
-          {"units", quantity_units},
-          {"drawn", drawn_data(plan.points.front())},
-          {"points", points}};
+  return json_object("summary", summary_data(plan, results), "source", source_data(scenario_), "scenario",
+                     to_yaml(plan.resolved), "groups", group_names(plan.points.front()), "units", quantity_units, "drawn",
+                     drawn_data(plan.points.front()), "points", std::move(points));
 }
 
 }  // namespace flyrock

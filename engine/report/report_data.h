@@ -21,23 +21,30 @@ class ReportData {
   /// The chunks of all points in order, with all their rows.
   void see(int point, const TrialRecords& chunk);
 
+  /// Behind the last chunk: thins the paths and sorts the inputs. It takes a while, and other work can be done
+  /// beside; else finish() does it.
+  void close();
+
   /// Reads `rows` of each point in passes and samples the laws of the scenario (call it in the thread of its session).
   /// { summary, source: { sha256, plugins }, scenario, groups, units, drawn, points: [{ terrain, tracks, runout,
   /// convergence, envelopes, sensitivity, laws, bodies }] }. `laws` is null where it is that of point 0.
   nlohmann::ordered_json finish(const Results& results, const std::vector<Rows>& rows);
 
  private:
-  /// Of one point.
-  struct Point {
+  /// The point whose chunks are shown: these keep rows.
+  struct Open {
     Tracks tracks;
-    nlohmann::ordered_json sensitivity;
+    Sensitivity sensitivity;
   };
+  struct Closed {
+    nlohmann::ordered_json tracks, sensitivity;
+  };
+  void open_point();
   void close_point();
 
   const LoadedScenario& scenario_;
-  std::vector<Point> points_;
-  std::size_t open_ = 0;                     ///< point whose chunks are shown
-  std::optional<Sensitivity> sensitivity_;   ///< of that point: it keeps rows
+  std::vector<Closed> closed_;  ///< points
+  std::optional<Open> open_;
 };
 
 }  // namespace flyrock

@@ -26,15 +26,21 @@ void ResultWriter::see(int point, const TrialRecords& chunk) {
 
 Results ResultWriter::finish(const std::vector<Rows>& rows, const RunFacts& facts, std::vector<Profile> terrains,
                              const std::filesystem::path& assets) {
-  std::future<void> index = std::async(std::launch::async, [&] { database_.index(); });
+  const auto beside = [](auto work) { return std::async(std::launch::async, std::move(work)); };
+  std::future<void> closed = beside([&] {
+    database_.index();
+    report_.close();
+  });
   Results results = tally_.finish(rows, facts);
   for (std::size_t p = 0; p < terrains.size(); ++p) results.points[p].terrain = std::move(terrains[p]);
+  closed.get();
   const nlohmann::ordered_json drawn = report_.finish(results, rows);
+  // The database is the largest file, and its disk takes a while.
+  std::future<void> database = beside([&] { database_.finish(results, drawn.dump()); });
   csv_.commit();
-  index.get();
-  database_.finish(results, drawn.dump());
   write_file(folder_ / "summary.json", summary_json(plan_, results));
   write_file(folder_ / "report.html", report_html(drawn, assets));
+  database.get();
   return results;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/json_object.h"
 #include "report/rounded.h"
 
 namespace flyrock {
@@ -26,25 +27,6 @@ Json differences(const std::vector<double>& values) {
   return list;
 }
 
-/// A place as it is drawn: the vertical plane of 2D; space seen from the side.
-Vec2 in_view(const Vec3& place, int dimension) { return {place.x(), place[dimension - 1]}; }
-
-/// Rows of a track that a plot needs: each stretch of one mode is thinned, and ends where the next begins.
-std::vector<std::size_t> thinned(const std::vector<TrajectoryRecord>& rows, const Track& track, int dimension, double tolerance) {
-  std::vector<std::size_t> kept = {track.begin};
-  for (std::size_t begin = track.begin; begin + 1 < track.end;) {
-    const TravelMode mode = rows[begin + 1].point.mode;
-    std::size_t end = begin + 1;
-    while (end + 1 < track.end && rows[end + 1].point.mode == mode) ++end;
-    std::vector<Vec2> path;
-    for (std::size_t i = begin; i <= end; ++i) path.push_back(in_view(rows[i].point.state.position, dimension));
-    const std::vector<std::size_t> of_path = simplify(path, tolerance);
-    for (std::size_t i = 1; i < of_path.size(); ++i) kept.push_back(begin + of_path[i]);
-    begin = end;
-  }
-  return kept;
-}
-
 /// [2, 0, 5, 1]: two points of mode 0, then five of mode 1.
 Json runs_of(const std::vector<int>& modes) {
   Json runs = Json::array();
@@ -54,30 +36,6 @@ Json runs_of(const std::vector<int>& modes) {
     runs.push_back(modes[i]);
   }
   return runs;
-}
-
-Json track_data(const std::vector<TrajectoryRecord>& rows, const Track& track, int dimension, double tolerance) {
-  std::vector<double> x, y, t;
-  std::vector<int> modes;
-  Json speed = Json::array();
-  for (const std::size_t i : thinned(rows, track, dimension, tolerance)) {
-    const BodyState& state = rows[i].point.state;
-    const Vec2 place = in_view(state.position, dimension);
-    x.push_back(place.x());
-    y.push_back(place.y());
-    t.push_back(state.time);
-    modes.push_back(static_cast<int>(rows[i].point.mode));
-    speed.push_back(thousandth(state.velocity.norm()));
-  }
-  return {{"x", differences(x)}, {"y", differences(y)}, {"t", differences(t)}, {"speed", speed}, {"modes", runs_of(modes)}};
-}
-
-/// Null for a body that does not move: it has no row.
-const RockRecord* rock_of(const Track& track, const TrialRecords& chunk) {
-  const auto rock = std::find_if(chunk.rocks.begin(), chunk.rocks.end(), [&](const RockRecord& row) {
-    return row.trial == track.trial && row.rock == track.rock;
-  });
-  return rock == chunk.rocks.end() ? nullptr : &*rock;
 }
 
 double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
@@ -119,38 +77,81 @@ std::vector<std::size_t> simplify(const std::vector<Vec2>& points, double tolera
   return kept;
 }
 
-std::vector<Track> tracks_of(const std::vector<TrajectoryRecord>& rows) {
-  std::vector<Track> tracks;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (tracks.empty() || tracks.back().trial != rows[i].trial || tracks.back().rock != rows[i].rock)
-      tracks.push_back({rows[i].trial, rows[i].rock, i, i});
-    tracks.back().end = i + 1;
+std::vector<Tracks::Stretch> Tracks::stretches_of(const TrialRecords& chunk) {
+  std::vector<Stretch> stretches;
+  auto rock = chunk.rocks.begin();
+  const std::vector<TrajectoryRecord>& rows = chunk.trajectories;
+  for (std::size_t begin = 0, end = 0; begin < rows.size(); begin = end) {
+    const auto of_one = [&](const auto& row) { return row.trial == rows[begin].trial && row.rock == rows[begin].rock; };
+    while (end < rows.size() && of_one(rows[end])) ++end;
+    rock = std::find_if(rock, chunk.rocks.end(), of_one);  // rows come in the order of rocks
+    stretches.push_back({*rock, begin, end});
   }
-  return tracks;
+  return stretches;
 }
 
-void Tracks::measure(const TrialRecords& chunk) {
-  for (const Track& track : tracks_of(chunk.trajectories)) {
-    const RockRecord* rock = rock_of(track, chunk);
-    for (std::size_t i = track.begin; rock && i < track.end; ++i)
-      boxes_[rock->group].extend(chunk.trajectories[i].point.state.position);
+/// Each stretch of one mode is thinned, and ends where the next begins.
+std::vector<Tracks::Point> Tracks::thinned(const std::vector<Point>& path, double tolerance) {
+  std::vector<Point> kept = {path.front()};
+  for (std::size_t begin = 0; begin + 1 < path.size();) {
+    std::size_t end = begin + 1;
+    while (end + 1 < path.size() && path[end + 1].mode == path[begin + 1].mode) ++end;
+    std::vector<Vec2> places;
+    for (std::size_t i = begin; i <= end; ++i) places.push_back(path[i].place);
+    const std::vector<std::size_t> of_places = simplify(places, tolerance);
+    for (std::size_t i = 1; i < of_places.size(); ++i) kept.push_back(path[begin + of_places[i]]);
+    begin = end;
   }
+  return kept;
 }
+
+double Tracks::tolerance(int group) const { return track_tolerance * boxes_.at(group).diagonal().norm(); }
 
 void Tracks::see(const TrialRecords& chunk) {
-  for (const Track& track : tracks_of(chunk.trajectories))
-    if (!cut_) add(track, chunk);
+  const std::vector<Stretch> stretches = stretches_of(chunk);
+  for (const auto& [rock, begin, end] : stretches)
+    for (std::size_t i = begin; i < end; ++i) boxes_[rock.group].extend(chunk.trajectories[i].point.state.position);
+  for (const auto& [rock, begin, end] : stretches) {
+    // Paths that are thinned again may need less room, seldom half of it.
+    full_ = full_ || kept_ > 2 * budget_;
+    if (full_) return;
+    std::vector<Point> path;
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto& [state, mode] = chunk.trajectories[i].point;
+      path.push_back({{state.position.x(), state.position[dimension_ - 1]}, state.time, state.velocity.norm(), mode});
+    }
+    tracks_.push_back({rock.trial, rock.rock, rock.group, rock.reason, thinned(path, tolerance(rock.group))});
+    kept_ += tracks_.back().points.size();
+  }
 }
 
-void Tracks::add(const Track& track, const TrialRecords& chunk) {
-  const RockRecord* rock = rock_of(track, chunk);
-  if (!rock) return;
-  const double extent = boxes_.at(rock->group).diagonal().norm();
-  Json data = {{"trial", track.trial}, {"rock", track.rock}, {"group", rock->group}, {"reason", name_of(rock->reason)}};
-  data.update(track_data(chunk.trajectories, track, dimension_, track_tolerance * extent));
-  points_ += data["x"].size();
-  cut_ = points_ > budget_;
-  if (!cut_) list_.push_back(std::move(data));
+Json Tracks::data_of(const Track& track, const std::vector<Point>& points) {
+  std::vector<double> x, y, t;
+  std::vector<int> modes;
+  Json speed = Json::array();
+  for (const Point& point : points) {
+    x.push_back(point.place.x());
+    y.push_back(point.place.y());
+    t.push_back(point.time);
+    modes.push_back(static_cast<int>(point.mode));
+    speed.push_back(thousandth(point.speed));
+  }
+  return json_object("trial", track.trial, "rock", track.rock, "group", track.group, "reason", name_of(track.reason), "x",
+                     differences(x), "y", differences(y), "t", differences(t), "speed", std::move(speed), "modes",
+                     runs_of(modes));
+}
+
+Json Tracks::data() const {
+  Json list = Json::array();
+  std::size_t count = 0;
+  bool cut = false;
+  for (const Track& track : tracks_) {
+    const std::vector<Point> points = thinned(track.points, tolerance(track.group));
+    cut = (count += points.size()) > budget_;
+    if (cut) break;
+    list.push_back(data_of(track, points));
+  }
+  return json_object("list", std::move(list), "cut", cut || full_);
 }
 
 }  // namespace flyrock

@@ -14,37 +14,49 @@ namespace flyrock {
 /// height (Ramer 1972, Douglas and Peucker 1973). First and last are always kept.
 std::vector<std::size_t> simplify(const std::vector<Vec2>& points, double tolerance);
 
-/// The rows of one rock's path within the records of a point.
-struct Track {
-  std::uint64_t trial = 0;
-  int rock = 0;
-  std::size_t begin = 0, end = 0;
-};
-
-/// Rows that follow each other and belong to the same rock.
-std::vector<Track> tracks_of(const std::vector<TrajectoryRecord>& rows);
-
-/// The paths of whole rocks, as many as fit into a budget of points: each thinned, with time, speed and mode of travel.
-/// All chunks are measured first, then seen.
+/// The paths of whole rocks, as many as fit into a budget of points: each thinned, with time, speed and mode of travel. How
+/// much a path may be thinned rests on the extent of all of its group: it is thinned as far as those before it tell, and
+/// again when all have been seen.
 class Tracks {
  public:
   Tracks(std::size_t budget, int dimension) : budget_(budget), dimension_(dimension) {}
 
-  void measure(const TrialRecords& chunk);
+  /// The chunks in order.
   void see(const TrialRecords& chunk);
 
-  /// { list: [{ trial, rock, group, x, y, t, speed, modes, reason }], cut }: x, y and t as differences of thousandths,
+  /// { list: [{ trial, rock, group, reason, x, y, t, speed, modes }], cut }: x, y and t as differences of thousandths,
   /// speed in thousandths; modes is how many points follow each other in a mode, by turns with the mode's number.
-  nlohmann::ordered_json data() const { return {{"list", list_}, {"cut", cut_}}; }
+  nlohmann::ordered_json data() const;
 
  private:
-  void add(const Track& track, const TrialRecords& chunk);
+  /// What the page needs of a stored point.
+  struct Point {
+    Vec2 place;  ///< in the vertical plane of 2D; of space as seen from the side
+    double time, speed;
+    TravelMode mode;  ///< in which the rock arrived here
+  };
+  struct Track {
+    std::uint64_t trial;
+    int rock, group;
+    StopReason reason;
+    std::vector<Point> points;
+  };
 
-  std::size_t budget_, points_ = 0;
+  /// The rows of one rock in a chunk.
+  struct Stretch {
+    const RockRecord& rock;
+    std::size_t begin, end;
+  };
+  static std::vector<Stretch> stretches_of(const TrialRecords& chunk);
+  static std::vector<Point> thinned(const std::vector<Point>& path, double tolerance);
+  static nlohmann::ordered_json data_of(const Track& track, const std::vector<Point>& points);
+  double tolerance(int group) const;
+
+  std::size_t budget_, kept_ = 0;
   int dimension_;
-  bool cut_ = false;
+  bool full_ = false;  ///< there were more
   std::map<int, Eigen::AlignedBox3d> boxes_;  ///< of the paths of each group, which a plot may show alone
-  nlohmann::ordered_json list_ = nlohmann::ordered_json::array();
+  std::vector<Track> tracks_;
 };
 
 }  // namespace flyrock

@@ -135,7 +135,6 @@ TEST_CASE("A thinned path keeps where it changes its mode of travel") {
     chunk.trajectories.push_back(row);
   }
   Tracks tracks(1000, 2);
-  tracks.measure(chunk);
   tracks.see(chunk);
   const auto data = tracks.data();
   REQUIRE(data["list"].size() == 1);
@@ -158,7 +157,6 @@ TEST_CASE("A group of short paths keeps their form beside a group of long ones")
     }
   }
   Tracks tracks(1000, 2);
-  tracks.measure(chunk);
   tracks.see(chunk);
   const auto list = tracks.data()["list"];
   REQUIRE(list.size() == 2);
