@@ -25,13 +25,39 @@ double value_of(std::uint32_t code) {
   return code == 0 ? 0 : least * std::pow(ratio, static_cast<double>(code) - 0.5);
 }
 
-void count(std::vector<CodeCount>& counts, const CodeCount& more) {
-  const auto at = std::lower_bound(counts.begin(), counts.end(), more.code,
-                                   [](const CodeCount& c, std::uint32_t code) { return c.code < code; });
-  if (at != counts.end() && at->code == more.code)
-    at->rocks += more.rocks;
+void count(std::vector<CodeCount>& counts, std::uint32_t code) {
+  const auto at = std::lower_bound(counts.begin(), counts.end(), code,
+                                   [](const CodeCount& c, std::uint32_t wanted) { return c.code < wanted; });
+  if (at != counts.end() && at->code == code)
+    ++at->rocks;
   else
-    counts.insert(at, more);
+    counts.insert(at, {code, 1});
+}
+
+/// Both in the order of their codes, merged in place from behind: this runs for each bin of each chunk.
+void merge(std::vector<CodeCount>& counts, const std::vector<CodeCount>& more) {
+  std::size_t from = counts.size(), to = from;
+  auto at = counts.begin();
+  for (const CodeCount& next : more) {
+    while (at != counts.end() && at->code < next.code) ++at;
+    to += at == counts.end() || at->code != next.code;
+  }
+  counts.resize(to);
+  for (auto next = more.rbegin(); next != more.rend(); ++next) {
+    while (from > 0 && counts[from - 1].code > next->code) counts[--to] = counts[--from];
+    const bool known = from > 0 && counts[from - 1].code == next->code;
+    counts[--to] = {next->code, next->rocks + (known ? counts[--from].rocks : 0)};
+  }
+}
+
+/// In one walk: the bins of both are in order.
+void add_bins(std::map<std::int64_t, EnvelopeBin>& bins, const std::map<std::int64_t, EnvelopeBin>& more) {
+  auto at = bins.begin();
+  for (const auto& [bin, counts] : more) {
+    while (at != bins.end() && at->first < bin) ++at;
+    if (at == bins.end() || at->first != bin) at = bins.emplace_hint(at, bin, EnvelopeBin());
+    at->second.add(counts);
+  }
 }
 
 // Whole numbers of 7 bits a byte, the last byte without its highest bit (LEB128).
@@ -76,8 +102,7 @@ std::uint64_t EnvelopeBin::rocks() const {
 }
 
 void EnvelopeBin::add(const EnvelopeBin& other) {
-  for (std::size_t q = 0; q < counts.size(); ++q)
-    for (const CodeCount& more : other.counts[q]) count(counts[q], more);
+  for (std::size_t q = 0; q < counts.size(); ++q) merge(counts[q], other.counts[q]);
 }
 
 void Envelopes::add(int group, const PathBins& path) {
@@ -86,15 +111,14 @@ void Envelopes::add(int group, const PathBins& path) {
   for (std::size_t i = 0; i < path.bins().size(); ++i) {
     const PathBin& seen = path.bins()[i];
     auto& counts = bins[path.first() + static_cast<std::int64_t>(i)].counts;
-    count(counts[0], {code_of(seen.height), 1});
-    count(counts[1], {code_of(seen.speed), 1});
-    count(counts[2], {code_of(seen.energy), 1});
+    count(counts[0], code_of(seen.height));
+    count(counts[1], code_of(seen.speed));
+    count(counts[2], code_of(seen.energy));
   }
 }
 
 void Envelopes::add(const Envelopes& later) {
-  for (const auto& [group, bins] : later.groups_)
-    for (const auto& [bin, counts] : bins) groups_[group][bin].add(counts);
+  for (const auto& [group, bins] : later.groups_) add_bins(groups_[group], bins);
 }
 
 const std::map<std::int64_t, EnvelopeBin>& Envelopes::of_group(int group) const {
@@ -105,8 +129,7 @@ const std::map<std::int64_t, EnvelopeBin>& Envelopes::of_group(int group) const 
 
 std::map<std::int64_t, EnvelopeBin> Envelopes::of_all() const {
   std::map<std::int64_t, EnvelopeBin> all;
-  for (const auto& [group, bins] : groups_)
-    for (const auto& [bin, counts] : bins) all[bin].add(counts);
+  for (const auto& [group, bins] : groups_) add_bins(all, bins);
   return all;
 }
 
@@ -143,7 +166,8 @@ Envelopes Envelopes::read(std::string_view bytes) {
         for (std::uint64_t entries = take(bytes); entries > 0; --entries) {
           code += take(bytes);
           if (code >= most_codes) throw ColumnError("a code of the envelopes is too great");
-          count(counts, {static_cast<std::uint32_t>(code), static_cast<std::uint32_t>(take(bytes))});
+          if (!counts.empty() && code <= counts.back().code) throw ColumnError("the codes of the envelopes are out of order");
+          counts.push_back({static_cast<std::uint32_t>(code), static_cast<std::uint32_t>(take(bytes))});
         }
       }
     }

@@ -11,10 +11,20 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// The greatest k in [0, n] with holds(k), which holds up to some k >= 0 and for none beyond; -1 where it never holds.
+/// The greatest k in [0, n] with holds(k), which holds up to some k >= 0 and for none beyond; -1 where it never holds. It is
+/// looked for around `guess`, in steps that double, then between the last two.
 template <class Holds>
-std::int64_t last_that(std::int64_t n, Holds holds) {
+std::int64_t last_that(std::int64_t n, double guess, Holds holds) {
   std::int64_t low = -1, high = n + 1;
+  const std::int64_t first = std::clamp<std::int64_t>(std::llround(guess), 0, n);
+  const bool up = holds(first);
+  (up ? low : high) = first;
+  for (std::int64_t step = 1; up ? first + step < high : first - step > low; step *= 2) {
+    const std::int64_t k = up ? first + step : first - step;
+    const bool holds_there = holds(k);
+    (holds_there ? low : high) = k;
+    if (holds_there != up) break;
+  }
   while (high - low > 1) {
     const std::int64_t middle = low + (high - low) / 2;
     (holds(middle) ? low : high) = middle;
@@ -48,8 +58,9 @@ Ends ends_of(double p, double confidence, std::uint64_t count) {
   const auto more_than = [&](std::int64_t k) {
     return k < 0 ? 1 : boost::math::cdf(boost::math::complement(below, static_cast<double>(k)));
   };
-  const std::int64_t l = last_that(n, [&](std::int64_t k) { return at_most(k - 1) <= tail; });
-  const std::int64_t u = last_that(n, [&](std::int64_t k) { return more_than(k - 1) > tail; }) + 1;
+  const double mean = static_cast<double>(n) * p, about = 2 * std::sqrt(mean * (1 - p));
+  const std::int64_t l = last_that(n, mean - about, [&](std::int64_t k) { return at_most(k - 1) <= tail; });
+  const std::int64_t u = last_that(n, mean + about, [&](std::int64_t k) { return more_than(k - 1) > tail; }) + 1;
   return {l - 1, u - 1};
 }
 
