@@ -205,7 +205,7 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
     }
     if (!rock.note.empty()) out.totals.add_note(rock.note);
   }
-  for (std::size_t s = 0; s < trial.surfaces.size(); ++s) out.totals.materials[trial.surface_material[s]].add(trial.surfaces[s].use);
+  for (const Surfaces& surfaces : trial.surfaces) surfaces.add_use(out.totals.materials);
   if (!scenario_.bodies.empty()) out.totals.bodies = histories.front();
 }
 

@@ -9,27 +9,10 @@
 #include "scenario/blast_at.h"
 #include "scenario/dimensions.h"
 #include "scenario/start_checks.h"
-#include "world/manifold.h"
 
 namespace flyrock {
 
 namespace {
-
-template <class LawKind>
-void bind(BoundLaw<LawKind>& bound, const std::unique_ptr<LawKind>& law, const std::optional<PluginUse>& use,
-          const Scenario& scenario, const DrawKey& key) {
-  if (!law) return;
-  bound.law = law.get();
-  bound.values = values_of(*use, scenario, key);
-  bound.memory = use->plugin->spec.history.size();
-  bound.per_contact = use->plugin->spec.history_of_contact;
-  if (!bound.per_contact) bound.history.assign(bound.memory, 0.0);
-  for (std::size_t slot = 0; slot < use->slots.size(); ++slot) {
-    const Number& number = use->slots[slot];
-    if (!number.is_constant() && scenario.draws[number.draw].scope == Scope::impact)
-      bound.per_impact.push_back({static_cast<int>(slot), &scenario.draws[number.draw]});
-  }
-}
 
 // Rocks that meet each other are placed anew as often as this before the trial is refused.
 constexpr int most_places = 1000;
@@ -82,62 +65,8 @@ Air<D> TrialBuilder<D>::air_of(const Body<D>& body, const DrawKey& key) const {
 }
 
 template <int D>
-Surface* TrialBuilder<D>::surface(Trial<D>& trial, int material, const DrawKey& key) {
-  const Material& plan = scenario_.materials[material];
-  const MaterialLaws& laws = instances_.materials[material];
-  Surface& surface = trial.surfaces.emplace_back();
-  trial.surface_material.push_back(material);
-  surface.material = plan.name;
-  surface.seed = scenario_.seed;
-  surface.key = key;
-  bind(surface.restitution, laws.restitution, plan.restitution, scenario_, key);
-  bind(surface.friction, laws.friction, plan.friction, scenario_, key);
-  bind(surface.rolling, laws.rolling, plan.rolling, scenario_, key);
-  bind(surface.unilateral, laws.unilateral, plan.unilateral, scenario_, key);
-  return &surface;
-}
-
-/// `pairs` decides; else two that show the same material use it.
-template <int D>
-int TrialBuilder<D>::material_between(const std::string& a, int material_a, const std::string& b, int material_b) const {
-  for (const PairPlan& pair : scenario_.pairs)
-    if ((pair.a == a && pair.b == b) || (pair.a == b && pair.b == a)) return pair.material;
-  if (material_a >= 0 && material_a == material_b) return material_a;
-  throw PluginError(fmt::format("`{}` and `{}` can meet, and nothing says how: give both the same `material`, or a "
-                                "`pairs` entry `{{ between: [{}, {}], material: ... }}`",
-                                a, b, a, b));
-}
-
-template <int D>
-int TrialBuilder<D>::material_of_part(const std::string& name, const std::string& part) const {
-  for (const std::string& terrain : {"terrain." + part, std::string("terrain")})
-    for (const PairPlan& pair : scenario_.pairs)
-      if ((pair.a == name && pair.b == terrain) || (pair.b == name && pair.a == terrain)) return pair.material;
-  const auto& materials = scenario_.terrain.material_of_part;
-  if (const auto found = materials.find(part); found != materials.end()) return found->second;
-  if (const auto one = materials.find(""); one != materials.end()) return one->second;
-  return -1;
-}
-
-/// Gives every body of a world its surfaces: with each part of the terrain, and with every other body.
-template <int D>
-void TrialBuilder<D>::connect(Trial<D>& trial, World<D>& world, const std::vector<DrawKey>& keys,
-                           const std::vector<std::string>& names, const std::vector<int>& materials) {
-  const auto& parts = parts_of(*trial.terrain);
-  const int bodies = static_cast<int>(world.bodies.size());
-  for (int i = 0; i < bodies; ++i) {
-    std::vector<Surface*> of_material(scenario_.materials.size(), nullptr);
-    const auto own = [&](int material) {
-      if (!of_material[material]) of_material[material] = surface(trial, material, keys[i]);
-      return of_material[material];
-    };
-    for (std::size_t part = 0; part < parts.size(); ++part)
-      if (const int material = material_of_part(names[i], parts[part]); material >= 0)
-        world.set_terrain_surface(i, static_cast<int>(part), own(material));
-    for (int j = i + 1; j < bodies; ++j)
-      if (world.bodies[i].moves() || world.bodies[j].moves())
-        world.set_pair_surface(i, j, own(material_between(names[i], materials[i], names[j], materials[j])));
-  }
+void TrialBuilder<D>::connect(Trial<D>& trial, World<D>& world, std::vector<Partner> partners) {
+  trial.surfaces.emplace_back(scenario_, instances_, std::move(partners)).connect(world);
 }
 
 template <int D>
@@ -229,9 +158,7 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
   DrawKey of_trial;
   of_trial.trial = number_of_trial;
 
-  std::vector<DrawKey> keys;
-  std::vector<std::string> names;
-  std::vector<int> materials;
+  std::vector<Partner> partners;
   std::uint64_t count = 0;
   for (int g = 0; g < static_cast<int>(scenario_.rocks.size()); ++g) {
     const RockGroup& group = scenario_.rocks[g];
@@ -264,13 +191,11 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
         rock.world = static_cast<int>(trial.worlds.size()) - 1;
         if (scenario_.rock_contacts) {
           check_start(world);
-          keys.push_back(rock.key);
-          names.push_back(group.name);
-          materials.push_back(group.material);
+          partners.push_back({group.name, group.material, rock.key});
         } else if (scenario_.method == Method::ballistic) {
           check_start_of_point(world.bodies.back(), ground_of(*trial.terrain));
         } else {
-          connect(trial, trial.worlds.back(), {rock.key}, {group.name}, {group.material});
+          connect(trial, trial.worlds.back(), {{group.name, group.material, rock.key}});
           check_start(trial.worlds.back());
         }
       } catch (const PluginError& error) {
@@ -284,7 +209,7 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
       }
     }
   }
-  if (scenario_.rock_contacts && !trial.worlds.empty()) connect(trial, trial.worlds.back(), keys, names, materials);
+  if (scenario_.rock_contacts && !trial.worlds.empty()) connect(trial, trial.worlds.back(), std::move(partners));
 }
 
 template <int D>
@@ -292,9 +217,7 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
   DrawKey of_trial;
   of_trial.trial = number_of_trial;
   World<D>& world = trial.worlds.emplace_back(*trial.terrain, gravity(of_trial), world_settings());
-  std::vector<DrawKey> keys;
-  std::vector<std::string> names;
-  std::vector<int> materials;
+  std::vector<Partner> partners;
   for (int i = 0; i < static_cast<int>(scenario_.bodies.size()); ++i) {
     const BodyPlan& plan = scenario_.bodies[i];
     TrialRock rock;
@@ -330,12 +253,10 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
     if (rock.launch_speed > 0) rock.launch_elevation = elevation_of(body.v, Vec3::UnitX());
     rock.world = 0;
     rock.body = world.add(std::move(body));
-    keys.push_back(rock.key);
-    names.push_back(plan.name);
-    materials.push_back(plan.material);
+    partners.push_back({plan.name, plan.material, rock.key});
     if (world.bodies.back().kind == BodyKind::dynamic) trial.rocks.push_back(rock);
   }
-  connect(trial, world, keys, names, materials);
+  connect(trial, world, std::move(partners));
   check_start(world);
 }
 

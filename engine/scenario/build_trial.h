@@ -9,6 +9,7 @@
 
 #include "scenario/instances.h"
 #include "scenario/place_rock.h"
+#include "scenario/surfaces.h"
 #include "world/world.h"
 
 namespace flyrock {
@@ -31,8 +32,7 @@ struct Trial {
   std::shared_ptr<const typename Geometry<D>::Terrain> terrain;
   std::deque<World<D>> worlds;     ///< one a rock, or one for all where they meet
   std::vector<TrialRock> rocks;
-  std::deque<Surface> surfaces;    ///< of all worlds
-  std::vector<int> surface_material;  ///< of each surface: index into Scenario::materials
+  std::deque<Surfaces> surfaces;   ///< one a world; none for points, which meet nothing
 };
 
 /// Builds trials of a scenario of D dimensions. Keeps the terrain where no draw changes it. Instantiated for D = 2, 3.
@@ -60,11 +60,7 @@ class TrialBuilder {
   void launch(int group, TrialRock& rock, const Place<D>& place, Body<D>& body);
   Vec<D> gravity(const DrawKey& key) const;
   Air<D> air_of(const Body<D>& body, const DrawKey& key) const;
-  Surface* surface(Trial<D>& trial, int material, const DrawKey& key);
-  void connect(Trial<D>& trial, World<D>& world, const std::vector<DrawKey>& keys, const std::vector<std::string>& names,
-               const std::vector<int>& materials);
-  int material_between(const std::string& a, int material_a, const std::string& b, int material_b) const;
-  int material_of_part(const std::string& name, const std::string& part) const;
+  void connect(Trial<D>& trial, World<D>& world, std::vector<Partner> partners);
   double number(const Number& n, const DrawKey& key) const { return n.value(scenario_.draws, scenario_.seed, key); }
   WorldSettings world_settings() const;
 

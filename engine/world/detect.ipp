@@ -75,7 +75,7 @@ void World<D>::detect(double ahead) {
       contact.candidate = candidate;
       contact.antagonist = antagonist;
       contact.surface = antagonist < 0 ? terrain_surface_[candidate][part_of(*terrain_, point.against)]
-                                       : pair_surface_[candidate][antagonist];
+                                       : pair_surface(candidate, antagonist);
     }
   };
   // By candidate, the terrain first, then the antagonists in their order: the order of NLGS, and what match_last needs.

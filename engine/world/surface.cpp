@@ -91,6 +91,10 @@ const ContactLaw* Surface::known() {
   return &*known_;
 }
 
+bool Surface::remembers() const {
+  return !(restitution.history.empty() && friction.history.empty() && rolling.history.empty() && unilateral.history.empty());
+}
+
 void Surface::save_history(std::vector<double>& memory) const {
   const auto append = [&](const auto& bound) { memory.insert(memory.end(), bound.history.begin(), bound.history.end()); };
   append(restitution), append(friction), append(rolling), append(unilateral);

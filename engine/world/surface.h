@@ -1,5 +1,5 @@
 #pragma once
-// The laws of a material as one pair of bodies meets it.
+// The laws of a material as one pair meets it: a body and a part of the terrain, or two bodies.
 
 #include <array>
 #include <cstdint>
@@ -59,6 +59,8 @@ class Surface {
   /// The same of a contact without impact, where it is known without asking: no law that is asked at every step reads the
   /// state, and all have been asked since the last impact. Else null.
   const ContactLaw* known();
+  /// Whether a law remembers of the pair.
+  bool remembers() const;
   /// The memory of the pair, to be taken back to: appended to `memory`, and read from it; the latter returns what follows.
   void save_history(std::vector<double>& memory) const;
   const double* restore_history(const double* memory);

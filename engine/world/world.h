@@ -67,10 +67,10 @@ class World {
   int add(Body<D> body);
   /// Takes the body that was added last away again.
   void remove_last();
-  /// The laws between a body and a part of the terrain, or between two bodies; null where nothing is said. The
-  /// surfaces belong to the caller.
+  /// The laws between a body and a part of the terrain; null where nothing is said. Surfaces belong to the caller.
   void set_terrain_surface(int body, int part, Surface* surface);
-  void set_pair_surface(int a, int b, Surface* surface);
+  /// The laws between two bodies, a < b: asked once, when they first come near each other. Empty: nothing is said.
+  std::function<Surface*(int a, int b)> surface_between;
 
   double time = 0;
   std::vector<Body<D>> bodies;
@@ -143,6 +143,7 @@ class World {
   };
 
   void know(Surface* surface);
+  Surface* pair_surface(int a, int b);
 
   // detect.ipp: what touches
   void detect(double ahead);
@@ -189,7 +190,7 @@ class World {
   WorldSettings settings_;
   SolverQuality quality_;
   std::vector<std::vector<Surface*>> terrain_surface_;  ///< [body][part]
-  std::vector<std::vector<Surface*>> pair_surface_;     ///< [a][b], a < b
+  std::vector<std::vector<Surface*>> pair_surface_;     ///< [a][b], a < b; null before they met
 
   std::vector<Contact> contacts_;  ///< active in the step at hand
   std::vector<Contact> last_;      ///< of the last step that stands
@@ -212,7 +213,7 @@ class World {
   SortAndSweep broad_phase_;
   std::vector<typename Geometry<D>::Box> boxes_;
   std::vector<Saved> saved_;
-  std::vector<Surface*> surfaces_;  ///< each once
+  std::vector<Surface*> surfaces_;  ///< that remember of a pair, each once
   std::vector<double> memory_;      ///< what the surfaces remembered when the step began
   std::vector<typename Body<D>::Rows> drift_;
   std::vector<std::optional<double>> gaps_;  ///< of the contacts whose drift is projected out

@@ -36,15 +36,21 @@ void World<D>::set_terrain_surface(int body, int part, Surface* surface) {
 }
 
 template <int D>
-void World<D>::set_pair_surface(int a, int b, Surface* surface) {
-  pair_surface_[std::min(a, b)][std::max(a, b)] = surface;
-  know(surface);
+Surface* World<D>::pair_surface(int a, int b) {
+  Surface*& surface = pair_surface_[a][b];
+  if (!surface && surface_between) {
+    surface = surface_between(a, b);
+    know(surface);
+  }
+  return surface;
 }
 
-/// Surfaces remember: a step that is done again takes them back.
+/// Surfaces remember: a step that is done again takes them back, one that was made within the step to its birth.
 template <int D>
 void World<D>::know(Surface* surface) {
-  if (surface && std::find(surfaces_.begin(), surfaces_.end(), surface) == surfaces_.end()) surfaces_.push_back(surface);
+  if (!surface || !surface->remembers() || std::find(surfaces_.begin(), surfaces_.end(), surface) != surfaces_.end()) return;
+  surfaces_.push_back(surface);
+  surface->save_history(memory_);
 }
 
 template <int D>

@@ -82,13 +82,14 @@ struct BenchOf {
 
   BenchOf(typename Geometry<D>::Terrain ground, Material& material, const WorldSettings& settings,
           const Vec<D>& gravity)
-      : terrain(std::move(ground)), world(terrain, gravity, settings), surface(&material.surface) {}
+      : terrain(std::move(ground)), world(terrain, gravity, settings), surface(&material.surface) {
+    world.surface_between = [this](int, int) { return surface; };
+  }
 
   int add(Body<D> body) {
     const int i = world.add(std::move(body));
     for (std::size_t part = 0; part < parts_of(terrain).size(); ++part)
       world.set_terrain_surface(i, static_cast<int>(part), surface);
-    for (int k = 0; k < i; ++k) world.set_pair_surface(k, i, surface);
     return i;
   }
   const BodyHistory& run(double stop_time) {
