@@ -42,9 +42,21 @@ std::uint64_t trials_of(const Value& root) {
   return number && *number >= 1 ? static_cast<std::uint64_t>(*number) : 1;
 }
 
-std::string hash_of(const Plan& plan, const std::vector<SourceHash>& sources) {
-  std::string text = FLYROCK_ENGINE_VERSION "\n" + to_json(plan.resolved) + '\n';
-  for (const SourceHash& source : sources) text += source.name + ' ' + source.sha256 + '\n';
+/// The files that parameters name, as they are now: another terrain under the same name is another scenario.
+std::vector<SourceHash> hashes_of(const std::map<std::string, std::string>& files, Diagnostics& diagnostics) {
+  std::vector<SourceHash> hashes;
+  for (const auto& [name, path] : files) try {
+      hashes.push_back({name, sha256(read_file(path))});
+    } catch (const FileError& error) {
+      diagnostics.error(in_file(path), "", error.what());
+    }
+  return hashes;
+}
+
+std::string hash_of(const LoadedScenario& loaded) {
+  std::string text = FLYROCK_ENGINE_VERSION "\n" + to_json(loaded.plan.resolved) + '\n';
+  for (const auto* list : {&loaded.sources, &loaded.files})
+    for (const SourceHash& source : *list) text += source.name + ' ' + source.sha256 + '\n';
   return sha256(text);
 }
 
@@ -67,10 +79,11 @@ std::optional<LoadedScenario> load_scenario(const std::string& path, const Overr
   loaded.plan = std::move(*plan);
   // A shorter run than the scenario asks for lists what it cannot say; a full one must be able to say it.
   if (loaded.plan.points.front().trials >= loaded.own_trials) check_clearances(*root, loaded.plan, diagnostics);
+  loaded.files = hashes_of(loaded.plan.files, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   loaded.warnings = diagnostics.warnings();
   for (const auto& [name, text] : loaded.session->sources()) loaded.sources.push_back({name, sha256(text)});
-  loaded.hash = hash_of(loaded.plan, loaded.sources);
+  loaded.hash = hash_of(loaded);
   return loaded;
 }
 

@@ -11,7 +11,7 @@
 
 namespace flyrock {
 
-/// A plugin source and the hash of its text.
+/// A plugin source, or a file that a parameter names, and the hash of its text.
 struct SourceHash {
   std::string name;
   std::string sha256;
@@ -22,7 +22,8 @@ struct LoadedScenario {
   Plan plan;
   std::string name;                     ///< the file's name without its extension
   std::vector<SourceHash> sources;      ///< every plugin source that was loaded
-  std::string hash;                     ///< SHA-256 of the engine's version, the resolved scenario and the sources
+  std::vector<SourceHash> files;        ///< every file that a parameter names: a profile, a polyhedron
+  std::string hash;                     ///< SHA-256 of the engine's version, the resolved scenario, the sources and the files
   std::vector<std::string> warnings;    ///< of the reader: "blast.hole: the hole is shorter than the bench"
   std::uint64_t own_trials = 1;         ///< `trials` of the file, before `--trials`
 };

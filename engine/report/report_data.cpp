@@ -5,6 +5,7 @@
 
 #include "report/convergence.h"
 #include "report/envelope_data.h"
+#include "report/hash_data.h"
 #include "report/json_object.h"
 #include "report/law_data.h"
 #include "report/reach_data.h"
@@ -111,11 +112,9 @@ LawSubject subject_of(const PointResult& point) {
   return subject;
 }
 
-/// { sha256, plugins: [{ name, sha256 }] }; not the name of the scenario's file, which may change before shards are merged.
+/// { sha256, plugins, files }; not the name of the scenario's file, which may change before shards are merged.
 Json source_data(const LoadedScenario& scenario) {
-  Json plugins = Json::array();
-  for (const SourceHash& source : scenario.sources) plugins.push_back({{"name", source.name}, {"sha256", source.sha256}});
-  return {{"sha256", scenario.hash}, {"plugins", plugins}};
+  return {{"sha256", scenario.hash}, {"plugins", hash_data(scenario.sources)}, {"files", hash_data(scenario.files)}};
 }
 
 /// { terrain, impact }: whether the terrain differs from trial to trial, and the numbers that are drawn at each impact.

@@ -26,7 +26,7 @@ class ReportData {
   void close();
 
   /// Reads `rows` of each point in passes and samples the laws of the scenario (call it in the thread of its session).
-  /// { summary, source: { sha256, plugins }, scenario, groups, units, drawn, points: [{ terrain, tracks, runout,
+  /// { summary, source: { sha256, plugins, files }, scenario, groups, units, drawn, points: [{ terrain, tracks, runout,
   /// convergence, envelopes, sensitivity, laws, bodies }] }. `laws` is null where it is that of point 0.
   nlohmann::ordered_json finish(const Results& results, const std::vector<Rows>& rows);
 

@@ -5,6 +5,7 @@
 #include "batch/chunk.h"
 #include "math/space.h"
 #include "report/csv.h"
+#include "report/hash_data.h"
 #include "report/summary_data.h"
 
 namespace flyrock {
@@ -43,9 +44,6 @@ std::string summary_json(const Plan& plan, const Results& results) {
 std::string manifest_json(const LoadedScenario& loaded) {
   using Json = nlohmann::ordered_json;
   const Scenario& first = loaded.plan.points.front();
-  Json sources = Json::array();
-  for (const SourceHash& source : loaded.sources)
-    sources.push_back({{"name", source.name}, {"sha256", source.sha256}});
   const Json manifest = {{"flyrock", FLYROCK_ENGINE_VERSION},
                          {"format", result_format},
                          {"scenario_sha256", loaded.hash},
@@ -53,7 +51,8 @@ std::string manifest_json(const LoadedScenario& loaded) {
                          {"trials", first.trials},
                          {"points", loaded.plan.points.size()},
                          {"chunk_size", chunk_size(first.trials)},
-                         {"plugins", sources},
+                         {"plugins", hash_data(loaded.sources)},
+                         {"files", hash_data(loaded.files)},
                          {"scenario", Json::parse(to_json(loaded.plan.resolved))}};
   return manifest.dump(2) + '\n';
 }

@@ -22,7 +22,8 @@ std::string rocks_csv_rows(const Plan& plan, int point, const std::vector<RockRe
 /// Statistics of each point, expectations, solver quality, warnings. Holds no path, file name or hash.
 std::string summary_json(const Plan& plan, const Results& results);
 
-/// What was run: the resolved scenario, the engine's version, the hashes of all plugin sources, chunk size.
+/// What was run: the resolved scenario, the engine's version, the hashes of all plugin sources and of the files
+/// that parameters name, chunk size.
 std::string manifest_json(const LoadedScenario& scenario);
 
 /// Where and when a run was, and where its time went.

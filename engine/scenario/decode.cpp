@@ -90,6 +90,7 @@ class PlanDecoder {
       at.push_back(met->second);
       plan_.axes[a].values[point[a]] = met->second;
     }
+    plan_.files.merge(context.files);
     Value tree = map_value(std::move(resolved));
     for (std::size_t a = 0; a < sweeps_.size(); ++a)
       resolved_values_[a][point[a]] = *find_path(tree, sweeps_[a].path);

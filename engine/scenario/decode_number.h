@@ -21,6 +21,7 @@ struct DecodeContext {
   int dimension = 2;
   std::vector<Draw> draws = {};
   std::map<std::string, double> swept_values = {};  ///< by path, SI; of the axes met where a sweep may stand
+  std::map<std::string, std::string> files = {};    ///< that parameters name: as written, and the full path
 };
 
 /// What a number may be where it stands.

@@ -59,6 +59,7 @@ void decode_file(DecodeContext& context, const Node& node, const ParamSpec& spec
   if (!std::filesystem::is_regular_file(path))
     return node.error(context.diagnostics, fmt::format("there is no file `{}` beside the scenario", *name));
   value.text = path.string();
+  context.files[*name] = value.text;
   resolved = text_value(*name);
 }
 

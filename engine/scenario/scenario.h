@@ -224,6 +224,7 @@ struct Plan {
   Value resolved;                         ///< in schema order, with defaults, in SI units, sweeps kept
   std::vector<std::string> not_used;      ///< "blast.spacing (bench_fit does not read it)"
   std::vector<std::string> plugin_files;  ///< `plugins:` as written
+  std::map<std::string, std::string> files;  ///< that parameters name: as written, and the full path
 };
 
 }  // namespace flyrock

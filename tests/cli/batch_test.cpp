@@ -106,6 +106,21 @@ TEST_CASE("An interrupted run is resumed") {
   check_same(folder, "out/s", "absent");
 }
 
+TEST_CASE("A terrain file that was edited is another scenario") {
+  const Folder folder;
+  folder.write("slope.csv", "-20, 10\n0, 10\n3, 0\n300, 0\n");
+  folder.write("s.yaml", bench_with("points: [[-20, 10], [0, 10], [3, 0], [300, 0]]", "file: slope.csv"));
+  REQUIRE(call(folder, "run s.yaml --quiet -o whole").code == 0);
+  CHECK(read(folder.path() / "whole/manifest.json").find("\"name\": \"slope.csv\"") != std::string::npos);
+  REQUIRE(call(folder, "run s.yaml --quiet --shard 1/2 -o a").code == 0);
+  folder.write("slope.csv", "-20, 10\n0, 10\n6, 0\n300, 0\n");
+  const Output resumed = call(folder, "run s.yaml --resume -o whole");
+  CHECK(resumed.code == 2);
+  CHECK(resumed.err.find("whole holds a run of another scenario") != std::string::npos);
+  REQUIRE(call(folder, "run s.yaml --quiet --shard 2/2 -o b").code == 0);
+  CHECK(call(folder, "merge a b -o m").err.find("a and b are of different scenarios") != std::string::npos);
+}
+
 TEST_CASE("Three shards merged are one run") {
   const Folder folder;
   folder.write("s.yaml", sweep());

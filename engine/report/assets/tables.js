@@ -133,6 +133,6 @@ function reproduce_section() {
     paragraph("", `Every number of this page follows from the scenario below, its seed ${summary.seed} and flyrock ${summary.flyrock}: save it as ${file} beside the files that it names, and run`),
     element("pre", { tabindex: "0" }, `flyrock run ${file}\nflyrock run ${file} --only point=0,trial=0   # one trial again, with its trajectory`),
     paragraph("", "The results are the same bytes for any number of threads, and where a run is interrupted and resumed, or put together from shards."),
-    table("", ["what", "SHA-256"], [[`scenario, plugins and flyrock ${summary.flyrock} together`, { text: source.sha256, cls: "hash" }], ...source.plugins.map((plugin) => [plugin.name, { text: plugin.sha256, cls: "hash" }])]),
+    table("", ["what", "SHA-256"], [[`scenario, plugins, files and flyrock ${summary.flyrock} together`, { text: source.sha256, cls: "hash" }], ...[...source.plugins, ...source.files].map((file) => [file.name, { text: file.sha256, cls: "hash" }])]),
     element("details", {}, element("summary", {}, "The scenario as it was run: units converted to SI, defaults filled in"), element("pre", { tabindex: "0" }, data.scenario)));
 }
