@@ -83,6 +83,8 @@ void Contactor2::translate(const Vec2& by) {
 std::string make_convex(std::vector<Vec2>& vertices) {
   const std::size_t count = vertices.size();
   if (count < 3) return fmt::format("a polygon has {} vertices, at least 3 are needed", count);
+  if (count > Contactor2::most_vertices)
+    return fmt::format("a polygon has {} vertices, at most {} are possible", count, Contactor2::most_vertices);
   double perimeter = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const double length = (vertices[(i + 1) % count] - vertices[i]).norm();

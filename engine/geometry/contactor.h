@@ -17,6 +17,8 @@ struct Contactor2 {
   double radius = 0;
   double bound = 0;  ///< radius of the smallest circle about the frame's origin that holds the contactor
 
+  static constexpr std::size_t most_vertices = 1 << 15;  ///< what a feature id counts (collision/contact.h)
+
   static Contactor2 disk(double radius, const Vec2& centre = Vec2::Zero());
   /// Counter-clockwise convex polygon; the normals are computed.
   static Contactor2 polygon(std::vector<Vec2> vertices);
@@ -24,7 +26,7 @@ struct Contactor2 {
   void translate(const Vec2& by);
 };
 
-/// What is wrong with a list of vertices as a convex polygon (fewer than three, not convex, no area,
+/// What is wrong with a list of vertices as a convex polygon (fewer than three or too many, not convex, no area,
 /// clockwise is turned round, not an error), or an empty text. Turns `vertices` counter-clockwise.
 std::string make_convex(std::vector<Vec2>& vertices);
 

@@ -60,6 +60,9 @@ void add_edges(Contactor3& shape) {
   }
   for (const Contactor3::Edge& edge : shape.edges)
     if (edge.right < 0) throw std::invalid_argument("the faces of a polyhedron do not close");
+  if (shape.edges.size() > Contactor3::most_edges)
+    throw std::invalid_argument(fmt::format("a polyhedron has {} edges, at most {} are possible", shape.edges.size(),
+                                            Contactor3::most_edges));
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ struct Contactor3 {
     int left = 0, right = 0;
   };
   static constexpr int most_face_vertices = 32;  ///< what the narrow phase keeps room for
+  static constexpr int most_edges = 1 << 14;     ///< what a feature id counts (collision/contact.h); vertices and faces are fewer
 
   std::vector<Vec3> points;
   std::vector<int> loop;        ///< indices into points, face after face
@@ -36,7 +37,7 @@ struct Contactor3 {
   /// A box about the origin with sides along the axes.
   static Contactor3 box(const Vec3& size);
   /// A convex polyhedron by its faces, each a loop of indices into `points`, counter-clockwise seen from outside. Throws
-  /// std::invalid_argument where the faces do not close a convex surface.
+  /// std::invalid_argument where the faces do not close a convex surface, or are too many.
   static Contactor3 polyhedron(std::vector<Vec3> points, const std::vector<std::vector<int>>& faces);
 
   bool round() const { return points.size() == 1; }

@@ -1,6 +1,7 @@
 #include "geometry/contactor3.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <stdexcept>
 
 using namespace flyrock;
@@ -32,4 +33,21 @@ TEST_CASE("a polyhedron that is none is refused") {
                     "a polyhedron is not convex");  // inside out
   CHECK_THROWS_WITH(Contactor3::polyhedron({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}),
                     "a face of a polyhedron has no area");
+}
+
+TEST_CASE("a polyhedron with more edges than feature ids count is refused") {
+  // A bipyramid over a polygon of n sides has 3 n edges.
+  const auto bipyramid = [](int n) {
+    std::vector<Vec3> points{{0, 0, 1}, {0, 0, -1}};
+    std::vector<std::vector<int>> faces;
+    for (int k = 0; k < n; ++k) {
+      points.emplace_back(std::cos(2 * pi * k / n), std::sin(2 * pi * k / n), 0);
+      const int a = 2 + k, b = 2 + (k + 1) % n;
+      faces.push_back({a, b, 0});
+      faces.push_back({b, a, 1});
+    }
+    return Contactor3::polyhedron(points, faces);
+  };
+  CHECK(bipyramid(100).edges.size() == 300);
+  CHECK_THROWS_WITH(bipyramid(5462), "a polyhedron has 16386 edges, at most 16384 are possible");
 }

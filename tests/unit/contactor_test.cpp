@@ -87,6 +87,8 @@ TEST_CASE("make_convex turns vertices round and names what is wrong") {
   CHECK(clockwise.front() == Vec2(1, 0));
   auto fault = [](std::vector<Vec2> vertices) { return make_convex(vertices); };
   CHECK(fault({{0, 0}, {1, 0}}) == "a polygon has 2 vertices, at least 3 are needed");
+  CHECK(fault(regular(32768, 1, Vec2::Zero())).empty());
+  CHECK(fault(regular(32769, 1, Vec2::Zero())) == "a polygon has 32769 vertices, at most 32768 are possible");
   CHECK(fault({{0, 0}, {1, 0}, {1, 0}, {0, 1}}) == "a polygon has the vertex (1, 0) twice");
   CHECK(fault({{0, 0}, {1, 0}, {2, 0}, {0, 1}}) ==
         "the polygon's vertex (1, 0) lies on the straight line between its neighbours; leave it out");
