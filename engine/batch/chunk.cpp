@@ -66,7 +66,7 @@ void walk_bodies(Io& io, Bodies& bodies) {
   walk_state(io, bodies, &B::min);
   walk_state(io, bodies, &B::max);
   io.columns(bodies, &B::min_speed, &B::max_speed, &B::reason, &B::fault, &B::stop_time, &B::contact_time,
-             &B::max_distance, &B::flight_range, &B::bounce_height, &B::impact_count);
+             &B::max_distance, &B::landed, &B::flight_range, &B::bounce_height, &B::impact_count);
   for (auto& body : bodies) {
     io.rows(body.impacts);
     walk_impact(io, body.impacts, [](auto& impact) -> auto& { return impact; });
@@ -110,7 +110,7 @@ void walk_brief(Io& io, Records& records) {
   io.rows(records.rocks);
   io.columns(records.rocks, &R::trial, &R::rock, &R::group, &R::mass, &R::volume, &R::launch_speed,
              &R::launch_elevation, &R::reason, &R::censored, &R::runout, &R::max_distance, &R::stop_x, &R::stop_y,
-             &R::stop_z, &R::flight_range, &R::bounce_height, &R::max_speed, &R::max_energy, &R::impacts, &R::time,
+             &R::stop_z, &R::landed, &R::flight_range, &R::bounce_height, &R::max_speed, &R::max_energy, &R::impacts, &R::time,
              &R::fault);
   for (std::size_t mode = 0; mode < travel_mode_names.size(); ++mode)
     io.columns(

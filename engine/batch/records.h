@@ -24,6 +24,7 @@ struct RockRecord {
   double runout = 0;           ///< |x_stop - x_release|
   double max_distance = 0;
   double stop_x = 0, stop_y = 0, stop_z = 0;
+  bool landed = false;         ///< it flew, and has touched the terrain since: its flight range is known
   double flight_range = 0;
   double bounce_height = 0;
   double max_speed = 0;

@@ -34,7 +34,7 @@ Bounded quantity_of(const RockRecord& rock, RockQuantity quantity) {
   switch (quantity) {
     case RockQuantity::runout: return {rock.runout, cut};
     case RockQuantity::max_distance: return {rock.max_distance, cut};
-    case RockQuantity::flight_range: return {rock.flight_range, cut && rock.impacts == 0};
+    case RockQuantity::flight_range: return {rock.flight_range, cut && !rock.landed};
     case RockQuantity::bounce_height: return {rock.bounce_height, cut};
     case RockQuantity::speed: return {rock.max_speed, cut};
     case RockQuantity::energy: return {rock.max_energy, cut};

@@ -250,6 +250,7 @@ void TrialRunner::Trials<D>::record(std::uint64_t trial, int index, const TrialR
     row.stop_x = history.last.position.x();
     row.stop_y = history.last.position.y();
     row.stop_z = history.last.position.z();
+    row.landed = history.landed;
     row.flight_range = history.flight_range;
     row.bounce_height = history.bounce_height;
     row.max_speed = history.max_speed;

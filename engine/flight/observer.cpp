@@ -17,7 +17,6 @@ Observer<D>::Observer(const World<D>& world, double every, bool keep_impacts, do
       next_sample_(world.bodies.size(), world.time),
       first_contact_height_(world.bodies.size(), 0.0),
       has_flown_(world.bodies.size(), false),
-      has_landed_(world.bodies.size(), false),
       mode_(world.bodies.size(), TravelMode::flight) {
   const auto [low, high] = extent(world.terrain());
   histories_.resize(world.bodies.size());
@@ -113,7 +112,7 @@ void Observer<D>::flew(int body, const Motion& motion, double start, double dt) 
   BodyHistory& h = histories_[body];
   if (dt > 0) has_flown_[body] = true;
   store(body, along(body, motion, 0, start));
-  mode_[body] = has_landed_[body] ? TravelMode::bounce : TravelMode::flight;
+  mode_[body] = h.landed ? TravelMode::bounce : TravelMode::flight;
   h.travel.add(mode_[body], dt, path_length<D>(motion, dt));
   const double apex = motion.a[up] < 0 ? motion.v[up] / -motion.a[up] : -1;
   if (apex > 0 && apex <= dt) {
@@ -166,10 +165,10 @@ void Observer<D>::arrived() {
 }
 
 template <int D>
-void Observer<D>::touched(int body) {
-  if (has_landed_[body] || !has_flown_[body]) return;
-  has_landed_[body] = true;
+void Observer<D>::landed(int body) {
   BodyHistory& h = histories_[body];
+  if (h.landed || !has_flown_[body]) return;
+  h.landed = true;
   h.flight_range = horizontal(Vec<D>(world_.bodies[body].x - h.first.position.template head<D>()));
 }
 
@@ -178,8 +177,8 @@ void Observer<D>::ended(int body, StopReason reason) {
   BodyHistory& h = histories_[body];
   h.reason = reason;
   if (reason != StopReason::diverged) h.last = present(body);
-  const bool flew_away = reason == StopReason::left_domain || reason == StopReason::caught;
-  if (flew_away && !has_landed_[body]) h.flight_range = h.max_distance;
+  if (has_flown_[body] && !h.landed)
+    h.flight_range = horizontal(Vec<D>((h.last.position - h.first.position).template head<D>()));
   store(body, h.last);
 }
 

@@ -23,8 +23,8 @@ class Observer {
   void stepped(int body, const Motion& motion, double dt, TravelMode mode);
   /// A step or an impact has ended, after what is told of each body: the impacts, and where all bodies are now.
   void arrived();
-  /// The body touches the ground at the present time.
-  void touched(int body);
+  /// The body touches the terrain at the present time: it has landed, where it had flown.
+  void landed(int body);
   /// The run of the body ends now.
   void ended(int body, StopReason reason);
 
@@ -45,7 +45,7 @@ class Observer {
   std::vector<BodyHistory>& histories_;
   std::vector<double> next_sample_;
   std::vector<double> first_contact_height_;
-  std::vector<bool> has_flown_, has_landed_;
+  std::vector<bool> has_flown_;
   std::vector<TravelMode> mode_;  ///< of what was moved last
 };
 

@@ -68,8 +68,12 @@ class Runner {
   bool collide() {
     const auto outcome = world_.impact();
     observer_.arrived();
-    for (const auto& contact : world_.contacts()) observer_.touched(contact.candidate);
+    for (const auto& contact : world_.contacts()) land(contact);
     return outcome.in_contact;
+  }
+
+  void land(const typename World<D>::Contact& contact) {
+    if (contact.antagonist < 0) observer_.landed(contact.candidate);
   }
 
   /// All bodies fly to the next touch, the end of the domain, of the run or of a leg through air; whether contacts remain there.
@@ -123,7 +127,7 @@ class Runner {
       flights_.push_back(world_.flight_of(i));
       if (!running_[i]) continue;
       observer_.flew(i, flights_[i], start, dt);
-      if (dt > world_.settings().time_step) rest_since_[i] = -1;  // a body that rests may lose touch for less
+      if (dt > world_.settings().time_step) moving(i);  // a body that rests may lose touch for less
     }
     world_.fly(dt);
     cross(start, dt);
@@ -162,6 +166,7 @@ class Runner {
     slipping_.assign(bodies(), false);
     for (const auto& contact : world_.contacts()) {
       if (contact.impulse[0] <= 0) continue;
+      land(contact);
       for (const int body : {contact.candidate, contact.antagonist}) {
         if (body < 0) continue;
         touching_[body] = true;
@@ -174,7 +179,6 @@ class Runner {
                                                               : free_motion(body, starts_[i], world_.gravity()));
       if (!running_[i]) continue;
       if (touching_[i]) {
-        observer_.touched(i);
         observer_.stepped(i, flights_[i], outcome.duration, slipping_[i] ? TravelMode::slide : TravelMode::roll);
       } else if (outcome.duration > 0) {
         observer_.flew(i, flights_[i], start, outcome.duration);
@@ -204,15 +208,17 @@ class Runner {
     }
   }
 
+  /// The body is not, or no longer, at rest.
+  void moving(int i) {
+    rest_since_[i] = -1;
+    histories_[i].stop_time = std::numeric_limits<double>::quiet_NaN();
+  }
+
   /// Notes since when a body has been at rest.
   void rest(int i, bool touching, double start) {
     const Body<D>& body = world_.bodies[i];
     const bool slow = body.v.norm() < settings_.stop_speed && body.spin_speed() * body.radius < settings_.stop_speed;
-    if (!touching || !slow) {
-      rest_since_[i] = -1;
-      histories_[i].stop_time = std::numeric_limits<double>::quiet_NaN();
-      return;
-    }
+    if (!touching || !slow) return moving(i);
     if (rest_since_[i] < 0) rest_since_[i] = start;
     if (world_.time - rest_since_[i] >= rest_time) histories_[i].stop_time = rest_since_[i];
   }

@@ -107,7 +107,8 @@ template <int D, class Ground>
 BodyHistory FlightLog<D, Ground>::finish(const Landing<D>& end, StopReason reason) {
   history_.reason = reason;
   history_.last = state(end.time, end.position, end.velocity);
-  if (reason == StopReason::stopped) history_.stop_time = end.time;
+  history_.landed = reason == StopReason::stopped;
+  if (history_.landed) history_.stop_time = end.time;
   history_.flight_range = horizontal(Vec<D>(end.position - body_.x));
   if (run_.trajectory_every > 0) history_.trajectory.push_back({history_.last, TravelMode::flight});
   return std::move(history_);

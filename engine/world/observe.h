@@ -67,8 +67,8 @@ struct BarrierHit {
   double height = 0;          ///< m above the ground at the barrier
 };
 
-/// How a body travels. flight: in the air until it first lands (a contact at its release is none); bounce: in the air after
-/// that; roll: in contact, where every contact sticks or slips slower than a twentieth of the body's speed; slide: in
+/// How a body travels. flight: in the air until it first lands on the terrain (a contact at its release is none, nor is one
+/// with another body); bounce: in the air after that; roll: in contact, where every contact sticks or slips slower than a twentieth of the body's speed; slide: in
 /// contact otherwise.
 enum class TravelMode { flight, bounce, slide, roll };
 inline constexpr std::array<const char*, 4> travel_mode_names = {"flight", "bounce", "slide", "roll"};
@@ -97,7 +97,8 @@ struct BodyHistory {
   double stop_time = std::numeric_limits<double>::quiet_NaN();  ///< start of the 0.2 s at rest
   double contact_time = 0;       ///< s spent in contact
   double max_distance = 0;       ///< m, greatest |x - x_first| ever reached
-  double flight_range = 0;       ///< m, horizontal distance to the first ground contact
+  bool landed = false;           ///< it flew, and has touched the terrain since
+  double flight_range = 0;       ///< m, horizontal distance to where it landed first; where it never did, to its end
   double bounce_height = 0;      ///< m, greatest height of the centre of mass above the ground below it
   int impact_count = 0;
   Travel travel;

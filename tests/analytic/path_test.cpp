@@ -26,6 +26,42 @@ TEST_CASE("A stored point says in which mode the body arrived there") {
   CHECK(history.trajectory.back().mode == TravelMode::roll);
 }
 
+TEST_CASE("Bodies that meet in the air land where they meet the terrain") {
+  lab::Material material(0.5, 0.6, 0.01);
+  lab::Bench bench(lab::ground(100), material);
+  const double radius = 0.2, g = 9.81;
+  bench.add(lab::disk(radius, 10, {0, 10}, {5, 0}));
+  bench.add(lab::disk(radius, 10, {4, 10}, {-5, 0}));
+  bench.run(60);
+  // They meet after 3.6 m at 10 m/s and part at half of it.
+  const double meeting = 0.36, landing = std::sqrt(2 * (10 - radius) / g);
+  for (const BodyHistory& history : bench.histories) {
+    CHECK(history.landed);
+    CHECK(history.flight_range == Approx(2.5 * (landing - meeting) - 5 * meeting).margin(1e-6));
+    const int flight = static_cast<int>(TravelMode::flight);
+    CHECK(history.travel.time[flight] == Approx(landing).margin(2 * bench.world.settings().time_step));
+  }
+}
+
+TEST_CASE("A flight that is cut short has flown as far as it came, however it ended") {
+  lab::Material material(0.5, 0.6);
+  std::vector<Barrier> fence{{6, 100, 1e9}};
+  const auto flown = [&](double stop_time, double half_length, bool fenced) {
+    lab::Bench bench(lab::ground(half_length), material);
+    bench.add(lab::disk(0.2, 10, {0, 10}, {5, 0}));
+    if (fenced) bench.run_settings.barriers = fence;
+    const BodyHistory history = bench.run(stop_time);
+    CHECK_FALSE(history.landed);
+    CHECK(history.flight_range == history.max_distance);
+    return std::pair(history.reason, history.flight_range);
+  };
+  CHECK(flown(1, 100, false) == std::pair(StopReason::timed_out, 5.0));
+  CHECK(flown(60, 6, false).first == StopReason::left_domain);
+  CHECK(flown(60, 6, false).second == Approx(6));
+  CHECK(flown(60, 100, true).first == StopReason::caught);
+  CHECK(flown(60, 100, true).second == Approx(6));
+}
+
 TEST_CASE("The bins along a parabola hold its heights, speeds and energies") {
   lab::Material ground(0, 10);
   lab::Bench bench(lab::ground(100), ground);

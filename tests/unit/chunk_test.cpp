@@ -17,6 +17,7 @@ TrialRecords some_records() {
   rock.mass = 0.1;
   rock.reason = StopReason::plugin_error;
   rock.censored = true;
+  rock.landed = true;
   rock.runout = -1e300;
   rock.impacts = 3;
   rock.fault = "law.lua:3: said \"no\"";
@@ -65,6 +66,7 @@ TEST_CASE("A chunk reads back as it was written") {
   CHECK(read->rocks[0].fault == "law.lua:3: said \"no\"");
   CHECK(read->rocks[0].reason == StopReason::plugin_error);
   CHECK(read->rocks[0].travel.distance[3] == 8);
+  CHECK(read->rocks[0].landed);
   CHECK(read->gates[0].passage.height == -0.5);
   CHECK(read->barriers[0].hit.outcome == BarrierOutcome::over_energy);
   CHECK(read->barriers[0].hit.barrier == 1);

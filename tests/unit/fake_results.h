@@ -65,6 +65,7 @@ inline TrialRecords records(std::uint64_t trials, int point = 0) {
       rock.stop_x = rock.runout;
       rock.time = flight;
       rock.impacts = 1;
+      rock.landed = true;
       rock.reason = t % 100 == 99 ? StopReason::left_domain : StopReason::stopped;
       rock.censored = rock.reason != StopReason::stopped;
       out.rocks.push_back(rock);

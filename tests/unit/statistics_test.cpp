@@ -98,7 +98,9 @@ TEST_CASE("A rock that had landed has a known flight range although it was lost 
   RockRecord lost = rock(0, 100, StopReason::left_domain);
   lost.flight_range = 12;
   CHECK(quantity_of(lost, RockQuantity::flight_range).censored);
-  lost.impacts = 1;
+  lost.impacts = 1;  // of another rock, in the air
+  CHECK(quantity_of(lost, RockQuantity::flight_range).censored);
+  lost.landed = true;
   CHECK_FALSE(quantity_of(lost, RockQuantity::flight_range).censored);
   CHECK(quantity_of(lost, RockQuantity::energy).censored);
 }
