@@ -219,7 +219,7 @@ std::vector<std::vector<BodyHistory>> TrialRunner::Trials<D>::fly(const Trial<D>
     BallisticRun<D> flight;
     flight.forces = {world.gravity(), body.air};
     flight.start_time = rock.start_time;
-    flight.stop_time = rock.start_time + settings.stop_time;
+    flight.stop_time = settings.stop_time;
     flight.trajectory_every = settings.trajectory_every;
     flight.bin_width = settings.bin_width;
     flight.gates = gates_;

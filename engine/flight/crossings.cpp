@@ -12,16 +12,9 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// The place moved along x onto the gate, free of rounding.
-template <int D>
-Vec<D> at_x(Vec<D> place, double x) {
-  place.x() = x;
-  return place;
-}
-
 }  // namespace
 
-/// The first root of ahead = v t + a t^2 / 2, free of cancellation; without air a is 0.
+/// The first root of ahead = v t + a t^2 / 2, of its two forms the one that does not subtract; without air a is 0.
 template <int D>
 double arrival(const Path<D>& path, double x, int side) {
   const double ahead = side * (x - path.x.x()), speed = side * path.v.x();
@@ -59,37 +52,30 @@ bool Crossings<D>::moved(int body, const Motion& motion, double start, double dt
     const double t = arrival<D>(motion, gates_[g].x, gate_side_[body][g]);
     if (t > dt) continue;
     gate_side_[body][g] = 0;
-    Passage passage;
-    passage.gate = static_cast<int>(g);
-    passage.time = start + t;
-    const Vec<D> x = motion.position(t);
     const Turned<D> turned = turn_at(motion, t);
-    passage.speed = motion.velocity(t).norm();
-    passage.kinetic_energy =
-        0.5 * (b.mass * passage.speed * passage.speed + twice_spin_energy(b, turned.attitude, turned.spin));
-    passage.height = x[D - 1] - ground_height(world_.terrain(), at_x<D>(x, gates_[g].x));
-    histories_[body].passages.push_back(passage);
+    const double speed = motion.velocity(t).norm();
+    const double energy = 0.5 * (b.mass * speed * speed + twice_spin_energy(b, turned.attitude, turned.spin));
+    histories_[body].passages.push_back(
+        {static_cast<int>(g), start + t, speed, energy, height(motion.position(t), gates_[g].x)});
   }
   for (std::size_t k = 0; k < barriers_.size(); ++k) {
     if (barrier_side_[body][k] == 0 || arrival<D>(motion, barriers_[k].x, barrier_side_[body][k]) > dt) continue;
     barrier_side_[body][k] = 0;
-    if (meet(body, static_cast<int>(k))) return true;
+    if (catches(static_cast<int>(k), body)) return true;
   }
   return false;
 }
 
 template <int D>
-bool Crossings<D>::meet(int body, int barrier) {
+double Crossings<D>::height(const Vec<D>& place, double x) const {
+  return place[D - 1] - ground_height(world_.terrain(), at_x<D>(place, x));
+}
+
+template <int D>
+bool Crossings<D>::catches(int barrier, int body) {
   const Barrier& fence = barriers_[barrier];
   Body<D>& b = world_.bodies[body];
-  const double energy = b.kinetic_energy();
-  BarrierHit hit;
-  hit.barrier = barrier;
-  hit.time = world_.time;
-  hit.speed = b.v.norm();
-  hit.kinetic_energy = energy;
-  hit.height = b.x[D - 1] - ground_height(world_.terrain(), at_x<D>(b.x, fence.x));
-  hit.outcome = outcome_of(fence, hit);
+  const BarrierHit hit = meet(fence, barrier, {world_.time, b.v.norm(), b.kinetic_energy(), height(b.x, fence.x)});
   const double left = velocity_left(fence, hit);
   b.v *= left;
   b.w *= left;

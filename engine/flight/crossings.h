@@ -31,7 +31,8 @@ class Crossings {
   bool moved(int body, const Motion& motion, double start, double dt);
 
  private:
-  bool meet(int body, int barrier);
+  bool catches(int barrier, int body);
+  double height(const Vec<D>& place, double x) const;  ///< above the ground at x
 
   World<D>& world_;
   std::span<const Gate> gates_;

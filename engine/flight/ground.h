@@ -16,10 +16,6 @@ std::pair<double, double> extent(const Terrain3& terrain);
 double ground_height(const Terrain2& terrain, const Vec2& at);
 double ground_height(const Terrain3& terrain, const Vec3& at);
 
-/// The part of a place or direction that is horizontal, as a length.
-inline double horizontal(const Vec2& v) { return std::abs(v.x()); }
-inline double horizontal(const Vec3& v) { return v.head<2>().norm(); }
-
 /// The mean speed along x over [0, dt], with which paths are cut into pieces along x: exact but in air, where it is out by
 /// |a_x| dt^2 / 8, less than a millimetre in a leg.
 template <int D>

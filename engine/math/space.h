@@ -22,6 +22,10 @@ inline Vec2 cross(double w, const Vec2& r) { return {-w * r.y(), w * r.x()}; }
 /// r turned by +90 degrees.
 inline Vec2 perpendicular(const Vec2& r) { return {-r.y(), r.x()}; }
 
+/// The length of the horizontal part of a place or direction; vertical is y in the plane and z in space.
+inline double horizontal(const Vec2& v) { return std::abs(v.x()); }
+inline double horizontal(const Vec3& v) { return v.head<2>().norm(); }
+
 /// A rotation of the plane, kept as cosine and sine so that it is applied without trigonometry.
 struct Rotation2 {
   double c = 1;

@@ -31,6 +31,9 @@ class BallisticFlight {
   /// The next arc, of at most `longest` seconds (above 0).
   Arc<D> next(double longest);
 
+  double time() const { return time_; }
+  const FlightState<D>& now() const { return now_; }
+
  private:
   Forces<D> forces_;
   FlightState<D> now_;
@@ -38,38 +41,38 @@ class BallisticFlight {
   double step_ = 0.05;  // s, to begin with
 };
 
-/// How far along an arc a flight goes: to the ground, to the end of the terrain, or to s = 1.
+/// How far along an arc a flight goes: to the ground, to the end of the terrain, to where who watches it holds it, or to s = 1.
 struct ArcEnd {
   double s = 1;
-  bool on_ground = false, left = false;
+  bool on_ground = false, left = false, held = false;
 };
 template <int D, class Ground>
 ArcEnd end_of(const Arc<D>& arc, const Ground& ground) {
   const std::optional<double> touch = first_touch(arc, ground), exit = first_exit(arc, ground);
-  if (touch && (!exit || *touch <= *exit)) return {*touch, true, false};
+  if (touch && (!exit || *touch <= *exit)) return {*touch, true};
   if (exit) return {*exit, false, true};
   return {};
 }
 
-/// Where a flight ends: at the ground, or at the end of the terrain or of the time.
+/// Where a flight ends: at the ground, at the end of the terrain or of the time, or where it was held.
 template <int D>
 struct Landing {
-  bool on_ground = false, left = false;  ///< neither: the time was up
+  bool on_ground = false, left = false;
   double time = 0;
   Vec<D> position = Vec<D>::Zero(), velocity = Vec<D>::Zero();
 };
 
-/// Flies from the time `start` [s] to the ground, the end of the terrain or the time `latest`; `see(arc, end)` is called with
-/// every arc and the s in [0, 1] at which it ends.
+/// Flies on to the ground, the end of the terrain or the time `latest`, at once where that is past. `see(arc, end)` is called
+/// with every arc and its ArcEnd, which it may bring forward to hold the flight there.
 template <int D, class Ground, class See>
-Landing<D> land(BallisticFlight<D> flight, double start, const Ground& ground, double latest, See see) {
-  Landing<D> landing;
-  landing.time = start;
-  while (landing.time < latest && !landing.on_ground && !landing.left) {
+Landing<D> land(BallisticFlight<D> flight, const Ground& ground, double latest, See see) {
+  Landing<D> landing{false, false, flight.time(), flight.now().position, flight.now().velocity};
+  ArcEnd end;
+  while (landing.time < latest && !end.on_ground && !end.left && !end.held) {
     const Arc<D> arc = flight.next(latest - landing.time);
-    const ArcEnd end = end_of(arc, ground);
+    end = end_of(arc, ground);
+    see(arc, end);
     landing = {end.on_ground, end.left, arc.start + end.s * arc.length, arc.position(end.s), arc.velocity(end.s)};
-    see(arc, end.s);
   }
   return landing;
 }

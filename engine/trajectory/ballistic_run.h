@@ -10,7 +10,7 @@ namespace flyrock {
 template <int D>
 struct BallisticRun {
   Forces<D> forces;
-  double start_time = 0, stop_time = 60;  ///< s; the flight lasts stop_time - start_time at most
+  double start_time = 0, stop_time = 60;  ///< s; a flight that would start later than it stops is timed out where it stands
   double trajectory_every = 0;            ///< s between stored points; 0: none
   double bin_width = 0;                   ///< m, of BodyHistory::path; 0: none is kept; 2D
   std::span<const Gate> gates;

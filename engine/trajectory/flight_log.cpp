@@ -17,9 +17,6 @@ double ground_at(const Plane& ground, const Vec3& p) { return ground.height(p.x(
 PathBins bins_over(const Profile& ground, double width) { return {width, ground.x_min(), ground.x_max()}; }
 PathBins bins_over(const Plane&, double) { return {}; }
 
-double horizontal(const Vec2& way) { return std::abs(way.x()); }
-double horizontal(const Vec3& way) { return way.head<2>().norm(); }
-
 /// The length of the path [m].
 template <int D>
 double path_length(const Arc<D>& arc, double end) {
@@ -57,9 +54,11 @@ FlightLog<D, Ground>::FlightLog(const Body<D>& body, const Ground& ground, const
       ground_(ground),
       run_(run),
       spin_(body.w),
+      spin_since_(run.start_time),
       twice_spin_energy_(twice_spin_energy(body, body.attitude, body.w)),
       next_sample_(run.start_time),
       gates_(sides_of(run.gates, body.x.x())) {
+  if constexpr (D == 2) angle_ = body.attitude.angle;
   history_.begin(state(run.start_time, body.x, body.v));
   history_.bounce_height = height(body.x);
   history_.path = bins_over(ground, run.bin_width);
@@ -84,20 +83,14 @@ void FlightLog<D, Ground>::see(const Arc<D>& arc, double end) {
 }
 
 template <int D, class Ground>
-BarrierHit FlightLog<D, Ground>::at_barrier(int barrier, double x, const Landing<D>& now) const {
-  Vec<D> place = now.position;
-  place.x() = x;  // free of rounding
-  BarrierHit hit;
-  hit.barrier = barrier;
-  hit.time = now.time;
-  hit.speed = now.velocity.norm();
-  hit.kinetic_energy = energy(now.velocity.squaredNorm());
-  hit.height = height(place);
-  return hit;
+Arrival FlightLog<D, Ground>::arrival(double x, const Landing<D>& now) const {
+  return {now.time, now.velocity.norm(), energy(now.velocity.squaredNorm()), height(at_x<D>(now.position, x))};
 }
 
 template <int D, class Ground>
 void FlightLog<D, Ground>::met(const BarrierHit& hit, double left) {
+  if constexpr (D == 2) angle_ += spin_ * (hit.time - spin_since_);
+  spin_since_ = hit.time;
   spin_ *= left;
   twice_spin_energy_ *= left * left;
   history_.barriers.push_back(hit);
@@ -122,7 +115,7 @@ BodyState FlightLog<D, Ground>::state(double time, const Vec<D>& position, const
   state.velocity.template head<D>() = velocity;
   if constexpr (D == 2) {
     state.spin.z() = spin_;
-    state.angle = body_.attitude.angle + spin_ * (time - run_.start_time);
+    state.angle = angle_ + spin_ * (time - spin_since_);
   } else {
     state.spin = spin_;
   }
@@ -156,10 +149,8 @@ void FlightLog<D, Ground>::pass_gates(const Arc<D>& arc, double end) {
     if (!s) continue;
     gates_[g] = 0;
     const Vec<D> velocity = arc.velocity(*s);
-    Vec<D> place = arc.position(*s);
-    place.x() = x;  // free of rounding
     history_.passages.push_back({static_cast<int>(g), arc.start + *s * arc.length, velocity.norm(), energy(velocity.squaredNorm()),
-                                 height(place)});
+                                 height(at_x<D>(arc.position(*s), x))});
   }
 }
 

@@ -13,8 +13,8 @@ class FlightLog {
 
   /// The flight went along `arc` to s = end in [0, 1].
   void see(const Arc<D>& arc, double end);
-  /// The arrival at a barrier, without its outcome.
-  BarrierHit at_barrier(int barrier, double x, const Landing<D>& now) const;
+  /// How the flight arrives at a barrier at x.
+  Arrival arrival(double x, const Landing<D>& now) const;
   /// The barrier has acted and left this share of the velocity and spin.
   void met(const BarrierHit& hit, double left);
   BodyHistory finish(const Landing<D>& end, StopReason reason);
@@ -33,7 +33,8 @@ class FlightLog {
   const Ground& ground_;
   const BallisticRun<D>& run_;
   BodyHistory history_;
-  typename Space<D>::Spin spin_;  ///< barriers take from it
+  typename Space<D>::Spin spin_;  ///< since the time spin_since_: barriers take from it
+  double spin_since_, angle_ = 0; ///< the angle at that time: rad, 2D
   double twice_spin_energy_;      ///< J
   double next_sample_;
   Sides gates_;

@@ -27,7 +27,7 @@ Farthest farthest(const Forces<2>& forces, double speed, double height) {
   const Profile ground = level_ground(height);
   const auto range = [&](double elevation) {
     const Vec2 velocity = speed * Vec2(std::cos(elevation), std::sin(elevation));
-    return land(BallisticFlight<2>(forces, Vec2::Zero(), velocity), 0, ground, day, [](const Arc<2>&, double) {})
+    return land(BallisticFlight<2>(forces, Vec2::Zero(), velocity), ground, day, [](const Arc<2>&, const ArcEnd&) {})
         .position.x();
   };
   // Golden section: the range has one maximum over the elevation.
@@ -64,15 +64,15 @@ std::vector<Vec2> shroud(const Forces<2>& forces, double speed, double height, i
     const double elevation = pi / 2 * (1 - from_vertical);
     std::size_t next = 0;  // place not yet reached
     const Vec2 velocity = speed * Vec2(std::cos(elevation), std::sin(elevation));
-    land(BallisticFlight<2>(forces, Vec2::Zero(), velocity), 0, ground, day, [&](const Arc<2>& arc, double end) {
+    land(BallisticFlight<2>(forces, Vec2::Zero(), velocity), ground, day, [&](const Arc<2>& arc, const ArcEnd& end) {
       while (next < line.size()) {
-        const auto s = first_arrival(arc, line[next].x(), 1.0, end);
+        const auto s = first_arrival(arc, line[next].x(), 1.0, end.s);
         if (!s) break;
         line[next].y() = std::max(line[next].y(), arc.position(*s).y());
         ++next;
       }
       // Above the launch itself the flight straight up is highest.
-      if (const auto apex = first_fall(arc.rate_along(Vec2::UnitY()), 0, end); apex && flight == flights)
+      if (const auto apex = first_fall(arc.rate_along(Vec2::UnitY()), 0, end.s); apex && flight == flights)
         line.front().y() = std::max(line.front().y(), arc.position(*apex).y());
     });
   }

@@ -4,9 +4,15 @@
 
 namespace flyrock {
 
-BarrierOutcome outcome_of(const Barrier& barrier, const BarrierHit& hit) {
-  if (hit.height >= barrier.height) return BarrierOutcome::over_top;
-  return hit.kinetic_energy <= barrier.capacity ? BarrierOutcome::caught : BarrierOutcome::over_energy;
+namespace {
+BarrierOutcome outcome_of(const Barrier& barrier, const Arrival& arrival) {
+  if (arrival.height >= barrier.height) return BarrierOutcome::over_top;
+  return arrival.kinetic_energy <= barrier.capacity ? BarrierOutcome::caught : BarrierOutcome::over_energy;
+}
+}  // namespace
+
+BarrierHit meet(const Barrier& barrier, int index, const Arrival& arrival) {
+  return {index, outcome_of(barrier, arrival), arrival.time, arrival.speed, arrival.kinetic_energy, arrival.height};
 }
 
 double velocity_left(const Barrier& barrier, const BarrierHit& hit) {

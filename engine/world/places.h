@@ -24,8 +24,23 @@ struct Barrier {
   double capacity = 0;  ///< J
 };
 
-/// What a barrier does to a body, by the height and kinetic energy of `hit`.
-BarrierOutcome outcome_of(const Barrier& barrier, const BarrierHit& hit);
+/// How a body arrives at a gate or barrier.
+struct Arrival {
+  double time = 0;
+  double speed = 0;           ///< m/s
+  double kinetic_energy = 0;  ///< J
+  double height = 0;          ///< m above the ground there
+};
+
+/// The place of a body that arrives at x, moved onto it along x: free of the rounding of its time.
+template <int D>
+Vec<D> at_x(Vec<D> place, double x) {
+  place.x() = x;
+  return place;
+}
+
+/// What the barrier of this index does to a body that arrives so.
+BarrierHit meet(const Barrier& barrier, int index, const Arrival& arrival);
 
 /// The share of its velocity and spin that a body has behind the barrier: below 1 where it went through.
 double velocity_left(const Barrier& barrier, const BarrierHit& hit);

@@ -36,7 +36,7 @@ Shot draw(RandomStream& rng) {
 }
 
 Landing<2> landing_of(const Shot& shot, const Profile& ground) {
-  return land(BallisticFlight<2>(shot.forces, shot.from, shot.velocity), 0, ground, 1e3, [](const Arc<2>&, double) {});
+  return land(BallisticFlight<2>(shot.forces, shot.from, shot.velocity), ground, 1e3, [](const Arc<2>&, const ArcEnd&) {});
 }
 
 /// The classical Runge-Kutta scheme in steps of dt; the last one is shortened until it ends on the floor, by Newton's method.

@@ -82,6 +82,12 @@ TEST_CASE("flights that leave or run out of time say so") {
   CHECK(timed.reason == StopReason::timed_out);
   CHECK(timed.last.time == 1);
   CHECK(std::isnan(timed.stop_time));
+  run.start_time = 2;  // its hole goes off when the time is up
+  const BodyHistory never = run_ballistic(rock({0, 13}, {1, 20}), bench(), run);
+  CHECK(never.reason == StopReason::timed_out);
+  CHECK(never.last.time == 2);
+  CHECK(never.last.position.y() == 13);
+  CHECK(never.flight_range == 0);
 }
 
 TEST_CASE("the bins along x hold the heights and speeds of a flight with drag") {
@@ -131,6 +137,8 @@ TEST_CASE("gates see a flight pass, and fences catch it, let it over the top, or
   const Vec2 slower = 0.8 * Vec2(20, 10 - 1.5 * g);
   CHECK(through.flight_range ==
         Approx(30 + vacuum_range(slower.norm(), std::atan2(slower.y(), slower.x()), height(30), g)).epsilon(1e-12));
+  // It has turned at 2 rad/s up to the fence, and at 0.8 of it behind.
+  CHECK(through.last.angle == Approx(2 * (1.5 + 0.8 * (through.last.time - 1.5))).epsilon(1e-12));
 }
 
 TEST_CASE("in space a flight lands on its plane, and turns with the azimuth of the launch") {

@@ -50,9 +50,9 @@ struct Flown : Landing<2> {
 Flown fly(const Forces<2>& forces, const Vec2& from, const Vec2& velocity, const Profile& ground) {
   Flown flown;
   static_cast<Landing<2>&>(flown) =
-      land(BallisticFlight<2>(forces, from, velocity), 0, ground, 1e3, [&](const Arc<2>& arc, double end) {
+      land(BallisticFlight<2>(forces, from, velocity), ground, 1e3, [&](const Arc<2>& arc, const ArcEnd& end) {
         ++flown.arcs;
-        for (int i = 0; i <= 1000; ++i) flown.apex = std::max(flown.apex, arc.position(end * i / 1000).y());
+        for (int i = 0; i <= 1000; ++i) flown.apex = std::max(flown.apex, arc.position(end.s * i / 1000).y());
       });
   return flown;
 }
@@ -195,7 +195,7 @@ TEST_CASE("landing on a bench: the face, the floor, and the end of the terrain")
   CHECK(away.position.x() == Approx(-50).margin(1e-9));
   const Flown leaving = fly(air(sphere_drag(0.3, 1)), {0, 12}, {10, 5}, ground);  // begins on the crest and rises
   CHECK(leaving.position.y() == Approx(0).margin(1e-9));
-  const Landing<2> timed = land(BallisticFlight<2>(air(0), {0, 20}, {10, 0}), 0, ground, 0.5, [](const Arc<2>&, double) {});
+  const Landing<2> timed = land(BallisticFlight<2>(air(0), {0, 20}, {10, 0}), ground, 0.5, [](const Arc<2>&, const ArcEnd&) {});
   CHECK_FALSE(timed.on_ground);
   CHECK_FALSE(timed.left);
   CHECK(timed.time == 0.5);
@@ -216,7 +216,7 @@ TEST_CASE("shots over a bench against small steps") {
   for (int i = 0; i < 50; ++i) {
     const Forces<2> forces = air(sphere_drag(rng.uniform(0.05, 1), 1));
     const Vec2 from(0, 12.5), velocity = launch(rng.uniform(10, 80), rng.uniform(5, 85));
-    const Landing<2> landing = land(BallisticFlight<2>(forces, from, velocity), 0, ground, 1e3, [](const Arc<2>&, double) {});
+    const Landing<2> landing = land(BallisticFlight<2>(forces, from, velocity), ground, 1e3, [](const Arc<2>&, const ArcEnd&) {});
     if (landing.on_ground && landing.position.x() > 5)
       worst = std::max(worst, (landing.position - reference_landing(forces, from, velocity, 1e-3)).norm());
   }

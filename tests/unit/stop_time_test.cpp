@@ -1,0 +1,35 @@
+// stop.time ends a trial, however late its rocks start, by every method.
+#include <catch2/catch.hpp>
+
+#include "batch/load.h"
+#include "batch/trial.h"
+
+using namespace flyrock;
+
+TEST_CASE("a trial ends at stop.time for rocks of late holes too") {
+  for (const char* method : {"nscd", "ballistic"}) {
+    INFO(method);
+    Diagnostics diagnostics;
+    Overrides overrides;
+    overrides.set = {std::string("method=") + method};
+    auto loaded = load_scenario(FLYROCK_SOURCE_DIR "/tests/unit/late_holes.yaml", overrides, diagnostics);
+    INFO(diagnostics.to_text());
+    REQUIRE(loaded);
+    TrialRunner runner(loaded->plan.points.front());
+    TrialRecords records;
+    runner.run(0, records);
+    REQUIRE(records.rocks.size() == 4);
+    CHECK(records.rocks[0].reason == StopReason::stopped);
+    const RockRecord &flying = records.rocks[2], &late = records.rocks[3];
+    CHECK(flying.reason == StopReason::timed_out);  // it left after 4 s
+    CHECK(flying.censored);
+    CHECK_FALSE(flying.landed);
+    CHECK(flying.time == Approx(1));
+    CHECK(flying.flight_range == Approx(10));
+    CHECK(late.reason == StopReason::timed_out);
+    CHECK(late.censored);
+    CHECK(late.time == 0);
+    CHECK(late.runout == 0);
+    CHECK(late.stop_y == 12);
+  }
+}
