@@ -20,10 +20,11 @@ double arrival(const Path<D>& path, double x, int side) {
   const double ahead = side * (x - path.x.x()), speed = side * path.v.x();
   if (ahead <= 0) return 0;
   if (ahead == never) return never;
-  const double discriminant = speed * speed + 2 * side * path.a.x() * ahead;
+  const double push = side * path.a.x(), discriminant = speed * speed + 2 * push * ahead;
   if (discriminant < 0) return never;
-  const double sum = speed + std::sqrt(discriminant);
-  return sum > 0 ? 2 * ahead / sum : never;
+  const double root = std::sqrt(discriminant);
+  if (speed < 0) return push > 0 ? (root - speed) / push : never;
+  return speed + root > 0 ? 2 * ahead / (speed + root) : never;
 }
 
 template <int D>

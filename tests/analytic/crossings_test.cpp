@@ -137,3 +137,13 @@ TEST_CASE("time and path by mode of travel") {
     CHECK(travel.distance[0] == Approx(length).epsilon(1e-9));
   }
 }
+
+TEST_CASE("an arrival behind a turn keeps its digits") {
+  // Away from a place just ahead at 10 m/s, and pushed back by 1 m/s2: it is reached after 20 s.
+  Path<2> path;
+  path.v.x() = -10;
+  path.a.x() = 1;
+  CHECK(arrival<2>(path, 1e-10, 1) == Approx(20).epsilon(1e-11));
+  path.a.x() = -1;
+  CHECK(arrival<2>(path, 1e-10, 1) == std::numeric_limits<double>::infinity());
+}
