@@ -57,17 +57,20 @@ std::string Params::text(std::string_view name) {
   return values_[at(name, {ParamType::choice, ParamType::text, ParamType::file})].text;
 }
 
+const std::vector<std::vector<double>>& Params::points(std::string_view name) {
+  return values_[at(name, {ParamType::points})].points;
+}
+
 std::vector<Vec2> Params::points2(std::string_view name) {
-  std::vector<Vec2> points;
-  for (const auto& point : values_[at(name, {ParamType::points})].points) points.emplace_back(point[0], point[1]);
-  return points;
+  std::vector<Vec2> list;
+  for (const auto& point : points(name)) list.emplace_back(point[0], point[1]);
+  return list;
 }
 
 std::vector<Vec3> Params::points3(std::string_view name) {
-  std::vector<Vec3> points;
-  for (const auto& point : values_[at(name, {ParamType::points})].points)
-    points.emplace_back(point[0], point[1], point[2]);
-  return points;
+  std::vector<Vec3> list;
+  for (const auto& point : points(name)) list.emplace_back(point[0], point[1], point[2]);
+  return list;
 }
 
 std::vector<std::string> Params::unread() const {

@@ -52,6 +52,8 @@ class Params {
   double constant(std::string_view name);
   /// A choice, text or file; empty where it was left out.
   std::string text(std::string_view name);
+  /// Points of as many components as the scenario has dimensions; none where they were left out.
+  const std::vector<std::vector<double>>& points(std::string_view name);
   std::vector<Vec2> points2(std::string_view name);
   std::vector<Vec3> points3(std::string_view name);
 

@@ -52,14 +52,14 @@ LuaParameters::LuaParameters(lua_State* lua, const PluginSpec& spec, Params& par
         }
         break;
       case ParamType::points: {
-        const auto points = params.points2(param.name);
+        const auto& points = params.points(param.name);
         if (!given) break;
         lua_createtable(lua, static_cast<int>(points.size()), 0);
         for (std::size_t i = 0; i < points.size(); ++i) {
-          lua_createtable(lua, 2, 0);
-          for (int c = 0; c < 2; ++c) {
-            lua_pushnumber(lua, points[i][c]);
-            lua_rawseti(lua, -2, c + 1);
+          lua_createtable(lua, static_cast<int>(points[i].size()), 0);
+          for (std::size_t k = 0; k < points[i].size(); ++k) {
+            lua_pushnumber(lua, points[i][k]);
+            lua_rawseti(lua, -2, static_cast<lua_Integer>(k + 1));
           }
           make_read_only(lua, "p." + param.name, true);
           lua_rawseti(lua, -2, static_cast<lua_Integer>(i + 1));

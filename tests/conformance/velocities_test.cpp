@@ -194,6 +194,18 @@ TEST_CASE("at_rest and measured launches") {
   for (const int count : drawn) CHECK(count == Approx(1000).margin(100));
 }
 
+TEST_CASE("measured launches of space go outward, to the left and upward") {
+  const std::vector<std::vector<double>> seen{{10, 3, 5}};
+  const auto made =
+      make<VelocityModel>(session(), PluginKind::velocity, "measured", {{"velocities", seen}, {"scale", 2.0}}, 3);
+  RandomStream rng(1, "launch", {});
+  RockView rock;
+  rock.dimension = 3;
+  CHECK(made.model->launch(made.values, rock, {}, rng).velocity == Vec3(20, 6, 10));
+  rock.outward = -Vec3::UnitY();
+  CHECK(made.model->launch(made.values, rock, {}, rng).velocity == Vec3(6, -20, 10));
+}
+
 namespace {
 
 /// Values of the parameters of each mode of a velocity model, for tests that go through all of them.

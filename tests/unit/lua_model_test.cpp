@@ -142,3 +142,14 @@ TEST_CASE("parameters of every type reach Lua") {
   auto rng = stream();
   CHECK(area_properties(made.model->build(made.values, rng)).area == Approx(0.5));
 }
+
+TEST_CASE("points of space reach Lua with all their components") {
+  OnePlugin lua("velocity", R"(params = { seen = fr.points { optional = true } },
+  launch = function(p, rock) return { velocity = { p.seen[2][1], p.seen[2][2], p.seen[2][#p.seen[2]] } } end)");
+  const std::vector<std::vector<double>> seen{{1, 2, 3}, {4, 5, 6}};
+  const auto made = make<VelocityModel>(lua.session, PluginKind::velocity, "m", {{"seen", seen}}, 3);
+  RockView rock;
+  rock.dimension = 3;
+  auto rng = stream();
+  CHECK(made.model->launch(made.values, rock, Blast(), rng).velocity == Vec3(4, 5, 6));
+}
