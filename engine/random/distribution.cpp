@@ -195,39 +195,6 @@ double Distribution::highest() const {
   return kind == DistributionKind::integer ? std::floor(high) : high;
 }
 
-Distribution scaled(const Distribution& distribution, double factor) {
-  Distribution f = distribution;
-  if (f.kind == DistributionKind::integer) {
-    for (double value = distribution.lowest(); value <= distribution.highest(); ++value)
-      f.values.push_back(value);
-    f.kind = DistributionKind::discrete;
-  }
-  switch (f.kind) {
-    case DistributionKind::uniform:
-    case DistributionKind::normal:
-      f.b *= factor;
-      [[fallthrough]];
-    case DistributionKind::lognormal:
-    case DistributionKind::weibull:
-    case DistributionKind::exponential:
-      f.a *= factor;
-      break;
-    case DistributionKind::triangular:
-      f.a *= factor, f.b *= factor, f.c *= factor;
-      break;
-    case DistributionKind::beta:
-      f.c *= factor, f.d *= factor;
-      break;
-    case DistributionKind::discrete:
-    case DistributionKind::integer:
-      for (double& value : f.values) value *= factor;
-      break;
-  }
-  f.min *= factor;
-  f.max *= factor;
-  return f;
-}
-
 std::string_view name_of(DistributionKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
 std::string_view name_of(Scope scope) { return scope_names[static_cast<std::size_t>(scope)]; }
 
@@ -237,7 +204,7 @@ double Draw::value(std::uint64_t seed, const DrawKey& key) const {
   if (scope == Scope::hole) used.hole = key.hole;
   if (scope == Scope::rock || scope == Scope::impact) used.rock = key.rock;
   if (scope == Scope::impact) used.impact = key.impact;
-  return distribution.quantile(uniform_at(seed, stream_hash, used));
+  return quantile(uniform_at(seed, stream_hash, used));
 }
 
 }  // namespace flyrock

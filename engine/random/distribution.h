@@ -44,10 +44,6 @@ struct Distribution {
   double highest() const;
 };
 
-/// The distribution of x times `factor` (above 0) where x has this one, but for `integer`, which becomes
-/// `discrete`. The same u gives the same x.
-Distribution scaled(const Distribution& distribution, double factor);
-
 std::string_view name_of(DistributionKind kind);
 
 /// How often a distribution is drawn anew.
@@ -62,7 +58,12 @@ struct Draw {
   Distribution distribution;
   Scope scope = Scope::trial;
   std::uint64_t stream_hash = 0;
+  double factor = 1;  ///< above 0, of each value drawn
 
+  /// The value at probability u in (0, 1), and the least and the greatest value.
+  double quantile(double u) const { return factor * distribution.quantile(u); }
+  double lowest() const { return factor * distribution.lowest(); }
+  double highest() const { return factor * distribution.highest(); }
   /// The value at `key`; only the parts of the key that `scope` depends on are used.
   double value(std::uint64_t seed, const DrawKey& key) const;
 };

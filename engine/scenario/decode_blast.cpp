@@ -28,12 +28,12 @@ void decode_fields(DecodeContext& context, const Node& node, std::string_view se
   }
 }
 
-/// D/3 in place of a Gurney constant that was not given: the draw of D itself, scaled, so that both fall
+/// D/3 in place of a Gurney constant that was not given: the draw of D itself, times 1/3, so that both fall
 /// together.
 Number third_of(DecodeContext& context, const Number& velocity) {
   if (velocity.is_constant()) return {velocity.constant / 3, -1};
   Draw draw = context.draws[velocity.draw];
-  draw.distribution = scaled(draw.distribution, 1.0 / 3);
+  draw.factor /= 3;
   context.draws.push_back(std::move(draw));
   return {0, static_cast<int>(context.draws.size()) - 1};
 }
@@ -72,8 +72,8 @@ struct Range {
 
 Range range_of(const DecodeContext& context, const Number& number) {
   if (number.is_constant()) return {number.constant, number.constant};
-  const Distribution& distribution = context.draws[number.draw].distribution;
-  return {distribution.lowest(), distribution.highest()};
+  const Draw& draw = context.draws[number.draw];
+  return {draw.lowest(), draw.highest()};
 }
 
 Range field_range(const DecodeContext& context, const BlastPlan& plan, BlastField field) {
@@ -82,7 +82,7 @@ Range field_range(const DecodeContext& context, const BlastPlan& plan, BlastFiel
 }
 
 double middle_of(const DecodeContext& context, const Number& number) {
-  return number.is_constant() ? number.constant : context.draws[number.draw].distribution.quantile(0.5);
+  return number.is_constant() ? number.constant : context.draws[number.draw].quantile(0.5);
 }
 
 std::string metres(const Range& range) {

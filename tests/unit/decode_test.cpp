@@ -248,6 +248,19 @@ TEST_CASE("a blast: D/3 unless the Gurney constant is given, and drawn with D") 
   CHECK_FALSE(s.blast->is_anfo);
 }
 
+TEST_CASE("a third of a whole number that is drawn is no list of all that it may be") {
+  const Plan plan =
+      decode_text(head + benches + blocks +
+                  "blast: { explosive: { density: 850, detonation_velocity: { integer: [1, 100000000] } } }\n");
+  const Scenario& s = plan.points[0];
+  const Number gurney = s.blast->fields.at(BlastField::gurney_constant);
+  CHECK(s.draws[gurney.draw].distribution.values.empty());
+  CHECK(s.draws[gurney.draw].highest() == Approx(1e8 / 3));
+  const DrawKey key{3, 1, 1, 0};
+  CHECK(3 * gurney.value(s.draws, 1, key) ==
+        Approx(s.blast->fields.at(BlastField::detonation_velocity).value(s.draws, 1, key)));
+}
+
 TEST_CASE("a hole against its bench") {
   auto with_hole = [](const std::string& hole) {
     return head + benches + blocks + "blast: { hole: { " + hole + " } }\n";
