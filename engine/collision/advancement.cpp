@@ -109,9 +109,7 @@ class Search {
         bend += relative_acceleration.norm() + 2 * sr.w_max * speed +
                 (sr.w_max * sr.w_max + std::abs(reference.motion.alpha)) * (lever + speed * horizon);
       }
-      const double time = safe_time(gap, slope, bend, scale_, is_held && t == 0);
-      // The horizon ends the bound's validity, not the search, unless it reaches the end of the window.
-      least = std::min(least, time >= horizon ? (horizon >= left ? forever : horizon) : time);
+      least = std::min(least, within(horizon, left, safe_time(gap, slope, bend, scale_, is_held && t == 0)));
     }
     return least;
   }

@@ -1,77 +1,20 @@
-#include "collision/advancement3.h"
+// Two contactors on their way.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "collision/advance3.h"
 #include "collision/round_contact.h"
 #include "collision/round_path.h"
 #include "collision/safe_time.h"
 #include "collision/separating_axis.h"
-#include "math/polynomial.h"
 
 namespace flyrock {
 
 namespace {
 
 constexpr double forever = std::numeric_limits<double>::infinity();
-constexpr int most_iterations = 500;
-
-/// A contactor at one time, with bounds of its motion until the end of the search.
-struct State {
-  Turn turn;
-  Vec3 x, v;
-  double w_max;      ///< greatest spin
-  double w_rate;     ///< greatest rate of change of the spin
-  State(const MovingContactor& c, double t, double end)
-      : turn(c.motion.turn(t)),
-        x(c.motion.position(t)),
-        v(c.motion.velocity(t)),
-        w_max(c.motion.greatest_spin(end)),
-        w_rate(c.motion.greatest_spin_rate(end)) {}
-
-  Vec3 arm(const Vec3& local) const { return turn.rotation * local; }
-  Vec3 velocity_at(const Vec3& arm) const { return v + turn.spin.cross(arm); }
-  /// Bound of the acceleration of a point at a lever, beside that of the centre of mass.
-  double bend(double lever) const { return (w_max * w_max + w_rate) * lever; }
-  bool turns() const { return w_max > 0 || w_rate > 0; }
-};
-
-class PlaneSearch {
- public:
-  PlaneSearch(const MovingContactor& c, const Plane& plane, double end, const TouchSearch& search)
-      : c_(c), plane_(plane), end_(end), search_(search), scale_(search.size), ball_(c.shape.bound) {}
-
-  /// How long the plane stays clear of all vertices, from t on.
-  double lasts(double t) const {
-    const State s(c_, t, end_);
-    double least = forever;
-    for (int i = 0; i < static_cast<int>(c_.shape.points.size()) && least > 0; ++i) {
-      const bool held = search_.holds(feature_id(c_.index, FeatureKind::vertex, i), feature_id(0, FeatureKind::face, 0));
-      if (held && search_.held_are_solved) continue;
-      const Vec3 arm = s.arm(c_.shape.points[i]);
-      const double gap = plane_.distance(s.x + arm) - c_.shape.radius + search_.slack;
-      const double slope = plane_.normal.dot(s.velocity_at(arm));
-      const double bend = std::max(0.0, -plane_.normal.dot(c_.motion.a)) + s.bend(arm.norm());
-      least = std::min(least, safe_time(gap, slope, bend, scale_, held && t == 0));
-    }
-    return least;
-  }
-
-  /// The height of the ball about the whole contactor over the plane, as a polynomial of t.
-  std::array<double, 3> clearance() const {
-    return {plane_.distance(c_.motion.x) - ball_ + search_.slack, plane_.normal.dot(c_.motion.v),
-            0.5 * plane_.normal.dot(c_.motion.a)};
-  }
-
- private:
-  const MovingContactor& c_;
-  const Plane& plane_;
-  double end_;
-  const TouchSearch& search_;
-  GapScale scale_;
-  double ball_;
-};
 
 class PairSearch {
  public:
@@ -80,7 +23,7 @@ class PairSearch {
 
   /// How long the direction that was last followed, or else the best one, separates the pair.
   double lasts(double t) {
-    const State sa(a_, t, end_), sb(b_, t, end_);
+    const MovingState sa(a_, t, end_), sb(b_, t, end_);
     const double step = chosen_ ? lasts(direction_, sa, sb, t) : 0;
     return step > 0 ? step : longest(sa, sb, t);
   }
@@ -127,13 +70,11 @@ class PairSearch {
                      double t) const {
     const double reach = lever + b.speed * b.horizon;
     const double bend = turn_rate * reach + 2 * turn * b.speed + b.acceleration;
-    const double time = safe_time(gap + search_.slack, slope, bend, scale_, opened);
-    // The horizon ends the bound's validity, not the search, unless it reaches the end of the window.
-    return time >= b.horizon ? (b.horizon >= end_ - t ? forever : b.horizon) : time;
+    return within(b.horizon, end_ - t, safe_time(gap + search_.slack, slope, bend, scale_, opened));
   }
 
-  double face_lasts(const Direction& d, const MovingContactor& reference, const State& sr, const MovingContactor& other,
-                    const State& so, double t) const {
+  double face_lasts(const Direction& d, const MovingContactor& reference, const MovingState& sr, const MovingContactor& other,
+                    const MovingState& so, double t) const {
     const Vec3 normal = sr.arm(d.local), normal_rate = sr.turn.spin.cross(normal);
     const Vec3 relative_a = other.motion.a - reference.motion.a;
     const double offset = d.support + reference.shape.radius + other.shape.radius;
@@ -161,9 +102,9 @@ class PairSearch {
 
   /// The normal n = N/|N| of N = E x F: with s = |N| and W the sum of the spins, |N'| <= W and |N''| <= W^2 + their rates;
   /// |n'| <= W/s, |n''| <= |N''|/s + 3 W^2/s^2. They hold with s/2 for a time s/(2 W).
-  double edges_last(const Direction& d, const State& sa, const State& sb, double t) const {
+  double edges_last(const Direction& d, const MovingState& sa, const MovingState& sb, double t) const {
     const Contactor3::Edge &ea = a_.shape.edges[d.edge_a], &eb = b_.shape.edges[d.edge_b];
-    const auto along = [](const MovingContactor& c, const State& s, const Contactor3::Edge& e) {
+    const auto along = [](const MovingContactor& c, const MovingState& s, const Contactor3::Edge& e) {
       return s.arm((c.shape.points[e.end] - c.shape.points[e.start]).normalized());
     };
     const Vec3 e = along(a_, sa, ea), f = along(b_, sb, eb), product = d.sign * e.cross(f);
@@ -196,7 +137,7 @@ class PairSearch {
     return least;
   }
 
-  double lasts(const Direction& d, const State& sa, const State& sb, double t) const {
+  double lasts(const Direction& d, const MovingState& sa, const MovingState& sb, double t) const {
     switch (d.kind) {
       case Direction::Kind::of_a: return face_lasts(d, a_, sa, b_, sb, t);
       case Direction::Kind::of_b: return face_lasts(d, b_, sb, a_, sa, t);
@@ -206,7 +147,7 @@ class PairSearch {
   }
 
   /// Follows the direction that separates longest; returns how long: 0 where none does.
-  double longest(const State& sa, const State& sb, double t) {
+  double longest(const MovingState& sa, const MovingState& sb, double t) {
     double best = 0;
     const double enough = end_ - t;
     const auto try_direction = [&](const Direction& candidate) {
@@ -247,7 +188,7 @@ class PairSearch {
   }
 
   /// From the nearest place of a contactor to the centre of a sphere.
-  static Direction towards(const Vec3& centre, const Placed3& c, const State& s, int index, Direction::Kind kind) {
+  static Direction towards(const Vec3& centre, const Placed3& c, const MovingState& s, int index, Direction::Kind kind) {
     Direction d;
     d.kind = kind;
     if (c.shape.round()) {
@@ -273,35 +214,7 @@ class PairSearch {
   bool chosen_ = false;
 };
 
-/// Follows `search` from one safe time to the next. Where the balls about the contactors are clear of each other it goes
-/// on to where they meet.
-template <class Search>
-std::optional<double> advance(Search&& search, double end, std::uint64_t* iterations) {
-  const auto clearance = search.clearance();
-  double t = 0;
-  for (int i = 0; i < most_iterations; ++i) {
-    if (evaluate(clearance, t) > 0) {
-      const auto meet = first_fall(clearance, t, end);
-      if (!meet) return std::nullopt;
-      t = std::max(t, *meet);
-    }
-    if (iterations) ++*iterations;
-    const double step = search.lasts(t);
-    if (step <= 0) return t;
-    if (step >= end - t) return std::nullopt;
-    const double next = t + step;
-    if (next <= t) return t;  // below the resolution of time
-    t = next;
-  }
-  return t;
-}
-
 }  // namespace
-
-std::optional<double> advance_to_plane(const MovingContactor& contactor, const Plane& plane, double end,
-                                       const TouchSearch& search) {
-  return advance(PlaneSearch(contactor, plane, end, search), end, search.iterations);
-}
 
 std::optional<double> advance_to_contact(const MovingContactor& a, const MovingContactor& b, double end,
                                          const TouchSearch& search) {

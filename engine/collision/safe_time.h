@@ -28,4 +28,11 @@ inline double safe_time(double gap, double slope, double bend, const GapScale& s
   return slope >= 0 ? (slope + root) / bend : 2 * gap / (root - slope);
 }
 
+/// A safe time whose bounds hold for `horizon`, where `left` is left until the end of the search: the horizon ends the bounds'
+/// validity, not the search, unless it reaches that end.
+inline double within(double horizon, double left, double time) {
+  if (time < horizon) return time;
+  return horizon >= left ? std::numeric_limits<double>::infinity() : horizon;
+}
+
 }  // namespace flyrock
