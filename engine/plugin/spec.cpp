@@ -7,6 +7,8 @@ namespace flyrock {
 namespace {
 constexpr std::array<std::string_view, plugin_kinds> kind_names{
     "shape", "population", "restitution", "friction", "rolling", "unilateral", "velocity", "terrain"};
+constexpr std::array<std::string_view, 9> type_names{"number", "integer", "boolean", "choice", "text",
+                                                     "vector", "points",  "file",    "spin"};
 }
 
 std::string_view name_of(PluginKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
@@ -17,10 +19,12 @@ std::optional<PluginKind> plugin_kind(std::string_view name) {
   return std::nullopt;
 }
 
-std::string_view name_of(ParamType type) {
-  constexpr std::array<std::string_view, 9> names{"number", "integer", "boolean", "choice",
-                                                  "text",   "vector",  "points",  "file",    "spin"};
-  return names[static_cast<std::size_t>(type)];
+std::string_view name_of(ParamType type) { return type_names[static_cast<std::size_t>(type)]; }
+
+std::optional<ParamType> param_type(std::string_view name) {
+  for (std::size_t i = 0; i < type_names.size(); ++i)
+    if (type_names[i] == name) return static_cast<ParamType>(i);
+  return std::nullopt;
 }
 
 std::string FieldRead::text() const {

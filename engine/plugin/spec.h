@@ -28,6 +28,7 @@ enum class ParamType {
   spin      ///< about z in 2D: a number; in 3D a vector in the world frame. May be a distribution
 };
 std::string_view name_of(ParamType type);
+std::optional<ParamType> param_type(std::string_view name);
 
 /// One declared parameter. Limits and defaults are in SI units.
 struct ParamSpec {

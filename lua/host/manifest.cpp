@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <tuple>
 
 #include "blast/blast.h"
-#include "host/locate.h"
+#include "host/param_reader.h"
 #include "host/table_reader.h"
 #include "plugin/contact_law.h"
 
@@ -24,144 +23,6 @@ std::vector<std::string> kind_names() {
   for (int k = 0; k < plugin_kinds; ++k) names.emplace_back(name_of(static_cast<PluginKind>(k)));
   return names;
 }
-
-bool is_identifier(std::string_view name) {
-  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz", others = "0123456789_";
-  return !name.empty() && letters.find(name[0]) != letters.npos &&
-         std::all_of(name.begin(), name.end(), [&](char c) {
-           return letters.find(c) != letters.npos || others.find(c) != others.npos;
-         });
-}
-
-/// One fr.number { ... } or the like, under `params.NAME`.
-class ParamReader {
- public:
-  ParamReader(const Entry& entry, Diagnostics& diagnostics)
-      : name_(entry.key), table_(entry.value, "params." + entry.key, diagnostics) {}
-
-  std::optional<ParamSpec> read() {
-    spec_.name = name_;
-    if (!is_identifier(name_))
-      table_.error("", "a parameter's name has small letters, digits and _, a letter first");
-    if (!read_type()) return std::nullopt;
-    spec_.doc = table_.text("doc").value_or("");
-    spec_.optional = table_.boolean("optional").value_or(false);
-    const bool spin = spec_.type == ParamType::spin;
-    const bool numeric = spin || spec_.type == ParamType::number || spec_.type == ParamType::integer;
-    if (spin || spec_.type == ParamType::number || spec_.type == ParamType::vector || spec_.type == ParamType::points)
-      read_unit();
-    if (numeric || spec_.type == ParamType::vector) read_limits();
-    read_default();
-    if (spec_.optional && table_.field("default"))
-      table_.error("optional", "a parameter with a default is never left out: give one of the two");
-    table_.finish();
-    if (table_.failed()) return std::nullopt;
-    return spec_;
-  }
-
- private:
-  bool read_type() {
-    if (table_.failed()) return false;
-    constexpr int types = 9;
-    const auto type = table_.text("type");
-    for (int i = 0; type && i < types; ++i)
-      if (name_of(static_cast<ParamType>(i)) == *type) {
-        spec_.type = static_cast<ParamType>(i);
-        return true;
-      }
-    table_.error(
-        "",
-        "expected a parameter: fr.number { ... }, fr.integer, fr.boolean, fr.choice, fr.text, fr.vector, "
-        "fr.points, fr.file or fr.spin");
-    return false;
-  }
-
-  void read_unit() {
-    spec_.unit = table_.text("unit").value_or("");
-    if (spec_.unit.empty()) return;
-    std::string unknown;
-    if (const auto unit = parse_unit(spec_.unit, &unknown)) {
-      unit_ = *unit;
-      spec_.dimension = unit->dimension;
-    } else {
-      table_.error("unit", fmt::format("unknown unit `{}`{}", unknown.empty() ? spec_.unit : unknown,
-                                       did_you_mean(unknown, unit_names())));
-    }
-  }
-
-  /// As a scenario's numbers are converted, so that a default and the same number written there are equal.
-  double si(double written) const { return Quantity{written, true, unit_, spec_.unit}.si(); }
-  std::optional<double> si(const std::optional<double>& written) const {
-    if (!written) return std::nullopt;
-    return si(*written);
-  }
-
-  void read_limits() {
-    spec_.min = si(table_.number("min"));
-    spec_.max = si(table_.number("max"));
-    spec_.above = si(table_.number("above"));
-    spec_.below = si(table_.number("below"));
-    if (spec_.min && spec_.above) table_.error("above", "expected one of `min` and `above`, not both");
-    if (spec_.max && spec_.below) table_.error("below", "expected one of `max` and `below`, not both");
-  }
-
-  void check_default(double value) {
-    const double written = value / unit_.factor;
-    const auto refuse = [&](const char* relation, double limit) {
-      table_.error("default", fmt::format("{:.6g}, expected a number {} {:.6g}", written, relation,
-                                          limit / unit_.factor));
-    };
-    if (spec_.type == ParamType::integer && value != std::floor(value))
-      table_.error("default", fmt::format("{:.6g}, expected a whole number", written));
-    if (spec_.min && value < *spec_.min) refuse("of at least", *spec_.min);
-    if (spec_.max && value > *spec_.max) refuse("of at most", *spec_.max);
-    if (spec_.above && value <= *spec_.above) refuse("above", *spec_.above);
-    if (spec_.below && value >= *spec_.below) refuse("below", *spec_.below);
-  }
-
-  void read_default() {
-    switch (spec_.type) {
-      case ParamType::number:
-      case ParamType::integer:
-      case ParamType::spin:
-        spec_.default_number = si(table_.number("default"));
-        if (spec_.default_number) check_default(*spec_.default_number);
-        break;
-      case ParamType::boolean:
-        if (const auto value = table_.boolean("default")) spec_.default_number = *value ? 1 : 0;
-        break;
-      case ParamType::choice:
-        read_choices();
-        break;
-      case ParamType::text:
-        spec_.default_text = table_.text("default");
-        break;
-      case ParamType::vector:
-        spec_.default_vector = table_.numbers("default");
-        if (spec_.default_vector)
-          for (double& component : *spec_.default_vector) check_default(component = si(component));
-        break;
-      case ParamType::points:
-      case ParamType::file:
-        break;  // what a scenario gives or leaves out
-    }
-  }
-
-  void read_choices() {
-    spec_.choices = table_.texts("choices").value_or(std::vector<std::string>{});
-    spec_.default_text = table_.text("default");
-    if (spec_.choices.empty())
-      return table_.error("choices", "missing, expected a list of texts: choices = { \"a\", \"b\" }");
-    if (spec_.default_text &&
-        std::find(spec_.choices.begin(), spec_.choices.end(), *spec_.default_text) == spec_.choices.end())
-      table_.error("default", fmt::format("`{}`, expected {}", *spec_.default_text, one_of(spec_.choices)));
-  }
-
-  std::string name_;
-  TableReader table_;
-  ParamSpec spec_;
-  Unit unit_;  // as declared
-};
 
 class ManifestReader {
  public:
@@ -318,7 +179,7 @@ class ManifestReader {
       return table_.error("params", params->kind() + ", expected a table of named parameters");
     if (empty) return;
     for (const Entry& entry : *params->map()) {
-      auto param = ParamReader(entry, diagnostics_).read();
+      auto param = read_param(entry, diagnostics_);
       if (param)
         spec_.params.push_back(std::move(*param));
       else

@@ -1,0 +1,19 @@
+#pragma once
+// One parameter of a manifest.
+
+#include <optional>
+#include <string_view>
+
+#include "plugin/spec.h"
+#include "scenario/diagnostics.h"
+
+namespace flyrock {
+
+/// Small letters, digits and _, a letter first: names of plugins, parameters and histories.
+bool is_identifier(std::string_view name);
+
+/// An fr.number { ... } or the like, under `params.NAME`, with its default and limits converted to SI. Nothing where there
+/// are errors, which are reported.
+std::optional<ParamSpec> read_param(const Entry& entry, Diagnostics& diagnostics);
+
+}  // namespace flyrock
