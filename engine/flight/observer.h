@@ -21,7 +21,7 @@ class Observer {
   void flew(int body, const Motion& motion, double start, double dt);
   /// A contact step of length dt has ended, in which the body moved along `motion`.
   void stepped(int body, const Motion& motion, double dt, TravelMode mode);
-  /// A step or an impact has ended, after what is told of each body: the impacts, and where all bodies are now.
+  /// A step or an impact has ended: notes its impacts, and where all bodies are now.
   void arrived();
   /// The body touches the terrain at the present time: it has landed, where it had flown.
   void landed(int body);

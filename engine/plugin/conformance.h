@@ -8,7 +8,7 @@
 
 namespace flyrock {
 
-/// Tries a plugin in 2D and returns what is wrong with it, or nothing:
+/// Tries a plugin in the dimensions that it has and returns what is wrong with it, or nothing:
 ///  - with some of its optional parameters it can be made, and then reads every parameter that it declares;
 ///  - shapes are convex with positive area and inertia, profiles without fault, launches finite,
 ///    laws in range at 1000 states, and the same everywhere where they say that they are constant;

@@ -25,7 +25,7 @@ struct MeasureInfo {
   std::string fault;  ///< why it is not a measure, with the nearest name; empty where it is one
 };
 
-/// Checks a measure against DESIGN section 3 (2D):
+/// Checks a measure against DESIGN section 3:
 ///   body.<name>.final|max|min.<component>, body.<name>.stop_time|contact_time,
 ///   body.<name>.impact[n].<quantity>, body.<name>.apex[n].time|height,
 ///   energy.total.relative_change, solver.<quantity>,
