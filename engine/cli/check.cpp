@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <vector>
 
 #include "batch/safe_file.h"
 #include "batch/trial.h"
 #include "cli/loading.h"
+#include "cli/plugin_file.h"
 #include "host/share.h"
 #include "plugin/conformance.h"
 
@@ -14,30 +14,17 @@ namespace flyrock::cli {
 
 namespace {
 
-std::vector<const Plugin*> all_plugins(const Registry& registry) {
-  std::vector<const Plugin*> plugins;
-  for (int kind = 0; kind < plugin_kinds; ++kind)
-    for (const Plugin* plugin : registry.of_kind(static_cast<PluginKind>(kind))) plugins.push_back(plugin);
-  return plugins;
-}
-
 /// Loads a plugin file or folder, and tries what it registers on sampled parameters and states.
 int check_plugin(const std::string& path) {
   LuaSession session(share_folder());
-  const std::vector<const Plugin*> own = all_plugins(session.registry());
-  Diagnostics diagnostics;
-  session.load_plugin(path, path, {}, diagnostics);
-  fmt::print(stderr, "{}", diagnostics.to_text());
-  if (diagnostics.has_errors()) return bad_input;
+  const std::optional<std::vector<const Plugin*>> plugins = load_plugin_file(session, path);
+  if (!plugins) return bad_input;
   std::size_t faults = 0;
-  for (const Plugin* plugin : all_plugins(session.registry())) {
-    if (std::find(own.begin(), own.end(), plugin) != own.end()) continue;
+  for (const Plugin* plugin : *plugins)
     for (const std::string& fault : conformance_faults(*plugin)) {
-      fmt::print(stderr, "{}: error: {}/{}: {}\n", path, name_of(plugin->spec.kind), plugin->spec.name,
-                 fault);
+      fmt::print(stderr, "{}: error: {}/{}: {}\n", path, name_of(plugin->spec.kind), plugin->spec.name, fault);
       ++faults;
     }
-  }
   if (faults > 0) return bad_input;
   fmt::print("{}: a sound plugin\n", path);
   return done;

@@ -6,6 +6,7 @@
 
 #include "batch/safe_file.h"
 #include "cli/command.h"
+#include "cli/plugin_file.h"
 #include "cli/plugin_text.h"
 #include "host/session.h"
 #include "host/share.h"
@@ -39,6 +40,26 @@ std::optional<PluginUse> decode_use(const Registry& registry, const PluginSpec& 
   return use;
 }
 
+bool is_law(const Plugin* plugin) {
+  const PluginKind kind = plugin->spec.kind;
+  return kind == PluginKind::restitution || kind == PluginKind::friction || kind == PluginKind::rolling || kind == PluginKind::unilateral;
+}
+
+/// KIND/NAME, or the law of a file; null where the file has faults, which are printed.
+const PluginSpec* law_named(LuaSession& session, const std::string& word) {
+  if (!names_plugin_file(word)) {
+    if (word.find('/') == std::string::npos)
+      throw UsageError(fmt::format("`{}`, expected KIND/NAME, as friction/coulomb, or a Lua file", word));
+    return select_plugins(session.registry(), word).front();
+  }
+  auto plugins = load_plugin_file(session, word);
+  if (!plugins) return nullptr;
+  std::erase_if(*plugins, [](const Plugin* plugin) { return !is_law(plugin); });
+  if (plugins->size() != 1)
+    throw UsageError(fmt::format("{} registers {} contact laws, expected one", word, plugins->empty() ? "no" : fmt::format("{}", plugins->size())));
+  return &plugins->front()->spec;
+}
+
 /// Every tenth part of each curve.
 void print_table(const LawGraph& graph) {
   constexpr std::size_t rows = 10;
@@ -61,12 +82,11 @@ int law(const Command& command, const Arguments& arguments) {
       "set", po::value<std::vector<std::string>>()->composing()->value_name("PARAMETER=VALUE"), "a parameter of the law");
   const CommandLine line = parse(command, options, arguments, 1, 1);
   if (line.help) return done;
-  if (line.words[0].find('/') == std::string::npos)
-    throw UsageError(fmt::format("`{}`, expected KIND/NAME, as friction/coulomb", line.words[0]));
-  const LuaSession session(share_folder());
-  const PluginSpec& spec = *select_plugins(session.registry(), line.words[0]).front();
+  LuaSession session(share_folder());
+  const PluginSpec* spec = law_named(session, line.words[0]);
+  if (!spec) return bad_input;
   const auto settings = line.has("set") ? line.options["set"].as<std::vector<std::string>>() : std::vector<std::string>{};
-  const std::optional<PluginUse> use = decode_use(session.registry(), spec, settings);
+  const std::optional<PluginUse> use = decode_use(session.registry(), *spec, settings);
   if (!use) return bad_input;
   std::vector<LawGraph> graphs;
   try {
@@ -75,7 +95,7 @@ int law(const Command& command, const Arguments& arguments) {
     fmt::print(stderr, "error: {}\n", error.what());
     return bad_input;
   }
-  fmt::print("{}", short_text(spec));
+  fmt::print("{}", short_text(*spec));
   for (const LawGraph& graph : graphs) print_table(graph);
   if (!line.has("output")) return done;
   std::vector<Plot> plots;

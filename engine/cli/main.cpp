@@ -25,8 +25,8 @@ constexpr std::array<Command, 10> commands = {{
     {"export", "export DIR --to csv|vtk [-o PATH]", "writes a result as CSV tables or for ParaView", export_result},
     {"check", "check FILE [--strict]", "validates a scenario, or tries a plugin on sampled states", check},
     {"show", "show SCENARIO [--json]", "prints the resolved scenario: units converted, defaults filled in", show},
-    {"plugins", "plugins [KIND[/NAME]] [--markdown | --json]", "lists what is registered, with its parameters", plugins},
-    {"law", "law KIND/NAME [-o FILE] [--set PARAMETER=VALUE]...", "draws the graph of a contact law from solved contacts", law},
+    {"plugins", "plugins [KIND[/NAME] | FILE] [--markdown | --json]", "lists what is registered, with its parameters", plugins},
+    {"law", "law KIND/NAME|FILE [-o FILE] [--set PARAMETER=VALUE]...", "draws the graph of a contact law from solved contacts", law},
     {"verify", "verify [--data DIR] [--json]", "computes problems with known answers and compares", verify},
     {"solve", "solve PROBLEM.hdf5 [options]", "solves a friction problem in the layout of FCLIB", solve},
 }};

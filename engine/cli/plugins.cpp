@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "cli/command.h"
+#include "cli/plugin_file.h"
 #include "cli/plugin_text.h"
 #include "host/session.h"
 #include "host/share.h"
@@ -14,8 +15,15 @@ int plugins(const Command& command, const Arguments& arguments) {
   if (line.help) return done;
   if (line.has("markdown") && line.has("json")) throw UsageError("expected one of --markdown and --json");
   const std::string wanted = line.words.empty() ? "" : line.words[0];
-  const LuaSession session(share_folder());
-  const std::vector<const PluginSpec*> specs = select_plugins(session.registry(), wanted);
+  LuaSession session(share_folder());
+  std::vector<const PluginSpec*> specs;
+  if (names_plugin_file(wanted)) {
+    const auto own = load_plugin_file(session, wanted);
+    if (!own) return bad_input;
+    for (const Plugin* plugin : *own) specs.push_back(&plugin->spec);
+  } else {
+    specs = select_plugins(session.registry(), wanted);
+  }
 
   if (line.has("json")) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -23,7 +31,7 @@ int plugins(const Command& command, const Arguments& arguments) {
     fmt::print("{}\n", list.dump(2));
     return done;
   }
-  const bool single = wanted.find('/') != std::string::npos;
+  const bool single = wanted.find('/') != std::string::npos || names_plugin_file(wanted);
   for (const PluginSpec* spec : specs) {
     if (line.has("markdown") && spec != specs.front()) fmt::print("\n");
     fmt::print("{}", line.has("markdown") ? markdown(*spec) : single ? full_text(*spec) : short_text(*spec));

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <nlohmann/json.hpp>
 
@@ -16,6 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* run_log_name = "run.log";  ///< written when all else is there
+constexpr std::array result_names = {run_log_name, "summary.json", "rocks.csv", "results.db", "report.html"};
 
 /// A file of a result folder as JSON; null where it is missing or no JSON, as in a folder that was made half.
 nlohmann::json json_in(const fs::path& file) {
@@ -71,7 +74,11 @@ ResultFolder::ResultFolder(fs::path path, const LoadedScenario& scenario, Existi
 }
 
 std::optional<int> ResultFolder::complete(const Plan& plan) const {
-  if (!continued_ || !fs::exists(path_ / run_log_name)) return std::nullopt;
+  const auto stands = [&](const char* name) {
+    std::error_code code;
+    return fs::is_regular_file(path_ / name, code) && !fs::is_empty(path_ / name, code);
+  };
+  if (!continued_ || !std::all_of(result_names.begin(), result_names.end(), stands)) return std::nullopt;
   const nlohmann::json summary = json_in(path_ / "summary.json");
   if (!summary.is_object() || !summary.at("complete").get<bool>()) return std::nullopt;
   for (const auto& point : summary.at("points"))
@@ -86,8 +93,7 @@ void ResultFolder::open(const LoadedScenario& scenario, const Request& request) 
   try {
     make_folder(path_);
     lock_.emplace(path_);
-    for (const char* name : {run_log_name, "summary.json", "rocks.csv", "results.db", "report.html"})
-      fs::remove(path_ / name);
+    for (const char* name : result_names) fs::remove(path_ / name);
     if (!continued_) remove_chunks(chunks()), fs::remove_all(hard_problems());
     make_folder(chunks());
     write_request(chunks(), request);

@@ -267,7 +267,12 @@ std::optional<Answer> ask(const Plugin& plugin, int dimension, const std::vector
   }
   std::vector<double> numbers;
   for (const Number& slot : use.slots) numbers.push_back(slot.constant);
-  return answer_of(*instance, numbers, dimension);
+  try {
+    return answer_of(*instance, numbers, dimension);
+  } catch (const PluginError& error) {
+    if (dimension == 2) throw;
+    throw PluginError(std::string("in 3D ") + error.what());
+  }
 }
 
 template <class Interface>

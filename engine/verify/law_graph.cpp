@@ -150,21 +150,44 @@ std::vector<LawGraph> graphs_of(Asked<RollingLaw> asked) {
 }
 
 std::vector<LawGraph> graphs_of(Asked<UnilateralLaw> asked) {
-  const auto force = [&](double gap, double free, LawGraph::Case& to, bool by_gap) {
+  NormalCondition condition{};
+  /// A contact with a gap that reaches the end of the step with the speed `free`, were there no contact.
+  const auto solved_at = [&](double gap, double free) {
     asked.forget();
     ContactState state = ball_at(0, 0);
     state.gap = gap;
     state.step = step;
-    const Solved solved = solve(asked(state), false, gap, step, {free, 0, 0}, {free, 0, 0});
-    to.at.push_back(by_gap ? gap : solved.velocity[0]);
+    const ContactLaw law = asked(state);
+    condition = law.condition;
+    return solve(law, false, gap, step, {free, 0, 0}, {free, 0, 0});
+  };
+  const auto put = [](LawGraph::Case& to, double at, const Solved& solved) {
+    to.at.push_back(at);
     to.value.push_back(solved.impulse[0] / step);
   };
-  LawGraph by_speed{"by velocity, h = 1 ms", "normal velocity after the step [m/s]", "force r_n / h [N]", {{"closed", {}, {}}, {"open by 1 mm", {}, {}}}};
-  LawGraph by_gap{"by gap, at rest", "gap [m]", "force r_n / h [N]", {{"", {}, {}}}};
+  LawGraph by_speed{"by velocity, h = 1 ms", "normal velocity after the step [m/s]", "force r_n / h [N]", {{"closed", {}, {}}}};
   for (int i = -100; i <= 100; ++i) {
-    force(0, 0.02 * i, by_speed.cases[0], false);
-    force(1e-3, 0.02 * i, by_speed.cases[1], false);
-    force(2e-5 * i, 0, by_gap.cases[0], true);
+    const Solved solved = solved_at(0, 0.02 * i);
+    put(by_speed.cases[0], solved.velocity[0], solved);
+  }
+  // The others leave an open contact alone.
+  if (condition == NormalCondition::quasi_shock) {
+    by_speed.cases.push_back({"open by 1 mm", {}, {}});
+    for (int i = -100; i <= 100; ++i) {
+      const Solved solved = solved_at(1e-3, 0.02 * i);
+      put(by_speed.cases[1], solved.velocity[0], solved);
+    }
+  }
+  LawGraph by_gap{"by gap", "gap [m]", "force r_n / h [N]", {{"", {}, {}}}};
+  if (condition == NormalCondition::penalty) {
+    for (int i = -100; i <= 100; ++i) put(by_gap.cases[0], 2e-5 * i, solved_at(2e-5 * i, 0));
+  } else {
+    by_gap.title = "pressed with ten times its weight to pulled with it, h = 1 ms";
+    by_gap.x = "gap that is left [m]";
+    for (int i = 100; i >= -100; --i) {
+      const Solved solved = solved_at(0, -0.1 * i * g * step);
+      put(by_gap.cases[0], step * solved.velocity[0], solved);
+    }
   }
   return {by_speed, by_gap};
 }

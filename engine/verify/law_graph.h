@@ -25,7 +25,8 @@ struct LawGraph {
 ///  - friction: r_t / r_n against the slip that is left, the contact pressed by the ball's weight over 1 ms; for a law
 ///    that remembers also along a slide at 1 m/s;
 ///  - rolling: m_r / r_n against the rolling velocity that is left;
-///  - unilateral: the force r_n / h against the normal velocity that is left, and against the gap.
+///  - unilateral: the force r_n / h against the normal velocity that is left, and against the gap: of a spring as it is, of the
+///    others as a load from ten times the ball's weight to as strong a pull leaves it.
 /// Throws PluginError, also for a plugin that is no contact law.
 std::vector<LawGraph> law_graphs(const PluginUse& use);
 

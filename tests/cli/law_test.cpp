@@ -45,6 +45,34 @@ TEST_CASE("law says what is wrong with what it is given") {
   CHECK(error("shape/disk --set radius=1").find("a shape has no graph") != std::string::npos);
 }
 
+TEST_CASE("law draws, and plugins lists, the law of a user's file") {
+  const Folder folder;
+  folder.write("soft.lua", R"(local fr = require "flyrock"
+return fr.plugin { kind = "restitution", name = "soft", doc = "Falls with the approach.",
+  params = { en = fr.number { default = 0.5, min = 0, doc = "at rest" } },
+  impact = function(p, contact) return p.en / (1 + contact.approach_speed), 0 end })");
+  const Output drawn = call(folder, "law soft.lua --set en=0.8 -o soft.svg");
+  INFO(drawn.err);
+  CHECK(drawn.code == 0);
+  CHECK(drawn.out.find("restitution/soft") != std::string::npos);
+  CHECK(folder.has("soft.svg"));
+  CHECK(call(folder, "plugins soft.lua").out.find("en") != std::string::npos);
+  folder.write("model.lua", R"(local fr = require "flyrock"
+return fr.plugin { kind = "velocity", name = "model", doc = "One speed.", params = {},
+  launch = function(p, rock) return { velocity = rock:direction(3, 0.2) } end })");
+  CHECK(call(folder, "law model.lua").err == "error: model.lua registers no contact laws, expected one\nSee `flyrock law --help`.\n");
+  CHECK(call(folder, "law absent.lua").err.find("cannot read `absent.lua`") != std::string::npos);
+}
+
+TEST_CASE("The graph of a constraint is a corner: no force where a gap is left") {
+  const Folder folder;
+  const std::string out = call(folder, "law unilateral/signorini").out;
+  CHECK(out.find("open by 1 mm") == std::string::npos);
+  const std::string corner = out.substr(out.find("gap that is left"));
+  CHECK(corner.find("0  49050\n") != std::string::npos);
+  CHECK(corner.find("9.81e-05  0\n") != std::string::npos);
+}
+
 TEST_CASE("verify holds in all its rows", "[slow]") {
   const Folder folder;
   const Output output = call(folder, "verify --json");
