@@ -37,18 +37,21 @@ std::string too_few(const ClearancePlan& plan, std::uint64_t trials, std::uint64
   const std::uint64_t each = plan.per_blast ? 1 : rocks_per_trial;
   const std::uint64_t needed = needed_for(plan.probability);
   if (each == 0 || trials * each >= needed) return {};
+  const std::uint64_t enough = (needed + each - 1) / each;
   return fmt::format(
-      "only {:.3g} of {} {} would be beyond the distance, at least {} must be: expected at least {} {}, that is `trials: {}`",
+      "only {:.3g} of {} {} would be beyond the distance, at least {} must be: expected at least {} {}, {}",
       plan.probability * static_cast<double>(trials * each), trials * each, plan.per_blast ? "blasts" : "rocks", beyond,
       needed, plan.per_blast ? "blasts" : "rocks",
-      (needed + each - 1) / each);
+      enough <= most_trials ? fmt::format("that is `trials: {}`", enough) : "more than a run may have");
 }
 
 }  // namespace
 
 std::uint64_t needed_for(double probability) {
-  // 10 / 0.07 * 0.07 may be a little less than 10.
-  return static_cast<std::uint64_t>(std::ceil(beyond / probability * (1 - 1e-12)));
+  // 10 / 0.07 * 0.07 may be a little less than 10; of a tiny probability it is more than a count can be.
+  const double needed = std::ceil(beyond / probability * (1 - 1e-12));
+  constexpr auto most = std::uint64_t{1} << 62;
+  return needed < static_cast<double>(most) ? static_cast<std::uint64_t>(needed) : most;
 }
 
 ClearanceTally::ClearanceTally(const std::vector<ClearancePlan>& plans) : plans_(plans) {

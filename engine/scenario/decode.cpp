@@ -100,7 +100,7 @@ class PlanDecoder {
   }
 
   void refuse_too_many_trials() {
-    constexpr double most = 1e9;
+    constexpr double most = most_trials;
     const double points = static_cast<double>(plan_.points.size());
     const double trials = static_cast<double>(plan_.points.front().trials);
     if (points * trials > most)

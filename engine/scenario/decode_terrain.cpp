@@ -73,6 +73,8 @@ void decode_part_materials(DecodeContext& context, const Node& node, const std::
                            const std::vector<std::string>& parts, TerrainPlan& plan, Map& resolved) {
   const std::optional<Node> rest = node.find("material");
   const std::optional<Node> named = node.find("materials");
+  std::vector<std::string> names = parts;
+  std::erase(names, "");  // a profile without parts: all but its zones
   if (rest) {
     const int index = find_material(context, *rest, materials);
     for (const std::string& part : parts) plan.material_of_part[part] = index;
@@ -81,10 +83,11 @@ void decode_part_materials(DecodeContext& context, const Node& node, const std::
   if (named && named->expect_map(context.diagnostics)) {
     Map map;
     for (const Node& entry : named->entries()) {
-      if (std::find(parts.begin(), parts.end(), entry.key) == parts.end())
+      if (std::find(names.begin(), names.end(), entry.key) == names.end())
         context.diagnostics.error(
             entry.key_at, entry.path,
-            fmt::format("the terrain has no part or zone `{}`{}", entry.key, suggestion(entry.key, parts)));
+            fmt::format("the terrain has no part or zone `{}`{}{}", entry.key, names.empty() ? "" : suggestion(entry.key, names),
+                        names.size() < parts.size() ? "; `material` beside it holds for all that has no name" : ""));
       plan.material_of_part[entry.key] = find_material(context, entry, materials);
       if (entry.value->text()) put(map, entry.key, *entry.value);
     }
@@ -93,7 +96,8 @@ void decode_part_materials(DecodeContext& context, const Node& node, const std::
   for (const std::string& part : parts)
     if (!plan.material_of_part.contains(part))
       context.diagnostics.error(node.key_at, node.path,
-                                part.empty() ? "`material` is missing, expected the name of a material"
+                                part.empty() ? fmt::format("`material` is missing, expected the name of a material{}",
+                                                           names.empty() ? "" : " for what is no zone")
                                              : fmt::format("`materials` gives none for the part `{}`", part));
 }
 

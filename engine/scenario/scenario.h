@@ -183,6 +183,9 @@ struct Expectation {
   std::vector<std::pair<std::string, double>> at;  ///< sweep points on which it is judged; empty: all
 };
 
+/// Of all points of a sweep together.
+inline constexpr std::uint64_t most_trials = 1'000'000'000;
+
 /// One point of a sweep, fully decoded. The draws, with their streams, are the same at each point but where
 /// a sweep stands inside a distribution.
 struct Scenario {

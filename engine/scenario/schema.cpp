@@ -87,7 +87,7 @@ SectionSpec document() {
        or_else(at_most(at_least(integer("seed", "of all random numbers"), 0), exact_integer), 1),
        or_else(at_least(integer("trials", "realisations of each sweep point"), 1), 1),
        or_else(choice("rock_contacts", {"off", "on"}, "on: rocks also meet each other"), "off"),
-       or_else(at_least(number("gravity", "m/s2", "along -y in 2D, -z in 3D"), 0), 9.81)},
+       or_else(at_most(at_least(number("gravity", "m/s2", "along -y in 2D, -z in 3D"), 0), 1000), 9.81)},
       {"plugins", "air", "terrain", "materials", "pairs", "blast", "rocks", "bodies", "barriers", "gates", "clearance", "solver", "stop", "output",
        "sweep", "expect"}};
 }
@@ -217,7 +217,7 @@ std::vector<SectionSpec> make_sections() {
        {}},
       {"solver",
        {or_else(choice("name", {"auto", "nlgs", "proximal_newton"}, "which contact solver"), "auto"),
-        or_else(at_least(number("time_step", "s", "of the contact scheme"), 1e-7), 1e-3),
+        or_else(at_most(at_least(number("time_step", "s", "of the contact scheme"), 1e-7), 0.1), 1e-3),
         or_else(at_most(at_least(number("theta", "", "of the theta scheme"), 0.5), 1), 0.5),
         or_else(above(number("tolerance", "", "of the scaled residual"), 0), 1e-6),
         or_else(at_least(integer("max_iterations", "of one contact problem"), 1), 1000),

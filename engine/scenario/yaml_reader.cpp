@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "scenario/printable.h"
+#include "scenario/yaml_text.h"
 #include "units/units.h"
 
 namespace flyrock {
@@ -18,17 +19,6 @@ namespace {
 
 constexpr std::size_t most_values = 100000;  // aliases expanded: a few lines can name billions
 constexpr std::size_t most_bytes = 4 << 20;
-
-std::shared_ptr<const Source> make_source(const std::string& text, const std::string& name) {
-  auto source = std::make_shared<Source>();
-  source->name = name;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) {
-    if (line.ends_with('\r')) line.pop_back();
-    source->lines.push_back(std::move(line));
-  }
-  return source;
-}
 
 std::size_t count_values(const Value& value) {
   std::size_t count = 1;
@@ -141,6 +131,8 @@ void TreeBuilder::check_tag(const YAML::Mark& mark, const std::string& tag) {
 void TreeBuilder::OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                            const std::string& text) {
   check_tag(mark, tag);
+  if (const std::string fault = quote_fault(*source_, mark.line, mark.column); !fault.empty())
+    diagnostics_.error(locate(mark), path_of(pending_key()), fault);
   if (const std::string fault = text_fault(text); !fault.empty())  // an escape: "\e"
     diagnostics_.error(locate(mark), path_of(pending_key()), "the text " + fault);
   finish(tag == "?" ? resolve(mark, text) : make(text, mark), anchor);
@@ -238,32 +230,6 @@ std::string TreeBuilder::path_of(const std::string& key) const {
   return path;
 }
 
-/// yaml-cpp guesses at bytes that are no text, and a result file could not hold them.
-bool has_foreign_bytes(const std::shared_ptr<const Source>& source, Diagnostics& diagnostics) {
-  for (std::size_t i = 0; i < source->lines.size(); ++i)
-    if (const std::string fault = text_fault(source->lines[i]); !fault.empty()) {
-      diagnostics.error({source, static_cast<int>(i) + 1, 1}, "",
-                        fmt::format("the line {}, expected a text file saved as UTF-8", fault));
-      return true;
-    }
-  return false;
-}
-
-/// yaml-cpp gives an unclear message, or none, for a tab in the indentation.
-bool has_tab_indentation(const std::shared_ptr<const Source>& source, Diagnostics& diagnostics) {
-  bool found = false;
-  for (std::size_t i = 0; i < source->lines.size(); ++i) {
-    const std::string& line = source->lines[i];
-    const std::size_t tab = line.find('\t');
-    const std::size_t first = line.find_first_not_of(" \t");
-    if (tab == std::string::npos || first == std::string::npos || tab > first || line[first] == '#') continue;
-    diagnostics.error({source, static_cast<int>(i) + 1, static_cast<int>(tab) + 1}, "",
-                      "a tab in the indentation, YAML takes blanks only");
-    found = true;
-  }
-  return found;
-}
-
 /// `{ measure: body.ball.impact[1].time }` is not YAML, and nothing in the parser's message says why.
 std::string bracket_hint(const std::string& message) {
   if (message != YAML::ErrorMsg::END_OF_MAP_FLOW && message != YAML::ErrorMsg::END_OF_SEQ_FLOW) return {};
@@ -273,7 +239,7 @@ std::string bracket_hint(const std::string& message) {
 }  // namespace
 
 std::optional<Value> read_yaml(const std::string& text, const std::string& name, Diagnostics& diagnostics) {
-  const std::shared_ptr<const Source> source = make_source(text, name);
+  const std::shared_ptr<const Source> source = source_of(text, name);
   if (text.size() > most_bytes) {
     diagnostics.error({source, 0, 0}, "", "the file is larger than 4 MiB, expected a scenario");
     return std::nullopt;

@@ -12,6 +12,7 @@
 #include "host/sandbox.h"
 #include "host/table_reader.h"
 #include "plugin/module_loader.h"
+#include "units/units.h"
 
 namespace flyrock {
 
@@ -236,7 +237,8 @@ namespace {
 
 /// Whether a path lies in a folder, also after its symbolic links.
 bool is_within(const fs::path& path, const fs::path& folder) {
-  const fs::path inside = fs::weakly_canonical(path), outside = fs::weakly_canonical(folder.empty() ? "." : folder);
+  // Absolute first: of a relative path that does not exist nothing would be resolved.
+  const fs::path inside = fs::weakly_canonical(fs::absolute(path)), outside = fs::weakly_canonical(fs::absolute(folder.empty() ? "." : folder));
   return std::mismatch(outside.begin(), outside.end(), inside.begin(), inside.end()).first == outside.end();
 }
 
@@ -261,7 +263,9 @@ void LuaSession::Host::require_file(lua_State* lua, const std::string& name) {
   const std::string shown = (fs::path(main_->source->name).parent_path() / (relative + ".lua")).string();
   std::string fault;
   const LuaFile* file = files_.read(path, shown, fault);
-  if (!file) throw std::runtime_error(fmt::format("require: {}, expected a module beside the file", fault));
+  if (!file)
+    throw std::runtime_error(fmt::format("require: {}, expected a module beside the file{}", fault,
+                                         nearest_name(name, {"flyrock"}).empty() ? "" : "; did you mean `flyrock`?"));
   sources_.push_back({shown, file->text});
   struct Loading {  // forgets the file where it fails: an error of Lua unwinds this frame
     std::map<std::string, int>& required;

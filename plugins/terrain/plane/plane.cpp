@@ -43,7 +43,9 @@ class PlaneTerrain : public TerrainModel {
   Vec<D> normal_of(Values values) const {
     if (normal_ < 0) return Vec<D>::Unit(D - 1);
     const Vec<D> normal = Eigen::Map<const Vec<D>>(values.data() + normal_);
-    const double length = normal.norm(), rise = std::abs(normal[D - 1]);
+    const double length = normal.stableNorm(), rise = std::abs(normal[D - 1]);
+    if (!(length > 1e-100 && length < 1e100))
+      throw PluginError(fmt::format("plugin plane: its normal has the length {:.6g}, expected one that is neither zero nor immense", length));
     if (!(rise > 1e-6 * length))
       throw PluginError(fmt::format("plugin plane: its normal has the vertical component {:.6g} of a length of {:.6g}: the "
                                     "plane stands upright and has no ground below",
