@@ -49,7 +49,7 @@ std::string range_of(const Results& results, Statistic statistic, std::size_t gr
   return range_of(std::move(values));
 }
 
-/// " Clearance road: 0.1 % of the rocks go farther than 320 m (95 % interval 301 to 345 m). With the factor 1.5 that is 480
+/// " Clearance road: at most 0.1 % of the rocks go farther than 320 m (95 % interval 301 to 345 m). With the factor 1.5 that is 480
 /// m."; over a sweep the least to the greatest distance, without an interval: the points have their own.
 std::string clearances_answer(const Plan& plan, const Results& results) {
   std::string text;
@@ -68,7 +68,7 @@ std::string clearances_answer(const Plan& plan, const Results& results) {
       distances.push_back(clearance.distance);
       with_factor.push_back({clearance.with_factor, clearance.distance.censored});
     }
-    text += fmt::format(" Clearance {}: {} of the {} farther than {}", asked.name, percent(asked.probability),
+    text += fmt::format(" Clearance {}: at most {} of the {} farther than {}", asked.name, percent(asked.probability),
                         asked.per_blast ? "blasts throw a rock" : "rocks go", range_of(distances));
     const auto end = [](double value) { return std::isnan(value) ? std::string("unknown") : fmt::format("{:.4g}", value); };
     if (results.points.size() == 1)
@@ -122,10 +122,11 @@ std::string by_group(const Results& results, Statistic statistic) {
 std::string answer(const Plan& plan, const Results& results) {
   const std::uint64_t rocks = results.rocks();
   if (rocks == 0) return "No rock was released.";
-  std::uint64_t known = 0, censored = 0;
+  std::uint64_t known = 0, censored = 0, caught = 0;
   for (const PointResult& point : results.points) {
     known += point.groups.front().count - point.groups.front().faults;
     censored += point.groups.front().censored;
+    caught += point.groups.front().reasons[static_cast<std::size_t>(StopReason::caught)];
   }
   std::string text;
   if (known == 0) {
@@ -144,6 +145,9 @@ std::string answer(const Plan& plan, const Results& results) {
                           : fmt::format(" {} of the rocks are censored (left the domain or ran out of time): "
                                         "their distances are lower bounds.",
                                         percent(static_cast<double>(censored) / static_cast<double>(known)));
+    if (caught > 0)
+      text += fmt::format(" Barriers caught {}: these distances hold only while the barriers stand.",
+                          percent(static_cast<double>(caught) / static_cast<double>(known)));
   }
   if (known > 0 && known < rocks) text += fmt::format(" {} rocks failed and are in no statistic.", rocks - known);
   if (!results.ended_early.empty()) text += fmt::format(" The run ended early: {}.", results.ended_early);

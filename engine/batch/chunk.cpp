@@ -14,7 +14,7 @@ namespace flyrock {
 namespace {
 
 constexpr std::string_view magic = "flyrchnk";
-constexpr std::uint64_t format = 5;
+constexpr std::uint64_t format = 6;
 
 std::uint64_t crc(std::string_view bytes) {
   return ::crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
@@ -85,7 +85,7 @@ void walk_envelopes(Io& io, E& envelopes) {
 template <class Io, class Quality>
 void walk_quality(Io& io, Quality& q) {
   io.value(q.steps), io.value(q.cut_steps), io.value(q.flights), io.value(q.impact_problems);
-  io.value(q.iterations), io.value(q.toc_iterations), io.value(q.not_converged), io.value(q.energy_gains);
+  io.value(q.problems), io.value(q.iterations), io.value(q.toc_iterations), io.value(q.not_converged), io.value(q.energy_gains);
   io.value(q.not_converged_residual), io.value(q.max_residual), io.value(q.max_penetration),
       io.value(q.energy_gained);
   io.value(q.energy_relative_change);

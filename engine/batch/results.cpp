@@ -78,7 +78,7 @@ std::vector<std::string> collect_warnings(const Plan& plan, const std::vector<Po
     warnings.push_back(
         fmt::format("solver: {} of {} contact problems did not converge; relative to the approach speed "
                     "their greatest residual is {:.2g}, solver.tolerance is {:.2g}",
-                    quality.not_converged, quality.steps + quality.impact_problems,
+                    quality.not_converged, quality.problems,
                     quality.not_converged_residual, plan.points.front().solver.tolerance));
   if (quality.energy_gains > 0)
     warnings.push_back(fmt::format("solver: {} impacts or steps gained energy, {:.3g} J together", quality.energy_gains,

@@ -136,6 +136,7 @@ Json quality_data(const SolverQuality& q) {
           {"cut_steps", q.cut_steps},
           {"flights", q.flights},
           {"impact_problems", q.impact_problems},
+          {"problems", q.problems},
           {"iterations", q.iterations},
           {"toc_iterations", q.toc_iterations},
           {"not_converged", q.not_converged},
@@ -214,6 +215,7 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
                       {"reach", reach_data(plan.points[p], point.reaches)},
                       {"solver", quality_data(point.totals.quality)},
                       {"materials", materials_data(plan.points[p], point.totals.materials)}});
+    if (plan.points[p].blast) points.back()["blast"] = blast_data(*plan.points[p].blast);
   }
   Json verdicts = Json::array();
   for (const Verdict& verdict : results.verdicts) verdicts.push_back(verdict_data(verdict));
@@ -234,7 +236,6 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
                {"trials", first.trials},
                {"complete", results.ended_early.empty()}};
   if (!results.ended_early.empty()) data["ended_early"] = results.ended_early;
-  if (first.blast) data["blast"] = blast_data(*first.blast);
   data["points"] = points;
   data["expectations"] = verdicts;
   data["fault_count"] = results.fault_count;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "solver/local_2d.h"
 #include "solver/residual.h"
@@ -23,6 +24,7 @@ void Nlgs<D>::begin(const Problem& problem, const SolveSettings& settings, std::
   if (settings.measure == ErrorMeasure::merit) wanted_ *= merit(problem, r).q;
   foretold_ = 1;
   next_judgement_ = 1;
+  best_ = r;  // should no residual be a number
   best_residual_ = std::numeric_limits<double>::infinity();
   if constexpr (D == 3) {
     friction_.clear();

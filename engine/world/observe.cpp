@@ -42,6 +42,7 @@ void SolverQuality::add(const SolverQuality& other) {
   cut_steps += other.cut_steps;
   flights += other.flights;
   impact_problems += other.impact_problems;
+  problems += other.problems;
   iterations += other.iterations;
   toc_iterations += other.toc_iterations;
   not_converged += other.not_converged;

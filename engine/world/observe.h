@@ -121,6 +121,7 @@ struct SolverQuality {
   std::uint64_t cut_steps = 0;
   std::uint64_t flights = 0;
   std::uint64_t impact_problems = 0;
+  std::uint64_t problems = 0;          ///< solves: of impacts, of steps, and of steps that were then made shorter
   std::uint64_t iterations = 0;
   std::uint64_t toc_iterations = 0;    ///< of the time-of-contact search
   std::uint64_t not_converged = 0;

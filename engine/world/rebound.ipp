@@ -30,6 +30,7 @@ void World<D>::solve_and_apply() {
   wanted.max_iterations = settings_.max_iterations;
   wanted.solver = settings_.solver;
   const SolveResult result = solver_.solve(problem_, rebounds_, wanted, impulses_);
+  ++quality_.problems;
   quality_.iterations += result.iterations;
   if (!result.converged) {
     ++quality_.not_converged;

@@ -119,6 +119,7 @@ TEST_CASE("Problems that did not converge are a warning that can be held against
   const Plan plan = fake::plan(1);
   TrialRecords records = fake::records(1, 0);
   records.totals.quality.not_converged = 2;
+  records.totals.quality.problems = 1000;
   records.totals.quality.not_converged_residual = 1.5e-6;
   const Results results = make_results(plan, {rows_of(records)}, {{1}, true, "", {}});
   const std::string expected =

@@ -27,7 +27,7 @@ function facts_section() {
   if (summary.fault_count > 0) badge(false, `${summary.fault_count} rocks failed`);
   if (!summary.complete) badge(false, "the run ended early");
   const open = summary.points.reduce((sum, point) => sum + point.solver.not_converged, 0);
-  const solved = summary.points.reduce((sum, point) => sum + point.solver.steps + point.solver.impact_problems, 0);
+  const solved = summary.points.reduce((sum, point) => sum + point.solver.problems, 0);
   if (solved > 0) badge(open === 0, open === 0 ? "every contact problem converged" : `${open} contact problems did not converge`);
   const gains = summary.points.reduce((sum, point) => sum + point.solver.energy_gains, 0);
   if (gains > 0) badge(false, `${counted(gains, "impact", "impacts")} gained energy (see Solver quality)`);

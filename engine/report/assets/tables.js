@@ -103,6 +103,7 @@ function solver_section() {
       ["steps", s.steps, "", `time steps with contact, ${s.cut_steps} of them cut short at a contact that opens or closes`],
       ["flights", s.flights, "", "stretches of exact flight between contacts"],
       ["impact problems", s.impact_problems, "", "impacts solved in impulses"],
+      ["contact problems", s.problems, "", "of impacts, of steps, and of steps that were then cut short"],
       ["iterations", s.iterations, "", "of the contact solver, all problems together"],
       ["time-of-contact iterations", s.toc_iterations, "", "to find where a flight ends"],
       ["not converged", s.not_converged, "", "contact problems that kept a residual above solver.tolerance; should be 0"],

@@ -86,7 +86,7 @@ function draw_tracks(node, point, crossings, tracks, shrouds) {
   plot(node, [ground, ...shrouds, ...paths, ...fences], {
     height, hovermode: "closest", legend,
     xaxis: { ...axis("distance x in m"), range: window.x },
-    yaxis: { ...axis("height y in m"), range: window.y, scaleanchor: "x", scaleratio: 1 },
+    yaxis: { ...axis(summary.dimension === 3 ? "height z in m" : "height y in m"), range: window.y, scaleanchor: "x", scaleratio: 1 },
     ...place_lines(crossings, height),
   }, true);
 }
