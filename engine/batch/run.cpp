@@ -12,6 +12,7 @@
 #include "batch/chunk_queue.h"
 #include "batch/safe_file.h"
 #include "batch/statistics.h"
+#include "flight/run.h"
 
 namespace flyrock {
 
@@ -90,7 +91,12 @@ class Run {
       }
       if (!queue_.wanted(index)) return;
       const std::size_t before = records.rocks.size();
-      run_trial(chunk.point, chunk.first + done, records);
+      try {
+        run_trial(chunk.point, chunk.first + done, records);
+      } catch (const Interrupted&) {
+        interrupted_ = true;
+        return queue_.stop();
+      }
       if (!queue_.judge(index, records, before)) chunk.count = done + 1;
       const std::lock_guard lock(mutex_);
       ++outcome_.progress.done;

@@ -32,7 +32,7 @@ struct RunOptions {
   int threads = 1;                ///< at most; a chunk is the least that a thread is given
   bool resume = false;            ///< keep whole chunk files of this scenario that are there
   bool strict = false;            ///< end at the first rock that fails, at the first step that did not converge
-  std::function<bool()> interrupted = [] { return false; };  ///< asked before each trial, by any thread
+  std::function<bool()> interrupted = [] { return false; };  ///< asked before each trial, by any thread; a trial may throw Interrupted besides
   std::function<void(const RunProgress&)> report = [](const RunProgress&) {};  ///< told after each trial, one at a time
   /// Shown each chunk of the outcome in its order, while others run: by any thread, one at a time.
   std::function<void(int point, const TrialRecords&)> see = [](int, const TrialRecords&) {};

@@ -159,6 +159,7 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
   settings.bin_width = bin_width_;
   settings.gates = gates_;
   settings.barriers = barriers_;
+  settings.interrupted = interrupted;
   settings.keep_impacts = scenario_.output.impacts || !scenario_.bodies.empty();
 
   const bool timed = number % timed_every == 0;

@@ -19,6 +19,9 @@ class TrialRunner {
   /// Appends one trial. A rock that fails is a row with its reason, never an exception.
   void run(std::uint64_t trial, TrialRecords& out) { of_dimension_->run(trial, out); }
 
+  /// Trials throw Interrupted as soon as this says so.
+  void stop_when(bool (*interrupted)()) { of_dimension_->interrupted = interrupted; }
+
   /// Where problems that did not converge are written, if output.hard_problems asks for them: at most ten a trial, as
   /// trial-<t>-<n>.hdf5. The folder is made when it is needed.
   void keep_hard_problems(const std::filesystem::path& folder) { of_dimension_->hard_problems = folder; }
@@ -29,6 +32,7 @@ class TrialRunner {
  private:
   struct OfDimension {
     std::filesystem::path hard_problems;  ///< empty: none are kept
+    bool (*interrupted)() = [] { return false; };
     virtual ~OfDimension() = default;
     virtual void run(std::uint64_t trial, TrialRecords& out) = 0;
     virtual Profile picture_of(std::uint64_t trial) = 0;

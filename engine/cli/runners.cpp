@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "batch/safe_file.h"
+#include "cli/terminal.h"
 #include "solver/hdf5_file.h"
 
 namespace flyrock::cli {
@@ -29,6 +30,7 @@ Runners make_runners(const LoadedScenario& scenario, const std::filesystem::path
     if (!hard_problems.empty() && point.output.hard_problems && !has_hdf5())
       throw PluginError("output.hard_problems needs a flyrock that was built with HDF5 (Debian: libhdf5-dev)");
     runners.push_back(std::make_unique<TrialRunner>(point));
+    runners.back()->stop_when(was_interrupted);
     if (!hard_problems.empty())
       runners.back()->keep_hard_problems(hard_problems / fmt::format("point-{}", runners.size() - 1));
   }

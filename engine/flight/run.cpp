@@ -34,6 +34,11 @@ class Runner {
     const double energy = world_.total_energy();
     bool in_contact = settings_.exact_flight && collide();
     while (anybody() && world_.time < settings_.stop_time) {
+      if (settings_.interrupted()) throw Interrupted();
+      if (stands_still()) {
+        diverge("10000 steps led on by less than one of their length: its contacts contradict each other");
+        break;
+      }
       const double before = world_.time;
       in_contact = settings_.exact_flight && !in_contact ? fly() : step();
       end_bodies();
@@ -62,6 +67,24 @@ class Runner {
   void end(int body, StopReason reason) {
     running_[body] = false;
     observer_.ended(body, reason);
+  }
+
+  bool stands_still() {
+    constexpr int many = 10'000;
+    if (++steps_ < many) return false;
+    const bool still = world_.time - marked_time_ < world_.settings().time_step;
+    steps_ = 0;
+    marked_time_ = world_.time;
+    return still;
+  }
+
+  /// Of all that still run.
+  void diverge(const std::string& why) {
+    for (int i = 0; i < bodies(); ++i) {
+      if (!running_[i]) continue;
+      histories_[i].fault = why;
+      end(i, StopReason::diverged);
+    }
   }
 
   /// Solves the impact problem of what is closed now; whether contacts remain.
@@ -261,6 +284,8 @@ class Runner {
   bool in_air_ = false;
   std::vector<std::array<Vec<D>, 2>> accelerations_;  ///< by the air, of the leg at hand
   int stalled_ = 0;
+  int steps_ = 0;           ///< since marked_time_
+  double marked_time_ = 0;
 };
 
 }  // namespace

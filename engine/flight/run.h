@@ -16,7 +16,11 @@ struct RunSettings {
   double bin_width = 0;         ///< m, of BodyHistory::path; 0: none is kept; needs a terrain with ends
   std::span<const Gate> gates;
   std::span<const Barrier> barriers;
+  bool (*interrupted)() = [] { return false; };  ///< asked at each step and flight: whether to throw Interrupted
 };
+
+/// Thrown out of a run that was interrupted: what it has done is worth nothing.
+struct Interrupted {};
 
 /// A body is at rest when its speed, and its spin times its radius, stay under stop_speed for this long in contact.
 inline constexpr double rest_time = 0.2;
@@ -27,7 +31,8 @@ inline constexpr double rest_time = 0.2;
 ///   - at a touch the impact problem of all closed contacts is solved; if all separate, the flight goes on;
 ///   - else steps of the scheme follow, each cut at the first touch of a pair that is not in contact.
 /// A flight ends at a barrier as it does at a touch; a step ends there too, to a hundredth of a step.
-/// Never throws but PluginError; a body whose state is not finite ends with `diverged`.
+/// Bodies whose state is not finite end with `diverged`, and all where 10,000 steps lead on by less than one of their length:
+/// bodies that cannot be where their contacts want them. Throws PluginError and Interrupted.
 /// Instantiated for D = 2, 3.
 template <int D>
 void run(World<D>& world, const RunSettings& settings, std::vector<BodyHistory>& histories);

@@ -61,6 +61,9 @@ Air<D> TrialBuilder<D>::air_of(const Body<D>& body, const DrawKey& key) const {
   const AirPlan& plan = *scenario_.air;
   air.drag = drag_constant(number(plan.density, key), number(plan.cd, key), body.mass, body.volume);
   for (std::size_t i = 0; i < plan.wind.size(); ++i) air.wind[static_cast<int>(i)] = number(plan.wind[i], key);
+  constexpr double most_wind = 1000;  // m/s
+  if (!(air.wind.norm() <= most_wind))
+    throw PluginError(fmt::format("air.wind is {:.3g} m/s, expected at most {:g} m/s", air.wind.norm(), most_wind));
   return air;
 }
 
@@ -147,6 +150,7 @@ void TrialBuilder<D>::launch(int g, TrialRock& rock, const Place<D>& place, Body
     body.w = launch.spin.z();
   else
     body.w = launch.spin;
+  refuse_speed(body);
   rock.note = launch.note;
   rock.launch_speed = body.v.norm();
   if (rock.launch_speed > 0) rock.launch_elevation = elevation_of(body.v, place.outward);
@@ -248,6 +252,7 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
       for (int k = 0; k < D; ++k) body.v[k] = value(plan.velocity[k]);
       body.w = spin_of<D>([&](int k) { return value(plan.spin[k]); });
     }
+    refuse_speed(body);
     if (!plan.fixed && !plan.driven) body.air = air_of(body, rock.key);
     rock.launch_speed = body.v.norm();
     if (rock.launch_speed > 0) rock.launch_elevation = elevation_of(body.v, Vec3::UnitX());

@@ -31,6 +31,15 @@ void refuse_extremes(const Body<D>& body) {
 }
 
 template <int D>
+void refuse_speed(const Body<D>& body) {
+  constexpr double most_speed = 1e5, most_spin = 1e6;
+  const double speed = body.v.norm(), spin = body.spin_speed();
+  if (speed <= most_speed && spin <= most_spin) return;
+  throw PluginError(fmt::format("`{}` starts with {:.3g} m/s and {:.3g} rad/s, expected at most {:.0e} m/s and {:.0e} rad/s",
+                                body.group, speed, spin, most_speed, most_spin));
+}
+
+template <int D>
 void check_start(World<D>& world) {
   double size = 0;
   const auto [low, high] = extent(world.terrain());
@@ -64,6 +73,8 @@ bool last_is_free(World<D>& world) { return world.deepest_overlap() <= most_over
 
 template void refuse_extremes(const Body<2>&);
 template void refuse_extremes(const Body<3>&);
+template void refuse_speed(const Body<2>&);
+template void refuse_speed(const Body<3>&);
 template void check_start(World<2>&);
 template void check_start(World<3>&);
 template bool last_is_free(World<2>&);

@@ -9,6 +9,10 @@ namespace flyrock {
 template <int D>
 void refuse_extremes(const Body<D>& body);
 
+/// A speed and spin with which the arithmetic of flights does not overflow: at most 100 km/s and 10^6 rad/s.
+template <int D>
+void refuse_speed(const Body<D>& body);
+
 /// All moving bodies within the terrain's ends, and none inside the terrain or another.
 template <int D>
 void check_start(World<D>& world);
