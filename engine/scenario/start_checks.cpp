@@ -14,6 +14,21 @@ namespace {
 /// A rock that starts deeper than this share of its size inside the ground or another rock is refused.
 constexpr double most_overlap = 1e-6;
 
+/// How deep the middle of a contactor lies below the surface: what lies deep in the ground has no contact with it.
+double buried(const Body<2>& body, const Terrain2& terrain) {
+  double depth = 0;
+  for (const Contactor2& contactor : body.contactors) {
+    Vec2 middle = Vec2::Zero();
+    for (const Vec2& point : contactor.points) middle += point / static_cast<double>(contactor.points.size());
+    const Vec2 place = body.pose() * middle;
+    depth = std::max(depth, terrain.height(place.x()) - place.y());
+  }
+  return depth;
+}
+
+/// The ground below a plane has contact at any depth.
+double buried(const Body<3>&, const Terrain3&) { return 0; }
+
 }  // namespace
 
 template <int D>
@@ -49,6 +64,8 @@ void check_start(World<D>& world) {
     if (body.x.x() < low || body.x.x() > high)
       throw PluginError(fmt::format("`{}` starts at x = {:.6g} m, beyond the terrain, which runs from {:.6g} to {:.6g} m",
                                     body.group, body.x.x(), low, high));
+    if (const double depth = buried(body, world.terrain()); depth > most_overlap * body.size)
+      throw PluginError(fmt::format("`{}` starts {:.3g} m inside the terrain", body.group, depth));
   }
   if (const double depth = world.deepest_overlap(); depth > most_overlap * size)
     throw PluginError(fmt::format("`{}` starts {:.3g} m inside the terrain or another body", world.bodies.back().group, depth));
@@ -69,7 +86,10 @@ void check_start_of_point(const Body<2>& body, const Profile& profile) {
 }
 
 template <int D>
-bool last_is_free(World<D>& world) { return world.deepest_overlap() <= most_overlap * world.bodies.back().size; }
+bool last_is_free(World<D>& world) {
+  const Body<D>& last = world.bodies.back();
+  return std::max(world.deepest_overlap(), buried(last, world.terrain())) <= most_overlap * last.size;
+}
 
 template void refuse_extremes(const Body<2>&);
 template void refuse_extremes(const Body<3>&);

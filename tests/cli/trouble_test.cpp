@@ -167,3 +167,46 @@ TEST_CASE("A damaged chunk is found before a merge makes anything") {
   CHECK(read(chunk) == whole);
   CHECK(call(folder, "merge s1 s2 -o m --quiet").code == 0);
 }
+
+TEST_CASE("A rock that would start deep in the ground, or with a speed beyond all rocks, is refused before anything runs") {
+  const Folder folder;
+  folder.write("deep.yaml", bench_with("position: [0, 12]", "position: [1, -25]"));
+  check_refused(folder, "run deep.yaml -o r", "deep.yaml: error: `blocks` starts 31.7 m inside the terrain\n");
+  folder.write("fast.yaml", bench_with("{ uniform: [5, 15] }", "1e155"));
+  check_refused(folder, "run fast.yaml -o r",
+                "fast.yaml: error: `blocks` starts with inf m/s and 0 rad/s, expected at most 1e+05 m/s and 1e+06 rad/s\n");
+  CHECK_FALSE(folder.has("r"));
+}
+
+TEST_CASE("A driven body that presses another into the ground ends the trial, not the patience", "[slow]") {
+  const Folder folder;
+  folder.write("press.yaml", R"(flyrock: 1
+dimension: 2
+method: nscd
+terrain: { type: plane, material: rock }
+materials: { rock: {} }
+bodies:
+  - { name: block, shape: &box { type: polygon, vertices: [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]] }, mass: 1, position: [0, 0.5], material: rock }
+  - { name: press, shape: *box, mass: 1, position: [0, 1.6], material: rock, driven: { velocity: [0, -1] } }
+solver: { max_iterations: 200 }
+stop: { time: 0.105 s }
+)");
+  const Output run = call(folder, "run press.yaml -o r");
+  CHECK(run.code == 3);
+  CHECK(run.err.find("diverged: 10000 steps led on by less than one of their length") != std::string::npos);
+}
+
+TEST_CASE("A result whose files are gone is made again by --resume, and no export replaces them") {
+  const Folder folder;
+  folder.write("s.yaml", bench);
+  REQUIRE(call(folder, "run s.yaml --quiet -o r").code == 0);
+  const std::string rocks = read(folder.path() / "r/rocks.csv");
+  check_refused(folder, "export r --to csv -o r", "error: -o r: it holds results, whose files would be replaced; expected another folder\n"
+                                                  "See `flyrock export --help`.\n");
+  for (const char* file : {"report.html", "rocks.csv", "results.db"}) {
+    fs::remove(folder.path() / "r" / file);
+    CHECK(call(folder, "run s.yaml --resume --quiet -o r").code == 0);
+    CHECK(fs::exists(folder.path() / "r" / file));
+  }
+  CHECK(read(folder.path() / "r/rocks.csv") == rocks);
+}
