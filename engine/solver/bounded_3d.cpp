@@ -146,7 +146,7 @@ double sharpen(const Contact& contact, const Row& b, Row& r) {
 
 Row solve_bounded(const Contact& contact, const Row& b, const Row& guess) {
   Row r = Row::Zero();
-  if (contact.c_t > 0) settle_bounded_rows(contact, b, r);  // open: only cohesion resists slip
+  if (contact.resists_open()) settle_bounded_rows(contact, b, r);
   if (!contact.normal || b[0] + contact.w.row(0).dot(r) >= 0 || contact.w(0, 0) <= 0) return r;
   const double wanted = 256 * std::numeric_limits<double>::epsilon() * b.head<3>().norm();
   r = guess;

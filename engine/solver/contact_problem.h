@@ -2,6 +2,7 @@
 // The friction problem of one step or impact: no bodies, only numbers.
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -11,9 +12,9 @@ namespace flyrock {
 /// Find impulses r and velocities u with
 ///   u = q + W r,   0 <= u_n _|_ r_n >= 0,   |r_g| <= mu_g r_n + c_g opposing u_g for each group g of rows
 /// for each contact. Rows are (n, t, rolling) in 2D and (n, t, s, spinning, 2 rolling) in 3D; the groups are friction
-/// (t, or t and s), spinning and rolling, with the coefficients mu, mu_spin and mu_r; only friction has a constant part
-/// c_t: a contact with c_t > 0 resists slip also where r_n = 0. A lower bound L of r_n other than 0 is a change of
-/// variable: q + W L e_n in place of q, c_t + mu L in place of c_t. q holds the free velocity and the shift of restitution (e_n v_n^-, e_t v_t^-), so that u is not the velocity after the impact but that plus the shift.
+/// (t, or t and s), spinning and rolling, with the coefficients mu, mu_spin and mu_r and the constant parts c_t, c_spin and
+/// c_r: a contact with c_g > 0 resists also where r_n = 0. A lower bound L of r_n other than 0 is a change of
+/// variable: q + W L e_n in place of q, c_g + mu_g L in place of c_g. q holds the free velocity and the shift of restitution (e_n v_n^-, e_t v_t^-), so that u is not the velocity after the impact but that plus the shift.
 /// W is the Delassus operator H^T M^-1 H in blocks; it may be singular and slightly unsymmetric. SI units: impulses N s,
 /// velocities m/s; rolling and spinning rows N m s and rad/s.
 template <int D>
@@ -40,17 +41,36 @@ struct ContactProblem {
     double c_t = 0;           ///< N s, at least 0
     double mu_r = 0;          ///< m; 0: no rolling resistance
     double mu_spin = 0;       ///< m; 0: no resistance to spinning; 3D only
+    double c_r = 0;           ///< N m s, at least 0
+    double c_spin = 0;        ///< N m s, at least 0; 3D only
     bool normal = true;       ///< false: r_n = 0 whatever u_n, because the normal impulse is given and stands in q
     double speed_scale = 1;   ///< m/s, to which the tolerance is relative
 
-    /// The coefficient of a group of rows.
-    double bound(int group) const { return group == 0 ? mu : group + 1 == static_cast<int>(groups.size()) ? mu_r : mu_spin; }
+    /// The coefficient of a group of rows, and the constant part of its bound.
+    double bound(int group) const { return of_group(group, mu, mu_spin, mu_r); }
+    double constant(int group) const { return of_group(group, c_t, c_spin, c_r); }
     /// The radius of a group's segment or disc for the normal impulse r_n.
-    double radius(int group, double r_n) const { return bound(group) * r_n + (group == 0 ? c_t : 0); }
+    double radius(int group, double r_n) const { return bound(group) * r_n + constant(group); }
+    /// Whether a group of rows can carry an impulse.
+    bool resists(int group) const { return bound(group) > 0 || constant(group) > 0; }
+    /// Whether rows can carry an impulse where r_n = 0.
+    bool resists_open() const { return c_t > 0 || c_spin > 0 || c_r > 0; }
     /// Friction alone, with the cone of Coulomb.
-    bool is_plain() const { return normal && c_t <= 0 && !resists_rotation(); }
+    bool is_plain() const { return normal && !resists_open() && !resists_rotation(); }
     /// Whether rows beyond friction can carry an impulse.
-    bool resists_rotation() const { return mu_r > 0 || mu_spin > 0; }
+    bool resists_rotation() const { return mu_r > 0 || mu_spin > 0 || c_r > 0 || c_spin > 0; }
+    /// Sets the constant parts where r_n counts from a given impulse L on: c_g = max(0, mu_g L), of friction with the
+    /// shear strength beside it, c_t = max(0, strength + mu L).
+    void bound_from(double given, double strength) {
+      c_t = std::max(0.0, strength + mu * given);
+      c_spin = std::max(0.0, mu_spin * given);
+      c_r = std::max(0.0, mu_r * given);
+    }
+
+   private:
+    static double of_group(int group, double friction, double spinning, double rolling) {
+      return group == 0 ? friction : group + 1 == static_cast<int>(groups.size()) ? rolling : spinning;
+    }
   };
 
   std::vector<Contact> contacts;

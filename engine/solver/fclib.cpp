@@ -122,6 +122,7 @@ StoredProblem<D> to_blocks(const Hdf5File& file, const Operator& given, const st
   expect_size(file, group + "/vectors/mu", mu.size(), static_cast<std::size_t>(contacts));
   const auto c_t = own_numbers(file, "c_t", contacts, 0), mu_r = own_numbers(file, "mu_r", contacts, 0);
   const auto mu_spin = own_numbers(file, "mu_spin", contacts, 0), normal = own_numbers(file, "normal", contacts, 1);
+  const auto c_r = own_numbers(file, "c_r", contacts, 0), c_spin = own_numbers(file, "c_spin", contacts, 0);
   const auto speed_scale = own_numbers(file, "speed_scale", contacts, 1);
 
   std::vector<std::map<int, typename Problem::Block>> blocks(static_cast<std::size_t>(contacts));
@@ -141,6 +142,7 @@ StoredProblem<D> to_blocks(const Hdf5File& file, const Operator& given, const st
     contact.q.setZero();
     contact.q.head(width) = given.q.segment(a * width, width);
     contact.mu = mu[a], contact.c_t = c_t[a], contact.mu_r = mu_r[a], contact.mu_spin = mu_spin[a];
+    contact.c_r = c_r[a], contact.c_spin = c_spin[a];
     contact.normal = normal[a] != 0, contact.speed_scale = speed_scale[a];
     stored.problem.contacts.push_back(contact);
     stored.problem.first.push_back(stored.problem.couplings());
@@ -195,11 +197,12 @@ void write_fclib(const std::string& name, const ContactProblem<D>& problem,
   Sparse w(size, size);
   w.setFromTriplets(entries.begin(), entries.end());
 
-  std::vector<double> q, r, mu, c_t, mu_r, mu_spin, normal, speed_scale;
+  std::vector<double> q, r, mu, c_t, mu_r, mu_spin, c_r, c_spin, normal, speed_scale;
   for (int a = 0; a < problem.size(); ++a) {
     const auto& contact = problem.contacts[a];
     for (int row = 0; row < width; ++row) q.push_back(contact.q[row]), r.push_back(start[a][row]);
     mu.push_back(contact.mu), c_t.push_back(contact.c_t), mu_r.push_back(contact.mu_r);
+    c_r.push_back(contact.c_r), c_spin.push_back(contact.c_spin);
     mu_spin.push_back(contact.mu_spin), normal.push_back(contact.normal), speed_scale.push_back(contact.speed_scale);
   }
   Hdf5File file = Hdf5File::create(name);
@@ -225,6 +228,8 @@ void write_fclib(const std::string& name, const ContactProblem<D>& problem,
   if (width > D) {
     file.write("/flyrock/mu_r", mu_r);
     file.write("/flyrock/mu_spin", mu_spin);
+    file.write("/flyrock/c_r", c_r);
+    file.write("/flyrock/c_spin", c_spin);
   }
 }
 

@@ -22,7 +22,7 @@ using AnyProblem = std::variant<StoredProblem<2>, StoredProblem<3>>;
 /// (nz = -2) or triplets (nz >= 0). Throws std::runtime_error of one line where the file is no such thing: cut, of
 /// wrong sizes, W not square, an index outside, a number that is not finite, mu below 0.
 ///
-/// What FCLIB does not know stands in /flyrock, as write_fclib leaves it: c_t, mu_r, mu_spin, normal, speed_scale, one
+/// What FCLIB does not know stands in /flyrock, as write_fclib leaves it: c_t, mu_r, mu_spin, c_r, c_spin, normal, speed_scale, one
 /// number a contact. With mu_r, W and q have all rows of a contact (3 in 2D, 6 in 3D) in place of `spacedim`.
 AnyProblem read_fclib(const std::string& file);
 

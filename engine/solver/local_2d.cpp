@@ -51,21 +51,25 @@ Row solve_friction(const Problem::Contact& c, const Row& b) {
   return best;
 }
 
-/// Friction and rolling resistance.
-Row solve_rolling(const Problem::Contact& c, const Row& b) {
+/// Friction and rolling resistance; of an open contact r_n = 0, and only the constant parts of the bounds resist.
+Row solve_rolling(const Problem::Contact& c, const Row& b, bool open) {
   Row best = Row::Zero();
   double least = std::numeric_limits<double>::infinity();
   for (const int slide : states) {
     for (const int roll : states) {
       Block m = c.w;
       Row rhs = -b;
+      if (open) {
+        m.row(0) << 1, 0, 0;
+        rhs[0] = 0;
+      }
       if (slide != 0) {
         m.row(1) << slide * c.mu, 1, 0;
         rhs[1] = -slide * c.c_t;
       }
       if (roll != 0) {
         m.row(2) << roll * c.mu_r, 0, 1;
-        rhs[2] = 0;
+        rhs[2] = -roll * c.c_r;
       }
       const double scale = m.row(0).norm() * m.row(1).norm() * m.row(2).norm();
       Block inverse;
@@ -76,7 +80,7 @@ Row solve_rolling(const Problem::Contact& c, const Row& b) {
       const Row r = inverse * rhs;
       const Row u = b + c.w * r;
       const double violation = std::max(0.0, -r[0]) + row_violation(slide, r[1], c.mu * r[0] + c.c_t, u[1], c.w(1, 1)) +
-                               row_violation(roll, r[2], c.mu_r * r[0], u[2], c.w(2, 2));
+                               row_violation(roll, r[2], c.mu_r * r[0] + c.c_r, u[2], c.w(2, 2));
       if (violation < least) {
         least = violation;
         best = r;
@@ -87,18 +91,26 @@ Row solve_rolling(const Problem::Contact& c, const Row& b) {
   return best;
 }
 
+/// Exactly within bounds.
+Row clipped(const Problem::Contact& c, Row r) {
+  r[0] = std::max(r[0], 0.0);
+  for (int group = 0; group < 2; ++group) {
+    const double radius = c.radius(group, r[0]);
+    r[1 + group] = std::clamp(r[1 + group], -radius, radius);
+  }
+  return r;
+}
+
 }  // namespace
 
 Row solve_local(const Problem::Contact& contact, const Row& b) {
-  // Open: only cohesion resists slip.
-  const double shear = contact.c_t > 0 ? std::clamp(-b[1] / contact.w(1, 1), -contact.c_t, contact.c_t) : 0;
-  if (!contact.normal || b[0] + contact.w(0, 1) * shear >= 0) return {0, shear, 0};
-  Row r = contact.mu_r > 0 ? solve_rolling(contact, b) : solve_friction(contact, b);
-  r[0] = std::max(r[0], 0.0);
-  const double bound = contact.mu * r[0] + contact.c_t;
-  r[1] = std::clamp(r[1], -bound, bound);
-  r[2] = std::clamp(r[2], -contact.mu_r * r[0], contact.mu_r * r[0]);
-  return r;
+  Row open = Row::Zero();
+  if (contact.c_r > 0)
+    open = clipped(contact, solve_rolling(contact, b, true));
+  else if (contact.c_t > 0)
+    open[1] = std::clamp(-b[1] / contact.w(1, 1), -contact.c_t, contact.c_t);
+  if (!contact.normal || b[0] + contact.w.row(0).dot(open) >= 0) return open;
+  return clipped(contact, contact.resists_rotation() ? solve_rolling(contact, b, false) : solve_friction(contact, b));
 }
 
 }  // namespace flyrock

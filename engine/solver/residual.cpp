@@ -46,7 +46,7 @@ template <int D>
 double separate_error(const typename ContactProblem<D>::Contact& contact, const Row<D>& u, const Row<D>& r) {
   double square = contact.normal ? std::pow(r[0] - std::max(0.0, r[0] - u[0]), 2) : r[0] * r[0];
   for (int g = 0; g < static_cast<int>(ContactProblem<D>::groups.size()); ++g)
-    if (g == 0 || contact.bound(g) > 0)
+    if (g == 0 || contact.resists(g))
       square += std::pow(group_error<D>(ContactProblem<D>::groups[g], u, r, 1, contact.radius(g, r[0])), 2);
   return square;
 }
@@ -62,7 +62,7 @@ double local_error(const typename ContactProblem<D>::Contact& contact, const Row
     const double radius = contact.radius(static_cast<int>(g), r[0]);
     if (g == 0) {
       error = std::max(error, group_error<D>(group, u, r, 1 / w, radius) * w);
-    } else if (contact.bound(static_cast<int>(g)) > 0) {
+    } else if (contact.resists(static_cast<int>(g))) {
       const double diagonal = contact.w.diagonal().segment(group.first, group.count).maxCoeff();
       error = std::max(error, group_error<D>(group, u, r, 1 / diagonal, radius) *
                                   std::sqrt(contact.w(0, 0) * diagonal));
@@ -101,7 +101,7 @@ Merit merit(const ContactProblem<D>& problem, const std::vector<Row<D>>& r) {
     const double square = natural_map_squared<D>(contact, u, r[a]);
     q += contact.q.template head<D>().squaredNorm();
     for (std::size_t g = 1; g < ContactProblem<D>::groups.size(); ++g)
-      if (contact.bound(static_cast<int>(g)) > 0)
+      if (contact.resists(static_cast<int>(g)))
         q += contact.q.segment(ContactProblem<D>::groups[g].first, ContactProblem<D>::groups[g].count).squaredNorm();
     squares += square;
     if (square > worst) worst = square, result.worst_contact = a;

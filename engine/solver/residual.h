@@ -10,7 +10,7 @@ namespace flyrock {
 
 /// The scaled local map of a contact in m/s: with rho = 1 / max diagonal of its n and t rows,
 ///   e_n = |r_n - max(0, r_n - rho u_n)| / rho,   e_t = |r_t - P(r_t - rho u_t)| / rho,
-/// P the projection onto |r_t| <= mu r_n + c_t. Spinning and rolling rows likewise with their own diagonal, brought to m/s by
+/// P the projection onto |r_t| <= mu r_n + c_t. Spinning and rolling rows likewise with their own bound and diagonal, brought to m/s by
 /// the length sqrt(W_nn / W_gg). The greatest; zero exactly at a solution.
 template <int D>
 double local_error(const typename ContactProblem<D>::Contact& contact, const typename ContactProblem<D>::Row& u,

@@ -37,7 +37,8 @@ bool ImpactSolver<D>::solve_alone(Problem& problem, int a, const Rebound<D>& reb
   }
   contact.q += contact.w * alone_[a];
   contact.normal = false;
-  contact.mu = contact.c_t = contact.mu_r = contact.mu_spin = 0;
+  contact.mu = contact.mu_r = contact.mu_spin = 0;
+  contact.bound_from(0, 0);
   return true;
 }
 
@@ -108,7 +109,7 @@ SolveResult ImpactSolver<D>::solve(Problem& problem, const std::vector<Rebound<D
   return result;
 }
 
-/// The second phase: impulses L + r with L = f r_Cn given. Rolling resistance takes its share in compression alone.
+/// The second phase: impulses L + r with L = f r_Cn given, friction, rolling and spinning bounded by both.
 template <int D>
 SolveResult ImpactSolver<D>::expand(Problem& problem, const SolveSettings& settings, const std::vector<Row>& compression) {
   for (int a = 0; a < problem.size(); ++a) {
@@ -116,7 +117,7 @@ SolveResult ImpactSolver<D>::expand(Problem& problem, const SolveSettings& setti
     given_[a].setZero();
     if (factor_[a] > 0) given_[a][0] = factor_[a] * compression[a][0];
     contact.q = turn_[a];
-    contact.c_t = contact.mu * given_[a][0];
+    contact.bound_from(given_[a][0], 0);
     expansion_[a].setZero();
   }
   add_given(problem);

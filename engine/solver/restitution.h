@@ -27,15 +27,14 @@ struct Rebound {
 ///                 e_n <= 1; a contact that sticks ends with v_t = -v_t^-.
 ///  - poisson, energy: a contact that is coupled to no other, without rolling resistance and cohesion, follows its path in
 ///                 impulse space (impact_path.h). Several go through two phases (Glocker and Pfeiffer): compression as with
-///                 e = 0, impulses r_C; then restitution with r_n >= f r_Cn and Coulomb on the velocity at its end. poisson
-///                 has f = e_n; for energy f is iterated, contact by contact, until the normal work of restitution is
-///                 -e_n^2 times that of compression (at most so, where other contacts press harder).
+///                 e = 0, impulses r_C; then restitution with r_n >= f r_Cn, and Coulomb (and rolling) on the velocity at its
+///                 end. poisson has f = e_n; for energy f is iterated, contact by contact, until the normal work of
+///                 restitution is -e_n^2 times that of compression (at most so, where other contacts press harder).
 ///  - velocity:    v_n = -e_n v_n^-, v_t = e_t v_t^- whatever the friction; only for a contact that is coupled to no other:
 ///                 else PluginError.
 /// A given impulse L belongs to r_n: where the contact has normal rows, r_n >= L; its c_t is that of a bound on r_n - L.
 /// Forms mix: a contact of newton or newton_mean keeps its conditions in both phases. `r` holds the start (zero, or the
-/// impulses of the last step) and the answer. `problem` is left as it was solved last. Rolling and spinning resistance of a contact with two phases act in
-/// compression. Instantiated for D = 2, 3. Sources: M. Jean 1999; M. Fremond
+/// impulses of the last step) and the answer. `problem` is left as it was solved last. Instantiated for D = 2, 3. Sources: M. Jean 1999; M. Fremond
 /// 1995; C. Glocker and F. Pfeiffer 1995; W. J. Stronge 1990.
 template <int D>
 class ImpactSolver {

@@ -153,3 +153,57 @@ TEST_CASE("several contacts under the energetic form keep their balance and gain
       if (mu == 0) CHECK(after[1] == Approx(0.6).epsilon(1e-6));
     }
 }
+
+TEST_CASE("rolling resistance of a spring is bound by its push, that of a cohesive contact by pull and pressure") {
+  ContactLaw law;
+  law.mu_r = 0.1;
+  law.condition = NormalCondition::penalty;
+  law.stiffness = 1e6;
+  const Solved spring = solve(law, -1e-3, h, Row::Zero(), {0, 0, 5});
+  CHECK(spring.impulse[0] == Approx(1));  // h k 1e-3
+  CHECK(spring.impulse[2] == Approx(-0.1));
+  const Solved held = solve(law, -1e-3, h, Row::Zero(), {0, 0, 0.05});
+  CHECK(held.velocity[2] == Approx(0).margin(1e-15));
+  law = {};
+  law.mu_r = 0.1;
+  law.condition = NormalCondition::cohesive;
+  law.c_n = 100;
+  const Solved pulled = solve(law, 0, h, Row::Zero(), {0.02, 0, 5});
+  CHECK(pulled.impulse[0] == Approx(-0.04));
+  CHECK(pulled.impulse[2] == Approx(-0.1 * (-0.04 + 0.1)));
+}
+
+TEST_CASE("a spring in space resists rolling and spinning by its push") {
+  ContactLaw law;
+  law.mu_r = 0.1;
+  law.mu_spin = 0.02;
+  law.condition = NormalCondition::penalty;
+  law.stiffness = 1e6;
+  ContactProblem<3> problem;
+  ContactProblem<3>::Contact contact;
+  contact.w = (Eigen::Matrix<double, 6, 1>() << 1 / mass, 1 / mass, 1 / mass, 1, 1, 1).finished().asDiagonal();
+  contact.q << 0, 0, 0, 5, 3, -4;
+  Rebound<3> rebound;
+  set_law<3>(law, false, -1e-3, h, contact, rebound);
+  problem.contacts.push_back(contact);
+  problem.first = {0, 0};
+  std::vector<ContactProblem<3>::Row> r(1, ContactProblem<3>::Row::Zero());
+  CHECK(ImpactSolver<3>().solve(problem, {rebound}, {}, r).converged);
+  CHECK(r[0][0] == Approx(1));
+  CHECK(r[0][3] == Approx(-0.02));
+  CHECK(r[0][4] == Approx(-0.06));
+  CHECK(r[0][5] == Approx(0.08));
+}
+
+TEST_CASE("rolling resistance acts in both phases of an impact: a central one has mu_r times the whole normal impulse") {
+  ContactLaw law;
+  law.mu_r = 0.1;
+  law.e_n = 0.5;
+  const Row before(-1, 0, 5);
+  for (const RestitutionForm form : {RestitutionForm::newton, RestitutionForm::poisson, RestitutionForm::energy}) {
+    law.form = form;
+    const Solved solved = solve(law, 0, 0, before, before);
+    CHECK(solved.impulse[0] == Approx(mass * 1.5));
+    CHECK(solved.impulse[2] == Approx(-0.1 * mass * 1.5));
+  }
+}
