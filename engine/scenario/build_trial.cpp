@@ -86,9 +86,9 @@ Trial<D> TrialBuilder<D>::build(std::uint64_t number_of_trial) {
 /// Shape, mass, pose and launch of one rock.
 template <int D>
 template <class Plan>
-Body<D> TrialBuilder<D>::rock_body(const Plan& plan, int g, TrialRock& rock, const Terrain& terrain, RandomStream& where) {
-  const RockGroup& group = scenario_.rocks[g];
-  const GroupModels& models = instances_.groups[g];
+Body<D> TrialBuilder<D>::rock_body(const Plan& plan, TrialRock& rock, const Terrain& terrain, RandomStream& where) {
+  const RockGroup& group = scenario_.rocks[rock.group];
+  const GroupModels& models = instances_.groups[rock.group];
   const std::string stream = "rocks." + group.name;
   auto contactors = plan.contactors;
   if (contactors.empty()) {
@@ -122,13 +122,13 @@ Body<D> TrialBuilder<D>::rock_body(const Plan& plan, int g, TrialRock& rock, con
     throw PluginError(fmt::format("rocks.{}: neither the population nor `release` says where a rock starts", group.name));
   body.x = place.position;
   body.air = air_of(body, rock.key);
-  if (models.launch) launch(g, rock, place, body);
+  if (models.launch) launch(rock, place, body);
   return body;
 }
 
 template <int D>
-void TrialBuilder<D>::launch(int g, TrialRock& rock, const Place<D>& place, Body<D>& body) {
-  const RockGroup& group = scenario_.rocks[g];
+void TrialBuilder<D>::launch(TrialRock& rock, const Place<D>& place, Body<D>& body) {
+  const RockGroup& group = scenario_.rocks[rock.group];
   RockView view;
   view.dimension = D;
   view.mass = body.mass;
@@ -140,7 +140,7 @@ void TrialBuilder<D>::launch(int g, TrialRock& rock, const Place<D>& place, Body
   view.face_angle = place.face_angle;
   view.group = group.name;
   RandomStream rng(scenario_.seed, "rocks." + group.name + ".launch", rock.key);
-  const Launch launch = instances_.groups[g].launch->launch(values_of(*group.launch, scenario_, rock.key), view,
+  const Launch launch = instances_.groups[rock.group].launch->launch(values_of(*group.launch, scenario_, rock.key), view,
                                                             blast_at(scenario_, rock.key), rng);
   if (!launch.velocity.allFinite() || !launch.spin.allFinite())
     throw PluginError(fmt::format("plugin {}: launch() returned a velocity or spin that is not finite",
@@ -156,19 +156,58 @@ void TrialBuilder<D>::launch(int g, TrialRock& rock, const Place<D>& place, Body
   if (rock.launch_speed > 0) rock.launch_elevation = elevation_of(body.v, place.outward);
 }
 
+/// A rock in a world of its own.
+template <int D>
+template <class Plan>
+void TrialBuilder<D>::build_alone(Trial<D>& trial, const Plan& plan, TrialRock& rock, RandomStream& where) {
+  DrawKey of_trial;
+  of_trial.trial = rock.key.trial;
+  World<D> world(*trial.terrain, gravity(of_trial), world_settings());
+  world.time = rock.start_time;
+  rock.body = world.add(rock_body(plan, rock, *trial.terrain, where));
+  const bool is_point = scenario_.method == Method::ballistic;
+  if (is_point)
+    check_start_of_point(world.bodies.back(), ground_of(*trial.terrain));
+  else
+    check_start(world);
+  trial.worlds.push_back(std::move(world));
+  const RockGroup& group = scenario_.rocks[rock.group];
+  if (!is_point) connect(trial, trial.worlds.back(), {{group.name, group.material, rock.key}});
+}
+
+/// A rock among those of `world`. One that is released at random is placed anew until it is apart from them.
+template <int D>
+template <class Plan>
+void TrialBuilder<D>::add_apart(World<D>& world, const Plan& plan, TrialRock& rock, RandomStream& where) {
+  const bool random = is_random(scenario_.rocks[rock.group].release);
+  rock.body = world.add(rock_body(plan, rock, world.terrain(), where));
+  try {
+    for (int places = 1; random && places < most_places && !last_is_free(world); ++places) {
+      Body<D> elsewhere = rock_body(plan, rock, world.terrain(), where);
+      world.remove_last();
+      world.add(std::move(elsewhere));
+    }
+    check_start(world);
+  } catch (const PluginError&) {
+    world.remove_last();
+    throw;
+  }
+}
+
 template <int D>
 void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial) {
   const auto holes = static_cast<std::uint64_t>(scenario_.blast ? scenario_.blast->pattern.holes() : 1);
   DrawKey of_trial;
   of_trial.trial = number_of_trial;
+  DrawKey first_hole = of_trial;
+  first_hole.hole = 1;
+  if (scenario_.rock_contacts) trial.worlds.emplace_back(*trial.terrain, gravity(of_trial), world_settings());
 
   std::vector<Partner> partners;
   std::uint64_t count = 0;
   for (int g = 0; g < static_cast<int>(scenario_.rocks.size()); ++g) {
     const RockGroup& group = scenario_.rocks[g];
     RandomStream rng(scenario_.seed, "rocks." + group.name + ".population", of_trial);
-    DrawKey first_hole = of_trial;
-    first_hole.hole = 1;
     const auto plans = rocks_of(*instances_.groups[g].population, values_of(group.population, scenario_, of_trial),
                                 *trial.terrain, blast_at(scenario_, first_hole), rng);
     for (const auto& plan : plans) {
@@ -177,43 +216,25 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
       rock.key = {number_of_trial, 1 + count % holes, 1 + count, 0};
       if (scenario_.blast && !scenario_.rock_contacts) rock.start_time = scenario_.blast->pattern.time(hole_of(rock.key));
       ++count;
-      bool added = false;
       try {
         RandomStream where(scenario_.seed, "rocks." + group.name + ".release", rock.key);
-        Body<D> body = rock_body(plan, g, rock, *trial.terrain, where);
-        if (trial.worlds.empty() || !scenario_.rock_contacts)
-          trial.worlds.emplace_back(*trial.terrain, gravity(of_trial), world_settings());
-        World<D>& world = trial.worlds.back();
-        world.time = rock.start_time;
-        rock.body = world.add(std::move(body));
-        added = true;
-        for (int places = 1; scenario_.rock_contacts && is_random(group.release) && places < most_places && !last_is_free(world);
-             ++places) {
-          world.remove_last();
-          rock.body = world.add(rock_body(plan, g, rock, *trial.terrain, where));
+        if (scenario_.rock_contacts) {
+          add_apart(trial.worlds.front(), plan, rock, where);
+          partners.push_back({group.name, group.material, rock.key});
+        } else {
+          build_alone(trial, plan, rock, where);
         }
         rock.world = static_cast<int>(trial.worlds.size()) - 1;
-        if (scenario_.rock_contacts) {
-          check_start(world);
-          partners.push_back({group.name, group.material, rock.key});
-        } else if (scenario_.method == Method::ballistic) {
-          check_start_of_point(world.bodies.back(), ground_of(*trial.terrain));
-        } else {
-          connect(trial, trial.worlds.back(), {{group.name, group.material, rock.key}});
-          check_start(trial.worlds.back());
-        }
       } catch (const PluginError& error) {
-        rock.world = -1;
         rock.fault = error.what();
-        if (!added) continue;
-        if (scenario_.rock_contacts)
-          trial.worlds.back().remove_last();
-        else
-          trial.worlds.pop_back();
       }
     }
   }
-  if (scenario_.rock_contacts && !trial.worlds.empty()) connect(trial, trial.worlds.back(), std::move(partners));
+  if (!scenario_.rock_contacts) return;
+  if (partners.empty())
+    trial.worlds.clear();
+  else
+    connect(trial, trial.worlds.front(), std::move(partners));
 }
 
 template <int D>

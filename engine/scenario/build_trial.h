@@ -18,7 +18,7 @@ namespace flyrock {
 struct TrialRock {
   int group = 0;           ///< index into Scenario::rocks or ::bodies
   DrawKey key;             ///< of its draws
-  int world = -1;          ///< index into Trial::worlds; -1 where it could not be built
+  int world = -1;          ///< index into Trial::worlds; -1 where the rock could not be built
   int body = 0;            ///< in that world
   double start_time = 0;   ///< s, when its hole goes off; 0 where rocks meet each other, which leave together
   double launch_speed = 0; ///< m/s
@@ -56,8 +56,12 @@ class TrialBuilder {
   void build_rocks(Trial<D>& trial, std::uint64_t number);
   void build_bodies(Trial<D>& trial, std::uint64_t number);
   template <class Plan>
-  Body<D> rock_body(const Plan& plan, int group, TrialRock& rock, const Terrain& terrain, RandomStream& where);
-  void launch(int group, TrialRock& rock, const Place<D>& place, Body<D>& body);
+  void build_alone(Trial<D>& trial, const Plan& plan, TrialRock& rock, RandomStream& where);
+  template <class Plan>
+  void add_apart(World<D>& world, const Plan& plan, TrialRock& rock, RandomStream& where);
+  template <class Plan>
+  Body<D> rock_body(const Plan& plan, TrialRock& rock, const Terrain& terrain, RandomStream& where);
+  void launch(TrialRock& rock, const Place<D>& place, Body<D>& body);
   Vec<D> gravity(const DrawKey& key) const;
   Air<D> air_of(const Body<D>& body, const DrawKey& key) const;
   void connect(Trial<D>& trial, World<D>& world, std::vector<Partner> partners);
