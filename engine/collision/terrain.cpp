@@ -12,7 +12,7 @@ constexpr double flat_angle = 1e-9;
 constexpr double beyond = 1000;  // m
 }  // namespace
 
-Terrain2::Terrain2(Profile profile) : profile_(std::move(profile)) {
+Terrain2::Terrain2(Profile profile) : profile_(std::move(profile)), names_(terrain_names(profile_.parts)) {
   points_.push_back(profile_.points.front() - Vec2(beyond, 0));
   points_.insert(points_.end(), profile_.points.begin(), profile_.points.end());
   points_.push_back(profile_.points.back() + Vec2(beyond, 0));

@@ -5,6 +5,7 @@
 
 #include "collision/motion.h"
 #include "geometry/profile.h"
+#include "geometry/terrain_names.h"
 
 namespace flyrock {
 
@@ -18,6 +19,8 @@ class Terrain2 {
   explicit Terrain2(Profile profile);
 
   const Profile& profile() const { return profile_; }
+  /// What laws call each part.
+  const std::vector<std::string>& names() const { return names_; }
   int segments() const { return static_cast<int>(part_.size()); }
   const Vec2& start(int segment) const { return points_[segment]; }
   const Vec2& end(int segment) const { return points_[segment + 1]; }
@@ -44,6 +47,7 @@ class Terrain2 {
 
  private:
   Profile profile_;
+  std::vector<std::string> names_;
   std::vector<Vec2> points_;
   std::vector<int> part_;
   std::vector<Vec2> tangent_, normal_;

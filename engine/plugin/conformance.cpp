@@ -40,6 +40,7 @@ ContactState sampled_contact(int number) {
   state.length = rng.uniform();
   state.area = rng.uniform();
   state.age = rng.uniform();
+  state.pair_age = state.age + rng.integer(0, 1);
   state.was_sticking = static_cast<double>(rng.integer(0, 1));
   state.impact_number = static_cast<double>(rng.integer(1, 100));
   state.time = rng.uniform(0, 60);

@@ -66,6 +66,7 @@ const std::vector<ContactField>& contact_fields() {
       {"length", &ContactState::length, {}},
       {"area", &ContactState::area, {}},
       {"age", &ContactState::age, {}},
+      {"pair_age", &ContactState::pair_age, {}},
       {"was_sticking", &ContactState::was_sticking, {}},
       {"impact_number", &ContactState::impact_number, {}},
       {"time", &ContactState::time, {}},

@@ -43,8 +43,8 @@ struct ContactLaw {
   double mu_d = 0;          ///< Coulomb coefficient while it slides
   double c_n = 0;           ///< N; the pull that the contact bears: r_n >= -c_n
   double c_t = 0;           ///< N; shear strength beside friction: |r_t| <= mu r_n + c_t, at least mu c_n
-  double mu_r = 0;          ///< m; bound of the rolling torque: |m_r| <= mu_r r_n
-  double mu_spin = 0;       ///< m; bound of the torque about the normal: |m_n| <= mu_spin r_n; 3D only
+  double mu_r = 0;          ///< m; bound of the rolling torque: |m_r| <= mu_r (r_n + c_n)
+  double mu_spin = 0;       ///< m; bound of the torque about the normal: |m_n| <= mu_spin (r_n + c_n); 3D only
   double stiffness = 0;     ///< N/m; k of the condition `penalty`
 };
 
@@ -63,12 +63,13 @@ struct ContactState {
   double length = 0;            ///< m, tributary length of this point in 2D; 0 for a single point and in 3D
   double area = 0;              ///< m2, tributary area; in 2D the length times the thickness of the candidate
   double age = 0;               ///< s since the contact closed
+  double pair_age = 0;          ///< s since the pair has been in contact without a break: the greatest age of its contacts
   double was_sticking = 0;      ///< 1 where the contact stuck in the last step, else 0
   double impact_number = 0;     ///< impacts of the candidate so far, this one included; from 1
   double time = 0;              ///< s
   double step = 0;              ///< s, length of the step that the law is asked for; 0 for an impact
   std::string_view group_a;     ///< candidate: name of its group or body
-  std::string_view group_b;     ///< antagonist: name of its group or body, or terrain.<part>
+  std::string_view group_b;     ///< antagonist: name of its group or body, or terrain.<part>; terrain where the part has no name
   std::string_view material;    ///< name of the material in force
   /// The law's memory, in the order of its manifest: zero at the birth of its pair or contact, kept between calls. A law
   /// may write it; the engine takes a step that is done again back to the memory with which it began.

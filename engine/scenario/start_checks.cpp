@@ -67,8 +67,11 @@ void check_start(World<D>& world) {
     if (const double depth = buried(body, world.terrain()); depth > most_overlap * body.size)
       throw PluginError(fmt::format("`{}` starts {:.3g} m inside the terrain", body.group, depth));
   }
-  if (const double depth = world.deepest_overlap(); depth > most_overlap * size)
-    throw PluginError(fmt::format("`{}` starts {:.3g} m inside the terrain or another body", world.bodies.back().group, depth));
+  const auto overlap = world.deepest_overlap();
+  if (overlap.depth <= most_overlap * size) return;
+  const auto name = [&](int body) { return "`" + world.bodies[body].group + "`"; };
+  throw PluginError(fmt::format("{} starts {:.3g} m inside {}", name(overlap.body), overlap.depth,
+                                overlap.other < 0 ? "the terrain" : name(overlap.other)));
 }
 
 void check_start_of_point(const Body<3>& body, const Plane& plane) {
@@ -88,7 +91,7 @@ void check_start_of_point(const Body<2>& body, const Profile& profile) {
 template <int D>
 bool last_is_free(World<D>& world) {
   const Body<D>& last = world.bodies.back();
-  return std::max(world.deepest_overlap(), buried(last, world.terrain())) <= most_overlap * last.size;
+  return std::max(world.deepest_overlap().depth, buried(last, world.terrain())) <= most_overlap * last.size;
 }
 
 template void refuse_extremes(const Body<2>&);

@@ -54,8 +54,8 @@ int Surfaces::material_between(const Partner& a, const Partner& b) const {
                                 a.name, b.name));
 }
 
-int Surfaces::material_of_part(const std::string& name, const std::string& part) const {
-  for (const std::string& terrain : {"terrain." + part, std::string("terrain")})
+int Surfaces::material_of_part(const std::string& name, const std::string& part, const std::string& part_name) const {
+  for (const std::string& terrain : {part_name, std::string("terrain")})
     for (const PairPlan& pair : scenario_.pairs)
       if ((pair.a == name && pair.b == terrain) || (pair.b == name && pair.a == terrain)) return pair.material;
   const auto& materials = scenario_.terrain.material_of_part;
@@ -71,7 +71,7 @@ void Surfaces::connect(World<D>& world) {
   for (int i = 0; i < bodies; ++i) {
     const Partner& partner = partners_[i];
     for (std::size_t part = 0; part < parts.size(); ++part)
-      if (const int material = material_of_part(partner.name, parts[part]); material >= 0)
+      if (const int material = material_of_part(partner.name, parts[part], world.terrain().names()[part]); material >= 0)
         world.set_terrain_surface(i, static_cast<int>(part), make(material, partner.key));
     for (int j = i + 1; j < bodies; ++j)
       if (world.bodies[i].moves() || world.bodies[j].moves()) material_between(partner, partners_[j]);  // throws

@@ -36,7 +36,7 @@ class Surfaces {
 
  private:
   Surface* make(int material, const DrawKey& key);
-  int material_of_part(const std::string& name, const std::string& part) const;
+  int material_of_part(const std::string& name, const std::string& part, const std::string& part_name) const;
   int material_between(const Partner& a, const Partner& b) const;
 
   const Scenario& scenario_;

@@ -114,7 +114,7 @@ std::vector<LawGraph> graphs_of(Asked<FrictionLaw> asked) {
       const double slip = 1e-3 * i;
       ContactState state = ball_at(0, std::abs(slip));
       state.was_sticking = sticking;
-      state.age = state.step = step;
+      state.age = state.pair_age = state.step = step;
       const Solved solved = solve(asked(state), sticking, 0, step, {0, slip, 0}, {-g * step, slip, 0});
       LawGraph::Case& to = graph.cases[sticking ? 0 : 1];
       to.at.push_back(solved.velocity[1]);
@@ -125,7 +125,7 @@ std::vector<LawGraph> graphs_of(Asked<FrictionLaw> asked) {
   LawGraph slide{"along a slide at 1 m/s", "way [m]", "r_t / (m g h)", {{"", {}, {}}}};
   for (int i = 0; i <= 200; ++i) {
     ContactState state = ball_at(0, 1);
-    state.age = i * 0.01;
+    state.age = state.pair_age = i * 0.01;
     state.step = 0.01;
     const Solved solved = solve(asked(state), false, 0, step, {0, -1, 0}, {-g * step, -1, 0});
     slide.cases[0].at.push_back(state.age);

@@ -31,6 +31,7 @@ ContactState World<D>::state_of(const Contact& contact, double h) {
   patch_.clear();
   std::size_t which = 0;
   for (const Contact& other : contacts_) {
+    if (other.surface == contact.surface) state.pair_age = std::max(state.pair_age, other.age);
     if (&other == &contact) which = patch_.size();
     if (other.candidate == contact.candidate && other.antagonist == contact.antagonist &&
         same_direction<D>(other.at.normal, contact.at.normal))
@@ -45,14 +46,14 @@ ContactState World<D>::state_of(const Contact& contact, double h) {
   }
   state.age = contact.age;
   state.was_sticking = contact.sticking;
-  state.impact_number = body.impacts;
+  state.impact_number = contact.manifold >= 0 ? contact.impact_number : body.impacts;
   state.time = time;
   state.step = h;
   state.group_a = body.group;
   if (contact.antagonist >= 0)
     state.group_b = bodies[contact.antagonist].group;
   else
-    state.group_b = parts_of(*terrain_)[part_of(*terrain_, contact.at.against)];
+    state.group_b = terrain_->names()[part_of(*terrain_, contact.at.against)];
   state.material = contact.surface->material;
   return state;
 }
@@ -69,33 +70,39 @@ void World<D>::begin_manifolds() {
       const Contact& other = contacts_[k];
       if (other.manifold >= 0 && other.candidate == contact.candidate && other.antagonist == contact.antagonist &&
           same_direction<D>(other.at.normal, contact.at.normal))
-        contact.manifold = other.manifold;
+        contact.manifold = other.manifold, contact.impact_number = other.impact_number;
     }
     if (contact.manifold >= 0) continue;
     contact.manifold = manifolds++;
-    ++bodies[contact.candidate].impacts;
+    contact.impact_number = ++bodies[contact.candidate].impacts;
     if (contact.antagonist >= 0) ++bodies[contact.antagonist].impacts;
-    if (contact.surface) contact.surface->begin_impact(bodies[contact.candidate].impacts);
   }
 }
 
 template <int D>
-void World<D>::ask_laws(double h) {
-  for (Contact& contact : contacts_) {
-    Surface* surface = contact.surface;
-    if (!surface) {
-      contact.law = {};
-      continue;
-    }
-    ++surface->use.contacts;
-    const bool impact = contact.manifold >= 0;
-    if (const ContactLaw* known = impact ? nullptr : surface->known()) {
-      contact.law = *known;
-      continue;
-    }
-    ContactState state = state_of(contact, h);
-    contact.law = surface->ask(state, impact, contact.history);
+void World<D>::ask_law(Contact& contact, double h) {
+  Surface* surface = contact.surface;
+  if (!surface) {
+    contact.law = {};
+    return;
   }
+  ++surface->use.contacts;
+  const bool impact = contact.manifold >= 0;
+  if (impact) surface->begin_impact(contact.impact_number);
+  if (const ContactLaw* known = impact ? nullptr : surface->known()) {
+    contact.law = *known;
+    return;
+  }
+  ContactState state = state_of(contact, h);
+  contact.law = surface->ask(state, impact, contact.history);
+}
+
+/// Impacts first: what rests answers as the last impact of its pair left the laws.
+template <int D>
+void World<D>::ask_laws(double h) {
+  for (const bool impacts : {true, false})
+    for (Contact& contact : contacts_)
+      if ((contact.manifold >= 0) == impacts) ask_law(contact, h);
 }
 
 }  // namespace flyrock

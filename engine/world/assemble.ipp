@@ -83,12 +83,16 @@ void World<D>::couple() {
   problem_.first.push_back(problem_.couplings());
 }
 
-/// The body that stands for the island of a contact.
+/// The body that stands for the island of a body.
+template <int D>
+int World<D>::island_of(int body) {
+  while (island_[body] != body) body = island_[body] = island_[island_[body]];
+  return body;
+}
+
 template <int D>
 int World<D>::island_of(const Contact& contact) {
-  int i = bodies[contact.candidate].moves() ? contact.candidate : contact.antagonist;
-  while (island_[i] != i) i = island_[i] = island_[island_[i]];
-  return i;
+  return island_of(bodies[contact.candidate].moves() ? contact.candidate : contact.antagonist);
 }
 
 /// The tolerance of a contact is relative to g h, or to the fastest approach in its island of touching bodies.
@@ -96,13 +100,9 @@ template <int D>
 void World<D>::scale_by_island(double h) {
   island_.resize(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) island_[i] = static_cast<int>(i);
-  const auto root = [&](int i) {
-    while (island_[i] != i) i = island_[i] = island_[island_[i]];
-    return i;
-  };
   for (const Contact& c : contacts_)
     if (c.antagonist >= 0 && bodies[c.candidate].moves() && bodies[c.antagonist].moves())
-      island_[root(c.candidate)] = root(c.antagonist);
+      island_[island_of(c.candidate)] = island_of(c.antagonist);
   island_speed_.assign(bodies.size(), g_ * (h > 0 ? h : settings_.time_step));
   for (const Contact& c : contacts_) {
     double& speed = island_speed_[island_of(c)];

@@ -186,12 +186,16 @@ double World<D>::gap_at(const Contact& c, PoseOf pose_of) const {
 }
 
 template <int D>
-double World<D>::deepest_overlap() {
+typename World<D>::Overlap World<D>::deepest_overlap() {
   detect(0);
-  double depth = 0;
-  for (const Contact& c : contacts_) depth = std::max(depth, -c.at.gap);
+  Overlap deepest;
+  for (const Contact& c : contacts_) {
+    if (-c.at.gap <= deepest.depth) continue;
+    deepest = {-c.at.gap, c.candidate, c.antagonist};
+    if (c.antagonist >= 0) std::swap(deepest.body, deepest.other);  // the candidate has the lower index
+  }
   contacts_.clear();
-  return depth;
+  return deepest;
 }
 
 template <int D>

@@ -17,7 +17,7 @@ void World<D>::apply_laws(double h) {
     auto& row = problem_.contacts[a];
     rebounds_[a].before = contact.before;
     set_law<D>(contact.law, contact.sticking, contact.at.gap, h, row, rebounds_[a]);
-    if (row.w(D, D) <= 0) row.mu_r = row.mu_spin = 0;  // a body without rotational inertia to speak of cannot roll
+    if (row.w(D, D) <= 0) row.mu_r = row.mu_spin = row.c_r = row.c_spin = 0;  // a body without rotational inertia to speak of cannot roll
   }
 }
 
@@ -60,32 +60,31 @@ typename World<D>::Row World<D>::velocity_after(int a) const {
   return u;
 }
 
-/// One Impact a manifold. The energy that the contacts of an island bring in an impact, or a step of length h, is audited: beyond
-/// rounding, and beyond |r| g h / 2 of a contact that opens or reverses its slip within the step, there should be none.
 template <int D>
-void World<D>::record_impacts(double h) {
-  impacts_.clear();
-  sums_.clear();
-  island_gain_.assign(bodies.size(), 0.0);
+void World<D>::measure_after() {
   after_.resize(contacts_.size());
+  for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) after_[a] = velocity_after(a);
+}
+
+/// The work of contact a on its bodies in an impact, or in a step.
+template <int D>
+double World<D>::energy_of(int a) const {
+  return 0.5 * contacts_[a].impulse.dot(contacts_[a].before + after_[a]);
+}
+
+/// One Impact a manifold.
+template <int D>
+void World<D>::record_impacts() {
+  sums_.clear();
   for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) {
     const Contact& contact = contacts_[a];
-    after_[a] = velocity_after(a);
-    const Row& after = after_[a];
-    const double energy = 0.5 * contact.impulse.dot(contact.before + after);
-    double& gain = island_gain_[island_of(contact)];
-    // A spring returns what it took.
-    if (contact.law.condition != NormalCondition::penalty) gain += energy;
-    gain -= contact.impulse.template head<D>().norm() *
-                (1e-12 * (contact.before.norm() + after.norm()) +
-                 10 * settings_.tolerance * problem_.contacts[a].speed_scale + 0.5 * g_ * h);
     if (contact.manifold < 0) continue;
     if (contact.manifold >= static_cast<int>(impacts_.size())) {
       Impact impact;
       impact.body = contact.candidate;
       impact.other = contact.antagonist;
       if (contact.antagonist < 0) impact.part = part_of(*terrain_, contact.at.against);
-      impact.number = bodies[contact.candidate].impacts;
+      impact.number = contact.impact_number;
       impact.time = time;
       impacts_.push_back(impact);
       sums_.emplace_back();
@@ -94,15 +93,15 @@ void World<D>::record_impacts(double h) {
     ImpactSum& sum = sums_[contact.manifold];
     const double pn = contact.impulse[0];
     impact.pn += pn;
-    impact.energy_change += energy;
+    impact.energy_change += energy_of(a);
     // A contact that carries no normal impulse does not count in the means unless it is the only one.
     const double weight = pn + 1e-300;
     sum.weight += weight;
     sum.place += weight * contact.at.point;
     sum.vn_before += weight * contact.before[0];
-    sum.vn_after += weight * after[0];
+    sum.vn_after += weight * after_[a][0];
     sum.vt_before += weight * tangential(contact.before);
-    sum.vt_after += weight * tangential(after);
+    sum.vt_after += weight * tangential(after_[a]);
     sum.pt += tangential(contact.impulse);
   }
   // Signed in 2D, magnitudes in 3D.
@@ -116,6 +115,22 @@ void World<D>::record_impacts(double h) {
     impact.vt_before = slip(sum.vt_before) / sum.weight;
     impact.vt_after = slip(sum.vt_after) / sum.weight;
     impact.pt = slip(sum.pt);
+  }
+}
+
+/// Counts the energy that the contacts of an island bring in an impact, or a step of length h: beyond rounding, and beyond
+/// |r| g h / 2 of a contact that opens or reverses its slip within the step, there should be none.
+template <int D>
+void World<D>::audit_energy(double h) {
+  island_gain_.assign(bodies.size(), 0.0);
+  for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) {
+    const Contact& contact = contacts_[a];
+    double& gain = island_gain_[island_of(contact)];
+    // A spring returns what it took.
+    if (contact.law.condition != NormalCondition::penalty) gain += energy_of(a);
+    gain -= contact.impulse.template head<D>().norm() *
+                (1e-12 * (contact.before.norm() + after_[a].norm()) +
+                 10 * settings_.tolerance * problem_.contacts[a].speed_scale + 0.5 * g_ * h);
   }
   for (const double gain : island_gain_)
     if (gain > 0) {

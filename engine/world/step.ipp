@@ -39,6 +39,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
     for (Body<D>& body : bodies)
       if (body.present && body.kind != BodyKind::fixed) body.displace(dt * body.velocity());
   };
+  impacts_.clear();
   save();
   bool new_touch = false;
   for (int cuts = 0, refinements = 0;;) {
@@ -78,7 +79,9 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
       return {0, true, true};
     }
   }
-  record_impacts(h);
+  measure_after();
+  record_impacts();
+  audit_energy(h);
   project_drift(cut);
   time += h;
   ++quality_.steps;
@@ -102,7 +105,9 @@ typename World<D>::Outcome World<D>::impact() {
     solve_and_apply();
     ++quality_.impact_problems;
   }
-  record_impacts(0);
+  measure_after();
+  record_impacts();
+  audit_energy(0);
   Outcome outcome = keep(0, false);
   outcome.new_touch = approaching;
   for (Contact& c : last_) c.impulse.setZero();  // of an impact: no start for the step that follows
@@ -115,7 +120,9 @@ template <int D>
 std::optional<double> World<D>::first_touch(double h, bool pass_held) {
   const PhaseTimer timer(clock, &PhaseTimes::detect);
   std::optional<double> first;
-  const auto motion_of = [&](int i) { return step_motion(saved_[i].moment, bodies[i], h, settings_.theta); };
+  motions_.clear();
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    motions_.push_back(step_motion(saved_[i].moment, bodies[i], h, settings_.theta));
   const auto consider = [&](std::optional<double> t) {
     if (t && (!first || *t < *first)) first = t;
   };
@@ -126,11 +133,11 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
     if (pass_held && !held_here.empty()) continue;
     const TouchSearch search{held_here, true, 0.5 * touch(i), body.size, &quality_.toc_iterations};
     for (std::size_t k = 0; k < body.contactors.size(); ++k)
-      consider(time_of_contact(body.contactors[k], static_cast<int>(k), motion_of(i), *terrain_, first.value_or(h), search));
+      consider(time_of_contact(body.contactors[k], static_cast<int>(k), motions_[i], *terrain_, first.value_or(h), search));
   }
   if (bodies.size() < 2) return first;
   boxes_.clear();
-  for (std::size_t i = 0; i < bodies.size(); ++i) boxes_.push_back(swept_box<D>(motion_of(static_cast<int>(i)), bodies[i].size, h));
+  for (std::size_t i = 0; i < bodies.size(); ++i) boxes_.push_back(swept_box<D>(motions_[i], bodies[i].size, h));
   for (const auto& [i, j] : broad_phase_.template pairs<D>(boxes_)) {
     const Body<D>&a = bodies[i], &b = bodies[j];
     if (!a.present || !b.present || (!a.moves() && !b.moves())) continue;
@@ -140,8 +147,8 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
     const TouchSearch search{held_here, true, 0.5e-9 * size + 0.5e-12, size, &quality_.toc_iterations};
     for (std::size_t k = 0; k < a.contactors.size(); ++k)
       for (std::size_t l = 0; l < b.contactors.size(); ++l)
-        consider(time_of_contact(a.contactors[k], static_cast<int>(k), motion_of(i), b.contactors[l], static_cast<int>(l),
-                                 motion_of(j), first.value_or(h), search));
+        consider(time_of_contact(a.contactors[k], static_cast<int>(k), motions_[i], b.contactors[l], static_cast<int>(l),
+                                 motions_[j], first.value_or(h), search));
   }
   return first;
 }

@@ -52,7 +52,7 @@ class Surface {
   DrawKey key;  ///< trial and rock, for draws per impact
   MaterialUse use;
 
-  /// Draws what is drawn per impact. Called when a manifold closes, before its contacts ask.
+  /// Draws what is drawn per impact, before a contact of it asks: one impact of several contacts draws the same for each.
   void begin_impact(std::uint64_t impact_number);
   /// The law of a contact in this state; restitution is asked only of an `impact`. `history`: of this contact.
   ContactLaw ask(ContactState& state, bool impact, ContactHistory& history);

@@ -44,6 +44,7 @@ struct WorldContact {
   bool carried = false;      ///< did not open in the last step
   bool sticking = false;
   int manifold = -1;         ///< of the impacts of this step; -1: no impact
+  int impact_number = 0;     ///< of the candidate, where this is one
 
   /// The coefficient of friction in force.
   double mu() const { return sticking ? law.mu_s : law.mu_d; }
@@ -111,8 +112,13 @@ class World {
   /// The contacts of a body with the terrain (other = -1) or another body, as a search for the time of contact takes
   /// them. Valid until the next call.
   std::span<const HeldContact> held(int body, int other);
-  /// How deep bodies overlap the terrain or each other now [m]; for the check of a start.
-  double deepest_overlap();
+  /// Where bodies overlap the terrain or each other deepest now; for the check of a start.
+  struct Overlap {
+    double depth = 0;  ///< m
+    int body = -1;     ///< of two bodies the one that was added later
+    int other = -1;    ///< -1: the terrain
+  };
+  Overlap deepest_overlap();
   /// The boxes of all bodies over the next `dt` of flight, and the pairs of them that may meet.
   const std::vector<std::pair<int, int>>& near_pairs(double dt);
 
@@ -159,6 +165,7 @@ class World {
   // ask_laws.ipp: what the laws of the contacts answer
   void begin_manifolds();
   ContactState state_of(const Contact& contact, double h);
+  void ask_law(Contact& contact, double h);
   void ask_laws(double h);
 
   // assemble.ipp: the friction problem
@@ -168,13 +175,17 @@ class World {
   template <int N>
   void couple();
   void scale_by_island(double h);
+  int island_of(int body);
   int island_of(const Contact& contact);
 
   // rebound.ipp: its solution with restitution, applied; what it left
   void apply_laws(double h);
   void solve_and_apply();
   Row velocity_after(int a) const;
-  void record_impacts(double h);
+  void measure_after();
+  void record_impacts();
+  void audit_energy(double h);
+  double energy_of(int a) const;
   bool stays_closed(int a, double duration) const;
 
   // step.ipp: the scheme
@@ -209,10 +220,11 @@ class World {
   std::vector<std::vector<int>> contacts_of_;  ///< of each body that contacts move
   std::vector<int> island_;
   std::vector<double> island_speed_;
-  std::vector<double> island_gain_;  ///< energy that an island got, less what rounding allows
+  std::vector<double> island_gain_;  ///< J that an island got, less what rounding allows
   SortAndSweep broad_phase_;
   std::vector<typename Geometry<D>::Box> boxes_;
   std::vector<Saved> saved_;
+  std::vector<Motion> motions_;     ///< of the bodies over the step at hand
   std::vector<Surface*> surfaces_;  ///< that remember of a pair, each once
   std::vector<double> memory_;      ///< what the surfaces remembered when the step began
   std::vector<typename Body<D>::Rows> drift_;

@@ -3,6 +3,7 @@
 
 #include "batch/load.h"
 #include "scenario/build_trial.h"
+#include "unit/lua_fixture.h"
 
 using namespace flyrock;
 
@@ -59,4 +60,152 @@ TEST_CASE("bodies that first meet in a step that is done again meet with an empt
   glued.world.impact();
   REQUIRE(surface_of(glued.world, 1));
   CHECK(surface_of(glued.world, 1)->unilateral.history == std::vector<double>{0, 0});
+}
+
+namespace {
+
+/// A scenario written by the test, and its first trial.
+struct Written {
+  LuaFixture files;
+  std::optional<LoadedScenario> loaded;
+  std::optional<TrialBuilder<2>> builder;
+  Trial<2> trial;
+
+  explicit Written(const std::string& text, const std::map<std::string, std::string>& plugins = {}) {
+    for (const auto& [name, content] : plugins) files.write(name, content);
+    files.write("scenario.yaml", "flyrock: 1\ntitle: of a test\ndimension: 2\nmethod: nscd\nstop: { time: 1 s }\n" + text);
+    Diagnostics diagnostics;
+    loaded = load_scenario((files.folder / "scenario.yaml").string(), {}, diagnostics);
+    INFO(diagnostics.to_text());
+    REQUIRE(loaded);
+    builder.emplace(loaded->plan.points.front());
+    trial = builder->build(0);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a bond holds while a block lands on one corner and then on the other, and tears where it is lifted off") {
+  Written written(R"(
+terrain: { type: profile, points: [[-20, 0], [20, 0]], material: mortar }
+materials:
+  mortar: { friction: { type: mohr_coulomb, mu: 0.6, cohesion: 1 MPa, tension: 1 kPa }, unilateral: { type: cohesive, pull: 600 N } }
+bodies:
+  - name: block  # its lower left corner on the ground, the other comes down within 0.2 s
+    shape: { type: polygon, vertices: [[-0.5, -0.15], [0.5, -0.15], [0.5, 0.15], [-0.5, 0.15]] }
+    mass: 100 kg
+    position: [0, 0.193008]
+    orientation: 5 deg
+)");
+  World<2>& world = written.trial.worlds.front();
+  std::size_t most = 0;
+  for (int k = 0; k < 500; ++k) {
+    world.step(1e-3, false);
+    if (k < 20) CHECK(world.contacts().size() < 2);
+    most = std::max(most, world.contacts().size());
+  }
+  REQUIRE(most == 2);
+  REQUIRE(world.contacts().size() == 2);
+  const Surface& ground = *world.contacts().front().surface;
+  CHECK(ground.unilateral.history.at(0) > 0.4);  // s of the pair, not of its younger contact
+  CHECK_FALSE(torn(ground));
+  CHECK(ground.friction.history.at(1) == 0);
+  world.bodies[0].v.y() = 1;
+  for (int k = 0; k < 500; ++k) world.step(1e-3, false);
+  CHECK(torn(ground));
+  CHECK(ground.friction.history.at(1) == 1);
+}
+
+TEST_CASE("a rock that strikes two faces of one material at once makes two impacts with draws of their own") {
+  Written written(R"(
+terrain: { type: profile, points: [[-10, 10], [0, 0], [10, 10]], material: face }
+materials:
+  face: { restitution: { type: newton, en: { uniform: [0.3, 0.6], per: impact } }, friction: { type: coulomb, mu: 0 } }
+bodies:
+  - name: ball
+    shape: { type: disk, radius: 0.5 m }
+    mass: 100 kg
+    position: [0, 0.7071067811865476]
+    velocity: [0, -5]
+)");
+  World<2>& world = written.trial.worlds.front();
+  world.impact();
+  REQUIRE(world.contacts().size() == 2);
+  REQUIRE(world.impacts().size() == 2);
+  CHECK(world.impacts()[0].number == 1);
+  CHECK(world.impacts()[1].number == 2);
+  CHECK(world.contacts()[0].law.e_n != world.contacts()[1].law.e_n);
+}
+
+TEST_CASE("laws know the terrain by the name of the part that is met") {
+  Written written(R"(
+plugins: [by_part.lua]
+terrain: { type: benches, count: 1, height: 10 m, face_angle: 70 deg, berm: 5 m, floor: 50 m, materials: { face: rock, berm: rock, floor: rock } }
+materials: { rock: { friction: { type: by_part } } }
+bodies:
+  - { name: ball, shape: { type: disk, radius: 0.5 m }, mass: 100 kg, position: [20, 0.5] }
+)",
+                        {{"by_part.lua", R"(
+return require("flyrock").plugin { kind = "friction", name = "by_part", doc = "d", reads = { "contact.group_b" },
+  friction = function(p, contact) return contact.group_b == "terrain.floor" and 0.25 or 0.75 end }
+)"}});
+  World<2>& world = written.trial.worlds.front();
+  world.step(1e-3, false);
+  REQUIRE(world.contacts().size() == 1);
+  CHECK(world.contacts().front().law.mu_s == 0.25);
+}
+
+TEST_CASE("a rock that cannot be built at another place takes no other rock with it") {
+  // The launch fails on one side, so that rocks fail at their first place, and others at a later one.
+  const Written written(R"(
+rock_contacts: on
+plugins: [one_side.lua]
+terrain: { type: profile, points: [[-10, 0], [10, 0]], material: rock }
+materials: { rock: { friction: { type: coulomb, mu: 0.5 } } }
+rocks:
+  - name: disks
+    per_trial: 20
+    density: 2700 kg/m3
+    material: rock
+    shape: { type: disk, radius: 0.3 m }
+    release: { inside: [[-2, 1], [0.5, 1], [0.5, 3], [-2, 3]] }
+    launch: { type: one_side }
+)",
+                        {{"one_side.lua", R"(
+return require("flyrock").plugin { kind = "velocity", name = "one_side", doc = "d", reads = {},
+  launch = function(p, rock)
+    if rock.position[1] > 0 then error("on the other side") end
+    return { velocity = { 0, 0 } }
+  end }
+)"}});
+  REQUIRE(written.trial.worlds.size() == 1);
+  int built = 0;
+  for (const TrialRock& rock : written.trial.rocks) {
+    CHECK(rock.fault.empty() == (rock.world == 0));
+    if (rock.world == 0) CHECK(rock.body == built++);
+  }
+  CHECK((built > 0 && built < 20));
+  CHECK(static_cast<int>(written.trial.worlds.front().bodies.size()) == built);
+}
+
+TEST_CASE("a body that starts inside another is named, whichever comes last") {
+  const auto fault = [](double height_of_b, double height_of_c) {
+    try {
+      const Written written(fmt::format(R"(
+terrain: {{ type: profile, points: [[-20, 0], [20, 0]], material: rock }}
+materials: {{ rock: {{ friction: {{ type: coulomb, mu: 0.5 }} }} }}
+bodies:
+  - {{ name: a, shape: {{ type: disk, radius: 0.5 m }}, mass: 1 kg, material: rock, position: [0, 0.5] }}
+  - {{ name: b, shape: {{ type: disk, radius: 0.5 m }}, mass: 1 kg, material: rock, position: [0, {}] }}
+  - {{ name: c, shape: {{ type: disk, radius: 0.5 m }}, mass: 1 kg, material: rock, position: [5, {}] }}
+)", height_of_b, height_of_c));
+    } catch (const PluginError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(fault(1.5, 0.5) == "");
+  CHECK(fault(1.25, 0.5) == "`b` starts 0.25 m inside `a`");
+  CHECK(fault(0.25, 3).find("`b` starts") == 0);
+  CHECK(fault(1.5, 0.25) == "`c` starts 0.25 m inside the terrain");
 }

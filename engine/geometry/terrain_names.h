@@ -1,0 +1,16 @@
+#pragma once
+// What scenarios and laws call the parts of the terrain.
+
+#include <string>
+#include <vector>
+
+namespace flyrock {
+
+/// `terrain.<part>` for each part; `terrain` for one without a name.
+inline std::vector<std::string> terrain_names(const std::vector<std::string>& parts) {
+  std::vector<std::string> names;
+  for (const std::string& part : parts) names.push_back(part.empty() ? "terrain" : "terrain." + part);
+  return names;
+}
+
+}  // namespace flyrock
