@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
+
+#include "math/space.h"
 
 namespace flyrock {
 
@@ -68,6 +71,17 @@ class PointTally {
 
 namespace {
 
+constexpr double most_sunk = 0.05;  ///< of the size
+
+/// The diameter of the sphere of the volume of the smallest rock of all first trials [m]; infinite where there is none.
+double least_size(const std::vector<PointResult>& points) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const PointResult& point : points)
+    for (const RockRecord& rock : point.first_trial)
+      if (rock.volume > 0) least = std::min(least, 2 * std::cbrt(3 * rock.volume / (4 * pi)));
+  return least;
+}
+
 std::vector<std::string> collect_warnings(const Plan& plan, const std::vector<PointResult>& points) {
   std::vector<std::string> warnings;
   if (plan.points.front().method != Method::ballistic) warnings = laws_never_asked(plan, points);
@@ -83,6 +97,10 @@ std::vector<std::string> collect_warnings(const Plan& plan, const std::vector<Po
   if (quality.energy_gains > 0)
     warnings.push_back(fmt::format("solver: {} impacts or steps gained energy, {:.3g} J together", quality.energy_gains,
                                    quality.energy_gained));
+  if (const double size = least_size(points); quality.max_penetration > most_sunk * size)
+    warnings.push_back(fmt::format("solver: a rock sank {:.3g} m into the ground or another, the smallest is {:.3g} m across: a shorter "
+                                   "solver.time_step, or a stiffer spring (`penalty`), holds it",
+                                   quality.max_penetration, size));
   std::set<std::string> notes;  // the same launch may have the same trouble at every point
   for (const PointResult& point : points)
     for (const std::string& note : point.totals.notes)
@@ -138,15 +156,8 @@ std::vector<std::string> laws_never_asked(const Plan& plan, const std::vector<Po
   const std::vector<Material>& materials = plan.points.front().materials;
   for (std::size_t m = 0; m < materials.size(); ++m) {
     MaterialUse use;
-    for (const PointResult& point : points) {
-      if (m >= point.totals.materials.size()) continue;
-      const MaterialUse& more = point.totals.materials[m];
-      use.contacts += more.contacts;
-      use.restitution += more.restitution;
-      use.friction += more.friction;
-      use.rolling += more.rolling;
-      use.unilateral += more.unilateral;
-    }
+    for (const PointResult& point : points)
+      if (m < point.totals.materials.size()) use.add(point.totals.materials[m]);
     if (use.contacts == 0) {
       warnings.push_back(fmt::format("material {}: nothing touched it, none of its laws was asked", materials[m].name));
       continue;

@@ -47,7 +47,6 @@ CREATE INDEX barriers_by_rock ON barriers (point, trial, rock);
 )";
 
 void add_expectations(const SqliteFile& file, const Results& results) {
-  static constexpr const char* kinds[] = {"equals", "below", "above", "between"};
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   Insertion rows(file, "expectations", 10);
   int number = 0;
@@ -55,7 +54,7 @@ void add_expectations(const SqliteFile& file, const Results& results) {
     const bool between = v.expectation.kind == ExpectKind::between;
     // Absent numbers are NaN, which SQLite stores as NULL.
     rows.row(number++, v.expectation.measure, v.point < 0 ? none : static_cast<double>(v.point), v.computed,
-             kinds[static_cast<int>(v.expectation.kind)], v.expectation.value, between ? v.expectation.high : none,
+             expect_kind_names[static_cast<std::size_t>(v.expectation.kind)], v.expectation.value, between ? v.expectation.high : none,
              v.tolerance, v.judgement == Judgement::not_judged ? none : double(v.judgement == Judgement::passed),
              v.reason);
   }

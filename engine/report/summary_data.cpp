@@ -168,9 +168,8 @@ Json materials_data(const Scenario& scenario, const std::vector<MaterialUse>& us
 
 Json verdict_data(const Verdict& verdict) {
   const Expectation& e = verdict.expectation;
-  static constexpr const char* kinds[] = {"equals", "below", "above", "between"};
   Json data = {{"measure", e.measure}, {"point", verdict.point < 0 ? Json(nullptr) : Json(verdict.point)},
-               {"computed", number(verdict.computed)}, {"kind", kinds[static_cast<int>(e.kind)]}};
+               {"computed", number(verdict.computed)}, {"kind", expect_kind_names[static_cast<std::size_t>(e.kind)]}};
   data["expected"] = e.kind == ExpectKind::between ? Json::array({e.value, e.high}) : Json(e.value);
   data["tolerance"] = verdict.tolerance;
   data["passed"] =

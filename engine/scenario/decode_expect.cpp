@@ -20,7 +20,7 @@ class ExpectationDecoder {
         resolved_(resolved) {}
 
   void decode() {
-    const std::vector<std::string> kinds{"equals", "below", "above", "between"};
+    const std::vector<std::string> kinds(expect_kind_names.begin(), expect_kind_names.end());
     std::vector<std::string> given;
     for (const std::string& kind : kinds)
       if (node_.find(kind)) given.push_back(kind);

@@ -1,10 +1,12 @@
 #pragma once
 // The typed scenario: what a run needs, with every unit converted and every name resolved.
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "blast/design.h"
@@ -173,6 +175,7 @@ struct OutputPlan {
 };
 
 enum class ExpectKind { equals, below, above, between };
+inline constexpr std::array<std::string_view, 4> expect_kind_names = {"equals", "below", "above", "between"};
 
 struct Expectation {
   std::string measure;

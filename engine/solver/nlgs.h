@@ -50,10 +50,4 @@ class Nlgs {
   double best_residual_ = 0;
 };
 
-template <int D>
-SolveResult solve_nlgs(const ContactProblem<D>& problem, const SolveSettings& settings,
-                       std::vector<typename ContactProblem<D>::Row>& r) {
-  return Nlgs<D>().solve(problem, settings, r);
-}
-
 }  // namespace flyrock

@@ -120,7 +120,7 @@ TEST_CASE("two contacts of a resting block share its weight, whatever the start"
   problem.couple(1, columns(-0.5).transpose() * inverse_mass.asDiagonal() * columns(0.5));
   problem.couple(0, columns(0.5).transpose() * inverse_mass.asDiagonal() * columns(-0.5));
   std::vector<Problem::Row> r{Problem::Row(gh, 0.1 * gh, 0), Problem::Row(0, 0, 0)};
-  const SolveResult result = solve_nlgs<2>(problem, {1e-12, 1000}, r);
+  const SolveResult result = Nlgs<2>().solve(problem, {1e-12, 1000}, r);
   CHECK(result.converged);
   CHECK(r[0][0] + r[1][0] == Approx(gh).epsilon(1e-10));
   CHECK(r[0][1] + r[1][1] == Approx(0).margin(1e-12));
