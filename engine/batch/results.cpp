@@ -71,7 +71,7 @@ class PointTally {
 
 namespace {
 
-constexpr double most_sunk = 0.05;  ///< of the size
+constexpr double most_sunk = 0.1;  ///< of the size
 
 /// The diameter of the sphere of the volume of the smallest rock of all first trials [m]; infinite where there is none.
 double least_size(const std::vector<PointResult>& points) {
@@ -101,6 +101,11 @@ std::vector<std::string> collect_warnings(const Plan& plan, const std::vector<Po
     warnings.push_back(fmt::format("solver: a rock sank {:.3g} m into the ground or another, the smallest is {:.3g} m across: a shorter "
                                    "solver.time_step, or a stiffer spring (`penalty`), holds it",
                                    quality.max_penetration, size));
+  constexpr double coarse = 0.5;  // rad: of a swing
+  if (quality.max_spring_angle > coarse)
+    warnings.push_back(fmt::format("solver: a spring (`penalty`) swings by {:.3g} rad in a step: a bounce is coarse from {} on, and makes "
+                                   "energy from 2 on; a shorter solver.time_step or a softer spring mends it",
+                                   quality.max_spring_angle, coarse));
   std::set<std::string> notes;  // the same launch may have the same trouble at every point
   for (const PointResult& point : points)
     for (const std::string& note : point.totals.notes)

@@ -143,6 +143,7 @@ Json quality_data(const SolverQuality& q) {
           {"not_converged_residual", number(q.not_converged_residual)},
           {"max_residual", number(q.max_residual)},
           {"max_penetration", number(q.max_penetration)},
+          {"max_spring_angle", number(q.max_spring_angle)},
           {"energy_gains", q.energy_gains},
           {"energy_gained", number(q.energy_gained)},
           {"energy_relative_change", number(q.energy_relative_change)}};

@@ -66,6 +66,7 @@ void World<D>::begin_manifolds() {
     Contact& contact = contacts_[i];
     contact.manifold = -1;
     if (contact.approach() <= settings_.rest_speed) continue;
+    if (contact.law.condition == NormalCondition::penalty && contact.age > 0) continue;  // a spring that is still being pressed
     for (std::size_t k = 0; k < i && contact.manifold < 0; ++k) {
       const Contact& other = contacts_[k];
       if (other.manifold >= 0 && other.candidate == contact.candidate && other.antagonist == contact.antagonist &&

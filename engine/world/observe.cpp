@@ -49,6 +49,7 @@ void SolverQuality::add(const SolverQuality& other) {
   not_converged_residual = std::max(not_converged_residual, other.not_converged_residual);
   max_residual = std::max(max_residual, other.max_residual);
   max_penetration = std::max(max_penetration, other.max_penetration);
+  max_spring_angle = std::max(max_spring_angle, other.max_spring_angle);
   energy_gains += other.energy_gains;
   energy_gained += other.energy_gained;
   if (std::abs(other.energy_relative_change) > std::abs(energy_relative_change))

@@ -129,6 +129,7 @@ struct SolverQuality {
       0;  ///< greatest of those, over the speed_scale of its contact: to hold against the tolerance
   double max_residual = 0;             ///< m/s, of the scaled local map
   double max_penetration = 0;          ///< m
+  double max_spring_angle = 0;         ///< rad, h sqrt(k W_nn): how far a spring (`penalty`) swings in a step; unstable from 2 on
   std::uint64_t energy_gains = 0;      ///< impacts and steps with dT > 0 beyond rounding
   double energy_gained = 0;            ///< J
   double energy_relative_change = 0;   ///< (total energy at the end - at the start) / |scale|

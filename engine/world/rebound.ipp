@@ -17,6 +17,8 @@ void World<D>::apply_laws(double h) {
     auto& row = problem_.contacts[a];
     rebounds_[a].before = contact.before;
     set_law<D>(contact.law, contact.sticking, contact.at.gap, h, row, rebounds_[a]);
+    if (contact.law.condition == NormalCondition::penalty)
+      quality_.max_spring_angle = std::max(quality_.max_spring_angle, h * std::sqrt(contact.law.stiffness * row.w(0, 0)));
     if (row.w(D, D) <= 0) row.mu_r = row.mu_spin = row.c_r = row.c_spin = 0;  // a body without rotational inertia to speak of cannot roll
   }
 }

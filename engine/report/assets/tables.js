@@ -110,6 +110,7 @@ function solver_section() {
       ["their greatest residual", s.not_converged === 0 ? null : s.not_converged_residual, "", "relative to the approach speed, as solver.tolerance is"],
       ["greatest residual", s.max_residual, "m/s", "of the scaled contact equations, all problems"],
       ["greatest penetration", s.max_penetration, "m", "of a rock into the ground or another rock"],
+      ["greatest swing of a spring", s.max_spring_angle, "rad", "of `penalty`, in one step: well below 0.5, and unstable from 2 on"],
       ["energy gains", s.energy_gains, "", "impacts that made energy beyond rounding; should be 0"],
       ["energy gained", s.energy_gained, "J", "by them, together"],
       ["relative change of energy", s.energy_relative_change, "", "of the total (height counts from y = 0) from start to end, of the rock where it is greatest"],
