@@ -7,7 +7,7 @@ return fr.plugin {
   source = "LMGC90, IQS_DS_CLB",
   params = {
     mu_s = fr.number { min = 0, doc = "coefficient while the contact sticks" },
-    mu_d = fr.number { min = 0, doc = "coefficient while it slides; at most mu_s" },
+    mu_d = fr.number { min = 0, doc = "coefficient while it slides; a greater one than mu_s counts as mu_s" },
   },
   friction = function(p) return p.mu_s, math.min(p.mu_s, p.mu_d) end,
 }
