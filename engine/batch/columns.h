@@ -45,10 +45,8 @@ class ColumnWriter {
     if constexpr (std::is_same_v<T, std::string>) {
       value(static_cast<std::uint64_t>(v.size()));
       bytes_ += v;
-    } else if constexpr (std::is_same_v<T, double>) {
-      value(word_of(v));
     } else {
-      const Little little = little_endian(static_cast<std::uint64_t>(v));
+      const Little little = little_endian(word_of(v));
       bytes_.append(little.data(), little.size());
     }
   }

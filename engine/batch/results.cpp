@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <set>
 
-#include "math/space.h"
+#include "math/sphere.h"
 
 namespace flyrock {
 
@@ -78,7 +77,7 @@ double least_size(const std::vector<PointResult>& points) {
   double least = std::numeric_limits<double>::infinity();
   for (const PointResult& point : points)
     for (const RockRecord& rock : point.first_trial)
-      if (rock.volume > 0) least = std::min(least, 2 * std::cbrt(3 * rock.volume / (4 * pi)));
+      if (rock.volume > 0) least = std::min(least, 2 * sphere_radius(rock.volume));
   return least;
 }
 

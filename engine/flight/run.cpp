@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "flight/ground.h"
 #include "flight/observer.h"
@@ -12,6 +13,7 @@ namespace flyrock {
 namespace {
 
 constexpr double fastest = 1e5;  // m/s; beyond it a run has diverged
+constexpr int most_idle = 10'000;  // steps that lead on by less than the length of one
 
 template <int D>
 class Runner {
@@ -36,7 +38,7 @@ class Runner {
     while (anybody() && world_.time < settings_.stop_time) {
       if (settings_.interrupted()) throw Interrupted();
       if (stands_still()) {
-        diverge("10000 steps led on by less than one of their length: its contacts contradict each other");
+        diverge(std::to_string(most_idle) + " steps led on by less than one of their length: its contacts contradict each other");
         break;
       }
       const double before = world_.time;
@@ -70,8 +72,7 @@ class Runner {
   }
 
   bool stands_still() {
-    constexpr int many = 10'000;
-    if (++steps_ < many) return false;
+    if (++steps_ < most_idle) return false;
     const bool still = world_.time - marked_time_ < world_.settings().time_step;
     steps_ = 0;
     marked_time_ = world_.time;

@@ -18,7 +18,7 @@ struct Table {
   const char* rows;
 };
 
-// A rock's rows come out of a view in the order of their keys.
+// A rock's rows come out of a view as they went in: report/rock_rows.h.
 constexpr std::array<Table, 12> tables = {{
     {"points", "SELECT * FROM points ORDER BY rowid"},
     {"sweep", "SELECT * FROM sweep ORDER BY rowid"},

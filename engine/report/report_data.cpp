@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/sphere.h"
 #include "report/convergence.h"
 #include "report/envelope_data.h"
 #include "report/hash_data.h"
@@ -108,7 +109,7 @@ Json bodies_data(const Scenario& scenario, const TrialTotals& totals) {
 LawSubject subject_of(const PointResult& point) {
   LawSubject subject{500, 0.35};  // where every rock failed before it was made
   for (const RockRecord& rock : point.first_trial)
-    if (rock.mass > 0 && rock.volume > 0) subject = {rock.mass, std::cbrt(3 * rock.volume / (4 * pi))};
+    if (rock.mass > 0 && rock.volume > 0) subject = {rock.mass, sphere_radius(rock.volume)};
   return subject;
 }
 

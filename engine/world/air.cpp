@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/sphere.h"
+
 namespace flyrock {
 
 double drag_constant(double density, double cd, double mass, double volume) {
-  const double radius = std::cbrt(3 * volume / (4 * pi));
+  const double radius = sphere_radius(volume);
   return density * cd * pi * radius * radius / (2 * mass);
 }
 

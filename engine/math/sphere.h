@@ -1,0 +1,13 @@
+#pragma once
+// The sphere that stands for a rock of any shape.
+
+#include <cmath>
+
+#include "math/space.h"
+
+namespace flyrock {
+
+/// The radius [m] of the sphere of a volume [m3].
+inline double sphere_radius(double volume) { return std::cbrt(3 * volume / (4 * pi)); }
+
+}  // namespace flyrock
