@@ -11,7 +11,10 @@ PLOTLY := node_modules/plotly.js-cartesian-dist-min/plotly-cartesian.min.js
 help:
 	@echo "make demo   build, run the Ninh Dan blast (1000 trials) and say where its report is"
 	@echo "make test   build and run the tests: fast (release and sanitizers) and full"
+	@echo "make test-heavy  the tests of over a minute; the golden bytes by -O0, -O3 and with the thread sanitizer"
+	@echo "make golden write tests/golden, the hashes of the results of all scenarios, anew"
 	@echo "make bench  rocks per second, the share of time by phase, and what a law in Lua costs"
+	@echo "make fuzz SECONDS=600 SEED=1   tries mutants of every kind of input, with sanitizers; what it finds is in out/fuzz"
 	@echo "make reference   write docs/reference from the manifests of the plugins"
 	@echo "make deps   install what is missing: Debian packages and Plotly"
 	@echo "make deps-browser   Chromium too, for the tests that open the report"
@@ -44,8 +47,26 @@ test: build-release build-dev
 	ctest --test-dir build/dev -L fast -j $(JOBS) --output-on-failure
 	ctest --test-dir build/release -L 'fast|full' -j $(JOBS) --output-on-failure
 
-test-heavy: build-release
+# Other optimisation, and the thread sanitizer, against the same golden bytes: only what that needs is built.
+test-heavy: build-release golden-unoptimised golden-optimised golden-threads
 	ctest --test-dir build/release -L heavy --output-on-failure
+
+SECONDS := 60
+SEED := 1
+fuzz: build-dev
+	build/dev/bin/flyrock_fuzz --seconds $(SECONDS) --seed $(SEED) -o out/fuzz
+
+golden-%: deps
+	cmake --preset $* > build-$*.log 2>&1 || { cat build-$*.log; rm -f build-$*.log; exit 1; }
+	@rm -f build-$*.log
+	cmake --build --preset $* -j $(JOBS) --target flyrock_golden_tests
+	FLYROCK_GOLDEN_THREADS=8 build/$*/bin/flyrock_golden_tests '~[slow]'
+
+# Writes the golden bytes anew, which every build must give; CHANGELOG.md says why they change.
+golden: deps
+	cmake --preset release > /dev/null
+	cmake --build --preset release -j $(JOBS) --target flyrock_golden_tests
+	FLYROCK_UPDATE_GOLDEN=1 build/release/bin/flyrock_golden_tests '~[slow]'
 
 bench: build-bench
 	tests/bench/run.sh build/bench/bin
@@ -61,4 +82,4 @@ drawings:
 clean:
 	rm -rf build out
 
-.PHONY: help deps deps-browser demo test test-heavy bench reference drawings clean
+.PHONY: help deps deps-browser demo test test-heavy golden fuzz bench reference drawings clean

@@ -1,12 +1,23 @@
 #include "batch/answer.h"
 
+#include "batch/answer_shares.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace flyrock {
+
+std::string_view runout_name(const Scenario& scenario) {
+  return scenario.method == Method::ballistic ? "distance of the first landing" : "runout";
+}
+
+std::string_view ended(StopReason reason, const Scenario& scenario) {
+  return reason == StopReason::stopped && scenario.method == Method::ballistic ? "first landed" : name_of(reason);
+}
 
 std::string display(const Bounded& number, std::string_view unit) {
   if (std::isnan(number.value)) return "-";
@@ -24,12 +35,11 @@ std::string_view ending(StopReason reason) {
     case StopReason::timed_out: return "was still moving";
     case StopReason::caught: return "was caught";
     case StopReason::diverged:
-    case StopReason::plugin_error: break;
+    case StopReason::plugin_error:
+    case StopReason::not_started: break;
   }
   return "failed";
 }
-
-std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
 
 /// The values that exist: a number, or the range of a sweep.
 std::string range_of(std::vector<Bounded> values) {
@@ -49,34 +59,51 @@ std::string range_of(const Results& results, Statistic statistic, std::size_t gr
   return range_of(std::move(values));
 }
 
+/// "rocks of face go", "blasts (with 3 rocks a blast) throw a rock of face": who goes farther than a clearance.
+std::string who_goes(const Scenario& scenario, const ClearancePlan& asked, const ClearanceSummary& found) {
+  const std::string of = asked.group < 0 ? "" : " of " + scenario.rocks.at(static_cast<std::size_t>(asked.group)).name;
+  if (!asked.per_blast) return fmt::format("rocks{} {}", of, scenario.method == Method::ballistic ? "first land" : "go");
+  const double rocks = found.rocks_per_blast();
+  return fmt::format("blasts (with {:.4g} rock{} a blast) throw a rock{}{}", rocks, rocks == 1 ? "" : "s", of,
+                     scenario.method == Method::ballistic ? " that first lands" : "");
+}
+
 /// " Clearance road: at most 0.1 % of the rocks go farther than 320 m (95 % interval 301 to 345 m). With the factor 1.5 that is 480
-/// m."; over a sweep the least to the greatest distance, without an interval: the points have their own.
+/// m."; with sectors the distance of the one that reaches farthest; over a sweep the least to the greatest distance, without an
+/// interval: the points have their own.
+std::string clearance_answer(const Plan& plan, const Results& results, std::size_t c) {
+  const ClearancePlan& asked = plan.points.front().clearances[c];
+  const ClearanceSummary& first = results.points.front().clearances.at(c);
+  if (!first.enough())
+    return fmt::format(" Clearance {}: not given, it needs {} {} and there are {}.", asked.name, first.needed,
+                       asked.per_blast ? "blasts" : "rocks", first.count);
+  std::vector<Bounded> distances, with_factor;
+  for (const PointResult& point : results.points) {
+    const ClearanceSummary& clearance = point.clearances.at(c);
+    distances.push_back(clearance.distance);
+    with_factor.push_back({clearance.with_factor, clearance.distance.censored});
+  }
+  const std::string from = asked.sectors == 0 ? "" : asked.about ? " from the given point" : " from the hull of the release places";
+  std::string text = fmt::format(" Clearance {}: {}at most {} of the {} farther than {}{}", asked.name,
+                                 asked.sectors > 0 ? fmt::format("in each of {} directions ", asked.sectors) : "", percent(asked.probability),
+                                 who_goes(plan.points.front(), asked, first), range_of(distances), from);
+  const auto end = [](double value) { return std::isnan(value) ? std::string("unknown") : fmt::format("{:.4g}", value); };
+  if (results.points.size() == 1) {
+    if (const SectorSummary* farthest = first.area.farthest())
+      text += fmt::format(", which is reached at azimuth {:.4g} deg", farthest->azimuth * 180 / pi);
+    if (asked.sectors > 0 && std::isnan(first.interval.lower) && std::isnan(first.interval.upper))
+      text += " (the farthest that ended there, which are too few for an interval)";
+    else
+      text += fmt::format(" ({} interval {} to {} m)", percent(asked.confidence), end(first.interval.lower), end(first.interval.upper));
+  }
+  text += '.';
+  if (asked.factor) text += fmt::format(" With the factor {:.4g} that is {}.", *asked.factor, range_of(with_factor));
+  return text;
+}
+
 std::string clearances_answer(const Plan& plan, const Results& results) {
   std::string text;
-  const std::vector<ClearancePlan>& plans = plan.points.front().clearances;
-  for (std::size_t c = 0; c < plans.size(); ++c) {
-    const ClearancePlan& asked = plans[c];
-    const ClearanceSummary& first = results.points.front().clearances.at(c);
-    if (!first.enough()) {
-      text += fmt::format(" Clearance {}: not given, it needs {} {} and there are {}.", asked.name, first.needed,
-                          asked.per_blast ? "blasts" : "rocks", first.count);
-      continue;
-    }
-    std::vector<Bounded> distances, with_factor;
-    for (const PointResult& point : results.points) {
-      const ClearanceSummary& clearance = point.clearances.at(c);
-      distances.push_back(clearance.distance);
-      with_factor.push_back({clearance.with_factor, clearance.distance.censored});
-    }
-    text += fmt::format(" Clearance {}: at most {} of the {} farther than {}", asked.name, percent(asked.probability),
-                        asked.per_blast ? "blasts throw a rock" : "rocks go", range_of(distances));
-    const auto end = [](double value) { return std::isnan(value) ? std::string("unknown") : fmt::format("{:.4g}", value); };
-    if (results.points.size() == 1)
-      text += fmt::format(" ({} interval {} to {} m)", percent(asked.confidence), end(first.interval.lower),
-                          end(first.interval.upper));
-    text += '.';
-    if (asked.factor) text += fmt::format(" With the factor {:.4g} that is {}.", *asked.factor, range_of(with_factor));
-  }
+  for (std::size_t c = 0; c < plan.points.front().clearances.size(); ++c) text += clearance_answer(plan, results, c);
   return text;
 }
 
@@ -122,35 +149,35 @@ std::string by_group(const Results& results, Statistic statistic) {
 std::string answer(const Plan& plan, const Results& results) {
   const std::uint64_t rocks = results.rocks();
   if (rocks == 0) return "No rock was released.";
-  std::uint64_t known = 0, censored = 0, caught = 0;
-  for (const PointResult& point : results.points) {
-    known += point.groups.front().count - point.groups.front().faults;
-    censored += point.groups.front().censored;
-    caught += point.groups.front().reasons[static_cast<std::size_t>(StopReason::caught)];
-  }
+  std::uint64_t known = 0;
+  for (const PointResult& point : results.points) known += point.groups.front().count - point.groups.front().faults;
   std::string text;
   if (known == 0) {
     text = fmt::format("All {} rocks failed.", rocks);
   } else if (!plan.points.front().bodies.empty()) {
     text = bodies_answer(plan, results);
   } else {
-    text = fmt::format(
-        "The runout that 95 % of the rocks do not exceed is {}{}; that of 99 % is {}{}; the greatest is {}.",
-        range_of(results, Statistic::p95), by_group(results, Statistic::p95),
-        range_of(results, Statistic::p99), by_group(results, Statistic::p99),
-        range_of(results, Statistic::max));
+    text = fmt::format("The {} that 95 % of the rocks do not exceed is {}{}; that of 99 % is {}{}; the greatest is {}.",
+                       runout_name(plan.points.front()), range_of(results, Statistic::p95), by_group(results, Statistic::p95),
+                       range_of(results, Statistic::p99), by_group(results, Statistic::p99), range_of(results, Statistic::max));
     text += clearances_answer(plan, results);
     if (results.points.size() > 1) text += fmt::format(" The ranges are over {} sweep points.", results.points.size());
-    text += censored == 0 ? " No rock is censored."
-                          : fmt::format(" {} of the rocks are censored (left the domain or ran out of time): "
-                                        "their distances are lower bounds.",
-                                        percent(static_cast<double>(censored) / static_cast<double>(known)));
-    if (caught > 0)
-      text += fmt::format(" Barriers caught {}: these distances hold only while the barriers stand.",
-                          percent(static_cast<double>(caught) / static_cast<double>(known)));
+    text += censored_answer(plan, results);
+    text += barriers_answer(plan, results);
   }
   if (known > 0 && known < rocks) text += fmt::format(" {} rocks failed and are in no statistic.", rocks - known);
   if (!results.ended_early.empty()) text += fmt::format(" The run ended early: {}.", results.ended_early);
+  return text;
+}
+
+std::string assumed_elevations(const Scenario& scenario) {
+  std::map<double, std::vector<std::string>> groups;  // by their elevation
+  for (const RockGroup& group : scenario.rocks)
+    if (group.assumed_elevation) groups[*group.assumed_elevation].push_back("`" + group.name + "`");
+  std::string text;
+  for (const auto& [elevation, names] : groups)
+    text += fmt::format("{}The launch of {} gives no elevation, {:.4g} deg is assumed.", text.empty() ? "" : " ",
+                        fmt::join(names, ", "), elevation * 180 / pi);
   return text;
 }
 
@@ -169,6 +196,7 @@ std::string assumptions(const Plan& plan) {
     text += scenario.solver.flight == FlightMode::exact ? "flights exact between them." : "flights in time steps.";
   }
   if (!scenario.bodies.empty()) return text;
+  if (const std::string elevations = assumed_elevations(scenario); !elevations.empty()) text += " " + elevations;
   return text + " Percentiles are those of this model and of the numbers given to it: whether it is the bench in question is not "
                 "part of the computation.";
 }

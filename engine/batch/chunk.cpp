@@ -14,7 +14,7 @@ namespace flyrock {
 namespace {
 
 constexpr std::string_view magic = "flyrchnk";
-constexpr std::uint64_t format = 6;
+constexpr std::uint64_t format = 7;
 
 std::uint64_t crc(std::string_view bytes) {
   return ::crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
@@ -85,7 +85,8 @@ void walk_envelopes(Io& io, E& envelopes) {
 template <class Io, class Quality>
 void walk_quality(Io& io, Quality& q) {
   io.value(q.steps), io.value(q.cut_steps), io.value(q.flights), io.value(q.impact_problems);
-  io.value(q.problems), io.value(q.iterations), io.value(q.toc_iterations), io.value(q.not_converged), io.value(q.energy_gains);
+  io.value(q.problems), io.value(q.iterations), io.value(q.toc_iterations), io.value(q.not_converged), io.value(q.energy_gains),
+      io.value(q.shocks);
   io.value(q.not_converged_residual), io.value(q.max_residual), io.value(q.max_penetration),
       io.value(q.max_spring_angle), io.value(q.energy_gained);
   io.value(q.energy_relative_change);
@@ -109,8 +110,8 @@ void walk_brief(Io& io, Records& records) {
   using R = RockRecord;
   io.rows(records.rocks);
   io.columns(records.rocks, &R::trial, &R::rock, &R::group, &R::mass, &R::volume, &R::launch_speed,
-             &R::launch_elevation, &R::reason, &R::censored, &R::runout, &R::max_distance, &R::stop_x, &R::stop_y,
-             &R::stop_z, &R::landed, &R::flight_range, &R::bounce_height, &R::max_speed, &R::max_energy, &R::impacts, &R::time,
+             &R::launch_elevation, &R::reason, &R::censored, &R::start_x, &R::start_y, &R::runout, &R::max_distance, &R::stop_x, &R::stop_y,
+             &R::stop_z, &R::end_part, &R::landed, &R::flight_range, &R::bounce_height, &R::max_speed, &R::max_energy, &R::impacts, &R::time,
              &R::fault);
   for (std::size_t mode = 0; mode < travel_mode_names.size(); ++mode)
     io.columns(

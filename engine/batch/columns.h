@@ -23,8 +23,9 @@ struct ColumnError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Rows of a table: a count beyond is no count.
-inline constexpr std::uint64_t most_rows = std::uint64_t{1} << 30;
+/// Rows that a table may have although the bytes behind their number are too few for them: those of which every column holds one
+/// number. In a longer table the numbers of some column differ, and take 8 bytes each.
+inline constexpr std::uint64_t most_bare_rows = 1024;
 
 class ColumnWriter {
  public:
@@ -124,7 +125,7 @@ class ColumnReader {
   template <class Row>
   void rows(std::vector<Row>& rows) {
     const std::uint64_t count = word();
-    if (count > most_rows) throw ColumnError("more rows than fit into memory");
+    if (count > std::max<std::uint64_t>(most_bare_rows, rest_.size() / 8)) throw ColumnError("more rows than its bytes can hold");
     rows.resize(count);
   }
 

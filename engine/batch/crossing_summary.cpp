@@ -1,7 +1,6 @@
 #include "batch/crossing_summary.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace flyrock {
@@ -68,16 +67,11 @@ bool CrossingTally::again() {
   return more;
 }
 
-Bounded CrossingTally::share(std::uint64_t count, const Arrivals& at) const {
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  return {rocks_ > 0 ? static_cast<double>(count) / static_cast<double>(rocks_) : unknown, open(at)};
-}
-
 std::vector<GateSummary> CrossingTally::gates() const {
   std::vector<GateSummary> summaries;
   for (const Arrivals& at : gates_)
-    summaries.push_back({at.speed.size(), share(at.speed.size(), at), bounded(at.speed, open(at)),
-                         bounded(at.energy, open(at)), bounded(at.height, open(at))});
+    summaries.push_back({at.speed.size(), share(at.speed.size(), at), bounded(at.speed, open(at) > 0),
+                         bounded(at.energy, open(at) > 0), bounded(at.height, open(at) > 0)});
   return summaries;
 }
 
@@ -88,8 +82,8 @@ std::vector<BarrierSummary> CrossingTally::barriers() const {
     summary.outcomes = at.outcomes;
     summary.reached = share(at.speed.size(), at);
     for (std::size_t o = 0; o < at.outcomes.size(); ++o) summary.shares[o] = share(at.outcomes[o], at);
-    summary.energy = bounded(at.energy, open(at));
-    summary.height = bounded(at.height, open(at));
+    summary.energy = bounded(at.energy, open(at) > 0);
+    summary.height = bounded(at.height, open(at) > 0);
     summaries.push_back(summary);
   }
   return summaries;

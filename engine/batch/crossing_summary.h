@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "batch/share.h"
 #include "batch/statistics.h"
 
 namespace flyrock {
@@ -13,14 +14,14 @@ namespace flyrock {
 /// place for which there is one are lower bounds.
 struct GateSummary {
   std::uint64_t passed = 0;  ///< rocks
-  Bounded share;             ///< of all rocks; NaN where there are none
+  Share share;               ///< of all rocks
   Statistics speed{}, energy{}, height{};  ///< of the rocks that passed, at the gate
 };
 
 struct BarrierSummary {
   std::array<std::uint64_t, 3> outcomes{};  ///< rocks, indexed by BarrierOutcome
-  Bounded reached;                          ///< share of all rocks that arrived
-  std::array<Bounded, 3> shares{};          ///< of all rocks, indexed by BarrierOutcome
+  Share reached;                            ///< of all rocks, those that arrived
+  std::array<Share, 3> shares{};            ///< of all rocks, indexed by BarrierOutcome
   Statistics energy{}, height{};            ///< of the rocks that arrived, before the barrier acts
 };
 
@@ -46,8 +47,9 @@ class CrossingTally {
 
   template <class Arrival>
   void add(Arrivals& at, const Arrival& arrival, const RockRecord& rock);
-  bool open(const Arrivals& at) const { return at.censored < censored_; }
-  Bounded share(std::uint64_t count, const Arrivals& at) const;
+  /// Censored rocks that had not arrived: they might have done so later.
+  std::uint64_t open(const Arrivals& at) const { return censored_ - at.censored; }
+  Share share(std::uint64_t count, const Arrivals& at) const { return share_of(count, rocks_, open(at)); }
 
   bool counted_ = false;  ///< in the first pass
   std::uint64_t rocks_ = 0, censored_ = 0;  ///< without faults

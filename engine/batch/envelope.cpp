@@ -92,7 +92,8 @@ double EnvelopeBin::quantile(EnvelopeQuantity quantity, double p) const {
   const double wanted = p * static_cast<double>(rocks());
   std::uint64_t seen = 0;
   auto at = of.begin();
-  while (static_cast<double>(seen += at->rocks) < wanted) ++at;
+  // The last one in any case: the counts of a chunk that is not flyrock's may not agree.
+  while (static_cast<double>(seen += at->rocks) < wanted && at + 1 != of.end()) ++at;
   return value_of(at->code);
 }
 
@@ -161,6 +162,7 @@ Envelopes Envelopes::read(std::string_view bytes) {
     auto& bins = envelopes.groups_[static_cast<int>(take(bytes))];
     for (std::uint64_t n = take(bytes); n > 0; --n) {
       EnvelopeBin& bin = bins[unfolded(take(bytes))];
+      bin = {};
       for (std::vector<CodeCount>& counts : bin.counts) {
         std::uint64_t code = 0;
         for (std::uint64_t entries = take(bytes); entries > 0; --entries) {
@@ -169,6 +171,7 @@ Envelopes Envelopes::read(std::string_view bytes) {
           if (!counts.empty() && code <= counts.back().code) throw ColumnError("the codes of the envelopes are out of order");
           counts.push_back({static_cast<std::uint32_t>(code), static_cast<std::uint32_t>(take(bytes))});
         }
+        if (counts.empty()) throw ColumnError("a bin of the envelopes has no rock");
       }
     }
   }

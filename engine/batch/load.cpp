@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "batch/clearance.h"
+#include "batch/greatest_throw.h"
 #include "batch/safe_file.h"
 #include "batch/sha256.h"
 #include "host/share.h"
@@ -24,7 +25,9 @@ std::optional<Value> read_tree(const std::string& path, LuaSession& session, Dia
     return std::nullopt;
   }
   try {
-    return read_yaml(read_file(path), path, diagnostics);
+    std::string text;
+    FileReader(path).append_to(text, most_yaml_bytes + 1);  // of a longer file no more than shows that it is too long
+    return read_yaml(text, path, diagnostics);
   } catch (const FileError& error) {
     diagnostics.error(in_file(path), "", error.what());
     return std::nullopt;
@@ -62,23 +65,28 @@ std::string hash_of(const LoadedScenario& loaded) {
 
 }  // namespace
 
-std::optional<LoadedScenario> load_scenario(const std::string& path, const Overrides& overrides,
-                                            Diagnostics& diagnostics) {
+std::optional<LoadedScenario> load_scenario(const std::string& path, const Overrides& overrides, Diagnostics& diagnostics,
+                                            Prints prints) {
   LoadedScenario loaded;
   loaded.session = std::make_unique<LuaSession>(share_folder());
+  if (prints == Prints::collected) loaded.session->collect_prints();
   loaded.name = fs::path(path).stem().string();
-  std::optional<Value> root = read_tree(path, *loaded.session, diagnostics);
-  if (!root) return std::nullopt;
-  loaded.own_trials = trials_of(*root);
-  apply_overrides(*root, overrides, diagnostics);
+  const std::size_t builtin = loaded.session->registry().size();
+  std::optional<Value> tree = read_tree(path, *loaded.session, diagnostics);
+  if (!tree) return std::nullopt;
+  Value& root = loaded.root = std::move(*tree);
+  loaded.defines_plugins = loaded.session->registry().size() > builtin;
+  loaded.own_trials = trials_of(root);
+  apply_overrides(root, overrides, diagnostics);
   const fs::path folder = fs::path(path).parent_path();
-  load_plugin_files(*root, folder, *loaded.session, diagnostics);
+  load_plugin_files(root, folder, *loaded.session, diagnostics);
 
-  std::optional<Plan> plan = decode(*root, loaded.session->registry(), folder.string(), diagnostics);
+  std::optional<Plan> plan = decode(root, loaded.session->registry(), folder.string(), diagnostics);
   if (!plan || diagnostics.has_errors()) return std::nullopt;
   loaded.plan = std::move(*plan);
   // A shorter run than the scenario asks for lists what it cannot say; a full one must be able to say it.
-  if (loaded.plan.points.front().trials >= loaded.own_trials) check_clearances(*root, loaded.plan, diagnostics);
+  check_clearances(root, loaded.plan, loaded.plan.points.front().trials >= loaded.own_trials, diagnostics);
+  warn_of_short_throws(root, loaded.plan, diagnostics);
   loaded.files = hashes_of(loaded.plan.files, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   loaded.warnings = diagnostics.warnings();

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "batch/censored.h"
 #include "batch/clearance.h"
 #include "batch/crossing_summary.h"
 #include "batch/reach.h"
@@ -21,6 +22,7 @@ struct PointResult {
   std::vector<BarrierSummary> barriers;
   std::vector<ClearanceSummary> clearances;
   std::vector<Reach> reaches;        ///< of the method ballistic
+  std::vector<CensoredPlace> censored;  ///< where censored rocks were, most of them first
 };
 
 struct Measured {

@@ -34,10 +34,13 @@ RankCorrelation rank_correlation(const std::vector<double>& a, const std::vector
   const auto dot = [](const auto& u, const auto& v) { return std::inner_product(u.begin(), u.end(), v.begin(), 0.0); };
   const double scale = std::sqrt(dot(x, x) * dot(y, y));
   if (!(scale > 0)) return {unknown, unknown, unknown};
-  const double r = std::clamp(dot(x, y) / scale, -1.0, 1.0);
-  if (a.size() < least_pairs) return {r, unknown, unknown};
+  return with_interval(std::clamp(dot(x, y) / scale, -1.0, 1.0), a.size(), confidence);
+}
+
+RankCorrelation with_interval(double r, std::size_t n, double confidence) {
+  if (n < least_pairs) return {r, unknown, unknown};
   const double half = boost::math::quantile(boost::math::normal(), 0.5 * (1 + confidence)) *
-                      std::sqrt((1 + 0.5 * r * r) / static_cast<double>(a.size() - 3));
+                      std::sqrt((1 + 0.5 * r * r) / static_cast<double>(n - 3));
   return {r, std::tanh(std::atanh(r) - half), std::tanh(std::atanh(r) + half)};
 }
 

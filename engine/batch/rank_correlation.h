@@ -19,4 +19,7 @@ struct RankCorrelation {
 /// requirements for estimating Pearson, Kendall and Spearman correlations.
 RankCorrelation rank_correlation(const std::vector<double>& a, const std::vector<double>& b, double confidence);
 
+/// The interval of a correlation r that is known, of n pairs.
+RankCorrelation with_interval(double r, std::size_t n, double confidence);
+
 }  // namespace flyrock

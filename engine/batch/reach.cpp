@@ -39,12 +39,13 @@ std::vector<Reach> reaches_in(const Scenario& scenario, const std::vector<GroupS
     Reach reach;
     reach.group = g;
     reach.model = model_text(*scenario.rocks[g].launch);
+    reach.longest = scenario.stop.time;
     const World<D>& world = trial.worlds[rock->world];
     place<D>(reach, world, world.bodies[rock->body]);
     if (!(reach.forces.gravity.y() < 0)) continue;  // nothing comes down
     for (const Statistic statistic : {Statistic::p50, Statistic::p95, Statistic::max}) {
       const double speed = summary.at(RockQuantity::launch_speed, statistic).value;
-      reach.speeds.push_back({statistic, speed, speed > 0 ? farthest(reach.forces, speed, reach.height) : Farthest{}});
+      reach.speeds.push_back({statistic, speed, speed > 0 ? farthest(reach.forces, speed, reach.height, reach.longest) : Farthest{}});
     }
     reaches.push_back(std::move(reach));
   }
@@ -56,7 +57,7 @@ std::vector<Reach> reaches_in(const Scenario& scenario, const std::vector<GroupS
 std::vector<Reach> reaches_of(const Scenario& scenario, const std::vector<GroupSummary>& groups) {
   try {
     return scenario.dimension == 2 ? reaches_in<2>(scenario, groups) : reaches_in<3>(scenario, groups);
-  } catch (const PluginError&) {
+  } catch (const TrialError&) {
     return {};  // the trial could not be built; its row in the results says why
   }
 }

@@ -23,6 +23,7 @@ struct Reach {
   double height = 0;       ///< m, of its start above the lowest ground; in 3D above the ground below it
   double mass = 0;         ///< kg, of that rock
   Forces<2> forces;        ///< in the vertical plane of x
+  double longest = 0;      ///< s, of a flight: stop.time
   std::vector<OfSpeed> speeds;  ///< p50, p95 and the greatest
 };
 

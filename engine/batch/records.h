@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "batch/envelope.h"
+#include "host/print_log.h"
 #include "world/observe.h"
 #include "world/phase_clock.h"
 #include "world/surface.h"
@@ -21,18 +22,20 @@ struct RockRecord {
   double launch_speed = 0, launch_elevation = 0;  ///< m/s, rad
   StopReason reason = StopReason::timed_out;
   bool censored = false;       ///< left_domain or timed_out: its distances are lower bounds
+  double start_x = 0, start_y = 0;  ///< centre of mass at its release
   double runout = 0;           ///< |x_stop - x_release|
   double max_distance = 0;
   double stop_x = 0, stop_y = 0, stop_z = 0;
+  int end_part = -1;           ///< timed_out: part of the terrain that it was on; -1: it was in the air
   bool landed = false;         ///< it flew, and has touched the terrain since: its flight range is known
   double flight_range = 0;
   double bounce_height = 0;
   double max_speed = 0;
   double max_energy = 0;       ///< kinetic, J
   int impacts = 0;
-  double time = 0;
-  Travel travel;               ///< time and path by mode of travel
-  std::string fault;           ///< diverged, plugin_error: why
+  double time = 0;             ///< s, from its start until it came to rest, or until its path ends
+  Travel travel;               ///< path in that time, by mode of travel
+  std::string fault;           ///< of a rock that failed: why
 };
 
 /// One drawn number of one rock: `draw` is the index into Scenario::draws. Draws `per: impact` are not stored.
@@ -90,6 +93,7 @@ struct TrialRecords {
   std::vector<GateRecord> gates;
   std::vector<BarrierRecord> barriers;
   TrialTotals totals;
+  PrintLog prints;  ///< of Lua code; for the terminal alone, in no chunk file
 };
 
 }  // namespace flyrock

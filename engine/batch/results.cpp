@@ -31,6 +31,7 @@ class PointTally {
     result_.totals.add(chunk.totals);
     for (const RockRecord& rock : chunk.rocks) {
       if (result_.first_trial.empty() || rock.trial == result_.first_trial.front().trial) result_.first_trial.push_back(rock);
+      censored_.see(rock);
       if (!is_fault(rock.reason)) continue;
       ++results.fault_count;
       if (results.faults.size() < faults_kept)
@@ -55,6 +56,7 @@ class PointTally {
     result_.gates = crossings_.gates();
     result_.barriers = crossings_.barriers();
     result_.clearances = clearances_.summaries();
+    result_.censored = censored_.places();
     if (scenario_.method == Method::ballistic) result_.reaches = reaches_of(scenario_, result_.groups);
     return std::move(result_);
   }
@@ -66,6 +68,7 @@ class PointTally {
   RockTally rocks_;
   CrossingTally crossings_;
   ClearanceTally clearances_;
+  CensoredTally censored_;
 };
 
 namespace {
@@ -81,10 +84,8 @@ double least_size(const std::vector<PointResult>& points) {
   return least;
 }
 
-std::vector<std::string> collect_warnings(const Plan& plan, const std::vector<PointResult>& points) {
+std::vector<std::string> solver_warnings(const Plan& plan, const std::vector<PointResult>& points) {
   std::vector<std::string> warnings;
-  if (plan.points.front().method != Method::ballistic) warnings = laws_never_asked(plan, points);
-  for (const std::string& key : plan.not_used) warnings.push_back("not used: " + key);
   SolverQuality quality;
   for (const PointResult& point : points) quality.add(point.totals.quality);
   if (quality.not_converged > 0)
@@ -96,6 +97,10 @@ std::vector<std::string> collect_warnings(const Plan& plan, const std::vector<Po
   if (quality.energy_gains > 0)
     warnings.push_back(fmt::format("solver: {} impacts or steps gained energy, {:.3g} J together", quality.energy_gains,
                                    quality.energy_gained));
+  if (quality.shocks > 0)
+    warnings.push_back(fmt::format("solver: {} shocks without collision: a sliding contact jammed and its velocity jumped within one step "
+                                   "(Painlevé's paradox); each has a row among the impacts",
+                                   quality.shocks));
   if (const double size = least_size(points); quality.max_penetration > most_sunk * size)
     warnings.push_back(fmt::format("solver: a rock sank {:.3g} m into the ground or another, the smallest is {:.3g} m across: a shorter "
                                    "solver.time_step, or a stiffer spring (`penalty`), holds it",
@@ -105,11 +110,17 @@ std::vector<std::string> collect_warnings(const Plan& plan, const std::vector<Po
     warnings.push_back(fmt::format("solver: a spring (`penalty`) swings by {:.3g} rad in a step: a bounce is coarse from {} on, and makes "
                                    "energy from 2 on; a shorter solver.time_step or a softer spring mends it",
                                    quality.max_spring_angle, coarse));
-  std::set<std::string> notes;  // the same launch may have the same trouble at every point
+  return warnings;
+}
+
+/// Of the launches, each once: the same launch may have the same trouble at every point.
+std::vector<std::string> launch_notes(const std::vector<PointResult>& points) {
+  std::vector<std::string> list;
+  std::set<std::string> notes;
   for (const PointResult& point : points)
     for (const std::string& note : point.totals.notes)
-      if (notes.insert(note).second) warnings.push_back(note);
-  return warnings;
+      if (notes.insert(note).second) list.push_back(note);
+  return list;
 }
 
 }  // namespace
@@ -142,8 +153,10 @@ Results ResultTally::finish(const std::vector<Rows>& rows, const RunFacts& facts
     results_.points.back().trials = facts.trials.at(p);
   }
   results_.verdicts = judge(plan_, results_.points, facts.full && facts.ended_early.empty());
-  results_.warnings = facts.warnings;
-  for (std::string& warning : collect_warnings(plan_, results_.points)) results_.warnings.push_back(std::move(warning));
+  results_.warnings = solver_warnings(plan_, results_.points);
+  for (const std::vector<std::string>& list : {facts.warnings, launch_notes(results_.points)})
+    results_.warnings.insert(results_.warnings.end(), list.begin(), list.end());
+  if (plan_.points.front().method != Method::ballistic) results_.not_asked = laws_never_asked(plan_, results_.points);
   results_.ended_early = facts.ended_early;
   return std::move(results_);
 }

@@ -23,7 +23,8 @@ struct Fault {
 struct Results {
   std::vector<PointResult> points;
   std::vector<Verdict> verdicts;
-  std::vector<std::string> warnings;  ///< of the reader, laws never asked, keys not used, solver, launches
+  std::vector<std::string> warnings;  ///< what may make the numbers wrong: of the solver, the reader, the launches
+  std::vector<std::string> not_asked; ///< laws that no contact needed; keys that nothing reads are Plan::not_used
   std::vector<Fault> faults;          ///< the first 20
   std::uint64_t fault_count = 0;
   std::string ended_early;            ///< why, or empty where every trial ran

@@ -8,8 +8,10 @@
 #include <exception>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "batch/chunk_queue.h"
+#include "batch/record_check.h"
 #include "batch/safe_file.h"
 #include "batch/statistics.h"
 #include "flight/run.h"
@@ -26,7 +28,7 @@ std::uint64_t count_failed(const TrialRecords& records) {
 class Run {
  public:
   Run(const std::vector<ChunkRange>& chunks, const RunOptions& options)
-      : options_(options), chunks_(chunks), whole_(chunks.size(), 0), queue_(chunks.size(), options.strict) {
+      : options_(options), chunks_(chunks), whole_(chunks.size(), 0), printed_(chunks.size()), queue_(chunks.size(), options.strict) {
     for (const ChunkRange& chunk : chunks) outcome_.progress.total += chunk.count;
   }
 
@@ -65,7 +67,7 @@ class Run {
     if (!options_.resume || !std::filesystem::exists(path)) return false;
     std::string why;
     const std::optional<TrialRecords> records = read_chunk(path, chunk, options_.scenario_hash, Part::whole, why);
-    if (!records) return false;
+    if (!records || (options_.plan && !records_fault(*records, chunk, options_.plan->points[chunk.point]).empty())) return false;
     const std::uint64_t failed = count_failed(*records);
     if ((failed > 0 || records->totals.quality.not_converged > 0) && queue_.may_end()) return false;
     queue_.judge(index, *records, 0);
@@ -114,6 +116,7 @@ class Run {
       whole_[index] = 1;
       outcome_.failed += count_failed(records);
       outcome_.times.add(records.totals.times);
+      printed_[index] = records.prints;
     }
     show(index, records);
   }
@@ -131,6 +134,8 @@ class Run {
       const auto start = std::chrono::steady_clock::now();
       if (shown_ != index) waited = read_back(chunk);
       options_.see(chunk.point, waited ? *waited : records);
+      prints_.add(std::exchange(printed_[shown_], {}));
+      if (!prints_.empty()) options_.print(prints_.take());
       lock.lock();
       outcome_.see_time += (std::chrono::steady_clock::now() - start).count();
       ++shown_;
@@ -164,10 +169,12 @@ class Run {
   const RunOptions& options_;
   std::vector<ChunkRange> chunks_;  ///< the one in which the run ends becomes short
   std::vector<char> whole_;         ///< not bool: threads write neighbours
+  std::vector<PrintLog> printed_;   ///< by the Lua code of each chunk that is not shown yet
   ChunkQueue queue_;
-  std::mutex mutex_;  ///< of what follows, and of chunks_ and whole_
+  std::mutex mutex_;  ///< of what follows, and of chunks_, whole_ and printed_
   std::size_t shown_ = 0;  ///< chunks, from the first
-  bool showing_ = false;   ///< by some thread
+  bool showing_ = false;   ///< by some thread, to which prints_ belongs
+  PrintLog prints_;        ///< of the whole run
   RunOutcome outcome_;
   std::exception_ptr error_;
   std::atomic<bool> interrupted_ = false;

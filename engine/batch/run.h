@@ -12,6 +12,7 @@
 
 #include "batch/chunk.h"
 #include "batch/records.h"
+#include "scenario/scenario.h"
 
 namespace flyrock {
 
@@ -31,11 +32,14 @@ struct RunOptions {
   std::string scenario_hash;
   int threads = 1;                ///< at most; a chunk is the least that a thread is given
   bool resume = false;            ///< keep whole chunk files of this scenario that are there
+  const Plan* plan = nullptr;     ///< whose chunks are kept; without it, what is in them is not held against it
   bool strict = false;            ///< end at the first rock that fails, at the first step that did not converge
   std::function<bool()> interrupted = [] { return false; };  ///< asked before each trial, by any thread; a trial may throw Interrupted besides
   std::function<void(const RunProgress&)> report = [](const RunProgress&) {};  ///< told after each trial, one at a time
   /// Shown each chunk of the outcome in its order, while others run: by any thread, one at a time.
   std::function<void(int point, const TrialRecords&)> see = [](int, const TrialRecords&) {};
+  /// Told what Lua code printed, in the order of trials, PrintLog's lines of a place at most. Chunks that are kept print nothing.
+  std::function<void(const std::vector<std::string>& lines)> print = [](const std::vector<std::string>&) {};
 };
 
 enum class RunEnding {

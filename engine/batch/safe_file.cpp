@@ -18,6 +18,10 @@ namespace {
   throw FileError(fmt::format("cannot {} {}: {}", what, path.string(), std::strerror(code)));
 }
 
+[[noreturn]] void fail_to_read(const std::filesystem::path& path, int code) {
+  throw UnreadableFile(fmt::format("cannot read {}: {}", path.string(), std::strerror(code)));
+}
+
 }  // namespace
 
 std::filesystem::path temporary_name(const std::filesystem::path& path) { return path.string() + ".partial"; }
@@ -87,9 +91,12 @@ void write_file(const std::filesystem::path& path, std::string_view bytes, Sync 
 
 FileReader::FileReader(std::filesystem::path path) : path_(std::move(path)) {
   std::error_code code;
-  if (std::filesystem::is_directory(path_, code)) fail("read", path_, EISDIR);
+  const std::filesystem::file_status status = std::filesystem::status(path_, code);
+  if (std::filesystem::is_directory(status)) fail_to_read(path_, EISDIR);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))  // may never end
+    throw UnreadableFile(fmt::format("cannot read {}: a pipe or a device, expected a file", path_.string()));
   file_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file_ < 0) fail("read", path_, errno);
+  if (file_ < 0) fail_to_read(path_, errno);
 }
 
 FileReader::~FileReader() { ::close(file_); }
@@ -105,7 +112,7 @@ void FileReader::append_to(std::string& bytes, std::uint64_t count) {
     bytes.resize(size + static_cast<std::size_t>(std::max<ssize_t>(read, 0)));
     if (read == 0) return;
     if (read > 0) count -= static_cast<std::uint64_t>(read);
-    else if (failure != EINTR) fail("read", path_, failure);
+    else if (failure != EINTR) fail_to_read(path_, failure);
   }
 }
 

@@ -14,6 +14,11 @@ struct FileError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A file that cannot be read, or holds what flyrock did not write: bad input to a command that is given it.
+struct UnreadableFile : FileError {
+  using FileError::FileError;
+};
+
 /// Whether a file must also outlast a power cut.
 enum class Sync {
   yes,
@@ -55,13 +60,13 @@ void write_file(const std::filesystem::path& path, std::string_view bytes, Sync 
 /// A file that is read from its beginning on.
 class FileReader {
  public:
-  /// Throws FileError.
+  /// Throws UnreadableFile.
   explicit FileReader(std::filesystem::path path);
   ~FileReader();
   FileReader(const FileReader&) = delete;
   FileReader& operator=(const FileReader&) = delete;
 
-  /// The next `count` bytes, fewer where the file ends before. Throws FileError.
+  /// The next `count` bytes, fewer where the file ends before. Throws UnreadableFile.
   void append_to(std::string& bytes, std::uint64_t count);
 
  private:
@@ -69,7 +74,7 @@ class FileReader {
   int file_ = -1;
 };
 
-/// The bytes of a file. Throws FileError.
+/// The bytes of a file. Throws UnreadableFile.
 std::string read_file(const std::filesystem::path& path);
 
 /// Makes a folder and those above it. Throws FileError.

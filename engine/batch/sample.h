@@ -17,6 +17,9 @@ struct Bounded {
   bool censored = false;
 };
 
+/// The confidence that all intervals of a summary have.
+inline constexpr double stated_confidence = 0.95;
+
 /// A confidence interval; NaN for an end that the sample does not give: it is too small, or censored values reach it.
 struct Interval {
   double lower = 0, upper = 0;

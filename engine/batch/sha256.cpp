@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <bit>
-#include <cstdint>
 
 namespace flyrock {
 
@@ -21,6 +20,7 @@ constexpr std::array<std::uint32_t, 64> round_constants = {
     0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
 
 using State = std::array<std::uint32_t, 8>;
+constexpr std::size_t block_size = 64;  // bytes
 
 void add_block(State& state, const unsigned char* block) {
   std::array<std::uint32_t, 64> w;
@@ -47,20 +47,37 @@ void add_block(State& state, const unsigned char* block) {
 
 }  // namespace
 
-std::string sha256(std::string_view bytes) {
-  // The message, a one bit, zeros, and its length in bits as 8 bytes, up to a multiple of 64 bytes.
-  std::string padded(bytes);
-  padded.push_back('\x80');
-  while (padded.size() % 64 != 56) padded.push_back('\0');
-  const std::uint64_t bits = 8 * static_cast<std::uint64_t>(bytes.size());
-  for (int shift = 56; shift >= 0; shift -= 8) padded.push_back(static_cast<char>(bits >> shift));
+void Sha256::add(std::string_view bytes) {
+  length_ += bytes.size();
+  if (!rest_.empty()) {
+    const std::size_t wanted = std::min(block_size - rest_.size(), bytes.size());
+    rest_ += bytes.substr(0, wanted);
+    bytes.remove_prefix(wanted);
+    if (rest_.size() < block_size) return;
+    add_block(state_, reinterpret_cast<const unsigned char*>(rest_.data()));
+    rest_.clear();
+  }
+  for (; bytes.size() >= block_size; bytes.remove_prefix(block_size))
+    add_block(state_, reinterpret_cast<const unsigned char*>(bytes.data()));
+  rest_ = bytes;
+}
 
-  State state = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a, 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
-  for (std::size_t i = 0; i < padded.size(); i += 64)
-    add_block(state, reinterpret_cast<const unsigned char*>(padded.data()) + i);
+std::string Sha256::digest() {
+  // The message, a one bit, zeros, and its length in bits as 8 bytes, up to a whole number of blocks.
+  const std::uint64_t bits = 8 * length_;
+  std::string end = "\x80";
+  while ((rest_.size() + end.size()) % block_size != block_size - 8) end.push_back('\0');
+  for (int shift = 56; shift >= 0; shift -= 8) end.push_back(static_cast<char>(bits >> shift));
+  add(end);
   std::string text;
-  for (std::uint32_t word : state) text += fmt::format("{:08x}", word);
+  for (const std::uint32_t word : state_) text += fmt::format("{:08x}", word);
   return text;
+}
+
+std::string sha256(std::string_view bytes) {
+  Sha256 sum;
+  sum.add(bytes);
+  return sum.digest();
 }
 
 }  // namespace flyrock

@@ -76,7 +76,9 @@ double GroupSummary::censored_share() const {
   return count > faults ? static_cast<double>(censored) / static_cast<double>(count - faults) : 0;
 }
 
-bool is_fault(StopReason reason) { return reason == StopReason::diverged || reason == StopReason::plugin_error; }
+bool is_fault(StopReason reason) {
+  return reason == StopReason::diverged || reason == StopReason::plugin_error || reason == StopReason::not_started;
+}
 
 std::vector<std::string> group_names(const Scenario& scenario) {
   std::vector<std::string> names;

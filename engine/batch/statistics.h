@@ -9,6 +9,7 @@
 
 #include "batch/records.h"
 #include "batch/sample.h"
+#include "batch/share.h"
 #include "scenario/scenario.h"
 
 namespace flyrock {
@@ -29,8 +30,6 @@ using Statistics = std::array<Bounded, statistic_names.size()>;  ///< indexed by
 /// for its launch speed and the flight range of a rock that had landed.
 Bounded quantity_of(const RockRecord& rock, RockQuantity quantity);
 
-/// The confidence that all intervals of a summary have.
-inline constexpr double stated_confidence = 0.95;
 /// Intervals of the mean and of the percentiles; NaN for the other statistics. The values are taken as independent.
 using Intervals = std::array<Interval, statistic_names.size()>;
 
@@ -43,9 +42,9 @@ Intervals intervals_of(const Sample& sample);
 struct GroupSummary {
   std::string name;         ///< empty: all rocks
   std::uint64_t count = 0;  ///< rocks, those with faults included
-  std::uint64_t faults = 0; ///< diverged, plugin_error: in no statistic
+  std::uint64_t faults = 0; ///< rocks that failed: in no statistic
   std::uint64_t censored = 0;
-  std::array<std::uint64_t, 6> reasons{};  ///< indexed by StopReason
+  std::array<std::uint64_t, stop_reasons> reasons{};  ///< indexed by StopReason
   std::array<Statistics, quantity_names.size()> statistics{};
   std::array<Intervals, quantity_names.size()> intervals{};
 
@@ -57,6 +56,7 @@ struct GroupSummary {
   }
   /// Share of the rocks without faults that are censored; 0 where there are none.
   double censored_share() const;
+  Interval censored_interval() const { return share_interval(censored, count - faults, stated_confidence); }
 };
 
 bool is_fault(StopReason reason);

@@ -3,14 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <optional>
+#include <tuple>
+#include <utility>
 
 #include "batch/safe_file.h"
 #include "batch/statistics.h"
 #include "flight/ground.h"
 #include "flight/run.h"
 #include "scenario/dimensions.h"
+#include "scenario/scenario_error.h"
 #include "solver/fclib.h"
 #include "trajectory/ballistic_run.h"
 
@@ -18,39 +21,37 @@ namespace flyrock {
 
 namespace {
 
-constexpr std::uint64_t samples = 3;
+/// Why a world could not go on, and what that makes of its rocks.
+using TrialFault = std::pair<std::string, StopReason>;
 
 // Phases are timed in every 16th trial: reading the clock costs as much as a tenth of a step.
 constexpr std::uint64_t timed_every = 16;
 
-/// Calls a law of a material on one sampled state, with a memory that is new, and checks its answer.
-template <class LawKind, class Ask>
-void try_law(const std::unique_ptr<LawKind>& law, const std::optional<PluginUse>& use, ContactState state, Ask&& ask) {
-  if (!law) return;
-  std::vector<double> history(use->plugin->spec.history.size(), 0.0);
-  state.history = history;
-  check_answer(*law, ask(*law, state));
+/// "rocks.0.release: it starts inside the terrain"
+std::string at_key(const std::string& path, const std::string& fault) { return path.empty() ? fault : path + ": " + fault; }
+
+/// When a rock came to rest, which in a trial of several rocks may be long before the trial ends; of one that did not, when its path
+/// ends.
+double end_of(const BodyHistory& history) {
+  const bool rested = history.reason == StopReason::stopped && !std::isnan(history.stop_time);
+  return rested ? history.stop_time : history.last.time;
 }
 
-/// States of a contact as laws meet them: a slow, an oblique and a fast impact.
-std::array<ContactState, samples> sampled_contacts() {
-  std::array<ContactState, samples> states;
-  const double approach[] = {0.1, 3, 20}, slip[] = {0.5, 8, 1};
-  for (std::size_t i = 0; i < samples; ++i) {
-    ContactState& s = states[i];
-    s.approach_speed = approach[i];
-    s.slip_speed = slip[i];
-    s.impact_angle = std::atan2(s.approach_speed, s.slip_speed);
-    s.mass = 500;
-    s.effective_mass = 300;
-    s.radius = 0.3;
-    s.spin = 2;
-    s.kinetic_energy = 0.5 * s.mass * (s.approach_speed * s.approach_speed + s.slip_speed * s.slip_speed);
-    s.impact_number = 1;
-    s.group_a = "rock";
-    s.group_b = "terrain";
-  }
-  return states;
+int part_at(const Terrain2& terrain, const Vec2& at) {
+  const Terrain2::Run run = terrain.segments_between(at.x(), at.x());
+  const auto top = [&](int segment) { return std::max(terrain.start(segment).y(), terrain.end(segment).y()); };
+  if (run.first > run.last) return -1;
+  int highest = run.first;
+  for (int i = run.first; i <= run.last; ++i)
+    if (top(i) > top(highest)) highest = i;
+  return terrain.part(highest);
+}
+int part_at(const Terrain3&, const Vec3&) { return 0; }
+
+/// The part of the terrain that a body is on; -1 where all of it is higher than its own radius.
+template <int D, class Terrain>
+int part_below(const Terrain& terrain, const Body<D>& body) {
+  return body.x[D - 1] - ground_height(terrain, body.x) > body.radius ? -1 : part_at(terrain, body.x);
 }
 
 Profile picture(const Terrain2& terrain) { return terrain.profile(); }
@@ -73,8 +74,7 @@ class TrialRunner::Trials : public OfDimension {
   Profile picture_of(std::uint64_t trial) override { return picture(*builder_.terrain_of(trial)); }
 
  private:
-  void sample();
-  void fail_trial(std::uint64_t trial, const std::string& fault, TrialRecords& out) const;
+  void fail_trial(std::uint64_t trial, const ScenarioError& error, TrialRecords& out) const;
   /// The rocks of a trial by the method ballistic: a history a world.
   std::vector<std::vector<BodyHistory>> fly(const Trial<D>& trial, const RunSettings& settings) const;
   void record(std::uint64_t trial, int index, const TrialRock& rock, const World<D>* world, const BodyHistory& history,
@@ -99,45 +99,15 @@ template <int D>
 TrialRunner::Trials<D>::Trials(const Scenario& scenario) : scenario_(scenario), builder_(scenario) {
   for (const GatePlan& gate : scenario.gates) gates_.push_back({gate.x});
   for (const BarrierPlan& barrier : scenario.barriers) barriers_.push_back({barrier.x, barrier.height, barrier.capacity});
-  sample();
   if (D == 2 && scenario.bodies.empty()) bin_width_ = envelope_width(picture_of(0));
 }
 
-/// Laws on sampled contacts; shapes, populations, launches and the terrain by building the first trials.
 template <int D>
-void TrialRunner::Trials<D>::sample() {
-  for (std::size_t m = 0; m < scenario_.materials.size(); ++m) {
-    const Material& material = scenario_.materials[m];
-    const MaterialLaws& laws = builder_.instances().materials[m];
-    const auto states = sampled_contacts();
-    for (std::uint64_t i = 0; i < samples; ++i) {
-      ContactState state = states[i];
-      state.material = material.name;
-      const DrawKey key{i, 1, 1, 1};
-      const auto values = [&](const auto& use) { return values_of(*use, scenario_, key); };
-      try_law(laws.restitution, material.restitution, state,
-              [&](const auto& law, const auto& s) { return law.impact(values(material.restitution), s); });
-      try_law(laws.friction, material.friction, state,
-              [&](const auto& law, const auto& s) { return law.friction(values(material.friction), s); });
-      try_law(laws.rolling, material.rolling, state,
-              [&](const auto& law, const auto& s) { return law.rolling(values(material.rolling), s); });
-      try_law(laws.unilateral, material.unilateral, state,
-              [&](const auto& law, const auto& s) { return law.condition(values(material.unilateral), s); });
-    }
-  }
-  for (std::uint64_t trial = 0; trial < std::min(samples, scenario_.trials); ++trial) {
-    const Trial<D> built = builder_.build(trial);
-    for (const TrialRock& rock : built.rocks)
-      if (!rock.fault.empty()) throw PluginError(rock.fault);
-  }
-}
-
-template <int D>
-void TrialRunner::Trials<D>::fail_trial(std::uint64_t trial, const std::string& fault, TrialRecords& out) const {
+void TrialRunner::Trials<D>::fail_trial(std::uint64_t trial, const ScenarioError& error, TrialRecords& out) const {
   RockRecord row;
   row.trial = trial;
-  row.reason = StopReason::plugin_error;
-  row.fault = fault;
+  row.reason = reason_of(error);
+  row.fault = at_key(error.path, error.what());
   out.rocks.push_back(row);
 }
 
@@ -147,8 +117,8 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
   Trial<D> trial;
   try {
     trial = builder_.build(number);
-  } catch (const PluginError& error) {
-    return fail_trial(number, error.what(), out);
+  } catch (const ScenarioError& error) {
+    return fail_trial(number, error, out);
   }
   const bool stores = number < static_cast<std::uint64_t>(scenario_.output.trajectories_first);
   RunSettings settings;
@@ -166,7 +136,7 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
   const auto start = std::chrono::steady_clock::now();
   PhaseTimes times;
   std::vector<std::vector<BodyHistory>> histories(trial.worlds.size());
-  std::vector<std::string> faults(trial.worlds.size());
+  std::vector<std::optional<TrialFault>> faults(trial.worlds.size());
   constexpr int most_hard_problems = 10;
   int kept = 0;
   const bool flies = scenario_.method == Method::ballistic;
@@ -184,8 +154,8 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
       };
     try {
       flyrock::run(world, settings, histories[w]);
-    } catch (const PluginError& error) {
-      faults[w] = error.what();
+    } catch (const TrialError& error) {
+      faults[w] = {error.what(), reason_of(error)};
     }
     out.totals.quality.add(world.quality());
   }
@@ -201,7 +171,7 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
     if (rock.world < 0) {
       record(number, static_cast<int>(i), rock, nullptr, {}, out);
     } else {
-      if (!faults[rock.world].empty()) rock.fault = faults[rock.world];
+      if (faults[rock.world]) std::tie(rock.fault, rock.reason) = *faults[rock.world];
       record(number, static_cast<int>(i), rock, &trial.worlds[rock.world], histories[rock.world][rock.body], out);
     }
     if (!rock.note.empty()) out.totals.add_note(rock.note);
@@ -239,25 +209,28 @@ void TrialRunner::Trials<D>::record(std::uint64_t trial, int index, const TrialR
   row.group = rock.group;
   row.launch_speed = rock.launch_speed;
   row.launch_elevation = rock.launch_elevation;
-  row.reason = rock.fault.empty() ? history.reason : StopReason::plugin_error;
-  row.fault = rock.fault.empty() ? history.fault : rock.fault;
+  row.reason = rock.fault.empty() ? history.reason : rock.reason;
+  row.fault = rock.fault.empty() ? history.fault : at_key(rock.fault_path, rock.fault);
   row.censored = row.reason == StopReason::left_domain || row.reason == StopReason::timed_out;
   if (world) {
     const Body<D>& body = world->bodies[rock.body];
     row.mass = body.mass;
     row.volume = body.volume;
+    row.start_x = history.first.position.x();
+    row.start_y = history.first.position.y();
     row.runout = horizontal(Vec<D>((history.last.position - history.first.position).template head<D>()));
     row.max_distance = history.max_distance;
     row.stop_x = history.last.position.x();
     row.stop_y = history.last.position.y();
     row.stop_z = history.last.position.z();
+    if (row.reason == StopReason::timed_out) row.end_part = part_below(world->terrain(), body);
     row.landed = history.landed;
     row.flight_range = history.flight_range;
     row.bounce_height = history.bounce_height;
     row.max_speed = history.max_speed;
     row.max_energy = history.max.kinetic_energy;
     row.impacts = history.impact_count;
-    row.time = history.last.time - rock.start_time;
+    row.time = end_of(history) - rock.start_time;
     row.travel = history.travel;
     if (!is_fault(row.reason)) out.totals.envelopes.add(row.group, history.path);
     for (const Passage& passage : history.passages) out.gates.push_back({trial, index, passage});

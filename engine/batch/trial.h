@@ -13,7 +13,7 @@ namespace flyrock {
 /// Owns the instances of the plugins; not shared between threads.
 class TrialRunner {
  public:
-  /// Makes the plugins and calls each on three sampled states. Throws PluginError: bad input, nothing was run.
+  /// Makes the plugins. Throws ScenarioError where one of them, or the ground of trial 0, cannot be made.
   explicit TrialRunner(const Scenario& scenario);
 
   /// Appends one trial. A rock that fails is a row with its reason, never an exception.

@@ -3,10 +3,12 @@
 #include <filesystem>
 #include <vector>
 
+#include "batch/answer.h"
 #include "batch/safe_file.h"
-#include "batch/trial.h"
 #include "cli/loading.h"
+#include "cli/not_used_line.h"
 #include "cli/plugin_file.h"
+#include "cli/runners.h"
 #include "host/share.h"
 #include "plugin/conformance.h"
 
@@ -22,7 +24,7 @@ int check_plugin(const std::string& path) {
   std::size_t faults = 0;
   for (const Plugin* plugin : *plugins)
     for (const std::string& fault : conformance_faults(*plugin)) {
-      fmt::print(stderr, "{}: error: {}/{}: {}\n", path, name_of(plugin->spec.kind), plugin->spec.name, fault);
+      fmt::print(stderr, "{}: error: {}/{}: {}\n", place_of(plugin->spec), name_of(plugin->spec.kind), plugin->spec.name, fault);
       ++faults;
     }
   if (faults > 0) return bad_input;
@@ -31,16 +33,13 @@ int check_plugin(const std::string& path) {
 }
 
 int check_scenario(const std::string& path, const Overrides& overrides, bool strict) {
-  const auto loaded = load(path, overrides, strict);
+  std::optional<LoadedScenario> loaded = load(path, overrides, strict);
   if (!loaded) return bad_input;
   const Plan& plan = loaded->plan;
-  try {
-    for (const Scenario& point : plan.points) TrialRunner runner(point);
-  } catch (const PluginError& error) {
-    fmt::print(stderr, "{}: error: {}\n", path, error.what());
-    return bad_input;
-  }
-  for (const std::string& key : plan.not_used) fmt::print("not used: {}\n", key);
+  constexpr std::uint64_t tried = 200;
+  if (!try_runners(*loaded, tried)) return bad_input;
+  fmt::print("{}", not_used_line(plan.not_used, "`flyrock check --strict` says why"));
+  if (const std::string elevations = assumed_elevations(plan.points.front()); !elevations.empty()) fmt::print("{}\n", elevations);
   const std::uint64_t trials = plan.points.front().trials;
   const std::string each =
       plan.axes.empty() ? "" : fmt::format(" at each of {} sweep points", plan.points.size());
@@ -66,7 +65,15 @@ int check(const Command& command, const Arguments& arguments) {
   const CommandLine line = parse(command, options, arguments, 1, 1);
   if (line.help) return done;
   const std::string& path = line.words[0];
-  return is_plugin(path) ? check_plugin(path) : check_scenario(path, overrides_of(line), line.has("strict"));
+  const Overrides overrides = overrides_of(line);
+  try {
+    return is_plugin(path) ? check_plugin(path) : check_scenario(path, overrides, line.has("strict"));
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::exception& error) {  // nothing runs here: what goes wrong lies in the file
+    fmt::print(stderr, "{}: error: {}\n", path, error.what());
+    return bad_input;
+  }
 }
 
 }  // namespace flyrock::cli

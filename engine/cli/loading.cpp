@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "scenario/node.h"
+
 namespace flyrock::cli {
 
 namespace po = boost::program_options;
@@ -24,11 +26,12 @@ Overrides overrides_of(const CommandLine& line) {
 std::optional<LoadedScenario> load(const std::string& path, const Overrides& overrides, bool strict) {
   Diagnostics diagnostics;
   std::optional<LoadedScenario> loaded = load_scenario(path, overrides, diagnostics);
+  if (strict && loaded)
+    for (const std::string& key : loaded->plan.not_used)  // "blast.spacing (bench_fit does not read it)"
+      diagnostics.error(node_at(loaded->root, key.substr(0, key.find(' '))).key_at, "", "not used: " + key);
   const std::string text = diagnostics.to_text();
   if (!text.empty()) fmt::print(stderr, "{}{}", text, text.back() == '\n' ? "" : "\n");
-  if (!loaded || !strict || loaded->plan.not_used.empty()) return loaded;
-  for (const std::string& key : loaded->plan.not_used) fmt::print(stderr, "{}: error: not used: {}\n", path, key);
-  return std::nullopt;
+  return diagnostics.has_errors() ? std::nullopt : std::move(loaded);
 }
 
 }  // namespace flyrock::cli

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "batch/record_check.h"
 #include "batch/safe_file.h"
 #include "cli/conclude.h"
 #include "cli/loading.h"
@@ -23,7 +24,7 @@ std::string common_hash(const std::vector<std::string>& shards) {
   std::string common;
   for (const std::string& shard : shards) {
     const std::string hash = scenario_hash_in(shard);
-    if (hash.empty()) throw UsageError(fmt::format("{} is no result folder: it has no manifest.json", shard));
+    if (hash.empty()) throw UsageError(fmt::format("{} is no result folder: it has no manifest.json, or a damaged one", shard));
     if (!fs::is_directory(fs::path(shard) / "chunks"))
       throw UsageError(fmt::format("{} has no chunks: it is no shard, its results stand", shard));
     if (!common.empty() && hash != common)
@@ -34,29 +35,63 @@ std::string common_hash(const std::vector<std::string>& shards) {
   return common;
 }
 
-/// The chunks of a plan that the shards hold, in order.
-std::vector<ChunkFile> find_chunks(const std::vector<ChunkRange>& chunks, const std::vector<std::string>& shards) {
-  std::vector<std::shared_ptr<const fs::path>> folders;
-  for (const std::string& shard : shards) folders.push_back(std::make_shared<const fs::path>(fs::path(shard) / "chunks"));
+/// A folder that is merged: which part of the chunks it should have, and how many of them are not there.
+struct Piece {
+  std::string name;
+  std::shared_ptr<const fs::path> chunks;  ///< folder
+  Shard shard;
+  std::size_t wanted = 0, lost = 0;
+};
+
+std::vector<Piece> pieces_of(const std::vector<std::string>& shards) {
+  std::vector<Piece> pieces;
+  for (const std::string& shard : shards) {
+    const fs::path chunks = fs::path(shard) / "chunks";
+    pieces.push_back({shard, std::make_shared<const fs::path>(chunks), read_request(chunks).shard});
+  }
+  return pieces;
+}
+
+/// The chunks of a plan that the pieces hold, in order; counts what they lack of their own.
+std::vector<ChunkFile> find_chunks(const std::vector<ChunkRange>& chunks, std::vector<Piece>& pieces) {
   std::vector<ChunkFile> files;
-  for (const ChunkRange& chunk : chunks) {
-    const std::string* holder = nullptr;
-    for (std::size_t s = 0; s < shards.size(); ++s) {
-      const ChunkFile file{chunk, folders[s]};
-      if (!fs::exists(file.path())) continue;
-      if (holder) throw UsageError(fmt::format("{} and {} both hold {}: a shard given twice", *holder, shards[s], chunk.file_name()));
-      holder = &shards[s];
+  for (std::size_t c = 0; c < chunks.size(); ++c) {
+    const Piece* holder = nullptr;
+    for (Piece& piece : pieces) {
+      const ChunkFile file{chunks[c], piece.chunks};
+      const bool wanted = piece.shard.holds(c), found = fs::exists(file.path());
+      piece.wanted += wanted;
+      piece.lost += wanted && !found;
+      if (!found) continue;
+      if (holder) throw UsageError(fmt::format("{} and {} both hold {}: a shard given twice", holder->name, piece.name, chunks[c].file_name()));
+      if (!wanted)
+        throw InputError(fmt::format("{} holds {}, which is no chunk of shard {} of {}: it, or its request.json, is not what a run wrote",
+                                     piece.name, chunks[c].file_name(), piece.shard.number, piece.shard.of));
+      holder = &piece;
       files.push_back(file);
     }
   }
   return files;
 }
 
+/// Says which folders lack chunks that they should have; whether there are any.
+bool tell_lost(const std::vector<Piece>& pieces) {
+  bool any = false;
+  for (const Piece& piece : pieces) {
+    if (piece.lost == 0) continue;
+    any = true;
+    fmt::print(stderr, "error: {} lacks {} of its {} chunks; run that shard again with --resume\n", piece.name, piece.lost, piece.wanted);
+  }
+  return any;
+}
+
 /// Reads every chunk once before anything is written. Throws InputError.
-void check_whole(const std::vector<ChunkFile>& files, const std::string& hash) {
+void check_whole(const std::vector<ChunkFile>& files, const LoadedScenario& scenario) {
   for (const ChunkFile& file : files) {
     std::string why;
-    if (!read_chunk(file.path(), file.range, hash, Part::whole, why))
+    const std::optional<TrialRecords> records = read_chunk(file.path(), file.range, scenario.hash, Part::whole, why);
+    if (records) why = records_fault(*records, file.range, scenario.plan.points[static_cast<std::size_t>(file.range.point)]);
+    if (!why.empty())
       throw InputError(fmt::format("{} is not what a run wrote: {}; run its shard again with --resume", file.path().string(), why));
   }
 }
@@ -73,6 +108,7 @@ std::string missing_text(const std::vector<ChunkRange>& chunks, const std::vecto
 std::optional<LoadedScenario> load_again(const CommandLine& line, const std::string& hash, Request& request) {
   const std::string& shard = line.words.front();
   request = read_request(fs::path(shard) / "chunks");
+  request.shard = {};
   if (line.has("scenario")) request.scenario = line.text("scenario");
   else if (!fs::exists(request.scenario))
     throw UsageError(fmt::format("the scenario of {}, {}, is not here; name it with --scenario FILE", shard, request.scenario));
@@ -105,19 +141,21 @@ int merge(const Command& command, const Arguments& arguments) {
 
   const std::string hash = common_hash(shards);
   Request request;
-  const std::optional<LoadedScenario> loaded = load_again(line, hash, request);
+  std::optional<LoadedScenario> loaded = load_again(line, hash, request);
   if (!loaded) return bad_input;
   const Plan& plan = loaded->plan;
   const std::vector<ChunkRange> chunks =
       plan_chunks(static_cast<int>(plan.points.size()), plan.points.front().trials);
-  const std::vector<ChunkFile> files = find_chunks(chunks, shards);
+  std::vector<Piece> pieces = pieces_of(shards);
+  const std::vector<ChunkFile> files = find_chunks(chunks, pieces);
   std::vector<ChunkRange> found;
   for (const ChunkFile& file : files) found.push_back(file.range);
 
-  check_whole(files, hash);
+  check_whole(files, *loaded);
 
   ResultFolder folder(line.text("output"), *loaded, line.has("force") ? Existing::replaced : Existing::refused);
-  Runners runners = make_runners(*loaded);
+  std::optional<Runners> runners = try_runners(*loaded, tried_before_a_run);
+  if (!runners) return bad_input;
   folder.open(*loaded, request);
   const RunFacts facts{.trials = trials_of(found, plan.points.size()),
                        .full = plan.points.front().trials >= loaded->own_trials,
@@ -129,12 +167,14 @@ int merge(const Command& command, const Arguments& arguments) {
   ResultWriter writer(folder.path(), *loaded);
   for (std::size_t p = 0; p < rows.size(); ++p)
     rows[p](Part::whole, [&](const TrialRecords& chunk) { writer.see(static_cast<int>(p), chunk); });
-  const Results results = folder.build(writer, rows, facts, first_terrains(runners), log);
+  const Results results = folder.build(writer, rows, facts, first_terrains(*runners), log);
   folder.tidy();
   print_faults(results);
   if (!line.has("quiet"))
     fmt::print("{}report: {}\n", summary_text(plan, results, loaded->warnings), folder.report().string());
-  if (!results.ended_early.empty() && results.fault_count == 0) return done;  // some shards are enough, and it was said
+  const bool lost = tell_lost(pieces);
+  // Some shards are enough, and it was said.
+  if (!results.ended_early.empty() && results.fault_count == 0 && !lost) return done;
   return exit_code(results);
 }
 

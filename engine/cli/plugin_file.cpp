@@ -5,6 +5,12 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "batch/safe_file.h"
+#include "host/locate.h"
+#include "host/lua_tokens.h"
+#include "host/manifest.h"
+#include "scenario/yaml_text.h"
+
 namespace flyrock::cli {
 
 namespace fs = std::filesystem;
@@ -35,6 +41,23 @@ std::optional<std::vector<const Plugin*>> load_plugin_file(LuaSession& session, 
   std::vector<const Plugin*> own = all_plugins(session.registry());
   std::erase_if(own, [&](const Plugin* plugin) { return std::find(before.begin(), before.end(), plugin) != before.end(); });
   return own;
+}
+
+std::string place_of(const PluginSpec& spec) {
+  const auto source = source_of(read_file(spec.file), spec.file);
+  const std::vector<LuaToken> tokens = lua_tokens(source->lines);
+  const auto is_name = [&](const LuaToken& token, const Location& at) {
+    return token.line == at.line && token.column == at.column && token.text == spec.name;
+  };
+  Location place{source, 1, 1};
+  for (const LuaToken& call : tokens) {  // a file may register several plugins
+    if (!call.is("plugin")) continue;
+    const FieldPlaces fields(source, "plugin", call.line);
+    const Location name = fields.value("name");
+    if (std::any_of(tokens.begin(), tokens.end(), [&](const LuaToken& token) { return is_name(token, name); }))
+      place = fields.key(spec.native.empty() ? std::string(entry_point(spec.kind)) : "native");
+  }
+  return fmt::format("{}:{}:{}", spec.file, place.line, place.column);
 }
 
 }  // namespace flyrock::cli

@@ -42,6 +42,7 @@ std::string allowed_text(const ParamSpec& param) {
   if (param.above) limits.push_back("above " + in_unit(*param.above, param));
   if (param.max) limits.push_back("at most " + in_unit(*param.max, param));
   if (param.below) limits.push_back("below " + in_unit(*param.below, param));
+  for (const ParamBound& bound : param.bounds) limits.push_back(fmt::format("{} {}", name_of(bound.relation), bound.other));
   if (!param.choices.empty()) limits.push_back(fmt::format("{}", fmt::join(param.choices, " | ")));
   return fmt::format("{}", fmt::join(limits, ", "));
 }
@@ -167,6 +168,7 @@ Json json_of(const PluginSpec& spec) {
     if (param.max) entry["max"] = *param.max;
     if (param.above) entry["above"] = *param.above;
     if (param.below) entry["below"] = *param.below;
+    for (const ParamBound& bound : param.bounds) entry[std::string(key_of(bound.relation))] = bound.other;
     if (!param.choices.empty()) entry["choices"] = param.choices;
     params.push_back(entry);
   }

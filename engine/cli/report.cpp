@@ -13,12 +13,25 @@
 
 namespace flyrock::cli {
 
+namespace {
+
+/// The page of what the database holds. Throws UnreadableFile.
+std::string page_of(const std::filesystem::path& database) {
+  try {
+    const auto data = nlohmann::ordered_json::parse(stored_report(database));
+    return report_html(data, std::filesystem::path(share_folder()) / "report");
+  } catch (const nlohmann::json::exception&) {
+    throw UnreadableFile(fmt::format("{} is damaged: its data of a report are none", database.string()));
+  }
+}
+
+}  // namespace
+
 int report(const Command& command, const Arguments& arguments) {
   const CommandLine line = parse(command, boost::program_options::options_description("options"), arguments, 1, 1);
   if (line.help) return done;
   const std::filesystem::path folder = finished_result(line.words[0]), page = folder / "report.html";
-  const auto data = nlohmann::ordered_json::parse(stored_report(folder / "results.db"));
-  write_file(page, report_html(data, std::filesystem::path(share_folder()) / "report"));
+  write_file(page, page_of(folder / "results.db"));
   fmt::print("report: {}\n", page.string());
   return done;
 }

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "batch/checksums.h"
 #include "batch/safe_file.h"
 #include "host/share.h"
 
@@ -17,14 +18,24 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* manifest_name = "manifest.json";
 constexpr const char* run_log_name = "run.log";  ///< written when all else is there
-constexpr std::array result_names = {run_log_name, "summary.json", "rocks.csv", "results.db", "report.html"};
+constexpr std::array result_names = {run_log_name, checksums_name, "summary.json", "rocks.csv", "results.db", "report.html"};
 
-/// A file of a result folder as JSON; null where it is missing or no JSON, as in a folder that was made half.
-nlohmann::json json_in(const fs::path& file) {
+/// Whether a run came to its end there.
+bool stands(const fs::path& folder) {
   std::error_code code;
-  if (!fs::is_regular_file(file, code)) return nullptr;
-  return nlohmann::json::parse(read_file(file), nullptr, false);
+  return fs::exists(folder / run_log_name, code);
+}
+
+/// What `read` finds in a file of JSON. Throws UnreadableFile where the file is none, or `read` does not find it.
+template <class Read>
+auto read_json(const fs::path& file, Read read) {
+  try {
+    return read(nlohmann::json::parse(read_file(file)));
+  } catch (const nlohmann::json::exception&) {
+    throw UnreadableFile(fmt::format("{} is damaged: it is not what a run writes", file.string()));
+  }
 }
 
 /// What another process is writing is neither read nor replaced.
@@ -36,22 +47,33 @@ void refuse_written(const fs::path& folder) {
 
 std::string scenario_hash_in(const fs::path& folder) {
   refuse_written(folder);
-  const nlohmann::json manifest = json_in(folder / "manifest.json");
-  if (!manifest.is_object()) return "";
-  if (manifest.value("format", 0) != result_format)
-    throw InputError(fmt::format("{} was written by flyrock {} in format {}, this one has format {}: run the scenario again, "
-                                 "with --force or -o DIR",
-                                 folder.string(), manifest.value("flyrock", "?"), manifest.value("format", 0), result_format));
-  return manifest.value("scenario_sha256", "");
+  const fs::path file = folder / manifest_name;
+  std::error_code code;
+  if (!fs::is_regular_file(file, code) || fs::is_empty(file, code)) return "";
+  const auto read_hash = [&](const nlohmann::json& manifest) {
+    const int format = manifest.at("format");
+    if (format != result_format)
+      throw InputError(fmt::format("{} was written by flyrock {} in format {}, this one has format {}: run the scenario again, "
+                                   "with --force or -o DIR",
+                                   folder.string(), manifest.value("flyrock", "?"), format, result_format));
+    return manifest.at("scenario_sha256").get<std::string>();
+  };
+  try {
+    return read_json(file, read_hash);
+  } catch (const UnreadableFile&) {
+    if (stands(folder)) throw;
+    return "";  // a folder that was made half
+  }
 }
 
 fs::path finished_result(const std::string& folder) {
   const fs::path path(folder);
-  if (scenario_hash_in(path).empty()) throw InputError(fmt::format("{} is no result folder: it has no manifest.json", folder));
-  if (!fs::exists(path / run_log_name))
+  if (scenario_hash_in(path).empty()) throw InputError(fmt::format("{} is no result folder: it has no manifest.json, or a damaged one", folder));
+  if (!stands(path))
     throw InputError(fmt::format("{} has no results yet: `flyrock run --resume` goes on with a run that was interrupted, "
                                  "`flyrock merge` puts shards together",
                                  folder));
+  check_checksums(path);
   return path;
 }
 
@@ -66,6 +88,9 @@ ResultFolder::ResultFolder(fs::path path, const LoadedScenario& scenario, Existi
                                  path_.string()));
   if (existing != Existing::continued) return;
   const std::string hash = scenario_hash_in(path_);
+  if (hash.empty() && stands(path_))
+    throw InputError(fmt::format("{} holds results without a manifest.json: nobody knows of which scenario; --force replaces them",
+                                 path_.string()));
   if (!hash.empty() && hash != scenario.hash)
     throw UsageError(fmt::format("{} holds a run of another scenario, seed, number of trials or version of flyrock; "
                                  "--force replaces it, -o DIR names another folder",
@@ -74,19 +99,21 @@ ResultFolder::ResultFolder(fs::path path, const LoadedScenario& scenario, Existi
 }
 
 std::optional<int> ResultFolder::complete(const Plan& plan) const {
-  const auto stands = [&](const char* name) {
+  const auto is_there = [&](const char* name) {
     std::error_code code;
     return fs::is_regular_file(path_ / name, code) && !fs::is_empty(path_ / name, code);
   };
-  if (!continued_ || !std::all_of(result_names.begin(), result_names.end(), stands)) return std::nullopt;
-  const nlohmann::json summary = json_in(path_ / "summary.json");
-  if (!summary.is_object() || !summary.at("complete").get<bool>()) return std::nullopt;
-  for (const auto& point : summary.at("points"))
-    if (point.at("trials") != plan.points.front().trials) return std::nullopt;
-  if (summary.at("fault_count") > 0) return faults;
-  for (const auto& expectation : summary.at("expectations"))
-    if (expectation.at("passed") == false) return expectation_failed;
-  return done;
+  if (!continued_ || !std::all_of(result_names.begin(), result_names.end(), is_there)) return std::nullopt;
+  check_checksums(path_);
+  return read_json(path_ / "summary.json", [&](const nlohmann::json& summary) -> std::optional<int> {
+    if (!summary.at("complete").get<bool>()) return std::nullopt;
+    for (const auto& point : summary.at("points"))
+      if (point.at("trials") != plan.points.front().trials) return std::nullopt;
+    if (summary.at("fault_count") > 0) return faults;
+    for (const auto& expectation : summary.at("expectations"))
+      if (expectation.at("passed") == false) return expectation_failed;
+    return done;
+  });
 }
 
 void ResultFolder::open(const LoadedScenario& scenario, const Request& request) {
@@ -97,7 +124,7 @@ void ResultFolder::open(const LoadedScenario& scenario, const Request& request) 
     if (!continued_) remove_chunks(chunks()), fs::remove_all(hard_problems());
     make_folder(chunks());
     write_request(chunks(), request);
-    write_file(path_ / "manifest.json", manifest_json(scenario));
+    write_file(path_ / manifest_name, manifest_json(scenario));
   } catch (const FileError& error) {
     throw InputError(error.what());
   } catch (const fs::filesystem_error& error) {
@@ -109,6 +136,7 @@ Results ResultFolder::build(ResultWriter& writer, const std::vector<Rows>& rows,
                             std::vector<Profile> terrains, RunLog log) const {
   const auto start = std::chrono::steady_clock::now();
   Results results = writer.finish(rows, facts, std::move(terrains), fs::path(share_folder()) / "report");
+  write_checksums(path_);
   log.finish_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   struct rusage usage {};
   ::getrusage(RUSAGE_SELF, &usage);

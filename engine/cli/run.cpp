@@ -45,11 +45,6 @@ void prepare(const Only& only, Plan& plan) {
   scenario.output.trajectories_first = std::max(scenario.output.trajectories_first, static_cast<int>(only.trial) + 1);
 }
 
-/// The part of the chunks that --shard names: every n-th, so that the shards of a sweep take equally long.
-struct Shard {
-  std::uint64_t number = 1, of = 1;
-};
-
 /// "2/3"
 Shard read_shard(const std::string& text) {
   const std::size_t slash = text.find('/');
@@ -64,7 +59,8 @@ std::vector<ChunkRange> chunks_of(const Plan& plan, const std::optional<Only>& o
   const std::vector<ChunkRange> all = plan_chunks(static_cast<int>(plan.points.size()), plan.points.front().trials);
   if (!shard) return all;
   std::vector<ChunkRange> chunks;
-  for (std::size_t i = shard->number - 1; i < all.size(); i += shard->of) chunks.push_back(all[i]);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (shard->holds(i)) chunks.push_back(all[i]);
   return chunks;
 }
 
@@ -89,6 +85,7 @@ Execution execute(const Job& job, const LoadedScenario& loaded, Runners& runners
                      .scenario_hash = loaded.hash,
                      .threads = job.threads,
                      .resume = job.resume,
+                     .plan = &loaded.plan,
                      .strict = job.strict,
                      .interrupted = was_interrupted};
   const std::vector<ChunkRange> chunks = chunks_of(loaded.plan, job.only, job.shard);
@@ -96,8 +93,9 @@ Execution execute(const Job& job, const LoadedScenario& loaded, Runners& runners
   RunLog& log = execution.log = start_log();
   log.threads = std::min(options.threads, static_cast<int>(chunks.size()));
   const auto start = std::chrono::steady_clock::now();
-  ProgressBar bar(!job.quiet);
+  ProgressBar bar(!job.quiet, trials_in(chunks));
   options.report = [&](const RunProgress& progress) { bar.show(progress); };
+  options.print = [&](const std::vector<std::string>& lines) { bar.write(lines); };
   if (writer) options.see = [&](int point, const TrialRecords& chunk) { writer->see(point, chunk); };
   execution.outcome =
       run_chunks(chunks, workers(loaded, runners, job.request.scenario, job.request.overrides, folder.hard_problems()), options);
@@ -150,9 +148,9 @@ po::options_description run_options() {
 
 Job read_job(const CommandLine& line) {
   refuse_pairs(line);
-  Job job{.request = {line.words[0], overrides_of(line)}, .only = {}, .shard = {}, .threads = threads_of(line)};
+  Job job{.request = {line.words[0], overrides_of(line), {}}, .only = {}, .shard = {}, .threads = threads_of(line)};
   if (line.has("only")) job.only = read_only(line.text("only"));
-  if (line.has("shard")) job.shard = read_shard(line.text("shard"));
+  if (line.has("shard")) job.shard = job.request.shard = read_shard(line.text("shard"));
   job.resume = line.has("resume");
   job.force = line.has("force");
   job.quiet = line.has("quiet");
@@ -215,16 +213,11 @@ int run(const Command& command, const Arguments& arguments) {
     if (!job.quiet) fmt::print("nothing to do, all trials are done\nreport: {}\n", folder.report().string());
     return *code;
   }
-  Runners runners;
-  try {
-    runners = make_runners(*loaded, folder.hard_problems());
-  } catch (const PluginError& error) {
-    fmt::print(stderr, "{}: error: {}\n", line.words[0], error.what());
-    return bad_input;
-  }
+  std::optional<Runners> runners = try_runners(*loaded, tried_before_a_run);
+  if (!runners || !prepare(*runners, *loaded, folder.hard_problems())) return bad_input;
   folder.open(*loaded, job.request);
   try {
-    return carry_out(job, *loaded, runners, folder);
+    return carry_out(job, *loaded, *runners, folder);
   } catch (const FileError& error) {  // a full disk
     fmt::print(stderr, "error: {}; what was done is kept in {}, --resume goes on\n", error.what(), folder.chunks().string());
     return faults;

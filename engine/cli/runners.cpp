@@ -4,15 +4,19 @@
 
 #include "batch/safe_file.h"
 #include "cli/terminal.h"
+#include "scenario/node.h"
 #include "solver/hdf5_file.h"
 
 namespace flyrock::cli {
 
 namespace {
 
-RunTrial trial_of(Runners& runners) {
-  return [&runners](int point, std::uint64_t trial, TrialRecords& out) {
+/// What Lua code prints from here on goes to the records of its trial.
+RunTrial trial_of(Runners& runners, LuaSession& session) {
+  session.collect_prints();
+  return [&](int point, std::uint64_t trial, TrialRecords& out) {
     runners[static_cast<std::size_t>(point)]->run(trial, out);
+    out.prints.add(session.take_prints());
   };
 }
 
@@ -24,30 +28,40 @@ struct Reading {
 
 }  // namespace
 
-Runners make_runners(const LoadedScenario& scenario, const std::filesystem::path& hard_problems) {
-  Runners runners;
-  for (const Scenario& point : scenario.plan.points) {
-    if (!hard_problems.empty() && point.output.hard_problems && !has_hdf5())
-      throw PluginError("output.hard_problems needs a flyrock that was built with HDF5 (Debian: libhdf5-dev)");
-    runners.push_back(std::make_unique<TrialRunner>(point));
-    runners.back()->stop_when(was_interrupted);
-    if (!hard_problems.empty())
-      runners.back()->keep_hard_problems(hard_problems / fmt::format("point-{}", runners.size() - 1));
+std::optional<Runners> try_runners(LoadedScenario& scenario, std::uint64_t trials) {
+  Diagnostics diagnostics;
+  Runners runners = flyrock::try_runners(scenario, trials, diagnostics);
+  fmt::print(stderr, "{}", diagnostics.to_text());
+  return diagnostics.has_errors() ? std::nullopt : std::optional(std::move(runners));
+}
+
+bool prepare(Runners& runners, const LoadedScenario& scenario, const std::filesystem::path& hard_problems) {
+  for (std::size_t p = 0; p < runners.size(); ++p) {
+    if (scenario.plan.points[p].output.hard_problems && !has_hdf5()) {
+      Diagnostics diagnostics;
+      const Node key = node_at(scenario.root, "output.hard_problems");
+      key.error(diagnostics, "needs a flyrock that was built with HDF5 (Debian: libhdf5-dev)");
+      fmt::print(stderr, "{}", diagnostics.to_text());
+      return false;
+    }
+    runners[p]->stop_when(was_interrupted);
+    runners[p]->keep_hard_problems(hard_problems / fmt::format("point-{}", p));
   }
-  return runners;
+  return true;
 }
 
 MakeWorker workers(const LoadedScenario& scenario, Runners& runners, const std::string& path,
                    const Overrides& overrides, const std::filesystem::path& hard_problems) {
   return [&, path, overrides, hard_problems](int thread) -> RunTrial {
-    if (thread == 0) return trial_of(runners);
+    if (thread == 0) return trial_of(runners, *scenario.session);
     const auto reading = std::make_shared<Reading>();
     Diagnostics diagnostics;
-    reading->scenario = load_scenario(path, overrides, diagnostics);
+    reading->scenario = load_scenario(path, overrides, diagnostics, Prints::collected);  // thread 0 has shown them
     if (!reading->scenario || reading->scenario->hash != scenario.hash)
       throw FileError(fmt::format("{}, or a file that it names, was changed while the run started", path));
-    reading->runners = make_runners(*reading->scenario, hard_problems);
-    return [reading, run = trial_of(reading->runners)](int point, std::uint64_t trial, TrialRecords& out) {
+    reading->runners = make_runners(reading->scenario->plan);
+    prepare(reading->runners, *reading->scenario, hard_problems);
+    return [reading, run = trial_of(reading->runners, *reading->scenario->session)](int point, std::uint64_t trial, TrialRecords& out) {
       run(point, trial, out);
     };
   };
@@ -58,7 +72,7 @@ std::vector<Profile> first_terrains(Runners& runners) {
   for (const auto& runner : runners) {
     try {
       terrains.push_back(runner->picture_of(0));
-    } catch (const PluginError&) {
+    } catch (const TrialError&) {
       terrains.emplace_back();
     }
   }

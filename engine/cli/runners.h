@@ -1,21 +1,23 @@
 #pragma once
-// What runs the trials of a scenario, for each thread.
+// What runs the trials of a scenario, for each thread, as the commands do it.
 
 #include <filesystem>
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "batch/load.h"
 #include "batch/run.h"
-#include "batch/trial.h"
+#include "batch/runners.h"
 
 namespace flyrock::cli {
 
-/// One a point; constructing them makes the sampled calls of every plugin.
-using Runners = std::vector<std::unique_ptr<TrialRunner>>;
-/// Hard problems go to point-<p> of a folder, if one is named. Throws PluginError: bad input.
-Runners make_runners(const LoadedScenario& scenario, const std::filesystem::path& hard_problems = {});
+/// Tries a scenario out on up to `trials` trials of each point and makes its runners. Nothing where one fails: why is printed,
+/// and warnings are.
+std::optional<Runners> try_runners(LoadedScenario& scenario, std::uint64_t trials);
+
+/// Lets an interrupt end trials, and hard problems go to point-<p> of a folder. False where this flyrock cannot store them:
+/// why is printed.
+bool prepare(Runners& runners, const LoadedScenario& scenario, const std::filesystem::path& hard_problems);
 
 /// The workers of a run. Thread 0 uses `runners`; each other one reads the scenario again, since a Lua state serves
 /// one thread at a time. Throws FileError (in the thread) where the files have changed in the meantime.

@@ -3,8 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "batch/answer.h"
+#include "batch/answer_shares.h"
+#include "batch/fault_line.h"
+#include "cli/not_used_line.h"
 #include "cli/terminal.h"
 #include "math/space.h"
 
@@ -12,11 +16,14 @@ namespace flyrock::cli {
 
 namespace {
 
-/// "point 1: materials.haul_floor.restitution.en = 0.4"
+/// "point 1: terrain.face_angle = 70 deg"
 std::string point_title(const Plan& plan, std::size_t point) {
   std::vector<std::string> values;
-  for (std::size_t axis = 0; axis < plan.axes.size(); ++axis)
-    values.push_back(fmt::format("{} = {}", plan.axes[axis].path, shortest(plan.at[point][axis])));
+  for (std::size_t axis = 0; axis < plan.axes.size(); ++axis) {
+    const ReadableUnit unit = readable_unit(plan.axes[axis].unit);
+    values.push_back(fmt::format("{} = {:.6g}{}{}", plan.axes[axis].path, unit.per_si * plan.at[point][axis],
+                                 unit.name.empty() ? "" : " ", unit.name));
+  }
   return fmt::format("point {}: {}\n", point, fmt::join(values, ", "));
 }
 
@@ -24,23 +31,47 @@ std::string row_name(const GroupSummary& group) { return group.name.empty() ? "a
 
 /// The width of the first column: the longest name of a group.
 std::size_t name_width(const Results& results) {
-  std::size_t width = 13;
+  std::size_t width = 16;
   for (const GroupSummary& group : results.points.front().groups) width = std::max(width, row_name(group).size());
   return width;
 }
 
+/// "10.1 to 14.8 %"
+std::string range_text(const Interval& interval) { return fmt::format("{:.3g} to {}", 100 * interval.lower, percent(interval.upper)); }
+
 std::string group_line(const GroupSummary& group, std::size_t width) {
-  std::string text = fmt::format("  {:<{}}{:>8}{:>8.3g} %", row_name(group), width, group.count, 100 * group.censored_share());
+  std::string text = fmt::format("  {:<{}}{:>8}{:>9}{:>16}", row_name(group), width, group.count, percent(group.censored_share()),
+                                 group.count > group.faults ? range_text(group.censored_interval()) : "-");
   for (const Statistic s : {Statistic::p50, Statistic::p90, Statistic::p95, Statistic::p99, Statistic::max})
     text += fmt::format("{:>9}", display(group.at(RockQuantity::runout, s), ""));
   return text + '\n';
 }
 
-std::string reasons_line(const GroupSummary& group) {
+std::string reasons_line(const Scenario& scenario, const GroupSummary& group) {
   std::vector<std::string> parts;
   for (std::size_t r = 0; r < group.reasons.size(); ++r)
-    if (group.reasons[r] > 0) parts.push_back(fmt::format("{} {}", group.reasons[r], name_of(static_cast<StopReason>(r))));
+    if (group.reasons[r] > 0) parts.push_back(fmt::format("{} {}", group.reasons[r], ended(static_cast<StopReason>(r), scenario)));
   return fmt::format("  {}\n", fmt::join(parts, ", "));
+}
+
+std::string place_line(const std::string& place, const Share& share) {
+  if (std::isnan(share.value)) return "";
+  return fmt::format("  {:<34}{:>12}{:>16}\n", place, (share.censored ? ">= " : "") + percent(share.value), range_text(share.interval));
+}
+
+/// How many rocks gates and barriers of a point saw, a line each.
+std::string places_text(const Scenario& scenario, const PointResult& point) {
+  if (scenario.gates.empty() && scenario.barriers.empty()) return "";
+  std::string text = fmt::format("  {:<34}{:>12}{:>16}\n", "share of all rocks", "share", "95 % interval");
+  for (std::size_t g = 0; g < point.gates.size(); ++g)
+    text += place_line(fmt::format("gate {}: passed", scenario.gates[g].name), point.gates[g].share);
+  for (std::size_t b = 0; b < point.barriers.size(); ++b) {
+    const std::string name = fmt::format("barrier {}: ", scenario.barriers[b].name);
+    text += place_line(name + "reached", point.barriers[b].reached);
+    for (std::size_t o = 0; o < point.barriers[b].shares.size(); ++o)
+      text += place_line(name + name_of(static_cast<BarrierOutcome>(o)), point.barriers[b].shares[o]);
+  }
+  return text;
 }
 
 std::string wanted(const Verdict& verdict) {
@@ -71,16 +102,20 @@ std::string verdict_line(const Verdict& verdict, bool sweep) {
 
 std::string summary_text(const Plan& plan, const Results& results, const std::vector<std::string>& told) {
   const bool sweep = !plan.axes.empty();
-  std::string text = bold(plan.points.front().title.empty() ? "flyrock" : plan.points.front().title) + '\n';
+  std::string text = fault_line(plan, results);
+  if (!text.empty()) text = bold(text) + "\n\n";
+  text += bold(plan.points.front().title.empty() ? "flyrock" : plan.points.front().title) + '\n';
   text += answer(plan, results) + "\n\n";
   if (plan.points.front().bodies.empty()) {
     const std::size_t width = name_width(results);
-    text += fmt::format("  {:<{}}{:>8}{:>10}{:>9}{:>9}{:>9}{:>9}{:>9}\n", "runout in m", width, "rocks", "censored", "p50",
-                        "p90", "p95", "p99", "max");
+    const char* what = plan.points.front().method == Method::ballistic ? "first landing, m" : "runout in m";
+    text += fmt::format("  {:<{}}{:>8}{:>9}{:>16}{:>9}{:>9}{:>9}{:>9}{:>9}\n", what, width, "rocks", "censored", "95 % interval",
+                        "p50", "p90", "p95", "p99", "max");
     for (std::size_t p = 0; p < results.points.size(); ++p) {
       if (sweep) text += point_title(plan, p);
       for (const GroupSummary& group : results.points[p].groups) text += group_line(group, width);
-      text += reasons_line(results.points[p].groups.front());
+      text += reasons_line(plan.points[p], results.points[p].groups.front());
+      text += places_text(plan.points[p], results.points[p]);
     }
     text += '\n';
   }
@@ -96,17 +131,17 @@ std::string summary_text(const Plan& plan, const Results& results, const std::ve
   for (const std::string& warning : results.warnings)
     if (std::find(told.begin(), told.end(), warning) == told.end())
       text += fmt::format("warning: {}\n", warning);
-  return text;
+  return text + not_used_line(plan.not_used, "the report says why");
 }
 
 std::string trial_text(const Scenario& scenario, const std::vector<RockRecord>& rocks) {
   const std::vector<std::string> groups = group_names(scenario);
   std::string text = fmt::format("  {:<6}{:<16}{:>10}{:>13}{:>13}{:>11}{:>9}{:>9}  {}\n", "rock", "group", "mass kg",
-                                 "launch m/s", "elevation", "runout m", "impacts", "time s", "ended");
+                                 "launch m/s", "elevation", scenario.method == Method::ballistic ? "landing m" : "runout m", "impacts", "time s", "ended");
   for (const RockRecord& rock : rocks)
     text += fmt::format("  {:<6}{:<16}{:>10.4g}{:>13.4g}{:>9.4g} deg{:>11.4g}{:>9}{:>9.4g}  {}{}\n", rock.rock,
                         groups.at(rock.group), rock.mass, rock.launch_speed, rock.launch_elevation * 180 / pi,
-                        rock.runout, rock.impacts, rock.time, name_of(rock.reason),
+                        rock.runout, rock.impacts, rock.time, ended(rock.reason, scenario),
                         rock.fault.empty() ? "" : ": " + rock.fault);
   return text + '\n';
 }

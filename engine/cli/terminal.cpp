@@ -21,27 +21,60 @@ std::string clock_time(double seconds) {
 
 }  // namespace
 
-ProgressBar::ProgressBar(bool wanted) : visible_(wanted && ::isatty(STDERR_FILENO) != 0) {}
+std::string progress_text(const RunProgress& progress, double since_start, double since_last_trial) {
+  constexpr double long_trial = 2;  // s
+  const double share = static_cast<double>(progress.done) / static_cast<double>(progress.total);
+  const auto filled = static_cast<std::size_t>(30 * share);
+  std::string text = fmt::format("[{}{}] {} of {} trials", std::string(filled, '#'), std::string(30 - filled, '.'),
+                                 progress.done, progress.total);
+  if (progress.done > progress.kept) {  // chunks of an earlier run took no time of this one
+    const double left = since_start * static_cast<double>(progress.total - progress.done) /
+                        static_cast<double>(progress.done - progress.kept);
+    text += fmt::format(", {:.0f} rocks/s, {} left", static_cast<double>(progress.rocks) / since_start, clock_time(left));
+  }
+  if (since_last_trial >= long_trial) text += fmt::format(", this trial for {} by now", clock_time(since_last_trial));
+  return text;
+}
+
+ProgressBar::ProgressBar(bool wanted, std::uint64_t trials) : visible_(wanted && ::isatty(STDERR_FILENO) != 0) {
+  progress_.total = trials;
+  if (visible_) watcher_ = std::jthread([this](std::stop_token stop) { watch(std::move(stop)); });
+}
 
 ProgressBar::~ProgressBar() {
-  if (visible_) fmt::print(stderr, "\r\033[K");
+  if (!visible_) return;
+  watcher_ = {};  // stops and joins
+  fmt::print(stderr, "\r\033[K");
 }
 
 void ProgressBar::show(const RunProgress& progress) {
   if (!visible_) return;
+  const std::lock_guard lock(mutex_);
   const Clock::time_point now = Clock::now();
-  if (now - last_ < std::chrono::milliseconds(100) && progress.done < progress.total) return;
-  last_ = now;
-  const double seconds = std::chrono::duration<double>(now - start_).count();
-  const double share = static_cast<double>(progress.done) / static_cast<double>(progress.total);
-  // Chunks of an earlier run took no time of this one.
-  const double left = seconds * static_cast<double>(progress.total - progress.done) /
-                      static_cast<double>(std::max<std::uint64_t>(1, progress.done - progress.kept));
-  const auto filled = static_cast<std::size_t>(30 * share);
-  fmt::print(stderr, "\r[{}{}] {} of {} trials, {:.0f} rocks/s, {} left\033[K", std::string(filled, '#'),
-             std::string(30 - filled, '.'), progress.done, progress.total,
-             static_cast<double>(progress.rocks) / seconds, clock_time(left));
+  progress_ = progress;
+  last_trial_ = now;
+  if (now - drawn_ >= std::chrono::milliseconds(100) || progress.done == progress.total) draw(now);
+}
+
+void ProgressBar::watch(std::stop_token stop) {
+  constexpr std::chrono::seconds each(1);
+  std::unique_lock lock(mutex_);
+  while (!stop.stop_requested()) {
+    ended_.wait_for(lock, stop, each, [] { return false; });
+    const Clock::time_point now = Clock::now();
+    if (!stop.stop_requested() && now - drawn_ >= each) draw(now);
+  }
+}
+
+void ProgressBar::draw(Clock::time_point now) {
+  const auto seconds = [&](Clock::time_point since) { return std::chrono::duration<double>(now - since).count(); };
+  drawn_ = now;
+  fmt::print(stderr, "\r{}\033[K", progress_text(progress_, seconds(start_), seconds(last_trial_)));
   std::fflush(stderr);
+}
+
+void ProgressBar::write(const std::vector<std::string>& lines) const {
+  for (const std::string& line : lines) fmt::print(stderr, "{}{}\n", visible_ ? "\r\033[K" : "", line);
 }
 
 std::string bold(const std::string& text) {

@@ -2,27 +2,42 @@
 // Progress on a terminal, and nothing of it in a pipe.
 
 #include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
 
 #include "batch/run.h"
 
 namespace flyrock::cli {
 
-/// A progress bar with rate and time left on stderr: only where that is a terminal, ten times a second at most.
+/// A progress bar with rate and time left on stderr: only where that is a terminal, ten times a second at most. While a trial
+/// takes longer than two seconds, a thread of its own says each second for how long.
 class ProgressBar {
  public:
-  explicit ProgressBar(bool wanted);
+  explicit ProgressBar(bool wanted, std::uint64_t trials);
   ~ProgressBar();  ///< clears its line
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
   void show(const RunProgress& progress);
+  /// Writes lines to stderr, in place of the bar, which comes again with the next progress.
+  void write(const std::vector<std::string>& lines) const;
 
  private:
   using Clock = std::chrono::steady_clock;
+  void watch(std::stop_token stop);
+  void draw(Clock::time_point now);
+
   bool visible_;
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point last_{};
+  std::mutex mutex_;  ///< of what follows
+  RunProgress progress_;
+  Clock::time_point start_ = Clock::now(), drawn_{}, last_trial_ = start_;
+  std::condition_variable_any ended_;
+  std::jthread watcher_;  ///< last: it reads the others
 };
+
+/// "[####......] 4 of 10 trials, 20 rocks/s, 0:07 left", and how long the trial at hand takes where that is long. Times in s.
+std::string progress_text(const RunProgress& progress, double since_start, double since_last_trial);
 
 /// `text` in bold where stdout is a terminal and NO_COLOR is not set.
 std::string bold(const std::string& text);

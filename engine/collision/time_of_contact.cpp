@@ -27,11 +27,13 @@ class DiskSearch {
     const Vec2& n = terrain_.normal(i);
     const std::array<double, 3> gap{search_.start_gap(n.dot(motion_.x - terrain_.start(i)) - radius_, held),
                                     n.dot(motion_.v), 0.5 * n.dot(motion_.a)};
-    const auto t = first_fall(gap, window.a, window.b);
+    const auto t = first_approach(gap, window.a, window.b);
     if (!t || (best && *t >= *best)) return;
-    const double s = (motion_.position(*t) - terrain_.start(i)).dot(terrain_.tangent(i));
-    const double slack = 1e-9 * terrain_.length(i);
-    if (s >= -slack && s <= terrain_.length(i) + slack) best = t;
+    const Vec2 from_start = motion_.position(*t) - terrain_.start(i);
+    const double s = from_start.dot(terrain_.tangent(i));
+    const bool beside = s < -beyond_end(i, i, i - 1) || s > terrain_.length(i) + beyond_end(i, i + 1, i + 1);
+    const bool behind = n.dot(from_start) < -1e-6 * search_.size;  // free, beyond another part of the poly-line
+    if (!beside && !behind) best = t;
   }
 
   void corner(int i, const TimeWindow& window, std::optional<double>& best) const {
@@ -40,11 +42,19 @@ class DiskSearch {
     if (held && search_.held_are_solved) return;
     const Path<2> relative{motion_.x - terrain_.point(i), motion_.v, motion_.a};
     const auto square = ball_gap(relative, radius_, search_.start_gap(relative.x.norm() - radius_, held));
-    const auto t = first_fall(square, window.a, window.b);
+    const auto t = first_approach(square, window.a, window.b);
     if (t && (!best || *t < *best)) best = t;
   }
 
  private:
+  /// How far the strip of a segment reaches beyond its end at `corner`, where `neighbour` begins. At a concave corner the
+  /// ground is behind both lines: a disk that has sunk into the neighbour, if only by rounding, meets the line of this
+  /// segment before its strip.
+  double beyond_end(int segment, int corner, int neighbour) const {
+    if (terrain_.corner(corner) != Corner::concave) return 1e-9 * terrain_.length(segment);
+    return std::min(radius_, terrain_.length(neighbour));
+  }
+
   double radius_;
   std::uint32_t feature_;
   const Motion2& motion_;

@@ -16,7 +16,7 @@ bool rolls(const Contactor3& contactor) { return contactor.round() && contactor.
 template <std::size_t N>
 std::optional<double> first_touch(const std::array<double, N>& gap, double t_max, const TouchSearch& search) {
   if (search.iterations) ++*search.iterations;
-  return first_fall(gap, 0, t_max);
+  return first_approach(gap, 0, t_max);
 }
 
 }  // namespace

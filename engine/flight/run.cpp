@@ -5,8 +5,10 @@
 #include <cmath>
 #include <string>
 
+#include "flight/faults.h"
 #include "flight/ground.h"
 #include "flight/observer.h"
+#include "flight/rest.h"
 
 namespace flyrock {
 
@@ -26,9 +28,10 @@ class Runner {
         histories_(histories),
         observer_(world, settings.trajectory_every, settings.keep_impacts, settings.bin_width, histories),
         crossings_(world, settings.gates, settings.barriers, histories),
-        rest_since_(world.bodies.size(), -1.0),
+        faults_(world, settings.exact_flight),
         running_(world.bodies.size()) {
     for (std::size_t i = 0; i < running_.size(); ++i) running_[i] = world.bodies[i].kind == BodyKind::dynamic;
+    for (BodyHistory& history : histories) rest_.emplace_back(settings.stop_speed, history);
     in_air_ = std::any_of(world.bodies.begin(), world.bodies.end(), [](const Body<D>& b) { return b.air.drag > 0; });
   }
 
@@ -68,6 +71,7 @@ class Runner {
 
   void end(int body, StopReason reason) {
     running_[body] = false;
+    if (reason == StopReason::stopped) histories_[body].travel = rest_[body].travel();
     observer_.ended(body, reason);
   }
 
@@ -77,6 +81,13 @@ class Runner {
     steps_ = 0;
     marked_time_ = world_.time;
     return still;
+  }
+
+  /// Ends a body with a fault, and lets it meet nothing from now on.
+  void take_out(int i, const std::string& why) {
+    histories_[i].fault = why;
+    world_.bodies[i].present = false;
+    end(i, StopReason::diverged);
   }
 
   /// Of all that still run.
@@ -151,11 +162,13 @@ class Runner {
       flights_.push_back(world_.flight_of(i));
       if (!running_[i]) continue;
       observer_.flew(i, flights_[i], start, dt);
-      if (dt > world_.settings().time_step) moving(i);  // a body that rests may lose touch for less
+      if (dt > world_.settings().time_step) rest_[i].moves();  // a body that rests may lose touch for less
     }
     world_.fly(dt);
     cross(start, dt);
-    return touch && collide();
+    if (touch) return collide();
+    world_.measure_penetration();
+    return false;
   }
 
   bool may_meet(double dt) {
@@ -202,12 +215,14 @@ class Runner {
       flights_.push_back(touching_[i] && outcome.duration > 0 ? mean_motion(starts_[i], body, outcome.duration)
                                                               : free_motion(body, starts_[i], world_.gravity()));
       if (!running_[i]) continue;
+      const Travel before = histories_[i].travel;
       if (touching_[i]) {
         observer_.stepped(i, flights_[i], outcome.duration, slipping_[i] ? TravelMode::slide : TravelMode::roll);
-      } else if (outcome.duration > 0) {
-        observer_.flew(i, flights_[i], start, outcome.duration);
+        rest_[i].rests(start, world_.time, std::max(body.v.norm(), body.spin_speed() * body.radius), before);
+      } else {
+        if (outcome.duration > 0) observer_.flew(i, flights_[i], start, outcome.duration);
+        rest_[i].moves();
       }
-      rest(i, touching_[i], start);
     }
     observer_.arrived();
     cross(start, outcome.duration);
@@ -232,21 +247,6 @@ class Runner {
     }
   }
 
-  /// The body is not, or no longer, at rest.
-  void moving(int i) {
-    rest_since_[i] = -1;
-    histories_[i].stop_time = std::numeric_limits<double>::quiet_NaN();
-  }
-
-  /// Notes since when a body has been at rest.
-  void rest(int i, bool touching, double start) {
-    const Body<D>& body = world_.bodies[i];
-    const bool slow = body.v.norm() < settings_.stop_speed && body.spin_speed() * body.radius < settings_.stop_speed;
-    if (!touching || !slow) return moving(i);
-    if (rest_since_[i] < 0) rest_since_[i] = start;
-    if (world_.time - rest_since_[i] >= rest_time) histories_[i].stop_time = rest_since_[i];
-  }
-
   /// Ends what has come to rest, left the terrain or diverged. In a world of several bodies one at rest may be hit
   /// again, so that all must be at rest, and no driven one on its way.
   void end_bodies() {
@@ -258,15 +258,16 @@ class Runner {
       if (!running_[i]) continue;
       Body<D>& body = world_.bodies[i];
       if (!body.is_finite() || body.v.norm() > fastest) {
-        histories_[i].fault = "its state is not finite, or it is faster than 100 km/s";
-        body.present = false;
-        end(i, StopReason::diverged);
+        take_out(i, "its state is not finite, or it is faster than 100 km/s");
       } else if (body.x.x() < low || body.x.x() > high) {
         end(i, StopReason::left_domain);
         body.present = false;
+      } else if (const auto fault = faults_.below_ground(i)) {
+        take_out(i, *fault);
       }
       if (running_[i]) all_at_rest = all_at_rest && at_rest(i);
     }
+    if (const auto fault = faults_.energy_from_nowhere()) diverge(*fault);
     if (!all_at_rest) return;
     for (int i = 0; i < bodies(); ++i)
       if (running_[i]) end(i, StopReason::stopped);
@@ -277,7 +278,8 @@ class Runner {
   std::vector<BodyHistory>& histories_;
   Observer<D> observer_;
   Crossings<D> crossings_;
-  std::vector<double> rest_since_;
+  Faults<D> faults_;
+  std::vector<RestWatch> rest_;
   std::vector<bool> running_;
   std::vector<bool> touching_, slipping_;
   std::vector<Moment<D>> starts_;

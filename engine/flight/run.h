@@ -22,9 +22,6 @@ struct RunSettings {
 /// Thrown out of a run that was interrupted: what it has done is worth nothing.
 struct Interrupted {};
 
-/// A body is at rest when its speed, and its spin times its radius, stay under stop_speed for this long in contact.
-inline constexpr double rest_time = 0.2;
-
 /// Runs the world until every dynamic body has stopped, left the terrain or the time is up. With exact flight:
 ///   - while nothing is in contact, all bodies jump to the next touch: parabola and free rotation. Where two moving
 ///     bodies may meet meanwhile, they go on in steps;
@@ -32,7 +29,7 @@ inline constexpr double rest_time = 0.2;
 ///   - else steps of the scheme follow, each cut at the first touch of a pair that is not in contact.
 /// A flight ends at a barrier as it does at a touch; a step ends there too, to a hundredth of a step.
 /// Bodies whose state is not finite end with `diverged`, and all where 10,000 steps lead on by less than one of their length:
-/// bodies that cannot be where their contacts want them. Throws PluginError and Interrupted.
+/// bodies that cannot be where their contacts want them. Throws TrialError and Interrupted.
 /// Instantiated for D = 2, 3.
 template <int D>
 void run(World<D>& world, const RunSettings& settings, std::vector<BodyHistory>& histories);

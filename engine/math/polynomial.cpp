@@ -75,6 +75,15 @@ double evaluate(std::span<const double> c, double t) {
   return p;
 }
 
+std::optional<double> first_approach(std::span<const double> c, double low, double high) {
+  if (evaluate(c, low) > 0) return first_fall(c, low, high);
+  std::array<double, max_degree> slope{};
+  for (std::size_t k = 1; k < c.size(); ++k) slope[k - 1] = static_cast<double>(k) * c[k];
+  const auto turn = first_fall(std::span<const double>(slope.data(), c.size() - 1), low, high);
+  if (turn && evaluate(c, *turn) <= 0) return turn;
+  return first_fall(c, low, high);
+}
+
 std::optional<double> first_fall(std::span<const double> c, double low, double high) {
   if (low == 0 && stays_positive(c, high)) return std::nullopt;
   if (evaluate(c, low) <= 0) {

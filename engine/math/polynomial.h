@@ -15,4 +15,8 @@ double evaluate(std::span<const double> c, double t);
 /// answer is the end of the last bracket on which p >= 0.
 std::optional<double> first_fall(std::span<const double> c, double low, double high);
 
+/// The first t in [low, high] at which p <= 0 and p falls, for a gap that may begin below zero. As first_fall; in
+/// addition, where p(low) <= 0 and p rises but turns before it reaches zero, the answer is that turn.
+std::optional<double> first_approach(std::span<const double> c, double low, double high);
+
 }  // namespace flyrock

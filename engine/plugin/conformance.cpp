@@ -8,12 +8,12 @@
 
 #include "geometry/volume_properties.h"
 #include "plugin/sampled_params.h"
+#include "plugin/sampled_states.h"
 
 namespace flyrock {
 
 namespace {
 
-constexpr std::uint64_t seed = 1;
 constexpr int law_states = 1000;
 constexpr int draws = 200;
 constexpr int samples = 4;  // of the parameters of each variant
@@ -21,79 +21,7 @@ constexpr int samples = 4;  // of the parameters of each variant
 /// All numbers that a plugin answers with; two answers are equal where these are.
 using Answer = std::vector<double>;
 
-RandomStream stream(int trial) { return {seed, "conformance", {.trial = static_cast<std::uint64_t>(trial)}}; }
-
 [[noreturn]] void fail(const std::string& text) { throw PluginError(text); }
-
-ContactState sampled_contact(int number) {
-  RandomStream rng = stream(number);
-  ContactState state;
-  state.approach_speed = std::pow(10, rng.uniform(-3, 2));
-  state.slip_speed = std::pow(10, rng.uniform(-3, 2));
-  state.impact_angle = std::atan2(state.approach_speed, state.slip_speed);
-  state.gap = -1e-6 * rng.uniform();
-  state.mass = std::pow(10, rng.uniform(-1, 5));
-  state.effective_mass = state.mass * rng.uniform();
-  state.radius = std::cbrt(state.mass / 2700 / (4.0 / 3 * pi));
-  state.spin = rng.uniform(-50, 50);
-  state.kinetic_energy = state.mass / 2 * (std::pow(state.approach_speed, 2) + std::pow(state.slip_speed, 2));
-  state.length = rng.uniform();
-  state.area = rng.uniform();
-  state.age = rng.uniform();
-  state.pair_age = state.age + rng.integer(0, 1);
-  state.was_sticking = static_cast<double>(rng.integer(0, 1));
-  state.impact_number = static_cast<double>(rng.integer(1, 100));
-  state.time = rng.uniform(0, 60);
-  state.step = 1e-3 * rng.uniform();
-  state.group_a = "blocks";
-  state.group_b = "terrain.face";
-  state.material = "rock";
-  return state;
-}
-
-Blast sampled_blast(int number) {
-  RandomStream rng = stream(number);
-  Blast blast;
-  blast[BlastField::explosive_density] = rng.uniform(800, 1200);
-  blast[BlastField::detonation_velocity] = rng.uniform(3000, 5500);
-  blast[BlastField::gurney_constant] = rng.uniform(1500, 2500);
-  blast[BlastField::hole_diameter] = rng.uniform(0.076, 0.25);
-  blast[BlastField::hole_length] = rng.uniform(5, 16);
-  blast[BlastField::hole_deviation] = rng.uniform(-0.05, 0.05);
-  blast[BlastField::burden_crest] = rng.uniform(2, 6);
-  blast[BlastField::burden_toe] = rng.uniform(2, 6);
-  blast[BlastField::powder_factor] = rng.uniform(0.2, 1);
-  blast[BlastField::hole_stemming] = rng.uniform(1, 4);
-  blast[BlastField::hole_charge_length] = rng.uniform(3, 12);
-  blast[BlastField::hole_subdrilling] = rng.uniform(0.3, 1);
-  blast[BlastField::burden] = rng.uniform(2, 6);
-  blast[BlastField::spacing] = rng.uniform(2, 6);
-  blast[BlastField::rock_density] = rng.uniform(2400, 2900);
-  blast[BlastField::breakout_angle] = rng.uniform(pi / 2, 2 * pi / 3);
-  blast.is_anfo = number % 2 == 0;
-  return blast;
-}
-
-RockView sampled_rock(int number) {
-  RandomStream rng = stream(number);
-  RockView rock;
-  rock.density = rng.uniform(2400, 2900);
-  rock.diameter = rng.uniform(0.1, 2);
-  rock.volume = pi / 6 * std::pow(rock.diameter, 3);
-  rock.mass = rock.density * rock.volume;
-  rock.position = {rng.uniform(0, 5), rng.uniform(0, 12), 0};
-  rock.face_angle = rng.uniform(1, pi / 2);
-  rock.group = "blocks";
-  return rock;
-}
-
-Profile level_ground() {
-  Profile profile;
-  profile.points = {{-100, 0}, {100, 0}};
-  profile.part = {0};
-  profile.parts = {""};
-  return profile;
-}
 
 void add(Answer& answer, const std::vector<Contactor2>& contactors) {
   answer.push_back(static_cast<double>(contactors.size()));
@@ -137,81 +65,114 @@ void check_contactors(const std::vector<Contactor3>& contactors) {
   if (!(properties.volume > 0 && properties.inertia.trace() > 0)) fail("a rock has no volume or no inertia");
 }
 
+/// Asks; an error of the plugin says in addition what it was asked with.
+template <class Ask, class State>
+void asked_with(State&& state, Ask&& ask) {
+  try {
+    ask();
+  } catch (const PluginError& error) {
+    fail(fmt::format("{}\n  asked with: {}", error.what(), state()));
+  }
+}
+
+/// Asks once for each of the sampled streams of random numbers; ask(i, rng).
+template <class Ask>
+void for_each_stream(Ask&& ask) {
+  for (int i = 0; i < draws; ++i)
+    asked_with([&] { return fmt::format("the random numbers of sample {}", i); },
+               [&] {
+                 RandomStream rng = sampled_stream(i);
+                 ask(i, rng);
+               });
+}
+
 // One overload a kind: everything that an instance of a dimension answers, checked.
 
-Answer answer_of(const ShapeModel& shape, Values values, int dimension) {
+Answer answer_of(const PluginSpec&, const ShapeModel& shape, Values values, int dimension) {
   Answer answer;
-  for (int i = 0; i < draws; ++i) {
-    RandomStream rng = stream(i);
-    const auto see = [&](const auto& contactors) {
-      check_contactors(contactors);
-      add(answer, contactors);
-    };
+  const auto see = [&](const auto& contactors) {
+    check_contactors(contactors);
+    add(answer, contactors);
+  };
+  for_each_stream([&](int, RandomStream& rng) {
     if (dimension == 2)
       see(shape.build(values, rng));
     else
       see(shape.build_3d(values, rng));
-  }
+  });
   return answer;
 }
 
-Answer answer_of(const Population& population, Values values, int dimension) {
+void add(Answer& answer, const RockPlan3& rock) {
+  if (!rock.contactors.empty()) check_contactors(rock.contactors);
+  add(answer, rock.contactors);
+  const Vec3 position = rock.position.value_or(Vec3::Zero());
+  if (!position.allFinite()) fail("a rock of the population has no finite position");
+  const Eigen::Vector4d turn = rock.orientation.value_or(Rotation3()).quaternion().coeffs();
+  answer.insert(answer.end(), position.begin(), position.end());
+  answer.insert(answer.end(), turn.begin(), turn.end());
+}
+
+void add(Answer& answer, const RockPlan& rock) {
+  if (!rock.contactors.empty()) check_contactors(rock.contactors);
+  add(answer, rock.contactors);
+  const Vec2 position = rock.position.value_or(Vec2::Zero());
+  if (!position.allFinite()) fail("a rock of the population has no finite position");
+  answer.insert(answer.end(), {position.x(), position.y(), rock.angle.value_or(0)});
+}
+
+Answer answer_of(const PluginSpec& spec, const Population& population, Values values, int dimension) {
   Answer answer;
-  for (int i = 0; i < draws; ++i) {
-    RandomStream rng = stream(i);
-    if (dimension == 3) {
-      for (const RockPlan3& rock : population.rocks_3d(values, Plane{}, sampled_blast(i), rng)) {
-        if (!rock.contactors.empty()) check_contactors(rock.contactors);
-        add(answer, rock.contactors);
-        const Vec3 position = rock.position.value_or(Vec3::Zero());
-        if (!position.allFinite()) fail("a rock of the population has no finite position");
-        const Eigen::Vector4d turn = rock.orientation.value_or(Rotation3()).quaternion().coeffs();
-        answer.insert(answer.end(), position.begin(), position.end());
-        answer.insert(answer.end(), turn.begin(), turn.end());
-      }
-      continue;
-    }
-    for (const RockPlan& rock : population.rocks(values, level_ground(), sampled_blast(i), rng)) {
-      if (!rock.contactors.empty()) check_contactors(rock.contactors);
-      add(answer, rock.contactors);
-      const Vec2 position = rock.position.value_or(Vec2::Zero());
-      if (!position.allFinite()) fail("a rock of the population has no finite position");
-      answer.insert(answer.end(), {position.x(), position.y(), rock.angle.value_or(0)});
-    }
-  }
+  for_each_stream([&](int i, RandomStream& rng) {
+    const Blast blast = sampled_blast(i);
+    asked_with([&] { return state_text(spec, blast); },
+               [&] {
+                 if (dimension == 3)
+                   for (const RockPlan3& rock : population.rocks_3d(values, Plane{}, blast, rng)) add(answer, rock);
+                 else
+                   for (const RockPlan& rock : population.rocks(values, level_ground(), blast, rng)) add(answer, rock);
+               });
+  });
   return answer;
 }
 
-Answer answer_of(const VelocityModel& model, Values values, int dimension) {
+Answer answer_of(const PluginSpec& spec, const VelocityModel& model, Values values, int dimension) {
   Answer answer;
-  for (int i = 0; i < draws; ++i) {
-    RandomStream rng = stream(i);
+  for_each_stream([&](int i, RandomStream& rng) {
     RockView rock = sampled_rock(i);
     rock.dimension = dimension;
-    const Launch launch = model.launch(values, rock, sampled_blast(i), rng);
-    if (!launch.velocity.allFinite() || !launch.spin.allFinite()) fail("a launch is not finite");
-    for (int c = 0; c < 3; ++c) answer.insert(answer.end(), {launch.velocity[c], launch.spin[c]});
-  }
+    const Blast blast = sampled_blast(i);
+    asked_with([&] { return state_text(spec, rock, blast); },
+               [&] {
+                 const Launch launch = model.launch(values, rock, blast, rng);
+                 if (!launch.velocity.allFinite() || !launch.spin.allFinite()) fail("a launch is not finite");
+                 for (int c = 0; c < 3; ++c) answer.insert(answer.end(), {launch.velocity[c], launch.spin[c]});
+               });
+  });
   return answer;
 }
 
-Answer answer_of(const TerrainModel& terrain, Values values, int dimension) {
+void add(Answer& answer, const Plane& plane) {
+  if (!plane.point.allFinite() || !(std::abs(plane.normal.norm() - 1) < 1e-9 && plane.normal.z() > 0))
+    fail("a plane has no finite point or no unit normal that points upwards");
+  answer.insert(answer.end(), plane.point.begin(), plane.point.end());
+  answer.insert(answer.end(), plane.normal.begin(), plane.normal.end());
+}
+
+void add(Answer& answer, const Profile& profile) {
+  if (std::string fault = profile.fault(); !fault.empty()) fail(fault);
+  for (const Vec2& point : profile.points) answer.insert(answer.end(), {point.x(), point.y()});
+  answer.insert(answer.end(), profile.part.begin(), profile.part.end());
+}
+
+Answer answer_of(const PluginSpec&, const TerrainModel& terrain, Values values, int dimension) {
   Answer answer;
-  for (int i = 0; i < draws; ++i) {
-    RandomStream rng = stream(i);
-    if (dimension == 3) {
-      const Plane plane = terrain.build_3d(values, rng);
-      if (!plane.point.allFinite() || !(std::abs(plane.normal.norm() - 1) < 1e-9 && plane.normal.z() > 0))
-        fail("a plane has no finite point or no unit normal that points upwards");
-      answer.insert(answer.end(), plane.point.begin(), plane.point.end());
-      answer.insert(answer.end(), plane.normal.begin(), plane.normal.end());
-      continue;
-    }
-    const Profile profile = terrain.build(values, rng);
-    if (std::string fault = profile.fault(); !fault.empty()) fail(fault);
-    for (const Vec2& point : profile.points) answer.insert(answer.end(), {point.x(), point.y()});
-    answer.insert(answer.end(), profile.part.begin(), profile.part.end());
-  }
+  for_each_stream([&](int, RandomStream& rng) {
+    if (dimension == 3)
+      add(answer, terrain.build_3d(values, rng));
+    else
+      add(answer, terrain.build(values, rng));
+  });
   return answer;
 }
 
@@ -240,66 +201,89 @@ Answer numbers_of(const UnilateralLaw& law, Values values, const ContactState& c
 }
 
 template <class SomeLaw>
-requires std::derived_from<SomeLaw, Law> Answer answer_of(const SomeLaw& law, Values values, int) {
+requires std::derived_from<SomeLaw, Law> Answer answer_of(const PluginSpec& spec, const SomeLaw& law, Values values, int) {
   Answer answer;
   std::array<double, most_history> history{};
   for (int i = 0; i < law_states; ++i) {
     ContactState contact = sampled_contact(i);
     if (i % 2 == 0) history.fill(0);  // a contact that has just been born, and one that remembers
+    const std::array<double, most_history> before = history;
     contact.history = history;
-    const Answer numbers = numbers_of(law, values, contact);
-    if (law.constant() && i > 0 && !std::equal(numbers.begin(), numbers.end(), answer.begin()))
-      fail("says that it is constant and answers two states differently");
-    answer.insert(answer.end(), numbers.begin(), numbers.end());
+    const auto state = [&] {
+      history = before;
+      return state_text(spec, contact);
+    };
+    asked_with(state, [&] {
+      const Answer numbers = numbers_of(law, values, contact);
+      if (law.constant() && i > 0 && !std::equal(numbers.begin(), numbers.end(), answer.begin()))
+        fail("says that it is constant and answers two states differently");
+      answer.insert(answer.end(), numbers.begin(), numbers.end());
+    });
   }
   return answer;
 }
 
-/// Makes an instance and asks it. Nothing where these parameters do not go together; `refusal` then says why.
+/// One plugin with one sample of its parameters.
 template <class Interface>
-std::optional<Answer> ask(const Plugin& plugin, int dimension, const std::vector<ParamValue>& values, std::string& refusal) {
-  const PluginUse use{&plugin, values, dense_slots(values), "conformance"};
-  std::unique_ptr<Interface> instance;
-  try {
-    instance = make_instance<Interface>(use, dimension);
-  } catch (const PluginError& error) {
-    refusal = error.what();
-    return std::nullopt;
+class Trial {
+ public:
+  Trial(const Plugin& plugin, int dimension, const std::vector<ParamValue>& values)
+      : use_{&plugin, values, dense_slots(values), "conformance"}, dimension_(dimension) {
+    for (const Number& slot : use_.slots) numbers_.push_back(slot.constant);
   }
-  std::vector<double> numbers;
-  for (const Number& slot : use.slots) numbers.push_back(slot.constant);
-  try {
-    return answer_of(*instance, numbers, dimension);
-  } catch (const PluginError& error) {
-    if (dimension == 2) throw;
-    throw PluginError(std::string("in 3D ") + error.what());
+
+  /// Makes an instance and asks it. Nothing where these parameters do not go together; `refusal` then says why.
+  std::optional<Answer> ask(std::string& refusal) const {
+    std::unique_ptr<Interface> instance;
+    try {
+      instance = make_instance<Interface>(use_, dimension_);
+    } catch (const PluginError& error) {
+      refusal = with_parameters(error.what());
+      return std::nullopt;
+    }
+    try {
+      return answer_of(use_.plugin->spec, *instance, numbers_, dimension_);
+    } catch (const PluginError& error) {
+      fail(with_parameters((dimension_ == 2 ? "" : "in 3D ") + std::string(error.what())));
+    }
   }
-}
+
+  std::string with_parameters(const std::string& fault) const {
+    return fmt::format("{}\n  parameters: {}", fault, parameters_text(use_.plugin->spec, use_.values, numbers_));
+  }
+
+ private:
+  PluginUse use_;
+  int dimension_;
+  std::vector<double> numbers_;
+};
 
 template <class Interface>
 std::vector<std::string> faults(const Plugin& plugin, const FactoryOf<Interface>&) {
   const auto& params = plugin.spec.params;
-  RandomStream rng(seed, "parameters", {});
-  std::string refusal;
+  RandomStream rng(sample_seed, "parameters", {});
+  std::string refusal = "no sample of the parameters keeps their bounds";
   bool made = params.empty(), tried = params.empty();
   std::vector<bool> given(params.size(), false), felt(params.size(), false);
   // In the dimensions that it has; it refuses the others.
   for (int sample = 0; sample < 2 * samples; ++sample) {
     const int dimension = sample < samples ? 2 : 3;
+    tried = tried || can_sample(plugin.spec);
     for (auto& values : sample_variants(plugin.spec, dimension, rng)) {
-      tried = true;
-      const auto answer = ask<Interface>(plugin, dimension, values, refusal);
+      const Trial<Interface> trial(plugin, dimension, values);
+      const auto answer = trial.ask(refusal);
       if (!answer) continue;
       made = true;
-      if (ask<Interface>(plugin, dimension, values, refusal) != answer) fail("two equal calls answer differently");
+      if (trial.ask(refusal) != answer) fail(trial.with_parameters("two equal calls answer differently"));
       for (std::size_t i = 0; i < params.size(); ++i) {
-        if (!values[i].given || !can_sample(params[i])) continue;
+        if (!values[i].given || !can_sample(params[i]) || felt[i]) continue;
         auto changed = values;
-        changed[i] = sample_param(params[i], dimension, rng);
-        const auto other = ask<Interface>(plugin, dimension, changed, refusal);
+        changed[i] = sample_param(plugin.spec, i, values, dimension, rng);
+        if (!keeps_bounds(plugin.spec, changed)) continue;
+        const auto other = Trial<Interface>(plugin, dimension, changed).ask(refusal);
         if (!other) continue;
         given[i] = true;
-        felt[i] = felt[i] || other != answer;
+        felt[i] = other != answer;
       }
     }
   }

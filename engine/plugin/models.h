@@ -51,6 +51,9 @@ struct Launch {
   Vec3 velocity = Vec3::Zero();  ///< m/s
   Vec3 spin = Vec3::Zero();      ///< rad/s, world frame; (0, 0, w) in 2D
   std::string note;              ///< what the run should warn of ("v0^2 < 0: ..."), or empty
+  /// Of a model that was fitted to distances: the greatest throw [m] that its formula gives, in air, at 45 degrees or along the
+  /// hole, on level ground. Its speed only stands for that distance. 0: the model gives a speed.
+  double greatest_throw = 0;
 };
 
 /// The velocity of magnitude `speed` at `elevation` above the outward horizontal of the rock, turned by

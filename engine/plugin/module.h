@@ -19,7 +19,7 @@ struct ModuleTag {
   char version[16];
   bool operator==(const ModuleTag&) const = default;
 };
-inline constexpr int module_abi = 2;
+inline constexpr int module_abi = 3;
 constexpr ModuleTag module_tag() {
   return {{'f', 'l', 'y', 'r', 'o', 'c', 'k', 0}, module_abi, __GNUC__, EIGEN_MAX_ALIGN_BYTES, FLYROCK_ENGINE_VERSION};
 }

@@ -13,10 +13,21 @@
 
 namespace flyrock {
 
+/// Why a rock, or a whole trial, cannot go on. Those of this type itself no plugin is to blame for: the engine cannot do
+/// what was asked. The text says what was expected.
+struct TrialError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A rock that cannot start: there is no room for it, or it would start inside the ground.
+struct StartError : TrialError {
+  using TrialError::TrialError;
+};
+
 /// A plugin that cannot do what it was asked: a wrong parameter at construction, a law that failed. The
 /// text names the plugin and says what was expected.
-struct PluginError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct PluginError : TrialError {
+  using TrialError::TrialError;
 };
 
 /// The decoded value of one declared parameter.

@@ -31,6 +31,7 @@ class Registry {
  public:
   /// Adds a plugin; one of the same kind and name is an error (an empty text means done).
   std::string add(Plugin plugin);
+  std::size_t size() const { return plugins_.size(); }
   const Plugin* find(PluginKind kind, std::string_view name) const;
   /// Of one kind, by name.
   std::vector<const Plugin*> of_kind(PluginKind kind) const;

@@ -1,5 +1,7 @@
 #include "plugin/sampled_params.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,22 +10,76 @@ namespace flyrock {
 namespace {
 
 constexpr double steps = 6;  // of a whole number without an upper limit: small, as counts are
-constexpr std::size_t most_varied = 10;
+constexpr std::size_t all_choices = 6;  // optional parameters of which every choice is tried
+constexpr std::size_t most_choices = 64;
+constexpr int most_samples = 100;  // until the bounds are kept
 
-double sample_number(const ParamSpec& spec, RandomStream& rng) {
+struct Range {
+  std::optional<double> low, high;
+
+  void at_least(double limit) { low = std::max(low.value_or(limit), limit); }
+  void at_most(double limit) { high = std::min(high.value_or(limit), limit); }
+  void keep(BoundRelation relation, double other) {
+    if (relation == BoundRelation::at_least || relation == BoundRelation::above)
+      at_least(other);
+    else
+      at_most(other);
+  }
+};
+
+/// What the numbers of `values` leave to parameter `i`.
+Range bounds_of(const PluginSpec& spec, std::size_t i, const std::vector<ParamValue>& values) {
+  Range range;
+  const auto number = [&](std::size_t k) -> std::optional<double> {
+    if (k >= values.size() || k == i || values[k].numbers.empty()) return std::nullopt;
+    return values[k].numbers.front().constant;
+  };
+  for (const ParamBound& bound : spec.params[i].bounds)
+    if (const auto other = number(static_cast<std::size_t>(spec.find(bound.other)))) range.keep(bound.relation, *other);
+  for (std::size_t k = 0; k < spec.params.size(); ++k)
+    for (const ParamBound& bound : spec.params[k].bounds)
+      if (const auto other = number(k); other && bound.other == spec.params[i].name)
+        range.keep(converse(bound.relation), *other);
+  return range;
+}
+
+double sample_number(const ParamSpec& spec, const Range& bounds, RandomStream& rng) {
   const bool whole = spec.type == ParamType::integer;
   const double open = whole ? steps : 1;
-  std::optional<double> low = spec.min ? spec.min : spec.above;
-  std::optional<double> high = spec.max ? spec.max : spec.below;
+  Range range{spec.min ? spec.min : spec.above, spec.max ? spec.max : spec.below};
   if (const double centre = std::abs(spec.default_number.value_or(0)); centre > 0 && !whole) {
-    low = std::max(low.value_or(-2 * centre), *spec.default_number - centre / 2);
-    high = std::min(high.value_or(2 * centre), *spec.default_number + centre);
+    range.low = std::max(range.low.value_or(-2 * centre), *spec.default_number - centre / 2);
+    range.high = std::min(range.high.value_or(2 * centre), *spec.default_number + centre);
   }
-  if (!low) low = high ? *high - open : -open;
-  if (!high) high = *low + open;
-  if (whole) high = std::min(*high, *low + steps);
-  return whole ? static_cast<double>(rng.integer(std::llround(*low), std::llround(*high)))
-               : rng.uniform(*low, *high);
+  if (bounds.low) {
+    if (range.high && *range.high < *bounds.low) range.high = spec.max ? spec.max : spec.below;  // far from the default
+    range.at_least(*bounds.low);
+  }
+  if (bounds.high) {
+    if (range.low && *range.low > *bounds.high) range.low = spec.min ? spec.min : spec.above;
+    range.at_most(*bounds.high);
+  }
+  if (!range.low) range.low = range.high ? *range.high - open : -open;
+  if (!range.high) range.high = *range.low + open;
+  if (whole) range.high = std::min(*range.high, *range.low + steps);
+  return whole ? static_cast<double>(rng.integer(std::llround(*range.low), std::llround(*range.high)))
+               : rng.uniform(*range.low, *range.high);
+}
+
+/// "12.5 m/s"
+std::string number_text(double si, const ParamSpec& param) {
+  if (param.type == ParamType::boolean) return si != 0 ? "true" : "false";
+  if (param.unit.empty()) return fmt::format("{:.6g}", si);
+  return fmt::format("{:.6g} {}", si / parse_unit(param.unit)->factor, param.unit);
+}
+
+std::string value_text(const ParamSpec& param, const ParamValue& value, Values numbers) {
+  if (!value.text.empty() || param.type == ParamType::text) return value.text;
+  std::vector<std::string> items;
+  for (const double number : numbers) items.push_back(number_text(number, param));
+  for (const std::vector<double>& point : value.points) items.push_back(fmt::format("[{:.6g}]", fmt::join(point, ", ")));
+  const std::string list = fmt::format("{}", fmt::join(items, ", "));
+  return numbers.size() == 1 ? list : "[" + list + "]";
 }
 
 }  // namespace
@@ -32,21 +88,29 @@ bool can_sample(const ParamSpec& spec) {
   return spec.type != ParamType::text && spec.type != ParamType::file;
 }
 
-ParamValue sample_param(const ParamSpec& spec, int dimension, RandomStream& rng) {
+bool can_sample(const PluginSpec& spec) {
+  return std::all_of(spec.params.begin(), spec.params.end(),
+                     [](const ParamSpec& param) { return !param.required() || can_sample(param); });
+}
+
+ParamValue sample_param(const PluginSpec& plugin, std::size_t i, const std::vector<ParamValue>& values, int dimension,
+                        RandomStream& rng) {
+  const ParamSpec& spec = plugin.params[i];
+  const Range bounds = bounds_of(plugin, i, values);
   ParamValue value;
   value.given = true;
   switch (spec.type) {
     case ParamType::number:
     case ParamType::integer:
-      value.numbers = {{sample_number(spec, rng)}};
+      value.numbers = {{sample_number(spec, bounds, rng)}};
       break;
     case ParamType::boolean:
       value.numbers = {{static_cast<double>(rng.integer(0, 1))}};
       break;
     case ParamType::vector:
     case ParamType::spin:
-      for (int i = 0; i < (spec.type == ParamType::spin && dimension == 2 ? 1 : dimension); ++i)
-        value.numbers.push_back({sample_number(spec, rng)});
+      for (int k = 0; k < (spec.type == ParamType::spin && dimension == 2 ? 1 : dimension); ++k)
+        value.numbers.push_back({sample_number(spec, bounds, rng)});
       break;
     case ParamType::choice:
       value.text = spec.choices[rng.integer(0, static_cast<std::int64_t>(spec.choices.size()) - 1)];
@@ -65,29 +129,65 @@ ParamValue sample_param(const ParamSpec& spec, int dimension, RandomStream& rng)
   return value;
 }
 
-std::vector<std::vector<ParamValue>> sample_variants(const PluginSpec& spec, int dimension, RandomStream& rng) {
-  std::vector<std::size_t> varied;
-  for (std::size_t i = 0; i < spec.params.size(); ++i) {
-    const ParamSpec& param = spec.params[i];
-    if (param.required() && !can_sample(param)) return {};
-    if (param.optional && can_sample(param) && varied.size() < most_varied) varied.push_back(i);
-  }
-  std::vector<std::vector<ParamValue>> variants;
-  for (std::size_t choice = 0; choice < std::size_t{1} << varied.size(); ++choice) {
-    std::vector<ParamValue> values;
-    for (std::size_t i = 0; i < spec.params.size(); ++i) {
-      const ParamSpec& param = spec.params[i];
-      const auto place = std::find(varied.begin(), varied.end(), i) - varied.begin();
-      const bool given = param.optional ? choice >> place & 1 : can_sample(param);
-      values.push_back(given ? sample_param(param, dimension, rng) : ParamValue{});
-      if (!given && param.default_text) {
-        values.back().given = true;
-        values.back().text = *param.default_text;
-      }
+bool keeps_bounds(const PluginSpec& spec, const std::vector<ParamValue>& values) {
+  for (std::size_t i = 0; i < spec.params.size(); ++i)
+    for (const ParamBound& bound : spec.params[i].bounds) {
+      const auto &own = values[i].numbers, &other = values[static_cast<std::size_t>(spec.find(bound.other))].numbers;
+      if (!own.empty() && !other.empty() && !keeps(own[0].constant, bound.relation, other[0].constant)) return false;
     }
-    variants.push_back(std::move(values));
+  return true;
+}
+
+namespace {
+
+/// One sample of the parameters that are given, in their order: each keeps the bounds to those before it.
+std::vector<ParamValue> sample_given(const PluginSpec& spec, const std::vector<bool>& given, int dimension, RandomStream& rng) {
+  std::vector<ParamValue> values;
+  for (std::size_t i = 0; i < spec.params.size(); ++i) {
+    values.push_back(given[i] ? sample_param(spec, i, values, dimension, rng) : ParamValue{});
+    if (!given[i] && spec.params[i].default_text) {
+      values.back().given = true;
+      values.back().text = *spec.params[i].default_text;
+    }
+  }
+  return values;
+}
+
+}  // namespace
+
+std::vector<std::vector<ParamValue>> sample_variants(const PluginSpec& spec, int dimension, RandomStream& rng) {
+  if (!can_sample(spec)) return {};
+  std::vector<std::size_t> varied;
+  for (std::size_t i = 0; i < spec.params.size(); ++i)
+    if (spec.params[i].optional && can_sample(spec.params[i])) varied.push_back(i);
+  const bool all = varied.size() <= all_choices;
+  const std::size_t choices = all ? std::size_t{1} << varied.size() : most_choices;
+
+  std::vector<std::vector<ParamValue>> variants;
+  for (std::size_t choice = 0; choice < choices; ++choice) {
+    std::vector<bool> given;
+    for (const ParamSpec& param : spec.params) given.push_back(!param.optional && can_sample(param));
+    for (std::size_t place = 0; place < varied.size(); ++place)
+      given[varied[place]] = all ? (choice >> place & 1) != 0 : choice == 1 || (choice > 1 && rng.integer(0, 1) == 1);
+    auto values = sample_given(spec, given, dimension, rng);
+    for (int more = 1; more < most_samples && !keeps_bounds(spec, values); ++more)
+      values = sample_given(spec, given, dimension, rng);
+    if (keeps_bounds(spec, values)) variants.push_back(std::move(values));
   }
   return variants;
+}
+
+std::string parameters_text(const PluginSpec& spec, const std::vector<ParamValue>& values, Values numbers) {
+  std::vector<std::string> texts;
+  std::size_t slot = 0;
+  for (std::size_t i = 0; i < spec.params.size(); ++i) {
+    const ParamValue& value = values[i];
+    if (value.given)
+      texts.push_back(spec.params[i].name + " = " +
+                      value_text(spec.params[i], value, numbers.subspan(slot, value.numbers.size())));
+    slot += value.numbers.size();
+  }
+  return texts.empty() ? "none" : fmt::format("{}", fmt::join(texts, ", "));
 }
 
 }  // namespace flyrock

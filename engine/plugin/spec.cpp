@@ -9,6 +9,10 @@ constexpr std::array<std::string_view, plugin_kinds> kind_names{
     "shape", "population", "restitution", "friction", "rolling", "unilateral", "velocity", "terrain"};
 constexpr std::array<std::string_view, 9> type_names{"number", "integer", "boolean", "choice", "text",
                                                      "vector", "points",  "file",    "spin"};
+constexpr std::array<std::string_view, 4> relation_names{"at least", "above", "at most", "below"};
+constexpr std::array<std::string_view, 4> relation_keys{"min", "above", "max", "below"};
+constexpr std::array<BoundRelation, 4> converses{BoundRelation::at_most, BoundRelation::below, BoundRelation::at_least,
+                                                 BoundRelation::above};
 }
 
 std::string_view name_of(PluginKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
@@ -25,6 +29,24 @@ std::optional<ParamType> param_type(std::string_view name) {
   for (std::size_t i = 0; i < type_names.size(); ++i)
     if (type_names[i] == name) return static_cast<ParamType>(i);
   return std::nullopt;
+}
+
+std::string_view name_of(BoundRelation relation) { return relation_names[static_cast<std::size_t>(relation)]; }
+std::string_view key_of(BoundRelation relation) { return relation_keys[static_cast<std::size_t>(relation)]; }
+BoundRelation converse(BoundRelation relation) { return converses[static_cast<std::size_t>(relation)]; }
+
+bool keeps(double value, BoundRelation relation, double other) {
+  switch (relation) {
+    case BoundRelation::at_least:
+      return value >= other;
+    case BoundRelation::above:
+      return value > other;
+    case BoundRelation::at_most:
+      return value <= other;
+    case BoundRelation::below:
+      return value < other;
+  }
+  return true;
 }
 
 std::string FieldRead::text() const {

@@ -30,6 +30,22 @@ enum class ParamType {
 std::string_view name_of(ParamType type);
 std::optional<ParamType> param_type(std::string_view name);
 
+/// How a parameter lies to another one of the same plugin.
+enum class BoundRelation { at_least, above, at_most, below };
+std::string_view name_of(BoundRelation relation);  ///< "at least"
+/// The key of a manifest that says it: "min", "above", "max", "below".
+std::string_view key_of(BoundRelation relation);
+/// What the other parameter is to this one: at least, where this one is at most.
+BoundRelation converse(BoundRelation relation);
+/// Whether `value` is `relation` of `other`.
+bool keeps(double value, BoundRelation relation, double other);
+
+/// A limit that is another parameter: `max = "mu_s"`.
+struct ParamBound {
+  BoundRelation relation = BoundRelation::at_most;
+  std::string other;
+};
+
 /// One declared parameter. Limits and defaults are in SI units.
 struct ParamSpec {
   std::string name;
@@ -43,6 +59,7 @@ struct ParamSpec {
   std::optional<std::vector<double>> default_vector;
   std::optional<double> min, max;            ///< allowed, limits included
   std::optional<double> above, below;        ///< allowed, limits excluded
+  std::vector<ParamBound> bounds;            ///< number, integer: limits that are other parameters
   std::vector<std::string> choices;
 
   bool required() const { return !optional && !default_number && !default_text && !default_vector; }

@@ -59,6 +59,7 @@ struct Draw {
   Scope scope = Scope::trial;
   std::uint64_t stream_hash = 0;
   double factor = 1;  ///< above 0, of each value drawn
+  std::string unit;   ///< SI, of the values: "m", "rad", "1"
 
   /// The value at probability u in (0, 1), and the least and the greatest value.
   double quantile(double u) const { return factor * distribution.quantile(u); }

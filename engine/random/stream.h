@@ -34,6 +34,8 @@ class RandomStream {
   double normal();
   /// An integer from low to high, both included.
   std::int64_t integer(std::int64_t low, std::int64_t high);
+  /// Whether a number has been drawn.
+  bool drawn() const { return next_ > 0; }
 
  private:
   std::uint64_t seed_;

@@ -180,7 +180,7 @@ void ResultDatabase::finish(const Results& results, const std::string& report) {
 std::string stored_report(const std::filesystem::path& path) {
   const SqliteReader file(path);
   Query row(file, "SELECT data FROM report");
-  if (!row.next()) throw FileError(fmt::format("{} holds no data of a report", path.string()));
+  if (!row.next()) throw UnreadableFile(fmt::format("{} is damaged: it holds no data of a report", path.string()));
   return row.text(0);
 }
 

@@ -42,7 +42,7 @@ class ResultDatabase {
   } written_;  ///< rows
 };
 
-/// What finish() was given as `report`. Throws FileError.
+/// What finish() was given as `report`. Throws UnreadableFile.
 std::string stored_report(const std::filesystem::path& path);
 
 }  // namespace flyrock

@@ -41,8 +41,11 @@ std::string report_html(const nlohmann::ordered_json& data, const std::filesyste
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n<style>\n",
       title);
   page += read_file(assets / "report.css");
-  page += fmt::format("</style>\n</head>\n<body>\n<main>\n<h1>{}</h1>\n<p class=\"answer\">{}</p>\n<p class=\"facts\">{}</p>\n", title,
-                      escaped(text("answer")), escaped(text("assumptions")));
+  page += "</style>\n</head>\n<body>\n<main>\n";
+  if (const std::string faults = text("fault_line"); !faults.empty())
+    page += fmt::format("<p class=\"alarm\">{}</p>\n", escaped(faults));
+  page += fmt::format("<h1>{}</h1>\n<p class=\"answer\">{}</p>\n<p class=\"facts\">{}</p>\n", title, escaped(text("answer")),
+                      escaped(text("assumptions")));
   page += "<noscript><p>Plots and tables need JavaScript; rocks.csv and summary.json hold the same numbers.</p></noscript>\n"
           "<div id=\"report\"></div>\n</main>\n<script type=\"application/json\" id=\"data\">";
   page += replace_all(data.dump(), "<", "\\u003c");

@@ -31,7 +31,7 @@ Json shroud_data(const std::vector<Reach>& reaches) {
   for (const Reach& reach : reaches)
     for (const Reach::OfSpeed& of : reach.speeds) {
       Json x = Json::array(), y = Json::array();
-      for (const Vec2& point : shroud(reach.forces, of.speed, reach.height, points)) {
+      for (const Vec2& point : shroud(reach.forces, of.speed, reach.height, reach.longest, points)) {
         x.push_back(rounded(reach.origin.x() + point.x()));
         y.push_back(rounded(reach.origin.y() + point.y()));
       }

@@ -128,6 +128,30 @@ Json drawn_data(const Scenario& scenario) {
           {"impact", impact}};
 }
 
+/// { unit, per_si } of a unit that people read.
+Json unit_data(const std::string& si) {
+  const ReadableUnit unit = readable_unit(si);
+  return {{"unit", unit.name}, {"per_si", unit.per_si}};
+}
+
+/// Of each axis of a sweep: { path, unit, per_si }.
+Json axes_data(const Plan& plan) {
+  Json list = Json::array();
+  for (const SweepAxis& axis : plan.axes) {
+    Json line = {{"path", axis.path}};
+    line.update(unit_data(axis.unit));
+    list.push_back(std::move(line));
+  }
+  return list;
+}
+
+/// The unit of each expectation, in the order of the summary.
+Json expectation_units(const Results& results) {
+  Json list = Json::array();
+  for (const Verdict& verdict : results.verdicts) list.push_back(unit_data(verdict.expectation.unit));
+  return list;
+}
+
 }  // namespace
 
 ReportData::ReportData(const LoadedScenario& scenario) : scenario_(scenario) { open_point(); }
@@ -172,7 +196,8 @@ Json ReportData::finish(const Results& results, const std::vector<Rows>& rows) {
         bodies_data(plan.points[p], point.totals)));
   }
   return json_object("summary", summary_data(plan, results), "source", source_data(scenario_), "scenario",
-                     to_yaml(plan.resolved), "groups", group_names(plan.points.front()), "units", quantity_units, "drawn",
+                     to_yaml(plan.resolved), "groups", group_names(plan.points.front()), "units", quantity_units, "axes",
+                     axes_data(plan), "expectation_units", expectation_units(results), "drawn",
                      drawn_data(plan.points.front()), "points", std::move(points));
 }
 

@@ -26,8 +26,9 @@ class ReportData {
   void close();
 
   /// Reads `rows` of each point in passes and samples the laws of the scenario (call it in the thread of its session).
-  /// { summary, source: { sha256, plugins, files }, scenario, groups, units, drawn, points: [{ terrain, tracks, runout,
-  /// convergence, envelopes, sensitivity, laws, bodies }] }. `laws` is null where it is that of point 0.
+  /// { summary, source: { sha256, plugins, files }, scenario, groups, units, axes: [{ path, unit, per_si }],
+  /// expectation_units: [{ unit, per_si }], drawn, points: [{ terrain, tracks, runout, convergence, envelopes, sensitivity, laws,
+  /// bodies }] }. A value in SI times per_si is in the unit that people read. `laws` is null where it is that of point 0.
   nlohmann::ordered_json finish(const Results& results, const std::vector<Rows>& rows);
 
  private:

@@ -15,7 +15,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_rocks = 10'000;
-constexpr int derived = 2;  // numbers that follow from draws
 constexpr std::size_t tenths = 10;
 constexpr std::size_t least_in_tenth = 10;  // fewer rocks have no p10
 
@@ -24,8 +23,9 @@ double at_share(const std::vector<double>& values, double share) {
   return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
 }
 
-/// The runout over one number, tenth by tenth; rocks of one value stay together. Null where there are too few rocks or values.
-Json curve_data(const std::vector<double>& values, const std::vector<double>& runout) {
+/// The runout over one number, times `scale`, tenth by tenth; rocks of one value stay together. Null where there are too few rocks
+/// or values.
+Json curve_data(const std::vector<double>& values, double scale, const std::vector<double>& runout) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return values[i] < values[j]; });
@@ -38,7 +38,7 @@ Json curve_data(const std::vector<double>& values, const std::vector<double>& ru
     std::vector<double> within;
     for (std::size_t i = begin; i < end; ++i) within.push_back(runout[order[i]]);
     std::sort(within.begin(), within.end());
-    x.push_back(rounded(values[order[(begin + end - 1) / 2]]));
+    x.push_back(rounded(scale * values[order[(begin + end - 1) / 2]]));
     low.push_back(rounded(at_share(within, 0.1)));
     middle.push_back(rounded(at_share(within, 0.5)));
     high.push_back(rounded(at_share(within, 0.9)));
@@ -50,9 +50,19 @@ Json curve_data(const std::vector<double>& values, const std::vector<double>& ru
 
 }  // namespace
 
-Sensitivity::Sensitivity(const Scenario& scenario) : blast_(scenario.blast), groups_(scenario.rocks.size()) {
-  for (const Draw& draw : scenario.draws) names_.push_back(draw.stream);
-  names_.insert(names_.end(), {"blast: charge per hole in kg", "blast: powder factor in kg/m3"});
+Sensitivity::Sensitivity(const Scenario& scenario)
+    : blast_(scenario.blast), inputs_(scenario), groups_(scenario.rocks.size()) {
+  for (const Draw& draw : scenario.draws) {
+    names_.push_back(draw.stream);
+    units_.push_back(readable_unit(draw.unit));
+  }
+  names_.insert(names_.end(), {"blast: charge per hole", "blast: powder factor"});
+  units_.insert(units_.end(), {{"kg", 1}, {"kg/m3", 1}});
+}
+
+bool Sensitivity::is_ranked(std::size_t group, int input) const {
+  if (input >= first_derived()) return inputs_.reads(group, static_cast<DerivedInput>(input - first_derived()));
+  return inputs_.reads(group, input) && inputs_.was_asked(input);
 }
 
 /// What the blast of one rock, whose drawn numbers are given, makes of them; where a draw of it is missing, nothing.
@@ -73,12 +83,12 @@ void Sensitivity::add_derived(const std::map<int, double>& drawn, Group& group) 
     return;  // the rock has failed for it
   }
   const BlastDesign design = design_of(blast, blast_->pattern);
-  const int first = static_cast<int>(names_.size()) - derived;
-  if (!std::isnan(design.charge_per_hole)) group.inputs[first].push_back(design.charge_per_hole);
-  if (!std::isnan(design.powder_factor)) group.inputs[first + 1].push_back(design.powder_factor);
+  if (!std::isnan(design.charge_per_hole)) group.inputs[first_derived()].push_back(design.charge_per_hole);
+  if (!std::isnan(design.powder_factor)) group.inputs[first_derived() + 1].push_back(design.powder_factor);
 }
 
 void Sensitivity::see(const TrialRecords& chunk) {
+  inputs_.see(chunk.totals);
   auto input = chunk.inputs.begin();
   for (const RockRecord& rock : chunk.rocks) {
     const auto first = input;
@@ -95,33 +105,42 @@ void Sensitivity::see(const TrialRecords& chunk) {
   }
 }
 
-Json Sensitivity::group_data(const Group& group) const {
-  struct Line {
-    std::string path;
-    RankCorrelation found;
-    Json curve;
-  };
+/// The inputs of a group that are ranked, the strongest first.
+std::vector<Sensitivity::Line> Sensitivity::ranked(std::size_t of_group) const {
+  const Group& group = groups_[of_group];
   std::vector<Line> lines;
-  if (group.runout.size() >= least_pairs)
-    for (const auto& [draw, values] : group.inputs)
-      if (values.size() == group.runout.size())  // a population may draw a number for some of its rocks only
-        if (const RankCorrelation found = rank_correlation(values, group.runout, stated_confidence); !std::isnan(found.r))
-          lines.push_back({names_.at(static_cast<std::size_t>(draw)), found, curve_data(values, group.runout)});
-  std::stable_sort(lines.begin(), lines.end(),
-                   [](const Line& a, const Line& b) { return std::abs(a.found.r) > std::abs(b.found.r); });
+  if (group.runout.size() < least_pairs) return lines;
+  for (const auto& [input, values] : group.inputs) {
+    if (values.size() != group.runout.size()) continue;  // a population may draw a number for some of its rocks only
+    if (!is_ranked(of_group, input)) continue;
+    const double r = rank_correlation(values, group.runout, stated_confidence).r;
+    if (!std::isnan(r)) lines.push_back({input, r});
+  }
+  std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return std::abs(a.r) > std::abs(b.r); });
+  return lines;
+}
+
+Json Sensitivity::group_data(std::size_t of_group) const {
+  const Group& group = groups_[of_group];
+  const std::vector<Line> lines = ranked(of_group);
+  const double confidence = 1 - (1 - stated_confidence) / static_cast<double>(std::max<std::size_t>(1, lines.size()));
   auto inputs = Json::array();
-  for (const Line& line : lines)
-    inputs.push_back({{"path", line.path},
-                      {"r", rounded(line.found.r)},
-                      {"lower", rounded(line.found.lower)},
-                      {"upper", rounded(line.found.upper)},
-                      {"curve", line.curve}});
-  return {{"count", group.runout.size()}, {"inputs", inputs}};
+  for (const Line& line : lines) {
+    const auto input = static_cast<std::size_t>(line.input);
+    const RankCorrelation found = with_interval(line.r, group.runout.size(), confidence);
+    inputs.push_back({{"path", names_[input]},
+                      {"unit", units_[input].name},
+                      {"r", rounded(found.r)},
+                      {"lower", rounded(found.lower)},
+                      {"upper", rounded(found.upper)},
+                      {"curve", curve_data(group.inputs.at(line.input), units_[input].per_si, group.runout)}});
+  }
+  return {{"count", group.runout.size()}, {"confidence", confidence}, {"inputs", inputs}};
 }
 
 Json Sensitivity::data() const {
   auto list = Json::array();
-  for (const Group& group : groups_) list.push_back(group_data(group));
+  for (std::size_t group = 0; group < groups_.size(); ++group) list.push_back(group_data(group));
   return list;
 }
 

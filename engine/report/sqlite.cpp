@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstring>
+#include <memory>
 #include <vector>
 
 #include "batch/safe_file.h"
@@ -17,6 +19,34 @@ std::string insert_into(const std::string& table, int columns, std::size_t rows)
   return fmt::format("INSERT INTO {} VALUES {}", table, fmt::join(each, ", "));
 }
 
+/// Why SQLite refused, in our words. After its own texts a user would search for a fault of the database program.
+std::string reason(sqlite3* database) {
+  const int code = database ? sqlite3_errcode(database) & 0xff : SQLITE_NOMEM;
+  switch (code) {
+    case SQLITE_NOMEM: return "not enough memory";
+    case SQLITE_FULL: return "the disk is full, or the file larger than it may be";
+    case SQLITE_IOERR:
+    case SQLITE_CANTOPEN:
+    case SQLITE_PERM:
+    case SQLITE_READONLY:
+      if (const int system = sqlite3_system_errno(database)) return std::strerror(system);
+      return "the disk does not answer";
+    default: return fmt::format("SQLite refuses with its code {}", code);
+  }
+}
+
+[[noreturn]] void fail_to_write(const std::filesystem::path& path, sqlite3* database) {
+  throw FileError(fmt::format("cannot write {}: {}", path.string(), reason(database)));
+}
+
+[[noreturn]] void fail_to_read(const std::filesystem::path& path, sqlite3* database) {
+  const int code = database ? sqlite3_errcode(database) & 0xff : SQLITE_NOMEM;
+  // A missing table is SQLITE_ERROR: our own statements have no other fault.
+  if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB || code == SQLITE_ERROR)
+    throw UnreadableFile(fmt::format("{} is damaged: it is not the database that a run writes", path.string()));
+  throw UnreadableFile(fmt::format("cannot read {}: {}", path.string(), reason(database)));
+}
+
 }  // namespace
 
 SqliteFile::SqliteFile(std::filesystem::path path) : path_(std::move(path)), temporary_(temporary_name(path_)) {
@@ -24,9 +54,8 @@ SqliteFile::SqliteFile(std::filesystem::path path) : path_(std::move(path)), tem
   std::filesystem::remove(temporary_, code);
   if (sqlite3_open_v2(temporary_.c_str(), &database_, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX,
                       nullptr) != SQLITE_OK) {
-    const std::string why = database_ ? sqlite3_errmsg(database_) : "no memory";
-    sqlite3_close(database_);
-    throw FileError(fmt::format("cannot write {}: {}", path_.string(), why));
+    const std::unique_ptr<sqlite3, decltype(&sqlite3_close)> closed(database_, sqlite3_close);
+    fail_to_write(path_, database_);
   }
   execute("PRAGMA page_size = 16384; PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; PRAGMA locking_mode = EXCLUSIVE; BEGIN");
 }
@@ -49,9 +78,7 @@ void SqliteFile::commit() {
   commit_file(path_);
 }
 
-void SqliteFile::fail() const {
-  throw FileError(fmt::format("cannot write {}: {}", path_.string(), sqlite3_errmsg(database_)));
-}
+void SqliteFile::fail() const { fail_to_write(path_, database_); }
 
 Statement::Statement(const SqliteFile& file, const std::string& sql) : file_(file) {
   if (sqlite3_prepare_v2(file.handle(), sql.c_str(), -1, &statement_, nullptr) != SQLITE_OK) file.fail();
@@ -59,14 +86,11 @@ Statement::Statement(const SqliteFile& file, const std::string& sql) : file_(fil
 
 SqliteReader::SqliteReader(std::filesystem::path path) : path_(std::move(path)) {
   if (sqlite3_open_v2(path_.c_str(), &database_, SQLITE_OPEN_READONLY, nullptr) == SQLITE_OK) return;
-  const std::string why = database_ ? sqlite3_errmsg(database_) : "no memory";
-  sqlite3_close(database_);
-  throw FileError(fmt::format("cannot read {}: {}", path_.string(), why));
+  const std::unique_ptr<sqlite3, decltype(&sqlite3_close)> closed(database_, sqlite3_close);
+  fail_to_read(path_, database_);
 }
 
-void SqliteReader::fail() const {
-  throw FileError(fmt::format("cannot read {}: {}", path_.string(), sqlite3_errmsg(database_)));
-}
+void SqliteReader::fail() const { fail_to_read(path_, database_); }
 
 Query::Query(const SqliteReader& file, const std::string& sql) : file_(file) {
   if (sqlite3_prepare_v2(file.handle(), sql.c_str(), -1, &statement_, nullptr) != SQLITE_OK) file.fail();

@@ -104,7 +104,7 @@ class Insertion {
 /// A database that is read, also where its folder cannot be written.
 class SqliteReader {
  public:
-  /// Throws FileError.
+  /// Throws UnreadableFile.
   explicit SqliteReader(std::filesystem::path path);
   ~SqliteReader() { sqlite3_close(database_); }
   SqliteReader(const SqliteReader&) = delete;
@@ -121,7 +121,7 @@ class SqliteReader {
 /// A SELECT, row by row. Columns count from 0.
 class Query {
  public:
-  /// Throws FileError, as next().
+  /// Throws UnreadableFile, as next().
   Query(const SqliteReader& file, const std::string& sql);
   ~Query() { sqlite3_finalize(statement_); }
   Query(const Query&) = delete;

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "batch/answer.h"
+#include "batch/answer_shares.h"
+#include "batch/fault_line.h"
 #include "report/reach_data.h"
 
 namespace flyrock {
@@ -19,12 +21,14 @@ Json at_point(const Plan& plan, std::size_t point) {
   return at;
 }
 
+Json interval_data(const Interval& interval) { return {number(interval.lower), number(interval.upper)}; }
+
 /// { p95: [lower, upper], ... } of the statistics that have an interval.
 Json intervals_data(const Intervals& intervals) {
   Json data = Json::object();
   for (const Statistic s : {Statistic::mean, Statistic::p50, Statistic::p90, Statistic::p95, Statistic::p99}) {
     const Interval& interval = intervals[static_cast<int>(s)];
-    data[std::string(statistic_names[static_cast<int>(s)])] = {number(interval.lower), number(interval.upper)};
+    data[std::string(statistic_names[static_cast<int>(s)])] = interval_data(interval);
   }
   return data;
 }
@@ -42,14 +46,18 @@ Json statistics_data(const Statistics& statistics) {
 }
 
 Json group_data(const GroupSummary& group) {
-  Json reasons = Json::object();
-  for (std::size_t r = 0; r < group.reasons.size(); ++r)
-    reasons[name_of(static_cast<StopReason>(r))] = group.reasons[r];
+  Json reasons = Json::object(), intervals = {{"censored", interval_data(group.censored_interval())}};
+  for (std::size_t r = 0; r < group.reasons.size(); ++r) {
+    const char* name = name_of(static_cast<StopReason>(r));
+    reasons[name] = group.reasons[r];
+    intervals[name] = interval_data(share_interval(group.reasons[r], group.count, stated_confidence));
+  }
   Json data = {{"group", group.name.empty() ? Json(nullptr) : Json(group.name)},
                {"count", group.count},
                {"faults", group.faults},
                {"censored", group.censored_share()},
-               {"stop_reasons", reasons}};
+               {"stop_reasons", reasons},
+               {"share_intervals", intervals}};
   Json time = Json::object(), distance = Json::object();
   for (std::size_t m = 0; m < travel_mode_names.size(); ++m) {
     time[travel_mode_names[m]] = number(group.time_share[m]);
@@ -70,6 +78,7 @@ Json gates_data(const Scenario& scenario, const std::vector<GateSummary>& gates)
                     {"x", scenario.gates[g].x},
                     {"rocks", gates[g].passed},
                     {"passed", number(gates[g].share.value)},
+                    {"share_intervals", {{"passed", interval_data(gates[g].share.interval)}}},
                     {"lower_bounds", gates[g].share.censored},
                     {"speed", statistics_data(gates[g].speed)},
                     {"energy", statistics_data(gates[g].energy)},
@@ -85,8 +94,13 @@ Json barriers_data(const Scenario& scenario, const std::vector<BarrierSummary>& 
     Json data = {{"barrier", plan.name}, {"x", plan.x}, {"height_m", plan.height}, {"capacity_J", plan.capacity},
                  {"rocks", barrier.outcomes[0] + barrier.outcomes[1] + barrier.outcomes[2]},
                  {"reached", number(barrier.reached.value)}};
-    for (std::size_t o = 0; o < barrier.shares.size(); ++o)
-      data[name_of(static_cast<BarrierOutcome>(o))] = number(barrier.shares[o].value);
+    Json intervals = {{"reached", interval_data(barrier.reached.interval)}};
+    for (std::size_t o = 0; o < barrier.shares.size(); ++o) {
+      const char* name = name_of(static_cast<BarrierOutcome>(o));
+      data[name] = number(barrier.shares[o].value);
+      intervals[name] = interval_data(barrier.shares[o].interval);
+    }
+    data["share_intervals"] = intervals;
     data["lower_bounds"] = barrier.reached.censored;
     data["energy"] = statistics_data(barrier.energy);
     data["height"] = statistics_data(barrier.height);
@@ -95,17 +109,23 @@ Json barriers_data(const Scenario& scenario, const std::vector<BarrierSummary>& 
   return list;
 }
 
-/// The distance by azimuth about a point: { x, y, sectors: [{ azimuth_deg, count, greatest, distance, lower_bound, with_factor }] }.
-Json area_data(const ClearancePlan& plan, const std::vector<SectorSummary>& sectors) {
-  Json list = Json::array();
-  for (const SectorSummary& sector : sectors)
+/// The distance by azimuth about (x, y), from a hull: { x, y, hull: [[x, y], ...], sectors: [{ azimuth_deg, count, share, share_interval,
+/// greatest, distance, lower, upper, lower_bound, with_factor }] }. All but the count is null where no rock ended: no data.
+Json area_data(const AreaSummary& area) {
+  Json hull = Json::array(), list = Json::array();
+  for (const Vec2& corner : area.hull) hull.push_back({corner.x(), corner.y()});
+  for (const SectorSummary& sector : area.sectors)
     list.push_back({{"azimuth_deg", sector.azimuth * 180 / pi},
                     {"count", sector.count},
+                    {"share", number(sector.share.value)},
+                    {"share_interval", interval_data(sector.share.interval)},
                     {"greatest", number(sector.greatest.value)},
                     {"distance", number(sector.distance.value)},
+                    {"lower", number(sector.interval.lower)},
+                    {"upper", number(sector.interval.upper)},
                     {"lower_bound", sector.greatest.censored},
                     {"with_factor", number(sector.with_factor)}});
-  return {{"x", plan.x}, {"y", plan.y}, {"sectors", list}};
+  return {{"x", area.centre.x()}, {"y", area.centre.y()}, {"hull", hull}, {"sectors", list}};
 }
 
 Json clearances_data(const Scenario& scenario, const std::vector<ClearanceSummary>& clearances) {
@@ -114,10 +134,12 @@ Json clearances_data(const Scenario& scenario, const std::vector<ClearanceSummar
     const ClearancePlan& plan = scenario.clearances[c];
     const ClearanceSummary& clearance = clearances[c];
     list.push_back({{"clearance", plan.name},
+                    {"group", plan.group < 0 ? Json(nullptr) : Json(scenario.rocks.at(static_cast<std::size_t>(plan.group)).name)},
                     {"probability", plan.probability},
                     {"per", plan.per_blast ? "blast" : "rock"},
                     {"of", plan.of_max_distance ? "max_distance" : "runout"},
                     {"count", clearance.count},
+                    {"rocks_per_blast", plan.per_blast ? number(clearance.rocks_per_blast()) : Json(nullptr)},
                     {"needed", clearance.needed},
                     {"distance", number(clearance.distance.value)},
                     {"lower_bound", clearance.distance.censored},
@@ -126,7 +148,23 @@ Json clearances_data(const Scenario& scenario, const std::vector<ClearanceSummar
                     {"upper", number(clearance.interval.upper)},
                     {"factor", plan.factor ? Json(*plan.factor) : Json(nullptr)},
                     {"with_factor", number(clearance.with_factor)}});
-    if (plan.sectors > 0) list.back()["area"] = area_data(plan, clearance.sectors);
+    if (plan.sectors > 0) list.back()["area"] = area_data(clearance.area);
+  }
+  return list;
+}
+
+/// [{ reason, part, material, rocks, x: [from, to], y: [from, to] }]
+Json censored_data(const Scenario& scenario, const PointResult& point) {
+  const auto name = [](const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); };
+  Json list = Json::array();
+  for (const CensoredPlace& place : point.censored) {
+    const auto part = static_cast<std::size_t>(place.part);
+    list.push_back({{"reason", name_of(place.reason)},
+                    {"part", name(place.part >= 0 && part < point.terrain.parts.size() ? point.terrain.parts[part] : "")},
+                    {"material", name(material_of(scenario, point, place.part))},
+                    {"rocks", place.rocks},
+                    {"x", {place.low.x(), place.high.x()}},
+                    {"y", {place.low.y(), place.high.y()}}});
   }
   return list;
 }
@@ -146,6 +184,7 @@ Json quality_data(const SolverQuality& q) {
           {"max_spring_angle", number(q.max_spring_angle)},
           {"energy_gains", q.energy_gains},
           {"energy_gained", number(q.energy_gained)},
+          {"shocks", q.shocks},
           {"energy_relative_change", number(q.energy_relative_change)}};
 }
 
@@ -209,6 +248,7 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
                       {"at", at_point(plan, p)},
                       {"trials", point.trials},
                       {"rocks", groups},
+                      {"censored", censored_data(plan.points[p], point)},
                       {"gates", gates_data(plan.points[p], point.gates)},
                       {"barriers", barriers_data(plan.points[p], point.barriers)},
                       {"clearance", clearances_data(plan.points[p], point.clearances)},
@@ -228,6 +268,7 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
                       {"text", fault.text}});
   Json data = {{"flyrock", FLYROCK_ENGINE_VERSION},
                {"title", first.title},
+               {"fault_line", fault_line(plan, results)},
                {"answer", answer(plan, results)},
                {"assumptions", assumptions(plan)},
                {"dimension", first.dimension},
@@ -241,6 +282,7 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
   data["fault_count"] = results.fault_count;
   data["faults"] = faults;
   data["not_used"] = plan.not_used;
+  data["not_asked"] = results.not_asked;
   data["warnings"] = results.warnings;
   return data;
 }

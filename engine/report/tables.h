@@ -12,7 +12,7 @@ namespace flyrock {
 
 /// Of the layout of a result folder and its database: raised when an older flyrock, or this one with an older folder, would
 /// misread it.
-inline constexpr int result_format = 5;
+inline constexpr int result_format = 6;
 
 /// A row per rock in order of point, trial and rock; numbers as the shortest decimals that read back as
 /// the same double, nothing where there is no number; censored as 0 or 1.

@@ -2,7 +2,20 @@
 
 #include <stdexcept>
 
+#include "scenario/scenario_error.h"
+
 namespace flyrock {
+
+namespace {
+
+/// Texts about a blast begin with the key: "blast.hole: it ends above the floor".
+ScenarioError error_at_key(const std::string& text) {
+  const std::size_t colon = text.find(": ");
+  if (colon == text.npos) return {"blast", text};
+  return {text.substr(0, colon), text.substr(colon + 2)};
+}
+
+}  // namespace
 
 Blast blast_at(const Scenario& scenario, const DrawKey& key) {
   Blast blast;
@@ -12,7 +25,7 @@ Blast blast_at(const Scenario& scenario, const DrawKey& key) {
   try {
     complete(blast);
   } catch (const std::invalid_argument& fault) {
-    throw PluginError(fault.what());
+    throw error_at_key(fault.what());
   }
   return blast;
 }

@@ -5,7 +5,7 @@
 
 namespace flyrock {
 
-/// The blast of a scenario at `key`, drawn and completed; all fields NaN where there is none. Throws PluginError where
+/// The blast of a scenario at `key`, drawn and completed; all fields NaN where there is none. Throws ScenarioError where
 /// the draws leave no charge, stemming or burden.
 Blast blast_at(const Scenario& scenario, const DrawKey& key);
 

@@ -8,6 +8,7 @@
 #include "flight/ground.h"
 #include "scenario/blast_at.h"
 #include "scenario/dimensions.h"
+#include "scenario/scenario_error.h"
 #include "scenario/start_checks.h"
 
 namespace flyrock {
@@ -17,12 +18,28 @@ namespace {
 // Rocks that meet each other are placed anew as often as this before the trial is refused.
 constexpr int most_places = 1000;
 
+/// The key that decides the mass of a rock or body before others.
+template <class Plan>
+std::string mass_key(const Plan& plan) {
+  return plan.mass ? "mass" : plan.thickness ? "thickness" : "shape";
+}
+
+std::string release_path(int group) { return fmt::format("rocks.{}.release", group); }
+
 bool is_random(const std::optional<Release>& release) {
   return release && (release->kind == ReleaseKind::face || release->kind == ReleaseKind::bench_top ||
                      release->kind == ReleaseKind::along || release->kind == ReleaseKind::inside);
 }
 
 }  // namespace
+
+StopReason reason_of(const TrialError& error) {
+  if (const auto* located = dynamic_cast<const ScenarioError*>(&error))
+    return located->of_plugin ? StopReason::plugin_error : StopReason::not_started;
+  if (dynamic_cast<const PluginError*>(&error)) return StopReason::plugin_error;
+  if (dynamic_cast<const StartError*>(&error)) return StopReason::not_started;
+  return StopReason::diverged;
+}
 
 template <int D>
 TrialBuilder<D>::TrialBuilder(const Scenario& scenario) : scenario_(scenario), instances_(scenario) {}
@@ -39,11 +56,16 @@ std::shared_ptr<const typename TrialBuilder<D>::Terrain> TrialBuilder<D>::terrai
   const PluginUse& model = scenario_.terrain.model;
   DrawKey key;
   key.trial = trial;
-  RandomStream rng(scenario_.seed, "terrain", {});  // a terrain plugin draws once a run
-  auto terrain = std::make_shared<const Terrain>(
-      make_terrain(*instances_.terrain, model, scenario_, key, rng, static_cast<const Terrain*>(nullptr)));
-  if (std::all_of(model.slots.begin(), model.slots.end(), [](const Number& n) { return n.is_constant(); }))
-    kept_terrain_ = terrain;
+  RandomStream rng(scenario_.seed, "terrain", key);
+  auto terrain = at_path(model.path, [&] {
+    return std::make_shared<const Terrain>(
+        make_terrain(*instances_.terrain, model, scenario_, key, rng, static_cast<const Terrain*>(nullptr)));
+  });
+  const bool same_parameters = std::all_of(model.slots.begin(), model.slots.end(), [&](const Number& n) {
+    return n.is_constant() || scenario_.draws[n.draw].scope == Scope::run;
+  });
+  // Plugins have no memory: one that drew nothing now, of the same parameters, never draws.
+  if (same_parameters && !rng.drawn()) kept_terrain_ = terrain;
   return terrain;
 }
 
@@ -63,13 +85,13 @@ Air<D> TrialBuilder<D>::air_of(const Body<D>& body, const DrawKey& key) const {
   for (std::size_t i = 0; i < plan.wind.size(); ++i) air.wind[static_cast<int>(i)] = number(plan.wind[i], key);
   constexpr double most_wind = 1000;  // m/s
   if (!(air.wind.norm() <= most_wind))
-    throw PluginError(fmt::format("air.wind is {:.3g} m/s, expected at most {:g} m/s", air.wind.norm(), most_wind));
+    throw ScenarioError("air.wind", fmt::format("is {:.3g} m/s, expected at most {:g} m/s", air.wind.norm(), most_wind));
   return air;
 }
 
 template <int D>
 void TrialBuilder<D>::connect(Trial<D>& trial, World<D>& world, std::vector<Partner> partners) {
-  trial.surfaces.emplace_back(scenario_, instances_, std::move(partners)).connect(world);
+  at_path("pairs", [&] { trial.surfaces.emplace_back(scenario_, instances_, std::move(partners)).connect(world); });
 }
 
 template <int D>
@@ -89,11 +111,13 @@ template <class Plan>
 Body<D> TrialBuilder<D>::rock_body(const Plan& plan, TrialRock& rock, const Terrain& terrain, RandomStream& where) {
   const RockGroup& group = scenario_.rocks[rock.group];
   const GroupModels& models = instances_.groups[rock.group];
-  const std::string stream = "rocks." + group.name;
+  const std::string stream = "rocks." + group.name, path = fmt::format("rocks.{}.", rock.group);
   auto contactors = plan.contactors;
   if (contactors.empty()) {
     RandomStream rng(scenario_.seed, stream + ".shape", rock.key);
-    contactors = contactors_of<D>(*models.shape, values_of(*group.shape, scenario_, rock.key), rng);
+    contactors = at_path(group.shape->path, [&] {
+      return contactors_of<D>(*models.shape, values_of(*group.shape, scenario_, rock.key), rng);
+    });
   }
   const double mass = group.mass ? number(*group.mass, rock.key) : 0;
   const double density = group.mass ? 0 : number(group.density, rock.key);
@@ -105,24 +129,25 @@ Body<D> TrialBuilder<D>::rock_body(const Plan& plan, TrialRock& rock, const Terr
                     : group.orientation ? number(*group.orientation, rock.key)
                                         : turn.uniform(0, 2 * pi);
   } else {
-    body = make_body(std::move(contactors), density, mass);
+    body = at_path(path + "shape", [&] { return make_body(std::move(contactors), density, mass); });
     const Rotation3 turned = plan.orientation ? *plan.orientation
-                             : group.turn     ? rotation_of(*group.turn, scenario_, rock.key)
+                             : group.turn     ? at_path(path + "orientation", [&] { return rotation_of(*group.turn, scenario_, rock.key); })
                                               : random_rotation(turn);
     body.attitude = turned * body.attitude.rotation;
   }
   body.group = group.name;
-  refuse_extremes(body);
+  at_path(path + mass_key(group), [&] { refuse_extremes(body); });
+  at_path(path + "shape", [&] { refuse_slender(body); });
   Place<D> place;
   if (plan.position)
     place.position = *plan.position;
   else if (group.release)
-    place = place_rock(*group.release, scenario_, rock.key, where, body, ground_of(terrain));
+    place = at_path(path + "release", [&] { return place_rock(*group.release, scenario_, rock.key, where, body, ground_of(terrain)); });
   else
-    throw PluginError(fmt::format("rocks.{}: neither the population nor `release` says where a rock starts", group.name));
+    throw ScenarioError(path + "release", "neither the population nor `release` says where a rock starts");
   body.x = place.position;
   body.air = air_of(body, rock.key);
-  if (models.launch) launch(rock, place, body);
+  if (models.launch) at_path(group.launch->path, [&] { launch(rock, place, body); });
   return body;
 }
 
@@ -152,6 +177,7 @@ void TrialBuilder<D>::launch(TrialRock& rock, const Place<D>& place, Body<D>& bo
     body.w = launch.spin;
   refuse_speed(body);
   rock.note = launch.note;
+  rock.greatest_throw = launch.greatest_throw;
   rock.launch_speed = body.v.norm();
   if (rock.launch_speed > 0) rock.launch_elevation = elevation_of(body.v, place.outward);
 }
@@ -166,10 +192,12 @@ void TrialBuilder<D>::build_alone(Trial<D>& trial, const Plan& plan, TrialRock& 
   world.time = rock.start_time;
   rock.body = world.add(rock_body(plan, rock, *trial.terrain, where));
   const bool is_point = scenario_.method == Method::ballistic;
-  if (is_point)
-    check_start_of_point(world.bodies.back(), ground_of(*trial.terrain));
-  else
-    check_start(world);
+  if (is_point) {
+    const std::string fault = start_fault_of_point(world.bodies.back(), ground_of(*trial.terrain));
+    if (!fault.empty()) throw ScenarioError(release_path(rock.group), fault);
+  } else if (const auto fault = start_fault(world)) {
+    throw ScenarioError(release_path(rock.group), fault->text);
+  }
   trial.worlds.push_back(std::move(world));
   const RockGroup& group = scenario_.rocks[rock.group];
   if (!is_point) connect(trial, trial.worlds.back(), {{group.name, group.material, rock.key}});
@@ -187,8 +215,8 @@ void TrialBuilder<D>::add_apart(World<D>& world, const Plan& plan, TrialRock& ro
       world.remove_last();
       world.add(std::move(elsewhere));
     }
-    check_start(world);
-  } catch (const PluginError&) {
+    if (const auto fault = start_fault(world)) throw ScenarioError(release_path(rock.group), fault->text);
+  } catch (const TrialError&) {
     world.remove_last();
     throw;
   }
@@ -208,8 +236,10 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
   for (int g = 0; g < static_cast<int>(scenario_.rocks.size()); ++g) {
     const RockGroup& group = scenario_.rocks[g];
     RandomStream rng(scenario_.seed, "rocks." + group.name + ".population", of_trial);
-    const auto plans = rocks_of(*instances_.groups[g].population, values_of(group.population, scenario_, of_trial),
-                                *trial.terrain, blast_at(scenario_, first_hole), rng);
+    const auto plans = at_path(group.population.path, [&] {
+      return rocks_of(*instances_.groups[g].population, values_of(group.population, scenario_, of_trial), *trial.terrain,
+                      blast_at(scenario_, first_hole), rng);
+    });
     for (const auto& plan : plans) {
       TrialRock& rock = trial.rocks.emplace_back();
       rock.group = g;
@@ -225,8 +255,14 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
           build_alone(trial, plan, rock, where);
         }
         rock.world = static_cast<int>(trial.worlds.size()) - 1;
-      } catch (const PluginError& error) {
+      } catch (const ScenarioError& error) {
         rock.fault = error.what();
+        rock.fault_path = error.path;
+        rock.reason = reason_of(error);
+      } catch (const TrialError& error) {
+        rock.fault = error.what();
+        rock.fault_path = fmt::format("rocks.{}", g);
+        rock.reason = reason_of(error);
       }
     }
   }
@@ -245,23 +281,28 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
   std::vector<Partner> partners;
   for (int i = 0; i < static_cast<int>(scenario_.bodies.size()); ++i) {
     const BodyPlan& plan = scenario_.bodies[i];
+    const std::string path = fmt::format("bodies.{}.", i);
     TrialRock rock;
     rock.group = i;
     rock.key = {number_of_trial, 0, static_cast<std::uint64_t>(i) + 1, 0};
     const auto value = [&](const Number& n) { return number(n, rock.key); };
     RandomStream rng(scenario_.seed, "bodies." + plan.name + ".shape", rock.key);
-    auto contactors = contactors_of<D>(*instances_.bodies[i], values_of(plan.shape, scenario_, rock.key), rng);
+    auto contactors =
+        at_path(plan.shape.path, [&] { return contactors_of<D>(*instances_.bodies[i], values_of(plan.shape, scenario_, rock.key), rng); });
     const double density = plan.density ? value(*plan.density) : 0, mass = plan.mass ? value(*plan.mass) : 0;
     Body<D> body;
     if constexpr (D == 2) {
       body = make_body(std::move(contactors), density, mass, plan.thickness ? value(*plan.thickness) : 0);
       body.attitude = value(plan.orientation);
     } else {
-      body = make_body(std::move(contactors), density, mass);
-      if (plan.turn) body.attitude = rotation_of(*plan.turn, scenario_, rock.key) * body.attitude.rotation;
+      body = at_path(path + "shape", [&] { return make_body(std::move(contactors), density, mass); });
+      if (plan.turn)
+        body.attitude =
+            at_path(path + "orientation", [&] { return rotation_of(*plan.turn, scenario_, rock.key); }) * body.attitude.rotation;
     }
     body.group = plan.name;
-    if (!plan.fixed && !plan.driven) refuse_extremes(body);
+    if (!plan.fixed && !plan.driven) at_path(path + mass_key(plan), [&] { refuse_extremes(body); });
+    at_path(path + "shape", [&] { refuse_slender(body); });
     for (int k = 0; k < D; ++k) body.x[k] = value(plan.position[k]);
     if (plan.driven) {
       body.kind = BodyKind::driven;
@@ -273,7 +314,7 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
       for (int k = 0; k < D; ++k) body.v[k] = value(plan.velocity[k]);
       body.w = spin_of<D>([&](int k) { return value(plan.spin[k]); });
     }
-    refuse_speed(body);
+    at_path(path + (plan.driven ? "driven" : "velocity"), [&] { refuse_speed(body); });
     if (!plan.fixed && !plan.driven) body.air = air_of(body, rock.key);
     rock.launch_speed = body.v.norm();
     if (rock.launch_speed > 0) rock.launch_elevation = elevation_of(body.v, Vec3::UnitX());
@@ -283,7 +324,7 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
     if (world.bodies.back().kind == BodyKind::dynamic) trial.rocks.push_back(rock);
   }
   connect(trial, world, std::move(partners));
-  check_start(world);
+  if (const auto fault = start_fault(world)) throw ScenarioError(fmt::format("bodies.{}.position", fault->body), fault->text);
 }
 
 template class TrialBuilder<2>;

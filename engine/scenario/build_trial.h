@@ -14,6 +14,9 @@
 
 namespace flyrock {
 
+/// What a trial that ends with an error says of its rocks.
+StopReason reason_of(const TrialError& error);
+
 /// A rock of a trial (or a moving body of `bodies`).
 struct TrialRock {
   int group = 0;           ///< index into Scenario::rocks or ::bodies
@@ -23,8 +26,11 @@ struct TrialRock {
   double start_time = 0;   ///< s, when its hole goes off; 0 where rocks meet each other, which leave together
   double launch_speed = 0; ///< m/s
   double launch_elevation = 0;  ///< rad above the outward horizontal
+  double greatest_throw = 0;    ///< m, see Launch
   std::string note;        ///< of its velocity model
   std::string fault;       ///< why it could not be built
+  std::string fault_path;  ///< of the key that is to blame: "rocks.0.release"
+  StopReason reason = StopReason::not_started;  ///< with a fault
 };
 
 template <int D>
@@ -35,16 +41,18 @@ struct Trial {
   std::deque<Surfaces> surfaces;   ///< one a world; none for points, which meet nothing
 };
 
-/// Builds trials of a scenario of D dimensions. Keeps the terrain where no draw changes it. Instantiated for D = 2, 3.
+/// Builds trials of a scenario of D dimensions. A terrain that draws (a distribution, or its plugin from `rng`) is built
+/// for each trial, another one once. Instantiated for D = 2, 3.
 template <int D>
 class TrialBuilder {
  public:
   using Terrain = typename Geometry<D>::Terrain;
 
-  /// Throws PluginError: the plugins cannot be made, or a pair of bodies has no material.
+  /// Throws ScenarioError: the plugins cannot be made, or a pair of bodies has no material.
   explicit TrialBuilder(const Scenario& scenario);
 
-  /// A rock that cannot be built is a TrialRock with `fault`. Throws PluginError where the terrain or a population fails.
+  /// A rock that cannot be built is a TrialRock with `fault`. Throws ScenarioError where the terrain, a population or
+  /// one of `bodies` fails.
   Trial<D> build(std::uint64_t trial);
 
   /// The terrain of a trial.
@@ -70,7 +78,7 @@ class TrialBuilder {
 
   const Scenario& scenario_;
   Instances instances_;
-  std::shared_ptr<const Terrain> kept_terrain_;
+  std::shared_ptr<const Terrain> kept_terrain_;  ///< that of all trials, once it is known to be
 };
 
 }  // namespace flyrock

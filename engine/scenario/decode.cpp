@@ -61,7 +61,7 @@ class PlanDecoder {
     for (const SweptValue& sweep : sweeps_) {
       swept_.insert(sweep.path);
       sizes.push_back(sweep.values.size());
-      plan_.axes.push_back({sweep.path, std::vector<double>(sweep.values.size())});
+      plan_.axes.push_back({sweep.path, std::vector<double>(sweep.values.size()), ""});
       resolved_values_.emplace_back(sweep.values.size());
     }
     for (const auto& [name, at] : plugin_files(tree_, diagnostics_)) plan_.plugin_files.push_back(name);
@@ -87,8 +87,9 @@ class PlanDecoder {
       if (met == context.swept_values.end())
         return diagnostics_.error(sweeps_[a].at, sweeps_[a].path,
                                   "takes no sweep, only numbers that may vary are swept");
-      at.push_back(met->second);
-      plan_.axes[a].values[point[a]] = met->second;
+      at.push_back(met->second.si);
+      plan_.axes[a].values[point[a]] = met->second.si;
+      plan_.axes[a].unit = met->second.unit;
     }
     plan_.files.merge(context.files);
     Value tree = map_value(std::move(resolved));

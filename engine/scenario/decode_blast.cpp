@@ -61,8 +61,8 @@ void decode_explosive(DecodeContext& context, const Node& node, BlastPlan& plan,
   Map map;
   decode_fields(context, node, "blast.explosive", "explosive.", plan, map);
   const auto velocity = plan.fields.find(BlastField::detonation_velocity);
-  if (velocity != plan.fields.end() && !plan.fields.contains(BlastField::gurney_constant))
-    plan.fields[BlastField::gurney_constant] = third_of(context, velocity->second);
+  plan.gurney_follows = velocity != plan.fields.end() && !plan.fields.contains(BlastField::gurney_constant);
+  if (plan.gurney_follows) plan.fields[BlastField::gurney_constant] = third_of(context, velocity->second);
   put(resolved, "explosive", map_value(std::move(map)));
 }
 
@@ -147,6 +147,8 @@ void complete_plan(DecodeContext& context, const Node& node, BlastPlan& plan) {
 
 BlastPlan decode_blast(DecodeContext& context, const Node& node, Map& resolved) {
   BlastPlan plan;
+  const std::size_t errors_before = context.diagnostics.errors_given();
+  const auto is_sound = [&] { return context.diagnostics.errors_given() == errors_before; };
   if (!node.expect_map(context.diagnostics)) return plan;
   node.refuse_unknown_keys(section_spec("blast").key_names(), context.diagnostics);
   Map map;
@@ -160,24 +162,25 @@ BlastPlan decode_blast(DecodeContext& context, const Node& node, Map& resolved) 
   decode_fields(context, node, "blast", "", plan, map);
   if (const auto rows = node.find("rows")) {
     Map fields;
+    const std::size_t before_rows = context.diagnostics.errors_given();
     const Section section = decode_section(context, rows, "blast.rows", {}, fields);
     const double holes = section.constant("count") * section.constant("holes");
     constexpr double most_holes = 1e6;
     if (holes > most_holes)
       rows->error(context.diagnostics,
                   fmt::format("has {:.6g} holes, must be at most {:.6g}", holes, most_holes));
-    if (holes <= most_holes)
+    if (context.diagnostics.errors_given() == before_rows)
       plan.pattern = {section.integer("count"), section.integer("holes"), section.constant("distance"),
                       section.constant("delay_row"), section.constant("delay_hole"), section.constant("delay_in_hole")};
     put(map, "rows", map_value(std::move(fields)));
   }
   put(resolved, "blast", map_value(std::move(map)));
+  if (!is_sound()) return plan;  // what follows from its numbers would mislead
   for (const auto& [field, value] : plan.fields) plan.typical[field] = middle_of(context, value);
   plan.typical.is_anfo = plan.is_anfo;
-  const std::size_t faults = context.diagnostics.all().size();
   if (const auto hole = node.find("hole")) check_lengths(context, *hole, plan);
   check_burdens(context, node, plan);
-  if (context.diagnostics.all().size() == faults) complete_plan(context, node, plan);
+  if (is_sound()) complete_plan(context, node, plan);
   return plan;
 }
 

@@ -52,8 +52,10 @@ class DocumentDecoder {
     if (const auto pairs = root_.find("pairs"))
       scenario_.pairs = decode_pairs(context_, *pairs, scenario_.materials, pair_names(parts), resolved_);
     if (const auto blast = root_.find("blast")) {
+      const std::size_t errors_before = context_.diagnostics.errors_given();
       scenario_.blast = decode_blast(context_, *blast, resolved_);
-      check_hole(context_, *blast, *scenario_.blast, scenario_.terrain);
+      blast_is_sound_ = context_.diagnostics.errors_given() == errors_before;
+      if (blast_is_sound_) check_hole(context_, *blast, *scenario_.blast, scenario_.terrain);
     }
     decode_moving(profile);
     if (const auto barriers = root_.find("barriers"))
@@ -62,7 +64,9 @@ class DocumentDecoder {
       scenario_.gates = decode_gates(context_, *gates, profile, resolved_);
     if (const auto clearances = root_.find("clearance")) {
       if (!root_.find("rocks")) clearances->error(context_.diagnostics, "needs `rocks`, the scenario has none");
-      scenario_.clearances = decode_clearances(context_, *clearances, resolved_);
+      std::vector<std::string> groups;
+      for (const RockGroup& group : scenario_.rocks) groups.push_back(group.name);
+      scenario_.clearances = decode_clearances(context_, *clearances, groups, resolved_);
     }
     scenario_.solver = decode_solver(context_, root_.find("solver"), resolved_);
     if (const auto stop = part("stop")) scenario_.stop = decode_stop(context_, stop, resolved_);
@@ -191,8 +195,9 @@ class DocumentDecoder {
           name->error(context_.diagnostics, "is the name of a measured quantity, a group needs another one");
   }
 
-  /// A velocity model must find the fields of the blast that it reads.
+  /// A velocity model must find the fields of the blast that it reads. What a wrong blast gives is not known.
   void check_reads(const Node& rocks) {
+    if (!blast_is_sound_) return;
     const std::vector<Node> items = rocks.items();
     for (const Node& item : items) {
       const auto launch = item.find("launch");
@@ -258,6 +263,7 @@ class DocumentDecoder {
   const Node& root_;
   Map& resolved_;
   Scenario scenario_;
+  bool blast_is_sound_ = true;
 };
 
 }  // namespace

@@ -119,6 +119,7 @@ std::vector<Expectation> decode_expect(DecodeContext& context, const Node& node,
     expectation.measure = section.text("measure");
     if (expectation.measure.empty()) continue;
     const MeasureInfo info = check_measure(expectation.measure, names);
+    expectation.unit = si_unit(info.dimension);
     if (!info.fault.empty())
       item.find("measure")->error(context.diagnostics, info.fault);
     else

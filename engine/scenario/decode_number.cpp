@@ -55,12 +55,6 @@ std::string quantity_fault(const Value& value, const QuantityError& error, const
 /// The unit that messages about a parameter use: the declared one.
 std::string unit_of(const ParamSpec& spec) { return spec.unit.empty() ? si_unit(spec.dimension) : spec.unit; }
 
-std::string with_unit(double si, const ParamSpec& spec) {
-  if (spec.dimension == dimension::none) return fmt::format("{:.6g}", si);
-  const std::string unit = unit_of(spec);
-  return fmt::format("{:.6g} {}", si / parse_unit(unit).value_or(Unit{}).factor, unit);
-}
-
 bool is_whole(double number) { return number == std::floor(number); }
 
 std::string scope_choices(Scope finest) {
@@ -104,7 +98,7 @@ std::optional<DecodedNumber> decode_draw(DecodeContext& context, const Node& nod
                                                 with_unit(low, spec), with_unit(high, spec), fault));
     return std::nullopt;
   }
-  Draw draw{node.path, node.stream, distribution, *scope, hash_name(node.stream)};
+  Draw draw{node.path, node.stream, distribution, *scope, hash_name(node.stream), 1, si_unit(spec.dimension)};
   DecodedNumber result;
   result.number.draw = static_cast<int>(context.draws.size());
   context.draws.push_back(std::move(draw));
@@ -147,7 +141,7 @@ std::optional<double> decode_quantity(DecodeContext& context, const Node& node, 
                                         ? "is empty, expected " + expected
                                         : fmt::format("expected {}, found {}", expected, shown(value)));
   }
-  if (si && rules.varies && context.swept.contains(node.path)) context.swept_values[node.path] = *si;
+  if (si && rules.varies && context.swept.contains(node.path)) context.swept_values[node.path] = {*si, si_unit(dimension)};
   return si;
 }
 
@@ -187,6 +181,12 @@ std::string expected_text(const ParamSpec& spec) {
       return "a spin in rad/s: a number in 2D, three in 3D";
   }
   return {};
+}
+
+std::string with_unit(double si, const ParamSpec& spec) {
+  if (spec.dimension == dimension::none) return fmt::format("{:.6g}", si);
+  const std::string unit = unit_of(spec);
+  return fmt::format("{:.6g} {}", si / parse_unit(unit).value_or(Unit{}).factor, unit);
 }
 
 std::string limit_fault(const ParamSpec& spec, double low, double high, bool is_open) {

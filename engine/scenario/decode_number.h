@@ -20,7 +20,11 @@ struct DecodeContext {
   bool a_plugin_failed = false;        ///< to load, which was reported: an unknown name is no news then
   int dimension = 2;
   std::vector<Draw> draws = {};
-  std::map<std::string, double> swept_values = {};  ///< by path, SI; of the axes met where a sweep may stand
+  struct SweptNumber {
+    double si = 0;
+    std::string unit;  ///< SI
+  };
+  std::map<std::string, SweptNumber> swept_values = {};  ///< by path; of the axes met where a sweep may stand
   std::map<std::string, std::string> files = {};    ///< that parameters name: as written, and the full path
 };
 
@@ -54,6 +58,9 @@ std::optional<DecodedDistribution> decode_distribution(DecodeContext& context, c
 
 /// What a parameter takes: "a number in m/s", "a whole number", "`on` or `off`".
 std::string expected_text(const ParamSpec& spec);
+
+/// A value in SI as messages about a parameter show it, in the unit that is declared: "12 m/s".
+std::string with_unit(double si, const ParamSpec& spec);
 
 /// Why values from `low` to `high` are outside the limits of `spec`, or an empty text. The ends of an open
 /// interval (a continuous distribution) are never drawn.

@@ -48,13 +48,24 @@ void decode_text(DecodeContext& context, const Node& node, const ParamSpec& spec
   resolved = text_value(*text);
 }
 
+/// What keeps a file from being read, or an empty text.
+std::string file_fault(const std::filesystem::path& path, const std::string& name) {
+  constexpr std::uintmax_t most_mebibytes = 256;
+  std::error_code code;
+  const std::filesystem::file_status status = std::filesystem::status(path, code);
+  if (!std::filesystem::exists(status)) return fmt::format("there is no file `{}` in the scenario's folder", name);
+  if (!std::filesystem::is_regular_file(status)) return fmt::format("`{}` is a folder, a pipe or a device, expected a file", name);
+  if (std::filesystem::file_size(path, code) > most_mebibytes << 20)
+    return fmt::format("`{}` is larger than {} MiB", name, most_mebibytes);
+  return {};
+}
+
 void decode_file(DecodeContext& context, const Node& node, const ParamSpec& spec, ParamValue& value,
                  Value& resolved) {
   const std::string* name = node.value->text();
   if (!name || name->empty()) return refuse(context, node, spec);
   const std::filesystem::path path = std::filesystem::path(context.folder) / *name;
-  if (!std::filesystem::is_regular_file(path))
-    return node.error(context.diagnostics, fmt::format("there is no file `{}` beside the scenario", *name));
+  if (const std::string fault = file_fault(path, *name); !fault.empty()) return node.error(context.diagnostics, fault);
   value.text = path.string();
   context.files[*name] = value.text;
   resolved = text_value(*name);

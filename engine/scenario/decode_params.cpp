@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "scenario/decode_param.h"
+#include "scenario/param_bounds.h"
 
 namespace flyrock {
 
@@ -31,6 +32,7 @@ std::vector<ParamValue> decode_params(DecodeContext& context, const Node& map,
                                       const std::vector<ParamSpec>& specs, const NumberRules& rules,
                                       Map& resolved) {
   std::vector<ParamValue> values(specs.size());
+  std::vector<bool> decoded(specs.size(), false);
   for (std::size_t i = 0; i < specs.size(); ++i) {
     const ParamSpec& spec = specs[i];
     Value shown_value;
@@ -42,8 +44,10 @@ std::vector<ParamValue> decode_params(DecodeContext& context, const Node& map,
     else if (!take_default(spec, context.dimension, values[i], shown_value))
       continue;
     put(resolved, spec.name, std::move(shown_value));
+    decoded[i] = !values[i].numbers.empty();
     if (is_number_type(spec.type) && values[i].numbers.empty()) values[i].numbers = {Number{}};
   }
+  check_bounds(context, map, specs, values, decoded);
   return values;
 }
 
@@ -122,10 +126,10 @@ std::optional<PluginUse> decode_plugin(DecodeContext& context, const Node& node,
   use.plugin = plugin;
   use.path = node.path;
   put(resolved, "type", text_value(type));
-  const std::size_t messages = context.diagnostics.all().size();
+  const std::size_t errors = context.diagnostics.errors_given();
   use.values = decode_params(context, node, plugin->spec.params, rules, resolved);
   use.slots = dense_slots(use.values);
-  if (context.diagnostics.all().size() == messages) try_to_make(context, node, use);
+  if (context.diagnostics.errors_given() == errors) try_to_make(context, node, use);
   return use;
 }
 

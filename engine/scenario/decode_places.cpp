@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "scenario/decode_sections.h"
 
 namespace flyrock {
@@ -19,11 +21,21 @@ void check_place(DecodeContext& context, const Node& item, const Section& sectio
                                             at, profile->x_min(), profile->x_max()));
 }
 
-/// The distance by azimuth about a point.
+/// The group of rocks that a clearance is of, -1 for all.
+int decode_group(DecodeContext& context, const Node& item, const Section& section, const std::vector<std::string>& groups) {
+  if (!section.given("group")) return -1;
+  const std::string& name = section.text("group");
+  const auto found = std::find(groups.begin(), groups.end(), name);
+  if (found != groups.end()) return static_cast<int>(found - groups.begin());
+  item.find("group")->error(context.diagnostics, fmt::format("`{}` is no group of `rocks`{}", name, suggestion(name, groups)));
+  return -1;
+}
+
+/// The distance by azimuth, from all release places or from a point.
 void decode_sectors(DecodeContext& context, const Node& item, const Section& section, ClearancePlan& plan) {
   const auto error_at = [&](const char* key, const char* text) { item.find(key)->error(context.diagnostics, text); };
-  if (section.given("x")) plan.x = section.constant("x");
-  if (section.given("y")) plan.y = section.constant("y");
+  if (section.given("x") || section.given("y"))
+    plan.about = Vec2(section.given("x") ? section.constant("x") : 0, section.given("y") ? section.constant("y") : 0);
   for (const char* key : {"x", "y"})
     if (section.given(key) && !section.given("sectors")) error_at(key, "is the point that `sectors` are about, and there are none");
   if (!section.given("sectors")) return;
@@ -55,10 +67,12 @@ std::vector<GatePlan> decode_gates(DecodeContext& context, const Node& node,
   });
 }
 
-std::vector<ClearancePlan> decode_clearances(DecodeContext& context, const Node& node, Map& resolved) {
+std::vector<ClearancePlan> decode_clearances(DecodeContext& context, const Node& node,
+                                             const std::vector<std::string>& groups, Map& resolved) {
   return decode_list<ClearancePlan>(context, node, "clearance", resolved, [&](const Node& item, Map& map) {
     const Section section = decode_section(context, item, "clearance", {}, map);
     ClearancePlan plan{.name = section.text("name"),
+                       .group = decode_group(context, item, section, groups),
                        .probability = section.constant("probability"),
                        .confidence = section.constant("confidence")};
     if (section.given("factor")) plan.factor = section.constant("factor");

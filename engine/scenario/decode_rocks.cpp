@@ -142,6 +142,14 @@ std::optional<PluginUse> decode_part(DecodeContext& context, const Node& node, P
   return use;
 }
 
+/// The elevation of a launch that gives none and has no direction of its own either, as `velocity` and `drill_angle` have.
+std::optional<double> assumed_elevation(const Node& launch, const PluginSpec& spec) {
+  constexpr double of_every_model = pi / 4;
+  const int elevation = spec.find("elevation");
+  if (elevation < 0 || launch.find("elevation") || launch.find("velocity") || launch.find("drill_angle")) return std::nullopt;
+  return spec.params[elevation].default_number.value_or(of_every_model);
+}
+
 RockGroup decode_group(DecodeContext& context, const Node& node, const std::vector<Material>& materials,
                        const std::optional<Profile>& profile, Map& resolved) {
   const bool plane = context.dimension == 2;
@@ -169,6 +177,7 @@ RockGroup decode_group(DecodeContext& context, const Node& node, const std::vect
     put(resolved, "release", map_value(std::move(map)));
   }
   group.launch = decode_part(context, node, PluginKind::velocity, "launch", rock_rules, resolved);
+  if (group.launch) group.assumed_elevation = assumed_elevation(*node.find("launch"), group.launch->plugin->spec);
   if (group.population.plugin && group.population.plugin->spec.name == default_population)
     for (const char* key : {"shape", "release"})  // other populations may decide both themselves
       if (!node.find(key))

@@ -53,7 +53,9 @@ std::vector<BarrierPlan> decode_barriers(DecodeContext& context, const Node& nod
 std::vector<GatePlan> decode_gates(DecodeContext& context, const Node& node,
                                    const std::optional<Profile>& profile, Map& resolved);
 
-std::vector<ClearancePlan> decode_clearances(DecodeContext& context, const Node& node, Map& resolved);
+/// `groups`: the names of all groups of rocks.
+std::vector<ClearancePlan> decode_clearances(DecodeContext& context, const Node& node,
+                                             const std::vector<std::string>& groups, Map& resolved);
 
 AirPlan decode_air(DecodeContext& context, const Node& node, Map& resolved);
 

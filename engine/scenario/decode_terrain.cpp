@@ -148,10 +148,10 @@ DecodedTerrain decode_terrain(DecodeContext& context, const Node& node,
                               std::uint64_t seed, Map& resolved) {
   DecodedTerrain terrain;
   Map map;
-  const std::size_t messages = context.diagnostics.all().size();
+  const std::size_t errors = context.diagnostics.errors_given();
   const auto use = decode_plugin(context, node, PluginKind::terrain, terrain_rules, map,
                                  {"material", "materials", "zones"});
-  if (use && context.diagnostics.all().size() == messages) {
+  if (use && context.diagnostics.errors_given() == errors) {
     terrain.plan.model = *use;
     try_to_build(context, node, *use, seed, terrain);
   }

@@ -54,6 +54,7 @@ std::string headline(const Diagnostic& diagnostic) {
 }  // namespace
 
 void Diagnostics::error(const Location& at, const std::string& path, const std::string& text) {
+  ++errors_given_;
   add({Severity::error, at, path, text});
 }
 
@@ -65,11 +66,6 @@ void Diagnostics::add(Diagnostic diagnostic) {
   diagnostic.path = printable(diagnostic.path);
   diagnostic.text = printable(diagnostic.text);
   if (known_.insert(headline(diagnostic)).second) all_.push_back(std::move(diagnostic));
-}
-
-bool Diagnostics::has_errors() const {
-  return std::any_of(all_.begin(), all_.end(),
-                     [](const Diagnostic& d) { return d.severity == Severity::error; });
 }
 
 std::vector<std::string> Diagnostics::warnings() const {

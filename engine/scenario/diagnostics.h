@@ -24,7 +24,9 @@ class Diagnostics {
   void error(const Location& at, const std::string& path, const std::string& text);
   void warning(const Location& at, const std::string& path, const std::string& text);
 
-  bool has_errors() const;
+  bool has_errors() const { return errors_given_ > 0; }
+  /// Errors given so far, repeated ones too: what was read while this did not grow is sound.
+  std::size_t errors_given() const { return errors_given_; }
   const std::vector<Diagnostic>& all() const { return all_; }
   std::vector<std::string> warnings() const;
 
@@ -37,6 +39,7 @@ class Diagnostics {
 
   std::vector<Diagnostic> all_;
   std::set<std::string> known_;  ///< texts of all, to keep each once
+  std::size_t errors_given_ = 0;
 };
 
 /// One message in that form.

@@ -8,6 +8,7 @@
 
 #include "scenario/instances.h"
 #include "scenario/place_rock.h"
+#include "scenario/start_checks.h"
 
 namespace flyrock {
 
@@ -16,11 +17,19 @@ inline Terrain2 make_terrain(const TerrainModel& model, const PluginUse& use, co
   Profile profile = model.build(values_of(use, scenario, key), rng);
   if (const std::string fault = profile.fault(); !fault.empty())
     throw PluginError(fmt::format("plugin {}: build() returned a poly-line that is no profile: {}", use.plugin->spec.name, fault));
+  for (const Vec2& point : profile.points)
+    if (point.cwiseAbs().maxCoeff() > farthest_place)
+      throw PluginError(fmt::format("plugin {}: the point ({:.6g}, {:.6g}) of a profile is more than 100 km from the origin",
+                                    use.plugin->spec.name, point.x(), point.y()));
   return Terrain2(with_zones(std::move(profile), scenario.terrain.zones));
 }
 inline Terrain3 make_terrain(const TerrainModel& model, const PluginUse& use, const Scenario& scenario, const DrawKey& key,
                       RandomStream& rng, const Terrain3*) {
-  return Terrain3(model.build_3d(values_of(use, scenario, key), rng));
+  const Plane plane = model.build_3d(values_of(use, scenario, key), rng);
+  if (plane.point.cwiseAbs().maxCoeff() > farthest_place)
+    throw PluginError(fmt::format("plugin {}: the point ({:.6g}, {:.6g}, {:.6g}) of a plane is more than 100 km from the origin",
+                                  use.plugin->spec.name, plane.point.x(), plane.point.y(), plane.point.z()));
+  return Terrain3(plane);
 }
 
 inline const Profile& ground_of(const Terrain2& terrain) { return terrain.profile(); }

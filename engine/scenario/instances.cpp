@@ -1,19 +1,26 @@
 #include "scenario/instances.h"
 
+#include "scenario/scenario_error.h"
+
 namespace flyrock {
 
 namespace {
 
 template <class Interface>
+std::unique_ptr<Interface> make(const PluginUse& use, int dimension) {
+  return at_path(use.path, [&] { return make_instance<Interface>(use, dimension); });
+}
+
+template <class Interface>
 void make(std::unique_ptr<Interface>& instance, const std::optional<PluginUse>& use, int dimension) {
-  if (use) instance = make_instance<Interface>(*use, dimension);
+  if (use) instance = make<Interface>(*use, dimension);
 }
 
 }  // namespace
 
 Instances::Instances(const Scenario& scenario) {
   const int dimension = scenario.dimension;
-  terrain = make_instance<TerrainModel>(scenario.terrain.model, dimension);
+  terrain = make<TerrainModel>(scenario.terrain.model, dimension);
   for (const Material& material : scenario.materials) {
     MaterialLaws& laws = materials.emplace_back();
     make(laws.restitution, material.restitution, dimension);
@@ -23,11 +30,11 @@ Instances::Instances(const Scenario& scenario) {
   }
   for (const RockGroup& group : scenario.rocks) {
     GroupModels& models = groups.emplace_back();
-    models.population = make_instance<Population>(group.population, dimension);
+    models.population = make<Population>(group.population, dimension);
     make(models.shape, group.shape, dimension);
     make(models.launch, group.launch, dimension);
   }
-  for (const BodyPlan& body : scenario.bodies) bodies.push_back(make_instance<ShapeModel>(body.shape, dimension));
+  for (const BodyPlan& body : scenario.bodies) bodies.push_back(make<ShapeModel>(body.shape, dimension));
 }
 
 std::vector<double> values_of(const PluginUse& use, const Scenario& scenario, const DrawKey& key) {

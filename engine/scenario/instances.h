@@ -23,7 +23,7 @@ struct GroupModels {
 
 /// One instance of each use. Lua instances belong to the state that registered them: one Instances a worker.
 struct Instances {
-  explicit Instances(const Scenario& scenario);  ///< throws PluginError
+  explicit Instances(const Scenario& scenario);  ///< throws ScenarioError
 
   std::unique_ptr<TerrainModel> terrain;
   std::vector<MaterialLaws> materials;                ///< in the order of Scenario::materials

@@ -65,6 +65,21 @@ std::vector<Node> Node::items() const {
   return nodes;
 }
 
+Node node_at(const Value& root, const std::string& path) {
+  Node node = Node::root(root);
+  for (std::size_t begin = 0; begin < path.size();) {
+    const std::size_t end = std::min(path.find('.', begin), path.size());
+    const std::string step = path.substr(begin, end - begin);
+    begin = end + 1;
+    std::optional<Node> next = node.find(step);
+    for (Node& item : node.items())
+      if (item.key == step) next = std::move(item);
+    if (!next) break;
+    node = std::move(*next);
+  }
+  return node;
+}
+
 void Node::error(Diagnostics& diagnostics, const std::string& text) const {
   diagnostics.error(value->is_null() ? key_at : value->at, path, text);
 }

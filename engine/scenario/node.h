@@ -40,6 +40,9 @@ struct Node {
   void refuse_unknown_keys(const std::vector<std::string>& known, Diagnostics& diagnostics) const;
 };
 
+/// The deepest node on the way to a path that exists: that of "rocks.0" for "rocks.0.release" where there is no release.
+Node node_at(const Value& root, const std::string& path);
+
 /// "a.b" from "a" and "b"; "b" from "" and "b".
 std::string join_path(const std::string& path, std::string_view step);
 

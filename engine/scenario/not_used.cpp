@@ -1,94 +1,52 @@
 // Known keys that nothing in a run reads.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
 
+#include "scenario/blast_readers.h"
 #include "scenario/decode_sections.h"
 
 namespace flyrock {
 
 namespace {
 
-bool reads(const PluginUse& use, const BlastFieldInfo& info) {
-  const PluginSpec& spec = use.plugin->spec;
-  return std::any_of(spec.reads.begin(), spec.reads.end(), [&](const FieldRead& read) {
-    const bool named = read.field == fmt::format("blast.{}", info.path) || read.field == fmt::format("blast.{}", info.name);
-    return named && holds(read, spec, use.values);
-  });
+bool any_is_placed_by_rows(const Scenario& scenario) {
+  return std::any_of(scenario.rocks.begin(), scenario.rocks.end(), is_placed_by_rows);
 }
 
-/// A Lua plugin may read what it likes where its manifest does not say.
-bool may_read(const PluginUse& use, const BlastFieldInfo& info) {
-  return reads(use, info) || (!use.plugin->spec.declares_reads && use.plugin->spec.native.empty());
-}
-
-/// Whether a given field makes up one that does not stand in the scenario itself but follows (blast/design.h).
-bool feeds(const BlastPlan& plan, BlastField field, BlastField result) {
-  using enum BlastField;
-  if (plan.fields.contains(result) || !plan.provides(result)) return false;
-  const auto is_length = [](BlastField f) { return f == hole_length || f == hole_stemming || f == hole_charge_length; };
-  if (is_length(result)) return is_length(field);
-  return result == burden && (is_length(field) || field == hole_subdrilling || field == hole_deviation ||
-                              field == burden_crest || field == burden_toe);
-}
-
-/// A release at the collars or on the bench top finds the rows by their burden and distance.
-bool places_by_rows(const Scenario& scenario) {
-  return std::any_of(scenario.rocks.begin(), scenario.rocks.end(), [](const RockGroup& group) {
-    return group.release && (group.release->kind == ReleaseKind::collar || group.release->kind == ReleaseKind::bench_top);
-  });
-}
-
-/// The uses of plugins that get the blast, of one name together.
-using Readers = std::map<std::string, std::vector<const PluginUse*>>;
-Readers blast_readers(const Scenario& scenario) {
-  Readers readers;
-  for (const RockGroup& group : scenario.rocks) {
-    if (group.launch) readers[group.launch->plugin->spec.name].push_back(&*group.launch);
-    if (group.population.plugin->spec.name != default_population)
-      readers[group.population.plugin->spec.name].push_back(&group.population);
-  }
-  return readers;
-}
-
-std::string reason(const Readers& readers) {
+/// Why nothing reads a field: it names the plugins that get the blast.
+std::string reason(const Scenario& scenario) {
+  std::set<std::string> readers;
+  for (const RockGroup& group : scenario.rocks)
+    for (const PluginUse* use : blast_readers(group)) readers.insert(use->plugin->spec.name);
   if (readers.empty()) return "nothing reads it";
-  std::string names;
-  for (const auto& [name, uses] : readers) names += (names.empty() ? "" : ", ") + name;
-  return names + (readers.size() == 1 ? " does not read it" : " do not read it");
+  return fmt::format("{} {} not read it", fmt::join(readers, ", "), readers.size() == 1 ? "does" : "do");
 }
 
 void find_blast_keys(const Node& blast, const Scenario& scenario, std::vector<std::string>& list) {
-  const auto readers = blast_readers(scenario);
+  const std::string why = reason(scenario);
   const bool explosive_by_name = blast.value->find("explosive") && blast.value->find("explosive")->text();
   bool explosive_is_read = false;
   for (const BlastFieldInfo& info : blast_fields()) {
-    const auto read_by_plugin = [&](const BlastFieldInfo& other) {
-      return std::any_of(readers.begin(), readers.end(), [&](const auto& reader) {
-        return std::any_of(reader.second.begin(), reader.second.end(), [&](const PluginUse* use) { return may_read(*use, other); });
-      });
-    };
-    const bool holds_rows = info.field == BlastField::burden || info.field == BlastField::burden_crest;
     const bool is_read =
-        read_by_plugin(info) || (holds_rows && places_by_rows(scenario)) ||
         (info.field == BlastField::powder_factor && std::isfinite(scenario.blast->design.powder_factor)) ||
-        std::any_of(blast_fields().begin(), blast_fields().end(), [&](const BlastFieldInfo& other) {
-          return feeds(*scenario.blast, info.field, other.field) && read_by_plugin(other);
-        });
+        std::any_of(scenario.rocks.begin(), scenario.rocks.end(),
+                    [&](const RockGroup& group) { return depends_on(*scenario.blast, group, info.field); });
     const std::size_t dot = info.path.find('.');
     if (info.path.starts_with("explosive.")) explosive_is_read = explosive_is_read || is_read;
     const std::optional<Node> parent =
         dot == std::string_view::npos ? blast : blast.find(info.path.substr(0, dot));
     const std::string_view key = dot == std::string_view::npos ? info.path : info.path.substr(dot + 1);
     if (!is_read && parent && parent->find(key))
-      list.push_back(fmt::format("blast.{} ({})", info.path, reason(readers)));
+      list.push_back(fmt::format("blast.{} ({})", info.path, why));
   }
   if (explosive_by_name && !explosive_is_read)
-    list.push_back(fmt::format("blast.explosive ({})", reason(readers)));
+    list.push_back(fmt::format("blast.explosive ({})", why));
   const auto rows = blast.find("rows");
-  if (rows && rows->find("distance") && !places_by_rows(scenario))
+  if (rows && rows->find("distance") && !any_is_placed_by_rows(scenario))
     list.push_back("blast.rows.distance (no rock is released at a collar or on the bench top)");
   if (rows && scenario.rock_contacts)
     for (const char* key : {"delay_row", "delay_hole", "delay_in_hole"})

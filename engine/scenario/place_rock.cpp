@@ -13,7 +13,7 @@ namespace {
 
 const Profile::Face& face_of(int bench, const Profile& profile) {
   if (bench < 1 || bench > static_cast<int>(profile.faces.size()))
-    throw PluginError(fmt::format("release: bench {} does not exist, the terrain has {} bench faces", bench,
+    throw StartError(fmt::format("bench {} does not exist, the terrain has {} bench faces", bench,
                                   profile.faces.size()));
   return profile.faces[bench - 1];
 }
@@ -33,7 +33,7 @@ Place<2> on_face(int bench, const Body<2>& rock, const Profile& profile, RandomS
   }
   const double room = (crest - toe).norm() - (high - low);
   if (room < 0)
-    throw PluginError(fmt::format("release: a rock {:.3g} m long does not fit on the face of bench {}, {:.3g} m long",
+    throw StartError(fmt::format("a rock {:.3g} m long does not fit on the face of bench {}, {:.3g} m long",
                                   high - low, bench, (crest - toe).norm()));
   Place<2> place;
   place.position = toe + (rng.uniform() * room - low) * up - depth * out;
@@ -48,16 +48,16 @@ Place<2> on_top(const Release& release, const Scenario& scenario, const DrawKey&
   const Profile::Face& face = face_of(release.bench, profile);
   const Blast blast = blast_at(scenario, key);
   const double front = std::isnan(blast[BlastField::burden_crest]) ? blast[BlastField::burden] : blast[BlastField::burden_crest];
-  if (std::isnan(front)) throw PluginError("release: the place of the holes needs blast.burden, or burden_crest and burden_toe");
+  if (std::isnan(front)) throw StartError("the place of the holes needs blast.burden, or burden_crest and burden_toe");
   const Pattern& pattern = scenario.blast->pattern;
   const int row = release.kind == ReleaseKind::collar ? pattern.row(hole_of(key)) : pattern.rows - 1;
-  if (row > 0 && pattern.row_distance <= 0) throw PluginError("release: the place of a second row needs blast.rows.distance");
+  if (row > 0 && pattern.row_distance <= 0) throw StartError("the place of a second row needs blast.rows.distance");
   const double back = front + row * pattern.row_distance;
   const double share = release.kind == ReleaseKind::collar ? 1 : rng.uniform();
   const double out = face.toe.x() < face.crest.x() ? -1 : 1;
   const double x = face.crest.x() - out * share * back;
   if (x < profile.x_min() || x > profile.x_max())
-    throw PluginError(fmt::format("release: a hole {:.6g} m behind the crest lies beyond the terrain", back));
+    throw StartError(fmt::format("a hole {:.6g} m behind the crest lies beyond the terrain", back));
   double low = 1e300;
   for (const Contactor2& contactor : rock.contactors)
     for (const Vec2& local : contactor.points) low = std::min(low, (rock.attitude.rotation * local).y() - contactor.radius);
@@ -108,7 +108,7 @@ Place<2> place_rock(const Release& release, const Scenario& scenario, const Draw
     case ReleaseKind::above_ground: {
       const double x = number(release.x);
       if (x < profile.x_min() || x > profile.x_max())
-        throw PluginError(fmt::format("release: x = {:.6g} m lies beyond the terrain, from {:.6g} to {:.6g} m", x,
+        throw StartError(fmt::format("x = {:.6g} m lies beyond the terrain, from {:.6g} to {:.6g} m", x,
                                       profile.x_min(), profile.x_max()));
       place.position = {x, profile.height(x) + number(release.above_ground)};
       break;
@@ -148,7 +148,7 @@ Place<3> place_rock(const Release& release, const Scenario& scenario, const Draw
     case ReleaseKind::face:
     case ReleaseKind::collar:
     case ReleaseKind::bench_top:
-      throw PluginError("release: dimension 3 has no bench faces");
+      throw StartError("dimension 3 has no bench faces");
   }
   return place;
 }
@@ -165,7 +165,7 @@ Rotation3 rotation_of(const TurnPlan& turn, const Scenario& scenario, const Draw
     length = axis.norm();
     if (length > 0) q = Eigen::AngleAxisd(number(turn.angle), axis / length);
   }
-  if (!(length > 0)) throw PluginError("orientation: its axis or quaternion was drawn as zero, which is no rotation");
+  if (!(length > 0)) throw StartError("its axis or quaternion was drawn as zero, which is no rotation");
   return Rotation3(q);
 }
 

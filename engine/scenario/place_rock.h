@@ -18,7 +18,7 @@ struct Place {
 
 /// Places a rock of given orientation by a release. `face`: uniform along the bench face, as far as the rock fits
 /// between toe and crest, touching it. `collar`: on the bench above, at the collar of the hole of `key`; `bench_top`:
-/// uniform from the crest to the last row of holes. `inside`: uniform over a convex polygon. Throws PluginError where it does not
+/// uniform from the crest to the last row of holes. `inside`: uniform over a convex polygon. Throws StartError where it does not
 /// fit or there is no such bench.
 Place<2> place_rock(const Release& release, const Scenario& scenario, const DrawKey& key, RandomStream& rng,
                     const Body<2>& rock, const Profile& profile);
@@ -27,7 +27,7 @@ Place<2> place_rock(const Release& release, const Scenario& scenario, const Draw
 Place<3> place_rock(const Release& release, const Scenario& scenario, const DrawKey& key, RandomStream& rng,
                     const Body<3>& rock, const Plane& plane);
 
-/// The rotation that a scenario asks for. Throws PluginError where a draw has left it without an axis.
+/// The rotation that a scenario asks for. Throws StartError where a draw has left it without an axis.
 Rotation3 rotation_of(const TurnPlan& turn, const Scenario& scenario, const DrawKey& key);
 
 /// A rotation of which none is more likely than another.

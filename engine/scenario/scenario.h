@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "blast/design.h"
+#include "math/space.h"
 #include "plugin/registry.h"
 #include "scenario/value.h"
 #include "solver/solve_settings.h"
@@ -55,6 +56,7 @@ struct TerrainPlan {
 struct BlastPlan {
   std::map<BlastField, Number> fields;
   bool is_anfo = false;
+  bool gurney_follows = false;  ///< the Gurney constant is D/3, no number of its own
   Pattern pattern;     ///< rock k belongs to hole k mod holes
   Blast typical;       ///< completed, with the median of what is drawn
   BlastDesign design;  ///< of the typical blast
@@ -95,6 +97,7 @@ struct RockGroup {
   std::optional<PluginUse> shape;
   std::optional<Release> release;
   std::optional<PluginUse> launch;    ///< absent: at rest
+  std::optional<double> assumed_elevation;  ///< rad, of a launch for which the scenario gives none
   Number density;                     ///< kg/m3
   std::optional<Number> mass;         ///< kg; in place of density
   std::optional<Number> thickness;    ///< m; absent: default_thickness
@@ -141,13 +144,16 @@ struct BarrierPlan {
 /// A distance that is asked of a run: exceeded with `probability` by a rock, or by the farthest rock of a blast.
 struct ClearancePlan {
   std::string name;
+  int group = -1;                ///< index into Scenario::rocks; -1: rocks of all groups
   double probability = 0;
   double confidence = 0.95;      ///< of the interval
   std::optional<double> factor = {};  ///< of safety; absent: none is applied
   bool per_blast = false;
   bool of_max_distance = false;  ///< else of runout
-  int sectors = 0;               ///< 3D: also by azimuth, in so many sectors about (x, y); 0: not
-  double x = 0, y = 0;           ///< m
+  int sectors = 0;               ///< 3D: by azimuth, in so many sectors; 0: not
+  std::optional<Vec2> about = {};  ///< m: distances count from there, azimuths about it; absent: from the hull of all release places
+
+  bool counts(int rock_group) const { return group < 0 || group == rock_group; }
 };
 
 enum class FlightMode { exact, stepped };
@@ -184,6 +190,7 @@ struct Expectation {
   double tolerance = 0;                            ///< equals: absolute
   std::optional<double> relative;                  ///< equals: relative to the value
   std::vector<std::pair<std::string, double>> at;  ///< sweep points on which it is judged; empty: all
+  std::string unit;                                ///< SI, of the measure
 };
 
 /// Of all points of a sweep together.
@@ -220,6 +227,7 @@ struct Scenario {
 struct SweepAxis {
   std::string path;
   std::vector<double> values;  ///< SI
+  std::string unit;            ///< SI: "m", "rad", "1"
 };
 
 /// What a scenario file becomes.

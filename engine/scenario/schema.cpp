@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "blast/blast.h"
+#include "solver/solve_settings.h"
 
 namespace flyrock {
 
@@ -205,28 +206,28 @@ std::vector<SectionSpec> make_sections() {
        {}},
       {"gates", {text("name", "of the gate"), number("x", "m", "where it stands")}, {}},
       {"clearance",
-       {text("name", "of the clearance"),
+       {text("name", "of the clearance"), optional(text("group", "of rocks that it is of; all where it is not given")),
         below(above(number("probability", "", "with which the distance is exceeded"), 0), 1),
         or_else(below(above(number("confidence", "", "of the interval"), 0), 1), 0.95),
         at_least(optional(number("factor", "", "of safety, on the distance; none where it is not given")), 1),
         or_else(choice("per", {"rock", "blast"}, "blast: the farthest rock of a trial"), "rock"),
         or_else(choice("of", {"runout", "max_distance"}, "which distance"), "runout"),
-        at_most(at_least(optional(integer("sectors", "3D: also by azimuth, in so many sectors about (x, y)")), 4), 360),
-        optional(number("x", "m", "of the point that sectors are about; 0 where it is not given")),
-        optional(number("y", "m", "of that point; 0 where it is not given"))},
+        at_most(at_least(optional(integer("sectors", "3D: by azimuth, in so many sectors, from all release places")), 4), 360),
+        optional(number("x", "m", "of a point from which sectors count instead; 0 where only y is given")),
+        optional(number("y", "m", "of that point; 0 where only x is given"))},
        {}},
       {"solver",
        {or_else(choice("name", {"auto", "nlgs", "proximal_newton"}, "which contact solver"), "auto"),
         or_else(at_most(at_least(number("time_step", "s", "of the contact scheme"), 1e-7), 0.1), 1e-3),
         or_else(at_most(at_least(number("theta", "", "of the theta scheme"), 0.5), 1), 0.5),
-        or_else(above(number("tolerance", "", "of the scaled residual"), 0), 1e-6),
+        or_else(above(number("tolerance", "", "of the scaled residual"), 0), default_tolerance),
         or_else(at_least(integer("max_iterations", "of one contact problem"), 1), 1000),
         or_else(choice("flight", {"exact", "stepped"}, "motion between contacts"), "exact"),
         or_else(at_least(number("rest_speed", "m/s", "below which a contact closes without restitution"), 0),
                 0.02)},
        {}},
       {"stop",
-       {above(number("time", "s", "end of a trial"), 0),
+       {at_most(above(number("time", "s", "end of a trial"), 0), 1e5),
         or_else(at_least(number("speed", "m/s", "below which a rock is at rest; 0 never"), 0), 0.05)},
        {}},
       {"output",

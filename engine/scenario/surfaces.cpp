@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "world/manifold.h"
-
 namespace flyrock {
 
 namespace {
@@ -16,7 +14,7 @@ void bind(BoundLaw<LawKind>& bound, const std::unique_ptr<LawKind>& law, const s
   bound.values = values_of(*use, scenario, key);
   bound.memory = use->plugin->spec.history.size();
   bound.per_contact = use->plugin->spec.history_of_contact;
-  if (!bound.per_contact) bound.history.assign(bound.memory, 0.0);
+  bound.forget();
   for (std::size_t slot = 0; slot < use->slots.size(); ++slot) {
     const Number& number = use->slots[slot];
     if (!number.is_constant() && scenario.draws[number.draw].scope == Scope::impact)
@@ -49,7 +47,7 @@ int Surfaces::material_between(const Partner& a, const Partner& b) const {
   for (const PairPlan& pair : scenario_.pairs)
     if ((pair.a == a.name && pair.b == b.name) || (pair.a == b.name && pair.b == a.name)) return pair.material;
   if (a.material >= 0 && a.material == b.material) return a.material;
-  throw PluginError(fmt::format("`{0}` and `{1}` can meet, and nothing says how: give both the same `material`, or a "
+  throw StartError(fmt::format("`{0}` and `{1}` can meet, and nothing says how: give both the same `material`, or a "
                                 "`pairs` entry `{{ between: [{0}, {1}], material: ... }}`",
                                 a.name, b.name));
 }
@@ -71,7 +69,7 @@ void Surfaces::connect(World<D>& world) {
   for (int i = 0; i < bodies; ++i) {
     const Partner& partner = partners_[i];
     for (std::size_t part = 0; part < parts.size(); ++part)
-      if (const int material = material_of_part(partner.name, parts[part], world.terrain().names()[part]); material >= 0)
+      if (const int material = material_with_terrain(world, i, static_cast<int>(part)); material >= 0)
         world.set_terrain_surface(i, static_cast<int>(part), make(material, partner.key));
     for (int j = i + 1; j < bodies; ++j)
       if (world.bodies[i].moves() || world.bodies[j].moves()) material_between(partner, partners_[j]);  // throws

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scenario/instances.h"
+#include "world/manifold.h"
 #include "world/world.h"
 
 namespace flyrock {
@@ -27,9 +28,19 @@ class Surfaces {
   Surfaces(const Scenario& scenario, const Instances& instances, std::vector<Partner> partners);
   Surfaces(const Surfaces&) = delete;
 
-  /// Binds the bodies of `world`. Throws PluginError where two of them can meet and nothing says how.
+  /// Binds the bodies of `world`. Throws StartError where two of them can meet and nothing says how.
   template <int D>
   void connect(World<D>& world);
+
+  /// The index of the material between two bodies of the world; throws PluginError where nothing says which.
+  int material_between(int a, int b) const { return material_between(partners_[a], partners_[b]); }
+  /// The same between a body and a part of the terrain, by the part's index; -1: none is said.
+  template <int D>
+  int material_with_terrain(const World<D>& world, int body, int part) const {
+    const auto& terrain = world.terrain();
+    return material_of_part(partners_[body].name, parts_of(terrain)[part], terrain.names()[part]);
+  }
+  const DrawKey& key_of(int body) const { return partners_[body].key; }
 
   /// Adds how often the laws of each material were asked.
   void add_use(std::vector<MaterialUse>& of_material) const;

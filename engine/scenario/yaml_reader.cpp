@@ -18,7 +18,6 @@ namespace flyrock {
 namespace {
 
 constexpr std::size_t most_values = 100000;  // aliases expanded: a few lines can name billions
-constexpr std::size_t most_bytes = 4 << 20;
 
 std::size_t count_values(const Value& value) {
   std::size_t count = 1;
@@ -240,8 +239,8 @@ std::string bracket_hint(const std::string& message) {
 
 std::optional<Value> read_yaml(const std::string& text, const std::string& name, Diagnostics& diagnostics) {
   const std::shared_ptr<const Source> source = source_of(text, name);
-  if (text.size() > most_bytes) {
-    diagnostics.error({source, 0, 0}, "", "the file is larger than 4 MiB, expected a scenario");
+  if (text.size() > most_yaml_bytes) {
+    diagnostics.error({source, 1, 1}, "", "the file is larger than 4 MiB, expected a scenario");
     return std::nullopt;
   }
   if (has_foreign_bytes(source, diagnostics) || has_tab_indentation(source, diagnostics)) return std::nullopt;
@@ -250,7 +249,7 @@ std::optional<Value> read_yaml(const std::string& text, const std::string& name,
   std::istringstream stream(text);
   try {
     YAML::Parser parser(stream);
-    if (!parser.HandleNextDocument(builder)) found.error({source, 0, 0}, "", "the file is empty");
+    if (!parser.HandleNextDocument(builder)) found.error({source, 1, 1}, "", "the file is empty");
     Value root = builder.take();
     TreeBuilder second(source, found);
     if (parser.HandleNextDocument(second))

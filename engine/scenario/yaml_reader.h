@@ -8,6 +8,9 @@
 
 namespace flyrock {
 
+/// A longer text is no scenario.
+inline constexpr std::size_t most_yaml_bytes = 4 << 20;
+
 /// Reads one YAML document. Errors: not YAML, more than one document, a duplicate key, a key that is not
 /// text, a merge key `<<`, a tag, an alias cycle or more than 100,000 values (aliases expanded), .nan and
 /// .inf.

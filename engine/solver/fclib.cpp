@@ -30,9 +30,24 @@ void expect_size(const Hdf5File& file, const std::string& path, std::size_t foun
   if (found != expected) refuse(file, path, fmt::format("expected {} numbers, found {}", expected, found));
 }
 
+/// Rows and columns that a matrix has by its own account. Vectors of the file must agree before anything is made of that size.
+struct Shape {
+  int rows = 0, columns = 0;
+};
+
+Shape shape_of(const Hdf5File& file, const std::string& path) {
+  return {count_of(file, path + "/m"), count_of(file, path + "/n")};
+}
+
+Shape square_of(const Hdf5File& file, const std::string& path) {
+  const Shape shape = shape_of(file, path);
+  if (shape.rows != shape.columns) refuse(file, path, fmt::format("is {} by {}, expected a square", shape.rows, shape.columns));
+  return shape;
+}
+
 /// A matrix in any of FCLIB's three storages. Entries given twice add up, as in its triplets.
-Sparse read_matrix(const Hdf5File& file, const std::string& path) {
-  const int m = count_of(file, path + "/m"), n = count_of(file, path + "/n");
+Sparse read_matrix(const Hdf5File& file, const std::string& path, const Shape& shape) {
+  const auto [m, n] = shape;
   const std::int64_t nz = file.integer(path + "/nz");
   const auto p = file.integers(path + "/p"), i = file.integers(path + "/i");
   const auto x = file.doubles(path + "/x");
@@ -67,8 +82,8 @@ Sparse read_matrix(const Hdf5File& file, const std::string& path) {
 }
 
 Eigen::VectorXd read_vector(const Hdf5File& file, const std::string& path, Eigen::Index size) {
+  expect_size(file, path, file.count(path), static_cast<std::size_t>(size));
   const std::vector<double> numbers = file.doubles(path);
-  expect_size(file, path, numbers.size(), static_cast<std::size_t>(size));
   return Eigen::Map<const Eigen::VectorXd>(numbers.data(), size);
 }
 
@@ -78,19 +93,19 @@ struct Operator {
 };
 
 Operator read_local(const Hdf5File& file) {
-  const Sparse w = read_matrix(file, "/fclib_local/W");
-  if (w.rows() != w.cols()) refuse(file, "/fclib_local/W", fmt::format("is {} by {}, expected a square", w.rows(), w.cols()));
+  const Shape shape = square_of(file, "/fclib_local/W");
   if (file.has("/fclib_local/V")) refuse(file, "/fclib_local/V", "equality constraints are not supported");
-  return {w, read_vector(file, "/fclib_local/vectors/q", w.rows())};
+  Eigen::VectorXd q = read_vector(file, "/fclib_local/vectors/q", shape.rows);
+  return {read_matrix(file, "/fclib_local/W", shape), std::move(q)};
 }
 
 Operator condense(const Hdf5File& file) {
-  const Sparse m = read_matrix(file, "/fclib_global/M"), h = read_matrix(file, "/fclib_global/H");
+  const Shape of_m = square_of(file, "/fclib_global/M"), of_h = shape_of(file, "/fclib_global/H");
   if (file.has("/fclib_global/G")) refuse(file, "/fclib_global/G", "equality constraints are not supported");
-  if (m.rows() != m.cols()) refuse(file, "/fclib_global/M", fmt::format("is {} by {}, expected a square", m.rows(), m.cols()));
-  if (h.rows() != m.rows()) refuse(file, "/fclib_global/H", fmt::format("has {} rows, M has {}", h.rows(), m.rows()));
-  const Eigen::VectorXd f = read_vector(file, "/fclib_global/vectors/f", m.rows());
-  const Eigen::VectorXd w = read_vector(file, "/fclib_global/vectors/w", h.cols());
+  if (of_h.rows != of_m.rows) refuse(file, "/fclib_global/H", fmt::format("has {} rows, M has {}", of_h.rows, of_m.rows));
+  const Eigen::VectorXd f = read_vector(file, "/fclib_global/vectors/f", of_m.rows);
+  const Eigen::VectorXd w = read_vector(file, "/fclib_global/vectors/w", of_h.columns);
+  const Sparse m = read_matrix(file, "/fclib_global/M", of_m), h = read_matrix(file, "/fclib_global/H", of_h);
   const Eigen::SparseLU<Sparse> mass(m);
   if (mass.info() != Eigen::Success) refuse(file, "/fclib_global/M", "is singular");
   const Sparse mobility = mass.solve(h);

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -24,6 +27,7 @@ class Handle {
   ~Handle() {
     if (id_ >= 0) close_(id_);
   }
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
   operator hid_t() const { return id_; }
@@ -36,22 +40,77 @@ class Handle {
 /// HDF5 prints its stack of errors on the terminal unless it is told not to.
 void be_silent() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
-template <typename Number>
-std::vector<Number> read(hid_t file, const std::string& name, const std::string& path, H5T_class_t kind, hid_t type) {
-  constexpr hsize_t most = 1u << 30;
-  const auto fault = [&](const char* what) { return std::runtime_error(fmt::format("{}: {}: {}", name, path, what)); };
-  const Handle set(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose);
-  if (set < 0) throw fault("not in the file");
-  const Handle stored(H5Dget_type(set), H5Tclose), space(H5Dget_space(set), H5Sclose);
+/// A data set of a file that is read. A header of a few bytes may promise gigabytes: nothing is allocated before its size is compared
+/// with the bytes of the file.
+class DataSet {
+ public:
+  DataSet(hid_t file, const std::string& name, const std::string& path)
+      : name_(name), where_(fmt::format("{}: {}", name, path)), set_(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose) {
+    if (set_ < 0) fail("not in the file");
+  }
+
+  [[noreturn]] void fail(const char* what) const { throw std::runtime_error(fmt::format("{}: {}", where_, what)); }
+
+  /// Of its elements, of the type `stored`.
+  std::size_t count(hid_t stored) const {
+    const Handle space(H5Dget_space(set_), H5Sclose), creation(H5Dget_create_plist(set_), H5Pclose);
+    const hssize_t count = H5Sget_simple_extent_npoints(space);
+    if (count < 0) fail("has no sensible size");
+    if (count == 0) return 0;
+    if (H5Pget_layout(creation) == H5D_VIRTUAL || H5Pget_external_count(creation) > 0) fail("has its numbers in another file");
+    // A size that is not backed by bytes in the file would be filled with zeros.
+    const hsize_t stored_bytes = std::min(H5Dget_storage_size(set_), bytes_of_file());
+    if (stored_bytes == 0) fail("has no data");
+    const hsize_t most = H5Pget_nfilters(creation) > 0 ? std::max(most_compressed * stored_bytes, small) : stored_bytes;
+    const hsize_t element = H5Tget_size(stored);
+    if (static_cast<hsize_t>(count) > most / element || chunk_bytes(creation, element) > most)
+      fail("promises more numbers than the file has bytes for");
+    return static_cast<std::size_t>(count);
+  }
+
+  hid_t id() const { return set_; }
+
+ private:
+  static constexpr hsize_t most_compressed = 64;  ///< bytes that one byte in the file stands for
+  static constexpr hsize_t small = 1 << 16;       ///< bytes that compress better: equal numbers
+
+  hsize_t bytes_of_file() const {
+    std::error_code code;
+    const std::uintmax_t bytes = std::filesystem::file_size(name_, code);
+    return code ? 0 : bytes;
+  }
+
+  /// HDF5 reads whole chunks, which may be larger than the set; 0 where it is in one piece.
+  hsize_t chunk_bytes(hid_t creation, hsize_t element) const {
+    if (H5Pget_layout(creation) != H5D_CHUNKED) return 0;
+    std::array<hsize_t, H5S_MAX_RANK> sides{};
+    const int rank = H5Pget_chunk(creation, H5S_MAX_RANK, sides.data());
+    hsize_t bytes = element;
+    for (int i = 0; i < rank; ++i) {
+      if (sides[i] > std::numeric_limits<hsize_t>::max() / bytes) fail("has no sensible size");
+      bytes *= sides[i];
+    }
+    return bytes;
+  }
+
+  std::string name_, where_;
+  Handle set_;
+};
+
+/// The type of the elements of a set, which is one of numbers.
+Handle type_of_numbers(const DataSet& set, H5T_class_t kind) {
+  Handle stored(H5Dget_type(set.id()), H5Tclose);
   const H5T_class_t found = H5Tget_class(stored);
   if (found != kind && !(kind == H5T_FLOAT && found == H5T_INTEGER))
-    throw fault(kind == H5T_FLOAT ? "expected numbers" : "expected integers");
-  const hssize_t count = H5Sget_simple_extent_npoints(space);
-  if (count < 0 || static_cast<hsize_t>(count) > most) throw fault("has no sensible size");
-  // A size that is not backed by bytes in the file would be filled with zeros.
-  if (H5Dget_storage_size(set) == 0 && count > 0) throw fault("has no data");
-  std::vector<Number> numbers(static_cast<std::size_t>(count));
-  if (count > 0 && H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()) < 0) throw fault("cannot be read");
+    set.fail(kind == H5T_FLOAT ? "expected numbers" : "expected integers");
+  if (H5Tget_size(stored) > sizeof(long double)) set.fail("has numbers of a size that nobody writes");
+  return stored;
+}
+
+template <typename Number>
+std::vector<Number> read(const DataSet& set, H5T_class_t kind, hid_t type) {
+  std::vector<Number> numbers(set.count(type_of_numbers(set, kind)));
+  if (!numbers.empty() && H5Dread(set.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()) < 0) set.fail("cannot be read");
   return numbers;
 }
 
@@ -77,7 +136,9 @@ bool has_hdf5() { return true; }
 
 Hdf5File Hdf5File::open(const std::string& name) {
   be_silent();
-  const hid_t file = H5Fopen(name.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  std::error_code code;  // of a pipe that nobody writes the library would wait for ever
+  const hid_t file =
+      std::filesystem::is_regular_file(name, code) ? H5Fopen(name.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT) : H5I_INVALID_HID;
   if (file < 0) throw std::runtime_error(fmt::format("{}: cannot be opened as an HDF5 file", name));
   return {name, file};
 }
@@ -101,12 +162,17 @@ bool Hdf5File::has(const std::string& path) const {
   }
 }
 
+std::size_t Hdf5File::count(const std::string& path) const {
+  const DataSet set(handle_, name_, path);
+  return set.count(type_of_numbers(set, H5T_FLOAT));
+}
+
 std::vector<std::int64_t> Hdf5File::integers(const std::string& path) const {
-  return read<std::int64_t>(handle_, name_, path, H5T_INTEGER, H5T_NATIVE_INT64);
+  return read<std::int64_t>(DataSet(handle_, name_, path), H5T_INTEGER, H5T_NATIVE_INT64);
 }
 
 std::vector<double> Hdf5File::doubles(const std::string& path) const {
-  auto numbers = read<double>(handle_, name_, path, H5T_FLOAT, H5T_NATIVE_DOUBLE);
+  auto numbers = read<double>(DataSet(handle_, name_, path), H5T_FLOAT, H5T_NATIVE_DOUBLE);
   for (std::size_t i = 0; i < numbers.size(); ++i)
     if (!std::isfinite(numbers[i])) throw std::runtime_error(fmt::format("{}: {}: number {} is not finite", name_, path, i));
   return numbers;
@@ -114,11 +180,11 @@ std::vector<double> Hdf5File::doubles(const std::string& path) const {
 
 std::string Hdf5File::text(const std::string& path) const {
   if (!has(path)) return {};
-  const Handle set(H5Dopen2(handle_, path.c_str(), H5P_DEFAULT), H5Dclose);
-  const Handle type(H5Dget_type(set), H5Tclose);
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) return {};
+  const DataSet set(handle_, name_, path);
+  const Handle type(H5Dget_type(set.id()), H5Tclose);
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 || set.count(type) != 1) return {};
   std::string result(H5Tget_size(type), '\0');
-  if (H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, result.data()) < 0) return {};
+  if (H5Dread(set.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, result.data()) < 0) return {};
   return result.c_str();
 }
 
@@ -153,6 +219,7 @@ Hdf5File::~Hdf5File() = default;
 bool Hdf5File::has(const std::string&) const { refuse(name_); }
 std::vector<std::int64_t> Hdf5File::integers(const std::string&) const { refuse(name_); }
 std::vector<double> Hdf5File::doubles(const std::string&) const { refuse(name_); }
+std::size_t Hdf5File::count(const std::string&) const { refuse(name_); }
 std::string Hdf5File::text(const std::string&) const { refuse(name_); }
 void Hdf5File::write(const std::string&, const std::vector<double>&) { refuse(name_); }
 void Hdf5File::write(const std::string&, const std::vector<std::int32_t>&) { refuse(name_); }

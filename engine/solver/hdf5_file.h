@@ -1,6 +1,7 @@
 #pragma once
 // An HDF5 file of numbers: the few calls of the C library that FCLIB's layout needs.
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -23,12 +24,14 @@ class Hdf5File {
   const std::string& name() const { return name_; }
   bool has(const std::string& path) const;
 
+  /// How many numbers a data set holds: no more than the bytes of the file can stand for, or an error.
+  std::size_t count(const std::string& path) const;
   /// All numbers of a data set, in the order of the file.
   std::vector<std::int64_t> integers(const std::string& path) const;
   std::vector<double> doubles(const std::string& path) const;  ///< finite, or an error
   /// The number of a data set that holds one.
   std::int64_t integer(const std::string& path) const;
-  /// A text; empty where the file has none there.
+  /// A text; empty where the file has none of a known length there.
   std::string text(const std::string& path) const;
 
   /// Groups on the way are made. Integers are written as 32 bits, as FCLIB does; a file keeps no times.

@@ -16,6 +16,13 @@ constexpr int few = 8;  // contacts: plain sweeps, judged after each
 }  // namespace
 
 template <int D>
+Nlgs<D>::Nlgs() {
+  const std::size_t rows = few * Problem::rows;
+  for (auto* buffer : {&scale_, &from_, &to_}) buffer->reserve(rows);
+  anderson_.begin(std::vector<double>(rows, 1.0));
+}
+
+template <int D>
 void Nlgs<D>::begin(const Problem& problem, const SolveSettings& settings, std::vector<Row>& r) {
   problem_ = &problem;
   settings_ = settings;
@@ -32,7 +39,20 @@ void Nlgs<D>::begin(const Problem& problem, const SolveSettings& settings, std::
       friction_.emplace_back(contact.w.template topLeftCorner<3, 3>(), contact.mu);
   }
   accelerated_ = problem.size() > few;
-  if (!accelerated_) return;
+  if (accelerated_) begin_acceleration();
+}
+
+template <int D>
+void Nlgs<D>::begin_accelerated(const Problem& problem, const SolveSettings& settings, std::vector<Row>& r) {
+  begin(problem, settings, r);
+  if (accelerated_) return;
+  accelerated_ = true;
+  begin_acceleration();
+}
+
+template <int D>
+void Nlgs<D>::begin_acceleration() {
+  const Problem& problem = *problem_;
   const int width = problem.width();
   scale_.clear();
   for (const auto& contact : problem.contacts)

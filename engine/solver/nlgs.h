@@ -19,6 +19,9 @@ class Nlgs {
   using Problem = ContactProblem<D>;
   using Row = typename Problem::Row;
 
+  /// Makes room for the accelerated sweeps of a few contacts, so that a step in which they are first needed allocates nothing.
+  Nlgs();
+
   /// `r` holds the start (zero, or the impulses of the last step) and the answer. The solve ends when judge (residual.h)
   /// says so, or after settings.max_iterations sweeps; then the best that was judged is the answer. Judging costs as much
   /// as a sweep: in problems of more than a few contacts it is done when the errors met on the way foretell success.
@@ -26,6 +29,8 @@ class Nlgs {
 
   /// The same in parts, for who weighs whether to go on: begin, then `sweeps` more of them at a time.
   void begin(const Problem& problem, const SolveSettings& settings, std::vector<Row>& r);
+  /// The same with accelerated sweeps, whatever the number of contacts.
+  void begin_accelerated(const Problem& problem, const SolveSettings& settings, std::vector<Row>& r);
   const SolveResult& run(int sweeps, std::vector<Row>& r);
   /// One sweep without acceleration, and without judging.
   void sweep_once(std::vector<Row>& r) { sweep(r); }
@@ -34,6 +39,7 @@ class Nlgs {
   double sweep(std::vector<Row>& r) const;
   template <int N>
   double sweep_rows(std::vector<Row>& r) const;
+  void begin_acceleration();
   void accelerate(std::vector<Row>& r);
 
   const Problem* problem_ = nullptr;

@@ -23,7 +23,7 @@ bool ImpactSolver<D>::solve_alone(Problem& problem, int a, const Rebound<D>& reb
   const Eigen::Matrix<double, D, 1> v = contact.q.template head<D>();
   if (rebound.form == RestitutionForm::velocity && rebound.before[0] < 0) {
     if (!alone)
-      throw PluginError(
+      throw TrialError(
           "restitution of form velocity at a contact whose body touches something else at the same time, expected a contact "
           "of its own");
     Eigen::Matrix<double, D, 1> after = rebound.e_t * rebound.before.template head<D>();

@@ -31,7 +31,7 @@ struct Rebound {
 ///                 end. poisson has f = e_n; for energy f is iterated, contact by contact, until the normal work of
 ///                 restitution is -e_n^2 times that of compression (at most so, where other contacts press harder).
 ///  - velocity:    v_n = -e_n v_n^-, v_t = e_t v_t^- whatever the friction; only for a contact that is coupled to no other:
-///                 else PluginError.
+///                 else TrialError.
 /// A given impulse L belongs to r_n: where the contact has normal rows, r_n >= L; its c_t is that of a bound on r_n - L.
 /// Forms mix: a contact of newton or newton_mean keeps its conditions in both phases. `r` holds the start (zero, or the
 /// impulses of the last step) and the answer. `problem` is left as it was solved last. Instantiated for D = 2, 3. Sources: M. Jean 1999; M. Fremond

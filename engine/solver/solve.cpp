@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "solver/proximal_newton.h"
+#include "solver/residual.h"
 
 namespace flyrock {
 
@@ -31,12 +33,39 @@ Solver<D>::~Solver() = default;
 
 template <int D>
 SolveResult Solver<D>::solve(const ContactProblem<D>& problem, const SolveSettings& settings, std::vector<Row>& r) {
+  if (settings.to_rounding) {
+    const SolveResult result = refine(problem, settings, r);
+    if (result.converged) return result;
+  }
   switch (settings.solver) {
     case SolverKind::nlgs: return nlgs_.solve(problem, settings, r);
     case SolverKind::proximal_newton: return solve_by_newton(problem, settings, r);
     case SolverKind::automatic: break;
   }
   return solve_by_both(problem, settings, r);
+}
+
+/// Sweeps until only rounding is left: plain ones, then accelerated ones as long as they help. Judged by the tolerance in
+/// the end.
+template <int D>
+SolveResult Solver<D>::refine(const ContactProblem<D>& problem, const SolveSettings& settings, std::vector<Row>& r) {
+  constexpr int plain = 16, turn = 32;  // sweeps
+  constexpr double least_gain = 0.5;    // of a turn
+  SolveSettings finest = settings;
+  finest.tolerance = std::numeric_limits<double>::epsilon();
+  nlgs_.begin(problem, finest, r);
+  SolveResult result = nlgs_.run(plain, r);
+  if (result.converged || problem.size() == 0) return result;
+  nlgs_.begin_accelerated(problem, finest, r);
+  for (double before = std::numeric_limits<double>::infinity(); result.residual <= least_gain * before;) {
+    before = result.residual;
+    result = nlgs_.run(turn, r);
+    if (result.converged) break;
+    if (result.iterations >= settings.max_iterations) break;
+  }
+  result.iterations += plain;
+  if (!result.converged) judge(problem, settings, r, result);
+  return result;
 }
 
 template <int D>

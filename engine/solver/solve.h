@@ -29,6 +29,7 @@ class Solver {
   SolveResult solve(const ContactProblem<D>& problem, const SolveSettings& settings, std::vector<Row>& r);
 
  private:
+  SolveResult refine(const ContactProblem<D>& problem, const SolveSettings& settings, std::vector<Row>& r);
   SolveResult solve_by_newton(const ContactProblem<D>& problem, const SolveSettings& settings, std::vector<Row>& r);
   SolveResult solve_by_both(const ContactProblem<D>& problem, const SolveSettings& settings, std::vector<Row>& r);
 

@@ -10,8 +10,6 @@ namespace flyrock {
 
 namespace {
 
-constexpr double day = 86400;  // s, longer than any flight
-
 Profile level_ground(double depth) {
   constexpr double wide = 1e6;  // m, beyond any flight
   Profile ground;
@@ -23,12 +21,14 @@ Profile level_ground(double depth) {
 
 }  // namespace
 
-Farthest farthest(const Forces<2>& forces, double speed, double height) {
-  const Profile ground = level_ground(height);
+double level_range(const Forces<2>& forces, const Vec2& velocity, double height, double longest) {
+  return land(BallisticFlight<2>(forces, Vec2::Zero(), velocity), level_ground(height), longest, [](const Arc<2>&, const ArcEnd&) {})
+      .position.x();
+}
+
+Farthest farthest(const Forces<2>& forces, double speed, double height, double longest) {
   const auto range = [&](double elevation) {
-    const Vec2 velocity = speed * Vec2(std::cos(elevation), std::sin(elevation));
-    return land(BallisticFlight<2>(forces, Vec2::Zero(), velocity), ground, day, [](const Arc<2>&, const ArcEnd&) {})
-        .position.x();
+    return level_range(forces, speed * Vec2(std::cos(elevation), std::sin(elevation)), height, longest);
   };
   // Golden section: the range has one maximum over the elevation.
   const double golden = (std::sqrt(5.0) - 1) / 2;
@@ -47,10 +47,10 @@ Farthest farthest(const Forces<2>& forces, double speed, double height) {
   return {0.5 * (low + high), std::max(range_a, range_b)};
 }
 
-std::vector<Vec2> shroud(const Forces<2>& forces, double speed, double height, int points) {
+std::vector<Vec2> shroud(const Forces<2>& forces, double speed, double height, double longest, int points) {
   std::vector<Vec2> line;
   if (!(speed > 0)) return line;
-  const double range = farthest(forces, speed, height).range;
+  const double range = farthest(forces, speed, height, longest).range;
   for (int i = 0; i < points; ++i) line.emplace_back(range * i / (points - 1), -height);
   if (forces.air.drag == 0) {
     for (Vec2& point : line) point.y() = std::max(-height, vacuum_envelope(speed, point.x(), -forces.gravity.y()));
@@ -64,7 +64,7 @@ std::vector<Vec2> shroud(const Forces<2>& forces, double speed, double height, i
     const double elevation = pi / 2 * (1 - from_vertical);
     std::size_t next = 0;  // place not yet reached
     const Vec2 velocity = speed * Vec2(std::cos(elevation), std::sin(elevation));
-    land(BallisticFlight<2>(forces, Vec2::Zero(), velocity), ground, day, [&](const Arc<2>& arc, const ArcEnd& end) {
+    land(BallisticFlight<2>(forces, Vec2::Zero(), velocity), ground, longest, [&](const Arc<2>& arc, const ArcEnd& end) {
       while (next < line.size()) {
         const auto s = first_arrival(arc, line[next].x(), 1.0, end.s);
         if (!s) break;

@@ -45,7 +45,7 @@ void check_random_impacts(Checks& checks);
 void check_launch_formulas(Checks& checks);
 
 /// Runs of the scenarios of the course and of the examples of contact laws, in the folder `share`, against what they expect.
-/// Throws std::runtime_error for one that cannot be read, PluginError for one that cannot be run.
+/// Throws std::runtime_error for one that cannot be read, TrialError for one that cannot be run.
 void check_scenarios(Checks& checks, const std::string& share);
 
 /// The friction problems (solver/fclib.h) *.hdf5 in `folder`, or in its folder fclib: |F|/|q| <= 1e-8 by the automatic solver.

@@ -24,10 +24,11 @@ class Asked {
     bound.memory = use.plugin->spec.history.size();
     forget();
   }
-  void forget() { (surface_.*kind_).history.assign((surface_.*kind_).memory, 0.0); }
+  void forget() { (surface_.*kind_).forget(); }
   bool remembers() const { return (surface_.*kind_).memory > 0; }
   ContactLaw operator()(ContactState state) {
     ContactHistory of_contact{};  // here the pair remembers
+    surface_.begin_instant();
     return surface_.ask(state, std::is_same_v<LawKind, RestitutionLaw>, of_contact);
   }
 

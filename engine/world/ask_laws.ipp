@@ -98,9 +98,10 @@ void World<D>::ask_law(Contact& contact, double h) {
   contact.law = surface->ask(state, impact, contact.history);
 }
 
-/// Impacts first: what rests answers as the last impact of its pair left the laws.
+/// Impacts first: what rests answers with what was drawn for the last impact of its pair.
 template <int D>
 void World<D>::ask_laws(double h) {
+  for (Surface* surface : surfaces_) surface->begin_instant();
   for (const bool impacts : {true, false})
     for (Contact& contact : contacts_)
       if ((contact.manifold >= 0) == impacts) ask_law(contact, h);

@@ -111,40 +111,80 @@ void World<D>::detect(double ahead) {
   match_last();
 }
 
+/// The contact of the last step that a contact carries on: of the same features; else the same vertex on the next segment of
+/// the terrain; else the nearest place whose own features are gone. The last is for surfaces that lie flush with their
+/// corners on each other: which feature answers is then left to rounding.
+template <int D>
+const typename World<D>::Contact* World<D>::carried_on(const Contact& contact, std::span<const Contact> last,
+                                                       std::span<const Contact> now) const {
+  constexpr double same_place = 1e-3;  // of the size
+  const auto same_features = [](const ContactPoint<D>& a, const ContactPoint<D>& b) {
+    return a.feature == b.feature && a.against == b.against;
+  };
+  const Contact* found = nullptr;
+  for (const Contact& old : last) {
+    if (same_features(old.at, contact.at)) return &old;
+    if (contact.antagonist < 0 && old.at.feature == contact.at.feature && same_direction<D>(old.at.normal, contact.at.normal) &&
+        next_to(*terrain_, old.at.against, contact.at.against))
+      found = &old;
+  }
+  if (found) return found;
+  double nearest = same_place * contact_size(contact.candidate, contact.antagonist);
+  for (const Contact& old : last) {
+    const double distance = (old.at.point - contact.at.point).norm();
+    if (distance > nearest || !same_direction<D>(old.at.normal, contact.at.normal)) continue;
+    if (std::any_of(now.begin(), now.end(), [&](const Contact& c) { return same_features(c.at, old.at); })) continue;
+    nearest = distance;
+    found = &old;
+  }
+  return found;
+}
+
 template <int D>
 void World<D>::match_last() {
+  const auto pair_of = [](const Contact& c) { return std::pair(c.candidate, c.antagonist); };
+  const auto end_of_pair = [&](const std::vector<Contact>& list, std::size_t from) {
+    std::size_t to = from;
+    while (to < list.size() && pair_of(list[to]) == pair_of(list[from])) ++to;
+    return to;
+  };
   std::size_t from = 0;
-  for (Contact& contact : contacts_) {
-    const auto order = [](const Contact& c) { return std::pair(c.candidate, c.antagonist); };
-    while (from < last_.size() && order(last_[from]) < order(contact)) ++from;
-    const Contact* found = nullptr;
-    for (std::size_t k = from; k < last_.size() && order(last_[k]) == order(contact); ++k) {
-      const Contact& old = last_[k];
-      if (old.at.feature != contact.at.feature) continue;
-      if (old.at.against == contact.at.against) {
-        found = &old;
-        break;
-      }
-      // The same vertex on the next segment of the terrain.
-      if (contact.antagonist < 0 && next_to(*terrain_, old.at.against, contact.at.against) &&
-          same_direction<D>(old.at.normal, contact.at.normal))
-        found = &old;
+  for (std::size_t a = 0; a < contacts_.size();) {
+    const std::size_t end = end_of_pair(contacts_, a);
+    while (from < last_.size() && pair_of(last_[from]) < pair_of(contacts_[a])) ++from;
+    const bool met = from < last_.size() && pair_of(last_[from]) == pair_of(contacts_[a]);
+    const std::span<const Contact> last(last_.data() + from, met ? end_of_pair(last_, from) - from : 0);
+    const std::span<const Contact> now(contacts_.data() + a, end - a);
+    for (; a < end; ++a) {
+      Contact& contact = contacts_[a];
+      const Contact* found = carried_on(contact, last, now);
+      if (!found) continue;
+      contact.impulse = found->impulse;
+      contact.law = found->law;
+      contact.history = found->history;
+      contact.age = found->age;
+      contact.carried = found->carried;
+      contact.sticking = found->sticking;
     }
-    if (!found) continue;
-    contact.impulse = found->impulse;
-    contact.law = found->law;
-    contact.history = found->history;
-    contact.age = found->age;
-    contact.carried = found->carried;
-    contact.sticking = found->sticking;
   }
+}
+
+/// The gap that the last solves of both bodies may have left to a contact that should be closed now: their residual x the
+/// time since. Corners of a body that lands flat arrive so far apart.
+template <int D>
+double World<D>::gap_of_solver(const Contact& contact) const {
+  double gap = 0;
+  for (const int body : {contact.candidate, contact.antagonist})
+    if (body >= 0 && bodies[body].moves()) gap += unsolved_[body].residual * (time - unsolved_[body].since);
+  return std::min(gap, carry_share * contact_size(contact.candidate, contact.antagonist));
 }
 
 /// Keeps the contacts that are closed now: within touch plus a share of the size, or carried on from the last step.
 template <int D>
 void World<D>::keep_closed(double share_of_size) {
   std::erase_if(contacts_, [&](const Contact& c) {
-    const double closed = 1e-12 + (1e-9 + share_of_size) * contact_size(c.candidate, c.antagonist);
+    const double size = contact_size(c.candidate, c.antagonist);
+    const double closed = 1e-12 + std::max((1e-9 + share_of_size) * size, gap_of_solver(c));
     return c.at.gap > (c.carried ? carry_reach(c.candidate, c.antagonist) : closed);
   });
   for (const Contact& c : contacts_) quality_.max_penetration = std::max(quality_.max_penetration, -c.at.gap);
@@ -165,7 +205,8 @@ double World<D>::keep_closed_at_start() {
     });
     const double may_drift = 3 * reach;
     if (c.at.gap > reach || gap > closed || (!c.carried && gap < -may_drift)) return true;
-    quality_.max_penetration = std::max(quality_.max_penetration, -gap);
+    // On the next segment of the terrain the gap at the start is to a line beyond its end: the greater of both is meant.
+    quality_.max_penetration = std::max(quality_.max_penetration, -std::max(gap, c.at.gap));
     if (c.law.condition != NormalCondition::penalty)
       share = std::max(share, (std::min(gap, 0.0) - c.at.gap) / may_drift);
     return false;
@@ -196,6 +237,11 @@ typename World<D>::Overlap World<D>::deepest_overlap() {
   }
   contacts_.clear();
   return deepest;
+}
+
+template <int D>
+void World<D>::measure_penetration() {
+  quality_.max_penetration = std::max(quality_.max_penetration, deepest_overlap().depth);
 }
 
 template <int D>

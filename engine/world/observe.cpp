@@ -6,7 +6,7 @@
 namespace flyrock {
 
 const char* name_of(StopReason reason) {
-  constexpr const char* names[] = {"stopped", "left_domain", "timed_out", "caught", "diverged", "plugin_error"};
+  constexpr const char* names[] = {"stopped", "left_domain", "timed_out", "caught", "diverged", "plugin_error", "not_started"};
   return names[static_cast<int>(reason)];
 }
 
@@ -51,6 +51,7 @@ void SolverQuality::add(const SolverQuality& other) {
   max_penetration = std::max(max_penetration, other.max_penetration);
   max_spring_angle = std::max(max_spring_angle, other.max_spring_angle);
   energy_gains += other.energy_gains;
+  shocks += other.shocks;
   energy_gained += other.energy_gained;
   if (std::abs(other.energy_relative_change) > std::abs(energy_relative_change))
     energy_relative_change = other.energy_relative_change;

@@ -42,7 +42,8 @@ struct Apex {
   double height = 0;  ///< m, of the centre of mass above its place at the first contact
 };
 
-enum class StopReason { stopped, left_domain, timed_out, caught, diverged, plugin_error };
+enum class StopReason { stopped, left_domain, timed_out, caught, diverged, plugin_error, not_started };
+inline constexpr std::size_t stop_reasons = 7;
 const char* name_of(StopReason reason);
 
 /// A body's centre of mass arrives at a gate; see flight/crossings.h.
@@ -101,7 +102,7 @@ struct BodyHistory {
   double flight_range = 0;       ///< m, horizontal distance to where it landed first; where it never did, to its end
   double bounce_height = 0;      ///< m, greatest height of the centre of mass above the ground below it
   int impact_count = 0;
-  Travel travel;
+  Travel travel;                    ///< of a body that stopped, until it came to rest
   PathBins path;                    ///< greatest height, speed and energy along x
   std::vector<Passage> passages;    ///< of gates, each at most once
   std::vector<BarrierHit> barriers; ///< met, each at most once
@@ -132,6 +133,7 @@ struct SolverQuality {
   double max_spring_angle = 0;         ///< rad, h sqrt(k W_nn): how far a spring (`penalty`) swings in a step; unstable from 2 on
   std::uint64_t energy_gains = 0;      ///< impacts and steps with dT > 0 beyond rounding
   double energy_gained = 0;            ///< J
+  std::uint64_t shocks = 0;            ///< jumps of velocity in a step without approach (Painleve)
   double energy_relative_change = 0;   ///< (total energy at the end - at the start) / |scale|
 
   void add(const SolverQuality& other);

@@ -80,8 +80,11 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
     }
   }
   measure_after();
+  find_shocks(h);
   record_impacts();
   audit_energy(h);
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (bodies[i].moves()) energy_given_ += bodies[i].mass * bodies[i].push.dot(bodies[i].x - saved_[i].moment.x);
   project_drift(cut);
   time += h;
   ++quality_.steps;

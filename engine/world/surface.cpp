@@ -14,8 +14,12 @@ Answer answer(BoundLaw<LawKind>& bound, std::optional<Answer>& kept, std::uint64
   if (!bound.law) return Answer{};
   ++asked;
   if (kept) return *kept;
-  state.history = bound.per_contact ? own.first(bound.memory) : std::span(bound.history);
+  const bool of_pair = !bound.per_contact && bound.memory > 0;
+  if (of_pair) bound.scratch = bound.before;
+  state.history = of_pair ? std::span(bound.scratch) : own.first(bound.memory);
   const Answer given = ask(*bound.law, bound.values, state);
+  for (std::size_t k = 0; of_pair && k < bound.memory; ++k)
+    if (bound.scratch[k] != bound.before[k]) bound.history[k] = bound.scratch[k];
   check_answer(*bound.law, given);
   if (bound.constant()) kept = given;
   return given;
@@ -39,6 +43,11 @@ void MaterialUse::add(const MaterialUse& other) {
   friction += other.friction;
   rolling += other.rolling;
   unilateral += other.unilateral;
+}
+
+void Surface::begin_instant() {
+  const auto remember = [](auto& bound) { bound.before = bound.history; };
+  remember(restitution), remember(friction), remember(rolling), remember(unilateral);
 }
 
 void Surface::begin_impact(std::uint64_t impact_number) {

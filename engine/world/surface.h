@@ -35,6 +35,10 @@ struct BoundLaw {
   std::size_t memory = 0;      ///< numbers that the law remembers
   bool per_contact = false;    ///< of each contact, else of the pair
   std::vector<double> history; ///< of the pair
+  std::vector<double> before;  ///< the same before this instant: what every contact of the instant reads
+  std::vector<double> scratch; ///< what one contact reads and writes
+  /// Begins a memory of `memory` numbers, all zero.
+  void forget() { before = scratch = history = std::vector<double>(per_contact ? 0 : memory, 0.0); }
 
   /// Whether one answer serves for the whole run.
   bool constant() const { return law->constant() && per_impact.empty(); }
@@ -52,6 +56,9 @@ class Surface {
   DrawKey key;  ///< trial and rock, for draws per impact
   MaterialUse use;
 
+  /// All contacts of one instant (a step or an impact) read what the pair remembered before it. A number that a contact
+  /// changes is kept; where several change the same number, the last in the order of contacts holds.
+  void begin_instant();
   /// Draws what is drawn per impact, before a contact of it asks: one impact of several contacts draws the same for each.
   void begin_impact(std::uint64_t impact_number);
   /// The law of a contact in this state; restitution is asked only of an `impact`. `history`: of this contact.

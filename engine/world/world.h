@@ -21,7 +21,7 @@ namespace flyrock {
 struct WorldSettings {
   double time_step = 1e-3;    ///< s
   double theta = 0.5;         ///< of the scheme, in [1/2, 1]
-  double tolerance = 1e-6;    ///< of the contact solver
+  double tolerance = default_tolerance;  ///< of the contact solver
   int max_iterations = 1000;
   double rest_speed = 0.02;   ///< m/s; slower approaches are without restitution
   SolverKind solver = SolverKind::automatic;
@@ -119,13 +119,22 @@ class World {
     int other = -1;    ///< -1: the terrain
   };
   Overlap deepest_overlap();
+  /// Counts how deep bodies are in the ground or each other now; for the end of a flight that no touch has ended.
+  void measure_penetration();
   /// The boxes of all bodies over the next `dt` of flight, and the pairs of them that may meet.
   const std::vector<std::pair<int, int>>& near_pairs(double dt);
 
   /// Whether a contact slips faster than a twentieth of the speed of one of its bodies.
   bool slips(const Contact& contact, int body) const;
 
+  /// Kinetic energy, potential energy (of the height above the origin) and that of pressed springs (`penalty`) [J].
   double total_energy() const;
+  /// The energy that came from outside since the world was made [J]: work of the air and of driven bodies, and what impacts
+  /// gained by their laws. Without a fault total_energy never exceeds that of the start plus this, but for the error of
+  /// the scheme.
+  double energy_given() const { return energy_given_; }
+  /// How far a contact of a body may open or close in a step before it is projected out [m].
+  double carry_reach(int candidate, int antagonist) const;
   /// The gap below which a contact of a body is closed: 1e-9 size + 1e-12 m.
   double touch(int body) const { return 1e-9 * bodies[body].size + 1e-12; }
 
@@ -154,13 +163,14 @@ class World {
   // detect.ipp: what touches
   void detect(double ahead);
   void match_last();
+  const Contact* carried_on(const Contact& contact, std::span<const Contact> last, std::span<const Contact> now) const;
   void keep_closed(double share_of_size);
   double keep_closed_at_start();
+  double gap_of_solver(const Contact& contact) const;
   template <class PoseOf>
   double gap_at(const Contact& contact, PoseOf pose_of) const;
   const std::vector<std::pair<int, int>>& close_pairs();
   double contact_size(int candidate, int antagonist) const;
-  double carry_reach(int candidate, int antagonist) const;
 
   // ask_laws.ipp: what the laws of the contacts answer
   void begin_manifolds();
@@ -183,8 +193,10 @@ class World {
   void solve_and_apply();
   Row velocity_after(int a) const;
   void measure_after();
+  void find_shocks(double h);
   void record_impacts();
   void audit_energy(double h);
+  double work_of_driven(int a) const;
   double energy_of(int a) const;
   bool stays_closed(int a, double duration) const;
 
@@ -200,6 +212,7 @@ class World {
   double g_;  ///< its size, m/s2
   WorldSettings settings_;
   SolverQuality quality_;
+  double energy_given_ = 0;  ///< J
   std::vector<std::vector<Surface*>> terrain_surface_;  ///< [body][part]
   std::vector<std::vector<Surface*>> pair_surface_;     ///< [a][b], a < b; null before they met
 
@@ -215,12 +228,18 @@ class World {
   std::vector<Row> impulses_;
   std::vector<Rebound<D>> rebounds_;
   ImpactSolver<D> solver_;
+  struct Unsolved {
+    double residual = 0;  ///< m/s
+    double since = 0;     ///< s
+  };
+  std::vector<Unsolved> unsolved_;  ///< of each body, what its last solve left
   std::vector<Row> after_;  ///< velocities of the contacts after the step or impact, in the frame of detection
   std::vector<Row> start_;  ///< of the impulses, where hard problems are kept
   std::vector<std::vector<int>> contacts_of_;  ///< of each body that contacts move
   std::vector<int> island_;
   std::vector<double> island_speed_;
   std::vector<double> island_gain_;  ///< J that an island got, less what rounding allows
+  std::vector<bool> island_collides_;  ///< whether an impact is under way in it
   SortAndSweep broad_phase_;
   std::vector<typename Geometry<D>::Box> boxes_;
   std::vector<Saved> saved_;

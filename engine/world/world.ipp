@@ -17,6 +17,7 @@ int World<D>::add(Body<D> body) {
   pair_surface_.emplace_back();
   for (auto& row : pair_surface_) row.resize(bodies.size(), nullptr);
   contacts_of_.emplace_back();
+  unsolved_.emplace_back();
   return static_cast<int>(bodies.size()) - 1;
 }
 
@@ -27,6 +28,7 @@ void World<D>::remove_last() {
   pair_surface_.pop_back();
   for (auto& row : pair_surface_) row.pop_back();
   contacts_of_.pop_back();
+  unsolved_.pop_back();
 }
 
 template <int D>
@@ -64,6 +66,7 @@ void World<D>::fly(double dt) {
     if (!body.present || body.kind == BodyKind::fixed) continue;
     const Motion motion = free_motion(body, moment_of(body), gravity_);
     const Turned<D> turned = turn_at(motion, dt);
+    if (body.moves()) energy_given_ += body.mass * body.push.dot(motion.position(dt) - body.x);
     body.move_to(motion.position(dt), turned.attitude);
     body.v = motion.velocity(dt);
     body.w = turned.spin;
@@ -77,6 +80,11 @@ double World<D>::total_energy() const {
   double energy = 0;
   for (const Body<D>& body : bodies)
     if (body.moves()) energy += body.kinetic_energy() - body.mass * gravity_.dot(body.x);
+  for (const Contact& c : last_) {
+    if (c.law.condition != NormalCondition::penalty) continue;
+    const double pressed = std::min(0.0, gap_at(c, [&](int body) { return bodies[body].pose(); }));
+    energy += 0.5 * c.law.stiffness * pressed * pressed;
+  }
   return energy;
 }
 

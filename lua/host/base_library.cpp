@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <lua.hpp>
 #include <string>
@@ -108,20 +109,29 @@ int to_text(lua_State* lua) {
   return 1;
 }
 
-/// To stderr: stdout carries results.
+/// To stderr, since stdout carries results, or to who asked for it.
 int print(lua_State* lua) {
+  constexpr double bytes_per_instruction = 16;
   const int count = lua_gettop(lua);
+  std::string text;
   for (int i = 1; i <= count; ++i) {
     lua_pushcfunction(lua, to_text);
     lua_pushvalue(lua, i);
     lua_call(lua, 1, 1);
     std::size_t length;
-    const char* text = lua_tolstring(lua, -1, &length);
-    if (i > 1) std::fputc('\t', stderr);
-    if (text) std::fwrite(text, 1, length, stderr);
+    const char* one = lua_tolstring(lua, -1, &length);
+    charge(lua, 10 + static_cast<double>(length) / bytes_per_instruction);
+    constexpr std::size_t enough = 1 << 16;  // more than is ever shown
+    if (i > 1) text += '\t';
+    if (text.size() < enough) text.append(one, std::min(length, enough));
     lua_pop(lua, 1);
   }
-  std::fputc('\n', stderr);
+  std::string place = place_of(lua);
+  if (place.ends_with(": ")) place.resize(place.size() - 2);
+  Budget& budget = budget_of(lua);
+  budget.prints.add(place, text);
+  if (budget.shows_prints)
+    for (const std::string& line : budget.prints.take()) std::fprintf(stderr, "%s\n", line.c_str());
   return 0;
 }
 
@@ -205,7 +215,7 @@ void add_base_library(lua_State* lua) {
                               {"setmetatable", guarded<set_metatable>},
                               {"getmetatable", get_metatable},
                               {"tostring", to_text},
-                              {"print", print},
+                              {"print", guarded<print>},
                               {nullptr, nullptr}};
   luaL_setfuncs(lua, own, 0);
   for (const char* name : {"rawget", "rawlen"}) wrap_original(lua, name, raw_access);

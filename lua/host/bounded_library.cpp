@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <cstring>
+#include <algorithm>
 #include <lua.hpp>
+#include <string_view>
 
 #include "host/pattern.h"
 #include "host/sandbox.h"
+#include "host/stable_sort.h"
 #include "host/state.h"
 
 namespace flyrock {
@@ -55,10 +56,6 @@ double concatenate(lua_State* lua) { return range(lua, 3, 4, lua_isnoneornil(lua
 double unpack(lua_State* lua) { return range(lua, 2, 3, lua_isnoneornil(lua, 3) ? length_of(lua) : 0); }
 double move(lua_State* lua) { return range(lua, 2, 3, 0); }
 double shift(lua_State* lua) { return std::max(0.0, length_of(lua)); }
-double sort(lua_State* lua) {
-  const double length = std::max(2.0, length_of(lua));
-  return length * std::log2(length);
-}
 
 template <Cost cost>
 void bound(lua_State* lua, const char* name) {
@@ -67,25 +64,26 @@ void bound(lua_State* lua, const char* name) {
   lua_setfield(lua, -2, name);
 }
 
-/// string.format without %p, and with %s as the sandbox's tostring has it: no addresses.
+/// string.format without %p, and with %s as the sandbox's tostring has it: no addresses. The pattern may hold zeros.
 int format(lua_State* lua) {
   charge(lua, texts(lua));
-  const char* pattern = luaL_checkstring(lua, 1);
+  std::size_t length;
+  const char* text = luaL_checklstring(lua, 1, &length);
+  const std::string_view pattern(text, length);
   int argument = 1;
-  for (const char* c = std::strchr(pattern, '%'); c; c = std::strchr(c + 1, '%')) {
-    ++c;
-    if (*c == '%') continue;
-    c += std::strspn(c, "-+ #0.123456789");
+  for (std::size_t at = pattern.find('%'); at != pattern.npos; at = pattern.find('%', at + 1)) {
+    at = std::min(pattern.find_first_not_of("-+ #0.123456789", at + 1), pattern.size());
+    const char conversion = at < pattern.size() ? pattern[at] : '\0';
+    if (conversion == '%') continue;  // "%%", or what Lua refuses
     ++argument;
-    if (*c == 'p') raise(lua, "the format %p is not available here: addresses differ from run to run");
+    if (conversion == 'p') raise(lua, "the format %p is not available here: addresses differ from run to run");
     const int type = lua_type(lua, argument);
-    if (*c == 's' && type > LUA_TBOOLEAN && type != LUA_TNUMBER && type != LUA_TSTRING) {
+    if (conversion == 's' && type > LUA_TBOOLEAN && type != LUA_TNUMBER && type != LUA_TSTRING) {
       lua_pushvalue(lua, lua_upvalueindex(2));
       lua_pushvalue(lua, argument);
       lua_call(lua, 1, 1);
       lua_replace(lua, argument);
     }
-    if (*c == '\0') break;
   }
   return lua_tocfunction(lua, lua_upvalueindex(1))(lua);
 }
@@ -98,7 +96,8 @@ void add_table_library(lua_State* lua) {
   bound<move>(lua, "move");
   bound<shift>(lua, "insert");
   bound<shift>(lua, "remove");
-  bound<sort>(lua, "sort");
+  lua_pushcfunction(lua, guarded<stable_sort>);
+  lua_setfield(lua, -2, "sort");
 }
 
 void add_string_library(lua_State* lua) {

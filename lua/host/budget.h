@@ -1,5 +1,5 @@
 #pragma once
-// What a Lua state may use: memory, instructions and time.
+// What a Lua state may use: memory, instructions, time and lines of `print`.
 //
 // A call that uses more ends with an error that no pcall keeps: the flag `exceeded` stays up until the host
 // starts the next call, and everything that catches errors (base_library.cpp) raises again while it is up.
@@ -7,6 +7,8 @@
 #include <chrono>
 #include <cstddef>
 #include <string>
+
+#include "host/print_log.h"
 
 struct lua_State;
 
@@ -36,6 +38,8 @@ struct Budget {
   const char* refused = "";  ///< what the allocator refused last
   std::string refused_at;    ///< and the place of the Lua code that asked for it
   std::string exceeded;      ///< what went over its limit in this call, or empty
+  PrintLog prints;           ///< what `print` may still show
+  bool shows_prints = true;  ///< on stderr at once; else they wait in `prints`
 
   /// Starts a call.
   void arm(double instructions);

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <lua.hpp>
 #include <set>
+#include <tuple>
 
 #include "host/locate.h"
 #include "host/read_only.h"
@@ -67,10 +69,42 @@ class Walk {
       freeze_table(lua_, -1, name, guarded<refuse_write>);
       push_shown(lua_, -1);
     }
-    double fields = 0;
-    for (lua_pushnil(lua_); lua_next(lua_, -2); ++fields)
-      add(lua_type(lua_, -2) == LUA_TSTRING ? join_path(name, lua_tostring(lua_, -2)) : name + "[]");
-    charge(lua_, 10 * fields);
+    add_fields(name);
+    lua_pop(lua_, 1);
+  }
+
+  /// Takes in the fields of the table at the top of the stack, in an order that the addresses of keys do not change.
+  void add_fields(const std::string& path) {
+    struct Field {
+      int key_type;
+      double number;
+      std::string name;
+      lua_Integer place;  // in the list of values
+    };
+    std::vector<Field> fields;
+    double count = 0;
+    lua_createtable(lua_, 0, 0);
+    const int values = lua_gettop(lua_);
+    for (lua_pushnil(lua_); lua_next(lua_, values - 1); ++count) {
+      const int type = lua_type(lua_, -1);
+      if (type != LUA_TTABLE && type != LUA_TFUNCTION && type != LUA_TTHREAD) {
+        lua_pop(lua_, 1);
+        continue;
+      }
+      const int key = lua_type(lua_, -2);
+      const double number = key == LUA_TNUMBER ? lua_tonumber(lua_, -2) : lua_toboolean(lua_, -2);
+      const auto place = static_cast<lua_Integer>(fields.size()) + 1;
+      fields.push_back({key, number, key == LUA_TSTRING ? join_path(path, lua_tostring(lua_, -2)) : path + "[]", place});
+      lua_rawseti(lua_, values, place);
+    }
+    charge(lua_, 10 * count);
+    std::stable_sort(fields.begin(), fields.end(), [](const Field& a, const Field& b) {
+      return std::tie(a.key_type, a.number, a.name) < std::tie(b.key_type, b.number, b.name);
+    });
+    for (const Field& field : fields) {
+      lua_rawgeti(lua_, values, field.place);
+      add(field.name);
+    }
     lua_pop(lua_, 1);
   }
 

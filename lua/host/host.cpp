@@ -18,6 +18,18 @@ namespace flyrock {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Whether a path lies in a folder, also after its symbolic links.
+bool is_within(const fs::path& path, const fs::path& folder) {
+  // Absolute first: of a relative path that does not exist nothing would be resolved.
+  const fs::path real = fs::weakly_canonical(fs::absolute(path));
+  const fs::path around = fs::weakly_canonical(fs::absolute(folder.empty() ? "." : folder));
+  return std::mismatch(around.begin(), around.end(), real.begin(), real.end()).first == around.end();
+}
+
+}  // namespace
+
 LuaSession::Host::Host(const std::string& share) : state_(std::make_shared<LuaState>()) {
   if (const std::string error = load_module(share + "/flyrock_plugins.so", natives_); !error.empty())
     throw std::runtime_error(error);
@@ -103,9 +115,9 @@ void LuaSession::Host::load_plugin(const std::string& path, const std::string& s
   if (!file)
     return diagnostics.error(at, "plugins", fault + ", expected a Lua file, or a folder with plugin.lua in it");
   sources_.push_back({shown, file->text});
-  const std::size_t before = diagnostics.all().size();
+  const std::size_t errors_before = diagnostics.errors_given();
   load(*file, diagnostics, [](lua_State*) {});
-  if (registered_ == 0 && diagnostics.all().size() == before)
+  if (registered_ == 0 && diagnostics.errors_given() == errors_before)
     diagnostics.error({file->source, 1, 1}, "", "registers no plugin, expected `return fr.plugin { ... }`");
 }
 
@@ -140,9 +152,8 @@ LuaSession::Host& LuaSession::Host::self(lua_State* lua) {
 
 std::pair<const LuaFile*, FieldPlaces> LuaSession::Host::calling(lua_State* lua, const char* function) const {
   lua_Debug frame;
-  lua_getstack(lua, 1, &frame);
-  lua_getinfo(lua, "Sl", &frame);
-  const LuaFile* file = main_ ? files_.of_chunk(frame.source) : nullptr;
+  const bool called = lua_getstack(lua, 1, &frame) != 0 && lua_getinfo(lua, "Sl", &frame) != 0;  // not by a coroutine itself
+  const LuaFile* file = main_ && called ? files_.of_chunk(frame.source) : nullptr;
   if (!file)
     throw std::runtime_error(
         fmt::format("fr.{} is for loading: it stands at the top level of a file", function));
@@ -208,7 +219,10 @@ std::optional<Factory> LuaSession::Host::native_factory(const PluginSpec& spec, 
   std::string object = "flyrock_plugins.so";
   if (!builtin_) {
     object = spec.native + ".so";
-    const std::string path = (fs::absolute(file.folder.empty() ? "." : file.folder) / object).string();
+    const fs::path named = fs::path(file.folder) / object;
+    if (!is_within(named, file.folder))
+      return refuse(fmt::format("`{}` leads out of the folder of {}", object, file.source->name));
+    const std::string path = fs::weakly_canonical(fs::absolute(named)).string();  // what was looked at is what is loaded
     const auto bytes = read_bytes(path);
     if (!bytes) return refuse(fmt::format("no shared object `{}` beside the manifest", object));
     if (const std::string error = load_module(path, own); !error.empty()) return refuse(error);
@@ -232,17 +246,6 @@ int LuaSession::Host::require(lua_State* lua) {
     host.require_file(lua, name);
   return 1;
 }
-
-namespace {
-
-/// Whether a path lies in a folder, also after its symbolic links.
-bool is_within(const fs::path& path, const fs::path& folder) {
-  // Absolute first: of a relative path that does not exist nothing would be resolved.
-  const fs::path inside = fs::weakly_canonical(fs::absolute(path)), outside = fs::weakly_canonical(fs::absolute(folder.empty() ? "." : folder));
-  return std::mismatch(outside.begin(), outside.end(), inside.begin(), inside.end()).first == outside.end();
-}
-
-}  // namespace
 
 void LuaSession::Host::require_file(lua_State* lua, const std::string& name) {
   if (!main_) throw std::runtime_error("require is for loading: it stands at the top level of a file");

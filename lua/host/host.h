@@ -25,6 +25,7 @@ class LuaSession::Host {
                    Diagnostics& diagnostics);
   std::optional<Value> read_scenario(const std::string& path, const std::string& shown,
                                      Diagnostics& diagnostics);
+  LuaState& state() { return *state_; }
   const Registry& registry() const { return registry_; }
   const std::vector<SourceText>& sources() const { return sources_; }
 

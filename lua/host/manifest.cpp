@@ -39,7 +39,7 @@ class ManifestReader {
     spec_.doc = table_.required_text("doc");
     spec_.source = table_.text("source").value_or("");
     spec_.validity = table_.text("validity").value_or("");
-    spec_.native = table_.text("native").value_or("");
+    read_native();
     const auto form = table_.text("form");
     if (kind_known) {
       read_form(form);
@@ -65,6 +65,16 @@ class ManifestReader {
     table_.error("kind", fmt::format("unknown kind `{}`{}", kind,
                                      hint.empty() ? ", expected " + one_of(kind_names()) : hint));
     return false;
+  }
+
+  /// A name, never a path: it is that of a file beside the manifest, whose code runs as soon as it is opened.
+  void read_native() {
+    const auto native = table_.text("native");
+    if (native && !is_identifier(*native))
+      table_.error("native", fmt::format("`{}`, expected the name of a shared object beside the manifest: small letters, "
+                                         "digits and _, a letter first",
+                                         *native));
+    spec_.native = native.value_or("");
   }
 
   void read_form(const std::optional<std::string>& form) {
@@ -185,6 +195,7 @@ class ManifestReader {
       else
         params_failed_ = true;
     }
+    if (!params_failed_ && !check_bounds(*params->map(), spec_.params, diagnostics_)) params_failed_ = true;
   }
 
   const Value& manifest_;

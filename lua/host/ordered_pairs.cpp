@@ -1,7 +1,5 @@
 #include "host/ordered_pairs.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <lua.hpp>
 #include <string>
@@ -24,9 +22,8 @@ int rank(lua_State* lua, int index) {
     case LUA_TBOOLEAN:
       return 2;
     default:
-      raise(lua, fmt::format(
-                     "a table with a {} as key has no fixed order: keys must be numbers, texts or booleans",
-                     luaL_typename(lua, index)));
+      // Which of several such keys comes first is up to their addresses: their types are not named.
+      raise(lua, "a table has no fixed order where a key is neither a number, a text nor a boolean");
   }
 }
 

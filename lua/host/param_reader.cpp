@@ -71,11 +71,24 @@ class ParamReader {
     return si(*written);
   }
 
+  /// A limit that is a number; one that names another parameter goes to the bounds.
+  std::optional<double> limit(BoundRelation relation) {
+    const std::string key(key_of(relation));
+    const Value* value = table_.field(key);
+    const bool single = spec_.type == ParamType::number || spec_.type == ParamType::integer;
+    if (!value || !single || value->number()) return si(table_.number(key));
+    if (value->text())
+      spec_.bounds.push_back({relation, *value->text()});
+    else
+      table_.error(key, value->kind() + ", expected a number, or the name of another parameter");
+    return std::nullopt;
+  }
+
   void read_limits() {
-    spec_.min = si(table_.number("min"));
-    spec_.max = si(table_.number("max"));
-    spec_.above = si(table_.number("above"));
-    spec_.below = si(table_.number("below"));
+    spec_.min = limit(BoundRelation::at_least);
+    spec_.max = limit(BoundRelation::at_most);
+    spec_.above = limit(BoundRelation::above);
+    spec_.below = limit(BoundRelation::below);
     if (spec_.min && spec_.above) table_.error("above", "expected one of `min` and `above`, not both");
     if (spec_.max && spec_.below) table_.error("below", "expected one of `max` and `below`, not both");
   }
@@ -138,6 +151,23 @@ class ParamReader {
   Unit unit_;  // as declared
 };
 
+/// What is wrong with a bound of `param`, or an empty text.
+std::string bound_fault(const ParamSpec& param, const ParamBound& bound, const std::vector<ParamSpec>& params) {
+  std::vector<std::string> others;  // that it may name
+  for (const ParamSpec& one : params)
+    if ((one.type == ParamType::number || one.type == ParamType::integer) && one.name != param.name)
+      others.push_back(one.name);
+  const auto other = std::find_if(params.begin(), params.end(), [&](const ParamSpec& one) { return one.name == bound.other; });
+  if (std::find(others.begin(), others.end(), bound.other) == others.end())
+    return fmt::format("`{}`, expected a number, or the name of another parameter that is a number{}", bound.other,
+                       did_you_mean(bound.other, others));
+  if (other->dimension != param.dimension)
+    return fmt::format("`{}` has other units than `{}`", bound.other, param.name);
+  if (param.default_number && other->default_number && !keeps(*param.default_number, bound.relation, *other->default_number))
+    return fmt::format("the default must be {} that of `{}`", name_of(bound.relation), bound.other);
+  return {};
+}
+
 }  // namespace
 
 bool is_identifier(std::string_view name) {
@@ -146,6 +176,18 @@ bool is_identifier(std::string_view name) {
          std::all_of(name.begin(), name.end(), [&](char c) {
            return letters.find(c) != letters.npos || others.find(c) != others.npos;
          });
+}
+
+bool check_bounds(const Map& written, const std::vector<ParamSpec>& params, Diagnostics& diagnostics) {
+  bool sound = true;
+  for (std::size_t i = 0; i < params.size(); ++i)
+    for (const ParamBound& bound : params[i].bounds)
+      if (const std::string fault = bound_fault(params[i], bound, params); !fault.empty()) {
+        const std::string key(key_of(bound.relation));
+        diagnostics.error(written[i].value.find(key)->at, fmt::format("params.{}.{}", params[i].name, key), fault);
+        sound = false;
+      }
+  return sound;
 }
 
 std::optional<ParamSpec> read_param(const Entry& entry, Diagnostics& diagnostics) {

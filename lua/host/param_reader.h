@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "plugin/spec.h"
 #include "scenario/diagnostics.h"
@@ -15,5 +16,9 @@ bool is_identifier(std::string_view name);
 /// An fr.number { ... } or the like, under `params.NAME`, with its default and limits converted to SI. Nothing where there
 /// are errors, which are reported.
 std::optional<ParamSpec> read_param(const Entry& entry, Diagnostics& diagnostics);
+
+/// Reports the bounds that name no other number of the same plugin and unit, and defaults that break them; whether all are
+/// sound. `written` holds the parameters in the order of `params`.
+bool check_bounds(const Map& written, const std::vector<ParamSpec>& params, Diagnostics& diagnostics);
 
 }  // namespace flyrock

@@ -25,6 +25,7 @@ class AnswerReader {
   }
 
   void check_keys(const Value& value, const std::string& path, const std::vector<std::string>& known) const {
+    if (value.list() && value.list()->empty()) return;  // Lua writes an empty list and a table without fields alike
     if (!value.map()) wrong(path, value, "a table with " + one_of(known));
     for (const Entry& entry : *value.map())
       if (std::find(known.begin(), known.end(), entry.key) == known.end()) {
@@ -176,7 +177,7 @@ std::vector<RockPlan> read_rocks(const LuaCall& call, const Value& answer) {
 
 Launch read_launch(const LuaCall& call, const Value& answer, int dimension) {
   const AnswerReader reader(call);
-  reader.check_keys(answer, "", {"velocity", "spin", "note"});
+  reader.check_keys(answer, "", {"velocity", "spin", "note", "greatest_throw"});
   Launch launch;
   const Value* velocity = answer.find("velocity");
   if (!velocity) call.fail("returned no `velocity`, expected { velocity = { vx, vy } }");
@@ -191,6 +192,7 @@ Launch read_launch(const LuaCall& call, const Value& answer, int dimension) {
     if (!note->text()) reader.wrong("note", *note, "text");
     launch.note = *note->text();
   }
+  if (const Value* distance = answer.find("greatest_throw")) launch.greatest_throw = reader.number(*distance, "greatest_throw");
   return launch;
 }
 

@@ -22,7 +22,7 @@ Profile read_terrain(const LuaCall& call, const Value& answer);
 /// the place of shape. What is left out comes from the group.
 std::vector<RockPlan> read_rocks(const LuaCall& call, const Value& answer);
 
-/// { velocity = { vx, vy[, vz] } [, spin = w, a vector in 3D] [, note = text for the run's warnings] }.
+/// { velocity = { vx, vy[, vz] } [, spin = w, a vector in 3D] [, note = text for the run's warnings] [, greatest_throw = m] }.
 Launch read_launch(const LuaCall& call, const Value& answer, int dimension);
 
 }  // namespace flyrock

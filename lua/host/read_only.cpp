@@ -117,7 +117,8 @@ void keep_metamethods(lua_State* lua, int fields) {
   if (push_shown(lua, own)) lua_replace(lua, own);
   for (lua_pushnil(lua); lua_next(lua, own); lua_pop(lua, 1)) {
     const std::string_view name = lua_type(lua, -2) == LUA_TSTRING ? lua_tostring(lua, -2) : "";
-    if (name == "__newindex" || name == "__mode" || !name.starts_with("__")) continue;
+    // What acts when garbage is collected is refused by setmetatable; a field that was set later stays without effect.
+    if (name == "__newindex" || name == "__mode" || name == "__gc" || !name.starts_with("__")) continue;
     int to = of_view;
     lua_pushvalue(lua, -1);
     if (name == "__index" && lua_isfunction(lua, -1)) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <lua.hpp>
+#include <set>
 
 #include "host/read_only.h"
 #include "scenario/printable.h"
@@ -90,6 +91,7 @@ class Reader {
     bool is_map = false;
     Map map;
     std::size_t positions = 0;
+    std::set<std::string> odd_keys;  // their types, in an order of their own: Lua's is up to addresses
     for (lua_pushnil(lua_); lua_next(lua_, -2); lua_pop(lua_, 1)) {
       if (lua_type(lua_, -2) == LUA_TSTRING) {
         is_map = true;
@@ -100,10 +102,11 @@ class Reader {
                  lua_tointeger(lua_, -2) <= length) {
         ++positions;
       } else {
-        fail(path, fmt::format("a key that is a {}, expected texts, or positions from 1 without gaps",
-                               luaL_typename(lua_, -2)));
+        odd_keys.insert(luaL_typename(lua_, -2));
       }
     }
+    for (const std::string& type : odd_keys)
+      fail(path, fmt::format("a key that is a {}, expected texts, or positions from 1 without gaps", type));
     if (is_map && positions > 0)
       fail(path, "a table with both names and positions, expected a map or a list");
     else if (is_map)

@@ -44,6 +44,9 @@ std::optional<Value> LuaSession::read_scenario(const std::string& path, const st
   return host_->read_scenario(path, shown, diagnostics);
 }
 
+void LuaSession::collect_prints() { host_->state().collect_prints(); }
+PrintLog LuaSession::take_prints() { return host_->state().take_prints(); }
+
 const Registry& LuaSession::registry() const { return host_->registry(); }
 const std::vector<LuaSession::SourceText>& LuaSession::sources() const { return host_->sources(); }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "host/print_log.h"
 #include "plugin/registry.h"
 #include "scenario/diagnostics.h"
 
@@ -30,6 +31,10 @@ class LuaSession {
                                      Diagnostics& diagnostics);
 
   const Registry& registry() const;
+
+  /// From here on `print` of Lua code writes nothing to stderr: what it says waits to be taken.
+  void collect_prints();
+  PrintLog take_prints();
 
   struct SourceText {
     std::string name, text;

@@ -5,6 +5,7 @@
 #include <exception>
 #include <lua.hpp>
 #include <new>
+#include <utility>
 
 #include "scenario/printable.h"
 
@@ -78,6 +79,13 @@ void LuaState::run_protected(double instructions, Body body, void* data) {
 void LuaState::release(int reference) {
   run(Budget::call_limit, [&](lua_State* lua) { luaL_unref(lua, LUA_REGISTRYINDEX, reference); });
 }
+
+void LuaState::collect_prints() {
+  budget_->shows_prints = false;
+  budget_->prints = {};
+}
+
+PrintLog LuaState::take_prints() { return std::exchange(budget_->prints, {}); }
 
 bool has_place(std::string_view text) {
   const std::size_t place = text.find(".lua:");

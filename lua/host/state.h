@@ -35,6 +35,11 @@ class LuaState {
   /// Lets go of a value kept with luaL_ref.
   void release(int reference);
 
+  /// From here on `print` writes nothing: what it says waits to be taken. Forgets what was printed before.
+  void collect_prints();
+  /// What was printed since it was taken last; each time counts the lines of a place anew.
+  PrintLog take_prints();
+
  private:
   using Body = void (*)(void* data, lua_State* lua);
   void run_protected(double instructions, Body body, void* data);

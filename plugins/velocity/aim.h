@@ -23,9 +23,9 @@ class Aim {
 
   bool given_elevation() const { return elevation_ >= 0; }
 
-  /// At the elevation of the scenario, or at `otherwise` [rad] where it gives none.
-  Vec3 velocity(Values values, const RockView& rock, double speed, double otherwise = 0) const {
-    return velocity_at(values, rock, speed, given_elevation() ? values[elevation_] : otherwise);
+  /// At the elevation of the scenario, or at 45 degrees where it gives none, as of every model.
+  Vec3 velocity(Values values, const RockView& rock, double speed) const {
+    return velocity_at(values, rock, speed, given_elevation() ? values[elevation_] : pi / 4);
   }
 
   /// At an elevation [rad] that the model knows, turned by the azimuth of the scenario.

@@ -44,7 +44,7 @@ return fr.scenario {
   },
   rocks = {
     group("face", "face", { type = "bench_fit", rock = "limestone", elevation = { normal = { mean = "20 deg", sd = "10 deg" } } }),
-    group("top", "bench_top", { type = "richards_moore", mode = "cratering", k = 14, elevation = { uniform = { "60 deg", "85 deg" } } }),
+    group("top", "bench_top", { type = "richards_moore", mode = "cratering", k = 14 }),  -- k of the site: put yours
   },
   gates = { { name = "road", x = "150 m" } },
   stop = { time = "60 s" },

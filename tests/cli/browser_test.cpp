@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <regex>
+
 #include "program.h"
 
 using namespace flyrock::test;
@@ -26,7 +28,7 @@ struct Opened {
 
 Opened open_page(const Folder& folder, const fs::path& opened) {
   const fs::path page = folder.path() / ".page", log = folder.path() / ".log";
-  const std::string line = "timeout 120 chromium --headless --no-sandbox --disable-gpu --enable-logging=stderr --user-data-dir='" +
+  const std::string line = "timeout 120 chromium --headless --no-sandbox --disable-gpu --window-size=1280,4000 --enable-logging=stderr --user-data-dir='" +
                            (folder.path() / ".browser").string() + "' --dump-dom 'file://" +
                            opened.string() + "' >'" + page.string() + "' 2>'" + log.string() + "'";
   const auto start = std::chrono::steady_clock::now();
@@ -40,6 +42,41 @@ Opened open_page(const Folder& folder, const fs::path& opened) {
   return {read(page), console, seconds};
 }
 
+/// The captions of a page, without what is folded.
+std::vector<std::string> captions_of(const std::string& page) {
+  static const std::regex caption("<div class=\"caption\"><p>([^<]*)</p>");
+  std::vector<std::string> list;
+  for (auto found = std::sregex_iterator(page.begin(), page.end(), caption); found != std::sregex_iterator(); ++found)
+    list.push_back((*found)[1]);
+  return list;
+}
+
+/// At most two sentences; the rest stands behind a fold.
+void check_captions(const std::string& page) {
+  static const std::regex end_of_sentence("[.!?]( |$)");
+  CHECK(page.find("<p class=\"caption\"") == std::string::npos);
+  const std::vector<std::string> captions = captions_of(page);
+  CHECK_FALSE(captions.empty());
+  for (const std::string& text : captions) {
+    INFO(text);
+    CHECK(std::distance(std::sregex_iterator(text.begin(), text.end(), end_of_sentence), std::sregex_iterator()) <= 2);
+  }
+}
+
+/// No table is wider than the page in a window of 1280 pixels, with all folds open.
+void check_width(const Folder& folder, const std::string& result) {
+  std::string page = read(folder.path() / result / "report.html");
+  const std::size_t end = page.rfind("</body>");
+  REQUIRE(end != std::string::npos);
+  page.insert(end, "<script>for (const fold of document.querySelectorAll('details')) fold.open = true;\n"
+                   "document.body.dataset.cut = [...document.querySelectorAll('.scroll')].filter((box) => box.scrollWidth > "
+                   "box.clientWidth).map((box) => `${box.closest('section').id} ${box.scrollWidth}`).join(', ');</script>\n");
+  const Opened opened = open_page(folder, folder.path() / folder.write("opened.html", page));
+  const std::size_t cut = opened.page.find("data-cut=\"");
+  REQUIRE(cut != std::string::npos);
+  CHECK(opened.page.substr(cut, opened.page.find('"', cut + 10) - cut + 1) == "data-cut=\"\"");
+}
+
 /// Every section's plot holds a picture, and the browser complained of nothing. At least `plots` of them. Returns the
 /// seconds that the page took, without the start of the browser.
 double check_drawn(const Folder& folder, const std::string& result, std::size_t plots) {
@@ -50,6 +87,8 @@ double check_drawn(const Folder& folder, const std::string& result, std::size_t 
   CHECK(drawn >= plots);
   CHECK(count(report.page, "<div class=\"plot\"") == 0);  // what a script did not draw
   CHECK(count(report.page, "class=\"plot-container plotly\"") == drawn);
+  check_captions(report.page);
+  check_width(folder, result);
   // The last section stands: no script ended before.
   CHECK(report.page.find("<h2>How to reproduce this</h2>") != std::string::npos);
   WARN(result << ": " << drawn << " plots, " << report.seconds - start << " s behind the " << start << " s of an empty page");
@@ -72,6 +111,22 @@ TEST_CASE("A browser draws every plot of a report and complains of nothing", "[s
   REQUIRE(call(folder, scenario + "-o sweep --trials 50 --set terrain.berm=\"{ sweep: [6 m, 8 m, 10 m] }\" "
                                   "--set materials.haul_floor.friction=\"{ type: coulomb, mu: { sweep: [0.4, 0.5, 0.6, 0.7] } }\"").code == 0);
   check_drawn(folder, "sweep", 7);
+}
+
+TEST_CASE("A page that has no room for all sweep points says how many it shows", "[slow]") {
+  if (!can_draw()) {
+    WARN("SKIPPED: no Chromium or no Plotly");
+    return;
+  }
+  const Folder folder;
+  REQUIRE(call(folder, "run " FLYROCK_SOURCE_DIR "/scenarios/quarry/blasting_area.yaml --quiet -o area --trials 200 "
+                       "--set blast.hole.length=\"{ sweep: [11 m, 12 m, 13 m] }\" --set blast.burden=\"{ sweep: [2.5 m, 2.7 m, 2.9 m] }\" "
+                       "--set rocks.1.launch.drill_angle=\"70 deg\"").code == 0);
+  check_drawn(folder, "area", 5);
+  const std::string page = open_page(folder, folder.path() / "area/report.html").page;
+  CHECK(page.find("4 of 9 sweep points shown.") != std::string::npos);
+  CHECK(page.find(">points 4 to 7</option>") != std::string::npos);
+  CHECK(page.find(">point 8</option>") != std::string::npos);
 }
 
 TEST_CASE("A browser opens the report of a run in which rocks failed, all or some", "[slow]") {

@@ -30,12 +30,30 @@ TEST_CASE("A wrong command line is exit code 2 with the nearest word") {
   CHECK(error("run x.yaml --trials 0").find("--trials: `0` is not a whole number of at least 1") != std::string::npos);
   CHECK(error("run x.yaml --seed -1").find("--seed: `-1` is not a whole number") != std::string::npos);
   CHECK(error("run x.yaml --only trial=1").find("--only: `trial=1`, expected point=P,trial=T") != std::string::npos);
+  CHECK(error("run x.yaml --shard 0/2").find("--shard i: `0` is not a whole number of at least 1") != std::string::npos);
+  CHECK(error("run x.yaml --shard 3/2").find("--shard: `3/2`, expected i from 1 to n") != std::string::npos);
+  CHECK(error("run x.yaml -j 1e3").find("-j: `1e3` is not a whole number of at least 1") != std::string::npos);
+  CHECK(error("run x.yaml --trials 99999999999999999999").find("is not a whole number") != std::string::npos);
   CHECK(error("plugins restitutoin").find("did you mean `restitution`?") != std::string::npos);
   CHECK(error("plugins restitution/newtn").find("did you mean `newton`?") != std::string::npos);
   folder.write("bench.yaml", bench);
   CHECK(error("run bench.yaml --only point=1,trial=0").find("point 1 does not exist, the scenario has 1 (from 0)") != std::string::npos);
   CHECK(error("run bench.yaml --only point=0,trial=4").find("trial 4 does not exist, the scenario has 4 (from 0)") != std::string::npos);
   CHECK_FALSE(folder.has("out"));
+}
+
+TEST_CASE("What is told of a wrong command line is text in one line, whatever bytes it holds") {
+  const Folder folder;
+  folder.write("bench.yaml", bench);
+  for (const char* words : {"run x.yaml --trials $'a\\nb'", "run x.yaml --seed $'\\xff'", "export $'\\e[31m' --to csv", "$'\\vrun'"}) {
+    const Output output = shell(folder, std::string("bash -c \"'" FLYROCK_BINARY "' ") + words + "\"");
+    INFO(words << ": " << output.err);
+    CHECK(output.code == 2);
+    CHECK(output.err.find("error: ") == 0);
+    std::string told = output.err.substr(0, output.err.find("\nSee "));
+    if (told.ends_with('\n')) told.pop_back();
+    CHECK(told.find_first_of("\n\x1b\v\xff") == std::string::npos);
+  }
 }
 
 TEST_CASE("show prints a scenario that means the same") {
@@ -51,6 +69,32 @@ TEST_CASE("show prints a scenario that means the same") {
   CHECK(nlohmann::json::parse(call(folder, "show bench.yaml --json --set seed=9").out)["seed"] == 9);
 }
 
+TEST_CASE("show of a Lua scenario with plugins of its own prints one that check accepts beside it") {
+  const Folder folder;
+  folder.write("own.lua", R"(local fr = require "flyrock"
+fr.plugin {
+  kind = "restitution", name = "fading", doc = "d",
+  params = { en = fr.number { default = 0.5, min = 0, doc = "d" } },
+  impact = function(p, contact) return p.en / (1 + contact.approach_speed) end,
+}
+return fr.scenario {
+  flyrock = 1, dimension = 2, method = "nscd",
+  terrain = { type = "profile", points = { { -5, 0 }, { 5, 0 } }, material = "rock" },
+  materials = { rock = { restitution = { type = "fading" }, friction = { type = "coulomb", mu = 0.5 } } },
+  bodies = { { name = "ball", shape = { type = "disk", radius = 0.1 }, mass = 1, position = { 0, 1 } } },
+  stop = { time = 5 },
+})");
+  const Output shown = call(folder, "show own.lua");
+  REQUIRE(shown.code == 0);
+  CHECK(shown.out.find("# Its plugins are functions in own.lua") == 0);
+  folder.write("shown.yaml", shown.out);
+  CHECK(call(folder, "check shown.yaml").code == 0);
+  REQUIRE(call(folder, "run own.lua -o a --quiet").code == 0);
+  REQUIRE(call(folder, "run shown.yaml -o b --quiet").code == 0);
+  CHECK(read(folder.path() / "a/rocks.csv") == read(folder.path() / "b/rocks.csv"));
+  CHECK(nlohmann::json::parse(call(folder, "show own.lua --json").out)["plugins"][0] == "own.lua");
+}
+
 TEST_CASE("check validates and runs nothing") {
   const Folder folder;
   folder.write("bench.yaml", bench);
@@ -62,8 +106,16 @@ TEST_CASE("check validates and runs nothing") {
   folder.write("blast.yaml", std::string(bench) + "blast: { burden: 3 m }\n");
   const Output unused = call(folder, "check blast.yaml");
   CHECK(unused.code == 0);
-  CHECK(unused.out.find("not used: blast.burden") != std::string::npos);
+  CHECK(unused.out.find("not used: blast.burden changes nothing (`flyrock check --strict` says why)\n") != std::string::npos);
   CHECK(call(folder, "check blast.yaml --strict").code == 2);
+  folder.write("gurney.yaml", bench_with("{ type: fixed, speed: { uniform: [5, 15] }, elevation: 20 deg }", "{ type: gurney }") + R"(blast:
+  explosive: { density: 850, detonation_velocity: 4000 m/s }
+  hole: { diameter: 102 mm }
+  burden: 2.7 m
+  rock_density: 2700
+  breakout_angle: 90 deg
+)");
+  CHECK(call(folder, "check gurney.yaml").out.find("not used") == std::string::npos);  // the Gurney constant is D/3
   CHECK(call(folder, "run blast.yaml --strict").code == 2);
   CHECK_FALSE(folder.has("out"));
 
@@ -78,7 +130,7 @@ return fr.plugin {
 )");
   const Output idle = call(folder, "check law.lua");
   CHECK(idle.code == 2);
-  CHECK(idle.err.find("law.lua: error: restitution/law: ") == 0);
+  CHECK(idle.err.find("law.lua:5:3: error: restitution/law: ") == 0);  // its function
 }
 
 TEST_CASE("plugins lists what is registered, as text, Markdown and JSON") {

@@ -43,10 +43,10 @@ TEST_CASE("The database holds what the other tables hold, and every drawn number
                   "FROM impacts i WHERE i.point = rocks.point AND i.trial = rocks.trial AND i.rock = rocks.rock)")
             .empty());
   CHECK(query(db, "SELECT count(DISTINCT trial) FROM trajectories") == std::vector<std::string>{"4"});
-  // Each rock has its own path: it starts with it, and ends where the rock has stopped.
+  // Each rock has its own path: it starts with it, and ends where the rock has stopped, when it has not moved for 0.2 s.
   CHECK(query(db, "SELECT count(*) FROM rocks JOIN (SELECT point, trial, rock, min(time_s) AS start_s, max(time_s) AS end_s, "
                   "x_m FROM trajectories GROUP BY point, trial, rock) p USING (point, trial, rock) "
-                  "WHERE start_s = 0 AND abs(end_s - time_s) < 1e-9 AND abs(x_m - stop_x_m) < 1e-9") ==
+                  "WHERE start_s = 0 AND end_s - time_s BETWEEN 0.2 - 1e-9 AND 0.202 AND abs(x_m - stop_x_m) < 1e-9") ==
         std::vector<std::string>{"8"});
   CHECK(query(db, "SELECT count(*) FROM trajectories") == query(db, "SELECT count(*) FROM trajectory_rows"));
   CHECK(query(db, "SELECT count(*) FROM impacts") == query(db, "SELECT count(*) FROM impact_rows"));

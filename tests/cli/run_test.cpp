@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -91,6 +92,36 @@ TEST_CASE("Rocks that run out of time or leave the domain are rows, and no fault
   }
 }
 
+TEST_CASE("The first lines say on what rocks rolled when time was up, and how the landings of points are called") {
+  const Folder folder;
+  std::string rolling = bench_with("{ type: polygon, sides: { integer: [5, 8] }, diameter: 0.5 }", "{ type: disk, radius: 0.25 }");
+  rolling.erase(rolling.find("    rolling:"), rolling.find("rocks:") - rolling.find("    rolling:"));
+  folder.write("rolling.yaml", rolling.replace(rolling.find("time: 60 s"), 10, "time: 12 s"));
+  const Output run = call(folder, "run rolling.yaml -o r");
+  INFO(run.out);
+  CHECK(run.code == 0);
+  CHECK(run.out.find(" 100 % of the rocks are censored (95 % interval 39.8 to 100 %): 4 ran out of time (12 s) on rock, x from ") != std::string::npos);
+  const auto summary = nlohmann::json::parse(read(folder.path() / "r/summary.json"));
+  CHECK(summary["points"][0]["censored"][0]["material"] == "rock");
+  folder.write("flight.yaml", bench_with("method: nscd", "method: ballistic"));
+  const Output flight = call(folder, "run flight.yaml -o f");
+  INFO(flight.out);
+  CHECK(flight.out.find("The distance of the first landing that 95 % of the rocks do not exceed is ") != std::string::npos);
+  CHECK(flight.out.find("  first landing, m") != std::string::npos);
+  CHECK(flight.out.find("  4 first landed\n") != std::string::npos);
+}
+
+TEST_CASE("A clearance per blast of few rocks is warned of, and says with how many") {
+  const Folder folder;
+  folder.write("s.yaml", bench_with("trials: 4", "trials: 40") + "clearance: [{ name: road, group: blocks, probability: 0.5, per: blast }]\n");
+  const Output check = call(folder, "check s.yaml");
+  CHECK(check.code == 0);
+  CHECK(check.err.find("warning: clearance.0.per: the farthest rock of a blast is sought among 1 rock a blast here") != std::string::npos);
+  const Output run = call(folder, "run s.yaml -o r");
+  CHECK(run.code == 0);
+  CHECK(run.out.find("Clearance road: at most 50 % of the blasts (with 1 rock a blast) throw a rock of blocks farther than ") != std::string::npos);
+}
+
 TEST_CASE("An existing folder is replaced with --force only, and other files in it stay") {
   const Folder folder;
   folder.write("bench.yaml", bench);
@@ -165,6 +196,30 @@ return fr.plugin {
   const Output strict = call(folder, "run bench.yaml -o s --strict");
   CHECK(strict.code == 3);
   CHECK(strict.err.find("the run ended early") != std::string::npos);
+}
+
+TEST_CASE("A law that prints at each impact shows a few lines, the same for any number of threads") {
+  const Folder folder;
+  folder.write("chatty.lua", R"(local fr = require "flyrock"
+print("loading")
+return fr.plugin {
+  kind = "restitution", name = "chatty", doc = "d",
+  params = { en = fr.number { default = 0.3, min = 0, doc = "d" } },
+  impact = function(p, contact)
+    print("speed", contact.approach_speed, "\27[2J")
+    return p.en
+  end,
+}
+)");
+  folder.write("bench.yaml", "plugins: [chatty.lua]\n" + bench_with("{ type: newton, en: 0.3 }", "{ type: chatty }"));
+  const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
+  const std::string one = call(folder, "run bench.yaml --trials 60 --quiet -o one -j 1").err;
+  INFO(one);
+  CHECK(one.find("loading\nspeed\t0.1\t\\x1B[2J\nspeed\t3.0\t") == 0);
+  CHECK(lines(one) == 1 + 3 + 11);  // while it loads, on sampled states, in the trials
+  CHECK(one.find("chatty.lua:7: print: after 10 lines the others of this place are dropped\n") != std::string::npos);
+  CHECK(call(folder, "run bench.yaml --trials 60 --quiet -o three -j 3").err == one);
+  CHECK(lines(call(folder, "check chatty.lua").err) == 1 + 11);
 }
 
 TEST_CASE("An interrupt ends with 130 and keeps what was done") {

@@ -71,4 +71,7 @@ TEST_CASE("What is no problem is exit code 2") {
   CHECK(error("solve absent.hdf5") == "error: absent.hdf5: cannot be opened as an HDF5 file\n");
   folder.write("text.hdf5", "no HDF5");
   CHECK(error("solve text.hdf5") == "error: text.hdf5: cannot be opened as an HDF5 file\n");
+  const Output pipe = shell(folder, "mkfifo pipe.hdf5 && timeout 20 '" FLYROCK_BINARY "' solve pipe.hdf5");
+  CHECK(pipe.code == 2);
+  CHECK(pipe.err == "error: pipe.hdf5: cannot be opened as an HDF5 file\n");
 }

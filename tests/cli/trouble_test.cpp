@@ -76,11 +76,11 @@ TEST_CASE("A result of an older format is neither read nor gone on with") {
   folder.write("s.yaml", bench);
   REQUIRE(call(folder, "run s.yaml --quiet -o r").code == 0);
   std::string manifest = read(folder.path() / "r/manifest.json");
-  const std::size_t at = manifest.find("\"format\": 5");
+  const std::size_t at = manifest.find("\"format\": 6");
   REQUIRE(at != std::string::npos);
   folder.write("r/manifest.json", manifest.replace(at, 11, "\"format\": 2"));
   for (const char* command : {"report r", "export r --to csv", "merge r -o m", "run s.yaml --resume -o r"})
-    check_refused(folder, command, "error: r was written by flyrock 0.1.0 in format 2, this one has format 5: run the "
+    check_refused(folder, command, "error: r was written by flyrock 0.1.0 in format 2, this one has format 6: run the "
                                    "scenario again, with --force or -o DIR\n");
   CHECK(folder.has("r/results.db"));
   CHECK(call(folder, "run s.yaml --force --quiet -o r").code == 0);
@@ -171,11 +171,43 @@ TEST_CASE("A damaged chunk is found before a merge makes anything") {
 TEST_CASE("A rock that would start deep in the ground, or with a speed beyond all rocks, is refused before anything runs") {
   const Folder folder;
   folder.write("deep.yaml", bench_with("position: [0, 12]", "position: [1, -25]"));
-  check_refused(folder, "run deep.yaml -o r", "deep.yaml: error: `blocks` starts 31.7 m inside the terrain\n");
+  check_refused(folder, "run deep.yaml -o r",
+                "deep.yaml:17:5: error: rocks.0.release: trial 0, rock 0: `blocks` starts at (1, -25) m, 31.7 m inside the terrain: "
+                "its centre of mass is below the ground, where no radius fits\n"
+                "      release: { position: [1, -25] }\n      ^\n");
   folder.write("fast.yaml", bench_with("{ uniform: [5, 15] }", "1e155"));
   check_refused(folder, "run fast.yaml -o r",
-                "fast.yaml: error: `blocks` starts with inf m/s and 0 rad/s, expected at most 1e+05 m/s and 1e+06 rad/s\n");
+                "fast.yaml:18:5: error: rocks.0.launch: trial 0, rock 0: `blocks` starts with inf m/s and 0 rad/s, expected at most "
+                "1e+05 m/s and 1e+06 rad/s\n"
+                "      launch: { type: fixed, speed: 1e155, elevation: 20 deg }\n      ^\n");
   CHECK_FALSE(folder.has("r"));
+}
+
+TEST_CASE("A fault for which no plugin is to blame has its own reason") {
+  const Folder folder;
+  const auto scenario = [](const std::string& restitution, const std::string& rock, const std::string& height) {
+    return "flyrock: 1\ndimension: 2\nmethod: nscd\ntrials: 300\n"
+           "terrain: { type: profile, points: [[-50, 0], [50, 0]], material: rock }\n"
+           "materials: { rock: { restitution: " + restitution + ", friction: { type: coulomb, mu: 0.5 } } }\n"
+           "rocks: [{ name: stones, density: 2700, shape: " + rock + ", orientation: 0 deg,\n"
+           "  release: { position: [0, " + height + "] } }]\nstop: { time: 20 }\n";
+  };
+  // The first trials start well, so that the scenario is sound.
+  folder.write("start.yaml", scenario("{ type: newton, en: 0.5 }", "{ type: disk, radius: 0.5 }", "{ uniform: [0.45, 5] }"));
+  const Output start = call(folder, "run start.yaml -o start");
+  INFO(start.err);
+  CHECK(start.code == 3);
+  CHECK(start.err.find("not_started: rocks.0.release: `stones` starts at (0, 0.") != std::string::npos);
+  CHECK(start.err.find("plugin_error") == std::string::npos);
+  CHECK(read(folder.path() / "start/rocks.csv").find(",not_started,") != std::string::npos);
+
+  folder.write("flat.yaml", scenario("{ type: normal_tangential, rn: 0.4, rt: 0.8 }",
+                                     "{ type: polygon, vertices: [[0, 0], [1, 0], [1, 1], [0, 1]] }", "{ uniform: [2, 5] }"));
+  const Output flat = call(folder, "run flat.yaml -o flat");
+  INFO(flat.err);
+  CHECK(flat.code == 3);
+  CHECK(flat.err.find("diverged: restitution of form velocity at a contact whose body touches something else") != std::string::npos);
+  CHECK(flat.err.find("plugin_error") == std::string::npos);
 }
 
 TEST_CASE("A driven body that presses another into the ground ends the trial, not the patience", "[slow]") {
@@ -209,4 +241,24 @@ TEST_CASE("A result whose files are gone is made again by --resume, and no expor
     CHECK(fs::exists(folder.path() / "r" / file));
   }
   CHECK(read(folder.path() / "r/rocks.csv") == rocks);
+}
+
+TEST_CASE("A scenario, or a file that it names, that is a pipe, a device or a folder is an error at once") {
+  const Folder folder;
+  REQUIRE(shell(folder, "mkfifo pipe.yaml && ln -s /dev/zero zero.yaml && mkdir folder.yaml && ln -s /dev/zero zero.txt && mkfifo "
+                        "pipe.txt && mkdir folder.txt")
+              .code == 0);
+  check_refused(folder, "run pipe.yaml -o r", "pipe.yaml: error: cannot read pipe.yaml: a pipe or a device, expected a file\n");
+  check_refused(folder, "run zero.yaml -o r", "zero.yaml: error: cannot read zero.yaml: a pipe or a device, expected a file\n");
+  check_refused(folder, "run folder.yaml -o r", "folder.yaml: error: cannot read folder.yaml: Is a directory\n");
+  for (const char* file : {"zero.txt", "pipe.txt", "folder.txt"}) {
+    folder.write("s.yaml", bench_with("points: [[-20, 10], [0, 10], [3, 0], [300, 0]]", "file: " + std::string(file)));
+    const Output run = call(folder, "run s.yaml -o r");
+    CHECK(run.code == 2);
+    CHECK(run.err.find(std::string("s.yaml:7:33: error: terrain.file: `") + file + "` is a folder, a pipe or a device, expected a file\n") == 0);
+  }
+  for (const char* plugin : {"zero.txt", "pipe.txt", "folder.txt"}) {
+    folder.write("s.yaml", "plugins: [" + std::string(plugin) + "]\n" + bench);
+    CHECK(call(folder, "check s.yaml").code == 2);
+  }
 }

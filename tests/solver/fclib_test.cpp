@@ -153,7 +153,8 @@ TEST_CASE("a broken file gives one line that says what is wrong") {
     return error_of(file.name);
   };
   CHECK(error_with([](Parts&) {}).empty());
-  CHECK(error_with([](Parts& p) { p.n = {5}; }).find("/fclib_local/W: entry") == 0);
+  CHECK(error_with([](Parts& p) { p.n = {5}; }) == "/fclib_local/W: is 6 by 5, expected a square");
+  CHECK(error_with([](Parts& p) { p.i[2] = 6; }) == "/fclib_local/W: entry 2 stands at row 6, column 2 of a 6 by 6 matrix");
   CHECK(error_with([](Parts& p) { p.m = {7}; }) == "/fclib_local/W: is 7 by 6, expected a square");
   CHECK(error_with([](Parts& p) { p.m = {-1}; }) == "/fclib_local/W/m: -1 is no sensible number of rows");
   CHECK(error_with([](Parts& p) { p.m = {6, 6}; }) == "/fclib_local/W/m: expected one integer, found 2");
@@ -164,6 +165,8 @@ TEST_CASE("a broken file gives one line that says what is wrong") {
   CHECK(error_with([](Parts& p) { p.q.push_back(0); }) == "/fclib_local/vectors/q: expected 6 numbers, found 7");
   CHECK(error_with([](Parts& p) { p.mu = {0.5}; }) == "/fclib_local/vectors/mu: expected 2 numbers, found 1");
   CHECK(error_with([](Parts& p) { p.mu[1] = -0.5; }) == "/fclib_local/vectors/mu: number 1 is -0.5, must be at least 0");
+  // Before a matrix of that size is made: it would take gigabytes.
+  CHECK(error_with([](Parts& p) { p.m = p.n = {100'000'000}; }) == "/fclib_local/vectors/q: expected 100000000 numbers, found 6");
   CHECK(error_with([](Parts& p) { p.spacedim = {4}; }) == "/fclib_local/spacedim: is 4, expected 2 or 3");
   CHECK(error_with([](Parts& p) { p.spacedim = {2}; }) == "/fclib_local/vectors/mu: expected 3 numbers, found 2");
 

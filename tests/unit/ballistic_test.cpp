@@ -14,6 +14,7 @@ using namespace flyrock;
 namespace {
 
 constexpr double g = 9.81;
+constexpr double day = 86400;  // s, longer than any flight
 
 Profile level() {
   Profile ground;
@@ -84,7 +85,7 @@ TEST_CASE("Roth's ranges, and the best angle is not 45 degrees from a height") {
   CHECK(vacuum_range(v, pi / 4, 12, g) == Approx(138.18).epsilon(1e-4));
   CHECK(greatest_vacuum_range(v, 12, g) == Approx(138.62).epsilon(1e-4));
   CHECK(vacuum_range(v, best_vacuum_elevation(v, 12, g), 12, g) == Approx(greatest_vacuum_range(v, 12, g)).epsilon(1e-14));
-  const Farthest found = farthest(air(0), v, 12);
+  const Farthest found = farthest(air(0), v, 12, day);
   CHECK(found.range == Approx(greatest_vacuum_range(v, 12, g)).epsilon(1e-7));
   CHECK(found.elevation == Approx(best_vacuum_elevation(v, 12, g)).margin(2e-4));
 }
@@ -110,7 +111,7 @@ TEST_CASE("air matters below 0.3 m, and flattens the best angle") {
                         {0.3, 0.47, 319.4, 44}, {0.3, 1, 280.6, 43}, {1, 0.47, 351.0, 45}, {1, 1, 334.8, 44}}) {
     const Forces<2> forces = air(sphere_drag(c.diameter, c.cd));
     CHECK(fly(forces, {0, 0}, launch(60, 45), level()).position.x() == Approx(c.range).epsilon(5e-4));
-    CHECK(farthest(forces, 60, 0).elevation * 180 / pi == Approx(c.best).margin(0.6));
+    CHECK(farthest(forces, 60, 0, day).elevation * 180 / pi == Approx(c.best).margin(0.6));
   }
 }
 
@@ -162,15 +163,15 @@ TEST_CASE("no flight leaves the envelope, and it is touched") {
 }
 
 TEST_CASE("the shroud: the closed form without air, and with little air nearly so; no flight in air leaves it") {
-  const std::vector<Vec2> line = shroud(air(0), 40, 12, 41);
+  const std::vector<Vec2> line = shroud(air(0), 40, 12, day, 41);
   REQUIRE(line.size() == 41);
   for (const Vec2& point : line) CHECK(point.y() == Approx(vacuum_envelope(40, point.x(), g)).margin(1e-6));
   CHECK(line.back().x() == Approx(greatest_vacuum_range(40, 12, g)).epsilon(1e-7));
   CHECK(line.back().y() == Approx(-12).margin(1e-3));
-  const std::vector<Vec2> thin = shroud(air(1e-9), 40, 12, 41);
+  const std::vector<Vec2> thin = shroud(air(1e-9), 40, 12, day, 41);
   for (std::size_t i = 0; i < line.size(); ++i) CHECK((thin[i] - line[i]).norm() < 1e-3 * line.back().x());
   const Forces<2> thick = air(0.02);
-  const std::vector<Vec2> low = shroud(thick, 40, 0, 21);
+  const std::vector<Vec2> low = shroud(thick, 40, 0, day, 21);
   for (double degrees = 1.3; degrees < 90; degrees += 7)
     for (const Vec2& point : low) {
       BallisticFlight<2> flight(thick, Vec2::Zero(), launch(40, degrees));
@@ -181,7 +182,7 @@ TEST_CASE("the shroud: the closed form without air, and with little air nearly s
       }
     }
   CHECK(low.back().x() < 0.7 * greatest_vacuum_range(40, 0, g));
-  CHECK(shroud(thick, 0, 0, 21).empty());
+  CHECK(shroud(thick, 0, 0, day, 21).empty());
 }
 
 TEST_CASE("landing on a bench: the face, the floor, and the end of the terrain") {

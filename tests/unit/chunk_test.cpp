@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "batch/columns.h"
+#include "batch/record_check.h"
 #include "batch/sha256.h"
 
 using namespace flyrock;
@@ -20,6 +22,9 @@ TrialRecords some_records() {
   rock.landed = true;
   rock.runout = -1e300;
   rock.impacts = 3;
+  rock.start_x = 0.25;
+  rock.start_y = -0.25;
+  rock.end_part = 5;
   rock.fault = "law.lua:3: said \"no\"";
   rock.travel.time = {1, 2, 3, 4};
   rock.travel.distance = {5, 6, 7, 8};
@@ -67,6 +72,9 @@ TEST_CASE("A chunk reads back as it was written") {
   CHECK(read->rocks[0].reason == StopReason::plugin_error);
   CHECK(read->rocks[0].travel.distance[3] == 8);
   CHECK(read->rocks[0].landed);
+  CHECK(read->rocks[0].start_x == 0.25);
+  CHECK(read->rocks[0].start_y == -0.25);
+  CHECK(read->rocks[0].end_part == 5);
   CHECK(read->gates[0].passage.height == -0.5);
   CHECK(read->barriers[0].hit.outcome == BarrierOutcome::over_energy);
   CHECK(read->barriers[0].hit.barrier == 1);
@@ -122,6 +130,54 @@ TEST_CASE("A broken or foreign chunk is refused with the reason") {
   }
 }
 
+TEST_CASE("A chunk whose checksum is right is refused where it promises more rows than its bytes can hold") {
+  // Rocks, gates, barriers, materials: their numbers are the first word of the first part.
+  const ColumnWriter numbers = [] {
+    ColumnWriter writer;
+    writer.value(std::uint64_t{1} << 29);
+    for (int i = 0; i < 100; ++i) writer.raw(std::string_view("\x01\0\0\0\0\0\0\0\0", 9));
+    return writer;
+  }();
+  ColumnReader reader(numbers.bytes());
+  std::vector<RockRecord> rocks;
+  CHECK_THROWS_WITH(reader.rows(rocks), "more rows than its bytes can hold");
+}
+
+TEST_CASE("Records that a program other than flyrock has written are held against their scenario") {
+  Scenario scenario;
+  scenario.rocks.resize(3);
+  scenario.gates.resize(3);
+  scenario.barriers.resize(2);
+  scenario.draws.resize(5);
+  const ChunkRange trials{0, 0, 0, 10};
+  TrialRecords sound = some_records();
+  sound.rocks.pop_back();
+  REQUIRE(records_fault(sound, trials, scenario).empty());
+  const auto fault_after = [&](const std::function<void(TrialRecords&)>& change) {
+    TrialRecords records = sound;
+    change(records);
+    return records_fault(records, trials, scenario);
+  };
+  CHECK(fault_after([](TrialRecords& r) { r.rocks[0].group = 3; }) == "a rock of group 3, the scenario has 3");
+  CHECK(fault_after([](TrialRecords& r) { r.rocks[0].group = -1; }) == "a rock of group -1, the scenario has 3");
+  CHECK(fault_after([](TrialRecords& r) { r.rocks[0].trial = 10; }) == "a rock of trial 10, its trials begin at 0 and are 10");
+  CHECK(fault_after([](TrialRecords& r) { r.rocks[0].reason = static_cast<StopReason>(6); }) == "a rock that stopped for no known reason");
+  CHECK(fault_after([](TrialRecords& r) {
+          r.rocks[0].reason = StopReason::stopped;
+          r.rocks[0].runout = std::numeric_limits<double>::quiet_NaN();
+        }) == "rock 1 of trial 7 has numbers that are not finite");
+  for (const auto& other : {+[](TrialRecords& r) { r.inputs[0].rock = 2; }, +[](TrialRecords& r) { r.trajectories[1].trial = 6; }})
+    CHECK(fault_after(other) == "rows of a rock that it does not have");
+  for (const auto& other : {+[](TrialRecords& r) { r.gates[0].passage.gate = 3; },
+                            +[](TrialRecords& r) { r.barriers[0].hit.outcome = static_cast<BarrierOutcome>(3); },
+                            +[](TrialRecords& r) { r.gates[0].passage.speed = std::numeric_limits<double>::infinity(); }})
+    CHECK(fault_after(other) == "an arrival at a gate or barrier that the scenario does not have, or with numbers that are not finite");
+  CHECK(fault_after([](TrialRecords& r) { r.inputs[0].draw = 5; }) == "input 5, the scenario draws 5");
+  CHECK(fault_after([](TrialRecords& r) { r.trajectories[0].point.mode = static_cast<TravelMode>(-1); }) ==
+        "a point of a trajectory of no known mode of travel");
+  CHECK(fault_after([](TrialRecords& r) { r.totals.bodies[0].reason = static_cast<StopReason>(9); }) == "a body that stopped for no known reason");
+}
+
 TEST_CASE("A plan of chunks covers every trial once, in order") {
   for (std::uint64_t trials : {1u, 99u, 100u, 101u, 1000u, 250001u}) {
     std::uint64_t next = 0;
@@ -149,5 +205,10 @@ TEST_CASE("SHA-256 gives the digests of FIPS 180-4") {
   CHECK(sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   CHECK(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq") ==
         "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+  // In pieces of any length.
+  Sha256 sum;
+  const std::string text = "abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq";
+  for (std::size_t at = 0, length = 0; at < text.size(); at += length++) sum.add(std::string_view(text).substr(at, length));
+  CHECK(sum.digest() == sha256(text));
   CHECK(sha256(std::string(1'000'000, 'a')) == "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }

@@ -2,6 +2,8 @@
 
 #include "plugin/conformance.h"
 
+#include "plugin/sampled_params.h"
+
 #include <catch2/catch.hpp>
 
 using namespace flyrock;
@@ -65,7 +67,41 @@ Plugin shape(std::vector<Vec2> vertices) {
   return plugin;
 }
 
+/// A friction law whose answer is its two parameters.
+class FrictionUnderTest : public FrictionLaw {
+ public:
+  explicit FrictionUnderTest(Params& params) : mu_s_(params.slot("mu_s")), mu_d_(params.slot("mu_d")) {}
+  bool constant() const override { return true; }
+  std::string origin() const override { return "under_test"; }
+  Friction friction(Values values, const ContactState&) const override { return {values[mu_s_], values[mu_d_]}; }
+
+ private:
+  int mu_s_, mu_d_;
+};
+
+ParamSpec number(std::string name, std::vector<ParamBound> bounds = {}) {
+  ParamSpec spec;
+  spec.name = std::move(name);
+  spec.min = 0;
+  spec.bounds = std::move(bounds);
+  return spec;
+}
+
+Plugin friction(std::vector<ParamBound> bounds_of_mu_d) {
+  Plugin plugin;
+  plugin.spec.kind = PluginKind::friction;
+  plugin.spec.name = "under_test";
+  plugin.spec.params = {number("mu_d", std::move(bounds_of_mu_d)), number("mu_s")};
+  plugin.make = FactoryOf<FrictionLaw>([](Params& params) { return std::make_unique<FrictionUnderTest>(params); });
+  return plugin;
+}
+
 using Faults = std::vector<std::string>;
+
+std::string only(const Faults& faults) {
+  REQUIRE(faults.size() == 1);
+  return faults.front();
+}
 
 }  // namespace
 
@@ -75,22 +111,72 @@ TEST_CASE("a sound law has no faults") {
 }
 
 TEST_CASE("the battery finds laws that break their word") {
-  CHECK(conformance_faults(rolling({.follows_state = true})) ==
-        Faults{"says that it is constant and answers two states differently"});
+  CHECK_THAT(only(conformance_faults(rolling({.follows_state = true}))),
+             Catch::StartsWith("says that it is constant and answers two states differently\n  asked with: approach_speed = "));
   CHECK(conformance_faults(rolling({.uses = false})) == Faults{"the parameter `mu_r` changes nothing"});
-  CHECK(conformance_faults(rolling({.negative = true})) ==
-        Faults{"plugin under_test: rolling() returned mu_r = -1, must be at least 0"});
-  CHECK(
-      conformance_faults(rolling({.reads = false, .uses = false})) ==
-      Faults{
-          "it cannot be made with parameters within their limits: plugin under_test: declares the parameter "
-          "`mu_r` and does not read it"});
+  CHECK_THAT(only(conformance_faults(rolling({.negative = true}))),
+             Catch::StartsWith("plugin under_test: rolling() returned mu_r = -1, must be at least 0\n  asked with: ") &&
+                 Catch::Contains(" (SI units)\n  parameters: mu_r = 0."));
+  CHECK_THAT(only(conformance_faults(rolling({.reads = false, .uses = false}))),
+             Catch::StartsWith("it cannot be made with parameters within their limits: plugin under_test: declares the "
+                               "parameter `mu_r` and does not read it\n  parameters: mu_r = "));
 }
 
 TEST_CASE("the battery finds shapes that are no convex polygons") {
   CHECK(conformance_faults(shape({{0, 0}, {1, 0}, {0, 1}})).empty());
-  CHECK(conformance_faults(shape({{0, 0}, {0, 1}, {1, 0}})) ==
-        Faults{"the vertices of a polygon run clockwise"});
+  const std::string sample = "\n  asked with: the random numbers of sample 0\n  parameters: none";
+  CHECK(conformance_faults(shape({{0, 0}, {0, 1}, {1, 0}})) == Faults{"the vertices of a polygon run clockwise" + sample});
   CHECK(conformance_faults(shape({{0, 0}, {4, 0}, {1, 1}, {0, 4}})) ==
-        Faults{"the polygon is not convex at the vertex (1, 1)"});
+        Faults{"the polygon is not convex at the vertex (1, 1)" + sample});
+}
+
+TEST_CASE("parameters that bound each other are sampled within their bounds") {
+  CHECK(conformance_faults(friction({{BoundRelation::at_most, "mu_s"}})).empty());
+  CHECK_THAT(only(conformance_faults(friction({}))), Catch::Contains("must be at most mu_s\n  asked with: ") &&
+                                                         Catch::Contains("\n  parameters: mu_d = 0.") && Catch::Contains(", mu_s = 0."));
+
+  PluginSpec chain;  // a < b, c >= b, c <= d, an optional one below all, and two whole numbers
+  chain.params = {number("a", {{BoundRelation::below, "b"}}), number("b"),
+                  number("c", {{BoundRelation::at_least, "b"}, {BoundRelation::at_most, "d"}}), number("d"),
+                  number("least", {{BoundRelation::at_most, "a"}}), number("n", {{BoundRelation::above, "m"}}), number("m")};
+  chain.params[3].default_number = 0.1;
+  chain.params[4].optional = true;
+  chain.params[5].type = chain.params[6].type = ParamType::integer;
+  RandomStream rng(1, "chain", {});
+  for (int i = 0; i < 200; ++i) {
+    const auto variants = sample_variants(chain, 2, rng);
+    REQUIRE(variants.size() == 2);
+    for (const auto& values : variants) CHECK(keeps_bounds(chain, values));
+  }
+  chain.params[1].max = 1;
+  chain.params[0].min = 2;  // no a is below b
+  CHECK(sample_variants(chain, 2, rng).empty());
+}
+
+TEST_CASE("the work of the battery grows with the number of parameters, not with their combinations") {
+  Plugin plugin;
+  plugin.spec.kind = PluginKind::rolling;
+  plugin.spec.name = "many";
+  for (int i = 0; i < 80; ++i) {
+    plugin.spec.params.push_back(number("p" + std::to_string(i)));
+    plugin.spec.params.back().optional = i % 2 == 0;
+  }
+  class Sum : public RollingLaw {
+   public:
+    bool constant() const override { return true; }
+    std::string origin() const override { return "many"; }
+    Rolling rolling(Values values, const ContactState&) const override {
+      double sum = 0;
+      for (const double value : values) sum += value;
+      return {sum, 0};
+    }
+  };
+  int made = 0;
+  plugin.make = FactoryOf<RollingLaw>([&](Params& params) {
+    ++made;
+    for (const ParamSpec& param : plugin.spec.params) params.slot(param.name);
+    return std::make_unique<Sum>();
+  });
+  CHECK(conformance_faults(plugin).empty());
+  CHECK(made < 1500);  // 64 choices of optional parameters, 4 samples of each in 2D and in 3D, each made twice
 }

@@ -62,12 +62,18 @@ TEST_CASE("Measures of gates and barriers are of the rocks that did not fail") {
   CHECK(value("barrier.fence.over_top").value == Approx(1.0 / 3));
   CHECK(value("barrier.fence.over_energy").value == 0);
   CHECK(Measure("gate.road.passed", s).of_rocks());
+  CHECK(point.gates[0].share.interval.lower == share_interval(2, 3, 0.95).lower);
+  CHECK(point.barriers[0].shares[2].interval.lower == 0);
+  CHECK(point.barriers[0].shares[2].interval.upper == share_interval(0, 3, 0.95).upper);
 }
 
 TEST_CASE("A rock lost before it arrived makes the numbers of a gate lower bounds") {
   TrialRecords rows = records(true);
   const PointResult point = result(rows);
   CHECK(point.gates[0].share.censored);
+  // 2 of 3 have passed, and the third may yet.
+  CHECK(point.gates[0].share.interval.lower == share_interval(2, 3, 0.95).lower);
+  CHECK(point.gates[0].share.interval.upper == 1);
   CHECK(point.barriers[0].reached.censored);
   rows.gates.push_back({3, 0, {.gate = 0, .speed = 1, .kinetic_energy = 10, .height = 0}});
   CHECK_FALSE(result(rows).gates[0].share.censored);

@@ -50,3 +50,11 @@ TEST_CASE("Envelopes of parts add up, and read back as they were written") {
   CHECK_THROWS_AS(Envelopes::read(sum.bytes() + "x"), ColumnError);
   CHECK_THROWS_AS(Envelopes::read(""), ColumnError);
 }
+
+TEST_CASE("Envelopes that no rock has made are refused, and counts that do not agree give an answer") {
+  // One group 0 with one bin 0, whose quantities have 1, 0 and 0 codes; then 1, 1 and 1 codes with 3, 1 and 1 rocks.
+  using namespace std::string_literals;
+  CHECK_THROWS_WITH(Envelopes::read("\1\0\1\0\1\0\3\0\0"s), "a bin of the envelopes has no rock");
+  const Envelopes odd = Envelopes::read("\1\0\1\0\1\0\3\1\7\1\1\7\1"s);
+  CHECK(odd.of_all().at(0).quantile(EnvelopeQuantity::energy, 1) > 0);
+}

@@ -123,6 +123,14 @@ TEST_CASE("a population in Lua places its rocks on the terrain") {
   CHECK(rocks[2].contactors.size() == 2);
 }
 
+TEST_CASE("rocks of a population may take all from their group") {
+  OnePlugin lua("population", "rocks = function(p, terrain, blast, rng) return { {}, {} } end");
+  auto rng = stream();
+  const auto rocks = make<Population>(lua.session, PluginKind::population, "m", {}).model->rocks({}, Profile(), Blast(), rng);
+  REQUIRE(rocks.size() == 2);
+  for (const RockPlan& rock : rocks) CHECK((rock.contactors.empty() && !rock.position && !rock.angle));
+}
+
 TEST_CASE("parameters of every type reach Lua") {
   OnePlugin lua("shape", R"(params = {
     n = fr.integer { default = 3 }, flag = fr.boolean { default = true }, mode = fr.choice { choices = { "a" }, default = "a" },

@@ -79,14 +79,60 @@ TEST_CASE("pairs and next go in a fixed order") {
     for k in pairs(t) do t[k] = nil end
     assert(next(t) == nil))") == "");
   CHECK(failure("for k in pairs { [{}] = 1 } do end") ==
-        "a table with a table as key has no fixed order: keys must be numbers, texts or booleans");
+        "a table has no fixed order where a key is neither a number, a text nor a boolean");
 }
 
 TEST_CASE("texts show no addresses") {
-  CHECK(failure("assert(tostring({}) == 'table' and tostring(print) == 'function')\n"
-                "assert(('%s %d'):format({}, 3) == 'table 3')") == "");
-  CHECK(failure("local s = ('%p'):format({})") ==
-        "the format %p is not available here: addresses differ from run to run");
+  CHECK(failure(R"lua(
+    local hidden = setmetatable({}, { __name = "mine" })
+    local thread = coroutine.create(print)
+    assert(tostring({}) == "table" and tostring(print) == "function" and tostring(thread) == "thread")
+    assert(tostring(hidden) == "table" and tostring(string) == "table" and tostring(coroutine.running()) == "thread")
+    assert(("%s %d"):format({}, 3) == "table 3" and ("\0%s"):format(print) == "\0function")
+    assert(("%% %-10s|%.3s"):format(hidden, thread) == "% table     |thr")
+    assert(("%s"):format(setmetatable({}, { __tostring = function() return "shown" end })) == "shown")
+    local addresses = 0
+    local function look(ok, message)
+      assert(not ok)
+      if tostring(message):find("0x") or tostring(message):find("%x%x%x%x%x%x") then addresses = addresses + 1 end
+    end
+    for _, value in ipairs { {}, print, thread, hidden } do
+      look(pcall(function() return "" .. value end))
+      look(pcall(function() return value + 1 end))
+      look(pcall(function() return value < value end))
+      look(pcall(function() return #value.x.y end))
+      look(pcall(string.rep, value))
+      look(pcall(string.format, "%d", value))
+      look(pcall(string.format, "%q", value))
+      look(pcall(table.concat, { value }))
+      look(pcall(error, value))
+      look(pcall(assert, false, value))
+    end
+    assert(addresses == 0, addresses))lua") == "");
+  for (const char* pattern : {"%p", "\\0%p", "%-20p", "%5.3p", "%%%p", "%s\\0\\0%% %p"})
+    CHECK(failure(std::string("local s = ('") + pattern + "'):format({}, {})") ==
+          "the format %p is not available here: addresses differ from run to run");
+}
+
+TEST_CASE("sorting is stable, and no clock chooses its pivots") {
+  CHECK(failure(R"lua(
+    local list = {}
+    for i = 1, 2000 do list[i] = { rank = (i * 7919) % 5, place = i } end
+    table.sort(list, function(a, b) return a.rank < b.rank end)
+    for i = 2, #list do
+      local a, b = list[i - 1], list[i]
+      assert(a.rank < b.rank or a.rank == b.rank and a.place < b.place, i)
+    end
+    local t = { 3, "x" }
+    assert(not pcall(table.sort, t) and not pcall(table.sort, { 1, 2 }, 5) and not pcall(table.sort, 3))
+    local words = { "b", "a", "" }
+    table.sort(words)
+    assert(table.concat(words, ",") == ",a,b")
+    table.sort(words, function() return true end)  -- no order at all ends, too
+    local shown = setmetatable({}, { __len = function() return 3 end, __index = function(_, i) return -i end,
+                                     __newindex = function(_, i, v) words[i] = v end })
+    table.sort(shown)
+    assert(table.concat(words, ",") == "-3,-2,-1"))lua") == "");
 }
 
 TEST_CASE("ordinary Lua works in the sandbox") {
@@ -174,6 +220,9 @@ TEST_CASE("functions of C pay for their loops", "[slow]") {
                 "}))") != "");
   CHECK(failure("table.insert(setmetatable({}, { __len = function() return 1 << 60 end }), 1, 1)") ==
         instructions);
+  CHECK(failure("table.sort(setmetatable({}, { __len = function() return 1 << 60 end }))") == instructions);
+  CHECK(failure("local s, t = ('x'):rep(1e6), {}\nfor i = 1, 200 do t[i] = s .. i end\n"
+                "for i = 1, 1000 do table.sort(t) end") == instructions);
 }
 
 TEST_CASE("memory has an end that nothing swallows", "[slow]") {

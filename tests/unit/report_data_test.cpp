@@ -73,6 +73,109 @@ TEST_CASE("Inputs are ranked by what they do to the runout") {
   CHECK(many.data()[0]["count"] == 10'000);
 }
 
+namespace {
+
+/// Rocks of random runout with `inputs` random inputs that have nothing to do with it.
+TrialRecords rocks_of_chance(int sample, int count, int inputs) {
+  TrialRecords chunk;
+  RandomStream rng(3, "chance", {.trial = static_cast<std::uint64_t>(sample)});
+  for (int i = 0; i < count; ++i) {
+    RockRecord rock;
+    rock.trial = static_cast<std::uint64_t>(i);
+    rock.reason = StopReason::stopped;
+    rock.runout = rng.uniform();
+    chunk.rocks.push_back(rock);
+    for (int draw = 0; draw < inputs; ++draw) chunk.inputs.push_back({rock.trial, 0, draw, rng.uniform()});
+  }
+  return chunk;
+}
+
+}  // namespace
+
+TEST_CASE("Of many inputs without influence none is told from chance in 19 of 20 runs") {
+  constexpr int samples = 400, inputs = 20;
+  Scenario scenario;
+  scenario.rocks.resize(1);
+  scenario.draws.resize(inputs);
+  int runs_with_one = 0;
+  for (int s = 0; s < samples; ++s) {
+    Sensitivity sensitivity(scenario);
+    sensitivity.see(rocks_of_chance(s, 60, inputs));
+    const auto group = sensitivity.data()[0];
+    REQUIRE(group["inputs"].size() == inputs);
+    CHECK(group["confidence"] == Approx(1 - 0.05 / inputs));
+    runs_with_one += std::any_of(group["inputs"].begin(), group["inputs"].end(),
+                                 [](const auto& line) { return line["lower"] > 0 || line["upper"] < 0; });
+  }
+  CHECK(runs_with_one > 0.01 * samples);
+  CHECK(runs_with_one < 0.08 * samples);  // 64 % where each stands for itself
+}
+
+TEST_CASE("Only inputs that the rocks of a group depend on are ranked") {
+  Diagnostics diagnostics;
+  const auto load = [&](const char* file) {
+    auto loaded = load_scenario(std::string(FLYROCK_SOURCE_DIR "/scenarios/") + file, {}, diagnostics);
+    INFO(diagnostics.to_text());
+    REQUIRE(loaded);
+    return std::move(*loaded);
+  };
+  const auto read_by = [](const Scenario& scenario, std::size_t group, const std::string& stream) {
+    for (std::size_t d = 0; d < scenario.draws.size(); ++d)
+      if (scenario.draws[d].stream == stream) return RankedInputs(scenario).reads(group, static_cast<int>(d));
+    FAIL(stream);
+    return false;
+  };
+  const LoadedScenario quarry = load("ninh_dan/benches_2d.yaml");
+  const Scenario& benches = quarry.plan.points.front();
+  CHECK(read_by(benches, 0, "blast.burden"));  // bench_fit
+  CHECK_FALSE(read_by(benches, 0, "blast.hole.stemming"));
+  CHECK_FALSE(read_by(benches, 0, "blast.hole.charge_length"));
+  CHECK_FALSE(RankedInputs(benches).reads(0, DerivedInput::charge_per_hole));
+  CHECK_FALSE(read_by(benches, 1, "blast.burden"));  // loose rock has a given speed
+  CHECK(read_by(benches, 1, "rocks.loose.launch.speed"));
+
+  const LoadedScenario area = load("quarry/blasting_area.yaml");
+  const Scenario& plan = area.plan.points.front();
+  CHECK(read_by(plan, 0, "blast.burden"));
+  CHECK_FALSE(read_by(plan, 1, "blast.burden"));  // stemming is thrown by the stemming
+  CHECK(read_by(plan, 1, "blast.hole.stemming"));
+
+  const LoadedScenario models = load("ninh_dan/blast_models.yaml");
+  const Scenario& side_by_side = models.plan.points.front();
+  const auto mckenzie = std::find_if(side_by_side.rocks.begin(), side_by_side.rocks.end(),
+                                     [](const RockGroup& group) { return group.name == "mckenzie"; });
+  const auto group = static_cast<std::size_t>(mckenzie - side_by_side.rocks.begin());
+  CHECK(RankedInputs(side_by_side).reads(group, DerivedInput::charge_per_hole));
+  CHECK_FALSE(RankedInputs(side_by_side).reads(group, DerivedInput::powder_factor));  // of the burden, too
+}
+
+TEST_CASE("The inputs of a law that no contact asked are not ranked") {
+  Scenario scenario = with_draws();
+  scenario.materials.resize(1);
+  scenario.materials[0].friction = PluginUse{};
+  scenario.materials[0].friction->slots = {Number{0, 0}};
+  const auto ranked_after = [&](std::uint64_t asked) {
+    Sensitivity sensitivity(scenario);
+    TrialRecords chunk = rocks_with_inputs(100);
+    chunk.totals.materials = {{.friction = asked}};
+    sensitivity.see(chunk);
+    return sensitivity.data()[0]["inputs"];
+  };
+  CHECK(ranked_after(0).size() == 1);
+  CHECK(ranked_after(9).size() == 2);
+}
+
+TEST_CASE("Angles are read in degrees") {
+  Scenario scenario = with_draws();
+  scenario.draws[0].unit = "rad";
+  Sensitivity sensitivity(scenario);
+  sensitivity.see(rocks_with_inputs(1000));
+  const auto first = sensitivity.data()[0]["inputs"][0];
+  CHECK(first["unit"] == "deg");
+  CHECK(first["curve"]["x"].back() > 50);  // the greatest is 1 rad
+  CHECK(first["curve"]["x"].back() < 57.3);
+}
+
 TEST_CASE("A percentile converges to that of all rocks") {
   constexpr int count = 2000;
   Convergence convergence(count);

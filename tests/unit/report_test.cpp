@@ -92,14 +92,20 @@ TEST_CASE("summary.json holds statistics, censoring, expectations and warnings")
   CHECK(all["count"] == 400);
   CHECK(all["censored"] == 0.01);
   CHECK(all["stop_reasons"]["left_domain"] == 4);
+  CHECK(all["share_intervals"]["censored"][1].get<double>() == Approx(0.0254).epsilon(0.01));
+  CHECK(all["share_intervals"]["timed_out"][0] == 0);
+  CHECK(all["share_intervals"]["timed_out"][1].get<double>() == Approx(1 - std::pow(0.025, 1.0 / 400)));
+  CHECK(data["points"][0]["censored"][0]["rocks"] == 4);
+  CHECK(data["points"][0]["censored"][0]["reason"] == "left_domain");
   CHECK(all["runout"]["lower_bounds"].back() == "p99");
   CHECK(data["expectations"].size() == 2);
   CHECK(data["expectations"][0]["expected"] == 280);
   CHECK(data["expectations"][1]["expected"] == nlohmann::ordered_json::array({1.0, 2.0}));
   CHECK(data["expectations"][1]["passed"] == false);
   CHECK(data["expectations"][1]["reason"] == "censored rocks fall into it: the computed value is only a lower bound");
-  CHECK(data["warnings"][0] == "material mud: nothing touched it, none of its laws was asked");
-  CHECK(data["warnings"][1] == "not used: blast.spacing (bench_fit does not read it)");
+  CHECK(data["warnings"].empty());  // what changes nothing does not hide a warning
+  CHECK(data["not_asked"][0] == "material mud: nothing touched it, none of its laws was asked");
+  CHECK(data["not_used"][0] == "blast.spacing (bench_fit does not read it)");
   CHECK(data["complete"] == true);
 }
 
@@ -159,6 +165,29 @@ TEST_CASE("The same results give the same page, safe against its own data") {
   CHECK(page.find("http-equiv") == std::string::npos);
   CHECK(page.find(" src=") > page.find("id=\"data\""));  // nothing is fetched before the data
   CHECK(page.size() < 10'000'000);
+}
+
+TEST_CASE("The first line of a page with rocks that diverged says so, above everything") {
+  const Plan plan = fake::plan(50);
+  CHECK(report_html(data_of(plan, 50), assets).find("class=\"alarm\"") == std::string::npos);
+  TrialRecords records = fake::records(50);
+  for (const std::size_t rock : {7, 9, 12}) {
+    records.rocks[rock].reason = StopReason::diverged;
+    records.rocks[rock].fault = "below the ground";
+  }
+  records.rocks[20].reason = StopReason::plugin_error;
+  records.rocks[20].fault = "plugin <b>: failed";
+  LoadedScenario scenario;
+  scenario.plan = plan;
+  ReportData data(scenario);
+  data.see(0, records);
+  Results results = make_results(plan, {rows_of(records)}, {{50}, true, "", {}});
+  results.points[0].terrain = fake::bench();
+  const std::string page = report_html(data.finish(results, {rows_of(records)}), assets);
+  const std::string line =
+      "<main>\n<p class=\"alarm\">3 of 100 rocks diverged and 1 failed: below the ground (trial 3, rock 1); plugin &lt;b&gt;: failed "
+      "(trial 10, rock 0). They are in no number of this report: find the cause before you use it.</p>\n<h1>";
+  CHECK(page.find(line) != std::string::npos);
 }
 
 TEST_CASE("A page without its style sheet is an error that names it") {

@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 
 #include "batch/chunk_files.h"
@@ -93,6 +95,28 @@ TEST_CASE("Each chunk is shown once, in order, as its file holds it, whatever th
       options.resume = true;
       check(run_chunks(plan, rocks_failing_from(failing), options));
     }
+  }
+}
+
+TEST_CASE("What Lua code prints is told in the order of trials, ten lines of each place, for any number of threads") {
+  const RunTrial chatter = [](int, std::uint64_t trial, TrialRecords& out) {
+    RockRecord rock;
+    rock.trial = trial;
+    out.rocks.push_back(rock);
+    out.prints.add("a.lua:1", fmt::format("trial {}", trial));
+    if (trial > 100) out.prints.add("a.lua:2", "late\x1B[2J");
+  };
+  for (const int threads : {1, 3}) {
+    Folder folder;
+    std::vector<std::string> lines;
+    RunOptions options{.folder = folder.path, .scenario_hash = "h", .threads = threads};
+    options.print = [&](const std::vector<std::string>& more) { lines.insert(lines.end(), more.begin(), more.end()); };
+    run_chunks(plan_chunks(1, 200), [&](int) { return chatter; }, options);
+    REQUIRE(lines.size() == 22);
+    for (int i = 0; i < 10; ++i) CHECK(lines[i] == fmt::format("trial {}", i));
+    CHECK(lines[10] == "a.lua:1: print: after 10 lines the others of this place are dropped");
+    for (int i = 11; i < 21; ++i) CHECK(lines[i] == "late\\x1B[2J");
+    CHECK(lines[21] == "a.lua:2: print: after 10 lines the others of this place are dropped");
   }
 }
 

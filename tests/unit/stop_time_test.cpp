@@ -1,10 +1,31 @@
 // stop.time ends a trial, however late its rocks start, by every method.
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 #include "batch/load.h"
 #include "batch/trial.h"
 
 using namespace flyrock;
+
+TEST_CASE("each rock of a trial has the time when it came to rest itself, and what it travelled until then") {
+  Diagnostics diagnostics;
+  auto loaded = load_scenario(FLYROCK_SOURCE_DIR "/tests/unit/two_rocks.yaml", {}, diagnostics);
+  INFO(diagnostics.to_text());
+  REQUIRE(loaded);
+  TrialRunner runner(loaded->plan.points.front());
+  TrialRecords records;
+  runner.run(0, records);
+  REQUIRE(records.rocks.size() == 2);
+  const double fall = std::sqrt(2 * (20 - 0.5) / 9.81), step = 1e-3;
+  for (const auto& [rock, rested] : {std::pair(records.rocks[0], 0.0), std::pair(records.rocks[1], fall)}) {
+    CHECK(rock.reason == StopReason::stopped);
+    CHECK(rock.time == Approx(rested).margin(step));
+    double travelled = 0;
+    for (const double time : rock.travel.time) travelled += time;
+    CHECK(travelled == Approx(rock.time).margin(1e-9));
+  }
+}
 
 TEST_CASE("a trial ends at stop.time for rocks of late holes too") {
   for (const char* method : {"nscd", "ballistic"}) {

@@ -199,7 +199,7 @@ bodies:
   - {{ name: b, shape: {{ type: disk, radius: 0.5 m }}, mass: 1 kg, material: rock, position: [0, {}] }}
   - {{ name: c, shape: {{ type: disk, radius: 0.5 m }}, mass: 1 kg, material: rock, position: [5, {}] }}
 )", height_of_b, height_of_c));
-    } catch (const PluginError& error) {
+    } catch (const TrialError& error) {
       return std::string(error.what());
     }
     return std::string();
@@ -207,5 +207,6 @@ bodies:
   CHECK(fault(1.5, 0.5) == "");
   CHECK(fault(1.25, 0.5) == "`b` starts 0.25 m inside `a`");
   CHECK(fault(0.25, 3).find("`b` starts") == 0);
-  CHECK(fault(1.5, 0.25) == "`c` starts 0.25 m inside the terrain");
+  CHECK(fault(1.5, 0.25) == "`c` starts at (5, 0.25) m, 0.25 m inside the terrain: it reaches 0.5 m from its centre of mass, a radius of at "
+                          "most 0.25 m fits there");
 }

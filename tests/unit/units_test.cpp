@@ -19,6 +19,15 @@ Dimension dimension_of(std::string_view text) {
 }
 }  // namespace
 
+TEST_CASE("numbers are shown in the units that people read") {
+  CHECK(readable_unit("rad").name == "deg");
+  CHECK(readable_unit("rad").per_si == Approx(57.29577951));
+  CHECK(readable_unit(si_unit(dimension::energy)).name == "kJ");
+  CHECK(readable_unit(si_unit(dimension::none)).name.empty());
+  CHECK(readable_unit("m/s").name == "m/s");
+  CHECK(readable_unit("m/s").per_si == 1);
+}
+
 TEST_CASE("quantities of mechanics, mining and US practice are converted to SI") {
   CHECK(si("12 m") == 12);
   CHECK(si("12m") == 12);

@@ -79,8 +79,8 @@ TEST_CASE("what a scenario file must not hold") {
   CHECK(refuse("a: !!int 3\n") == "1:4::a tag (`tag:yaml.org,2002:int`) is not part of a scenario\n");
   CHECK(refuse("a:\n\tb: 1\n") == "2:1::a tab in the indentation, YAML takes blanks only\n");
   CHECK(refuse("a: &x [1, *x]\n") == "1:11::an alias inside its own anchor has no end\n");
-  CHECK(refuse("") == "0:0::the file is empty\n");
-  CHECK(refuse("# nothing\n") == "0:0::the file is empty\n");
+  CHECK(refuse("") == "1:1::the file is empty\n");
+  CHECK(refuse("# nothing\n") == "1:1::the file is empty\n");
   CHECK(refuse("a: [1, 2\nb: 3\n").find("not YAML: ") != std::string::npos);
 }
 

@@ -1,13 +1,37 @@
 // The blasting area: clearances by azimuth, drawn on the plan.
 
+/** How far (x, y) is from the hull of the release places, 0 within it. */
+function distance_from_hull(hull, x, y) {
+  let least = Infinity, inside = hull.length > 2;
+  hull.forEach(([ax, ay], i) => {
+    const [bx, by] = hull[(i + 1) % hull.length], dx = bx - ax, dy = by - ay, length2 = dx * dx + dy * dy;
+    const along = length2 > 0 ? Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / length2)) : 0;
+    least = Math.min(least, Math.hypot(x - ax - along * dx, y - ay - along * dy));
+    inside = inside && dx * (y - ay) - dy * (x - ax) >= 0;
+  });
+  return inside ? 0 : least;
+}
+
+/** The place in a direction from the centre that is so far from the hull; the centre where there is no distance. */
+function place_at(area, angle, distance) {
+  const c = Math.cos(angle), s = Math.sin(angle);
+  let low = 0, high = distance === null ? 0 : distance + Math.max(...area.hull.map(([x, y]) => Math.hypot(x - area.x, y - area.y)));
+  for (let i = 0; i < 40; ++i) {
+    const middle = (low + high) / 2;
+    if (distance_from_hull(area.hull, area.x + middle * c, area.y + middle * s) < distance) low = middle;
+    else high = middle;
+  }
+  return [area.x + high * c, area.y + high * s];
+}
+
 /** The outline of sectors: their arcs, one after the other, closed. */
-function outline(area, radius) {
+function outline(area, distance) {
   const half = 180 / area.sectors.length, x = [], y = [], steps = 4;
   for (const sector of area.sectors)
     for (let i = 0; i <= steps; ++i) {
-      const angle = ((sector.azimuth_deg - half + (2 * half * i) / steps) * Math.PI) / 180, r = radius(sector) ?? 0;
-      x.push(area.x + r * Math.cos(angle));
-      y.push(area.y + r * Math.sin(angle));
+      const [px, py] = place_at(area, ((sector.azimuth_deg - half + (2 * half * i) / steps) * Math.PI) / 180, distance(sector));
+      x.push(px);
+      y.push(py);
     }
   return { x: [...x, x[0]], y: [...y, y[0]] };
 }
@@ -18,6 +42,7 @@ function draw_area(node, clearance) {
   if (clearance.factor !== null && area.sectors.some((s) => s.with_factor !== null)) traces.push(line(`with the factor ${show(clearance.factor)}`, (s) => s.with_factor, { line: { color: colour.vermillion, width: 2 }, fill: "toself", fillcolor: "rgba(213,94,0,0.08)" }));
   traces.push(line("farthest rock", (s) => s.greatest, { line: { color: colour.ink, width: 1, dash: "dot" } }));
   if (area.sectors.some((s) => s.distance !== null)) traces.push(line(`exceeded by ${percent(clearance.probability)} of those that end there, or the farthest`, (s) => s.distance ?? s.greatest, { line: { color: colour.blue, width: 2 }, fill: "toself", fillcolor: "rgba(0,114,178,0.15)" }));
+  traces.push({ x: [...area.hull, area.hull[0]].map(([x]) => x), y: [...area.hull, area.hull[0]].map(([, y]) => y), mode: "lines", name: "hull of the releases", line: { color: colour.ink, width: 1 }, hoverinfo: "skip" });
   traces.push({ x: [area.x], y: [area.y], mode: "markers", name: "centre", marker: { symbol: "cross", size: 11, color: colour.ink }, hoverinfo: "skip" });
   plot(node, traces, { height: 620, legend, hovermode: "closest", xaxis: axis("x in m"), yaxis: { ...axis("y in m"), scaleanchor: "x", scaleratio: 1 } }, true);
 }
@@ -30,9 +55,11 @@ function area_section() {
     const clearances = summary.points[shown.point].clearance.filter((clearance) => clearance.area);
     const nodes = clearances.map((clearance) => plot_node(`The area of the clearance ${clearance.clearance} on the plan; the same numbers in the table below`));
     content.replaceChildren(...clearances.flatMap((clearance, i) => [element("h3", {}, clearance.clearance), nodes[i],
-      numbers(table("", ["azimuth °", "rocks", "farthest m", "distance m", "with the factor m"], clearance.area.sectors.map((s) => [s.azimuth_deg, s.count, right(`${s.lower_bound ? "≥ " : ""}${show(s.greatest)}`), s.distance, s.with_factor])))]),
-      paragraph("caption", "Read: the plan, north where +y is; in each sector of azimuth about the centre, the distance that this share of the rocks that end there exceeds, and the farthest of them. " +
-        "Where too few rocks ended for the share (10 must be beyond) the farthest rock stands for it, also under the factor, which is the user's. A sector in which no rock ended reaches to the centre. All groups of rocks together."));
+      numbers(table("", ["azimuth °", clearance.per === "blast" ? "blasts" : "rocks", "share", "95 % from", "to", "farthest m", "distance m", `${percent(clearance.confidence)} from m`, "to m", "with the factor m"],
+        clearance.area.sectors.map((s) => [s.azimuth_deg, s.count, ...[s.share, ...s.share_interval].map((value) => right(value === null ? "–" : percent(value))),
+          right(s.greatest === null ? "no data" : `${s.lower_bound ? "≥ " : ""}${show(s.greatest)}`), s.distance, s.lower, s.upper, s.with_factor])))]),
+      caption("The plan, north where +y is: in each sector the distance that this share of the rocks that end there exceeds, counted from the hull of all release places (or from the given point), and the farthest of them. A sector in which no rock ended has no data: the outline goes back to the centre there.",
+        "Where too few rocks ended for the share (10 must be beyond) the farthest rock stands for it, also under the factor, which is yours."));
     clearances.forEach((clearance, i) => draw_area(nodes[i], clearance));
   });
 }

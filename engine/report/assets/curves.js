@@ -8,13 +8,13 @@ function draw_curves(node, inputs) {
   const layout = { height: 90 + 210 * rows, showlegend: false, annotations: [], margin: { l: 60, r: 10, t: 40, b: 50 } };
   const traces = inputs.flatMap((line, i) => {
     const place = cell_of(i, inputs.length, columns), on = { x: line.curve.x, xaxis: `x${nth(i)}`, yaxis: `y${nth(i)}`, mode: "lines" };
-    layout[`xaxis${nth(i)}`] = { ...axis(""), domain: place.x, anchor: `y${nth(i)}`, nticks: 5 };
+    layout[`xaxis${nth(i)}`] = { ...axis(line.unit ? `in ${line.unit}` : ""), domain: place.x, anchor: `y${nth(i)}`, nticks: 5 };
     layout[`yaxis${nth(i)}`] = { ...axis(i % columns === 0 ? "runout in m" : ""), domain: place.y, anchor: `x${nth(i)}`, range: [0, 1.05 * highest], nticks: 4, showticklabels: i % columns === 0 };
-    layout[`yaxis${nth(i)}`].title.font = { size: 11 };
+    for (const key of [`xaxis${nth(i)}`, `yaxis${nth(i)}`]) layout[key].title.font = { size: 11 };
     layout.annotations.push({ x: place.x[0], y: place.y[1], xref: "paper", yref: "paper", xanchor: "left", yanchor: "bottom", showarrow: false, font: { size: 12 }, text: line.path.replace(/^rocks\.[^.]*\./, "") });
     const edge = { ...on, line: { width: 0 }, hoverinfo: "skip" };
     return [{ ...edge, y: line.curve.low }, { ...edge, y: line.curve.high, fill: "tonexty", fillcolor: "rgba(86,180,233,0.3)" },
-      { ...on, y: line.curve.middle, mode: "lines+markers", line: { color: colour.blue, width: 2 }, marker: { size: 5 }, hovertemplate: `${line.path} %{x:.4g}: half of the rocks within %{y:.4g} m<extra></extra>` }];
+      { ...on, y: line.curve.middle, mode: "lines+markers", line: { color: colour.blue, width: 2 }, marker: { size: 5 }, hovertemplate: `${line.path} ${with_unit("%{x:.4g}", line.unit)}: half of the rocks within %{y:.4g} m<extra></extra>` }];
   });
   plot(node, traces, layout);
 }
@@ -24,8 +24,8 @@ function curves_of(inputs) {
   const lines = inputs.filter((line) => line.curve !== null).slice(0, most_curves);
   if (lines.length === 0) return { nodes: [], draw: () => {} };
   const node = plot_node("Runout over each number that was drawn; the same numbers in the table below");
-  const nodes = [node, paragraph("caption", "Read: the rocks are sorted by one number and cut into tenths; the line joins the medians of their runouts, the band holds eight tenths of them. All other numbers are drawn as ever, so that " +
-    "the band is what they do. In SI units, angles in rad; all plots have the same runout scale."),
-    numbers(table("", ["input", "value", "runout p10 m", "p50", "p90"], lines.flatMap((line) => line.curve.x.map((x, i) => [line.path, x, line.curve.low[i], line.curve.middle[i], line.curve.high[i]]))))];
+  const nodes = [node, caption("Which way each input moves the runout, and from which value on: the line joins the medians, the band holds eight tenths of the rocks.",
+    "The rocks are sorted by one input and cut into tenths, each tenth is a point. All other inputs are drawn as ever: the band is what they do. All plots have the same runout scale."),
+    numbers(table("", ["input", "value", "unit", "runout p10 m", "p50", "p90"], lines.flatMap((line) => line.curve.x.map((x, i) => [line.path, x, line.unit, line.curve.low[i], line.curve.middle[i], line.curve.high[i]]))))];
   return { nodes, draw: () => draw_curves(node, lines) };
 }

@@ -21,6 +21,9 @@ function element(name, attributes = {}, ...children) {
   return node;
 }
 const paragraph = (cls, text) => element("p", { class: cls }, text);
+/** What a plot or table shows and how to read it, in two sentences; the rest behind a fold. */
+const caption = (text, ...more) => element("div", { class: "caption" }, element("p", {}, text),
+  more.length > 0 ? element("details", {}, element("summary", {}, "More about this"), ...more.map((rest) => element("p", {}, rest))) : null);
 function section(title, ...children) {
   const node = element("section", { id: title.toLowerCase().replaceAll(" ", "-") }, element("h2", {}, title), ...children);
   root.append(node);
@@ -45,6 +48,8 @@ function show(value) {
   return String(Number(value.toPrecision(4)));
 }
 const percent = (share) => `${Number((100 * share).toPrecision(3))} %`;
+/** "12.3 % (10.1 to 14.8)": a share with its 95 % interval. */
+const with_interval = (share, [low, high]) => (low === null ? percent(share) : `${percent(share)} (${Number((100 * low).toPrecision(3))} to ${Number((100 * high).toPrecision(3))})`);
 const counted = (n, one, many) => `${n} ${n === 1 ? one : many}`;
 const right = (text) => ({ text, cls: "number" });
 /** Differences of thousandths to values. */
@@ -53,8 +58,13 @@ function sums(differences) {
   return differences.map((d) => (sum += d) / 1000);
 }
 const group_name = (group) => group.group ?? (of_bodies ? "all bodies" : "all rocks");
+/** The value of an axis of the sweep at a point, in the unit that people read. */
+const at_axis = (axis, point) => point.at[axis.path] * axis.per_si;
+const with_unit = (text, unit) => (unit ? `${text} ${unit}` : text);
+/** "face_angle in deg": a name with the unit of its numbers. */
+const in_unit = (name, unit) => (unit ? `${name} in ${unit}` : name);
 const point_name = (point) => {
-  const at = Object.entries(point.at).map(([path, value]) => `${path} = ${show(value)}`).join(", ");
+  const at = data.axes.map((axis) => `${axis.path} = ${with_unit(show(at_axis(axis, point)), axis.unit)}`).join(", ");
   return `point ${point.point}${at ? `: ${at}` : ""}`;
 };
 const shown_group = () => summary.points[shown.point].rocks[shown.group];
@@ -73,6 +83,9 @@ function statistic(group, quantity, name) {
   return right(name === "sd" ? `(${text})` : `≥ ${text}`);
 }
 
+/** A name that may be broken after its dots and underscores: long paths do not widen a table. */
+const breakable = (text) => String(text).split(/(?<=[._])/).flatMap((piece, i) => (i === 0 ? [piece] : [element("wbr"), piece]));
+
 /** A table; cells are text, numbers (to the right) or { text, cls }. */
 function table(caption, head, rows) {
   const cell = (name, content) => {
@@ -82,7 +95,7 @@ function table(caption, head, rows) {
     return element(name, cls ? { class: cls } : {}, text);
   };
   const is_number = (column) => rows.some((row) => typeof row[column] === "number" || row[column]?.cls === "number");
-  const header = element("tr", {}, ...head.map((text, i) => element("th", is_number(i) ? { scope: "col", class: "number" } : { scope: "col" }, text)));
+  const header = element("tr", {}, ...head.map((text, i) => element("th", is_number(i) ? { scope: "col", class: "number" } : { scope: "col" }, ...breakable(text))));
   const body = rows.map((row) => element("tr", {}, ...row.map((content) => cell("td", content))));
   return element("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": caption || "table" },
     element("table", {}, caption ? element("caption", {}, caption) : null, element("thead", {}, header), element("tbody", {}, ...body)));
@@ -94,6 +107,18 @@ function chooser(label, options, current, change) {
   select.value = String(current);
   select.addEventListener("change", () => change(select.value));
   return element("label", { class: "chooser" }, `${label} `, select);
+}
+
+/** Which sweep points a plot shows that has no room for all: `most` of them at a time. `bar` says how many and lets the reader choose. */
+function point_pages(most, draw) {
+  const all = summary.points, starts = all.map((_, i) => i).filter((i) => i % most === 0), told = element("span", { class: "note" });
+  let start = 0;
+  const points = () => all.slice(start, start + most);
+  const tell = () => { told.textContent = `${points().length} of ${all.length} sweep points shown.`; };
+  const choices = starts.map((i) => [i, i + 1 === all.length ? `point ${i}` : `points ${i} to ${Math.min(i + most, all.length) - 1}`]);
+  const choose = chooser("Show", choices, 0, (value) => { start = Number(value); tell(); draw(); });
+  tell();
+  return { points, bar: all.length > most ? element("p", {}, choose, told) : "" };
 }
 
 // ---- plots -----------------------------------------------------------------------------------------------------

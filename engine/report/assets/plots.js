@@ -48,9 +48,8 @@ function runout_section() {
   if (of_bodies || summary.points.every((point) => point.rocks[0].count === point.rocks[0].faults)) return;
   const node = plot_node("Distribution of runout: histogram and share of rocks beyond a distance; the same numbers in the table below");
   const note = paragraph("note", ""), table_place = element("div");
-  section("Runout", node, note, paragraph("caption",
-    "Read: above, how many rocks stopped at a distance; below, the share of rocks that went farther than x, on a logarithmic scale: " +
-    "go across from an accepted share to the curve, and down to the distance. Runout is the horizontal distance from release to stop. Dashed: p50, p95 and p99, which that share of the rocks does not exceed."), numbers(table_place));
+  section("Runout", note, node, caption("Above: how many rocks stopped at a distance. Below: the share that went farther; go across from the share that you accept to the curve, and down to the distance.",
+    "Runout is the horizontal distance from release to stop. The lower scale is logarithmic. Dashed: p50, p95 and p99, which that share of the rocks does not exceed."), numbers(table_place));
   redraw.push(() => {
     const group = shown_group(), runout = data.points[shown.point].runout[shown.group], count = group.count - group.faults;
     note.textContent = `Shown: ${shown_text()}; ${counted(count, "rock", "rocks")}. ` + (group.censored === 0 ? "None is censored: every runout is known."
@@ -87,11 +86,10 @@ function draw_envelopes(node, envelopes, group, point) {
 function envelopes_section() {
   if (of_bodies || data.points.every((point) => point.envelopes.groups[0].x.length === 0)) return;
   const node = plot_node("Envelopes of bounce height, speed and energy along x; the same numbers in the table below");
-  const note = paragraph("caption", ""), table_place = element("div");
-  section("Envelopes along x", node, note, paragraph("caption",
-    "Read: at the x of a planned fence or berm, how high above the ground, how fast and with which kinetic energy (rotation included) the centres of mass pass, of the rocks that come there at all; " +
-    "the bars say how many those are. p50 and p95: half and 95 % of them stay below; far out, where few rocks come, the lines rest on few numbers. A rock counts with its greatest value within the bin; " +
-    "heights and speeds in flight are exact, in contact those at the ends of time steps; all are rounded to 1 %. A fence must be higher than a centre of mass by the radius of the rock."), numbers(table_place));
+  const note = paragraph("note", ""), table_place = element("div");
+  section("Envelopes along x", note, node, caption("How high, how fast and with which energy rocks pass a place x: half and 95 % of those that come there stay below p50 and p95. A fence must be higher than these centres of mass by the radius of the rock.",
+    "The bars say how many rocks come; far out, where few do, the lines rest on few numbers. Energy is kinetic, rotation included.",
+    "A rock counts with its greatest value within a bin. Heights and speeds in flight are exact, in contact those at the ends of time steps; all are rounded to 1 %."), numbers(table_place));
   redraw.push(() => {
     const envelopes = data.points[shown.point].envelopes, group = envelopes.groups[shown.group];
     note.textContent = `Shown: ${shown_text()}; bins of ${show(envelopes.width)} m.`;
@@ -105,19 +103,19 @@ function envelopes_section() {
 
 // ---- rank correlation of inputs --------------------------------------------------------------------------------
 const most_inputs = 15;
+const is_told = (line) => line.lower > 0 || line.upper < 0;  // from chance
 
 function draw_tornado(node, inputs) {
   const lines = inputs.slice(0, most_inputs).reverse();  // the strongest on top
-  const sure = (line) => line.lower > 0 || line.upper < 0;
   const bars = (keep, name, fill) => ({
     type: "bar", orientation: "h", name, x: lines.map((line) => (keep(line) ? line.r : null)), y: lines.map((line) => line.path), marker: fill,
     error_x: { type: "data", symmetric: false, array: lines.map((line) => line.upper - line.r), arrayminus: lines.map((line) => line.r - line.lower), color: colour.ink, thickness: 1.5 },
-    customdata: lines.map((line) => [line.lower, line.upper]), hovertemplate: "%{y}<br>rank correlation %{x:.3f}, 95 % interval %{customdata[0]:.3f} to %{customdata[1]:.3f}<extra></extra>",
+    customdata: lines.map((line) => [line.lower, line.upper]), hovertemplate: "%{y}<br>rank correlation %{x:.3f}, interval %{customdata[0]:.3f} to %{customdata[1]:.3f}<extra></extra>",
   });
   plot(node, [
-    bars((line) => sure(line) && line.r > 0, "more of it: farther", { color: colour.blue }),
-    bars((line) => sure(line) && line.r < 0, "more of it: less far", { color: colour.vermillion, pattern: { shape: "/" } }),
-    bars((line) => !sure(line), "not told from chance", { color: "#c3c9d1" }),
+    bars((line) => is_told(line) && line.r > 0, "more of it: farther", { color: colour.blue }),
+    bars((line) => is_told(line) && line.r < 0, "more of it: less far", { color: colour.vermillion, pattern: { shape: "/" } }),
+    bars((line) => !is_told(line), "not told from chance", { color: "#c3c9d1" }),
   ], {
     height: 130 + 28 * lines.length, barmode: "overlay", legend, margin: { l: 20, r: 24, t: 30, b: 56 },
     xaxis: { ...axis("rank correlation with runout"), range: [-1, 1] }, yaxis: { automargin: true, ticks: "" },
@@ -132,16 +130,18 @@ function sensitivity_section() {
     const lists = data.points[shown.point].sensitivity;
     const group = shown.group === 0 && lists.length === 1 ? 0 : shown.group - 1;
     if (group < 0) return content.replaceChildren(paragraph("note", "Choose one group of rocks: each has its own inputs."));
-    const { count, inputs } = lists[group];
+    const { count, confidence, inputs } = lists[group];
     if (count < 30) return content.replaceChildren(paragraph("note", `Needs at least 30 rocks that did not fail; there are ${count}.`));
-    if (inputs.length === 0) return content.replaceChildren(paragraph("note", "Nothing that differs from rock to rock was drawn from a distribution."));
+    if (inputs.length === 0) return content.replaceChildren(paragraph("note", "The run reads nothing for these rocks that was drawn from a distribution and differs from rock to rock."));
     const node = plot_node("Rank correlation of each input with runout; the same numbers in the table below");
     const each = data.drawn.impact.length > 0 ? ` Drawn at every impact and therefore not ranked: ${data.drawn.impact.join(", ")}.` : "";
-    const curves = curves_of(inputs);
-    content.replaceChildren(node, paragraph("caption", `Shown: ${shown_text()}; ${count === 10000 ? "the first 10000 rocks" : counted(count, "rock", "rocks")}, ${inputs.length > most_inputs ? `the ${most_inputs} strongest of ${inputs.length} inputs` : "every number that was drawn from a distribution"}. ` +
-      "Read: the input with the longest bar orders the runouts most; it is the one to measure first. Spearman's rank correlation from -1 to 1, with its 95 % confidence interval as a whisker; " +
-      "where that holds 0 the sample does not tell it from chance. It sees rising and falling influence, not one that turns round; a censored runout has the rank of its lower bound." + each),
-      numbers(table("", ["input", "rank correlation", "95 % from", "to"], inputs.map((line) => [line.path, line.r, line.lower, line.upper]))), ...curves.nodes);
+    const curves = curves_of(inputs), sure = percent(confidence), told = inputs.filter(is_told).length;
+    content.replaceChildren(node, paragraph("note", `Shown: ${shown_text()}; ${count === 10000 ? "the first 10000 rocks" : counted(count, "rock", "rocks")}, ` +
+      `${inputs.length > most_inputs ? `the ${most_inputs} strongest of ${inputs.length} inputs` : `all ${inputs.length} inputs`} that the run reads. ${told} of ${inputs.length} can be told from chance.`),
+      caption("The input with the longest bar orders the runouts most: measure it first. A grey bar cannot be told from chance.",
+        `A bar is Spearman's rank correlation, from -1 to 1. Whiskers correct for the number of inputs (Bonferroni): with ${inputs.length} of them each is a ${sure} interval, so that all hold together with 95 %.`,
+        "It sees rising and falling influence, not one that turns round. A censored runout has the rank of its lower bound. Inputs that this group's rocks do not depend on are left out." + each),
+      numbers(table("", ["input", "rank correlation", `${sure} from`, "to"], inputs.map((line) => [line.path, line.r, line.lower, line.upper]))), ...curves.nodes);
     draw_tornado(node, inputs);
     curves.draw();
   });
@@ -163,15 +163,16 @@ function draw_convergence(node, convergence) {
 function convergence_section() {
   if (of_bodies || summary.points.every((point) => point.rocks[0].count === point.rocks[0].faults)) return;
   const node = plot_node("A percentile of runout against the number of rocks; the same numbers in the table below");
-  const note = paragraph("caption", ""), table_place = element("div");
+  const note = paragraph("note", ""), table_place = element("div");
   const update = () => {
     const convergence = data.points[shown.point].convergence[shown.group], c = convergence[percentile];
     note.textContent = `Shown: ${percentile}, ${shown_text()}.`;
     draw_convergence(node, convergence);
     table_place.replaceChildren(table("", ["rocks", `${percentile} m`, "95 % from", "to"], convergence.n.map((n, i) => [n, right(`${c.censored[i] ? "≥ " : ""}${show(c.value[i])}`), c.lower[i], c.upper[i]])));
   };
-  section("Were there enough trials", chooser("Percentile", ["p50", "p95", "p99"].map((name) => [name, name]), percentile, (name) => { percentile = name; update(); }), node, note, paragraph("caption",
-    "Read: the line should have settled, and the band be narrow enough for the decision, long before the right end. The band is the binomial interval of the order statistics of the first n rocks; it begins where they are enough for it, and ends where censored rocks hide its upper end. " +
-    "Four times as many rocks halve it. Triangles: censored rocks fall into the percentile, it is a lower bound."), numbers(table_place));
+  section("Were there enough trials", chooser("Percentile", ["p50", "p95", "p99"].map((name) => [name, name]), percentile, (name) => { percentile = name; update(); }), note, node, caption(
+    "The line should have settled, and the band be narrow enough for the decision, long before the right end. Four times as many trials halve the band.",
+    "The band is the 95 % interval of the percentile of the first n rocks (binomial, of the order statistics). It begins where they are enough for it, and ends where censored rocks hide its upper end.",
+    "Triangles: censored rocks fall into the percentile, it is a lower bound."), numbers(table_place));
   redraw.push(update);
 }

@@ -24,16 +24,14 @@ function facts_section() {
   const badge = (good, text) => badges.append(element("span", { class: `badge ${good ? "good" : "bad"}` }, `${good ? "✓" : "!"} ${text}`));
   const judged = summary.expectations.filter((e) => e.passed !== null);
   if (judged.length > 0) badge(judged.every((e) => e.passed), `${judged.filter((e) => e.passed).length} of ${judged.length} expectations hold`);
-  if (summary.fault_count > 0) badge(false, `${summary.fault_count} rocks failed`);
   if (!summary.complete) badge(false, "the run ended early");
   const open = summary.points.reduce((sum, point) => sum + point.solver.not_converged, 0);
   const solved = summary.points.reduce((sum, point) => sum + point.solver.problems, 0);
   if (solved > 0) badge(open === 0, open === 0 ? "every contact problem converged" : `${open} contact problems did not converge`);
   const gains = summary.points.reduce((sum, point) => sum + point.solver.energy_gains, 0);
   if (gains > 0) badge(false, `${counted(gains, "impact", "impacts")} gained energy (see Solver quality)`);
-  if (summary.not_used.length > 0) badge(false, `${counted(summary.not_used.length, "key", "keys")} not used (below)`);
-  if (warnings.length > 0) badge(false, `${counted(warnings.length, "warning", "warnings")} (below)`);
   root.append(badges);
+  root.append(...warnings_parts());
   root.append(choosers());
 }
 
@@ -55,6 +53,5 @@ expectations_section();
 faults_section();
 laws_section();
 solver_section();
-warnings_section();
 reproduce_section();
 draw_all();

@@ -12,24 +12,24 @@ function cell_of(i, n, columns) {
 
 // ---- sweep -----------------------------------------------------------------------------------------------------
 /** The percentiles against the value of the only axis of a sweep. */
-function draw_sweep(node, path, group) {
-  const x = summary.points.map((point) => point.at[path]);
+function draw_sweep(node, axis_of_sweep, group) {
+  const x = summary.points.map((point) => at_axis(axis_of_sweep, point)), title = in_unit(axis_of_sweep.path, axis_of_sweep.unit);
   const traces = [["p50", "circle", colour.blue, "solid"], ["p95", "square", colour.vermillion, "dash"], ["p99", "diamond", colour.green, "dot"]].map(([name, symbol, line_colour, dash]) => {
     const s = summary.points.map((point) => point.rocks[group].runout), ends = s.map((q) => q.intervals[name]);
     return {
       x, y: s.map((q) => q[name]), name, mode: "lines+markers", line: { color: line_colour, dash }, marker: { symbol, size: 8 },
       error_y: { type: "data", symmetric: false, array: s.map((q, i) => (ends[i][1] === null ? 0 : ends[i][1] - q[name])), arrayminus: s.map((q, i) => (ends[i][0] === null ? 0 : q[name] - ends[i][0])), color: line_colour, thickness: 1 },
-      hovertemplate: `${path} = %{x}<br>${name} of runout %{y:.1f} m<extra></extra>`,
+      hovertemplate: `${title}: %{x}<br>${name} of runout %{y:.1f} m<extra></extra>`,
     };
   });
-  plot(node, traces, { height: 360, xaxis: axis(path), yaxis: { ...axis("runout in m"), rangemode: "tozero" }, legend });
+  plot(node, traces, { height: 360, xaxis: axis(title), yaxis: { ...axis("runout in m"), rangemode: "tozero" }, legend });
 }
 
-/** A histogram of runout for each point, all to the same scales. */
-function draw_points(node, group) {
-  const points = summary.points.slice(0, most_small), columns = 4, rows = Math.ceil(points.length / columns);
-  const runouts = points.map((_, i) => data.points[i].runout[group]);
-  const far = most(runouts.map((r) => r.known.length * r.step));
+/** A histogram of runout for each of `points`, all to the same scales. */
+function draw_points(node, points, group) {
+  const columns = 4, rows = Math.ceil(points.length / columns);
+  const runouts = points.map((point) => data.points[point.point].runout[group]);
+  const far = most(data.points.map((point) => point.runout[group].known.length * point.runout[group].step));
   const shares = runouts.map((r) => { const all = r.known.map((n, i) => n + r.censored[i]), sum = all.reduce((a, b) => a + b, 0); return all.map((n) => (100 * n) / Math.max(sum, 1) / r.step); });
   const high = most(shares.flat());
   const layout = { height: 90 + 190 * rows, showlegend: false, bargap: 0, margin: { l: 50, r: 10, t: 30, b: 50 }, annotations: [], shapes: [] };
@@ -38,7 +38,7 @@ function draw_points(node, group) {
     layout[`xaxis${nth(i)}`] = { ...axis(""), domain: place.x, anchor: `y${nth(i)}`, range: [0, far], nticks: 5, title: i + columns >= points.length ? { text: "runout in m", font: { size: 11 } } : undefined };
     layout[`yaxis${nth(i)}`] = { ...axis(""), domain: place.y, anchor: `x${nth(i)}`, range: [0, 1.05 * high], nticks: 4, showticklabels: i % columns === 0, title: i % columns === 0 ? { text: "% per m", font: { size: 11 } } : undefined };
     layout.annotations.push({ x: place.x[0], y: place.y[1], xref: "paper", yref: "paper", xanchor: "left", yanchor: "bottom", showarrow: false, font: { size: 11 },
-      text: `<b>${point.point}</b> ${Object.values(point.at).map(show).join(", ")}${p95 === null ? "" : `; p95 ${point.rocks[group].runout.lower_bounds.includes("p95") ? "≥ " : ""}${show(p95)} m`}` });
+      text: `<b>${point.point}</b> ${data.axes.map((a) => with_unit(show(at_axis(a, point)), a.unit)).join(", ")}${p95 === null ? "" : `; p95 ${point.rocks[group].runout.lower_bounds.includes("p95") ? "≥ " : ""}${show(p95)} m`}` });
     if (p95 !== null) layout.shapes.push({ type: "line", xref: `x${nth(i)}`, yref: `y${nth(i)} domain`, x0: p95, x1: p95, y0: 0, y1: 1, line: { color: colour.vermillion, width: 1.5, dash: "dash" } });
     return { type: "bar", x: shares[i].map((_, bin) => (bin + 0.5) * r.step), y: shares[i], width: r.step, xaxis: `x${nth(i)}`, yaxis: `y${nth(i)}`, marker: { color: colour.blue },
       hovertemplate: `${point_name(point)}<br>%{y:.3g} % per m at %{x:.1f} m<extra></extra>` };
@@ -46,30 +46,36 @@ function draw_points(node, group) {
   plot(node, traces, layout);
 }
 
+function sweep_table(group) {
+  const clearances = summary.points[0].clearance.map((c) => c.clearance);
+  return table(`Runout in m: ${group_name(summary.points[0].rocks[group])}`,
+    ["point", ...data.axes.map((axis) => in_unit(axis.path, axis.unit)), "p50", "p95", "95 % from", "to", "p99", "greatest", "censored", "failed", ...clearances.map((c) => `clearance ${c}`)],
+    summary.points.map((point) => {
+      const s = point.rocks[group], interval = s.runout.intervals.p95;
+      return [point.point, ...data.axes.map((axis) => at_axis(axis, point)), statistic(s, "runout", "p50"), statistic(s, "runout", "p95"), interval[0], interval[1],
+        statistic(s, "runout", "p99"), statistic(s, "runout", "max"), right(percent(s.censored)), s.faults,
+        ...point.clearance.map((c) => right(c.distance === null ? "–" : `${c.lower_bound ? "≥ " : ""}${show(c.distance)}`))];
+    }));
+}
+
 function sweep_section() {
   if (!many_points || of_bodies) return;
-  const paths = Object.keys(summary.points[0].at), content = element("div");
-  const clearances = summary.points[0].clearance.map((c) => c.clearance);
-  section("Sweep", content);
-  redraw.push(() => {
-    const group = shown.group, name = group_name(summary.points[0].rocks[group]);
-    const small = plot_node("A histogram of runout for each sweep point; the same percentiles in the table below");
-    const cut = summary.points.length > most_small ? ` The first ${most_small} of ${summary.points.length} points are drawn.` : "";
-    const nodes = [small, paragraph("caption", `Shown: ${name}; ${paths.join(", ")} above each plot after its number.${cut} ` +
-      "Read: how the distribution of runout moves from point to point; all plots have the same scales, the dashed line is p95. The same rocks meet every point: differences are not noise of the draw.")];
-    const drawn = paths.length === 1 ? plot_node("Percentiles of runout over the swept value") : null;
-    if (drawn) nodes.push(drawn, paragraph("caption", "Read: how much the percentiles depend on the swept value; whiskers are their 95 % confidence intervals."));
-    nodes.push(table(`Runout in m: ${name}`, ["point", ...paths, "p50", "p95", "95 % from", "to", "p99", "greatest", "censored", "failed", ...clearances.map((c) => `clearance ${c} m`)],
-      summary.points.map((point) => {
-        const s = point.rocks[group], interval = s.runout.intervals.p95;
-        return [point.point, ...paths.map((path) => point.at[path]), statistic(s, "runout", "p50"), statistic(s, "runout", "p95"), interval[0], interval[1], statistic(s, "runout", "p99"), statistic(s, "runout", "max"), right(percent(s.censored)), s.faults,
-          ...point.clearance.map((c) => right(c.distance === null ? "–" : `${c.lower_bound ? "≥ " : ""}${show(c.distance)}`))];
-      })));
-    content.replaceChildren(...nodes);
-    if (summary.points.some((point) => point.rocks[group].runout.p95 !== null)) draw_points(small, group);
+  const small = plot_node("A histogram of runout for each sweep point; the same percentiles in the table below");
+  const drawn = data.axes.length === 1 ? plot_node("Percentiles of runout over the swept value") : null;
+  const note = paragraph("note", ""), table_place = element("div");
+  const draw = () => {
+    const group = shown.group;
+    note.textContent = `Shown: ${group_name(summary.points[0].rocks[group])}; above each plot its number and ${data.axes.map((axis) => axis.path).join(", ")}.`;
+    if (summary.points.some((point) => point.rocks[group].runout.p95 !== null)) draw_points(small, pages.points(), group);
     else no_plot(small, "No runout is known at any point.");
-    if (drawn) draw_sweep(drawn, paths[0], group);
-  });
+    if (drawn) draw_sweep(drawn, data.axes[0], group);
+    table_place.replaceChildren(summary.points.length > most_small ? numbers(sweep_table(group)) : sweep_table(group));
+  };
+  const pages = point_pages(most_small, draw);
+  section("Sweep", pages.bar, note, small,
+    caption("How the distribution of runout moves from point to point; all plots have the same scales. The dashed line is p95.", "The same rocks meet every point: differences between points are not noise of the draw."),
+    drawn ?? "", drawn ? caption("How much the percentiles depend on the swept value. Whiskers are their 95 % confidence intervals.") : "", table_place);
+  redraw.push(draw);
 }
 
 // ---- laws ------------------------------------------------------------------------------------------------------
@@ -103,9 +109,10 @@ function laws_section() {
     const node = plot_node("Graphs of the laws of each material; the same numbers in the table below");
     const at = (list, speed, graph) => list[graph.speed.findIndex((v) => v >= speed)] ?? null;
     const faults = laws.graphs.filter((graph) => graph.fault);
-    content.replaceChildren(node, paragraph("caption", (many_points ? `Shown: ${point_name(summary.points[shown.point])}. ` : "") +
-      `Read: what each material answers, asked of the laws themselves, for a rock of ${show(laws.mass)} kg and ${show(laws.radius)} m radius at its first impact. Restitution: solid, an impact at 90° to the surface; dashed, at 30°. ` +
-      "Friction: solid, static; dashed, dynamic. Rolling: the bound of the torque over the normal force. A band holds nine tenths of the drawn parameters, the line is their median. A material without a law has no restitution, friction or resistance of that kind."),
+    content.replaceChildren(many_points ? paragraph("note", `Shown: ${point_name(summary.points[shown.point])}.`) : "", node,
+      caption(`What each material answers to a rock of ${show(laws.mass)} kg and ${show(laws.radius)} m radius at its first impact. A band holds nine tenths of the drawn parameters, the line is their median.`,
+        "Restitution: solid, an impact at 90° to the surface; dashed, at 30°. Friction: solid, static; dashed, dynamic. Rolling: the bound of the torque over the normal force.",
+        "The laws themselves are asked. A material without a law has no restitution, friction or resistance of that kind."),
       faults.length === 0 ? "" : element("ul", {}, ...faults.map((graph) => element("li", {}, `${graph.material}, ${graph.kind}: the law failed where its curve ends: ${graph.fault}`))),
       numbers(table("", ["material", "kind", "law", "curve", "unit", "at 0.1 m/s", "1 m/s", "10 m/s", "50 m/s", "what it is", "source"],
         laws.graphs.flatMap((graph) => graph.curves.map((curve) => [graph.material, graph.kind, graph.law, curve.name, graph.y, ...[0.1, 1, 10, 49.9].map((speed) => at(curve.middle, speed, graph)), graph.doc, graph.source])))));

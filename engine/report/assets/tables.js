@@ -3,36 +3,38 @@
 function crossings_section() {
   const { gates, barriers } = summary.points[0];
   if (gates.length + barriers.length === 0) return;
-  const share = (place, value) => right(value === null ? "–" : place.lower_bounds ? `≥ ${percent(value)}` : percent(value));
+  const share = (place, value, interval) => right(value === null ? "–" : `${place.lower_bounds ? "≥ " : ""}${with_interval(value, interval)}`);
   const number = (place, quantity, name) => right(place[quantity][name] === null ? "–" : show(place[quantity][name] / (quantity === "energy" ? 1000 : 1)));
   section_of_point("Gates and barriers", (point) => [
     point.gates.length === 0 ? "" : table("Gates: rocks at their first arrival",
-      ["gate", "x m", "rocks", "share", "speed mean m/s", "p95", "energy mean kJ", "p95", "max", "height p95 m", "max"],
-      point.gates.map((g) => [g.gate, g.x, g.rocks, share(g, g.passed), number(g, "speed", "mean"), number(g, "speed", "p95"),
+      ["gate", "x m", "rocks", "share (95 %)", "speed mean m/s", "p95", "energy mean kJ", "p95", "max", "height p95 m", "max"],
+      point.gates.map((g) => [g.gate, g.x, g.rocks, share(g, g.passed, g.share_intervals.passed), number(g, "speed", "mean"), number(g, "speed", "p95"),
         number(g, "energy", "mean"), number(g, "energy", "p95"), number(g, "energy", "max"), number(g, "height", "p95"), number(g, "height", "max")])),
-    point.barriers.length === 0 ? "" : table("Barriers: shares of all rocks",
+    point.barriers.length === 0 ? "" : table("Barriers: shares of all rocks, with their 95 % intervals",
       ["barrier", "x m", "height m", "capacity kJ", "reached", "caught", "over the top", "over energy", "energy p95 kJ", "max", "height p95 m"],
-      point.barriers.map((b) => [b.barrier, b.x, b.height_m, b.capacity_J / 1000, share(b, b.reached), share(b, b.caught), share(b, b.over_top),
-        share(b, b.over_energy), number(b, "energy", "p95"), number(b, "energy", "max"), number(b, "height", "p95")])),
-    paragraph("caption", "Read: how many rocks arrive, how fast, with which kinetic energy (rotation included), and how high their centre of mass is above the ground. " +
-      "Over the top: at or above the height of the barrier; over energy: through it, and on with the energy that is left. A rock counts once, when it first arrives. " +
-      "≥: rocks that left the domain or ran out of time had not arrived yet."),
+      point.barriers.map((b) => [b.barrier, b.x, b.height_m, b.capacity_J / 1000,
+        ...["reached", "caught", "over_top", "over_energy"].map((what) => share(b, b[what], b.share_intervals[what])), number(b, "energy", "p95"), number(b, "energy", "max"), number(b, "height", "p95")])),
+    caption("How many rocks arrive, how fast, with which energy, and how high their centre of mass is above the ground. ≥: rocks that left the domain or ran out of time had not arrived yet; the upper end of the interval counts them as if they had.",
+      "Over the top: at or above the height of the barrier; over energy: through it, and on with the energy that is left.",
+      "Energy is kinetic, rotation included. A rock counts once, when it first arrives. Intervals are exact (Clopper and Pearson), for independent rocks."),
   ]);
 }
 
 function clearance_section() {
   if (summary.points[0].clearance.length === 0) return;
   section_of_point("Clearance", (point) => [
-    table("", ["clearance", "exceeded by", "distance", "m", "interval", "from m", "to m", "factor", "with the factor m"],
+    table("", ["clearance", "rocks of", "exceeded by", "distance", "m", "interval", "from m", "to m", "factor", "with the factor m"],
       point.clearance.map((c) => {
-        const one = c.per === "blast" ? "blasts" : "rocks";
+        const one = c.per === "blast" ? `blasts, with ${show(c.rocks_per_blast)} rock${c.rocks_per_blast === 1 ? "" : "s"} a blast` : "rocks";
+        const of = c.area ? "farthest of the area" : c.of === "runout" ? "runout" : "max. distance";
         const bound = (value) => right(value === null ? "–" : `${c.lower_bound ? "≥ " : ""}${show(value)}`);
-        if (c.count < c.needed) return [c.clearance, `${percent(c.probability)} of ${c.count} ${one}`, `not given: it needs ${c.needed} ${one}`, "", "", "", "", "", ""];
-        return [c.clearance, `${percent(c.probability)} of ${c.count} ${one}`, c.of === "runout" ? "runout" : "max. distance", bound(c.distance),
+        if (c.count < c.needed) return [c.clearance, c.group ?? "all groups", `${percent(c.probability)} of ${c.count} ${one}`, `not given: it needs ${c.needed} ${one}`, "", "", "", "", "", ""];
+        return [c.clearance, c.group ?? "all groups", `${percent(c.probability)} of ${c.count} ${one}`, of, bound(c.distance),
           percent(c.confidence), c.lower, c.upper, c.factor === null ? "none" : right(show(c.factor)), bound(c.with_factor)];
       })),
-    paragraph("caption", "Read: the share of rocks, or of blasts by their farthest rock, that goes beyond the distance in this model. The interval is that of the order statistics (binomial), " +
-      "whatever the distribution; it holds the scatter of this many trials, not the error of the model. A factor is the user's, and is applied once, to the distance. ≥: censored rocks reach it."),
+    caption("The share of rocks, or of blasts by their farthest rock, that goes beyond the distance in this model. A factor is yours, and is applied once, to the distance.",
+      "The interval is that of the order statistics (binomial), whatever the distribution. It holds the scatter of this many trials, not the error of the model.",
+      "≥: censored rocks reach it."),
   ]);
 }
 
@@ -41,15 +43,20 @@ function travel_section() {
   section_of_point("Modes of travel", (point) => [table("Shares of all time and of all path",
     ["rocks", ...modes.map((mode) => `${mode}, time`), ...modes.map((mode) => `${mode}, path`)],
     point.rocks.map((group) => [group_name(group), ...["time", "distance"].flatMap((what) => modes.map((mode) => right(group.travel[what][mode] === null ? "–" : percent(group.travel[what][mode]))))])),
-    paragraph("caption", "Flight: until the first landing; bounce: in flight after it; roll: in contact, slipping slower than a twentieth of the speed; slide: in contact otherwise.")]);
+    caption("Flight: until the first landing; bounce: in flight after it. Roll: in contact, slipping slower than a twentieth of the speed; slide: in contact otherwise.")]);
 }
 
 function reasons_section() {
   section_of_point(of_bodies ? "How the bodies ended" : "How the rocks ended", (point) => {
     const groups = of_bodies ? point.rocks.slice(0, 1) : point.rocks;  // each body has a line of its own below
     const reasons = Object.keys(end_meanings).filter((reason) => point.rocks[0].stop_reasons[reason] > 0);
-    const rows = reasons.map((reason) => [reason, ...groups.flatMap((group) => [group.stop_reasons[reason], right(group.count ? percent(group.stop_reasons[reason] / group.count) : "–")]), end_meanings[reason]]);
-    return [table("", ["ended", ...groups.flatMap((group) => [group_name(group), "share"]), "meaning"], rows)];
+    const rows = groups.flatMap((group) => reasons.filter((reason) => group.stop_reasons[reason] > 0)
+      .map((reason, i) => [i === 0 ? group_name(group) : "", reason, group.stop_reasons[reason],
+        right(with_interval(group.stop_reasons[reason] / group.count, group.share_intervals[reason])), end_meanings[reason]]));
+    const range = ([low, high]) => right(low === high ? show(low) : `${show(low)} to ${show(high)}`);
+    const places = point.censored.map((place) => [place.rocks, place.reason, place.material ?? "–", place.part ?? "–", range(place.x), range(place.y)]);
+    return [table("", [of_bodies ? "bodies" : "rocks", "ended", "count", of_bodies ? "share" : "share (95 %)", "meaning"], rows),
+      places.length === 0 ? "" : table("Where the censored ones were when their paths were cut short", ["rocks", "why", "material", "part", "x m", "y m"], places)];
   });
 }
 
@@ -73,21 +80,24 @@ function statistics_section() {
       quantities.map((quantity, q) => [quantity, unit_of(quantity, q), ...names.map((name) => statistic(group, quantity, name))]))),
     ...sound(point).map((group) => table(`95 % confidence intervals: ${group_name(group)}`, ["quantity", "unit", ...interval_names],
       quantities.map((quantity, q) => [quantity, unit_of(quantity, q), ...interval_names.map((name) => interval(quantity, group[quantity].intervals[name]))]))),
-    paragraph("caption", "Intervals: of percentiles from order statistics (binomial), of the mean from Student's t; rocks are taken as independent. –: the sample is too small for that end, or censored rocks hide it."),
-    paragraph("caption", "Speed, energy (kinetic) and bounce height are the greatest over a rock's path. Percentiles are linear between the order statistics " +
-      "(NumPy, PERCENTILE.INC). ≥: censored rocks fall into it, the true number is at least this; a standard deviation in brackets contains censored rocks. Rocks that failed are left out."),
+    caption("≥: censored rocks fall into it, the true number is at least this. –: the sample is too small for that end of an interval, or censored rocks hide it.",
+      "Speed, energy (kinetic) and bounce height are the greatest over a rock's path. A standard deviation in brackets contains censored rocks. Rocks that failed are left out.",
+      "Percentiles are linear between the order statistics (NumPy, PERCENTILE.INC). Their intervals are those of the order statistics (binomial), that of the mean is Student's t; rocks are taken as independent."),
   ]);
 }
 
 function expectations_section() {
   if (summary.expectations.length === 0) return;
-  const digits = (value) => String(Number(value.toPrecision(7)));
-  const wanted = (e) => e.kind === "equals" ? digits(e.expected) + (e.tolerance === 0 ? "" : ` ± ${show(e.tolerance)}`) : e.kind === "between" ? `from ${digits(e.expected[0])} to ${digits(e.expected[1])}` : `${e.kind} ${digits(e.expected)}`;
+  const digits = (value, unit) => String(Number((value * unit.per_si).toPrecision(7)));
+  const wanted = (e, unit) => e.kind === "equals" ? digits(e.expected, unit) + (e.tolerance === 0 ? "" : ` ± ${show(e.tolerance * unit.per_si)}`)
+    : e.kind === "between" ? `from ${digits(e.expected[0], unit)} to ${digits(e.expected[1], unit)}` : `${e.kind} ${digits(e.expected, unit)}`;
   const verdict = (e) => e.passed === null ? { text: "not judged", cls: "" } : e.passed ? { text: "✓ holds", cls: "passed" } : { text: "✗ failed", cls: "failed" };
   const reasoned = summary.expectations.some((e) => e.reason);
-  section("Expectations", table("", ["measure", ...(many_points ? ["point"] : []), "computed", "expected", "verdict", ...(reasoned ? ["why"] : [])],
-    summary.expectations.map((e) => [e.measure, ...(many_points ? [e.point] : []), right(e.computed === null ? "–" : digits(e.computed)), right(wanted(e)), verdict(e), ...(reasoned ? [e.reason ?? ""] : [])])),
-    paragraph("caption", "In SI units, angles in rad."));
+  section("Expectations", table("", ["measure", ...(many_points ? ["point"] : []), "computed", "expected", "unit", "verdict", ...(reasoned ? ["why"] : [])],
+    summary.expectations.map((e, i) => {
+      const unit = data.expectation_units[i];
+      return [e.measure, ...(many_points ? [e.point] : []), right(e.computed === null ? "–" : digits(e.computed, unit)), right(wanted(e, unit)), unit.unit, verdict(e), ...(reasoned ? [e.reason ?? ""] : [])];
+    })));
 }
 
 function faults_section() {
@@ -110,7 +120,7 @@ function solver_section() {
       ["their greatest residual", s.not_converged === 0 ? null : s.not_converged_residual, "", "relative to the approach speed, as solver.tolerance is"],
       ["greatest residual", s.max_residual, "m/s", "of the scaled contact equations, all problems"],
       ["greatest penetration", s.max_penetration, "m", "of a rock into the ground or another rock"],
-      ["greatest swing of a spring", s.max_spring_angle, "rad", "of `penalty`, in one step: well below 0.5, and unstable from 2 on"],
+      ["greatest swing of a spring", s.max_spring_angle === null ? null : (s.max_spring_angle * 180) / Math.PI, "deg", "of `penalty`, in one step: bounces are inaccurate above 30 deg and gain energy above 115 deg"],
       ["energy gains", s.energy_gains, "", "impacts that made energy beyond rounding; should be 0"],
       ["energy gained", s.energy_gained, "J", "by them, together"],
       ["relative change of energy", s.energy_relative_change, "", "of the total (height counts from y = 0) from start to end, of the rock where it is greatest"],
@@ -119,14 +129,20 @@ function solver_section() {
   });
 }
 
-/** The warnings that have no section of their own. */
-const warnings = summary.warnings.filter((text) => !text.startsWith("not used: "));
+const most_warnings = 4;  // in full; more hide each other
 
-function warnings_section() {
-  const list = (texts) => element("ul", {}, ...texts.map((text) => element("li", {}, text)));
-  section("Keys not used", summary.not_used.length === 0 ? paragraph("note", "None: every key of the scenario was read.")
-    : list(summary.not_used), summary.not_used.length === 0 ? null : paragraph("caption", "Read: what stands in the scenario and changes nothing. Either it is not needed, or the model that was meant to read it is another one."));
-  section("Warnings", warnings.length === 0 ? paragraph("note", "None.") : list(warnings));
+/** What may make the numbers wrong, in full; what stands in the scenario and changes nothing, in one line that opens. */
+function warnings_parts() {
+  const list = (texts) => element("ul", { class: "warnings" }, ...texts.map((text) => element("li", {}, text)));
+  const fold = (line, ...content) => element("details", {}, element("summary", {}, line), ...content);
+  const { warnings, not_used, not_asked } = summary, parts = [];
+  if (warnings.length > 0) parts.push(paragraph("badge bad", `! ${counted(warnings.length, "warning", "warnings")}`), list(warnings.slice(0, most_warnings)));
+  if (warnings.length > most_warnings) parts.push(fold(`${warnings.length - most_warnings} more`, list(warnings.slice(most_warnings))));
+  const idle = [...not_used, ...not_asked];
+  if (idle.length > 0)
+    parts.push(fold(`${[counted(not_used.length, "key", "keys"), ...(not_asked.length > 0 ? [counted(not_asked.length, "law", "laws")] : [])].join(" and ")} of the scenario changed nothing in this run`,
+      list(idle), caption("Either it is not needed here, or another model was meant to read it.")));
+  return parts;
 }
 
 function reproduce_section() {

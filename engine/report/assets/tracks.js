@@ -6,7 +6,7 @@ const mode_lines = [
   { color: colour.purple, width: 4, dash: "solid" },
   { color: colour.green, width: 4, dash: "dot" },
 ];
-const end_symbols = { stopped: "circle", left_domain: "x", timed_out: "triangle-up", caught: "square", diverged: "star", plugin_error: "star" };
+const end_symbols = { stopped: "circle", left_domain: "x", timed_out: "triangle-up", caught: "square", diverged: "star", plugin_error: "star", not_started: "star" };
 const end_meanings = {
   stopped: "came to rest",
   left_domain: "left the terrain of the model: its distance is a lower bound",
@@ -14,6 +14,7 @@ const end_meanings = {
   caught: "caught by a barrier",
   diverged: "fault: the computation failed for this rock",
   plugin_error: "fault: a law or model failed for this rock",
+  not_started: "fault: this rock could not start",
 };
 
 /** The mode of each point of a track. */
@@ -97,12 +98,12 @@ function tracks_section() {
     return;
   }
   const node = plot_node("Trajectories over the terrain, coloured by mode of travel; the tables of travel and of ends below hold the shares");
-  const note = paragraph("caption", "");
-  section("Trajectories", node, note, paragraph("caption",
-    "Read: the paths of centres of mass over the ground, both axes to the same scale. Flight: until the first landing; bounce: in the air after it; slide and roll: in contact " +
-    "(thick lines). A mark is where a path ended; its form says why. Drag to move, scroll to zoom, double-click to return; hover for trial, rock, time and speed; click a name in the legend to hide it." +
-    (data.points.some((point) => point.shrouds.length > 0) ? " Dashed: the shroud of all launch angles at the median, the 95 % and the greatest launch speed of the group shown; no rock of that speed leaves it." : "") +
-    (data.drawn.terrain ? " The terrain is drawn anew in each trial; the ground shown is that of trial 0, so that the paths of other trials need not touch it." : "")));
+  const note = paragraph("note", "");
+  const shrouds = data.points.some((point) => point.shrouds.length > 0) ? ["Dashed: the shroud of all launch angles at the median, the 95 % and the greatest launch speed of the group shown. No rock of that speed leaves it."] : [];
+  const drawn = data.drawn.terrain ? ["The terrain is drawn anew in each trial. The ground shown is that of trial 0: the paths of other trials need not touch it."] : [];
+  section("Trajectories", note, node, caption("The paths of the centres of mass, both axes to the same scale. A mark is where a path ended; its form says why.",
+    "Flight: until the first landing; bounce: in the air after it; slide and roll: in contact (thick lines).",
+    "Drag to move, scroll to zoom, double-click to return. Hover for trial, rock, time and speed; click a name in the legend to hide it.", ...shrouds, ...drawn));
   redraw.push(() => {
     const page = data.points[shown.point], point = summary.points[shown.point];
     const tracks = page.tracks.list.filter((track) => shown.group === 0 || track.group === shown.group - 1);

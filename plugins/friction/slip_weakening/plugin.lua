@@ -11,7 +11,7 @@ return fr.plugin {
   history_of = "contact",
   params = {
     mu_s = fr.number { min = 0, doc = "coefficient before any slip" },
-    mu_d = fr.number { min = 0, doc = "coefficient after the distance; at most mu_s" },
+    mu_d = fr.number { min = 0, max = "mu_s", doc = "coefficient after the distance" },
     distance = fr.number { above = 0, unit = "m", doc = "slip over which friction falls" },
   },
   native = "slip_weakening",

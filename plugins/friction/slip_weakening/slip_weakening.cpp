@@ -16,8 +16,8 @@ class SlipWeakening : public FrictionLaw {
   Friction friction(Values values, const ContactState& contact) const override {
     double& slip = contact.history[0];
     if (contact.was_sticking == 0) slip += contact.slip_speed * contact.step;
-    const double worn = std::min(slip / values[distance_], 1.0), mu_d = std::min(values[mu_d_], values[mu_s_]);
-    const double mu = values[mu_s_] + worn * (mu_d - values[mu_s_]);
+    const double worn = std::min(slip / values[distance_], 1.0);
+    const double mu = values[mu_s_] + worn * (values[mu_d_] - values[mu_s_]);
     return {mu, mu};
   }
 

@@ -17,7 +17,7 @@ return fr.plugin {
       choices = { "linear", "as_printed" }, default = "linear",
       doc = "f = c/m, or the paper's sqrt(c/m), whose speeds are not plausible",
     },
-    elevation = fr.number { default = 0, unit = "deg", doc = "above the outward horizontal of the face (elsewhere +x)" },
+    elevation = fr.number { default = 45, unit = "deg", doc = "above the outward horizontal of the face (elsewhere +x)" },
     azimuth = fr.number { optional = true, unit = "deg", doc = "turn about the vertical, 3D; 0 where it is left out" },
   },
   native = "bench_fit",

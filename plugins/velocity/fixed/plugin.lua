@@ -9,7 +9,7 @@ return fr.plugin {
     speed = fr.number { optional = true, min = 0, unit = "m/s", doc = "magnitude, with elevation" },
     elevation = fr.number {
       optional = true, unit = "deg",
-      doc = "above the outward horizontal of the face (elsewhere +x); 0 where it is left out",
+      doc = "above the outward horizontal of the face (elsewhere +x); with `speed`, 45 deg where it is left out",
     },
     azimuth = fr.number { optional = true, unit = "deg", doc = "turn about the vertical, 3D; 0 where it is left out" },
     spin = fr.spin { default = 0, unit = "rad/s", doc = "anticlockwise; in 3D its components in the world frame" },

@@ -17,7 +17,7 @@ return fr.plugin {
       choices = { "roth", "cylinder", "sphere", "sandwich" }, default = "roth",
       doc = "f = sqrt(c/m), or (m/c + 1/2)^-1/2, (m/c + 3/5)^-1/2, (m/c + 1/3)^-1/2",
     },
-    elevation = fr.number { default = 0, unit = "deg", doc = "above the outward horizontal of the face (elsewhere +x)" },
+    elevation = fr.number { default = 45, unit = "deg", doc = "above the outward horizontal of the face (elsewhere +x)" },
     azimuth = fr.number { optional = true, unit = "deg", doc = "turn about the vertical, 3D; 0 where it is left out" },
   },
   native = "gurney",

@@ -11,7 +11,8 @@ return fr.plugin {
     .. "L = 260 d^(2/3) of crater blasts, 40 d^(2/3) of bench blasts. It gives a distance, no speed: sqrt(g L) reaches L "
     .. "at 45 degrees on level ground without air.",
   source = "N. Lundborg, The probability of flyrock, SveDeFo 1981, and Lundborg et al. 1975, as given by McKenzie 2022",
-  validity = "an upper bound by the diameter alone; blasts with little stemming or burden are not told from others.",
+  validity = "an upper bound by the diameter alone; blasts with little stemming or burden are not told from others. The range is "
+    .. "of the greatest throw in air: with drag, or at another angle, rocks land short of it, and the run says by how much.",
   reads = { "blast.hole.diameter" },
   params = {
     mode = fr.choice { choices = { "bench", "crater" }, default = "bench", doc = "which blasts" },
@@ -22,8 +23,7 @@ return fr.plugin {
     local range = factor[p.mode] * inches ^ (2 / 3)
     return {
       velocity = rock:direction(math.sqrt(g * range), p.elevation),
-      note = "lundborg: gives a distance L, not a speed; rocks start at sqrt(g L), which reaches L at 45 degrees "
-        .. "on level ground without air",
+      greatest_throw = range,
     }
   end,
 }

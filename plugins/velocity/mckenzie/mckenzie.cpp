@@ -17,11 +17,10 @@ class McKenzie : public VelocityModel {
     const double depth = of_the_blast("mckenzie", [&] { return scaled_depth_of_burial(blast); });
     const double range = mckenzie_range(depth, blast[BlastField::hole_diameter]);
     Launch launch;
-    launch.velocity = aim_.velocity(values, rock, std::sqrt(range_gravity * range), pi / 4);
-    launch.note = depth < least_depth
-                      ? "mckenzie: the scaled depth of burial is below 0.64 m/kg^(1/3), where blasts are violent"
-                      : "mckenzie: gives a distance L, not a speed; rocks start at sqrt(g L), which reaches L at "
-                        "45 degrees on level ground without air";
+    launch.velocity = aim_.velocity(values, rock, std::sqrt(range_gravity * range));
+    launch.greatest_throw = range;
+    if (depth < least_depth)
+      launch.note = "mckenzie: the scaled depth of burial is below 0.64 m/kg^(1/3), where blasts are violent";
     return launch;
   }
 

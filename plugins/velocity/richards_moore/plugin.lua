@@ -7,8 +7,9 @@ return fr.plugin {
     .. "burden (face_burst) or the stemming (cratering, stemming_ejection). At 45 degrees on level ground without air it reaches "
     .. "the published distance (k^2/g) (sqrt(m)/s)^2.6; stemming leaves along the hole and reaches sin(2 drill_angle) of that.",
   source = "A. B. Richards and A. J. Moore, Flyrock control - by chance or design, ISEE 2004",
-  validity = "k is fitted to a site: 13.5 in soft to 27 in hard rock (recalled, unverified); 14 to 30 in use. Outside 13.5 "
-    .. "to 30 the run warns.",
+  validity = "k is fitted to a site, to the greatest throw seen there, in air: 13.5 in soft to 27 in hard rock (recalled, "
+    .. "unverified); 14 to 30 in use. Outside 13.5 to 30 the run warns. With drag, or at another angle, rocks land short of the "
+    .. "published distance, and the run says by how much.",
   reads = {
     "blast.explosive.density", "blast.hole.diameter", "blast.burden if mode is face_burst",
     "blast.hole.stemming if mode is cratering or stemming_ejection",

@@ -1,5 +1,7 @@
 #include "blast/richards_moore.h"
 
+#include <cmath>
+
 #include "plugins/factories.h"
 #include "plugins/velocity/aim.h"
 
@@ -34,10 +36,11 @@ class RichardsMoore : public VelocityModel {
     const double k = values[k_];
     const double speed =
         of_the_blast("richards_moore", [&] { return richards_moore_speed(mode_, k, blast); });
+    const bool along_the_hole = mode_ == RichardsMooreMode::stemming_ejection;
     Launch launch;
-    launch.velocity = mode_ == RichardsMooreMode::stemming_ejection
-                          ? aim_.velocity_at(values, rock, speed, values[drill_angle_])
-                          : aim_.velocity(values, rock, speed, pi / 4);
+    launch.velocity = along_the_hole ? aim_.velocity_at(values, rock, speed, values[drill_angle_])
+                                     : aim_.velocity(values, rock, speed);
+    launch.greatest_throw = speed * speed / range_gravity * (along_the_hole ? std::abs(std::sin(2 * values[drill_angle_])) : 1);
     if (k < 13.5 || k > 30)
       launch.note = "richards_moore: k lies outside 13.5 to 30, the range in which it is used";
     return launch;

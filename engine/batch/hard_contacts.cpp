@@ -1,0 +1,97 @@
+#include "batch/hard_contacts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace flyrock {
+
+namespace {
+
+/// The greatest W_nn of one body [1/kg]; 0 for one that contacts do not move.
+double greatest_w(const Body<2>& body) {
+  if (!body.moves()) return 0;
+  double lever = 0;
+  for (const Contactor2& contactor : body.contactors) {
+    const std::size_t n = contactor.points.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      if (contactor.normals.empty()) lever = std::max(lever, contactor.points[i].norm());
+      for (std::size_t end = 0; end < 2 && !contactor.normals.empty(); ++end)
+        lever = std::max(lever, std::abs(cross(contactor.points[(i + end) % n], contactor.normals[i])));
+    }
+  }
+  return 1 / body.mass + lever * lever / body.inertia;
+}
+
+double greatest_w(const Body<3>& body) {
+  if (!body.moves()) return 0;
+  double turned = 0;
+  const auto add = [&](const Vec3& arm) { turned = std::max(turned, arm.dot(arm.cwiseQuotient(body.inertia))); };
+  for (const Contactor3& contactor : body.contactors) {
+    if (contactor.round()) turned = std::max(turned, contactor.points[0].squaredNorm() / body.inertia.minCoeff());
+    for (const Contactor3::Face& face : contactor.faces)
+      for (int i = 0; i < face.count; ++i) add(contactor.points[contactor.vertex(face, i)].cross(face.normal));
+  }
+  return 1 / body.mass + turned;
+}
+
+/// The stiffness of a material as a spring [N/m]; 0 where it is none.
+double stiffness_of(int material, const DrawKey& key, const Scenario& scenario, const Instances& instances) {
+  const UnilateralLaw* law = instances.materials[material].unilateral.get();
+  if (!law || !law->constant()) return 0;  // one that changes is watched in the run
+  const Unilateral answer = law->condition(values_of(*scenario.materials[material].unilateral, scenario, key), {});
+  return answer.condition == NormalCondition::penalty ? answer.stiffness : 0;
+}
+
+}  // namespace
+
+template <int D>
+std::vector<SpringSwing> spring_swings(const Scenario& scenario, const Instances& instances, const World<D>& world,
+                                       const Surfaces& surfaces) {
+  std::vector<SpringSwing> swings;
+  const auto consider = [&](int material, int owner, double w, const std::string& bodies) {
+    if (material < 0 || w == 0) return;
+    const double stiffness = stiffness_of(material, surfaces.key_of(owner), scenario, instances);
+    if (stiffness == 0) return;
+    const SpringSwing swing{material, scenario.solver.time_step * std::sqrt(stiffness * w), stiffness, bodies};
+    const auto known = std::find_if(swings.begin(), swings.end(), [&](const SpringSwing& s) { return s.material == material; });
+    if (known == swings.end())
+      swings.push_back(swing);
+    else if (known->angle < swing.angle)
+      *known = swing;
+  };
+  const bool has_spring = std::any_of(instances.materials.begin(), instances.materials.end(),
+                                      [](const MaterialLaws& laws) { return laws.unilateral != nullptr; });
+  const int bodies = has_spring ? static_cast<int>(world.bodies.size()) : 0;
+  std::vector<double> w;
+  for (int i = 0; i < bodies; ++i) w.push_back(greatest_w(world.bodies[i]));
+  for (int i = 0; i < bodies; ++i) {
+    const std::string name = "`" + world.bodies[i].group + "`";
+    for (int part = 0; part < static_cast<int>(parts_of(world.terrain()).size()); ++part)
+      consider(surfaces.material_with_terrain(world, i, part), i, w[i], name);
+    for (int j = i + 1; j < bodies; ++j)
+      if (w[i] + w[j] > 0) consider(surfaces.material_between(i, j), i, w[i] + w[j], name + " and `" + world.bodies[j].group + "`");
+  }
+  return swings;
+}
+
+template <int D>
+MassRatio mass_ratio(const World<D>& world) {
+  MassRatio found;
+  for (int i = 0; i < static_cast<int>(world.bodies.size()); ++i) {
+    const Body<D>& body = world.bodies[i];
+    if (!body.moves()) continue;
+    if (found.heavy < 0 || body.mass > world.bodies[found.heavy].mass) found.heavy = i;
+    if (found.light < 0 || body.mass < world.bodies[found.light].mass) found.light = i;
+  }
+  if (found.heavy >= 0) found.ratio = world.bodies[found.heavy].mass / world.bodies[found.light].mass;
+  return found;
+}
+
+template std::vector<SpringSwing> spring_swings(const Scenario&, const Instances&, const World<2>&, const Surfaces&);
+template std::vector<SpringSwing> spring_swings(const Scenario&, const Instances&, const World<3>&, const Surfaces&);
+template MassRatio mass_ratio(const World<2>&);
+template MassRatio mass_ratio(const World<3>&);
+
+}  // namespace flyrock

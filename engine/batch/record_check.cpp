@@ -1,0 +1,83 @@
+#include "batch/record_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "batch/statistics.h"
+
+namespace flyrock {
+
+namespace {
+
+bool is_index(int index, std::size_t count) { return index >= 0 && static_cast<std::size_t>(index) < count; }
+
+template <class Enum>
+bool is_value(Enum value, Enum last) {
+  return value >= Enum{} && value <= last;
+}
+
+/// What is known of a rock without a fault is finite: samples are sorted by these numbers.
+bool has_finite_numbers(const RockRecord& rock) {
+  const double numbers[] = {rock.mass,   rock.volume, rock.launch_speed, rock.launch_elevation, rock.runout,     rock.max_distance, rock.stop_x,
+                            rock.stop_y, rock.stop_z, rock.flight_range, rock.bounce_height,    rock.max_speed, rock.max_energy,   rock.time};
+  return std::all_of(std::begin(numbers), std::end(numbers), [](double number) { return std::isfinite(number); });
+}
+
+std::string rock_fault(const RockRecord& rock, const ChunkRange& range, std::size_t groups) {
+  if (rock.trial < range.first || rock.trial - range.first >= range.count)
+    return fmt::format("a rock of trial {}, its trials begin at {} and are {}", rock.trial, range.first, range.count);
+  if (!is_index(rock.group, groups)) return fmt::format("a rock of group {}, the scenario has {}", rock.group, groups);
+  if (!is_value(rock.reason, StopReason::plugin_error)) return "a rock that stopped for no known reason";
+  if (!is_fault(rock.reason) && !has_finite_numbers(rock)) return fmt::format("rock {} of trial {} has numbers that are not finite", rock.rock, rock.trial);
+  return {};
+}
+
+/// Whether each row belongs to a rock; rows stand in the order of the rocks.
+template <class Row>
+bool of_rocks(const std::vector<Row>& rows, const std::vector<RockRecord>& rocks) {
+  auto rock = rocks.begin();
+  return std::all_of(rows.begin(), rows.end(), [&](const Row& row) {
+    rock = std::find_if(rock, rocks.end(), [&](const RockRecord& r) { return r.trial == row.trial && r.rock == row.rock; });
+    return rock != rocks.end();
+  });
+}
+
+/// The arrival of a rock at a gate or barrier, of which there are `count`.
+template <class Arrival>
+bool is_arrival(const Arrival& arrival, int place, std::size_t count) {
+  return is_index(place, count) && std::isfinite(arrival.time) && std::isfinite(arrival.speed) && std::isfinite(arrival.kinetic_energy) &&
+         std::isfinite(arrival.height);
+}
+
+bool are_arrivals(const TrialRecords& records, const Scenario& scenario) {
+  const auto passes = [&](const GateRecord& row) { return is_arrival(row.passage, row.passage.gate, scenario.gates.size()); };
+  const auto hits = [&](const BarrierRecord& row) {
+    return is_arrival(row.hit, row.hit.barrier, scenario.barriers.size()) && is_value(row.hit.outcome, BarrierOutcome::over_energy);
+  };
+  return std::all_of(records.gates.begin(), records.gates.end(), passes) &&
+         std::all_of(records.barriers.begin(), records.barriers.end(), hits);
+}
+
+}  // namespace
+
+std::string records_fault(const TrialRecords& records, const ChunkRange& range, const Scenario& scenario) {
+  const std::size_t groups = group_names(scenario).size();
+  for (const RockRecord& rock : records.rocks)
+    if (std::string fault = rock_fault(rock, range, groups); !fault.empty()) return fault;
+  const auto& rocks = records.rocks;
+  if (!of_rocks(records.inputs, rocks) || !of_rocks(records.impacts, rocks) || !of_rocks(records.trajectories, rocks) ||
+      !of_rocks(records.gates, rocks) || !of_rocks(records.barriers, rocks))
+    return "rows of a rock that it does not have";
+  if (!are_arrivals(records, scenario)) return "an arrival at a gate or barrier that the scenario does not have, or with numbers that are not finite";
+  for (const InputRecord& input : records.inputs)
+    if (!is_index(input.draw, scenario.draws.size())) return fmt::format("input {}, the scenario draws {}", input.draw, scenario.draws.size());
+  for (const TrajectoryRecord& row : records.trajectories)
+    if (!is_value(row.point.mode, TravelMode::roll)) return "a point of a trajectory of no known mode of travel";
+  for (const BodyHistory& body : records.totals.bodies)
+    if (!is_value(body.reason, StopReason::plugin_error)) return "a body that stopped for no known reason";
+  return {};
+}
+
+}  // namespace flyrock

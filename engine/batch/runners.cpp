@@ -1,0 +1,25 @@
+#include "batch/runners.h"
+
+#include "batch/try_out.h"
+#include "scenario/node.h"
+
+namespace flyrock {
+
+Runners make_runners(const Plan& plan) {
+  Runners runners;
+  for (const Scenario& point : plan.points) runners.push_back(std::make_unique<TrialRunner>(point));
+  return runners;
+}
+
+Runners try_runners(LoadedScenario& scenario, std::uint64_t trials, Diagnostics& diagnostics) {
+  const auto place = [&](const std::string& path) { return node_at(scenario.root, path).key_at; };
+  for (const Scenario& point : scenario.plan.points) {
+    const TriedOut tried = try_out(point, trials);
+    for (const ScenarioError& error : tried.errors) diagnostics.error(place(error.path), error.path, error.what());
+    for (const ScenarioError& warning : tried.warnings) diagnostics.warning(place(warning.path), warning.path, warning.what());
+  }
+  for (std::string& warning : diagnostics.warnings()) scenario.warnings.push_back(std::move(warning));
+  return diagnostics.has_errors() ? Runners() : make_runners(scenario.plan);
+}
+
+}  // namespace flyrock

@@ -1,0 +1,175 @@
+#include "batch/try_out.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "batch/hard_contacts.h"
+#include "plugin/sampled_params.h"
+#include "plugin/sampled_states.h"
+#include "scenario/build_trial.h"
+
+namespace flyrock {
+
+namespace {
+
+constexpr std::uint64_t samples = 3;
+constexpr std::size_t most_rocks = 2000;
+
+/// Keeps the first of each key.
+void add(std::vector<ScenarioError>& list, const std::string& path, const std::string& text) {
+  const auto is_known = [&](const ScenarioError& known) { return known.path == path; };
+  if (std::none_of(list.begin(), list.end(), is_known)) list.emplace_back(path, text);
+}
+
+/// Calls a law of a material on one sampled state, with a memory that is new, and checks its answer.
+template <class LawKind, class Ask>
+void try_law(const std::unique_ptr<LawKind>& law, const std::optional<PluginUse>& use, ContactState state,
+             const Scenario& scenario, const DrawKey& key, TriedOut& tried, Ask&& ask) {
+  if (!law) return;
+  const PluginSpec& spec = use->plugin->spec;
+  const std::vector<double> values = values_of(*use, scenario, key);
+  std::vector<double> history(spec.history.size(), 0.0);
+  state.history = history;
+  try {
+    check_answer(*law, ask(*law, values, state));
+  } catch (const TrialError& error) {
+    std::fill(history.begin(), history.end(), 0.0);
+    add(tried.errors, use->path,
+        fmt::format("{} (parameters: {}; asked with: {})", error.what(), parameters_text(spec, use->values, values),
+                    state_text(spec, state)));
+  }
+}
+
+/// States of a contact as laws meet them: a slow, an oblique and a fast impact.
+std::array<ContactState, samples> sampled_contacts() {
+  std::array<ContactState, samples> states;
+  const double approach[] = {0.1, 3, 20}, slip[] = {0.5, 8, 1};
+  for (std::size_t i = 0; i < samples; ++i) {
+    ContactState& s = states[i];
+    s.approach_speed = approach[i];
+    s.slip_speed = slip[i];
+    s.impact_angle = std::atan2(s.approach_speed, s.slip_speed);
+    s.mass = 500;
+    s.effective_mass = 300;
+    s.radius = 0.3;
+    s.spin = 2;
+    s.kinetic_energy = 0.5 * s.mass * (s.approach_speed * s.approach_speed + s.slip_speed * s.slip_speed);
+    s.impact_number = 1;
+    s.group_a = "rock";
+    s.group_b = "terrain";
+  }
+  return states;
+}
+
+void try_laws(const Scenario& scenario, const Instances& instances, TriedOut& tried) {
+  for (std::size_t m = 0; m < scenario.materials.size(); ++m) {
+    const Material& material = scenario.materials[m];
+    const MaterialLaws& laws = instances.materials[m];
+    const auto states = sampled_contacts();
+    for (std::uint64_t i = 0; i < samples; ++i) {
+      ContactState state = states[i];
+      state.material = material.name;
+      const DrawKey key{i, 1, 1, 1};
+      const auto attempt = [&](const auto& law, const auto& use, auto&& ask) { try_law(law, use, state, scenario, key, tried, ask); };
+      attempt(laws.restitution, material.restitution,
+              [](const auto& law, Values values, const auto& s) { return law.impact(values, s); });
+      attempt(laws.friction, material.friction, [](const auto& law, Values values, const auto& s) { return law.friction(values, s); });
+      attempt(laws.rolling, material.rolling, [](const auto& law, Values values, const auto& s) { return law.rolling(values, s); });
+      attempt(laws.unilateral, material.unilateral,
+              [](const auto& law, Values values, const auto& s) { return law.condition(values, s); });
+    }
+  }
+}
+
+/// Springs that are too stiff for the time step, and masses that differ too much for the contact solver.
+template <int D>
+void find_hard_contacts(const Scenario& scenario, const Instances& instances, const Trial<D>& trial, TriedOut& tried) {
+  for (std::size_t w = 0; w < trial.surfaces.size(); ++w)
+    for (const SpringSwing& swing : spring_swings(scenario, instances, trial.worlds[w], trial.surfaces[w])) {
+      if (swing.angle <= inaccurate_spring) continue;
+      const std::string text =
+          fmt::format("the time step is too long for this spring: {:.3g} rad per step with {}. Bounces are inaccurate above {:g} and "
+                      "gain energy above {:g}; expected a solver.time_step of at most {:.2g} s",
+                      swing.angle, swing.bodies, inaccurate_spring, unstable_spring,
+                      scenario.solver.time_step * inaccurate_spring / swing.angle);
+      const std::string path = fmt::format("materials.{}.unilateral", scenario.materials[swing.material].name);
+      add(swing.angle > unstable_spring ? tried.errors : tried.warnings, path, text);
+    }
+  constexpr double most = 1e4;
+  for (const World<D>& world : trial.worlds) {
+    const MassRatio masses = mass_ratio(world);
+    if (masses.ratio < most) continue;
+    const Body<D>&heavy = world.bodies[masses.heavy], &light = world.bodies[masses.light];
+    add(tried.warnings, scenario.bodies.empty() ? "rock_contacts" : fmt::format("bodies.{}", masses.heavy),
+        fmt::format("`{}` ({:.3g} kg) and `{}` ({:.3g} kg) can touch: from a mass ratio of {:g} on the contact solver takes long",
+                    heavy.group, heavy.mass, light.group, light.mass, most));
+  }
+}
+
+bool is_round(const Contactor2& contactor) { return contactor.points.size() == 1; }
+bool is_round(const Contactor3& contactor) { return contactor.round(); }
+
+/// Round rocks on ground that lets them roll for ever: they end at stop.time.
+template <int D>
+void find_free_rollers(const Scenario& scenario, const Trial<D>& trial, TriedOut& tried) {
+  if (!scenario.bodies.empty()) return;
+  for (std::size_t w = 0; w < trial.surfaces.size(); ++w) {
+    const World<D>& world = trial.worlds[w];
+    for (int i = 0; i < static_cast<int>(world.bodies.size()); ++i) {
+      const Body<D>& body = world.bodies[i];
+      const bool round = body.contactors.size() == 1 && is_round(body.contactors.front());
+      for (int part = 0; round && part < static_cast<int>(parts_of(world.terrain()).size()); ++part) {
+        const int index = trial.surfaces[w].material_with_terrain(world, i, part);
+        if (index < 0 || scenario.materials[index].rolling) continue;
+        const std::string& material = scenario.materials[index].name;
+        add(tried.warnings, "materials." + material,
+            fmt::format("has no `rolling`, and `{}` is round: on it a rock rolls until stop.time, and such rocks make every "
+                        "percentile a lower bound",
+                        body.group));
+      }
+    }
+  }
+}
+
+/// Shapes, populations, launches, starts and the terrain, by making trials.
+template <int D>
+void try_trials(const Scenario& scenario, TrialBuilder<D>& builder, std::uint64_t trials, TriedOut& tried) {
+  std::size_t rocks = 0;
+  for (std::uint64_t number = 0; number < std::min(trials, scenario.trials) && rocks < most_rocks; ++number) try {
+      const Trial<D> trial = builder.build(number);
+      rocks += trial.rocks.size();
+      find_hard_contacts(scenario, builder.instances(), trial, tried);
+      find_free_rollers(scenario, trial, tried);
+      for (std::size_t i = 0; i < trial.rocks.size(); ++i) {
+        const TrialRock& rock = trial.rocks[i];
+        if (!rock.fault.empty())
+          add(tried.errors, rock.fault_path, fmt::format("trial {}, rock {}: {}", number, i, rock.fault));
+      }
+    } catch (const ScenarioError& error) {
+      add(tried.errors, error.path, fmt::format("trial {}: {}", number, error.what()));
+    }
+}
+
+template <int D>
+TriedOut try_out_in(const Scenario& scenario, std::uint64_t trials) {
+  TriedOut tried;
+  try {
+    TrialBuilder<D> builder(scenario);
+    try_laws(scenario, builder.instances(), tried);
+    try_trials(scenario, builder, trials, tried);
+  } catch (const ScenarioError& error) {
+    add(tried.errors, error.path, error.what());
+  }
+  return tried;
+}
+
+}  // namespace
+
+TriedOut try_out(const Scenario& scenario, std::uint64_t trials) {
+  return scenario.dimension == 2 ? try_out_in<2>(scenario, trials) : try_out_in<3>(scenario, trials);
+}
+
+}  // namespace flyrock

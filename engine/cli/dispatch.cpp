@@ -1,0 +1,122 @@
+#include "cli/dispatch.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <system_error>
+
+#include "batch/safe_file.h"
+#include "scenario/printable.h"
+#include "solver/hdf5_file.h"
+#include "units/units.h"
+
+namespace flyrock::cli {
+
+namespace {
+
+constexpr std::array<Command, 10> commands = {{
+    {"run", "run SCENARIO [options]", "runs a scenario and writes its tables and report", run},
+    {"merge", "merge DIR... -o DIR", "puts the shards of a run together", merge},
+    {"report", "report DIR", "builds report.html of a result folder again", report},
+    {"export", "export DIR --to csv|vtk [-o PATH]", "writes a result as CSV tables or for ParaView", export_result},
+    {"check", "check FILE [--strict]", "validates a scenario, or tries a plugin on sampled states", check},
+    {"show", "show SCENARIO [--json]", "prints the resolved scenario: units converted, defaults filled in", show},
+    {"plugins", "plugins [KIND[/NAME] | FILE] [--markdown | --json]", "lists what is registered, with its parameters", plugins},
+    {"law", "law KIND/NAME|FILE [-o FILE] [--set PARAMETER=VALUE]...", "draws the graph of a contact law from solved contacts", law},
+    {"verify", "verify [--data DIR] [--json]", "computes problems with known answers and compares", verify},
+    {"solve", "solve PROBLEM.hdf5 [options]", "solves a friction problem in the layout of FCLIB", solve},
+}};
+
+void print_version() {
+#ifdef NDEBUG
+  const char* build = "release";
+#else
+  const char* build = "debug";
+#endif
+  fmt::print("flyrock {}\nbuild: {}, {}, C++{}\noptional parts: {}\n", FLYROCK_VERSION, build, "GCC " __VERSION__,
+             __cplusplus / 100 % 100, has_hdf5() ? "HDF5" : "none");
+}
+
+void print_help() {
+  fmt::print("flyrock simulates blast fly-rock and rockfall on quarry benches.\n\n");
+  for (const Command& command : commands)
+    fmt::print("  flyrock {}\n      {}\n", command.usage, command.summary);
+  fmt::print("  flyrock --version\n      says version, build and optional parts\n\n");
+  fmt::print(
+      "flyrock COMMAND --help says more. Exit codes: 0 done, 1 an expectation failed,\n"
+      "2 bad input (nothing was run), 3 faults while running, 130 interrupted.\n");
+}
+
+/// One line: a text may hold what a user gave, with line feeds and bytes that are none of UTF-8.
+void print_error(const std::string& text) { fmt::print(stderr, "error: {}\n", printable(text, 2000)); }
+
+int usage_error(const std::string& text, const std::string& help) {
+  print_error(text);
+  fmt::print(stderr, "See `{}`.\n", help);
+  return bad_input;
+}
+
+/// What ended the program, without the words of the library that threw it.
+std::string said_by(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error)) return "not enough memory";
+  if (const auto* file = dynamic_cast<const std::filesystem::filesystem_error*>(&error))
+    return fmt::format("{}: {}", file->path1().string(), file->code().message());
+  return error.what();
+}
+
+int call(const Arguments& arguments) {
+  if (arguments.empty()) {
+    print_help();
+    return bad_input;
+  }
+  const std::string& word = arguments.front();
+  if (word == "--version") {
+    print_version();
+    return done;
+  }
+  if (word == "--help" || word == "-h") {
+    print_help();
+    return done;
+  }
+  std::vector<std::string> names;
+  for (const Command& command : commands) {
+    names.emplace_back(command.name);
+    if (word != command.name) continue;
+    try {
+      return command.call(command, Arguments(arguments.begin() + 1, arguments.end()));
+    } catch (const InputError& error) {
+      print_error(error.what());
+      return bad_input;
+    } catch (const UnreadableFile& error) {
+      print_error(error.what());
+      return bad_input;
+    } catch (const UsageError& error) {
+      return usage_error(error.what(), fmt::format("flyrock {} --help", command.name));
+    }
+  }
+  const std::string near = nearest_name(word, names);
+  return usage_error(fmt::format("unknown command `{}`{}", word, near.empty() ? "" : fmt::format(", did you mean `{}`?", near)),
+                     "flyrock --help");
+}
+
+}  // namespace
+
+int dispatch(const Arguments& arguments) {
+  try {
+    const int code = call(arguments);
+    if (std::fflush(stdout) != 0)
+      throw std::system_error(errno, std::generic_category(), "cannot write to standard output");
+    return code;
+  } catch (const std::exception& error) {
+    // Bad input has been answered before: this is the machine (a full disk, no memory) or a fault of flyrock.
+    print_error(said_by(error));
+    return faults;
+  }
+}
+
+}  // namespace flyrock::cli

@@ -1,0 +1,61 @@
+#include "flight/faults.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "flight/ground.h"
+
+namespace flyrock {
+
+template <int D>
+Faults<D>::Faults(const World<D>& world, bool exact_flight) : world_(world), exact_flight_(exact_flight) {
+  for (const Body<D>& body : world.bodies) {
+    starts_.push_back(body.x);
+    last_.push_back(energy_of(body));
+  }
+  allowed_ = world.total_energy() - world.energy_given();
+}
+
+template <int D>
+double Faults<D>::energy_of(const Body<D>& body) const {
+  return body.moves() ? body.kinetic_energy() - body.mass * world_.gravity().dot(body.x) : 0;
+}
+
+template <int D>
+std::optional<std::string> Faults<D>::below_ground(int i) const {
+  const Body<D>& body = world_.bodies[i];
+  const double depth = ground_height(world_.terrain(), body.x) - body.x[D - 1];
+  if (!(depth > 0)) return std::nullopt;
+  double usual = world_.carry_reach(i, -1) + world_.touch(i);
+  if (!exact_flight_) usual += body.size + body.v.norm() * world_.settings().time_step;
+  if (depth <= usual) return std::nullopt;
+  return fmt::format("its centre of mass lies {:.2g} m below the ground", depth);
+}
+
+template <int D>
+std::optional<std::string> Faults<D>::energy_from_nowhere() {
+  constexpr double share = 1e-6;
+  const double g = world_.gravity().norm();
+  double energy = world_.total_energy(), scale = 0, lift = 0;
+  for (std::size_t i = 0; i < last_.size(); ++i) {
+    const Body<D>& body = world_.bodies[i];
+    if (!body.moves()) {  // it has left, with what it had
+      allowed_ -= last_[i];
+      last_[i] = 0;
+      continue;
+    }
+    last_[i] = energy_of(body);
+    scale += body.kinetic_energy() + body.mass * g * ((body.x - starts_[i]).norm() + body.size);
+    lift += body.mass * g * world_.carry_reach(static_cast<int>(i), -1);
+  }
+  greatest_ = std::max(greatest_, scale);
+  const double excess = energy - (allowed_ + world_.energy_given());
+  if (!(excess > share * greatest_ + lift)) return std::nullopt;
+  return fmt::format("it has {:.3g} J more than gravity, air and impacts gave it", excess);
+}
+
+template class Faults<2>;
+template class Faults<3>;
+
+}  // namespace flyrock

@@ -1,0 +1,27 @@
+#include "flight/rest.h"
+
+#include <limits>
+
+namespace flyrock {
+
+void RestWatch::moves() {
+  since_ = -1;
+  history_->stop_time = std::numeric_limits<double>::quiet_NaN();
+}
+
+void RestWatch::rests(double start, double end, double speed, const Travel& before) {
+  constexpr double creep = 0.1;  // of the stop speed
+  if (speed >= stop_speed_) return moves();
+  if (since_ < 0) begin(start, speed, before);
+  if (end - since_ < rest_time) return;
+  if (speed > speed_ && speed > creep * stop_speed_) return begin(end, speed, history_->travel);
+  history_->stop_time = since_;
+}
+
+void RestWatch::begin(double time, double speed, const Travel& travel) {
+  since_ = time;
+  speed_ = speed;
+  travel_ = travel;
+}
+
+}  // namespace flyrock

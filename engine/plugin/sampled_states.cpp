@@ -1,0 +1,139 @@
+#include "plugin/sampled_states.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace flyrock {
+
+RandomStream sampled_stream(int number) {
+  return {sample_seed, "conformance", {.trial = static_cast<std::uint64_t>(number)}};
+}
+
+ContactState sampled_contact(int number) {
+  RandomStream rng = sampled_stream(number);
+  ContactState state;
+  state.approach_speed = std::pow(10, rng.uniform(-3, 2));
+  state.slip_speed = std::pow(10, rng.uniform(-3, 2));
+  state.impact_angle = std::atan2(state.approach_speed, state.slip_speed);
+  state.gap = -1e-6 * rng.uniform();
+  state.mass = std::pow(10, rng.uniform(-1, 5));
+  state.effective_mass = state.mass * rng.uniform();
+  state.radius = std::cbrt(state.mass / 2700 / (4.0 / 3 * pi));
+  state.spin = rng.uniform(-50, 50);
+  state.kinetic_energy = state.mass / 2 * (std::pow(state.approach_speed, 2) + std::pow(state.slip_speed, 2));
+  state.length = rng.uniform();
+  state.area = rng.uniform();
+  state.age = rng.uniform();
+  state.pair_age = state.age + rng.integer(0, 1);
+  state.was_sticking = static_cast<double>(rng.integer(0, 1));
+  state.impact_number = static_cast<double>(rng.integer(1, 100));
+  state.time = rng.uniform(0, 60);
+  state.step = 1e-3 * rng.uniform();
+  state.group_a = "blocks";
+  state.group_b = "terrain.face";
+  state.material = "rock";
+  return state;
+}
+
+Blast sampled_blast(int number) {
+  RandomStream rng = sampled_stream(number);
+  Blast blast;
+  blast[BlastField::explosive_density] = rng.uniform(800, 1200);
+  blast[BlastField::detonation_velocity] = rng.uniform(3000, 5500);
+  blast[BlastField::gurney_constant] = rng.uniform(1500, 2500);
+  blast[BlastField::hole_diameter] = rng.uniform(0.076, 0.25);
+  blast[BlastField::hole_length] = rng.uniform(5, 16);
+  blast[BlastField::hole_deviation] = rng.uniform(-0.05, 0.05);
+  blast[BlastField::burden_crest] = rng.uniform(2, 6);
+  blast[BlastField::burden_toe] = rng.uniform(2, 6);
+  blast[BlastField::powder_factor] = rng.uniform(0.2, 1);
+  blast[BlastField::hole_stemming] = rng.uniform(1, 4);
+  blast[BlastField::hole_charge_length] = rng.uniform(3, 12);
+  blast[BlastField::hole_subdrilling] = rng.uniform(0.3, 1);
+  blast[BlastField::burden] = rng.uniform(2, 6);
+  blast[BlastField::spacing] = rng.uniform(2, 6);
+  blast[BlastField::rock_density] = rng.uniform(2400, 2900);
+  blast[BlastField::breakout_angle] = rng.uniform(pi / 2, 2 * pi / 3);
+  blast.is_anfo = number % 2 == 0;
+  return blast;
+}
+
+RockView sampled_rock(int number) {
+  RandomStream rng = sampled_stream(number);
+  RockView rock;
+  rock.density = rng.uniform(2400, 2900);
+  rock.diameter = rng.uniform(0.1, 2);
+  rock.volume = pi / 6 * std::pow(rock.diameter, 3);
+  rock.mass = rock.density * rock.volume;
+  rock.position = {rng.uniform(0, 5), rng.uniform(0, 12), 0};
+  rock.face_angle = rng.uniform(1, pi / 2);
+  rock.group = "blocks";
+  return rock;
+}
+
+Profile level_ground() {
+  Profile profile;
+  profile.points = {{-100, 0}, {100, 0}};
+  profile.part = {0};
+  profile.parts = {""};
+  return profile;
+}
+
+namespace {
+
+bool reads(const PluginSpec& spec, const std::string& field) {
+  return !spec.declares_reads || std::any_of(spec.reads.begin(), spec.reads.end(),
+                                             [&](const FieldRead& read) { return read.field == field; });
+}
+
+/// Collects "name = value".
+class StateText {
+ public:
+  void add(std::string_view name, double value) { texts_.push_back(fmt::format("{} = {:.6g}", name, value)); }
+  std::string text() const {
+    return texts_.empty() ? "nothing of it" : fmt::format("{} (SI units)", fmt::join(texts_, ", "));
+  }
+
+ private:
+  std::vector<std::string> texts_;
+};
+
+void add(StateText& state, const PluginSpec& spec, const Blast& blast) {
+  for (const BlastFieldInfo& field : blast_fields())
+    if (spec.declares_reads && reads(spec, fmt::format("blast.{}", field.path)))
+      state.add(fmt::format("blast.{}", field.path), blast[field.field]);
+}
+
+}  // namespace
+
+std::string state_text(const PluginSpec& spec, const ContactState& contact) {
+  StateText state;
+  for (const ContactField& field : contact_fields())
+    if (field.number && reads(spec, fmt::format("contact.{}", field.name)))
+      state.add(field.name, contact.*field.number);
+  for (std::size_t i = 0; i < spec.history.size(); ++i)
+    state.add("history." + spec.history[i], contact.history[i]);
+  return state.text();
+}
+
+std::string state_text(const PluginSpec& spec, const RockView& rock, const Blast& blast) {
+  StateText state;
+  state.add("rock.mass", rock.mass);
+  state.add("rock.density", rock.density);
+  state.add("rock.diameter", rock.diameter);
+  state.add("rock.position.x", rock.position.x());
+  state.add("rock.position.y", rock.position.y());
+  state.add("rock.face_angle", rock.face_angle);
+  add(state, spec, blast);
+  return state.text();
+}
+
+std::string state_text(const PluginSpec& spec, const Blast& blast) {
+  StateText state;
+  add(state, spec, blast);
+  return state.text();
+}
+
+}  // namespace flyrock

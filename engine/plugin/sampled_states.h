@@ -1,0 +1,25 @@
+#pragma once
+// What plugins are asked in the conformance battery: contacts, blasts and rocks, each a function of its
+// number.
+
+#include <string>
+
+#include "plugin/contact_law.h"
+#include "plugin/models.h"
+
+namespace flyrock {
+
+inline constexpr std::uint64_t sample_seed = 1;
+RandomStream sampled_stream(int number);
+ContactState sampled_contact(int number);
+Blast sampled_blast(int number);
+RockView sampled_rock(int number);
+Profile level_ground();
+
+/// "approach_speed = 3.1, slip_speed = 8 (SI units)": the fields that a plugin declares to read, or all of
+/// them.
+std::string state_text(const PluginSpec& spec, const ContactState& contact);
+std::string state_text(const PluginSpec& spec, const RockView& rock, const Blast& blast);
+std::string state_text(const PluginSpec& spec, const Blast& blast);
+
+}  // namespace flyrock

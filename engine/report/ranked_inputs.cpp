@@ -1,0 +1,82 @@
+#include "report/ranked_inputs.h"
+
+#include <algorithm>
+
+#include "scenario/blast_readers.h"
+
+namespace flyrock {
+
+namespace {
+
+using enum BlastField;
+
+/// Rocks that meet each other depend on what any of them depends on.
+bool group_reads(const Scenario& scenario, std::size_t group, BlastField field) {
+  const auto depends = [&](const RockGroup& g) { return depends_on(*scenario.blast, g, field); };
+  if (!scenario.rock_contacts) return depends(scenario.rocks[group]);
+  return std::any_of(scenario.rocks.begin(), scenario.rocks.end(), depends);
+}
+
+std::vector<bool> draws_read(const Scenario& scenario, std::size_t group) {
+  std::vector<bool> read(scenario.draws.size(), true);
+  for (std::size_t d = 0; d < read.size(); ++d)
+    if (scenario.draws[d].factor != 1) read[d] = false;  // a share of another draw, which stands for both
+  if (!scenario.blast) return read;
+  for (const auto& [field, number] : scenario.blast->fields)
+    if (!number.is_constant() && !group_reads(scenario, group, field)) read[static_cast<std::size_t>(number.draw)] = false;
+  return read;
+}
+
+const std::vector<BlastField>& fields_of(DerivedInput input) {
+  static const std::vector<BlastField> charge{explosive_density, hole_diameter, hole_charge_length};
+  static const std::vector<BlastField> powder{explosive_density, hole_diameter,    hole_charge_length, burden,
+                                              spacing,           hole_length, hole_subdrilling};
+  return input == DerivedInput::charge_per_hole ? charge : powder;
+}
+
+bool derived_is_read(const Scenario& scenario, std::size_t group, DerivedInput input) {
+  if (!scenario.blast) return false;
+  const std::vector<BlastField>& wanted = fields_of(input);
+  return std::all_of(scenario.blast->fields.begin(), scenario.blast->fields.end(), [&](const auto& given) {
+    const auto& [field, number] = given;
+    const auto feeds = [&](BlastField result) { return makes_up(*scenario.blast, field, result); };
+    return number.is_constant() || std::none_of(wanted.begin(), wanted.end(), feeds) || group_reads(scenario, group, field);
+  });
+}
+
+}  // namespace
+
+RankedInputs::RankedInputs(const Scenario& scenario) : use_(scenario.materials.size()) {
+  for (std::size_t g = 0; g < scenario.rocks.size(); ++g) {
+    reads_.push_back(draws_read(scenario, g));
+    derived_.push_back({derived_is_read(scenario, g, DerivedInput::charge_per_hole),
+                        derived_is_read(scenario, g, DerivedInput::powder_factor)});
+  }
+  find_laws(scenario);
+}
+
+void RankedInputs::find_laws(const Scenario& scenario) {
+  for (std::size_t m = 0; m < scenario.materials.size(); ++m) {
+    const Material& material = scenario.materials[m];
+    const auto add = [&](const std::optional<PluginUse>& law, LawCount count) {
+      if (!law) return;
+      for (const Number& slot : law->slots)
+        if (!slot.is_constant()) law_of_draw_[slot.draw] = {m, count};
+    };
+    add(material.restitution, &MaterialUse::restitution);
+    add(material.friction, &MaterialUse::friction);
+    add(material.rolling, &MaterialUse::rolling);
+    add(material.unilateral, &MaterialUse::unilateral);
+  }
+}
+
+void RankedInputs::see(const TrialTotals& totals) {
+  for (std::size_t m = 0; m < std::min(use_.size(), totals.materials.size()); ++m) use_[m].add(totals.materials[m]);
+}
+
+bool RankedInputs::was_asked(int draw) const {
+  const auto found = law_of_draw_.find(draw);
+  return found == law_of_draw_.end() || use_[found->second.material].*found->second.law > 0;
+}
+
+}  // namespace flyrock

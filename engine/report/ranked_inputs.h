@@ -1,0 +1,45 @@
+#pragma once
+// Which drawn numbers are ranked: those that the run reads. What nothing reads moves no rock, so that any correlation of it
+// with the runout is chance.
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "batch/records.h"
+#include "scenario/scenario.h"
+
+namespace flyrock {
+
+/// Numbers that follow from what is drawn, and stand beside the drawn ones.
+enum class DerivedInput { charge_per_hole, powder_factor };
+inline constexpr int derived_inputs = 2;
+
+class RankedInputs {
+ public:
+  explicit RankedInputs(const Scenario& scenario);
+
+  /// Counts how often the laws of each material were asked.
+  void see(const TrialTotals& totals);
+
+  /// Whether the rocks of a group depend on a draw (an index of Scenario::draws), as far as the scenario says.
+  bool reads(std::size_t group, int draw) const { return reads_.at(group).at(static_cast<std::size_t>(draw)); }
+  /// Whether they depend on all drawn numbers that a derived one follows from.
+  bool reads(std::size_t group, DerivedInput input) const { return derived_.at(group).at(static_cast<std::size_t>(input)); }
+  /// Whether the law that a draw belongs to was ever asked; true of what belongs to no law.
+  bool was_asked(int draw) const;
+
+ private:
+  using LawCount = std::uint64_t MaterialUse::*;
+  struct LawOf {
+    std::size_t material = 0;
+    LawCount law = nullptr;
+  };
+  void find_laws(const Scenario& scenario);
+
+  std::vector<std::vector<bool>> reads_, derived_;  ///< groups
+  std::map<int, LawOf> law_of_draw_;
+  std::vector<MaterialUse> use_;                    ///< materials
+};
+
+}  // namespace flyrock

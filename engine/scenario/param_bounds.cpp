@@ -1,0 +1,70 @@
+#include "scenario/param_bounds.h"
+
+#include <fmt/format.h>
+
+namespace flyrock {
+
+namespace {
+
+/// What a parameter may be in a run.
+struct Range {
+  double low = 0, high = 0;
+  bool drawn = false;
+  bool open = false;  ///< of a continuous distribution: its ends are never drawn
+};
+
+Range range_of(const Number& number, const std::vector<Draw>& draws) {
+  if (number.is_constant()) return {number.constant, number.constant};
+  const Distribution& distribution = draws[static_cast<std::size_t>(number.draw)].distribution;
+  const bool stepped =
+      distribution.kind == DistributionKind::discrete || distribution.kind == DistributionKind::integer;
+  return {distribution.lowest(), distribution.highest(), true, !stepped};
+}
+
+bool keeps(const Range& range, BoundRelation relation, const Range& other) {
+  switch (relation) {
+    case BoundRelation::at_most:
+      return range.high <= other.low;
+    case BoundRelation::below:
+      return range.high < other.low || (range.high == other.low && (range.open || other.open));
+    case BoundRelation::at_least:
+    case BoundRelation::above:
+      return keeps(other, converse(relation), range);
+  }
+  return true;
+}
+
+/// "is 0.7", "draws from 0.3 to 0.7".
+std::string text_of(const Range& range, const ParamSpec& spec) {
+  if (!range.drawn) return "is " + with_unit(range.low, spec);
+  return fmt::format("draws from {} to {}", with_unit(range.low, spec), with_unit(range.high, spec));
+}
+
+}  // namespace
+
+void check_bounds(DecodeContext& context, const Node& map, const std::vector<ParamSpec>& specs,
+                  const std::vector<ParamValue>& values, const std::vector<bool>& decoded) {
+  const auto index_of = [&](const std::string& name) {
+    return static_cast<std::size_t>(
+        std::find_if(specs.begin(), specs.end(), [&](const ParamSpec& spec) { return spec.name == name; }) -
+        specs.begin());
+  };
+  const auto range = [&](std::size_t i) { return range_of(values[i].numbers.front(), context.draws); };
+  for (std::size_t i = 0; i < specs.size(); ++i)
+    for (const ParamBound& bound : specs[i].bounds) {
+      const std::size_t other = index_of(bound.other);
+      if (!decoded[i] || !decoded[other] || keeps(range(i), bound.relation, range(other))) continue;
+      // Said of the one that the file gives: of the other, the converse.
+      const bool itself = map.find(specs[i].name).has_value();
+      const std::size_t subject = itself ? i : other, object = itself ? other : i;
+      const std::optional<Node> node = map.find(specs[subject].name);
+      const char* by_default = map.find(specs[object].name) ? "" : " by default";
+      context.diagnostics.error(
+          node ? node->key_at : map.key_at, node ? node->path : map.path,
+          fmt::format("{}, must be {} `{}`, which {}{}", text_of(range(subject), specs[subject]),
+                      name_of(itself ? bound.relation : converse(bound.relation)), specs[object].name,
+                      text_of(range(object), specs[object]), by_default));
+    }
+}
+
+}  // namespace flyrock

@@ -1,0 +1,45 @@
+#pragma once
+// The kinds of inputs that are mutated.
+
+#include <array>
+#include <memory>
+#include <string_view>
+
+#include "calls.h"
+#include "dice.h"
+
+namespace flyrock::fuzz {
+
+/// It lives in the child of a batch. The current folder is an empty one of its own.
+class Kind {
+ public:
+  virtual ~Kind() = default;
+  /// Writes a mutant into the current folder and calls the commands that read it.
+  virtual void attempt(Dice& dice, Calls& call) = 0;
+};
+
+std::unique_ptr<Kind> make_yaml_kind();       ///< scenarios in YAML, and the files that they name
+std::unique_ptr<Kind> make_lua_kind();        ///< scenarios in Lua
+std::unique_ptr<Kind> make_plugin_kind();     ///< manifests and laws in Lua
+std::unique_ptr<Kind> make_chunk_kind();      ///< shards: chunk files, request.json, manifest.json
+std::unique_ptr<Kind> make_problem_kind();    ///< friction problems in HDF5; null in a build without
+std::unique_ptr<Kind> make_result_kind();     ///< results.db, manifest.json, summary.json
+std::unique_ptr<Kind> make_arguments_kind();  ///< words of the command line
+
+struct KindEntry {
+  std::string_view name;
+  std::unique_ptr<Kind> (*make)();
+  int share;  ///< of the time and of the mutants, in hundredths
+};
+
+inline constexpr std::array<KindEntry, 7> kinds = {{
+    {"yaml", make_yaml_kind, 30},
+    {"lua", make_lua_kind, 15},
+    {"plugin", make_plugin_kind, 15},
+    {"chunk", make_chunk_kind, 10},
+    {"hdf5", make_problem_kind, 10},
+    {"result", make_result_kind, 10},
+    {"arguments", make_arguments_kind, 10},
+}};
+
+}  // namespace flyrock::fuzz

@@ -1,0 +1,91 @@
+// The shipped scenarios give the bytes of hashes.txt, by every build and over any number of threads.
+//
+//   FLYROCK_GOLDEN_THREADS="1 2 3"   the numbers of threads, in turn (this is the default)
+//   FLYROCK_UPDATE_GOLDEN=1          writes hashes.txt anew: make golden
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <map>
+#include <sstream>
+
+#include "../cli/program.h"
+#include "batch/sha256.h"
+
+using namespace flyrock::test;
+
+namespace {
+
+const fs::path golden = FLYROCK_SOURCE_DIR "/tests/golden/hashes.txt";
+const fs::path scenarios = FLYROCK_SOURCE_DIR "/scenarios";
+
+/// The lines "SCENARIO FILE HASH" by their first two words.
+std::map<std::string, std::string> known_hashes() {
+  std::map<std::string, std::string> hashes;
+  std::istringstream lines(read(golden));
+  for (std::string scenario, file, hash; lines >> scenario >> file >> hash;)
+    hashes[scenario + ' ' + file] = hash;
+  return hashes;
+}
+
+std::vector<std::string> shipped() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(scenarios)) {
+    const std::string extension = entry.path().extension();
+    if (extension == ".yaml" || extension == ".lua") names.push_back(fs::relative(entry.path(), scenarios));
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// Runs three trials of a scenario, and adds the hashes of its results.
+void run(const Folder& folder, const std::string& scenario, const std::string& threads,
+         std::map<std::string, std::string>& hashes) {
+  const Output run = call(folder, "run '" + (scenarios / scenario).string() +
+                                      "' --trials 3 --quiet --force -o out -j " + threads);
+  INFO(scenario << " over " << threads << " threads: " << run.err);
+  REQUIRE((run.code == 0 || run.code == 1));  // 1: an expectation is not met by so few
+  for (const char* file : {"rocks.csv", "summary.json"})
+    hashes[scenario + ' ' + file] = flyrock::sha256(read(folder.path() / "out" / file)).substr(0, 16);
+}
+
+std::vector<std::string> thread_numbers() {
+  const char* asked = std::getenv("FLYROCK_GOLDEN_THREADS");
+  std::istringstream words(asked ? asked : "1 2 3");
+  return {std::istream_iterator<std::string>(words), {}};
+}
+
+void compare(const std::map<std::string, std::string>& hashes) {
+  const std::map<std::string, std::string> known = known_hashes();
+  for (const auto& [name, hash] : hashes) {
+    INFO(name << ": other bytes than those of tests/golden/hashes.txt. If you meant to change them, run "
+                 "`make golden` and say why "
+                 "under \"Numerics changed\" in CHANGELOG.md. If not, find the change: git bisect");
+    CHECK((known.contains(name) ? known.at(name) : "none") == hash);
+  }
+  INFO("tests/golden/hashes.txt knows other scenarios than there are: run `make golden`");
+  CHECK(known.size() == hashes.size());
+}
+
+}  // namespace
+
+TEST_CASE("The shipped scenarios give the golden bytes") {
+  const Folder folder;
+  const std::vector<std::string> names = shipped(), threads = thread_numbers();
+  std::map<std::string, std::string> hashes;
+  for (std::size_t i = 0; i < names.size(); ++i) run(folder, names[i], threads[i % threads.size()], hashes);
+  if (std::getenv("FLYROCK_UPDATE_GOLDEN")) {
+    std::ofstream file(golden);
+    for (const auto& [name, hash] : hashes) file << name << ' ' << hash << '\n';
+  }
+  compare(hashes);
+}
+
+TEST_CASE("Each shipped scenario gives the golden bytes over one, two and three threads", "[slow]") {
+  const Folder folder;
+  for (const std::string& threads : thread_numbers()) {
+    INFO("over " << threads << " threads");
+    std::map<std::string, std::string> hashes;
+    for (const std::string& name : shipped()) run(folder, name, threads, hashes);
+    compare(hashes);
+  }
+}
