@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "batch/hard_contacts.h"
 #include "math/sphere.h"
 
 namespace flyrock {
@@ -105,11 +106,10 @@ std::vector<std::string> solver_warnings(const Plan& plan, const std::vector<Poi
     warnings.push_back(fmt::format("solver: a rock sank {:.3g} m into the ground or another, the smallest is {:.3g} m across: a shorter "
                                    "solver.time_step, or a stiffer spring (`penalty`), holds it",
                                    quality.max_penetration, size));
-  constexpr double coarse = 0.5;  // rad: of a swing
-  if (quality.max_spring_angle > coarse)
-    warnings.push_back(fmt::format("solver: a spring (`penalty`) swings by {:.3g} rad in a step: a bounce is coarse from {} on, and makes "
-                                   "energy from 2 on; a shorter solver.time_step or a softer spring mends it",
-                                   quality.max_spring_angle, coarse));
+  if (quality.max_spring_angle > inaccurate_spring)
+    warnings.push_back(fmt::format("solver: a spring (`penalty`) swings by {:.3g} rad in a step: bounces are inaccurate above {:g} and gain "
+                                   "energy above {:g}; a shorter solver.time_step or a softer spring mends it",
+                                   quality.max_spring_angle, inaccurate_spring, unstable_spring));
   return warnings;
 }
 

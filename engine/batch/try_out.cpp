@@ -10,6 +10,7 @@
 #include "plugin/sampled_params.h"
 #include "plugin/sampled_states.h"
 #include "scenario/build_trial.h"
+#include "units/usual.h"
 
 namespace flyrock {
 
@@ -44,7 +45,7 @@ void try_law(const std::unique_ptr<LawKind>& law, const std::optional<PluginUse>
 }
 
 /// States of a contact as laws meet them: a slow, an oblique and a fast impact.
-std::array<ContactState, samples> sampled_contacts() {
+std::array<ContactState, samples> typical_contacts() {
   std::array<ContactState, samples> states;
   const double approach[] = {0.1, 3, 20}, slip[] = {0.5, 8, 1};
   for (std::size_t i = 0; i < samples; ++i) {
@@ -68,7 +69,7 @@ void try_laws(const Scenario& scenario, const Instances& instances, TriedOut& tr
   for (std::size_t m = 0; m < scenario.materials.size(); ++m) {
     const Material& material = scenario.materials[m];
     const MaterialLaws& laws = instances.materials[m];
-    const auto states = sampled_contacts();
+    const auto states = typical_contacts();
     for (std::uint64_t i = 0; i < samples; ++i) {
       ContactState state = states[i];
       state.material = material.name;
@@ -145,6 +146,10 @@ void try_trials(const Scenario& scenario, TrialBuilder<D>& builder, std::uint64_
       find_free_rollers(scenario, trial, tried);
       for (std::size_t i = 0; i < trial.rocks.size(); ++i) {
         const TrialRock& rock = trial.rocks[i];
+        if (rock.launch_speed > usual::launch.greatest)
+          add(tried.warnings, fmt::format("rocks.{}.launch", rock.group),
+              fmt::format("trial {}, rock {}: a launch at {:.4g} m/s is unusual, expected at most {:g} m/s", number, i, rock.launch_speed,
+                          usual::launch.greatest));
         if (!rock.fault.empty())
           add(tried.errors, rock.fault_path, fmt::format("trial {}, rock {}: {}", number, i, rock.fault));
       }

@@ -3,11 +3,13 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "units/units.h"
+#include "units/usual.h"
 
 namespace flyrock {
 
@@ -40,6 +42,7 @@ struct BlastFieldInfo {
   std::string_view unit;
   Dimension dimension;
   std::string_view doc;
+  std::optional<UsualRange> usual = std::nullopt;
 };
 const std::vector<BlastFieldInfo>& blast_fields();
 

@@ -26,6 +26,7 @@ Overrides overrides_of(const CommandLine& line) {
 std::optional<LoadedScenario> load(const std::string& path, const Overrides& overrides, bool strict) {
   Diagnostics diagnostics;
   std::optional<LoadedScenario> loaded = load_scenario(path, overrides, diagnostics);
+  if (strict) diagnostics.be_strict();
   if (strict && loaded)
     for (const std::string& key : loaded->plan.not_used)  // "blast.spacing (bench_fit does not read it)"
       diagnostics.error(node_at(loaded->root, key.substr(0, key.find(' '))).key_at, "", "not used: " + key);

@@ -43,6 +43,7 @@ std::string allowed_text(const ParamSpec& param) {
   if (param.max) limits.push_back("at most " + in_unit(*param.max, param));
   if (param.below) limits.push_back("below " + in_unit(*param.below, param));
   for (const ParamBound& bound : param.bounds) limits.push_back(fmt::format("{} {}", name_of(bound.relation), bound.other));
+  if (param.usual) limits.push_back(fmt::format("usually {} to {}", in_unit(param.usual->least, param), in_unit(param.usual->greatest, param)));
   if (!param.choices.empty()) limits.push_back(fmt::format("{}", fmt::join(param.choices, " | ")));
   return fmt::format("{}", fmt::join(limits, ", "));
 }
@@ -168,6 +169,7 @@ Json json_of(const PluginSpec& spec) {
     if (param.max) entry["max"] = *param.max;
     if (param.above) entry["above"] = *param.above;
     if (param.below) entry["below"] = *param.below;
+    if (param.usual) entry["usual"] = {param.usual->least, param.usual->greatest};
     for (const ParamBound& bound : param.bounds) entry[std::string(key_of(bound.relation))] = bound.other;
     if (!param.choices.empty()) entry["choices"] = param.choices;
     params.push_back(entry);

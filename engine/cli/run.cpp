@@ -142,7 +142,7 @@ po::options_description run_options() {
       ("resume", "goes on with a run that was interrupted or killed")
       ("force", "replaces the results in an existing folder")
       ("quiet", "no progress and no summary")
-      ("strict", "keys that nothing reads are errors; ends at the first fault or step that did not converge");
+      ("strict", "keys that nothing reads and values outside of what is usual are errors; ends at the first fault or step that did not converge");
   return options;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "units/units.h"
+#include "units/usual.h"
 
 namespace flyrock {
 
@@ -60,6 +61,7 @@ struct ParamSpec {
   std::optional<double> min, max;            ///< allowed, limits included
   std::optional<double> above, below;        ///< allowed, limits excluded
   std::vector<ParamBound> bounds;            ///< number, integer: limits that are other parameters
+  std::optional<UsualRange> usual;           ///< number, integer, vector (of each component), spin
   std::vector<std::string> choices;
 
   bool required() const { return !optional && !default_number && !default_text && !default_vector; }

@@ -76,6 +76,29 @@ std::optional<Scope> decode_scope(DecodeContext& context, const Node& node, cons
   return std::nullopt;
 }
 
+/// "; did you mean `2.7 g/cm3`?" where a bare number is usual in another unit than SI.
+std::string unit_hint(const Value& value, const Dimension& dimension, const UsualRange& usual) {
+  static const std::vector<std::string> candidates{"g/cm3", "mm", "cm", "in", "ft", "km/s", "km/h"};
+  const double* number = value.number();
+  if (!number) return {};
+  for (const std::string& name : candidates) {
+    const Unit unit = parse_unit(name).value();
+    if (unit.dimension == dimension && usual.holds(*number * unit.factor))
+      return fmt::format("; did you mean `{} {}`?", shortest(*number), name);
+  }
+  return {};
+}
+
+/// Values from `low` to `high`.
+void warn_of_unusual(DecodeContext& context, const Node& node, const ParamSpec& spec, double low, double high) {
+  if (!spec.usual || (spec.usual->holds(low) && spec.usual->holds(high))) return;
+  const std::string found = low == high ? fmt::format("{} is unusual", with_unit(low, spec))
+                                        : fmt::format("draws from {} to {} are unusual", with_unit(low, spec), with_unit(high, spec));
+  context.diagnostics.unusual(node.value->at, node.path,
+                              fmt::format("{}, expected {} to {}{}", found, with_unit(spec.usual->least, spec),
+                                          with_unit(spec.usual->greatest, spec), unit_hint(*node.value, spec.dimension, *spec.usual)));
+}
+
 std::optional<DecodedNumber> decode_draw(DecodeContext& context, const Node& node, const ParamSpec& spec,
                                          const NumberRules& rules) {
   if (!rules.varies) {
@@ -98,6 +121,8 @@ std::optional<DecodedNumber> decode_draw(DecodeContext& context, const Node& nod
                                                 with_unit(low, spec), with_unit(high, spec), fault));
     return std::nullopt;
   }
+  constexpr double rare = 1e-3;  // a draw in a thousand may be beyond each end
+  warn_of_unusual(context, node, spec, distribution.quantile(rare), distribution.quantile(1 - rare));
   Draw draw{node.path, node.stream, distribution, *scope, hash_name(node.stream), 1, si_unit(spec.dimension)};
   DecodedNumber result;
   result.number.draw = static_cast<int>(context.draws.size());
@@ -156,6 +181,7 @@ std::optional<DecodedNumber> decode_number(DecodeContext& context, const Node& n
     node.error(context.diagnostics, fmt::format("is {}, {}", shown(*node.value), fault));
     return std::nullopt;
   }
+  warn_of_unusual(context, node, spec, *si, *si);
   return DecodedNumber{{*si, -1}, number_value(*si, spec.dimension)};
 }
 

@@ -62,6 +62,18 @@ void Diagnostics::warning(const Location& at, const std::string& path, const std
   add({Severity::warning, at, path, text});
 }
 
+void Diagnostics::unusual(const Location& at, const std::string& path, const std::string& text) {
+  add({Severity::unusual, at, path, text});
+}
+
+void Diagnostics::be_strict() {
+  for (Diagnostic& diagnostic : all_) {
+    if (diagnostic.severity != Severity::unusual) continue;
+    diagnostic.severity = Severity::error;
+    ++errors_given_;
+  }
+}
+
 void Diagnostics::add(Diagnostic diagnostic) {
   diagnostic.path = printable(diagnostic.path);
   diagnostic.text = printable(diagnostic.text);
@@ -71,7 +83,7 @@ void Diagnostics::add(Diagnostic diagnostic) {
 std::vector<std::string> Diagnostics::warnings() const {
   std::vector<std::string> list;
   for (const Diagnostic& diagnostic : all_)
-    if (diagnostic.severity == Severity::warning) list.push_back(message(diagnostic));
+    if (diagnostic.severity != Severity::error) list.push_back(message(diagnostic));
   return list;
 }
 

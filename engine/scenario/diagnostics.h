@@ -9,7 +9,11 @@
 
 namespace flyrock {
 
-enum class Severity { error, warning };
+enum class Severity {
+  error,
+  warning,
+  unusual  ///< a warning that `--strict` makes an error
+};
 
 struct Diagnostic {
   Severity severity = Severity::error;
@@ -23,6 +27,9 @@ class Diagnostics {
  public:
   void error(const Location& at, const std::string& path, const std::string& text);
   void warning(const Location& at, const std::string& path, const std::string& text);
+  void unusual(const Location& at, const std::string& path, const std::string& text);
+  /// Makes errors of what is unusual.
+  void be_strict();
 
   bool has_errors() const { return errors_given_ > 0; }
   /// Errors given so far, repeated ones too: what was read while this did not grow is sound.

@@ -71,9 +71,12 @@ ParamSpec above(ParamSpec spec, double limit) {
   spec.above = limit;
   return spec;
 }
-
 ParamSpec below(ParamSpec spec, double limit) {
   spec.below = limit;
+  return spec;
+}
+ParamSpec usually(ParamSpec spec, const std::optional<UsualRange>& range) {
+  spec.usual = range;
   return spec;
 }
 
@@ -101,7 +104,7 @@ std::vector<ParamSpec> blast_keys(std::string_view prefix) {
     if (!path.starts_with(prefix)) continue;
     path.remove_prefix(prefix.size());
     if (path.find('.') != std::string_view::npos) continue;
-    ParamSpec spec = optional(number(std::string(path), std::string(info.unit), std::string(info.doc)));
+    ParamSpec spec = usually(optional(number(std::string(path), std::string(info.unit), std::string(info.doc))), info.usual);
     const bool may_be_zero =
         info.field == BlastField::hole_stemming || info.field == BlastField::hole_subdrilling;
     if (info.field == BlastField::hole_deviation)
@@ -113,7 +116,7 @@ std::vector<ParamSpec> blast_keys(std::string_view prefix) {
 }
 
 std::vector<ParamSpec> mass_keys() {
-  return {above(optional(number("density", "kg/m3", "of the rock; or `mass`")), 0),
+  return {above(usually(optional(number("density", "kg/m3", "of the rock; or `mass`")), usual::density), 0),
           above(optional(number("mass", "kg", "of the rock; or `density`")), 0)};
 }
 
@@ -121,7 +124,7 @@ ParamSpec thickness() {
   return above(optional(number("thickness", "m", "by default that of the sphere of equal cross-section area")), 0);
 }
 
-ParamSpec spin(std::string doc) { return or_else(key(ParamType::spin, "spin", "rad/s", std::move(doc)), 0.0); }
+ParamSpec spin(std::string doc) { return usually(or_else(key(ParamType::spin, "spin", "rad/s", std::move(doc)), 0.0), usual::spin); }
 
 std::vector<ParamSpec> joined(std::vector<ParamSpec> first, std::vector<ParamSpec> second) {
   for (ParamSpec& spec : second) first.push_back(std::move(spec));
@@ -134,7 +137,7 @@ std::vector<SectionSpec> make_sections() {
       {"air",
        // Bounded: the steps of a flight shrink with the drag.
        {or_else(at_most(above(number("density", "kg/m3", "of the air"), 0), 100), 1.225),
-        at_most(at_least(number("cd", "", "drag coefficient, on the sphere of equal volume"), 0), 100),
+        usually(at_most(at_least(number("cd", "", "drag coefficient, on the sphere of equal volume"), 0), 100), usual::drag_coefficient),
         optional(vector("wind", "m/s", "calm where it is not given"))},
        {}},
       {"terrain", {optional(text("material", "of a terrain of one part"))}, {"type", "materials", "zones"}},
@@ -182,8 +185,8 @@ std::vector<SectionSpec> make_sections() {
       {"bodies",
        joined(joined({text("name", "of the body")}, mass_keys()),
               {thickness(), vector("position", "m", "of the centre of mass"),
-               optional(vector("velocity", "m/s", "at rest where it is not given")),
-               or_else(number("spin", "rad/s", "counter-clockwise"), 0.0),
+               usually(optional(vector("velocity", "m/s", "at rest where it is not given")), usual::launch),
+               usually(or_else(number("spin", "rad/s", "counter-clockwise"), 0.0), usual::spin),
                or_else(number("orientation", "rad", "counter-clockwise"), 0.0),
                boolean("fixed", false, "whether it never moves"),
                optional(text("material", "shown to other bodies, where `pairs` is silent"))}),
@@ -191,7 +194,7 @@ std::vector<SectionSpec> make_sections() {
       {"bodies 3D",
        joined(joined({text("name", "of the body")}, mass_keys()),
               {vector("position", "m", "of the centre of mass"),
-               optional(vector("velocity", "m/s", "at rest where it is not given")),
+               usually(optional(vector("velocity", "m/s", "at rest where it is not given")), usual::launch),
                spin("components in the world frame"), boolean("fixed", false, "whether it never moves"),
                optional(text("material", "shown to other bodies, where `pairs` is silent"))}),
        {"shape", "orientation", "driven"}},
@@ -227,7 +230,7 @@ std::vector<SectionSpec> make_sections() {
                 0.02)},
        {}},
       {"stop",
-       {at_most(above(number("time", "s", "end of a trial"), 0), 1e5),
+       {usually(at_most(above(number("time", "s", "end of a trial"), 0), 1e5), usual::stop_time),
         or_else(at_least(number("speed", "m/s", "below which a rock is at rest; 0 never"), 0), 0.05)},
        {}},
       {"output",

@@ -9,15 +9,9 @@
 
 namespace flyrock {
 
-namespace {
-
-constexpr int few = 8;  // contacts: plain sweeps, judged after each
-
-}  // namespace
-
 template <int D>
 Nlgs<D>::Nlgs() {
-  const std::size_t rows = few * Problem::rows;
+  const std::size_t rows = few_contacts * Problem::rows;
   for (auto* buffer : {&scale_, &from_, &to_}) buffer->reserve(rows);
   anderson_.begin(std::vector<double>(rows, 1.0));
 }
@@ -38,7 +32,7 @@ void Nlgs<D>::begin(const Problem& problem, const SolveSettings& settings, std::
     for (const auto& contact : problem.contacts)
       friction_.emplace_back(contact.w.template topLeftCorner<3, 3>(), contact.mu);
   }
-  accelerated_ = problem.size() > few;
+  accelerated_ = problem.size() > few_contacts;
   if (accelerated_) begin_acceleration();
 }
 

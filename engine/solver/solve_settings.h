@@ -1,6 +1,7 @@
 #pragma once
 // What a solve is asked for, and how it ended.
 
+#include <cstddef>
 #include <optional>
 #include <string_view>
 
@@ -16,6 +17,9 @@ enum class ErrorMeasure { step, merit };
 /// Of a scenario that names none. Chosen by measurement over an arch, a stack, a wall, a pile, a box on its edge and the bench
 /// blast (docs/numerics.md): at 1e-6 an arch creeps, at 1e-8 a pile takes three times as long.
 inline constexpr double default_tolerance = 1e-7;
+
+/// A problem of so many contacts is small: it is swept plainly, and where `to_rounding` matters it costs little.
+inline constexpr std::size_t few_contacts = 8;
 
 struct SolveSettings {
   double tolerance = default_tolerance;

@@ -27,12 +27,11 @@ void World<D>::apply_laws(double h) {
 /// its corners then arrive one after the other.
 template <int D>
 void World<D>::solve_and_apply() {
-  constexpr std::size_t few = 8;  // contacts
   const PhaseTimer timer(clock, &PhaseTimes::solve);
   if (on_hard_problem) start_ = impulses_;
   SolveSettings wanted;
   wanted.tolerance = settings_.tolerance;
-  wanted.to_rounding = contacts_.size() <= few;
+  wanted.to_rounding = contacts_.size() <= few_contacts;
   wanted.max_iterations = settings_.max_iterations;
   wanted.solver = settings_.solver;
   const SolveResult result = solver_.solve(problem_, rebounds_, wanted, impulses_);

@@ -27,7 +27,10 @@ class ParamReader {
     const bool numeric = spin || spec_.type == ParamType::number || spec_.type == ParamType::integer;
     if (spin || spec_.type == ParamType::number || spec_.type == ParamType::vector || spec_.type == ParamType::points)
       read_unit();
-    if (numeric || spec_.type == ParamType::vector) read_limits();
+    if (numeric || spec_.type == ParamType::vector) {
+      read_limits();
+      read_usual();
+    }
     read_default();
     if (spec_.optional && table_.field("default"))
       table_.error("optional", "a parameter with a default is never left out: give one of the two");
@@ -91,6 +94,15 @@ class ParamReader {
     spec_.below = limit(BoundRelation::below);
     if (spec_.min && spec_.above) table_.error("above", "expected one of `min` and `above`, not both");
     if (spec_.max && spec_.below) table_.error("below", "expected one of `max` and `below`, not both");
+  }
+
+  void read_usual() {
+    const std::optional<std::vector<double>> ends = table_.numbers("usual");
+    if (!ends) return;
+    if (ends->size() == 2 && (*ends)[0] < (*ends)[1])
+      spec_.usual = UsualRange{si((*ends)[0]), si((*ends)[1])};
+    else
+      table_.error("usual", "expected two numbers, the least and the greatest usual value");
   }
 
   void check_default(double value) {

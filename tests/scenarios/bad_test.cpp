@@ -33,23 +33,35 @@ std::vector<fs::path> files(const fs::path& folder, const std::string& extension
   return list;
 }
 
+/// A scenario as `flyrock check` reads it and tries it out.
+flyrock::Diagnostics messages_about(const fs::path& path) {
+  flyrock::Diagnostics diagnostics;
+  auto loaded = flyrock::load_scenario(path.filename().string(), {}, diagnostics);
+  if (loaded) flyrock::try_runners(*loaded, 200, diagnostics);
+  return diagnostics;
+}
+
+/// The messages about a scenario are the text of its .expect.
+void check_text(const flyrock::Diagnostics& diagnostics, const fs::path& path) {
+  const fs::path expect = fs::path(path).replace_extension(".expect");
+  // FLYROCK_UPDATE_EXPECT=1 writes the texts anew; look at the difference before it is committed.
+  if (std::getenv("FLYROCK_UPDATE_EXPECT")) std::ofstream(expect) << diagnostics.to_text();
+  CHECK(diagnostics.to_text() == read(expect));
+}
+
+fs::path folder_of(const std::string& name) { return fs::path(FLYROCK_SOURCE_DIR) / "tests/scenarios" / name; }
+
 /// Every file with this extension in a folder beside this one gives the text of its .expect.
 void check_messages(const std::string& name, const std::string& extension, std::size_t at_least) {
-  const fs::path folder = fs::path(FLYROCK_SOURCE_DIR) / "tests/scenarios" / name;
+  const fs::path folder = folder_of(name);
   const InFolder inside(folder);
-  // FLYROCK_UPDATE_EXPECT=1 writes the texts anew; look at the difference before it is committed.
-  const bool update = std::getenv("FLYROCK_UPDATE_EXPECT") != nullptr;
   const std::vector<fs::path> scenarios = files(folder, extension);
   REQUIRE(scenarios.size() >= at_least);
   for (const fs::path& path : scenarios) {
-    flyrock::Diagnostics diagnostics;
-    auto loaded = flyrock::load_scenario(path.filename().string(), {}, diagnostics);
-    const fs::path expect = fs::path(path).replace_extension(".expect");
     INFO(path.filename());
-    if (loaded) flyrock::try_runners(*loaded, 200, diagnostics);  // as `flyrock check`
+    const flyrock::Diagnostics diagnostics = messages_about(path);
     CHECK(diagnostics.has_errors());
-    if (update) std::ofstream(expect) << diagnostics.to_text();
-    CHECK(diagnostics.to_text() == read(expect));
+    check_text(diagnostics, path);
   }
 }
 
@@ -88,4 +100,15 @@ TEST_CASE("the Lua twin of a scenario resolves to the same bytes") {
   REQUIRE(lua);
   CHECK(to_json(lua->plan.resolved) == to_json(yaml->plan.resolved));
   CHECK(lua->plan.not_used == yaml->plan.not_used);
+}
+
+TEST_CASE("values outside of what is usual are warned of, and refused under --strict") {
+  const fs::path folder = folder_of("unusual");
+  const InFolder inside(folder);
+  flyrock::Diagnostics diagnostics = messages_about(folder / "quarry.yaml");
+  CHECK_FALSE(diagnostics.has_errors());
+  CHECK(diagnostics.warnings().size() >= 15);
+  check_text(diagnostics, folder / "quarry.yaml");
+  diagnostics.be_strict();
+  CHECK(diagnostics.has_errors());
 }

@@ -10,7 +10,7 @@ return fr.plugin {
   reads = { "contact.area", "contact.age", "contact.pair_age", "contact.was_sticking" },
   history = { "age", "broken" },
   params = {
-    mu = fr.number { min = 0, doc = "coefficient of friction" },
+    mu = fr.number { min = 0, usual = { 0, 2 }, doc = "coefficient of friction" },
     cohesion = fr.number { min = 0, unit = "Pa", doc = "shear strength without pressure" },
     tension = fr.number { default = 0, min = 0, unit = "Pa", doc = "tensile strength; where mu is not 0 at most cohesion / mu" },
   },

@@ -10,8 +10,8 @@ return fr.plugin {
   history = { "slip" },
   history_of = "contact",
   params = {
-    mu_s = fr.number { min = 0, doc = "coefficient before any slip" },
-    mu_d = fr.number { min = 0, max = "mu_s", doc = "coefficient after the distance" },
+    mu_s = fr.number { min = 0, usual = { 0, 2 }, doc = "coefficient before any slip" },
+    mu_d = fr.number { min = 0, max = "mu_s", usual = { 0, 2 }, doc = "coefficient after the distance" },
     distance = fr.number { above = 0, unit = "m", doc = "slip over which friction falls" },
   },
   native = "slip_weakening",

@@ -9,7 +9,7 @@ return fr.plugin {
     .. "friction. For a contact that meets nothing else at the same time, as a ball on a slope or a lumped mass.",
   source = "E. Hoek and J. W. Bray 1977; RocFall",
   params = {
-    rn = fr.number { min = 0, doc = "kept share of the normal velocity" },
+    rn = fr.number { min = 0, usual = { 0, 1 }, doc = "kept share of the normal velocity" },
     rt = fr.number { min = 0, max = 1, doc = "kept share of the tangential velocity" },
   },
   impact = function(p) return p.rn, p.rt end,

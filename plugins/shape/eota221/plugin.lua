@@ -6,7 +6,7 @@ return fr.plugin {
   doc = "The flat norm block of rock-fall tests (3D), half as high as long and wide.",
   source = "EAD 340059-00-0106, rockfall protection kits, EOTA 2018",
   params = {
-    length = fr.number { above = 0, unit = "m", doc = "its longest side; 1.413 m make 1 m3" },
+    length = fr.number { above = 0, unit = "m", usual = { 0.001, 20 }, doc = "its longest side; 1.413 m make 1 m3" },
   },
   native = "eota221",
 }

@@ -9,7 +9,7 @@ return fr.plugin {
   params = {
     vertices = fr.points { optional = true, unit = "m", doc = "the vertices in order, in place of sides and diameter" },
     sides = fr.integer { optional = true, min = 3, max = 100, doc = "number of sides of a drawn polygon" },
-    diameter = fr.number { optional = true, above = 0, unit = "m", doc = "diameter of the circle of equal area" },
+    diameter = fr.number { optional = true, above = 0, unit = "m", usual = { 0.001, 20 }, doc = "diameter of the circle of equal area" },
     irregularity = fr.number {
       optional = true, min = 0, max = 1,
       doc = "of a drawn polygon: 0 is regular, 1 has vertices uniformly at random; 0.3 where it is left out",
