@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "batch/statistics.h"
 
 namespace flyrock {
 

@@ -6,10 +6,9 @@
 #include <algorithm>
 #include <map>
 
-#include "batch/reach.h"
 #include "scenario/blast_readers.h"
-#include "scenario/build_trial.h"
-#include "trajectory/shroud.h"
+#include "trial/build_trial.h"
+#include "flight/shroud.h"
 
 namespace flyrock {
 
@@ -131,6 +130,21 @@ void warn_of_short_throws(const Value& root, const Plan& plan, Diagnostics& diag
   } catch (const TrialError&) {
     return;  // the run says it, with the trial
   }
+}
+
+std::string model_text(const PluginUse& use) {
+  const PluginSpec& spec = use.plugin->spec;
+  std::string settings;
+  const auto add = [&](const std::string& text) { settings += (settings.empty() ? "" : ", ") + text; };
+  for (std::size_t i = 0; i < spec.params.size(); ++i) {
+    const ParamSpec& param = spec.params[i];
+    const ParamValue& value = use.values[i];
+    if (!value.given) continue;
+    if (param.type == ParamType::choice) add(value.text);
+    if (param.type == ParamType::number && param.unit.empty() && value.numbers[0].is_constant())
+      add(fmt::format("{} {:.6g}", param.name, value.numbers[0].constant));
+  }
+  return settings.empty() ? spec.name : fmt::format("{} ({})", spec.name, settings);
 }
 
 }  // namespace flyrock

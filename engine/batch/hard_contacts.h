@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scenario/build_trial.h"
+#include "trial/build_trial.h"
 
 namespace flyrock {
 

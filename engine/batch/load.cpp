@@ -2,12 +2,12 @@
 
 #include <filesystem>
 
-#include "batch/clearance.h"
+#include "batch/clearance_check.h"
 #include "batch/greatest_throw.h"
 #include "batch/safe_file.h"
 #include "batch/sha256.h"
 #include "host/share.h"
-#include "scenario/yaml_reader.h"
+#include "document/yaml_reader.h"
 
 namespace flyrock {
 

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "batch/envelope.h"
-#include "host/print_log.h"
+#include "scenario/scenario.h"
+#include "sandbox/print_log.h"
 #include "world/observe.h"
 #include "world/phase_clock.h"
 #include "world/surface.h"
@@ -37,6 +38,11 @@ struct RockRecord {
   Travel travel;               ///< path in that time, by mode of travel
   std::string fault;           ///< of a rock that failed: why
 };
+
+bool is_fault(StopReason reason);
+
+/// What RockRecord::group counts: the rock groups, or the bodies.
+std::vector<std::string> group_names(const Scenario& scenario);
 
 /// One drawn number of one rock: `draw` is the index into Scenario::draws. Draws `per: impact` are not stored.
 struct InputRecord {

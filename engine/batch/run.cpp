@@ -13,7 +13,6 @@
 #include "batch/chunk_queue.h"
 #include "batch/record_check.h"
 #include "batch/safe_file.h"
-#include "batch/statistics.h"
 #include "flight/run.h"
 
 namespace flyrock {

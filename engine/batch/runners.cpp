@@ -1,7 +1,7 @@
 #include "batch/runners.h"
 
 #include "batch/try_out.h"
-#include "scenario/node.h"
+#include "document/node.h"
 
 namespace flyrock {
 

@@ -9,13 +9,12 @@
 #include <utility>
 
 #include "batch/safe_file.h"
-#include "batch/statistics.h"
 #include "flight/ground.h"
 #include "flight/run.h"
-#include "scenario/dimensions.h"
-#include "scenario/scenario_error.h"
+#include "trial/dimensions.h"
+#include "trial/scenario_error.h"
 #include "solver/fclib.h"
-#include "trajectory/ballistic_run.h"
+#include "flight/ballistic_run.h"
 
 namespace flyrock {
 

@@ -6,7 +6,7 @@
 
 #include "batch/records.h"
 #include "flight/run.h"
-#include "scenario/build_trial.h"
+#include "trial/build_trial.h"
 
 namespace flyrock {
 

@@ -9,7 +9,7 @@
 #include "batch/hard_contacts.h"
 #include "plugin/sampled_params.h"
 #include "plugin/sampled_states.h"
-#include "scenario/build_trial.h"
+#include "trial/build_trial.h"
 #include "units/usual.h"
 
 namespace flyrock {

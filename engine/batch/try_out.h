@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "scenario/scenario.h"
-#include "scenario/scenario_error.h"
+#include "trial/scenario_error.h"
 
 namespace flyrock {
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "batch/answer.h"
+#include "results/answer.h"
 #include "batch/safe_file.h"
 #include "cli/loading.h"
 #include "cli/not_used_line.h"

@@ -2,7 +2,7 @@
 // The beginning and the end of commands that build results.
 
 #include "batch/chunk.h"
-#include "batch/results.h"
+#include "results/results.h"
 #include "cli/command.h"
 #include "report/tables.h"
 

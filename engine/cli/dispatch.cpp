@@ -11,7 +11,7 @@
 #include <system_error>
 
 #include "batch/safe_file.h"
-#include "scenario/printable.h"
+#include "document/printable.h"
 #include "solver/hdf5_file.h"
 #include "units/units.h"
 

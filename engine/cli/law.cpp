@@ -12,8 +12,8 @@
 #include "host/share.h"
 #include "report/line_plot.h"
 #include "scenario/decode_params.h"
-#include "scenario/yaml_reader.h"
-#include "verify/law_graph.h"
+#include "document/yaml_reader.h"
+#include "results/law_graph.h"
 
 namespace flyrock::cli {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "scenario/node.h"
+#include "document/node.h"
 
 namespace flyrock::cli {
 

@@ -9,7 +9,7 @@
 #include "host/locate.h"
 #include "host/lua_tokens.h"
 #include "host/manifest.h"
-#include "scenario/yaml_text.h"
+#include "document/yaml_text.h"
 
 namespace flyrock::cli {
 

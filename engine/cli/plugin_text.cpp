@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "cli/command.h"
-#include "scenario/value.h"
+#include "document/value.h"
 
 namespace flyrock::cli {
 

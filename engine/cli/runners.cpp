@@ -4,7 +4,7 @@
 
 #include "batch/safe_file.h"
 #include "cli/terminal.h"
-#include "scenario/node.h"
+#include "document/node.h"
 #include "solver/hdf5_file.h"
 
 namespace flyrock::cli {

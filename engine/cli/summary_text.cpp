@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "batch/answer.h"
-#include "batch/answer_shares.h"
-#include "batch/fault_line.h"
+#include "results/answer.h"
+#include "results/answer_shares.h"
+#include "results/fault_line.h"
 #include "cli/not_used_line.h"
 #include "cli/terminal.h"
 #include "math/space.h"

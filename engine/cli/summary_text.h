@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "batch/results.h"
+#include "results/results.h"
 
 namespace flyrock::cli {
 

@@ -31,7 +31,11 @@ struct Rotation2 {
   double c = 1;
   double s = 0;
 
-  static Rotation2 from_angle(double angle) { return {std::cos(angle), std::sin(angle)}; }
+  static Rotation2 from_angle(double angle) {
+    double sine, cosine;
+    ::sincos(angle, &sine, &cosine);  // one reduction of the angle serves both
+    return {cosine, sine};
+  }
   Vec2 operator*(const Vec2& v) const { return {c * v.x() - s * v.y(), s * v.x() + c * v.y()}; }
   Vec2 inverse(const Vec2& v) const { return {c * v.x() + s * v.y(), -s * v.x() + c * v.y()}; }
 };

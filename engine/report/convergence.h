@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "batch/statistics.h"
+#include "results/statistics.h"
 
 namespace flyrock {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "scenario/value.h"
+#include "document/value.h"
 
 namespace flyrock {
 

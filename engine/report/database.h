@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "batch/results.h"
+#include "results/results.h"
 #include "report/sqlite.h"
 
 namespace flyrock {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "batch/measures.h"
+#include "results/measures.h"
 
 namespace flyrock {
 

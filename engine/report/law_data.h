@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "batch/material_graphs.h"
+#include "results/material_graphs.h"
 
 namespace flyrock {
 

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "batch/reach.h"
+#include "results/reach.h"
 
 namespace flyrock {
 

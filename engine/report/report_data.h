@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "batch/load.h"
-#include "batch/results.h"
+#include "results/results.h"
 #include "report/sensitivity.h"
 #include "report/tracks.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "batch/load.h"
-#include "batch/results.h"
+#include "results/results.h"
 #include "batch/safe_file.h"
 #include "report/database.h"
 #include "report/report_data.h"

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "batch/statistics.h"
+#include "results/statistics.h"
 
 namespace flyrock {
 

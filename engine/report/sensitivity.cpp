@@ -5,7 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "batch/rank_correlation.h"
+#include "results/rank_correlation.h"
 #include "report/rounded.h"
 
 namespace flyrock {

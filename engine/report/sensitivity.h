@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "batch/statistics.h"
+#include "results/statistics.h"
 #include "report/ranked_inputs.h"
 
 namespace flyrock {

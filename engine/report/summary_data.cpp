@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "batch/answer.h"
-#include "batch/answer_shares.h"
-#include "batch/fault_line.h"
+#include "results/answer.h"
+#include "results/answer_shares.h"
+#include "results/fault_line.h"
 #include "report/reach_data.h"
 
 namespace flyrock {

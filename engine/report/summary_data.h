@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "batch/results.h"
+#include "results/results.h"
 
 namespace flyrock {
 

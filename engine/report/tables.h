@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "batch/load.h"
-#include "batch/results.h"
+#include "results/results.h"
 
 namespace flyrock {
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "batch/safe_file.h"
-#include "scenario/value.h"
+#include "document/value.h"
 
 namespace flyrock {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scenario/diagnostics.h"
+#include "document/diagnostics.h"
 #include "scenario/scenario.h"
 
 namespace flyrock {

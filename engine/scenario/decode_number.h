@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "plugin/registry.h"
-#include "scenario/node.h"
+#include "document/node.h"
 
 namespace flyrock {
 

@@ -16,7 +16,7 @@ SolverPlan decode_solver(DecodeContext& context, const std::optional<Node>& node
   Map map;
   const Section section = decode_section(context, node, "solver", {}, map);
   put(resolved, "solver", map_value(std::move(map)));
-  return {.kind = solver_of_name(section.text("name")).value_or(SolverKind::automatic),
+  return {.name = section.text("name"),
           .time_step = section.constant("time_step"),
           .theta = section.constant("theta"),
           .tolerance = section.constant("tolerance"),

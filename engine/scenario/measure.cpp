@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "scenario/node.h"
+#include "document/node.h"
 
 namespace flyrock {
 

@@ -5,8 +5,8 @@
 #include <charconv>
 
 #include "scenario/decode.h"
-#include "scenario/node.h"
-#include "scenario/yaml_reader.h"
+#include "document/node.h"
+#include "document/yaml_reader.h"
 
 namespace flyrock {
 

@@ -12,8 +12,7 @@
 #include "blast/design.h"
 #include "math/space.h"
 #include "plugin/registry.h"
-#include "scenario/value.h"
-#include "solver/solve_settings.h"
+#include "document/value.h"
 
 namespace flyrock {
 
@@ -159,10 +158,10 @@ struct ClearancePlan {
 enum class FlightMode { exact, stepped };
 
 struct SolverPlan {
-  SolverKind kind = SolverKind::automatic;
+  std::string name = "auto";  ///< solver/solve_settings.h
   double time_step = 1e-3;  ///< s
   double theta = 0.5;
-  double tolerance = 1e-6;
+  double tolerance = 1e-7;  ///< by measurement, see default_tolerance
   int max_iterations = 1000;
   FlightMode flight = FlightMode::exact;
   double rest_speed = 0.02;  ///< m/s

@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "blast/blast.h"
-#include "solver/solve_settings.h"
+#include "scenario/scenario.h"
 
 namespace flyrock {
 
@@ -223,7 +223,7 @@ std::vector<SectionSpec> make_sections() {
        {or_else(choice("name", {"auto", "nlgs", "proximal_newton"}, "which contact solver"), "auto"),
         or_else(at_most(at_least(number("time_step", "s", "of the contact scheme"), 1e-7), 0.1), 1e-3),
         or_else(at_most(at_least(number("theta", "", "of the theta scheme"), 0.5), 1), 0.5),
-        or_else(above(number("tolerance", "", "of the scaled residual"), 0), default_tolerance),
+        or_else(above(number("tolerance", "", "of the scaled residual"), 0), SolverPlan{}.tolerance),
         or_else(at_least(integer("max_iterations", "of one contact problem"), 1), 1000),
         or_else(choice("flight", {"exact", "stepped"}, "motion between contacts"), "exact"),
         or_else(at_least(number("rest_speed", "m/s", "below which a contact closes without restitution"), 0),

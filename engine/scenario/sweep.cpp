@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "scenario/node.h"
+#include "document/node.h"
 #include "units/units.h"
 
 namespace flyrock {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scenario/diagnostics.h"
+#include "document/diagnostics.h"
 
 namespace flyrock {
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "host/state.h"
+#include "sandbox/state.h"
 #include "plugin/registry.h"
 
 namespace flyrock {

@@ -7,10 +7,11 @@
 
 #include "host/adapters.h"
 #include "host/manifest.h"
-#include "host/read_only.h"
+#include "sandbox/read_only.h"
 #include "host/read_value.h"
-#include "host/sandbox.h"
+#include "sandbox/sandbox.h"
 #include "host/table_reader.h"
+#include "host/wording.h"
 #include "plugin/module_loader.h"
 #include "units/units.h"
 
@@ -30,7 +31,7 @@ bool is_within(const fs::path& path, const fs::path& folder) {
 
 }  // namespace
 
-LuaSession::Host::Host(const std::string& share) : state_(std::make_shared<LuaState>()) {
+LuaSession::Host::Host(const std::string& share) : state_(std::make_shared<LuaState>(wording)) {
   if (const std::string error = load_module(share + "/flyrock_plugins.so", natives_); !error.empty())
     throw std::runtime_error(error);
   try {

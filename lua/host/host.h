@@ -11,7 +11,7 @@
 #include "host/locate.h"
 #include "host/session.h"
 #include "host/source_files.h"
-#include "host/state.h"
+#include "sandbox/state.h"
 #include "plugin/module.h"
 
 namespace flyrock {

@@ -104,10 +104,6 @@ Location FieldPlaces::at(const std::map<std::string, Place>& places, const std::
 Location FieldPlaces::key(const std::string& path) const { return at(keys_, path); }
 Location FieldPlaces::value(const std::string& path) const { return at(values_, path); }
 
-std::string join_path(const std::string& path, const std::string& key) {
-  return path.empty() ? key : path + "." + key;
-}
-
 std::string join_path(const std::string& path, std::size_t index) {
   return fmt::format("{}[{}]", path, index);
 }

@@ -6,7 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "scenario/value.h"
+#include "document/value.h"
+#include "document/wording.h"
 
 namespace flyrock {
 
@@ -37,8 +38,6 @@ class FieldPlaces {
   std::map<std::string, Place> keys_, values_;
 };
 
-/// "a.b" or, for a path that is empty, "b".
-std::string join_path(const std::string& path, const std::string& key);
 /// "a[2]".
 std::string join_path(const std::string& path, std::size_t index);
 

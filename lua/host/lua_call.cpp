@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <lua.hpp>
 
-#include "host/read_only.h"
+#include "sandbox/read_only.h"
 
 namespace flyrock {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "host/freeze.h"
-#include "host/state.h"
+#include "sandbox/freeze.h"
+#include "sandbox/state.h"
 #include "host/view.h"
 #include "plugin/params.h"
 

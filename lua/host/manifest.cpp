@@ -63,7 +63,7 @@ class ManifestReader {
     if (kind.empty()) return false;
     const std::string hint = did_you_mean(kind, kind_names());
     table_.error("kind", fmt::format("unknown kind `{}`{}", kind,
-                                     hint.empty() ? ", expected " + one_of(kind_names()) : hint));
+                                     hint.empty() ? ", expected " + choice_text(kind_names()) : hint));
     return false;
   }
 
@@ -120,7 +120,7 @@ class ManifestReader {
       if (std::find(known.begin(), known.end(), read.field) == known.end()) {
         const std::string hint = did_you_mean(read.field, known);
         table_.error("reads", fmt::format("unknown field `{}`{}", read.field,
-                                          hint.empty() ? ", expected one of " + one_of(known) : hint));
+                                          hint.empty() ? ", expected one of " + choice_text(known) : hint));
       }
       if (!read.always()) check_condition(read);
       spec_.reads.push_back(read);
@@ -153,7 +153,7 @@ class ManifestReader {
     const std::vector<std::string>& known = spec_.params[param].choices;
     for (const std::string& choice : read.choices)
       if (std::find(known.begin(), known.end(), choice) == known.end())
-        table_.error("reads", fmt::format("`{}` is no choice of `{}`, expected {}", choice, read.param, one_of(known)));
+        table_.error("reads", fmt::format("`{}` is no choice of `{}`, expected {}", choice, read.param, choice_text(known)));
     if (read.choices.empty()) table_.error("reads", fmt::format("`{}` without a choice, expected `FIELD if PARAM is CHOICE`", read.param));
   }
 

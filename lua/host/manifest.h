@@ -6,7 +6,7 @@
 #include <string>
 
 #include "plugin/spec.h"
-#include "scenario/diagnostics.h"
+#include "document/diagnostics.h"
 
 namespace flyrock {
 

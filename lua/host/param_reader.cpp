@@ -154,7 +154,7 @@ class ParamReader {
       return table_.error("choices", "missing, expected a list of texts: choices = { \"a\", \"b\" }");
     if (spec_.default_text &&
         std::find(spec_.choices.begin(), spec_.choices.end(), *spec_.default_text) == spec_.choices.end())
-      table_.error("default", fmt::format("`{}`, expected {}", *spec_.default_text, one_of(spec_.choices)));
+      table_.error("default", fmt::format("`{}`, expected {}", *spec_.default_text, choice_text(spec_.choices)));
   }
 
   std::string name_;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "plugin/spec.h"
-#include "scenario/diagnostics.h"
+#include "document/diagnostics.h"
 
 namespace flyrock {
 

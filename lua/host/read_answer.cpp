@@ -26,12 +26,12 @@ class AnswerReader {
 
   void check_keys(const Value& value, const std::string& path, const std::vector<std::string>& known) const {
     if (value.list() && value.list()->empty()) return;  // Lua writes an empty list and a table without fields alike
-    if (!value.map()) wrong(path, value, "a table with " + one_of(known));
+    if (!value.map()) wrong(path, value, "a table with " + choice_text(known));
     for (const Entry& entry : *value.map())
       if (std::find(known.begin(), known.end(), entry.key) == known.end()) {
         const std::string hint = did_you_mean(entry.key, known);
         call_.fail(fmt::format("returned the unknown field {}{}", join_path(path, entry.key),
-                               hint.empty() ? ", expected " + one_of(known) : hint));
+                               hint.empty() ? ", expected " + choice_text(known) : hint));
       }
   }
 

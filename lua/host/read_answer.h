@@ -4,7 +4,7 @@
 
 #include "host/lua_call.h"
 #include "plugin/models.h"
-#include "scenario/value.h"
+#include "document/value.h"
 
 namespace flyrock {
 

@@ -7,8 +7,8 @@
 #include <lua.hpp>
 #include <set>
 
-#include "host/read_only.h"
-#include "scenario/printable.h"
+#include "sandbox/read_only.h"
+#include "document/printable.h"
 
 namespace flyrock {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "host/locate.h"
-#include "scenario/diagnostics.h"
+#include "document/diagnostics.h"
 
 struct lua_State;
 

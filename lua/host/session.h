@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "host/print_log.h"
+#include "sandbox/print_log.h"
 #include "plugin/registry.h"
-#include "scenario/diagnostics.h"
+#include "document/diagnostics.h"
 
 namespace flyrock {
 

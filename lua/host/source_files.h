@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scenario/value.h"
+#include "document/value.h"
 
 namespace flyrock {
 

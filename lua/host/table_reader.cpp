@@ -90,21 +90,9 @@ void TableReader::finish() {
     if (std::find(known_.begin(), known_.end(), entry.key) == known_.end()) {
       failed_ = true;
       std::string hint = did_you_mean(entry.key, known_);
-      if (hint.empty()) hint = ", expected one of " + one_of(known_);
+      if (hint.empty()) hint = ", expected one of " + choice_text(known_);
       diagnostics_.error(entry.at, join_path(path_, entry.key), "unknown key" + hint);
     }
-}
-
-std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
-  const std::string nearest = nearest_name(word, candidates);
-  return nearest.empty() ? "" : fmt::format(", did you mean `{}`?", nearest);
-}
-
-std::string one_of(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text += fmt::format("{}`{}`", i == 0 ? "" : i + 1 == names.size() ? " or " : ", ", names[i]);
-  return text;
 }
 
 }  // namespace flyrock

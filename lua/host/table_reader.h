@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "scenario/diagnostics.h"
+#include "document/diagnostics.h"
+#include "document/wording.h"
 
 namespace flyrock {
 
@@ -43,11 +44,5 @@ class TableReader {
   std::vector<std::string> known_;
   bool failed_ = false;
 };
-
-/// ", did you mean `x`?" where a candidate is near, else empty.
-std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
-
-/// "`a`, `b` or `c`".
-std::string one_of(const std::vector<std::string>& names);
 
 }  // namespace flyrock

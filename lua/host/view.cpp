@@ -4,8 +4,8 @@
 
 #include <lua.hpp>
 
-#include "host/read_only.h"
-#include "host/state.h"
+#include "sandbox/read_only.h"
+#include "sandbox/state.h"
 #include "host/table_reader.h"
 
 namespace flyrock {

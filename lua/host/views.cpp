@@ -6,7 +6,7 @@
 #include <cmath>
 #include <lua.hpp>
 
-#include "host/state.h"
+#include "sandbox/state.h"
 
 namespace flyrock {
 

@@ -7,7 +7,7 @@
 #include <ctime>
 
 #include "random/stream.h"
-#include "trajectory/ballistic.h"
+#include "flight/ballistic.h"
 
 using namespace flyrock;
 

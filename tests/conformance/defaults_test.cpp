@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "batch/load.h"
-#include "batch/results.h"
+#include "results/results.h"
 #include "batch/trial.h"
 
 using namespace flyrock;

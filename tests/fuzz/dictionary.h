@@ -6,7 +6,7 @@
 
 #include "dice.h"
 #include "plugin/registry.h"
-#include "scenario/value.h"
+#include "document/value.h"
 
 namespace flyrock::fuzz {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "scenario/printable.h"
+#include "document/printable.h"
 
 namespace flyrock::fuzz {
 

@@ -7,7 +7,7 @@
 #include <cctype>
 #include <sstream>
 
-#include "scenario/printable.h"
+#include "document/printable.h"
 
 namespace flyrock::fuzz {
 

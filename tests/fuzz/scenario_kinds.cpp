@@ -6,7 +6,7 @@
 #include "kind.h"
 #include "mutate_text.h"
 #include "mutate_tree.h"
-#include "scenario/yaml_reader.h"
+#include "document/yaml_reader.h"
 
 namespace flyrock::fuzz {
 

@@ -9,11 +9,11 @@
 #include <limits>
 #include <set>
 
-#include "batch/clearance.h"
+#include "results/clearance.h"
 #include "batch/runners.h"
 #include "scenario/decode.h"
 #include "scenario/schema.h"
-#include "scenario/yaml_reader.h"
+#include "document/yaml_reader.h"
 
 namespace fs = std::filesystem;
 using namespace flyrock;

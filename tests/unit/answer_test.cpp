@@ -1,10 +1,10 @@
 // The answer in words: shares with their intervals, what barriers did, where censored rocks were.
 
-#include "batch/answer.h"
+#include "results/answer.h"
 
 #include <catch2/catch.hpp>
 
-#include "batch/answer_shares.h"
+#include "results/answer_shares.h"
 #include "fake_results.h"
 
 using namespace flyrock;

@@ -1,10 +1,10 @@
 // What the method ballistic keeps of a flight, against the parabola.
 
-#include "trajectory/ballistic_run.h"
+#include "flight/ballistic_run.h"
 
 #include <catch2/catch.hpp>
 
-#include "trajectory/vacuum.h"
+#include "flight/vacuum.h"
 
 using namespace flyrock;
 

@@ -1,13 +1,13 @@
 // Flights of a point with and without air, against closed forms and the reference integration of the issue: a sphere of
 // 0.1 m and 2700 kg/m3 with c_d 1 at 60 m/s and 45 degrees.
 
-#include "trajectory/ballistic.h"
+#include "flight/ballistic.h"
 
 #include <catch2/catch.hpp>
 
 #include "random/stream.h"
-#include "trajectory/shroud.h"
-#include "trajectory/vacuum.h"
+#include "flight/shroud.h"
+#include "flight/vacuum.h"
 
 using namespace flyrock;
 

@@ -1,6 +1,6 @@
 // The safety factor of a clearance.
 
-#include "batch/clearance.h"
+#include "results/clearance.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "batch/measures.h"
+#include "results/measures.h"
 #include "batch/rows.h"
 
 using namespace flyrock;

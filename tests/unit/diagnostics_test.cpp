@@ -1,8 +1,8 @@
-#include "scenario/diagnostics.h"
+#include "document/diagnostics.h"
 
 #include <catch2/catch.hpp>
 
-#include "scenario/printable.h"
+#include "document/printable.h"
 
 using namespace flyrock;
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "batch/results.h"
+#include "results/results.h"
 
 namespace flyrock::fake {
 

@@ -3,7 +3,8 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 
-#include "host/state.h"
+#include "host/wording.h"
+#include "sandbox/state.h"
 #include "unit/lua_fixture.h"
 
 using namespace flyrock;
@@ -26,7 +27,7 @@ TEST_CASE("an error of Lua unwinds C++ frames") {
     bool& destroyed;
     ~Witness() { destroyed = true; }
   };
-  LuaState state;
+  LuaState state{flyrock::wording};
   bool destroyed = false;
   CHECK_THROWS_WITH(state.run(Budget::call_limit,
                               [&](lua_State* lua) {

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "scenario/yaml_reader.h"
+#include "document/yaml_reader.h"
 #include "unit/lua_fixture.h"
 
 using namespace flyrock;

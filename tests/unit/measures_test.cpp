@@ -1,4 +1,4 @@
-#include "batch/expectations.h"
+#include "results/expectations.h"
 
 #include <catch2/catch.hpp>
 

@@ -3,7 +3,7 @@
 
 #include "batch/load.h"
 #include "batch/trial.h"
-#include "scenario/build_trial.h"
+#include "trial/build_trial.h"
 
 using namespace flyrock;
 

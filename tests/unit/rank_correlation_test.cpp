@@ -1,4 +1,4 @@
-#include "batch/rank_correlation.h"
+#include "results/rank_correlation.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "batch/material_graphs.h"
+#include "results/material_graphs.h"
 #include "batch/load.h"
 #include "report/convergence.h"
 #include "report/rounded.h"

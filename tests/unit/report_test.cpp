@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "batch/answer.h"
+#include "results/answer.h"
 #include "fake_results.h"
 #include "report/report_data.h"
 #include "report/runout_data.h"

@@ -1,11 +1,11 @@
-#include "batch/sample.h"
+#include "results/sample.h"
 
 #include <boost/math/distributions/lognormal.hpp>
 #include <boost/math/distributions/pareto.hpp>
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "batch/clearance.h"
+#include "results/clearance.h"
 #include "batch/rows.h"
 #include "random/stream.h"
 

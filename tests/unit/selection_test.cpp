@@ -1,4 +1,4 @@
-#include "batch/selection.h"
+#include "results/selection.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

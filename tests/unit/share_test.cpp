@@ -1,6 +1,6 @@
 // Intervals of shares against published and closed values.
 
-#include "batch/share.h"
+#include "results/share.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "batch/statistics.h"
+#include "results/statistics.h"
 
 #include <catch2/catch.hpp>
 

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "batch/load.h"
-#include "scenario/build_trial.h"
+#include "trial/build_trial.h"
 #include "unit/lua_fixture.h"
 
 using namespace flyrock;

@@ -1,8 +1,8 @@
-#include "scenario/value.h"
+#include "document/value.h"
 
 #include <catch2/catch.hpp>
 
-#include "scenario/yaml_reader.h"
+#include "document/yaml_reader.h"
 
 using namespace flyrock;
 

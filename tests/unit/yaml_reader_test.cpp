@@ -1,4 +1,4 @@
-#include "scenario/yaml_reader.h"
+#include "document/yaml_reader.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,0 +1,50 @@
+#pragma once
+// A value of the tree with its path: what decoding walks over.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "document/diagnostics.h"
+#include "document/wording.h"
+
+namespace flyrock {
+
+/// A value and where it stands. The value outlives the node. `stream` is the path with an element's name in
+/// place of its index: "rocks.blocks.density" for "rocks.0.density".
+struct Node {
+  const Value* value = nullptr;
+  Location key_at;  ///< of the key, or of the element of a list
+  std::string path;
+  std::string stream;
+  std::string key;  ///< the last step of the path
+
+  static Node root(const Value& value) { return {&value, value.at, "", "", ""}; }
+
+  /// The value of a key, where this is a map that has it.
+  std::optional<Node> find(std::string_view key) const;
+  /// The entries of a map in order of their bytes, so that a Lua table gives the same order as a file.
+  std::vector<Node> entries() const;
+  /// The elements of a list.
+  std::vector<Node> items() const;
+
+  /// Lua writes an empty list and an empty map alike.
+  bool is_map() const { return value->map() || (value->list() && value->list()->empty()); }
+  bool is_list() const { return value->list() || (value->map() && value->map()->empty()); }
+
+  /// An error at the value, or at its key where the value is empty.
+  void error(Diagnostics& diagnostics, const std::string& text) const;
+  /// An error unless this is a map: "is empty, expected a map" and the like.
+  bool expect_map(Diagnostics& diagnostics) const;
+  bool expect_list(Diagnostics& diagnostics) const;
+  /// An error at each key of this map that is not in `known`, with the nearest.
+  void refuse_unknown_keys(const std::vector<std::string>& known, Diagnostics& diagnostics) const;
+};
+
+/// The deepest node on the way to a path that exists: that of "rocks.0" for "rocks.0.release" where there is no release.
+Node node_at(const Value& root, const std::string& path);
+
+/// A value as messages show it: `12 s`, `true`, a list.
+std::string shown(const Value& value);
+
+}  // namespace flyrock

@@ -1,0 +1,22 @@
+#pragma once
+// Words that messages have in common, from YAML and from Lua.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace flyrock {
+
+/// "a.b" from "a" and "b"; "b" from "" and "b".
+std::string join_path(const std::string& path, std::string_view step);
+
+/// "`a`", "`a` or `b`", "`a`, `b` or `c`".
+std::string choice_text(const std::vector<std::string>& names);
+
+/// ", did you mean `x`?" with the candidate nearest to a word; empty where none is near.
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
+
+/// The same; where none is near ", expected " and all candidates, if they are few enough to read.
+std::string suggestion(std::string_view word, const std::vector<std::string>& candidates);
+
+}  // namespace flyrock

@@ -1,0 +1,121 @@
+#include "flight/arc.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "math/polynomial.h"
+
+namespace flyrock {
+
+namespace {
+
+/// c0 + c1 s + ... of a distance to a line.
+using Coefficients = std::array<double, 6>;
+
+/// When the height `p` above the line of a segment falls through 0 between the ends of the segment. Below the line beyond
+/// the segment, the arc has to rise through the line before it can touch.
+std::optional<double> touch(const Arc<2>& arc, const Coefficients& p, const Vec2& a, const Vec2& b) {
+  const Vec2 along = b - a;
+  const double slack = 1e-12 * along.squaredNorm();  // two neighbours leave no gap
+  Coefficients depth;
+  std::transform(p.begin(), p.end(), depth.begin(), std::negate());
+  std::optional<double> from = 0;
+  while (from) {
+    const std::optional<double> fall = first_fall(p, *from, 1);
+    if (!fall) return std::nullopt;
+    const double place = (arc.position(*fall) - a).dot(along);
+    if (place >= -slack && place <= along.squaredNorm() + slack) return fall;
+    const double below = std::nextafter(*fall, 2);
+    from = below < 1 ? first_fall(depth, below, 1) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+template <int D>
+Eigen::AlignedBox<double, D> Arc<D>::box() const {
+  // Control points b_i = sum over k <= i of C(i, k) / C(5, k) c_k.
+  constexpr double share[6][6] = {{1}, {1, 0.2}, {1, 0.4, 0.1}, {1, 0.6, 0.3, 0.1}, {1, 0.8, 0.6, 0.4, 0.2}, {1, 1, 1, 1, 1, 1}};
+  Eigen::AlignedBox<double, D> box;
+  for (int i = 0; i <= 5; ++i) {
+    Vec<D> point = Vec<D>::Zero();
+    for (int k = 0; k <= i; ++k) point += share[i][k] * c[k];
+    box.extend(point);
+  }
+  return box;
+}
+
+template <int D>
+Arc<D> arc_between(double start, double length, const FlightState<D>& from, const FlightState<D>& to) {
+  Arc<D> arc = parabola(start, length, from);
+  const Vec<D> place = to.position - arc.c[0] - arc.c[1] - arc.c[2];
+  const Vec<D> speed = length * to.velocity - arc.c[1] - 2 * arc.c[2];
+  const Vec<D> half_bend = 0.5 * length * length * (to.acceleration - from.acceleration);
+  arc.c[3] = 10 * place - 4 * speed + half_bend;
+  arc.c[4] = -15 * place + 7 * speed - 2 * half_bend;
+  arc.c[5] = 6 * place - 3 * speed + half_bend;
+  return arc;
+}
+
+template <int D>
+Arc<D> parabola(double start, double length, const FlightState<D>& from) {
+  Arc<D> arc;
+  arc.start = start;
+  arc.length = length;
+  arc.c = {from.position, length * from.velocity, 0.5 * length * length * from.acceleration,
+           Vec<D>::Zero(), Vec<D>::Zero(), Vec<D>::Zero()};
+  return arc;
+}
+
+std::optional<double> first_touch(const Arc<2>& arc, const Profile& ground) {
+  const Eigen::AlignedBox2d box = arc.box();
+  const auto& points = ground.points;
+  auto i = std::lower_bound(points.begin(), points.end(), box.min().x(),
+                            [](const Vec2& point, double x) { return point.x() < x; });
+  if (i != points.begin()) --i;
+  std::optional<double> first;
+  for (; i + 1 < points.end() && i->x() <= box.max().x(); ++i) {
+    const Vec2 &a = *i, &b = *(i + 1);
+    if (std::max(a.y(), b.y()) < box.min().y()) continue;
+    const Vec2 normal = perpendicular(b - a).normalized();
+    Coefficients height = arc.along(normal);
+    height[0] = normal.dot(arc.c[0] - a);
+    if (const auto s = touch(arc, height, a, b); s && (!first || *s < *first)) first = s;
+  }
+  return first;
+}
+
+std::optional<double> first_touch(const Arc<3>& arc, const Plane& ground) {
+  Coefficients height = arc.along(ground.normal);
+  height[0] = ground.distance(arc.c[0]);
+  return first_fall(height, 0, 1);
+}
+
+template <int D>
+std::optional<double> first_arrival(const Arc<D>& arc, double x, double side, double end) {
+  const Coefficients ahead = arc.along(-side * Vec<D>::Unit(0), side * x);
+  return ahead[0] <= 0 ? 0 : first_fall(ahead, 0, end);
+}
+
+std::optional<double> first_exit(const Arc<2>& arc, const Profile& ground) {
+  std::optional<double> first;
+  for (const double side : {-1.0, 1.0}) {
+    const double end = side < 0 ? ground.x_min() : ground.x_max();
+    const Coefficients inside = arc.along(-side * Vec2::UnitX(), side * end);
+    if (const auto s = first_fall(inside, 0, 1); s && (!first || *s < *first)) first = s;
+  }
+  return first;
+}
+
+template std::optional<double> first_arrival(const Arc<2>&, double, double, double);
+template std::optional<double> first_arrival(const Arc<3>&, double, double, double);
+template struct Arc<2>;
+template struct Arc<3>;
+template Arc<2> arc_between(double, double, const FlightState<2>&, const FlightState<2>&);
+template Arc<3> arc_between(double, double, const FlightState<3>&, const FlightState<3>&);
+template Arc<2> parabola(double, double, const FlightState<2>&);
+template Arc<3> parabola(double, double, const FlightState<3>&);
+
+}  // namespace flyrock

@@ -1,0 +1,188 @@
+#include "flight/flight_log.h"
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+
+#include "math/polynomial.h"
+
+namespace flyrock {
+
+namespace {
+
+/// The height of the ground [m] at a place, or beyond the end of the terrain at that end.
+double ground_at(const Profile& ground, const Vec2& p) { return ground.height(std::clamp(p.x(), ground.x_min(), ground.x_max())); }
+double ground_at(const Plane& ground, const Vec3& p) { return ground.height(p.x(), p.y()); }
+
+PathBins bins_over(const Profile& ground, double width) { return {width, ground.x_min(), ground.x_max()}; }
+PathBins bins_over(const Plane&, double) { return {}; }
+
+/// The length of the path [m].
+template <int D>
+double path_length(const Arc<D>& arc, double end) {
+  if (arc.is_parabola()) {
+    const Path<D> path{arc.c[0], arc.velocity(0), 2 / (arc.length * arc.length) * arc.c[2]};
+    return flyrock::path_length(path, end * arc.length);
+  }
+  return boost::math::quadrature::gauss<double, 7>::integrate([&](double s) { return arc.velocity(s).norm() * arc.length; }, 0.0,
+                                                              end);
+}
+
+/// Calls look(s) where the height of the arc above the ground may be greatest, beside its ends: above a corner of the ground,
+/// and where the path runs along it.
+template <class Look>
+void visit_highest(const Arc<2>& arc, const Profile& ground, double end, Look look) {
+  const Eigen::AlignedBox2d box = arc.box();
+  for (int i = 0; i < ground.segments(); ++i) {
+    const Vec2 &a = ground.points[i], &b = ground.points[i + 1];
+    if (b.x() < box.min().x() || a.x() > box.max().x()) continue;
+    for (const double side : {-1.0, 1.0})
+      if (const auto s = first_arrival(arc, b.x(), side, end)) look(*s);
+    if (const auto s = first_fall(arc.rate_along(perpendicular(b - a)), 0, end)) look(*s);
+  }
+}
+template <class Look>
+void visit_highest(const Arc<3>& arc, const Plane& ground, double end, Look look) {
+  if (const auto s = first_fall(arc.rate_along(ground.normal), 0, end)) look(*s);
+}
+
+}  // namespace
+
+template <int D, class Ground>
+FlightLog<D, Ground>::FlightLog(const Body<D>& body, const Ground& ground, const BallisticRun<D>& run)
+    : body_(body),
+      ground_(ground),
+      run_(run),
+      spin_(body.w),
+      spin_since_(run.start_time),
+      twice_spin_energy_(twice_spin_energy(body, body.attitude, body.w)),
+      next_sample_(run.start_time),
+      gates_(sides_of(run.gates, body.x.x())) {
+  if constexpr (D == 2) angle_ = body.attitude.angle;
+  history_.begin(state(run.start_time, body.x, body.v));
+  history_.bounce_height = height(body.x);
+  history_.path = bins_over(ground, run.bin_width);
+}
+
+template <int D, class Ground>
+void FlightLog<D, Ground>::see(const Arc<D>& arc, double end) {
+  for (double t = next_sample_; run_.trajectory_every > 0 && t < arc.start + end * arc.length; t = next_sample_) {
+    history_.trajectory.push_back({at(arc, (t - arc.start) / arc.length), TravelMode::flight});
+    next_sample_ += run_.trajectory_every;
+  }
+  const Vec<D> up = Vec<D>::Unit(D - 1);
+  if (const auto apex = first_fall(arc.rate_along(up), 0, end); apex && *apex > 0) widen(at(arc, *apex));
+  for (int k = 0; k < D - 1; ++k)  // where a wind turns the rock
+    for (const double side : {-1.0, 1.0})
+      if (const auto turn = first_fall(arc.rate_along(side * Vec<D>::Unit(k)), 0, end); turn && *turn > 0) widen(at(arc, *turn));
+  widen(at(arc, end));
+  highest(arc, end);
+  bins(arc, end);
+  pass_gates(arc, end);
+  history_.travel.add(TravelMode::flight, end * arc.length, path_length(arc, end));
+}
+
+template <int D, class Ground>
+Arrival FlightLog<D, Ground>::arrival(double x, const Landing<D>& now) const {
+  return {now.time, now.velocity.norm(), energy(now.velocity.squaredNorm()), height(at_x<D>(now.position, x))};
+}
+
+template <int D, class Ground>
+void FlightLog<D, Ground>::met(const BarrierHit& hit, double left) {
+  if constexpr (D == 2) angle_ += spin_ * (hit.time - spin_since_);
+  spin_since_ = hit.time;
+  spin_ *= left;
+  twice_spin_energy_ *= left * left;
+  history_.barriers.push_back(hit);
+}
+
+template <int D, class Ground>
+BodyHistory FlightLog<D, Ground>::finish(const Landing<D>& end, StopReason reason) {
+  history_.reason = reason;
+  history_.last = state(end.time, end.position, end.velocity);
+  history_.landed = reason == StopReason::stopped;
+  if (history_.landed) history_.stop_time = end.time;
+  history_.flight_range = horizontal(Vec<D>(end.position - body_.x));
+  if (run_.trajectory_every > 0) history_.trajectory.push_back({history_.last, TravelMode::flight});
+  return std::move(history_);
+}
+
+template <int D, class Ground>
+BodyState FlightLog<D, Ground>::state(double time, const Vec<D>& position, const Vec<D>& velocity) const {
+  BodyState state;
+  state.time = time;
+  state.position.template head<D>() = position;
+  state.velocity.template head<D>() = velocity;
+  if constexpr (D == 2) {
+    state.spin.z() = spin_;
+    state.angle = angle_ + spin_ * (time - spin_since_);
+  } else {
+    state.spin = spin_;
+  }
+  state.kinetic_energy = energy(velocity.squaredNorm());
+  return state;
+}
+
+template <int D, class Ground>
+BodyState FlightLog<D, Ground>::at(const Arc<D>& arc, double s) const {
+  return state(arc.start + s * arc.length, arc.position(s), arc.velocity(s));
+}
+
+template <int D, class Ground>
+void FlightLog<D, Ground>::widen(const BodyState& s) {
+  history_.include(s);
+  const Vec<D> away = s.position.template head<D>() - body_.x;
+  history_.max_distance = std::max(history_.max_distance, horizontal(away));
+}
+
+template <int D, class Ground>
+double FlightLog<D, Ground>::height(const Vec<D>& p) const {
+  return p[D - 1] - ground_at(ground_, p);
+}
+
+template <int D, class Ground>
+void FlightLog<D, Ground>::pass_gates(const Arc<D>& arc, double end) {
+  for (std::size_t g = 0; g < gates_.size(); ++g) {
+    if (gates_[g] == 0) continue;
+    const double x = run_.gates[g].x;
+    const auto s = first_arrival(arc, x, gates_[g], end);
+    if (!s) continue;
+    gates_[g] = 0;
+    const Vec<D> velocity = arc.velocity(*s);
+    history_.passages.push_back({static_cast<int>(g), arc.start + *s * arc.length, velocity.norm(), energy(velocity.squaredNorm()),
+                                 height(at_x<D>(arc.position(*s), x))});
+  }
+}
+
+template <int D, class Ground>
+void FlightLog<D, Ground>::highest(const Arc<D>& arc, double end) {
+  const auto look = [&](double s) { history_.bounce_height = std::max(history_.bounce_height, height(arc.position(s))); };
+  look(end);
+  visit_highest(arc, ground_, end, look);
+}
+
+/// The bins along x. Within a piece of an arc x is taken as linear: without a wind it is out by k v^2 t^2 / 8, some
+/// centimetres.
+template <int D, class Ground>
+void FlightLog<D, Ground>::bins(const Arc<D>& arc, double end) {
+  if (run_.bin_width <= 0) return;
+  const int pieces = arc.is_parabola() ? 1 : 4;
+  for (int i = 0; i < pieces; ++i) {
+    const double from = end * i / pieces, to = end * (i + 1) / pieces;
+    const double x = arc.position(from).x(), rate = (arc.position(to).x() - x) / (to - from);
+    history_.path.visit(x - rate * from, rate, from, to, [&](PathBin& bin, double s0, double s1) {
+      double squared = 0;
+      for (const double s : {s0, 0.5 * (s0 + s1), s1}) {
+        bin.height = std::max(bin.height, height(arc.position(s)));
+        squared = std::max(squared, arc.velocity(s).squaredNorm());
+      }
+      bin.speed = std::max(bin.speed, std::sqrt(squared));
+      bin.energy = std::max(bin.energy, energy(squared));
+    });
+  }
+}
+
+template class FlightLog<2, Profile>;
+template class FlightLog<3, Plane>;
+
+}  // namespace flyrock

@@ -1,0 +1,43 @@
+#pragma once
+// Writes the history of one ballistic flight, arc by arc.
+
+#include "flight/ballistic_run.h"
+
+namespace flyrock {
+
+template <int D, class Ground>
+class FlightLog {
+ public:
+  /// Body, ground and run outlive the log.
+  FlightLog(const Body<D>& body, const Ground& ground, const BallisticRun<D>& run);
+
+  /// The flight went along `arc` to s = end in [0, 1].
+  void see(const Arc<D>& arc, double end);
+  /// How the flight arrives at a barrier at x.
+  Arrival arrival(double x, const Landing<D>& now) const;
+  /// The barrier has acted and left this share of the velocity and spin.
+  void met(const BarrierHit& hit, double left);
+  BodyHistory finish(const Landing<D>& end, StopReason reason);
+
+ private:
+  BodyState state(double time, const Vec<D>& position, const Vec<D>& velocity) const;
+  BodyState at(const Arc<D>& arc, double s) const;
+  void widen(const BodyState& s);
+  double energy(double squared_speed) const { return 0.5 * (body_.mass * squared_speed + twice_spin_energy_); }
+  double height(const Vec<D>& p) const;
+  void pass_gates(const Arc<D>& arc, double end);
+  void highest(const Arc<D>& arc, double end);
+  void bins(const Arc<D>& arc, double end);
+
+  const Body<D>& body_;
+  const Ground& ground_;
+  const BallisticRun<D>& run_;
+  BodyHistory history_;
+  typename Space<D>::Spin spin_;  ///< since the time spin_since_: barriers take from it
+  double spin_since_, angle_ = 0; ///< the angle at that time: rad, 2D
+  double twice_spin_energy_;      ///< J
+  double next_sample_;
+  Sides gates_;
+};
+
+}  // namespace flyrock

@@ -1,0 +1,89 @@
+#include "results/clearance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace flyrock {
+
+namespace {
+
+/// The distances of rocks, or of the farthest rock of each trial, that a clearance is of. Returns how many rocks they are of.
+std::uint64_t add_distances(const std::vector<RockRecord>& rocks, const ClearancePlan& plan, Sample& sample) {
+  const RockQuantity quantity = plan.of_max_distance ? RockQuantity::max_distance : RockQuantity::runout;
+  std::uint64_t count = 0;
+  std::optional<Bounded> farthest;  // of the trial
+  for (std::size_t i = 0; i < rocks.size(); ++i) {
+    if (!is_fault(rocks[i].reason) && plan.counts(rocks[i].group)) {
+      ++count;
+      const Bounded value = quantity_of(rocks[i], quantity);
+      if (!plan.per_blast) sample.add(value);
+      // A censored rock may have gone farther than the farthest known one.
+      farthest = farthest ? Bounded{std::max(farthest->value, value.value), farthest->censored || value.censored} : value;
+    }
+    if (i + 1 < rocks.size() && rocks[i + 1].trial == rocks[i].trial) continue;
+    if (plan.per_blast && farthest) sample.add(*farthest);
+    farthest.reset();
+  }
+  return count;
+}
+
+/// With sectors the distance is that of the polygon where it reaches farthest. Where another sector is a lower bound, it may reach
+/// farther still.
+void take_farthest(ClearanceSummary& summary) {
+  const SectorSummary* farthest = summary.area.farthest();
+  if (!farthest) return;
+  summary.distance = farthest->reach();
+  summary.interval = farthest->interval;
+  for (const SectorSummary& sector : summary.area.sectors) summary.distance.censored |= sector.count > 0 && sector.reach().censored;
+}
+
+}  // namespace
+
+ClearanceTally::ClearanceTally(const std::vector<ClearancePlan>& plans) : plans_(plans) {
+  for (const ClearancePlan& plan : plans_) {
+    const double p = 1 - plan.probability;
+    samples_.emplace_back(Questions{{p}, {{p, plan.confidence}}});
+    rocks_.push_back(0);
+    sectors_.emplace_back(plan);
+  }
+}
+
+void ClearanceTally::see(const TrialRecords& chunk) {
+  for (std::size_t c = 0; c < plans_.size(); ++c) {
+    const std::uint64_t rocks = add_distances(chunk.rocks, plans_[c], samples_[c]);
+    if (!counted_) rocks_[c] += rocks;
+    if (plans_[c].sectors > 0) sectors_[c].see(chunk);
+  }
+}
+
+bool ClearanceTally::again() {
+  counted_ = true;
+  bool more = false;
+  for (Sample& sample : samples_) more |= sample.again();
+  for (SectorTally& sectors : sectors_) more |= sectors.again();
+  return more;
+}
+
+std::vector<ClearanceSummary> ClearanceTally::summaries() const {
+  std::vector<ClearanceSummary> summaries;
+  for (std::size_t c = 0; c < plans_.size(); ++c) {
+    const ClearancePlan& plan = plans_[c];
+    ClearanceSummary& summary = summaries.emplace_back();
+    summary.count = samples_[c].size();
+    summary.rocks = rocks_[c];
+    summary.needed = needed_for(plan.probability);
+    summary.area = sectors_[c].summary(summary.needed);
+    if (!summary.enough()) continue;
+    if (plan.sectors > 0) {
+      take_farthest(summary);
+    } else {
+      summary.distance = samples_[c].quantile(1 - plan.probability);
+      summary.interval = samples_[c].quantile_interval(1 - plan.probability, plan.confidence);
+    }
+    if (plan.factor) summary.with_factor = *plan.factor * summary.distance.value;
+  }
+  return summaries;
+}
+
+}  // namespace flyrock

@@ -1,0 +1,92 @@
+#include "results/crossing_summary.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace flyrock {
+
+namespace {
+
+/// The rock of a row, or nullptr where it failed. Rows of a chunk are in order.
+template <class Row>
+const RockRecord* rock_of(const Row& row, const std::vector<RockRecord>& rocks) {
+  const auto found =
+      std::lower_bound(rocks.begin(), rocks.end(), std::pair(row.trial, row.rock), [](const RockRecord& rock, const auto& key) {
+        return std::pair(rock.trial, rock.rock) < key;
+      });
+  return is_fault(found->reason) ? nullptr : &*found;
+}
+
+Statistics bounded(const Sample& sample, bool open) {
+  Statistics statistics = statistics_of(sample);
+  for (Bounded& number : statistics) number.censored = open;
+  return statistics;
+}
+
+}  // namespace
+
+CrossingTally::CrossingTally(std::size_t gates, std::size_t barriers) : gates_(gates), barriers_(barriers) {}
+
+void CrossingTally::see(const TrialRecords& chunk) {
+  if (gates_.empty() && barriers_.empty()) return;
+  for (const RockRecord& rock : chunk.rocks) {
+    if (counted_ || is_fault(rock.reason)) continue;
+    ++rocks_;
+    censored_ += rock.censored;
+  }
+  for (const GateRecord& row : chunk.gates)
+    if (const RockRecord* rock = rock_of(row, chunk.rocks))
+      add(gates_.at(static_cast<std::size_t>(row.passage.gate)), row.passage, *rock);
+  for (const BarrierRecord& row : chunk.barriers)
+    if (const RockRecord* rock = rock_of(row, chunk.rocks)) {
+      Arrivals& at = barriers_.at(static_cast<std::size_t>(row.hit.barrier));
+      add(at, row.hit, *rock);
+      if (!counted_) ++at.outcomes[static_cast<std::size_t>(row.hit.outcome)];
+    }
+}
+
+template <class Arrival>
+void CrossingTally::add(Arrivals& at, const Arrival& arrival, const RockRecord& rock) {
+  if (!counted_) at.censored += rock.censored;
+  at.speed.add({arrival.speed, false});
+  at.energy.add({arrival.kinetic_energy, false});
+  at.height.add({arrival.height, false});
+}
+
+bool CrossingTally::Arrivals::again() {
+  bool more = false;
+  for (Sample* sample : {&speed, &energy, &height}) more |= sample->again();
+  return more;
+}
+
+bool CrossingTally::again() {
+  counted_ = true;
+  bool more = false;
+  for (auto* places : {&gates_, &barriers_})
+    for (Arrivals& at : *places) more |= at.again();
+  return more;
+}
+
+std::vector<GateSummary> CrossingTally::gates() const {
+  std::vector<GateSummary> summaries;
+  for (const Arrivals& at : gates_)
+    summaries.push_back({at.speed.size(), share(at.speed.size(), at), bounded(at.speed, open(at) > 0),
+                         bounded(at.energy, open(at) > 0), bounded(at.height, open(at) > 0)});
+  return summaries;
+}
+
+std::vector<BarrierSummary> CrossingTally::barriers() const {
+  std::vector<BarrierSummary> summaries;
+  for (const Arrivals& at : barriers_) {
+    BarrierSummary summary;
+    summary.outcomes = at.outcomes;
+    summary.reached = share(at.speed.size(), at);
+    for (std::size_t o = 0; o < at.outcomes.size(); ++o) summary.shares[o] = share(at.outcomes[o], at);
+    summary.energy = bounded(at.energy, open(at) > 0);
+    summary.height = bounded(at.height, open(at) > 0);
+    summaries.push_back(summary);
+  }
+  return summaries;
+}
+
+}  // namespace flyrock

@@ -1,0 +1,59 @@
+#pragma once
+// What the gates and barriers of one point saw.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "results/share.h"
+#include "results/statistics.h"
+
+namespace flyrock {
+
+/// Rocks without faults of one point. A censored rock that has not arrived might have done so later: the numbers of a
+/// place for which there is one are lower bounds.
+struct GateSummary {
+  std::uint64_t passed = 0;  ///< rocks
+  Share share;               ///< of all rocks
+  Statistics speed{}, energy{}, height{};  ///< of the rocks that passed, at the gate
+};
+
+struct BarrierSummary {
+  std::array<std::uint64_t, 3> outcomes{};  ///< rocks, indexed by BarrierOutcome
+  Share reached;                            ///< of all rocks, those that arrived
+  std::array<Share, 3> shares{};            ///< of all rocks, indexed by BarrierOutcome
+  Statistics energy{}, height{};            ///< of the rocks that arrived, before the barrier acts
+};
+
+/// Summarises what arrives at places, shown in passes; see read_in_passes().
+class CrossingTally {
+ public:
+  CrossingTally(std::size_t gates, std::size_t barriers);
+  void see(const TrialRecords& chunk);
+  bool again();
+  /// In the order of Scenario::gates and Scenario::barriers.
+  std::vector<GateSummary> gates() const;
+  std::vector<BarrierSummary> barriers() const;
+
+ private:
+  /// The arrivals at one place.
+  struct Arrivals {
+    std::uint64_t censored = 0;  ///< rocks that arrived and were lost later
+    std::array<std::uint64_t, 3> outcomes{};
+    Sample speed{stated_questions()}, energy{stated_questions()}, height{stated_questions()};
+
+    bool again();
+  };
+
+  template <class Arrival>
+  void add(Arrivals& at, const Arrival& arrival, const RockRecord& rock);
+  /// Censored rocks that had not arrived: they might have done so later.
+  std::uint64_t open(const Arrivals& at) const { return censored_ - at.censored; }
+  Share share(std::uint64_t count, const Arrivals& at) const { return share_of(count, rocks_, open(at)); }
+
+  bool counted_ = false;  ///< in the first pass
+  std::uint64_t rocks_ = 0, censored_ = 0;  ///< without faults
+  std::vector<Arrivals> gates_, barriers_;
+};
+
+}  // namespace flyrock

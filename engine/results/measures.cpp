@@ -1,0 +1,191 @@
+#include "results/measures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+namespace flyrock {
+
+namespace {
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> words(1);
+  for (char c : text) {
+    if (c == '.')
+      words.emplace_back();
+    else
+      words.back() += c;
+  }
+  return words;
+}
+
+template <class List>
+int index_of(const std::string& word, const List& names) {
+  const auto found = std::find(names.begin(), names.end(), word);
+  if (found == names.end()) throw std::logic_error("a measure that the decoder did not check: " + word);
+  return static_cast<int>(found - names.begin());
+}
+
+template <class Plan>
+std::vector<std::string> names_of(const std::vector<Plan>& plans) {
+  std::vector<std::string> names;
+  for (const Plan& plan : plans) names.push_back(plan.name);
+  return names;
+}
+
+constexpr std::array<std::string_view, 4> gate_fields = {"passed", "mean_energy", "p95_energy", "p95_height"};
+constexpr std::array<std::string_view, 4> barrier_fields = {"reached", "caught", "over_top", "over_energy"};
+constexpr std::array<std::string_view, 4> clearance_fields = {"distance", "lower", "upper", "with_factor"};
+constexpr std::array<std::string_view, 4> solver_fields = {"max_residual", "not_converged", "max_penetration",
+                                                           "energy_gains"};
+constexpr std::array<std::string_view, 11> impact_fields = {
+    "time", "x", "y", "z", "vn_before", "vn_after", "vt_before", "vt_after", "pn", "pt", "energy_change"};
+constexpr std::array<std::string_view, 13> state_fields = {
+    "x", "y", "z", "vx", "vy", "vz", "speed", "spin", "wx", "wy", "wz", "angle", "kinetic_energy"};
+
+double impact_value(const Impact& impact, const std::string& field) {
+  const std::array<double, impact_fields.size()> values = {
+      impact.time,      impact.place.x(), impact.place.y(),  impact.place.z(), impact.vn_before,    impact.vn_after,
+      impact.vt_before, impact.vt_after,  impact.pn,         impact.pt,        impact.energy_change};
+  return values[index_of(field, impact_fields)];
+}
+
+}  // namespace
+
+Measure::Measure(const std::string& name, const Scenario& scenario) : dimension_(scenario.dimension) {
+  const std::vector<std::string> words = split(name);
+  if (words[0] == "body") {
+    read_body(words, scenario);
+  } else if (words[0] == "rocks") {
+    read_rocks(words, scenario);
+  } else if (words[0] == "gate") {
+    kind_ = Kind::gate;
+    index_ = index_of(words[1], names_of(scenario.gates));
+    field_ = words[2];
+  } else if (words[0] == "barrier") {
+    kind_ = Kind::barrier;
+    index_ = index_of(words[1], names_of(scenario.barriers));
+    field_ = words[2];
+  } else if (words[0] == "clearance") {
+    kind_ = Kind::clearance;
+    index_ = index_of(words[1], names_of(scenario.clearances));
+    field_ = words[2];
+  } else {
+    kind_ = words[0] == "energy" ? Kind::energy : Kind::solver;
+    field_ = words[1];
+  }
+}
+
+void Measure::read_rocks(const std::vector<std::string>& words, const Scenario& scenario) {
+  const std::string& last = words.back();
+  const bool total = last == "count" || last == "censored";
+  if (words.size() == (total ? 3u : 4u)) {
+    const std::vector<std::string> groups = group_names(scenario);
+    index_ = index_of(words[1], groups);
+    index_ = groups.size() > 1 ? index_ + 1 : 0;  // a single group is not summarised twice
+  }
+  if (total) {
+    kind_ = last == "count" ? Kind::count : Kind::censored;
+  } else {
+    quantity_ = static_cast<RockQuantity>(index_of(words[words.size() - 2], quantity_names));
+    statistic_ = static_cast<Statistic>(index_of(last, statistic_names));
+  }
+}
+
+void Measure::read_body(const std::vector<std::string>& words, const Scenario& scenario) {
+  kind_ = Kind::body;
+  index_ = index_of(words[1], names_of(scenario.bodies));
+  const std::size_t bracket = words[2].find('[');  // impact[3]
+  table_ = words[2].substr(0, bracket);
+  if (bracket != std::string::npos)
+    std::from_chars(words[2].data() + bracket + 1, words[2].data() + words[2].size(), number_);
+  if (words.size() > 3) field_ = words[3];
+}
+
+Measured Measure::value(const PointResult& result) const {
+  switch (kind_) {
+    case Kind::count: return {static_cast<double>(result.groups.at(index_).count), false, {}};
+    case Kind::censored: return {result.groups.at(index_).censored_share(), false, {}};
+    case Kind::energy: return {result.totals.quality.energy_relative_change, false, {}};
+    case Kind::solver: {
+      const SolverQuality& q = result.totals.quality;
+      const std::array<double, solver_fields.size()> values = {q.max_residual, static_cast<double>(q.not_converged), q.max_penetration,
+                                            static_cast<double>(q.energy_gains)};
+      return {values[index_of(field_, solver_fields)], false, {}};
+    }
+    case Kind::statistic: {
+      const Bounded& number = result.groups.at(index_).at(quantity_, statistic_);
+      return {number.value, number.censored, std::isnan(number.value) ? "too few rocks" : ""};
+    }
+    case Kind::gate: return gate_value(result.gates.at(index_), field_);
+    case Kind::barrier: return barrier_value(result.barriers.at(index_), field_);
+    case Kind::clearance: return clearance_value(result.clearances.at(index_), field_);
+    case Kind::body: break;
+  }
+  if (static_cast<std::size_t>(index_) >= result.totals.bodies.size()) return {0, false, "the body was not run"};
+  const BodyHistory& body = result.totals.bodies[index_];
+  if (is_fault(body.reason)) return {0, false, fmt::format("{}: {}", name_of(body.reason), body.fault)};
+  return body_value(body);
+}
+
+Measured Measure::gate_value(const GateSummary& gate, const std::string& field) {
+  const std::array<Bounded, gate_fields.size()> values = {
+      gate.share, gate.energy[static_cast<int>(Statistic::mean)], gate.energy[static_cast<int>(Statistic::p95)],
+      gate.height[static_cast<int>(Statistic::p95)]};
+  const Bounded& number = values[index_of(field, gate_fields)];
+  return {number.value, number.censored, std::isnan(number.value) ? "no rock passed" : ""};
+}
+
+Measured Measure::barrier_value(const BarrierSummary& barrier, const std::string& field) {
+  const std::array<Bounded, barrier_fields.size()> values = {barrier.reached, barrier.shares[0], barrier.shares[1],
+                                                             barrier.shares[2]};
+  const Bounded& number = values[index_of(field, barrier_fields)];
+  return {number.value, number.censored, std::isnan(number.value) ? "too few rocks" : ""};
+}
+
+Measured Measure::clearance_value(const ClearanceSummary& clearance, const std::string& field) {
+  if (!clearance.enough())
+    return {0, false, fmt::format("it needs {} rocks or blasts, there are {}", clearance.needed, clearance.count)};
+  const bool bound = clearance.distance.censored;
+  // The ends of the interval are known or absent.
+  const std::array<Bounded, clearance_fields.size()> values = {{clearance.distance,
+                                                                {clearance.interval.lower, false},
+                                                                {clearance.interval.upper, false},
+                                                                {clearance.with_factor, bound}}};
+  const Bounded& number = values[index_of(field, clearance_fields)];
+  return {number.value, number.censored, std::isnan(number.value) ? "censored rocks hide that end of the interval" : ""};
+}
+
+Measured Measure::body_value(const BodyHistory& body) const {
+  if (table_ == "stop_time")
+    return {body.stop_time, false, std::isnan(body.stop_time) ? "the body never came to rest" : ""};
+  if (table_ == "contact_time") return {body.contact_time, false, {}};
+  if (table_ == "impact") {
+    if (static_cast<std::size_t>(number_) > body.impacts.size())
+      return {0, false, fmt::format("the body had {} impacts", body.impacts.size())};
+    return {impact_value(body.impacts[number_ - 1], field_), false, {}};
+  }
+  if (table_ == "apex") {
+    if (static_cast<std::size_t>(number_) > body.apexes.size())
+      return {0, false, fmt::format("the body had {} apexes", body.apexes.size())};
+    const Apex& apex = body.apexes[number_ - 1];
+    return {field_ == "time" ? apex.time : apex.height, false, {}};
+  }
+  return {state_value(body), false, {}};
+}
+
+double Measure::state_value(const BodyHistory& body) const {
+  // The extremes of speed are not those of its components: they are kept beside.
+  if (field_ == "speed" && table_ != "final") return table_ == "max" ? body.max_speed : body.min_speed;
+  const BodyState& s = table_ == "final" ? body.last : table_ == "max" ? body.max : body.min;
+  const std::array<double, state_fields.size()> values = {s.position.x(), s.position.y(), s.position.z(), s.velocity.x(),
+                                         s.velocity.y(), s.velocity.z(), s.velocity.norm(), dimension_ == 2 ? s.spin.z() : s.spin.norm(),
+                                         s.spin.x(),     s.spin.y(),     s.spin.z(),     s.angle,
+                                         s.kinetic_energy};
+  return values[index_of(field_, state_fields)];
+}
+
+}  // namespace flyrock

@@ -1,0 +1,68 @@
+#pragma once
+// Measures: the numbers that an expectation can be about, by name.
+
+#include <string>
+#include <vector>
+
+#include "results/censored.h"
+#include "results/clearance.h"
+#include "results/crossing_summary.h"
+#include "results/reach.h"
+
+namespace flyrock {
+
+/// What one point of a sweep left, as numbers; its rows are read in passes (batch/rows.h).
+struct PointResult {
+  std::uint64_t trials = 0;
+  Profile terrain;                   ///< of its first trial, for pictures; no points where it could not be built
+  std::vector<RockRecord> first_trial;  ///< rocks of the first trial that ran
+  TrialTotals totals;
+  std::vector<GroupSummary> groups;  ///< all rocks first; see summarise()
+  std::vector<GateSummary> gates;    ///< in the order of Scenario::gates
+  std::vector<BarrierSummary> barriers;
+  std::vector<ClearanceSummary> clearances;
+  std::vector<Reach> reaches;        ///< of the method ballistic
+  std::vector<CensoredPlace> censored;  ///< where censored rocks were, most of them first
+};
+
+struct Measured {
+  double value = 0;
+  bool censored = false;  ///< censored rocks fall into it: a lower bound
+  std::string fault;      ///< why there is no value: "never came to rest"
+};
+
+/// One measure of a scenario, read from its name: body.<name>.final.x, body.<name>.impact[2].vn_after,
+/// energy.total.relative_change, solver.max_residual, rocks[.<group>].runout.p95, rocks[.<group>].count,
+/// gate.<name>.passed, barrier.<name>.caught, clearance.<name>.distance.
+/// scenario/measure.h holds the grammar, docs/results.md what each means.
+class Measure {
+ public:
+  /// `name` is a measure of `scenario`: the decoder has checked it.
+  Measure(const std::string& name, const Scenario& scenario);
+
+  /// Whether it needs the full number of trials (a statistic of rocks).
+  bool of_rocks() const { return kind_ != Kind::body && kind_ != Kind::energy && kind_ != Kind::solver; }
+  Measured value(const PointResult& result) const;
+
+ private:
+  enum class Kind { statistic, count, censored, gate, barrier, clearance, body, energy, solver };
+
+  void read_rocks(const std::vector<std::string>& words, const Scenario& scenario);
+  void read_body(const std::vector<std::string>& words, const Scenario& scenario);
+  static Measured gate_value(const GateSummary& gate, const std::string& field);
+  static Measured barrier_value(const BarrierSummary& barrier, const std::string& field);
+  static Measured clearance_value(const ClearanceSummary& clearance, const std::string& field);
+  Measured body_value(const BodyHistory& body) const;
+  double state_value(const BodyHistory& body) const;
+
+  Kind kind_ = Kind::statistic;
+  int index_ = 0;       ///< of the group (0: all rocks), gate, barrier, clearance or body
+  int number_ = 0;      ///< of an impact or apex, from 1
+  int dimension_ = 2;
+  std::string table_;   ///< body: final, max, min, stop_time, contact_time, impact, apex
+  std::string field_;   ///< x, vn_before, max_residual
+  RockQuantity quantity_ = RockQuantity::runout;
+  Statistic statistic_ = Statistic::mean;
+};
+
+}  // namespace flyrock

@@ -1,0 +1,195 @@
+#include "results/results.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "batch/hard_contacts.h"
+#include "math/sphere.h"
+
+namespace flyrock {
+
+namespace {
+
+constexpr std::size_t faults_kept = 20;
+
+}  // namespace
+
+/// Finds out what one point left.
+class PointTally {
+ public:
+  PointTally(const Scenario& scenario, int point)
+      : scenario_(scenario),
+        point_(point),
+        rocks_(group_names(scenario)),
+        crossings_(scenario.gates.size(), scenario.barriers.size()),
+        clearances_(scenario.clearances) {}
+
+  /// Rows of the first pass; their faults go into `results`.
+  void see_first(const TrialRecords& chunk, Results& results) {
+    result_.totals.add(chunk.totals);
+    for (const RockRecord& rock : chunk.rocks) {
+      if (result_.first_trial.empty() || rock.trial == result_.first_trial.front().trial) result_.first_trial.push_back(rock);
+      censored_.see(rock);
+      if (!is_fault(rock.reason)) continue;
+      ++results.fault_count;
+      if (results.faults.size() < faults_kept)
+        results.faults.push_back({point_, rock.trial, rock.rock, rock.reason, rock.fault});
+    }
+    see(chunk);
+  }
+
+  void see(const TrialRecords& chunk) {
+    rocks_.see(chunk);
+    crossings_.see(chunk);
+    clearances_.see(chunk);
+  }
+
+  bool again() {
+    const bool rocks = rocks_.again(), crossings = crossings_.again(), clearances = clearances_.again();
+    return rocks || crossings || clearances;
+  }
+
+  PointResult result() {
+    result_.groups = rocks_.summaries();
+    result_.gates = crossings_.gates();
+    result_.barriers = crossings_.barriers();
+    result_.clearances = clearances_.summaries();
+    result_.censored = censored_.places();
+    if (scenario_.method == Method::ballistic) result_.reaches = reaches_of(scenario_, result_.groups);
+    return std::move(result_);
+  }
+
+ private:
+  const Scenario& scenario_;
+  int point_;
+  PointResult result_;
+  RockTally rocks_;
+  CrossingTally crossings_;
+  ClearanceTally clearances_;
+  CensoredTally censored_;
+};
+
+namespace {
+
+constexpr double most_sunk = 0.1;  ///< of the size
+
+/// The diameter of the sphere of the volume of the smallest rock of all first trials [m]; infinite where there is none.
+double least_size(const std::vector<PointResult>& points) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const PointResult& point : points)
+    for (const RockRecord& rock : point.first_trial)
+      if (rock.volume > 0) least = std::min(least, 2 * sphere_radius(rock.volume));
+  return least;
+}
+
+std::vector<std::string> solver_warnings(const Plan& plan, const std::vector<PointResult>& points) {
+  std::vector<std::string> warnings;
+  SolverQuality quality;
+  for (const PointResult& point : points) quality.add(point.totals.quality);
+  if (quality.not_converged > 0)
+    warnings.push_back(
+        fmt::format("solver: {} of {} contact problems did not converge; relative to the approach speed "
+                    "their greatest residual is {:.2g}, solver.tolerance is {:.2g}",
+                    quality.not_converged, quality.problems,
+                    quality.not_converged_residual, plan.points.front().solver.tolerance));
+  if (quality.energy_gains > 0)
+    warnings.push_back(fmt::format("solver: {} impacts or steps gained energy, {:.3g} J together", quality.energy_gains,
+                                   quality.energy_gained));
+  if (quality.shocks > 0)
+    warnings.push_back(fmt::format("solver: {} shocks without collision: a sliding contact jammed and its velocity jumped within one step "
+                                   "(Painlevé's paradox); each has a row among the impacts",
+                                   quality.shocks));
+  if (const double size = least_size(points); quality.max_penetration > most_sunk * size)
+    warnings.push_back(fmt::format("solver: a rock sank {:.3g} m into the ground or another, the smallest is {:.3g} m across: a shorter "
+                                   "solver.time_step, or a stiffer spring (`penalty`), holds it",
+                                   quality.max_penetration, size));
+  if (quality.max_spring_angle > inaccurate_spring)
+    warnings.push_back(fmt::format("solver: a spring (`penalty`) swings by {:.3g} rad in a step: bounces are inaccurate above {:g} and gain "
+                                   "energy above {:g}; a shorter solver.time_step or a softer spring mends it",
+                                   quality.max_spring_angle, inaccurate_spring, unstable_spring));
+  return warnings;
+}
+
+/// Of the launches, each once: the same launch may have the same trouble at every point.
+std::vector<std::string> launch_notes(const std::vector<PointResult>& points) {
+  std::vector<std::string> list;
+  std::set<std::string> notes;
+  for (const PointResult& point : points)
+    for (const std::string& note : point.totals.notes)
+      if (notes.insert(note).second) list.push_back(note);
+  return list;
+}
+
+}  // namespace
+
+std::uint64_t Results::rocks() const {
+  std::uint64_t sum = 0;
+  for (const PointResult& point : points) sum += point.groups.front().count;
+  return sum;
+}
+
+int Results::count(Judgement judgement) const {
+  return static_cast<int>(std::count_if(verdicts.begin(), verdicts.end(),
+                                        [&](const Verdict& verdict) { return verdict.judgement == judgement; }));
+}
+
+ResultTally::ResultTally(const Plan& plan) : plan_(plan) {
+  for (const Scenario& point : plan.points) tallies_.emplace_back(point, static_cast<int>(tallies_.size()));
+}
+
+ResultTally::~ResultTally() = default;
+
+void ResultTally::see(int point, const TrialRecords& chunk) {
+  tallies_.at(static_cast<std::size_t>(point)).see_first(chunk, results_);
+}
+
+Results ResultTally::finish(const std::vector<Rows>& rows, const RunFacts& facts) {
+  for (std::size_t p = 0; p < tallies_.size(); ++p) {
+    if (tallies_[p].again()) read_in_passes(rows.at(p), tallies_[p]);
+    results_.points.push_back(tallies_[p].result());
+    results_.points.back().trials = facts.trials.at(p);
+  }
+  results_.verdicts = judge(plan_, results_.points, facts.full && facts.ended_early.empty());
+  results_.warnings = solver_warnings(plan_, results_.points);
+  for (const std::vector<std::string>& list : {facts.warnings, launch_notes(results_.points)})
+    results_.warnings.insert(results_.warnings.end(), list.begin(), list.end());
+  if (plan_.points.front().method != Method::ballistic) results_.not_asked = laws_never_asked(plan_, results_.points);
+  results_.ended_early = facts.ended_early;
+  return std::move(results_);
+}
+
+Results make_results(const Plan& plan, const std::vector<Rows>& rows, const RunFacts& facts) {
+  ResultTally tally(plan);
+  for (std::size_t p = 0; p < rows.size(); ++p)
+    rows[p](Part::whole, [&](const TrialRecords& chunk) { tally.see(static_cast<int>(p), chunk); });
+  return tally.finish(rows, facts);
+}
+
+std::vector<std::string> laws_never_asked(const Plan& plan, const std::vector<PointResult>& points) {
+  std::vector<std::string> warnings;
+  const std::vector<Material>& materials = plan.points.front().materials;
+  for (std::size_t m = 0; m < materials.size(); ++m) {
+    MaterialUse use;
+    for (const PointResult& point : points)
+      if (m < point.totals.materials.size()) use.add(point.totals.materials[m]);
+    if (use.contacts == 0) {
+      warnings.push_back(fmt::format("material {}: nothing touched it, none of its laws was asked", materials[m].name));
+      continue;
+    }
+    const auto note = [&](const std::optional<PluginUse>& law, std::uint64_t asked, std::string_view kind) {
+      if (law && asked == 0)
+        warnings.push_back(fmt::format("material {}: its {} {} was never asked", materials[m].name, kind,
+                                       law->plugin->spec.name));
+    };
+    note(materials[m].restitution, use.restitution, "restitution");
+    note(materials[m].friction, use.friction, "friction");
+    note(materials[m].rolling, use.rolling, "rolling");
+    note(materials[m].unilateral, use.unilateral, "unilateral");
+  }
+  return warnings;
+}
+
+}  // namespace flyrock

@@ -1,0 +1,139 @@
+#include "results/statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace flyrock {
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+std::array<double, 4> shares_of(std::array<double, 4> parts) {
+  double sum = 0;
+  for (const double part : parts) sum += part;
+  for (double& part : parts) part = sum > 0 ? part / sum : unknown;
+  return parts;
+}
+
+constexpr std::array<std::pair<Statistic, double>, 6> percents = {{{Statistic::min, 0},
+                                                                   {Statistic::max, 1},
+                                                                   {Statistic::p50, 0.50},
+                                                                   {Statistic::p90, 0.90},
+                                                                   {Statistic::p95, 0.95},
+                                                                   {Statistic::p99, 0.99}}};
+
+/// The extremes have none.
+bool has_interval(double p) { return p > 0 && p < 1; }
+
+}  // namespace
+
+Bounded quantity_of(const RockRecord& rock, RockQuantity quantity) {
+  const bool cut = rock.censored;
+  switch (quantity) {
+    case RockQuantity::runout: return {rock.runout, cut};
+    case RockQuantity::max_distance: return {rock.max_distance, cut};
+    case RockQuantity::flight_range: return {rock.flight_range, cut && !rock.landed};
+    case RockQuantity::bounce_height: return {rock.bounce_height, cut};
+    case RockQuantity::speed: return {rock.max_speed, cut};
+    case RockQuantity::energy: return {rock.max_energy, cut};
+    case RockQuantity::impacts: return {static_cast<double>(rock.impacts), cut};
+    case RockQuantity::time: return {rock.time, cut};
+    case RockQuantity::launch_speed: return {rock.launch_speed, false};
+  }
+  return {};
+}
+
+Questions stated_questions() {
+  Questions questions;
+  for (const auto& [which, p] : percents) {
+    questions.quantiles.push_back(p);
+    if (has_interval(p)) questions.intervals.push_back({p, stated_confidence});
+  }
+  return questions;
+}
+
+Statistics statistics_of(const Sample& sample) {
+  Statistics result;
+  const auto [mean, sd] = sample.moments();
+  result[static_cast<int>(Statistic::mean)] = {mean, sample.any_censored()};
+  result[static_cast<int>(Statistic::sd)] = {sd, sample.any_censored()};
+  for (const auto& [which, p] : percents) result[static_cast<int>(which)] = sample.quantile(p);
+  return result;
+}
+
+Intervals intervals_of(const Sample& sample) {
+  Intervals result;
+  result.fill({unknown, unknown});
+  result[static_cast<int>(Statistic::mean)] = sample.mean_interval(stated_confidence);
+  for (const auto& [which, p] : percents)
+    if (has_interval(p)) result[static_cast<int>(which)] = sample.quantile_interval(p, stated_confidence);
+  return result;
+}
+
+double GroupSummary::censored_share() const {
+  return count > faults ? static_cast<double>(censored) / static_cast<double>(count - faults) : 0;
+}
+
+GroupTally::GroupTally(const std::string& name) : samples_(quantity_names.size(), Sample(stated_questions())) {
+  counts_.name = name;
+}
+
+void GroupTally::add(const RockRecord& rock) {
+  const bool fault = is_fault(rock.reason);
+  if (!counted_) {
+    ++counts_.count;
+    ++counts_.reasons[static_cast<std::size_t>(rock.reason)];
+    counts_.faults += fault;
+    counts_.censored += !fault && rock.censored;
+    for (std::size_t m = 0; m < travel_mode_names.size() && !fault; ++m)
+      travel_.add(static_cast<TravelMode>(m), rock.travel.time[m], rock.travel.distance[m]);
+  }
+  for (std::size_t q = 0; q < samples_.size() && !fault; ++q)
+    samples_[q].add(quantity_of(rock, static_cast<RockQuantity>(q)));
+}
+
+bool GroupTally::again() {
+  counted_ = true;
+  bool more = false;
+  for (Sample& sample : samples_) more |= sample.again();
+  return more;
+}
+
+GroupSummary GroupTally::summary() const {
+  GroupSummary summary = counts_;
+  summary.time_share = shares_of(travel_.time);
+  summary.distance_share = shares_of(travel_.distance);
+  for (std::size_t q = 0; q < samples_.size(); ++q) {
+    summary.statistics[q] = statistics_of(samples_[q]);
+    summary.intervals[q] = intervals_of(samples_[q]);
+  }
+  return summary;
+}
+
+RockTally::RockTally(const std::vector<std::string>& groups) : tallies_{GroupTally("")} {
+  if (groups.size() > 1)
+    for (const std::string& group : groups) tallies_.emplace_back(group);
+}
+
+void RockTally::see(const TrialRecords& chunk) {
+  for (const RockRecord& rock : chunk.rocks) {
+    tallies_.front().add(rock);
+    if (tallies_.size() > 1) tallies_.at(1 + static_cast<std::size_t>(rock.group)).add(rock);
+  }
+}
+
+bool RockTally::again() {
+  bool more = false;
+  for (GroupTally& tally : tallies_) more |= tally.again();
+  return more;
+}
+
+std::vector<GroupSummary> RockTally::summaries() const {
+  std::vector<GroupSummary> summaries;
+  for (const GroupTally& tally : tallies_) summaries.push_back(tally.summary());
+  return summaries;
+}
+
+}  // namespace flyrock

@@ -1,0 +1,333 @@
+#include "trial/build_trial.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "flight/ground.h"
+#include "trial/blast_at.h"
+#include "trial/dimensions.h"
+#include "trial/scenario_error.h"
+#include "trial/start_checks.h"
+
+namespace flyrock {
+
+namespace {
+
+// Rocks that meet each other are placed anew as often as this before the trial is refused.
+constexpr int most_places = 1000;
+
+/// The key that decides the mass of a rock or body before others.
+template <class Plan>
+std::string mass_key(const Plan& plan) {
+  return plan.mass ? "mass" : plan.thickness ? "thickness" : "shape";
+}
+
+std::string release_path(int group) { return fmt::format("rocks.{}.release", group); }
+
+bool is_random(const std::optional<Release>& release) {
+  return release && (release->kind == ReleaseKind::face || release->kind == ReleaseKind::bench_top ||
+                     release->kind == ReleaseKind::along || release->kind == ReleaseKind::inside);
+}
+
+}  // namespace
+
+StopReason reason_of(const TrialError& error) {
+  if (const auto* located = dynamic_cast<const ScenarioError*>(&error))
+    return located->of_plugin ? StopReason::plugin_error : StopReason::not_started;
+  if (dynamic_cast<const PluginError*>(&error)) return StopReason::plugin_error;
+  if (dynamic_cast<const StartError*>(&error)) return StopReason::not_started;
+  return StopReason::diverged;
+}
+
+template <int D>
+TrialBuilder<D>::TrialBuilder(const Scenario& scenario) : scenario_(scenario), instances_(scenario) {}
+
+template <int D>
+WorldSettings TrialBuilder<D>::world_settings() const {
+  const SolverPlan& solver = scenario_.solver;
+  return {solver.time_step, solver.theta, solver.tolerance, solver.max_iterations, solver.rest_speed, solver_of_name(solver.name).value()};
+}
+
+template <int D>
+std::shared_ptr<const typename TrialBuilder<D>::Terrain> TrialBuilder<D>::terrain_of(std::uint64_t trial) {
+  if (kept_terrain_) return kept_terrain_;
+  const PluginUse& model = scenario_.terrain.model;
+  DrawKey key;
+  key.trial = trial;
+  RandomStream rng(scenario_.seed, "terrain", key);
+  auto terrain = at_path(model.path, [&] {
+    return std::make_shared<const Terrain>(
+        make_terrain(*instances_.terrain, model, scenario_, key, rng, static_cast<const Terrain*>(nullptr)));
+  });
+  const bool same_parameters = std::all_of(model.slots.begin(), model.slots.end(), [&](const Number& n) {
+    return n.is_constant() || scenario_.draws[n.draw].scope == Scope::run;
+  });
+  // Plugins have no memory: one that drew nothing now, of the same parameters, never draws.
+  if (same_parameters && !rng.drawn()) kept_terrain_ = terrain;
+  return terrain;
+}
+
+template <int D>
+Vec<D> TrialBuilder<D>::gravity(const DrawKey& key) const {
+  Vec<D> down = Vec<D>::Zero();
+  down[D - 1] = -number(scenario_.gravity, key);
+  return down;
+}
+
+template <int D>
+Air<D> TrialBuilder<D>::air_of(const Body<D>& body, const DrawKey& key) const {
+  Air<D> air;
+  if (!scenario_.air) return air;
+  const AirPlan& plan = *scenario_.air;
+  air.drag = drag_constant(number(plan.density, key), number(plan.cd, key), body.mass, body.volume);
+  for (std::size_t i = 0; i < plan.wind.size(); ++i) air.wind[static_cast<int>(i)] = number(plan.wind[i], key);
+  constexpr double most_wind = 1000;  // m/s
+  if (!(air.wind.norm() <= most_wind))
+    throw ScenarioError("air.wind", fmt::format("is {:.3g} m/s, expected at most {:g} m/s", air.wind.norm(), most_wind));
+  return air;
+}
+
+template <int D>
+void TrialBuilder<D>::connect(Trial<D>& trial, World<D>& world, std::vector<Partner> partners) {
+  at_path("pairs", [&] { trial.surfaces.emplace_back(scenario_, instances_, std::move(partners)).connect(world); });
+}
+
+template <int D>
+Trial<D> TrialBuilder<D>::build(std::uint64_t number_of_trial) {
+  Trial<D> trial;
+  trial.terrain = terrain_of(number_of_trial);
+  if (scenario_.bodies.empty())
+    build_rocks(trial, number_of_trial);
+  else
+    build_bodies(trial, number_of_trial);
+  return trial;
+}
+
+/// Shape, mass, pose and launch of one rock.
+template <int D>
+template <class Plan>
+Body<D> TrialBuilder<D>::rock_body(const Plan& plan, TrialRock& rock, const Terrain& terrain, RandomStream& where) {
+  const RockGroup& group = scenario_.rocks[rock.group];
+  const GroupModels& models = instances_.groups[rock.group];
+  const std::string stream = "rocks." + group.name, path = fmt::format("rocks.{}.", rock.group);
+  auto contactors = plan.contactors;
+  if (contactors.empty()) {
+    RandomStream rng(scenario_.seed, stream + ".shape", rock.key);
+    contactors = at_path(group.shape->path, [&] {
+      return contactors_of<D>(*models.shape, values_of(*group.shape, scenario_, rock.key), rng);
+    });
+  }
+  const double mass = group.mass ? number(*group.mass, rock.key) : 0;
+  const double density = group.mass ? 0 : number(group.density, rock.key);
+  RandomStream turn(scenario_.seed, stream + ".orientation", rock.key);
+  Body<D> body;
+  if constexpr (D == 2) {
+    body = make_body(std::move(contactors), density, mass, group.thickness ? number(*group.thickness, rock.key) : 0);
+    body.attitude = plan.angle          ? *plan.angle
+                    : group.orientation ? number(*group.orientation, rock.key)
+                                        : turn.uniform(0, 2 * pi);
+  } else {
+    body = at_path(path + "shape", [&] { return make_body(std::move(contactors), density, mass); });
+    const Rotation3 turned = plan.orientation ? *plan.orientation
+                             : group.turn     ? at_path(path + "orientation", [&] { return rotation_of(*group.turn, scenario_, rock.key); })
+                                              : random_rotation(turn);
+    body.attitude = turned * body.attitude.rotation;
+  }
+  body.group = group.name;
+  at_path(path + mass_key(group), [&] { refuse_extremes(body); });
+  at_path(path + "shape", [&] { refuse_slender(body); });
+  Place<D> place;
+  if (plan.position)
+    place.position = *plan.position;
+  else if (group.release)
+    place = at_path(path + "release", [&] { return place_rock(*group.release, scenario_, rock.key, where, body, ground_of(terrain)); });
+  else
+    throw ScenarioError(path + "release", "neither the population nor `release` says where a rock starts");
+  body.x = place.position;
+  body.air = air_of(body, rock.key);
+  if (models.launch) at_path(group.launch->path, [&] { launch(rock, place, body); });
+  return body;
+}
+
+template <int D>
+void TrialBuilder<D>::launch(TrialRock& rock, const Place<D>& place, Body<D>& body) {
+  const RockGroup& group = scenario_.rocks[rock.group];
+  RockView view;
+  view.dimension = D;
+  view.mass = body.mass;
+  view.volume = body.volume;
+  view.density = body.mass / body.volume;
+  view.diameter = 2 * body.radius;
+  view.position.template head<D>() = body.x;
+  view.outward = place.outward;
+  view.face_angle = place.face_angle;
+  view.group = group.name;
+  RandomStream rng(scenario_.seed, "rocks." + group.name + ".launch", rock.key);
+  const Launch launch = instances_.groups[rock.group].launch->launch(values_of(*group.launch, scenario_, rock.key), view,
+                                                            blast_at(scenario_, rock.key), rng);
+  if (!launch.velocity.allFinite() || !launch.spin.allFinite())
+    throw PluginError(fmt::format("plugin {}: launch() returned a velocity or spin that is not finite",
+                                  group.launch->plugin->spec.name));
+  body.v = launch.velocity.head<D>();
+  if constexpr (D == 2)
+    body.w = launch.spin.z();
+  else
+    body.w = launch.spin;
+  refuse_speed(body);
+  rock.note = launch.note;
+  rock.greatest_throw = launch.greatest_throw;
+  rock.launch_speed = body.v.norm();
+  if (rock.launch_speed > 0) rock.launch_elevation = elevation_of(body.v, place.outward);
+}
+
+/// A rock in a world of its own.
+template <int D>
+template <class Plan>
+void TrialBuilder<D>::build_alone(Trial<D>& trial, const Plan& plan, TrialRock& rock, RandomStream& where) {
+  DrawKey of_trial;
+  of_trial.trial = rock.key.trial;
+  World<D> world(*trial.terrain, gravity(of_trial), world_settings());
+  world.time = rock.start_time;
+  rock.body = world.add(rock_body(plan, rock, *trial.terrain, where));
+  const bool is_point = scenario_.method == Method::ballistic;
+  if (is_point) {
+    const std::string fault = start_fault_of_point(world.bodies.back(), ground_of(*trial.terrain));
+    if (!fault.empty()) throw ScenarioError(release_path(rock.group), fault);
+  } else if (const auto fault = start_fault(world)) {
+    throw ScenarioError(release_path(rock.group), fault->text);
+  }
+  trial.worlds.push_back(std::move(world));
+  const RockGroup& group = scenario_.rocks[rock.group];
+  if (!is_point) connect(trial, trial.worlds.back(), {{group.name, group.material, rock.key}});
+}
+
+/// A rock among those of `world`. One that is released at random is placed anew until it is apart from them.
+template <int D>
+template <class Plan>
+void TrialBuilder<D>::add_apart(World<D>& world, const Plan& plan, TrialRock& rock, RandomStream& where) {
+  const bool random = is_random(scenario_.rocks[rock.group].release);
+  rock.body = world.add(rock_body(plan, rock, world.terrain(), where));
+  try {
+    for (int places = 1; random && places < most_places && !last_is_free(world); ++places) {
+      Body<D> elsewhere = rock_body(plan, rock, world.terrain(), where);
+      world.remove_last();
+      world.add(std::move(elsewhere));
+    }
+    if (const auto fault = start_fault(world)) throw ScenarioError(release_path(rock.group), fault->text);
+  } catch (const TrialError&) {
+    world.remove_last();
+    throw;
+  }
+}
+
+template <int D>
+void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial) {
+  const auto holes = static_cast<std::uint64_t>(scenario_.blast ? scenario_.blast->pattern.holes() : 1);
+  DrawKey of_trial;
+  of_trial.trial = number_of_trial;
+  DrawKey first_hole = of_trial;
+  first_hole.hole = 1;
+  if (scenario_.rock_contacts) trial.worlds.emplace_back(*trial.terrain, gravity(of_trial), world_settings());
+
+  std::vector<Partner> partners;
+  std::uint64_t count = 0;
+  for (int g = 0; g < static_cast<int>(scenario_.rocks.size()); ++g) {
+    const RockGroup& group = scenario_.rocks[g];
+    RandomStream rng(scenario_.seed, "rocks." + group.name + ".population", of_trial);
+    const auto plans = at_path(group.population.path, [&] {
+      return rocks_of(*instances_.groups[g].population, values_of(group.population, scenario_, of_trial), *trial.terrain,
+                      blast_at(scenario_, first_hole), rng);
+    });
+    for (const auto& plan : plans) {
+      TrialRock& rock = trial.rocks.emplace_back();
+      rock.group = g;
+      rock.key = {number_of_trial, 1 + count % holes, 1 + count, 0};
+      if (scenario_.blast && !scenario_.rock_contacts) rock.start_time = scenario_.blast->pattern.time(hole_of(rock.key));
+      ++count;
+      try {
+        RandomStream where(scenario_.seed, "rocks." + group.name + ".release", rock.key);
+        if (scenario_.rock_contacts) {
+          add_apart(trial.worlds.front(), plan, rock, where);
+          partners.push_back({group.name, group.material, rock.key});
+        } else {
+          build_alone(trial, plan, rock, where);
+        }
+        rock.world = static_cast<int>(trial.worlds.size()) - 1;
+      } catch (const ScenarioError& error) {
+        rock.fault = error.what();
+        rock.fault_path = error.path;
+        rock.reason = reason_of(error);
+      } catch (const TrialError& error) {
+        rock.fault = error.what();
+        rock.fault_path = fmt::format("rocks.{}", g);
+        rock.reason = reason_of(error);
+      }
+    }
+  }
+  if (!scenario_.rock_contacts) return;
+  if (partners.empty())
+    trial.worlds.clear();
+  else
+    connect(trial, trial.worlds.front(), std::move(partners));
+}
+
+template <int D>
+void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_trial) {
+  DrawKey of_trial;
+  of_trial.trial = number_of_trial;
+  World<D>& world = trial.worlds.emplace_back(*trial.terrain, gravity(of_trial), world_settings());
+  std::vector<Partner> partners;
+  for (int i = 0; i < static_cast<int>(scenario_.bodies.size()); ++i) {
+    const BodyPlan& plan = scenario_.bodies[i];
+    const std::string path = fmt::format("bodies.{}.", i);
+    TrialRock rock;
+    rock.group = i;
+    rock.key = {number_of_trial, 0, static_cast<std::uint64_t>(i) + 1, 0};
+    const auto value = [&](const Number& n) { return number(n, rock.key); };
+    RandomStream rng(scenario_.seed, "bodies." + plan.name + ".shape", rock.key);
+    auto contactors =
+        at_path(plan.shape.path, [&] { return contactors_of<D>(*instances_.bodies[i], values_of(plan.shape, scenario_, rock.key), rng); });
+    const double density = plan.density ? value(*plan.density) : 0, mass = plan.mass ? value(*plan.mass) : 0;
+    Body<D> body;
+    if constexpr (D == 2) {
+      body = make_body(std::move(contactors), density, mass, plan.thickness ? value(*plan.thickness) : 0);
+      body.attitude = value(plan.orientation);
+    } else {
+      body = at_path(path + "shape", [&] { return make_body(std::move(contactors), density, mass); });
+      if (plan.turn)
+        body.attitude =
+            at_path(path + "orientation", [&] { return rotation_of(*plan.turn, scenario_, rock.key); }) * body.attitude.rotation;
+    }
+    body.group = plan.name;
+    if (!plan.fixed && !plan.driven) at_path(path + mass_key(plan), [&] { refuse_extremes(body); });
+    at_path(path + "shape", [&] { refuse_slender(body); });
+    for (int k = 0; k < D; ++k) body.x[k] = value(plan.position[k]);
+    if (plan.driven) {
+      body.kind = BodyKind::driven;
+      for (int k = 0; k < D; ++k) body.v[k] = plan.driven->velocity[k];
+      body.w = spin_of<D>([&](int k) { return plan.driven->spin[k]; });
+    } else if (plan.fixed) {
+      body.kind = BodyKind::fixed;
+    } else {
+      for (int k = 0; k < D; ++k) body.v[k] = value(plan.velocity[k]);
+      body.w = spin_of<D>([&](int k) { return value(plan.spin[k]); });
+    }
+    at_path(path + (plan.driven ? "driven" : "velocity"), [&] { refuse_speed(body); });
+    if (!plan.fixed && !plan.driven) body.air = air_of(body, rock.key);
+    rock.launch_speed = body.v.norm();
+    if (rock.launch_speed > 0) rock.launch_elevation = elevation_of(body.v, Vec3::UnitX());
+    rock.world = 0;
+    rock.body = world.add(std::move(body));
+    partners.push_back({plan.name, plan.material, rock.key});
+    if (world.bodies.back().kind == BodyKind::dynamic) trial.rocks.push_back(rock);
+  }
+  connect(trial, world, std::move(partners));
+  if (const auto fault = start_fault(world)) throw ScenarioError(fmt::format("bodies.{}.position", fault->body), fault->text);
+}
+
+template class TrialBuilder<2>;
+template class TrialBuilder<3>;
+
+}  // namespace flyrock

@@ -1,0 +1,84 @@
+#pragma once
+// One trial of a scenario: its terrain, its worlds, and what is known of each rock before it moves.
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trial/instances.h"
+#include "trial/place_rock.h"
+#include "trial/surfaces.h"
+#include "world/world.h"
+
+namespace flyrock {
+
+/// What a trial that ends with an error says of its rocks.
+StopReason reason_of(const TrialError& error);
+
+/// A rock of a trial (or a moving body of `bodies`).
+struct TrialRock {
+  int group = 0;           ///< index into Scenario::rocks or ::bodies
+  DrawKey key;             ///< of its draws
+  int world = -1;          ///< index into Trial::worlds; -1 where the rock could not be built
+  int body = 0;            ///< in that world
+  double start_time = 0;   ///< s, when its hole goes off; 0 where rocks meet each other, which leave together
+  double launch_speed = 0; ///< m/s
+  double launch_elevation = 0;  ///< rad above the outward horizontal
+  double greatest_throw = 0;    ///< m, see Launch
+  std::string note;        ///< of its velocity model
+  std::string fault;       ///< why it could not be built
+  std::string fault_path;  ///< of the key that is to blame: "rocks.0.release"
+  StopReason reason = StopReason::not_started;  ///< with a fault
+};
+
+template <int D>
+struct Trial {
+  std::shared_ptr<const typename Geometry<D>::Terrain> terrain;
+  std::deque<World<D>> worlds;     ///< one a rock, or one for all where they meet
+  std::vector<TrialRock> rocks;
+  std::deque<Surfaces> surfaces;   ///< one a world; none for points, which meet nothing
+};
+
+/// Builds trials of a scenario of D dimensions. A terrain that draws (a distribution, or its plugin from `rng`) is built
+/// for each trial, another one once. Instantiated for D = 2, 3.
+template <int D>
+class TrialBuilder {
+ public:
+  using Terrain = typename Geometry<D>::Terrain;
+
+  /// Throws ScenarioError: the plugins cannot be made, or a pair of bodies has no material.
+  explicit TrialBuilder(const Scenario& scenario);
+
+  /// A rock that cannot be built is a TrialRock with `fault`. Throws ScenarioError where the terrain, a population or
+  /// one of `bodies` fails.
+  Trial<D> build(std::uint64_t trial);
+
+  /// The terrain of a trial.
+  std::shared_ptr<const Terrain> terrain_of(std::uint64_t trial);
+
+  const Instances& instances() const { return instances_; }
+
+ private:
+  void build_rocks(Trial<D>& trial, std::uint64_t number);
+  void build_bodies(Trial<D>& trial, std::uint64_t number);
+  template <class Plan>
+  void build_alone(Trial<D>& trial, const Plan& plan, TrialRock& rock, RandomStream& where);
+  template <class Plan>
+  void add_apart(World<D>& world, const Plan& plan, TrialRock& rock, RandomStream& where);
+  template <class Plan>
+  Body<D> rock_body(const Plan& plan, TrialRock& rock, const Terrain& terrain, RandomStream& where);
+  void launch(TrialRock& rock, const Place<D>& place, Body<D>& body);
+  Vec<D> gravity(const DrawKey& key) const;
+  Air<D> air_of(const Body<D>& body, const DrawKey& key) const;
+  void connect(Trial<D>& trial, World<D>& world, std::vector<Partner> partners);
+  double number(const Number& n, const DrawKey& key) const { return n.value(scenario_.draws, scenario_.seed, key); }
+  WorldSettings world_settings() const;
+
+  const Scenario& scenario_;
+  Instances instances_;
+  std::shared_ptr<const Terrain> kept_terrain_;  ///< that of all trials, once it is known to be
+};
+
+}  // namespace flyrock

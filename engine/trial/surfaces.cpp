@@ -1,0 +1,87 @@
+#include "trial/surfaces.h"
+
+#include <fmt/format.h>
+
+namespace flyrock {
+
+namespace {
+
+template <class LawKind>
+void bind(BoundLaw<LawKind>& bound, const std::unique_ptr<LawKind>& law, const std::optional<PluginUse>& use,
+          const Scenario& scenario, const DrawKey& key) {
+  if (!law) return;
+  bound.law = law.get();
+  bound.values = values_of(*use, scenario, key);
+  bound.memory = use->plugin->spec.history.size();
+  bound.per_contact = use->plugin->spec.history_of_contact;
+  bound.forget();
+  for (std::size_t slot = 0; slot < use->slots.size(); ++slot) {
+    const Number& number = use->slots[slot];
+    if (!number.is_constant() && scenario.draws[number.draw].scope == Scope::impact)
+      bound.per_impact.push_back({static_cast<int>(slot), &scenario.draws[number.draw]});
+  }
+}
+
+}  // namespace
+
+Surfaces::Surfaces(const Scenario& scenario, const Instances& instances, std::vector<Partner> partners)
+    : scenario_(scenario), instances_(instances), partners_(std::move(partners)) {}
+
+Surface* Surfaces::make(int material, const DrawKey& key) {
+  const Material& plan = scenario_.materials[material];
+  const MaterialLaws& laws = instances_.materials[material];
+  Surface& surface = surfaces_.emplace_back();
+  material_.push_back(material);
+  surface.material = plan.name;
+  surface.seed = scenario_.seed;
+  surface.key = key;
+  bind(surface.restitution, laws.restitution, plan.restitution, scenario_, key);
+  bind(surface.friction, laws.friction, plan.friction, scenario_, key);
+  bind(surface.rolling, laws.rolling, plan.rolling, scenario_, key);
+  bind(surface.unilateral, laws.unilateral, plan.unilateral, scenario_, key);
+  return &surface;
+}
+
+/// `pairs` decides; else two that show the same material use it.
+int Surfaces::material_between(const Partner& a, const Partner& b) const {
+  for (const PairPlan& pair : scenario_.pairs)
+    if ((pair.a == a.name && pair.b == b.name) || (pair.a == b.name && pair.b == a.name)) return pair.material;
+  if (a.material >= 0 && a.material == b.material) return a.material;
+  throw StartError(fmt::format("`{0}` and `{1}` can meet, and nothing says how: give both the same `material`, or a "
+                                "`pairs` entry `{{ between: [{0}, {1}], material: ... }}`",
+                                a.name, b.name));
+}
+
+int Surfaces::material_of_part(const std::string& name, const std::string& part, const std::string& part_name) const {
+  for (const std::string& terrain : {part_name, std::string("terrain")})
+    for (const PairPlan& pair : scenario_.pairs)
+      if ((pair.a == name && pair.b == terrain) || (pair.b == name && pair.a == terrain)) return pair.material;
+  const auto& materials = scenario_.terrain.material_of_part;
+  if (const auto found = materials.find(part); found != materials.end()) return found->second;
+  if (const auto one = materials.find(""); one != materials.end()) return one->second;
+  return -1;
+}
+
+template <int D>
+void Surfaces::connect(World<D>& world) {
+  const auto& parts = parts_of(world.terrain());
+  const int bodies = static_cast<int>(world.bodies.size());
+  for (int i = 0; i < bodies; ++i) {
+    const Partner& partner = partners_[i];
+    for (std::size_t part = 0; part < parts.size(); ++part)
+      if (const int material = material_with_terrain(world, i, static_cast<int>(part)); material >= 0)
+        world.set_terrain_surface(i, static_cast<int>(part), make(material, partner.key));
+    for (int j = i + 1; j < bodies; ++j)
+      if (world.bodies[i].moves() || world.bodies[j].moves()) material_between(partner, partners_[j]);  // throws
+  }
+  world.surface_between = [this](int a, int b) { return make(material_between(partners_[a], partners_[b]), partners_[a].key); };
+}
+
+void Surfaces::add_use(std::vector<MaterialUse>& of_material) const {
+  for (std::size_t s = 0; s < surfaces_.size(); ++s) of_material[material_[s]].add(surfaces_[s].use);
+}
+
+template void Surfaces::connect(World<2>&);
+template void Surfaces::connect(World<3>&);
+
+}  // namespace flyrock

@@ -1,0 +1,107 @@
+#include "sandbox/sandbox.h"
+
+#include <fmt/format.h>
+
+#include <lua.hpp>
+
+#include "sandbox/read_only.h"
+#include "sandbox/state.h"
+
+namespace flyrock {
+
+namespace {
+
+/// Names that a Lua programmer expects and that are left out on purpose.
+constexpr std::pair<std::string_view, std::string_view> left_out[] = {
+    {"io", "plugins and scenarios do not touch files"},
+    {"os", "plugins and scenarios do not touch the system or the clock"},
+    {"debug", "it would open the sandbox"},
+    {"package", "`require` finds flyrock and the files beside the scenario"},
+    {"load", "code is loaded from files with `require`"},
+    {"loadstring", "code is loaded from files with `require`"},
+    {"loadfile", "code is loaded from files with `require`"},
+    {"dofile", "code is loaded from files with `require`"},
+    {"rawset", "it would open the sandbox"},
+    {"collectgarbage", "memory is the host's"},
+    {"_G", "name the variable itself"},
+};
+
+int refuse_undefined(lua_State* lua) {
+  const char* text = lua_tostring(lua, 2);
+  const std::string name = text ? text : luaL_typename(lua, 2);
+  for (const auto& [known, reason] : left_out)
+    if (known == name) raise(lua, fmt::format("`{}` is not available here: {}", name, reason));
+  raise(lua, fmt::format("`{}` is not defined{}", name, budget_of(lua).wording.did_you_mean(name, text_keys(lua, lua_upvalueindex(1)))));
+}
+
+int refuse_random(lua_State* lua) {
+  raise(lua,
+        "math.random is not available here: use the stream `rng` that is passed in (rng:uniform(a, b), "
+        "rng:normal(), rng:integer(a, b)), so that a run can be repeated");
+}
+
+int refuse_global(lua_State* lua) {
+  const char* name = lua_tostring(lua, 2);
+  raise(lua, fmt::format("globals are frozen after loading: `{}` cannot be set, use a local variable",
+                         name ? name : luaL_typename(lua, 2)));
+}
+
+/// Opens a library of Lua without entering it anywhere.
+void push_library(lua_State* lua, lua_CFunction open) {
+  lua_pushcfunction(lua, open);
+  lua_call(lua, 0, 1);
+}
+
+void add_read_only(lua_State* lua, const char* name) {
+  lua_createtable(lua, 0, 0);
+  make_strict(lua, -2, name);
+  make_read_only(lua, name);
+  lua_setfield(lua, -2, name);
+}
+
+}  // namespace
+
+void push_globals(lua_State* lua) {
+  lua_createtable(lua, 0, 40);
+  add_base_library(lua);
+
+  push_library(lua, luaopen_math);
+  for (const char* name : {"random", "randomseed"}) {
+    lua_pushcfunction(lua, refuse_random);
+    lua_setfield(lua, -2, name);
+  }
+  add_read_only(lua, "math");
+  push_library(lua, luaopen_table);
+  add_table_library(lua);
+  add_read_only(lua, "table");
+  push_library(lua, luaopen_coroutine);
+  add_coroutine_library(lua);
+  add_read_only(lua, "coroutine");
+  push_library(lua, luaopen_string);
+  add_string_library(lua);
+  add_read_only(lua, "string");
+
+  lua_createtable(lua, 0, 1);  // a name that is nowhere
+  lua_pushvalue(lua, -2);
+  lua_pushcclosure(lua, guarded<refuse_undefined>, 1);
+  lua_setfield(lua, -2, "__index");
+  lua_setmetatable(lua, -2);
+  mark_hidden(lua, -1);
+}
+
+void push_environment(lua_State* lua, int globals) {
+  globals = lua_absindex(lua, globals);
+  lua_createtable(lua, 0, 0);
+  lua_createtable(lua, 0, 2);
+  lua_pushvalue(lua, globals);
+  lua_setfield(lua, -2, "__index");
+  lua_pushboolean(lua, 0);
+  lua_setfield(lua, -2, "__metatable");
+  lua_setmetatable(lua, -2);
+}
+
+void freeze_environment(lua_State* lua, int index) {
+  freeze_table(lua, index, "", guarded<refuse_global>);
+}
+
+}  // namespace flyrock

@@ -1,0 +1,69 @@
+#pragma once
+// A Lua state behind protected calls.
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "sandbox/budget.h"
+
+namespace flyrock {
+
+/// An error that Lua raised: "my_law.lua:16: attempt to perform arithmetic on a nil value".
+struct LuaError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Owns a state. Nothing touches it but the body of a `run`: there errors of Lua, out of memory included,
+/// have a frame that catches them. Lua is the C++ build, so its errors unwind C++ frames.
+class LuaState {
+ public:
+  explicit LuaState(const Wording& wording);  ///< throws std::bad_alloc
+  ~LuaState();
+  LuaState(const LuaState&) = delete;
+  LuaState& operator=(const LuaState&) = delete;
+
+  /// Runs body(lua_State*) with an empty stack in a protected call. Throws LuaError for an error of Lua;
+  /// exceptions of the body pass through.
+  template <class Body>
+  void run(double instructions, Body&& body) {
+    run_protected(
+        instructions,
+        [](void* data, lua_State* lua) { (*static_cast<std::remove_reference_t<Body>*>(data))(lua); }, &body);
+  }
+
+  /// Lets go of a value kept with luaL_ref.
+  void release(int reference);
+
+  /// From here on `print` writes nothing: what it says waits to be taken. Forgets what was printed before.
+  void collect_prints();
+  /// What was printed since it was taken last; each time counts the lines of a place anew.
+  PrintLog take_prints();
+
+ private:
+  using Body = void (*)(void* data, lua_State* lua);
+  void run_protected(double instructions, Body body, void* data);
+
+  std::unique_ptr<Budget> budget_;
+  lua_State* lua_;
+};
+
+/// Whether a message begins with the place of Lua code: "my_law.lua:16: ...".
+bool has_place(std::string_view text);
+
+/// Raises `text` as a Lua error with the place of the Lua code that is running.
+[[noreturn]] void raise(lua_State* lua, const std::string& text);
+
+/// Turns exceptions of a C++ function into Lua errors, so that none is lost on its way through Lua.
+template <int (*function)(lua_State*)>
+int guarded(lua_State* lua) {
+  std::string text;
+  try {
+    return function(lua);
+  } catch (const std::exception& failure) {  // Lua's own errors are not std::exceptions and pass
+    text = failure.what();
+  }
+  raise(lua, text);
+}
+
+}  // namespace flyrock
