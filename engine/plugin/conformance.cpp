@@ -19,11 +19,11 @@ constexpr int draws = 200;
 constexpr int samples = 4;  // of the parameters of each variant
 
 /// All numbers that a plugin answers with; two answers are equal where these are.
-using Answer = std::vector<double>;
+using Numbers = std::vector<double>;
 
 [[noreturn]] void fail(const std::string& text) { throw PluginError(text); }
 
-void add(Answer& answer, const std::vector<Contactor2>& contactors) {
+void add(Numbers& answer, const std::vector<Contactor2>& contactors) {
   answer.push_back(static_cast<double>(contactors.size()));
   for (const Contactor2& contactor : contactors) {
     answer.push_back(contactor.radius);
@@ -46,7 +46,7 @@ void check_contactors(const std::vector<Contactor2>& contactors) {
   if (!(area.area > 0 && area.polar_moment > 0)) fail("a rock has no area or no inertia");
 }
 
-void add(Answer& answer, const std::vector<Contactor3>& contactors) {
+void add(Numbers& answer, const std::vector<Contactor3>& contactors) {
   answer.push_back(static_cast<double>(contactors.size()));
   for (const Contactor3& contactor : contactors) {
     answer.push_back(contactor.radius);
@@ -88,8 +88,8 @@ void for_each_stream(Ask&& ask) {
 
 // One overload a kind: everything that an instance of a dimension answers, checked.
 
-Answer answer_of(const PluginSpec&, const ShapeModel& shape, Values values, int dimension) {
-  Answer answer;
+Numbers answer_of(const PluginSpec&, const ShapeModel& shape, Values values, int dimension) {
+  Numbers answer;
   const auto see = [&](const auto& contactors) {
     check_contactors(contactors);
     add(answer, contactors);
@@ -103,7 +103,7 @@ Answer answer_of(const PluginSpec&, const ShapeModel& shape, Values values, int 
   return answer;
 }
 
-void add(Answer& answer, const RockPlan3& rock) {
+void add(Numbers& answer, const RockPlan3& rock) {
   if (!rock.contactors.empty()) check_contactors(rock.contactors);
   add(answer, rock.contactors);
   const Vec3 position = rock.position.value_or(Vec3::Zero());
@@ -113,7 +113,7 @@ void add(Answer& answer, const RockPlan3& rock) {
   answer.insert(answer.end(), turn.begin(), turn.end());
 }
 
-void add(Answer& answer, const RockPlan& rock) {
+void add(Numbers& answer, const RockPlan& rock) {
   if (!rock.contactors.empty()) check_contactors(rock.contactors);
   add(answer, rock.contactors);
   const Vec2 position = rock.position.value_or(Vec2::Zero());
@@ -121,8 +121,8 @@ void add(Answer& answer, const RockPlan& rock) {
   answer.insert(answer.end(), {position.x(), position.y(), rock.angle.value_or(0)});
 }
 
-Answer answer_of(const PluginSpec& spec, const Population& population, Values values, int dimension) {
-  Answer answer;
+Numbers answer_of(const PluginSpec& spec, const Population& population, Values values, int dimension) {
+  Numbers answer;
   for_each_stream([&](int i, RandomStream& rng) {
     const Blast blast = sampled_blast(i);
     asked_with([&] { return state_text(spec, blast); },
@@ -136,8 +136,8 @@ Answer answer_of(const PluginSpec& spec, const Population& population, Values va
   return answer;
 }
 
-Answer answer_of(const PluginSpec& spec, const VelocityModel& model, Values values, int dimension) {
-  Answer answer;
+Numbers answer_of(const PluginSpec& spec, const VelocityModel& model, Values values, int dimension) {
+  Numbers answer;
   for_each_stream([&](int i, RandomStream& rng) {
     RockView rock = sampled_rock(i);
     rock.dimension = dimension;
@@ -152,21 +152,21 @@ Answer answer_of(const PluginSpec& spec, const VelocityModel& model, Values valu
   return answer;
 }
 
-void add(Answer& answer, const Plane& plane) {
+void add(Numbers& answer, const Plane& plane) {
   if (!plane.point.allFinite() || !(std::abs(plane.normal.norm() - 1) < 1e-9 && plane.normal.z() > 0))
     fail("a plane has no finite point or no unit normal that points upwards");
   answer.insert(answer.end(), plane.point.begin(), plane.point.end());
   answer.insert(answer.end(), plane.normal.begin(), plane.normal.end());
 }
 
-void add(Answer& answer, const Profile& profile) {
+void add(Numbers& answer, const Profile& profile) {
   if (std::string fault = profile.fault(); !fault.empty()) fail(fault);
   for (const Vec2& point : profile.points) answer.insert(answer.end(), {point.x(), point.y()});
   answer.insert(answer.end(), profile.part.begin(), profile.part.end());
 }
 
-Answer answer_of(const PluginSpec&, const TerrainModel& terrain, Values values, int dimension) {
-  Answer answer;
+Numbers answer_of(const PluginSpec&, const TerrainModel& terrain, Values values, int dimension) {
+  Numbers answer;
   for_each_stream([&](int, RandomStream& rng) {
     if (dimension == 3)
       add(answer, terrain.build_3d(values, rng));
@@ -176,33 +176,33 @@ Answer answer_of(const PluginSpec&, const TerrainModel& terrain, Values values, 
   return answer;
 }
 
-Answer numbers_of(const RestitutionLaw& law, Values values, const ContactState& contact) {
+Numbers numbers_of(const RestitutionLaw& law, Values values, const ContactState& contact) {
   const Restitution answer = law.impact(values, contact);
   check_answer(law, answer);
   return {answer.e_n, answer.e_t, static_cast<double>(answer.form), answer.as_lmgc90 ? 1.0 : 0.0};
 }
 
-Answer numbers_of(const FrictionLaw& law, Values values, const ContactState& contact) {
+Numbers numbers_of(const FrictionLaw& law, Values values, const ContactState& contact) {
   const Friction answer = law.friction(values, contact);
   check_answer(law, answer);
   return {answer.mu_s, answer.mu_d, answer.c_n, answer.c_t};
 }
 
-Answer numbers_of(const RollingLaw& law, Values values, const ContactState& contact) {
+Numbers numbers_of(const RollingLaw& law, Values values, const ContactState& contact) {
   const Rolling answer = law.rolling(values, contact);
   check_answer(law, answer);
   return {answer.mu_r, answer.mu_spin};
 }
 
-Answer numbers_of(const UnilateralLaw& law, Values values, const ContactState& contact) {
+Numbers numbers_of(const UnilateralLaw& law, Values values, const ContactState& contact) {
   const Unilateral answer = law.condition(values, contact);
   check_answer(law, answer);
   return {static_cast<double>(answer.condition), answer.stiffness, answer.pull};
 }
 
 template <class SomeLaw>
-requires std::derived_from<SomeLaw, Law> Answer answer_of(const PluginSpec& spec, const SomeLaw& law, Values values, int) {
-  Answer answer;
+requires std::derived_from<SomeLaw, Law> Numbers answer_of(const PluginSpec& spec, const SomeLaw& law, Values values, int) {
+  Numbers answer;
   std::array<double, most_history> history{};
   for (int i = 0; i < law_states; ++i) {
     ContactState contact = sampled_contact(i);
@@ -214,7 +214,7 @@ requires std::derived_from<SomeLaw, Law> Answer answer_of(const PluginSpec& spec
       return state_text(spec, contact);
     };
     asked_with(state, [&] {
-      const Answer numbers = numbers_of(law, values, contact);
+      const Numbers numbers = numbers_of(law, values, contact);
       if (law.constant() && i > 0 && !std::equal(numbers.begin(), numbers.end(), answer.begin()))
         fail("says that it is constant and answers two states differently");
       answer.insert(answer.end(), numbers.begin(), numbers.end());
@@ -233,7 +233,7 @@ class Trial {
   }
 
   /// Makes an instance and asks it. Nothing where these parameters do not go together; `refusal` then says why.
-  std::optional<Answer> ask(std::string& refusal) const {
+  std::optional<Numbers> ask(std::string& refusal) const {
     std::unique_ptr<Interface> instance;
     try {
       instance = make_instance<Interface>(use_, dimension_);

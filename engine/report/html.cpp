@@ -14,10 +14,6 @@ std::string replace_all(std::string text, std::string_view what, std::string_vie
   return text;
 }
 
-std::string escaped(std::string text) {
-  return replace_all(replace_all(replace_all(std::move(text), "&", "&amp;"), "<", "&lt;"), ">", "&gt;");
-}
-
 /// Within a script, "</script" would end it wherever it stands.
 std::string script(std::string source) { return replace_all(std::move(source), "</script", "<\\/script"); }
 
@@ -59,6 +55,10 @@ std::string report_html(const nlohmann::ordered_json& data, const std::filesyste
   page += script(scripts(assets));
   page += "</script>\n</body>\n</html>\n";
   return page;
+}
+
+std::string escaped(std::string text) {
+  return replace_all(replace_all(replace_all(std::move(text), "&", "&amp;"), "<", "&lt;"), ">", "&gt;");
 }
 
 }  // namespace flyrock

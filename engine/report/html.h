@@ -14,4 +14,7 @@ namespace flyrock {
 /// bytes. Throws FileError where report.css or a script is missing.
 std::string report_html(const nlohmann::ordered_json& data, const std::filesystem::path& assets);
 
+/// A text within HTML or SVG.
+std::string escaped(std::string text);
+
 }  // namespace flyrock

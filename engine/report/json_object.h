@@ -1,11 +1,15 @@
 #pragma once
-// JSON objects whose members are large.
+// What all JSON of the report shares.
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
 namespace flyrock {
+
+/// JSON has no NaN and no infinity: null stands for them.
+inline nlohmann::ordered_json number(double value) { return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr); }
 
 /// { key: value, ... } of keys and values by turns. ordered_json copies all members, whole arrays, each time that it finds
 /// no room for another; here it has the room at once.

@@ -7,18 +7,14 @@
 #include <cmath>
 #include <limits>
 
+#include "report/html.h"
+
 namespace flyrock {
 
 namespace {
 
 constexpr double width = 420, height = 340, left = 64, right = 14, top = 64, bottom = 48;
 constexpr std::array<const char*, 4> colours = {"#1f5fa8", "#c4531b", "#2f7d3b", "#7a3f92"};
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) out += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
-  return out;
-}
 
 /// An axis from `low` to `high` with ticks at round numbers; of no length it is given one.
 struct Axis {

@@ -85,8 +85,6 @@ class Runouts {
   std::vector<Group> groups_;
 };
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 Json bodies_data(const Scenario& scenario, const TrialTotals& totals) {
   Json list = Json::array();
   for (std::size_t b = 0; b < totals.bodies.size() && b < scenario.bodies.size(); ++b) {

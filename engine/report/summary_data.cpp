@@ -6,14 +6,13 @@
 #include "results/answer_shares.h"
 #include "results/fault_line.h"
 #include "report/reach_data.h"
+#include "report/json_object.h"
 
 namespace flyrock {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json at_point(const Plan& plan, std::size_t point) {
   Json at = Json::object();

@@ -2,11 +2,11 @@
 // Clearances: distances that rocks, or the farthest rock of each blast, exceed with a given probability.
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "batch/clearance_check.h"
 #include "results/sectors.h"
+#include "results/unknown.h"
 
 namespace flyrock {
 
@@ -16,10 +16,10 @@ struct ClearanceSummary {
   std::uint64_t needed = 0;  ///< needed_for(probability)
   /// The quantile 1 - probability and its interval with the confidence of the plan, see Sample; NaN where there are too few. With
   /// sectors those of the sector that reaches farthest: the greatest distance of the polygon.
-  Bounded distance{std::numeric_limits<double>::quiet_NaN(), false};
-  Interval interval{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+  Bounded distance{unknown, false};
+  Interval interval{unknown, unknown};
   /// factor x distance; NaN without a factor. The interval is left as it is: the factor is applied once.
-  double with_factor = std::numeric_limits<double>::quiet_NaN();
+  double with_factor = unknown;
 
   AreaSummary area;  ///< where the plan asks for sectors
 

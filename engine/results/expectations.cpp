@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "results/unknown.h"
 
 namespace flyrock {
 
@@ -33,7 +34,7 @@ bool holds(const Expectation& expectation, double computed, double tolerance) {
 
 Verdict judge_at(const Expectation& expectation, const Scenario& scenario, const PointResult& result, int point,
                  bool full) {
-  Verdict verdict{expectation, point, std::numeric_limits<double>::quiet_NaN(), false, expectation.tolerance, Judgement::failed, {}};
+  Verdict verdict{expectation, point, unknown, false, expectation.tolerance, Judgement::failed, {}};
   if (expectation.relative) verdict.tolerance = *expectation.relative * std::abs(expectation.value);
   const Measure measure(expectation.measure, scenario);
   const Measured measured = measure.value(result);
@@ -66,7 +67,7 @@ std::vector<Verdict> judge(const Plan& plan, const std::vector<PointResult>& poi
       verdicts.push_back(judge_at(expectation, plan.points[point], points[point], static_cast<int>(point), full));
     }
     if (!anywhere)
-      verdicts.push_back({expectation, -1, std::numeric_limits<double>::quiet_NaN(), false, 0, Judgement::failed,
+      verdicts.push_back({expectation, -1, unknown, false, 0, Judgement::failed,
                           "`at` names no point of the sweep"});
   }
   return verdicts;

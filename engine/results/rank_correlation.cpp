@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
-#include <limits>
 #include <numeric>
+
+#include "results/unknown.h"
 
 namespace flyrock {
 
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Ranks about their mean.
 std::vector<double> centred_ranks(const std::vector<double>& values) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "batch/greatest_throw.h"
 #include "trial/build_trial.h"
 
 namespace flyrock {

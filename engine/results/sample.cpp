@@ -5,11 +5,11 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
+#include "results/unknown.h"
+
 namespace flyrock {
 
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// The greatest k in [0, n] with holds(k), which holds up to some k >= 0 and for none beyond; -1 where it never holds. It is
 /// looked for around `guess`, in steps that double, then between the last two.
@@ -33,12 +33,12 @@ std::int64_t last_that(std::int64_t n, double guess, Holds holds) {
 }
 
 /// Where a quantile lies: this share of the way from x_low to x_low+1.
-struct Place {
+struct Rank {
   std::uint64_t low;
   double share;
 };
 
-Place place_of(double p, std::uint64_t n) {
+Rank rank_of(double p, std::uint64_t n) {
   double h = static_cast<double>(n - 1) * p;
   // 0.95 of 100 is 95, though 0.95 has no exact double.
   if (std::abs(h - std::round(h)) <= 4 * std::numeric_limits<double>::epsilon() * static_cast<double>(n)) h = std::round(h);
@@ -96,9 +96,9 @@ bool Sample::again() {
 std::vector<std::uint64_t> Sample::wanted_ranks() const {
   std::vector<std::uint64_t> ranks;
   for (const double p : questions_.quantiles) {
-    const Place place = place_of(p, count_);
-    ranks.push_back(place.low);
-    if (place.share > 0) ranks.push_back(place.low + 1);
+    const Rank rank = rank_of(p, count_);
+    ranks.push_back(rank.low);
+    if (rank.share > 0) ranks.push_back(rank.low + 1);
   }
   for (const auto& [p, confidence] : questions_.intervals) {
     const Ends ends = ends_of(p, confidence, count_);
@@ -116,7 +116,7 @@ Moments Sample::moments() const {
 
 Bounded Sample::quantile(double p) const {
   if (count_ == 0) return {unknown, false};
-  const auto [low, share] = place_of(p, count_);
+  const auto [low, share] = rank_of(p, count_);
   const double value = selection_.at(low);
   if (share == 0) return {value, first_censored_ <= low};
   return {value + share * (selection_.at(low + 1) - value), first_censored_ <= low + 1};

@@ -1,6 +1,6 @@
 #pragma once
 // A sample of numbers of which some are censored: its quantiles, its mean and their confidence intervals. The numbers
-// are not kept: they are shown in passes, see batch/selection.h.
+// are not kept: they are shown in passes, see results/selection.h.
 
 #include <cstdint>
 #include <limits>

@@ -3,13 +3,13 @@
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <vector>
 
 #include "results/share.h"
 #include "results/statistics.h"
 #include "math/space.h"
+#include "results/unknown.h"
 
 namespace flyrock {
 
@@ -18,12 +18,12 @@ struct SectorSummary {
   double azimuth = 0;      ///< rad, of its middle, from +x towards +y
   std::uint64_t count = 0; ///< rocks without faults, or trials that have one there
   Share share;             ///< of all rocks, or of all trials
-  Bounded greatest{std::numeric_limits<double>::quiet_NaN(), false};
+  Bounded greatest{unknown, false};
   /// What the share `probability` of these exceeds, and its interval; NaN where they are fewer than needed_for(probability).
-  Bounded distance{std::numeric_limits<double>::quiet_NaN(), false};
-  Interval interval{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+  Bounded distance{unknown, false};
+  Interval interval{unknown, unknown};
   /// factor x distance, or x greatest where there is no distance: where few rocks ended some did; NaN without a factor or rocks.
-  double with_factor = std::numeric_limits<double>::quiet_NaN();
+  double with_factor = unknown;
 
   /// The distance of the polygon: `greatest` stands for a distance that is not known. NaN without rocks: no data.
   const Bounded& reach() const { return std::isnan(distance.value) ? greatest : distance; }

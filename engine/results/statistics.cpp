@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "results/unknown.h"
 
 namespace flyrock {
 
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 std::array<double, 4> shares_of(std::array<double, 4> parts) {
   double sum = 0;

@@ -16,7 +16,7 @@ namespace flyrock {
 
 namespace {
 
-int refuse_write(lua_State* lua) {
+int refuse_change(lua_State* lua) {
   raise(lua, fmt::format("`{}` cannot be changed: what stands outside of functions is frozen after loading",
                          lua_tostring(lua, lua_upvalueindex(1))));
 }
@@ -68,7 +68,7 @@ class Walk {
   void table(const std::string& name) {
     if (!push_shown(lua_, -1)) {
       if (lua_getmetatable(lua_, -1)) add(name + "'s metatable");
-      freeze_table(lua_, -1, name, guarded<refuse_write>);
+      freeze_table(lua_, -1, name, guarded<refuse_change>);
       push_shown(lua_, -1);
     }
     add_fields(name);

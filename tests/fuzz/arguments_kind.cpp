@@ -11,7 +11,7 @@ namespace flyrock::fuzz {
 
 namespace {
 
-const char* const scenario_file = "tests/fuzz/corpus/scenarios/fences.yaml";
+const char* const fences_file = "tests/fuzz/corpus/scenarios/fences.yaml";
 
 /// A command line with "?" where a mutated value goes; what is in its place in a sound one.
 struct Template {
@@ -85,7 +85,7 @@ class Words : public Kind {
   static bool may_take_long(const std::string& command) { return command == "verify"; }
 
   Dictionary dictionary_ = make_dictionary(LuaSession(share_folder()).registry());
-  std::string scenario_ = read_source(scenario_file);
+  std::string scenario_ = read_source(fences_file);
 };
 
 }  // namespace
