@@ -7,6 +7,7 @@
 #include <array>
 
 #include "batch/columns.h"
+#include "batch/record_columns.h"
 #include "batch/safe_file.h"
 
 namespace flyrock {
@@ -14,46 +15,16 @@ namespace flyrock {
 namespace {
 
 constexpr std::string_view magic = "flyrchnk";
-constexpr std::uint64_t format = 7;
+constexpr std::uint64_t format = 8;
 
 std::uint64_t crc(std::string_view bytes) {
   return ::crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
 }
 
-// The walks. `Rows` is a vector of records, const where they are written.
-
-template <class Io, class Rows, class State>
-void walk_state(Io& io, Rows& rows, State state) {
-  io.columns(rows, [&](auto& r) -> auto& { return std::invoke(state, r).time; });
-  for (int i = 0; i < 3; ++i)
-    io.columns(
-        rows, [&](auto& r) -> auto& { return std::invoke(state, r).position[i]; },
-        [&](auto& r) -> auto& { return std::invoke(state, r).velocity[i]; },
-        [&](auto& r) -> auto& { return std::invoke(state, r).spin[i]; });
-  io.columns(
-      rows, [&](auto& r) -> auto& { return std::invoke(state, r).angle; },
-      [&](auto& r) -> auto& { return std::invoke(state, r).kinetic_energy; });
-}
-
-template <class Io, class Rows, class Get>
-void walk_impact(Io& io, Rows& rows, Get get) {
-  const auto field = [&](auto member) {
-    io.columns(rows, [&](auto& r) -> auto& { return std::invoke(get, r).*member; });
-  };
-  field(&Impact::body), field(&Impact::other), field(&Impact::part), field(&Impact::number), field(&Impact::time);
-  for (int i = 0; i < 3; ++i) io.columns(rows, [&](auto& r) -> auto& { return std::invoke(get, r).place[i]; });
-  field(&Impact::vn_before), field(&Impact::vn_after), field(&Impact::vt_before), field(&Impact::vt_after);
-  field(&Impact::pn), field(&Impact::pt), field(&Impact::energy_change);
-}
-
-/// What a passage of a gate and the arrival at a barrier have in common; `place` is its gate or barrier.
-template <class Io, class Rows, class Row, class Arrival>
-void walk_arrival(Io& io, Rows& rows, Arrival Row::*arrival, int Arrival::*place) {
-  io.columns(
-      rows, [&](auto& r) -> auto& { return (r.*arrival).*place; }, [&](auto& r) -> auto& { return (r.*arrival).time; },
-      [&](auto& r) -> auto& { return (r.*arrival).speed; },
-      [&](auto& r) -> auto& { return (r.*arrival).kinetic_energy; },
-      [&](auto& r) -> auto& { return (r.*arrival).height; });
+/// Writes or reads the columns of a table; `rows` is a vector of records, const where they are written.
+template <class Io, class Rows>
+auto columns_of(Io& io, Rows& rows) {
+  return [&io, &rows](const Column&, auto get) { io.columns(rows, get); };
 }
 
 /// The stored trajectory of a body is a table of its own (TrajectoryRecord) and not repeated here.
@@ -61,15 +32,13 @@ template <class Io, class Bodies>
 void walk_bodies(Io& io, Bodies& bodies) {
   using B = BodyHistory;
   io.rows(bodies);
-  walk_state(io, bodies, &B::first);
-  walk_state(io, bodies, &B::last);
-  walk_state(io, bodies, &B::min);
-  walk_state(io, bodies, &B::max);
+  const auto columns = columns_of(io, bodies);
+  for (BodyState B::*state : {&B::first, &B::last, &B::min, &B::max}) visit_state(within(columns, state));
   io.columns(bodies, &B::min_speed, &B::max_speed, &B::reason, &B::fault, &B::stop_time, &B::contact_time,
              &B::max_distance, &B::landed, &B::flight_range, &B::bounce_height, &B::impact_count);
   for (auto& body : bodies) {
     io.rows(body.impacts);
-    walk_impact(io, body.impacts, [](auto& impact) -> auto& { return impact; });
+    visit_impact(columns_of(io, body.impacts));
     io.rows(body.apexes);
     io.columns(body.apexes, &Apex::time, &Apex::height);
   }
@@ -107,37 +76,28 @@ void walk_totals(Io& io, Totals& totals) {
 
 template <class Io, class Records>
 void walk_brief(Io& io, Records& records) {
-  using R = RockRecord;
   io.rows(records.rocks);
-  io.columns(records.rocks, &R::trial, &R::rock, &R::group, &R::mass, &R::volume, &R::launch_speed,
-             &R::launch_elevation, &R::reason, &R::censored, &R::start_x, &R::start_y, &R::runout, &R::max_distance, &R::stop_x, &R::stop_y,
-             &R::stop_z, &R::end_part, &R::landed, &R::flight_range, &R::bounce_height, &R::max_speed, &R::max_energy, &R::impacts, &R::time,
-             &R::fault);
-  for (std::size_t mode = 0; mode < travel_mode_names.size(); ++mode)
-    io.columns(
-        records.rocks, [&](auto& r) -> auto& { return r.travel.time[mode]; },
-        [&](auto& r) -> auto& { return r.travel.distance[mode]; });
+  visit_rocks(columns_of(io, records.rocks));
   io.rows(records.gates);
   io.columns(records.gates, &GateRecord::trial, &GateRecord::rock);
-  walk_arrival(io, records.gates, &GateRecord::passage, &Passage::gate);
+  visit_gates(columns_of(io, records.gates));
   io.rows(records.barriers);
-  io.columns(records.barriers, &BarrierRecord::trial, &BarrierRecord::rock,
-             [](auto& r) -> auto& { return r.hit.outcome; });
-  walk_arrival(io, records.barriers, &BarrierRecord::hit, &BarrierHit::barrier);
+  io.columns(records.barriers, &BarrierRecord::trial, &BarrierRecord::rock);
+  visit_barriers(columns_of(io, records.barriers));
   walk_totals(io, records.totals);
 }
 
 template <class Io, class Records>
 void walk_long(Io& io, Records& records) {
   io.rows(records.inputs);
-  io.columns(records.inputs, &InputRecord::trial, &InputRecord::rock, &InputRecord::draw, &InputRecord::value);
+  io.columns(records.inputs, &InputRecord::trial, &InputRecord::rock);
+  visit_inputs(columns_of(io, records.inputs));
   io.rows(records.impacts);
   io.columns(records.impacts, &ImpactRecord::trial, &ImpactRecord::rock);
-  walk_impact(io, records.impacts, &ImpactRecord::impact);
+  visit_impacts(columns_of(io, records.impacts));
   io.rows(records.trajectories);
-  io.columns(records.trajectories, &TrajectoryRecord::trial, &TrajectoryRecord::rock,
-             [](auto& r) -> auto& { return r.point.mode; });
-  walk_state(io, records.trajectories, [](auto& r) -> auto& { return r.point.state; });
+  io.columns(records.trajectories, &TrajectoryRecord::trial, &TrajectoryRecord::rock);
+  visit_trajectories(columns_of(io, records.trajectories));
   walk_envelopes(io, records.totals.envelopes);
 }
 

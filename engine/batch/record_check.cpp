@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "batch/record_columns.h"
 
 namespace flyrock {
 
@@ -17,18 +18,21 @@ bool is_value(Enum value, Enum last) {
   return value >= Enum{} && value <= last;
 }
 
-/// What is known of a rock without a fault is finite: samples are sorted by these numbers.
+/// What is known of a rock without a fault is finite: samples are sorted by these numbers. (Shares of time and path are not.)
 bool has_finite_numbers(const RockRecord& rock) {
-  const double numbers[] = {rock.mass,   rock.volume, rock.launch_speed, rock.launch_elevation, rock.runout,     rock.max_distance, rock.stop_x,
-                            rock.stop_y, rock.stop_z, rock.flight_range, rock.bounce_height,    rock.max_speed, rock.max_energy,   rock.time};
-  return std::all_of(std::begin(numbers), std::end(numbers), [](double number) { return std::isfinite(number); });
+  bool finite = true;
+  visit_rocks([&](const Column& column, auto get) {
+    const auto& value = std::invoke(get, rock);
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>) finite = finite && (!column.name || !column.in_csv || std::isfinite(value));
+  });
+  return finite;
 }
 
 std::string rock_fault(const RockRecord& rock, const ChunkRange& range, std::size_t groups) {
   if (rock.trial < range.first || rock.trial - range.first >= range.count)
     return fmt::format("a rock of trial {}, its trials begin at {} and are {}", rock.trial, range.first, range.count);
   if (!is_index(rock.group, groups)) return fmt::format("a rock of group {}, the scenario has {}", rock.group, groups);
-  if (!is_value(rock.reason, StopReason::plugin_error)) return "a rock that stopped for no known reason";
+  if (!is_value(rock.reason, StopReason::not_started)) return "a rock that stopped for no known reason";
   if (!is_fault(rock.reason) && !has_finite_numbers(rock)) return fmt::format("rock {} of trial {} has numbers that are not finite", rock.rock, rock.trial);
   return {};
 }
@@ -75,7 +79,7 @@ std::string records_fault(const TrialRecords& records, const ChunkRange& range, 
   for (const TrajectoryRecord& row : records.trajectories)
     if (!is_value(row.point.mode, TravelMode::roll)) return "a point of a trajectory of no known mode of travel";
   for (const BodyHistory& body : records.totals.bodies)
-    if (!is_value(body.reason, StopReason::plugin_error)) return "a body that stopped for no known reason";
+    if (!is_value(body.reason, StopReason::not_started)) return "a body that stopped for no known reason";
   return {};
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // A plugin's manifest as text, Markdown and JSON.
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

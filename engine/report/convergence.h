@@ -1,7 +1,7 @@
 #pragma once
 // How percentiles of runout settle as more rocks are run.
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
 #include "results/statistics.h"

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "batch/safe_file.h"
-#include "math/space.h"
 #include "report/envelope_data.h"
 #include "report/rock_rows.h"
 #include "report/tables.h"
@@ -19,16 +18,7 @@ CREATE TABLE points (point INTEGER PRIMARY KEY, trials INTEGER);
 CREATE TABLE sweep (point INTEGER, path TEXT, value REAL);
 CREATE TABLE parts (point INTEGER, part INTEGER, name TEXT);
 CREATE TABLE ground (point INTEGER, x_m REAL, y_m REAL, z_m REAL, part INTEGER);
-CREATE TABLE rocks (point INTEGER, trial INTEGER, rock INTEGER, "group" TEXT, mass_kg REAL, volume_m3 REAL,
-  launch_speed_m_s REAL, launch_elevation_deg REAL, stop_reason TEXT, censored INTEGER, runout_m REAL,
-  max_distance_m REAL, stop_x_m REAL, stop_y_m REAL, stop_z_m REAL, flight_range_m REAL, bounce_height_m REAL,
-  max_speed_m_s REAL, max_energy_J REAL, impacts INTEGER, time_s REAL, flight_s REAL, flight_m REAL, bounce_s REAL,
-  bounce_m REAL, slide_s REAL, slide_m REAL, roll_s REAL, roll_m REAL, fault TEXT);
 CREATE TABLE draws (draw INTEGER PRIMARY KEY, path TEXT);
-CREATE TABLE gates (point INTEGER, trial INTEGER, rock INTEGER, gate TEXT, time_s REAL, speed_m_s REAL, energy_J REAL,
-  height_m REAL);
-CREATE TABLE barriers (point INTEGER, trial INTEGER, rock INTEGER, barrier TEXT, outcome TEXT, time_s REAL,
-  speed_m_s REAL, energy_J REAL, height_m REAL);
 CREATE TABLE envelopes (point INTEGER, "group" TEXT, x_m REAL, width_m REAL, rocks INTEGER, height_p50_m REAL,
   height_p95_m REAL, height_max_m REAL, speed_p50_m_s REAL, speed_p95_m_s REAL, speed_max_m_s REAL, energy_p50_J REAL,
   energy_p95_J REAL, energy_max_J REAL);
@@ -36,6 +26,53 @@ CREATE TABLE report (data TEXT);
 CREATE TABLE expectations (number INTEGER, measure TEXT, point INTEGER, computed REAL, kind TEXT, expected REAL,
   expected_high REAL, tolerance REAL, passed INTEGER, reason TEXT);
 )";
+
+/// The columns of a table of results.db, after point (and trial and rock, where a row belongs to a rock).
+template <class Row, class VisitTable>
+std::vector<std::string> table_columns(VisitTable visit_table) {
+  std::vector<std::string> columns;
+  visit_table([&](const Column& column, auto get) {
+    using T = std::decay_t<std::invoke_result_t<decltype(get), const Row&>>;
+    if (column.name) columns.push_back(fmt::format("\"{}\" {}", column.name, sql_type<T>(column)));
+  });
+  return columns;
+}
+
+const std::vector<std::string>& rock_columns() {
+  static const auto columns = table_columns<RockRecord>([](auto visit) { visit_rocks(visit); });
+  return columns;
+}
+const std::vector<std::string>& gate_columns() {
+  static const auto columns = table_columns<GateRecord>([](auto visit) { visit_gates(visit); });
+  return columns;
+}
+const std::vector<std::string>& barrier_columns() {
+  static const auto columns = table_columns<BarrierRecord>([](auto visit) { visit_barriers(visit); });
+  return columns;
+}
+
+std::string record_tables_schema() {
+  return fmt::format(
+      "CREATE TABLE rocks (point INTEGER, {});\n"
+      "CREATE TABLE gates (point INTEGER, trial INTEGER, rock INTEGER, {});\n"
+      "CREATE TABLE barriers (point INTEGER, trial INTEGER, rock INTEGER, {});\n",
+      fmt::join(rock_columns(), ", "), fmt::join(gate_columns(), ", "), fmt::join(barrier_columns(), ", "));
+}
+
+/// Puts what a table shows of a record. `names`: of what its indices stand for.
+template <class Row>
+auto put_into(Statement& to, const Row& row, const std::vector<std::string>& names) {
+  return [&to, &row, &names](const Column& column, auto get) {
+    if (column.name) shown_value(column, std::invoke(get, row), names, [&](const auto& value) { to.put(value); });
+  };
+}
+
+template <class Places>
+std::vector<std::string> names_of(const Places& places) {
+  std::vector<std::string> names;
+  for (const auto& place : places) names.push_back(place.name);
+  return names;
+}
 
 constexpr const char* inputs_view = "CREATE VIEW inputs AS SELECT point, trial, rock, path, value FROM drawn JOIN draws USING (draw);";
 
@@ -90,18 +127,18 @@ void add_envelopes(const SqliteFile& file, const Results& results) {
 }  // namespace
 
 ResultDatabase::Insertions::Insertions(const SqliteFile& file, int dimension)
-    : rocks(file, "rocks", 30),
+    : rocks(file, "rocks", 1 + static_cast<int>(rock_columns().size())),
       rows_of_rock(file, "rows_of_rock", 6),
-      inputs(file, "input_rows", input_table.width(dimension)),
-      impacts(file, "impact_rows", impact_table.width(dimension)),
-      trajectories(file, "trajectory_rows", trajectory_table.width(dimension)),
-      gates(file, "gates", 8),
-      barriers(file, "barriers", 9) {}
+      inputs(file, "input_rows", input_table().width(dimension)),
+      impacts(file, "impact_rows", impact_table().width(dimension)),
+      trajectories(file, "trajectory_rows", trajectory_table().width(dimension)),
+      gates(file, "gates", 3 + static_cast<int>(gate_columns().size())),
+      barriers(file, "barriers", 3 + static_cast<int>(barrier_columns().size())) {}
 
 ResultDatabase::ResultDatabase(const std::filesystem::path& path, const Plan& plan)
     : plan_(plan), groups_(group_names(plan.points.front())), file_(path) {
   const int dimension = plan.points.front().dimension;
-  file_.execute(schema + rock_tables_schema(dimension) + inputs_view + fmt::format("PRAGMA user_version = {};", result_format));
+  file_.execute(schema + record_tables_schema() + rock_tables_schema(dimension) + inputs_view + fmt::format("PRAGMA user_version = {};", result_format));
   insertions_ = std::make_unique<Insertions>(file_, dimension);
   add_plan();
 }
@@ -117,44 +154,33 @@ void ResultDatabase::add_plan() {
 
 void ResultDatabase::add(int point, const TrialRecords& records) {
   const Scenario& scenario = plan_.points[static_cast<std::size_t>(point)];
-  const bool space = scenario.dimension == 3;
   RowsOfRocks inputs(records.inputs, written_.inputs);
   RowsOfRocks impacts(records.impacts, written_.impacts);
   RowsOfRocks trajectories(records.trajectories, written_.trajectories);
   insertions_->rocks.rows(records.rocks, [&](Statement& to, const RockRecord& r) {
-    to.put(point, r.trial, r.rock, groups_.at(static_cast<std::size_t>(r.group)), r.mass, r.volume, r.launch_speed,
-           r.launch_elevation * 180 / pi, name_of(r.reason), r.censored, r.runout, r.max_distance, r.stop_x, r.stop_y,
-           r.stop_z, r.flight_range, r.bounce_height, r.max_speed, r.max_energy, r.impacts, r.time);
-    for (std::size_t mode = 0; mode < travel_mode_names.size(); ++mode) to.put(r.travel.time[mode], r.travel.distance[mode]);
-    to.put(r.fault);
+    to.put(point);
+    visit_rocks(put_into(to, r, groups_));
   });
   insertions_->rows_of_rock.rows(records.rocks, [&](Statement& to, const RockRecord& r) {
     for (const auto& [first, last] : {inputs.of(r), impacts.of(r), trajectories.of(r)}) to.put(first, last);
   });
-  insertions_->inputs.rows(records.inputs, [](Statement& to, const InputRecord& i) { to.put(i.draw, i.value); });
-  insertions_->impacts.rows(records.impacts, [&](Statement& to, const ImpactRecord& r) {
-    const Impact& i = r.impact;
-    to.put(i.number, i.time, i.place.x(), i.place.y());
-    if (space) to.put(i.place.z());
-    to.put(i.other, i.part, i.vn_before, i.vn_after, i.vt_before, i.vt_after, i.pn, i.pt, i.energy_change);
-  });
-  insertions_->trajectories.rows(records.trajectories, [&](Statement& to, const TrajectoryRecord& r) {
-    const BodyState& s = r.point.state;
-    to.put(s.time, s.position.x(), s.position.y());
-    if (space) to.put(s.position.z());
-    to.put(s.velocity.x(), s.velocity.y());
-    if (space) to.put(s.velocity.z(), s.spin.x(), s.spin.y());
-    to.put(s.spin.z(), s.angle, s.kinetic_energy, travel_mode_names[static_cast<std::size_t>(r.point.mode)]);
-  });
+  const std::vector<std::string> none, gates = names_of(scenario.gates), barriers = names_of(scenario.barriers);
+  const auto stored = [&](auto put) {
+    return [put, dimension = scenario.dimension](const Column& column, auto get) {
+      if (is_stored(column, dimension)) put(column, get);
+    };
+  };
+  insertions_->inputs.rows(records.inputs, [&](Statement& to, const InputRecord& r) { visit_inputs(stored(put_into(to, r, none))); });
+  insertions_->impacts.rows(records.impacts, [&](Statement& to, const ImpactRecord& r) { visit_impacts(stored(put_into(to, r, none))); });
+  insertions_->trajectories.rows(records.trajectories,
+                                 [&](Statement& to, const TrajectoryRecord& r) { visit_trajectories(stored(put_into(to, r, none))); });
   insertions_->gates.rows(records.gates, [&](Statement& to, const GateRecord& r) {
-    const Passage& p = r.passage;
-    to.put(point, r.trial, r.rock, scenario.gates.at(static_cast<std::size_t>(p.gate)).name, p.time, p.speed,
-           p.kinetic_energy, p.height);
+    to.put(point, r.trial, r.rock);
+    visit_gates(put_into(to, r, gates));
   });
   insertions_->barriers.rows(records.barriers, [&](Statement& to, const BarrierRecord& r) {
-    const BarrierHit& h = r.hit;
-    to.put(point, r.trial, r.rock, scenario.barriers.at(static_cast<std::size_t>(h.barrier)).name, name_of(h.outcome),
-           h.time, h.speed, h.kinetic_energy, h.height);
+    to.put(point, r.trial, r.rock);
+    visit_barriers(put_into(to, r, barriers));
   });
 }
 

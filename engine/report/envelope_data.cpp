@@ -1,5 +1,7 @@
 #include "report/envelope_data.h"
 
+#include <nlohmann/json.hpp>
+
 #include "report/rounded.h"
 
 namespace flyrock {

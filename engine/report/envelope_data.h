@@ -2,7 +2,7 @@
 // Envelopes along x as rows, for the database, and as JSON, for the page.
 
 #include <array>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
 #include "results/measures.h"

@@ -1,7 +1,7 @@
 #pragma once
 // Law graphs as JSON.
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "results/material_graphs.h"
 

@@ -1,5 +1,7 @@
 #include "report/reach_data.h"
 
+#include <nlohmann/json.hpp>
+
 #include "report/rounded.h"
 
 namespace flyrock {

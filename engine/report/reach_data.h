@@ -1,7 +1,7 @@
 #pragma once
 // Launch models side by side, as tables and pictures take them.
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "results/reach.h"
 

@@ -2,7 +2,7 @@
 // What the scripts of the page draw, as JSON. Lengths are whole millimetres, times whole milliseconds, which keeps the
 // page small; series that grow are stored as differences.
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <vector>
 

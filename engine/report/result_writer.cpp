@@ -1,6 +1,7 @@
 #include "report/result_writer.h"
 
 #include <future>
+#include <nlohmann/json.hpp>
 
 #include "report/html.h"
 #include "report/tables.h"

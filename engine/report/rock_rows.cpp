@@ -6,47 +6,23 @@
 
 namespace flyrock {
 
-const RockTable input_table = {"input", "drawn", {{"draw", "INTEGER"}, {"value", "REAL"}}};
-
-const RockTable impact_table = {"impact",
-                                "impacts",
-                                {{"number", "INTEGER"},
-                                 {"time_s", "REAL"},
-                                 {"x_m", "REAL"},
-                                 {"y_m", "REAL"},
-                                 {"z_m", "REAL", true},
-                                 {"other", "INTEGER"},
-                                 {"part", "INTEGER"},
-                                 {"vn_before_m_s", "REAL"},
-                                 {"vn_after_m_s", "REAL"},
-                                 {"vt_before_m_s", "REAL"},
-                                 {"vt_after_m_s", "REAL"},
-                                 {"pn_N_s", "REAL"},
-                                 {"pt_N_s", "REAL"},
-                                 {"energy_change_J", "REAL"}}};
-
-const RockTable trajectory_table = {"trajectory",
-                                    "trajectories",
-                                    {{"time_s", "REAL"},
-                                     {"x_m", "REAL"},
-                                     {"y_m", "REAL"},
-                                     {"z_m", "REAL", true},
-                                     {"vx_m_s", "REAL"},
-                                     {"vy_m_s", "REAL"},
-                                     {"vz_m_s", "REAL", true},
-                                     {"spin_x_rad_s", "REAL", true},
-                                     {"spin_y_rad_s", "REAL", true},
-                                     {"spin_z_rad_s", "REAL"},
-                                     {"angle_rad", "REAL"},
-                                     {"kinetic_energy_J", "REAL"},
-                                     {"mode", "TEXT"}}};
-
 namespace {
+
+/// The columns of a table, from its visit.
+template <class Row, class VisitTable>
+std::vector<RockTable::StoredColumn> columns_of(VisitTable visit_table) {
+  std::vector<RockTable::StoredColumn> columns;
+  visit_table([&](const Column& column, auto get) {
+    using T = std::decay_t<std::invoke_result_t<decltype(get), const Row&>>;
+    if (column.name) columns.push_back({column, sql_type<T>(column)});
+  });
+  return columns;
+}
 
 std::string table_of(const RockTable& table, int dimension) {
   std::vector<std::string> columns;
-  for (const RockTable::Column& c : table.columns)
-    if (!c.in_space || dimension == 3) columns.push_back(fmt::format("{} {}", c.name, c.type));
+  for (const auto& [column, type] : table.columns)
+    if (is_stored(column, dimension)) columns.push_back(fmt::format("{} {}", column.name, type));
   return fmt::format("CREATE TABLE {}_rows ({});\n", table.name, fmt::join(columns, ", "));
 }
 
@@ -54,8 +30,8 @@ std::string table_of(const RockTable& table, int dimension) {
 /// cheaper to it than the few rows of a rock.
 std::string view_of(const RockTable& table, int dimension) {
   std::string columns;
-  for (const RockTable::Column& c : table.columns)
-    columns += c.in_space && dimension == 2 ? fmt::format(", 0.0 AS {}", c.name) : fmt::format(", +r.{0} AS {0}", c.name);
+  for (const auto& [column, type] : table.columns)
+    columns += is_stored(column, dimension) ? fmt::format(", +r.{0} AS {0}", column.name) : fmt::format(", 0.0 AS {}", column.name);
   return fmt::format(
       "CREATE VIEW {1} AS SELECT point, trial, rock{2} FROM rocks CROSS JOIN rows_of_rock AS own ON own.rowid = rocks.rowid "
       "CROSS JOIN {0}_rows AS r ON r.rowid BETWEEN own.first_{0} AND own.last_{0};\n",
@@ -64,15 +40,32 @@ std::string view_of(const RockTable& table, int dimension) {
 
 }  // namespace
 
+const RockTable& input_table() {
+  static const RockTable table{"input", "drawn", columns_of<InputRecord>([](auto visit) { visit_inputs(visit); })};
+  return table;
+}
+
+const RockTable& impact_table() {
+  static const RockTable table{"impact", "impacts", columns_of<ImpactRecord>([](auto visit) { visit_impacts(visit); })};
+  return table;
+}
+
+const RockTable& trajectory_table() {
+  static const RockTable table{"trajectory", "trajectories",
+                               columns_of<TrajectoryRecord>([](auto visit) { visit_trajectories(visit); })};
+  return table;
+}
+
 int RockTable::width(int dimension) const {
-  return static_cast<int>(std::count_if(columns.begin(), columns.end(), [&](const Column& c) { return !c.in_space || dimension == 3; }));
+  return static_cast<int>(
+      std::count_if(columns.begin(), columns.end(), [&](const StoredColumn& stored) { return is_stored(stored.column, dimension); }));
 }
 
 std::string rock_tables_schema(int dimension) {
   std::string schema =
       "CREATE TABLE rows_of_rock (first_input INTEGER, last_input INTEGER, first_impact INTEGER, last_impact INTEGER, "
       "first_trajectory INTEGER, last_trajectory INTEGER);\n";
-  for (const RockTable* table : {&input_table, &impact_table, &trajectory_table})
+  for (const RockTable* table : {&input_table(), &impact_table(), &trajectory_table()})
     schema += table_of(*table, dimension) + view_of(*table, dimension);
   return schema;
 }

@@ -10,26 +10,30 @@
 #include <utility>
 #include <vector>
 
-#include "batch/records.h"
+#include "batch/record_columns.h"
 
 namespace flyrock {
 
 /// A table <name>_rows and its view.
 struct RockTable {
-  struct Column {
-    const char* name;
-    const char* type;
-    bool in_space = false;  ///< zero in the plane, and not stored there
+  struct StoredColumn {
+    Column column;
+    const char* type;  ///< of SQL
   };
   const char* name;  ///< "input", "impact", "trajectory"
   const char* view;
-  std::vector<Column> columns;
+  std::vector<StoredColumn> columns;
 
-  /// Those that are stored.
+  /// How many are stored.
   int width(int dimension) const;
 };
 
-extern const RockTable input_table, impact_table, trajectory_table;
+/// A column of the tables in which a rock has many rows: those of the third dimension are not stored in 2D.
+inline bool is_stored(const Column& column, int dimension) { return column.name && (!column.in_space || dimension == 3); }
+
+const RockTable& input_table();
+const RockTable& impact_table();
+const RockTable& trajectory_table();
 
 /// CREATE TABLE and VIEW of the three, and of rows_of_rock.
 std::string rock_tables_schema(int dimension);

@@ -1,6 +1,7 @@
 #include "report/rounded.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace flyrock {
 

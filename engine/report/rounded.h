@@ -2,7 +2,7 @@
 // Numbers as a plot needs them: few digits keep the page small.
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace flyrock {
 

@@ -1,7 +1,7 @@
 #pragma once
 // Runout as the report draws it: a histogram, and the share of rocks that go farther.
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "results/statistics.h"
 

@@ -2,7 +2,7 @@
 // Which drawn numbers the runout depends on, and how.
 
 #include <map>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <vector>
 

@@ -1,7 +1,7 @@
 #pragma once
 // The content of summary.json, which the report shows too.
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "results/results.h"
 

@@ -2,20 +2,44 @@
 
 #include <fmt/format.h>
 
+#include <concepts>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
 #include "batch/chunk.h"
-#include "math/space.h"
+#include "batch/record_columns.h"
 #include "report/csv.h"
 #include "report/hash_data.h"
 #include "report/summary_data.h"
 
 namespace flyrock {
 
+namespace {
+
+bool is_in_csv(const Column& column, int dimension) {
+  return column.name && column.in_csv && (!column.in_space || dimension == 3);
+}
+
+/// A cell of a line, after the comma.
+struct AppendCell {
+  std::string& csv;
+
+  void operator()(double number) const { (csv += ',') += csv_number(number); }
+  void operator()(std::string_view text) const { (csv += ',') += csv_text(std::string(text)); }
+  template <std::integral Whole>
+  void operator()(Whole number) const {
+    fmt::format_to(std::back_inserter(csv), ",{}", +number);
+  }
+};
+
+}  // namespace
+
 std::string rocks_csv_header(const Plan& plan) {
-  return fmt::format(
-      "point,trial,rock,group,mass_kg,volume_m3,launch_speed_m_s,launch_elevation_deg,stop_reason,censored,"
-      "runout_m,max_distance_m,stop_x_m,stop_y_m,{}flight_range_m,bounce_height_m,max_speed_m_s,max_energy_J,"
-      "impacts,time_s\n",
-      plan.points.front().dimension == 3 ? "stop_z_m," : "");
+  std::string header = "point";
+  visit_rocks([&](const Column& column, auto) {
+    if (is_in_csv(column, plan.points.front().dimension)) (header += ',') += column.name;
+  });
+  return header + '\n';
 }
 
 std::string rocks_csv_rows(const Plan& plan, int point, const std::vector<RockRecord>& rocks) {
@@ -23,15 +47,10 @@ std::string rocks_csv_rows(const Plan& plan, int point, const std::vector<RockRe
   const std::vector<std::string> groups = group_names(scenario);
   std::string csv;
   for (const RockRecord& rock : rocks) {
-    csv += fmt::format("{},{},{},{}", point, rock.trial, rock.rock, csv_text(groups.at(rock.group)));
-    const auto number = [&](double value) { (csv += ',') += csv_number(value); };
-    number(rock.mass), number(rock.volume), number(rock.launch_speed), number(rock.launch_elevation * 180 / pi);
-    csv += fmt::format(",{},{}", name_of(rock.reason), rock.censored ? 1 : 0);
-    number(rock.runout), number(rock.max_distance), number(rock.stop_x), number(rock.stop_y);
-    if (scenario.dimension == 3) number(rock.stop_z);
-    number(rock.flight_range), number(rock.bounce_height), number(rock.max_speed), number(rock.max_energy);
-    csv += fmt::format(",{}", rock.impacts);
-    number(rock.time);
+    csv += std::to_string(point);
+    visit_rocks([&](const Column& column, auto get) {
+      if (is_in_csv(column, scenario.dimension)) shown_value(column, std::invoke(get, rock), groups, AppendCell{csv});
+    });
     csv += '\n';
   }
   return csv;

@@ -1,6 +1,7 @@
 // What the page is given to draw.
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include "results/material_graphs.h"
 #include "batch/load.h"

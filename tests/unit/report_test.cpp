@@ -1,6 +1,7 @@
 #include "report/html.h"
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include "results/answer.h"
 #include "fake_results.h"
