@@ -92,9 +92,9 @@ void find_hard_contacts(const Scenario& scenario, const Instances& instances, co
     for (const SpringSwing& swing : spring_swings(scenario, instances, trial.worlds[w], trial.surfaces[w])) {
       if (swing.angle <= inaccurate_spring) continue;
       const std::string text =
-          fmt::format("the time step is too long for this spring: {:.3g} rad per step with {}. Bounces are inaccurate above {:g} and "
-                      "gain energy above {:g}; expected a solver.time_step of at most {:.2g} s",
-                      swing.angle, swing.bodies, inaccurate_spring, unstable_spring,
+          fmt::format("the time step is too long for this spring: {:.4g} deg per step with {}. Bounces are inaccurate above {:.3g} "
+                      "and gain energy above {:.3g}; expected a solver.time_step of at most {:.2g} s",
+                      swing.angle * 180 / pi, swing.bodies, inaccurate_spring * 180 / pi, unstable_spring * 180 / pi,
                       scenario.solver.time_step * inaccurate_spring / swing.angle);
       const std::string path = fmt::format("materials.{}.unilateral", scenario.materials[swing.material].name);
       add(swing.angle > unstable_spring ? tried.errors : tried.warnings, path, text);

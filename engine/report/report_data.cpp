@@ -12,6 +12,7 @@
 #include "report/reach_data.h"
 #include "report/rounded.h"
 #include "report/runout_data.h"
+#include "report/scenario_text.h"
 #include "report/summary_data.h"
 
 namespace flyrock {
@@ -194,7 +195,7 @@ Json ReportData::finish(const Results& results, const std::vector<Rows>& rows) {
         bodies_data(plan.points[p], point.totals)));
   }
   return json_object("summary", summary_data(plan, results), "source", source_data(scenario_), "scenario",
-                     to_yaml(plan.resolved), "groups", group_names(plan.points.front()), "units", quantity_units, "axes",
+                     scenario_text(plan.resolved), "groups", group_names(plan.points.front()), "units", quantity_units, "axes",
                      axes_data(plan), "expectation_units", expectation_units(results), "drawn",
                      drawn_data(plan.points.front()), "points", std::move(points));
 }

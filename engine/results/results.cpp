@@ -107,9 +107,9 @@ std::vector<std::string> solver_warnings(const Plan& plan, const std::vector<Poi
                                    "solver.time_step, or a stiffer spring (`penalty`), holds it",
                                    quality.max_penetration, size));
   if (quality.max_spring_angle > inaccurate_spring)
-    warnings.push_back(fmt::format("solver: a spring (`penalty`) swings by {:.3g} rad in a step: bounces are inaccurate above {:g} and gain "
-                                   "energy above {:g}; a shorter solver.time_step or a softer spring mends it",
-                                   quality.max_spring_angle, inaccurate_spring, unstable_spring));
+    warnings.push_back(fmt::format("solver: a spring (`penalty`) swings by {:.4g} deg in a step: bounces are inaccurate above {:.3g} and "
+                                   "gain energy above {:.3g}; a shorter solver.time_step or a softer spring mends it",
+                                   quality.max_spring_angle * 180 / pi, inaccurate_spring * 180 / pi, unstable_spring * 180 / pi));
   return warnings;
 }
 

@@ -63,6 +63,13 @@ void check_captions(const std::string& page) {
   }
 }
 
+/// What a reader sees of a page: without its scripts, its data and the scenario.
+std::string without_sources(std::string page) {
+  for (const auto& [open, close] : {std::pair{"<script", "</script>"}, {"<style", "</style>"}, {"<pre", "</pre>"}})
+    for (std::size_t at = 0; (at = page.find(open)) != std::string::npos;) page.erase(at, page.find(close, at) - at);
+  return page;
+}
+
 /// No table is wider than the page in a window of 1280 pixels, with all folds open.
 void check_width(const Folder& folder, const std::string& result) {
   std::string page = read(folder.path() / result / "report.html");
@@ -127,6 +134,25 @@ TEST_CASE("A page that has no room for all sweep points says how many it shows",
   CHECK(page.find("4 of 9 sweep points shown.") != std::string::npos);
   CHECK(page.find(">points 4 to 7</option>") != std::string::npos);
   CHECK(page.find(">point 8</option>") != std::string::npos);
+  // No rock of 200 is censored: at most 1 - 0.025^(1/200) of them are.
+  CHECK(page.find(">censored (95 %)</th>") != std::string::npos);
+  CHECK(page.find(">0 % (0 to 1.83)</td>") != std::string::npos);
+}
+
+TEST_CASE("The page of the method ballistic speaks of first landings", "[slow]") {
+  if (!can_draw()) {
+    WARN("SKIPPED: no Chromium or no Plotly");
+    return;
+  }
+  const Folder folder;
+  REQUIRE(call(folder, "run " FLYROCK_SOURCE_DIR "/scenarios/quarry/stemming_ejection.yaml --quiet -o r --trials 200").code <= 1);
+  check_drawn(folder, "r", 5);
+  const std::string page = without_sources(open_page(folder, folder.path() / "r/report.html").page);
+  for (const char* said : {"<h2>First landing</h2>", "<h2>What the first landing depends on</h2>", ">first landed</td>"}) CHECK(page.find(said) != std::string::npos);
+  for (const char* wrong : {"unout", "stopped", "came to rest", " rad<"}) {
+    INFO(wrong);
+    CHECK(page.find(wrong) == std::string::npos);
+  }
 }
 
 TEST_CASE("A browser opens the report of a run in which rocks failed, all or some", "[slow]") {

@@ -7,9 +7,11 @@
 #include "fake_results.h"
 #include "report/report_data.h"
 #include "report/runout_data.h"
+#include "report/scenario_text.h"
 #include "report/summary_data.h"
 #include "report/tables.h"
 #include "report/tracks.h"
+#include "units/units.h"
 
 using namespace flyrock;
 
@@ -189,6 +191,26 @@ TEST_CASE("The first line of a page with rocks that diverged says so, above ever
       "<main>\n<p class=\"alarm\">3 of 100 rocks diverged and 1 failed: below the ground (trial 3, rock 1); plugin &lt;b&gt;: failed "
       "(trial 10, rock 0). They are in no number of this report: find the cause before you use it.</p>\n<h1>";
   CHECK(page.find(line) != std::string::npos);
+}
+
+TEST_CASE("The page shows the angles of a scenario in degrees that read back as the same number") {
+  const auto shown = [](const std::string& text) {
+    Value scenario;
+    scenario.data = Map{{"title", {}, {text}}, {"angle", {}, {text}}};
+    return scenario_text(scenario);
+  };
+  for (const char* degrees : {"70 deg", "33 deg", "-12.5 deg", "0 deg", "0.001 deg", "359.9 deg"}) {
+    const std::string resolved = shortest(parse_quantity(degrees)->si()) + " rad";
+    CHECK(shown(resolved) == "title: " + resolved + "\nangle: " + degrees + "\n");
+  }
+  for (int i = 1; i <= 1000; ++i) {
+    const double angle = i * 0.0012345678901234;
+    const std::string text = shown(shortest(angle) + " rad");
+    const std::string written = text.substr(text.find("angle: ") + 7);
+    INFO(written);
+    CHECK(parse_quantity(written.substr(0, written.size() - 1))->si() == angle);
+  }
+  CHECK(shown("2 m/s") == "title: 2 m/s\nangle: 2 m/s\n");
 }
 
 TEST_CASE("A page without its style sheet is an error that names it") {

@@ -8,6 +8,13 @@ const colour = { blue: "#0072b2", vermillion: "#d55e00", green: "#009e73", purpl
 const modes = ["flight", "bounce", "slide", "roll"];  // by number, as in the data
 const of_bodies = data.points.some((point) => point.bodies.length > 0);
 const many_points = data.points.length > 1;
+/** In the method ballistic a path ends where it first meets the ground: what other methods call runout and stopped is the first landing there. */
+const ends_at_landing = summary.method === "ballistic";
+const runout_name = ends_at_landing ? "distance of the first landing" : "runout";
+const runout_title = ends_at_landing ? "First landing" : "Runout";
+const runout_short = runout_title.toLowerCase();  // where there is little room
+const quantity_name = (quantity) => (quantity === "runout" ? runout_short : quantity);
+const end_name = (reason) => (reason === "stopped" && ends_at_landing ? "first landed" : reason);
 
 /** What is shown: a sweep point, and a group of rocks (0: all of them). */
 const shown = { point: 0, group: summary.points[0].rocks.length > 1 ? 1 : 0 };

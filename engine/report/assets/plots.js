@@ -9,11 +9,11 @@ function draw_runout(node, runout, group) {
     hovertemplate: `%{y} of ${count} rocks within ${show(runout.step / 2)} m of %{x:.1f} m<extra>${name}</extra>`,
   });
   const edge = { color: "#fff", width: 0.5 };
-  const traces = [bar(runout.known, "known runout", { color: colour.blue, line: edge })];
+  const traces = [bar(runout.known, `known ${runout_name}`, { color: colour.blue, line: edge })];
   if (runout.known_to !== null) traces.push(bar(runout.censored, "censored: at least this far", { color: colour.orange, pattern: { shape: "/" }, line: edge }));
   // A logarithmic scale has no 0: the line ends level at the rock that nobody passed.
   const x = runout.x.map((v) => v / 1000), share = runout.share.map((s, i) => (s > 0 ? 100 * s : i > 0 ? 100 * runout.share[i - 1] : null));
-  const told = runout.share.map((s, i) => `${s > 0 ? `${show(100 * s)} % of the rocks` : "No rock"} went farther than ${show(x[i])} m`);
+  const told = runout.share.map((s, i) => `${s > 0 ? `${show(100 * s)} % of the rocks` : "No rock"} ${ends_at_landing ? "landed" : "went"} farther than ${show(x[i])} m`);
   const known = (v) => runout.known_to === null || v <= runout.known_to / 1000;
   const curve = (name, keep, dash) => ({
     x, y: share.map((s, i) => (keep(x[i]) ? s : null)), xaxis: "x", yaxis: "y2", mode: "lines", name,
@@ -25,7 +25,7 @@ function draw_runout(node, runout, group) {
   const marks = ["p50", "p95", "p99"].filter((name) => group.runout[name] !== null).map((name) => ({ name, value: group.runout[name], bound: group.runout.lower_bounds.includes(name) }));
   plot(node, traces, {
     height: 540, barmode: "stack", bargap: 0, legend,
-    xaxis: { ...axis("runout in m, from release to stop"), anchor: "y2", rangemode: "tozero" },
+    xaxis: { ...axis(ends_at_landing ? "distance of the first landing from the release in m" : "runout in m, from release to stop"), anchor: "y2", rangemode: "tozero" },
     yaxis: { ...axis("rocks"), domain: [0.54, 1] },
     yaxis2: { ...axis("rocks beyond x in %"), domain: [0, 0.46], type: "log", dtick: 1 },
     shapes: marks.map((m) => ({ type: "line", x0: m.value, x1: m.value, yref: "paper", y0: 0, y1: 1, line: { color: colour.vermillion, width: 1.5, dash: "dash" } })),
@@ -41,18 +41,18 @@ function exceedance_table(runout, count) {
     const i = runout.share.findIndex((s) => s <= share), value = runout.x[i] / 1000;
     rows.push([right(percent(share)), right(`${runout.known_to !== null && value >= runout.known_to / 1000 ? "≥ " : ""}${show(value)}`)]);
   }
-  return table("Exceedance", ["share of rocks", "go farther than m"], rows);
+  return table("Exceedance", ["share of rocks", ends_at_landing ? "first land farther than m" : "go farther than m"], rows);
 }
 
 function runout_section() {
   if (of_bodies || summary.points.every((point) => point.rocks[0].count === point.rocks[0].faults)) return;
-  const node = plot_node("Distribution of runout: histogram and share of rocks beyond a distance; the same numbers in the table below");
+  const node = plot_node(`Distribution of the ${runout_name}: histogram and share of rocks beyond a distance; the same numbers in the table below`);
   const note = paragraph("note", ""), table_place = element("div");
-  section("Runout", note, node, caption("Above: how many rocks stopped at a distance. Below: the share that went farther; go across from the share that you accept to the curve, and down to the distance.",
-    "Runout is the horizontal distance from release to stop. The lower scale is logarithmic. Dashed: p50, p95 and p99, which that share of the rocks does not exceed."), numbers(table_place));
+  section(runout_title, note, node, caption(`Above: how many rocks ${ends_at_landing ? "first landed" : "stopped"} at a distance. Below: the share beyond it; go across from the share that you accept to the curve, and down to the distance.`,
+    `${ends_at_landing ? "A path ends where it first meets the ground; its distance is horizontal, from the release." : "Runout is the horizontal distance from release to stop."} The lower scale is logarithmic. Dashed: p50, p95 and p99, which that share of the rocks does not exceed.`), numbers(table_place));
   redraw.push(() => {
     const group = shown_group(), runout = data.points[shown.point].runout[shown.group], count = group.count - group.faults;
-    note.textContent = `Shown: ${shown_text()}; ${counted(count, "rock", "rocks")}. ` + (group.censored === 0 ? "None is censored: every runout is known."
+    note.textContent = `Shown: ${shown_text()}; ${counted(count, "rock", "rocks")}. ` + (group.censored === 0 ? `None is censored: every ${runout_name} is known.`
       : `${percent(group.censored)} are censored (left the domain or ran out of time): their distance is a lower bound, and so is every number marked ≥.`) +
       (group.stop_reasons.caught > 0 ? ` ${percent(group.stop_reasons.caught / count)} were caught by barriers: their distance holds only while these stand.` : "");
     draw_runout(node, runout, group);
@@ -61,7 +61,7 @@ function runout_section() {
 }
 
 // ---- envelopes -------------------------------------------------------------------------------------------------
-const envelope_rows = [["height", "bounce height in m", 1], ["speed", "speed in m/s", 1], ["energy", "energy in kJ", 1000]];
+const envelope_rows = [["height", ends_at_landing ? "height in m" : "bounce height in m", 1], ["speed", "speed in m/s", 1], ["energy", "energy in kJ", 1000]];
 const envelope_lines = [["p50", "solid", colour.blue, 2], ["p95", "dash", colour.vermillion, 2], ["max", "dot", colour.ink, 1.5]];
 
 function draw_envelopes(node, envelopes, group, point) {
@@ -85,7 +85,7 @@ function draw_envelopes(node, envelopes, group, point) {
 
 function envelopes_section() {
   if (of_bodies || data.points.every((point) => point.envelopes.groups[0].x.length === 0)) return;
-  const node = plot_node("Envelopes of bounce height, speed and energy along x; the same numbers in the table below");
+  const node = plot_node("Envelopes of height, speed and energy along x; the same numbers in the table below");
   const note = paragraph("note", ""), table_place = element("div");
   section("Envelopes along x", note, node, caption("How high, how fast and with which energy rocks pass a place x: half and 95 % of those that come there stay below p50 and p95. A fence must be higher than these centres of mass by the radius of the rock.",
     "The bars say how many rocks come; far out, where few do, the lines rest on few numbers. Energy is kinetic, rotation included.",
@@ -118,14 +118,14 @@ function draw_tornado(node, inputs) {
     bars((line) => !is_told(line), "not told from chance", { color: "#c3c9d1" }),
   ], {
     height: 130 + 28 * lines.length, barmode: "overlay", legend, margin: { l: 20, r: 24, t: 30, b: 56 },
-    xaxis: { ...axis("rank correlation with runout"), range: [-1, 1] }, yaxis: { automargin: true, ticks: "" },
+    xaxis: { ...axis(`rank correlation with the ${runout_name}`), range: [-1, 1] }, yaxis: { automargin: true, ticks: "" },
   });
 }
 
 function sensitivity_section() {
   if (of_bodies) return;
   const content = element("div");
-  section("What the runout depends on", content);
+  section(`What the ${runout_short} depends on`, content);
   redraw.push(() => {
     const lists = data.points[shown.point].sensitivity;
     const group = shown.group === 0 && lists.length === 1 ? 0 : shown.group - 1;
@@ -133,14 +133,14 @@ function sensitivity_section() {
     const { count, confidence, inputs } = lists[group];
     if (count < 30) return content.replaceChildren(paragraph("note", `Needs at least 30 rocks that did not fail; there are ${count}.`));
     if (inputs.length === 0) return content.replaceChildren(paragraph("note", "The run reads nothing for these rocks that was drawn from a distribution and differs from rock to rock."));
-    const node = plot_node("Rank correlation of each input with runout; the same numbers in the table below");
+    const node = plot_node(`Rank correlation of each input with the ${runout_name}; the same numbers in the table below`);
     const each = data.drawn.impact.length > 0 ? ` Drawn at every impact and therefore not ranked: ${data.drawn.impact.join(", ")}.` : "";
     const curves = curves_of(inputs), sure = percent(confidence), told = inputs.filter(is_told).length;
     content.replaceChildren(node, paragraph("note", `Shown: ${shown_text()}; ${count === 10000 ? "the first 10000 rocks" : counted(count, "rock", "rocks")}, ` +
       `${inputs.length > most_inputs ? `the ${most_inputs} strongest of ${inputs.length} inputs` : `all ${inputs.length} inputs`} that the run reads. ${told} of ${inputs.length} can be told from chance.`),
-      caption("The input with the longest bar orders the runouts most: measure it first. A grey bar cannot be told from chance.",
+      caption("The input with the longest bar orders the distances most: measure it first. A grey bar cannot be told from chance.",
         `A bar is Spearman's rank correlation, from -1 to 1. Whiskers correct for the number of inputs (Bonferroni): with ${inputs.length} of them each is a ${sure} interval, so that all hold together with 95 %.`,
-        "It sees rising and falling influence, not one that turns round. A censored runout has the rank of its lower bound. Inputs that this group's rocks do not depend on are left out." + each),
+        "It sees rising and falling influence, not one that turns round. A censored distance has the rank of its lower bound. Inputs that this group's rocks do not depend on are left out." + each),
       numbers(table("", ["input", "rank correlation", `${sure} from`, "to"], inputs.map((line) => [line.path, line.r, line.lower, line.upper]))), ...curves.nodes);
     draw_tornado(node, inputs);
     curves.draw();
@@ -156,13 +156,13 @@ function draw_convergence(node, convergence) {
   plot(node, [
     { x: convergence.n, y: band(c.lower), mode: "lines", line: { color: colour.sky, width: 1 }, showlegend: false, hoverinfo: "skip" },
     { x: convergence.n, y: band(c.upper), mode: "lines", name: "95 % confidence interval", line: { color: colour.sky, width: 1 }, fill: "tonexty", fillcolor: "rgba(86,180,233,0.3)", hovertemplate: "up to %{y:.4g} m<extra></extra>" },
-    { x: convergence.n, y: c.value, mode: "lines+markers", name: `${percentile} of runout`, line: { color: colour.blue, width: 2 }, marker: { size: 6, symbol: c.censored.map((is) => (is ? "triangle-up" : "circle")) }, hovertemplate: `%{x} rocks: ${percentile} %{y:.4g} m<extra></extra>` },
-  ], { height: 360, legend, xaxis: { ...axis("rocks, in the order of their trials"), type: "log" }, yaxis: { ...axis("runout in m"), rangemode: "tozero" } });
+    { x: convergence.n, y: c.value, mode: "lines+markers", name: `${percentile} of the ${runout_name}`, line: { color: colour.blue, width: 2 }, marker: { size: 6, symbol: c.censored.map((is) => (is ? "triangle-up" : "circle")) }, hovertemplate: `%{x} rocks: ${percentile} %{y:.4g} m<extra></extra>` },
+  ], { height: 360, legend, xaxis: { ...axis("rocks, in the order of their trials"), type: "log" }, yaxis: { ...axis(`${runout_name} in m`), rangemode: "tozero" } });
 }
 
 function convergence_section() {
   if (of_bodies || summary.points.every((point) => point.rocks[0].count === point.rocks[0].faults)) return;
-  const node = plot_node("A percentile of runout against the number of rocks; the same numbers in the table below");
+  const node = plot_node(`A percentile of the ${runout_name} against the number of rocks; the same numbers in the table below`);
   const note = paragraph("note", ""), table_place = element("div");
   const update = () => {
     const convergence = data.points[shown.point].convergence[shown.group], c = convergence[percentile];

@@ -19,13 +19,13 @@ function draw_sweep(node, axis_of_sweep, group) {
     return {
       x, y: s.map((q) => q[name]), name, mode: "lines+markers", line: { color: line_colour, dash }, marker: { symbol, size: 8 },
       error_y: { type: "data", symmetric: false, array: s.map((q, i) => (ends[i][1] === null ? 0 : ends[i][1] - q[name])), arrayminus: s.map((q, i) => (ends[i][0] === null ? 0 : q[name] - ends[i][0])), color: line_colour, thickness: 1 },
-      hovertemplate: `${title}: %{x}<br>${name} of runout %{y:.1f} m<extra></extra>`,
+      hovertemplate: `${title}: %{x}<br>${name} of the ${runout_name} %{y:.1f} m<extra></extra>`,
     };
   });
-  plot(node, traces, { height: 360, xaxis: axis(title), yaxis: { ...axis("runout in m"), rangemode: "tozero" }, legend });
+  plot(node, traces, { height: 360, xaxis: axis(title), yaxis: { ...axis(`${runout_name} in m`), rangemode: "tozero" }, legend });
 }
 
-/** A histogram of runout for each of `points`, all to the same scales. */
+/** A histogram of the runout for each of `points`, all to the same scales. */
 function draw_points(node, points, group) {
   const columns = 4, rows = Math.ceil(points.length / columns);
   const runouts = points.map((point) => data.points[point.point].runout[group]);
@@ -35,7 +35,7 @@ function draw_points(node, points, group) {
   const layout = { height: 90 + 190 * rows, showlegend: false, bargap: 0, margin: { l: 50, r: 10, t: 30, b: 50 }, annotations: [], shapes: [] };
   const traces = points.map((point, i) => {
     const place = cell_of(i, points.length, columns), r = runouts[i], p95 = point.rocks[group].runout.p95;
-    layout[`xaxis${nth(i)}`] = { ...axis(""), domain: place.x, anchor: `y${nth(i)}`, range: [0, far], nticks: 5, title: i + columns >= points.length ? { text: "runout in m", font: { size: 11 } } : undefined };
+    layout[`xaxis${nth(i)}`] = { ...axis(""), domain: place.x, anchor: `y${nth(i)}`, range: [0, far], nticks: 5, title: i + columns >= points.length ? { text: `${runout_short} in m`, font: { size: 11 } } : undefined };
     layout[`yaxis${nth(i)}`] = { ...axis(""), domain: place.y, anchor: `x${nth(i)}`, range: [0, 1.05 * high], nticks: 4, showticklabels: i % columns === 0, title: i % columns === 0 ? { text: "% per m", font: { size: 11 } } : undefined };
     layout.annotations.push({ x: place.x[0], y: place.y[1], xref: "paper", yref: "paper", xanchor: "left", yanchor: "bottom", showarrow: false, font: { size: 11 },
       text: `<b>${point.point}</b> ${data.axes.map((a) => with_unit(show(at_axis(a, point)), a.unit)).join(", ")}${p95 === null ? "" : `; p95 ${point.rocks[group].runout.lower_bounds.includes("p95") ? "≥ " : ""}${show(p95)} m`}` });
@@ -48,32 +48,32 @@ function draw_points(node, points, group) {
 
 function sweep_table(group) {
   const clearances = summary.points[0].clearance.map((c) => c.clearance);
-  return table(`Runout in m: ${group_name(summary.points[0].rocks[group])}`,
-    ["point", ...data.axes.map((axis) => in_unit(axis.path, axis.unit)), "p50", "p95", "95 % from", "to", "p99", "greatest", "censored", "failed", ...clearances.map((c) => `clearance ${c}`)],
+  return table(`${runout_title} in m: ${group_name(summary.points[0].rocks[group])}`,
+    ["point", ...data.axes.map((axis) => in_unit(axis.path, axis.unit)), "p50", "p95", "95 % from", "to", "p99", "greatest", "censored (95 %)", "failed", ...clearances.map((c) => `clearance ${c}`)],
     summary.points.map((point) => {
       const s = point.rocks[group], interval = s.runout.intervals.p95;
       return [point.point, ...data.axes.map((axis) => at_axis(axis, point)), statistic(s, "runout", "p50"), statistic(s, "runout", "p95"), interval[0], interval[1],
-        statistic(s, "runout", "p99"), statistic(s, "runout", "max"), right(percent(s.censored)), s.faults,
+        statistic(s, "runout", "p99"), statistic(s, "runout", "max"), right(s.count === s.faults ? "–" : with_interval(s.censored, s.share_intervals.censored)), s.faults,
         ...point.clearance.map((c) => right(c.distance === null ? "–" : `${c.lower_bound ? "≥ " : ""}${show(c.distance)}`))];
     }));
 }
 
 function sweep_section() {
   if (!many_points || of_bodies) return;
-  const small = plot_node("A histogram of runout for each sweep point; the same percentiles in the table below");
-  const drawn = data.axes.length === 1 ? plot_node("Percentiles of runout over the swept value") : null;
+  const small = plot_node(`A histogram of the ${runout_name} for each sweep point; the same percentiles in the table below`);
+  const drawn = data.axes.length === 1 ? plot_node(`Percentiles of the ${runout_name} over the swept value`) : null;
   const note = paragraph("note", ""), table_place = element("div");
   const draw = () => {
     const group = shown.group;
     note.textContent = `Shown: ${group_name(summary.points[0].rocks[group])}; above each plot its number and ${data.axes.map((axis) => axis.path).join(", ")}.`;
     if (summary.points.some((point) => point.rocks[group].runout.p95 !== null)) draw_points(small, pages.points(), group);
-    else no_plot(small, "No runout is known at any point.");
+    else no_plot(small, `No ${runout_name} is known at any point.`);
     if (drawn) draw_sweep(drawn, data.axes[0], group);
     table_place.replaceChildren(summary.points.length > most_small ? numbers(sweep_table(group)) : sweep_table(group));
   };
   const pages = point_pages(most_small, draw);
   section("Sweep", pages.bar, note, small,
-    caption("How the distribution of runout moves from point to point; all plots have the same scales. The dashed line is p95.", "The same rocks meet every point: differences between points are not noise of the draw."),
+    caption(`How the distribution of the ${runout_name} moves from point to point; all plots have the same scales. The dashed line is p95.`, "The same rocks meet every point: differences between points are not noise of the draw."),
     drawn ?? "", drawn ? caption("How much the percentiles depend on the swept value. Whiskers are their 95 % confidence intervals.") : "", table_place);
   redraw.push(draw);
 }

@@ -26,7 +26,7 @@ function clearance_section() {
     table("", ["clearance", "rocks of", "exceeded by", "distance", "m", "interval", "from m", "to m", "factor", "with the factor m"],
       point.clearance.map((c) => {
         const one = c.per === "blast" ? `blasts, with ${show(c.rocks_per_blast)} rock${c.rocks_per_blast === 1 ? "" : "s"} a blast` : "rocks";
-        const of = c.area ? "farthest of the area" : c.of === "runout" ? "runout" : "max. distance";
+        const of = c.area ? "farthest of the area" : c.of === "runout" ? runout_short : "max. distance";
         const bound = (value) => right(value === null ? "–" : `${c.lower_bound ? "≥ " : ""}${show(value)}`);
         if (c.count < c.needed) return [c.clearance, c.group ?? "all groups", `${percent(c.probability)} of ${c.count} ${one}`, `not given: it needs ${c.needed} ${one}`, "", "", "", "", "", ""];
         return [c.clearance, c.group ?? "all groups", `${percent(c.probability)} of ${c.count} ${one}`, of, bound(c.distance),
@@ -39,7 +39,7 @@ function clearance_section() {
 }
 
 function travel_section() {
-  if (of_bodies) return;
+  if (of_bodies || ends_at_landing) return;  // all of such a path is flight
   section_of_point("Modes of travel", (point) => [table("Shares of all time and of all path",
     ["rocks", ...modes.map((mode) => `${mode}, time`), ...modes.map((mode) => `${mode}, path`)],
     point.rocks.map((group) => [group_name(group), ...["time", "distance"].flatMap((what) => modes.map((mode) => right(group.travel[what][mode] === null ? "–" : percent(group.travel[what][mode]))))])),
@@ -51,7 +51,7 @@ function reasons_section() {
     const groups = of_bodies ? point.rocks.slice(0, 1) : point.rocks;  // each body has a line of its own below
     const reasons = Object.keys(end_meanings).filter((reason) => point.rocks[0].stop_reasons[reason] > 0);
     const rows = groups.flatMap((group) => reasons.filter((reason) => group.stop_reasons[reason] > 0)
-      .map((reason, i) => [i === 0 ? group_name(group) : "", reason, group.stop_reasons[reason],
+      .map((reason, i) => [i === 0 ? group_name(group) : "", end_name(reason), group.stop_reasons[reason],
         right(with_interval(group.stop_reasons[reason] / group.count, group.share_intervals[reason])), end_meanings[reason]]));
     const range = ([low, high]) => right(low === high ? show(low) : `${show(low)} to ${show(high)}`);
     const places = point.censored.map((place) => [place.rocks, place.reason, place.material ?? "–", place.part ?? "–", range(place.x), range(place.y)]);
@@ -77,9 +77,9 @@ function statistics_section() {
   const sound = (point) => point.rocks.filter((group) => group.count > group.faults);
   section_of_point("Statistics", (point) => sound(point).length === 0 ? [paragraph("", "There are none: no rock came through.")] : [
     ...sound(point).map((group) => table(`${group_name(group)}: ${group.count - group.faults}`, ["quantity", "unit", ...names],
-      quantities.map((quantity, q) => [quantity, unit_of(quantity, q), ...names.map((name) => statistic(group, quantity, name))]))),
+      quantities.map((quantity, q) => [quantity_name(quantity), unit_of(quantity, q), ...names.map((name) => statistic(group, quantity, name))]))),
     ...sound(point).map((group) => table(`95 % confidence intervals: ${group_name(group)}`, ["quantity", "unit", ...interval_names],
-      quantities.map((quantity, q) => [quantity, unit_of(quantity, q), ...interval_names.map((name) => interval(quantity, group[quantity].intervals[name]))]))),
+      quantities.map((quantity, q) => [quantity_name(quantity), unit_of(quantity, q), ...interval_names.map((name) => interval(quantity, group[quantity].intervals[name]))]))),
     caption("≥: censored rocks fall into it, the true number is at least this. –: the sample is too small for that end of an interval, or censored rocks hide it.",
       "Speed, energy (kinetic) and bounce height are the greatest over a rock's path. A standard deviation in brackets contains censored rocks. Rocks that failed are left out.",
       "Percentiles are linear between the order statistics (NumPy, PERCENTILE.INC). Their intervals are those of the order statistics (binomial), that of the mean is Student's t; rocks are taken as independent."),
@@ -120,7 +120,7 @@ function solver_section() {
       ["their greatest residual", s.not_converged === 0 ? null : s.not_converged_residual, "", "relative to the approach speed, as solver.tolerance is"],
       ["greatest residual", s.max_residual, "m/s", "of the scaled contact equations, all problems"],
       ["greatest penetration", s.max_penetration, "m", "of a rock into the ground or another rock"],
-      ["greatest swing of a spring", s.max_spring_angle === null ? null : (s.max_spring_angle * 180) / Math.PI, "deg", "of `penalty`, in one step: bounces are inaccurate above 30 deg and gain energy above 115 deg"],
+      ["greatest swing of a spring", s.max_spring_angle === null ? null : (s.max_spring_angle * 180) / Math.PI, "deg", "of `penalty`, in one step: bounces are inaccurate above 28.6 deg and gain energy above 115 deg"],
       ["energy gains", s.energy_gains, "", "impacts that made energy beyond rounding; should be 0"],
       ["energy gained", s.energy_gained, "J", "by them, together"],
       ["relative change of energy", s.energy_relative_change, "", "of the total (height counts from y = 0) from start to end, of the rock where it is greatest"],
@@ -152,5 +152,5 @@ function reproduce_section() {
     element("pre", { tabindex: "0" }, `flyrock run ${file}\nflyrock run ${file} --only point=0,trial=0   # one trial again, with its trajectory`),
     paragraph("", "The results are the same bytes for any number of threads, and where a run is interrupted and resumed, or put together from shards."),
     table("", ["what", "SHA-256"], [[`scenario, plugins, files and flyrock ${summary.flyrock} together`, { text: source.sha256, cls: "hash" }], ...[...source.plugins, ...source.files].map((file) => [file.name, { text: file.sha256, cls: "hash" }])]),
-    element("details", {}, element("summary", {}, "The scenario as it was run: units converted to SI, defaults filled in"), element("pre", { tabindex: "0" }, data.scenario)));
+    element("details", {}, element("summary", {}, "The scenario as it was run: units converted to SI, angles to degrees, defaults filled in"), element("pre", { tabindex: "0" }, data.scenario)));
 }

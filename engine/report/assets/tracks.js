@@ -8,7 +8,7 @@ const mode_lines = [
 ];
 const end_symbols = { stopped: "circle", left_domain: "x", timed_out: "triangle-up", caught: "square", diverged: "star", plugin_error: "star", not_started: "star" };
 const end_meanings = {
-  stopped: "came to rest",
+  stopped: ends_at_landing ? "met the ground for the first time: what it does there is not computed" : "came to rest",
   left_domain: "left the terrain of the model: its distance is a lower bound",
   timed_out: "still moving at stop.time: its distance is a lower bound",
   caught: "caught by a barrier",
@@ -48,7 +48,7 @@ function track_traces(tracks) {
   });
   for (const reason of Object.keys(end_meanings).filter((r) => ends.has(r)))  // what stopped first, so that the few others lie on top
     traces.push({
-      ...ends.get(reason), mode: "markers", name: reason, hovertemplate: hover(reason),
+      ...ends.get(reason), mode: "markers", name: end_name(reason), hovertemplate: hover(end_name(reason)),
       marker: reason === "stopped" ? { symbol: end_symbols[reason], size: 5, color: colour.ink, opacity: 0.5 } : { symbol: end_symbols[reason], size: 10, color: colour.brick },
     });
   return traces;
@@ -97,12 +97,12 @@ function tracks_section() {
     section("Trajectories", paragraph("note", "No trajectory was stored (output.trajectories)."));
     return;
   }
-  const node = plot_node("Trajectories over the terrain, coloured by mode of travel; the tables of travel and of ends below hold the shares");
+  const node = plot_node("Trajectories over the terrain, coloured by mode of travel; the tables below hold the shares");
   const note = paragraph("note", "");
   const shrouds = data.points.some((point) => point.shrouds.length > 0) ? ["Dashed: the shroud of all launch angles at the median, the 95 % and the greatest launch speed of the group shown. No rock of that speed leaves it."] : [];
   const drawn = data.drawn.terrain ? ["The terrain is drawn anew in each trial. The ground shown is that of trial 0: the paths of other trials need not touch it."] : [];
   section("Trajectories", note, node, caption("The paths of the centres of mass, both axes to the same scale. A mark is where a path ended; its form says why.",
-    "Flight: until the first landing; bounce: in the air after it; slide and roll: in contact (thick lines).",
+    ...(ends_at_landing ? [] : ["Flight: until the first landing; bounce: in the air after it; slide and roll: in contact (thick lines)."]),
     "Drag to move, scroll to zoom, double-click to return. Hover for trial, rock, time and speed; click a name in the legend to hide it.", ...shrouds, ...drawn));
   redraw.push(() => {
     const page = data.points[shown.point], point = summary.points[shown.point];
