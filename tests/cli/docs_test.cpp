@@ -2,9 +2,13 @@
 //   - A block whose first line is a comment with nothing but a file name is written to that file.
 //   - A block ```sh is run, and must end with exit code 0; its lines that start with `make` are left out.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 #include <regex>
+#include <set>
 
 #include "program.h"
 
@@ -88,7 +92,101 @@ void follow(const fs::path& page) {
   }
 }
 
+/// The words of a page that stand as code, from one heading to another.
+std::set<std::string> code_words(const std::string& page, const std::string& from, const std::string& to) {
+  const std::size_t begin = page.find(from);
+  REQUIRE(begin != std::string::npos);
+  const std::string text = page.substr(begin, page.find(to, begin) - begin);
+  static const std::regex code("`([^`]*)`"), word("\\w+");
+  std::set<std::string> words;
+  for (auto span = std::sregex_iterator(text.begin(), text.end(), code); span != std::sregex_iterator(); ++span) {
+    const std::string inside = (*span)[1];
+    for (auto found = std::sregex_iterator(inside.begin(), inside.end(), word); found != std::sregex_iterator(); ++found)
+      words.insert(found->str());
+  }
+  return words;
+}
+
+/// The names of all fields, at any depth. Those of `at` are paths of the scenario.
+void collect_fields(const nlohmann::json& value, std::set<std::string>& fields) {
+  for (const auto& [key, inner] : value.items()) {
+    if (value.is_object()) fields.insert(key);
+    if (inner.is_structured() && key != "at") collect_fields(inner, fields);
+  }
+}
+
+/// A row of the README's table of launch models: "| `gurney` | 35.3 | 295 (289 to 306) |".
+struct ModelRow {
+  std::string launch, speed, p95, lower, upper;
+};
+
+std::vector<ModelRow> model_rows(const std::string& readme) {
+  static const std::regex row("\\| `(\\w+)`[^|]*\\| ([0-9.]+) \\| ([0-9]+) \\(([0-9]+) to ([0-9]+)\\) \\|");
+  std::vector<ModelRow> rows;
+  for (auto found = std::sregex_iterator(readme.begin(), readme.end(), row); found != std::sregex_iterator(); ++found)
+    rows.push_back({(*found)[1], (*found)[2], (*found)[3], (*found)[4], (*found)[5]});
+  return rows;
+}
+
 }  // namespace
+
+TEST_CASE("docs/results.md names every field of summary.json") {
+  const Folder folder;
+  const std::string scenarios = FLYROCK_SOURCE_DIR "/scenarios/";
+  folder.write("law.lua", R"(local fr = require "flyrock"
+return fr.plugin {
+  kind = "restitution", name = "fails", form = "newton",
+  doc = "Fails in flight.", source = "a test",
+  params = {},
+  impact = function(p, contact)
+    if contact.time > 0 then error("always") end
+    return 0.4, 0
+  end,
+}
+)");
+  std::string failing = bench_with("{ type: newton, en: 0.3 }", "{ type: fails }");
+  failing.replace(failing.find("trials: 4"), 9, "trials: 40");
+  folder.write("failing.yaml", "plugins: [law.lua]\n" + failing);
+  const std::pair<std::string, int> runs[] = {
+      {scenarios + "course/fences.yaml --trials 20", 0},          // gates and barriers
+      {scenarios + "quarry/blasting_area.yaml --trials 20", 0},   // blast, clearance by azimuth, reach
+      {"failing.yaml", 3},                                        // faults, ended early
+  };
+  const std::set<std::string> named =
+      code_words(read(FLYROCK_SOURCE_DIR "/docs/results.md"), "\n## summary.json\n", "\n## Chunks\n");
+  std::set<std::string> fields;
+  for (const auto& [arguments, code] : runs) {
+    INFO(arguments);
+    REQUIRE(call(folder, "run " + arguments + " --quiet --force -o r").code == code);
+    collect_fields(nlohmann::json::parse(read(folder.path() / "r/summary.json")), fields);
+  }
+  for (const char* rare : {"gate", "barrier", "area", "reach", "blast", "ended_early", "not_asked", "fault_line"}) CHECK(fields.count(rare) == 1);
+  for (const std::string& field : fields) {
+    INFO(field);
+    CHECK(named.count(field) == 1);
+  }
+}
+
+TEST_CASE("The Ninh Dan page has the distances that the program computes", "[slow]") {
+  const Folder folder;
+  const std::string blast = "run " FLYROCK_SOURCE_DIR "/scenarios/ninh_dan/benches_2d.yaml --quiet --force -o r";
+  const std::vector<ModelRow> rows = model_rows(read(FLYROCK_SOURCE_DIR "/scenarios/ninh_dan/README.md"));
+  REQUIRE(rows.size() == 3);
+  for (const ModelRow& row : rows) {
+    INFO(row.launch);
+    const std::string keys = row.launch == "bench_fit" ? ", rock: limestone, form: linear" : row.launch == "richards_moore" ? ", k: 27" : "";
+    REQUIRE(call(folder, blast + " --set rocks.0.launch='{ type: " + row.launch + keys +
+                             ", elevation: { normal: { mean: 20 deg, sd: 10 deg } } }'").code <= 1);  // gurney goes beyond what is expected
+    const auto summary = nlohmann::json::parse(read(folder.path() / "r/summary.json"));
+    const auto& fly_rock = summary.at("points").at(0).at("rocks").at(1);
+    REQUIRE(fly_rock.at("group") == "fly_rock");
+    CHECK(fmt::format("{:.1f}", fly_rock.at("launch_speed").at("p50").get<double>()) == row.speed);
+    const auto& runout = fly_rock.at("runout");
+    CHECK(fmt::format("{:.0f}", runout.at("p95").get<double>()) == row.p95);
+    CHECK(fmt::format("{:.0f}", runout.at("intervals").at("p95").at(0).get<double>()) == row.lower);
+    CHECK(fmt::format("{:.0f}", runout.at("intervals").at("p95").at(1).get<double>()) == row.upper);
+  }
+}
 
 TEST_CASE("The reference is what the manifests say: make reference") {
   const Folder folder;
