@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "scenario/value.h"
+#include "document/value.h"
 
 namespace flyrock {
 
