@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
 
 #include "batch/safe_file.h"
-#include "flight/ground.h"
 #include "flight/run.h"
 #include "trial/dimensions.h"
 #include "trial/scenario_error.h"
@@ -36,21 +36,33 @@ double end_of(const BodyHistory& history) {
   return rested ? history.stop_time : history.last.time;
 }
 
-int part_at(const Terrain2& terrain, const Vec2& at) {
-  const Terrain2::Run run = terrain.segments_between(at.x(), at.x());
-  const auto top = [&](int segment) { return std::max(terrain.start(segment).y(), terrain.end(segment).y()); };
-  if (run.first > run.last) return -1;
-  int highest = run.first;
-  for (int i = run.first; i <= run.last; ++i)
-    if (top(i) > top(highest)) highest = i;
-  return terrain.part(highest);
-}
-int part_at(const Terrain3&, const Vec3&) { return 0; }
+/// The ground nearest to a place: how far it is, and which part. Infinite where there is none within `reach` along x.
+struct NearestGround {
+  double distance = std::numeric_limits<double>::infinity();
+  int part = -1;
+};
 
-/// The part of the terrain that a body is on; -1 where all of it is higher than its own radius.
+NearestGround nearest_ground(const Terrain2& terrain, const Vec2& at, double reach) {
+  NearestGround nearest;
+  const Terrain2::Run run = terrain.segments_between(at.x() - reach, at.x() + reach);
+  for (int i = run.first; i <= run.last; ++i) {
+    const Vec2 along = terrain.end(i) - terrain.start(i);
+    const double share = std::clamp((at - terrain.start(i)).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    const double distance = (at - terrain.start(i) - share * along).norm();
+    if (distance < nearest.distance) nearest = {distance, terrain.part(i)};
+  }
+  return nearest;
+}
+NearestGround nearest_ground(const Terrain3& terrain, const Vec3& at, double) { return {terrain.plane().distance(at), 0}; }
+
+/// The part of the terrain that a body is on; -1 where all of it is in the air. On a slope a ball that touches the ground has more than
+/// its radius below its centre, so that the distance to the ground counts, and not the height above it.
 template <int D, class Terrain>
-int part_below(const Terrain& terrain, const Body<D>& body) {
-  return body.x[D - 1] - ground_height(terrain, body.x) > body.radius ? -1 : part_at(terrain, body.x);
+int part_under(const Terrain& terrain, const Body<D>& body) {
+  constexpr double rounding = 1e-3;  // of the radius: a rolling body leaves the ground by less
+  const double reach = (1 + rounding) * body.radius;
+  const NearestGround nearest = nearest_ground(terrain, body.x, reach);
+  return nearest.distance <= reach ? nearest.part : -1;
 }
 
 Profile picture(const Terrain2& terrain) { return terrain.profile(); }
@@ -222,7 +234,7 @@ void TrialRunner::Trials<D>::record(std::uint64_t trial, int index, const TrialR
     row.stop_x = history.last.position.x();
     row.stop_y = history.last.position.y();
     row.stop_z = history.last.position.z();
-    if (row.reason == StopReason::timed_out) row.end_part = part_below(world->terrain(), body);
+    if (row.reason == StopReason::timed_out) row.end_part = part_under(world->terrain(), body);
     row.landed = history.landed;
     row.flight_range = history.flight_range;
     row.bounce_height = history.bounce_height;

@@ -41,7 +41,7 @@ std::string report_html(const nlohmann::ordered_json& data, const std::filesyste
   page += "</style>\n</head>\n<body>\n<main>\n";
   if (const std::string faults = text("fault_line"); !faults.empty())
     page += fmt::format("<p class=\"alarm\">{}</p>\n", escaped(faults));
-  page += fmt::format("<h1>{}</h1>\n<p class=\"answer\">{}</p>\n<p class=\"facts\">{}</p>\n", title, escaped(text("answer")),
+  page += fmt::format("<h1>{}</h1>\n<p class=\"answer\">{}</p>\n<p class=\"facts\">{}</p>\n", title, escaped(replace_all(text("answer"), ">= ", "≥ ")),
                       escaped(text("assumptions")));
   page += "<noscript><p>Plots and tables need JavaScript; rocks.csv and summary.json hold the same numbers.</p></noscript>\n"
           "<div id=\"report\"></div>\n</main>\n<script type=\"application/json\" id=\"data\">";

@@ -68,6 +68,14 @@ std::string who_goes(const Scenario& scenario, const ClearancePlan& asked, const
                      scenario.method == Method::ballistic ? " that first lands" : "");
 }
 
+/// "301 to 345 m"; an end is not known where the sample is too small for it, or where censored rocks hide it.
+std::string ends_text(const Interval& interval) {
+  if (std::isnan(interval.lower) && std::isnan(interval.upper)) return "not known";
+  if (std::isnan(interval.upper)) return fmt::format("from {:.4g} m on, its upper end is not known", interval.lower);
+  if (std::isnan(interval.lower)) return fmt::format("up to {:.4g} m, its lower end is not known", interval.upper);
+  return fmt::format("{:.4g} to {:.4g} m", interval.lower, interval.upper);
+}
+
 /// " Clearance road: at most 0.1 % of the rocks go farther than 320 m (95 % interval 301 to 345 m). With the factor 1.5 that is 480
 /// m."; with sectors the distance of the one that reaches farthest; over a sweep the least to the greatest distance, without an
 /// interval: the points have their own.
@@ -87,14 +95,13 @@ std::string clearance_answer(const Plan& plan, const Results& results, std::size
   std::string text = fmt::format(" Clearance {}: {}at most {} of the {} farther than {}{}", asked.name,
                                  asked.sectors > 0 ? fmt::format("in each of {} directions ", asked.sectors) : "", percent(asked.probability),
                                  who_goes(plan.points.front(), asked, first), range_of(distances), from);
-  const auto end = [](double value) { return std::isnan(value) ? std::string("unknown") : fmt::format("{:.4g}", value); };
   if (results.points.size() == 1) {
     if (const SectorSummary* farthest = first.area.farthest())
       text += fmt::format(", which is reached at azimuth {:.4g} deg", farthest->azimuth * 180 / pi);
     if (asked.sectors > 0 && std::isnan(first.interval.lower) && std::isnan(first.interval.upper))
-      text += " (the farthest that ended there, which are too few for an interval)";
+      text += " (the farthest rock there: too few ended there for an interval)";
     else
-      text += fmt::format(" ({} interval {} to {} m)", percent(asked.confidence), end(first.interval.lower), end(first.interval.upper));
+      text += fmt::format(" ({} interval {})", percent(asked.confidence), ends_text(first.interval));
   }
   text += '.';
   if (asked.factor) text += fmt::format(" With the factor {:.4g} that is {}.", *asked.factor, range_of(with_factor));

@@ -7,6 +7,18 @@
 
 using namespace flyrock::test;
 
+TEST_CASE("The answer says on which material round rocks roll when their time is up, on a slope too") {
+  const Folder folder;
+  std::string text = bench_with("[3, 0], [300, 0]", "[3, 0], [200, -10], [300, -12]");
+  text.replace(text.find("{ type: polygon, sides: { integer: [5, 8] }, diameter: 0.5 }"), 60, "{ type: disk, radius: { uniform: [0.2, 0.4] } }");
+  text.replace(text.find("    rolling: { type: rolling_resistance, mu_r: 0.1 m }\n"), 55, "");
+  text.replace(text.find("time: 60 s"), 10, "time: 12 s");
+  folder.write("balls.yaml", text);
+  const Output run = call(folder, "run balls.yaml");
+  INFO(run.out << run.err);
+  CHECK(run.out.find("4 ran out of time (12 s) on rock, ") != std::string::npos);
+}
+
 TEST_CASE("A run writes its folder and says where the report is") {
   const Folder folder;
   const std::string name = folder.write("bench.yaml", bench);

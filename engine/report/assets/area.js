@@ -44,7 +44,7 @@ function draw_area(node, clearance) {
   if (area.sectors.some((s) => s.distance !== null)) traces.push(line(`exceeded by ${percent(clearance.probability)} of those that end there, or the farthest`, (s) => s.distance ?? s.greatest, { line: { color: colour.blue, width: 2 }, fill: "toself", fillcolor: "rgba(0,114,178,0.15)" }));
   traces.push({ x: [...area.hull, area.hull[0]].map(([x]) => x), y: [...area.hull, area.hull[0]].map(([, y]) => y), mode: "lines", name: "hull of the releases", line: { color: colour.ink, width: 1 }, hoverinfo: "skip" });
   traces.push({ x: [area.x], y: [area.y], mode: "markers", name: "centre", marker: { symbol: "cross", size: 11, color: colour.ink }, hoverinfo: "skip" });
-  plot(node, traces, { height: 620, legend, hovermode: "closest", xaxis: axis("x in m"), yaxis: { ...axis("y in m"), scaleanchor: "x", scaleratio: 1 } }, true);
+  plot(node, traces, { height: 650, legend, hovermode: "closest", xaxis: axis("x in m"), yaxis: { ...axis("y in m"), scaleanchor: "x", scaleratio: 1 } }, true);
 }
 
 function area_section() {

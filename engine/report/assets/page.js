@@ -132,12 +132,20 @@ function point_pages(most, draw) {
 const font = { family: "system-ui, DejaVu Sans, sans-serif", size: 13, color: colour.ink };
 const legend = { orientation: "h", y: 1.02, yanchor: "bottom", x: 0, traceorder: "normal" };
 const axis = (title) => ({ title: { text: title }, gridcolor: "#e6e9ed", zerolinecolor: "#b8c0c9", linecolor: "#5a6370", ticks: "outside", automargin: true });
-/** A bin, a count and a share cannot be dragged to a better place: only the trajectories move and zoom. */
+/** A logarithmic axis with the numbers 1, 2 and 5 of each decade, which Plotly alone writes without their tens. */
+const log_axis = (title, values) => {
+  const all = values.filter((v) => v > 0), low = least(all), high = most(all), ticks = [];
+  for (let decade = Math.floor(Math.log10(low)); decade <= Math.log10(high); ++decade) ticks.push(...[1, 2, 5].map((digit) => digit * 10 ** decade));
+  return { ...axis(title), type: "log", tickvals: ticks, ticktext: ticks.map(show) };
+};
+/** Above a plot that moves: its buttons, above its legend. */
+const movable_top = 64;
+/** A bin, a count and a share cannot be dragged to a better place: only the trajectories and the plan move and zoom. */
 function plot(node, traces, layout, movable = false) {
   if (typeof Plotly === "undefined") return no_plot(node, "Plotly was not installed when this report was made (make deps): no picture.");
   node.classList.remove("note");
   node.classList.add("plot");
-  const base = { font, paper_bgcolor: "#fff", plot_bgcolor: "#fff", margin: { l: 70, r: 24, t: 30, b: 56 }, hoverlabel: { align: "left" }, dragmode: movable ? "pan" : false };
+  const base = { font, paper_bgcolor: "#fff", plot_bgcolor: "#fff", margin: { l: 70, r: 24, t: movable ? movable_top : 30, b: 56 }, hoverlabel: { align: "left" }, dragmode: movable ? "pan" : false };
   const config = { responsive: true, displaylogo: false, scrollZoom: movable, displayModeBar: movable, modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d"] };
   Plotly.react(node, traces, { ...base, ...layout }, config);
 }

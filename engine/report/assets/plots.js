@@ -157,7 +157,7 @@ function draw_convergence(node, convergence) {
     { x: convergence.n, y: band(c.lower), mode: "lines", line: { color: colour.sky, width: 1 }, showlegend: false, hoverinfo: "skip" },
     { x: convergence.n, y: band(c.upper), mode: "lines", name: "95 % confidence interval", line: { color: colour.sky, width: 1 }, fill: "tonexty", fillcolor: "rgba(86,180,233,0.3)", hovertemplate: "up to %{y:.4g} m<extra></extra>" },
     { x: convergence.n, y: c.value, mode: "lines+markers", name: `${percentile} of the ${runout_name}`, line: { color: colour.blue, width: 2 }, marker: { size: 6, symbol: c.censored.map((is) => (is ? "triangle-up" : "circle")) }, hovertemplate: `%{x} rocks: ${percentile} %{y:.4g} m<extra></extra>` },
-  ], { height: 360, legend, xaxis: { ...axis("rocks, in the order of their trials"), type: "log" }, yaxis: { ...axis(`${runout_name} in m`), rangemode: "tozero" } });
+  ], { height: 360, legend, xaxis: log_axis("rocks, in the order of their trials", convergence.n), yaxis: { ...axis(`${runout_name} in m`), rangemode: "tozero" } });
 }
 
 function convergence_section() {

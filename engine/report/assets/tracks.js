@@ -81,7 +81,7 @@ function draw_tracks(node, point, crossings, tracks, shrouds) {
     const low = least([...high, ...ground]) - margin, top = most([...high, ...ground]) + margin;
     window = { x: [left - margin, far + margin], y: [low, top] };
     const drawn = (node.clientWidth || 1000) - 110;
-    height = Math.min(620, Math.max(280, (drawn * (top - low)) / (window.x[1] - window.x[0]) + 150));
+    height = Math.min(620, Math.max(280, (drawn * (top - low)) / (window.x[1] - window.x[0]) + 120 + movable_top));
   }
   const ground = { x: terrain_x, y: terrain_y, mode: "lines", name: "ground", line: { color: "#3b3f45", width: 2 }, hoverinfo: "skip" };
   plot(node, [ground, ...shrouds, ...paths, ...fences], {
