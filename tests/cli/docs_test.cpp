@@ -167,6 +167,23 @@ return fr.plugin {
   }
 }
 
+TEST_CASE("docs/architecture.md names source files that exist") {
+  std::vector<std::string> files;
+  for (const char* tree : {"engine", "lua", "plugins", "tests"})
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(FLYROCK_SOURCE_DIR) / tree)) files.push_back("/" + entry.path().string());
+  static const std::regex source("`((?:\\w+/)*\\w+\\.(?:h|cpp|ipp|js))`");
+  const std::string page = read(FLYROCK_SOURCE_DIR "/docs/architecture.md");
+  int named = 0;
+  for (auto found = std::sregex_iterator(page.begin(), page.end(), source); found != std::sregex_iterator(); ++found) {
+    const std::string name = (*found)[1];
+    if (name == "lua.h") continue;  // Lua's own
+    INFO(name);
+    CHECK(std::any_of(files.begin(), files.end(), [&](const std::string& file) { return file.ends_with("/" + name); }));
+    ++named;
+  }
+  CHECK(named > 100);
+}
+
 TEST_CASE("The Ninh Dan page has the distances that the program computes", "[slow]") {
   const Folder folder;
   const std::string blast = "run " FLYROCK_SOURCE_DIR "/scenarios/ninh_dan/benches_2d.yaml --quiet --force -o r";
