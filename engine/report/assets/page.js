@@ -54,9 +54,15 @@ function show(value) {
   if (size >= 1e9 || size < 1e-3) return value.toExponential(3);
   return String(Number(value.toPrecision(4)));
 }
-const percent = (share) => `${Number((100 * share).toPrecision(3))} %`;
+/** A share in percent: three digits, and near 100 as many as tell it from 100. */
+function in_percent(share) {
+  const rest = 100 * (1 - share);
+  if (rest <= 0 || rest >= 0.5) return Number((100 * share).toPrecision(3));
+  return Number((100 * share).toFixed(Math.min(12, 1 - Math.floor(Math.log10(rest)))));
+}
+const percent = (share) => `${in_percent(share)} %`;
 /** "12.3 % (10.1 to 14.8)": a share with its 95 % interval. */
-const with_interval = (share, [low, high]) => (low === null ? percent(share) : `${percent(share)} (${Number((100 * low).toPrecision(3))} to ${Number((100 * high).toPrecision(3))})`);
+const with_interval = (share, [low, high]) => (low === null ? percent(share) : `${percent(share)} (${in_percent(low)} to ${in_percent(high)})`);
 const counted = (n, one, many) => `${n} ${n === 1 ? one : many}`;
 const right = (text) => ({ text, cls: "number" });
 /** Differences of thousandths to values. */
