@@ -135,6 +135,23 @@ void find_free_rollers(const Scenario& scenario, const Trial<D>& trial, TriedOut
   }
 }
 
+/// Rocks of many vertices or contactors: each impact looks at all of them, and each vertex makes impacts of its own.
+template <int D>
+void find_fine_outlines(const Scenario& scenario, const Trial<D>& trial, TriedOut& tried) {
+  constexpr std::size_t most = 500;
+  for (const TrialRock& rock : trial.rocks) {
+    if (rock.world < 0) continue;
+    const Body<D>& body = trial.worlds[static_cast<std::size_t>(rock.world)].bodies[static_cast<std::size_t>(rock.body)];
+    std::size_t count = 0;
+    for (const auto& contactor : body.contactors) count += contactor.points.size();
+    if (count <= most) continue;
+    const std::string path = scenario.bodies.empty() ? fmt::format("rocks.{}.shape", rock.group) : fmt::format("bodies.{}", rock.group);
+    add(tried.warnings, path,
+        fmt::format("`{}` has {} vertices and centres: above {} a trial takes many seconds; expected a coarser outline", body.group, count,
+                    most));
+  }
+}
+
 /// Shapes, populations, launches, starts and the terrain, by making trials.
 template <int D>
 void try_trials(const Scenario& scenario, TrialBuilder<D>& builder, std::uint64_t trials, TriedOut& tried) {
@@ -144,6 +161,7 @@ void try_trials(const Scenario& scenario, TrialBuilder<D>& builder, std::uint64_
       rocks += trial.rocks.size();
       find_hard_contacts(scenario, builder.instances(), trial, tried);
       find_free_rollers(scenario, trial, tried);
+      find_fine_outlines(scenario, trial, tried);
       for (std::size_t i = 0; i < trial.rocks.size(); ++i) {
         const TrialRock& rock = trial.rocks[i];
         if (rock.launch_speed > usual::launch.greatest)

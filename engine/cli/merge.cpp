@@ -135,8 +135,10 @@ int merge(const Command& command, const Arguments& arguments) {
   if (line.help) return done;
   if (!line.has("output")) throw UsageError("expected -o DIR, the folder of the merged result");
   const std::vector<std::string>& shards = line.words;
+  std::error_code no_path;  // as of a name that is too long: it is then no result folder, which is said below
+  const fs::path output = fs::weakly_canonical(line.text("output"), no_path);
   for (const std::string& shard : shards)
-    if (fs::weakly_canonical(shard) == fs::weakly_canonical(line.text("output")))
+    if (fs::weakly_canonical(shard, no_path) == output && !no_path)
       throw UsageError(fmt::format("{} is a shard: the merged result needs a folder of its own", shard));
 
   const std::string hash = common_hash(shards);

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
+#include <ctime>
 
 #include "geometry/volume_properties.h"
 #include "plugin/sampled_params.h"
@@ -17,6 +19,30 @@ namespace {
 constexpr int law_states = 1000;
 constexpr int draws = 200;
 constexpr int samples = 4;  // of the parameters of each variant
+
+/// What a plugin may take of the processor in all: calls that take long each are tried less often.
+constexpr std::chrono::seconds enough_time{5};
+
+struct TimeIsUp {};
+
+class Patience {
+ public:
+  /// Throws TimeIsUp.
+  void check() const {
+    // The time of the processor takes longer to ask for, so it comes second.
+    if (std::chrono::steady_clock::now() - start_ > enough_time && processor_time() - processor_start_ > enough_time) throw TimeIsUp();
+  }
+
+ private:
+  static std::chrono::nanoseconds processor_time() {
+    timespec time{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+  }
+
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::chrono::nanoseconds processor_start_ = processor_time();
+};
 
 /// All numbers that a plugin answers with; two answers are equal where these are.
 using Numbers = std::vector<double>;
@@ -67,7 +93,8 @@ void check_contactors(const std::vector<Contactor3>& contactors) {
 
 /// Asks; an error of the plugin says in addition what it was asked with.
 template <class Ask, class State>
-void asked_with(State&& state, Ask&& ask) {
+void asked_with(const Patience& patience, State&& state, Ask&& ask) {
+  patience.check();
   try {
     ask();
   } catch (const PluginError& error) {
@@ -77,9 +104,9 @@ void asked_with(State&& state, Ask&& ask) {
 
 /// Asks once for each of the sampled streams of random numbers; ask(i, rng).
 template <class Ask>
-void for_each_stream(Ask&& ask) {
+void for_each_stream(const Patience& patience, Ask&& ask) {
   for (int i = 0; i < draws; ++i)
-    asked_with([&] { return fmt::format("the random numbers of sample {}", i); },
+    asked_with(patience, [&] { return fmt::format("the random numbers of sample {}", i); },
                [&] {
                  RandomStream rng = sampled_stream(i);
                  ask(i, rng);
@@ -88,13 +115,13 @@ void for_each_stream(Ask&& ask) {
 
 // One overload a kind: everything that an instance of a dimension answers, checked.
 
-Numbers answer_of(const PluginSpec&, const ShapeModel& shape, Values values, int dimension) {
+Numbers answer_of(const PluginSpec&, const ShapeModel& shape, Values values, int dimension, const Patience& patience) {
   Numbers answer;
   const auto see = [&](const auto& contactors) {
     check_contactors(contactors);
     add(answer, contactors);
   };
-  for_each_stream([&](int, RandomStream& rng) {
+  for_each_stream(patience, [&](int, RandomStream& rng) {
     if (dimension == 2)
       see(shape.build(values, rng));
     else
@@ -121,11 +148,11 @@ void add(Numbers& answer, const RockPlan& rock) {
   answer.insert(answer.end(), {position.x(), position.y(), rock.angle.value_or(0)});
 }
 
-Numbers answer_of(const PluginSpec& spec, const Population& population, Values values, int dimension) {
+Numbers answer_of(const PluginSpec& spec, const Population& population, Values values, int dimension, const Patience& patience) {
   Numbers answer;
-  for_each_stream([&](int i, RandomStream& rng) {
+  for_each_stream(patience, [&](int i, RandomStream& rng) {
     const Blast blast = sampled_blast(i);
-    asked_with([&] { return state_text(spec, blast); },
+    asked_with(patience, [&] { return state_text(spec, blast); },
                [&] {
                  if (dimension == 3)
                    for (const RockPlan3& rock : population.rocks_3d(values, Plane{}, blast, rng)) add(answer, rock);
@@ -136,13 +163,13 @@ Numbers answer_of(const PluginSpec& spec, const Population& population, Values v
   return answer;
 }
 
-Numbers answer_of(const PluginSpec& spec, const VelocityModel& model, Values values, int dimension) {
+Numbers answer_of(const PluginSpec& spec, const VelocityModel& model, Values values, int dimension, const Patience& patience) {
   Numbers answer;
-  for_each_stream([&](int i, RandomStream& rng) {
+  for_each_stream(patience, [&](int i, RandomStream& rng) {
     RockView rock = sampled_rock(i);
     rock.dimension = dimension;
     const Blast blast = sampled_blast(i);
-    asked_with([&] { return state_text(spec, rock, blast); },
+    asked_with(patience, [&] { return state_text(spec, rock, blast); },
                [&] {
                  const Launch launch = model.launch(values, rock, blast, rng);
                  if (!launch.velocity.allFinite() || !launch.spin.allFinite()) fail("a launch is not finite");
@@ -165,9 +192,9 @@ void add(Numbers& answer, const Profile& profile) {
   answer.insert(answer.end(), profile.part.begin(), profile.part.end());
 }
 
-Numbers answer_of(const PluginSpec&, const TerrainModel& terrain, Values values, int dimension) {
+Numbers answer_of(const PluginSpec&, const TerrainModel& terrain, Values values, int dimension, const Patience& patience) {
   Numbers answer;
-  for_each_stream([&](int, RandomStream& rng) {
+  for_each_stream(patience, [&](int, RandomStream& rng) {
     if (dimension == 3)
       add(answer, terrain.build_3d(values, rng));
     else
@@ -201,7 +228,8 @@ Numbers numbers_of(const UnilateralLaw& law, Values values, const ContactState& 
 }
 
 template <class SomeLaw>
-requires std::derived_from<SomeLaw, Law> Numbers answer_of(const PluginSpec& spec, const SomeLaw& law, Values values, int) {
+requires std::derived_from<SomeLaw, Law>
+Numbers answer_of(const PluginSpec& spec, const SomeLaw& law, Values values, int, const Patience& patience) {
   Numbers answer;
   std::array<double, most_history> history{};
   for (int i = 0; i < law_states; ++i) {
@@ -213,7 +241,7 @@ requires std::derived_from<SomeLaw, Law> Numbers answer_of(const PluginSpec& spe
       history = before;
       return state_text(spec, contact);
     };
-    asked_with(state, [&] {
+    asked_with(patience, state, [&] {
       const Numbers numbers = numbers_of(law, values, contact);
       if (law.constant() && i > 0 && !std::equal(numbers.begin(), numbers.end(), answer.begin()))
         fail("says that it is constant and answers two states differently");
@@ -227,8 +255,8 @@ requires std::derived_from<SomeLaw, Law> Numbers answer_of(const PluginSpec& spe
 template <class Interface>
 class Trial {
  public:
-  Trial(const Plugin& plugin, int dimension, const std::vector<ParamValue>& values)
-      : use_{&plugin, values, dense_slots(values), "conformance"}, dimension_(dimension) {
+  Trial(const Plugin& plugin, int dimension, const std::vector<ParamValue>& values, const Patience& patience)
+      : use_{&plugin, values, dense_slots(values), "conformance"}, dimension_(dimension), patience_(patience) {
     for (const Number& slot : use_.slots) numbers_.push_back(slot.constant);
   }
 
@@ -242,7 +270,7 @@ class Trial {
       return std::nullopt;
     }
     try {
-      return answer_of(use_.plugin->spec, *instance, numbers_, dimension_);
+      return answer_of(use_.plugin->spec, *instance, numbers_, dimension_, patience_);
     } catch (const PluginError& error) {
       fail(with_parameters((dimension_ == 2 ? "" : "in 3D ") + std::string(error.what())));
     }
@@ -255,22 +283,24 @@ class Trial {
  private:
   PluginUse use_;
   int dimension_;
+  const Patience& patience_;
   std::vector<double> numbers_;
 };
 
 template <class Interface>
-std::vector<std::string> faults(const Plugin& plugin, const FactoryOf<Interface>&) {
+std::vector<std::string> faults(const Plugin& plugin, const FactoryOf<Interface>&, const Patience& patience) {
   const auto& params = plugin.spec.params;
   RandomStream rng(sample_seed, "parameters", {});
   std::string refusal = "no sample of the parameters keeps their bounds";
   bool made = params.empty(), tried = params.empty();
   std::vector<bool> given(params.size(), false), felt(params.size(), false);
   // In the dimensions that it has; it refuses the others.
-  for (int sample = 0; sample < 2 * samples; ++sample) {
-    const int dimension = sample < samples ? 2 : 3;
+  const int each = params.empty() ? 1 : samples;  // of a dimension: without parameters one sample is as any other
+  for (int sample = 0; sample < 2 * each; ++sample) {
+    const int dimension = sample < each ? 2 : 3;
     tried = tried || can_sample(plugin.spec);
     for (auto& values : sample_variants(plugin.spec, dimension, rng)) {
-      const Trial<Interface> trial(plugin, dimension, values);
+      const Trial<Interface> trial(plugin, dimension, values, patience);
       const auto answer = trial.ask(refusal);
       if (!answer) continue;
       made = true;
@@ -280,7 +310,7 @@ std::vector<std::string> faults(const Plugin& plugin, const FactoryOf<Interface>
         auto changed = values;
         changed[i] = sample_param(plugin.spec, i, values, dimension, rng);
         if (!keeps_bounds(plugin.spec, changed)) continue;
-        const auto other = Trial<Interface>(plugin, dimension, changed).ask(refusal);
+        const auto other = Trial<Interface>(plugin, dimension, changed, patience).ask(refusal);
         if (!other) continue;
         given[i] = true;
         felt[i] = other != answer;
@@ -296,9 +326,14 @@ std::vector<std::string> faults(const Plugin& plugin, const FactoryOf<Interface>
 
 }  // namespace
 
-std::vector<std::string> conformance_faults(const Plugin& plugin) {
+std::vector<std::string> conformance_faults(const Plugin& plugin, bool* whole) {
+  const Patience patience;
+  if (whole) *whole = true;
   try {
-    return std::visit([&](const auto& factory) { return faults(plugin, factory); }, plugin.make);
+    return std::visit([&](const auto& factory) { return faults(plugin, factory, patience); }, plugin.make);
+  } catch (const TimeIsUp&) {
+    if (whole) *whole = false;
+    return {};
   } catch (const PluginError& error) {
     return {error.what()};
   }

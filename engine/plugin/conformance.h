@@ -15,7 +15,7 @@ namespace flyrock {
 ///  - the same parameters and random numbers give the same answer;
 ///  - each parameter, where it can be given, changes the answer of at least one trial.
 /// Parameters of type text and file cannot be sampled and are left out; a plugin that requires one is not
-/// tried.
-std::vector<std::string> conformance_faults(const Plugin& plugin);
+/// tried. After 5 s of the processor no more is tried: `whole`, where given, says whether all was.
+std::vector<std::string> conformance_faults(const Plugin& plugin, bool* whole = nullptr);
 
 }  // namespace flyrock

@@ -77,8 +77,11 @@ void LuaSession::Host::load(const LuaFile& file, Diagnostics& diagnostics, Use&&
       use(lua);
     });
   } catch (const LuaError& error) {
-    const auto [at, text] = files_.split_message(error.what(), file);
-    diagnostics.error(at, "", text);
+    // The text may claim any place, as by error(text, 0); that of the code that raised it is known.
+    auto message = files_.split_message(error.what());
+    if (!message) message = files_.split_message(error.raised_at + error.what());
+    if (!message) message.emplace(Location{file.source, 1, 1}, error.what());
+    diagnostics.error(message->first, "", message->second);
   }
   diagnostics_ = nullptr;
   main_ = nullptr;
@@ -167,6 +170,8 @@ int LuaSession::Host::scenario(lua_State* lua) {
   Host& host = self(lua);
   host.scenarios_.push_back({lua_topointer(lua, 1), host.calling(lua, "scenario").second});
   lua_settop(lua, 1);
+  lua_pushvalue(lua, 1);
+  luaL_ref(lua, LUA_REGISTRYINDEX);  // kept, so that no other table comes to lie at its address
   return 1;
 }
 
@@ -186,6 +191,7 @@ int LuaSession::Host::plugin(lua_State* lua) {
 
 void LuaSession::Host::register_plugin(lua_State* lua) {
   const auto [file, places] = calling(lua, "plugin");
+  charge(lua, 90'000);  // `flyrock check` asks each plugin thousands of times
   ++registered_;
   std::map<std::string, int> functions;
   const auto value = read_value(lua, 1, places, *diagnostics_, [&](const std::string& path) {

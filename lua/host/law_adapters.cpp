@@ -4,6 +4,7 @@
 
 #include <lua.hpp>
 
+#include "document/printable.h"
 #include "host/adapter_kinds.h"
 #include "host/views.h"
 
@@ -92,7 +93,7 @@ class LuaUnilateral : public LuaLaw<UnilateralLaw> {
         call_.fail(fmt::format(
             "returned {}, expected \"signorini\", \"quasi_shock\", \"cohesive\" with the pull that it bears, or \"penalty\" "
             "with its stiffness",
-            name ? fmt::format("\"{}\"", name) : luaL_typename(lua, 1)));
+            name ? fmt::format("\"{}\"", printable(name)) : luaL_typename(lua, 1)));
       answer.condition = *condition;
       if (*condition == NormalCondition::penalty)
         answer.stiffness = call_.number(lua, 2, "the stiffness");

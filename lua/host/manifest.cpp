@@ -36,6 +36,8 @@ class ManifestReader {
     if (!spec_.name.empty() && !is_identifier(spec_.name))
       table_.error("name",
                    fmt::format("`{}`, expected small letters, digits and _, a letter first", spec_.name));
+    else if (spec_.name.size() > most_letters)
+      table_.error("name", fmt::format("a name of {} letters, expected at most {}", spec_.name.size(), most_letters));
     spec_.doc = table_.required_text("doc");
     spec_.source = table_.text("source").value_or("");
     spec_.validity = table_.text("validity").value_or("");
@@ -188,6 +190,9 @@ class ManifestReader {
     if (!params->map() && !empty)
       return table_.error("params", params->kind() + ", expected a table of named parameters");
     if (empty) return;
+    constexpr std::size_t most_params = 200;
+    if (params->map()->size() > most_params)
+      return table_.error("params", fmt::format("{} parameters, expected at most {}", params->map()->size(), most_params));
     for (const Entry& entry : *params->map()) {
       auto param = read_param(entry, diagnostics_);
       if (param)

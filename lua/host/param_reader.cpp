@@ -20,6 +20,8 @@ class ParamReader {
     spec_.name = name_;
     if (!is_identifier(name_))
       table_.error("", "a parameter's name has small letters, digits and _, a letter first");
+    else if (name_.size() > most_letters)
+      table_.error("", fmt::format("a name of {} letters, expected at most {}", name_.size(), most_letters));
     if (!read_type()) return std::nullopt;
     spec_.doc = table_.text("doc").value_or("");
     spec_.optional = table_.boolean("optional").value_or(false);

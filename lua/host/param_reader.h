@@ -13,6 +13,8 @@ namespace flyrock {
 /// Small letters, digits and _, a letter first: names of plugins, parameters and histories.
 bool is_identifier(std::string_view name);
 
+inline constexpr std::size_t most_letters = 100;  ///< of the name of a plugin or of a parameter
+
 /// An fr.number { ... } or the like, under `params.NAME`, with its default and limits converted to SI. Nothing where there
 /// are errors, which are reported.
 std::optional<ParamSpec> read_param(const Entry& entry, Diagnostics& diagnostics);

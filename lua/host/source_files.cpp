@@ -76,8 +76,7 @@ const LuaFile* SourceFiles::of_chunk(const std::string& chunk) const {
   return nullptr;
 }
 
-std::pair<Location, std::string> SourceFiles::split_message(const std::string& message,
-                                                            const LuaFile& otherwise) const {
+std::optional<std::pair<Location, std::string>> SourceFiles::split_message(const std::string& message) const {
   for (auto it = files_.rbegin(); it != files_.rend(); ++it) {
     const LuaFile* file = it->get();
     const std::string prefix = chunk_label(file->source->name) + ":";
@@ -87,9 +86,9 @@ std::pair<Location, std::string> SourceFiles::split_message(const std::string& m
     if (end == message.npos || line.empty() || line.size() > 9 ||
         line.find_first_not_of("0123456789") != line.npos)
       continue;
-    return {Location{file->source, std::stoi(line), 1}, message.substr(end + 2)};
+    return std::pair(Location{file->source, std::stoi(line), 1}, message.substr(end + 2));
   }
-  return {Location{otherwise.source, 0, 0}, message};
+  return std::nullopt;
 }
 
 }  // namespace flyrock

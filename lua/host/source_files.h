@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "document/value.h"
@@ -31,9 +32,8 @@ class SourceFiles {
   const LuaFile* read(const std::string& path, const std::string& shown, std::string& fault);
   /// The file that Lua calls `chunk` ("@my_law.lua"), or null.
   const LuaFile* of_chunk(const std::string& chunk) const;
-  /// Splits "my_law.lua:16: what is wrong" into place and text. Without a place in a known file the whole
-  /// text stays, at line 0 of `otherwise`.
-  std::pair<Location, std::string> split_message(const std::string& message, const LuaFile& otherwise) const;
+  /// Splits "my_law.lua:16: what is wrong" into place and text; nothing without a place in a known file.
+  std::optional<std::pair<Location, std::string>> split_message(const std::string& message) const;
 
  private:
   std::vector<std::unique_ptr<LuaFile>> files_;

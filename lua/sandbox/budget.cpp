@@ -61,6 +61,7 @@ void Budget::arm(double instructions) {
   time_limit = std::min<std::chrono::nanoseconds>(static_cast<std::int64_t>(instructions) * instruction_time, longest_time);
   timed = false;
   refused = "";
+  raised_at.clear();
   exceeded.clear();
 }
 

@@ -39,6 +39,7 @@ struct Budget {
   lua_State* lua = nullptr;  ///< the state that this is the budget of
   const char* refused = "";  ///< what the allocator refused last
   std::string refused_at;    ///< and the place of the Lua code that asked for it
+  std::string raised_at;     ///< the place of the Lua code whose error ended the call
   std::string exceeded;      ///< what went over its limit in this call, or empty
   PrintLog prints;           ///< what `print` may still show
   bool shows_prints = true;  ///< on stderr at once; else they wait in `prints`

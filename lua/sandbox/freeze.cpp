@@ -67,10 +67,14 @@ class Walk {
  private:
   void table(const std::string& name) {
     if (!push_shown(lua_, -1)) {
-      if (lua_getmetatable(lua_, -1)) add(name + "'s metatable");
-      freeze_table(lua_, -1, name, guarded<refuse_change>);
-      push_shown(lua_, -1);
+      const int table = lua_gettop(lua_);
+      const bool has_metatable = lua_getmetatable(lua_, table);
+      freeze_table(lua_, table, name, guarded<refuse_change>);
+      if (has_metatable) keep_former_metatable(lua_, table);
+      push_shown(lua_, table);
     }
+    // Also where another walk has frozen the table: its metamethods may set local variables.
+    if (push_former_metatable(lua_, -2)) add(name + "'s metatable");
     add_fields(name);
     lua_pop(lua_, 1);
   }

@@ -21,6 +21,7 @@ int refuse_write(lua_State* lua) {
 const char shown_key = 0;  // of a view: the table that it shows
 const char data_key = 0;   // of a view: that it is one of data
 const char view_key = 0;   // of the fields of a frozen table: its view
+const char former_key = 0; // of the view of a frozen table: the metatable that the table had
 
 bool push_marked(lua_State* lua, int index, const char* key) {
   if (!lua_istable(lua, index) || !lua_getmetatable(lua, index)) return false;
@@ -155,6 +156,15 @@ void freeze_table(lua_State* lua, int index, const std::string& what, lua_CFunct
   lua_setmetatable(lua, index);
   lua_settop(lua, fields - 1);
 }
+
+void keep_former_metatable(lua_State* lua, int index) {
+  lua_getmetatable(lua, index);
+  lua_insert(lua, -2);
+  lua_rawsetp(lua, -2, &former_key);
+  lua_pop(lua, 1);
+}
+
+bool push_former_metatable(lua_State* lua, int index) { return push_marked(lua, index, &former_key); }
 
 void mark_hidden(lua_State* lua, int index) {
   index = lua_absindex(lua, index);

@@ -40,7 +40,8 @@ std::string error_text(lua_State* lua) {
 /// The message handler: names the place where a message does not. (Those of memory do not come here.)
 int add_place(lua_State* lua) {
   std::string text = error_text(lua);
-  if (!has_place(text)) text = place_of(lua) + text;
+  budget_of(lua).raised_at = place_of(lua);
+  if (!has_place(text)) text = budget_of(lua).raised_at + text;
   lua_pushlstring(lua, text.data(), text.size());
   return 1;
 }
@@ -69,7 +70,7 @@ void LuaState::run_protected(double instructions, Body body, void* data) {
     name_refusal(lua_);
     const std::string text = error_text(lua_);
     lua_settop(lua_, 0);
-    throw LuaError(text);
+    throw LuaError(text, budget_->raised_at);
   }
   lua_settop(lua_, 0);
   if (call.thrown) std::rethrow_exception(call.thrown);

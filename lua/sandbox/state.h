@@ -4,6 +4,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "sandbox/budget.h"
 
@@ -11,7 +12,8 @@ namespace flyrock {
 
 /// An error that Lua raised: "my_law.lua:16: attempt to perform arithmetic on a nil value".
 struct LuaError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  LuaError(const std::string& text, std::string at) : std::runtime_error(text), raised_at(std::move(at)) {}
+  std::string raised_at;  ///< "my_law.lua:16: ", whatever place the text claims; empty where no Lua code ran
 };
 
 /// Owns a state. Nothing touches it but the body of a `run`: there errors of Lua, out of memory included,

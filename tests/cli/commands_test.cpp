@@ -133,6 +133,49 @@ return fr.plugin {
   CHECK(idle.err.find("law.lua:5:3: error: restitution/law: ") == 0);  // its function
 }
 
+TEST_CASE("check warns of a rock with so many vertices that a trial takes long") {
+  const Folder folder;
+  folder.write("shape.lua", R"(local fr = require "flyrock"
+return fr.plugin { kind = "shape", name = "fine", doc = "A circle of 3000 corners.", build = function(p)
+  local vertices = {}
+  for i = 1, 3000 do vertices[i] = { 0.2 * math.cos(i * math.pi / 1500), 0.2 * math.sin(i * math.pi / 1500) } end
+  return { vertices = vertices }
+end }
+)");
+  folder.write("fine.yaml", "plugins: [shape.lua]\n" + bench_with("{ type: polygon, sides: { integer: [5, 8] }, diameter: 0.5 }", "{ type: fine }"));
+  const Output output = call(folder, "check fine.yaml");
+  INFO(output.err);
+  CHECK(output.code == 0);
+  CHECK(output.err.find("has 3000 vertices and centres: above 500 a trial takes many seconds") != std::string::npos);
+}
+
+TEST_CASE("check shows no control characters of what a plugin answers") {
+  const Folder folder;
+  folder.write("law.lua", R"(local fr = require "flyrock"
+return fr.plugin { kind = "unilateral", name = "law", doc = "Names no condition.", condition = function(p) return "x\27[31m" end }
+)");
+  const Output output = call(folder, "check law.lua");
+  INFO(output.err);
+  CHECK(output.code == 2);
+  CHECK(output.err.find("returned \"x\\x1B[31m\", expected \"signorini\"") != std::string::npos);
+}
+
+TEST_CASE("check of a plugin whose calls take long ends after some seconds, and says so", "[slow]") {
+  const Folder folder;
+  folder.write("law.lua", R"(local fr = require "flyrock"
+return fr.plugin { kind = "restitution", name = "law", doc = "Takes long.", impact = function(p)
+  for i = 1, 300000 do local x = i * i end
+  return 0.3
+end }
+)");
+  const auto start = std::chrono::steady_clock::now();
+  const Output output = call(folder, "check law.lua");
+  INFO(output.err);
+  CHECK(output.code == 0);
+  CHECK(output.err == "law.lua:2:77: warning: restitution/law: its calls take so long that only some of the samples were tried\n");
+  CHECK(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < 60);
+}
+
 TEST_CASE("plugins lists what is registered, as text, Markdown and JSON") {
   const Folder folder;
   CHECK(call(folder, "plugins").out.find("restitution/newton") != std::string::npos);

@@ -59,11 +59,20 @@ class SharedMemory {
   Shared* shared_;
 };
 
+/// Where the scratch folder goes: in memory where there is room, since runs sync what they write.
+fs::path scratch_place() {
+  constexpr std::uintmax_t enough = std::uintmax_t{256} << 20;
+  const fs::path memory = "/dev/shm";
+  std::error_code none;
+  const fs::space_info space = fs::space(memory, none);
+  return !none && space.available >= enough && ::access(memory.c_str(), W_OK) == 0 ? memory : fs::temp_directory_path();
+}
+
 /// A folder of its own for one mutant after the other, removed at the end.
 class Scratch {
  public:
   Scratch() {
-    std::string name = (fs::temp_directory_path() / "flyrock-fuzz-XXXXXX").string();
+    std::string name = (scratch_place() / "flyrock-fuzz-XXXXXX").string();
     if (!::mkdtemp(name.data())) throw std::runtime_error("cannot make the folder " + name);
     path_ = name;
   }
@@ -123,7 +132,9 @@ void attempt_all(const Batch& batch, std::uint64_t first, double deadline, const
   limit_memory();
   fs::current_path(scratch.path());
   capture.redirect();
+  const double before = seconds_of(CLOCK_MONOTONIC);
   const std::unique_ptr<Kind> kind = batch.kind.make();
+  deadline += seconds_of(CLOCK_MONOTONIC) - before;  // with sanitizers a kind may take seconds to get ready
   for (std::uint64_t number = first; number < batch.first + batch.count; ++number) {
     shared->number = number;
     if (seconds_of(CLOCK_MONOTONIC) > deadline) return;

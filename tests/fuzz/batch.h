@@ -30,7 +30,7 @@ struct Batch {
   std::uint64_t seed = 1;
   std::uint64_t first = 0;              ///< number of the first mutant
   std::uint64_t count = 1000;           ///< of mutants, at most
-  double seconds = 1e9;                 ///< after which no other mutant begins
+  double seconds = 1e9;                 ///< after which no other mutant begins; getting ready is not counted
   std::filesystem::path findings;       ///< folder of saved mutants
 };
 

@@ -56,6 +56,13 @@ std::vector<std::string> names_with(const Files& files, const std::string& exten
   return names;
 }
 
+std::vector<std::string> names_without(const Files& files, const std::string& extension) {
+  std::vector<std::string> names;
+  for (const auto& [name, bytes] : files)
+    if (!name.ends_with(extension)) names.push_back(name);
+  return names;
+}
+
 std::uint64_t word_at(const std::string& bytes, std::size_t at) {
   std::uint64_t word = 0;
   for (std::size_t i = 0; i < 8; ++i) word |= std::uint64_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
@@ -173,7 +180,7 @@ class Results : public Kind {
   Dictionary dictionary_ = make_dictionary(LuaSession(share_folder()).registry());
   std::string scenario_ = read_source(scenario_file);
   Files result_ = files_of_run({});
-  std::vector<std::string> texts_ = names_with(result_, ".json");
+  std::vector<std::string> texts_ = names_without(result_, ".db");
   std::vector<Column> columns_;
 };
 
