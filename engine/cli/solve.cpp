@@ -100,7 +100,7 @@ int solve(const Command& command, const Arguments& arguments) {
   settings.max_iterations = static_cast<int>(std::min<std::uint64_t>(iterations, 1'000'000'000));
   std::optional<AnyProblem> problem;
   try {
-    problem = read_fclib(line.words[0]);
+    problem = read_fclib_guarded(line.words[0]);
   } catch (const std::runtime_error& error) {
     std::cerr << "error: " << error.what() << '\n';
     return bad_input;

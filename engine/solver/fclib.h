@@ -26,6 +26,10 @@ using AnyProblem = std::variant<StoredProblem<2>, StoredProblem<3>>;
 /// number a contact. With mu_r, W and q have all rows of a contact (3 in 2D, 6 in 3D) in place of `spacedim`.
 AnyProblem read_fclib(const std::string& file);
 
+/// The same for a file from anywhere: a child process reads it first, because the HDF5 library itself may crash where the bytes are
+/// damaged. Throws std::runtime_error where the child does.
+AnyProblem read_fclib_guarded(const std::string& file);
+
 /// Writes a local problem with W in compressed columns; `start` goes to /guesses/1/r, so that the file starts where the
 /// step did. The same problem gives the same bytes.
 template <int D>

@@ -63,6 +63,7 @@ class DataSet {
     if (stored_bytes == 0) fail("has no data");
     const hsize_t most = H5Pget_nfilters(creation) > 0 ? std::max(most_compressed * stored_bytes, small) : stored_bytes;
     const hsize_t element = H5Tget_size(stored);
+    if (element == 0) fail("has numbers of no size");
     if (static_cast<hsize_t>(count) > most / element || chunk_bytes(creation, element) > most)
       fail("promises more numbers than the file has bytes for");
     return static_cast<std::size_t>(count);
@@ -87,7 +88,7 @@ class DataSet {
     const int rank = H5Pget_chunk(creation, H5S_MAX_RANK, sides.data());
     hsize_t bytes = element;
     for (int i = 0; i < rank; ++i) {
-      if (sides[i] > std::numeric_limits<hsize_t>::max() / bytes) fail("has no sensible size");
+      if (sides[i] == 0 || sides[i] > std::numeric_limits<hsize_t>::max() / bytes) fail("has no sensible size");
       bytes *= sides[i];
     }
     return bytes;

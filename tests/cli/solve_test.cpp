@@ -56,6 +56,28 @@ TEST_CASE("A problem that did not converge is kept and solved alone") {
   CHECK_FALSE(folder.has("out/hard_problems"));
 }
 
+TEST_CASE("A damaged file on which the HDF5 library crashes is exit code 2") {
+  const Folder folder;
+  if (without_hdf5(folder)) return;
+  folder.write("pile.yaml", pile);
+  REQUIRE(call(folder, "run pile.yaml -o out --quiet").code == 0);
+  const std::string sound = read(folder.path() / "out/hard_problems/point-0/trial-0-0.hdf5");
+  std::size_t crashes = 0;
+  // The addresses of the trees and heaps that hold the names of a group: the message of a symbol table.
+  const std::string message("\x11\0\x10\0\0\0\0\0", 8);
+  for (std::size_t at = sound.find(message); at != std::string::npos; at = sound.find(message, at + 1)) {
+    std::string damaged = sound;
+    damaged.replace(at + 8, 8, 8, '\xff');
+    folder.write("damaged.hdf5", damaged);
+    const Output output = call(folder, "solve damaged.hdf5");
+    INFO(output.err);
+    CHECK(output.code == 2);
+    CHECK(output.err.find("error: damaged.hdf5: ") == 0);
+    crashes += output.err == "error: damaged.hdf5: is damaged: the HDF5 library fails on it\n";
+  }
+  std::cout << crashes << " damaged files crash this HDF5 library\n";
+}
+
 TEST_CASE("What is no problem is exit code 2") {
   const Folder folder;
   const auto error = [&](const std::string& line) {

@@ -8,7 +8,7 @@
 
 using namespace flyrock::fuzz;
 
-TEST_CASE("2000 fixed mutants give no signal, no hang, documented exit codes and errors that say where", "[heavy]") {
+TEST_CASE("2000 fixed mutants give no signal, no hang, documented exit codes and errors that say where", "[slow]") {
   FuzzSettings settings;
   settings.mutants = 2000;
   settings.findings = std::filesystem::temp_directory_path() / ("flyrock_fuzz_findings_" + std::to_string(::getpid()));

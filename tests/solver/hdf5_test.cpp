@@ -64,6 +64,18 @@ TEST_CASE("a set of numbers that the bytes of its file cannot stand for is refus
   CHECK(refusal({10, std::vector<double>(10, 1.0), 1 << 18, true}) == too_many);
 }
 
+TEST_CASE("a set whose numbers have no size is refused") {
+  const HostileFile file(10, std::vector<double>(10, 1.0), 0, false);
+  std::ifstream stream(file.name, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  const std::string type("\x11\x20\x3f\0\x08\0\0\0", 8);  // the message of the type: a double, little-endian, of 8 bytes
+  const std::size_t at = bytes.find(type);
+  REQUIRE(at != std::string::npos);
+  bytes[at + 4] = 0;
+  std::ofstream(file.name, std::ios::binary) << bytes;
+  CHECK(refusal(file) == "numbers: has numbers of no size");
+}
+
 TEST_CASE("sets in chunks, compressed ones too, are read where their numbers are in the file") {
   std::vector<double> numbers(10'000);
   std::iota(numbers.begin(), numbers.end(), 0.5);
