@@ -1,31 +1,21 @@
 // Where rocks start: those that meet each other apart, those of space above the ground or inside a polygon.
 #include <catch2/catch.hpp>
 
-#include "batch/load.h"
-#include "batch/trial.h"
+#include "load.h"
 #include "trial/build_trial.h"
 
 using namespace flyrock;
 
 TEST_CASE("rocks released at random into one place start apart, and come to rest") {
-  Diagnostics diagnostics;
-  auto loaded = load_scenario(FLYROCK_SOURCE_DIR "/tests/unit/pit.yaml", {}, diagnostics);
-  INFO(diagnostics.to_text());
-  REQUIRE(loaded);
-  TrialRunner runner(loaded->plan.points.front());
-  TrialRecords records;
-  runner.run(0, records);
+  const TrialRecords records = first_trial(loaded("tests/unit/trial/pit.yaml"));
   REQUIRE(records.rocks.size() == 12);
   for (const RockRecord& rock : records.rocks) CHECK(rock.reason == StopReason::stopped);
   CHECK(records.totals.quality.max_penetration < 1e-4);
 }
 
 TEST_CASE("rocks of space start above the ground, or uniformly inside a flat polygon") {
-  Diagnostics diagnostics;
-  auto loaded = load_scenario(FLYROCK_SOURCE_DIR "/tests/unit/releases_3d.yaml", {}, diagnostics);
-  INFO(diagnostics.to_text());
-  REQUIRE(loaded);
-  TrialBuilder<3> builder(loaded->plan.points.front());
+  const LoadedScenario scenario = loaded("tests/unit/trial/releases_3d.yaml");
+  TrialBuilder<3> builder(scenario.plan.points.front());
   constexpr int trials = 2000;
   Vec3 sum = Vec3::Zero(), squares = Vec3::Zero();
   for (int k = 0; k < trials; ++k) {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "results/answer.h"
-#include "fake_results.h"
+#include "unit/results/fake_results.h"
 #include "report/report_data.h"
 #include "report/runout_data.h"
 #include "report/scenario_text.h"

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "results/answer_shares.h"
-#include "fake_results.h"
+#include "unit/results/fake_results.h"
 
 using namespace flyrock;
 

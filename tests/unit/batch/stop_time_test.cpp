@@ -3,19 +3,12 @@
 
 #include <cmath>
 
-#include "batch/load.h"
-#include "batch/trial.h"
+#include "load.h"
 
 using namespace flyrock;
 
 TEST_CASE("each rock of a trial has the time when it came to rest itself, and what it travelled until then") {
-  Diagnostics diagnostics;
-  auto loaded = load_scenario(FLYROCK_SOURCE_DIR "/tests/unit/two_rocks.yaml", {}, diagnostics);
-  INFO(diagnostics.to_text());
-  REQUIRE(loaded);
-  TrialRunner runner(loaded->plan.points.front());
-  TrialRecords records;
-  runner.run(0, records);
+  const TrialRecords records = first_trial(loaded("tests/unit/batch/two_rocks.yaml"));
   REQUIRE(records.rocks.size() == 2);
   const double fall = std::sqrt(2 * (20 - 0.5) / 9.81), step = 1e-3;
   for (const auto& [rock, rested] : {std::pair(records.rocks[0], 0.0), std::pair(records.rocks[1], fall)}) {
@@ -30,15 +23,8 @@ TEST_CASE("each rock of a trial has the time when it came to rest itself, and wh
 TEST_CASE("a trial ends at stop.time for rocks of late holes too") {
   for (const char* method : {"nscd", "ballistic"}) {
     INFO(method);
-    Diagnostics diagnostics;
-    Overrides overrides;
-    overrides.set = {std::string("method=") + method};
-    auto loaded = load_scenario(FLYROCK_SOURCE_DIR "/tests/unit/late_holes.yaml", overrides, diagnostics);
-    INFO(diagnostics.to_text());
-    REQUIRE(loaded);
-    TrialRunner runner(loaded->plan.points.front());
-    TrialRecords records;
-    runner.run(0, records);
+    const TrialRecords records =
+        first_trial(loaded("tests/unit/batch/late_holes.yaml", {.set = {std::string("method=") + method}}));
     REQUIRE(records.rocks.size() == 4);
     CHECK(records.rocks[0].reason == StopReason::stopped);
     const RockRecord &flying = records.rocks[2], &late = records.rocks[3];

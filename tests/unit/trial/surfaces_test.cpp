@@ -1,7 +1,7 @@
 // Each pair has its own surface: what one pair meets does not change the draws and the memory of another.
 #include <catch2/catch.hpp>
 
-#include "batch/load.h"
+#include "load.h"
 #include "trial/build_trial.h"
 #include "unit/lua_fixture.h"
 
@@ -17,9 +17,8 @@ const Surface* surface_of(const World<2>& world, int other) {
 }
 
 struct Glued {
-  Diagnostics diagnostics;
-  std::optional<LoadedScenario> loaded = load_scenario(FLYROCK_SOURCE_DIR "/tests/unit/glued.yaml", {}, diagnostics);
-  TrialBuilder<2> builder{loaded.value().plan.points.front()};
+  LoadedScenario scenario = loaded("tests/unit/trial/glued.yaml");
+  TrialBuilder<2> builder{scenario.plan.points.front()};
   Trial<2> trial = builder.build(0);
   World<2>& world = trial.worlds.front();
 
