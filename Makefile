@@ -16,6 +16,7 @@ help:
 	@echo "make bench  rocks per second, the share of time by phase, and what a law in Lua costs"
 	@echo "make fuzz SECONDS=600 SEED=1   tries mutants of every kind of input, with sanitizers; what it finds is in out/fuzz"
 	@echo "make reference   write docs/reference from the manifests of the plugins"
+	@echo "make format lay out the sources as .clang-format says, which a test checks"
 	@echo "make deps   install what is missing: Debian packages and Plotly"
 	@echo "make deps-browser   Chromium too, for the tests that open the report"
 
@@ -30,6 +31,13 @@ deps: $(PLOTLY)
 deps-browser: deps
 	command -v chromium > /dev/null || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends chromium; }
 
+# For the test of the layout; it says SKIPPED without it.
+deps-format: deps
+	command -v clang-format > /dev/null || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends clang-format; }
+
+format: deps-format
+	git ls-files '*.cpp' '*.h' '*.ipp' | xargs clang-format -i
+
 $(PLOTLY): package-lock.json
 	@command -v npm > /dev/null || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends npm; }
 	npm ci --silent
@@ -43,7 +51,7 @@ build-%: deps
 demo: build-bench
 	build/bench/bin/flyrock run scenarios/ninh_dan/benches_2d.yaml -o out/benches_2d --force
 
-test: build-release build-dev
+test: deps-format build-release build-dev
 	ctest --test-dir build/dev -L fast -j $(JOBS) --output-on-failure
 	ctest --test-dir build/release -L 'fast|full' -j $(JOBS) --output-on-failure
 
@@ -82,4 +90,4 @@ drawings:
 clean:
 	rm -rf build out
 
-.PHONY: help deps deps-browser demo test test-heavy golden fuzz bench reference drawings clean
+.PHONY: help deps deps-browser deps-format format demo test test-heavy golden fuzz bench reference drawings clean

@@ -27,7 +27,8 @@ std::vector<double> numbers_of(std::string line, const std::string& where) {
 
 }  // namespace
 
-std::vector<std::vector<double>> read_points(const std::string& plugin, const std::string& path, int columns) {
+std::vector<std::vector<double>> read_points(const std::string& plugin, const std::string& path,
+                                             int columns) {
   std::ifstream file(path);
   if (!file) throw PluginError(fmt::format("plugin {}: cannot read the file {}", plugin, path));
   const bool is_obj = path.ends_with(".obj");
@@ -35,7 +36,8 @@ std::vector<std::vector<double>> read_points(const std::string& plugin, const st
   int line_number = 0;
   for (std::string line; std::getline(file, line);) {
     const std::string where = fmt::format("plugin {}: {}:{}", plugin, path, ++line_number);
-    if (line_number == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);  // a mark that spreadsheets put before UTF-8
+    if (line_number == 1 && line.starts_with("\xEF\xBB\xBF"))
+      line.erase(0, 3);  // a mark that spreadsheets put before UTF-8
     line.erase(std::min(line.find('#'), line.size()));
     if (is_obj) {
       if (!line.starts_with("v ")) continue;
@@ -45,7 +47,8 @@ std::vector<std::vector<double>> read_points(const std::string& plugin, const st
     if (numbers.empty() && line.find(',') == line.npos) continue;
     if (static_cast<int>(numbers.size()) != columns)
       throw PluginError(fmt::format("{}: expected {}, found {}", where,
-                                    columns == 2 ? "two numbers, x and y" : "three numbers, x, y and z", numbers.size()));
+                                    columns == 2 ? "two numbers, x and y" : "three numbers, x, y and z",
+                                    numbers.size()));
     points.push_back(std::move(numbers));
   }
   return points;

@@ -8,10 +8,12 @@
 
 namespace flyrock {
 
-/// The scenario of a file, named from the project's folder. Where it is wrong the test ends with its messages.
+/// The scenario of a file, named from the project's folder. Where it is wrong the test ends with its
+/// messages.
 inline LoadedScenario loaded(const std::string& file, const Overrides& overrides = {}) {
   Diagnostics diagnostics;
-  std::optional<LoadedScenario> scenario = load_scenario(FLYROCK_SOURCE_DIR "/" + file, overrides, diagnostics);
+  std::optional<LoadedScenario> scenario =
+      load_scenario(FLYROCK_SOURCE_DIR "/" + file, overrides, diagnostics);
   INFO(diagnostics.to_text());
   REQUIRE(scenario);
   return std::move(*scenario);

@@ -29,9 +29,10 @@ std::string line_of(const std::filesystem::path& folder, const char* name) {
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& file) {
-  throw UnreadableFile(fmt::format("{} is damaged: its SHA-256 is not the one that the run wrote into {}; run the scenario again, with "
-                                   "--force or -o DIR",
-                                   file.string(), checksums_name));
+  throw UnreadableFile(fmt::format(
+      "{} is damaged: its SHA-256 is not the one that the run wrote into {}; run the scenario again, with "
+      "--force or -o DIR",
+      file.string(), checksums_name));
 }
 
 }  // namespace
@@ -50,7 +51,9 @@ void check_checksums(const std::filesystem::path& folder) {
     if (!rest.starts_with(line)) refuse(folder / name);
     rest.remove_prefix(line.size());
   }
-  if (!rest.empty()) throw UnreadableFile(fmt::format("{} is damaged: it is longer than the run wrote it", (folder / checksums_name).string()));
+  if (!rest.empty())
+    throw UnreadableFile(
+        fmt::format("{} is damaged: it is longer than the run wrote it", (folder / checksums_name).string()));
 }
 
 }  // namespace flyrock

@@ -54,8 +54,8 @@ void walk_envelopes(Io& io, E& envelopes) {
 template <class Io, class Quality>
 void walk_quality(Io& io, Quality& q) {
   io.value(q.steps), io.value(q.cut_steps), io.value(q.flights), io.value(q.impact_problems);
-  io.value(q.problems), io.value(q.iterations), io.value(q.toc_iterations), io.value(q.not_converged), io.value(q.energy_gains),
-      io.value(q.shocks);
+  io.value(q.problems), io.value(q.iterations), io.value(q.toc_iterations), io.value(q.not_converged),
+      io.value(q.energy_gains), io.value(q.shocks);
   io.value(q.not_converged_residual), io.value(q.max_residual), io.value(q.max_penetration),
       io.value(q.max_spring_angle), io.value(q.energy_gained);
   io.value(q.energy_relative_change);
@@ -68,7 +68,8 @@ void walk_totals(Io& io, Totals& totals) {
              &MaterialUse::rolling, &MaterialUse::unilateral);
   walk_quality(io, totals.quality);
   io.rows(totals.notes);
-  io.columns(totals.notes, [](auto& note) -> auto& { return note; });
+  io.columns(
+      totals.notes, [](auto& note) -> auto& { return note; });
   walk_bodies(io, totals.bodies);
 }
 
@@ -164,7 +165,8 @@ std::vector<ChunkRange> plan_chunks(int points, std::uint64_t trials) {
   return plan;
 }
 
-std::string encode_chunk(const ChunkRange& range, const std::string& scenario_hash, const TrialRecords& records) {
+std::string encode_chunk(const ChunkRange& range, const std::string& scenario_hash,
+                         const TrialRecords& records) {
   ColumnWriter out(size_of(records));
   write_header(out, range, scenario_hash);
   for (const Part part : parts) {

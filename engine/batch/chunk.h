@@ -2,10 +2,11 @@
 // A chunk: N consecutive trials of one point, the unit of work, storage, loss and merging.
 //
 // A chunk file: the magic "flyrchnk", the format, the hash of the resolved scenario, point, first trial and
-// count, then the tables of Part::brief and those that Part::whole adds, stored column by column (batch/columns.h). Each of
-// the two is preceded by its length in bytes and followed by its CRC-32 (IEEE 802.3).
-// Integers are 8 bytes in two's complement, doubles IEEE 754 of 8 bytes, both little-endian; a text is its length
-// and its bytes. Wall times are not stored: a chunk holds nothing that may differ between two runs.
+// count, then the tables of Part::brief and those that Part::whole adds, stored column by column
+// (batch/columns.h). Each of the two is preceded by its length in bytes and followed by its CRC-32 (IEEE
+// 802.3). Integers are 8 bytes in two's complement, doubles IEEE 754 of 8 bytes, both little-endian; a text
+// is its length and its bytes. Wall times are not stored: a chunk holds nothing that may differ between two
+// runs.
 
 #include <cstdint>
 #include <filesystem>
@@ -39,7 +40,8 @@ std::uint64_t chunk_size(std::uint64_t trials);
 std::vector<ChunkRange> plan_chunks(int points, std::uint64_t trials);
 
 /// The bytes of a chunk file. `scenario_hash` names the resolved scenario.
-std::string encode_chunk(const ChunkRange& range, const std::string& scenario_hash, const TrialRecords& records);
+std::string encode_chunk(const ChunkRange& range, const std::string& scenario_hash,
+                         const TrialRecords& records);
 
 /// The records of a chunk file, or nothing where it is cut short, damaged, of another format, scenario or
 /// range; `why` then says which. Of what follows the `part` that is wanted nothing is read or checked.

@@ -24,7 +24,8 @@ std::vector<Rows> rows_in(std::vector<ChunkFile> files, int points, const std::s
       for (const ChunkFile& file : *all) {
         if (file.range.point != point) continue;
         std::string why;
-        const std::optional<TrialRecords> records = read_chunk(file.path(), file.range, scenario_hash, part, why);
+        const std::optional<TrialRecords> records =
+            read_chunk(file.path(), file.range, scenario_hash, part, why);
         if (!records) throw FileError(fmt::format("{}: {}", file.path().string(), why));
         see(*records);
       }

@@ -19,14 +19,15 @@ struct ChunkFile {
 };
 
 /// The files of `chunks` in a folder.
-std::vector<ChunkFile> chunk_files(const std::vector<ChunkRange>& chunks, const std::filesystem::path& folder);
+std::vector<ChunkFile> chunk_files(const std::vector<ChunkRange>& chunks,
+                                   const std::filesystem::path& folder);
 
-/// The rows of each point, in chunk files in the order of the plan. A pass throws FileError where a file is not what
-/// was written.
+/// The rows of each point, in chunk files in the order of the plan. A pass throws FileError where a file is
+/// not what was written.
 std::vector<Rows> rows_in(std::vector<ChunkFile> files, int points, const std::string& scenario_hash);
 
-/// Removes every chunk file in a folder, what a kill left of one included, and the folder where nothing else is in
-/// it. Throws FileError.
+/// Removes every chunk file in a folder, what a kill left of one included, and the folder where nothing else
+/// is in it. Throws FileError.
 void remove_chunks(const std::filesystem::path& folder);
 
 }  // namespace flyrock

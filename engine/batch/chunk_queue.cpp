@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-
 namespace flyrock {
 
 namespace {
@@ -36,7 +35,8 @@ std::string ChunkQueue::reason(const TrialRecords& records, std::size_t from) {
     const RockRecord& rock = records.rocks[i];
     const bool failed = is_fault(rock.reason);
     if (strict_ && failed)
-      return fmt::format("trial {}, rock {}: {}: {}", rock.trial, rock.rock, name_of(rock.reason), rock.fault);
+      return fmt::format("trial {}, rock {}: {}: {}", rock.trial, rock.rock, name_of(rock.reason),
+                         rock.fault);
     if (hope_) continue;
     if (!failed) {
       hope_ = true;

@@ -2,9 +2,9 @@
 // Hands the chunks of a run to its threads and decides where the run ends, so that the end does not depend on
 // which thread was faster.
 //
-// A fault that ends a run does so at its place in the order of chunks and trials. Chunks are handed out in order,
-// so all chunks before it are finished or under way: they are waited for, and an earlier end among them wins.
-// Chunks behind it are no longer wanted.
+// A fault that ends a run does so at its place in the order of chunks and trials. Chunks are handed out in
+// order, so all chunks before it are finished or under way: they are waited for, and an earlier end among
+// them wins. Chunks behind it are no longer wanted.
 
 #include <condition_variable>
 #include <cstdint>
@@ -22,11 +22,13 @@ class ChunkQueue {
   /// `strict`: a rock that fails or a step that did not converge ends the run.
   ChunkQueue(std::size_t chunks, bool strict) : chunks_(chunks), strict_(strict) {}
 
-  /// The index of the next chunk, or nothing where there is none left. So long as every rock failed, one chunk is
-  /// handed out at a time and the others wait: whether the first 20 all fail is then judged in order.
+  /// The index of the next chunk, or nothing where there is none left. So long as every rock failed, one
+  /// chunk is handed out at a time and the others wait: whether the first 20 all fail is then judged in
+  /// order.
   std::optional<std::size_t> take();
 
-  /// Judges a trial of a chunk, whose rocks start at `from` in the records of the chunk. False where it ends the run.
+  /// Judges a trial of a chunk, whose rocks start at `from` in the records of the chunk. False where it ends
+  /// the run.
   bool judge(std::size_t chunk, const TrialRecords& records, std::size_t from);
 
   /// Whether a fault could end the run in a chunk that is taken now.
@@ -38,7 +40,8 @@ class ChunkQueue {
   /// Hands out nothing more; no chunk is wanted any more.
   void stop();
 
-  /// The chunk in which a fault ended the run, and why; the number of chunks and an empty text where none did.
+  /// The chunk in which a fault ended the run, and why; the number of chunks and an empty text where none
+  /// did.
   std::size_t end() const;
   const std::string& why() const { return why_; }  ///< asked when all threads have ended
 

@@ -22,8 +22,8 @@ std::string too_few(const ClearancePlan& plan, std::uint64_t trials, std::uint64
   const std::uint64_t enough = (needed + each - 1) / each;
   return fmt::format(
       "only {:.3g} of {} {} would be beyond the distance, at least {} must be: expected at least {} {}, {}",
-      plan.probability * static_cast<double>(trials * each), trials * each, plan.per_blast ? "blasts" : "rocks", beyond,
-      needed, plan.per_blast ? "blasts" : "rocks",
+      plan.probability * static_cast<double>(trials * each), trials * each,
+      plan.per_blast ? "blasts" : "rocks", beyond, needed, plan.per_blast ? "blasts" : "rocks",
       enough <= most_trials ? fmt::format("that is `trials: {}`", enough) : "more than a run may have");
 }
 
@@ -50,11 +50,13 @@ struct Objections {
   std::string error, warning;
 };
 
-void object(const ClearancePlan& plan, std::uint64_t trials, std::uint64_t rocks, bool full, Objections& objections) {
+void object(const ClearancePlan& plan, std::uint64_t trials, std::uint64_t rocks, bool full,
+            Objections& objections) {
   if (full && objections.error.empty()) objections.error = too_few(plan, trials, rocks);
   if (plan.per_blast && rocks < few_rocks_per_blast && objections.warning.empty())
     objections.warning = fmt::format(
-        "the farthest rock of a blast is sought among {} rock{} a blast here: a blast throws thousands, and the farthest of more goes "
+        "the farthest rock of a blast is sought among {} rock{} a blast here: a blast throws thousands, and "
+        "the farthest of more goes "
         "farther; expected at least {}, or `per: rock`",
         rocks, rocks == 1 ? "" : "s", few_rocks_per_blast);
 }
@@ -77,7 +79,8 @@ void check_clearances(const Value& root, const Plan& plan, bool full, Diagnostic
     try {
       const std::vector<std::uint64_t> rocks = rocks_of_a_trial(scenario);
       for (std::size_t i = 0; i < items.size(); ++i)
-        object(scenario.clearances[i], scenario.trials, rocks_of(scenario.clearances[i], rocks), full, objections[i]);
+        object(scenario.clearances[i], scenario.trials, rocks_of(scenario.clearances[i], rocks), full,
+               objections[i]);
     } catch (const TrialError&) {
       return;
     }

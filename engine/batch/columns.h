@@ -2,8 +2,8 @@
 // Tables of records as columns of bytes. A table is described once, by a walk over its columns, and the same
 // walk writes and reads it, so that the two cannot drift apart.
 //
-// A column of numbers is a byte, then the number of each row; where the byte is 1, the same number stands in all rows and
-// only once here (the coordinates of the plane that are zero take a third of a trajectory).
+// A column of numbers is a byte, then the number of each row; where the byte is 1, the same number stands in
+// all rows and only once here (the coordinates of the plane that are zero take a third of a trajectory).
 
 #include <algorithm>
 #include <array>
@@ -23,8 +23,8 @@ struct ColumnError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Rows that a table may have although the bytes behind their number are too few for them: those of which every column holds one
-/// number. In a longer table the numbers of some column differ, and take 8 bytes each.
+/// Rows that a table may have although the bytes behind their number are too few for them: those of which
+/// every column holds one number. In a longer table the numbers of some column differ, and take 8 bytes each.
 inline constexpr std::uint64_t most_bare_rows = 1024;
 
 class ColumnWriter {
@@ -85,7 +85,8 @@ class ColumnWriter {
       for (const Row& row : rows) value(std::invoke(get, row));
     } else {
       const auto word = [&](const Row& row) { return word_of(std::invoke(get, row)); };
-      const bool same = std::all_of(rows.begin(), rows.end(), [&](const Row& row) { return word(row) == word(rows.front()); });
+      const bool same = std::all_of(rows.begin(), rows.end(),
+                                    [&](const Row& row) { return word(row) == word(rows.front()); });
       bytes_.push_back(static_cast<char>(same));
       const std::size_t count = same ? std::min<std::size_t>(rows.size(), 1) : rows.size();
       char* at = grown(count * sizeof(Little));
@@ -125,7 +126,8 @@ class ColumnReader {
   template <class Row>
   void rows(std::vector<Row>& rows) {
     const std::uint64_t count = word();
-    if (count > std::max<std::uint64_t>(most_bare_rows, rest_.size() / 8)) throw ColumnError("more rows than its bytes can hold");
+    if (count > std::max<std::uint64_t>(most_bare_rows, rest_.size() / 8))
+      throw ColumnError("more rows than its bytes can hold");
     rows.resize(count);
   }
 

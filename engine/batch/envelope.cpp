@@ -80,12 +80,18 @@ std::uint64_t take(std::string_view& bytes) {
 }
 
 /// ..., -1, 0, 1, ... to whole numbers from 0, small ones to small ones.
-std::uint64_t folded(std::int64_t n) { return static_cast<std::uint64_t>(n) << 1 ^ static_cast<std::uint64_t>(n >> 63); }
-std::int64_t unfolded(std::uint64_t n) { return static_cast<std::int64_t>(n >> 1) ^ -static_cast<std::int64_t>(n & 1); }
+std::uint64_t folded(std::int64_t n) {
+  return static_cast<std::uint64_t>(n) << 1 ^ static_cast<std::uint64_t>(n >> 63);
+}
+std::int64_t unfolded(std::uint64_t n) {
+  return static_cast<std::int64_t>(n >> 1) ^ -static_cast<std::int64_t>(n & 1);
+}
 
 }  // namespace
 
-double envelope_width(const Profile& terrain) { return round_step((terrain.x_max() - terrain.x_min()) / 400); }
+double envelope_width(const Profile& terrain) {
+  return round_step((terrain.x_max() - terrain.x_min()) / 400);
+}
 
 double EnvelopeBin::quantile(EnvelopeQuantity quantity, double p) const {
   const std::vector<CodeCount>& of = counts[static_cast<std::size_t>(quantity)];
@@ -168,7 +174,8 @@ Envelopes Envelopes::read(std::string_view bytes) {
         for (std::uint64_t entries = take(bytes); entries > 0; --entries) {
           code += take(bytes);
           if (code >= most_codes) throw ColumnError("a code of the envelopes is too great");
-          if (!counts.empty() && code <= counts.back().code) throw ColumnError("the codes of the envelopes are out of order");
+          if (!counts.empty() && code <= counts.back().code)
+            throw ColumnError("the codes of the envelopes are out of order");
           counts.push_back({static_cast<std::uint32_t>(code), static_cast<std::uint32_t>(take(bytes))});
         }
         if (counts.empty()) throw ColumnError("a bin of the envelopes has no rock");

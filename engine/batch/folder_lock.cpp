@@ -19,7 +19,8 @@ std::filesystem::path lock_in(const std::filesystem::path& folder) { return fold
 
 /// Whether the open file is still the one of that name: its holder before us may have removed it.
 bool is_named(int file, const std::filesystem::path& path) {
-  struct stat open {}, named {};
+  struct stat open {
+  }, named{};
   return ::fstat(file, &open) == 0 && ::stat(path.c_str(), &named) == 0 && open.st_ino == named.st_ino &&
          open.st_dev == named.st_dev;
 }
@@ -29,7 +30,8 @@ bool is_named(int file, const std::filesystem::path& path) {
 FolderLock::FolderLock(const std::filesystem::path& folder) : path_(lock_in(folder)) {
   while (true) {
     file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (file_ < 0) throw FileError(fmt::format("cannot write in {}: {}", folder.string(), std::strerror(errno)));
+    if (file_ < 0)
+      throw FileError(fmt::format("cannot write in {}: {}", folder.string(), std::strerror(errno)));
     if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
       ::close(file_);
       throw FileError(fmt::format("{}: another flyrock is writing there", folder.string()));

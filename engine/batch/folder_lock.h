@@ -5,8 +5,8 @@
 
 namespace flyrock {
 
-/// Holds the file `lock` in a folder, by flock(2): it is free again when the holder ends, however it ends. The file goes
-/// away with the lock.
+/// Holds the file `lock` in a folder, by flock(2): it is free again when the holder ends, however it ends.
+/// The file goes away with the lock.
 class FolderLock {
  public:
   /// Throws FileError where somebody else holds it, or where the folder cannot be written.

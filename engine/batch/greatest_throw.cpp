@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <map>
 
+#include "flight/shroud.h"
 #include "scenario/blast_readers.h"
 #include "trial/build_trial.h"
-#include "flight/shroud.h"
 
 namespace flyrock {
 
@@ -45,7 +45,8 @@ void add_flight(const TrialRock& rock, const World<D>& world, double longest, Th
   forces.air = {body.air.drag, {body.air.wind.dot(direction), body.air.wind[D - 1]}};
   throws.published = std::max(throws.published, rock.greatest_throw);
   throws.vacuum = std::max(throws.vacuum, vacuum);
-  throws.flown = std::max(throws.flown, body.air.drag > 0 ? level_range(forces, velocity, 0, longest) : vacuum);
+  throws.flown =
+      std::max(throws.flown, body.air.drag > 0 ? level_range(forces, velocity, 0, longest) : vacuum);
 }
 
 /// Of the groups whose model was fitted to distances. Ends with the first trial where there is none.
@@ -73,7 +74,8 @@ ThrowsOfGroups shortest_throws(const Plan& plan) {
   for (std::size_t p = 0; p < points; ++p) {
     const Scenario& scenario = plan.points[p];
     const std::uint64_t flown = std::min<std::uint64_t>(trials, scenario.trials);
-    const ThrowsOfGroups found = scenario.dimension == 2 ? throws_in<2>(scenario, p, flown) : throws_in<3>(scenario, p, flown);
+    const ThrowsOfGroups found =
+        scenario.dimension == 2 ? throws_in<2>(scenario, p, flown) : throws_in<3>(scenario, p, flown);
     if (p == 0 && found.empty()) return {};
     for (const auto& [group, throws] : found) {
       const auto [known, is_new] = shortest.try_emplace(group, throws);
@@ -99,21 +101,24 @@ std::string text_of(const Plan& plan, const ThrowsOfGroups& groups) {
   const Throws& throws = worst->second;
   const std::vector<RockGroup>& rocks = plan.points.front().rocks;
   const RockGroup& group = rocks[static_cast<std::size_t>(worst->first)];
-  std::string text = fmt::format("{} was fitted to the greatest throw, in air and at its best angle. {} the farthest rock of `{}` lands "
-                                 "at {:.3g} m on level ground, where the published formula gives {:.3g} m",
-                                 model_text(*group.launch), cause(throws), group.name, throws.flown, throws.published);
+  std::string text = fmt::format(
+      "{} was fitted to the greatest throw, in air and at its best angle. {} the farthest rock of `{}` lands "
+      "at {:.3g} m on level ground, where the published formula gives {:.3g} m",
+      model_text(*group.launch), cause(throws), group.name, throws.flown, throws.published);
   if (plan.points.size() > 1) text += fmt::format(" (point {})", throws.point);
   std::vector<std::string> others;
   for (const auto& [g, other] : groups)
     if (g != worst->first)
-      others.push_back(fmt::format("`{}` {:.3g} of {:.3g} m", rocks[static_cast<std::size_t>(g)].name, other.flown, other.published));
+      others.push_back(fmt::format("`{}` {:.3g} of {:.3g} m", rocks[static_cast<std::size_t>(g)].name,
+                                   other.flown, other.published));
   if (!others.empty()) text += fmt::format("; also short: {}", fmt::join(others, ", "));
   return text + ". Leave out `air` and `elevation`, or take a model of launch speeds (docs/which-model.md)";
 }
 
 bool may_be_short(const Plan& plan) {
   const std::vector<RockGroup>& rocks = plan.points.front().rocks;
-  return std::any_of(rocks.begin(), rocks.end(), [](const RockGroup& group) { return group.launch && reads_blast(*group.launch); });
+  return std::any_of(rocks.begin(), rocks.end(),
+                     [](const RockGroup& group) { return group.launch && reads_blast(*group.launch); });
 }
 
 }  // namespace

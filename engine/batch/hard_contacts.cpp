@@ -27,11 +27,15 @@ double greatest_w(const Body<2>& body) {
 double greatest_w(const Body<3>& body) {
   if (!body.moves()) return 0;
   double turned = 0;
-  const auto add = [&](const Vec3& arm) { turned = std::max(turned, arm.dot(arm.cwiseQuotient(body.inertia))); };
+  const auto add = [&](const Vec3& arm) {
+    turned = std::max(turned, arm.dot(arm.cwiseQuotient(body.inertia)));
+  };
   for (const Contactor3& contactor : body.contactors) {
-    if (contactor.round()) turned = std::max(turned, contactor.points[0].squaredNorm() / body.inertia.minCoeff());
+    if (contactor.round())
+      turned = std::max(turned, contactor.points[0].squaredNorm() / body.inertia.minCoeff());
     for (const Contactor3::Face& face : contactor.faces)
-      for (int i = 0; i < face.count; ++i) add(contactor.points[contactor.vertex(face, i)].cross(face.normal));
+      for (int i = 0; i < face.count; ++i)
+        add(contactor.points[contactor.vertex(face, i)].cross(face.normal));
   }
   return 1 / body.mass + turned;
 }
@@ -40,22 +44,25 @@ double greatest_w(const Body<3>& body) {
 double stiffness_of(int material, const DrawKey& key, const Scenario& scenario, const Instances& instances) {
   const UnilateralLaw* law = instances.materials[material].unilateral.get();
   if (!law || !law->constant()) return 0;  // one that changes is watched in the run
-  const Unilateral answer = law->condition(values_of(*scenario.materials[material].unilateral, scenario, key), {});
+  const Unilateral answer =
+      law->condition(values_of(*scenario.materials[material].unilateral, scenario, key), {});
   return answer.condition == NormalCondition::penalty ? answer.stiffness : 0;
 }
 
 }  // namespace
 
 template <int D>
-std::vector<SpringSwing> spring_swings(const Scenario& scenario, const Instances& instances, const World<D>& world,
-                                       const Surfaces& surfaces) {
+std::vector<SpringSwing> spring_swings(const Scenario& scenario, const Instances& instances,
+                                       const World<D>& world, const Surfaces& surfaces) {
   std::vector<SpringSwing> swings;
   const auto consider = [&](int material, int owner, double w, const std::string& bodies) {
     if (material < 0 || w == 0) return;
     const double stiffness = stiffness_of(material, surfaces.key_of(owner), scenario, instances);
     if (stiffness == 0) return;
-    const SpringSwing swing{material, scenario.solver.time_step * std::sqrt(stiffness * w), stiffness, bodies};
-    const auto known = std::find_if(swings.begin(), swings.end(), [&](const SpringSwing& s) { return s.material == material; });
+    const SpringSwing swing{material, scenario.solver.time_step * std::sqrt(stiffness * w), stiffness,
+                            bodies};
+    const auto known = std::find_if(swings.begin(), swings.end(),
+                                    [&](const SpringSwing& s) { return s.material == material; });
     if (known == swings.end())
       swings.push_back(swing);
     else if (known->angle < swing.angle)
@@ -71,7 +78,9 @@ std::vector<SpringSwing> spring_swings(const Scenario& scenario, const Instances
     for (int part = 0; part < static_cast<int>(parts_of(world.terrain()).size()); ++part)
       consider(surfaces.material_with_terrain(world, i, part), i, w[i], name);
     for (int j = i + 1; j < bodies; ++j)
-      if (w[i] + w[j] > 0) consider(surfaces.material_between(i, j), i, w[i] + w[j], name + " and `" + world.bodies[j].group + "`");
+      if (w[i] + w[j] > 0)
+        consider(surfaces.material_between(i, j), i, w[i] + w[j],
+                 name + " and `" + world.bodies[j].group + "`");
   }
   return swings;
 }
@@ -89,8 +98,10 @@ MassRatio mass_ratio(const World<D>& world) {
   return found;
 }
 
-template std::vector<SpringSwing> spring_swings(const Scenario&, const Instances&, const World<2>&, const Surfaces&);
-template std::vector<SpringSwing> spring_swings(const Scenario&, const Instances&, const World<3>&, const Surfaces&);
+template std::vector<SpringSwing> spring_swings(const Scenario&, const Instances&, const World<2>&,
+                                                const Surfaces&);
+template std::vector<SpringSwing> spring_swings(const Scenario&, const Instances&, const World<3>&,
+                                                const Surfaces&);
 template MassRatio mass_ratio(const World<2>&);
 template MassRatio mass_ratio(const World<3>&);
 

@@ -1,5 +1,6 @@
 #pragma once
-// Contacts that the numerics bear badly or not at all, as they follow from masses, shapes and laws before anything moves.
+// Contacts that the numerics bear badly or not at all, as they follow from masses, shapes and laws before
+// anything moves.
 
 #include <string>
 #include <vector>
@@ -8,8 +9,8 @@
 
 namespace flyrock {
 
-/// A spring (`penalty`) of stiffness k swings by h sqrt(k W_nn) in a step h: bounces are inaccurate above 0.5 rad and gain
-/// energy above 2.
+/// A spring (`penalty`) of stiffness k swings by h sqrt(k W_nn) in a step h: bounces are inaccurate above 0.5
+/// rad and gain energy above 2.
 inline constexpr double inaccurate_spring = 0.5, unstable_spring = 2;
 
 /// A spring and the time step that it has.
@@ -20,11 +21,12 @@ struct SpringSwing {
   std::string bodies;    ///< "`ball`", "`ball` and `box`"
 };
 
-/// For each material whose law is a spring the contact in which it swings farthest, of the body that moves most by it: W_nn is
-/// 1/m + (lever x n) I^-1 (lever x n), the lever being that of the outermost vertex with the normal of a face.
+/// For each material whose law is a spring the contact in which it swings farthest, of the body that moves
+/// most by it: W_nn is 1/m + (lever x n) I^-1 (lever x n), the lever being that of the outermost vertex with
+/// the normal of a face.
 template <int D>
-std::vector<SpringSwing> spring_swings(const Scenario& scenario, const Instances& instances, const World<D>& world,
-                                       const Surfaces& surfaces);
+std::vector<SpringSwing> spring_swings(const Scenario& scenario, const Instances& instances,
+                                       const World<D>& world, const Surfaces& surfaces);
 
 /// The heaviest and the lightest body of a world that move.
 struct MassRatio {

@@ -6,8 +6,8 @@
 #include "batch/greatest_throw.h"
 #include "batch/safe_file.h"
 #include "batch/sha256.h"
-#include "host/share.h"
 #include "document/yaml_reader.h"
+#include "host/share.h"
 
 namespace flyrock {
 
@@ -26,7 +26,8 @@ std::optional<Value> read_tree(const std::string& path, LuaSession& session, Dia
   }
   try {
     std::string text;
-    FileReader(path).append_to(text, most_yaml_bytes + 1);  // of a longer file no more than shows that it is too long
+    FileReader(path).append_to(
+        text, most_yaml_bytes + 1);  // of a longer file no more than shows that it is too long
     return read_yaml(text, path, diagnostics);
   } catch (const FileError& error) {
     diagnostics.error(in_file(path), "", error.what());
@@ -34,7 +35,8 @@ std::optional<Value> read_tree(const std::string& path, LuaSession& session, Dia
   }
 }
 
-void load_plugin_files(const Value& root, const fs::path& folder, LuaSession& session, Diagnostics& diagnostics) {
+void load_plugin_files(const Value& root, const fs::path& folder, LuaSession& session,
+                       Diagnostics& diagnostics) {
   for (const auto& [file, at] : plugin_files(root, diagnostics))
     session.load_plugin((folder / file).string(), file, at, diagnostics);
 }
@@ -65,8 +67,8 @@ std::string hash_of(const LoadedScenario& loaded) {
 
 }  // namespace
 
-std::optional<LoadedScenario> load_scenario(const std::string& path, const Overrides& overrides, Diagnostics& diagnostics,
-                                            Prints prints) {
+std::optional<LoadedScenario> load_scenario(const std::string& path, const Overrides& overrides,
+                                            Diagnostics& diagnostics, Prints prints) {
   LoadedScenario loaded;
   loaded.session = std::make_unique<LuaSession>(share_folder());
   if (prints == Prints::collected) loaded.session->collect_prints();

@@ -18,22 +18,27 @@ bool is_value(Enum value, Enum last) {
   return value >= Enum{} && value <= last;
 }
 
-/// What is known of a rock without a fault is finite: samples are sorted by these numbers. (Shares of time and path are not.)
+/// What is known of a rock without a fault is finite: samples are sorted by these numbers. (Shares of time
+/// and path are not.)
 bool has_finite_numbers(const RockRecord& rock) {
   bool finite = true;
   visit_rocks([&](const Column& column, auto get) {
     const auto& value = std::invoke(get, rock);
-    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>) finite = finite && (!column.name || !column.in_csv || std::isfinite(value));
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
+      finite = finite && (!column.name || !column.in_csv || std::isfinite(value));
   });
   return finite;
 }
 
 std::string rock_fault(const RockRecord& rock, const ChunkRange& range, std::size_t groups) {
   if (rock.trial < range.first || rock.trial - range.first >= range.count)
-    return fmt::format("a rock of trial {}, its trials begin at {} and are {}", rock.trial, range.first, range.count);
-  if (!is_index(rock.group, groups)) return fmt::format("a rock of group {}, the scenario has {}", rock.group, groups);
+    return fmt::format("a rock of trial {}, its trials begin at {} and are {}", rock.trial, range.first,
+                       range.count);
+  if (!is_index(rock.group, groups))
+    return fmt::format("a rock of group {}, the scenario has {}", rock.group, groups);
   if (!is_value(rock.reason, StopReason::not_started)) return "a rock that stopped for no known reason";
-  if (!is_fault(rock.reason) && !has_finite_numbers(rock)) return fmt::format("rock {} of trial {} has numbers that are not finite", rock.rock, rock.trial);
+  if (!is_fault(rock.reason) && !has_finite_numbers(rock))
+    return fmt::format("rock {} of trial {} has numbers that are not finite", rock.rock, rock.trial);
   return {};
 }
 
@@ -42,7 +47,8 @@ template <class Row>
 bool of_rocks(const std::vector<Row>& rows, const std::vector<RockRecord>& rocks) {
   auto rock = rocks.begin();
   return std::all_of(rows.begin(), rows.end(), [&](const Row& row) {
-    rock = std::find_if(rock, rocks.end(), [&](const RockRecord& r) { return r.trial == row.trial && r.rock == row.rock; });
+    rock = std::find_if(rock, rocks.end(),
+                        [&](const RockRecord& r) { return r.trial == row.trial && r.rock == row.rock; });
     return rock != rocks.end();
   });
 }
@@ -50,14 +56,17 @@ bool of_rocks(const std::vector<Row>& rows, const std::vector<RockRecord>& rocks
 /// The arrival of a rock at a gate or barrier, of which there are `count`.
 template <class Arrival>
 bool is_arrival(const Arrival& arrival, int place, std::size_t count) {
-  return is_index(place, count) && std::isfinite(arrival.time) && std::isfinite(arrival.speed) && std::isfinite(arrival.kinetic_energy) &&
-         std::isfinite(arrival.height);
+  return is_index(place, count) && std::isfinite(arrival.time) && std::isfinite(arrival.speed) &&
+         std::isfinite(arrival.kinetic_energy) && std::isfinite(arrival.height);
 }
 
 bool are_arrivals(const TrialRecords& records, const Scenario& scenario) {
-  const auto passes = [&](const GateRecord& row) { return is_arrival(row.passage, row.passage.gate, scenario.gates.size()); };
+  const auto passes = [&](const GateRecord& row) {
+    return is_arrival(row.passage, row.passage.gate, scenario.gates.size());
+  };
   const auto hits = [&](const BarrierRecord& row) {
-    return is_arrival(row.hit, row.hit.barrier, scenario.barriers.size()) && is_value(row.hit.outcome, BarrierOutcome::over_energy);
+    return is_arrival(row.hit, row.hit.barrier, scenario.barriers.size()) &&
+           is_value(row.hit.outcome, BarrierOutcome::over_energy);
   };
   return std::all_of(records.gates.begin(), records.gates.end(), passes) &&
          std::all_of(records.barriers.begin(), records.barriers.end(), hits);
@@ -70,14 +79,19 @@ std::string records_fault(const TrialRecords& records, const ChunkRange& range, 
   for (const RockRecord& rock : records.rocks)
     if (std::string fault = rock_fault(rock, range, groups); !fault.empty()) return fault;
   const auto& rocks = records.rocks;
-  if (!of_rocks(records.inputs, rocks) || !of_rocks(records.impacts, rocks) || !of_rocks(records.trajectories, rocks) ||
-      !of_rocks(records.gates, rocks) || !of_rocks(records.barriers, rocks))
+  if (!of_rocks(records.inputs, rocks) || !of_rocks(records.impacts, rocks) ||
+      !of_rocks(records.trajectories, rocks) || !of_rocks(records.gates, rocks) ||
+      !of_rocks(records.barriers, rocks))
     return "rows of a rock that it does not have";
-  if (!are_arrivals(records, scenario)) return "an arrival at a gate or barrier that the scenario does not have, or with numbers that are not finite";
+  if (!are_arrivals(records, scenario))
+    return "an arrival at a gate or barrier that the scenario does not have, or with numbers that are not "
+           "finite";
   for (const InputRecord& input : records.inputs)
-    if (!is_index(input.draw, scenario.draws.size())) return fmt::format("input {}, the scenario draws {}", input.draw, scenario.draws.size());
+    if (!is_index(input.draw, scenario.draws.size()))
+      return fmt::format("input {}, the scenario draws {}", input.draw, scenario.draws.size());
   for (const TrajectoryRecord& row : records.trajectories)
-    if (!is_value(row.point.mode, TravelMode::roll)) return "a point of a trajectory of no known mode of travel";
+    if (!is_value(row.point.mode, TravelMode::roll))
+      return "a point of a trajectory of no known mode of travel";
   for (const BodyHistory& body : records.totals.bodies)
     if (!is_value(body.reason, StopReason::not_started)) return "a body that stopped for no known reason";
   return {};

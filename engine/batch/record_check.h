@@ -1,6 +1,6 @@
 #pragma once
-// Whether records that were read fit the scenario that they are said to be of. A checksum finds damage; this finds what a
-// program that is not flyrock has written: numbers that later code uses as indices.
+// Whether records that were read fit the scenario that they are said to be of. A checksum finds damage; this
+// finds what a program that is not flyrock has written: numbers that later code uses as indices.
 
 #include <string>
 

@@ -1,8 +1,9 @@
 #pragma once
-// The columns of the tables of a run, told once: chunk files write and read them, rocks.csv and results.db show them.
+// The columns of the tables of a run, told once: chunk files write and read them, rocks.csv and results.db
+// show them.
 //
-// visit_<table>(visit) calls visit(column, get) for each column in its order. std::invoke(get, record) is a reference to what the
-// column holds, const for a const record.
+// visit_<table>(visit) calls visit(column, get) for each column in its order. std::invoke(get, record) is a
+// reference to what the column holds, const for a const record.
 
 #include <functional>
 #include <string>
@@ -15,11 +16,13 @@
 namespace flyrock {
 
 struct Column {
-  const char* name = nullptr;  ///< in results.db and rocks.csv, with its unit; none: chunk files alone have it
-  bool in_space = false;       ///< zero in 2D: rocks.csv and the tables in which a rock has many rows leave it out there
-  bool in_csv = true;          ///< rocks.csv has it too
-  bool in_degrees = false;     ///< held in rad
-  bool is_index = false;       ///< of a group, gate or barrier, whose name is shown
+  const char* name =
+      nullptr;  ///< in results.db and rocks.csv, with its unit; none: chunk files alone have it
+  bool in_space =
+      false;  ///< zero in 2D: rocks.csv and the tables in which a rock has many rows leave it out there
+  bool in_csv = true;       ///< rocks.csv has it too
+  bool in_degrees = false;  ///< held in rad
+  bool is_index = false;    ///< of a group, gate or barrier, whose name is shown
 };
 
 template <class Visit>
@@ -50,11 +53,18 @@ void visit_rocks(Visit&& visit) {
   visit(Column{.name = "impacts"}, &R::impacts);
   visit(Column{.name = "time_s"}, &R::time);
   // In the order of travel_mode_names.
-  constexpr const char* names[][2] = {{"flight_s", "flight_m"}, {"bounce_s", "bounce_m"}, {"slide_s", "slide_m"}, {"roll_s", "roll_m"}};
+  constexpr const char* names[][2] = {
+      {"flight_s", "flight_m"}, {"bounce_s", "bounce_m"}, {"slide_s", "slide_m"}, {"roll_s", "roll_m"}};
   static_assert(std::size(names) == travel_mode_names.size());
   for (std::size_t mode = 0; mode < std::size(names); ++mode) {
-    visit(Column{.name = names[mode][0], .in_csv = false}, [mode](auto& r) -> auto& { return r.travel.time[mode]; });
-    visit(Column{.name = names[mode][1], .in_csv = false}, [mode](auto& r) -> auto& { return r.travel.distance[mode]; });
+    visit(
+        Column{.name = names[mode][0], .in_csv = false}, [mode](auto& r) -> auto& {
+          return r.travel.time[mode];
+        });
+    visit(
+        Column{.name = names[mode][1], .in_csv = false}, [mode](auto& r) -> auto& {
+          return r.travel.distance[mode];
+        });
   }
   visit(Column{.name = "fault", .in_csv = false}, &R::fault);
 }
@@ -74,9 +84,12 @@ void visit_impact(Visit&& visit) {
   visit(Column{}, &I::body);
   visit(Column{.name = "number"}, &I::number);
   visit(Column{.name = "time_s"}, &I::time);
-  visit(Column{.name = "x_m"}, [](auto& i) -> auto& { return i.place[0]; });
-  visit(Column{.name = "y_m"}, [](auto& i) -> auto& { return i.place[1]; });
-  visit(Column{.name = "z_m", .in_space = true}, [](auto& i) -> auto& { return i.place[2]; });
+  visit(
+      Column{.name = "x_m"}, [](auto& i) -> auto& { return i.place[0]; });
+  visit(
+      Column{.name = "y_m"}, [](auto& i) -> auto& { return i.place[1]; });
+  visit(
+      Column{.name = "z_m", .in_space = true}, [](auto& i) -> auto& { return i.place[2]; });
   visit(Column{.name = "other"}, &I::other);
   visit(Column{.name = "part"}, &I::part);
   visit(Column{.name = "vn_before_m_s"}, &I::vn_before);
@@ -93,15 +106,24 @@ template <class Visit>
 void visit_state(Visit&& visit) {
   using S = BodyState;
   visit(Column{.name = "time_s"}, &S::time);
-  visit(Column{.name = "x_m"}, [](auto& s) -> auto& { return s.position[0]; });
-  visit(Column{.name = "y_m"}, [](auto& s) -> auto& { return s.position[1]; });
-  visit(Column{.name = "z_m", .in_space = true}, [](auto& s) -> auto& { return s.position[2]; });
-  visit(Column{.name = "vx_m_s"}, [](auto& s) -> auto& { return s.velocity[0]; });
-  visit(Column{.name = "vy_m_s"}, [](auto& s) -> auto& { return s.velocity[1]; });
-  visit(Column{.name = "vz_m_s", .in_space = true}, [](auto& s) -> auto& { return s.velocity[2]; });
-  visit(Column{.name = "spin_x_rad_s", .in_space = true}, [](auto& s) -> auto& { return s.spin[0]; });
-  visit(Column{.name = "spin_y_rad_s", .in_space = true}, [](auto& s) -> auto& { return s.spin[1]; });
-  visit(Column{.name = "spin_z_rad_s"}, [](auto& s) -> auto& { return s.spin[2]; });
+  visit(
+      Column{.name = "x_m"}, [](auto& s) -> auto& { return s.position[0]; });
+  visit(
+      Column{.name = "y_m"}, [](auto& s) -> auto& { return s.position[1]; });
+  visit(
+      Column{.name = "z_m", .in_space = true}, [](auto& s) -> auto& { return s.position[2]; });
+  visit(
+      Column{.name = "vx_m_s"}, [](auto& s) -> auto& { return s.velocity[0]; });
+  visit(
+      Column{.name = "vy_m_s"}, [](auto& s) -> auto& { return s.velocity[1]; });
+  visit(
+      Column{.name = "vz_m_s", .in_space = true}, [](auto& s) -> auto& { return s.velocity[2]; });
+  visit(
+      Column{.name = "spin_x_rad_s", .in_space = true}, [](auto& s) -> auto& { return s.spin[0]; });
+  visit(
+      Column{.name = "spin_y_rad_s", .in_space = true}, [](auto& s) -> auto& { return s.spin[1]; });
+  visit(
+      Column{.name = "spin_z_rad_s"}, [](auto& s) -> auto& { return s.spin[2]; });
   visit(Column{.name = "angle_rad"}, &S::angle);
   visit(Column{.name = "kinetic_energy_J"}, &S::kinetic_energy);
 }
@@ -110,7 +132,8 @@ void visit_state(Visit&& visit) {
 template <class Visit, class Part>
 auto within(Visit& visit, Part part) {
   return [&visit, part](const Column& column, auto get) {
-    visit(column, [part, get](auto& record) -> auto& { return std::invoke(get, std::invoke(part, record)); });
+    visit(
+        column, [ part, get ](auto& record) -> auto& { return std::invoke(get, std::invoke(part, record)); });
   };
 }
 
@@ -121,33 +144,43 @@ void visit_impacts(Visit&& visit) {
 
 template <class Visit>
 void visit_trajectories(Visit&& visit) {
-  visit_state(within(visit, [](auto& r) -> auto& { return r.point.state; }));
-  visit(Column{.name = "mode"}, [](auto& r) -> auto& { return r.point.mode; });
+  visit_state(within(
+      visit, [](auto& r) -> auto& { return r.point.state; }));
+  visit(
+      Column{.name = "mode"}, [](auto& r) -> auto& { return r.point.mode; });
 }
 
 /// What a passage of a gate and the arrival at a barrier have in common.
 template <class Visit>
 void visit_arrival(Visit&& visit) {
-  visit(Column{.name = "time_s"}, [](auto& a) -> auto& { return a.time; });
-  visit(Column{.name = "speed_m_s"}, [](auto& a) -> auto& { return a.speed; });
-  visit(Column{.name = "energy_J"}, [](auto& a) -> auto& { return a.kinetic_energy; });
-  visit(Column{.name = "height_m"}, [](auto& a) -> auto& { return a.height; });
+  visit(
+      Column{.name = "time_s"}, [](auto& a) -> auto& { return a.time; });
+  visit(
+      Column{.name = "speed_m_s"}, [](auto& a) -> auto& { return a.speed; });
+  visit(
+      Column{.name = "energy_J"}, [](auto& a) -> auto& { return a.kinetic_energy; });
+  visit(
+      Column{.name = "height_m"}, [](auto& a) -> auto& { return a.height; });
 }
 
 template <class Visit>
 void visit_gates(Visit&& visit) {
-  visit(Column{.name = "gate", .is_index = true}, [](auto& r) -> auto& { return r.passage.gate; });
+  visit(
+      Column{.name = "gate", .is_index = true}, [](auto& r) -> auto& { return r.passage.gate; });
   visit_arrival(within(visit, &GateRecord::passage));
 }
 
 template <class Visit>
 void visit_barriers(Visit&& visit) {
-  visit(Column{.name = "barrier", .is_index = true}, [](auto& r) -> auto& { return r.hit.barrier; });
-  visit(Column{.name = "outcome"}, [](auto& r) -> auto& { return r.hit.outcome; });
+  visit(
+      Column{.name = "barrier", .is_index = true}, [](auto& r) -> auto& { return r.hit.barrier; });
+  visit(
+      Column{.name = "outcome"}, [](auto& r) -> auto& { return r.hit.outcome; });
   visit_arrival(within(visit, &BarrierRecord::hit));
 }
 
-/// What a table shows of `value`: a number, a text, or the name that it stands for. `names`: of what `is_index`.
+/// What a table shows of `value`: a number, a text, or the name that it stands for. `names`: of what
+/// `is_index`.
 template <class T>
 auto shown_value(const Column& column, const T& value, const std::vector<std::string>& names, auto&& use) {
   if constexpr (std::is_same_v<T, TravelMode>)

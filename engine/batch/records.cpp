@@ -21,11 +21,13 @@ void TrialTotals::add(const TrialTotals& later) {
 }
 
 void TrialTotals::add_note(const std::string& note) {
-  if (notes.size() < most_notes && std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+  if (notes.size() < most_notes && std::find(notes.begin(), notes.end(), note) == notes.end())
+    notes.push_back(note);
 }
 
 bool is_fault(StopReason reason) {
-  return reason == StopReason::diverged || reason == StopReason::plugin_error || reason == StopReason::not_started;
+  return reason == StopReason::diverged || reason == StopReason::plugin_error ||
+         reason == StopReason::not_started;
 }
 
 std::vector<std::string> group_names(const Scenario& scenario) {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "batch/envelope.h"
-#include "scenario/scenario.h"
 #include "sandbox/print_log.h"
+#include "scenario/scenario.h"
 #include "world/observe.h"
 #include "world/phase_clock.h"
 #include "world/surface.h"
@@ -17,26 +17,26 @@ namespace flyrock {
 /// One rock (or one moving body of `bodies`), as in rocks.csv; DESIGN section 5 defines the columns.
 struct RockRecord {
   std::uint64_t trial = 0;
-  int rock = 0;                ///< in its trial, from 0
-  int group = 0;               ///< index into the groups of the scenario (or its moving bodies)
+  int rock = 0;   ///< in its trial, from 0
+  int group = 0;  ///< index into the groups of the scenario (or its moving bodies)
   double mass = 0, volume = 0;
   double launch_speed = 0, launch_elevation = 0;  ///< m/s, rad
   StopReason reason = StopReason::timed_out;
-  bool censored = false;       ///< left_domain or timed_out: its distances are lower bounds
+  bool censored = false;            ///< left_domain or timed_out: its distances are lower bounds
   double start_x = 0, start_y = 0;  ///< centre of mass at its release
-  double runout = 0;           ///< |x_stop - x_release|
+  double runout = 0;                ///< |x_stop - x_release|
   double max_distance = 0;
   double stop_x = 0, stop_y = 0, stop_z = 0;
-  int end_part = -1;           ///< timed_out: part of the terrain that it was on; -1: it was in the air
-  bool landed = false;         ///< it flew, and has touched the terrain since: its flight range is known
+  int end_part = -1;    ///< timed_out: part of the terrain that it was on; -1: it was in the air
+  bool landed = false;  ///< it flew, and has touched the terrain since: its flight range is known
   double flight_range = 0;
   double bounce_height = 0;
   double max_speed = 0;
-  double max_energy = 0;       ///< kinetic, J
+  double max_energy = 0;  ///< kinetic, J
   int impacts = 0;
-  double time = 0;             ///< s, from its start until it came to rest, or until its path ends
-  Travel travel;               ///< path in that time, by mode of travel
-  std::string fault;           ///< of a rock that failed: why
+  double time = 0;    ///< s, from its start until it came to rest, or until its path ends
+  Travel travel;      ///< path in that time, by mode of travel
+  std::string fault;  ///< of a rock that failed: why
 };
 
 bool is_fault(StopReason reason);
@@ -44,7 +44,8 @@ bool is_fault(StopReason reason);
 /// What RockRecord::group counts: the rock groups, or the bodies.
 std::vector<std::string> group_names(const Scenario& scenario);
 
-/// One drawn number of one rock: `draw` is the index into Scenario::draws. Draws `per: impact` are not stored.
+/// One drawn number of one rock: `draw` is the index into Scenario::draws. Draws `per: impact` are not
+/// stored.
 struct InputRecord {
   std::uint64_t trial = 0;
   int rock = 0;
@@ -82,8 +83,8 @@ struct TrialTotals {
   Envelopes envelopes;                 ///< of rocks without faults
   SolverQuality quality;
   PhaseTimes times;
-  std::vector<std::string> notes;  ///< distinct notes of launches ("v0^2 < 0: ..."), at most 20
-  std::vector<BodyHistory> bodies; ///< `bodies` scenarios: the last trial's histories, for measures
+  std::vector<std::string> notes;   ///< distinct notes of launches ("v0^2 < 0: ..."), at most 20
+  std::vector<BodyHistory> bodies;  ///< `bodies` scenarios: the last trial's histories, for measures
 
   /// Those of later trials.
   void add(const TrialTotals& later);

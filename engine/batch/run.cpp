@@ -20,14 +20,19 @@ namespace flyrock {
 namespace {
 
 std::uint64_t count_failed(const TrialRecords& records) {
-  return static_cast<std::uint64_t>(std::count_if(records.rocks.begin(), records.rocks.end(),
-                                                  [](const RockRecord& rock) { return is_fault(rock.reason); }));
+  return static_cast<std::uint64_t>(
+      std::count_if(records.rocks.begin(), records.rocks.end(),
+                    [](const RockRecord& rock) { return is_fault(rock.reason); }));
 }
 
 class Run {
  public:
   Run(const std::vector<ChunkRange>& chunks, const RunOptions& options)
-      : options_(options), chunks_(chunks), whole_(chunks.size(), 0), printed_(chunks.size()), queue_(chunks.size(), options.strict) {
+      : options_(options),
+        chunks_(chunks),
+        whole_(chunks.size(), 0),
+        printed_(chunks.size()),
+        queue_(chunks.size(), options.strict) {
     for (const ChunkRange& chunk : chunks) outcome_.progress.total += chunk.count;
   }
 
@@ -58,15 +63,18 @@ class Run {
     }
   }
 
-  /// Whether an earlier run left the chunk. Where a fault may end the run, one with faults is run again: it may have
-  /// to end in the middle.
+  /// Whether an earlier run left the chunk. Where a fault may end the run, one with faults is run again: it
+  /// may have to end in the middle.
   bool keep(std::size_t index) {
     const ChunkRange& chunk = chunks_[index];
     const std::filesystem::path path = options_.folder / chunk.file_name();
     if (!options_.resume || !std::filesystem::exists(path)) return false;
     std::string why;
-    const std::optional<TrialRecords> records = read_chunk(path, chunk, options_.scenario_hash, Part::whole, why);
-    if (!records || (options_.plan && !records_fault(*records, chunk, options_.plan->points[chunk.point]).empty())) return false;
+    const std::optional<TrialRecords> records =
+        read_chunk(path, chunk, options_.scenario_hash, Part::whole, why);
+    if (!records ||
+        (options_.plan && !records_fault(*records, chunk, options_.plan->points[chunk.point]).empty()))
+      return false;
     const std::uint64_t failed = count_failed(*records);
     if ((failed > 0 || records->totals.quality.not_converged > 0) && queue_.may_end()) return false;
     queue_.judge(index, *records, 0);
@@ -120,8 +128,9 @@ class Run {
     show(index, records);
   }
 
-  /// Shows a chunk that has become whole, if it is the next, and those behind it that had to wait for it. No lock is
-  /// held meanwhile: other threads go on. Chunks that had to wait are read back, so that none is kept in memory.
+  /// Shows a chunk that has become whole, if it is the next, and those behind it that had to wait for it. No
+  /// lock is held meanwhile: other threads go on. Chunks that had to wait are read back, so that none is kept
+  /// in memory.
   void show(std::size_t index, const TrialRecords& records) {
     std::unique_lock lock(mutex_);
     if (showing_ || index != shown_) return;
@@ -170,7 +179,7 @@ class Run {
   std::vector<char> whole_;         ///< not bool: threads write neighbours
   std::vector<PrintLog> printed_;   ///< by the Lua code of each chunk that is not shown yet
   ChunkQueue queue_;
-  std::mutex mutex_;  ///< of what follows, and of chunks_, whole_ and printed_
+  std::mutex mutex_;       ///< of what follows, and of chunks_, whole_ and printed_
   std::size_t shown_ = 0;  ///< chunks, from the first
   bool showing_ = false;   ///< by some thread, to which prints_ belongs
   PrintLog prints_;        ///< of the whole run
@@ -181,7 +190,8 @@ class Run {
 
 }  // namespace
 
-RunOutcome run_chunks(const std::vector<ChunkRange>& chunks, const MakeWorker& make_worker, const RunOptions& options) {
+RunOutcome run_chunks(const std::vector<ChunkRange>& chunks, const MakeWorker& make_worker,
+                      const RunOptions& options) {
   return Run(chunks, options).run(make_worker);
 }
 

@@ -15,8 +15,10 @@ Runners try_runners(LoadedScenario& scenario, std::uint64_t trials, Diagnostics&
   const auto place = [&](const std::string& path) { return node_at(scenario.root, path).key_at; };
   for (const Scenario& point : scenario.plan.points) {
     const TriedOut tried = try_out(point, trials);
-    for (const ScenarioError& error : tried.errors) diagnostics.error(place(error.path), error.path, error.what());
-    for (const ScenarioError& warning : tried.warnings) diagnostics.warning(place(warning.path), warning.path, warning.what());
+    for (const ScenarioError& error : tried.errors)
+      diagnostics.error(place(error.path), error.path, error.what());
+    for (const ScenarioError& warning : tried.warnings)
+      diagnostics.warning(place(warning.path), warning.path, warning.what());
   }
   for (std::string& warning : diagnostics.warnings()) scenario.warnings.push_back(std::move(warning));
   return diagnostics.has_errors() ? Runners() : make_runners(scenario.plan);

@@ -18,8 +18,8 @@ Runners make_runners(const Plan& plan);
 /// Trials that a run tries out before it starts.
 inline constexpr std::uint64_t tried_before_a_run = 3;
 
-/// Tries each point out on up to `trials` trials and makes its runner; none where there are errors. What fails is an error at
-/// the key to blame, and warnings are also those of the scenario.
+/// Tries each point out on up to `trials` trials and makes its runner; none where there are errors. What
+/// fails is an error at the key to blame, and warnings are also those of the scenario.
 Runners try_runners(LoadedScenario& scenario, std::uint64_t trials, Diagnostics& diagnostics);
 
 }  // namespace flyrock

@@ -111,8 +111,10 @@ void FileReader::append_to(std::string& bytes, std::uint64_t count) {
     const int failure = errno;
     bytes.resize(size + static_cast<std::size_t>(std::max<ssize_t>(read, 0)));
     if (read == 0) return;
-    if (read > 0) count -= static_cast<std::uint64_t>(read);
-    else if (failure != EINTR) fail_to_read(path_, failure);
+    if (read > 0)
+      count -= static_cast<std::uint64_t>(read);
+    else if (failure != EINTR)
+      fail_to_read(path_, failure);
   }
 }
 

@@ -22,11 +22,12 @@ struct UnreadableFile : FileError {
 /// Whether a file must also outlast a power cut.
 enum class Sync {
   yes,
-  no  ///< it may then be broken: for files with a checksum that can be made again. A sync takes some milliseconds
+  no  ///< it may then be broken: for files with a checksum that can be made again. A sync takes some
+      ///< milliseconds
 };
 
-/// A file that is written piece by piece under a temporary name beside `path`. commit() syncs and renames it: a reader
-/// (or the next run after a power cut) meets the whole file or none. Without commit() it goes away.
+/// A file that is written piece by piece under a temporary name beside `path`. commit() syncs and renames it:
+/// a reader (or the next run after a power cut) meets the whole file or none. Without commit() it goes away.
 class FileWriter {
  public:
   /// Throws FileError.

@@ -10,11 +10,11 @@
 #include <utility>
 
 #include "batch/safe_file.h"
+#include "flight/ballistic_run.h"
 #include "flight/run.h"
+#include "solver/fclib.h"
 #include "trial/dimensions.h"
 #include "trial/scenario_error.h"
-#include "solver/fclib.h"
-#include "flight/ballistic_run.h"
 
 namespace flyrock {
 
@@ -27,16 +27,19 @@ using TrialFault = std::pair<std::string, StopReason>;
 constexpr std::uint64_t timed_every = 16;
 
 /// "rocks.0.release: it starts inside the terrain"
-std::string at_key(const std::string& path, const std::string& fault) { return path.empty() ? fault : path + ": " + fault; }
+std::string at_key(const std::string& path, const std::string& fault) {
+  return path.empty() ? fault : path + ": " + fault;
+}
 
-/// When a rock came to rest, which in a trial of several rocks may be long before the trial ends; of one that did not, when its path
-/// ends.
+/// When a rock came to rest, which in a trial of several rocks may be long before the trial ends; of one that
+/// did not, when its path ends.
 double end_of(const BodyHistory& history) {
   const bool rested = history.reason == StopReason::stopped && !std::isnan(history.stop_time);
   return rested ? history.stop_time : history.last.time;
 }
 
-/// The ground nearest to a place: how far it is, and which part. Infinite where there is none within `reach` along x.
+/// The ground nearest to a place: how far it is, and which part. Infinite where there is none within `reach`
+/// along x.
 struct NearestGround {
   double distance = std::numeric_limits<double>::infinity();
   int part = -1;
@@ -53,10 +56,13 @@ NearestGround nearest_ground(const Terrain2& terrain, const Vec2& at, double rea
   }
   return nearest;
 }
-NearestGround nearest_ground(const Terrain3& terrain, const Vec3& at, double) { return {terrain.plane().distance(at), 0}; }
+NearestGround nearest_ground(const Terrain3& terrain, const Vec3& at, double) {
+  return {terrain.plane().distance(at), 0};
+}
 
-/// The part of the terrain that a body is on; -1 where all of it is in the air. On a slope a ball that touches the ground has more than
-/// its radius below its centre, so that the distance to the ground counts, and not the height above it.
+/// The part of the terrain that a body is on; -1 where all of it is in the air. On a slope a ball that
+/// touches the ground has more than its radius below its centre, so that the distance to the ground counts,
+/// and not the height above it.
 template <int D, class Terrain>
 int part_under(const Terrain& terrain, const Body<D>& body) {
   constexpr double rounding = 1e-3;  // of the radius: a rolling body leaves the ground by less
@@ -88,8 +94,8 @@ class TrialRunner::Trials : public OfDimension {
   void fail_trial(std::uint64_t trial, const ScenarioError& error, TrialRecords& out) const;
   /// The rocks of a trial by the method ballistic: a history a world.
   std::vector<std::vector<BodyHistory>> fly(const Trial<D>& trial, const RunSettings& settings) const;
-  void record(std::uint64_t trial, int index, const TrialRock& rock, const World<D>* world, const BodyHistory& history,
-              TrialRecords& out) const;
+  void record(std::uint64_t trial, int index, const TrialRock& rock, const World<D>* world,
+              const BodyHistory& history, TrialRecords& out) const;
   void record_inputs(std::uint64_t trial, int index, const TrialRock& rock, TrialRecords& out) const;
 
   const Scenario& scenario_;
@@ -109,12 +115,14 @@ TrialRunner::TrialRunner(const Scenario& scenario) {
 template <int D>
 TrialRunner::Trials<D>::Trials(const Scenario& scenario) : scenario_(scenario), builder_(scenario) {
   for (const GatePlan& gate : scenario.gates) gates_.push_back({gate.x});
-  for (const BarrierPlan& barrier : scenario.barriers) barriers_.push_back({barrier.x, barrier.height, barrier.capacity});
+  for (const BarrierPlan& barrier : scenario.barriers)
+    barriers_.push_back({barrier.x, barrier.height, barrier.capacity});
   if (D == 2 && scenario.bodies.empty()) bin_width_ = envelope_width(picture_of(0));
 }
 
 template <int D>
-void TrialRunner::Trials<D>::fail_trial(std::uint64_t trial, const ScenarioError& error, TrialRecords& out) const {
+void TrialRunner::Trials<D>::fail_trial(std::uint64_t trial, const ScenarioError& error,
+                                        TrialRecords& out) const {
   RockRecord row;
   row.trial = trial;
   row.reason = reason_of(error);
@@ -183,7 +191,8 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
       record(number, static_cast<int>(i), rock, nullptr, {}, out);
     } else {
       if (faults[rock.world]) std::tie(rock.fault, rock.reason) = *faults[rock.world];
-      record(number, static_cast<int>(i), rock, &trial.worlds[rock.world], histories[rock.world][rock.body], out);
+      record(number, static_cast<int>(i), rock, &trial.worlds[rock.world], histories[rock.world][rock.body],
+             out);
     }
     if (!rock.note.empty()) out.totals.add_note(rock.note);
   }
@@ -192,7 +201,8 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
 }
 
 template <int D>
-std::vector<std::vector<BodyHistory>> TrialRunner::Trials<D>::fly(const Trial<D>& trial, const RunSettings& settings) const {
+std::vector<std::vector<BodyHistory>> TrialRunner::Trials<D>::fly(const Trial<D>& trial,
+                                                                  const RunSettings& settings) const {
   std::vector<std::vector<BodyHistory>> histories(trial.worlds.size());
   for (const TrialRock& rock : trial.rocks) {
     if (rock.world < 0) continue;
@@ -212,8 +222,9 @@ std::vector<std::vector<BodyHistory>> TrialRunner::Trials<D>::fly(const Trial<D>
 }
 
 template <int D>
-void TrialRunner::Trials<D>::record(std::uint64_t trial, int index, const TrialRock& rock, const World<D>* world,
-                         const BodyHistory& history, TrialRecords& out) const {
+void TrialRunner::Trials<D>::record(std::uint64_t trial, int index, const TrialRock& rock,
+                                    const World<D>* world, const BodyHistory& history,
+                                    TrialRecords& out) const {
   RockRecord row;
   row.trial = trial;
   row.rock = index;
@@ -256,7 +267,8 @@ void TrialRunner::Trials<D>::record(std::uint64_t trial, int index, const TrialR
 
 /// Every draw that concerns the rock: all but those of other groups, and those per impact.
 template <int D>
-void TrialRunner::Trials<D>::record_inputs(std::uint64_t trial, int index, const TrialRock& rock, TrialRecords& out) const {
+void TrialRunner::Trials<D>::record_inputs(std::uint64_t trial, int index, const TrialRock& rock,
+                                           TrialRecords& out) const {
   const std::string own = scenario_.bodies.empty() ? "rocks." + scenario_.rocks[rock.group].name + "."
                                                    : "bodies." + scenario_.bodies[rock.group].name + ".";
   for (std::size_t d = 0; d < scenario_.draws.size(); ++d) {

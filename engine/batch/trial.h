@@ -22,8 +22,8 @@ class TrialRunner {
   /// Trials throw Interrupted as soon as this says so.
   void stop_when(bool (*interrupted)()) { of_dimension_->interrupted = interrupted; }
 
-  /// Where problems that did not converge are written, if output.hard_problems asks for them: at most ten a trial, as
-  /// trial-<t>-<n>.hdf5. The folder is made when it is needed.
+  /// Where problems that did not converge are written, if output.hard_problems asks for them: at most ten a
+  /// trial, as trial-<t>-<n>.hdf5. The folder is made when it is needed.
   void keep_hard_problems(const std::filesystem::path& folder) { of_dimension_->hard_problems = folder; }
 
   /// The terrain of a trial, for pictures; in 3D its cut along x at y = 0, 100 m to either side.

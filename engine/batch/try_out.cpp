@@ -39,8 +39,8 @@ void try_law(const std::unique_ptr<LawKind>& law, const std::optional<PluginUse>
   } catch (const TrialError& error) {
     std::fill(history.begin(), history.end(), 0.0);
     add(tried.errors, use->path,
-        fmt::format("{} (parameters: {}; asked with: {})", error.what(), parameters_text(spec, use->values, values),
-                    state_text(spec, state)));
+        fmt::format("{} (parameters: {}; asked with: {})", error.what(),
+                    parameters_text(spec, use->values, values), state_text(spec, state)));
   }
 }
 
@@ -74,11 +74,15 @@ void try_laws(const Scenario& scenario, const Instances& instances, TriedOut& tr
       ContactState state = states[i];
       state.material = material.name;
       const DrawKey key{i, 1, 1, 1};
-      const auto attempt = [&](const auto& law, const auto& use, auto&& ask) { try_law(law, use, state, scenario, key, tried, ask); };
+      const auto attempt = [&](const auto& law, const auto& use, auto&& ask) {
+        try_law(law, use, state, scenario, key, tried, ask);
+      };
       attempt(laws.restitution, material.restitution,
               [](const auto& law, Values values, const auto& s) { return law.impact(values, s); });
-      attempt(laws.friction, material.friction, [](const auto& law, Values values, const auto& s) { return law.friction(values, s); });
-      attempt(laws.rolling, material.rolling, [](const auto& law, Values values, const auto& s) { return law.rolling(values, s); });
+      attempt(laws.friction, material.friction,
+              [](const auto& law, Values values, const auto& s) { return law.friction(values, s); });
+      attempt(laws.rolling, material.rolling,
+              [](const auto& law, Values values, const auto& s) { return law.rolling(values, s); });
       attempt(laws.unilateral, material.unilateral,
               [](const auto& law, Values values, const auto& s) { return law.condition(values, s); });
     }
@@ -87,16 +91,19 @@ void try_laws(const Scenario& scenario, const Instances& instances, TriedOut& tr
 
 /// Springs that are too stiff for the time step, and masses that differ too much for the contact solver.
 template <int D>
-void find_hard_contacts(const Scenario& scenario, const Instances& instances, const Trial<D>& trial, TriedOut& tried) {
+void find_hard_contacts(const Scenario& scenario, const Instances& instances, const Trial<D>& trial,
+                        TriedOut& tried) {
   for (std::size_t w = 0; w < trial.surfaces.size(); ++w)
     for (const SpringSwing& swing : spring_swings(scenario, instances, trial.worlds[w], trial.surfaces[w])) {
       if (swing.angle <= inaccurate_spring) continue;
-      const std::string text =
-          fmt::format("the time step is too long for this spring: {:.4g} deg per step with {}. Bounces are inaccurate above {:.3g} "
-                      "and gain energy above {:.3g}; expected a solver.time_step of at most {:.2g} s",
-                      swing.angle * 180 / pi, swing.bodies, inaccurate_spring * 180 / pi, unstable_spring * 180 / pi,
-                      scenario.solver.time_step * inaccurate_spring / swing.angle);
-      const std::string path = fmt::format("materials.{}.unilateral", scenario.materials[swing.material].name);
+      const std::string text = fmt::format(
+          "the time step is too long for this spring: {:.4g} deg per step with {}. Bounces are inaccurate "
+          "above {:.3g} "
+          "and gain energy above {:.3g}; expected a solver.time_step of at most {:.2g} s",
+          swing.angle * 180 / pi, swing.bodies, inaccurate_spring * 180 / pi, unstable_spring * 180 / pi,
+          scenario.solver.time_step * inaccurate_spring / swing.angle);
+      const std::string path =
+          fmt::format("materials.{}.unilateral", scenario.materials[swing.material].name);
       add(swing.angle > unstable_spring ? tried.errors : tried.warnings, path, text);
     }
   constexpr double most = 1e4;
@@ -105,7 +112,8 @@ void find_hard_contacts(const Scenario& scenario, const Instances& instances, co
     if (masses.ratio < most) continue;
     const Body<D>&heavy = world.bodies[masses.heavy], &light = world.bodies[masses.light];
     add(tried.warnings, scenario.bodies.empty() ? "rock_contacts" : fmt::format("bodies.{}", masses.heavy),
-        fmt::format("`{}` ({:.3g} kg) and `{}` ({:.3g} kg) can touch: from a mass ratio of {:g} on the contact solver takes long",
+        fmt::format("`{}` ({:.3g} kg) and `{}` ({:.3g} kg) can touch: from a mass ratio of {:g} on the "
+                    "contact solver takes long",
                     heavy.group, heavy.mass, light.group, light.mass, most));
   }
 }
@@ -127,7 +135,8 @@ void find_free_rollers(const Scenario& scenario, const Trial<D>& trial, TriedOut
         if (index < 0 || scenario.materials[index].rolling) continue;
         const std::string& material = scenario.materials[index].name;
         add(tried.warnings, "materials." + material,
-            fmt::format("has no `rolling`, and `{}` is round: on it a rock rolls until stop.time, and such rocks make every "
+            fmt::format("has no `rolling`, and `{}` is round: on it a rock rolls until stop.time, and such "
+                        "rocks make every "
                         "percentile a lower bound",
                         body.group));
       }
@@ -135,20 +144,24 @@ void find_free_rollers(const Scenario& scenario, const Trial<D>& trial, TriedOut
   }
 }
 
-/// Rocks of many vertices or contactors: each impact looks at all of them, and each vertex makes impacts of its own.
+/// Rocks of many vertices or contactors: each impact looks at all of them, and each vertex makes impacts of
+/// its own.
 template <int D>
 void find_fine_outlines(const Scenario& scenario, const Trial<D>& trial, TriedOut& tried) {
   constexpr std::size_t most = 500;
   for (const TrialRock& rock : trial.rocks) {
     if (rock.world < 0) continue;
-    const Body<D>& body = trial.worlds[static_cast<std::size_t>(rock.world)].bodies[static_cast<std::size_t>(rock.body)];
+    const Body<D>& body =
+        trial.worlds[static_cast<std::size_t>(rock.world)].bodies[static_cast<std::size_t>(rock.body)];
     std::size_t count = 0;
     for (const auto& contactor : body.contactors) count += contactor.points.size();
     if (count <= most) continue;
-    const std::string path = scenario.bodies.empty() ? fmt::format("rocks.{}.shape", rock.group) : fmt::format("bodies.{}", rock.group);
+    const std::string path = scenario.bodies.empty() ? fmt::format("rocks.{}.shape", rock.group)
+                                                     : fmt::format("bodies.{}", rock.group);
     add(tried.warnings, path,
-        fmt::format("`{}` has {} vertices and centres: above {} a trial takes many seconds; expected a coarser outline", body.group, count,
-                    most));
+        fmt::format("`{}` has {} vertices and centres: above {} a trial takes many seconds; expected a "
+                    "coarser outline",
+                    body.group, count, most));
   }
 }
 
@@ -156,7 +169,8 @@ void find_fine_outlines(const Scenario& scenario, const Trial<D>& trial, TriedOu
 template <int D>
 void try_trials(const Scenario& scenario, TrialBuilder<D>& builder, std::uint64_t trials, TriedOut& tried) {
   std::size_t rocks = 0;
-  for (std::uint64_t number = 0; number < std::min(trials, scenario.trials) && rocks < most_rocks; ++number) try {
+  for (std::uint64_t number = 0; number < std::min(trials, scenario.trials) && rocks < most_rocks; ++number)
+    try {
       const Trial<D> trial = builder.build(number);
       rocks += trial.rocks.size();
       find_hard_contacts(scenario, builder.instances(), trial, tried);
@@ -166,8 +180,8 @@ void try_trials(const Scenario& scenario, TrialBuilder<D>& builder, std::uint64_
         const TrialRock& rock = trial.rocks[i];
         if (rock.launch_speed > usual::launch.greatest)
           add(tried.warnings, fmt::format("rocks.{}.launch", rock.group),
-              fmt::format("trial {}, rock {}: a launch at {:.4g} m/s is unusual, expected at most {:g} m/s", number, i, rock.launch_speed,
-                          usual::launch.greatest));
+              fmt::format("trial {}, rock {}: a launch at {:.4g} m/s is unusual, expected at most {:g} m/s",
+                          number, i, rock.launch_speed, usual::launch.greatest));
         if (!rock.fault.empty())
           add(tried.errors, rock.fault_path, fmt::format("trial {}, rock {}: {}", number, i, rock.fault));
       }

@@ -17,7 +17,7 @@ namespace flyrock {
 enum class BlastField {
   explosive_density,
   detonation_velocity,
-  gurney_constant,   ///< sqrt(2E) of the Gurney model; 0.44 D for ANFO, D/3 for other explosives
+  gurney_constant,  ///< sqrt(2E) of the Gurney model; 0.44 D for ANFO, D/3 for other explosives
   hole_diameter,
   hole_length,
   hole_stemming,
@@ -57,12 +57,12 @@ struct Blast {
   double& operator[](BlastField field) { return values[static_cast<int>(field)]; }
 };
 
-/// A field that a formula needs above 0. Throws std::invalid_argument, "blast.burden is -1 m, must be above 0",
-/// also where the field is not given (NaN).
+/// A field that a formula needs above 0. Throws std::invalid_argument, "blast.burden is -1 m, must be above
+/// 0", also where the field is not given (NaN).
 double positive(const Blast& blast, BlastField field);
 
-/// g [m/s2] of the published distances: those who measured them stood on level ground of the Earth, whatever the
-/// gravity of a scenario is.
+/// g [m/s2] of the published distances: those who measured them stood on level ground of the Earth, whatever
+/// the gravity of a scenario is.
 inline constexpr double range_gravity = 9.81;
 
 /// Mass of charge per length of hole [kg/m]: W/l = pi/4 d^2 rho_e. Throws std::invalid_argument.

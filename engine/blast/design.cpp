@@ -28,24 +28,28 @@ void complete_hole(Blast& blast) {
   if (!stemming) blast[hole_stemming] = blast[hole_length] - blast[hole_charge_length];
   if (!charge) blast[hole_charge_length] = blast[hole_length] - blast[hole_stemming];
   if (blast[hole_stemming] < 0 || !(blast[hole_charge_length] > 0))
-    throw std::invalid_argument(fmt::format("blast.hole: a length of {:.6g} m leaves {:.6g} m of stemming and {:.6g} m of charge",
-                                            blast[hole_length], blast[hole_stemming], blast[hole_charge_length]));
+    throw std::invalid_argument(
+        fmt::format("blast.hole: a length of {:.6g} m leaves {:.6g} m of stemming and {:.6g} m of charge",
+                    blast[hole_length], blast[hole_stemming], blast[hole_charge_length]));
 }
 
 void complete_burden(Blast& blast) {
-  if (given(blast, burden) || !given(blast, burden_crest) || !given(blast, burden_toe) || !given(blast, hole_length)) return;
+  if (given(blast, burden) || !given(blast, burden_crest) || !given(blast, burden_toe) ||
+      !given(blast, hole_length))
+    return;
   const double floor = blast[hole_length] - or_zero(blast, hole_subdrilling);
   if (!(floor > 0))
-    throw std::invalid_argument(fmt::format("blast.hole: with a length of {:.6g} m it ends above the floor of the bench",
-                                            blast[hole_length]));
+    throw std::invalid_argument(fmt::format(
+        "blast.hole: with a length of {:.6g} m it ends above the floor of the bench", blast[hole_length]));
   const auto at = [&](double depth) {
     const double drilled = blast[burden_crest] + (blast[burden_toe] - blast[burden_crest]) * depth / floor;
     return drilled - or_zero(blast, hole_deviation) * depth;
   };
   blast[burden] = std::min(at(std::min(blast[hole_stemming], floor)), at(floor));
   if (!(blast[burden] > 0))
-    throw std::invalid_argument(fmt::format("blast.hole.deviation: the hole deviates by {:.6g} m at the floor and leaves the rock",
-                                            blast[hole_deviation] * floor));
+    throw std::invalid_argument(
+        fmt::format("blast.hole.deviation: the hole deviates by {:.6g} m at the floor and leaves the rock",
+                    blast[hole_deviation] * floor));
 }
 
 }  // namespace
@@ -63,7 +67,8 @@ BlastDesign design_of(const Blast& blast, const Pattern& pattern) {
   design.explosive = pattern.holes() * design.charge_per_hole;
   const double height = blast[hole_length] - or_zero(blast, hole_subdrilling);
   const double behind = pattern.row_distance > 0 ? pattern.row_distance : blast[burden];
-  design.rock = pattern.holes_per_row * blast[spacing] * height * (blast[burden] + (pattern.rows - 1) * behind);
+  design.rock =
+      pattern.holes_per_row * blast[spacing] * height * (blast[burden] + (pattern.rows - 1) * behind);
   design.powder_factor = design.explosive / design.rock;
   const double tangent = std::tan(blast[breakout_angle] / 2);
   const double share = design.linear_charge / (blast[burden] * blast[burden] * tangent);  // rho c/m
@@ -82,10 +87,14 @@ std::string disagreement(const Blast& blast, const BlastDesign& design) {
   constexpr double fifth = 1.2;
   const double q = design.powder_factor, stated = blast[powder_factor];
   if (stated > fifth * q || stated < q / fifth)
-    return fmt::format("the powder factor is given as {:.3g} kg/m3; charge, burden, spacing and bench height make it {:.3g}", stated, q);
+    return fmt::format(
+        "the powder factor is given as {:.3g} kg/m3; charge, burden, spacing and bench height make it {:.3g}",
+        stated, q);
   if (q > fifth * design.powder_factor_deep || q < design.powder_factor_shallow / fifth)
-    return fmt::format("the pattern has {:.3g} kg/m3; the prism that a hole breaks out makes it {:.3g} (shallow) to {:.3g} (deep)",
-                       q, design.powder_factor_shallow, design.powder_factor_deep);
+    return fmt::format(
+        "the pattern has {:.3g} kg/m3; the prism that a hole breaks out makes it {:.3g} (shallow) to {:.3g} "
+        "(deep)",
+        q, design.powder_factor_shallow, design.powder_factor_deep);
   return {};
 }
 

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <vector>
 
-#include "results/answer.h"
 #include "batch/safe_file.h"
 #include "cli/loading.h"
 #include "cli/not_used_line.h"
@@ -11,6 +10,7 @@
 #include "cli/runners.h"
 #include "host/share.h"
 #include "plugin/conformance.h"
+#include "results/answer.h"
 
 namespace flyrock::cli {
 
@@ -24,7 +24,8 @@ int check_plugin(const std::string& path) {
   std::size_t faults = 0;
   for (const Plugin* plugin : *plugins) {
     const auto say = [&](const char* grade, const std::string& text) {
-      fmt::print(stderr, "{}: {}: {}/{}: {}\n", place_of(plugin->spec), grade, name_of(plugin->spec.kind), plugin->spec.name, text);
+      fmt::print(stderr, "{}: {}: {}/{}: {}\n", place_of(plugin->spec), grade, name_of(plugin->spec.kind),
+                 plugin->spec.name, text);
     };
     bool whole = false;
     for (const std::string& fault : conformance_faults(*plugin, &whole)) {
@@ -45,7 +46,8 @@ int check_scenario(const std::string& path, const Overrides& overrides, bool str
   constexpr std::uint64_t tried = 200;
   if (!try_runners(*loaded, tried)) return bad_input;
   fmt::print("{}", not_used_line(plan.not_used, "`flyrock check --strict` says why"));
-  if (const std::string elevations = assumed_elevations(plan.points.front()); !elevations.empty()) fmt::print("{}\n", elevations);
+  if (const std::string elevations = assumed_elevations(plan.points.front()); !elevations.empty())
+    fmt::print("{}\n", elevations);
   const std::uint64_t trials = plan.points.front().trials;
   const std::string each =
       plan.axes.empty() ? "" : fmt::format(" at each of {} sweep points", plan.points.size());
@@ -53,12 +55,13 @@ int check_scenario(const std::string& path, const Overrides& overrides, bool str
   return done;
 }
 
-/// A folder is a plugin's. A Lua file is one where it nowhere calls fr.scenario; a file that cannot be read is left to
-/// the reader of scenarios, which says why.
+/// A folder is a plugin's. A Lua file is one where it nowhere calls fr.scenario; a file that cannot be read
+/// is left to the reader of scenarios, which says why.
 bool is_plugin(const std::string& path) {
   if (std::filesystem::is_directory(path)) return true;
   std::error_code code;
-  if (std::filesystem::path(path).extension() != ".lua" || !std::filesystem::is_regular_file(path, code)) return false;
+  if (std::filesystem::path(path).extension() != ".lua" || !std::filesystem::is_regular_file(path, code))
+    return false;
   return read_file(path).find(".scenario") == std::string::npos;
 }
 

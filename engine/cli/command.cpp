@@ -33,7 +33,8 @@ CommandLine parse(const Command& command, const po::options_description& options
   // No guessing: an abbreviation that works today means something else when the next option comes.
   const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
   try {
-    po::store(po::command_line_parser(arguments).options(all).positional(positions).style(style).run(), line.options);
+    po::store(po::command_line_parser(arguments).options(all).positional(positions).style(style).run(),
+              line.options);
     po::notify(line.options);
   } catch (const po::unknown_option& error) {
     const std::string near = nearest_option(error.get_option_name(), visible);
@@ -49,7 +50,8 @@ CommandLine parse(const Command& command, const po::options_description& options
   }
   if (line.words.size() < least_words) throw UsageError(fmt::format("expected: flyrock {}", command.usage));
   if (line.words.size() > most_words)
-    throw UsageError(fmt::format("`{}` is one word too many, expected: flyrock {}", line.words[most_words], command.usage));
+    throw UsageError(fmt::format("`{}` is one word too many, expected: flyrock {}", line.words[most_words],
+                                 command.usage));
   return line;
 }
 

@@ -17,7 +17,8 @@ struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What a command was given is not to be used: a folder that cannot be written, a damaged file. Nothing was run.
+/// What a command was given is not to be used: a folder that cannot be written, a damaged file. Nothing was
+/// run.
 struct InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -52,8 +53,8 @@ struct CommandLine {
   const std::string& text(const std::string& option) const { return options[option].as<std::string>(); }
 };
 
-/// Throws UsageError where an option is unknown (naming the nearest), lacks its value or takes none, or where the
-/// number of words is not between the two bounds.
+/// Throws UsageError where an option is unknown (naming the nearest), lacks its value or takes none, or where
+/// the number of words is not between the two bounds.
 CommandLine parse(const Command& command, const boost::program_options::options_description& options,
                   const Arguments& arguments, std::size_t least_words, std::size_t most_words);
 

@@ -14,7 +14,8 @@ void print_faults(const Results& results) {
                name_of(fault.reason), fault.text);
   if (results.fault_count > results.faults.size())
     fmt::print(stderr, "error: and {} more rocks that failed\n", results.fault_count - results.faults.size());
-  if (!results.ended_early.empty()) fmt::print(stderr, "error: the run ended early: {}\n", results.ended_early);
+  if (!results.ended_early.empty())
+    fmt::print(stderr, "error: the run ended early: {}\n", results.ended_early);
 }
 
 int exit_code(const Results& results) {

@@ -2,9 +2,9 @@
 // The beginning and the end of commands that build results.
 
 #include "batch/chunk.h"
-#include "results/results.h"
 #include "cli/command.h"
 #include "report/tables.h"
+#include "results/results.h"
 
 namespace flyrock::cli {
 

@@ -23,11 +23,15 @@ constexpr std::array<Command, 10> commands = {{
     {"run", "run SCENARIO [options]", "runs a scenario and writes its tables and report", run},
     {"merge", "merge DIR... -o DIR", "puts the shards of a run together", merge},
     {"report", "report DIR", "builds report.html of a result folder again", report},
-    {"export", "export DIR --to csv|vtk [-o PATH]", "writes a result as CSV tables or for ParaView", export_result},
+    {"export", "export DIR --to csv|vtk [-o PATH]", "writes a result as CSV tables or for ParaView",
+     export_result},
     {"check", "check FILE [--strict]", "validates a scenario, or tries a plugin on sampled states", check},
-    {"show", "show SCENARIO [--json]", "prints the resolved scenario: units converted, defaults filled in", show},
-    {"plugins", "plugins [KIND[/NAME] | FILE] [--markdown | --json]", "lists what is registered, with its parameters", plugins},
-    {"law", "law KIND/NAME|FILE [-o FILE] [--set PARAMETER=VALUE]...", "draws the graph of a contact law from solved contacts", law},
+    {"show", "show SCENARIO [--json]", "prints the resolved scenario: units converted, defaults filled in",
+     show},
+    {"plugins", "plugins [KIND[/NAME] | FILE] [--markdown | --json]",
+     "lists what is registered, with its parameters", plugins},
+    {"law", "law KIND/NAME|FILE [-o FILE] [--set PARAMETER=VALUE]...",
+     "draws the graph of a contact law from solved contacts", law},
     {"verify", "verify [--data DIR] [--json]", "computes problems with known answers and compares", verify},
     {"solve", "solve PROBLEM.hdf5 [options]", "solves a friction problem in the layout of FCLIB", solve},
 }};
@@ -38,8 +42,8 @@ void print_version() {
 #else
   const char* build = "debug";
 #endif
-  fmt::print("flyrock {}\nbuild: {}, {}, C++{}\noptional parts: {}\n", FLYROCK_VERSION, build, "GCC " __VERSION__,
-             __cplusplus / 100 % 100, has_hdf5() ? "HDF5" : "none");
+  fmt::print("flyrock {}\nbuild: {}, {}, C++{}\noptional parts: {}\n", FLYROCK_VERSION, build,
+             "GCC " __VERSION__, __cplusplus / 100 % 100, has_hdf5() ? "HDF5" : "none");
 }
 
 void print_help() {
@@ -100,7 +104,8 @@ int call(const Arguments& arguments) {
     }
   }
   const std::string near = nearest_name(word, names);
-  return usage_error(fmt::format("unknown command `{}`{}", word, near.empty() ? "" : fmt::format(", did you mean `{}`?", near)),
+  return usage_error(fmt::format("unknown command `{}`{}", word,
+                                 near.empty() ? "" : fmt::format(", did you mean `{}`?", near)),
                      "flyrock --help");
 }
 

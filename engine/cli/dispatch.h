@@ -5,7 +5,8 @@
 
 namespace flyrock::cli {
 
-/// Does what the words after `flyrock` ask for, and turns every exception into a line on stderr and an exit code.
+/// Does what the words after `flyrock` ask for, and turns every exception into a line on stderr and an exit
+/// code.
 int dispatch(const Arguments& arguments);
 
 }  // namespace flyrock::cli

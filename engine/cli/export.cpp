@@ -37,16 +37,17 @@ const Format& format_of(const std::string& name) {
   }
   const std::string near = nearest_name(name, names);
   throw UsageError(fmt::format("--to: unknown format `{}`{}; there are {}", name,
-                               near.empty() ? "" : fmt::format(", did you mean `{}`?", near), fmt::join(names, ", ")));
+                               near.empty() ? "" : fmt::format(", did you mean `{}`?", near),
+                               fmt::join(names, ", ")));
 }
 
 }  // namespace
 
 int export_result(const Command& command, const Arguments& arguments) {
   po::options_description options("options");
-  options.add_options()
-      ("to", po::value<std::string>()->value_name("FORMAT"), "csv (every table) or vtk (trajectories, for ParaView); required")
-      ("output,o", po::value<std::string>()->value_name("PATH"), "folder of the files; default DIR/<format>");
+  options.add_options()("to", po::value<std::string>()->value_name("FORMAT"),
+                        "csv (every table) or vtk (trajectories, for ParaView); required")(
+      "output,o", po::value<std::string>()->value_name("PATH"), "folder of the files; default DIR/<format>");
   const CommandLine line = parse(command, options, arguments, 1, 1);
   if (line.help) return done;
   if (!line.has("to")) throw UsageError(fmt::format("expected --to FORMAT: flyrock {}", command.usage));
@@ -54,7 +55,8 @@ int export_result(const Command& command, const Arguments& arguments) {
   const fs::path result = finished_result(line.words[0]);
   const fs::path folder = line.has("output") ? fs::path(line.text("output")) : result / format.name;
   if (fs::exists(folder / "manifest.json"))
-    throw UsageError(fmt::format("-o {}: it holds results, whose files would be replaced; expected another folder", folder.string()));
+    throw UsageError(fmt::format(
+        "-o {}: it holds results, whose files would be replaced; expected another folder", folder.string()));
   const std::vector<fs::path> files = format.write(result / "results.db", folder);
   for (const fs::path& file : files) fmt::print("{}\n", file.string());
   if (files.empty()) fmt::print(stderr, "nothing written: {}\n", format.nothing);

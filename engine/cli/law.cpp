@@ -8,23 +8,25 @@
 #include "cli/command.h"
 #include "cli/plugin_file.h"
 #include "cli/plugin_text.h"
+#include "document/yaml_reader.h"
 #include "host/session.h"
 #include "host/share.h"
 #include "report/line_plot.h"
-#include "scenario/decode_params.h"
-#include "document/yaml_reader.h"
 #include "results/law_graph.h"
+#include "scenario/decode_params.h"
 
 namespace flyrock::cli {
 
 namespace {
 
 /// The plugin with the parameters of --set, "name=value" with units as in a scenario; faults are printed.
-std::optional<PluginUse> decode_use(const Registry& registry, const PluginSpec& spec, const std::vector<std::string>& settings) {
+std::optional<PluginUse> decode_use(const Registry& registry, const PluginSpec& spec,
+                                    const std::vector<std::string>& settings) {
   std::string text = "type: " + spec.name + '\n';
   for (const std::string& setting : settings) {
     const std::size_t equals = setting.find('=');
-    if (equals == std::string::npos) throw UsageError(fmt::format("--set {}: expected PARAMETER=VALUE", setting));
+    if (equals == std::string::npos)
+      throw UsageError(fmt::format("--set {}: expected PARAMETER=VALUE", setting));
     text += setting.substr(0, equals) + ": " + setting.substr(equals + 1) + '\n';
   }
   Diagnostics diagnostics;
@@ -42,7 +44,8 @@ std::optional<PluginUse> decode_use(const Registry& registry, const PluginSpec& 
 
 bool is_law(const Plugin* plugin) {
   const PluginKind kind = plugin->spec.kind;
-  return kind == PluginKind::restitution || kind == PluginKind::friction || kind == PluginKind::rolling || kind == PluginKind::unilateral;
+  return kind == PluginKind::restitution || kind == PluginKind::friction || kind == PluginKind::rolling ||
+         kind == PluginKind::unilateral;
 }
 
 /// KIND/NAME, or the law of a file; null where the file has faults, which are printed.
@@ -56,7 +59,8 @@ const PluginSpec* law_named(LuaSession& session, const std::string& word) {
   if (!plugins) return nullptr;
   std::erase_if(*plugins, [](const Plugin* plugin) { return !is_law(plugin); });
   if (plugins->size() != 1)
-    throw UsageError(fmt::format("{} registers {} contact laws, expected one", word, plugins->empty() ? "no" : fmt::format("{}", plugins->size())));
+    throw UsageError(fmt::format("{} registers {} contact laws, expected one", word,
+                                 plugins->empty() ? "no" : fmt::format("{}", plugins->size())));
   return &plugins->front()->spec;
 }
 
@@ -78,14 +82,17 @@ void print_table(const LawGraph& graph) {
 int law(const Command& command, const Arguments& arguments) {
   namespace po = boost::program_options;
   po::options_description options("options");
-  options.add_options()("output,o", po::value<std::string>()->value_name("FILE"), "writes the graphs there, as SVG")(
-      "set", po::value<std::vector<std::string>>()->composing()->value_name("PARAMETER=VALUE"), "a parameter of the law");
+  options.add_options()("output,o", po::value<std::string>()->value_name("FILE"),
+                        "writes the graphs there, as SVG")(
+      "set", po::value<std::vector<std::string>>()->composing()->value_name("PARAMETER=VALUE"),
+      "a parameter of the law");
   const CommandLine line = parse(command, options, arguments, 1, 1);
   if (line.help) return done;
   LuaSession session(share_folder());
   const PluginSpec* spec = law_named(session, line.words[0]);
   if (!spec) return bad_input;
-  const auto settings = line.has("set") ? line.options["set"].as<std::vector<std::string>>() : std::vector<std::string>{};
+  const auto settings =
+      line.has("set") ? line.options["set"].as<std::vector<std::string>>() : std::vector<std::string>{};
   const std::optional<PluginUse> use = decode_use(session.registry(), *spec, settings);
   if (!use) return bad_input;
   std::vector<LawGraph> graphs;
@@ -101,7 +108,8 @@ int law(const Command& command, const Arguments& arguments) {
   std::vector<Plot> plots;
   for (const LawGraph& graph : graphs) {
     plots.push_back({graph.title, graph.x, graph.y, {}});
-    for (const LawGraph::Case& curve : graph.cases) plots.back().curves.push_back({curve.name, curve.at, curve.value});
+    for (const LawGraph::Case& curve : graph.cases)
+      plots.back().curves.push_back({curve.name, curve.at, curve.value});
   }
   write_file(line.text("output"), svg_of(line.words[0], plots));
   return done;

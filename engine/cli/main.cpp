@@ -5,6 +5,7 @@
 #include "cli/dispatch.h"
 
 int main(int count, char** words) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows beyond a limit is an error like a full disk, not a sudden end
+  std::signal(SIGXFSZ,
+              SIG_IGN);  // a file that grows beyond a limit is an error like a full disk, not a sudden end
   return flyrock::cli::dispatch({words + 1, words + count});
 }

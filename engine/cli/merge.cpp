@@ -24,12 +24,15 @@ std::string common_hash(const std::vector<std::string>& shards) {
   std::string common;
   for (const std::string& shard : shards) {
     const std::string hash = scenario_hash_in(shard);
-    if (hash.empty()) throw UsageError(fmt::format("{} is no result folder: it has no manifest.json, or a damaged one", shard));
+    if (hash.empty())
+      throw UsageError(
+          fmt::format("{} is no result folder: it has no manifest.json, or a damaged one", shard));
     if (!fs::is_directory(fs::path(shard) / "chunks"))
       throw UsageError(fmt::format("{} has no chunks: it is no shard, its results stand", shard));
     if (!common.empty() && hash != common)
-      throw UsageError(fmt::format("{} and {} are of different scenarios, seeds, numbers of trials or versions of flyrock",
-                                   shards.front(), shard));
+      throw UsageError(
+          fmt::format("{} and {} are of different scenarios, seeds, numbers of trials or versions of flyrock",
+                      shards.front(), shard));
     common = hash;
   }
   return common;
@@ -63,10 +66,14 @@ std::vector<ChunkFile> find_chunks(const std::vector<ChunkRange>& chunks, std::v
       piece.wanted += wanted;
       piece.lost += wanted && !found;
       if (!found) continue;
-      if (holder) throw UsageError(fmt::format("{} and {} both hold {}: a shard given twice", holder->name, piece.name, chunks[c].file_name()));
+      if (holder)
+        throw UsageError(fmt::format("{} and {} both hold {}: a shard given twice", holder->name, piece.name,
+                                     chunks[c].file_name()));
       if (!wanted)
-        throw InputError(fmt::format("{} holds {}, which is no chunk of shard {} of {}: it, or its request.json, is not what a run wrote",
-                                     piece.name, chunks[c].file_name(), piece.shard.number, piece.shard.of));
+        throw InputError(
+            fmt::format("{} holds {}, which is no chunk of shard {} of {}: it, or its request.json, is not "
+                        "what a run wrote",
+                        piece.name, chunks[c].file_name(), piece.shard.number, piece.shard.of));
       holder = &piece;
       files.push_back(file);
     }
@@ -80,7 +87,8 @@ bool tell_lost(const std::vector<Piece>& pieces) {
   for (const Piece& piece : pieces) {
     if (piece.lost == 0) continue;
     any = true;
-    fmt::print(stderr, "error: {} lacks {} of its {} chunks; run that shard again with --resume\n", piece.name, piece.lost, piece.wanted);
+    fmt::print(stderr, "error: {} lacks {} of its {} chunks; run that shard again with --resume\n",
+               piece.name, piece.lost, piece.wanted);
   }
   return any;
 }
@@ -89,10 +97,14 @@ bool tell_lost(const std::vector<Piece>& pieces) {
 void check_whole(const std::vector<ChunkFile>& files, const LoadedScenario& scenario) {
   for (const ChunkFile& file : files) {
     std::string why;
-    const std::optional<TrialRecords> records = read_chunk(file.path(), file.range, scenario.hash, Part::whole, why);
-    if (records) why = records_fault(*records, file.range, scenario.plan.points[static_cast<std::size_t>(file.range.point)]);
+    const std::optional<TrialRecords> records =
+        read_chunk(file.path(), file.range, scenario.hash, Part::whole, why);
+    if (records)
+      why = records_fault(*records, file.range,
+                          scenario.plan.points[static_cast<std::size_t>(file.range.point)]);
     if (!why.empty())
-      throw InputError(fmt::format("{} is not what a run wrote: {}; run its shard again with --resume", file.path().string(), why));
+      throw InputError(fmt::format("{} is not what a run wrote: {}; run its shard again with --resume",
+                                   file.path().string(), why));
   }
 }
 
@@ -101,30 +113,32 @@ std::string missing_text(const std::vector<ChunkRange>& chunks, const std::vecto
   if (files.size() == chunks.size()) return {};
   std::size_t first = 0;
   while (first < files.size() && files[first].range == chunks[first]) ++first;
-  return fmt::format("{} of {} chunks are missing, from trial {} of point {} on", chunks.size() - files.size(),
-                     chunks.size(), chunks[first].first, chunks[first].point);
+  return fmt::format("{} of {} chunks are missing, from trial {} of point {} on",
+                     chunks.size() - files.size(), chunks.size(), chunks[first].first, chunks[first].point);
 }
 
 std::optional<LoadedScenario> load_again(const CommandLine& line, const std::string& hash, Request& request) {
   const std::string& shard = line.words.front();
   request = read_request(fs::path(shard) / "chunks");
   request.shard = {};
-  if (line.has("scenario")) request.scenario = line.text("scenario");
+  if (line.has("scenario"))
+    request.scenario = line.text("scenario");
   else if (!fs::exists(request.scenario))
-    throw UsageError(fmt::format("the scenario of {}, {}, is not here; name it with --scenario FILE", shard, request.scenario));
+    throw UsageError(fmt::format("the scenario of {}, {}, is not here; name it with --scenario FILE", shard,
+                                 request.scenario));
   std::optional<LoadedScenario> loaded = load(request.scenario, request.overrides, false);
   if (loaded && loaded->hash != hash)
-    throw UsageError(fmt::format("{}, its plugins or flyrock have changed since {} was run", request.scenario, shard));
+    throw UsageError(
+        fmt::format("{}, its plugins or flyrock have changed since {} was run", request.scenario, shard));
   return loaded;
 }
 
 po::options_description merge_options() {
   po::options_description options("options");
-  options.add_options()
-      ("output,o", po::value<std::string>()->value_name("DIR"), "result folder; required")
-      ("scenario", po::value<std::string>()->value_name("FILE"), "the scenario, where it is not where the shards found it")
-      ("force", "replaces the results in an existing folder")
-      ("quiet", "no summary");
+  options.add_options()("output,o", po::value<std::string>()->value_name("DIR"), "result folder; required")(
+      "scenario", po::value<std::string>()->value_name("FILE"),
+      "the scenario, where it is not where the shards found it")(
+      "force", "replaces the results in an existing folder")("quiet", "no summary");
   return options;
 }
 
@@ -155,7 +169,8 @@ int merge(const Command& command, const Arguments& arguments) {
 
   check_whole(files, *loaded);
 
-  ResultFolder folder(line.text("output"), *loaded, line.has("force") ? Existing::replaced : Existing::refused);
+  ResultFolder folder(line.text("output"), *loaded,
+                      line.has("force") ? Existing::replaced : Existing::refused);
   std::optional<Runners> runners = try_runners(*loaded, tried_before_a_run);
   if (!runners) return bad_input;
   folder.open(*loaded, request);

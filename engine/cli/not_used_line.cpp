@@ -11,9 +11,12 @@ std::string not_used_line(const std::vector<std::string>& entries, const std::st
   if (entries.empty()) return {};
   constexpr std::size_t most_named = 3;
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < std::min(entries.size(), most_named); ++i) names.push_back(entries[i].substr(0, entries[i].find(" (")));
-  const std::string more = entries.size() > most_named ? fmt::format(" and {} more", entries.size() - most_named) : "";
-  return fmt::format("not used: {}{} {} nothing ({})\n", fmt::join(names, ", "), more, entries.size() == 1 ? "changes" : "change", hint);
+  for (std::size_t i = 0; i < std::min(entries.size(), most_named); ++i)
+    names.push_back(entries[i].substr(0, entries[i].find(" (")));
+  const std::string more =
+      entries.size() > most_named ? fmt::format(" and {} more", entries.size() - most_named) : "";
+  return fmt::format("not used: {}{} {} nothing ({})\n", fmt::join(names, ", "), more,
+                     entries.size() == 1 ? "changes" : "change", hint);
 }
 
 }  // namespace flyrock::cli

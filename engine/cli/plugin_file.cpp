@@ -6,10 +6,10 @@
 #include <filesystem>
 
 #include "batch/safe_file.h"
+#include "document/yaml_text.h"
 #include "host/locate.h"
 #include "host/lua_tokens.h"
 #include "host/manifest.h"
-#include "document/yaml_text.h"
 
 namespace flyrock::cli {
 
@@ -39,7 +39,9 @@ std::optional<std::vector<const Plugin*>> load_plugin_file(LuaSession& session, 
   fmt::print(stderr, "{}", diagnostics.to_text());
   if (diagnostics.has_errors()) return std::nullopt;
   std::vector<const Plugin*> own = all_plugins(session.registry());
-  std::erase_if(own, [&](const Plugin* plugin) { return std::find(before.begin(), before.end(), plugin) != before.end(); });
+  std::erase_if(own, [&](const Plugin* plugin) {
+    return std::find(before.begin(), before.end(), plugin) != before.end();
+  });
   return own;
 }
 
@@ -54,7 +56,8 @@ std::string place_of(const PluginSpec& spec) {
     if (!call.is("plugin")) continue;
     const FieldPlaces fields(source, "plugin", call.line);
     const Location name = fields.value("name");
-    if (std::any_of(tokens.begin(), tokens.end(), [&](const LuaToken& token) { return is_name(token, name); }))
+    if (std::any_of(tokens.begin(), tokens.end(),
+                    [&](const LuaToken& token) { return is_name(token, name); }))
       place = fields.key(spec.native.empty() ? std::string(entry_point(spec.kind)) : "native");
   }
   return fmt::format("{}:{}:{}", spec.file, place.line, place.column);

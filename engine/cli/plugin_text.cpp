@@ -43,15 +43,19 @@ std::string allowed_text(const ParamSpec& param) {
   if (param.above) limits.push_back("above " + in_unit(*param.above, param));
   if (param.max) limits.push_back("at most " + in_unit(*param.max, param));
   if (param.below) limits.push_back("below " + in_unit(*param.below, param));
-  for (const ParamBound& bound : param.bounds) limits.push_back(fmt::format("{} {}", name_of(bound.relation), bound.other));
-  if (param.usual) limits.push_back(fmt::format("usually {} to {}", in_unit(param.usual->least, param), in_unit(param.usual->greatest, param)));
+  for (const ParamBound& bound : param.bounds)
+    limits.push_back(fmt::format("{} {}", name_of(bound.relation), bound.other));
+  if (param.usual)
+    limits.push_back(fmt::format("usually {} to {}", in_unit(param.usual->least, param),
+                                 in_unit(param.usual->greatest, param)));
   if (!param.choices.empty()) limits.push_back(fmt::format("{}", fmt::join(param.choices, " | ")));
   return fmt::format("{}", fmt::join(limits, ", "));
 }
 
 /// "bond, slip, per contact"
 std::string memory_text(const PluginSpec& spec) {
-  return fmt::format("{}, per {}", fmt::join(spec.history, ", "), spec.history_of_contact ? "contact" : "pair of bodies");
+  return fmt::format("{}, per {}", fmt::join(spec.history, ", "),
+                     spec.history_of_contact ? "contact" : "pair of bodies");
 }
 
 /// Lines of whole words, at most 80 columns wide.
@@ -96,20 +100,23 @@ std::vector<const PluginSpec*> select_plugins(const Registry& registry, const st
     std::vector<std::string> kinds;
     for (int k = 0; k < plugin_kinds; ++k) kinds.emplace_back(name_of(static_cast<PluginKind>(k)));
     const std::string near = nearest_name(kind_word, kinds);
-    throw UsageError(fmt::format("unknown kind `{}`, expected one of: {}{}", kind_word, fmt::join(kinds, ", "),
+    throw UsageError(fmt::format("unknown kind `{}`, expected one of: {}{}", kind_word,
+                                 fmt::join(kinds, ", "),
                                  near.empty() ? "" : fmt::format("; did you mean `{}`?", near)));
   }
   std::vector<const PluginSpec*> specs;
   for (int k = 0; k < plugin_kinds; ++k)
     if (!kind || *kind == static_cast<PluginKind>(k))
-      for (const Plugin* plugin : registry.of_kind(static_cast<PluginKind>(k))) specs.push_back(&plugin->spec);
+      for (const Plugin* plugin : registry.of_kind(static_cast<PluginKind>(k)))
+        specs.push_back(&plugin->spec);
   if (slash == std::string::npos) return specs;
 
   const std::string name = wanted.substr(slash + 1);
   if (const Plugin* plugin = registry.find(*kind, name)) return {&plugin->spec};
   const std::vector<std::string> names = registry.names(*kind);
   const std::string near = nearest_name(name, names);
-  throw UsageError(fmt::format("unknown {} `{}`, expected one of: {}{}", kind_word, name, fmt::join(names, ", "),
+  throw UsageError(fmt::format("unknown {} `{}`, expected one of: {}{}", kind_word, name,
+                               fmt::join(names, ", "),
                                near.empty() ? "" : fmt::format("; did you mean `{}`?", near)));
 }
 
@@ -133,11 +140,13 @@ std::string full_text(const PluginSpec& spec) {
   text += fmt::format("  file: {}{}\n", spec.file, spec.native.empty() ? "" : " (native)");
   if (spec.params.empty()) text += "  no parameters\n";
   for (const ParamSpec& param : spec.params) {
-    text += fmt::format("\n  {}: {}{}, {}\n", param.name, name_of(param.type),
-                        param.unit.empty() ? "" : fmt::format(" [{}]", param.unit),
-                        param.required() || param.optional ? default_text(param) : "default " + default_text(param));
+    text += fmt::format(
+        "\n  {}: {}{}, {}\n", param.name, name_of(param.type),
+        param.unit.empty() ? "" : fmt::format(" [{}]", param.unit),
+        param.required() || param.optional ? default_text(param) : "default " + default_text(param));
     text += wrapped(param.doc, "    ");
-    if (const std::string allowed = allowed_text(param); !allowed.empty()) text += fmt::format("    {}\n", allowed);
+    if (const std::string allowed = allowed_text(param); !allowed.empty())
+      text += fmt::format("    {}\n", allowed);
   }
   return text;
 }
@@ -152,20 +161,18 @@ std::string markdown(const PluginSpec& spec) {
   if (spec.params.empty()) return text + "\nNo parameters.\n";
   text += "\n| parameter | type | unit | default | allowed | |\n|---|---|---|---|---|---|\n";
   for (const ParamSpec& param : spec.params)
-    text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", param.name, name_of(param.type), cell(param.unit),
-                        cell(default_text(param)), cell(allowed_text(param)), cell(param.doc));
+    text +=
+        fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", param.name, name_of(param.type), cell(param.unit),
+                    cell(default_text(param)), cell(allowed_text(param)), cell(param.doc));
   return text;
 }
 
 Json json_of(const PluginSpec& spec) {
   Json params = Json::array();
   for (const ParamSpec& param : spec.params) {
-    Json entry = {{"name", param.name},
-                  {"type", name_of(param.type)},
-                  {"unit", param.unit},
-                  {"default", default_json(param)},
-                  {"required", param.required()},
-                  {"doc", param.doc}};
+    Json entry = {{"name", param.name},           {"type", name_of(param.type)},
+                  {"unit", param.unit},           {"default", default_json(param)},
+                  {"required", param.required()}, {"doc", param.doc}};
     if (param.min) entry["min"] = *param.min;
     if (param.max) entry["max"] = *param.max;
     if (param.above) entry["above"] = *param.above;

@@ -9,7 +9,8 @@
 
 namespace flyrock::cli {
 
-/// The plugins that "KIND" or "KIND/NAME" selects; all where the text is empty. Throws UsageError for an unknown one.
+/// The plugins that "KIND" or "KIND/NAME" selects; all where the text is empty. Throws UsageError for an
+/// unknown one.
 std::vector<const PluginSpec*> select_plugins(const Registry& registry, const std::string& wanted);
 /// Kind, name and what it does, 80 columns wide.
 std::string short_text(const PluginSpec& spec);

@@ -1,7 +1,5 @@
 // Builds report.html again, from the data that stands in results.db: with the drawing of this flyrock.
 
-#include "report/html.h"
-
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -10,6 +8,7 @@
 #include "cli/result_folder.h"
 #include "host/share.h"
 #include "report/database.h"
+#include "report/html.h"
 
 namespace flyrock::cli {
 
@@ -28,7 +27,8 @@ std::string page_of(const std::filesystem::path& database) {
 }  // namespace
 
 int report(const Command& command, const Arguments& arguments) {
-  const CommandLine line = parse(command, boost::program_options::options_description("options"), arguments, 1, 1);
+  const CommandLine line =
+      parse(command, boost::program_options::options_description("options"), arguments, 1, 1);
   if (line.help) return done;
   const std::filesystem::path folder = finished_result(line.words[0]), page = folder / "report.html";
   write_file(page, page_of(folder / "results.db"));

@@ -21,7 +21,8 @@ std::filesystem::path file_in(const std::filesystem::path& chunks) { return chun
 }  // namespace
 
 void write_request(const std::filesystem::path& chunks, const Request& request) {
-  Json data = {{"scenario", std::filesystem::absolute(request.scenario).string()}, {"set", request.overrides.set}};
+  Json data = {{"scenario", std::filesystem::absolute(request.scenario).string()},
+               {"set", request.overrides.set}};
   if (request.overrides.seed) data["seed"] = *request.overrides.seed;
   if (request.overrides.trials) data["trials"] = *request.overrides.trials;
   data["shard"] = {request.shard.number, request.shard.of};
@@ -32,7 +33,8 @@ Request read_request(const std::filesystem::path& chunks) {
   const std::filesystem::path file = file_in(chunks);
   try {
     const Json data = Json::parse(read_file(file));
-    Request request{data.at("scenario"), {data.at("set"), {}, {}}, {data.at("shard").at(0), data.at("shard").at(1)}};
+    Request request{
+        data.at("scenario"), {data.at("set"), {}, {}}, {data.at("shard").at(0), data.at("shard").at(1)}};
     if (request.shard.number < 1 || request.shard.number > request.shard.of) fail(file);
     if (data.contains("seed")) request.overrides.seed = data["seed"].get<std::uint64_t>();
     if (data.contains("trials")) request.overrides.trials = data["trials"].get<std::uint64_t>();

@@ -1,5 +1,6 @@
 #pragma once
-// Which file a run was started with, kept beside its chunks: merging shards needs the scenario and its plugins again.
+// Which file a run was started with, kept beside its chunks: merging shards needs the scenario and its
+// plugins again.
 
 #include <cstdint>
 #include <filesystem>
@@ -20,7 +21,7 @@ struct Shard {
 struct Request {
   std::string scenario;  ///< path
   Overrides overrides;
-  Shard shard;           ///< all chunks, unless --shard says otherwise
+  Shard shard;  ///< all chunks, unless --shard says otherwise
 };
 
 /// Writes chunks/request.json, with the path made absolute. Throws FileError.

@@ -20,7 +20,8 @@ namespace {
 
 constexpr const char* manifest_name = "manifest.json";
 constexpr const char* run_log_name = "run.log";  ///< written when all else is there
-constexpr std::array result_names = {run_log_name, checksums_name, "summary.json", "rocks.csv", "results.db", "report.html"};
+constexpr std::array result_names = {run_log_name, checksums_name, "summary.json",
+                                     "rocks.csv",  "results.db",   "report.html"};
 
 /// Whether a run came to its end there.
 bool stands(const fs::path& folder) {
@@ -28,7 +29,8 @@ bool stands(const fs::path& folder) {
   return fs::exists(folder / run_log_name, code);
 }
 
-/// What `read` finds in a file of JSON. Throws UnreadableFile where the file is none, or `read` does not find it.
+/// What `read` finds in a file of JSON. Throws UnreadableFile where the file is none, or `read` does not find
+/// it.
 template <class Read>
 auto read_json(const fs::path& file, Read read) {
   try {
@@ -40,7 +42,8 @@ auto read_json(const fs::path& file, Read read) {
 
 /// What another process is writing is neither read nor replaced.
 void refuse_written(const fs::path& folder) {
-  if (FolderLock::held(folder)) throw InputError(fmt::format("{}: another flyrock is writing there", folder.string()));
+  if (FolderLock::held(folder))
+    throw InputError(fmt::format("{}: another flyrock is writing there", folder.string()));
 }
 
 }  // namespace
@@ -53,9 +56,10 @@ std::string scenario_hash_in(const fs::path& folder) {
   const auto read_hash = [&](const nlohmann::json& manifest) {
     const int format = manifest.at("format");
     if (format != result_format)
-      throw InputError(fmt::format("{} was written by flyrock {} in format {}, this one has format {}: run the scenario again, "
-                                   "with --force or -o DIR",
-                                   folder.string(), manifest.value("flyrock", "?"), format, result_format));
+      throw InputError(fmt::format(
+          "{} was written by flyrock {} in format {}, this one has format {}: run the scenario again, "
+          "with --force or -o DIR",
+          folder.string(), manifest.value("flyrock", "?"), format, result_format));
     return manifest.at("scenario_sha256").get<std::string>();
   };
   try {
@@ -68,33 +72,41 @@ std::string scenario_hash_in(const fs::path& folder) {
 
 fs::path finished_result(const std::string& folder) {
   const fs::path path(folder);
-  if (scenario_hash_in(path).empty()) throw InputError(fmt::format("{} is no result folder: it has no manifest.json, or a damaged one", folder));
+  if (scenario_hash_in(path).empty())
+    throw InputError(
+        fmt::format("{} is no result folder: it has no manifest.json, or a damaged one", folder));
   if (!stands(path))
-    throw InputError(fmt::format("{} has no results yet: `flyrock run --resume` goes on with a run that was interrupted, "
-                                 "`flyrock merge` puts shards together",
-                                 folder));
+    throw InputError(
+        fmt::format("{} has no results yet: `flyrock run --resume` goes on with a run that was interrupted, "
+                    "`flyrock merge` puts shards together",
+                    folder));
   check_checksums(path);
   return path;
 }
 
-ResultFolder::ResultFolder(fs::path path, const LoadedScenario& scenario, Existing existing) : path_(std::move(path)) {
+ResultFolder::ResultFolder(fs::path path, const LoadedScenario& scenario, Existing existing)
+    : path_(std::move(path)) {
   std::error_code code;
   if (!fs::exists(path_, code)) return;
-  if (!fs::is_directory(path_, code)) throw InputError(fmt::format("{} is a file, expected a folder", path_.string()));
+  if (!fs::is_directory(path_, code))
+    throw InputError(fmt::format("{} is a file, expected a folder", path_.string()));
   refuse_written(path_);
   if (existing == Existing::refused && !fs::is_empty(path_, code))
-    throw UsageError(fmt::format("{} exists; --resume goes on with an unfinished run, --force replaces the results in "
-                                 "it, -o DIR names another folder",
-                                 path_.string()));
+    throw UsageError(
+        fmt::format("{} exists; --resume goes on with an unfinished run, --force replaces the results in "
+                    "it, -o DIR names another folder",
+                    path_.string()));
   if (existing != Existing::continued) return;
   const std::string hash = scenario_hash_in(path_);
   if (hash.empty() && stands(path_))
-    throw InputError(fmt::format("{} holds results without a manifest.json: nobody knows of which scenario; --force replaces them",
-                                 path_.string()));
+    throw InputError(fmt::format(
+        "{} holds results without a manifest.json: nobody knows of which scenario; --force replaces them",
+        path_.string()));
   if (!hash.empty() && hash != scenario.hash)
-    throw UsageError(fmt::format("{} holds a run of another scenario, seed, number of trials or version of flyrock; "
-                                 "--force replaces it, -o DIR names another folder",
-                                 path_.string()));
+    throw UsageError(
+        fmt::format("{} holds a run of another scenario, seed, number of trials or version of flyrock; "
+                    "--force replaces it, -o DIR names another folder",
+                    path_.string()));
   continued_ = !hash.empty();
 }
 

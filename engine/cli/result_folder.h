@@ -24,16 +24,17 @@ enum class Existing {
 
 class ResultFolder {
  public:
-  /// Names the folder of a scenario and writes nothing. Throws UsageError where it is not to be used so, InputError where
-  /// it is no folder or another run is writing it.
+  /// Names the folder of a scenario and writes nothing. Throws UsageError where it is not to be used so,
+  /// InputError where it is no folder or another run is writing it.
   ResultFolder(std::filesystem::path path, const LoadedScenario& scenario, Existing existing);
 
-  /// Whether the results of all trials of the scenario stand; the exit code that the run ended with. Throws UnreadableFile where they
-  /// are not what the run wrote.
+  /// Whether the results of all trials of the scenario stand; the exit code that the run ended with. Throws
+  /// UnreadableFile where they are not what the run wrote.
   std::optional<int> complete(const Plan& plan) const;
 
-  /// Makes the folder and holds it, removes tables of an earlier run, and its chunks where they are not continued, and
-  /// writes the manifest. Other files stay. Throws InputError where the folder cannot be written or held.
+  /// Makes the folder and holds it, removes tables of an earlier run, and its chunks where they are not
+  /// continued, and writes the manifest. Other files stay. Throws InputError where the folder cannot be
+  /// written or held.
   void open(const LoadedScenario& scenario, const Request& request);
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path chunks() const { return path_ / "chunks"; }
@@ -53,12 +54,13 @@ class ResultFolder {
   std::optional<FolderLock> lock_;  ///< from open() on
 };
 
-/// The hash of the scenario in the manifest of a result folder, or an empty text where there is none, or a broken one of a folder that was made half. Throws InputError where
-/// it is of a format that this flyrock does not read, or a run is writing it, and UnreadableFile where it is damaged.
+/// The hash of the scenario in the manifest of a result folder, or an empty text where there is none, or a
+/// broken one of a folder that was made half. Throws InputError where it is of a format that this flyrock
+/// does not read, or a run is writing it, and UnreadableFile where it is damaged.
 std::string scenario_hash_in(const std::filesystem::path& folder);
 
-/// The path of a result folder whose tables stand, as the run wrote them: their checksums are compared. Throws InputError or
-/// UnreadableFile where it is none.
+/// The path of a result folder whose tables stand, as the run wrote them: their checksums are compared.
+/// Throws InputError or UnreadableFile where it is none.
 std::filesystem::path finished_result(const std::string& folder);
 
 }  // namespace flyrock::cli

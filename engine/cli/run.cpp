@@ -38,25 +38,31 @@ Only read_only(const std::string& text) {
 /// Bounds the replay by the plan, and makes its trajectory one that is stored.
 void prepare(const Only& only, Plan& plan) {
   if (only.point >= plan.points.size())
-    throw UsageError(fmt::format("--only: point {} does not exist, the scenario has {} (from 0)", only.point, plan.points.size()));
+    throw UsageError(fmt::format("--only: point {} does not exist, the scenario has {} (from 0)", only.point,
+                                 plan.points.size()));
   Scenario& scenario = plan.points[only.point];
   if (only.trial >= scenario.trials)
-    throw UsageError(fmt::format("--only: trial {} does not exist, the scenario has {} (from 0)", only.trial, scenario.trials));
-  scenario.output.trajectories_first = std::max(scenario.output.trajectories_first, static_cast<int>(only.trial) + 1);
+    throw UsageError(fmt::format("--only: trial {} does not exist, the scenario has {} (from 0)", only.trial,
+                                 scenario.trials));
+  scenario.output.trajectories_first =
+      std::max(scenario.output.trajectories_first, static_cast<int>(only.trial) + 1);
 }
 
 /// "2/3"
 Shard read_shard(const std::string& text) {
   const std::size_t slash = text.find('/');
   if (slash == std::string::npos) throw UsageError(fmt::format("--shard: `{}`, expected i/n, as 1/3", text));
-  const Shard shard{whole_number(text.substr(0, slash), "--shard i", 1), whole_number(text.substr(slash + 1), "--shard n", 1)};
+  const Shard shard{whole_number(text.substr(0, slash), "--shard i", 1),
+                    whole_number(text.substr(slash + 1), "--shard n", 1)};
   if (shard.number > shard.of) throw UsageError(fmt::format("--shard: `{}`, expected i from 1 to n", text));
   return shard;
 }
 
-std::vector<ChunkRange> chunks_of(const Plan& plan, const std::optional<Only>& only, const std::optional<Shard>& shard) {
+std::vector<ChunkRange> chunks_of(const Plan& plan, const std::optional<Only>& only,
+                                  const std::optional<Shard>& shard) {
   if (only) return {{static_cast<int>(only->point), only->trial, only->trial, 1}};
-  const std::vector<ChunkRange> all = plan_chunks(static_cast<int>(plan.points.size()), plan.points.front().trials);
+  const std::vector<ChunkRange> all =
+      plan_chunks(static_cast<int>(plan.points.size()), plan.points.front().trials);
   if (!shard) return all;
   std::vector<ChunkRange> chunks;
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -97,8 +103,9 @@ Execution execute(const Job& job, const LoadedScenario& loaded, Runners& runners
   options.report = [&](const RunProgress& progress) { bar.show(progress); };
   options.print = [&](const std::vector<std::string>& lines) { bar.write(lines); };
   if (writer) options.see = [&](int point, const TrialRecords& chunk) { writer->see(point, chunk); };
-  execution.outcome =
-      run_chunks(chunks, workers(loaded, runners, job.request.scenario, job.request.overrides, folder.hard_problems()), options);
+  execution.outcome = run_chunks(
+      chunks, workers(loaded, runners, job.request.scenario, job.request.overrides, folder.hard_problems()),
+      options);
   const RunProgress& progress = execution.outcome.progress;
   log.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   log.trials = progress.done - progress.kept;
@@ -111,22 +118,25 @@ Execution execute(const Job& job, const LoadedScenario& loaded, Runners& runners
 }
 
 /// What a shard leaves: its chunks, for `flyrock merge`.
-int conclude_shard(const RunOutcome& outcome, const Shard& shard, const std::filesystem::path& chunks, bool quiet) {
+int conclude_shard(const RunOutcome& outcome, const Shard& shard, const std::filesystem::path& chunks,
+                   bool quiet) {
   if (!outcome.why.empty()) fmt::print(stderr, "error: the run ended early: {}\n", outcome.why);
   if (!quiet)
-    fmt::print("shard {} of {}: {} trials in {}; `flyrock merge` puts the shards together\n", shard.number, shard.of,
-               trials_in(outcome.chunks), chunks.string());
+    fmt::print("shard {} of {}: {} trials in {}; `flyrock merge` puts the shards together\n", shard.number,
+               shard.of, trials_in(outcome.chunks), chunks.string());
   return outcome.why.empty() && outcome.failed == 0 ? done : faults;
 }
 
 int threads_of(const CommandLine& line) {
-  if (line.has("jobs")) return static_cast<int>(std::min<std::uint64_t>(whole_number(line.text("jobs"), "-j", 1), 1024));
+  if (line.has("jobs"))
+    return static_cast<int>(std::min<std::uint64_t>(whole_number(line.text("jobs"), "-j", 1), 1024));
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 /// Options that contradict each other.
 void refuse_pairs(const CommandLine& line) {
-  for (const auto& [a, b] : {std::pair("resume", "force"), std::pair("only", "resume"), std::pair("only", "shard")})
+  for (const auto& [a, b] :
+       {std::pair("resume", "force"), std::pair("only", "resume"), std::pair("only", "shard")})
     if (line.has(a) && line.has(b)) throw UsageError(fmt::format("expected one of --{} and --{}", a, b));
 }
 
@@ -135,20 +145,24 @@ po::options_description run_options() {
   options.add_options()("output,o", po::value<std::string>()->value_name("DIR"),
                         "result folder; default out/<scenario name>");
   add_override_options(options);
-  options.add_options()
-      ("only", po::value<std::string>()->value_name("point=P,trial=T"), "replays one trial and shows its rocks")
-      ("jobs,j", po::value<std::string>()->value_name("N"), "threads; default all cores")
-      ("shard", po::value<std::string>()->value_name("i/n"), "runs the i-th of n parts, for `flyrock merge`")
-      ("resume", "goes on with a run that was interrupted or killed")
-      ("force", "replaces the results in an existing folder")
-      ("quiet", "no progress and no summary")
-      ("strict", "keys that nothing reads and values outside of what is usual are errors; ends at the first fault or step that did not converge");
+  options.add_options()("only", po::value<std::string>()->value_name("point=P,trial=T"),
+                        "replays one trial and shows its rocks")(
+      "jobs,j", po::value<std::string>()->value_name("N"), "threads; default all cores")(
+      "shard", po::value<std::string>()->value_name("i/n"), "runs the i-th of n parts, for `flyrock merge`")(
+      "resume", "goes on with a run that was interrupted or killed")(
+      "force", "replaces the results in an existing folder")("quiet", "no progress and no summary")(
+      "strict",
+      "keys that nothing reads and values outside of what is usual are errors; ends at the first fault or "
+      "step that did not converge");
   return options;
 }
 
 Job read_job(const CommandLine& line) {
   refuse_pairs(line);
-  Job job{.request = {line.words[0], overrides_of(line), {}}, .only = {}, .shard = {}, .threads = threads_of(line)};
+  Job job{.request = {line.words[0], overrides_of(line), {}},
+          .only = {},
+          .shard = {},
+          .threads = threads_of(line)};
   if (line.has("only")) job.only = read_only(line.text("only"));
   if (line.has("shard")) job.shard = job.request.shard = read_shard(line.text("shard"));
   job.resume = line.has("resume");
@@ -183,14 +197,15 @@ int carry_out(const Job& job, const LoadedScenario& loaded, Runners& runners, co
                        .full = !job.only && plan.points.front().trials >= loaded.own_trials,
                        .ended_early = outcome.why,
                        .warnings = loaded.warnings};
-  const std::vector<Rows> rows =
-      rows_in(chunk_files(outcome.chunks, folder.chunks()), static_cast<int>(plan.points.size()), loaded.hash);
+  const std::vector<Rows> rows = rows_in(chunk_files(outcome.chunks, folder.chunks()),
+                                         static_cast<int>(plan.points.size()), loaded.hash);
   const Results results = folder.build(*writer, rows, facts, first_terrains(runners), log);
   folder.tidy();
   print_faults(results);
   if (!job.quiet) {
     fmt::print("{}", summary_text(plan, results, loaded.warnings));
-    if (job.only) fmt::print("{}", trial_text(plan.points[job.only->point], results.points[job.only->point].first_trial));
+    if (job.only)
+      fmt::print("{}", trial_text(plan.points[job.only->point], results.points[job.only->point].first_trial));
     fmt::print("report: {}\n", folder.report().string());
   }
   return exit_code(results);
@@ -219,7 +234,8 @@ int run(const Command& command, const Arguments& arguments) {
   try {
     return carry_out(job, *loaded, *runners, folder);
   } catch (const FileError& error) {  // a full disk
-    fmt::print(stderr, "error: {}; what was done is kept in {}, --resume goes on\n", error.what(), folder.chunks().string());
+    fmt::print(stderr, "error: {}; what was done is kept in {}, --resume goes on\n", error.what(),
+               folder.chunks().string());
     return faults;
   }
 }

@@ -56,14 +56,14 @@ MakeWorker workers(const LoadedScenario& scenario, Runners& runners, const std::
     if (thread == 0) return trial_of(runners, *scenario.session);
     const auto reading = std::make_shared<Reading>();
     Diagnostics diagnostics;
-    reading->scenario = load_scenario(path, overrides, diagnostics, Prints::collected);  // thread 0 has shown them
+    reading->scenario =
+        load_scenario(path, overrides, diagnostics, Prints::collected);  // thread 0 has shown them
     if (!reading->scenario || reading->scenario->hash != scenario.hash)
       throw FileError(fmt::format("{}, or a file that it names, was changed while the run started", path));
     reading->runners = make_runners(reading->scenario->plan);
     prepare(reading->runners, *reading->scenario, hard_problems);
-    return [reading, run = trial_of(reading->runners, *reading->scenario->session)](int point, std::uint64_t trial, TrialRecords& out) {
-      run(point, trial, out);
-    };
+    return [reading, run = trial_of(reading->runners, *reading->scenario->session)](
+               int point, std::uint64_t trial, TrialRecords& out) { run(point, trial, out); };
   };
 }
 

@@ -11,7 +11,8 @@ namespace {
 
 /// Functions of a Lua scenario have no place in a tree: the tree names its file as that of its plugins.
 void name_plugin_file(Value& resolved, const std::string& file) {
-  if (Value* plugins = resolved.find("plugins"); plugins && plugins->list()) plugins->list()->push_back({file, {}, false});
+  if (Value* plugins = resolved.find("plugins"); plugins && plugins->list())
+    plugins->list()->push_back({file, {}, false});
 }
 
 }  // namespace
@@ -29,7 +30,8 @@ int show(const Command& command, const Arguments& arguments) {
   if (loaded->defines_plugins) {
     const std::string file = std::filesystem::path(line.words[0]).filename().string();
     name_plugin_file(resolved, file);
-    if (!line.has("json")) text = fmt::format("# Its plugins are functions in {0}: keep this beside {0}.\n", file);
+    if (!line.has("json"))
+      text = fmt::format("# Its plugins are functions in {0}: keep this beside {0}.\n", file);
   }
   text += line.has("json") ? to_json(resolved) : to_yaml(resolved);
   if (text.empty() || text.back() != '\n') text += '\n';

@@ -1,5 +1,7 @@
 // Solves a friction problem from disk.
 
+#include "solver/solve.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +14,6 @@
 #include "cli/command.h"
 #include "solver/fclib.h"
 #include "solver/residual.h"
-#include "solver/solve.h"
 #include "units/units.h"
 
 namespace flyrock::cli {
@@ -64,32 +65,33 @@ Answer solve_stored(const StoredProblem<D>& stored, const SolveSettings& setting
 void print(const Answer& answer, bool json) {
   const SolveResult& result = answer.result;
   if (json) {
-    const nlohmann::ordered_json tree = {{"iterations", result.iterations},
-                                         {"seconds", answer.seconds},
-                                         {"processor_seconds", answer.processor_seconds},
-                                         {"converged", result.converged},
-                                         {"solver", name_of(result.solver)},
-                                         {"merit", {{"rel", answer.merit.relative()}, {"fclib", answer.merit.fclib()}}},
-                                         {"r", answer.r}};
+    const nlohmann::ordered_json tree = {
+        {"iterations", result.iterations},
+        {"seconds", answer.seconds},
+        {"processor_seconds", answer.processor_seconds},
+        {"converged", result.converged},
+        {"solver", name_of(result.solver)},
+        {"merit", {{"rel", answer.merit.relative()}, {"fclib", answer.merit.fclib()}}},
+        {"r", answer.r}};
     fmt::print("{}\n", tree.dump());
     return;
   }
   fmt::print("{} contacts in {}D: {} after {} {} of {} in {:.3g} s\n", answer.contacts, answer.dimension,
              result.converged ? "converged" : "not converged", result.iterations,
              result.solver == SolverKind::nlgs ? "sweeps" : "steps", name_of(result.solver), answer.seconds);
-  fmt::print("|F|/|q| {:.3g}, of FCLIB {:.3g}; worst at contact {}\n", answer.merit.relative(), answer.merit.fclib(),
-             answer.merit.worst_contact);
+  fmt::print("|F|/|q| {:.3g}, of FCLIB {:.3g}; worst at contact {}\n", answer.merit.relative(),
+             answer.merit.fclib(), answer.merit.worst_contact);
 }
 
 }  // namespace
 
 int solve(const Command& command, const Arguments& arguments) {
   po::options_description options("options");
-  options.add_options()
-      ("solver", po::value<std::string>()->default_value("auto")->value_name("S"), "auto, nlgs or proximal_newton")
-      ("tolerance", po::value<std::string>()->default_value("1e-8")->value_name("T"), "on |F|/|q|")
-      ("max-iterations", po::value<std::string>()->default_value("100000")->value_name("N"), "sweeps, or steps of proximal_newton")
-      ("json", "as JSON, with the impulses r");
+  options.add_options()("solver", po::value<std::string>()->default_value("auto")->value_name("S"),
+                        "auto, nlgs or proximal_newton")(
+      "tolerance", po::value<std::string>()->default_value("1e-8")->value_name("T"), "on |F|/|q|")(
+      "max-iterations", po::value<std::string>()->default_value("100000")->value_name("N"),
+      "sweeps, or steps of proximal_newton")("json", "as JSON, with the impulses r");
   const CommandLine line = parse(command, options, arguments, 1, 1);
   if (line.help) return done;
   SolveSettings settings;
@@ -105,7 +107,8 @@ int solve(const Command& command, const Arguments& arguments) {
     std::cerr << "error: " << error.what() << '\n';
     return bad_input;
   }
-  const Answer answer = std::visit([&](const auto& stored) { return solve_stored(stored, settings); }, *problem);
+  const Answer answer =
+      std::visit([&](const auto& stored) { return solve_stored(stored, settings); }, *problem);
   print(answer, line.has("json"));
   return answer.result.converged ? done : expectation_failed;
 }

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "results/answer.h"
-#include "results/answer_shares.h"
-#include "results/fault_line.h"
 #include "cli/not_used_line.h"
 #include "cli/terminal.h"
 #include "math/space.h"
+#include "results/answer.h"
+#include "results/answer_shares.h"
+#include "results/fault_line.h"
 
 namespace flyrock::cli {
 
@@ -32,15 +32,19 @@ std::string row_name(const GroupSummary& group) { return group.name.empty() ? "a
 /// The width of the first column: the longest name of a group.
 std::size_t name_width(const Results& results) {
   std::size_t width = 16;
-  for (const GroupSummary& group : results.points.front().groups) width = std::max(width, row_name(group).size());
+  for (const GroupSummary& group : results.points.front().groups)
+    width = std::max(width, row_name(group).size());
   return width;
 }
 
 /// "10.1 to 14.8 %"
-std::string range_text(const Interval& interval) { return fmt::format("{:.3g} to {}", 100 * interval.lower, percent(interval.upper)); }
+std::string range_text(const Interval& interval) {
+  return fmt::format("{:.3g} to {}", 100 * interval.lower, percent(interval.upper));
+}
 
 std::string group_line(const GroupSummary& group, std::size_t width) {
-  std::string text = fmt::format("  {:<{}}{:>8}{:>9}{:>16}", row_name(group), width, group.count, percent(group.censored_share()),
+  std::string text = fmt::format("  {:<{}}{:>8}{:>9}{:>16}", row_name(group), width, group.count,
+                                 percent(group.censored_share()),
                                  group.count > group.faults ? range_text(group.censored_interval()) : "-");
   for (const Statistic s : {Statistic::p50, Statistic::p90, Statistic::p95, Statistic::p99, Statistic::max})
     text += fmt::format("{:>9}", display(group.at(RockQuantity::runout, s), ""));
@@ -50,13 +54,15 @@ std::string group_line(const GroupSummary& group, std::size_t width) {
 std::string reasons_line(const Scenario& scenario, const GroupSummary& group) {
   std::vector<std::string> parts;
   for (std::size_t r = 0; r < group.reasons.size(); ++r)
-    if (group.reasons[r] > 0) parts.push_back(fmt::format("{} {}", group.reasons[r], ended(static_cast<StopReason>(r), scenario)));
+    if (group.reasons[r] > 0)
+      parts.push_back(fmt::format("{} {}", group.reasons[r], ended(static_cast<StopReason>(r), scenario)));
   return fmt::format("  {}\n", fmt::join(parts, ", "));
 }
 
 std::string place_line(const std::string& place, const Share& share) {
   if (std::isnan(share.value)) return "";
-  return fmt::format("  {:<34}{:>12}{:>16}\n", place, (share.censored ? ">= " : "") + percent(share.value), range_text(share.interval));
+  return fmt::format("  {:<34}{:>12}{:>16}\n", place, (share.censored ? ">= " : "") + percent(share.value),
+                     range_text(share.interval));
 }
 
 /// How many rocks gates and barriers of a point saw, a line each.
@@ -80,16 +86,20 @@ std::string wanted(const Verdict& verdict) {
     case ExpectKind::equals:
       if (verdict.tolerance == 0) return shortest(e.value);
       return fmt::format("{} within {:.3g}", shortest(e.value), verdict.tolerance);
-    case ExpectKind::below: return "below " + shortest(e.value);
-    case ExpectKind::above: return "above " + shortest(e.value);
-    case ExpectKind::between: return fmt::format("from {} to {}", shortest(e.value), shortest(e.high));
+    case ExpectKind::below:
+      return "below " + shortest(e.value);
+    case ExpectKind::above:
+      return "above " + shortest(e.value);
+    case ExpectKind::between:
+      return fmt::format("from {} to {}", shortest(e.value), shortest(e.high));
   }
   return {};
 }
 
 std::string verdict_line(const Verdict& verdict, bool sweep) {
   static constexpr const char* words[] = {"ok", "FAILED", "not judged"};
-  std::string text = fmt::format("  {:<11}{}", words[static_cast<int>(verdict.judgement)], verdict.expectation.measure);
+  std::string text =
+      fmt::format("  {:<11}{}", words[static_cast<int>(verdict.judgement)], verdict.expectation.measure);
   if (sweep && verdict.point >= 0) text += fmt::format(" at point {}", verdict.point);
   // Ten digits: four would hide how near a textbook's number is met.
   text += fmt::format(" = {}{:.10g}, expected {}", verdict.censored ? ">= " : "", verdict.computed,
@@ -109,8 +119,8 @@ std::string summary_text(const Plan& plan, const Results& results, const std::ve
   if (plan.points.front().bodies.empty()) {
     const std::size_t width = name_width(results);
     const char* what = plan.points.front().method == Method::ballistic ? "first landing, m" : "runout in m";
-    text += fmt::format("  {:<{}}{:>8}{:>9}{:>16}{:>9}{:>9}{:>9}{:>9}{:>9}\n", what, width, "rocks", "censored", "95 % interval",
-                        "p50", "p90", "p95", "p99", "max");
+    text += fmt::format("  {:<{}}{:>8}{:>9}{:>16}{:>9}{:>9}{:>9}{:>9}{:>9}\n", what, width, "rocks",
+                        "censored", "95 % interval", "p50", "p90", "p95", "p99", "max");
     for (std::size_t p = 0; p < results.points.size(); ++p) {
       if (sweep) text += point_title(plan, p);
       for (const GroupSummary& group : results.points[p].groups) text += group_line(group, width);
@@ -136,13 +146,15 @@ std::string summary_text(const Plan& plan, const Results& results, const std::ve
 
 std::string trial_text(const Scenario& scenario, const std::vector<RockRecord>& rocks) {
   const std::vector<std::string> groups = group_names(scenario);
-  std::string text = fmt::format("  {:<6}{:<16}{:>10}{:>13}{:>13}{:>11}{:>9}{:>9}  {}\n", "rock", "group", "mass kg",
-                                 "launch m/s", "elevation", scenario.method == Method::ballistic ? "landing m" : "runout m", "impacts", "time s", "ended");
+  std::string text =
+      fmt::format("  {:<6}{:<16}{:>10}{:>13}{:>13}{:>11}{:>9}{:>9}  {}\n", "rock", "group", "mass kg",
+                  "launch m/s", "elevation", scenario.method == Method::ballistic ? "landing m" : "runout m",
+                  "impacts", "time s", "ended");
   for (const RockRecord& rock : rocks)
-    text += fmt::format("  {:<6}{:<16}{:>10.4g}{:>13.4g}{:>9.4g} deg{:>11.4g}{:>9}{:>9.4g}  {}{}\n", rock.rock,
-                        groups.at(rock.group), rock.mass, rock.launch_speed, rock.launch_elevation * 180 / pi,
-                        rock.runout, rock.impacts, rock.time, ended(rock.reason, scenario),
-                        rock.fault.empty() ? "" : ": " + rock.fault);
+    text += fmt::format("  {:<6}{:<16}{:>10.4g}{:>13.4g}{:>9.4g} deg{:>11.4g}{:>9}{:>9.4g}  {}{}\n",
+                        rock.rock, groups.at(rock.group), rock.mass, rock.launch_speed,
+                        rock.launch_elevation * 180 / pi, rock.runout, rock.impacts, rock.time,
+                        ended(rock.reason, scenario), rock.fault.empty() ? "" : ": " + rock.fault);
   return text + '\n';
 }
 

@@ -25,18 +25,21 @@ std::string progress_text(const RunProgress& progress, double since_start, doubl
   constexpr double long_trial = 2;  // s
   const double share = static_cast<double>(progress.done) / static_cast<double>(progress.total);
   const auto filled = static_cast<std::size_t>(30 * share);
-  std::string text = fmt::format("[{}{}] {} of {} trials", std::string(filled, '#'), std::string(30 - filled, '.'),
-                                 progress.done, progress.total);
+  std::string text = fmt::format("[{}{}] {} of {} trials", std::string(filled, '#'),
+                                 std::string(30 - filled, '.'), progress.done, progress.total);
   if (progress.done > progress.kept) {  // chunks of an earlier run took no time of this one
     const double left = since_start * static_cast<double>(progress.total - progress.done) /
                         static_cast<double>(progress.done - progress.kept);
-    text += fmt::format(", {:.0f} rocks/s, {} left", static_cast<double>(progress.rocks) / since_start, clock_time(left));
+    text += fmt::format(", {:.0f} rocks/s, {} left", static_cast<double>(progress.rocks) / since_start,
+                        clock_time(left));
   }
-  if (since_last_trial >= long_trial) text += fmt::format(", this trial for {} by now", clock_time(since_last_trial));
+  if (since_last_trial >= long_trial)
+    text += fmt::format(", this trial for {} by now", clock_time(since_last_trial));
   return text;
 }
 
-ProgressBar::ProgressBar(bool wanted, std::uint64_t trials) : visible_(wanted && ::isatty(STDERR_FILENO) != 0) {
+ProgressBar::ProgressBar(bool wanted, std::uint64_t trials)
+    : visible_(wanted && ::isatty(STDERR_FILENO) != 0) {
   progress_.total = trials;
   if (visible_) watcher_ = std::jthread([this](std::stop_token stop) { watch(std::move(stop)); });
 }
@@ -67,7 +70,9 @@ void ProgressBar::watch(std::stop_token stop) {
 }
 
 void ProgressBar::draw(Clock::time_point now) {
-  const auto seconds = [&](Clock::time_point since) { return std::chrono::duration<double>(now - since).count(); };
+  const auto seconds = [&](Clock::time_point since) {
+    return std::chrono::duration<double>(now - since).count();
+  };
   drawn_ = now;
   fmt::print(stderr, "\r{}\033[K", progress_text(progress_, seconds(start_), seconds(last_trial_)));
   std::fflush(stderr);

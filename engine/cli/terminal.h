@@ -10,8 +10,8 @@
 
 namespace flyrock::cli {
 
-/// A progress bar with rate and time left on stderr: only where that is a terminal, ten times a second at most. While a trial
-/// takes longer than two seconds, a thread of its own says each second for how long.
+/// A progress bar with rate and time left on stderr: only where that is a terminal, ten times a second at
+/// most. While a trial takes longer than two seconds, a thread of its own says each second for how long.
 class ProgressBar {
  public:
   explicit ProgressBar(bool wanted, std::uint64_t trials);
@@ -36,7 +36,8 @@ class ProgressBar {
   std::jthread watcher_;  ///< last: it reads the others
 };
 
-/// "[####......] 4 of 10 trials, 20 rocks/s, 0:07 left", and how long the trial at hand takes where that is long. Times in s.
+/// "[####......] 4 of 10 trials, 20 rocks/s, 0:07 left", and how long the trial at hand takes where that is
+/// long. Times in s.
 std::string progress_text(const RunProgress& progress, double since_start, double since_last_trial);
 
 /// `text` in bold where stdout is a terminal and NO_COLOR is not set.

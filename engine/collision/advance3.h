@@ -12,8 +12,8 @@ namespace flyrock {
 struct MovingState {
   Turn turn;
   Vec3 x, v;
-  double w_max;      ///< greatest spin
-  double w_rate;     ///< greatest rate of change of the spin
+  double w_max;   ///< greatest spin
+  double w_rate;  ///< greatest rate of change of the spin
   MovingState(const MovingContactor& c, double t, double end)
       : turn(c.motion.turn(t)),
         x(c.motion.position(t)),
@@ -28,8 +28,9 @@ struct MovingState {
   bool turns() const { return w_max > 0 || w_rate > 0; }
 };
 
-/// Follows a search from one safe time to the next, search.lasts(t) telling how long its contactors stay apart from t on. Where
-/// the balls about them are clear of each other, which the polynomial search.clearance() tells, it goes on to where they meet.
+/// Follows a search from one safe time to the next, search.lasts(t) telling how long its contactors stay
+/// apart from t on. Where the balls about them are clear of each other, which the polynomial
+/// search.clearance() tells, it goes on to where they meet.
 template <class Search>
 std::optional<double> advance(Search&& search, double end, std::uint64_t* iterations) {
   const auto clearance = search.clearance();

@@ -60,31 +60,35 @@ class Search {
     Vec2 fixed = Vec2::Zero();  ///< kind 2: from b to a, kept in the world
   };
 
-  /// Whether a point p of `other`, in its body's frame, is surely clear of a line that does not turn until the end, which is
-  /// `left` away: with |x| + |y| for its reach, gap + slope t - M t^2 / 2 at the end is linear in p and its reach. Most
-  /// points are, and need no roots.
-  auto points_that_stay_clear(const Vec2& normal, const Vec2& x, const Vec2& v, double offset, const Vec2& acceleration,
-                              const MovingHull& other, const State& so, double left) const {
+  /// Whether a point p of `other`, in its body's frame, is surely clear of a line that does not turn until
+  /// the end, which is `left` away: with |x| + |y| for its reach, gap + slope t - M t^2 / 2 at the end is
+  /// linear in p and its reach. Most points are, and need no roots.
+  auto points_that_stay_clear(const Vec2& normal, const Vec2& x, const Vec2& v, double offset,
+                              const Vec2& acceleration, const MovingHull& other, const State& so,
+                              double left) const {
     const Vec2 now = so.r.inverse(normal), later = now + left * so.w * Vec2(now.y(), -now.x());
     const double gap = normal.dot(so.x - x) - offset + search_.slack - 1e-9 * search_.size;
     const double fall = std::max(0.0, -normal.dot(acceleration));
     const double gap_later = gap + left * (normal.dot(so.v - v) - 0.5 * left * fall);
     const double bend = 0.5 * left * left * (so.w_max * so.w_max + std::abs(other.motion.alpha));
     return [=](const Vec2& p) {
-      return gap + now.dot(p) > 0 && gap_later + later.dot(p) - bend * (std::abs(p.x()) + std::abs(p.y())) > 0;
+      return gap + now.dot(p) > 0 &&
+             gap_later + later.dot(p) - bend * (std::abs(p.x()) + std::abs(p.y())) > 0;
     };
   }
 
   /// How long the edge `edge` of `reference` separates it from the points of `other`.
-  double edge_lasts(const MovingHull& reference, const State& sr, const MovingHull& other, const State& so, int edge,
-                    bool reference_is_a, double t) const {
+  double edge_lasts(const MovingHull& reference, const State& sr, const MovingHull& other, const State& so,
+                    int edge, bool reference_is_a, double t) const {
     const Vec2 normal = sr.r * reference.normals[edge];
     const Vec2 turn = perpendicular(normal);
-    const double offset = reference.normals[edge].dot(reference.points[edge]) + reference.radius + other.radius;
+    const double offset =
+        reference.normals[edge].dot(reference.points[edge]) + reference.radius + other.radius;
     const Vec2 relative_acceleration = other.motion.a - reference.motion.a;
     const double left = end_ - t, closing = (so.v - sr.v).norm() + relative_acceleration.norm() * left;
     const bool turns = sr.w_max != 0 || reference.motion.alpha != 0;
-    const auto clear = points_that_stay_clear(normal, sr.x, sr.v, offset, relative_acceleration, other, so, left);
+    const auto clear =
+        points_that_stay_clear(normal, sr.x, sr.v, offset, relative_acceleration, other, so, left);
     double least = forever;
     for (int j = 0; j < other.count && least > 0; ++j) {
       if (!turns && clear(other.points[j])) continue;
@@ -95,9 +99,11 @@ class Search {
       const double slope = sr.w * turn.dot(w) + normal.dot(velocity);
       const std::uint32_t edge_id = reference.edge_id(reference.base, edge);
       const std::uint32_t point_id = other.point_id(other.base, j);
-      const bool is_held = reference_is_a ? search_.holds(edge_id, point_id) : search_.holds(point_id, edge_id);
+      const bool is_held =
+          reference_is_a ? search_.holds(edge_id, point_id) : search_.holds(point_id, edge_id);
       if (is_held && search_.held_are_solved) continue;
-      // M >= -gap'' until the end; the horizon keeps the lever |w| of a turning normal from growing without bound.
+      // M >= -gap'' until the end; the horizon keeps the lever |w| of a turning normal from growing without
+      // bound.
       const double reach = arm.norm(), speed = closing + so.w_max * reach;
       double horizon = left;
       double bend = so.w_max * so.w_max * reach + std::abs(other.motion.alpha) * reach;

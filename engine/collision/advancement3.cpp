@@ -41,14 +41,16 @@ class PairSearch {
   /// A normal that turns with a contactor (of_a, of_b), or the product of two edges.
   struct Direction {
     enum class Kind { of_a, of_b, edges } kind = Kind::of_a;
-    Vec3 local = Vec3::UnitZ();   ///< of_a, of_b: in that body's frame, outward
-    double support = 0;           ///< of_a, of_b: how far the contactor reaches along it from the body's origin
-    std::uint32_t feature = 0;    ///< of_a, of_b: what it belongs to
-    int edge_a = 0, edge_b = 0;   ///< edges
-    double sign = 1;              ///< edges: of the product that points from b to a
+    Vec3 local = Vec3::UnitZ();  ///< of_a, of_b: in that body's frame, outward
+    double support = 0;         ///< of_a, of_b: how far the contactor reaches along it from the body's origin
+    std::uint32_t feature = 0;  ///< of_a, of_b: what it belongs to
+    int edge_a = 0, edge_b = 0;  ///< edges
+    double sign = 1;             ///< edges: of the product that points from b to a
   };
 
-  static std::uint32_t vertex(const MovingContactor& c, int i) { return feature_id(c.index, FeatureKind::vertex, i); }
+  static std::uint32_t vertex(const MovingContactor& c, int i) {
+    return feature_id(c.index, FeatureKind::vertex, i);
+  }
 
   /// A sphere has one contact with a convex contactor, whatever the feature it has reached.
   bool held(std::uint32_t feature, std::uint32_t against) const {
@@ -66,21 +68,22 @@ class PairSearch {
   };
 
   /// The least of safe_time for one pair of points. n' and n'' are bounded by turn and turn_rate.
-  double point_lasts(double gap, double slope, double lever, double turn, double turn_rate, const Bounds& b, bool opened,
-                     double t) const {
+  double point_lasts(double gap, double slope, double lever, double turn, double turn_rate, const Bounds& b,
+                     bool opened, double t) const {
     const double reach = lever + b.speed * b.horizon;
     const double bend = turn_rate * reach + 2 * turn * b.speed + b.acceleration;
     return within(b.horizon, end_ - t, safe_time(gap + search_.slack, slope, bend, scale_, opened));
   }
 
-  double face_lasts(const Direction& d, const MovingContactor& reference, const MovingState& sr, const MovingContactor& other,
-                    const MovingState& so, double t) const {
+  double face_lasts(const Direction& d, const MovingContactor& reference, const MovingState& sr,
+                    const MovingContactor& other, const MovingState& so, double t) const {
     const Vec3 normal = sr.arm(d.local), normal_rate = sr.turn.spin.cross(normal);
     const Vec3 relative_a = other.motion.a - reference.motion.a;
     const double offset = d.support + reference.shape.radius + other.shape.radius;
     double least = forever;
     for (int j = 0; j < static_cast<int>(other.shape.points.size()) && least > 0; ++j) {
-      const bool is_held = &reference == &a_ ? held(d.feature, vertex(other, j)) : held(vertex(other, j), d.feature);
+      const bool is_held =
+          &reference == &a_ ? held(d.feature, vertex(other, j)) : held(vertex(other, j), d.feature);
       if (is_held && search_.held_are_solved) continue;
       const Vec3 arm = so.arm(other.shape.points[j]), away = so.x + arm - sr.x;
       const double lever = away.norm(), turn = sr.w_max, turn_rate = turn * turn + sr.w_rate;
@@ -88,7 +91,8 @@ class PairSearch {
                     so.bend(arm.norm())};
       if (sr.turns()) {
         // The lever of a turning normal must not grow without bound.
-        if (bounds.speed > 0) bounds.horizon = std::min(bounds.horizon, (lever + search_.size) / bounds.speed);
+        if (bounds.speed > 0)
+          bounds.horizon = std::min(bounds.horizon, (lever + search_.size) / bounds.speed);
         bounds.acceleration += relative_a.norm();
       } else {
         bounds.acceleration += std::max(0.0, -normal.dot(relative_a));
@@ -100,8 +104,8 @@ class PairSearch {
     return least;
   }
 
-  /// The normal n = N/|N| of N = E x F: with s = |N| and W the sum of the spins, |N'| <= W and |N''| <= W^2 + their rates;
-  /// |n'| <= W/s, |n''| <= |N''|/s + 3 W^2/s^2. They hold with s/2 for a time s/(2 W).
+  /// The normal n = N/|N| of N = E x F: with s = |N| and W the sum of the spins, |N'| <= W and |N''| <= W^2 +
+  /// their rates; |n'| <= W/s, |n''| <= |N''|/s + 3 W^2/s^2. They hold with s/2 for a time s/(2 W).
   double edges_last(const Direction& d, const MovingState& sa, const MovingState& sb, double t) const {
     const Contactor3::Edge &ea = a_.shape.edges[d.edge_a], &eb = b_.shape.edges[d.edge_b];
     const auto along = [](const MovingContactor& c, const MovingState& s, const Contactor3::Edge& e) {
@@ -117,11 +121,15 @@ class PairSearch {
     const double turn_rate = (w * w + sa.w_rate + sb.w_rate) / s + 3 * turn * turn;
     const Vec3 relative_a = a_.motion.a - b_.motion.a;
     const double size_a = a_.shape.bound, size_b = b_.shape.bound;
-    Bounds bounds{end_ - t, (sa.v - sb.v).norm() + relative_a.norm() * (end_ - t) + sa.w_max * size_a + sb.w_max * size_b,
-                  sa.bend(size_a) + sb.bend(size_b) + relative_a.norm()};
-    const bool is_held = held(feature_id(a_.index, FeatureKind::edge, d.edge_a), feature_id(b_.index, FeatureKind::edge, d.edge_b));
+    Bounds bounds{
+        end_ - t,
+        (sa.v - sb.v).norm() + relative_a.norm() * (end_ - t) + sa.w_max * size_a + sb.w_max * size_b,
+        sa.bend(size_a) + sb.bend(size_b) + relative_a.norm()};
+    const bool is_held = held(feature_id(a_.index, FeatureKind::edge, d.edge_a),
+                              feature_id(b_.index, FeatureKind::edge, d.edge_b));
     if (w > 0) bounds.horizon = std::min(bounds.horizon, s / w);
-    if (bounds.speed > 0) bounds.horizon = std::min(bounds.horizon, ((sa.x - sb.x).norm() + search_.size) / bounds.speed);
+    if (bounds.speed > 0)
+      bounds.horizon = std::min(bounds.horizon, ((sa.x - sb.x).norm() + search_.size) / bounds.speed);
     double least = forever;
     for (int i = 0; i < static_cast<int>(a_.shape.points.size()); ++i) {
       const Vec3 arm_a = sa.arm(a_.shape.points[i]), va = sa.velocity_at(arm_a);
@@ -139,9 +147,12 @@ class PairSearch {
 
   double lasts(const Direction& d, const MovingState& sa, const MovingState& sb, double t) const {
     switch (d.kind) {
-      case Direction::Kind::of_a: return face_lasts(d, a_, sa, b_, sb, t);
-      case Direction::Kind::of_b: return face_lasts(d, b_, sb, a_, sa, t);
-      case Direction::Kind::edges: break;
+      case Direction::Kind::of_a:
+        return face_lasts(d, a_, sa, b_, sb, t);
+      case Direction::Kind::of_b:
+        return face_lasts(d, b_, sb, a_, sa, t);
+      case Direction::Kind::edges:
+        break;
     }
     return edges_last(d, sa, sb, t);
   }
@@ -188,7 +199,8 @@ class PairSearch {
   }
 
   /// From the nearest place of a contactor to the centre of a sphere.
-  static Direction towards(const Vec3& centre, const Placed3& c, const MovingState& s, int index, Direction::Kind kind) {
+  static Direction towards(const Vec3& centre, const Placed3& c, const MovingState& s, int index,
+                           Direction::Kind kind) {
     Direction d;
     d.kind = kind;
     if (c.shape.round()) {

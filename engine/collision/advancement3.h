@@ -16,11 +16,13 @@ struct MovingContactor {
   int index = 0;  ///< of the contactor in its body, for feature ids
 };
 
-/// The first time in [0, end] at which the contactor touches the plane and approaches it; see time_of_contact.
+/// The first time in [0, end] at which the contactor touches the plane and approaches it; see
+/// time_of_contact.
 std::optional<double> advance_to_plane(const MovingContactor& contactor, const Plane& plane, double end,
                                        const TouchSearch& search);
 
-/// The same for two contactors, of which at least one is a polyhedron or turns about a point that is not its centre.
+/// The same for two contactors, of which at least one is a polyhedron or turns about a point that is not its
+/// centre.
 std::optional<double> advance_to_contact(const MovingContactor& a, const MovingContactor& b, double end,
                                          const TouchSearch& search);
 

@@ -13,7 +13,8 @@ const std::vector<std::pair<int, int>>& SortAndSweep::pairs(const std::vector<Bo
   }
   auto left = [&](int i) { return boxes[i].low.x(); };
   for (std::size_t i = 1; i < order_.size(); ++i)  // insertion sort: the order hardly changes
-    for (std::size_t j = i; j > 0 && left(order_[j]) < left(order_[j - 1]); --j) std::swap(order_[j], order_[j - 1]);
+    for (std::size_t j = i; j > 0 && left(order_[j]) < left(order_[j - 1]); --j)
+      std::swap(order_[j], order_[j - 1]);
   pairs_.clear();
   for (std::size_t i = 0; i < order_.size(); ++i)
     for (std::size_t j = i + 1; j < order_.size() && left(order_[j]) <= boxes[order_[i]].high.x(); ++j)

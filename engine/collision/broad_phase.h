@@ -10,8 +10,8 @@ namespace flyrock {
 
 class SortAndSweep {
  public:
-  /// The pairs (i < j) of boxes that overlap, sorted. The order along x is kept between calls, so that sorting costs
-  /// little while boxes move little.
+  /// The pairs (i < j) of boxes that overlap, sorted. The order along x is kept between calls, so that
+  /// sorting costs little while boxes move little.
   template <int D>
   const std::vector<std::pair<int, int>>& pairs(const std::vector<Box<D>>& boxes);
 

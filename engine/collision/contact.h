@@ -14,10 +14,12 @@ struct ContactPoint {
   Vec<D> normal = Vec<D>::Zero();  ///< unit, from the antagonist to the candidate
   double gap = 0;                  ///< negative where they overlap
   std::uint32_t feature = 0;       ///< of the candidate: contactor and its vertex or edge
-  std::uint32_t against = 0;       ///< of the antagonist: segment or corner of the terrain; contactor and vertex or edge of a body
+  std::uint32_t against =
+      0;  ///< of the antagonist: segment or corner of the terrain; contactor and vertex or edge of a body
 };
 
-/// Feature ids. Of a body: a vertex and an edge of the same index (below Contactor2::most_vertices) differ in the lowest bit.
+/// Feature ids. Of a body: a vertex and an edge of the same index (below Contactor2::most_vertices) differ in
+/// the lowest bit.
 inline std::uint32_t vertex_id(int contactor, int vertex) {
   return static_cast<std::uint32_t>(contactor) << 16 | static_cast<std::uint32_t>(vertex) << 1;
 }
@@ -29,8 +31,8 @@ inline std::uint32_t corner_id(int corner) { return static_cast<std::uint32_t>(c
 inline bool is_corner(std::uint32_t terrain_id) { return (terrain_id & 1) == 0; }
 inline int terrain_index(std::uint32_t terrain_id) { return static_cast<int>(terrain_id >> 1); }
 
-/// In 3D a feature is a vertex, edge or face, of an index below Contactor3::most_edges; a sphere has the vertex 0, a plane as
-/// terrain the face 0.
+/// In 3D a feature is a vertex, edge or face, of an index below Contactor3::most_edges; a sphere has the
+/// vertex 0, a plane as terrain the face 0.
 enum class FeatureKind : std::uint32_t { vertex, edge, face };
 inline std::uint32_t feature_id(int contactor, FeatureKind kind, int index) {
   return static_cast<std::uint32_t>(contactor) << 16 | static_cast<std::uint32_t>(index) << 2 |

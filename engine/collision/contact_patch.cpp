@@ -16,7 +16,8 @@ std::size_t greatest(const std::vector<ContactPoint<3>>& contacts, std::size_t b
   return best;
 }
 
-/// The point q for which all others lie on the left of the line from points[from] to q, the farthest of several.
+/// The point q for which all others lie on the left of the line from points[from] to q, the farthest of
+/// several.
 std::size_t next_on_hull(std::span<const Vec3> points, std::size_t from, const Vec3& normal) {
   std::size_t next = from;
   for (std::size_t j = 0; j < points.size(); ++j) {

@@ -29,9 +29,12 @@ double from_vertex(const Placed3& a, int v, const Placed3& b, std::uint32_t feat
   const Vec3 p = a.point(v);
   const int i = index_of(feature);
   switch (kind_of(feature)) {
-    case FeatureKind::face: return b.outside(i, p);
-    case FeatureKind::edge: return edge_direction(b, i).cross(p - edge_start(b, i)).norm();
-    case FeatureKind::vertex: break;
+    case FeatureKind::face:
+      return b.outside(i, p);
+    case FeatureKind::edge:
+      return edge_direction(b, i).cross(p - edge_start(b, i)).norm();
+    case FeatureKind::vertex:
+      break;
   }
   return (p - b.point(i)).norm();
 }
@@ -42,7 +45,8 @@ double feature_gap(const Placed3& contactor, std::uint32_t feature, const Terrai
   return terrain.plane().distance(contactor.point(index_of(feature))) - contactor.shape.radius;
 }
 
-double feature_gap(const Placed3& candidate, std::uint32_t feature, const Placed3& antagonist, std::uint32_t against) {
+double feature_gap(const Placed3& candidate, std::uint32_t feature, const Placed3& antagonist,
+                   std::uint32_t against) {
   const FeatureKind of_candidate = kind_of(feature), of_antagonist = kind_of(against);
   const double radii = candidate.shape.radius + antagonist.shape.radius;
   if (of_candidate == FeatureKind::vertex)

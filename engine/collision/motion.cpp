@@ -42,7 +42,8 @@ Turn GivenRotation::at(double t) const {
   const double angle = u.norm();
   // Near 0 by their series, where the quotients cancel.
   const double first = angle < 1e-3 ? 0.5 - angle * angle / 24 : (1 - std::cos(angle)) / (angle * angle);
-  const double second = angle < 1e-2 ? 1.0 / 6 - angle * angle / 120 : (angle - std::sin(angle)) / std::pow(angle, 3);
+  const double second =
+      angle < 1e-2 ? 1.0 / 6 - angle * angle / 120 : (angle - std::sin(angle)) / std::pow(angle, 3);
   return {Rotation3::from_vector(u) * start, rate + first * across + second * u.cross(across)};
 }
 

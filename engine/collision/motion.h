@@ -8,8 +8,8 @@
 
 namespace flyrock {
 
-/// Of the centre of mass: x(t) = x + v t + a t^2 / 2, from t = 0. In flight a is gravity; over a contact step the mean
-/// acceleration of the step.
+/// Of the centre of mass: x(t) = x + v t + a t^2 / 2, from t = 0. In flight a is gravity; over a contact step
+/// the mean acceleration of the step.
 template <int D>
 struct Path {
   Vec<D> x = Vec<D>::Zero(), v = Vec<D>::Zero(), a = Vec<D>::Zero();
@@ -18,7 +18,8 @@ struct Path {
   Vec<D> velocity(double t) const { return v + t * a; }
 };
 
-/// angle(t) = angle + w t + alpha t^2 / 2. In flight alpha is 0; over a contact step it is the mean of the step.
+/// angle(t) = angle + w t + alpha t^2 / 2. In flight alpha is 0; over a contact step it is the mean of the
+/// step.
 struct Motion2 : Path<2> {
   double angle = 0, w = 0, alpha = 0;
 
@@ -69,7 +70,8 @@ struct Box {
 using Box2 = Box<2>;
 using Box3 = Box<3>;
 
-/// A window in [0, t_max] outside of which a circle (sphere) of radius r about the moving point does not meet the box.
+/// A window in [0, t_max] outside of which a circle (sphere) of radius r about the moving point does not meet
+/// the box.
 template <int D>
 TimeWindow meeting_window(const Path<D>& path, double r, const Box<D>& box, double t_max);
 

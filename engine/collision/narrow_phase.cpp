@@ -10,8 +10,8 @@ namespace {
 
 using Contacts = std::vector<ContactPoint<2>>;
 
-/// The edge of `polygon` from which the points of `other` are furthest out, and by how much. One that holds them off by
-/// more than `reach` ends the search.
+/// The edge of `polygon` from which the points of `other` are furthest out, and by how much. One that holds
+/// them off by more than `reach` ends the search.
 struct Separation {
   int edge = 0;
   double distance = -1e300;
@@ -44,12 +44,13 @@ void disk_disk(const Placed2& a, int ia, const Placed2& b, int ib, double reach,
   const double distance = away.norm(), gap = distance - a.shape.radius - b.shape.radius;
   if (gap > reach) return;
   const Vec2 normal = distance > 0 ? Vec2(away / distance) : Vec2::UnitY();
-  out.push_back({b.point(0) + (b.shape.radius + 0.5 * gap) * normal, normal, gap, vertex_id(ia, 0), vertex_id(ib, 0)});
+  out.push_back(
+      {b.point(0) + (b.shape.radius + 0.5 * gap) * normal, normal, gap, vertex_id(ia, 0), vertex_id(ib, 0)});
 }
 
 /// The contact of a disk with a polygon; the normal points to the disk.
-bool disk_polygon(const Placed2& disk, const Placed2& polygon, double reach, ContactPoint<2>& contact, int& feature,
-                  bool& on_edge) {
+bool disk_polygon(const Placed2& disk, const Placed2& polygon, double reach, ContactPoint<2>& contact,
+                  int& feature, bool& on_edge) {
   const Vec2 centre = disk.point(0);
   const double radius = disk.shape.radius;
   const Separation face = separation(polygon, disk, reach + radius);
@@ -120,10 +121,12 @@ void polygon_polygon(const Placed2& a, int ia, const Placed2& b, int ib, double 
 
 }  // namespace
 
-void body_contacts(const Placed2& candidate, int ic, const Placed2& antagonist, int ia, double reach, Contacts& out) {
+void body_contacts(const Placed2& candidate, int ic, const Placed2& antagonist, int ia, double reach,
+                   Contacts& out) {
   const bool round_candidate = candidate.count() == 1, round_antagonist = antagonist.count() == 1;
   if (round_candidate && round_antagonist) return disk_disk(candidate, ic, antagonist, ia, reach, out);
-  if (!round_candidate && !round_antagonist) return polygon_polygon(candidate, ic, antagonist, ia, reach, out);
+  if (!round_candidate && !round_antagonist)
+    return polygon_polygon(candidate, ic, antagonist, ia, reach, out);
   ContactPoint<2> contact;
   int feature = 0;
   bool on_edge = false;
@@ -131,7 +134,8 @@ void body_contacts(const Placed2& candidate, int ic, const Placed2& antagonist, 
   const Placed2& polygon = round_candidate ? antagonist : candidate;
   if (!disk_polygon(disk, polygon, reach, contact, feature, on_edge)) return;
   const int polygon_index = round_candidate ? ia : ic;
-  const std::uint32_t polygon_id = on_edge ? edge_id(polygon_index, feature) : vertex_id(polygon_index, feature);
+  const std::uint32_t polygon_id =
+      on_edge ? edge_id(polygon_index, feature) : vertex_id(polygon_index, feature);
   contact.feature = round_candidate ? vertex_id(ic, 0) : polygon_id;
   contact.against = round_candidate ? polygon_id : vertex_id(ia, 0);
   if (!round_candidate) contact.normal = -contact.normal;

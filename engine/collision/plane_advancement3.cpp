@@ -21,7 +21,8 @@ class PlaneSearch {
     const MovingState s(c_, t, end_);
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i < static_cast<int>(c_.shape.points.size()) && least > 0; ++i) {
-      const bool held = search_.holds(feature_id(c_.index, FeatureKind::vertex, i), feature_id(0, FeatureKind::face, 0));
+      const bool held =
+          search_.holds(feature_id(c_.index, FeatureKind::vertex, i), feature_id(0, FeatureKind::face, 0));
       if (held && search_.held_are_solved) continue;
       const Vec3 arm = s.arm(c_.shape.points[i]);
       const double gap = plane_.distance(s.x + arm) - c_.shape.radius + search_.slack;

@@ -15,8 +15,9 @@ namespace {
 
 using Contacts = std::vector<ContactPoint<3>>;
 
-// Faces that lean against each other by less than about this angle are flush: a face of the first body is preferred to one
-// of the second, and either to a pair of edges, so that the manifold of a body at rest does not flicker.
+// Faces that lean against each other by less than about this angle are flush: a face of the first body is
+// preferred to one of the second, and either to a pair of edges, so that the manifold of a body at rest does
+// not flicker.
 constexpr double flush = 1e-4;
 
 void sphere_sphere(const Placed3& a, int ia, const Placed3& b, int ib, double reach, Contacts& out) {
@@ -29,8 +30,8 @@ void sphere_sphere(const Placed3& a, int ia, const Placed3& b, int ib, double re
 }
 
 /// The contact as the sphere sees it: the normal points to the sphere.
-void sphere_polyhedron(const Placed3& sphere, int sphere_index, const Placed3& polyhedron, int polyhedron_index,
-                       bool sphere_is_candidate, double reach, Contacts& out) {
+void sphere_polyhedron(const Placed3& sphere, int sphere_index, const Placed3& polyhedron,
+                       int polyhedron_index, bool sphere_is_candidate, double reach, Contacts& out) {
   const Vec3 centre = sphere.point(0);
   const NearestPlace place = nearest_place(polyhedron, centre);
   const double radius = sphere.shape.radius, gap = place.distance - radius;
@@ -62,13 +63,13 @@ struct Corner {
   FeatureKind of_reference = FeatureKind::face;  ///< face: it is a vertex of the incident face
   int reference = 0;                             ///< the face, edge or vertex
   int incident = 0;                              ///< the vertex, edge or face
-  int line = 0;                                  ///< edge of the incident shape, or -1 - k on side k of the reference
+  int line = 0;  ///< edge of the incident shape, or -1 - k on side k of the reference
 };
 using Polygon = boost::container::static_vector<Corner, 2 * Contactor3::most_face_vertices + 8>;
 
 /// What cutting the line behind `from` at side k of the reference face makes.
-Corner cut(const Corner& from, const Vec3& point, const Contactor3& reference, const Contactor3::Face& face, int k,
-           int incident_face) {
+Corner cut(const Corner& from, const Vec3& point, const Contactor3& reference, const Contactor3::Face& face,
+           int k, int incident_face) {
   if (from.line >= 0) return {point, FeatureKind::edge, reference.loop_edge[face.first + k], from.line, 0};
   const int side = -1 - from.line;
   const int corner = (k + 1) % face.count == side ? side : k;
@@ -76,7 +77,8 @@ Corner cut(const Corner& from, const Vec3& point, const Contactor3& reference, c
 }
 
 Polygon clipped_face(const Placed3& reference, int face_index, const Placed3& incident, int incident_face) {
-  const Contactor3::Face &face = reference.shape.faces[face_index], &other = incident.shape.faces[incident_face];
+  const Contactor3::Face &face = reference.shape.faces[face_index],
+                         &other = incident.shape.faces[incident_face];
   Polygon polygon;
   for (int i = 0; i < other.count; ++i)
     polygon.push_back({incident.corner(incident_face, i), FeatureKind::face, face_index,
@@ -94,7 +96,8 @@ Polygon clipped_face(const Placed3& reference, int face_index, const Placed3& in
       const bool from_inside = d <= slack, to_inside = e <= slack;
       if (from_inside) kept.push_back(from);
       if (from_inside == to_inside) continue;
-      Corner corner = cut(from, from.point + d / (d - e) * (to.point - from.point), reference.shape, face, k, incident_face);
+      Corner corner = cut(from, from.point + d / (d - e) * (to.point - from.point), reference.shape, face, k,
+                          incident_face);
       corner.line = from_inside ? -1 - k : from.line;
       kept.push_back(corner);
     }
@@ -103,8 +106,8 @@ Polygon clipped_face(const Placed3& reference, int face_index, const Placed3& in
   return polygon;
 }
 
-/// The face of `incident` that is turned to a reference face of normal n: of those at the vertex that reaches furthest
-/// against n, the one that is most opposed to it.
+/// The face of `incident` that is turned to a reference face of normal n: of those at the vertex that reaches
+/// furthest against n, the one that is most opposed to it.
 int facing(const Placed3& incident, const Vec3& normal) {
   const Contactor3& shape = incident.shape;
   const Vec3 local = incident.pose.r.inverse(normal);
@@ -117,13 +120,14 @@ int facing(const Placed3& incident, const Vec3& normal) {
     const double along = local.dot(shape.faces[f].normal);
     if (along >= least) continue;
     const auto* loop = &shape.loop[shape.faces[f].first];
-    if (std::find(loop, loop + shape.faces[f].count, nearest) != loop + shape.faces[f].count) least = along, best = f;
+    if (std::find(loop, loop + shape.faces[f].count, nearest) != loop + shape.faces[f].count)
+      least = along, best = f;
   }
   return best;
 }
 
-void face_face(const Placed3& reference, int reference_index, int face, const Placed3& incident, int incident_index,
-               bool reference_is_candidate, double reach, Contacts& out) {
+void face_face(const Placed3& reference, int reference_index, int face, const Placed3& incident,
+               int incident_index, bool reference_is_candidate, double reach, Contacts& out) {
   const Vec3 normal = reference.normal(face), start = reference.corner(face, 0);
   const std::size_t begin = out.size();
   for (const Corner& corner : clipped_face(reference, face, incident, facing(incident, normal))) {
@@ -165,7 +169,8 @@ void polyhedron_polyhedron(const Placed3& a, int ia, const Placed3& b, int ib, d
 
 }  // namespace
 
-void body_contacts(const Placed3& candidate, int ic, const Placed3& antagonist, int ia, double reach, Contacts& out) {
+void body_contacts(const Placed3& candidate, int ic, const Placed3& antagonist, int ia, double reach,
+                   Contacts& out) {
   const bool round_candidate = candidate.shape.round(), round_antagonist = antagonist.shape.round();
   if (round_candidate && round_antagonist) return sphere_sphere(candidate, ic, antagonist, ia, reach, out);
   if (round_candidate) return sphere_polyhedron(candidate, ic, antagonist, ia, true, reach, out);

@@ -13,9 +13,9 @@ struct GapScale {
   explicit GapScale(double size) : least(1e-12 * size), deep(1e-5 * size) {}
 };
 
-/// The time until gap + slope t - bend t^2 / 2 is zero, for gap > 0 or a pair that has just separated. A direction
-/// along which the pair overlaps deeply separates nothing, however fast it opens; at the start a held contact may, it has
-/// just opened.
+/// The time until gap + slope t - bend t^2 / 2 is zero, for gap > 0 or a pair that has just separated. A
+/// direction along which the pair overlaps deeply separates nothing, however fast it opens; at the start a
+/// held contact may, it has just opened.
 inline double safe_time(double gap, double slope, double bend, const GapScale& scale, bool just_opened) {
   constexpr double forever = std::numeric_limits<double>::infinity();
   if (gap < -scale.deep && !just_opened) return 0;
@@ -28,8 +28,8 @@ inline double safe_time(double gap, double slope, double bend, const GapScale& s
   return slope >= 0 ? (slope + root) / bend : 2 * gap / (root - slope);
 }
 
-/// A safe time whose bounds hold for `horizon`, where `left` is left until the end of the search: the horizon ends the bounds'
-/// validity, not the search, unless it reaches that end.
+/// A safe time whose bounds hold for `horizon`, where `left` is left until the end of the search: the horizon
+/// ends the bounds' validity, not the search, unless it reaches that end.
 inline double within(double horizon, double left, double time) {
   if (time < horizon) return time;
   return horizon >= left ? std::numeric_limits<double>::infinity() : horizon;

@@ -30,7 +30,8 @@ EdgeAxis best_edge_axis(const Placed3& a, const Placed3& b) {
   EdgeAxis best;
   best.separation = lowest;
   const auto& of_a = a.shape;
-  const Rotation3 r = a.pose.r.inverse() * b.pose.r;  // from the frame of b to that of a, where all is reckoned
+  const Rotation3 r =
+      a.pose.r.inverse() * b.pose.r;  // from the frame of b to that of a, where all is reckoned
   const Vec3 x = a.pose.r.inverse(b.pose.x - a.pose.x);
   for (int j = 0; j < static_cast<int>(b.shape.edges.size()); ++j) {
     const Contactor3::Edge& edge = b.shape.edges[j];

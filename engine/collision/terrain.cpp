@@ -5,8 +5,8 @@
 namespace flyrock {
 
 namespace {
-// Two segments whose directions differ by less than this angle continue each other: the point between them is no
-// feature, so that an internal edge is not felt.
+// Two segments whose directions differ by less than this angle continue each other: the point between them is
+// no feature, so that an internal edge is not felt.
 constexpr double flat_angle = 1e-9;
 
 constexpr double beyond = 1000;  // m

@@ -11,9 +11,9 @@ namespace flyrock {
 
 enum class Corner { flat, convex, concave };
 
-/// The poly-line with its normals, corners and a uniform grid over x. The ground is below. It goes on level for a
-/// kilometre beyond both ends of the profile, so that a body whose centre is still over the profile does not tip over its
-/// end; segments and corners count these two.
+/// The poly-line with its normals, corners and a uniform grid over x. The ground is below. It goes on level
+/// for a kilometre beyond both ends of the profile, so that a body whose centre is still over the profile
+/// does not tip over its end; segments and corners count these two.
 class Terrain2 {
  public:
   explicit Terrain2(Profile profile);
@@ -32,7 +32,9 @@ class Terrain2 {
   int part(int segment) const { return part_[segment]; }
   /// How the poly-line bends at its point i; the end points are flat.
   Corner corner(int i) const { return corner_[i]; }
-  Box2 box(int segment) const { return {start(segment).cwiseMin(end(segment)), start(segment).cwiseMax(end(segment))}; }
+  Box2 box(int segment) const {
+    return {start(segment).cwiseMin(end(segment)), start(segment).cwiseMax(end(segment))};
+  }
 
   /// The height of the ground at x, level beyond the profile.
   double height(double x) const;

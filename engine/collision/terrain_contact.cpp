@@ -7,21 +7,24 @@ namespace flyrock {
 
 namespace {
 
-// A vertex less deep in the ground than this share of the size touches each segment that it is behind; a deeper one, which
-// only fixed time steps produce, is pushed out to the nearest place.
+// A vertex less deep in the ground than this share of the size touches each segment that it is behind; a
+// deeper one, which only fixed time steps produce, is pushed out to the nearest place.
 constexpr double shallow_share = 1e-3;
 
 bool in_cone(const Terrain2& terrain, int corner, const Vec2& direction, double slack) {
-  return direction.dot(terrain.tangent(corner - 1)) >= -slack && direction.dot(terrain.tangent(corner)) <= slack;
+  return direction.dot(terrain.tangent(corner - 1)) >= -slack &&
+         direction.dot(terrain.tangent(corner)) <= slack;
 }
 
-/// Whether the strip of the segment holds p. At a corner that is not concave the right segment answers alone; at a concave
-/// one both do, and the strip is longer by `shallow`, for a point that has sunk into the other segment.
+/// Whether the strip of the segment holds p. At a corner that is not concave the right segment answers alone;
+/// at a concave one both do, and the strip is longer by `shallow`, for a point that has sunk into the other
+/// segment.
 bool owns(const Terrain2& terrain, int segment, const Vec2& p, double shallow) {
   const double length = terrain.length(segment), slack = 1e-9 * length;
   const double s = (p - terrain.start(segment)).dot(terrain.tangent(segment));
   const int next = segment + 1;
-  const bool concave_start = terrain.corner(segment) == Corner::concave, concave_end = terrain.corner(next) == Corner::concave;
+  const bool concave_start = terrain.corner(segment) == Corner::concave,
+             concave_end = terrain.corner(next) == Corner::concave;
   if (s < -(concave_start ? shallow : slack) || s > length + (concave_end ? shallow : slack)) return false;
   if (s <= length - slack || next >= terrain.segments() || concave_end) return true;
   return (p - terrain.start(next)).dot(terrain.tangent(next)) < -slack;
@@ -46,10 +49,11 @@ ContactPoint<2> nearest_place(const Terrain2& terrain, const Vec2& p) {
   return nearest;
 }
 
-/// Contacts with segments of a point grown by a radius: the centre of a disk, or a vertex with radius 0. A point behind a
-/// segment is in the ground, or free beyond another part of the poly-line.
+/// Contacts with segments of a point grown by a radius: the centre of a disk, or a vertex with radius 0. A
+/// point behind a segment is in the ground, or free beyond another part of the poly-line.
 void point_contacts(const Vec2& p, double radius, std::uint32_t feature, const Terrain2& terrain,
-                    const Terrain2::Run& run, double reach, double shallow, std::vector<ContactPoint<2>>& out) {
+                    const Terrain2::Run& run, double reach, double shallow,
+                    std::vector<ContactPoint<2>>& out) {
   bool deep = false;
   for (int i = run.first; i <= run.last; ++i) {
     const double height = (p - terrain.start(i)).dot(terrain.normal(i));
@@ -59,7 +63,8 @@ void point_contacts(const Vec2& p, double radius, std::uint32_t feature, const T
     if (height < -shallow)
       deep = true;
     else
-      out.push_back({p - (radius + 0.5 * gap) * terrain.normal(i), terrain.normal(i), gap, feature, segment_id(i)});
+      out.push_back(
+          {p - (radius + 0.5 * gap) * terrain.normal(i), terrain.normal(i), gap, feature, segment_id(i)});
   }
   if (!deep) return;
   ContactPoint<2> place = nearest_place(terrain, p);
@@ -69,8 +74,8 @@ void point_contacts(const Vec2& p, double radius, std::uint32_t feature, const T
   out.push_back(place);
 }
 
-void disk_contacts(const Placed2& disk, int index, const Terrain2& terrain, const Terrain2::Run& run, double reach,
-                   std::vector<ContactPoint<2>>& out) {
+void disk_contacts(const Placed2& disk, int index, const Terrain2& terrain, const Terrain2::Run& run,
+                   double reach, std::vector<ContactPoint<2>>& out) {
   const Vec2 centre = disk.point(0);
   const double radius = disk.shape.radius;
   point_contacts(centre, radius, vertex_id(index, 0), terrain, run, reach, shallow_share * radius, out);
@@ -88,8 +93,8 @@ void disk_contacts(const Placed2& disk, int index, const Terrain2& terrain, cons
 }
 
 /// Contacts of the edges of a polygon with convex corners.
-void edge_contacts(const Placed2& polygon, int index, const Terrain2& terrain, const Terrain2::Run& run, double reach,
-                   double cone_slack, std::vector<ContactPoint<2>>& out) {
+void edge_contacts(const Placed2& polygon, int index, const Terrain2& terrain, const Terrain2::Run& run,
+                   double reach, double cone_slack, std::vector<ContactPoint<2>>& out) {
   const int n = polygon.count();
   for (int i = std::max(run.first, 1); i <= std::min(run.last + 1, terrain.segments() - 1); ++i) {
     if (terrain.corner(i) != Corner::convex) continue;

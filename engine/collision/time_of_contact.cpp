@@ -32,7 +32,8 @@ class DiskSearch {
     const Vec2 from_start = motion_.position(*t) - terrain_.start(i);
     const double s = from_start.dot(terrain_.tangent(i));
     const bool beside = s < -beyond_end(i, i, i - 1) || s > terrain_.length(i) + beyond_end(i, i + 1, i + 1);
-    const bool behind = n.dot(from_start) < -1e-6 * search_.size;  // free, beyond another part of the poly-line
+    const bool behind =
+        n.dot(from_start) < -1e-6 * search_.size;  // free, beyond another part of the poly-line
     if (!beside && !behind) best = t;
   }
 
@@ -47,9 +48,9 @@ class DiskSearch {
   }
 
  private:
-  /// How far the strip of a segment reaches beyond its end at `corner`, where `neighbour` begins. At a concave corner the
-  /// ground is behind both lines: a disk that has sunk into the neighbour, if only by rounding, meets the line of this
-  /// segment before its strip.
+  /// How far the strip of a segment reaches beyond its end at `corner`, where `neighbour` begins. At a
+  /// concave corner the ground is behind both lines: a disk that has sunk into the neighbour, if only by
+  /// rounding, meets the line of this segment before its strip.
   double beyond_end(int segment, int corner, int neighbour) const {
     if (terrain_.corner(corner) != Corner::concave) return 1e-9 * terrain_.length(segment);
     return std::min(radius_, terrain_.length(neighbour));
@@ -63,9 +64,14 @@ class DiskSearch {
 };
 
 MovingHull hull_of(const Contactor2& contactor, int index, const Motion2& motion) {
-  return {contactor.points.data(), contactor.normals.data(), static_cast<int>(contactor.points.size()),
-          contactor.radius,        motion,                   vertex_id,
-          edge_id,                 index};
+  return {contactor.points.data(),
+          contactor.normals.data(),
+          static_cast<int>(contactor.points.size()),
+          contactor.radius,
+          motion,
+          vertex_id,
+          edge_id,
+          index};
 }
 
 }  // namespace
@@ -95,7 +101,8 @@ std::optional<double> time_of_contact(const Contactor2& contactor, int contactor
     const int i = leftwards ? run.last - k : run.first + k;
     const double limit = best ? *best : t_max;
     if (best && motion.a.x() == 0) {
-      const double ahead = leftwards ? motion.x.x() - reach - terrain.end(i).x() : terrain.start(i).x() - motion.x.x() - reach;
+      const double ahead =
+          leftwards ? motion.x.x() - reach - terrain.end(i).x() : terrain.start(i).x() - motion.x.x() - reach;
       if (ahead > std::abs(motion.v.x()) * limit) break;
     }
     const TimeWindow window = meeting_window(motion, reach, terrain.box(i), limit);
@@ -115,8 +122,9 @@ std::optional<double> time_of_contact(const Contactor2& contactor, int contactor
   return best;
 }
 
-std::optional<double> time_of_contact(const Contactor2& a, int a_index, const Motion2& a_motion, const Contactor2& b,
-                                      int b_index, const Motion2& b_motion, double t_max, const TouchSearch& search) {
+std::optional<double> time_of_contact(const Contactor2& a, int a_index, const Motion2& a_motion,
+                                      const Contactor2& b, int b_index, const Motion2& b_motion, double t_max,
+                                      const TouchSearch& search) {
   return advance_to_contact(hull_of(a, a_index, a_motion), hull_of(b, b_index, b_motion), {0, t_max}, search);
 }
 

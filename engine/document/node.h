@@ -41,7 +41,8 @@ struct Node {
   void refuse_unknown_keys(const std::vector<std::string>& known, Diagnostics& diagnostics) const;
 };
 
-/// The deepest node on the way to a path that exists: that of "rocks.0" for "rocks.0.release" where there is no release.
+/// The deepest node on the way to a path that exists: that of "rocks.0" for "rocks.0.release" where there is
+/// no release.
 Node node_at(const Value& root, const std::string& path);
 
 /// A value as messages show it: `12 s`, `true`, a list.

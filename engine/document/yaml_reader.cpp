@@ -103,7 +103,8 @@ class TreeBuilder : public YAML::EventHandler {
   std::vector<Open> open_;
   std::map<YAML::anchor_t, Value> anchors_;
   std::size_t values_ = 0;
-  /// How far the line of the last mark was counted, and the bytes in it that begin no character: a file may be one line.
+  /// How far the line of the last mark was counted, and the bytes in it that begin no character: a file may
+  /// be one line.
   struct {
     int line = -1, bytes = 0, inner = 0;
   } counted_;

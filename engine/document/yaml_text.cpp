@@ -54,7 +54,8 @@ std::string quote_fault(const Source& source, int line, int byte) {
   if (quote != '"' && quote != '\'') return {};
   for (int l = line; l < lines; ++l, at = 0) {
     const std::string& text = source.lines[l];
-    if (l > line && std::regex_match(text, key)) return fmt::format("the quote {} is not closed before the key on line {}", quote, l + 1);
+    if (l > line && std::regex_match(text, key))
+      return fmt::format("the quote {} is not closed before the key on line {}", quote, l + 1);
     for (; at < text.size(); ++at) {
       if (quote == '"' && text[at] == '\\')
         ++at;  // the next character stands for itself

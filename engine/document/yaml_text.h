@@ -17,8 +17,8 @@ bool has_foreign_bytes(const std::shared_ptr<const Source>& source, Diagnostics&
 /// Reports each line.
 bool has_tab_indentation(const std::shared_ptr<const Source>& source, Diagnostics& diagnostics);
 
-/// Of a scalar that begins at a line and byte, from 0: whether its quote is closed before the next key, or what is wrong. A
-/// quote that is closed later, or by the end of the file, swallows the keys between.
+/// Of a scalar that begins at a line and byte, from 0: whether its quote is closed before the next key, or
+/// what is wrong. A quote that is closed later, or by the end of the file, swallows the keys between.
 std::string quote_fault(const Source& source, int line, int byte);
 
 }  // namespace flyrock

@@ -13,8 +13,8 @@ namespace {
 /// c0 + c1 s + ... of a distance to a line.
 using Coefficients = std::array<double, 6>;
 
-/// When the height `p` above the line of a segment falls through 0 between the ends of the segment. Below the line beyond
-/// the segment, the arc has to rise through the line before it can touch.
+/// When the height `p` above the line of a segment falls through 0 between the ends of the segment. Below the
+/// line beyond the segment, the arc has to rise through the line before it can touch.
 std::optional<double> touch(const Arc<2>& arc, const Coefficients& p, const Vec2& a, const Vec2& b) {
   const Vec2 along = b - a;
   const double slack = 1e-12 * along.squaredNorm();  // two neighbours leave no gap
@@ -37,7 +37,8 @@ std::optional<double> touch(const Arc<2>& arc, const Coefficients& p, const Vec2
 template <int D>
 Eigen::AlignedBox<double, D> Arc<D>::box() const {
   // Control points b_i = sum over k <= i of C(i, k) / C(5, k) c_k.
-  constexpr double share[6][6] = {{1}, {1, 0.2}, {1, 0.4, 0.1}, {1, 0.6, 0.3, 0.1}, {1, 0.8, 0.6, 0.4, 0.2}, {1, 1, 1, 1, 1, 1}};
+  constexpr double share[6][6] = {
+      {1}, {1, 0.2}, {1, 0.4, 0.1}, {1, 0.6, 0.3, 0.1}, {1, 0.8, 0.6, 0.4, 0.2}, {1, 1, 1, 1, 1, 1}};
   Eigen::AlignedBox<double, D> box;
   for (int i = 0; i <= 5; ++i) {
     Vec<D> point = Vec<D>::Zero();
@@ -64,8 +65,8 @@ Arc<D> parabola(double start, double length, const FlightState<D>& from) {
   Arc<D> arc;
   arc.start = start;
   arc.length = length;
-  arc.c = {from.position, length * from.velocity, 0.5 * length * length * from.acceleration,
-           Vec<D>::Zero(), Vec<D>::Zero(), Vec<D>::Zero()};
+  arc.c = {from.position,  length * from.velocity, 0.5 * length * length * from.acceleration,
+           Vec<D>::Zero(), Vec<D>::Zero(),         Vec<D>::Zero()};
   return arc;
 }
 

@@ -10,8 +10,9 @@
 
 namespace flyrock {
 
-/// The path over [start, start + length] as the polynomial of degree 5 in s = (t - start) / length that has position,
-/// velocity and acceleration of both ends: p(s) = c0 + c1 s + ... + c5 s^5. Without air the last three are 0.
+/// The path over [start, start + length] as the polynomial of degree 5 in s = (t - start) / length that has
+/// position, velocity and acceleration of both ends: p(s) = c0 + c1 s + ... + c5 s^5. Without air the last
+/// three are 0.
 template <int D>
 struct Arc {
   double start = 0, length = 0;  ///< s
@@ -59,9 +60,9 @@ Arc<D> arc_between(double start, double length, const FlightState<D>& from, cons
 template <int D>
 Arc<D> parabola(double start, double length, const FlightState<D>& from);
 
-/// The first s in [0, 1] at which the arc passes the profile from above, the root being bracketed between those of the
-/// derivatives so that none is missed. A point that begins on the profile and rises from it leaves it. Beyond its ends a
-/// profile has no ground.
+/// The first s in [0, 1] at which the arc passes the profile from above, the root being bracketed between
+/// those of the derivatives so that none is missed. A point that begins on the profile and rises from it
+/// leaves it. Beyond its ends a profile has no ground.
 std::optional<double> first_touch(const Arc<2>& arc, const Profile& ground);
 
 std::optional<double> first_touch(const Arc<3>& arc, const Plane& ground);
@@ -70,8 +71,8 @@ std::optional<double> first_touch(const Arc<3>& arc, const Plane& ground);
 std::optional<double> first_exit(const Arc<2>& arc, const Profile& ground);
 inline std::optional<double> first_exit(const Arc<3>&, const Plane&) { return std::nullopt; }
 
-/// The first s in [0, end] at which the arc arrives at the place x [m] on its side `side` (+1 right, -1 left); 0 where it
-/// begins there or beyond.
+/// The first s in [0, end] at which the arc arrives at the place x [m] on its side `side` (+1 right, -1
+/// left); 0 where it begins there or beyond.
 template <int D>
 std::optional<double> first_arrival(const Arc<D>& arc, double x, double side, double end);
 

@@ -1,9 +1,8 @@
 #include "flight/ballistic.h"
 
+#include <algorithm>
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
-
-#include <algorithm>
 #include <cmath>
 
 namespace flyrock {
@@ -37,7 +36,8 @@ State<D> joined(const Vec<D>& position, const Vec<D>& velocity) {
 }  // namespace
 
 template <int D>
-BallisticFlight<D>::BallisticFlight(const Forces<D>& forces, const Vec<D>& position, const Vec<D>& velocity, double time)
+BallisticFlight<D>::BallisticFlight(const Forces<D>& forces, const Vec<D>& position, const Vec<D>& velocity,
+                                    double time)
     : forces_(forces), now_{position, velocity, forces.acceleration(velocity)}, time_(time) {}
 
 template <int D>
@@ -57,7 +57,8 @@ Arc<D> BallisticFlight<D>::next(double longest) {
   odeint::controlled_runge_kutta<Pair> stepper(
       odeint::default_error_checker<double, typename Pair::algebra_type, typename Pair::operations_type>(
           flight_tolerance, flight_tolerance));
-  const State<D> from = joined<D>(now_.position, now_.velocity), rate = joined<D>(now_.velocity, now_.acceleration);
+  const State<D> from = joined<D>(now_.position, now_.velocity),
+                 rate = joined<D>(now_.velocity, now_.acceleration);
   State<D> to, rate_at_end;
   const double limit = std::min(longest, longest_arc);
   double end = 0, step = std::min(step_, limit), tried = step;

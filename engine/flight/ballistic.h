@@ -1,9 +1,9 @@
 #pragma once
 // The flight of a point under gravity and the drag of the air.
 //
-// world/air.h has the equation. Without air the flight is the parabola, in closed form; with it the pair of Dormand and
-// Prince of orders 5 and 4 (Boost.Odeint) with steps adapted to a tolerance.
-// Source: field practice since Stojadinovic et al. 2011, who integrate the same equation.
+// world/air.h has the equation. Without air the flight is the parabola, in closed form; with it the pair of
+// Dormand and Prince of orders 5 and 4 (Boost.Odeint) with steps adapted to a tolerance. Source: field
+// practice since Stojadinovic et al. 2011, who integrate the same equation.
 
 #include "flight/arc.h"
 #include "world/air.h"
@@ -21,8 +21,8 @@ struct Forces {
 /// The error that a step may add: this many m and m/s, and this share of position and velocity.
 inline constexpr double flight_tolerance = 1e-7;
 
-/// A flight, arc by arc. The interpolation between the ends of a step is as exact as the step; no arc lasts longer than
-/// 0.5 s, but a parabola, which lasts as long as it is asked to.
+/// A flight, arc by arc. The interpolation between the ends of a step is as exact as the step; no arc lasts
+/// longer than 0.5 s, but a parabola, which lasts as long as it is asked to.
 template <int D>
 class BallisticFlight {
  public:
@@ -41,7 +41,8 @@ class BallisticFlight {
   double step_ = 0.05;  // s, to begin with
 };
 
-/// How far along an arc a flight goes: to the ground, to the end of the terrain, to where who watches it holds it, or to s = 1.
+/// How far along an arc a flight goes: to the ground, to the end of the terrain, to where who watches it
+/// holds it, or to s = 1.
 struct ArcEnd {
   double s = 1;
   bool on_ground = false, left = false, held = false;
@@ -62,8 +63,8 @@ struct Landing {
   Vec<D> position = Vec<D>::Zero(), velocity = Vec<D>::Zero();
 };
 
-/// Flies on to the ground, the end of the terrain or the time `latest`, at once where that is past. `see(arc, end)` is called
-/// with every arc and its ArcEnd, which it may bring forward to hold the flight there.
+/// Flies on to the ground, the end of the terrain or the time `latest`, at once where that is past. `see(arc,
+/// end)` is called with every arc and its ArcEnd, which it may bring forward to hold the flight there.
 template <int D, class Ground, class See>
 Landing<D> land(BallisticFlight<D> flight, const Ground& ground, double latest, See see) {
   Landing<D> landing{false, false, flight.time(), flight.now().position, flight.now().velocity};
@@ -72,7 +73,8 @@ Landing<D> land(BallisticFlight<D> flight, const Ground& ground, double latest, 
     const Arc<D> arc = flight.next(latest - landing.time);
     end = end_of(arc, ground);
     see(arc, end);
-    landing = {end.on_ground, end.left, arc.start + end.s * arc.length, arc.position(end.s), arc.velocity(end.s)};
+    landing = {end.on_ground, end.left, arc.start + end.s * arc.length, arc.position(end.s),
+               arc.velocity(end.s)};
   }
   return landing;
 }

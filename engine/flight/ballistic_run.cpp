@@ -23,8 +23,8 @@ class BarrierFlight {
     Landing<D> now{false, false, run_.start_time, body_.x, body_.v};
     while (true) {
       int barrier = -1;
-      now = land(BallisticFlight<D>(run_.forces, now.position, now.velocity, now.time), ground_, run_.stop_time,
-                 [&](const Arc<D>& arc, ArcEnd& end) {
+      now = land(BallisticFlight<D>(run_.forces, now.position, now.velocity, now.time), ground_,
+                 run_.stop_time, [&](const Arc<D>& arc, ArcEnd& end) {
                    barrier = first_barrier(arc, end);
                    log_.see(arc, end.s);
                  });

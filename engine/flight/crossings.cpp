@@ -14,7 +14,8 @@ constexpr double never = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-/// The first root of ahead = v t + a t^2 / 2, of its two forms the one that does not subtract; without air a is 0.
+/// The first root of ahead = v t + a t^2 / 2, of its two forms the one that does not subtract; without air a
+/// is 0.
 template <int D>
 double arrival(const Path<D>& path, double x, int side) {
   const double ahead = side * (x - path.x.x()), speed = side * path.v.x();
@@ -29,7 +30,7 @@ double arrival(const Path<D>& path, double x, int side) {
 
 template <int D>
 Crossings<D>::Crossings(World<D>& world, std::span<const Gate> gates, std::span<const Barrier> barriers,
-                     std::vector<BodyHistory>& histories)
+                        std::vector<BodyHistory>& histories)
     : world_(world), gates_(gates), barriers_(barriers), histories_(histories) {
   for (const Body<D>& body : world.bodies) {
     gate_side_.push_back(sides_of(gates, body.x.x()));
@@ -41,7 +42,8 @@ template <int D>
 double Crossings<D>::time_to_barrier(int body, const Path<D>& path) const {
   double first = never;
   for (std::size_t b = 0; b < barriers_.size(); ++b)
-    if (const int side = barrier_side_[body][b]; side != 0) first = std::min(first, arrival<D>(path, barriers_[b].x, side));
+    if (const int side = barrier_side_[body][b]; side != 0)
+      first = std::min(first, arrival<D>(path, barriers_[b].x, side));
   return first;
 }
 
@@ -60,7 +62,8 @@ bool Crossings<D>::moved(int body, const Motion& motion, double start, double dt
         {static_cast<int>(g), start + t, speed, energy, height(motion.position(t), gates_[g].x)});
   }
   for (std::size_t k = 0; k < barriers_.size(); ++k) {
-    if (barrier_side_[body][k] == 0 || arrival<D>(motion, barriers_[k].x, barrier_side_[body][k]) > dt) continue;
+    if (barrier_side_[body][k] == 0 || arrival<D>(motion, barriers_[k].x, barrier_side_[body][k]) > dt)
+      continue;
     barrier_side_[body][k] = 0;
     if (catches(static_cast<int>(k), body)) return true;
   }
@@ -76,7 +79,8 @@ template <int D>
 bool Crossings<D>::catches(int barrier, int body) {
   const Barrier& fence = barriers_[barrier];
   Body<D>& b = world_.bodies[body];
-  const BarrierHit hit = meet(fence, barrier, {world_.time, b.v.norm(), b.kinetic_energy(), height(b.x, fence.x)});
+  const BarrierHit hit =
+      meet(fence, barrier, {world_.time, b.v.norm(), b.kinetic_energy(), height(b.x, fence.x)});
   const double left = velocity_left(fence, hit);
   b.v *= left;
   b.w *= left;

@@ -1,6 +1,6 @@
 #pragma once
-// Gates and barriers (world/places.h) on the way of a world's bodies. In flight the moment of arrival is that of the parabola;
-// within a step in contact the centre of mass moves on a straight line.
+// Gates and barriers (world/places.h) on the way of a world's bodies. In flight the moment of arrival is that
+// of the parabola; within a step in contact the centre of mass moves on a straight line.
 
 #include <span>
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace flyrock {
 
-/// When a path arrives at the place x [m], which lies on its side `side` (+1 right, -1 left) [s]: 0 where it is there
-/// already, infinity where it never does.
+/// When a path arrives at the place x [m], which lies on its side `side` (+1 right, -1 left) [s]: 0 where it
+/// is there already, infinity where it never does.
 template <int D>
 double arrival(const Path<D>& path, double x, int side);
 
@@ -26,8 +26,8 @@ class Crossings {
 
   /// Until a body on `path` arrives at its next barrier [s]; infinity where it does not.
   double time_to_barrier(int body, const Path<D>& path) const;
-  /// The world has moved by dt, and the body along `motion` from the time `start`: gates and barriers act. Whether a
-  /// barrier has caught the body.
+  /// The world has moved by dt, and the body along `motion` from the time `start`: gates and barriers act.
+  /// Whether a barrier has caught the body.
   bool moved(int body, const Motion& motion, double start, double dt);
 
  private:

@@ -11,7 +11,9 @@ namespace flyrock {
 namespace {
 
 /// The height of the ground [m] at a place, or beyond the end of the terrain at that end.
-double ground_at(const Profile& ground, const Vec2& p) { return ground.height(std::clamp(p.x(), ground.x_min(), ground.x_max())); }
+double ground_at(const Profile& ground, const Vec2& p) {
+  return ground.height(std::clamp(p.x(), ground.x_min(), ground.x_max()));
+}
 double ground_at(const Plane& ground, const Vec3& p) { return ground.height(p.x(), p.y()); }
 
 PathBins bins_over(const Profile& ground, double width) { return {width, ground.x_min(), ground.x_max()}; }
@@ -24,12 +26,12 @@ double path_length(const Arc<D>& arc, double end) {
     const Path<D> path{arc.c[0], arc.velocity(0), 2 / (arc.length * arc.length) * arc.c[2]};
     return flyrock::path_length(path, end * arc.length);
   }
-  return boost::math::quadrature::gauss<double, 7>::integrate([&](double s) { return arc.velocity(s).norm() * arc.length; }, 0.0,
-                                                              end);
+  return boost::math::quadrature::gauss<double, 7>::integrate(
+      [&](double s) { return arc.velocity(s).norm() * arc.length; }, 0.0, end);
 }
 
-/// Calls look(s) where the height of the arc above the ground may be greatest, beside its ends: above a corner of the ground,
-/// and where the path runs along it.
+/// Calls look(s) where the height of the arc above the ground may be greatest, beside its ends: above a
+/// corner of the ground, and where the path runs along it.
 template <class Look>
 void visit_highest(const Arc<2>& arc, const Profile& ground, double end, Look look) {
   const Eigen::AlignedBox2d box = arc.box();
@@ -66,7 +68,8 @@ FlightLog<D, Ground>::FlightLog(const Body<D>& body, const Ground& ground, const
 
 template <int D, class Ground>
 void FlightLog<D, Ground>::see(const Arc<D>& arc, double end) {
-  for (double t = next_sample_; run_.trajectory_every > 0 && t < arc.start + end * arc.length; t = next_sample_) {
+  for (double t = next_sample_; run_.trajectory_every > 0 && t < arc.start + end * arc.length;
+       t = next_sample_) {
     history_.trajectory.push_back({at(arc, (t - arc.start) / arc.length), TravelMode::flight});
     next_sample_ += run_.trajectory_every;
   }
@@ -74,7 +77,8 @@ void FlightLog<D, Ground>::see(const Arc<D>& arc, double end) {
   if (const auto apex = first_fall(arc.rate_along(up), 0, end); apex && *apex > 0) widen(at(arc, *apex));
   for (int k = 0; k < D - 1; ++k)  // where a wind turns the rock
     for (const double side : {-1.0, 1.0})
-      if (const auto turn = first_fall(arc.rate_along(side * Vec<D>::Unit(k)), 0, end); turn && *turn > 0) widen(at(arc, *turn));
+      if (const auto turn = first_fall(arc.rate_along(side * Vec<D>::Unit(k)), 0, end); turn && *turn > 0)
+        widen(at(arc, *turn));
   widen(at(arc, end));
   highest(arc, end);
   bins(arc, end);
@@ -84,7 +88,8 @@ void FlightLog<D, Ground>::see(const Arc<D>& arc, double end) {
 
 template <int D, class Ground>
 Arrival FlightLog<D, Ground>::arrival(double x, const Landing<D>& now) const {
-  return {now.time, now.velocity.norm(), energy(now.velocity.squaredNorm()), height(at_x<D>(now.position, x))};
+  return {now.time, now.velocity.norm(), energy(now.velocity.squaredNorm()),
+          height(at_x<D>(now.position, x))};
 }
 
 template <int D, class Ground>
@@ -149,20 +154,22 @@ void FlightLog<D, Ground>::pass_gates(const Arc<D>& arc, double end) {
     if (!s) continue;
     gates_[g] = 0;
     const Vec<D> velocity = arc.velocity(*s);
-    history_.passages.push_back({static_cast<int>(g), arc.start + *s * arc.length, velocity.norm(), energy(velocity.squaredNorm()),
-                                 height(at_x<D>(arc.position(*s), x))});
+    history_.passages.push_back({static_cast<int>(g), arc.start + *s * arc.length, velocity.norm(),
+                                 energy(velocity.squaredNorm()), height(at_x<D>(arc.position(*s), x))});
   }
 }
 
 template <int D, class Ground>
 void FlightLog<D, Ground>::highest(const Arc<D>& arc, double end) {
-  const auto look = [&](double s) { history_.bounce_height = std::max(history_.bounce_height, height(arc.position(s))); };
+  const auto look = [&](double s) {
+    history_.bounce_height = std::max(history_.bounce_height, height(arc.position(s)));
+  };
   look(end);
   visit_highest(arc, ground_, end, look);
 }
 
-/// The bins along x. Within a piece of an arc x is taken as linear: without a wind it is out by k v^2 t^2 / 8, some
-/// centimetres.
+/// The bins along x. Within a piece of an arc x is taken as linear: without a wind it is out by k v^2 t^2 /
+/// 8, some centimetres.
 template <int D, class Ground>
 void FlightLog<D, Ground>::bins(const Arc<D>& arc, double end) {
   if (run_.bin_width <= 0) return;

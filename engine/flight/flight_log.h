@@ -23,7 +23,9 @@ class FlightLog {
   BodyState state(double time, const Vec<D>& position, const Vec<D>& velocity) const;
   BodyState at(const Arc<D>& arc, double s) const;
   void widen(const BodyState& s);
-  double energy(double squared_speed) const { return 0.5 * (body_.mass * squared_speed + twice_spin_energy_); }
+  double energy(double squared_speed) const {
+    return 0.5 * (body_.mass * squared_speed + twice_spin_energy_);
+  }
   double height(const Vec<D>& p) const;
   void pass_gates(const Arc<D>& arc, double end);
   void highest(const Arc<D>& arc, double end);
@@ -33,9 +35,9 @@ class FlightLog {
   const Ground& ground_;
   const BallisticRun<D>& run_;
   BodyHistory history_;
-  typename Space<D>::Spin spin_;  ///< since the time spin_since_: barriers take from it
-  double spin_since_, angle_ = 0; ///< the angle at that time: rad, 2D
-  double twice_spin_energy_;      ///< J
+  typename Space<D>::Spin spin_;   ///< since the time spin_since_: barriers take from it
+  double spin_since_, angle_ = 0;  ///< the angle at that time: rad, 2D
+  double twice_spin_energy_;       ///< J
   double next_sample_;
   Sides gates_;
 };

@@ -12,19 +12,21 @@ namespace flyrock {
 std::pair<double, double> extent(const Terrain2& terrain);
 std::pair<double, double> extent(const Terrain3& terrain);
 
-/// The height of the ground at or below a place within its extent [m], along the vertical axis (y in 2D, z in 3D).
+/// The height of the ground at or below a place within its extent [m], along the vertical axis (y in 2D, z in
+/// 3D).
 double ground_height(const Terrain2& terrain, const Vec2& at);
 double ground_height(const Terrain3& terrain, const Vec3& at);
 
-/// The mean speed along x over [0, dt], with which paths are cut into pieces along x: exact but in air, where it is out by
-/// |a_x| dt^2 / 8, less than a millimetre in a leg.
+/// The mean speed along x over [0, dt], with which paths are cut into pieces along x: exact but in air, where
+/// it is out by |a_x| dt^2 / 8, less than a millimetre in a leg.
 template <int D>
 double rate_along_x(const Path<D>& path, double dt) {
   return path.v.x() + 0.5 * dt * path.a.x();
 }
 
-/// Calls visit(from, to, highest) for each part of [0, dt] in which the height of the path above the ground is one
-/// quadratic of time; highest(t0, t1) is the greatest height in a part of it. In 2D: over each segment.
+/// Calls visit(from, to, highest) for each part of [0, dt] in which the height of the path above the ground
+/// is one quadratic of time; highest(t0, t1) is the greatest height in a part of it. In 2D: over each
+/// segment.
 template <class Visit>
 void visit_heights(const Terrain2& terrain, const Path<2>& path, double dt, Visit visit) {
   const Vec2 end = path.position(dt);
@@ -47,7 +49,9 @@ void visit_heights(const Terrain2& terrain, const Path<2>& path, double dt, Visi
     };
     const double bend = path.a.y() - slope * path.a.x();
     const double top = bend < 0 ? (path.v.y() - slope * path.v.x()) / -bend : from;
-    visit(from, to, [&](double t0, double t1) { return std::max({above(t0), above(std::clamp(top, t0, t1)), above(t1)}); });
+    visit(from, to, [&](double t0, double t1) {
+      return std::max({above(t0), above(std::clamp(top, t0, t1)), above(t1)});
+    });
   }
 }
 
@@ -58,7 +62,9 @@ void visit_heights(const Terrain3& terrain, const Path<3>& path, double dt, Visi
   const auto above = [&](double t) { return plane.distance(path.position(t)) / plane.normal.z(); };
   const double fall = -plane.normal.dot(path.a);
   const double top = fall > 0 ? plane.normal.dot(path.v) / fall : 0;
-  visit(0.0, dt, [&](double t0, double t1) { return std::max({above(t0), above(std::clamp(top, t0, t1)), above(t1)}); });
+  visit(0.0, dt, [&](double t0, double t1) {
+    return std::max({above(t0), above(std::clamp(top, t0, t1)), above(t1)});
+  });
 }
 
 }  // namespace flyrock

@@ -35,7 +35,8 @@ Observer<D>::Observer(const World<D>& world, double every, bool keep_impacts, do
 }
 
 template <int D>
-BodyState Observer<D>::state(int body, double time, const Vec<D>& x, const Vec<D>& v, const Turned<D>& turned) const {
+BodyState Observer<D>::state(int body, double time, const Vec<D>& x, const Vec<D>& v,
+                             const Turned<D>& turned) const {
   const Body<D>& b = world_.bodies[body];
   BodyState state;
   state.time = time;
@@ -48,7 +49,8 @@ BodyState Observer<D>::state(int body, double time, const Vec<D>& x, const Vec<D
     state.spin = turned.spin;
   }
   if (b.kind == BodyKind::dynamic)
-    state.kinetic_energy = 0.5 * (b.mass * v.squaredNorm() + twice_spin_energy(b, turned.attitude, turned.spin));
+    state.kinetic_energy =
+        0.5 * (b.mass * v.squaredNorm() + twice_spin_energy(b, turned.attitude, turned.spin));
   return state;
 }
 
@@ -68,7 +70,8 @@ void Observer<D>::extremes(int body, const BodyState& s) {
   if (!s.position.allFinite() || !s.velocity.allFinite()) return;  // NaN does not enter a history
   BodyHistory& h = histories_[body];
   h.include(s);
-  h.max_distance = std::max(h.max_distance, horizontal(Vec<D>((s.position - h.first.position).template head<D>())));
+  h.max_distance =
+      std::max(h.max_distance, horizontal(Vec<D>((s.position - h.first.position).template head<D>())));
   h.last = s;
 }
 
@@ -95,16 +98,18 @@ void Observer<D>::clearance(int body, const Path<D>& path, double dt) {
   });
 }
 
-/// The greatest speed and energy in each bin: squares of speeds are convex in time, so that they are at an end.
+/// The greatest speed and energy in each bin: squares of speeds are convex in time, so that they are at an
+/// end.
 template <int D>
 void Observer<D>::speeds(int body, const Motion& motion, double dt) {
-  histories_[body].path.visit(motion.x.x(), rate_along_x<D>(motion, dt), 0, dt, [&](PathBin& bin, double t0, double t1) {
-    for (const double t : {t0, t1}) {
-      const BodyState s = along(body, motion, t, 0);
-      bin.speed = std::max(bin.speed, s.velocity.norm());
-      bin.energy = std::max(bin.energy, s.kinetic_energy);
-    }
-  });
+  histories_[body].path.visit(motion.x.x(), rate_along_x<D>(motion, dt), 0, dt,
+                              [&](PathBin& bin, double t0, double t1) {
+                                for (const double t : {t0, t1}) {
+                                  const BodyState s = along(body, motion, t, 0);
+                                  bin.speed = std::max(bin.speed, s.velocity.norm());
+                                  bin.energy = std::max(bin.energy, s.kinetic_energy);
+                                }
+                              });
 }
 
 template <int D>
@@ -118,13 +123,15 @@ void Observer<D>::flew(int body, const Motion& motion, double start, double dt) 
   if (apex > 0 && apex <= dt) {
     const BodyState top = along(body, motion, apex, start + apex);
     extremes(body, top);
-    if (keep_impacts_ && world_.bodies[body].impacts > 0) h.apexes.push_back({top.time, top.position[up] - first_contact_height_[body]});
+    if (keep_impacts_ && world_.bodies[body].impacts > 0)
+      h.apexes.push_back({top.time, top.position[up] - first_contact_height_[body]});
   }
   clearance(body, motion, dt);
   speeds(body, motion, dt);
   if (every_ > 0) {
     for (; next_sample_[body] < start + dt; next_sample_[body] += every_)
-      if (next_sample_[body] > start) store(body, along(body, motion, next_sample_[body] - start, next_sample_[body]));
+      if (next_sample_[body] > start)
+        store(body, along(body, motion, next_sample_[body] - start, next_sample_[body]));
   }
   const BodyState end = along(body, motion, dt, start + dt);
   extremes(body, end);

@@ -12,12 +12,13 @@ class Observer {
  public:
   using Motion = typename Geometry<D>::Motion;
 
-  /// `every`: seconds between stored points of trajectories, 0 for none; the ends of each flight are stored too.
-  /// `bin_width`: m, of BodyHistory::path.
+  /// `every`: seconds between stored points of trajectories, 0 for none; the ends of each flight are stored
+  /// too. `bin_width`: m, of BodyHistory::path.
   Observer(const World<D>& world, double every, bool keep_impacts, double bin_width,
            std::vector<BodyHistory>& histories);
 
-  /// The world flew, or stepped without contact at `body`, along `motion` for dt; `start` is the time at its begin.
+  /// The world flew, or stepped without contact at `body`, along `motion` for dt; `start` is the time at its
+  /// begin.
   void flew(int body, const Motion& motion, double start, double dt);
   /// A contact step of length dt has ended, in which the body moved along `motion`.
   void stepped(int body, const Motion& motion, double dt, TravelMode mode);

@@ -14,7 +14,7 @@ namespace flyrock {
 
 namespace {
 
-constexpr double fastest = 1e5;  // m/s; beyond it a run has diverged
+constexpr double fastest = 1e5;    // m/s; beyond it a run has diverged
 constexpr int most_idle = 10'000;  // steps that lead on by less than the length of one
 
 template <int D>
@@ -32,7 +32,8 @@ class Runner {
         running_(world.bodies.size()) {
     for (std::size_t i = 0; i < running_.size(); ++i) running_[i] = world.bodies[i].kind == BodyKind::dynamic;
     for (BodyHistory& history : histories) rest_.emplace_back(settings.stop_speed, history);
-    in_air_ = std::any_of(world.bodies.begin(), world.bodies.end(), [](const Body<D>& b) { return b.air.drag > 0; });
+    in_air_ = std::any_of(world.bodies.begin(), world.bodies.end(),
+                          [](const Body<D>& b) { return b.air.drag > 0; });
   }
 
   void run() {
@@ -41,14 +42,15 @@ class Runner {
     while (anybody() && world_.time < settings_.stop_time) {
       if (settings_.interrupted()) throw Interrupted();
       if (stands_still()) {
-        diverge(std::to_string(most_idle) + " steps led on by less than one of their length: its contacts contradict each other");
+        diverge(std::to_string(most_idle) +
+                " steps led on by less than one of their length: its contacts contradict each other");
         break;
       }
       const double before = world_.time;
       in_contact = settings_.exact_flight && !in_contact ? fly() : step();
       end_bodies();
-      // Bodies in contact that touch again and again without time passing are left to their contacts for a short step; where
-      // that is not what held it up, one goes on that no touch cuts.
+      // Bodies in contact that touch again and again without time passing are left to their contacts for a
+      // short step; where that is not what held it up, one goes on that no touch cuts.
       stalled_ = world_.time - before < 1e-9 * world_.settings().time_step ? stalled_ + 1 : 0;
       if (stalled_ > 50) {
         const double stuck = world_.time;
@@ -65,7 +67,9 @@ class Runner {
 
  private:
   int bodies() const { return static_cast<int>(world_.bodies.size()); }
-  bool anybody() const { return std::any_of(running_.begin(), running_.end(), [](bool r) { return r; }); }
+  bool anybody() const {
+    return std::any_of(running_.begin(), running_.end(), [](bool r) { return r; });
+  }
   bool at_rest(int i) const { return !std::isnan(histories_[i].stop_time); }
   double time_left() const { return settings_.stop_time - world_.time; }
 
@@ -111,7 +115,8 @@ class Runner {
     if (contact.antagonist < 0) observer_.landed(contact.candidate);
   }
 
-  /// All bodies fly to the next touch, the end of the domain, of the run or of a leg through air; whether contacts remain there.
+  /// All bodies fly to the next touch, the end of the domain, of the run or of a leg through air; whether
+  /// contacts remain there.
   bool fly() {
     if (!in_air_) return jump(time_left());
     double leg = time_left();
@@ -129,8 +134,8 @@ class Runner {
     return false;
   }
 
-  /// All bodies jump along their parabolas to the next touch, the end of the domain or the time `longest`; whether contacts
-  /// remain there.
+  /// All bodies jump along their parabolas to the next touch, the end of the domain or the time `longest`;
+  /// whether contacts remain there.
   bool jump(double longest) {
     double dt = longest;
     bool touch = false;
@@ -143,8 +148,8 @@ class Runner {
         dt = std::min({dt, time_in_domain(flight), running_[i] ? crossings_.time_to_barrier(i, flight) : dt});
         const TouchSearch search{world_.held(i, -1), false, 0, body.size, &world_.quality().toc_iterations};
         for (std::size_t k = 0; k < body.contactors.size(); ++k) {
-          const auto t = time_of_contact(body.contactors[k], static_cast<int>(k), flight, world_.terrain(),
-                                         dt, search);
+          const auto t =
+              time_of_contact(body.contactors[k], static_cast<int>(k), flight, world_.terrain(), dt, search);
           if (t) dt = *t, touch = true;
         }
       }
@@ -196,7 +201,8 @@ class Runner {
     constexpr double blind = 0.1;  // of a step that passes over touches: overlaps that it makes stay small
     const double h = std::min((touches == Touches::all ? 1 : blind) * step_length(), time_left());
     if (in_air_)
-      for (Body<D>& body : world_.bodies) body.push = mean_acceleration(body.air, body.v, world_.gravity(), h);
+      for (Body<D>& body : world_.bodies)
+        body.push = mean_acceleration(body.air, body.v, world_.gravity(), h);
     const bool cut = touches != Touches::none && settings_.exact_flight;
     const auto outcome = world_.step(h, cut, touches == Touches::of_new_pairs);
     touching_.assign(bodies(), false);
@@ -212,12 +218,14 @@ class Runner {
     }
     for (int i = 0; i < bodies(); ++i) {
       const Body<D>& body = world_.bodies[i];
-      flights_.push_back(touching_[i] && outcome.duration > 0 ? mean_motion(starts_[i], body, outcome.duration)
-                                                              : free_motion(body, starts_[i], world_.gravity()));
+      flights_.push_back(touching_[i] && outcome.duration > 0
+                             ? mean_motion(starts_[i], body, outcome.duration)
+                             : free_motion(body, starts_[i], world_.gravity()));
       if (!running_[i]) continue;
       const Travel before = histories_[i].travel;
       if (touching_[i]) {
-        observer_.stepped(i, flights_[i], outcome.duration, slipping_[i] ? TravelMode::slide : TravelMode::roll);
+        observer_.stepped(i, flights_[i], outcome.duration,
+                          slipping_[i] ? TravelMode::slide : TravelMode::roll);
         rest_[i].rests(start, world_.time, std::max(body.v.norm(), body.spin_speed() * body.radius), before);
       } else {
         if (outcome.duration > 0) observer_.flew(i, flights_[i], start, outcome.duration);
@@ -229,12 +237,14 @@ class Runner {
     return outcome.new_touch ? collide() : outcome.in_contact;
   }
 
-  /// A step at whose end a barrier is about to be reached is cut there. Contact forces bend the path within a step, so
-  /// that at least a hundredth of a step is made: the barrier is passed, not crept up to.
+  /// A step at whose end a barrier is about to be reached is cut there. Contact forces bend the path within a
+  /// step, so that at least a hundredth of a step is made: the barrier is passed, not crept up to.
   double step_length() const {
     double h = world_.settings().time_step;
     for (int i = 0; i < bodies(); ++i)
-      if (running_[i]) h = std::min(h, std::max(crossings_.time_to_barrier(i, {world_.bodies[i].x, world_.bodies[i].v}), 0.01 * world_.settings().time_step));
+      if (running_[i])
+        h = std::min(h, std::max(crossings_.time_to_barrier(i, {world_.bodies[i].x, world_.bodies[i].v}),
+                                 0.01 * world_.settings().time_step));
     return h;
   }
 
@@ -247,8 +257,8 @@ class Runner {
     }
   }
 
-  /// Ends what has come to rest, left the terrain or diverged. In a world of several bodies one at rest may be hit
-  /// again, so that all must be at rest, and no driven one on its way.
+  /// Ends what has come to rest, left the terrain or diverged. In a world of several bodies one at rest may
+  /// be hit again, so that all must be at rest, and no driven one on its way.
   void end_bodies() {
     const auto [low, high] = extent(world_.terrain());
     bool all_at_rest = std::none_of(world_.bodies.begin(), world_.bodies.end(), [](const Body<D>& body) {
@@ -287,7 +297,7 @@ class Runner {
   bool in_air_ = false;
   std::vector<std::array<Vec<D>, 2>> accelerations_;  ///< by the air, of the leg at hand
   int stalled_ = 0;
-  int steps_ = 0;           ///< since marked_time_
+  int steps_ = 0;  ///< since marked_time_
   double marked_time_ = 0;
 };
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/polynomial.h"
 #include "flight/vacuum.h"
+#include "math/polynomial.h"
 
 namespace flyrock {
 
@@ -22,7 +22,8 @@ Profile level_ground(double depth) {
 }  // namespace
 
 double level_range(const Forces<2>& forces, const Vec2& velocity, double height, double longest) {
-  return land(BallisticFlight<2>(forces, Vec2::Zero(), velocity), level_ground(height), longest, [](const Arc<2>&, const ArcEnd&) {})
+  return land(BallisticFlight<2>(forces, Vec2::Zero(), velocity), level_ground(height), longest,
+              [](const Arc<2>&, const ArcEnd&) {})
       .position.x();
 }
 
@@ -53,7 +54,8 @@ std::vector<Vec2> shroud(const Forces<2>& forces, double speed, double height, d
   const double range = farthest(forces, speed, height, longest).range;
   for (int i = 0; i < points; ++i) line.emplace_back(range * i / (points - 1), -height);
   if (forces.air.drag == 0) {
-    for (Vec2& point : line) point.y() = std::max(-height, vacuum_envelope(speed, point.x(), -forces.gravity.y()));
+    for (Vec2& point : line)
+      point.y() = std::max(-height, vacuum_envelope(speed, point.x(), -forces.gravity.y()));
     return line;
   }
   const Profile ground = level_ground(height);
@@ -64,17 +66,19 @@ std::vector<Vec2> shroud(const Forces<2>& forces, double speed, double height, d
     const double elevation = pi / 2 * (1 - from_vertical);
     std::size_t next = 0;  // place not yet reached
     const Vec2 velocity = speed * Vec2(std::cos(elevation), std::sin(elevation));
-    land(BallisticFlight<2>(forces, Vec2::Zero(), velocity), ground, longest, [&](const Arc<2>& arc, const ArcEnd& end) {
-      while (next < line.size()) {
-        const auto s = first_arrival(arc, line[next].x(), 1.0, end.s);
-        if (!s) break;
-        line[next].y() = std::max(line[next].y(), arc.position(*s).y());
-        ++next;
-      }
-      // Above the launch itself the flight straight up is highest.
-      if (const auto apex = first_fall(arc.rate_along(Vec2::UnitY()), 0, end.s); apex && flight == flights)
-        line.front().y() = std::max(line.front().y(), arc.position(*apex).y());
-    });
+    land(BallisticFlight<2>(forces, Vec2::Zero(), velocity), ground, longest,
+         [&](const Arc<2>& arc, const ArcEnd& end) {
+           while (next < line.size()) {
+             const auto s = first_arrival(arc, line[next].x(), 1.0, end.s);
+             if (!s) break;
+             line[next].y() = std::max(line[next].y(), arc.position(*s).y());
+             ++next;
+           }
+           // Above the launch itself the flight straight up is highest.
+           if (const auto apex = first_fall(arc.rate_along(Vec2::UnitY()), 0, end.s);
+               apex && flight == flights)
+             line.front().y() = std::max(line.front().y(), arc.position(*apex).y());
+         });
   }
   return line;
 }

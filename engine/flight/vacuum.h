@@ -1,8 +1,9 @@
 #pragma once
-// Flights without air, in closed form: over level ground, from a height h [m] above it, with gravity g [m/s2].
+// Flights without air, in closed form: over level ground, from a height h [m] above it, with gravity g
+// [m/s2].
 //
-// Source: the parabola; J. Roth, A model for the determination of flyrock range, USBM J0387242 (1979), writes the range
-// from a height for 45 degrees only, which is not the greatest.
+// Source: the parabola; J. Roth, A model for the determination of flyrock range, USBM J0387242 (1979), writes
+// the range from a height for 45 degrees only, which is not the greatest.
 
 namespace flyrock {
 
@@ -10,7 +11,8 @@ namespace flyrock {
 ///   v cos(e) (v sin(e) + sqrt(v^2 sin^2(e) + 2 g h)) / g.
 double vacuum_range(double speed, double elevation, double height, double gravity);
 
-/// The elevation [rad] that goes farthest, tan e = v / sqrt(v^2 + 2 g h), and its distance (v/g) sqrt(v^2 + 2 g h).
+/// The elevation [rad] that goes farthest, tan e = v / sqrt(v^2 + 2 g h), and its distance (v/g) sqrt(v^2 + 2
+/// g h).
 double best_vacuum_elevation(double speed, double height, double gravity);
 double greatest_vacuum_range(double speed, double height, double gravity);
 

@@ -67,7 +67,9 @@ void add_contactor(Moments& sum, const Contactor2& contactor, const Vec2& origin
 
 }  // namespace
 
-Contactor2 Contactor2::disk(double radius, const Vec2& centre) { return {{centre}, {}, radius, centre.norm() + radius}; }
+Contactor2 Contactor2::disk(double radius, const Vec2& centre) {
+  return {{centre}, {}, radius, centre.norm() + radius};
+}
 
 Contactor2 Contactor2::polygon(std::vector<Vec2> vertices) {
   auto normals = edge_normals(vertices);
@@ -84,7 +86,8 @@ std::string make_convex(std::vector<Vec2>& vertices) {
   const std::size_t count = vertices.size();
   if (count < 3) return fmt::format("a polygon has {} vertices, at least 3 are needed", count);
   if (count > Contactor2::most_vertices)
-    return fmt::format("a polygon has {} vertices, at most {} are possible", count, Contactor2::most_vertices);
+    return fmt::format("a polygon has {} vertices, at most {} are possible", count,
+                       Contactor2::most_vertices);
   double perimeter = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const double length = (vertices[(i + 1) % count] - vertices[i]).norm();

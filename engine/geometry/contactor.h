@@ -13,7 +13,8 @@ namespace flyrock {
 /// polygon; two points and a radius a wall with rounded ends. Coordinates in the body's frame, metres.
 struct Contactor2 {
   std::vector<Vec2> points;
-  std::vector<Vec2> normals;  ///< outward unit normal of the edge from points[i] to points[i + 1]; none for a disk
+  std::vector<Vec2>
+      normals;  ///< outward unit normal of the edge from points[i] to points[i + 1]; none for a disk
   double radius = 0;
   double bound = 0;  ///< radius of the smallest circle about the frame's origin that holds the contactor
 
@@ -26,11 +27,12 @@ struct Contactor2 {
   void translate(const Vec2& by);
 };
 
-/// What is wrong with a list of vertices as a convex polygon (fewer than three or too many, not convex, no area,
-/// clockwise is turned round, not an error), or an empty text. Turns `vertices` counter-clockwise.
+/// What is wrong with a list of vertices as a convex polygon (fewer than three or too many, not convex, no
+/// area, clockwise is turned round, not an error), or an empty text. Turns `vertices` counter-clockwise.
 std::string make_convex(std::vector<Vec2>& vertices);
 
-/// Area [m2], centroid and polar second moment of area about the centroid [m4] of contactors that do not overlap.
+/// Area [m2], centroid and polar second moment of area about the centroid [m4] of contactors that do not
+/// overlap.
 struct AreaProperties {
   double area = 0;
   Vec2 centroid = Vec2::Zero();

@@ -28,11 +28,13 @@ void add_faces(Contactor3& shape, const std::vector<std::vector<int>>& faces) {
   for (const auto& loop : faces) {
     if (loop.size() < 3) throw std::invalid_argument("a face of a polyhedron has fewer than 3 vertices");
     if (loop.size() > Contactor3::most_face_vertices)
-      throw std::invalid_argument(fmt::format("a face of a polyhedron has {} vertices, at most {} are possible",
-                                              loop.size(), Contactor3::most_face_vertices));
+      throw std::invalid_argument(
+          fmt::format("a face of a polyhedron has {} vertices, at most {} are possible", loop.size(),
+                      Contactor3::most_face_vertices));
     const Vec3 area = area_vector(shape.points, loop);
     if (!(area.norm() > 0)) throw std::invalid_argument("a face of a polyhedron has no area");
-    shape.faces.push_back({area.normalized(), static_cast<int>(shape.loop.size()), static_cast<int>(loop.size())});
+    shape.faces.push_back(
+        {area.normalized(), static_cast<int>(shape.loop.size()), static_cast<int>(loop.size())});
     shape.loop.insert(shape.loop.end(), loop.begin(), loop.end());
   }
 }
@@ -61,8 +63,8 @@ void add_edges(Contactor3& shape) {
   for (const Contactor3::Edge& edge : shape.edges)
     if (edge.right < 0) throw std::invalid_argument("the faces of a polyhedron do not close");
   if (shape.edges.size() > Contactor3::most_edges)
-    throw std::invalid_argument(fmt::format("a polyhedron has {} edges, at most {} are possible", shape.edges.size(),
-                                            Contactor3::most_edges));
+    throw std::invalid_argument(fmt::format("a polyhedron has {} edges, at most {} are possible",
+                                            shape.edges.size(), Contactor3::most_edges));
 }
 
 }  // namespace

@@ -8,36 +8,39 @@
 
 namespace flyrock {
 
-/// A contactor of space: the convex hull of `points`, grown by `radius`. One point and a radius is a sphere; points with
-/// faces, without a radius, are a convex polyhedron. Coordinates in the body's frame, metres.
+/// A contactor of space: the convex hull of `points`, grown by `radius`. One point and a radius is a sphere;
+/// points with faces, without a radius, are a convex polyhedron. Coordinates in the body's frame, metres.
 struct Contactor3 {
-  /// A plane face with `count` vertices, counter-clockwise seen from outside: loop[first], ..., loop[first + count - 1].
+  /// A plane face with `count` vertices, counter-clockwise seen from outside: loop[first], ..., loop[first +
+  /// count - 1].
   struct Face {
     Vec3 normal = Vec3::Zero();  ///< unit, outward
     int first = 0;
     int count = 0;
   };
-  /// From points[start] to points[end]; `left` is the face that runs through it in this direction, `right` the other.
+  /// From points[start] to points[end]; `left` is the face that runs through it in this direction, `right`
+  /// the other.
   struct Edge {
     int start = 0, end = 0;
     int left = 0, right = 0;
   };
   static constexpr int most_face_vertices = 32;  ///< what the narrow phase keeps room for
-  static constexpr int most_edges = 1 << 14;     ///< what a feature id counts (collision/contact.h); vertices and faces are fewer
+  static constexpr int most_edges =
+      1 << 14;  ///< what a feature id counts (collision/contact.h); vertices and faces are fewer
 
   std::vector<Vec3> points;
-  std::vector<int> loop;        ///< indices into points, face after face
-  std::vector<int> loop_edge;   ///< the edge from a loop's vertex to the next
-  std::vector<Face> faces;      ///< none for a sphere
+  std::vector<int> loop;       ///< indices into points, face after face
+  std::vector<int> loop_edge;  ///< the edge from a loop's vertex to the next
+  std::vector<Face> faces;     ///< none for a sphere
   std::vector<Edge> edges;
   double radius = 0;
-  double bound = 0;             ///< radius of the smallest sphere about the frame's origin that holds the contactor
+  double bound = 0;  ///< radius of the smallest sphere about the frame's origin that holds the contactor
 
   static Contactor3 sphere(double radius, const Vec3& centre = Vec3::Zero());
   /// A box about the origin with sides along the axes.
   static Contactor3 box(const Vec3& size);
-  /// A convex polyhedron by its faces, each a loop of indices into `points`, counter-clockwise seen from outside. Throws
-  /// std::invalid_argument where the faces do not close a convex surface, or are too many.
+  /// A convex polyhedron by its faces, each a loop of indices into `points`, counter-clockwise seen from
+  /// outside. Throws std::invalid_argument where the faces do not close a convex surface, or are too many.
   static Contactor3 polyhedron(std::vector<Vec3> points, const std::vector<std::vector<int>>& faces);
 
   bool round() const { return points.size() == 1; }

@@ -1,11 +1,11 @@
 #include "geometry/hull.h"
 
+#include <fmt/format.h>
 #include <libqhull_r/qhull_ra.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <fmt/format.h>
 #include <map>
 #include <stdexcept>
 
@@ -20,8 +20,8 @@ class QhullRun {
     messages_ = open_memstream(&text_, &size_);
     qh_zero(&qh_, messages_);
     char command[] = "qhull Pp";  // merges faces of one plane, warns of nothing
-    failed_ = qh_new_qhull(&qh_, 3, static_cast<int>(coordinates.size() / 3), coordinates.data(), False, command,
-                           nullptr, messages_) != 0;
+    failed_ = qh_new_qhull(&qh_, 3, static_cast<int>(coordinates.size() / 3), coordinates.data(), False,
+                           command, nullptr, messages_) != 0;
   }
   ~QhullRun() {
     qh_freeqhull(&qh_, !qh_ALL);
@@ -65,7 +65,8 @@ class QhullRun {
 
 Contactor3 convex_hull(const std::vector<Vec3>& points) {
   if (points.size() < 4)
-    throw std::invalid_argument(fmt::format("a polyhedron has {} points, at least 4 are needed", points.size()));
+    throw std::invalid_argument(
+        fmt::format("a polyhedron has {} points, at least 4 are needed", points.size()));
   // About the first point: a rock drawn far from the origin loses no digits.
   std::vector<double> coordinates;
   for (const Vec3& p : points)

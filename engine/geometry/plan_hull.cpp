@@ -8,12 +8,14 @@ namespace flyrock {
 
 namespace {
 
-/// Adds the lower chain (of points from left to right) or the upper one (from right to left) to `hull`, without its last point.
+/// Adds the lower chain (of points from left to right) or the upper one (from right to left) to `hull`,
+/// without its last point.
 template <class Iterator>
 void add_chain(Iterator begin, Iterator end, std::vector<Vec2>& hull) {
   const std::size_t first = hull.size();
   for (Iterator point = begin; point != end; ++point) {
-    while (hull.size() >= first + 2 && cross(hull.back() - hull[hull.size() - 2], *point - hull.back()) <= 0) hull.pop_back();
+    while (hull.size() >= first + 2 && cross(hull.back() - hull[hull.size() - 2], *point - hull.back()) <= 0)
+      hull.pop_back();
     hull.push_back(*point);
   }
   hull.pop_back();
@@ -29,7 +31,9 @@ double distance_from_side(const Vec2& a, const Vec2& b, const Vec2& place) {
 }  // namespace
 
 std::vector<Vec2> plan_hull(std::vector<Vec2> points) {
-  const auto before = [](const Vec2& a, const Vec2& b) { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); };
+  const auto before = [](const Vec2& a, const Vec2& b) {
+    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+  };
   std::sort(points.begin(), points.end(), before);
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) return points;

@@ -12,13 +12,13 @@ namespace flyrock {
 /// and two successive points differ.
 struct Profile {
   std::vector<Vec2> points;
-  std::vector<int> part;                ///< of each segment (points.size() - 1): index into `parts`
-  std::vector<std::string> parts;       ///< names of the parts, as in `materials: { part: NAME }`
+  std::vector<int> part;           ///< of each segment (points.size() - 1): index into `parts`
+  std::vector<std::string> parts;  ///< names of the parts, as in `materials: { part: NAME }`
   struct Face {
     Vec2 toe;
     Vec2 crest;
   };
-  std::vector<Face> faces;              ///< bench faces, the uppermost first: `release: { from: face, bench: 1 }`
+  std::vector<Face> faces;  ///< bench faces, the uppermost first: `release: { from: face, bench: 1 }`
 
   int segments() const { return static_cast<int>(points.size()) - 1; }
   double x_min() const { return points.front().x(); }

@@ -26,8 +26,8 @@ void add_tetrahedron(Moments& sum, const Vec3& a, const Vec3& b, const Vec3& c) 
   const Vec3 total = a + b + c;
   sum.volume += det / 6;
   sum.first += det / 24 * total;
-  sum.second += det / 120 *
-                (a * a.transpose() + b * b.transpose() + c * c.transpose() + total * total.transpose());
+  sum.second +=
+      det / 120 * (a * a.transpose() + b * b.transpose() + c * c.transpose() + total * total.transpose());
 }
 
 }  // namespace
@@ -44,7 +44,8 @@ VolumeProperties volume_properties(const std::vector<Contactor3>& contactors) {
     }
     for (const Contactor3::Face& face : shape.faces)
       for (int i = 1; i + 1 < face.count; ++i)
-        add_tetrahedron(sum, shape.points[shape.vertex(face, 0)] - origin, shape.points[shape.vertex(face, i)] - origin,
+        add_tetrahedron(sum, shape.points[shape.vertex(face, 0)] - origin,
+                        shape.points[shape.vertex(face, i)] - origin,
                         shape.points[shape.vertex(face, i + 1)] - origin);
   }
   const Vec3 centre = sum.first / sum.volume;

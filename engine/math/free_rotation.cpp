@@ -8,7 +8,8 @@ namespace flyrock {
 
 namespace {
 
-// Moments that differ by less than this share are equal: the energy of the symmetric top is then right to as much.
+// Moments that differ by less than this share are equal: the energy of the symmetric top is then right to as
+// much.
 constexpr double equal_moments = 1e-12;
 // A spin that leaves a principal axis by less than this share stays on it.
 constexpr double on_axis = 1e-15;
@@ -17,14 +18,15 @@ constexpr double least_complement = 1e-30;
 
 bool equal(double a, double b) { return std::abs(a - b) <= equal_moments * std::max(a, b); }
 
-/// From the body's frame (a, b, c) to one whose z axis is the angular momentum, which is `momentum` in the body.
+/// From the body's frame (a, b, c) to one whose z axis is the angular momentum, which is `momentum` in the
+/// body.
 Eigen::Matrix3d to_momentum_frame(const Vec3& momentum) {
   const double across = std::hypot(momentum.x(), momentum.y()), length = momentum.norm();
   const double sin_psi = momentum.x() / across, cos_psi = momentum.y() / across;
   const double sin_theta = across / length, cos_theta = momentum.z() / length;
   Eigen::Matrix3d s;
-  s << cos_psi, -sin_psi, 0,                                         //
-      cos_theta * sin_psi, cos_theta * cos_psi, -sin_theta,          //
+  s << cos_psi, -sin_psi, 0,                                 //
+      cos_theta * sin_psi, cos_theta * cos_psi, -sin_theta,  //
       sin_theta * sin_psi, sin_theta * cos_psi, cos_theta;
   return s;
 }
@@ -37,14 +39,17 @@ Eigen::Matrix3d about_z(double angle) {
 
 }  // namespace
 
-FreeRotation::FreeRotation(const Vec3& moments, const Rotation3& rotation, const Vec3& spin) : start_(rotation) {
+FreeRotation::FreeRotation(const Vec3& moments, const Rotation3& rotation, const Vec3& spin)
+    : start_(rotation) {
   const Vec3 w = rotation.inverse(spin);
   int order[3] = {0, 1, 2};
   // Equal moments keep their order. Not std::stable_sort, which allocates: a motion is made in every step.
-  std::sort(order, order + 3, [&](int i, int j) { return std::pair(moments[i], i) < std::pair(moments[j], j); });
+  std::sort(order, order + 3,
+            [&](int i, int j) { return std::pair(moments[i], i) < std::pair(moments[j], j); });
   const int low = order[0], middle = order[1], high = order[2];
 
-  const bool low_pair = equal(moments[low], moments[middle]), high_pair = equal(moments[middle], moments[high]);
+  const bool low_pair = equal(moments[low], moments[middle]),
+             high_pair = equal(moments[middle], moments[high]);
   for (int i = 0; i < 3; ++i) {
     const double across = std::hypot(w[(i + 1) % 3], w[(i + 2) % 3]);
     if ((low_pair && high_pair) || across <= on_axis * std::abs(w[i])) {
@@ -61,11 +66,15 @@ FreeRotation::FreeRotation(const Vec3& moments, const Rotation3& rotation, const
   }
 
   // c is the axis that the spin circles about: the modulus is then below 1.
-  const auto weight = [&](int i) { return moments[i] * std::abs(moments[middle] - moments[i]) * w[i] * w[i]; };
+  const auto weight = [&](int i) {
+    return moments[i] * std::abs(moments[middle] - moments[i]) * w[i] * w[i];
+  };
   const int c = weight(high) >= weight(low) ? high : low, a = c == high ? low : high;
-  to_body_.col(0) = std::copysign(1, w[a]) * Vec3::Unit(a);  // the amplitude at t = 0 is then within a quarter turn
+  to_body_.col(0) =
+      std::copysign(1, w[a]) * Vec3::Unit(a);  // the amplitude at t = 0 is then within a quarter turn
   to_body_.col(2) = Vec3::Unit(c);
-  to_body_.col(1) = to_body_.col(2).cross(to_body_.col(0));  // the middle axis, with the sign of a right-handed frame
+  to_body_.col(1) =
+      to_body_.col(2).cross(to_body_.col(0));  // the middle axis, with the sign of a right-handed frame
   const Vec3 v = to_body_.transpose() * w;
   const double ia = moments[a], ib = moments[middle], ic = moments[c];
   moments_ = {ia, ib, ic};
@@ -83,7 +92,8 @@ FreeRotation::FreeRotation(const Vec3& moments, const Rotation3& rotation, const
   const EllipticIntegrals quarter = elliptic_integrals(modulus_, n_, 1, 0);
   quarter_ = quarter.first;
   third_kind_quarter_ = quarter.third;
-  const EllipticIntegrals start = elliptic_integrals(modulus_, n_, v.y() / amplitude_.y(), v.x() / amplitude_.x());
+  const EllipticIntegrals start =
+      elliptic_integrals(modulus_, n_, v.y() / amplitude_.y(), v.x() / amplitude_.x());
   u0_ = start.first;
   third_kind_start_ = start.third;
   precesses_ = false;
@@ -113,7 +123,8 @@ FreeRotation::Phase FreeRotation::phase(double u) const {
   const double sign = std::fmod(half_periods, 2) == 0 ? 1 : -1;
   const Jacobi f = jacobi(modulus_, u - 2 * quarter_ * half_periods);
   const double third = elliptic_integrals(modulus_, n_, f.sn, f.cn).third;
-  return {amplitude_.cwiseProduct(Vec3(sign * f.cn, sign * f.sn, f.dn)), 2 * half_periods * third_kind_quarter_ + third};
+  return {amplitude_.cwiseProduct(Vec3(sign * f.cn, sign * f.sn, f.dn)),
+          2 * half_periods * third_kind_quarter_ + third};
 }
 
 Turn FreeRotation::at(double t) const {

@@ -14,11 +14,12 @@ struct Turn {
 
 /// Euler's equations I w' = I w x w, solved once at t = 0 and evaluated at any t.
 ///
-/// A spin about a principal axis, a ball and a symmetric top turn as R(t) = exp(t p) R(0) exp(t q), p along the angular
-/// momentum L, q along the axis of symmetry. With three moments, c the axis that the spin circles about (of the least or
-/// the greatest moment), b the middle one and a the third, in the body's frame
+/// A spin about a principal axis, a ball and a symmetric top turn as R(t) = exp(t p) R(0) exp(t q), p along
+/// the angular momentum L, q along the axis of symmetry. With three moments, c the axis that the spin circles
+/// about (of the least or the greatest moment), b the middle one and a the third, in the body's frame
 ///   w = (A cn(u), B sn(u), C dn(u)),  u = lambda t + u_0,
-/// Jacobi's functions of modulus k; the attitude follows from the direction of L in the body, but for an angle about L,
+/// Jacobi's functions of modulus k; the attitude follows from the direction of L in the body, but for an
+/// angle about L,
 ///   phi = L t / I_c + L (1/I_a - 1/I_c) (Pi(n; u) - Pi(n; u_0)) / lambda,
 /// with the elliptic integral of the third kind. |L| and the energy hold to rounding at any t.
 /// Source: van Zon and Schofield, J. Comput. Phys. 225 (2007) 145-164.

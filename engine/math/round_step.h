@@ -5,7 +5,8 @@
 
 namespace flyrock {
 
-/// The least of ..., 0.1, 0.2, 0.5, 1, 2, 5, 10, ... that is not below `width`; 1 where `width` is not positive.
+/// The least of ..., 0.1, 0.2, 0.5, 1, 2, 5, 10, ... that is not below `width`; 1 where `width` is not
+/// positive.
 inline double round_step(double width) {
   if (!(width > 0)) return 1;
   const double power = std::pow(10, std::floor(std::log10(width)));

@@ -71,12 +71,12 @@ inline Eigen::Matrix2d contact_frame(const Vec2& n) {
   return frame;
 }
 
-/// The columns n, t, s with s x t = n; on level ground t = +x. Continuous in n but for the cone n_z = -0.9, where no
-/// level and no upright face lies.
+/// The columns n, t, s with s x t = n; on level ground t = +x. Continuous in n but for the cone n_z = -0.9,
+/// where no level and no upright face lies.
 Eigen::Matrix3d contact_frame(const Vec3& n);
 
-/// What depends on the dimension: the type of a spin, of a moment of inertia and of a rotation, and the number of
-/// velocity components of a rigid body.
+/// What depends on the dimension: the type of a spin, of a moment of inertia and of a rotation, and the
+/// number of velocity components of a rigid body.
 template <int D>
 struct Space;
 
@@ -90,8 +90,9 @@ struct Space<2> {
 
 template <>
 struct Space<3> {
-  using Spin = Vec3;     ///< rad/s, world frame
-  using Inertia = Vec3;  ///< kg m2, the principal moments about the centre of mass: a body's frame is its principal one
+  using Spin = Vec3;  ///< rad/s, world frame
+  using Inertia =
+      Vec3;  ///< kg m2, the principal moments about the centre of mass: a body's frame is its principal one
   using Rotation = Rotation3;
   static constexpr int dof = 6;  ///< (v_x, v_y, v_z, omega_x, omega_y, omega_z)
 };

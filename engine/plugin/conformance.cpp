@@ -30,7 +30,9 @@ class Patience {
   /// Throws TimeIsUp.
   void check() const {
     // The time of the processor takes longer to ask for, so it comes second.
-    if (std::chrono::steady_clock::now() - start_ > enough_time && processor_time() - processor_start_ > enough_time) throw TimeIsUp();
+    if (std::chrono::steady_clock::now() - start_ > enough_time &&
+        processor_time() - processor_start_ > enough_time)
+      throw TimeIsUp();
   }
 
  private:
@@ -106,16 +108,18 @@ void asked_with(const Patience& patience, State&& state, Ask&& ask) {
 template <class Ask>
 void for_each_stream(const Patience& patience, Ask&& ask) {
   for (int i = 0; i < draws; ++i)
-    asked_with(patience, [&] { return fmt::format("the random numbers of sample {}", i); },
-               [&] {
-                 RandomStream rng = sampled_stream(i);
-                 ask(i, rng);
-               });
+    asked_with(
+        patience, [&] { return fmt::format("the random numbers of sample {}", i); },
+        [&] {
+          RandomStream rng = sampled_stream(i);
+          ask(i, rng);
+        });
 }
 
 // One overload a kind: everything that an instance of a dimension answers, checked.
 
-Numbers answer_of(const PluginSpec&, const ShapeModel& shape, Values values, int dimension, const Patience& patience) {
+Numbers answer_of(const PluginSpec&, const ShapeModel& shape, Values values, int dimension,
+                  const Patience& patience) {
   Numbers answer;
   const auto see = [&](const auto& contactors) {
     check_contactors(contactors);
@@ -148,33 +152,38 @@ void add(Numbers& answer, const RockPlan& rock) {
   answer.insert(answer.end(), {position.x(), position.y(), rock.angle.value_or(0)});
 }
 
-Numbers answer_of(const PluginSpec& spec, const Population& population, Values values, int dimension, const Patience& patience) {
+Numbers answer_of(const PluginSpec& spec, const Population& population, Values values, int dimension,
+                  const Patience& patience) {
   Numbers answer;
   for_each_stream(patience, [&](int i, RandomStream& rng) {
     const Blast blast = sampled_blast(i);
-    asked_with(patience, [&] { return state_text(spec, blast); },
-               [&] {
-                 if (dimension == 3)
-                   for (const RockPlan3& rock : population.rocks_3d(values, Plane{}, blast, rng)) add(answer, rock);
-                 else
-                   for (const RockPlan& rock : population.rocks(values, level_ground(), blast, rng)) add(answer, rock);
-               });
+    asked_with(
+        patience, [&] { return state_text(spec, blast); },
+        [&] {
+          if (dimension == 3)
+            for (const RockPlan3& rock : population.rocks_3d(values, Plane{}, blast, rng)) add(answer, rock);
+          else
+            for (const RockPlan& rock : population.rocks(values, level_ground(), blast, rng))
+              add(answer, rock);
+        });
   });
   return answer;
 }
 
-Numbers answer_of(const PluginSpec& spec, const VelocityModel& model, Values values, int dimension, const Patience& patience) {
+Numbers answer_of(const PluginSpec& spec, const VelocityModel& model, Values values, int dimension,
+                  const Patience& patience) {
   Numbers answer;
   for_each_stream(patience, [&](int i, RandomStream& rng) {
     RockView rock = sampled_rock(i);
     rock.dimension = dimension;
     const Blast blast = sampled_blast(i);
-    asked_with(patience, [&] { return state_text(spec, rock, blast); },
-               [&] {
-                 const Launch launch = model.launch(values, rock, blast, rng);
-                 if (!launch.velocity.allFinite() || !launch.spin.allFinite()) fail("a launch is not finite");
-                 for (int c = 0; c < 3; ++c) answer.insert(answer.end(), {launch.velocity[c], launch.spin[c]});
-               });
+    asked_with(
+        patience, [&] { return state_text(spec, rock, blast); },
+        [&] {
+          const Launch launch = model.launch(values, rock, blast, rng);
+          if (!launch.velocity.allFinite() || !launch.spin.allFinite()) fail("a launch is not finite");
+          for (int c = 0; c < 3; ++c) answer.insert(answer.end(), {launch.velocity[c], launch.spin[c]});
+        });
   });
   return answer;
 }
@@ -192,7 +201,8 @@ void add(Numbers& answer, const Profile& profile) {
   answer.insert(answer.end(), profile.part.begin(), profile.part.end());
 }
 
-Numbers answer_of(const PluginSpec&, const TerrainModel& terrain, Values values, int dimension, const Patience& patience) {
+Numbers answer_of(const PluginSpec&, const TerrainModel& terrain, Values values, int dimension,
+                  const Patience& patience) {
   Numbers answer;
   for_each_stream(patience, [&](int, RandomStream& rng) {
     if (dimension == 3)
@@ -228,8 +238,8 @@ Numbers numbers_of(const UnilateralLaw& law, Values values, const ContactState& 
 }
 
 template <class SomeLaw>
-requires std::derived_from<SomeLaw, Law>
-Numbers answer_of(const PluginSpec& spec, const SomeLaw& law, Values values, int, const Patience& patience) {
+requires std::derived_from<SomeLaw, Law> Numbers answer_of(const PluginSpec& spec, const SomeLaw& law,
+                                                           Values values, int, const Patience& patience) {
   Numbers answer;
   std::array<double, most_history> history{};
   for (int i = 0; i < law_states; ++i) {
@@ -256,11 +266,14 @@ template <class Interface>
 class Trial {
  public:
   Trial(const Plugin& plugin, int dimension, const std::vector<ParamValue>& values, const Patience& patience)
-      : use_{&plugin, values, dense_slots(values), "conformance"}, dimension_(dimension), patience_(patience) {
+      : use_{&plugin, values, dense_slots(values), "conformance"},
+        dimension_(dimension),
+        patience_(patience) {
     for (const Number& slot : use_.slots) numbers_.push_back(slot.constant);
   }
 
-  /// Makes an instance and asks it. Nothing where these parameters do not go together; `refusal` then says why.
+  /// Makes an instance and asks it. Nothing where these parameters do not go together; `refusal` then says
+  /// why.
   std::optional<Numbers> ask(std::string& refusal) const {
     std::unique_ptr<Interface> instance;
     try {
@@ -277,7 +290,8 @@ class Trial {
   }
 
   std::string with_parameters(const std::string& fault) const {
-    return fmt::format("{}\n  parameters: {}", fault, parameters_text(use_.plugin->spec, use_.values, numbers_));
+    return fmt::format("{}\n  parameters: {}", fault,
+                       parameters_text(use_.plugin->spec, use_.values, numbers_));
   }
 
  private:
@@ -295,7 +309,8 @@ std::vector<std::string> faults(const Plugin& plugin, const FactoryOf<Interface>
   bool made = params.empty(), tried = params.empty();
   std::vector<bool> given(params.size(), false), felt(params.size(), false);
   // In the dimensions that it has; it refuses the others.
-  const int each = params.empty() ? 1 : samples;  // of a dimension: without parameters one sample is as any other
+  const int each =
+      params.empty() ? 1 : samples;  // of a dimension: without parameters one sample is as any other
   for (int sample = 0; sample < 2 * each; ++sample) {
     const int dimension = sample < each ? 2 : 3;
     tried = tried || can_sample(plugin.spec);

@@ -10,8 +10,10 @@ namespace flyrock {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> form_names = {"newton", "newton_mean", "poisson", "energy", "velocity"};
-constexpr std::array<std::string_view, 4> condition_names = {"signorini", "quasi_shock", "cohesive", "penalty"};
+constexpr std::array<std::string_view, 5> form_names = {"newton", "newton_mean", "poisson", "energy",
+                                                        "velocity"};
+constexpr std::array<std::string_view, 4> condition_names = {"signorini", "quasi_shock", "cohesive",
+                                                             "penalty"};
 
 template <class Kind, std::size_t n>
 std::optional<Kind> find_name(const std::array<std::string_view, n>& names, std::string_view name) {
@@ -28,8 +30,8 @@ class Answer {
   void require(bool fine, std::string_view name, double value, std::string_view expected) const {
     if (fine) return;
     if (std::isnan(value)) value = std::abs(value);  // its sign differs from machine to machine
-    throw PluginError(
-        fmt::format("plugin {}: {}() returned {} = {:.6g}, must be {}", law_.origin(), entry_, name, value, expected));
+    throw PluginError(fmt::format("plugin {}: {}() returned {} = {:.6g}, must be {}", law_.origin(), entry_,
+                                  name, value, expected));
   }
   void not_negative(std::string_view name, double value) const {
     require(std::isfinite(value), name, value, "finite");
@@ -47,7 +49,9 @@ std::string_view name_of(RestitutionForm form) { return form_names[static_cast<s
 std::optional<RestitutionForm> restitution_form(std::string_view name) {
   return find_name<RestitutionForm>(form_names, name);
 }
-std::string_view name_of(NormalCondition condition) { return condition_names[static_cast<std::size_t>(condition)]; }
+std::string_view name_of(NormalCondition condition) {
+  return condition_names[static_cast<std::size_t>(condition)];
+}
 std::optional<NormalCondition> normal_condition(std::string_view name) {
   return find_name<NormalCondition>(condition_names, name);
 }
@@ -97,9 +101,10 @@ void check_answer(const Law& law, const Friction& answer) {
   friction.require(answer.mu_d <= answer.mu_s, "mu_d", answer.mu_d, "at most mu_s");
   friction.not_negative("c_n", answer.c_n);
   friction.not_negative("c_t", answer.c_t);
-  friction.require(answer.c_t >= answer.mu_s * answer.c_n * (1 - 1e-12), "c_t", answer.c_t,
-                   fmt::format("at least mu_s c_n = {:.6g}: a pull c_n beyond c_t / mu_s is outside the cone of friction",
-                               answer.mu_s * answer.c_n));
+  friction.require(
+      answer.c_t >= answer.mu_s * answer.c_n * (1 - 1e-12), "c_t", answer.c_t,
+      fmt::format("at least mu_s c_n = {:.6g}: a pull c_n beyond c_t / mu_s is outside the cone of friction",
+                  answer.mu_s * answer.c_n));
 }
 
 void check_answer(const Law& law, const Rolling& answer) {

@@ -14,7 +14,8 @@ namespace flyrock {
 /// What e_n and e_t mean; solver/restitution.h has the equations.
 enum class RestitutionForm {
   newton,       ///< e_n of the normal, e_t of the tangential velocity
-  newton_mean,  ///< e_n of the normal velocity, friction on the mean of the tangential velocities before and after
+  newton_mean,  ///< e_n of the normal velocity, friction on the mean of the tangential velocities before and
+                ///< after
   poisson,      ///< e_n of the normal impulse
   energy,       ///< e_n^2 of the normal work
   velocity      ///< v_n^+ = -e_n v_n^-, v_t^+ = e_t v_t^-, whatever the friction
@@ -32,47 +33,51 @@ enum class NormalCondition {
 std::string_view name_of(NormalCondition condition);
 std::optional<NormalCondition> normal_condition(std::string_view name);
 
-/// All that the solver knows of a contact's law. Forces, not impulses: a step of length h bears h times as much.
+/// All that the solver knows of a contact's law. Forces, not impulses: a step of length h bears h times as
+/// much.
 struct ContactLaw {
   RestitutionForm form = RestitutionForm::newton;
   NormalCondition condition = NormalCondition::signorini;
-  double e_n = 0;           ///< normal restitution of this impact
-  double e_t = 0;           ///< tangential restitution, forms `newton` and `velocity` only
-  bool as_lmgc90 = false;   ///< form `newton`: as LMGC90's RST_CLB, see solver/restitution.h
-  double mu_s = 0;          ///< Coulomb coefficient while the contact sticks
-  double mu_d = 0;          ///< Coulomb coefficient while it slides
-  double c_n = 0;           ///< N; the pull that the contact bears: r_n >= -c_n
-  double c_t = 0;           ///< N; shear strength beside friction: |r_t| <= mu r_n + c_t, at least mu c_n
-  double mu_r = 0;          ///< m; bound of the rolling torque: |m_r| <= mu_r (r_n + c_n)
-  double mu_spin = 0;       ///< m; bound of the torque about the normal: |m_n| <= mu_spin (r_n + c_n); 3D only
-  double stiffness = 0;     ///< N/m; k of the condition `penalty`
+  double e_n = 0;          ///< normal restitution of this impact
+  double e_t = 0;          ///< tangential restitution, forms `newton` and `velocity` only
+  bool as_lmgc90 = false;  ///< form `newton`: as LMGC90's RST_CLB, see solver/restitution.h
+  double mu_s = 0;         ///< Coulomb coefficient while the contact sticks
+  double mu_d = 0;         ///< Coulomb coefficient while it slides
+  double c_n = 0;          ///< N; the pull that the contact bears: r_n >= -c_n
+  double c_t = 0;          ///< N; shear strength beside friction: |r_t| <= mu r_n + c_t, at least mu c_n
+  double mu_r = 0;         ///< m; bound of the rolling torque: |m_r| <= mu_r (r_n + c_n)
+  double mu_spin = 0;      ///< m; bound of the torque about the normal: |m_n| <= mu_spin (r_n + c_n); 3D only
+  double stiffness = 0;    ///< N/m; k of the condition `penalty`
 };
 
 /// What a law may read of its contact. SI units; velocities at the contact point, relative.
 /// The order is that of `contact_fields()`.
 struct ContactState {
-  double approach_speed = 0;    ///< m/s, -v_n where the bodies approach, else 0
-  double slip_speed = 0;        ///< m/s, |v_t|
-  double impact_angle = 0;      ///< rad from the surface: pi/2 is a normal impact
-  double gap = 0;               ///< m
-  double effective_mass = 0;    ///< kg, 1/W_nn
-  double mass = 0;              ///< kg, of the candidate body
-  double radius = 0;            ///< m, of the disk (sphere) of equal area (volume)
-  double spin = 0;              ///< rad/s, of the candidate
-  double kinetic_energy = 0;    ///< J, of the candidate
-  double length = 0;            ///< m, tributary length of this point in 2D; 0 for a single point and in 3D
-  double area = 0;              ///< m2, tributary area; in 2D the length times the thickness of the candidate
-  double age = 0;               ///< s since the contact closed
-  double pair_age = 0;          ///< s since the pair has been in contact without a break: the greatest age of its contacts
-  double was_sticking = 0;      ///< 1 where the contact stuck in the last step, else 0
-  double impact_number = 0;     ///< impacts of the candidate so far, this one included; from 1
-  double time = 0;              ///< s
-  double step = 0;              ///< s, length of the step that the law is asked for; 0 for an impact
-  std::string_view group_a;     ///< candidate: name of its group or body
-  std::string_view group_b;     ///< antagonist: name of its group or body, or terrain.<part>; terrain where the part has no name
-  std::string_view material;    ///< name of the material in force
-  /// The law's memory, in the order of its manifest: zero at the birth of its pair or contact, kept between calls. A law
-  /// may write it; the engine takes a step that is done again back to the memory with which it began.
+  double approach_speed = 0;  ///< m/s, -v_n where the bodies approach, else 0
+  double slip_speed = 0;      ///< m/s, |v_t|
+  double impact_angle = 0;    ///< rad from the surface: pi/2 is a normal impact
+  double gap = 0;             ///< m
+  double effective_mass = 0;  ///< kg, 1/W_nn
+  double mass = 0;            ///< kg, of the candidate body
+  double radius = 0;          ///< m, of the disk (sphere) of equal area (volume)
+  double spin = 0;            ///< rad/s, of the candidate
+  double kinetic_energy = 0;  ///< J, of the candidate
+  double length = 0;          ///< m, tributary length of this point in 2D; 0 for a single point and in 3D
+  double area = 0;            ///< m2, tributary area; in 2D the length times the thickness of the candidate
+  double age = 0;             ///< s since the contact closed
+  double pair_age =
+      0;  ///< s since the pair has been in contact without a break: the greatest age of its contacts
+  double was_sticking = 0;    ///< 1 where the contact stuck in the last step, else 0
+  double impact_number = 0;   ///< impacts of the candidate so far, this one included; from 1
+  double time = 0;            ///< s
+  double step = 0;            ///< s, length of the step that the law is asked for; 0 for an impact
+  std::string_view group_a;   ///< candidate: name of its group or body
+  std::string_view group_b;   ///< antagonist: name of its group or body, or terrain.<part>; terrain where the
+                              ///< part has no name
+  std::string_view material;  ///< name of the material in force
+  /// The law's memory, in the order of its manifest: zero at the birth of its pair or contact, kept between
+  /// calls. A law may write it; the engine takes a step that is done again back to the memory with which it
+  /// began.
   std::span<double> history;
 };
 
@@ -107,8 +112,8 @@ struct Unilateral {
   double pull = 0;       ///< N, of `cohesive`: c_n, with c_t = mu c_n
 };
 
-/// The law kinds. Laws are immutable and shared by threads (a Lua law belongs to one worker). `values` are the
-/// parameters in the slots that the factory noted. They throw PluginError. Results are checked by the
+/// The law kinds. Laws are immutable and shared by threads (a Lua law belongs to one worker). `values` are
+/// the parameters in the slots that the factory noted. They throw PluginError. Results are checked by the
 /// caller with the functions below.
 class Law {
  public:
@@ -136,8 +141,8 @@ class UnilateralLaw : public Law {
 };
 
 /// Throw PluginError "plugin NAME, FILE:LINE: impact() returned e_n = -0.2, must be at least 0" where an
-/// answer is not finite or out of range: e_n >= 0, -1 <= e_t <= 1 and 0 for a form that has none, mu >= 0, mu_d <= mu_s,
-/// c_n >= 0, c_t >= mu_s c_n, mu_r and mu_spin >= 0, stiffness > 0 where it counts, pull >= 0.
+/// answer is not finite or out of range: e_n >= 0, -1 <= e_t <= 1 and 0 for a form that has none, mu >= 0,
+/// mu_d <= mu_s, c_n >= 0, c_t >= mu_s c_n, mu_r and mu_spin >= 0, stiffness > 0 where it counts, pull >= 0.
 void check_answer(const Law& law, const Restitution& answer);
 void check_answer(const Law& law, const Friction& answer);
 void check_answer(const Law& law, const Rolling& answer);

@@ -15,8 +15,12 @@ std::vector<Contactor2> ShapeModel::build(Values, RandomStream&) const { refuse(
 std::vector<Contactor3> ShapeModel::build_3d(Values, RandomStream&) const { refuse("shape", 3); }
 Profile TerrainModel::build(Values, RandomStream&) const { refuse("terrain", 2); }
 Plane TerrainModel::build_3d(Values, RandomStream&) const { refuse("terrain", 3); }
-std::vector<RockPlan> Population::rocks(Values, const Profile&, const Blast&, RandomStream&) const { refuse("rocks", 2); }
-std::vector<RockPlan3> Population::rocks_3d(Values, const Plane&, const Blast&, RandomStream&) const { refuse("rocks", 3); }
+std::vector<RockPlan> Population::rocks(Values, const Profile&, const Blast&, RandomStream&) const {
+  refuse("rocks", 2);
+}
+std::vector<RockPlan3> Population::rocks_3d(Values, const Plane&, const Blast&, RandomStream&) const {
+  refuse("rocks", 3);
+}
 
 Vec3 direction_velocity(const RockView& rock, double speed, double elevation, double azimuth) {
   const double horizontal = speed * std::cos(elevation);

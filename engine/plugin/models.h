@@ -40,10 +40,10 @@ struct RockView {
   double mass = 0;
   double volume = 0;
   double density = 0;
-  double diameter = 0;             ///< of the circle (sphere) of equal area (volume)
+  double diameter = 0;  ///< of the circle (sphere) of equal area (volume)
   Vec3 position = Vec3::Zero();
-  Vec3 outward = Vec3::UnitX();    ///< horizontal unit vector out of the face it leaves, else +x
-  double face_angle = 0;           ///< rad, of that face, 0 where there is none
+  Vec3 outward = Vec3::UnitX();  ///< horizontal unit vector out of the face it leaves, else +x
+  double face_angle = 0;         ///< rad, of that face, 0 where there is none
   std::string_view group;
 };
 
@@ -51,8 +51,9 @@ struct Launch {
   Vec3 velocity = Vec3::Zero();  ///< m/s
   Vec3 spin = Vec3::Zero();      ///< rad/s, world frame; (0, 0, w) in 2D
   std::string note;              ///< what the run should warn of ("v0^2 < 0: ..."), or empty
-  /// Of a model that was fitted to distances: the greatest throw [m] that its formula gives, in air, at 45 degrees or along the
-  /// hole, on level ground. Its speed only stands for that distance. 0: the model gives a speed.
+  /// Of a model that was fitted to distances: the greatest throw [m] that its formula gives, in air, at 45
+  /// degrees or along the hole, on level ground. Its speed only stands for that distance. 0: the model gives
+  /// a speed.
   double greatest_throw = 0;
 };
 
@@ -76,8 +77,8 @@ struct RockPlan {
 
 struct RockPlan3 {
   std::vector<Contactor3> contactors;
-  std::optional<Vec3> position;         ///< of the centre of mass
-  std::optional<Rotation3> orientation; ///< of the contactors as given
+  std::optional<Vec3> position;          ///< of the centre of mass
+  std::optional<Rotation3> orientation;  ///< of the contactors as given
 };
 
 /// `population`: the rocks of a group in one trial, in the dimensions that the model has. Throws PluginError.

@@ -21,7 +21,11 @@ struct ModuleTag {
 };
 inline constexpr int module_abi = 3;
 constexpr ModuleTag module_tag() {
-  return {{'f', 'l', 'y', 'r', 'o', 'c', 'k', 0}, module_abi, __GNUC__, EIGEN_MAX_ALIGN_BYTES, FLYROCK_ENGINE_VERSION};
+  return {{'f', 'l', 'y', 'r', 'o', 'c', 'k', 0},
+          module_abi,
+          __GNUC__,
+          EIGEN_MAX_ALIGN_BYTES,
+          FLYROCK_ENGINE_VERSION};
 }
 
 /// Factories by kind and name, filled by a module.
@@ -31,8 +35,8 @@ using FactoryTable = std::map<std::pair<PluginKind, std::string>, Factory>;
 
 /// Every module defines both: FLYROCK_MODULE(table) { table[{kind, "name"}] = ...; return nullptr; }
 /// The function returns an error text, or nullptr.
-#define FLYROCK_MODULE(table)                                                                          \
-  extern "C" __attribute__((visibility("default"))) const flyrock::ModuleTag flyrock_module_tag;       \
-  const flyrock::ModuleTag flyrock_module_tag = flyrock::module_tag();                                 \
-  extern "C" __attribute__((visibility("default"))) const char* flyrock_module_register(              \
+#define FLYROCK_MODULE(table)                                                                    \
+  extern "C" __attribute__((visibility("default"))) const flyrock::ModuleTag flyrock_module_tag; \
+  const flyrock::ModuleTag flyrock_module_tag = flyrock::module_tag();                           \
+  extern "C" __attribute__((visibility("default"))) const char* flyrock_module_register(         \
       flyrock::FactoryTable& table)

@@ -1,7 +1,6 @@
 #include "plugin/module_loader.h"
 
 #include <dlfcn.h>
-
 #include <fmt/format.h>
 
 namespace flyrock {
@@ -16,7 +15,8 @@ std::string load_module(const std::string& path, FactoryTable& table) {
     return fmt::format("{} is not a flyrock module: its tag is foreign", path);
   if (!(*tag == own))
     return fmt::format(
-        "{} was built for another flyrock: ABI {}, compiler {}, Eigen alignment {}, version {}; expected {}, {}, {}, {}",
+        "{} was built for another flyrock: ABI {}, compiler {}, Eigen alignment {}, version {}; expected {}, "
+        "{}, {}, {}",
         path, tag->abi, tag->compiler, tag->alignment, tag->version, own.abi, own.compiler, own.alignment,
         own.version);
   using Register = const char* (*)(FactoryTable&);

@@ -1,8 +1,8 @@
 #include "plugin/params.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace flyrock {
 
@@ -21,16 +21,16 @@ int Params::at(std::string_view name, std::initializer_list<ParamType> types) {
     throw PluginError(fmt::format("plugin {}: reads the parameter `{}`, which its manifest does not declare",
                                   spec_.name, name));
   if (std::find(types.begin(), types.end(), spec_.params[i].type) == types.end())
-    throw PluginError(fmt::format("plugin {}: reads `{}` as a {}, its manifest declares a {}", spec_.name, name,
-                                  name_of(*types.begin()), name_of(spec_.params[i].type)));
+    throw PluginError(fmt::format("plugin {}: reads `{}` as a {}, its manifest declares a {}", spec_.name,
+                                  name, name_of(*types.begin()), name_of(spec_.params[i].type)));
   read_[i] = true;
   return i;
 }
 
 void Params::require_dimension(int dimension) const {
   if (dimension_ != dimension)
-    throw PluginError(fmt::format("plugin {}: the {} `{}` is of dimension {}, the scenario has dimension {}", spec_.name,
-                                  name_of(spec_.kind), spec_.name, dimension, dimension_));
+    throw PluginError(fmt::format("plugin {}: the {} `{}` is of dimension {}, the scenario has dimension {}",
+                                  spec_.name, name_of(spec_.kind), spec_.name, dimension, dimension_));
 }
 
 bool Params::given(std::string_view name) const {
@@ -49,7 +49,8 @@ double Params::constant(std::string_view name) {
   const auto& numbers = values_[i].numbers;
   if (numbers.empty()) throw PluginError(fmt::format("plugin {}: `{}` was not given", spec_.name, name));
   if (!numbers[0].is_constant())
-    throw PluginError(fmt::format("plugin {}: `{}` must be a constant, not a distribution", spec_.name, name));
+    throw PluginError(
+        fmt::format("plugin {}: `{}` must be a constant, not a distribution", spec_.name, name));
   return numbers[0].constant;
 }
 
@@ -88,7 +89,8 @@ bool holds(const FieldRead& read, const PluginSpec& spec, const std::vector<Para
 
 std::vector<Number> dense_slots(const std::vector<ParamValue>& values) {
   std::vector<Number> slots;
-  for (const ParamValue& value : values) slots.insert(slots.end(), value.numbers.begin(), value.numbers.end());
+  for (const ParamValue& value : values)
+    slots.insert(slots.end(), value.numbers.begin(), value.numbers.end());
   return slots;
 }
 

@@ -13,8 +13,8 @@
 
 namespace flyrock {
 
-/// Why a rock, or a whole trial, cannot go on. Those of this type itself no plugin is to blame for: the engine cannot do
-/// what was asked. The text says what was expected.
+/// Why a rock, or a whole trial, cannot go on. Those of this type itself no plugin is to blame for: the
+/// engine cannot do what was asked. The text says what was expected.
 struct TrialError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -32,10 +32,10 @@ struct PluginError : TrialError {
 
 /// The decoded value of one declared parameter.
 struct ParamValue {
-  bool given = false;                        ///< false only for an optional parameter that was left out
-  std::vector<Number> numbers;               ///< 1 for number, integer and boolean; one a component for vector
-  std::string text;                          ///< choice, text, file (full path)
-  std::vector<std::vector<double>> points;   ///< points
+  bool given = false;                       ///< false only for an optional parameter that was left out
+  std::vector<Number> numbers;              ///< 1 for number, integer and boolean; one a component for vector
+  std::string text;                         ///< choice, text, file (full path)
+  std::vector<std::vector<double>> points;  ///< points
 };
 
 /// The numbers of a parameter list at one moment, with all draws done: slot `index` holds a parameter.
@@ -54,8 +54,8 @@ class Params {
   void require_dimension(int dimension) const;
   /// Whether an optional parameter was given. Does not mark it as read.
   bool given(std::string_view name) const;
-  /// The slot of a number, integer or boolean, or of a spin: in 3D the first of three. An optional one that was left out
-  /// is -1.
+  /// The slot of a number, integer or boolean, or of a spin: in 3D the first of three. An optional one that
+  /// was left out is -1.
   int slot(std::string_view name);
   /// The first of the slots of a vector; -1 where it was left out.
   int vector_slot(std::string_view name);

@@ -9,7 +9,7 @@ namespace flyrock {
 
 namespace {
 
-constexpr double steps = 6;  // of a whole number without an upper limit: small, as counts are
+constexpr double steps = 6;             // of a whole number without an upper limit: small, as counts are
 constexpr std::size_t all_choices = 6;  // optional parameters of which every choice is tried
 constexpr std::size_t most_choices = 64;
 constexpr int most_samples = 100;  // until the bounds are kept
@@ -35,7 +35,8 @@ Range bounds_of(const PluginSpec& spec, std::size_t i, const std::vector<ParamVa
     return values[k].numbers.front().constant;
   };
   for (const ParamBound& bound : spec.params[i].bounds)
-    if (const auto other = number(static_cast<std::size_t>(spec.find(bound.other)))) range.keep(bound.relation, *other);
+    if (const auto other = number(static_cast<std::size_t>(spec.find(bound.other))))
+      range.keep(bound.relation, *other);
   for (std::size_t k = 0; k < spec.params.size(); ++k)
     for (const ParamBound& bound : spec.params[k].bounds)
       if (const auto other = number(k); other && bound.other == spec.params[i].name)
@@ -52,7 +53,8 @@ double sample_number(const ParamSpec& spec, const Range& bounds, RandomStream& r
     range.high = std::min(range.high.value_or(2 * centre), *spec.default_number + centre);
   }
   if (bounds.low) {
-    if (range.high && *range.high < *bounds.low) range.high = spec.max ? spec.max : spec.below;  // far from the default
+    if (range.high && *range.high < *bounds.low)
+      range.high = spec.max ? spec.max : spec.below;  // far from the default
     range.at_least(*bounds.low);
   }
   if (bounds.high) {
@@ -77,7 +79,8 @@ std::string value_text(const ParamSpec& param, const ParamValue& value, Values n
   if (!value.text.empty() || param.type == ParamType::text) return value.text;
   std::vector<std::string> items;
   for (const double number : numbers) items.push_back(number_text(number, param));
-  for (const std::vector<double>& point : value.points) items.push_back(fmt::format("[{:.6g}]", fmt::join(point, ", ")));
+  for (const std::vector<double>& point : value.points)
+    items.push_back(fmt::format("[{:.6g}]", fmt::join(point, ", ")));
   const std::string list = fmt::format("{}", fmt::join(items, ", "));
   return numbers.size() == 1 ? list : "[" + list + "]";
 }
@@ -93,8 +96,8 @@ bool can_sample(const PluginSpec& spec) {
                      [](const ParamSpec& param) { return !param.required() || can_sample(param); });
 }
 
-ParamValue sample_param(const PluginSpec& plugin, std::size_t i, const std::vector<ParamValue>& values, int dimension,
-                        RandomStream& rng) {
+ParamValue sample_param(const PluginSpec& plugin, std::size_t i, const std::vector<ParamValue>& values,
+                        int dimension, RandomStream& rng) {
   const ParamSpec& spec = plugin.params[i];
   const Range bounds = bounds_of(plugin, i, values);
   ParamValue value;
@@ -132,8 +135,10 @@ ParamValue sample_param(const PluginSpec& plugin, std::size_t i, const std::vect
 bool keeps_bounds(const PluginSpec& spec, const std::vector<ParamValue>& values) {
   for (std::size_t i = 0; i < spec.params.size(); ++i)
     for (const ParamBound& bound : spec.params[i].bounds) {
-      const auto &own = values[i].numbers, &other = values[static_cast<std::size_t>(spec.find(bound.other))].numbers;
-      if (!own.empty() && !other.empty() && !keeps(own[0].constant, bound.relation, other[0].constant)) return false;
+      const auto &own = values[i].numbers,
+                 &other = values[static_cast<std::size_t>(spec.find(bound.other))].numbers;
+      if (!own.empty() && !other.empty() && !keeps(own[0].constant, bound.relation, other[0].constant))
+        return false;
     }
   return true;
 }
@@ -141,7 +146,8 @@ bool keeps_bounds(const PluginSpec& spec, const std::vector<ParamValue>& values)
 namespace {
 
 /// One sample of the parameters that are given, in their order: each keeps the bounds to those before it.
-std::vector<ParamValue> sample_given(const PluginSpec& spec, const std::vector<bool>& given, int dimension, RandomStream& rng) {
+std::vector<ParamValue> sample_given(const PluginSpec& spec, const std::vector<bool>& given, int dimension,
+                                     RandomStream& rng) {
   std::vector<ParamValue> values;
   for (std::size_t i = 0; i < spec.params.size(); ++i) {
     values.push_back(given[i] ? sample_param(spec, i, values, dimension, rng) : ParamValue{});
@@ -155,7 +161,8 @@ std::vector<ParamValue> sample_given(const PluginSpec& spec, const std::vector<b
 
 }  // namespace
 
-std::vector<std::vector<ParamValue>> sample_variants(const PluginSpec& spec, int dimension, RandomStream& rng) {
+std::vector<std::vector<ParamValue>> sample_variants(const PluginSpec& spec, int dimension,
+                                                     RandomStream& rng) {
   if (!can_sample(spec)) return {};
   std::vector<std::size_t> varied;
   for (std::size_t i = 0; i < spec.params.size(); ++i)
@@ -168,7 +175,8 @@ std::vector<std::vector<ParamValue>> sample_variants(const PluginSpec& spec, int
     std::vector<bool> given;
     for (const ParamSpec& param : spec.params) given.push_back(!param.optional && can_sample(param));
     for (std::size_t place = 0; place < varied.size(); ++place)
-      given[varied[place]] = all ? (choice >> place & 1) != 0 : choice == 1 || (choice > 1 && rng.integer(0, 1) == 1);
+      given[varied[place]] =
+          all ? (choice >> place & 1) != 0 : choice == 1 || (choice > 1 && rng.integer(0, 1) == 1);
     auto values = sample_given(spec, given, dimension, rng);
     for (int more = 1; more < most_samples && !keeps_bounds(spec, values); ++more)
       values = sample_given(spec, given, dimension, rng);

@@ -11,9 +11,9 @@ constexpr std::array<std::string_view, 9> type_names{"number", "integer", "boole
                                                      "vector", "points",  "file",    "spin"};
 constexpr std::array<std::string_view, 4> relation_names{"at least", "above", "at most", "below"};
 constexpr std::array<std::string_view, 4> relation_keys{"min", "above", "max", "below"};
-constexpr std::array<BoundRelation, 4> converses{BoundRelation::at_most, BoundRelation::below, BoundRelation::at_least,
-                                                 BoundRelation::above};
-}
+constexpr std::array<BoundRelation, 4> converses{BoundRelation::at_most, BoundRelation::below,
+                                                 BoundRelation::at_least, BoundRelation::above};
+}  // namespace
 
 std::string_view name_of(PluginKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
 
@@ -31,7 +31,9 @@ std::optional<ParamType> param_type(std::string_view name) {
   return std::nullopt;
 }
 
-std::string_view name_of(BoundRelation relation) { return relation_names[static_cast<std::size_t>(relation)]; }
+std::string_view name_of(BoundRelation relation) {
+  return relation_names[static_cast<std::size_t>(relation)];
+}
 std::string_view key_of(BoundRelation relation) { return relation_keys[static_cast<std::size_t>(relation)]; }
 BoundRelation converse(BoundRelation relation) { return converses[static_cast<std::size_t>(relation)]; }
 

@@ -54,14 +54,14 @@ struct ParamSpec {
   std::string unit;  ///< as declared, "m/s"; empty for a pure number
   Dimension dimension;
   std::string doc;
-  bool optional = false;                     ///< may be left out although it has no default
-  std::optional<double> default_number;      ///< number, integer, boolean (0 or 1)
-  std::optional<std::string> default_text;   ///< choice, text
+  bool optional = false;                    ///< may be left out although it has no default
+  std::optional<double> default_number;     ///< number, integer, boolean (0 or 1)
+  std::optional<std::string> default_text;  ///< choice, text
   std::optional<std::vector<double>> default_vector;
-  std::optional<double> min, max;            ///< allowed, limits included
-  std::optional<double> above, below;        ///< allowed, limits excluded
-  std::vector<ParamBound> bounds;            ///< number, integer: limits that are other parameters
-  std::optional<UsualRange> usual;           ///< number, integer, vector (of each component), spin
+  std::optional<double> min, max;      ///< allowed, limits included
+  std::optional<double> above, below;  ///< allowed, limits excluded
+  std::vector<ParamBound> bounds;      ///< number, integer: limits that are other parameters
+  std::optional<UsualRange> usual;     ///< number, integer, vector (of each component), spin
   std::vector<std::string> choices;
 
   bool required() const { return !optional && !default_number && !default_text && !default_vector; }
@@ -70,8 +70,8 @@ struct ParamSpec {
 /// Names that the history of one law may have: a contact keeps room for the laws of its four kinds.
 inline constexpr std::size_t most_history = 4;
 
-/// A field of the blast or the contact that a plugin reads: always, or where a choice among its parameters asks for it. A
-/// manifest writes "blast.burden" or "blast.burden if mode is face_burst or cratering".
+/// A field of the blast or the contact that a plugin reads: always, or where a choice among its parameters
+/// asks for it. A manifest writes "blast.burden" or "blast.burden if mode is face_burst or cratering".
 struct FieldRead {
   std::string field;
   std::string param;                 ///< empty: always
@@ -85,16 +85,16 @@ struct PluginSpec {
   PluginKind kind = PluginKind::shape;
   std::string name;
   std::string doc;
-  std::string source;              ///< the publication that the model comes from
-  std::string validity;            ///< where the model holds; outside it says so in a note
-  std::string form;                ///< restitution: "newton", "poisson", ...
-  std::vector<std::string> history;    ///< names of what the law remembers
-  bool history_of_contact = false;     ///< remembered per contact, else per pair of bodies
-  std::vector<FieldRead> reads;    ///< "blast.burden", "contact.approach_speed"
+  std::string source;                ///< the publication that the model comes from
+  std::string validity;              ///< where the model holds; outside it says so in a note
+  std::string form;                  ///< restitution: "newton", "poisson", ...
+  std::vector<std::string> history;  ///< names of what the law remembers
+  bool history_of_contact = false;   ///< remembered per contact, else per pair of bodies
+  std::vector<FieldRead> reads;      ///< "blast.burden", "contact.approach_speed"
   bool declares_reads = false;
   std::vector<ParamSpec> params;
-  std::string file;                ///< the manifest, as it was named to the loader
-  std::string native;              ///< factory in a shared object; empty for pure Lua
+  std::string file;    ///< the manifest, as it was named to the loader
+  std::string native;  ///< factory in a shared object; empty for pure Lua
 
   /// Index of a parameter, or -1.
   int find(std::string_view param) const;

@@ -12,7 +12,8 @@ namespace {
 
 constexpr int most_counts = 24;
 constexpr double fewest = 20;
-constexpr std::array<std::pair<const char*, double>, 3> percentiles = {{{"p50", 0.5}, {"p95", 0.95}, {"p99", 0.99}}};
+constexpr std::array<std::pair<const char*, double>, 3> percentiles = {
+    {{"p50", 0.5}, {"p95", 0.95}, {"p99", 0.99}}};
 
 Questions questions() {
   Questions q;
@@ -28,7 +29,8 @@ Questions questions() {
 Convergence::Convergence(std::uint64_t count) {
   const double ratio = std::pow(static_cast<double>(count) / fewest, 1.0 / (most_counts - 1));
   for (int i = 0; i < most_counts; ++i) {
-    const auto n = i + 1 == most_counts ? count : static_cast<std::uint64_t>(std::lround(fewest * std::pow(ratio, i)));
+    const auto n =
+        i + 1 == most_counts ? count : static_cast<std::uint64_t>(std::lround(fewest * std::pow(ratio, i)));
     if (n > count || n == 0 || (!starts_.empty() && n <= starts_.back().count)) continue;
     starts_.push_back({n, Sample(questions())});
   }
@@ -52,7 +54,8 @@ nlohmann::ordered_json Convergence::data() const {
   for (const Start& start : starts_) n.push_back(start.count);
   nlohmann::ordered_json data = {{"n", n}};
   for (const auto& [name, p] : percentiles) {
-    nlohmann::ordered_json value = nlohmann::ordered_json::array(), lower = value, upper = value, censored = value;
+    nlohmann::ordered_json value = nlohmann::ordered_json::array(), lower = value, upper = value,
+                           censored = value;
     for (const Start& start : starts_) {
       const Bounded quantile = start.sample.quantile(p);
       const Interval interval = start.sample.quantile_interval(p, stated_confidence);

@@ -8,8 +8,8 @@
 
 namespace flyrock {
 
-/// The percentiles of the first n rocks of a group, in their order, with their intervals, for up to 24 counts n that grow
-/// by equal ratios to all rocks. See read_in_passes().
+/// The percentiles of the first n rocks of a group, in their order, with their intervals, for up to 24 counts
+/// n that grow by equal ratios to all rocks. See read_in_passes().
 class Convergence {
  public:
   /// `count` rocks without faults will be shown.

@@ -63,7 +63,8 @@ std::string record_tables_schema() {
 template <class Row>
 auto put_into(Statement& to, const Row& row, const std::vector<std::string>& names) {
   return [&to, &row, &names](const Column& column, auto get) {
-    if (column.name) shown_value(column, std::invoke(get, row), names, [&](const auto& value) { to.put(value); });
+    if (column.name)
+      shown_value(column, std::invoke(get, row), names, [&](const auto& value) { to.put(value); });
   };
 }
 
@@ -74,7 +75,8 @@ std::vector<std::string> names_of(const Places& places) {
   return names;
 }
 
-constexpr const char* inputs_view = "CREATE VIEW inputs AS SELECT point, trial, rock, path, value FROM drawn JOIN draws USING (draw);";
+constexpr const char* inputs_view =
+    "CREATE VIEW inputs AS SELECT point, trial, rock, path, value FROM drawn JOIN draws USING (draw);";
 
 // After the rows: an index that grows with them is slower to build.
 constexpr const char* indices = R"(
@@ -91,8 +93,9 @@ void add_expectations(const SqliteFile& file, const Results& results) {
     const bool between = v.expectation.kind == ExpectKind::between;
     // Absent numbers are NaN, which SQLite stores as NULL.
     rows.row(number++, v.expectation.measure, v.point < 0 ? none : static_cast<double>(v.point), v.computed,
-             expect_kind_names[static_cast<std::size_t>(v.expectation.kind)], v.expectation.value, between ? v.expectation.high : none,
-             v.tolerance, v.judgement == Judgement::not_judged ? none : double(v.judgement == Judgement::passed),
+             expect_kind_names[static_cast<std::size_t>(v.expectation.kind)], v.expectation.value,
+             between ? v.expectation.high : none, v.tolerance,
+             v.judgement == Judgement::not_judged ? none : double(v.judgement == Judgement::passed),
              v.reason);
   }
 }
@@ -118,8 +121,9 @@ void add_envelopes(const SqliteFile& file, const Results& results) {
     for (std::size_t g = 0; g < groups.size(); ++g)
       for (const EnvelopeRow& row : groups[g]) {
         const auto& [height, speed, energy] = row.levels;
-        rows.row(p, results.points[p].groups[g].name, row.x, envelope_width(results.points[p]), row.rocks, height[0],
-                 height[1], height[2], speed[0], speed[1], speed[2], energy[0], energy[1], energy[2]);
+        rows.row(p, results.points[p].groups[g].name, row.x, envelope_width(results.points[p]), row.rocks,
+                 height[0], height[1], height[2], speed[0], speed[1], speed[2], energy[0], energy[1],
+                 energy[2]);
       }
   }
 }
@@ -138,7 +142,8 @@ ResultDatabase::Insertions::Insertions(const SqliteFile& file, int dimension)
 ResultDatabase::ResultDatabase(const std::filesystem::path& path, const Plan& plan)
     : plan_(plan), groups_(group_names(plan.points.front())), file_(path) {
   const int dimension = plan.points.front().dimension;
-  file_.execute(schema + record_tables_schema() + rock_tables_schema(dimension) + inputs_view + fmt::format("PRAGMA user_version = {};", result_format));
+  file_.execute(schema + record_tables_schema() + rock_tables_schema(dimension) + inputs_view +
+                fmt::format("PRAGMA user_version = {};", result_format));
   insertions_ = std::make_unique<Insertions>(file_, dimension);
   add_plan();
 }
@@ -149,7 +154,8 @@ void ResultDatabase::add_plan() {
   for (std::size_t d = 0; d < all.size(); ++d) draws.row(d, all[d].stream);
   Insertion sweep(file_, "sweep", 3);
   for (std::size_t p = 0; p < plan_.points.size(); ++p)
-    for (std::size_t axis = 0; axis < plan_.axes.size(); ++axis) sweep.row(p, plan_.axes[axis].path, plan_.at[p][axis]);
+    for (std::size_t axis = 0; axis < plan_.axes.size(); ++axis)
+      sweep.row(p, plan_.axes[axis].path, plan_.at[p][axis]);
 }
 
 void ResultDatabase::add(int point, const TrialRecords& records) {
@@ -164,16 +170,22 @@ void ResultDatabase::add(int point, const TrialRecords& records) {
   insertions_->rows_of_rock.rows(records.rocks, [&](Statement& to, const RockRecord& r) {
     for (const auto& [first, last] : {inputs.of(r), impacts.of(r), trajectories.of(r)}) to.put(first, last);
   });
-  const std::vector<std::string> none, gates = names_of(scenario.gates), barriers = names_of(scenario.barriers);
+  const std::vector<std::string> none, gates = names_of(scenario.gates),
+                                       barriers = names_of(scenario.barriers);
   const auto stored = [&](auto put) {
     return [put, dimension = scenario.dimension](const Column& column, auto get) {
       if (is_stored(column, dimension)) put(column, get);
     };
   };
-  insertions_->inputs.rows(records.inputs, [&](Statement& to, const InputRecord& r) { visit_inputs(stored(put_into(to, r, none))); });
-  insertions_->impacts.rows(records.impacts, [&](Statement& to, const ImpactRecord& r) { visit_impacts(stored(put_into(to, r, none))); });
-  insertions_->trajectories.rows(records.trajectories,
-                                 [&](Statement& to, const TrajectoryRecord& r) { visit_trajectories(stored(put_into(to, r, none))); });
+  insertions_->inputs.rows(records.inputs, [&](Statement& to, const InputRecord& r) {
+    visit_inputs(stored(put_into(to, r, none)));
+  });
+  insertions_->impacts.rows(records.impacts, [&](Statement& to, const ImpactRecord& r) {
+    visit_impacts(stored(put_into(to, r, none)));
+  });
+  insertions_->trajectories.rows(records.trajectories, [&](Statement& to, const TrajectoryRecord& r) {
+    visit_trajectories(stored(put_into(to, r, none)));
+  });
   insertions_->gates.rows(records.gates, [&](Statement& to, const GateRecord& r) {
     to.put(point, r.trial, r.rock);
     visit_gates(put_into(to, r, gates));
@@ -206,7 +218,8 @@ void ResultDatabase::finish(const Results& results, const std::string& report) {
 std::string stored_report(const std::filesystem::path& path) {
   const SqliteReader file(path);
   Query row(file, "SELECT data FROM report");
-  if (!row.next()) throw UnreadableFile(fmt::format("{} is damaged: it holds no data of a report", path.string()));
+  if (!row.next())
+    throw UnreadableFile(fmt::format("{} is damaged: it holds no data of a report", path.string()));
   return row.text(0);
 }
 

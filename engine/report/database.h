@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "results/results.h"
 #include "report/sqlite.h"
+#include "results/results.h"
 
 namespace flyrock {
 
@@ -19,7 +19,8 @@ class ResultDatabase {
   /// The rows of a chunk of one point; chunks come in order.
   void add(int point, const TrialRecords& records);
 
-  /// Behind the last chunk: the indices of its rows. They take a while, and other work can be done beside them.
+  /// Behind the last chunk: the indices of its rows. They take a while, and other work can be done beside
+  /// them.
   void index();
 
   /// Points, terrain parts and expectations, and `report`, the data of the page. The file gets its name.

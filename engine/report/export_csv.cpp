@@ -47,10 +47,14 @@ std::string line_of(const Query& row, Field field) {
 
 std::string value_text(const Query& row, int column) {
   switch (row.type(column)) {
-    case SQLITE_INTEGER: return fmt::format("{}", row.whole(column));
-    case SQLITE_FLOAT: return csv_number(row.real(column));
-    case SQLITE_TEXT: return csv_text(row.text(column));
-    default: return "";
+    case SQLITE_INTEGER:
+      return fmt::format("{}", row.whole(column));
+    case SQLITE_FLOAT:
+      return csv_number(row.real(column));
+    case SQLITE_TEXT:
+      return csv_text(row.text(column));
+    default:
+      return "";
   }
 }
 
@@ -64,7 +68,8 @@ void write_table(const SqliteReader& database, const Table& table, const std::fi
 
 }  // namespace
 
-std::vector<std::filesystem::path> export_csv(const std::filesystem::path& results, const std::filesystem::path& folder) {
+std::vector<std::filesystem::path> export_csv(const std::filesystem::path& results,
+                                              const std::filesystem::path& folder) {
   const SqliteReader database(results);
   make_folder(folder);
   std::vector<std::filesystem::path> files;

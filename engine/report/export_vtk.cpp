@@ -36,14 +36,19 @@ double mode_number(const std::string& name) {
   return static_cast<double>(found - travel_mode_names.begin());
 }
 
-/// The paths of the sweep point on whose first row `row` stands; `more` says whether there is a row behind them.
+/// The paths of the sweep point on whose first row `row` stands; `more` says whether there is a row behind
+/// them.
 std::vector<Path> read_point(Query& row, bool& more) {
   std::vector<Path> paths;
   for (; more && (paths.empty() || paths.back().point == row.whole(0)); more = row.next()) {
     if (paths.empty() || paths.back().trial != row.whole(1) || paths.back().rock != row.whole(2))
-      paths.push_back({row.whole(0), row.whole(1), row.whole(2), row.real(3), std::cbrt(6 * row.real(4) / pi), {}});
+      paths.push_back(
+          {row.whole(0), row.whole(1), row.whole(2), row.real(3), std::cbrt(6 * row.real(4) / pi), {}});
     const Vec3 velocity(row.real(9), row.real(10), row.real(11));
-    paths.back().moments.push_back({row.real(5), velocity.norm(), row.real(12), mode_number(row.text(13)),
+    paths.back().moments.push_back({row.real(5),
+                                    velocity.norm(),
+                                    row.real(12),
+                                    mode_number(row.text(13)),
                                     {row.real(6), row.real(7), row.real(8)}});
   }
   return paths;
@@ -125,7 +130,8 @@ void write_series(const fs::path& index, const std::vector<Path>& paths) {
 
 /// A line a segment, so that each can tell its part.
 void write_ground(const fs::path& file, const SqliteReader& database, std::int64_t point) {
-  Query row(database, fmt::format("SELECT x_m, y_m, z_m, part FROM ground WHERE point = {} ORDER BY rowid", point));
+  Query row(database,
+            fmt::format("SELECT x_m, y_m, z_m, part FROM ground WHERE point = {} ORDER BY rowid", point));
   VtkPoints lines;
   VtkArray parts{"part", {}};
   Vec3 before = Vec3::Zero();
@@ -147,8 +153,10 @@ void write_ground(const fs::path& file, const SqliteReader& database, std::int64
 std::vector<fs::path> export_vtk(const fs::path& results, const fs::path& folder) {
   const SqliteReader database(results);
   Query rows(database,
-             "SELECT t.point, t.trial, t.rock, runout_m, volume_m3, t.time_s, x_m, y_m, z_m, vx_m_s, vy_m_s, vz_m_s, "
-             "kinetic_energy_J, mode FROM trajectories t JOIN rocks USING (point, trial, rock) ORDER BY t.point, t.trial, t.rock");
+             "SELECT t.point, t.trial, t.rock, runout_m, volume_m3, t.time_s, x_m, y_m, z_m, vx_m_s, vy_m_s, "
+             "vz_m_s, "
+             "kinetic_energy_J, mode FROM trajectories t JOIN rocks USING (point, trial, rock) ORDER BY "
+             "t.point, t.trial, t.rock");
   std::vector<fs::path> files;
   bool more = rows.next();
   if (more) make_folder(folder);

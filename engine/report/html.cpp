@@ -1,6 +1,7 @@
 #include "report/html.h"
 
 #include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "batch/safe_file.h"
@@ -21,7 +22,8 @@ std::string script(std::string source) { return replace_all(std::move(source), "
 /// The scripts of the page, in one scope, in this order: each uses what stands before it.
 std::string scripts(const std::filesystem::path& assets) {
   std::string joined = "\"use strict\";\n(() => {\n";
-  for (const char* name : {"page.js", "reach.js", "tracks.js", "plots.js", "small_plots.js", "curves.js", "area.js", "tables.js", "report.js"})
+  for (const char* name : {"page.js", "reach.js", "tracks.js", "plots.js", "small_plots.js", "curves.js",
+                           "area.js", "tables.js", "report.js"})
     joined += read_file(assets / name);
   return joined + "})();\n";
 }
@@ -35,16 +37,19 @@ std::string report_html(const nlohmann::ordered_json& data, const std::filesyste
   const std::string title = escaped(given.empty() ? "flyrock" : given);
   std::string page = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n<style>\n",
+      "<meta name=\"viewport\" content=\"width=device-width, "
+      "initial-scale=1\">\n<title>{}</title>\n<style>\n",
       title);
   page += read_file(assets / "report.css");
   page += "</style>\n</head>\n<body>\n<main>\n";
   if (const std::string faults = text("fault_line"); !faults.empty())
     page += fmt::format("<p class=\"alarm\">{}</p>\n", escaped(faults));
-  page += fmt::format("<h1>{}</h1>\n<p class=\"answer\">{}</p>\n<p class=\"facts\">{}</p>\n", title, escaped(replace_all(text("answer"), ">= ", "≥ ")),
-                      escaped(text("assumptions")));
-  page += "<noscript><p>Plots and tables need JavaScript; rocks.csv and summary.json hold the same numbers.</p></noscript>\n"
-          "<div id=\"report\"></div>\n</main>\n<script type=\"application/json\" id=\"data\">";
+  page += fmt::format("<h1>{}</h1>\n<p class=\"answer\">{}</p>\n<p class=\"facts\">{}</p>\n", title,
+                      escaped(replace_all(text("answer"), ">= ", "≥ ")), escaped(text("assumptions")));
+  page +=
+      "<noscript><p>Plots and tables need JavaScript; rocks.csv and summary.json hold the same "
+      "numbers.</p></noscript>\n"
+      "<div id=\"report\"></div>\n</main>\n<script type=\"application/json\" id=\"data\">";
   page += replace_all(data.dump(), "<", "\\u003c");
   page += "</script>\n";
   if (std::filesystem::exists(plotly)) {

@@ -9,10 +9,12 @@
 namespace flyrock {
 
 /// JSON has no NaN and no infinity: null stands for them.
-inline nlohmann::ordered_json number(double value) { return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr); }
+inline nlohmann::ordered_json number(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
 
-/// { key: value, ... } of keys and values by turns. ordered_json copies all members, whole arrays, each time that it finds
-/// no room for another; here it has the room at once.
+/// { key: value, ... } of keys and values by turns. ordered_json copies all members, whole arrays, each time
+/// that it finds no room for another; here it has the room at once.
 template <class... Members>
 nlohmann::ordered_json json_object(Members&&... members) {
   nlohmann::ordered_json::object_t object;

@@ -27,10 +27,17 @@ Json law_data(const Scenario& scenario, const LawSubject& subject) {
       if (graph.drawn) data["low"] = rounded_all(curve.low), data["high"] = rounded_all(curve.high);
       curves.push_back(std::move(data));
     }
-    graphs.push_back({{"material", graph.material}, {"kind", graph.kind},     {"law", graph.law},
-                      {"doc", graph.doc},           {"source", graph.source}, {"x", graph.x},
-                      {"y", graph.y},               {"speed", rounded_all(graph.speed)},
-                      {"curves", curves},           {"drawn", graph.drawn},   {"fault", graph.fault}});
+    graphs.push_back({{"material", graph.material},
+                      {"kind", graph.kind},
+                      {"law", graph.law},
+                      {"doc", graph.doc},
+                      {"source", graph.source},
+                      {"x", graph.x},
+                      {"y", graph.y},
+                      {"speed", rounded_all(graph.speed)},
+                      {"curves", curves},
+                      {"drawn", graph.drawn},
+                      {"fault", graph.fault}});
   }
   return {{"mass", rounded(subject.mass)}, {"radius", rounded(subject.radius)}, {"graphs", graphs}};
 }

@@ -25,7 +25,8 @@ struct Axis {
   }
   void close() {
     const double size = std::max(std::abs(low), std::abs(high));
-    if (high - low <= 1e-9 * size || size == 0) low -= 0.5 * size + (size == 0), high += 0.5 * size + (size == 0);
+    if (high - low <= 1e-9 * size || size == 0)
+      low -= 0.5 * size + (size == 0), high += 0.5 * size + (size == 0);
     const double rough = (high - low) / 5, power = std::pow(10, std::floor(std::log10(rough)));
     step = (rough / power < 1.5 ? 1 : rough / power < 3.5 ? 2 : rough / power < 7.5 ? 5 : 10) * power;
     low = step * std::floor(low / step + 1e-9);
@@ -40,8 +41,8 @@ struct Axis {
 };
 
 std::string text(double x, double y, const std::string& anchor, int size, const std::string& content) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" font-size=\"{}\">{}</text>\n", x, y, anchor, size,
-                     escaped(content));
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" font-size=\"{}\">{}</text>\n", x, y,
+                     anchor, size, escaped(content));
 }
 
 std::string panel(const Plot& plot, double offset) {
@@ -52,7 +53,8 @@ std::string panel(const Plot& plot, double offset) {
   const auto py = [&](double y) { return height - bottom - ay.share(y) * (height - top - bottom); };
   std::string out = text(offset + left, top - 12, "start", 13, plot.title);
   const auto line = [&](double x1, double y1, double x2, double y2, const char* colour) {
-    out += fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\"/>\n", x1, y1, x2, y2, colour);
+    out += fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\"/>\n", x1,
+                       y1, x2, y2, colour);
   };
   for (int i = 0; i <= ax.ticks(); ++i) {
     const double x = px(ax.low + i * ax.step);
@@ -67,17 +69,19 @@ std::string panel(const Plot& plot, double offset) {
   if (ay.low <= 0 && ay.high >= 0) line(offset + left, py(0), offset + width - right, py(0), "#777");
   if (ax.low <= 0 && ax.high >= 0) line(px(0), top, px(0), height - bottom, "#777");
   out += text(offset + (left + width - right) / 2, height - 12, "middle", 12, plot.x_label);
-  out += fmt::format("<g transform=\"translate({:.1f},{:.1f}) rotate(-90)\">{}</g>\n", offset + 14, (top + height - bottom) / 2,
-                     text(0, 0, "middle", 12, plot.y_label));
+  out += fmt::format("<g transform=\"translate({:.1f},{:.1f}) rotate(-90)\">{}</g>\n", offset + 14,
+                     (top + height - bottom) / 2, text(0, 0, "middle", 12, plot.y_label));
   for (std::size_t c = 0; c < plot.curves.size(); ++c) {
     const Curve& curve = plot.curves[c];
     const char* colour = colours[c % colours.size()];
     out += fmt::format("<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"2\" points=\"", colour);
-    for (std::size_t i = 0; i < curve.x.size(); ++i) out += fmt::format("{:.2f},{:.2f} ", px(curve.x[i]), py(curve.y[i]));
+    for (std::size_t i = 0; i < curve.x.size(); ++i)
+      out += fmt::format("{:.2f},{:.2f} ", px(curve.x[i]), py(curve.y[i]));
     out += "\"/>\n";
     if (plot.curves.size() > 1)
-      out += fmt::format("<g fill=\"{}\">{}</g>", colour,
-                         text(offset + width - right - 6, top + 16 + 15 * static_cast<double>(c), "end", 12, curve.name));
+      out += fmt::format(
+          "<g fill=\"{}\">{}</g>", colour,
+          text(offset + width - right - 6, top + 16 + 15 * static_cast<double>(c), "end", 12, curve.name));
   }
   return out;
 }
@@ -87,7 +91,8 @@ std::string panel(const Plot& plot, double offset) {
 std::string svg_of(const std::string& heading, const std::vector<Plot>& plots) {
   const double all = width * static_cast<double>(plots.size());
   std::string out = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
+      "height=\"{1:.0f}\" "
       "font-family=\"sans-serif\" fill=\"#222\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
       all, height);
   out += text(left, 24, "start", 16, heading);

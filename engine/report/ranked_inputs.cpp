@@ -23,14 +23,15 @@ std::vector<bool> draws_read(const Scenario& scenario, std::size_t group) {
     if (scenario.draws[d].factor != 1) read[d] = false;  // a share of another draw, which stands for both
   if (!scenario.blast) return read;
   for (const auto& [field, number] : scenario.blast->fields)
-    if (!number.is_constant() && !group_reads(scenario, group, field)) read[static_cast<std::size_t>(number.draw)] = false;
+    if (!number.is_constant() && !group_reads(scenario, group, field))
+      read[static_cast<std::size_t>(number.draw)] = false;
   return read;
 }
 
 const std::vector<BlastField>& fields_of(DerivedInput input) {
   static const std::vector<BlastField> charge{explosive_density, hole_diameter, hole_charge_length};
-  static const std::vector<BlastField> powder{explosive_density, hole_diameter,    hole_charge_length, burden,
-                                              spacing,           hole_length, hole_subdrilling};
+  static const std::vector<BlastField> powder{explosive_density, hole_diameter, hole_charge_length, burden,
+                                              spacing,           hole_length,   hole_subdrilling};
   return input == DerivedInput::charge_per_hole ? charge : powder;
 }
 
@@ -40,7 +41,8 @@ bool derived_is_read(const Scenario& scenario, std::size_t group, DerivedInput i
   return std::all_of(scenario.blast->fields.begin(), scenario.blast->fields.end(), [&](const auto& given) {
     const auto& [field, number] = given;
     const auto feeds = [&](BlastField result) { return makes_up(*scenario.blast, field, result); };
-    return number.is_constant() || std::none_of(wanted.begin(), wanted.end(), feeds) || group_reads(scenario, group, field);
+    return number.is_constant() || std::none_of(wanted.begin(), wanted.end(), feeds) ||
+           group_reads(scenario, group, field);
   });
 }
 
@@ -71,7 +73,8 @@ void RankedInputs::find_laws(const Scenario& scenario) {
 }
 
 void RankedInputs::see(const TrialTotals& totals) {
-  for (std::size_t m = 0; m < std::min(use_.size(), totals.materials.size()); ++m) use_[m].add(totals.materials[m]);
+  for (std::size_t m = 0; m < std::min(use_.size(), totals.materials.size()); ++m)
+    use_[m].add(totals.materials[m]);
 }
 
 bool RankedInputs::was_asked(int draw) const {

@@ -1,6 +1,6 @@
 #pragma once
-// Which drawn numbers are ranked: those that the run reads. What nothing reads moves no rock, so that any correlation of it
-// with the runout is chance.
+// Which drawn numbers are ranked: those that the run reads. What nothing reads moves no rock, so that any
+// correlation of it with the runout is chance.
 
 #include <cstdint>
 #include <map>
@@ -22,10 +22,15 @@ class RankedInputs {
   /// Counts how often the laws of each material were asked.
   void see(const TrialTotals& totals);
 
-  /// Whether the rocks of a group depend on a draw (an index of Scenario::draws), as far as the scenario says.
-  bool reads(std::size_t group, int draw) const { return reads_.at(group).at(static_cast<std::size_t>(draw)); }
+  /// Whether the rocks of a group depend on a draw (an index of Scenario::draws), as far as the scenario
+  /// says.
+  bool reads(std::size_t group, int draw) const {
+    return reads_.at(group).at(static_cast<std::size_t>(draw));
+  }
   /// Whether they depend on all drawn numbers that a derived one follows from.
-  bool reads(std::size_t group, DerivedInput input) const { return derived_.at(group).at(static_cast<std::size_t>(input)); }
+  bool reads(std::size_t group, DerivedInput input) const {
+    return derived_.at(group).at(static_cast<std::size_t>(input));
+  }
   /// Whether the law that a draw belongs to was ever asked; true of what belongs to no law.
   bool was_asked(int draw) const;
 
@@ -39,7 +44,7 @@ class RankedInputs {
 
   std::vector<std::vector<bool>> reads_, derived_;  ///< groups
   std::map<int, LawOf> law_of_draw_;
-  std::vector<MaterialUse> use_;                    ///< materials
+  std::vector<MaterialUse> use_;  ///< materials
 };
 
 }  // namespace flyrock

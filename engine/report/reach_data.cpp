@@ -37,7 +37,10 @@ Json shroud_data(const std::vector<Reach>& reaches) {
         x.push_back(rounded(reach.origin.x() + point.x()));
         y.push_back(rounded(reach.origin.y() + point.y()));
       }
-      list.push_back({{"group", reach.group}, {"of", statistic_names[static_cast<int>(of.statistic)]}, {"x", x}, {"y", y}});
+      list.push_back({{"group", reach.group},
+                      {"of", statistic_names[static_cast<int>(of.statistic)]},
+                      {"x", x},
+                      {"y", y}});
     }
   return list;
 }

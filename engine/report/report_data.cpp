@@ -38,9 +38,10 @@ class Runouts {
  public:
   explicit Runouts(const std::vector<GroupSummary>& groups) {
     for (const GroupSummary& group : groups)
-      groups_.push_back({RunoutData(group.count - group.faults, group.at(RockQuantity::runout, Statistic::min).value,
-                                    group.at(RockQuantity::runout, Statistic::max).value),
-                         Convergence(group.count - group.faults)});
+      groups_.push_back(
+          {RunoutData(group.count - group.faults, group.at(RockQuantity::runout, Statistic::min).value,
+                      group.at(RockQuantity::runout, Statistic::max).value),
+           Convergence(group.count - group.faults)});
   }
 
   void see(const TrialRecords& chunk) {
@@ -112,19 +113,24 @@ LawSubject subject_of(const PointResult& point) {
   return subject;
 }
 
-/// { sha256, plugins, files }; not the name of the scenario's file, which may change before shards are merged.
+/// { sha256, plugins, files }; not the name of the scenario's file, which may change before shards are
+/// merged.
 Json source_data(const LoadedScenario& scenario) {
-  return {{"sha256", scenario.hash}, {"plugins", hash_data(scenario.sources)}, {"files", hash_data(scenario.files)}};
+  return {{"sha256", scenario.hash},
+          {"plugins", hash_data(scenario.sources)},
+          {"files", hash_data(scenario.files)}};
 }
 
-/// { terrain, impact }: whether the terrain differs from trial to trial, and the numbers that are drawn at each impact.
+/// { terrain, impact }: whether the terrain differs from trial to trial, and the numbers that are drawn at
+/// each impact.
 Json drawn_data(const Scenario& scenario) {
   const std::vector<Number>& slots = scenario.terrain.model.slots;
   Json impact = Json::array();
   for (const Draw& draw : scenario.draws)
     if (draw.scope == Scope::impact) impact.push_back(draw.stream);
-  return {{"terrain", std::any_of(slots.begin(), slots.end(), [](const Number& n) { return !n.is_constant(); })},
-          {"impact", impact}};
+  return {
+      {"terrain", std::any_of(slots.begin(), slots.end(), [](const Number& n) { return !n.is_constant(); })},
+      {"impact", impact}};
 }
 
 /// { unit, per_si } of a unit that people read.
@@ -186,18 +192,20 @@ Json ReportData::finish(const Results& results, const std::vector<Rows>& rows) {
     Runouts runouts(point.groups);
     read_in_passes(rows[p], runouts);
     Json laws = law_data(plan.points[p], subject_of(results.points.front()));
-    if (p == 0) first_laws = laws;
-    else if (laws == first_laws) laws = nullptr;
+    if (p == 0)
+      first_laws = laws;
+    else if (laws == first_laws)
+      laws = nullptr;
     points.push_back(json_object(
-        "terrain", terrain_data(point.terrain), "tracks", std::move(closed_[p].tracks), "runout", runouts.distributions(),
-        "convergence", runouts.convergence(), "envelopes", envelope_data(point), "sensitivity",
-        std::move(closed_[p].sensitivity), "shrouds", shroud_data(point.reaches), "laws", std::move(laws), "bodies",
-        bodies_data(plan.points[p], point.totals)));
+        "terrain", terrain_data(point.terrain), "tracks", std::move(closed_[p].tracks), "runout",
+        runouts.distributions(), "convergence", runouts.convergence(), "envelopes", envelope_data(point),
+        "sensitivity", std::move(closed_[p].sensitivity), "shrouds", shroud_data(point.reaches), "laws",
+        std::move(laws), "bodies", bodies_data(plan.points[p], point.totals)));
   }
   return json_object("summary", summary_data(plan, results), "source", source_data(scenario_), "scenario",
-                     scenario_text(plan.resolved), "groups", group_names(plan.points.front()), "units", quantity_units, "axes",
-                     axes_data(plan), "expectation_units", expectation_units(results), "drawn",
-                     drawn_data(plan.points.front()), "points", std::move(points));
+                     scenario_text(plan.resolved), "groups", group_names(plan.points.front()), "units",
+                     quantity_units, "axes", axes_data(plan), "expectation_units", expectation_units(results),
+                     "drawn", drawn_data(plan.points.front()), "points", std::move(points));
 }
 
 }  // namespace flyrock

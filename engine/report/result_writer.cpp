@@ -25,8 +25,8 @@ void ResultWriter::see(int point, const TrialRecords& chunk) {
   report_.see(point, chunk);
 }
 
-Results ResultWriter::finish(const std::vector<Rows>& rows, const RunFacts& facts, std::vector<Profile> terrains,
-                             const std::filesystem::path& assets) {
+Results ResultWriter::finish(const std::vector<Rows>& rows, const RunFacts& facts,
+                             std::vector<Profile> terrains, const std::filesystem::path& assets) {
   const auto beside = [](auto work) { return std::async(std::launch::async, std::move(work)); };
   std::future<void> closed = beside([&] {
     database_.index();

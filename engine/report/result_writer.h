@@ -5,15 +5,16 @@
 #include <vector>
 
 #include "batch/load.h"
-#include "results/results.h"
 #include "batch/safe_file.h"
 #include "report/database.h"
 #include "report/report_data.h"
+#include "results/results.h"
 
 namespace flyrock {
 
-/// Takes the chunks in a first pass, which may be while the run goes on, so that little is left to do behind its last
-/// trial. Files have temporary names until finish() has all that goes into them; without it they go away.
+/// Takes the chunks in a first pass, which may be while the run goes on, so that little is left to do behind
+/// its last trial. Files have temporary names until finish() has all that goes into them; without it they go
+/// away.
 class ResultWriter {
  public:
   /// Throws FileError, as all that follows.

@@ -26,14 +26,16 @@ std::string table_of(const RockTable& table, int dimension) {
   return fmt::format("CREATE TABLE {}_rows ({});\n", table.name, fmt::join(columns, ", "));
 }
 
-/// The + keeps SQLite from finding rows by what a query asks of a column: an index of its own making, over all rows, looks
-/// cheaper to it than the few rows of a rock.
+/// The + keeps SQLite from finding rows by what a query asks of a column: an index of its own making, over
+/// all rows, looks cheaper to it than the few rows of a rock.
 std::string view_of(const RockTable& table, int dimension) {
   std::string columns;
   for (const auto& [column, type] : table.columns)
-    columns += is_stored(column, dimension) ? fmt::format(", +r.{0} AS {0}", column.name) : fmt::format(", 0.0 AS {}", column.name);
+    columns += is_stored(column, dimension) ? fmt::format(", +r.{0} AS {0}", column.name)
+                                            : fmt::format(", 0.0 AS {}", column.name);
   return fmt::format(
-      "CREATE VIEW {1} AS SELECT point, trial, rock{2} FROM rocks CROSS JOIN rows_of_rock AS own ON own.rowid = rocks.rowid "
+      "CREATE VIEW {1} AS SELECT point, trial, rock{2} FROM rocks CROSS JOIN rows_of_rock AS own ON "
+      "own.rowid = rocks.rowid "
       "CROSS JOIN {0}_rows AS r ON r.rowid BETWEEN own.first_{0} AND own.last_{0};\n",
       table.name, table.view, columns);
 }
@@ -41,12 +43,14 @@ std::string view_of(const RockTable& table, int dimension) {
 }  // namespace
 
 const RockTable& input_table() {
-  static const RockTable table{"input", "drawn", columns_of<InputRecord>([](auto visit) { visit_inputs(visit); })};
+  static const RockTable table{"input", "drawn",
+                               columns_of<InputRecord>([](auto visit) { visit_inputs(visit); })};
   return table;
 }
 
 const RockTable& impact_table() {
-  static const RockTable table{"impact", "impacts", columns_of<ImpactRecord>([](auto visit) { visit_impacts(visit); })};
+  static const RockTable table{"impact", "impacts",
+                               columns_of<ImpactRecord>([](auto visit) { visit_impacts(visit); })};
   return table;
 }
 
@@ -57,13 +61,15 @@ const RockTable& trajectory_table() {
 }
 
 int RockTable::width(int dimension) const {
-  return static_cast<int>(
-      std::count_if(columns.begin(), columns.end(), [&](const StoredColumn& stored) { return is_stored(stored.column, dimension); }));
+  return static_cast<int>(std::count_if(columns.begin(), columns.end(), [&](const StoredColumn& stored) {
+    return is_stored(stored.column, dimension);
+  }));
 }
 
 std::string rock_tables_schema(int dimension) {
   std::string schema =
-      "CREATE TABLE rows_of_rock (first_input INTEGER, last_input INTEGER, first_impact INTEGER, last_impact INTEGER, "
+      "CREATE TABLE rows_of_rock (first_input INTEGER, last_input INTEGER, first_impact INTEGER, last_impact "
+      "INTEGER, "
       "first_trajectory INTEGER, last_trajectory INTEGER);\n";
   for (const RockTable* table : {&input_table(), &impact_table(), &trajectory_table()})
     schema += table_of(*table, dimension) + view_of(*table, dimension);

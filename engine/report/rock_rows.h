@@ -1,9 +1,9 @@
 #pragma once
 // Tables of results.db in which a rock has many rows.
 //
-// The rows of a rock follow each other in a table, and rows_of_rock has the first and the last of each rock, in the order of
-// `rocks`: an index by point, trial and rock would take as long to build as the rows to write. A view shows the rows with
-// their rock.
+// The rows of a rock follow each other in a table, and rows_of_rock has the first and the last of each rock,
+// in the order of `rocks`: an index by point, trial and rock would take as long to build as the rows to
+// write. A view shows the rows with their rock.
 
 #include <cstdint>
 #include <string>
@@ -29,7 +29,9 @@ struct RockTable {
 };
 
 /// A column of the tables in which a rock has many rows: those of the third dimension are not stored in 2D.
-inline bool is_stored(const Column& column, int dimension) { return column.name && (!column.in_space || dimension == 3); }
+inline bool is_stored(const Column& column, int dimension) {
+  return column.name && (!column.in_space || dimension == 3);
+}
 
 const RockTable& input_table();
 const RockTable& impact_table();
@@ -48,7 +50,8 @@ class RowsOfRocks {
   /// First and last of the next rock, from 1; the last is before the first where it has none.
   std::pair<std::int64_t, std::int64_t> of(const RockRecord& rock) {
     const std::int64_t first = written_ + 1;
-    for (; at_ < rows_.size() && rows_[at_].trial == rock.trial && rows_[at_].rock == rock.rock; ++at_) ++written_;
+    for (; at_ < rows_.size() && rows_[at_].trial == rock.trial && rows_[at_].rock == rock.rock; ++at_)
+      ++written_;
     return {first, written_};
   }
 

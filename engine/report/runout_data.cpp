@@ -20,7 +20,8 @@ std::vector<std::uint64_t> curve_ranks(std::uint64_t count) {
   std::vector<std::uint64_t> ranks;
   const std::uint64_t stride = std::max<std::uint64_t>(1, count / curve_points);
   // The tail is what the curve is read for: its last 100 rocks are never thinned.
-  for (std::uint64_t i = 0; i < count; i += i + tail >= count ? 1 : std::min(stride, count - tail - i)) ranks.push_back(i);
+  for (std::uint64_t i = 0; i < count; i += i + tail >= count ? 1 : std::min(stride, count - tail - i))
+    ranks.push_back(i);
   return ranks;
 }
 
@@ -54,12 +55,13 @@ Json RunoutData::data() const {
     x.push_back(std::llround(1000 * curve_.at(rank)));
     share.push_back(static_cast<double>(count_ - 1 - rank) / static_cast<double>(count_));
   }
-  return {{"step", step_},
-          {"known", known_},
-          {"censored", censored_},
-          {"x", x},
-          {"share", share},
-          {"known_to", std::isinf(least_censored_) ? Json(nullptr) : Json(std::llround(1000 * least_censored_))}};
+  return {
+      {"step", step_},
+      {"known", known_},
+      {"censored", censored_},
+      {"x", x},
+      {"share", share},
+      {"known_to", std::isinf(least_censored_) ? Json(nullptr) : Json(std::llround(1000 * least_censored_))}};
 }
 
 }  // namespace flyrock

@@ -6,8 +6,8 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "results/rank_correlation.h"
 #include "report/rounded.h"
+#include "results/rank_correlation.h"
 
 namespace flyrock {
 
@@ -24,12 +24,13 @@ double at_share(const std::vector<double>& values, double share) {
   return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
 }
 
-/// The runout over one number, times `scale`, tenth by tenth; rocks of one value stay together. Null where there are too few rocks
-/// or values.
+/// The runout over one number, times `scale`, tenth by tenth; rocks of one value stay together. Null where
+/// there are too few rocks or values.
 Json curve_data(const std::vector<double>& values, double scale, const std::vector<double>& runout) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return values[i] < values[j]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t i, std::size_t j) { return values[i] < values[j]; });
   Json x = Json::array(), low = Json::array(), middle = Json::array(), high = Json::array();
   std::size_t begin = 0;
   for (std::size_t tenth = 1; tenth <= tenths; ++tenth) {
@@ -62,11 +63,13 @@ Sensitivity::Sensitivity(const Scenario& scenario)
 }
 
 bool Sensitivity::is_ranked(std::size_t group, int input) const {
-  if (input >= first_derived()) return inputs_.reads(group, static_cast<DerivedInput>(input - first_derived()));
+  if (input >= first_derived())
+    return inputs_.reads(group, static_cast<DerivedInput>(input - first_derived()));
   return inputs_.reads(group, input) && inputs_.was_asked(input);
 }
 
-/// What the blast of one rock, whose drawn numbers are given, makes of them; where a draw of it is missing, nothing.
+/// What the blast of one rock, whose drawn numbers are given, makes of them; where a draw of it is missing,
+/// nothing.
 void Sensitivity::add_derived(const std::map<int, double>& drawn, Group& group) const {
   if (!blast_) return;
   Blast blast;
@@ -112,29 +115,33 @@ std::vector<Sensitivity::Line> Sensitivity::ranked(std::size_t of_group) const {
   std::vector<Line> lines;
   if (group.runout.size() < least_pairs) return lines;
   for (const auto& [input, values] : group.inputs) {
-    if (values.size() != group.runout.size()) continue;  // a population may draw a number for some of its rocks only
+    if (values.size() != group.runout.size())
+      continue;  // a population may draw a number for some of its rocks only
     if (!is_ranked(of_group, input)) continue;
     const double r = rank_correlation(values, group.runout, stated_confidence).r;
     if (!std::isnan(r)) lines.push_back({input, r});
   }
-  std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return std::abs(a.r) > std::abs(b.r); });
+  std::stable_sort(lines.begin(), lines.end(),
+                   [](const Line& a, const Line& b) { return std::abs(a.r) > std::abs(b.r); });
   return lines;
 }
 
 Json Sensitivity::group_data(std::size_t of_group) const {
   const Group& group = groups_[of_group];
   const std::vector<Line> lines = ranked(of_group);
-  const double confidence = 1 - (1 - stated_confidence) / static_cast<double>(std::max<std::size_t>(1, lines.size()));
+  const double confidence =
+      1 - (1 - stated_confidence) / static_cast<double>(std::max<std::size_t>(1, lines.size()));
   auto inputs = Json::array();
   for (const Line& line : lines) {
     const auto input = static_cast<std::size_t>(line.input);
     const RankCorrelation found = with_interval(line.r, group.runout.size(), confidence);
-    inputs.push_back({{"path", names_[input]},
-                      {"unit", units_[input].name},
-                      {"r", rounded(found.r)},
-                      {"lower", rounded(found.lower)},
-                      {"upper", rounded(found.upper)},
-                      {"curve", curve_data(group.inputs.at(line.input), units_[input].per_si, group.runout)}});
+    inputs.push_back(
+        {{"path", names_[input]},
+         {"unit", units_[input].name},
+         {"r", rounded(found.r)},
+         {"lower", rounded(found.lower)},
+         {"upper", rounded(found.upper)},
+         {"curve", curve_data(group.inputs.at(line.input), units_[input].per_si, group.runout)}});
   }
   return {{"count", group.runout.size()}, {"confidence", confidence}, {"inputs", inputs}};
 }

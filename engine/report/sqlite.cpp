@@ -19,19 +19,23 @@ std::string insert_into(const std::string& table, int columns, std::size_t rows)
   return fmt::format("INSERT INTO {} VALUES {}", table, fmt::join(each, ", "));
 }
 
-/// Why SQLite refused, in our words. After its own texts a user would search for a fault of the database program.
+/// Why SQLite refused, in our words. After its own texts a user would search for a fault of the database
+/// program.
 std::string reason(sqlite3* database) {
   const int code = database ? sqlite3_errcode(database) & 0xff : SQLITE_NOMEM;
   switch (code) {
-    case SQLITE_NOMEM: return "not enough memory";
-    case SQLITE_FULL: return "the disk is full, or the file larger than it may be";
+    case SQLITE_NOMEM:
+      return "not enough memory";
+    case SQLITE_FULL:
+      return "the disk is full, or the file larger than it may be";
     case SQLITE_IOERR:
     case SQLITE_CANTOPEN:
     case SQLITE_PERM:
     case SQLITE_READONLY:
       if (const int system = sqlite3_system_errno(database)) return std::strerror(system);
       return "the disk does not answer";
-    default: return fmt::format("SQLite refuses with its code {}", code);
+    default:
+      return fmt::format("SQLite refuses with its code {}", code);
   }
 }
 
@@ -43,21 +47,26 @@ std::string reason(sqlite3* database) {
   const int code = database ? sqlite3_errcode(database) & 0xff : SQLITE_NOMEM;
   // A missing table is SQLITE_ERROR: our own statements have no other fault.
   if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB || code == SQLITE_ERROR)
-    throw UnreadableFile(fmt::format("{} is damaged: it is not the database that a run writes", path.string()));
+    throw UnreadableFile(
+        fmt::format("{} is damaged: it is not the database that a run writes", path.string()));
   throw UnreadableFile(fmt::format("cannot read {}: {}", path.string(), reason(database)));
 }
 
 }  // namespace
 
-SqliteFile::SqliteFile(std::filesystem::path path) : path_(std::move(path)), temporary_(temporary_name(path_)) {
+SqliteFile::SqliteFile(std::filesystem::path path)
+    : path_(std::move(path)), temporary_(temporary_name(path_)) {
   std::error_code code;  // what a kill left
   std::filesystem::remove(temporary_, code);
-  if (sqlite3_open_v2(temporary_.c_str(), &database_, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX,
+  if (sqlite3_open_v2(temporary_.c_str(), &database_,
+                      SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX,
                       nullptr) != SQLITE_OK) {
     const std::unique_ptr<sqlite3, decltype(&sqlite3_close)> closed(database_, sqlite3_close);
     fail_to_write(path_, database_);
   }
-  execute("PRAGMA page_size = 16384; PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; PRAGMA locking_mode = EXCLUSIVE; BEGIN");
+  execute(
+      "PRAGMA page_size = 16384; PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; PRAGMA locking_mode = "
+      "EXCLUSIVE; BEGIN");
 }
 
 SqliteFile::~SqliteFile() {

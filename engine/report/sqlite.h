@@ -1,5 +1,6 @@
 #pragma once
-// SQLite as far as results.db needs it: a file that is built once with prepared insertions, and queries of a file that stands.
+// SQLite as far as results.db needs it: a file that is built once with prepared insertions, and queries of a
+// file that stands.
 
 #include <sqlite3.h>
 
@@ -13,8 +14,8 @@
 
 namespace flyrock {
 
-/// An open database. It is built beside its final place and not synced on the way: a file that is cut short is thrown
-/// away and built again, so that a journal would only cost time.
+/// An open database. It is built beside its final place and not synced on the way: a file that is cut short
+/// is thrown away and built again, so that a journal would only cost time.
 class SqliteFile {
  public:
   /// Throws FileError, as all that follows.
@@ -44,8 +45,8 @@ class Statement {
   Statement(const Statement&) = delete;
   Statement& operator=(const Statement&) = delete;
 
-  /// Fills the `?` behind those that were filled since the last step: whole numbers, doubles (NULL where they are not
-  /// finite) and texts, which are not copied and stay until the step.
+  /// Fills the `?` behind those that were filled since the last step: whole numbers, doubles (NULL where they
+  /// are not finite) and texts, which are not copied and stay until the step.
   template <class... Values>
   void put(const Values&... values) {
     (bind(values), ...);
@@ -64,10 +65,8 @@ class Statement {
     sqlite3_bind_text(statement_, ++filled_, value.data(), static_cast<int>(value.size()), SQLITE_STATIC);
   }
   template <class Whole>
-    requires std::is_integral_v<Whole>
-  void bind(Whole value) {
-    sqlite3_bind_int64(statement_, ++filled_, static_cast<sqlite3_int64>(value));
-  }
+  requires std::is_integral_v<Whole>
+  void bind(Whole value) { sqlite3_bind_int64(statement_, ++filled_, static_cast<sqlite3_int64>(value)); }
 
   const SqliteFile& file_;
   sqlite3_stmt* statement_ = nullptr;
@@ -96,7 +95,8 @@ class Insertion {
   }
 
  private:
-  static constexpr std::size_t at_once = 32;  ///< rows of a statement: fewer statements take a third less of the time
+  static constexpr std::size_t at_once =
+      32;  ///< rows of a statement: fewer statements take a third less of the time
 
   Statement one_, many_;
 };

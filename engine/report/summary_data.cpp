@@ -2,11 +2,11 @@
 
 #include <cmath>
 
+#include "report/json_object.h"
+#include "report/reach_data.h"
 #include "results/answer.h"
 #include "results/answer_shares.h"
 #include "results/fault_line.h"
-#include "report/reach_data.h"
-#include "report/json_object.h"
 
 namespace flyrock {
 
@@ -25,7 +25,8 @@ Json interval_data(const Interval& interval) { return {number(interval.lower), n
 /// { p95: [lower, upper], ... } of the statistics that have an interval.
 Json intervals_data(const Intervals& intervals) {
   Json data = Json::object();
-  for (const Statistic s : {Statistic::mean, Statistic::p50, Statistic::p90, Statistic::p95, Statistic::p99}) {
+  for (const Statistic s :
+       {Statistic::mean, Statistic::p50, Statistic::p90, Statistic::p95, Statistic::p99}) {
     const Interval& interval = intervals[static_cast<int>(s)];
     data[std::string(statistic_names[static_cast<int>(s)])] = interval_data(interval);
   }
@@ -90,7 +91,10 @@ Json barriers_data(const Scenario& scenario, const std::vector<BarrierSummary>& 
   for (std::size_t b = 0; b < barriers.size(); ++b) {
     const BarrierSummary& barrier = barriers[b];
     const BarrierPlan& plan = scenario.barriers[b];
-    Json data = {{"barrier", plan.name}, {"x", plan.x}, {"height_m", plan.height}, {"capacity_J", plan.capacity},
+    Json data = {{"barrier", plan.name},
+                 {"x", plan.x},
+                 {"height_m", plan.height},
+                 {"capacity_J", plan.capacity},
                  {"rocks", barrier.outcomes[0] + barrier.outcomes[1] + barrier.outcomes[2]},
                  {"reached", number(barrier.reached.value)}};
     Json intervals = {{"reached", interval_data(barrier.reached.interval)}};
@@ -108,8 +112,9 @@ Json barriers_data(const Scenario& scenario, const std::vector<BarrierSummary>& 
   return list;
 }
 
-/// The distance by azimuth about (x, y), from a hull: { x, y, hull: [[x, y], ...], sectors: [{ azimuth_deg, count, share, share_interval,
-/// greatest, distance, lower, upper, lower_bound, with_factor }] }. All but the count is null where no rock ended: no data.
+/// The distance by azimuth about (x, y), from a hull: { x, y, hull: [[x, y], ...], sectors: [{ azimuth_deg,
+/// count, share, share_interval, greatest, distance, lower, upper, lower_bound, with_factor }] }. All but the
+/// count is null where no rock ended: no data.
 Json area_data(const AreaSummary& area) {
   Json hull = Json::array(), list = Json::array();
   for (const Vec2& corner : area.hull) hull.push_back({corner.x(), corner.y()});
@@ -132,21 +137,23 @@ Json clearances_data(const Scenario& scenario, const std::vector<ClearanceSummar
   for (std::size_t c = 0; c < clearances.size(); ++c) {
     const ClearancePlan& plan = scenario.clearances[c];
     const ClearanceSummary& clearance = clearances[c];
-    list.push_back({{"clearance", plan.name},
-                    {"group", plan.group < 0 ? Json(nullptr) : Json(scenario.rocks.at(static_cast<std::size_t>(plan.group)).name)},
-                    {"probability", plan.probability},
-                    {"per", plan.per_blast ? "blast" : "rock"},
-                    {"of", plan.of_max_distance ? "max_distance" : "runout"},
-                    {"count", clearance.count},
-                    {"rocks_per_blast", plan.per_blast ? number(clearance.rocks_per_blast()) : Json(nullptr)},
-                    {"needed", clearance.needed},
-                    {"distance", number(clearance.distance.value)},
-                    {"lower_bound", clearance.distance.censored},
-                    {"confidence", plan.confidence},
-                    {"lower", number(clearance.interval.lower)},
-                    {"upper", number(clearance.interval.upper)},
-                    {"factor", plan.factor ? Json(*plan.factor) : Json(nullptr)},
-                    {"with_factor", number(clearance.with_factor)}});
+    list.push_back(
+        {{"clearance", plan.name},
+         {"group", plan.group < 0 ? Json(nullptr)
+                                  : Json(scenario.rocks.at(static_cast<std::size_t>(plan.group)).name)},
+         {"probability", plan.probability},
+         {"per", plan.per_blast ? "blast" : "rock"},
+         {"of", plan.of_max_distance ? "max_distance" : "runout"},
+         {"count", clearance.count},
+         {"rocks_per_blast", plan.per_blast ? number(clearance.rocks_per_blast()) : Json(nullptr)},
+         {"needed", clearance.needed},
+         {"distance", number(clearance.distance.value)},
+         {"lower_bound", clearance.distance.censored},
+         {"confidence", plan.confidence},
+         {"lower", number(clearance.interval.lower)},
+         {"upper", number(clearance.interval.upper)},
+         {"factor", plan.factor ? Json(*plan.factor) : Json(nullptr)},
+         {"with_factor", number(clearance.with_factor)}});
     if (plan.sectors > 0) list.back()["area"] = area_data(clearance.area);
   }
   return list;
@@ -158,12 +165,14 @@ Json censored_data(const Scenario& scenario, const PointResult& point) {
   Json list = Json::array();
   for (const CensoredPlace& place : point.censored) {
     const auto part = static_cast<std::size_t>(place.part);
-    list.push_back({{"reason", name_of(place.reason)},
-                    {"part", name(place.part >= 0 && part < point.terrain.parts.size() ? point.terrain.parts[part] : "")},
-                    {"material", name(material_of(scenario, point, place.part))},
-                    {"rocks", place.rocks},
-                    {"x", {place.low.x(), place.high.x()}},
-                    {"y", {place.low.y(), place.high.y()}}});
+    list.push_back(
+        {{"reason", name_of(place.reason)},
+         {"part",
+          name(place.part >= 0 && part < point.terrain.parts.size() ? point.terrain.parts[part] : "")},
+         {"material", name(material_of(scenario, point, place.part))},
+         {"rocks", place.rocks},
+         {"x", {place.low.x(), place.high.x()}},
+         {"y", {place.low.y(), place.high.y()}}});
   }
   return list;
 }
@@ -207,12 +216,14 @@ Json materials_data(const Scenario& scenario, const std::vector<MaterialUse>& us
 
 Json verdict_data(const Verdict& verdict) {
   const Expectation& e = verdict.expectation;
-  Json data = {{"measure", e.measure}, {"point", verdict.point < 0 ? Json(nullptr) : Json(verdict.point)},
-               {"computed", number(verdict.computed)}, {"kind", expect_kind_names[static_cast<std::size_t>(e.kind)]}};
+  Json data = {{"measure", e.measure},
+               {"point", verdict.point < 0 ? Json(nullptr) : Json(verdict.point)},
+               {"computed", number(verdict.computed)},
+               {"kind", expect_kind_names[static_cast<std::size_t>(e.kind)]}};
   data["expected"] = e.kind == ExpectKind::between ? Json::array({e.value, e.high}) : Json(e.value);
   data["tolerance"] = verdict.tolerance;
-  data["passed"] =
-      verdict.judgement == Judgement::not_judged ? Json(nullptr) : Json(verdict.judgement == Judgement::passed);
+  data["passed"] = verdict.judgement == Judgement::not_judged ? Json(nullptr)
+                                                              : Json(verdict.judgement == Judgement::passed);
   if (!verdict.reason.empty()) data["reason"] = verdict.reason;
   return data;
 }

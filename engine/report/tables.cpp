@@ -49,7 +49,8 @@ std::string rocks_csv_rows(const Plan& plan, int point, const std::vector<RockRe
   for (const RockRecord& rock : rocks) {
     csv += std::to_string(point);
     visit_rocks([&](const Column& column, auto get) {
-      if (is_in_csv(column, scenario.dimension)) shown_value(column, std::invoke(get, rock), groups, AppendCell{csv});
+      if (is_in_csv(column, scenario.dimension))
+        shown_value(column, std::invoke(get, rock), groups, AppendCell{csv});
     });
     csv += '\n';
   }
@@ -80,8 +81,8 @@ std::string run_log(const RunLog& log) {
   const PhaseTimes& t = log.times;
   const auto total = static_cast<double>(t.flight + t.detect + t.solve + t.other);
   std::string text = fmt::format(
-      "started  {}\nhost     {}\nthreads  {}\ntrials   {}\nkept     {}\nrocks    {}\nseconds  {:.3f}\n", log.started,
-      log.host, log.threads, log.trials, log.kept, log.rocks, log.seconds);
+      "started  {}\nhost     {}\nthreads  {}\ntrials   {}\nkept     {}\nrocks    {}\nseconds  {:.3f}\n",
+      log.started, log.host, log.threads, log.trials, log.kept, log.rocks, log.seconds);
   if (log.seconds > 0) text += fmt::format("rocks/s  {:.1f}\n", static_cast<double>(log.rocks) / log.seconds);
   const auto share = [&](std::string_view name, std::int64_t time) {
     if (total > 0) text += fmt::format("{:<8} {:5.1f} %\n", name, 100 * static_cast<double>(time) / total);

@@ -12,8 +12,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A thinned path departs from the stored one by this share of the extent of its group at most: a seventh of a pixel of a
-/// plot of the group.
+/// A thinned path departs from the stored one by this share of the extent of its group at most: a seventh of
+/// a pixel of a plot of the group.
 constexpr double track_tolerance = 1e-4;
 
 /// Whole thousandths, the first as it is and then the differences.
@@ -82,7 +82,9 @@ std::vector<Tracks::Stretch> Tracks::stretches_of(const TrialRecords& chunk) {
   auto rock = chunk.rocks.begin();
   const std::vector<TrajectoryRecord>& rows = chunk.trajectories;
   for (std::size_t begin = 0, end = 0; begin < rows.size(); begin = end) {
-    const auto of_one = [&](const auto& row) { return row.trial == rows[begin].trial && row.rock == rows[begin].rock; };
+    const auto of_one = [&](const auto& row) {
+      return row.trial == rows[begin].trial && row.rock == rows[begin].rock;
+    };
     while (end < rows.size() && of_one(rows[end])) ++end;
     rock = std::find_if(rock, chunk.rocks.end(), of_one);  // rows come in the order of rocks
     stretches.push_back({*rock, begin, end});
@@ -110,7 +112,8 @@ double Tracks::tolerance(int group) const { return track_tolerance * boxes_.at(g
 void Tracks::see(const TrialRecords& chunk) {
   const std::vector<Stretch> stretches = stretches_of(chunk);
   for (const auto& [rock, begin, end] : stretches)
-    for (std::size_t i = begin; i < end; ++i) boxes_[rock.group].extend(chunk.trajectories[i].point.state.position);
+    for (std::size_t i = begin; i < end; ++i)
+      boxes_[rock.group].extend(chunk.trajectories[i].point.state.position);
   for (const auto& [rock, begin, end] : stretches) {
     // Paths that are thinned again may need less room, seldom half of it.
     full_ = full_ || kept_ > 2 * budget_;
@@ -118,7 +121,8 @@ void Tracks::see(const TrialRecords& chunk) {
     std::vector<Point> path;
     for (std::size_t i = begin; i < end; ++i) {
       const auto& [state, mode] = chunk.trajectories[i].point;
-      path.push_back({{state.position.x(), state.position[dimension_ - 1]}, state.time, state.velocity.norm(), mode});
+      path.push_back(
+          {{state.position.x(), state.position[dimension_ - 1]}, state.time, state.velocity.norm(), mode});
     }
     tracks_.push_back({rock.trial, rock.rock, rock.group, rock.reason, thinned(path, tolerance(rock.group))});
     kept_ += tracks_.back().points.size();
@@ -136,9 +140,9 @@ Json Tracks::data_of(const Track& track, const std::vector<Point>& points) {
     modes.push_back(static_cast<int>(point.mode));
     speed.push_back(thousandth(point.speed));
   }
-  return json_object("trial", track.trial, "rock", track.rock, "group", track.group, "reason", name_of(track.reason), "x",
-                     differences(x), "y", differences(y), "t", differences(t), "speed", std::move(speed), "modes",
-                     runs_of(modes));
+  return json_object("trial", track.trial, "rock", track.rock, "group", track.group, "reason",
+                     name_of(track.reason), "x", differences(x), "y", differences(y), "t", differences(t),
+                     "speed", std::move(speed), "modes", runs_of(modes));
 }
 
 Json Tracks::data() const {

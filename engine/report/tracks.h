@@ -10,13 +10,13 @@
 
 namespace flyrock {
 
-/// The indices of `points` that a poly-line within `tolerance` [m] of all of them keeps, in the plane of x and
-/// height (Ramer 1972, Douglas and Peucker 1973). First and last are always kept.
+/// The indices of `points` that a poly-line within `tolerance` [m] of all of them keeps, in the plane of x
+/// and height (Ramer 1972, Douglas and Peucker 1973). First and last are always kept.
 std::vector<std::size_t> simplify(const std::vector<Vec2>& points, double tolerance);
 
-/// The paths of whole rocks, as many as fit into a budget of points: each thinned, with time, speed and mode of travel. How
-/// much a path may be thinned rests on the extent of all of its group: it is thinned as far as those before it tell, and
-/// again when all have been seen.
+/// The paths of whole rocks, as many as fit into a budget of points: each thinned, with time, speed and mode
+/// of travel. How much a path may be thinned rests on the extent of all of its group: it is thinned as far as
+/// those before it tell, and again when all have been seen.
 class Tracks {
  public:
   Tracks(std::size_t budget, int dimension) : budget_(budget), dimension_(dimension) {}
@@ -24,8 +24,9 @@ class Tracks {
   /// The chunks in order.
   void see(const TrialRecords& chunk);
 
-  /// { list: [{ trial, rock, group, reason, x, y, t, speed, modes }], cut }: x, y and t as differences of thousandths,
-  /// speed in thousandths; modes is how many points follow each other in a mode, by turns with the mode's number.
+  /// { list: [{ trial, rock, group, reason, x, y, t, speed, modes }], cut }: x, y and t as differences of
+  /// thousandths, speed in thousandths; modes is how many points follow each other in a mode, by turns with
+  /// the mode's number.
   nlohmann::ordered_json data() const;
 
  private:
@@ -54,7 +55,7 @@ class Tracks {
 
   std::size_t budget_, kept_ = 0;
   int dimension_;
-  bool full_ = false;  ///< there were more
+  bool full_ = false;                         ///< there were more
   std::map<int, Eigen::AlignedBox3d> boxes_;  ///< of the paths of each group, which a plot may show alone
   std::vector<Track> tracks_;
 };

@@ -18,7 +18,8 @@ struct VtkArray {
 
 struct VtkPoints {
   std::vector<Vec3> points;  ///< m
-  /// Behind the last point of each poly-line; no lines where it is empty: every point is then a cell of its own.
+  /// Behind the last point of each poly-line; no lines where it is empty: every point is then a cell of its
+  /// own.
   std::vector<std::size_t> line_ends;
   std::vector<VtkArray> of_points, of_cells;
 };

@@ -1,13 +1,13 @@
 #include "results/answer.h"
 
-#include "results/answer_shares.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+
+#include "results/answer_shares.h"
 
 namespace flyrock {
 
@@ -16,7 +16,8 @@ std::string_view runout_name(const Scenario& scenario) {
 }
 
 std::string_view ended(StopReason reason, const Scenario& scenario) {
-  return reason == StopReason::stopped && scenario.method == Method::ballistic ? "first landed" : name_of(reason);
+  return reason == StopReason::stopped && scenario.method == Method::ballistic ? "first landed"
+                                                                               : name_of(reason);
 }
 
 std::string display(const Bounded& number, std::string_view unit) {
@@ -30,13 +31,18 @@ namespace {
 /// How a body or a rock ended, as the end of a sentence.
 std::string_view ending(StopReason reason) {
   switch (reason) {
-    case StopReason::stopped: return "came to rest";
-    case StopReason::left_domain: return "left the domain";
-    case StopReason::timed_out: return "was still moving";
-    case StopReason::caught: return "was caught";
+    case StopReason::stopped:
+      return "came to rest";
+    case StopReason::left_domain:
+      return "left the domain";
+    case StopReason::timed_out:
+      return "was still moving";
+    case StopReason::caught:
+      return "was caught";
     case StopReason::diverged:
     case StopReason::plugin_error:
-    case StopReason::not_started: break;
+    case StopReason::not_started:
+      break;
   }
   return "failed";
 }
@@ -59,10 +65,13 @@ std::string range_of(const Results& results, Statistic statistic, std::size_t gr
   return range_of(std::move(values));
 }
 
-/// "rocks of face go", "blasts (with 3 rocks a blast) throw a rock of face": who goes farther than a clearance.
+/// "rocks of face go", "blasts (with 3 rocks a blast) throw a rock of face": who goes farther than a
+/// clearance.
 std::string who_goes(const Scenario& scenario, const ClearancePlan& asked, const ClearanceSummary& found) {
-  const std::string of = asked.group < 0 ? "" : " of " + scenario.rocks.at(static_cast<std::size_t>(asked.group)).name;
-  if (!asked.per_blast) return fmt::format("rocks{} {}", of, scenario.method == Method::ballistic ? "first land" : "go");
+  const std::string of =
+      asked.group < 0 ? "" : " of " + scenario.rocks.at(static_cast<std::size_t>(asked.group)).name;
+  if (!asked.per_blast)
+    return fmt::format("rocks{} {}", of, scenario.method == Method::ballistic ? "first land" : "go");
   const double rocks = found.rocks_per_blast();
   return fmt::format("blasts (with {:.4g} rock{} a blast) throw a rock{}{}", rocks, rocks == 1 ? "" : "s", of,
                      scenario.method == Method::ballistic ? " that first lands" : "");
@@ -71,14 +80,16 @@ std::string who_goes(const Scenario& scenario, const ClearancePlan& asked, const
 /// "301 to 345 m"; an end is not known where the sample is too small for it, or where censored rocks hide it.
 std::string ends_text(const Interval& interval) {
   if (std::isnan(interval.lower) && std::isnan(interval.upper)) return "not known";
-  if (std::isnan(interval.upper)) return fmt::format("from {:.4g} m on, its upper end is not known", interval.lower);
-  if (std::isnan(interval.lower)) return fmt::format("up to {:.4g} m, its lower end is not known", interval.upper);
+  if (std::isnan(interval.upper))
+    return fmt::format("from {:.4g} m on, its upper end is not known", interval.lower);
+  if (std::isnan(interval.lower))
+    return fmt::format("up to {:.4g} m, its lower end is not known", interval.upper);
   return fmt::format("{:.4g} to {:.4g} m", interval.lower, interval.upper);
 }
 
-/// " Clearance road: at most 0.1 % of the rocks go farther than 320 m (95 % interval 301 to 345 m). With the factor 1.5 that is 480
-/// m."; with sectors the distance of the one that reaches farthest; over a sweep the least to the greatest distance, without an
-/// interval: the points have their own.
+/// " Clearance road: at most 0.1 % of the rocks go farther than 320 m (95 % interval 301 to 345 m). With the
+/// factor 1.5 that is 480 m."; with sectors the distance of the one that reaches farthest; over a sweep the
+/// least to the greatest distance, without an interval: the points have their own.
 std::string clearance_answer(const Plan& plan, const Results& results, std::size_t c) {
   const ClearancePlan& asked = plan.points.front().clearances[c];
   const ClearanceSummary& first = results.points.front().clearances.at(c);
@@ -91,10 +102,13 @@ std::string clearance_answer(const Plan& plan, const Results& results, std::size
     distances.push_back(clearance.distance);
     with_factor.push_back({clearance.with_factor, clearance.distance.censored});
   }
-  const std::string from = asked.sectors == 0 ? "" : asked.about ? " from the given point" : " from the hull of the release places";
-  std::string text = fmt::format(" Clearance {}: {}at most {} of the {} farther than {}{}", asked.name,
-                                 asked.sectors > 0 ? fmt::format("in each of {} directions ", asked.sectors) : "", percent(asked.probability),
-                                 who_goes(plan.points.front(), asked, first), range_of(distances), from);
+  const std::string from = asked.sectors == 0 ? ""
+                           : asked.about      ? " from the given point"
+                                              : " from the hull of the release places";
+  std::string text = fmt::format(
+      " Clearance {}: {}at most {} of the {} farther than {}{}", asked.name,
+      asked.sectors > 0 ? fmt::format("in each of {} directions ", asked.sectors) : "",
+      percent(asked.probability), who_goes(plan.points.front(), asked, first), range_of(distances), from);
   if (results.points.size() == 1) {
     if (const SectorSummary* farthest = first.area.farthest())
       text += fmt::format(", which is reached at azimuth {:.4g} deg", farthest->azimuth * 180 / pi);
@@ -104,13 +118,15 @@ std::string clearance_answer(const Plan& plan, const Results& results, std::size
       text += fmt::format(" ({} interval {})", percent(asked.confidence), ends_text(first.interval));
   }
   text += '.';
-  if (asked.factor) text += fmt::format(" With the factor {:.4g} that is {}.", *asked.factor, range_of(with_factor));
+  if (asked.factor)
+    text += fmt::format(" With the factor {:.4g} that is {}.", *asked.factor, range_of(with_factor));
   return text;
 }
 
 std::string clearances_answer(const Plan& plan, const Results& results) {
   std::string text;
-  for (std::size_t c = 0; c < plan.points.front().clearances.size(); ++c) text += clearance_answer(plan, results, c);
+  for (std::size_t c = 0; c < plan.points.front().clearances.size(); ++c)
+    text += clearance_answer(plan, results, c);
   return text;
 }
 
@@ -121,9 +137,9 @@ std::string bodies_answer(const Plan& plan, const Results& results) {
   const std::vector<RockRecord>& bodies = results.points.front().first_trial;
   for (std::size_t b = 0; b < std::min(bodies.size(), most_named); ++b) {
     const RockRecord& body = bodies[b];
-    text += fmt::format("{}{} {} after {:.4g} s, {:.4g} m from where it began, with {} impact{}.", b > 0 ? " " : "",
-                        names.at(static_cast<std::size_t>(body.group)), ending(body.reason), body.time, body.runout,
-                        body.impacts, body.impacts == 1 ? "" : "s");
+    text += fmt::format("{}{} {} after {:.4g} s, {:.4g} m from where it began, with {} impact{}.",
+                        b > 0 ? " " : "", names.at(static_cast<std::size_t>(body.group)), ending(body.reason),
+                        body.time, body.runout, body.impacts, body.impacts == 1 ? "" : "s");
   }
   if (bodies.size() > most_named) text += fmt::format(" In all {} bodies moved.", bodies.size());
   if (results.points.size() > 1) text += fmt::format(" (Point 0 of {}.)", results.points.size());
@@ -141,7 +157,8 @@ std::string by_group(const Results& results, Statistic statistic) {
     };
     const auto [least, most] = std::minmax_element(groups.begin() + 1, groups.end(), shorter);
     const auto of = [&](auto group) {
-      return fmt::format("{} {}", group->name, range_of(results, statistic, static_cast<std::size_t>(group - groups.begin())));
+      return fmt::format("{} {}", group->name,
+                         range_of(results, statistic, static_cast<std::size_t>(group - groups.begin())));
     };
     return fmt::format(" (from {} to {})", of(least), of(most));
   }
@@ -157,22 +174,27 @@ std::string answer(const Plan& plan, const Results& results) {
   const std::uint64_t rocks = results.rocks();
   if (rocks == 0) return "No rock was released.";
   std::uint64_t known = 0;
-  for (const PointResult& point : results.points) known += point.groups.front().count - point.groups.front().faults;
+  for (const PointResult& point : results.points)
+    known += point.groups.front().count - point.groups.front().faults;
   std::string text;
   if (known == 0) {
     text = fmt::format("All {} rocks failed.", rocks);
   } else if (!plan.points.front().bodies.empty()) {
     text = bodies_answer(plan, results);
   } else {
-    text = fmt::format("The {} that 95 % of the rocks do not exceed is {}{}; that of 99 % is {}{}; the greatest is {}.",
-                       runout_name(plan.points.front()), range_of(results, Statistic::p95), by_group(results, Statistic::p95),
-                       range_of(results, Statistic::p99), by_group(results, Statistic::p99), range_of(results, Statistic::max));
+    text = fmt::format(
+        "The {} that 95 % of the rocks do not exceed is {}{}; that of 99 % is {}{}; the greatest is {}.",
+        runout_name(plan.points.front()), range_of(results, Statistic::p95),
+        by_group(results, Statistic::p95), range_of(results, Statistic::p99),
+        by_group(results, Statistic::p99), range_of(results, Statistic::max));
     text += clearances_answer(plan, results);
-    if (results.points.size() > 1) text += fmt::format(" The ranges are over {} sweep points.", results.points.size());
+    if (results.points.size() > 1)
+      text += fmt::format(" The ranges are over {} sweep points.", results.points.size());
     text += censored_answer(plan, results);
     text += barriers_answer(plan, results);
   }
-  if (known > 0 && known < rocks) text += fmt::format(" {} rocks failed and are in no statistic.", rocks - known);
+  if (known > 0 && known < rocks)
+    text += fmt::format(" {} rocks failed and are in no statistic.", rocks - known);
   if (!results.ended_early.empty()) text += fmt::format(" The run ended early: {}.", results.ended_early);
   return text;
 }
@@ -183,29 +205,37 @@ std::string assumed_elevations(const Scenario& scenario) {
     if (group.assumed_elevation) groups[*group.assumed_elevation].push_back("`" + group.name + "`");
   std::string text;
   for (const auto& [elevation, names] : groups)
-    text += fmt::format("{}The launch of {} gives no elevation, {:.4g} deg is assumed.", text.empty() ? "" : " ",
-                        fmt::join(names, ", "), elevation * 180 / pi);
+    text += fmt::format("{}The launch of {} gives no elevation, {:.4g} deg is assumed.",
+                        text.empty() ? "" : " ", fmt::join(names, ", "), elevation * 180 / pi);
   return text;
 }
 
 std::string assumptions(const Plan& plan) {
   const Scenario& scenario = plan.points.front();
-  std::string text = fmt::format("Assumed: {}, ", scenario.dimension == 2 ? "a vertical section (2D)" : "space (3D)");
+  std::string text =
+      fmt::format("Assumed: {}, ", scenario.dimension == 2 ? "a vertical section (2D)" : "space (3D)");
   if (scenario.method == Method::ballistic) {
-    text += "each rock is a point whose path ends where it first meets the ground: what it does there is not computed; ";
+    text +=
+        "each rock is a point whose path ends where it first meets the ground: what it does there is not "
+        "computed; ";
     text += scenario.air ? "drag of the air as on a sphere of equal volume." : "no drag of the air.";
   } else {
     text += "rigid bodies, ";
     if (scenario.bodies.empty())
-      text += scenario.rock_contacts ? "rocks that meet each other, " : "each rock alone, rocks do not meet each other, ";
+      text += scenario.rock_contacts ? "rocks that meet each other, "
+                                     : "each rock alone, rocks do not meet each other, ";
     text += scenario.air ? "drag of the air as on a sphere of equal volume; " : "no drag of the air; ";
     text += "contacts by non-smooth contact dynamics, ";
-    text += scenario.solver.flight == FlightMode::exact ? "flights exact between them." : "flights in time steps.";
+    text += scenario.solver.flight == FlightMode::exact ? "flights exact between them."
+                                                        : "flights in time steps.";
   }
   if (!scenario.bodies.empty()) return text;
-  if (const std::string elevations = assumed_elevations(scenario); !elevations.empty()) text += " " + elevations;
-  return text + " Percentiles are those of this model and of the numbers given to it: whether it is the bench in question is not "
-                "part of the computation.";
+  if (const std::string elevations = assumed_elevations(scenario); !elevations.empty())
+    text += " " + elevations;
+  return text +
+         " Percentiles are those of this model and of the numbers given to it: whether it is the bench in "
+         "question is not "
+         "part of the computation.";
 }
 
 }  // namespace flyrock

@@ -13,11 +13,14 @@ std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share);
 namespace {
 
 std::string interval_text(const Interval& interval) {
-  if (interval.lower == 0) return fmt::format("{} interval up to {}", percent(stated_confidence), percent(interval.upper));
-  return fmt::format("{} interval {:.3g} to {}", percent(stated_confidence), 100 * interval.lower, percent(interval.upper));
+  if (interval.lower == 0)
+    return fmt::format("{} interval up to {}", percent(stated_confidence), percent(interval.upper));
+  return fmt::format("{} interval {:.3g} to {}", percent(stated_confidence), 100 * interval.lower,
+                     percent(interval.upper));
 }
 
-/// Of one point the share with its interval. Over a sweep the least to the greatest, without one: the points have their own.
+/// Of one point the share with its interval. Over a sweep the least to the greatest, without one: the points
+/// have their own.
 std::string over_points(std::vector<Share> shares) {
   if (shares.size() == 1) return display(shares.front());
   std::erase_if(shares, [](const Share& share) { return std::isnan(share.value); });
@@ -31,13 +34,15 @@ std::string over_points(std::vector<Share> shares) {
 /// "x from 120 to 180 m", in 3D with y.
 std::string range_text(const char* axis, double low, double high) {
   const std::string from = fmt::format("{:.4g}", low), to = fmt::format("{:.4g}", high);
-  return from == to ? fmt::format("{} = {} m", axis, from) : fmt::format("{} from {} to {} m", axis, from, to);
+  return from == to ? fmt::format("{} = {} m", axis, from)
+                    : fmt::format("{} from {} to {} m", axis, from, to);
 }
 
 /// "3 ran out of time (60 s) on haul_floor (part floor), x from 120 to 180 m"
 std::string why_and_where(const Scenario& scenario, const PointResult& point, const CensoredPlace& place) {
-  const std::string why =
-      place.reason == StopReason::left_domain ? "left the domain" : fmt::format("ran out of time ({:.4g} s)", scenario.stop.time);
+  const std::string why = place.reason == StopReason::left_domain
+                              ? "left the domain"
+                              : fmt::format("ran out of time ({:.4g} s)", scenario.stop.time);
   return fmt::format("{} {} {}", place.rocks, why, place_text(scenario, point, place));
 }
 
@@ -50,19 +55,22 @@ std::string barrier_answer(const Plan& plan, const Results& results, std::size_t
   const auto outcome = [&](BarrierOutcome o) {
     return of([&](const BarrierSummary& barrier) { return barrier.shares[static_cast<std::size_t>(o)]; });
   };
-  const std::string text = fmt::format(" Barrier {}: {} of the rocks reach it", plan.points.front().barriers[b].name,
-                                       of([](const BarrierSummary& barrier) { return barrier.reached; }));
+  const std::string text =
+      fmt::format(" Barrier {}: {} of the rocks reach it", plan.points.front().barriers[b].name,
+                  of([](const BarrierSummary& barrier) { return barrier.reached; }));
   const auto reached = [&](const PointResult& point) { return point.barriers.at(b).reached.value > 0; };
   if (std::none_of(results.points.begin(), results.points.end(), reached)) return text + '.';
-  return fmt::format("{}; it catches {}, {} go over it, and {} go through it.", text, outcome(BarrierOutcome::caught),
-                     outcome(BarrierOutcome::over_top), outcome(BarrierOutcome::over_energy));
+  return fmt::format("{}; it catches {}, {} go over it, and {} go through it.", text,
+                     outcome(BarrierOutcome::caught), outcome(BarrierOutcome::over_top),
+                     outcome(BarrierOutcome::over_energy));
 }
 
 }  // namespace
 
 std::string display(const Share& share) {
   if (std::isnan(share.value)) return "-";
-  return fmt::format("{}{} ({})", share.censored ? ">= " : "", percent(share.value), interval_text(share.interval));
+  return fmt::format("{}{} ({})", share.censored ? ">= " : "", percent(share.value),
+                     interval_text(share.interval));
 }
 
 std::string material_of(const Scenario& scenario, const PointResult& point, int part) {
@@ -76,7 +84,8 @@ std::string material_of(const Scenario& scenario, const PointResult& point, int 
 std::string place_text(const Scenario& scenario, const PointResult& point, const CensoredPlace& place) {
   std::string on;
   if (place.part >= 0 && static_cast<std::size_t>(place.part) < point.terrain.parts.size()) {
-    const std::string part = point.terrain.parts[static_cast<std::size_t>(place.part)], material = material_of(scenario, point, place.part);
+    const std::string part = point.terrain.parts[static_cast<std::size_t>(place.part)],
+                      material = material_of(scenario, point, place.part);
     on = material.empty() ? fmt::format("on {}, ", part.empty() ? "the terrain" : part)
          : part.empty()   ? fmt::format("on {}, ", material)
                           : fmt::format("on {} (part {}), ", material, part);
@@ -100,7 +109,9 @@ std::string censored_answer(const Plan& plan, const Results& results) {
   }
   const std::vector<CensoredPlace> all = joined(places);
   if (all.empty())
-    return shares.size() > 1 ? " No rock is censored." : fmt::format(" No rock is censored ({}).", interval_text(shares.front().interval));
+    return shares.size() > 1
+               ? " No rock is censored."
+               : fmt::format(" No rock is censored ({}).", interval_text(shares.front().interval));
   constexpr std::size_t most_named = 3;
   std::vector<std::string> where;
   std::uint64_t elsewhere = 0;
@@ -112,8 +123,10 @@ std::string censored_answer(const Plan& plan, const Results& results) {
   }
   if (elsewhere > 0) where.push_back(fmt::format("{} elsewhere", elsewhere));
   const std::string share = shares.size() > 1 ? over_points(shares) : percent(shares.front().value);
-  const std::string interval = shares.size() > 1 ? "" : fmt::format(" ({})", interval_text(shares.front().interval));
-  return fmt::format(" {} of the rocks are censored{}: {}. Their distances are lower bounds.", share, interval, fmt::join(where, "; "));
+  const std::string interval =
+      shares.size() > 1 ? "" : fmt::format(" ({})", interval_text(shares.front().interval));
+  return fmt::format(" {} of the rocks are censored{}: {}. Their distances are lower bounds.", share,
+                     interval, fmt::join(where, "; "));
 }
 
 std::string barriers_answer(const Plan& plan, const Results& results) {
@@ -124,14 +137,16 @@ std::string barriers_answer(const Plan& plan, const Results& results) {
   std::vector<Share> caught;
   for (const PointResult& point : results.points) {
     const GroupSummary& all = point.groups.front();
-    caught.push_back(share_of(all.reasons[static_cast<std::size_t>(StopReason::caught)], all.count - all.faults));
+    caught.push_back(
+        share_of(all.reasons[static_cast<std::size_t>(StopReason::caught)], all.count - all.faults));
   }
   if (count > most_named)
     text = fmt::format(" The {} barriers catch {} of the rocks.", count, over_points(caught));
   else
     for (std::size_t b = 0; b < count; ++b) text += barrier_answer(plan, results, b);
   const auto any = [](const Share& share) { return share.value > 0; };
-  if (std::any_of(caught.begin(), caught.end(), any)) text += " These distances hold only while the barriers stand.";
+  if (std::any_of(caught.begin(), caught.end(), any))
+    text += " These distances hold only while the barriers stand.";
   return text;
 }
 

@@ -8,7 +8,8 @@ namespace flyrock {
 
 namespace {
 
-/// The distances of rocks, or of the farthest rock of each trial, that a clearance is of. Returns how many rocks they are of.
+/// The distances of rocks, or of the farthest rock of each trial, that a clearance is of. Returns how many
+/// rocks they are of.
 std::uint64_t add_distances(const std::vector<RockRecord>& rocks, const ClearancePlan& plan, Sample& sample) {
   const RockQuantity quantity = plan.of_max_distance ? RockQuantity::max_distance : RockQuantity::runout;
   std::uint64_t count = 0;
@@ -19,7 +20,9 @@ std::uint64_t add_distances(const std::vector<RockRecord>& rocks, const Clearanc
       const Bounded value = quantity_of(rocks[i], quantity);
       if (!plan.per_blast) sample.add(value);
       // A censored rock may have gone farther than the farthest known one.
-      farthest = farthest ? Bounded{std::max(farthest->value, value.value), farthest->censored || value.censored} : value;
+      farthest = farthest
+                     ? Bounded{std::max(farthest->value, value.value), farthest->censored || value.censored}
+                     : value;
     }
     if (i + 1 < rocks.size() && rocks[i + 1].trial == rocks[i].trial) continue;
     if (plan.per_blast && farthest) sample.add(*farthest);
@@ -28,14 +31,15 @@ std::uint64_t add_distances(const std::vector<RockRecord>& rocks, const Clearanc
   return count;
 }
 
-/// With sectors the distance is that of the polygon where it reaches farthest. Where another sector is a lower bound, it may reach
-/// farther still.
+/// With sectors the distance is that of the polygon where it reaches farthest. Where another sector is a
+/// lower bound, it may reach farther still.
 void take_farthest(ClearanceSummary& summary) {
   const SectorSummary* farthest = summary.area.farthest();
   if (!farthest) return;
   summary.distance = farthest->reach();
   summary.interval = farthest->interval;
-  for (const SectorSummary& sector : summary.area.sectors) summary.distance.censored |= sector.count > 0 && sector.reach().censored;
+  for (const SectorSummary& sector : summary.area.sectors)
+    summary.distance.censored |= sector.count > 0 && sector.reach().censored;
 }
 
 }  // namespace

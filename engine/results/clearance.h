@@ -14,8 +14,9 @@ struct ClearanceSummary {
   std::uint64_t count = 0;   ///< rocks without faults, of its group where it has one, or trials that have one
   std::uint64_t rocks = 0;   ///< of these trials together
   std::uint64_t needed = 0;  ///< needed_for(probability)
-  /// The quantile 1 - probability and its interval with the confidence of the plan, see Sample; NaN where there are too few. With
-  /// sectors those of the sector that reaches farthest: the greatest distance of the polygon.
+  /// The quantile 1 - probability and its interval with the confidence of the plan, see Sample; NaN where
+  /// there are too few. With sectors those of the sector that reaches farthest: the greatest distance of the
+  /// polygon.
   Bounded distance{unknown, false};
   Interval interval{unknown, unknown};
   /// factor x distance; NaN without a factor. The interval is left as it is: the factor is applied once.
@@ -24,7 +25,8 @@ struct ClearanceSummary {
   AreaSummary area;  ///< where the plan asks for sectors
 
   bool enough() const { return count >= needed; }
-  /// With which the farthest is sought: of one rock a blast it is nearer than of a thousand. NaN without a blast.
+  /// With which the farthest is sought: of one rock a blast it is nearer than of a thousand. NaN without a
+  /// blast.
   double rocks_per_blast() const { return static_cast<double>(rocks) / static_cast<double>(count); }
 };
 

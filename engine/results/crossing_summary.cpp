@@ -10,10 +10,9 @@ namespace {
 /// The rock of a row, or nullptr where it failed. Rows of a chunk are in order.
 template <class Row>
 const RockRecord* rock_of(const Row& row, const std::vector<RockRecord>& rocks) {
-  const auto found =
-      std::lower_bound(rocks.begin(), rocks.end(), std::pair(row.trial, row.rock), [](const RockRecord& rock, const auto& key) {
-        return std::pair(rock.trial, rock.rock) < key;
-      });
+  const auto found = std::lower_bound(
+      rocks.begin(), rocks.end(), std::pair(row.trial, row.rock),
+      [](const RockRecord& rock, const auto& key) { return std::pair(rock.trial, rock.rock) < key; });
   return is_fault(found->reason) ? nullptr : &*found;
 }
 

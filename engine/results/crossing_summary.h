@@ -10,11 +10,11 @@
 
 namespace flyrock {
 
-/// Rocks without faults of one point. A censored rock that has not arrived might have done so later: the numbers of a
-/// place for which there is one are lower bounds.
+/// Rocks without faults of one point. A censored rock that has not arrived might have done so later: the
+/// numbers of a place for which there is one are lower bounds.
 struct GateSummary {
-  std::uint64_t passed = 0;  ///< rocks
-  Share share;               ///< of all rocks
+  std::uint64_t passed = 0;                ///< rocks
+  Share share;                             ///< of all rocks
   Statistics speed{}, energy{}, height{};  ///< of the rocks that passed, at the gate
 };
 
@@ -51,7 +51,7 @@ class CrossingTally {
   std::uint64_t open(const Arrivals& at) const { return censored_ - at.censored; }
   Share share(std::uint64_t count, const Arrivals& at) const { return share_of(count, rocks_, open(at)); }
 
-  bool counted_ = false;  ///< in the first pass
+  bool counted_ = false;                    ///< in the first pass
   std::uint64_t rocks_ = 0, censored_ = 0;  ///< without faults
   std::vector<Arrivals> gates_, barriers_;
 };

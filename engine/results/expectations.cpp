@@ -24,16 +24,20 @@ bool applies(const Expectation& expectation, const Plan& plan, std::size_t point
 
 bool holds(const Expectation& expectation, double computed, double tolerance) {
   switch (expectation.kind) {
-    case ExpectKind::equals: return std::abs(computed - expectation.value) <= tolerance;
-    case ExpectKind::below: return computed < expectation.value;
-    case ExpectKind::above: return computed > expectation.value;
-    case ExpectKind::between: return expectation.value <= computed && computed <= expectation.high;
+    case ExpectKind::equals:
+      return std::abs(computed - expectation.value) <= tolerance;
+    case ExpectKind::below:
+      return computed < expectation.value;
+    case ExpectKind::above:
+      return computed > expectation.value;
+    case ExpectKind::between:
+      return expectation.value <= computed && computed <= expectation.high;
   }
   return false;
 }
 
-Verdict judge_at(const Expectation& expectation, const Scenario& scenario, const PointResult& result, int point,
-                 bool full) {
+Verdict judge_at(const Expectation& expectation, const Scenario& scenario, const PointResult& result,
+                 int point, bool full) {
   Verdict verdict{expectation, point, unknown, false, expectation.tolerance, Judgement::failed, {}};
   if (expectation.relative) verdict.tolerance = *expectation.relative * std::abs(expectation.value);
   const Measure measure(expectation.measure, scenario);
@@ -64,11 +68,12 @@ std::vector<Verdict> judge(const Plan& plan, const std::vector<PointResult>& poi
     for (std::size_t point = 0; point < points.size(); ++point) {
       if (!applies(expectation, plan, point)) continue;
       anywhere = true;
-      verdicts.push_back(judge_at(expectation, plan.points[point], points[point], static_cast<int>(point), full));
+      verdicts.push_back(
+          judge_at(expectation, plan.points[point], points[point], static_cast<int>(point), full));
     }
     if (!anywhere)
-      verdicts.push_back({expectation, -1, unknown, false, 0, Judgement::failed,
-                          "`at` names no point of the sweep"});
+      verdicts.push_back(
+          {expectation, -1, unknown, false, 0, Judgement::failed, "`at` names no point of the sweep"});
   }
   return verdicts;
 }

@@ -11,7 +11,8 @@ namespace {
 
 std::uint64_t count_of(const Results& results, StopReason reason) {
   std::uint64_t sum = 0;
-  for (const PointResult& point : results.points) sum += point.groups.front().reasons[static_cast<std::size_t>(reason)];
+  for (const PointResult& point : results.points)
+    sum += point.groups.front().reasons[static_cast<std::size_t>(reason)];
   return sum;
 }
 
@@ -33,7 +34,8 @@ std::vector<std::string> distinct_faults(const Plan& plan, const Results& result
 
 std::string fault_line(const Plan& plan, const Results& results) {
   if (results.fault_count == 0) return {};
-  const std::uint64_t diverged = count_of(results, StopReason::diverged), failed = results.fault_count - diverged;
+  const std::uint64_t diverged = count_of(results, StopReason::diverged),
+                      failed = results.fault_count - diverged;
   const char* what = plan.points.front().bodies.empty() ? "rocks" : "bodies";
   std::string text = fmt::format("{} of {} {} ", diverged > 0 ? diverged : failed, results.rocks(), what);
   text += diverged > 0 ? "diverged" : "failed";

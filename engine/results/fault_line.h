@@ -7,8 +7,8 @@
 
 namespace flyrock {
 
-/// "2 of 4000 rocks diverged: below the ground (trial 17, rock 0). They are in no number of this report: ..."; empty where
-/// no rock failed.
+/// "2 of 4000 rocks diverged: below the ground (trial 17, rock 0). They are in no number of this report:
+/// ..."; empty where no rock failed.
 std::string fault_line(const Plan& plan, const Results& results);
 
 }  // namespace flyrock

@@ -17,7 +17,8 @@ constexpr double mass = 500, radius = 0.3, inertia = 0.4 * mass * radius * radiu
 template <class LawKind>
 class Asked {
  public:
-  Asked(const PluginUse& use, BoundLaw<LawKind> Surface::* kind) : law_(make_instance<LawKind>(use, 2)), kind_(kind) {
+  Asked(const PluginUse& use, BoundLaw<LawKind> Surface::*kind)
+      : law_(make_instance<LawKind>(use, 2)), kind_(kind) {
     BoundLaw<LawKind>& bound = surface_.*kind;
     bound.law = law_.get();
     for (const Number& slot : use.slots) bound.values.push_back(slot.constant);
@@ -34,7 +35,7 @@ class Asked {
 
  private:
   std::unique_ptr<LawKind> law_;
-  BoundLaw<LawKind> Surface::* kind_;
+  BoundLaw<LawKind> Surface::*kind_;
   Surface surface_;
 };
 
@@ -58,10 +59,12 @@ struct Solved {
   Eigen::Vector3d impulse, velocity;
 };
 
-Solved solve(const ContactLaw& law, bool sticking, double gap, double h, const Eigen::Vector3d& before, const Eigen::Vector3d& free) {
+Solved solve(const ContactLaw& law, bool sticking, double gap, double h, const Eigen::Vector3d& before,
+             const Eigen::Vector3d& free) {
   ContactProblem<2> problem;
   ContactProblem<2>::Contact contact;
-  contact.w << 1 / mass, 0, 0, 0, 1 / mass + radius * radius / inertia, radius / inertia, 0, radius / inertia, 1 / inertia;
+  contact.w << 1 / mass, 0, 0, 0, 1 / mass + radius * radius / inertia, radius / inertia, 0, radius / inertia,
+      1 / inertia;
   contact.q = free;
   contact.speed_scale = std::max(before.norm(), g * step);
   Rebound<2> rebound;
@@ -78,7 +81,10 @@ Solved solve(const ContactLaw& law, bool sticking, double gap, double h, const E
 
 std::vector<LawGraph> graphs_of(Asked<RestitutionLaw> asked) {
   const auto shares_along = [&](std::string title, std::string x, auto&& point, int from, int to) {
-    LawGraph graph{std::move(title), std::move(x), "share of speed that is left", {{"normal", {}, {}}, {"tangential", {}, {}}}};
+    LawGraph graph{std::move(title),
+                   std::move(x),
+                   "share of speed that is left",
+                   {{"normal", {}, {}}, {"tangential", {}, {}}}};
     for (int i = from; i <= to; ++i) {
       const auto [at, approach, slip] = point(i);
       asked.forget();
@@ -97,18 +103,26 @@ std::vector<LawGraph> graphs_of(Asked<RestitutionLaw> asked) {
   struct Point {
     double at, approach, slip;
   };
-  return {shares_along("impact at 45 degrees, mu 0.5", "normal speed before [m/s]",
-                [](int i) { return Point{0.3 * i, 0.3 * i, 0.3 * i}; }, 1, 100),
-          shares_along("impact at 10 m/s, mu 0.5", "angle from the surface [deg]",
-                [](int i) {
-                  const double angle = i * pi / 180;
-                  return Point{static_cast<double>(i), 10 * std::sin(angle), 10 * std::cos(angle)};
-                },
-                2, 89)};
+  return {shares_along(
+              "impact at 45 degrees, mu 0.5", "normal speed before [m/s]",
+              [](int i) {
+                return Point{0.3 * i, 0.3 * i, 0.3 * i};
+              },
+              1, 100),
+          shares_along(
+              "impact at 10 m/s, mu 0.5", "angle from the surface [deg]",
+              [](int i) {
+                const double angle = i * pi / 180;
+                return Point{static_cast<double>(i), 10 * std::sin(angle), 10 * std::cos(angle)};
+              },
+              2, 89)};
 }
 
 std::vector<LawGraph> graphs_of(Asked<FrictionLaw> asked) {
-  LawGraph graph{"pressed by its weight", "slip velocity after the step [m/s]", "r_t / (m g h)", {{"it stuck before", {}, {}}, {"it slid before", {}, {}}}};
+  LawGraph graph{"pressed by its weight",
+                 "slip velocity after the step [m/s]",
+                 "r_t / (m g h)",
+                 {{"it stuck before", {}, {}}, {"it slid before", {}, {}}}};
   for (const bool sticking : {true, false})
     for (int i = -100; i <= 100; ++i) {
       asked.forget();
@@ -136,7 +150,8 @@ std::vector<LawGraph> graphs_of(Asked<FrictionLaw> asked) {
 }
 
 std::vector<LawGraph> graphs_of(Asked<RollingLaw> asked) {
-  LawGraph graph{"pressed by its weight", "rolling velocity after the step [rad/s]", "m_r / r_n [m]", {{"", {}, {}}}};
+  LawGraph graph{
+      "pressed by its weight", "rolling velocity after the step [rad/s]", "m_r / r_n [m]", {{"", {}, {}}}};
   for (int i = -100; i <= 100; ++i) {
     asked.forget();
     const double spin = 0.05 * i;
@@ -166,7 +181,10 @@ std::vector<LawGraph> graphs_of(Asked<UnilateralLaw> asked) {
     to.at.push_back(at);
     to.value.push_back(solved.impulse[0] / step);
   };
-  LawGraph by_speed{"by velocity, h = 1 ms", "normal velocity after the step [m/s]", "force r_n / h [N]", {{"closed", {}, {}}}};
+  LawGraph by_speed{"by velocity, h = 1 ms",
+                    "normal velocity after the step [m/s]",
+                    "force r_n / h [N]",
+                    {{"closed", {}, {}}}};
   for (int i = -100; i <= 100; ++i) {
     const Solved solved = solved_at(0, 0.02 * i);
     put(by_speed.cases[0], solved.velocity[0], solved);
@@ -197,14 +215,20 @@ std::vector<LawGraph> graphs_of(Asked<UnilateralLaw> asked) {
 
 std::vector<LawGraph> law_graphs(const PluginUse& use) {
   switch (use.plugin->spec.kind) {
-    case PluginKind::restitution: return graphs_of(Asked<RestitutionLaw>(use, &Surface::restitution));
-    case PluginKind::friction: return graphs_of(Asked<FrictionLaw>(use, &Surface::friction));
-    case PluginKind::rolling: return graphs_of(Asked<RollingLaw>(use, &Surface::rolling));
-    case PluginKind::unilateral: return graphs_of(Asked<UnilateralLaw>(use, &Surface::unilateral));
-    default: break;
+    case PluginKind::restitution:
+      return graphs_of(Asked<RestitutionLaw>(use, &Surface::restitution));
+    case PluginKind::friction:
+      return graphs_of(Asked<FrictionLaw>(use, &Surface::friction));
+    case PluginKind::rolling:
+      return graphs_of(Asked<RollingLaw>(use, &Surface::rolling));
+    case PluginKind::unilateral:
+      return graphs_of(Asked<UnilateralLaw>(use, &Surface::unilateral));
+    default:
+      break;
   }
-  throw PluginError(fmt::format("plugin {}: a {} has no graph, expected a restitution, friction, rolling or unilateral law",
-                                use.plugin->spec.name, name_of(use.plugin->spec.kind)));
+  throw PluginError(
+      fmt::format("plugin {}: a {} has no graph, expected a restitution, friction, rolling or unilateral law",
+                  use.plugin->spec.name, name_of(use.plugin->spec.kind)));
 }
 
 }  // namespace flyrock

@@ -22,11 +22,13 @@ using Answer = std::function<std::vector<double>(Values, const ContactState&, do
 std::vector<std::vector<double>> parameters(const PluginUse& use, const Scenario& scenario) {
   std::vector<std::vector<double>> list;
   for (std::uint64_t i = 0; i < draws; ++i) list.push_back(values_of(use, scenario, {i, 1, 1, 1}));
-  if (std::all_of(list.begin(), list.end(), [&](const auto& values) { return values == list.front(); })) list.resize(1);
+  if (std::all_of(list.begin(), list.end(), [&](const auto& values) { return values == list.front(); }))
+    list.resize(1);
   return list;
 }
 
-MaterialGraph sample(MaterialGraph graph, ContactState contact, const Scenario& scenario, const PluginUse& use, const Answer& answer) {
+MaterialGraph sample(MaterialGraph graph, ContactState contact, const Scenario& scenario,
+                     const PluginUse& use, const Answer& answer) {
   const PluginSpec& spec = use.plugin->spec;
   graph.law = spec.name;
   graph.doc = spec.doc;
@@ -86,13 +88,18 @@ ContactState moving(ContactState state, double slip, double spin, double speed) 
   return state;
 }
 
-void add_graphs(const Material& material, const Scenario& scenario, const LawSubject& subject, std::vector<MaterialGraph>& graphs) {
+void add_graphs(const Material& material, const Scenario& scenario, const LawSubject& subject,
+                std::vector<MaterialGraph>& graphs) {
   const ContactState contact = contact_of(material, subject);
   if (const auto& use = material.restitution) {
     const auto law = make_instance<RestitutionLaw>(*use, scenario.dimension);
-    graphs.push_back(sample({.material = material.name, .kind = "restitution", .x = "approach speed in m/s", .y = "e_n",
+    graphs.push_back(sample({.material = material.name,
+                             .kind = "restitution",
+                             .x = "approach speed in m/s",
+                             .y = "e_n",
                              .curves = {{.name = "impact at 90°"}, {.name = "impact at 30°"}}},
-                            contact, scenario, *use, [&](Values values, const ContactState& at, double speed) {
+                            contact, scenario, *use,
+                            [&](Values values, const ContactState& at, double speed) {
                               std::vector<double> e_n;
                               for (const double angle : {pi / 2, pi / 6}) {
                                 const Restitution answer = law->impact(values, impact(at, speed, angle));
@@ -104,9 +111,13 @@ void add_graphs(const Material& material, const Scenario& scenario, const LawSub
   }
   if (const auto& use = material.friction) {
     const auto law = make_instance<FrictionLaw>(*use, scenario.dimension);
-    graphs.push_back(sample({.material = material.name, .kind = "friction", .x = "speed of slip in m/s", .y = "mu",
+    graphs.push_back(sample({.material = material.name,
+                             .kind = "friction",
+                             .x = "speed of slip in m/s",
+                             .y = "mu",
                              .curves = {{.name = "static"}, {.name = "dynamic"}}},
-                            contact, scenario, *use, [&](Values values, const ContactState& at, double speed) {
+                            contact, scenario, *use,
+                            [&](Values values, const ContactState& at, double speed) {
                               const Friction answer = law->friction(values, moving(at, speed, 0, speed));
                               check_answer(*law, answer);
                               return std::vector{answer.mu_s, answer.mu_d};
@@ -114,13 +125,17 @@ void add_graphs(const Material& material, const Scenario& scenario, const LawSub
   }
   if (const auto& use = material.rolling) {
     const auto law = make_instance<RollingLaw>(*use, scenario.dimension);
-    graphs.push_back(sample({.material = material.name, .kind = "rolling", .x = "speed of rolling in m/s", .y = "mu_r in m",
-                             .curves = {{.name = "bound of the torque over the normal force"}}},
-                            contact, scenario, *use, [&](Values values, const ContactState& at, double speed) {
-                              const Rolling answer = law->rolling(values, moving(at, 0, speed / subject.radius, speed));
-                              check_answer(*law, answer);
-                              return std::vector{answer.mu_r};
-                            }));
+    graphs.push_back(
+        sample({.material = material.name,
+                .kind = "rolling",
+                .x = "speed of rolling in m/s",
+                .y = "mu_r in m",
+                .curves = {{.name = "bound of the torque over the normal force"}}},
+               contact, scenario, *use, [&](Values values, const ContactState& at, double speed) {
+                 const Rolling answer = law->rolling(values, moving(at, 0, speed / subject.radius, speed));
+                 check_answer(*law, answer);
+                 return std::vector{answer.mu_r};
+               }));
   }
 }
 

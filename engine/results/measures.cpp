@@ -48,8 +48,9 @@ constexpr std::array<std::string_view, 13> state_fields = {
 
 double impact_value(const Impact& impact, const std::string& field) {
   const std::array<double, impact_fields.size()> values = {
-      impact.time,      impact.place.x(), impact.place.y(),  impact.place.z(), impact.vn_before,    impact.vn_after,
-      impact.vt_before, impact.vt_after,  impact.pn,         impact.pt,        impact.energy_change};
+      impact.time,      impact.place.x(), impact.place.y(),    impact.place.z(),
+      impact.vn_before, impact.vn_after,  impact.vt_before,    impact.vt_after,
+      impact.pn,        impact.pt,        impact.energy_change};
   return values[index_of(field, impact_fields)];
 }
 
@@ -107,25 +108,34 @@ void Measure::read_body(const std::vector<std::string>& words, const Scenario& s
 
 Measured Measure::value(const PointResult& result) const {
   switch (kind_) {
-    case Kind::count: return {static_cast<double>(result.groups.at(index_).count), false, {}};
-    case Kind::censored: return {result.groups.at(index_).censored_share(), false, {}};
-    case Kind::energy: return {result.totals.quality.energy_relative_change, false, {}};
+    case Kind::count:
+      return {static_cast<double>(result.groups.at(index_).count), false, {}};
+    case Kind::censored:
+      return {result.groups.at(index_).censored_share(), false, {}};
+    case Kind::energy:
+      return {result.totals.quality.energy_relative_change, false, {}};
     case Kind::solver: {
       const SolverQuality& q = result.totals.quality;
-      const std::array<double, solver_fields.size()> values = {q.max_residual, static_cast<double>(q.not_converged), q.max_penetration,
-                                            static_cast<double>(q.energy_gains)};
+      const std::array<double, solver_fields.size()> values = {
+          q.max_residual, static_cast<double>(q.not_converged), q.max_penetration,
+          static_cast<double>(q.energy_gains)};
       return {values[index_of(field_, solver_fields)], false, {}};
     }
     case Kind::statistic: {
       const Bounded& number = result.groups.at(index_).at(quantity_, statistic_);
       return {number.value, number.censored, std::isnan(number.value) ? "too few rocks" : ""};
     }
-    case Kind::gate: return gate_value(result.gates.at(index_), field_);
-    case Kind::barrier: return barrier_value(result.barriers.at(index_), field_);
-    case Kind::clearance: return clearance_value(result.clearances.at(index_), field_);
-    case Kind::body: break;
+    case Kind::gate:
+      return gate_value(result.gates.at(index_), field_);
+    case Kind::barrier:
+      return barrier_value(result.barriers.at(index_), field_);
+    case Kind::clearance:
+      return clearance_value(result.clearances.at(index_), field_);
+    case Kind::body:
+      break;
   }
-  if (static_cast<std::size_t>(index_) >= result.totals.bodies.size()) return {0, false, "the body was not run"};
+  if (static_cast<std::size_t>(index_) >= result.totals.bodies.size())
+    return {0, false, "the body was not run"};
   const BodyHistory& body = result.totals.bodies[index_];
   if (is_fault(body.reason)) return {0, false, fmt::format("{}: {}", name_of(body.reason), body.fault)};
   return body_value(body);
@@ -133,22 +143,23 @@ Measured Measure::value(const PointResult& result) const {
 
 Measured Measure::gate_value(const GateSummary& gate, const std::string& field) {
   const std::array<Bounded, gate_fields.size()> values = {
-      gate.share, gate.energy[static_cast<int>(Statistic::mean)], gate.energy[static_cast<int>(Statistic::p95)],
-      gate.height[static_cast<int>(Statistic::p95)]};
+      gate.share, gate.energy[static_cast<int>(Statistic::mean)],
+      gate.energy[static_cast<int>(Statistic::p95)], gate.height[static_cast<int>(Statistic::p95)]};
   const Bounded& number = values[index_of(field, gate_fields)];
   return {number.value, number.censored, std::isnan(number.value) ? "no rock passed" : ""};
 }
 
 Measured Measure::barrier_value(const BarrierSummary& barrier, const std::string& field) {
-  const std::array<Bounded, barrier_fields.size()> values = {barrier.reached, barrier.shares[0], barrier.shares[1],
-                                                             barrier.shares[2]};
+  const std::array<Bounded, barrier_fields.size()> values = {barrier.reached, barrier.shares[0],
+                                                             barrier.shares[1], barrier.shares[2]};
   const Bounded& number = values[index_of(field, barrier_fields)];
   return {number.value, number.censored, std::isnan(number.value) ? "too few rocks" : ""};
 }
 
 Measured Measure::clearance_value(const ClearanceSummary& clearance, const std::string& field) {
   if (!clearance.enough())
-    return {0, false, fmt::format("it needs {} rocks or blasts, there are {}", clearance.needed, clearance.count)};
+    return {0, false,
+            fmt::format("it needs {} rocks or blasts, there are {}", clearance.needed, clearance.count)};
   const bool bound = clearance.distance.censored;
   // The ends of the interval are known or absent.
   const std::array<Bounded, clearance_fields.size()> values = {{clearance.distance,
@@ -156,7 +167,8 @@ Measured Measure::clearance_value(const ClearanceSummary& clearance, const std::
                                                                 {clearance.interval.upper, false},
                                                                 {clearance.with_factor, bound}}};
   const Bounded& number = values[index_of(field, clearance_fields)];
-  return {number.value, number.censored, std::isnan(number.value) ? "censored rocks hide that end of the interval" : ""};
+  return {number.value, number.censored,
+          std::isnan(number.value) ? "censored rocks hide that end of the interval" : ""};
 }
 
 Measured Measure::body_value(const BodyHistory& body) const {
@@ -181,10 +193,11 @@ double Measure::state_value(const BodyHistory& body) const {
   // The extremes of speed are not those of its components: they are kept beside.
   if (field_ == "speed" && table_ != "final") return table_ == "max" ? body.max_speed : body.min_speed;
   const BodyState& s = table_ == "final" ? body.last : table_ == "max" ? body.max : body.min;
-  const std::array<double, state_fields.size()> values = {s.position.x(), s.position.y(), s.position.z(), s.velocity.x(),
-                                         s.velocity.y(), s.velocity.z(), s.velocity.norm(), dimension_ == 2 ? s.spin.z() : s.spin.norm(),
-                                         s.spin.x(),     s.spin.y(),     s.spin.z(),     s.angle,
-                                         s.kinetic_energy};
+  const std::array<double, state_fields.size()> values = {
+      s.position.x(),  s.position.y(), s.position.z(),    s.velocity.x(),
+      s.velocity.y(),  s.velocity.z(), s.velocity.norm(), dimension_ == 2 ? s.spin.z() : s.spin.norm(),
+      s.spin.x(),      s.spin.y(),     s.spin.z(),        s.angle,
+      s.kinetic_energy};
   return values[index_of(field_, state_fields)];
 }
 

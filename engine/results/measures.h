@@ -14,14 +14,14 @@ namespace flyrock {
 /// What one point of a sweep left, as numbers; its rows are read in passes (batch/rows.h).
 struct PointResult {
   std::uint64_t trials = 0;
-  Profile terrain;                   ///< of its first trial, for pictures; no points where it could not be built
+  Profile terrain;  ///< of its first trial, for pictures; no points where it could not be built
   std::vector<RockRecord> first_trial;  ///< rocks of the first trial that ran
   TrialTotals totals;
   std::vector<GroupSummary> groups;  ///< all rocks first; see summarise()
   std::vector<GateSummary> gates;    ///< in the order of Scenario::gates
   std::vector<BarrierSummary> barriers;
   std::vector<ClearanceSummary> clearances;
-  std::vector<Reach> reaches;        ///< of the method ballistic
+  std::vector<Reach> reaches;           ///< of the method ballistic
   std::vector<CensoredPlace> censored;  ///< where censored rocks were, most of them first
 };
 
@@ -56,11 +56,11 @@ class Measure {
   double state_value(const BodyHistory& body) const;
 
   Kind kind_ = Kind::statistic;
-  int index_ = 0;       ///< of the group (0: all rocks), gate, barrier, clearance or body
-  int number_ = 0;      ///< of an impact or apex, from 1
+  int index_ = 0;   ///< of the group (0: all rocks), gate, barrier, clearance or body
+  int number_ = 0;  ///< of an impact or apex, from 1
   int dimension_ = 2;
-  std::string table_;   ///< body: final, max, min, stop_time, contact_time, impact, apex
-  std::string field_;   ///< x, vn_before, max_residual
+  std::string table_;  ///< body: final, max, min, stop_time, contact_time, impact, apex
+  std::string field_;  ///< x, vn_before, max_residual
   RockQuantity quantity_ = RockQuantity::runout;
   Statistic statistic_ = Statistic::mean;
 };

@@ -16,7 +16,8 @@ std::vector<double> centred_ranks(const std::vector<double>& values) {
   const std::size_t n = values.size();
   std::vector<std::size_t> order(n);
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return values[i] < values[j]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t i, std::size_t j) { return values[i] < values[j]; });
   std::vector<double> ranks(n);
   for (std::size_t i = 0, end = 0; i < n; i = end) {
     for (end = i; end < n && values[order[end]] == values[order[i]];) ++end;
@@ -28,9 +29,12 @@ std::vector<double> centred_ranks(const std::vector<double>& values) {
 
 }  // namespace
 
-RankCorrelation rank_correlation(const std::vector<double>& a, const std::vector<double>& b, double confidence) {
+RankCorrelation rank_correlation(const std::vector<double>& a, const std::vector<double>& b,
+                                 double confidence) {
   const std::vector<double> x = centred_ranks(a), y = centred_ranks(b);
-  const auto dot = [](const auto& u, const auto& v) { return std::inner_product(u.begin(), u.end(), v.begin(), 0.0); };
+  const auto dot = [](const auto& u, const auto& v) {
+    return std::inner_product(u.begin(), u.end(), v.begin(), 0.0);
+  };
   const double scale = std::sqrt(dot(x, x) * dot(y, y));
   if (!(scale > 0)) return {unknown, unknown, unknown};
   return with_interval(std::clamp(dot(x, y) / scale, -1.0, 1.0), a.size(), confidence);

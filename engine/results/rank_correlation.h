@@ -14,10 +14,11 @@ struct RankCorrelation {
   double lower = 0, upper = 0;  ///< of its interval; NaN for fewer than least_pairs pairs
 };
 
-/// Of two columns of equal length: the correlation of their ranks, equal values having the mean of their ranks. The
-/// interval is that of Fisher's z with the variance (1 + r^2 / 2) / (n - 3). Source: Bonett and Wright 2000, Sample size
-/// requirements for estimating Pearson, Kendall and Spearman correlations.
-RankCorrelation rank_correlation(const std::vector<double>& a, const std::vector<double>& b, double confidence);
+/// Of two columns of equal length: the correlation of their ranks, equal values having the mean of their
+/// ranks. The interval is that of Fisher's z with the variance (1 + r^2 / 2) / (n - 3). Source: Bonett and
+/// Wright 2000, Sample size requirements for estimating Pearson, Kendall and Spearman correlations.
+RankCorrelation rank_correlation(const std::vector<double>& a, const std::vector<double>& b,
+                                 double confidence);
 
 /// The interval of a correlation r that is known, of n pairs.
 RankCorrelation with_interval(double r, std::size_t n, double confidence);

@@ -13,7 +13,9 @@ namespace {
 
 double lowest(const Terrain2& terrain, const Vec2&) {
   const auto& points = terrain.profile().points;
-  return std::min_element(points.begin(), points.end(), [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); })->y();
+  return std::min_element(points.begin(), points.end(),
+                          [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); })
+      ->y();
 }
 double lowest(const Terrain3& terrain, const Vec3& at) { return terrain.height(at.x(), at.y()); }
 
@@ -35,7 +37,8 @@ std::vector<Reach> reaches_in(const Scenario& scenario, const std::vector<GroupS
     if (!scenario.rocks[g].launch) continue;
     const auto rock = std::find_if(trial.rocks.begin(), trial.rocks.end(),
                                    [&](const TrialRock& r) { return r.group == g && r.world >= 0; });
-    const GroupSummary& summary = groups.size() > 1 ? groups.at(1 + static_cast<std::size_t>(g)) : groups.front();
+    const GroupSummary& summary =
+        groups.size() > 1 ? groups.at(1 + static_cast<std::size_t>(g)) : groups.front();
     if (rock == trial.rocks.end() || summary.count == summary.faults) continue;
     Reach reach;
     reach.group = g;
@@ -46,7 +49,9 @@ std::vector<Reach> reaches_in(const Scenario& scenario, const std::vector<GroupS
     if (!(reach.forces.gravity.y() < 0)) continue;  // nothing comes down
     for (const Statistic statistic : {Statistic::p50, Statistic::p95, Statistic::max}) {
       const double speed = summary.at(RockQuantity::launch_speed, statistic).value;
-      reach.speeds.push_back({statistic, speed, speed > 0 ? farthest(reach.forces, speed, reach.height, reach.longest) : Farthest{}});
+      reach.speeds.push_back(
+          {statistic, speed,
+           speed > 0 ? farthest(reach.forces, speed, reach.height, reach.longest) : Farthest{}});
     }
     reaches.push_back(std::move(reach));
   }

@@ -31,7 +31,8 @@ class PointTally {
   void see_first(const TrialRecords& chunk, Results& results) {
     result_.totals.add(chunk.totals);
     for (const RockRecord& rock : chunk.rocks) {
-      if (result_.first_trial.empty() || rock.trial == result_.first_trial.front().trial) result_.first_trial.push_back(rock);
+      if (result_.first_trial.empty() || rock.trial == result_.first_trial.front().trial)
+        result_.first_trial.push_back(rock);
       censored_.see(rock);
       if (!is_fault(rock.reason)) continue;
       ++results.fault_count;
@@ -76,7 +77,8 @@ namespace {
 
 constexpr double most_sunk = 0.1;  ///< of the size
 
-/// The diameter of the sphere of the volume of the smallest rock of all first trials [m]; infinite where there is none.
+/// The diameter of the sphere of the volume of the smallest rock of all first trials [m]; infinite where
+/// there is none.
 double least_size(const std::vector<PointResult>& points) {
   double least = std::numeric_limits<double>::infinity();
   for (const PointResult& point : points)
@@ -93,23 +95,28 @@ std::vector<std::string> solver_warnings(const Plan& plan, const std::vector<Poi
     warnings.push_back(
         fmt::format("solver: {} of {} contact problems did not converge; relative to the approach speed "
                     "their greatest residual is {:.2g}, solver.tolerance is {:.2g}",
-                    quality.not_converged, quality.problems,
-                    quality.not_converged_residual, plan.points.front().solver.tolerance));
+                    quality.not_converged, quality.problems, quality.not_converged_residual,
+                    plan.points.front().solver.tolerance));
   if (quality.energy_gains > 0)
-    warnings.push_back(fmt::format("solver: {} impacts or steps gained energy, {:.3g} J together", quality.energy_gains,
-                                   quality.energy_gained));
+    warnings.push_back(fmt::format("solver: {} impacts or steps gained energy, {:.3g} J together",
+                                   quality.energy_gains, quality.energy_gained));
   if (quality.shocks > 0)
-    warnings.push_back(fmt::format("solver: {} shocks without collision: a sliding contact jammed and its velocity jumped within one step "
-                                   "(Painlevé's paradox); each has a row among the impacts",
-                                   quality.shocks));
+    warnings.push_back(
+        fmt::format("solver: {} shocks without collision: a sliding contact jammed and its velocity jumped "
+                    "within one step "
+                    "(Painlevé's paradox); each has a row among the impacts",
+                    quality.shocks));
   if (const double size = least_size(points); quality.max_penetration > most_sunk * size)
-    warnings.push_back(fmt::format("solver: a rock sank {:.3g} m into the ground or another, the smallest is {:.3g} m across: a shorter "
-                                   "solver.time_step, or a stiffer spring (`penalty`), holds it",
-                                   quality.max_penetration, size));
+    warnings.push_back(fmt::format(
+        "solver: a rock sank {:.3g} m into the ground or another, the smallest is {:.3g} m across: a shorter "
+        "solver.time_step, or a stiffer spring (`penalty`), holds it",
+        quality.max_penetration, size));
   if (quality.max_spring_angle > inaccurate_spring)
-    warnings.push_back(fmt::format("solver: a spring (`penalty`) swings by {:.4g} deg in a step: bounces are inaccurate above {:.3g} and "
-                                   "gain energy above {:.3g}; a shorter solver.time_step or a softer spring mends it",
-                                   quality.max_spring_angle * 180 / pi, inaccurate_spring * 180 / pi, unstable_spring * 180 / pi));
+    warnings.push_back(fmt::format(
+        "solver: a spring (`penalty`) swings by {:.4g} deg in a step: bounces are inaccurate above {:.3g} "
+        "and "
+        "gain energy above {:.3g}; a shorter solver.time_step or a softer spring mends it",
+        quality.max_spring_angle * 180 / pi, inaccurate_spring * 180 / pi, unstable_spring * 180 / pi));
   return warnings;
 }
 
@@ -132,8 +139,9 @@ std::uint64_t Results::rocks() const {
 }
 
 int Results::count(Judgement judgement) const {
-  return static_cast<int>(std::count_if(verdicts.begin(), verdicts.end(),
-                                        [&](const Verdict& verdict) { return verdict.judgement == judgement; }));
+  return static_cast<int>(std::count_if(verdicts.begin(), verdicts.end(), [&](const Verdict& verdict) {
+    return verdict.judgement == judgement;
+  }));
 }
 
 ResultTally::ResultTally(const Plan& plan) : plan_(plan) {
@@ -156,7 +164,8 @@ Results ResultTally::finish(const std::vector<Rows>& rows, const RunFacts& facts
   results_.warnings = solver_warnings(plan_, results_.points);
   for (const std::vector<std::string>& list : {facts.warnings, launch_notes(results_.points)})
     results_.warnings.insert(results_.warnings.end(), list.begin(), list.end());
-  if (plan_.points.front().method != Method::ballistic) results_.not_asked = laws_never_asked(plan_, results_.points);
+  if (plan_.points.front().method != Method::ballistic)
+    results_.not_asked = laws_never_asked(plan_, results_.points);
   results_.ended_early = facts.ended_early;
   return std::move(results_);
 }
@@ -176,7 +185,8 @@ std::vector<std::string> laws_never_asked(const Plan& plan, const std::vector<Po
     for (const PointResult& point : points)
       if (m < point.totals.materials.size()) use.add(point.totals.materials[m]);
     if (use.contacts == 0) {
-      warnings.push_back(fmt::format("material {}: nothing touched it, none of its laws was asked", materials[m].name));
+      warnings.push_back(
+          fmt::format("material {}: nothing touched it, none of its laws was asked", materials[m].name));
       continue;
     }
     const auto note = [&](const std::optional<PluginUse>& law, std::uint64_t asked, std::string_view kind) {

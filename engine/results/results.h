@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "batch/rows.h"
 #include "results/expectations.h"
 #include "results/measures.h"
-#include "batch/rows.h"
 
 namespace flyrock {
 
@@ -23,11 +23,13 @@ struct Fault {
 struct Results {
   std::vector<PointResult> points;
   std::vector<Verdict> verdicts;
-  std::vector<std::string> warnings;  ///< what may make the numbers wrong: of the solver, the reader, the launches
-  std::vector<std::string> not_asked; ///< laws that no contact needed; keys that nothing reads are Plan::not_used
-  std::vector<Fault> faults;          ///< the first 20
+  std::vector<std::string>
+      warnings;  ///< what may make the numbers wrong: of the solver, the reader, the launches
+  std::vector<std::string>
+      not_asked;              ///< laws that no contact needed; keys that nothing reads are Plan::not_used
+  std::vector<Fault> faults;  ///< the first 20
   std::uint64_t fault_count = 0;
-  std::string ended_early;            ///< why, or empty where every trial ran
+  std::string ended_early;  ///< why, or empty where every trial ran
 
   std::uint64_t rocks() const;
   /// Of the verdicts.
@@ -44,7 +46,8 @@ struct RunFacts {
 
 class PointTally;
 
-/// Finds out what a run left: in a first pass, which may be while it runs, and in further passes over the rows.
+/// Finds out what a run left: in a first pass, which may be while it runs, and in further passes over the
+/// rows.
 class ResultTally {
  public:
   explicit ResultTally(const Plan& plan);
@@ -64,7 +67,8 @@ class ResultTally {
 /// All passes at once, over the rows of each point.
 Results make_results(const Plan& plan, const std::vector<Rows>& rows, const RunFacts& facts);
 
-/// "material haul_floor: its restitution pfeiffer_bowen was never asked": laws that no contact of any point needed.
+/// "material haul_floor: its restitution pfeiffer_bowen was never asked": laws that no contact of any point
+/// needed.
 std::vector<std::string> laws_never_asked(const Plan& plan, const std::vector<PointResult>& points);
 
 }  // namespace flyrock

@@ -11,8 +11,8 @@ namespace flyrock {
 
 namespace {
 
-/// The greatest k in [0, n] with holds(k), which holds up to some k >= 0 and for none beyond; -1 where it never holds. It is
-/// looked for around `guess`, in steps that double, then between the last two.
+/// The greatest k in [0, n] with holds(k), which holds up to some k >= 0 and for none beyond; -1 where it
+/// never holds. It is looked for around `guess`, in steps that double, then between the last two.
 template <class Holds>
 std::int64_t last_that(std::int64_t n, double guess, Holds holds) {
   std::int64_t low = -1, high = n + 1;
@@ -41,7 +41,8 @@ struct Rank {
 Rank rank_of(double p, std::uint64_t n) {
   double h = static_cast<double>(n - 1) * p;
   // 0.95 of 100 is 95, though 0.95 has no exact double.
-  if (std::abs(h - std::round(h)) <= 4 * std::numeric_limits<double>::epsilon() * static_cast<double>(n)) h = std::round(h);
+  if (std::abs(h - std::round(h)) <= 4 * std::numeric_limits<double>::epsilon() * static_cast<double>(n))
+    h = std::round(h);
   return {static_cast<std::uint64_t>(h), h - std::floor(h)};
 }
 
@@ -54,13 +55,16 @@ Ends ends_of(double p, double confidence, std::uint64_t count) {
   const auto n = static_cast<std::int64_t>(count);
   const double tail = 0.5 * (1 - confidence);
   const boost::math::binomial_distribution<> below(static_cast<double>(n), p);
-  const auto at_most = [&](std::int64_t k) { return k < 0 ? 0 : boost::math::cdf(below, static_cast<double>(k)); };
+  const auto at_most = [&](std::int64_t k) {
+    return k < 0 ? 0 : boost::math::cdf(below, static_cast<double>(k));
+  };
   const auto more_than = [&](std::int64_t k) {
     return k < 0 ? 1 : boost::math::cdf(boost::math::complement(below, static_cast<double>(k)));
   };
   const double mean = static_cast<double>(n) * p, about = 2 * std::sqrt(mean * (1 - p));
   const std::int64_t l = last_that(n, mean - about, [&](std::int64_t k) { return at_most(k - 1) <= tail; });
-  const std::int64_t u = last_that(n, mean + about, [&](std::int64_t k) { return more_than(k - 1) > tail; }) + 1;
+  const std::int64_t u =
+      last_that(n, mean + about, [&](std::int64_t k) { return more_than(k - 1) > tail; }) + 1;
   return {l - 1, u - 1};
 }
 
@@ -103,7 +107,8 @@ std::vector<std::uint64_t> Sample::wanted_ranks() const {
   for (const auto& [p, confidence] : questions_.intervals) {
     const Ends ends = ends_of(p, confidence, count_);
     if (ends.lower >= 0) ranks.push_back(static_cast<std::uint64_t>(ends.lower));
-    if (ends.upper < static_cast<std::int64_t>(count_)) ranks.push_back(static_cast<std::uint64_t>(ends.upper));
+    if (ends.upper < static_cast<std::int64_t>(count_))
+      ranks.push_back(static_cast<std::uint64_t>(ends.upper));
   }
   return ranks;
 }
@@ -137,7 +142,8 @@ Interval Sample::mean_interval(double confidence) const {
   const auto n = static_cast<double>(count_);
   const auto [mean, sd] = moments();
   const boost::math::students_t_distribution<> student(n - 1);
-  const double half = boost::math::quantile(boost::math::complement(student, 0.5 * (1 - confidence))) * sd / std::sqrt(n);
+  const double half =
+      boost::math::quantile(boost::math::complement(student, 0.5 * (1 - confidence))) * sd / std::sqrt(n);
   return {mean - half, mean + half};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// A sample of numbers of which some are censored: its quantiles, its mean and their confidence intervals. The numbers
-// are not kept: they are shown in passes, see results/selection.h.
+// A sample of numbers of which some are censored: its quantiles, its mean and their confidence intervals. The
+// numbers are not kept: they are shown in passes, see results/selection.h.
 
 #include <cstdint>
 #include <limits>
@@ -20,17 +20,20 @@ struct Bounded {
 /// The confidence that all intervals of a summary have.
 inline constexpr double stated_confidence = 0.95;
 
-/// A confidence interval; NaN for an end that the sample does not give: it is too small, or censored values reach it.
+/// A confidence interval; NaN for an end that the sample does not give: it is too small, or censored values
+/// reach it.
 struct Interval {
   double lower = 0, upper = 0;
 };
 
-/// Mean, and standard deviation of the sample, sum (x - mean)^2 / (n - 1) under the root. NaN where there are too few.
+/// Mean, and standard deviation of the sample, sum (x - mean)^2 / (n - 1) under the root. NaN where there are
+/// too few.
 struct Moments {
   double mean = 0, sd = 0;
 };
 
-/// What a sample will be asked. Nothing else that rests on order statistics can be answered: they are looked for.
+/// What a sample will be asked. Nothing else that rests on order statistics can be answered: they are looked
+/// for.
 struct Questions {
   struct IntervalOf {
     double p, confidence;
@@ -54,19 +57,20 @@ class Sample {
   Moments moments() const;
 
   /// Linear between the order statistics at h = (n - 1) p, as NumPy and the PERCENTILE.INC of spreadsheets:
-  /// x_floor(h) + (h - floor(h)) (x_floor(h)+1 - x_floor(h)). Exact where the order statistics up to those that it reads
-  /// hold whatever the censored values truly are, that is where every censored bound lies behind them in the order; else
-  /// a lower bound. NaN of an empty sample.
+  /// x_floor(h) + (h - floor(h)) (x_floor(h)+1 - x_floor(h)). Exact where the order statistics up to those
+  /// that it reads hold whatever the censored values truly are, that is where every censored bound lies
+  /// behind them in the order; else a lower bound. NaN of an empty sample.
   Bounded quantile(double p) const;
 
-  /// Of the quantile p, from order statistics, whatever the distribution of the values: their number below the quantile is
-  /// binomial B(n, p), so that [x_(l), x_(u)], counted from 1, with the greatest l for which P(B < l) <= (1 - confidence)
-  /// / 2 and the least u for which P(B >= u) is, holds it with at least that confidence. Source: David and Nagaraja 2003,
-  /// Order Statistics, 7.1. A censored bound at the lower end is below the true value and holds; at the upper not.
+  /// Of the quantile p, from order statistics, whatever the distribution of the values: their number below
+  /// the quantile is binomial B(n, p), so that [x_(l), x_(u)], counted from 1, with the greatest l for which
+  /// P(B < l) <= (1 - confidence) / 2 and the least u for which P(B >= u) is, holds it with at least that
+  /// confidence. Source: David and Nagaraja 2003, Order Statistics, 7.1. A censored bound at the lower end is
+  /// below the true value and holds; at the upper not.
   Interval quantile_interval(double p, double confidence) const;
 
-  /// Of the mean: mean -+ t sd / sqrt(n), Student's t with n - 1 degrees of freedom; holds for many values, fewer where
-  /// tails are light. Not given for one value, nor where any is censored.
+  /// Of the mean: mean -+ t sd / sqrt(n), Student's t with n - 1 degrees of freedom; holds for many values,
+  /// fewer where tails are light. Not given for one value, nor where any is censored.
   Interval mean_interval(double confidence) const;
 
  private:

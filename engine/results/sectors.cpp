@@ -10,7 +10,9 @@ namespace flyrock {
 namespace {
 
 /// The farther of two, where a censored rock may have gone farther than the farthest known one.
-Bounded farther(const Bounded& a, const Bounded& b) { return {std::max(a.value, b.value), a.censored || b.censored}; }
+Bounded farther(const Bounded& a, const Bounded& b) {
+  return {std::max(a.value, b.value), a.censored || b.censored};
+}
 
 }  // namespace
 
@@ -28,7 +30,8 @@ SectorTally::SectorTally(const ClearancePlan& plan) : plan_(plan) {
     hull_known_ = true;
   }
   const double p = 1 - plan.probability;
-  for (int i = 0; i < plan.sectors; ++i) sectors_.push_back({Sample(Questions{{p}, {{p, plan.confidence}}}), {}, 0, {}});
+  for (int i = 0; i < plan.sectors; ++i)
+    sectors_.push_back({Sample(Questions{{p}, {{p, plan.confidence}}}), {}, 0, {}});
 }
 
 void SectorTally::see(const TrialRecords& chunk) {
@@ -45,7 +48,8 @@ void SectorTally::see(const TrialRecords& chunk) {
 void SectorTally::widen(const RockRecord& rock) {
   constexpr std::size_t most = 4096;
   releases_.emplace_back(rock.start_x, rock.start_y);
-  if (releases_.size() >= most && (releases_.size() & (releases_.size() - 1)) == 0) releases_ = plan_hull(std::move(releases_));
+  if (releases_.size() >= most && (releases_.size() & (releases_.size() - 1)) == 0)
+    releases_ = plan_hull(std::move(releases_));
 }
 
 void SectorTally::add(const RockRecord& rock) {

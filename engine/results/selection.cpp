@@ -33,8 +33,9 @@ Selection::Selection(std::vector<std::uint64_t> ranks, std::uint64_t count, doub
 
 void Selection::add(double value) {
   const std::uint64_t key = key_of(value);
-  const auto above = std::upper_bound(open_.begin(), open_.end(), key,
-                                      [](std::uint64_t k, const Stretch& stretch) { return k < stretch.low; });
+  const auto above =
+      std::upper_bound(open_.begin(), open_.end(), key,
+                       [](std::uint64_t k, const Stretch& stretch) { return k < stretch.low; });
   if (above == open_.begin()) return;
   Stretch& stretch = *std::prev(above);
   if (key > stretch.high) return;
@@ -57,7 +58,8 @@ void Selection::end_pass() {
 
 double Selection::at(std::uint64_t rank) const {
   const auto found = std::lower_bound(ranks_.begin(), ranks_.end(), rank);
-  if (found == ranks_.end() || *found != rank) throw std::out_of_range("an order statistic that nobody looked for");
+  if (found == ranks_.end() || *found != rank)
+    throw std::out_of_range("an order statistic that nobody looked for");
   return values_[static_cast<std::size_t>(found - ranks_.begin())];
 }
 
@@ -66,13 +68,16 @@ bool Selection::wants(std::uint64_t before, std::uint64_t count) const {
   return next != ranks_.end() && *next < before + count;
 }
 
-void Selection::look_within(std::uint64_t low, std::uint64_t high, std::uint64_t before, std::uint64_t count) {
+void Selection::look_within(std::uint64_t low, std::uint64_t high, std::uint64_t before,
+                            std::uint64_t count) {
   if (!wants(before, count)) return;
   if (low == high) {
     const double value = value_of(low);
     return answer(before, count, &value, 0);
   }
-  Stretch stretch{low, high, before, count, std::max(0, static_cast<int>(std::bit_width(high - low)) - part_bits), {}, {}};
+  Stretch stretch{
+      low, high, before, count, std::max(0, static_cast<int>(std::bit_width(high - low)) - part_bits),
+      {},  {}};
   if (count > most_kept)
     stretch.parts.assign(((high - low) >> stretch.shift) + 1, 0);
   else

@@ -9,13 +9,17 @@ namespace flyrock {
 Interval share_interval(std::uint64_t k, std::uint64_t n, double confidence) {
   using Binomial = boost::math::binomial_distribution<>;
   if (n == 0) return {unknown, unknown};
-  const double trials = static_cast<double>(n), successes = static_cast<double>(k), tail = 0.5 * (1 - confidence);
-  return {Binomial::find_lower_bound_on_p(trials, successes, tail), Binomial::find_upper_bound_on_p(trials, successes, tail)};
+  const double trials = static_cast<double>(n), successes = static_cast<double>(k),
+               tail = 0.5 * (1 - confidence);
+  return {Binomial::find_lower_bound_on_p(trials, successes, tail),
+          Binomial::find_upper_bound_on_p(trials, successes, tail)};
 }
 
 Share share_of(std::uint64_t k, std::uint64_t n, std::uint64_t open) {
   const double value = n > 0 ? static_cast<double>(k) / static_cast<double>(n) : unknown;
-  return {{value, open > 0}, {share_interval(k, n, stated_confidence).lower, share_interval(k + open, n, stated_confidence).upper}};
+  return {
+      {value, open > 0},
+      {share_interval(k, n, stated_confidence).lower, share_interval(k + open, n, stated_confidence).upper}};
 }
 
 }  // namespace flyrock

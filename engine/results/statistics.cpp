@@ -31,15 +31,24 @@ bool has_interval(double p) { return p > 0 && p < 1; }
 Bounded quantity_of(const RockRecord& rock, RockQuantity quantity) {
   const bool cut = rock.censored;
   switch (quantity) {
-    case RockQuantity::runout: return {rock.runout, cut};
-    case RockQuantity::max_distance: return {rock.max_distance, cut};
-    case RockQuantity::flight_range: return {rock.flight_range, cut && !rock.landed};
-    case RockQuantity::bounce_height: return {rock.bounce_height, cut};
-    case RockQuantity::speed: return {rock.max_speed, cut};
-    case RockQuantity::energy: return {rock.max_energy, cut};
-    case RockQuantity::impacts: return {static_cast<double>(rock.impacts), cut};
-    case RockQuantity::time: return {rock.time, cut};
-    case RockQuantity::launch_speed: return {rock.launch_speed, false};
+    case RockQuantity::runout:
+      return {rock.runout, cut};
+    case RockQuantity::max_distance:
+      return {rock.max_distance, cut};
+    case RockQuantity::flight_range:
+      return {rock.flight_range, cut && !rock.landed};
+    case RockQuantity::bounce_height:
+      return {rock.bounce_height, cut};
+    case RockQuantity::speed:
+      return {rock.max_speed, cut};
+    case RockQuantity::energy:
+      return {rock.max_energy, cut};
+    case RockQuantity::impacts:
+      return {static_cast<double>(rock.impacts), cut};
+    case RockQuantity::time:
+      return {rock.time, cut};
+    case RockQuantity::launch_speed:
+      return {rock.launch_speed, false};
   }
   return {};
 }
@@ -75,7 +84,8 @@ double GroupSummary::censored_share() const {
   return count > faults ? static_cast<double>(censored) / static_cast<double>(count - faults) : 0;
 }
 
-GroupTally::GroupTally(const std::string& name) : samples_(quantity_names.size(), Sample(stated_questions())) {
+GroupTally::GroupTally(const std::string& name)
+    : samples_(quantity_names.size(), Sample(stated_questions())) {
   counts_.name = name;
 }
 

@@ -15,10 +15,22 @@
 namespace flyrock {
 
 /// What is counted of a rock, under its name in measures and summary.json.
-enum class RockQuantity { runout, max_distance, flight_range, bounce_height, speed, energy, impacts, time, launch_speed };
+enum class RockQuantity {
+  runout,
+  max_distance,
+  flight_range,
+  bounce_height,
+  speed,
+  energy,
+  impacts,
+  time,
+  launch_speed
+};
 inline constexpr std::array<std::string_view, 9> quantity_names = {
-    "runout", "max_distance", "flight_range", "bounce_height", "speed", "energy", "impacts", "time", "launch_speed"};
-inline constexpr std::array<std::string_view, 9> quantity_units = {"m", "m", "m", "m", "m/s", "J", "", "s", "m/s"};
+    "runout", "max_distance", "flight_range", "bounce_height", "speed",
+    "energy", "impacts",      "time",         "launch_speed"};
+inline constexpr std::array<std::string_view, 9> quantity_units = {"m", "m", "m", "m",  "m/s",
+                                                                   "J", "",  "s", "m/s"};
 
 enum class Statistic { mean, sd, min, max, p50, p90, p95, p99 };
 inline constexpr std::array<std::string_view, 8> statistic_names = {"mean", "sd",  "min", "max",
@@ -26,11 +38,12 @@ inline constexpr std::array<std::string_view, 8> statistic_names = {"mean", "sd"
 
 using Statistics = std::array<Bounded, statistic_names.size()>;  ///< indexed by Statistic
 
-/// A number of one rock. The path of a censored rock was cut short, so each of its numbers is a lower bound, but
-/// for its launch speed and the flight range of a rock that had landed.
+/// A number of one rock. The path of a censored rock was cut short, so each of its numbers is a lower bound,
+/// but for its launch speed and the flight range of a rock that had landed.
 Bounded quantity_of(const RockRecord& rock, RockQuantity quantity);
 
-/// Intervals of the mean and of the percentiles; NaN for the other statistics. The values are taken as independent.
+/// Intervals of the mean and of the percentiles; NaN for the other statistics. The values are taken as
+/// independent.
 using Intervals = std::array<Interval, statistic_names.size()>;
 
 /// What a sample is asked for its statistics and their intervals.
@@ -40,9 +53,9 @@ Intervals intervals_of(const Sample& sample);
 
 /// The rocks of one group, or of all.
 struct GroupSummary {
-  std::string name;         ///< empty: all rocks
-  std::uint64_t count = 0;  ///< rocks, those with faults included
-  std::uint64_t faults = 0; ///< rocks that failed: in no statistic
+  std::string name;          ///< empty: all rocks
+  std::uint64_t count = 0;   ///< rocks, those with faults included
+  std::uint64_t faults = 0;  ///< rocks that failed: in no statistic
   std::uint64_t censored = 0;
   std::array<std::uint64_t, stop_reasons> reasons{};  ///< indexed by StopReason
   std::array<Statistics, quantity_names.size()> statistics{};

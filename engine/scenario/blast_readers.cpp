@@ -13,7 +13,8 @@ namespace {
 bool reads(const PluginUse& use, const BlastFieldInfo& info) {
   const PluginSpec& spec = use.plugin->spec;
   return std::any_of(spec.reads.begin(), spec.reads.end(), [&](const FieldRead& read) {
-    const bool named = read.field == fmt::format("blast.{}", info.path) || read.field == fmt::format("blast.{}", info.name);
+    const bool named =
+        read.field == fmt::format("blast.{}", info.path) || read.field == fmt::format("blast.{}", info.name);
     return named && holds(read, spec, use.values);
   });
 }
@@ -26,7 +27,8 @@ bool may_read(const PluginUse& use, const BlastFieldInfo& info) {
 }  // namespace
 
 bool reads_blast(const PluginUse& use) {
-  return std::any_of(blast_fields().begin(), blast_fields().end(), [&](const BlastFieldInfo& info) { return may_read(use, info); });
+  return std::any_of(blast_fields().begin(), blast_fields().end(),
+                     [&](const BlastFieldInfo& info) { return may_read(use, info); });
 }
 
 std::vector<const PluginUse*> blast_readers(const RockGroup& group) {
@@ -37,7 +39,8 @@ std::vector<const PluginUse*> blast_readers(const RockGroup& group) {
 }
 
 bool is_placed_by_rows(const RockGroup& group) {
-  return group.release && (group.release->kind == ReleaseKind::collar || group.release->kind == ReleaseKind::bench_top);
+  return group.release &&
+         (group.release->kind == ReleaseKind::collar || group.release->kind == ReleaseKind::bench_top);
 }
 
 bool makes_up(const BlastPlan& blast, BlastField field, BlastField result) {
@@ -45,7 +48,9 @@ bool makes_up(const BlastPlan& blast, BlastField field, BlastField result) {
   if (field == result) return true;
   if (result == gurney_constant) return blast.gurney_follows && field == detonation_velocity;
   if (blast.fields.contains(result) || !blast.provides(result)) return false;
-  const auto is_length = [](BlastField f) { return f == hole_length || f == hole_stemming || f == hole_charge_length; };
+  const auto is_length = [](BlastField f) {
+    return f == hole_length || f == hole_stemming || f == hole_charge_length;
+  };
   if (is_length(result)) return is_length(field);
   return result == burden && (is_length(field) || field == hole_subdrilling || field == hole_deviation ||
                               field == burden_crest || field == burden_toe);
@@ -57,7 +62,8 @@ bool depends_on(const BlastPlan& blast, const RockGroup& group, BlastField field
   const std::vector<const PluginUse*> readers = blast_readers(group);
   return std::any_of(blast_fields().begin(), blast_fields().end(), [&](const BlastFieldInfo& other) {
     return makes_up(blast, field, other.field) &&
-           std::any_of(readers.begin(), readers.end(), [&](const PluginUse* use) { return may_read(*use, other); });
+           std::any_of(readers.begin(), readers.end(),
+                       [&](const PluginUse* use) { return may_read(*use, other); });
   });
 }
 

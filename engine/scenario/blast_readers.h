@@ -19,7 +19,8 @@ bool is_placed_by_rows(const RockGroup& group);
 /// Whether `field` is `result`, or makes it up where the scenario leaves it open (blast/design.h).
 bool makes_up(const BlastPlan& blast, BlastField field, BlastField result);
 
-/// Whether the rocks of a group depend on a field of the blast: a plugin reads it or what it makes up, or it places them.
+/// Whether the rocks of a group depend on a field of the blast: a plugin reads it or what it makes up, or it
+/// places them.
 bool depends_on(const BlastPlan& blast, const RockGroup& group, BlastField field);
 
 }  // namespace flyrock

@@ -105,9 +105,10 @@ class PlanDecoder {
     const double points = static_cast<double>(plan_.points.size());
     const double trials = static_cast<double>(plan_.points.front().trials);
     if (points * trials > most)
-      diagnostics_.error(tree_.find("trials")->at, "trials",
-                         fmt::format("{:.6g} at each of {} points of the sweep, must be at most {:.0e} in all", trials,
-                                     points, most));
+      diagnostics_.error(
+          tree_.find("trials")->at, "trials",
+          fmt::format("{:.6g} at each of {} points of the sweep, must be at most {:.0e} in all", trials,
+                      points, most));
   }
 
   /// The resolved tree of the first point gets its sweeps back.

@@ -94,12 +94,14 @@ std::string metres(const Range& range) {
 void check_lengths(DecodeContext& context, const Node& hole, const BlastPlan& plan) {
   using enum BlastField;
   const auto given = [&](BlastField field) { return plan.fields.contains(field); };
-  const Range length = field_range(context, plan, hole_length), stemming = field_range(context, plan, hole_stemming),
+  const Range length = field_range(context, plan, hole_length),
+              stemming = field_range(context, plan, hole_stemming),
               charge = field_range(context, plan, hole_charge_length);
   const auto left = [&](const char* what, double least) {
     if (least <= 0)
-      hole.error(context.diagnostics, fmt::format("the length ({}) leaves {:.6g} m for the {} at worst, expected above 0",
-                                                  metres(length), least, what));
+      hole.error(context.diagnostics,
+                 fmt::format("the length ({}) leaves {:.6g} m for the {} at worst, expected above 0",
+                             metres(length), least, what));
   };
   if (!given(hole_length)) return;
   if (!given(hole_charge_length) && given(hole_stemming)) left("charge", length.low - stemming.high);
@@ -108,10 +110,12 @@ void check_lengths(DecodeContext& context, const Node& hole, const BlastPlan& pl
   constexpr double rounding = 1e-9;
   const bool drawn = length.low < length.high || stemming.low < stemming.high || charge.low < charge.high;
   if (drawn || std::abs(length.low - stemming.low - charge.low) > rounding)
-    hole.error(context.diagnostics,
-               fmt::format("length ({}), stemming ({}) and charge_length ({}) {}; give two of them, the third follows",
-                           metres(length), metres(stemming), metres(charge),
-                           drawn ? "are given and drawn apart" : "disagree, length = stemming + charge_length"));
+    hole.error(
+        context.diagnostics,
+        fmt::format(
+            "length ({}), stemming ({}) and charge_length ({}) {}; give two of them, the third follows",
+            metres(length), metres(stemming), metres(charge),
+            drawn ? "are given and drawn apart" : "disagree, length = stemming + charge_length"));
 }
 
 /// `burden`, or both `burden_crest` and `burden_toe` with what the depth of the charge needs.
@@ -121,14 +125,19 @@ void check_burdens(DecodeContext& context, const Node& blast, const BlastPlan& p
   const bool crest = given(burden_crest), toe = given(burden_toe);
   const int lengths = given(hole_length) + given(hole_stemming) + given(hole_charge_length);
   if (given(burden) && (crest || toe))
-    blast.error(context.diagnostics, "has `burden` and that at the crest or toe, expected either `burden` or both others");
+    blast.error(context.diagnostics,
+                "has `burden` and that at the crest or toe, expected either `burden` or both others");
   else if (crest != toe)
-    blast.error(context.diagnostics, fmt::format("`{}` is missing, `{}` alone gives no burden of the charge",
-                                                 crest ? "burden_toe" : "burden_crest", crest ? "burden_crest" : "burden_toe"));
+    blast.error(context.diagnostics,
+                fmt::format("`{}` is missing, `{}` alone gives no burden of the charge",
+                            crest ? "burden_toe" : "burden_crest", crest ? "burden_crest" : "burden_toe"));
   else if (crest && lengths < 2)
-    blast.error(context.diagnostics, "burdens at crest and toe need two of hole.length, hole.stemming and hole.charge_length");
+    blast.error(context.diagnostics,
+                "burdens at crest and toe need two of hole.length, hole.stemming and hole.charge_length");
   if (given(hole_deviation) && !crest)
-    blast.error(context.diagnostics, "`hole.deviation` changes the burden along the hole, which needs burden_crest and burden_toe");
+    blast.error(
+        context.diagnostics,
+        "`hole.deviation` changes the burden along the hole, which needs burden_crest and burden_toe");
 }
 
 /// Completes the blast of medians, and says what does not agree in it.
@@ -170,8 +179,9 @@ BlastPlan decode_blast(DecodeContext& context, const Node& node, Map& resolved) 
       rows->error(context.diagnostics,
                   fmt::format("has {:.6g} holes, must be at most {:.6g}", holes, most_holes));
     if (context.diagnostics.errors_given() == before_rows)
-      plan.pattern = {section.integer("count"), section.integer("holes"), section.constant("distance"),
-                      section.constant("delay_row"), section.constant("delay_hole"), section.constant("delay_in_hole")};
+      plan.pattern = {section.integer("count"),       section.integer("holes"),
+                      section.constant("distance"),   section.constant("delay_row"),
+                      section.constant("delay_hole"), section.constant("delay_in_hole")};
     put(map, "rows", map_value(std::move(fields)));
   }
   put(resolved, "blast", map_value(std::move(map)));
@@ -201,8 +211,8 @@ void check_hole(DecodeContext& context, const Node& blast, const BlastPlan& plan
   if (has_length && length.high > height.low + subdrilling.low)
     return context.diagnostics.error(
         hole->key_at, hole->path,
-        fmt::format("length ({}) is longer than bench height ({}) + subdrilling ({})", metres(length), metres(height),
-                    metres(subdrilling)));
+        fmt::format("length ({}) is longer than bench height ({}) + subdrilling ({})", metres(length),
+                    metres(height), metres(subdrilling)));
   if (length.high > height.low + subdrilling.low)
     return context.diagnostics.error(
         hole->key_at, hole->path,

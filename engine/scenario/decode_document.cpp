@@ -63,7 +63,8 @@ class DocumentDecoder {
     if (const auto gates = root_.find("gates"))
       scenario_.gates = decode_gates(context_, *gates, profile, resolved_);
     if (const auto clearances = root_.find("clearance")) {
-      if (!root_.find("rocks")) clearances->error(context_.diagnostics, "needs `rocks`, the scenario has none");
+      if (!root_.find("rocks"))
+        clearances->error(context_.diagnostics, "needs `rocks`, the scenario has none");
       std::vector<std::string> groups;
       for (const RockGroup& group : scenario_.rocks) groups.push_back(group.name);
       scenario_.clearances = decode_clearances(context_, *clearances, groups, resolved_);
@@ -114,7 +115,8 @@ class DocumentDecoder {
   /// What a method cannot do.
   void check_method() {
     if (scenario_.method == Method::nscd) return;
-    if (scenario_.rock_contacts) error_at("rock_contacts", "rocks of the method `ballistic` are points that never meet");
+    if (scenario_.rock_contacts)
+      error_at("rock_contacts", "rocks of the method `ballistic` are points that never meet");
     for (const char* key : {"bodies", "pairs"})
       error_at(key, "belongs to the method `nscd`; `ballistic` flies rocks to the first ground they meet");
   }
@@ -206,7 +208,8 @@ class DocumentDecoder {
           type && type->text() ? context_.registry.find(PluginKind::velocity, *type->text()) : nullptr;
       if (!plugin) continue;
       for (const FieldRead& read : plugin->spec.reads)
-        if (const std::string missing = missing_field(read.field); asks_for(read, plugin->spec, *launch->value) && !missing.empty())
+        if (const std::string missing = missing_field(read.field);
+            asks_for(read, plugin->spec, *launch->value) && !missing.empty())
           context_.diagnostics.error(
               launch->key_at, launch->path,
               fmt::format("{} reads `blast.{}`, which the scenario does not give", *type->text(), missing));

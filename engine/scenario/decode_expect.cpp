@@ -107,8 +107,8 @@ class ExpectationDecoder {
 
 }  // namespace
 
-std::vector<Expectation> decode_expect(DecodeContext& context, const Node& node,
-                                       const MeasureNames& names, Map& resolved) {
+std::vector<Expectation> decode_expect(DecodeContext& context, const Node& node, const MeasureNames& names,
+                                       Map& resolved) {
   std::vector<Expectation> expectations;
   if (!node.expect_list(context.diagnostics)) return expectations;
   List list;

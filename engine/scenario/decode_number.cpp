@@ -90,13 +90,17 @@ std::string unit_hint(const Value& value, const Dimension& dimension, const Usua
 }
 
 /// Values from `low` to `high`.
-void warn_of_unusual(DecodeContext& context, const Node& node, const ParamSpec& spec, double low, double high) {
+void warn_of_unusual(DecodeContext& context, const Node& node, const ParamSpec& spec, double low,
+                     double high) {
   if (!spec.usual || (spec.usual->holds(low) && spec.usual->holds(high))) return;
   const std::string found = low == high ? fmt::format("{} is unusual", with_unit(low, spec))
-                                        : fmt::format("draws from {} to {} are unusual", with_unit(low, spec), with_unit(high, spec));
-  context.diagnostics.unusual(node.value->at, node.path,
-                              fmt::format("{}, expected {} to {}{}", found, with_unit(spec.usual->least, spec),
-                                          with_unit(spec.usual->greatest, spec), unit_hint(*node.value, spec.dimension, *spec.usual)));
+                                        : fmt::format("draws from {} to {} are unusual", with_unit(low, spec),
+                                                      with_unit(high, spec));
+  context.diagnostics.unusual(
+      node.value->at, node.path,
+      fmt::format("{}, expected {} to {}{}", found, with_unit(spec.usual->least, spec),
+                  with_unit(spec.usual->greatest, spec),
+                  unit_hint(*node.value, spec.dimension, *spec.usual)));
 }
 
 std::optional<DecodedNumber> decode_draw(DecodeContext& context, const Node& node, const ParamSpec& spec,
@@ -166,7 +170,8 @@ std::optional<double> decode_quantity(DecodeContext& context, const Node& node, 
                                         ? "is empty, expected " + expected
                                         : fmt::format("expected {}, found {}", expected, shown(value)));
   }
-  if (si && rules.varies && context.swept.contains(node.path)) context.swept_values[node.path] = {*si, si_unit(dimension)};
+  if (si && rules.varies && context.swept.contains(node.path))
+    context.swept_values[node.path] = {*si, si_unit(dimension)};
   return si;
 }
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "plugin/registry.h"
 #include "document/node.h"
+#include "plugin/registry.h"
 
 namespace flyrock {
 
@@ -25,7 +25,7 @@ struct DecodeContext {
     std::string unit;  ///< SI
   };
   std::map<std::string, SweptNumber> swept_values = {};  ///< by path; of the axes met where a sweep may stand
-  std::map<std::string, std::string> files = {};    ///< that parameters name: as written, and the full path
+  std::map<std::string, std::string> files = {};  ///< that parameters name: as written, and the full path
 };
 
 /// What a number may be where it stands.

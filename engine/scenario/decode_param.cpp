@@ -53,8 +53,10 @@ std::string file_fault(const std::filesystem::path& path, const std::string& nam
   constexpr std::uintmax_t most_mebibytes = 256;
   std::error_code code;
   const std::filesystem::file_status status = std::filesystem::status(path, code);
-  if (!std::filesystem::exists(status)) return fmt::format("there is no file `{}` in the scenario's folder", name);
-  if (!std::filesystem::is_regular_file(status)) return fmt::format("`{}` is a folder, a pipe or a device, expected a file", name);
+  if (!std::filesystem::exists(status))
+    return fmt::format("there is no file `{}` in the scenario's folder", name);
+  if (!std::filesystem::is_regular_file(status))
+    return fmt::format("`{}` is a folder, a pipe or a device, expected a file", name);
   if (std::filesystem::file_size(path, code) > most_mebibytes << 20)
     return fmt::format("`{}` is larger than {} MiB", name, most_mebibytes);
   return {};
@@ -65,7 +67,8 @@ void decode_file(DecodeContext& context, const Node& node, const ParamSpec& spec
   const std::string* name = node.value->text();
   if (!name || name->empty()) return refuse(context, node, spec);
   const std::filesystem::path path = std::filesystem::path(context.folder) / *name;
-  if (const std::string fault = file_fault(path, *name); !fault.empty()) return node.error(context.diagnostics, fault);
+  if (const std::string fault = file_fault(path, *name); !fault.empty())
+    return node.error(context.diagnostics, fault);
   value.text = path.string();
   context.files[*name] = value.text;
   resolved = text_value(*name);
@@ -105,8 +108,8 @@ std::vector<double> decode_point(DecodeContext& context, const Node& node, const
   return point.size() == items.size() ? point : std::vector<double>();
 }
 
-/// The corners of a polygon of space in its own plane; empty where they span none or leave it by more than a millionth of
-/// its size.
+/// The corners of a polygon of space in its own plane; empty where they span none or leave it by more than a
+/// millionth of its size.
 std::vector<Vec2> flattened(const std::vector<std::vector<double>>& points) {
   std::vector<Vec3> corners;
   for (const std::vector<double>& point : points) corners.emplace_back(point[0], point[1], point[2]);
@@ -138,8 +141,8 @@ std::string outline_fault(const std::vector<std::vector<double>>& points, int di
   return make_convex(vertices);
 }
 
-/// Points. Those of a parameter called `inside`, and in 2D `vertices`, are the outline of a convex polygon, wherever
-/// it stands: what is wrong with it is said here, where its place in the file is known.
+/// Points. Those of a parameter called `inside`, and in 2D `vertices`, are the outline of a convex polygon,
+/// wherever it stands: what is wrong with it is said here, where its place in the file is known.
 void decode_points(DecodeContext& context, const Node& node, const ParamSpec& spec, ParamValue& value,
                    Value& resolved) {
   if (!node.is_list() || node.value->is_null()) return refuse(context, node, spec);

@@ -5,7 +5,8 @@
 
 namespace flyrock {
 
-/// Decodes what was written for a parameter to its value and to the resolved tree, and reports what is wrong with it.
+/// Decodes what was written for a parameter to its value and to the resolved tree, and reports what is wrong
+/// with it.
 void decode_param(DecodeContext& context, const Node& node, const ParamSpec& spec, const NumberRules& rules,
                   ParamValue& value, Value& resolved);
 

@@ -155,7 +155,8 @@ bool check_name(DecodeContext& context, const Node& node) {
 
 bool check_key(DecodeContext& context, const Node& node) {
   if (is_name(node.key)) return true;
-  context.diagnostics.error(node.key_at, node.path, fmt::format("`{}` is not a name, {}", node.key, name_rule));
+  context.diagnostics.error(node.key_at, node.path,
+                            fmt::format("`{}` is not a name, {}", node.key, name_rule));
   return false;
 }
 

@@ -1,4 +1,5 @@
-// What is asked of rocks at places and distances: barriers, gates, clearances. Nothing here may vary within a run.
+// What is asked of rocks at places and distances: barriers, gates, clearances. Nothing here may vary within a
+// run.
 
 #include <fmt/format.h>
 
@@ -17,27 +18,34 @@ void check_place(DecodeContext& context, const Node& item, const Section& sectio
   if (!x || !section.given("x") || !profile) return;
   const double at = section.constant("x");
   if (at > profile->x_min() && at < profile->x_max()) return;
-  x->error(context.diagnostics, fmt::format("{:.6g} m is not on the terrain, which spans x from {:.6g} m to {:.6g} m",
-                                            at, profile->x_min(), profile->x_max()));
+  x->error(context.diagnostics,
+           fmt::format("{:.6g} m is not on the terrain, which spans x from {:.6g} m to {:.6g} m", at,
+                       profile->x_min(), profile->x_max()));
 }
 
 /// The group of rocks that a clearance is of, -1 for all.
-int decode_group(DecodeContext& context, const Node& item, const Section& section, const std::vector<std::string>& groups) {
+int decode_group(DecodeContext& context, const Node& item, const Section& section,
+                 const std::vector<std::string>& groups) {
   if (!section.given("group")) return -1;
   const std::string& name = section.text("group");
   const auto found = std::find(groups.begin(), groups.end(), name);
   if (found != groups.end()) return static_cast<int>(found - groups.begin());
-  item.find("group")->error(context.diagnostics, fmt::format("`{}` is no group of `rocks`{}", name, suggestion(name, groups)));
+  item.find("group")->error(context.diagnostics,
+                            fmt::format("`{}` is no group of `rocks`{}", name, suggestion(name, groups)));
   return -1;
 }
 
 /// The distance by azimuth, from all release places or from a point.
 void decode_sectors(DecodeContext& context, const Node& item, const Section& section, ClearancePlan& plan) {
-  const auto error_at = [&](const char* key, const char* text) { item.find(key)->error(context.diagnostics, text); };
+  const auto error_at = [&](const char* key, const char* text) {
+    item.find(key)->error(context.diagnostics, text);
+  };
   if (section.given("x") || section.given("y"))
-    plan.about = Vec2(section.given("x") ? section.constant("x") : 0, section.given("y") ? section.constant("y") : 0);
+    plan.about =
+        Vec2(section.given("x") ? section.constant("x") : 0, section.given("y") ? section.constant("y") : 0);
   for (const char* key : {"x", "y"})
-    if (section.given(key) && !section.given("sectors")) error_at(key, "is the point that `sectors` are about, and there are none");
+    if (section.given(key) && !section.given("sectors"))
+      error_at(key, "is the point that `sectors` are about, and there are none");
   if (!section.given("sectors")) return;
   plan.sectors = section.integer("sectors");
   if (context.dimension != 3) error_at("sectors", "are of azimuth, which needs dimension 3");

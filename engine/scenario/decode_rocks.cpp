@@ -39,19 +39,22 @@ void check_bench(DecodeContext& context, const Node& node, int bench, const std:
 }
 
 /// In 3D: { axis, angle } or a quaternion [w, x, y, z].
-std::optional<TurnPlan> decode_turn(DecodeContext& context, const Node& parent, const NumberRules& rules, Map& resolved) {
+std::optional<TurnPlan> decode_turn(DecodeContext& context, const Node& parent, const NumberRules& rules,
+                                    Map& resolved) {
   const std::optional<Node> node = parent.find("orientation");
   if (!node) return std::nullopt;
   TurnPlan turn;
   const auto vanishes = [](const std::vector<Number>& numbers) {
-    return std::all_of(numbers.begin(), numbers.end(), [](const Number& n) { return n.is_constant() && n.constant == 0; });
+    return std::all_of(numbers.begin(), numbers.end(),
+                       [](const Number& n) { return n.is_constant() && n.constant == 0; });
   };
   if (node->value->map()) {
     Map map;
     const Section section = decode_section(context, *node, "orientation 3D", rules, map);
     turn.axis = section.vector("axis");
     turn.angle = section.number("angle");
-    if (turn.axis.size() == 3 && vanishes(turn.axis)) node->error(context.diagnostics, "`axis` has no direction");
+    if (turn.axis.size() == 3 && vanishes(turn.axis))
+      node->error(context.diagnostics, "`axis` has no direction");
     put(resolved, "orientation", map_value(std::move(map)));
     return turn;
   }
@@ -68,7 +71,8 @@ std::optional<TurnPlan> decode_turn(DecodeContext& context, const Node& parent, 
     turn.quaternion.push_back(decoded ? decoded->number : Number{1});
     if (decoded) list.push_back(std::move(decoded->resolved));
   }
-  if (vanishes(turn.quaternion)) node->error(context.diagnostics, "the quaternion is zero, which is no rotation");
+  if (vanishes(turn.quaternion))
+    node->error(context.diagnostics, "the quaternion is zero, which is no rotation");
   put(resolved, "orientation", list_value(std::move(list)));
   return turn;
 }
@@ -94,16 +98,18 @@ std::optional<Release> decode_release(DecodeContext& context, const Node& node,
   const bool space = context.dimension == 3;
   if (space && chosen->second == ReleaseKind::face) {
     const Node key = *node.find(chosen->first);
-    context.diagnostics.error(key.key_at, key.path,
-                              "`from` needs the benches of a profile, which dimension 3 does not have, expected `position`, "
-                              "`along`, `inside`, or `x` with `above_ground`");
+    context.diagnostics.error(
+        key.key_at, key.path,
+        "`from` needs the benches of a profile, which dimension 3 does not have, expected `position`, "
+        "`along`, `inside`, or `x` with `above_ground`");
     return std::nullopt;
   }
   Release release;
   release.kind = chosen->second;
   const bool on_ground = release.kind == ReleaseKind::above_ground;
   const Section section = decode_section(
-      context, node, fmt::format("rocks.release: {}{}", chosen->first, space && on_ground ? " 3D" : ""), rock_rules, resolved);
+      context, node, fmt::format("rocks.release: {}{}", chosen->first, space && on_ground ? " 3D" : ""),
+      rock_rules, resolved);
   switch (release.kind) {
     case ReleaseKind::face:
     case ReleaseKind::collar:
@@ -142,11 +148,13 @@ std::optional<PluginUse> decode_part(DecodeContext& context, const Node& node, P
   return use;
 }
 
-/// The elevation of a launch that gives none and has no direction of its own either, as `velocity` and `drill_angle` have.
+/// The elevation of a launch that gives none and has no direction of its own either, as `velocity` and
+/// `drill_angle` have.
 std::optional<double> assumed_elevation(const Node& launch, const PluginSpec& spec) {
   constexpr double of_every_model = pi / 4;
   const int elevation = spec.find("elevation");
-  if (elevation < 0 || launch.find("elevation") || launch.find("velocity") || launch.find("drill_angle")) return std::nullopt;
+  if (elevation < 0 || launch.find("elevation") || launch.find("velocity") || launch.find("drill_angle"))
+    return std::nullopt;
   return spec.params[elevation].default_number.value_or(of_every_model);
 }
 
@@ -177,7 +185,8 @@ RockGroup decode_group(DecodeContext& context, const Node& node, const std::vect
     put(resolved, "release", map_value(std::move(map)));
   }
   group.launch = decode_part(context, node, PluginKind::velocity, "launch", rock_rules, resolved);
-  if (group.launch) group.assumed_elevation = assumed_elevation(*node.find("launch"), group.launch->plugin->spec);
+  if (group.launch)
+    group.assumed_elevation = assumed_elevation(*node.find("launch"), group.launch->plugin->spec);
   if (group.population.plugin && group.population.plugin->spec.name == default_population)
     for (const char* key : {"shape", "release"})  // other populations may decide both themselves
       if (!node.find(key))

@@ -19,8 +19,8 @@ std::vector<Material> decode_materials(DecodeContext& context, const std::option
 /// The index of the material that a node names, -1 where there is none (which is reported).
 int find_material(DecodeContext& context, const Node& node, const std::vector<Material>& materials);
 
-/// The terrain, and for the checks of what refers to it: its parts and zones, and in 2D its profile, as built in trial 0.
-/// No parts where it could not be built.
+/// The terrain, and for the checks of what refers to it: its parts and zones, and in 2D its profile, as built
+/// in trial 0. No parts where it could not be built.
 struct DecodedTerrain {
   TerrainPlan plan;
   std::vector<std::string> parts;
@@ -63,8 +63,8 @@ SolverPlan decode_solver(DecodeContext& context, const std::optional<Node>& node
 StopPlan decode_stop(DecodeContext& context, const std::optional<Node>& node, Map& resolved);
 OutputPlan decode_output(DecodeContext& context, const std::optional<Node>& node, Map& resolved);
 
-std::vector<Expectation> decode_expect(DecodeContext& context, const Node& node,
-                                       const MeasureNames& names, Map& resolved);
+std::vector<Expectation> decode_expect(DecodeContext& context, const Node& node, const MeasureNames& names,
+                                       Map& resolved);
 
 /// Known keys that nothing in this run reads.
 std::vector<std::string> find_not_used(const Node& root, const Scenario& scenario);

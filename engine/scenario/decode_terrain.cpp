@@ -86,8 +86,10 @@ void decode_part_materials(DecodeContext& context, const Node& node, const std::
       if (std::find(names.begin(), names.end(), entry.key) == names.end())
         context.diagnostics.error(
             entry.key_at, entry.path,
-            fmt::format("the terrain has no part or zone `{}`{}{}", entry.key, names.empty() ? "" : suggestion(entry.key, names),
-                        names.size() < parts.size() ? "; `material` beside it holds for all that has no name" : ""));
+            fmt::format(
+                "the terrain has no part or zone `{}`{}{}", entry.key,
+                names.empty() ? "" : suggestion(entry.key, names),
+                names.size() < parts.size() ? "; `material` beside it holds for all that has no name" : ""));
       plan.material_of_part[entry.key] = find_material(context, entry, materials);
       if (entry.value->text()) put(map, entry.key, *entry.value);
     }
@@ -96,9 +98,10 @@ void decode_part_materials(DecodeContext& context, const Node& node, const std::
   for (const std::string& part : parts)
     if (!plan.material_of_part.contains(part))
       context.diagnostics.error(node.key_at, node.path,
-                                part.empty() ? fmt::format("`material` is missing, expected the name of a material{}",
-                                                           names.empty() ? "" : " for what is no zone")
-                                             : fmt::format("`materials` gives none for the part `{}`", part));
+                                part.empty()
+                                    ? fmt::format("`material` is missing, expected the name of a material{}",
+                                                  names.empty() ? "" : " for what is no zone")
+                                    : fmt::format("`materials` gives none for the part `{}`", part));
 }
 
 }  // namespace
@@ -157,7 +160,8 @@ DecodedTerrain decode_terrain(DecodeContext& context, const Node& node,
   }
   if (const auto zones = node.find("zones")) {
     if (context.dimension == 3)
-      context.diagnostics.error(zones->key_at, zones->path, "zones are stretches of a profile, which dimension 3 does not have");
+      context.diagnostics.error(zones->key_at, zones->path,
+                                "zones are stretches of a profile, which dimension 3 does not have");
     terrain.plan.zones = decode_zones(context, *zones, map);
   }
   const bool names_materials = node.find("material") || node.find("materials");

@@ -23,10 +23,17 @@ const Table state_components_2d{
     {"x", dimension::length}, {"y", dimension::length},    {"vx", dimension::speed},
     {"vy", dimension::speed}, {"speed", dimension::speed}, {"spin", dimension::spin},
     {"wz", dimension::spin},  {"angle", dimension::angle}, {"kinetic_energy", dimension::energy}};
-const Table extreme_components_3d{
-    {"x", dimension::length}, {"y", dimension::length},    {"z", dimension::length}, {"vx", dimension::speed},
-    {"vy", dimension::speed}, {"vz", dimension::speed},    {"speed", dimension::speed}, {"wx", dimension::spin},
-    {"wy", dimension::spin},  {"wz", dimension::spin},     {"kinetic_energy", dimension::energy}};
+const Table extreme_components_3d{{"x", dimension::length},
+                                  {"y", dimension::length},
+                                  {"z", dimension::length},
+                                  {"vx", dimension::speed},
+                                  {"vy", dimension::speed},
+                                  {"vz", dimension::speed},
+                                  {"speed", dimension::speed},
+                                  {"wx", dimension::spin},
+                                  {"wy", dimension::spin},
+                                  {"wz", dimension::spin},
+                                  {"kinetic_energy", dimension::energy}};
 
 /// `base` and one more.
 Table with(Table base, Named entry) {
@@ -89,7 +96,8 @@ class MeasureParser {
   }
 
   MeasureInfo parse() {
-    static const std::vector<std::string> kinds{"body", "rocks", "gate", "barrier", "clearance", "energy", "solver"};
+    static const std::vector<std::string> kinds{"body",      "rocks",  "gate",  "barrier",
+                                                "clearance", "energy", "solver"};
     const std::string kind = next(kinds);
     if (kind == "body") parse_body();
     if (kind == "rocks") parse_rocks();
@@ -181,7 +189,8 @@ class MeasureParser {
   void parse_clearance() {
     parse_named("clearance", names_.clearances, clearance_quantities);
     if (!info_.fault.empty() || steps_[2] != "with_factor") return;
-    if (std::find(names_.with_factor.begin(), names_.with_factor.end(), steps_[1]) == names_.with_factor.end())
+    if (std::find(names_.with_factor.begin(), names_.with_factor.end(), steps_[1]) ==
+        names_.with_factor.end())
       fail(fmt::format("the clearance `{}` has no `factor`", steps_[1]));
   }
 

@@ -40,17 +40,16 @@ void find_blast_keys(const Node& blast, const Scenario& scenario, std::vector<st
     const std::optional<Node> parent =
         dot == std::string_view::npos ? blast : blast.find(info.path.substr(0, dot));
     const std::string_view key = dot == std::string_view::npos ? info.path : info.path.substr(dot + 1);
-    if (!is_read && parent && parent->find(key))
-      list.push_back(fmt::format("blast.{} ({})", info.path, why));
+    if (!is_read && parent && parent->find(key)) list.push_back(fmt::format("blast.{} ({})", info.path, why));
   }
-  if (explosive_by_name && !explosive_is_read)
-    list.push_back(fmt::format("blast.explosive ({})", why));
+  if (explosive_by_name && !explosive_is_read) list.push_back(fmt::format("blast.explosive ({})", why));
   const auto rows = blast.find("rows");
   if (rows && rows->find("distance") && !any_is_placed_by_rows(scenario))
     list.push_back("blast.rows.distance (no rock is released at a collar or on the bench top)");
   if (rows && scenario.rock_contacts)
     for (const char* key : {"delay_row", "delay_hole", "delay_in_hole"})
-      if (rows->find(key)) list.push_back(fmt::format("blast.rows.{} (rocks that meet each other leave together)", key));
+      if (rows->find(key))
+        list.push_back(fmt::format("blast.rows.{} (rocks that meet each other leave together)", key));
 }
 
 void find_materials(const Scenario& scenario, std::vector<std::string>& list) {

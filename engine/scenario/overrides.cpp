@@ -4,9 +4,9 @@
 
 #include <charconv>
 
-#include "scenario/decode.h"
 #include "document/node.h"
 #include "document/yaml_reader.h"
+#include "scenario/decode.h"
 
 namespace flyrock {
 
@@ -82,7 +82,8 @@ void apply(Value& root, const std::string& assignment, Diagnostics& diagnostics)
     return diagnostics.error(at, "", "expected path=value, as in --set terrain.height=10");
   const std::string path = assignment.substr(0, equals);
   if (path.find('[') != std::string::npos)
-    return diagnostics.error(at, path, "an element of a list is written with a dot: rocks.0.density, or by its name");
+    return diagnostics.error(at, path,
+                             "an element of a list is written with a dot: rocks.0.density, or by its name");
   Diagnostics reading;
   std::optional<Value> value = read_yaml(assignment.substr(equals + 1), source->name, reading);
   for (const Diagnostic& diagnostic : reading.all())

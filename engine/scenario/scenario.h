@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "blast/design.h"
+#include "document/value.h"
 #include "math/space.h"
 #include "plugin/registry.h"
-#include "document/value.h"
 
 namespace flyrock {
 
@@ -56,9 +56,9 @@ struct BlastPlan {
   std::map<BlastField, Number> fields;
   bool is_anfo = false;
   bool gurney_follows = false;  ///< the Gurney constant is D/3, no number of its own
-  Pattern pattern;     ///< rock k belongs to hole k mod holes
-  Blast typical;       ///< completed, with the median of what is drawn
-  BlastDesign design;  ///< of the typical blast
+  Pattern pattern;              ///< rock k belongs to hole k mod holes
+  Blast typical;                ///< completed, with the median of what is drawn
+  BlastDesign design;           ///< of the typical blast
 
   /// Whether a field is given or follows from others.
   bool provides(BlastField field) const { return !std::isnan(typical[field]); }
@@ -77,15 +77,17 @@ enum class ReleaseKind {
 /// Where a rock starts.
 struct Release {
   ReleaseKind kind = ReleaseKind::position;
-  int bench = 1;                 ///< face, collar, bench_top: which, from 1
-  Number x, y, above_ground;     ///< above_ground: height of the centre of mass above the ground at x (and y in 3D)
+  int bench = 1;  ///< face, collar, bench_top: which, from 1
+  Number x, y,
+      above_ground;  ///< above_ground: height of the centre of mass above the ground at x (and y in 3D)
   std::vector<Number> position;  ///< of the centre of mass
-  std::vector<Vec3> points;      ///< along a poly-line, or inside a flat convex polygon, uniformly; z = 0 in 2D
+  std::vector<Vec3> points;  ///< along a poly-line, or inside a flat convex polygon, uniformly; z = 0 in 2D
 };
 
-/// How a body of 3D is turned: about an axis by an angle [rad], or by a quaternion [w, x, y, z] that maps body to world.
+/// How a body of 3D is turned: about an axis by an angle [rad], or by a quaternion [w, x, y, z] that maps
+/// body to world.
 struct TurnPlan {
-  std::vector<Number> axis;        ///< three, or none
+  std::vector<Number> axis;  ///< three, or none
   Number angle;
   std::vector<Number> quaternion;  ///< four, or none
 };
@@ -95,14 +97,14 @@ struct RockGroup {
   PluginUse population;
   std::optional<PluginUse> shape;
   std::optional<Release> release;
-  std::optional<PluginUse> launch;    ///< absent: at rest
+  std::optional<PluginUse> launch;          ///< absent: at rest
   std::optional<double> assumed_elevation;  ///< rad, of a launch for which the scenario gives none
-  Number density;                     ///< kg/m3
-  std::optional<Number> mass;         ///< kg; in place of density
-  std::optional<Number> thickness;    ///< m; absent: default_thickness
-  std::optional<Number> orientation;  ///< 2D, rad; absent: random and uniform
-  std::optional<TurnPlan> turn;       ///< 3D; absent: random and uniform
-  int material = -1;                  ///< shown to other rocks; -1 none
+  Number density;                           ///< kg/m3
+  std::optional<Number> mass;               ///< kg; in place of density
+  std::optional<Number> thickness;          ///< m; absent: default_thickness
+  std::optional<Number> orientation;        ///< 2D, rad; absent: random and uniform
+  std::optional<TurnPlan> turn;             ///< 3D; absent: random and uniform
+  int material = -1;                        ///< shown to other rocks; -1 none
 };
 
 struct BodyPlan {
@@ -110,9 +112,9 @@ struct BodyPlan {
   PluginUse shape;
   std::optional<Number> density, mass, thickness;
   std::vector<Number> position, velocity;
-  std::vector<Number> spin;           ///< one number in 2D, three in 3D
-  Number orientation;                 ///< 2D, rad
-  std::optional<TurnPlan> turn;       ///< 3D; absent: as the shape is described
+  std::vector<Number> spin;      ///< one number in 2D, three in 3D
+  Number orientation;            ///< 2D, rad
+  std::optional<TurnPlan> turn;  ///< 3D; absent: as the shape is described
   bool fixed = false;
   struct Driven {
     std::vector<double> velocity, spin;
@@ -140,17 +142,19 @@ struct BarrierPlan {
   double capacity = 0;       ///< J
 };
 
-/// A distance that is asked of a run: exceeded with `probability` by a rock, or by the farthest rock of a blast.
+/// A distance that is asked of a run: exceeded with `probability` by a rock, or by the farthest rock of a
+/// blast.
 struct ClearancePlan {
   std::string name;
-  int group = -1;                ///< index into Scenario::rocks; -1: rocks of all groups
+  int group = -1;  ///< index into Scenario::rocks; -1: rocks of all groups
   double probability = 0;
-  double confidence = 0.95;      ///< of the interval
+  double confidence = 0.95;           ///< of the interval
   std::optional<double> factor = {};  ///< of safety; absent: none is applied
   bool per_blast = false;
   bool of_max_distance = false;  ///< else of runout
   int sectors = 0;               ///< 3D: by azimuth, in so many sectors; 0: not
-  std::optional<Vec2> about = {};  ///< m: distances count from there, azimuths about it; absent: from the hull of all release places
+  std::optional<Vec2> about =
+      {};  ///< m: distances count from there, azimuths about it; absent: from the hull of all release places
 
   bool counts(int rock_group) const { return group < 0 || group == rock_group; }
 };
@@ -159,7 +163,7 @@ enum class FlightMode { exact, stepped };
 
 struct SolverPlan {
   std::string name = "auto";  ///< solver/solve_settings.h
-  double time_step = 1e-3;  ///< s
+  double time_step = 1e-3;    ///< s
   double theta = 0.5;
   double tolerance = 1e-7;  ///< by measurement, see default_tolerance
   int max_iterations = 1000;
@@ -176,7 +180,7 @@ struct OutputPlan {
   int trajectories_first = 100;      ///< trials with trajectories
   double trajectories_every = 0.02;  ///< s
   bool impacts = true;
-  bool hard_problems = false;        ///< steps that did not converge are kept as FCLIB files
+  bool hard_problems = false;  ///< steps that did not converge are kept as FCLIB files
 };
 
 enum class ExpectKind { equals, below, above, between };
@@ -231,12 +235,12 @@ struct SweepAxis {
 
 /// What a scenario file becomes.
 struct Plan {
-  std::vector<SweepAxis> axes;            ///< sorted by path; the last varies fastest
-  std::vector<Scenario> points;           ///< one where nothing is swept
-  std::vector<std::vector<double>> at;    ///< the axes' values at each point
-  Value resolved;                         ///< in schema order, with defaults, in SI units, sweeps kept
-  std::vector<std::string> not_used;      ///< "blast.spacing (bench_fit does not read it)"
-  std::vector<std::string> plugin_files;  ///< `plugins:` as written
+  std::vector<SweepAxis> axes;               ///< sorted by path; the last varies fastest
+  std::vector<Scenario> points;              ///< one where nothing is swept
+  std::vector<std::vector<double>> at;       ///< the axes' values at each point
+  Value resolved;                            ///< in schema order, with defaults, in SI units, sweeps kept
+  std::vector<std::string> not_used;         ///< "blast.spacing (bench_fit does not read it)"
+  std::vector<std::string> plugin_files;     ///< `plugins:` as written
   std::map<std::string, std::string> files;  ///< that parameters name: as written, and the full path
 };
 

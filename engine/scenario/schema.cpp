@@ -83,17 +83,16 @@ ParamSpec usually(ParamSpec spec, const std::optional<UsualRange>& range) {
 constexpr double exact_integer = 9007199254740992.0;  // 2^53: beyond it not every whole number is a double
 
 SectionSpec document() {
-  return {
-      "",
-      {integer("flyrock", "format version"), or_else(text("title", "what the scenario is about"), ""),
-       at_most(at_least(integer("dimension", "2: a vertical plane; 3: space"), 2), 3),
-       choice("method", {"nscd", "lumped_mass", "ballistic"}, "how rocks move"),
-       or_else(at_most(at_least(integer("seed", "of all random numbers"), 0), exact_integer), 1),
-       or_else(at_least(integer("trials", "realisations of each sweep point"), 1), 1),
-       or_else(choice("rock_contacts", {"off", "on"}, "on: rocks also meet each other"), "off"),
-       or_else(at_most(at_least(number("gravity", "m/s2", "along -y in 2D, -z in 3D"), 0), 1000), 9.81)},
-      {"plugins", "air", "terrain", "materials", "pairs", "blast", "rocks", "bodies", "barriers", "gates", "clearance", "solver", "stop", "output",
-       "sweep", "expect"}};
+  return {"",
+          {integer("flyrock", "format version"), or_else(text("title", "what the scenario is about"), ""),
+           at_most(at_least(integer("dimension", "2: a vertical plane; 3: space"), 2), 3),
+           choice("method", {"nscd", "lumped_mass", "ballistic"}, "how rocks move"),
+           or_else(at_most(at_least(integer("seed", "of all random numbers"), 0), exact_integer), 1),
+           or_else(at_least(integer("trials", "realisations of each sweep point"), 1), 1),
+           or_else(choice("rock_contacts", {"off", "on"}, "on: rocks also meet each other"), "off"),
+           or_else(at_most(at_least(number("gravity", "m/s2", "along -y in 2D, -z in 3D"), 0), 1000), 9.81)},
+          {"plugins", "air", "terrain", "materials", "pairs", "blast", "rocks", "bodies", "barriers", "gates",
+           "clearance", "solver", "stop", "output", "sweep", "expect"}};
 }
 
 /// The fields of the blast below `prefix` ("" or "hole."), from the table that velocity models read by.
@@ -104,7 +103,8 @@ std::vector<ParamSpec> blast_keys(std::string_view prefix) {
     if (!path.starts_with(prefix)) continue;
     path.remove_prefix(prefix.size());
     if (path.find('.') != std::string_view::npos) continue;
-    ParamSpec spec = usually(optional(number(std::string(path), std::string(info.unit), std::string(info.doc))), info.usual);
+    ParamSpec spec = usually(
+        optional(number(std::string(path), std::string(info.unit), std::string(info.doc))), info.usual);
     const bool may_be_zero =
         info.field == BlastField::hole_stemming || info.field == BlastField::hole_subdrilling;
     if (info.field == BlastField::hole_deviation)
@@ -121,10 +121,13 @@ std::vector<ParamSpec> mass_keys() {
 }
 
 ParamSpec thickness() {
-  return above(optional(number("thickness", "m", "by default that of the sphere of equal cross-section area")), 0);
+  return above(
+      optional(number("thickness", "m", "by default that of the sphere of equal cross-section area")), 0);
 }
 
-ParamSpec spin(std::string doc) { return usually(or_else(key(ParamType::spin, "spin", "rad/s", std::move(doc)), 0.0), usual::spin); }
+ParamSpec spin(std::string doc) {
+  return usually(or_else(key(ParamType::spin, "spin", "rad/s", std::move(doc)), 0.0), usual::spin);
+}
 
 std::vector<ParamSpec> joined(std::vector<ParamSpec> first, std::vector<ParamSpec> second) {
   for (ParamSpec& spec : second) first.push_back(std::move(spec));
@@ -137,7 +140,9 @@ std::vector<SectionSpec> make_sections() {
       {"air",
        // Bounded: the steps of a flight shrink with the drag.
        {or_else(at_most(above(number("density", "kg/m3", "of the air"), 0), 100), 1.225),
-        usually(at_most(at_least(number("cd", "", "drag coefficient, on the sphere of equal volume"), 0), 100), usual::drag_coefficient),
+        usually(
+            at_most(at_least(number("cd", "", "drag coefficient, on the sphere of equal volume"), 0), 100),
+            usual::drag_coefficient),
         optional(vector("wind", "m/s", "calm where it is not given"))},
        {}},
       {"terrain", {optional(text("material", "of a terrain of one part"))}, {"type", "materials", "zones"}},
@@ -159,16 +164,19 @@ std::vector<SectionSpec> make_sections() {
         at_least(optional(number("delay_in_hole", "s", "from the signal to the charge, in every hole")), 0)},
        {}},
       {"rocks",
-       joined(joined({text("name", "of the group")}, mass_keys()),
-              {thickness(), optional(number("orientation", "rad", "random and uniform where it is not given")),
-               optional(text("material", "shown to other rocks"))}),
+       joined(
+           joined({text("name", "of the group")}, mass_keys()),
+           {thickness(), optional(number("orientation", "rad", "random and uniform where it is not given")),
+            optional(text("material", "shown to other rocks"))}),
        {"type", "shape", "release", "launch"}},
       {"rocks 3D",
-       joined(joined({text("name", "of the group")}, mass_keys()), {optional(text("material", "shown to other rocks"))}),
+       joined(joined({text("name", "of the group")}, mass_keys()),
+              {optional(text("material", "shown to other rocks"))}),
        {"type", "shape", "orientation", "release", "launch"}},
       {"rocks.release: from",
-       {choice("from", {"face", "collar", "bench_top"},
-               "the face of a bench; above it, the collar of the rock's hole; the top as far as the last row"),
+       {choice(
+            "from", {"face", "collar", "bench_top"},
+            "the face of a bench; above it, the collar of the rock's hole; the top as far as the last row"),
         or_else(at_least(integer("bench", "from 1, the uppermost"), 1), 1)},
        {}},
       {"rocks.release: x",
@@ -209,13 +217,17 @@ std::vector<SectionSpec> make_sections() {
        {}},
       {"gates", {text("name", "of the gate"), number("x", "m", "where it stands")}, {}},
       {"clearance",
-       {text("name", "of the clearance"), optional(text("group", "of rocks that it is of; all where it is not given")),
+       {text("name", "of the clearance"),
+        optional(text("group", "of rocks that it is of; all where it is not given")),
         below(above(number("probability", "", "with which the distance is exceeded"), 0), 1),
         or_else(below(above(number("confidence", "", "of the interval"), 0), 1), 0.95),
         at_least(optional(number("factor", "", "of safety, on the distance; none where it is not given")), 1),
         or_else(choice("per", {"rock", "blast"}, "blast: the farthest rock of a trial"), "rock"),
         or_else(choice("of", {"runout", "max_distance"}, "which distance"), "runout"),
-        at_most(at_least(optional(integer("sectors", "3D: by azimuth, in so many sectors, from all release places")), 4), 360),
+        at_most(at_least(optional(integer("sectors",
+                                          "3D: by azimuth, in so many sectors, from all release places")),
+                         4),
+                360),
         optional(number("x", "m", "of a point from which sectors count instead; 0 where only y is given")),
         optional(number("y", "m", "of that point; 0 where only x is given"))},
        {}},

@@ -28,7 +28,8 @@ void Anderson::mix(const double* x, double* g) {
     column(df_, next_) = f - last_f;
     column(dg_, next_) = to - last_g;
     stored_ = std::min(stored_ + 1, depth);
-    for (int k = 0; k < stored_; ++k) gram_(k, next_) = gram_(next_, k) = column(df_, k).dot(column(df_, next_));
+    for (int k = 0; k < stored_; ++k)
+      gram_(k, next_) = gram_(next_, k) = column(df_, k).dot(column(df_, next_));
     next_ = (next_ + 1) % depth;
   }
   last_f = f;

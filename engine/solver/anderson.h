@@ -8,10 +8,10 @@ namespace flyrock {
 
 /// For x -> g(x): keeps the last differences of f = g(x) - x and of g, and answers with
 ///   g - dG c,   c = argmin |S (f - dF c)|,
-/// S a diagonal that makes the components comparable. Where g is smooth, as NLGS is once no contact changes its state,
-/// this is GMRES on the linearised iteration. After a step that makes |S f| grow more than threefold it begins anew.
-/// No allocation once its buffers have grown. Source: Walker and Ni 2011, with the normal equations, whose loss of
-/// accuracy only slows the iteration down.
+/// S a diagonal that makes the components comparable. Where g is smooth, as NLGS is once no contact changes
+/// its state, this is GMRES on the linearised iteration. After a step that makes |S f| grow more than
+/// threefold it begins anew. No allocation once its buffers have grown. Source: Walker and Ni 2011, with the
+/// normal equations, whose loss of accuracy only slows the iteration down.
 class Anderson {
  public:
   static constexpr int depth = 12;

@@ -16,8 +16,9 @@ using Row = ContactProblem<3>::Row;
 using Block = ContactProblem<3>::Block;
 constexpr auto& groups = ContactProblem<3>::groups;
 
-/// The minimum of x.A x / 2 + c.x over |x| <= radius, A symmetric positive semi-definite (its symmetric part is taken).
-/// On the rim (A + lambda) x = -c; Newton on 1 / |x|, which is nearly linear in lambda, from lambda = 0 climbs to the root.
+/// The minimum of x.A x / 2 + c.x over |x| <= radius, A symmetric positive semi-definite (its symmetric part
+/// is taken). On the rim (A + lambda) x = -c; Newton on 1 / |x|, which is nearly linear in lambda, from
+/// lambda = 0 climbs to the root.
 Eigen::Vector2d minimum_in_disc(const Eigen::Matrix2d& a, const Eigen::Vector2d& c, double radius) {
   if (radius <= 0) return Eigen::Vector2d::Zero();
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> modes;
@@ -94,7 +95,8 @@ Row solve_by_bracket(const Contact& contact, const Row& b) {
   return middle;
 }
 
-/// Newton steps from r; stops where the error no longer falls. Returns the error of the best impulse, which is left in r.
+/// Newton steps from r; stops where the error no longer falls. Returns the error of the best impulse, which
+/// is left in r.
 double sharpen(const Contact& contact, const Row& b, Row& r) {
   constexpr int most_steps = 15;
   double least = std::numeric_limits<double>::infinity();

@@ -11,12 +11,14 @@ namespace flyrock {
 
 /// Find impulses r and velocities u with
 ///   u = q + W r,   0 <= u_n _|_ r_n >= 0,   |r_g| <= mu_g r_n + c_g opposing u_g for each group g of rows
-/// for each contact. Rows are (n, t, rolling) in 2D and (n, t, s, spinning, 2 rolling) in 3D; the groups are friction
-/// (t, or t and s), spinning and rolling, with the coefficients mu, mu_spin and mu_r and the constant parts c_t, c_spin and
-/// c_r: a contact with c_g > 0 resists also where r_n = 0. A lower bound L of r_n other than 0 is a change of
-/// variable: q + W L e_n in place of q, c_g + mu_g L in place of c_g. q holds the free velocity and the shift of restitution (e_n v_n^-, e_t v_t^-), so that u is not the velocity after the impact but that plus the shift.
-/// W is the Delassus operator H^T M^-1 H in blocks; it may be singular and slightly unsymmetric. SI units: impulses N s,
-/// velocities m/s; rolling and spinning rows N m s and rad/s.
+/// for each contact. Rows are (n, t, rolling) in 2D and (n, t, s, spinning, 2 rolling) in 3D; the groups are
+/// friction (t, or t and s), spinning and rolling, with the coefficients mu, mu_spin and mu_r and the
+/// constant parts c_t, c_spin and c_r: a contact with c_g > 0 resists also where r_n = 0. A lower bound L of
+/// r_n other than 0 is a change of variable: q + W L e_n in place of q, c_g + mu_g L in place of c_g. q holds
+/// the free velocity and the shift of restitution (e_n v_n^-, e_t v_t^-), so that u is not the velocity after
+/// the impact but that plus the shift. W is the Delassus operator H^T M^-1 H in blocks; it may be singular
+/// and slightly unsymmetric. SI units: impulses N s, velocities m/s; rolling and spinning rows N m s and
+/// rad/s.
 template <int D>
 struct ContactProblem {
   static constexpr int rows = D == 2 ? 3 : 6;
@@ -35,16 +37,16 @@ struct ContactProblem {
   }();
 
   struct Contact {
-    Block w;                  ///< the diagonal block
+    Block w;  ///< the diagonal block
     Row q;
     double mu = 0;
-    double c_t = 0;           ///< N s, at least 0
-    double mu_r = 0;          ///< m; 0: no rolling resistance
-    double mu_spin = 0;       ///< m; 0: no resistance to spinning; 3D only
-    double c_r = 0;           ///< N m s, at least 0
-    double c_spin = 0;        ///< N m s, at least 0; 3D only
-    bool normal = true;       ///< false: r_n = 0 whatever u_n, because the normal impulse is given and stands in q
-    double speed_scale = 1;   ///< m/s, to which the tolerance is relative
+    double c_t = 0;      ///< N s, at least 0
+    double mu_r = 0;     ///< m; 0: no rolling resistance
+    double mu_spin = 0;  ///< m; 0: no resistance to spinning; 3D only
+    double c_r = 0;      ///< N m s, at least 0
+    double c_spin = 0;   ///< N m s, at least 0; 3D only
+    bool normal = true;  ///< false: r_n = 0 whatever u_n, because the normal impulse is given and stands in q
+    double speed_scale = 1;  ///< m/s, to which the tolerance is relative
 
     /// The coefficient of a group of rows, and the constant part of its bound.
     double bound(int group) const { return of_group(group, mu, mu_spin, mu_r); }
@@ -59,8 +61,8 @@ struct ContactProblem {
     bool is_plain() const { return normal && !resists_open() && !resists_rotation(); }
     /// Whether rows beyond friction can carry an impulse.
     bool resists_rotation() const { return mu_r > 0 || mu_spin > 0 || c_r > 0 || c_spin > 0; }
-    /// Sets the constant parts where r_n counts from a given impulse L on: c_g = max(0, mu_g L), of friction with the
-    /// shear strength beside it, c_t = max(0, strength + mu L).
+    /// Sets the constant parts where r_n counts from a given impulse L on: c_g = max(0, mu_g L), of friction
+    /// with the shear strength beside it, c_t = max(0, strength + mu L).
     void bound_from(double given, double strength) {
       c_t = std::max(0.0, strength + mu * given);
       c_spin = std::max(0.0, mu_spin * given);
@@ -77,7 +79,8 @@ struct ContactProblem {
   std::vector<int> first;  ///< the couplings of contact a are [first[a], first[a + 1])
 
   int size() const { return static_cast<int>(contacts.size()); }
-  /// The leading rows that are in use: D where no contact resists rotation. Blocks of couplings have this size.
+  /// The leading rows that are in use: D where no contact resists rotation. Blocks of couplings have this
+  /// size.
   int width() const { return width_; }
   /// The contact that coupling k couples to the owner of its range.
   int other(int k) const { return other_[k]; }
@@ -97,7 +100,8 @@ struct ContactProblem {
   /// The block of coupling k; N = width().
   template <int N>
   Eigen::Map<const Eigen::Matrix<double, N, N>> block(int k) const {
-    return Eigen::Map<const Eigen::Matrix<double, N, N>>(blocks_.data() + static_cast<std::size_t>(k) * N * N);
+    return Eigen::Map<const Eigen::Matrix<double, N, N>>(blocks_.data() +
+                                                         static_cast<std::size_t>(k) * N * N);
   }
 
   /// The block of coupling k in all rows; rows beyond width() are zero.
@@ -121,7 +125,8 @@ struct ContactProblem {
   Row velocity(int a, const std::vector<Row>& r) const {
     Row u = outside_velocity(a, r);
     if (width_ == D)
-      u.template head<D>().noalias() += contacts[a].w.template topLeftCorner<D, D>() * r[a].template head<D>();
+      u.template head<D>().noalias() +=
+          contacts[a].w.template topLeftCorner<D, D>() * r[a].template head<D>();
     else
       u.noalias() += contacts[a].w * r[a];
     return u;

@@ -35,7 +35,8 @@ void expect_size(const Hdf5File& file, const std::string& path, std::size_t foun
   if (found != expected) refuse(file, path, fmt::format("expected {} numbers, found {}", expected, found));
 }
 
-/// Rows and columns that a matrix has by its own account. Vectors of the file must agree before anything is made of that size.
+/// Rows and columns that a matrix has by its own account. Vectors of the file must agree before anything is
+/// made of that size.
 struct Shape {
   int rows = 0, columns = 0;
 };
@@ -46,7 +47,8 @@ Shape shape_of(const Hdf5File& file, const std::string& path) {
 
 Shape square_of(const Hdf5File& file, const std::string& path) {
   const Shape shape = shape_of(file, path);
-  if (shape.rows != shape.columns) refuse(file, path, fmt::format("is {} by {}, expected a square", shape.rows, shape.columns));
+  if (shape.rows != shape.columns)
+    refuse(file, path, fmt::format("is {} by {}, expected a square", shape.rows, shape.columns));
   return shape;
 }
 
@@ -56,16 +58,20 @@ Sparse read_matrix(const Hdf5File& file, const std::string& path, const Shape& s
   const std::int64_t nz = file.integer(path + "/nz");
   const auto p = file.integers(path + "/p"), i = file.integers(path + "/i");
   const auto x = file.doubles(path + "/x");
-  if (nz < compressed_rows) refuse(file, path + "/nz", fmt::format("{} names no storage, expected -1, -2 or a number of triplets", nz));
+  if (nz < compressed_rows)
+    refuse(file, path + "/nz",
+           fmt::format("{} names no storage, expected -1, -2 or a number of triplets", nz));
   std::vector<Eigen::Triplet<double, int>> entries;
   const auto add = [&](std::int64_t row, std::int64_t column, std::size_t k) {
     if (row < 0 || row >= m || column < 0 || column >= n)
-      refuse(file, path, fmt::format("entry {} stands at row {}, column {} of a {} by {} matrix", k, row, column, m, n));
+      refuse(file, path,
+             fmt::format("entry {} stands at row {}, column {} of a {} by {} matrix", k, row, column, m, n));
     entries.emplace_back(static_cast<int>(row), static_cast<int>(column), x[k]);
   };
   if (nz >= 0) {
     const auto count = static_cast<std::size_t>(nz);
-    for (const auto& [name, size] : {std::pair("/i", i.size()), std::pair("/p", p.size()), std::pair("/x", x.size())})
+    for (const auto& [name, size] :
+         {std::pair("/i", i.size()), std::pair("/p", p.size()), std::pair("/x", x.size())})
       if (size < count) refuse(file, path + name, fmt::format("expected {} numbers, found {}", count, size));
     for (std::size_t k = 0; k < count; ++k) add(i[k], p[k], k);
   } else {
@@ -75,11 +81,14 @@ Sparse read_matrix(const Hdf5File& file, const std::string& path, const Shape& s
     for (std::size_t line = 0; line < lines; ++line)
       if (p[line + 1] < p[line]) refuse(file, path + "/p", fmt::format("falls at number {}", line + 1));
     const auto count = static_cast<std::size_t>(p[lines]);
-    if (i.size() < count) refuse(file, path + "/i", fmt::format("expected {} numbers, found {}", count, i.size()));
-    if (x.size() < count) refuse(file, path + "/x", fmt::format("expected {} numbers, found {}", count, x.size()));
+    if (i.size() < count)
+      refuse(file, path + "/i", fmt::format("expected {} numbers, found {}", count, i.size()));
+    if (x.size() < count)
+      refuse(file, path + "/x", fmt::format("expected {} numbers, found {}", count, x.size()));
     for (std::size_t line = 0; line < lines; ++line)
       for (auto k = static_cast<std::size_t>(p[line]); k < static_cast<std::size_t>(p[line + 1]); ++k)
-        nz == compressed_columns ? add(i[k], static_cast<std::int64_t>(line), k) : add(static_cast<std::int64_t>(line), i[k], k);
+        nz == compressed_columns ? add(i[k], static_cast<std::int64_t>(line), k)
+                                 : add(static_cast<std::int64_t>(line), i[k], k);
   }
   Sparse matrix(m, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
@@ -107,7 +116,8 @@ Operator read_local(const Hdf5File& file) {
 Operator condense(const Hdf5File& file) {
   const Shape of_m = square_of(file, "/fclib_global/M"), of_h = shape_of(file, "/fclib_global/H");
   if (file.has("/fclib_global/G")) refuse(file, "/fclib_global/G", "equality constraints are not supported");
-  if (of_h.rows != of_m.rows) refuse(file, "/fclib_global/H", fmt::format("has {} rows, M has {}", of_h.rows, of_m.rows));
+  if (of_h.rows != of_m.rows)
+    refuse(file, "/fclib_global/H", fmt::format("has {} rows, M has {}", of_h.rows, of_m.rows));
   const Eigen::VectorXd f = read_vector(file, "/fclib_global/vectors/f", of_m.rows);
   const Eigen::VectorXd w = read_vector(file, "/fclib_global/vectors/w", of_h.columns);
   const Sparse m = read_matrix(file, "/fclib_global/M", of_m), h = read_matrix(file, "/fclib_global/H", of_h);
@@ -141,7 +151,8 @@ StoredProblem<D> to_blocks(const Hdf5File& file, const Operator& given, const st
   const auto mu = file.doubles(group + "/vectors/mu");
   expect_size(file, group + "/vectors/mu", mu.size(), static_cast<std::size_t>(contacts));
   const auto c_t = own_numbers(file, "c_t", contacts, 0), mu_r = own_numbers(file, "mu_r", contacts, 0);
-  const auto mu_spin = own_numbers(file, "mu_spin", contacts, 0), normal = own_numbers(file, "normal", contacts, 1);
+  const auto mu_spin = own_numbers(file, "mu_spin", contacts, 0),
+             normal = own_numbers(file, "normal", contacts, 1);
   const auto c_r = own_numbers(file, "c_r", contacts, 0), c_spin = own_numbers(file, "c_spin", contacts, 0);
   const auto speed_scale = own_numbers(file, "speed_scale", contacts, 1);
 
@@ -155,7 +166,8 @@ StoredProblem<D> to_blocks(const Hdf5File& file, const Operator& given, const st
   StoredProblem<D> stored;
   stored.problem.clear(width);
   for (int a = 0; a < contacts; ++a) {
-    if (!(mu[a] >= 0)) refuse(file, group + "/vectors/mu", fmt::format("number {} is {}, must be at least 0", a, mu[a]));
+    if (!(mu[a] >= 0))
+      refuse(file, group + "/vectors/mu", fmt::format("number {} is {}, must be at least 0", a, mu[a]));
     typename Problem::Contact contact;
     const auto diagonal = blocks[a].find(a);
     contact.w = diagonal == blocks[a].end() ? Problem::Block::Zero().eval() : diagonal->second;
@@ -185,7 +197,8 @@ AnyProblem read_fclib(const std::string& name) {
   const Hdf5File file = Hdf5File::open(name);
   const bool local = file.has("/fclib_local");
   if (!local && !file.has("/fclib_global"))
-    throw std::runtime_error(fmt::format("{}: holds no /fclib_local and no /fclib_global: it is no FCLIB problem", name));
+    throw std::runtime_error(
+        fmt::format("{}: holds no /fclib_local and no /fclib_global: it is no FCLIB problem", name));
   const std::string group = local ? "/fclib_local" : "/fclib_global";
   const std::int64_t dimension = file.integer(group + "/spacedim");
   if (dimension != 2 && dimension != 3)
@@ -208,8 +221,10 @@ AnyProblem read_fclib_guarded(const std::string& name) {
     ::_exit(0);
   }
   int status = 0;
-  while (child > 0 && ::waitpid(child, &status, 0) < 0 && errno == EINTR) {}
-  if (status != 0) throw std::runtime_error(fmt::format("{}: is damaged: the HDF5 library fails on it", name));
+  while (child > 0 && ::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (status != 0)
+    throw std::runtime_error(fmt::format("{}: is damaged: the HDF5 library fails on it", name));
   return read_fclib(name);
 }
 
@@ -241,7 +256,8 @@ void write_fclib(const std::string& name, const ContactProblem<D>& problem,
     for (int row = 0; row < width; ++row) q.push_back(contact.q[row]), r.push_back(start[a][row]);
     mu.push_back(contact.mu), c_t.push_back(contact.c_t), mu_r.push_back(contact.mu_r);
     c_r.push_back(contact.c_r), c_spin.push_back(contact.c_spin);
-    mu_spin.push_back(contact.mu_spin), normal.push_back(contact.normal), speed_scale.push_back(contact.speed_scale);
+    mu_spin.push_back(contact.mu_spin), normal.push_back(contact.normal),
+        speed_scale.push_back(contact.speed_scale);
   }
   Hdf5File file = Hdf5File::create(name);
   const auto one = [](int number) { return std::vector<std::int32_t>{number}; };
@@ -251,7 +267,8 @@ void write_fclib(const std::string& name, const ContactProblem<D>& problem,
   file.write("/fclib_local/W/nz", one(compressed_columns));
   file.write("/fclib_local/W/nzmax", one(static_cast<int>(w.nonZeros())));
   file.write("/fclib_local/W/p", std::vector<std::int32_t>(w.outerIndexPtr(), w.outerIndexPtr() + size + 1));
-  file.write("/fclib_local/W/i", std::vector<std::int32_t>(w.innerIndexPtr(), w.innerIndexPtr() + w.nonZeros()));
+  file.write("/fclib_local/W/i",
+             std::vector<std::int32_t>(w.innerIndexPtr(), w.innerIndexPtr() + w.nonZeros()));
   file.write("/fclib_local/W/x", std::vector<double>(w.valuePtr(), w.valuePtr() + w.nonZeros()));
   file.write("/fclib_local/vectors/q", q);
   file.write("/fclib_local/vectors/mu", mu);
@@ -271,9 +288,9 @@ void write_fclib(const std::string& name, const ContactProblem<D>& problem,
   }
 }
 
-template void write_fclib<2>(const std::string&, const ContactProblem<2>&, const std::vector<ContactProblem<2>::Row>&,
-                             const std::string&);
-template void write_fclib<3>(const std::string&, const ContactProblem<3>&, const std::vector<ContactProblem<3>::Row>&,
-                             const std::string&);
+template void write_fclib<2>(const std::string&, const ContactProblem<2>&,
+                             const std::vector<ContactProblem<2>::Row>&, const std::string&);
+template void write_fclib<3>(const std::string&, const ContactProblem<3>&,
+                             const std::vector<ContactProblem<3>::Row>&, const std::string&);
 
 }  // namespace flyrock

@@ -40,16 +40,20 @@ class Handle {
 /// HDF5 prints its stack of errors on the terminal unless it is told not to.
 void be_silent() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
-/// A data set of a file that is read. A header of a few bytes may promise gigabytes: nothing is allocated before its size is compared
-/// with the bytes of the file.
+/// A data set of a file that is read. A header of a few bytes may promise gigabytes: nothing is allocated
+/// before its size is compared with the bytes of the file.
 class DataSet {
  public:
   DataSet(hid_t file, const std::string& name, const std::string& path)
-      : name_(name), where_(fmt::format("{}: {}", name, path)), set_(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose) {
+      : name_(name),
+        where_(fmt::format("{}: {}", name, path)),
+        set_(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose) {
     if (set_ < 0) fail("not in the file");
   }
 
-  [[noreturn]] void fail(const char* what) const { throw std::runtime_error(fmt::format("{}: {}", where_, what)); }
+  [[noreturn]] void fail(const char* what) const {
+    throw std::runtime_error(fmt::format("{}: {}", where_, what));
+  }
 
   /// Of its elements, of the type `stored`.
   std::size_t count(hid_t stored) const {
@@ -57,11 +61,13 @@ class DataSet {
     const hssize_t count = H5Sget_simple_extent_npoints(space);
     if (count < 0) fail("has no sensible size");
     if (count == 0) return 0;
-    if (H5Pget_layout(creation) == H5D_VIRTUAL || H5Pget_external_count(creation) > 0) fail("has its numbers in another file");
+    if (H5Pget_layout(creation) == H5D_VIRTUAL || H5Pget_external_count(creation) > 0)
+      fail("has its numbers in another file");
     // A size that is not backed by bytes in the file would be filled with zeros.
     const hsize_t stored_bytes = std::min(H5Dget_storage_size(set_), bytes_of_file());
     if (stored_bytes == 0) fail("has no data");
-    const hsize_t most = H5Pget_nfilters(creation) > 0 ? std::max(most_compressed * stored_bytes, small) : stored_bytes;
+    const hsize_t most =
+        H5Pget_nfilters(creation) > 0 ? std::max(most_compressed * stored_bytes, small) : stored_bytes;
     const hsize_t element = H5Tget_size(stored);
     if (element == 0) fail("has numbers of no size");
     if (static_cast<hsize_t>(count) > most / element || chunk_bytes(creation, element) > most)
@@ -88,7 +94,8 @@ class DataSet {
     const int rank = H5Pget_chunk(creation, H5S_MAX_RANK, sides.data());
     hsize_t bytes = element;
     for (int i = 0; i < rank; ++i) {
-      if (sides[i] == 0 || sides[i] > std::numeric_limits<hsize_t>::max() / bytes) fail("has no sensible size");
+      if (sides[i] == 0 || sides[i] > std::numeric_limits<hsize_t>::max() / bytes)
+        fail("has no sensible size");
       bytes *= sides[i];
     }
     return bytes;
@@ -111,11 +118,13 @@ Handle type_of_numbers(const DataSet& set, H5T_class_t kind) {
 template <typename Number>
 std::vector<Number> read(const DataSet& set, H5T_class_t kind, hid_t type) {
   std::vector<Number> numbers(set.count(type_of_numbers(set, kind)));
-  if (!numbers.empty() && H5Dread(set.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()) < 0) set.fail("cannot be read");
+  if (!numbers.empty() && H5Dread(set.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()) < 0)
+    set.fail("cannot be read");
   return numbers;
 }
 
-void write_set(hid_t file, const std::string& name, const std::string& path, hid_t type, hid_t space, const void* data) {
+void write_set(hid_t file, const std::string& name, const std::string& path, hid_t type, hid_t space,
+               const void* data) {
   const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose), creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_create_intermediate_group(links, 1);
   H5Pset_obj_track_times(creation, false);
@@ -125,7 +134,8 @@ void write_set(hid_t file, const std::string& name, const std::string& path, hid
 }
 
 template <typename Number>
-void write_numbers(hid_t file, const std::string& name, const std::string& path, hid_t type, const std::vector<Number>& numbers) {
+void write_numbers(hid_t file, const std::string& name, const std::string& path, hid_t type,
+                   const std::vector<Number>& numbers) {
   const hsize_t count = numbers.size();
   const Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
   write_set(file, name, path, type, space, numbers.data());
@@ -138,8 +148,9 @@ bool has_hdf5() { return true; }
 Hdf5File Hdf5File::open(const std::string& name) {
   be_silent();
   std::error_code code;  // of a pipe that nobody writes the library would wait for ever
-  const hid_t file =
-      std::filesystem::is_regular_file(name, code) ? H5Fopen(name.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT) : H5I_INVALID_HID;
+  const hid_t file = std::filesystem::is_regular_file(name, code)
+                         ? H5Fopen(name.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)
+                         : H5I_INVALID_HID;
   if (file < 0) throw std::runtime_error(fmt::format("{}: cannot be opened as an HDF5 file", name));
   return {name, file};
 }
@@ -175,7 +186,8 @@ std::vector<std::int64_t> Hdf5File::integers(const std::string& path) const {
 std::vector<double> Hdf5File::doubles(const std::string& path) const {
   auto numbers = read<double>(DataSet(handle_, name_, path), H5T_FLOAT, H5T_NATIVE_DOUBLE);
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (!std::isfinite(numbers[i])) throw std::runtime_error(fmt::format("{}: {}: number {} is not finite", name_, path, i));
+    if (!std::isfinite(numbers[i]))
+      throw std::runtime_error(fmt::format("{}: {}: number {} is not finite", name_, path, i));
   return numbers;
 }
 
@@ -208,7 +220,8 @@ void Hdf5File::write(const std::string& path, const std::string& text) {
 namespace {
 
 [[noreturn]] void refuse(const std::string& name) {
-  throw std::runtime_error(fmt::format("{}: this flyrock was built without HDF5 (Debian: libhdf5-dev)", name));
+  throw std::runtime_error(
+      fmt::format("{}: this flyrock was built without HDF5 (Debian: libhdf5-dev)", name));
 }
 
 }  // namespace
@@ -228,11 +241,14 @@ void Hdf5File::write(const std::string&, const std::string&) { refuse(name_); }
 
 #endif
 
-Hdf5File::Hdf5File(Hdf5File&& other) noexcept : name_(std::move(other.name_)), handle_(std::exchange(other.handle_, -1)) {}
+Hdf5File::Hdf5File(Hdf5File&& other) noexcept
+    : name_(std::move(other.name_)), handle_(std::exchange(other.handle_, -1)) {}
 
 std::int64_t Hdf5File::integer(const std::string& path) const {
   const std::vector<std::int64_t> numbers = integers(path);
-  if (numbers.size() != 1) throw std::runtime_error(fmt::format("{}: {}: expected one integer, found {}", name_, path, numbers.size()));
+  if (numbers.size() != 1)
+    throw std::runtime_error(
+        fmt::format("{}: {}: expected one integer, found {}", name_, path, numbers.size()));
   return numbers.front();
 }
 

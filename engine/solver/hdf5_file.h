@@ -11,7 +11,8 @@ namespace flyrock {
 /// Whether this build has HDF5. Without it, opening or creating a file throws an error that says so.
 bool has_hdf5();
 
-/// Every fault is a std::runtime_error of one line that names the file and, where there is one, the path in it.
+/// Every fault is a std::runtime_error of one line that names the file and, where there is one, the path in
+/// it.
 class Hdf5File {
  public:
   static Hdf5File open(const std::string& name);    ///< for reading

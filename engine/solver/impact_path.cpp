@@ -35,9 +35,12 @@ class NormalMotion {
   double beyond_event() const {
     if (!restitution_) return speed;
     switch (end_) {
-      case ImpactEnd::newton: return speed - target_;
-      case ImpactEnd::poisson: return impulse - turn_impulse_ - e_ * compression_impulse_;
-      case ImpactEnd::energy: break;
+      case ImpactEnd::newton:
+        return speed - target_;
+      case ImpactEnd::poisson:
+        return impulse - turn_impulse_ - e_ * compression_impulse_;
+      case ImpactEnd::energy:
+        break;
     }
     return work - turn_work_ - e_ * e_ * compression_work_;
   }
@@ -85,9 +88,12 @@ class NormalMotion {
     const double missing = -beyond_event();
     if (missing <= 0) return 0;
     switch (end_) {
-      case ImpactEnd::newton: return missing / b;
-      case ImpactEnd::poisson: return missing;
-      case ImpactEnd::energy: break;
+      case ImpactEnd::newton:
+        return missing / b;
+      case ImpactEnd::poisson:
+        return missing;
+      case ImpactEnd::energy:
+        break;
     }
     return 2 * missing / (speed + std::sqrt(std::max(0.0, speed * speed + 2 * b * missing)));
   }
@@ -105,7 +111,12 @@ class NormalMotion {
 class Path {
  public:
   Path(const Eigen::Matrix3d& w, const Eigen::Vector3d& v, double mu, ImpactEnd end, double e)
-      : w_nn_(w(0, 0)), w_tn_(w.block<2, 1>(1, 0)), w_tt_(w.block<2, 2>(1, 1)), mu_(mu), slip_(v.tail<2>()), normal_(v[0], end, e) {}
+      : w_nn_(w(0, 0)),
+        w_tn_(w.block<2, 1>(1, 0)),
+        w_tt_(w.block<2, 2>(1, 1)),
+        mu_(mu),
+        slip_(v.tail<2>()),
+        normal_(v[0], end, e) {}
 
   Eigen::Vector3d follow() {
     if (mu_ == 0) return {normal_.along(w_nn_, infinity), 0, 0};
@@ -131,8 +142,8 @@ class Path {
     slip_ = gone < length ? Vector2d(slip_ + gone * along * e) : Vector2d::Zero();
   }
 
-  /// From v_t = 0: stick, or slip along the unit vector e with W_tn - mu W_tt e = lambda e, lambda > 0. It is the only one,
-  /// because |(mu W_tt + lambda I)^-1 w_tn| falls with lambda.
+  /// From v_t = 0: stick, or slip along the unit vector e with W_tn - mu W_tt e = lambda e, lambda > 0. It is
+  /// the only one, because |(mu W_tt + lambda I)^-1 w_tn| falls with lambda.
   void go_on_from_rest() {
     slip_.setZero();
     const auto direction = [&](double lambda) -> Vector2d {
@@ -147,8 +158,8 @@ class Path {
     double lambda = w_tn_.norm();  // here |direction| <= 1
     if (excess(lambda) < 0) {
       std::uintmax_t iterations = 200;
-      const auto bracket =
-          boost::math::tools::toms748_solve(excess, 0.0, lambda, boost::math::tools::eps_tolerance<double>(), iterations);
+      const auto bracket = boost::math::tools::toms748_solve(
+          excess, 0.0, lambda, boost::math::tools::eps_tolerance<double>(), iterations);
       lambda = 0.5 * (bracket.first + bracket.second);
     }
     const Vector2d e = direction(lambda).normalized();
@@ -156,7 +167,8 @@ class Path {
     slip_ = gone * slip_rate(e);
   }
 
-  /// With slip rho (cos phi, sin phi) and the clock sigma, dP = rho dsigma, the equations are smooth where slip ends:
+  /// With slip rho (cos phi, sin phi) and the clock sigma, dP = rho dsigma, the equations are smooth where
+  /// slip ends:
   ///   phi' = across, (ln rho)' = along, P' = rho, v_n' = rho (w_nn - mu e.w_tn), work' = rho v_n.
   void follow_turning_slip() {
     enum { phi, log_rho, impulse, speed, work };
@@ -171,10 +183,12 @@ class Path {
       normal_.speed = x[speed];
       normal_.work = x[work];
     };
-    static const odeint::runge_kutta_fehlberg78<State> blank{};  // static: GCC warns of copies of a work space not yet set
+    static const odeint::runge_kutta_fehlberg78<State>
+        blank{};  // static: GCC warns of copies of a work space not yet set
     auto plain = blank;
     auto stepper = odeint::make_controlled(1e-13, 1e-13, plain);
-    State x = {std::atan2(slip_.y(), slip_.x()), std::log(slip_.norm()), normal_.impulse, normal_.speed, normal_.work};
+    State x = {std::atan2(slip_.y(), slip_.x()), std::log(slip_.norm()), normal_.impulse, normal_.speed,
+               normal_.work};
     const double log_no_slip = std::log(no_slip);
     double t = 0, dt = 0.1;
     while (!normal_.ended() && x[log_rho] > log_no_slip) {
@@ -196,16 +210,17 @@ class Path {
       const double before = at(0);
       if (before < 0) {
         std::uintmax_t iterations = 100;
-        const auto bracket =
-            boost::math::tools::toms748_solve(at, 0.0, length, boost::math::tools::eps_tolerance<double>(), iterations);
+        const auto bracket = boost::math::tools::toms748_solve(
+            at, 0.0, length, boost::math::tools::eps_tolerance<double>(), iterations);
         at(bracket.second);
       }
       t = begin;
       again ? normal_.compress_again() : normal_.pass_event();
       x[speed] = normal_.speed;
     }
-    slip_ = x[log_rho] > log_no_slip ? Vector2d(std::exp(x[log_rho]) * Vector2d(std::cos(x[phi]), std::sin(x[phi])))
-                                     : Vector2d::Zero();
+    slip_ = x[log_rho] > log_no_slip
+                ? Vector2d(std::exp(x[log_rho]) * Vector2d(std::cos(x[phi]), std::sin(x[phi])))
+                : Vector2d::Zero();
   }
 
   double w_nn_;
@@ -218,14 +233,17 @@ class Path {
 
 }  // namespace
 
-Eigen::Vector3d impact_path(const Eigen::Matrix3d& w, const Eigen::Vector3d& v, double mu, ImpactEnd end, double e) {
+Eigen::Vector3d impact_path(const Eigen::Matrix3d& w, const Eigen::Vector3d& v, double mu, ImpactEnd end,
+                            double e) {
   if (v[0] >= 0) return Eigen::Vector3d::Zero();
   const double speed = v.norm(), mobility = w.trace();
   return speed / mobility * Path(w / mobility, v / speed, mu, end, e).follow();
 }
 
-Eigen::Vector2d impact_path(const Eigen::Matrix2d& w, const Eigen::Vector2d& v, double mu, ImpactEnd end, double e) {
-  Eigen::Matrix3d space = Eigen::Matrix3d::Identity() * w(1, 1);  // the third direction is at rest and coupled to nothing
+Eigen::Vector2d impact_path(const Eigen::Matrix2d& w, const Eigen::Vector2d& v, double mu, ImpactEnd end,
+                            double e) {
+  Eigen::Matrix3d space =
+      Eigen::Matrix3d::Identity() * w(1, 1);  // the third direction is at rest and coupled to nothing
   space.topLeftCorner<2, 2>() = w;
   return impact_path(space, {v[0], v[1], 0}, mu, end, e).head<2>();
 }

@@ -8,13 +8,14 @@
 
 namespace flyrock {
 
-/// Puts the law of a contact into its row of the problem, for a step of length h (0: an impact), and into `rebound`, whose
-/// v^- is left alone. `gap`: where the contact is detected; `sticking`: in the last step. A pull c_n that the contact bears
-/// and the push of a spring are given impulses L, -h c_n and h k max(0, -gap). Friction, rolling and spinning are bounded by
-/// all that presses: |r_t| <= mu r_n + h c_t, and |m_r| <= mu_r r_n or, where the contact bears a pull, mu_r (r_n + h c_n).
+/// Puts the law of a contact into its row of the problem, for a step of length h (0: an impact), and into
+/// `rebound`, whose v^- is left alone. `gap`: where the contact is detected; `sticking`: in the last step. A
+/// pull c_n that the contact bears and the push of a spring are given impulses L, -h c_n and h k max(0,
+/// -gap). Friction, rolling and spinning are bounded by all that presses: |r_t| <= mu r_n + h c_t, and |m_r|
+/// <= mu_r r_n or, where the contact bears a pull, mu_r (r_n + h c_n).
 template <int D>
-void set_law(const ContactLaw& law, bool sticking, double gap, double h, typename ContactProblem<D>::Contact& contact,
-             Rebound<D>& rebound) {
+void set_law(const ContactLaw& law, bool sticking, double gap, double h,
+             typename ContactProblem<D>::Contact& contact, Rebound<D>& rebound) {
   const bool spring = law.condition == NormalCondition::penalty;
   contact.mu = sticking ? law.mu_s : law.mu_d;
   contact.mu_r = law.mu_r;

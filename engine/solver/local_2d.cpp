@@ -51,7 +51,8 @@ Row solve_friction(const Problem::Contact& c, const Row& b) {
   return best;
 }
 
-/// Friction and rolling resistance; of an open contact r_n = 0, and only the constant parts of the bounds resist.
+/// Friction and rolling resistance; of an open contact r_n = 0, and only the constant parts of the bounds
+/// resist.
 Row solve_rolling(const Problem::Contact& c, const Row& b, bool open) {
   Row best = Row::Zero();
   double least = std::numeric_limits<double>::infinity();
@@ -79,7 +80,8 @@ Row solve_rolling(const Problem::Contact& c, const Row& b, bool open) {
       if (!invertible) continue;
       const Row r = inverse * rhs;
       const Row u = b + c.w * r;
-      const double violation = std::max(0.0, -r[0]) + row_violation(slide, r[1], c.mu * r[0] + c.c_t, u[1], c.w(1, 1)) +
+      const double violation = std::max(0.0, -r[0]) +
+                               row_violation(slide, r[1], c.mu * r[0] + c.c_t, u[1], c.w(1, 1)) +
                                row_violation(roll, r[2], c.mu_r * r[0] + c.c_r, u[2], c.w(2, 2));
       if (violation < least) {
         least = violation;
@@ -110,7 +112,8 @@ Row solve_local(const Problem::Contact& contact, const Row& b) {
   else if (contact.c_t > 0)
     open[1] = std::clamp(-b[1] / contact.w(1, 1), -contact.c_t, contact.c_t);
   if (!contact.normal || b[0] + contact.w.row(0).dot(open) >= 0) return open;
-  return clipped(contact, contact.resists_rotation() ? solve_rolling(contact, b, false) : solve_friction(contact, b));
+  return clipped(contact,
+                 contact.resists_rotation() ? solve_rolling(contact, b, false) : solve_friction(contact, b));
 }
 
 }  // namespace flyrock

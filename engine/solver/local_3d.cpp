@@ -54,13 +54,16 @@ Vector3d FrictionContact3::solve(const Vector3d& b, const Vector3d& guess) const
 
 bool FrictionContact3::stick(const Vector3d& b, Vector3d& r) const {
   const Vector3d impulse = inverse_ * -b;
-  if (!(impulse[0] > 0) || impulse.tail<2>().squaredNorm() > mu_ * mu_ * impulse[0] * impulse[0]) return false;
-  if (singular_ && (b + w_ * impulse).norm() > 1e3 * eps * (b.norm() + w_.norm() * impulse.norm())) return false;
+  if (!(impulse[0] > 0) || impulse.tail<2>().squaredNorm() > mu_ * mu_ * impulse[0] * impulse[0])
+    return false;
+  if (singular_ && (b + w_ * impulse).norm() > 1e3 * eps * (b.norm() + w_.norm() * impulse.norm()))
+    return false;
   r = impulse;
   return true;
 }
 
-/// Newton on the angle of r_t. `r` holds the impulse that was reached; true where it solves the contact to rounding.
+/// Newton on the angle of r_t. `r` holds the impulse that was reached; true where it solves the contact to
+/// rounding.
 bool FrictionContact3::slide_from(const Vector2d& direction, const Vector3d& b, Vector3d& r) const {
   constexpr int most_steps = 12;
   constexpr double longest_turn = 0.5;
@@ -100,7 +103,8 @@ Vector2d FrictionContact3::bracketed_direction(const Vector3d& b) const {
 
   // Beyond `high` the term of lambda^2 outweighs all others.
   double low = n_0 > 0 ? 0 : std::max(0.0, greatest_root(-b_n, n_1, n_0));
-  double high = greatest_root(-mu_ * b_n, -(mu_ * std::abs(n_1) + p_1.norm()), -(mu_ * std::abs(n_0) + p_0.norm()));
+  double high =
+      greatest_root(-mu_ * b_n, -(mu_ * std::abs(n_1) + p_1.norm()), -(mu_ * std::abs(n_0) + p_0.norm()));
   double lambda = high;
   for (int step = 0; step < 200 && high - low > 1e-9 * high; ++step) {
     const double f = excess(lambda);
@@ -123,7 +127,8 @@ ContactProblem<3>::Row solve_local(const ContactProblem<3>::Contact& contact, co
                                    const ContactProblem<3>::Row& guess) {
   if (!contact.is_plain()) return solve_bounded(contact, b, guess);
   ContactProblem<3>::Row r = ContactProblem<3>::Row::Zero();
-  r.head<3>() = FrictionContact3(contact.w.topLeftCorner<3, 3>(), contact.mu).solve(b.head<3>(), guess.head<3>());
+  r.head<3>() =
+      FrictionContact3(contact.w.topLeftCorner<3, 3>(), contact.mu).solve(b.head<3>(), guess.head<3>());
   return r;
 }
 

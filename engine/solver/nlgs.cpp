@@ -56,8 +56,9 @@ void Nlgs<D>::begin_acceleration() {
   anderson_.begin(scale_);
 }
 
-/// One sweep over the leading N rows. Answers, in problems of more than a few contacts, with the error that it met on its
-/// way: before each contact is solved, its error by the measure, relative to its speed_scale; the greatest, or |F|.
+/// One sweep over the leading N rows. Answers, in problems of more than a few contacts, with the error that
+/// it met on its way: before each contact is solved, its error by the measure, relative to its speed_scale;
+/// the greatest, or |F|.
 template <int D>
 template <int N>
 double Nlgs<D>::sweep_rows(std::vector<Row>& r) const {
@@ -117,8 +118,9 @@ const SolveResult& Nlgs<D>::run(int sweeps, std::vector<Row>& r) {
     if (!accelerated_ || k >= next_judgement_ || met * foretold_ <= wanted_ || k == end) {
       judge(problem, settings_, r, result_);
       if (result_.converged) return result_;
-      const double scale = settings_.measure == ErrorMeasure::merit ? settings_.tolerance / wanted_
-                                                                    : problem.contacts[result_.worst_contact].speed_scale;
+      const double scale = settings_.measure == ErrorMeasure::merit
+                               ? settings_.tolerance / wanted_
+                               : problem.contacts[result_.worst_contact].speed_scale;
       if (met > 0 && scale > 0) foretold_ = std::min(1.0, result_.residual / (met * scale));
       next_judgement_ = k + std::min(k, longest_wait);
       if (result_.residual < best_residual_) best_ = r, best_residual_ = result_.residual;

@@ -21,7 +21,8 @@ struct Rounded {
 
 /// The law r = p(y) of a contact, smoothed; rows that carry nothing have p = 0.
 template <int D>
-SmoothedLaw<D> smoothed_law(const typename ContactProblem<D>::Contact& contact, const typename ContactProblem<D>::Row& diagonal,
+SmoothedLaw<D> smoothed_law(const typename ContactProblem<D>::Contact& contact,
+                            const typename ContactProblem<D>::Row& diagonal,
                             const typename ContactProblem<D>::Row& y, double smoothing) {
   SmoothedLaw<D> law;
   law.value.setZero(), law.slope.setZero();
@@ -41,7 +42,8 @@ SmoothedLaw<D> smoothed_law(const typename ContactProblem<D>::Contact& contact, 
       law.slope(i, 0) = y[i] * (1 - share * (1 - beyond.slope)) / m * contact.bound(g) * law.slope(0, 0);
       law.slope(i, i) = share;
       if (size > 0)
-        for (int j = first; j < first + count; ++j) law.slope(i, j) -= share * beyond.slope / m * y[i] * y[j] / size;
+        for (int j = first; j < first + count; ++j)
+          law.slope(i, j) -= share * beyond.slope / m * y[i] * y[j] / size;
     }
   }
   return law;
@@ -54,7 +56,8 @@ void clip(const ContactProblem<D>& problem, std::vector<typename ContactProblem<
     r[a][0] = std::max(0.0, r[a][0]);
     for (int g = 0; g < static_cast<int>(ContactProblem<D>::groups.size()); ++g) {
       const auto [begin, count] = ContactProblem<D>::groups[g];
-      const double radius = problem.contacts[a].radius(g, r[a][0]), size = r[a].segment(begin, count).stableNorm();
+      const double radius = problem.contacts[a].radius(g, r[a][0]),
+                   size = r[a].segment(begin, count).stableNorm();
       if (size > radius)
         for (int i = begin; i < begin + count; ++i) r[a][i] *= radius / size;
     }
@@ -76,7 +79,8 @@ void ProximalNewton<D>::begin(const Problem& problem) {
       const auto [first, count] = Problem::groups[g];
       diagonal_[a].segment(first, count).setConstant(w.segment(first, count).maxCoeff());
     }
-    for (int i = 0; i < width; ++i) scale_[a * width + i] = diagonal_[a][i] > 0 ? std::sqrt(diagonal_[a][i]) : 1;
+    for (int i = 0; i < width; ++i)
+      scale_[a * width + i] = diagonal_[a][i] > 0 ? std::sqrt(diagonal_[a][i]) : 1;
   }
   analysed_ = false;
 }
@@ -94,7 +98,8 @@ double ProximalNewton<D>::find_error(const std::vector<Row>& r, double smoothing
     for (int i = 0; i < width; ++i)
       if (d[i] > 0) y[i] -= u[i] / d[i];
     laws_[a] = smoothed_law<D>(problem_->contacts[a], d, y, smoothing);
-    for (int i = 0; i < width; ++i) error_[a * width + i] = (r[a][i] - laws_[a].value[i]) * scale_[a * width + i];
+    for (int i = 0; i < width; ++i)
+      error_[a * width + i] = (r[a][i] - laws_[a].value[i]) * scale_[a * width + i];
   }
   return error_.norm();
 }
@@ -104,7 +109,8 @@ template <int D>
 bool ProximalNewton<D>::find_direction() {
   const int width = problem_->width();
   entries_.clear();
-  const auto enter = [&](int a, int b, const Block& w) {  // the part of dp_a / dr_b through u_a, with its sign
+  const auto enter = [&](int a, int b,
+                         const Block& w) {  // the part of dp_a / dr_b through u_a, with its sign
     const Block& slope = laws_[a].slope;
     const Row& d = diagonal_[a];
     for (int j = 0; j < width; ++j)
@@ -120,7 +126,8 @@ bool ProximalNewton<D>::find_direction() {
     Block w = problem_->contacts[a].w;
     w.diagonal() += alpha_ * diagonal_[a];
     enter(a, a, w);
-    for (int k = problem_->first[a]; k < problem_->first[a + 1]; ++k) enter(a, problem_->other(k), problem_->full_block(k));
+    for (int k = problem_->first[a]; k < problem_->first[a + 1]; ++k)
+      enter(a, problem_->other(k), problem_->full_block(k));
   }
   matrix_.resize(error_.size(), error_.size());
   matrix_.setFromTriplets(entries_.begin(), entries_.end());
@@ -152,9 +159,9 @@ void ProximalNewton<D>::judge_step(Nlgs<D>& sweeper, const std::vector<Row>& r) 
 /// Solves the shifted problem around r, which is the next centre then; false where its Newton steps stall.
 template <int D>
 bool ProximalNewton<D>::find_next_centre(Nlgs<D>& sweeper, int steps, std::vector<Row>& r) {
-  constexpr double wanted = 0.05;        // of the error at the centre
-  constexpr double least_step = 1e-3;    // of a Newton step
-  constexpr double sufficient = 1e-4;    // decrease, as a share of the step
+  constexpr double wanted = 0.05;      // of the error at the centre
+  constexpr double least_step = 1e-3;  // of a Newton step
+  constexpr double sufficient = 1e-4;  // decrease, as a share of the step
   const int n = problem_->size();
   centre_ = r;
   const double target = wanted * find_error(r, 0);
@@ -183,8 +190,8 @@ bool ProximalNewton<D>::find_next_centre(Nlgs<D>& sweeper, int steps, std::vecto
 }
 
 template <int D>
-SolveResult ProximalNewton<D>::solve(const Problem& problem, const SolveSettings& settings, Nlgs<D>& sweeper, int steps,
-                                     std::vector<Row>& r) {
+SolveResult ProximalNewton<D>::solve(const Problem& problem, const SolveSettings& settings, Nlgs<D>& sweeper,
+                                     int steps, std::vector<Row>& r) {
   constexpr double first_alpha = 1e-3, least_alpha = 1e-12, greatest_alpha = 1;
   constexpr int few = 5, several = 10, many = 20;  // Newton steps between centres
   settings_ = settings;

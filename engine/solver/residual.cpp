@@ -21,10 +21,13 @@ double ball_error(const Vector& x, const Vector& u, double step, double bound) {
 }
 
 template <int D>
-double group_error(typename ContactProblem<D>::Group group, const Row<D>& u, const Row<D>& r, double step, double bound) {
+double group_error(typename ContactProblem<D>::Group group, const Row<D>& u, const Row<D>& r, double step,
+                   double bound) {
   if (group.count == 1)
-    return ball_error<Eigen::Matrix<double, 1, 1>>(r.template segment<1>(group.first), u.template segment<1>(group.first), step, bound);
-  return ball_error<Eigen::Vector2d>(r.template segment<2>(group.first), u.template segment<2>(group.first), step, bound);
+    return ball_error<Eigen::Matrix<double, 1, 1>>(r.template segment<1>(group.first),
+                                                   u.template segment<1>(group.first), step, bound);
+  return ball_error<Eigen::Vector2d>(r.template segment<2>(group.first), u.template segment<2>(group.first),
+                                     step, bound);
 }
 
 template <int D>
@@ -64,8 +67,8 @@ double local_error(const typename ContactProblem<D>::Contact& contact, const Row
       error = std::max(error, group_error<D>(group, u, r, 1 / w, radius) * w);
     } else if (contact.resists(static_cast<int>(g))) {
       const double diagonal = contact.w.diagonal().segment(group.first, group.count).maxCoeff();
-      error = std::max(error, group_error<D>(group, u, r, 1 / diagonal, radius) *
-                                  std::sqrt(contact.w(0, 0) * diagonal));
+      error = std::max(
+          error, group_error<D>(group, u, r, 1 / diagonal, radius) * std::sqrt(contact.w(0, 0) * diagonal));
     }
   }
   return error;
@@ -76,15 +79,17 @@ double rounding_error(const ContactProblem<D>& problem, int a, const std::vector
   const auto& contact = problem.contacts[a];
   double size = contact.q.template head<D>().norm() + contact.w.template topRows<D>().norm() * r[a].norm();
   for (int k = problem.first[a]; k < problem.first[a + 1]; ++k) {
-    const double w = problem.width() == D ? problem.template block<D>(k).norm()
-                                          : problem.template block<ContactProblem<D>::rows>(k).template topRows<D>().norm();
+    const double w = problem.width() == D
+                         ? problem.template block<D>(k).norm()
+                         : problem.template block<ContactProblem<D>::rows>(k).template topRows<D>().norm();
     size += w * r[problem.other(k)].norm();
   }
   return 32 * std::numeric_limits<double>::epsilon() * size;
 }
 
 template <int D>
-double natural_map_squared(const typename ContactProblem<D>::Contact& contact, const Row<D>& u, const Row<D>& r) {
+double natural_map_squared(const typename ContactProblem<D>::Contact& contact, const Row<D>& u,
+                           const Row<D>& r) {
   if (!contact.is_plain()) return separate_error<D>(contact, u, r);
   return de_saxce_error<D>(contact.mu, u.template head<D>(), r.template head<D>());
 }
@@ -102,7 +107,8 @@ Merit merit(const ContactProblem<D>& problem, const std::vector<Row<D>>& r) {
     q += contact.q.template head<D>().squaredNorm();
     for (std::size_t g = 1; g < ContactProblem<D>::groups.size(); ++g)
       if (contact.resists(static_cast<int>(g)))
-        q += contact.q.segment(ContactProblem<D>::groups[g].first, ContactProblem<D>::groups[g].count).squaredNorm();
+        q += contact.q.segment(ContactProblem<D>::groups[g].first, ContactProblem<D>::groups[g].count)
+                 .squaredNorm();
     squares += square;
     if (square > worst) worst = square, result.worst_contact = a;
   }
@@ -127,18 +133,21 @@ void judge(const ContactProblem<D>& problem, const SolveSettings& settings, cons
   for (int a = 0; a < problem.size(); ++a) {
     const auto& contact = problem.contacts[a];
     const double error = local_error<D>(contact, problem.velocity(a, r), r[a]);
-    if (result.worst_contact < 0 || !(error <= result.residual)) result.residual = error, result.worst_contact = a;
+    if (result.worst_contact < 0 || !(error <= result.residual))
+      result.residual = error, result.worst_contact = a;
     const double allowed = settings.tolerance * contact.speed_scale;
-    result.converged = result.converged && (error <= allowed || error <= allowed + rounding_error(problem, a, r));
+    result.converged =
+        result.converged && (error <= allowed || error <= allowed + rounding_error(problem, a, r));
   }
 }
 
-#define FLYROCK_INSTANTIATE(D)                                                                                        \
-  template double local_error<D>(const ContactProblem<D>::Contact&, const Row<D>&, const Row<D>&);                    \
-  template double rounding_error<D>(const ContactProblem<D>&, int, const std::vector<Row<D>>&);                       \
-  template double natural_map_squared<D>(const ContactProblem<D>::Contact&, const Row<D>&, const Row<D>&);            \
-  template Merit merit<D>(const ContactProblem<D>&, const std::vector<Row<D>>&);                                      \
-  template void judge<D>(const ContactProblem<D>&, const SolveSettings&, const std::vector<Row<D>>&, SolveResult&);
+#define FLYROCK_INSTANTIATE(D)                                                                             \
+  template double local_error<D>(const ContactProblem<D>::Contact&, const Row<D>&, const Row<D>&);         \
+  template double rounding_error<D>(const ContactProblem<D>&, int, const std::vector<Row<D>>&);            \
+  template double natural_map_squared<D>(const ContactProblem<D>::Contact&, const Row<D>&, const Row<D>&); \
+  template Merit merit<D>(const ContactProblem<D>&, const std::vector<Row<D>>&);                           \
+  template void judge<D>(const ContactProblem<D>&, const SolveSettings&, const std::vector<Row<D>>&,       \
+                         SolveResult&);
 FLYROCK_INSTANTIATE(2)
 FLYROCK_INSTANTIATE(3)
 #undef FLYROCK_INSTANTIATE

@@ -10,21 +10,22 @@ namespace flyrock {
 
 /// The scaled local map of a contact in m/s: with rho = 1 / max diagonal of its n and t rows,
 ///   e_n = |r_n - max(0, r_n - rho u_n)| / rho,   e_t = |r_t - P(r_t - rho u_t)| / rho,
-/// P the projection onto |r_t| <= mu r_n + c_t. Spinning and rolling rows likewise with their own bound and diagonal, brought to m/s by
-/// the length sqrt(W_nn / W_gg). The greatest; zero exactly at a solution.
+/// P the projection onto |r_t| <= mu r_n + c_t. Spinning and rolling rows likewise with their own bound and
+/// diagonal, brought to m/s by the length sqrt(W_nn / W_gg). The greatest; zero exactly at a solution.
 template <int D>
-double local_error(const typename ContactProblem<D>::Contact& contact, const typename ContactProblem<D>::Row& u,
-                   const typename ContactProblem<D>::Row& r);
+double local_error(const typename ContactProblem<D>::Contact& contact,
+                   const typename ContactProblem<D>::Row& u, const typename ContactProblem<D>::Row& r);
 
 /// What rounding alone may leave in the local error of contact a: 32 eps (|q| + sum |W_ab| |r_b|), over the
 /// translational rows.
 template <int D>
-double rounding_error(const ContactProblem<D>& problem, int a, const std::vector<typename ContactProblem<D>::Row>& r);
+double rounding_error(const ContactProblem<D>& problem, int a,
+                      const std::vector<typename ContactProblem<D>::Row>& r);
 
 /// The size of the natural map of the de Saxce form with rho = 1, over the rows that are in use:
 ///   F_a = r_a - P_K(r_a - (u_n + mu |u_t|, u_t)),   K = { |r_t| <= mu r_n };   the merit is |F| / |q|
-/// and FCLIB's own is |F| / (1 + sqrt |q|). FCLIB knows no cohesion, spinning or rolling: with them the map is
-/// (r_n - max(0, r_n - u_n), r_g - P(r_g - u_g)) instead, whose zeros are the same.
+/// and FCLIB's own is |F| / (1 + sqrt |q|). FCLIB knows no cohesion, spinning or rolling: with them the map
+/// is (r_n - max(0, r_n - u_n), r_g - P(r_g - u_g)) instead, whose zeros are the same.
 struct Merit {
   double natural_map = 0;  ///< |F|
   double q = 0;            ///< |q|
@@ -36,7 +37,8 @@ struct Merit {
 };
 /// |F_a|^2 of one contact.
 template <int D>
-double natural_map_squared(const typename ContactProblem<D>::Contact& contact, const typename ContactProblem<D>::Row& u,
+double natural_map_squared(const typename ContactProblem<D>::Contact& contact,
+                           const typename ContactProblem<D>::Row& u,
                            const typename ContactProblem<D>::Row& r);
 template <int D>
 Merit merit(const ContactProblem<D>& problem, const std::vector<typename ContactProblem<D>::Row>& r);

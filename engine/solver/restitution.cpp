@@ -9,12 +9,13 @@ namespace flyrock {
 
 template <int D>
 bool ImpactSolver<D>::two_phase(int a, const Rebound<D>& rebound) const {
-  return rebound.e_n > 0 && (rebound.form == RestitutionForm::poisson || rebound.form == RestitutionForm::energy) &&
+  return rebound.e_n > 0 &&
+         (rebound.form == RestitutionForm::poisson || rebound.form == RestitutionForm::energy) &&
          free_[a][0] < 0;
 }
 
-/// Gives a contact that is coupled to no other its impulse, and puts that into q. False where it must take part in the
-/// common problem.
+/// Gives a contact that is coupled to no other its impulse, and puts that into q. False where it must take
+/// part in the common problem.
 template <int D>
 bool ImpactSolver<D>::solve_alone(Problem& problem, int a, const Rebound<D>& rebound) {
   auto& contact = problem.contacts[a];
@@ -24,7 +25,8 @@ bool ImpactSolver<D>::solve_alone(Problem& problem, int a, const Rebound<D>& reb
   if (rebound.form == RestitutionForm::velocity && rebound.before[0] < 0) {
     if (!alone)
       throw TrialError(
-          "restitution of form velocity at a contact whose body touches something else at the same time, expected a contact "
+          "restitution of form velocity at a contact whose body touches something else at the same time, "
+          "expected a contact "
           "of its own");
     Eigen::Matrix<double, D, 1> after = rebound.e_t * rebound.before.template head<D>();
     after[0] = -rebound.e_n * rebound.before[0];
@@ -52,8 +54,8 @@ void ImpactSolver<D>::add_given(Problem& problem) const {
 }
 
 template <int D>
-SolveResult ImpactSolver<D>::solve(Problem& problem, const std::vector<Rebound<D>>& rebounds, const SolveSettings& settings,
-                                   std::vector<Row>& r) {
+SolveResult ImpactSolver<D>::solve(Problem& problem, const std::vector<Rebound<D>>& rebounds,
+                                   const SolveSettings& settings, std::vector<Row>& r) {
   const int n = problem.size();
   free_.resize(n), turn_.resize(n), given_.resize(n), expansion_.resize(n);
   alone_.assign(n, Row::Zero());
@@ -76,7 +78,8 @@ SolveResult ImpactSolver<D>::solve(Problem& problem, const std::vector<Rebound<D
       factor_[a] = rebound.e_n;
       phases = true;
     } else if (rebound.form == RestitutionForm::newton) {
-      contact.q[0] += rebound.e_n * (rebound.as_lmgc90 ? rebound.before[0] : std::min(0.0, rebound.before[0]));
+      contact.q[0] +=
+          rebound.e_n * (rebound.as_lmgc90 ? rebound.before[0] : std::min(0.0, rebound.before[0]));
       contact.q.template segment<D - 1>(1) += rebound.e_t * rebound.before.template segment<D - 1>(1);
     } else if (rebound.form == RestitutionForm::newton_mean) {
       contact.q[0] += rebound.e_n * std::min(0.0, rebound.before[0]);
@@ -111,7 +114,8 @@ SolveResult ImpactSolver<D>::solve(Problem& problem, const std::vector<Rebound<D
 
 /// The second phase: impulses L + r with L = f r_Cn given, friction, rolling and spinning bounded by both.
 template <int D>
-SolveResult ImpactSolver<D>::expand(Problem& problem, const SolveSettings& settings, const std::vector<Row>& compression) {
+SolveResult ImpactSolver<D>::expand(Problem& problem, const SolveSettings& settings,
+                                    const std::vector<Row>& compression) {
   for (int a = 0; a < problem.size(); ++a) {
     auto& contact = problem.contacts[a];
     given_[a].setZero();
@@ -126,7 +130,8 @@ SolveResult ImpactSolver<D>::expand(Problem& problem, const SolveSettings& setti
   return result;
 }
 
-/// Brings f of the contacts of form energy towards their balance; how far the worst of them was from it, as a share.
+/// Brings f of the contacts of form energy towards their balance; how far the worst of them was from it, as a
+/// share.
 template <int D>
 double ImpactSolver<D>::adjust_factors(const Problem& problem, const std::vector<Rebound<D>>& rebounds,
                                        const std::vector<Row>& compression) {
@@ -134,12 +139,14 @@ double ImpactSolver<D>::adjust_factors(const Problem& problem, const std::vector
   for (int a = 0; a < problem.size(); ++a) {
     if (factor_[a] <= 0 || rebounds[a].form != RestitutionForm::energy || compression[a][0] <= 0) continue;
     const auto& contact = problem.contacts[a];
-    const double change = (problem.outside_velocity(a, expansion_) - contact.q + contact.w * expansion_[a])[0];
+    const double change =
+        (problem.outside_velocity(a, expansion_) - contact.q + contact.w * expansion_[a])[0];
     const double lost = -0.5 * compression[a][0] * (free_[a][0] + turn_[a][0]);
     const double released = 0.5 * expansion_[a][0] * (2 * turn_[a][0] + change);
     const double allowed = rebounds[a].e_n * rebounds[a].e_n * lost;
     if (allowed <= 0) continue;
-    // Where the others press harder than f asks, the contact does not open and its work is below what is allowed.
+    // Where the others press harder than f asks, the contact does not open and its work is below what is
+    // allowed.
     const bool pressed = expansion_[a][0] > given_[a][0] * (1 + 1e-9);
     if (pressed && released <= allowed) continue;
     worst = std::max(worst, std::abs(released / allowed - 1));

@@ -9,33 +9,40 @@
 
 namespace flyrock {
 
-/// How one contact of an impact rebounds. A contact that closes too slowly to rebound, or rests, has the default.
+/// How one contact of an impact rebounds. A contact that closes too slowly to rebound, or rests, has the
+/// default.
 template <int D>
 struct Rebound {
   RestitutionForm form = RestitutionForm::newton;
   double e_n = 0;
   double e_t = 0;
   bool as_lmgc90 = false;  ///< newton: also a contact that separates keeps to v_n^+ >= -e_n v_n^-
-  double given = 0;        ///< N s, a part of the normal impulse that is given: below 0 a pull that the contact bears
+  double given =
+      0;  ///< N s, a part of the normal impulse that is given: below 0 a pull that the contact bears
   typename ContactProblem<D>::Row before = ContactProblem<D>::Row::Zero();  ///< its velocity v^-
 };
 
-/// Solves the friction problem of contacts that rebound. On entry `problem.q` is the free velocity; `rebounds` has one entry a
-/// contact. With v = q + W r and v_n^* = min(0, v_n^-):
+/// Solves the friction problem of contacts that rebound. On entry `problem.q` is the free velocity;
+/// `rebounds` has one entry a contact. With v = q + W r and v_n^* = min(0, v_n^-):
 ///  - newton:      0 <= v_n + e_n v_n^* _|_ r_n >= 0, Coulomb on v_t + e_t v_t^-. May gain energy.
-///  - newton_mean: the same normal condition, Coulomb (and rolling) on the mean of v_t and v_t^- (Fremond). Never gains for
+///  - newton_mean: the same normal condition, Coulomb (and rolling) on the mean of v_t and v_t^- (Fremond).
+///  Never gains for
 ///                 e_n <= 1; a contact that sticks ends with v_t = -v_t^-.
-///  - poisson, energy: a contact that is coupled to no other, without rolling resistance and cohesion, follows its path in
-///                 impulse space (impact_path.h). Several go through two phases (Glocker and Pfeiffer): compression as with
-///                 e = 0, impulses r_C; then restitution with r_n >= f r_Cn, and Coulomb (and rolling) on the velocity at its
-///                 end. poisson has f = e_n; for energy f is iterated, contact by contact, until the normal work of
-///                 restitution is -e_n^2 times that of compression (at most so, where other contacts press harder).
-///  - velocity:    v_n = -e_n v_n^-, v_t = e_t v_t^- whatever the friction; only for a contact that is coupled to no other:
+///  - poisson, energy: a contact that is coupled to no other, without rolling resistance and cohesion,
+///  follows its path in
+///                 impulse space (impact_path.h). Several go through two phases (Glocker and Pfeiffer):
+///                 compression as with e = 0, impulses r_C; then restitution with r_n >= f r_Cn, and Coulomb
+///                 (and rolling) on the velocity at its end. poisson has f = e_n; for energy f is iterated,
+///                 contact by contact, until the normal work of restitution is -e_n^2 times that of
+///                 compression (at most so, where other contacts press harder).
+///  - velocity:    v_n = -e_n v_n^-, v_t = e_t v_t^- whatever the friction; only for a contact that is
+///  coupled to no other:
 ///                 else TrialError.
-/// A given impulse L belongs to r_n: where the contact has normal rows, r_n >= L; its c_t is that of a bound on r_n - L.
-/// Forms mix: a contact of newton or newton_mean keeps its conditions in both phases. `r` holds the start (zero, or the
-/// impulses of the last step) and the answer. `problem` is left as it was solved last. Instantiated for D = 2, 3. Sources: M. Jean 1999; M. Fremond
-/// 1995; C. Glocker and F. Pfeiffer 1995; W. J. Stronge 1990.
+/// A given impulse L belongs to r_n: where the contact has normal rows, r_n >= L; its c_t is that of a bound
+/// on r_n - L. Forms mix: a contact of newton or newton_mean keeps its conditions in both phases. `r` holds
+/// the start (zero, or the impulses of the last step) and the answer. `problem` is left as it was solved
+/// last. Instantiated for D = 2, 3. Sources: M. Jean 1999; M. Fremond 1995; C. Glocker and F. Pfeiffer 1995;
+/// W. J. Stronge 1990.
 template <int D>
 class ImpactSolver {
  public:

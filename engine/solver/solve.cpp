@@ -16,7 +16,8 @@ constexpr int sweeps_of_a_step = 10;  // what a factorisation counts as
 /// The residual in units of what is wanted.
 template <int D>
 double excess(const ContactProblem<D>& problem, const SolveSettings& settings, const SolveResult& result) {
-  const double scale = settings.measure == ErrorMeasure::merit ? 1 : problem.contacts[result.worst_contact].speed_scale;
+  const double scale =
+      settings.measure == ErrorMeasure::merit ? 1 : problem.contacts[result.worst_contact].speed_scale;
   return result.residual / (settings.tolerance * scale);
 }
 
@@ -32,23 +33,28 @@ template <int D>
 Solver<D>::~Solver() = default;
 
 template <int D>
-SolveResult Solver<D>::solve(const ContactProblem<D>& problem, const SolveSettings& settings, std::vector<Row>& r) {
+SolveResult Solver<D>::solve(const ContactProblem<D>& problem, const SolveSettings& settings,
+                             std::vector<Row>& r) {
   if (settings.to_rounding) {
     const SolveResult result = refine(problem, settings, r);
     if (result.converged) return result;
   }
   switch (settings.solver) {
-    case SolverKind::nlgs: return nlgs_.solve(problem, settings, r);
-    case SolverKind::proximal_newton: return solve_by_newton(problem, settings, r);
-    case SolverKind::automatic: break;
+    case SolverKind::nlgs:
+      return nlgs_.solve(problem, settings, r);
+    case SolverKind::proximal_newton:
+      return solve_by_newton(problem, settings, r);
+    case SolverKind::automatic:
+      break;
   }
   return solve_by_both(problem, settings, r);
 }
 
-/// Sweeps until only rounding is left: plain ones, then accelerated ones as long as they help. Judged by the tolerance in
-/// the end.
+/// Sweeps until only rounding is left: plain ones, then accelerated ones as long as they help. Judged by the
+/// tolerance in the end.
 template <int D>
-SolveResult Solver<D>::refine(const ContactProblem<D>& problem, const SolveSettings& settings, std::vector<Row>& r) {
+SolveResult Solver<D>::refine(const ContactProblem<D>& problem, const SolveSettings& settings,
+                              std::vector<Row>& r) {
   constexpr int plain = 16, turn = 32;  // sweeps
   constexpr double least_gain = 0.5;    // of a turn
   SolveSettings finest = settings;
@@ -69,7 +75,8 @@ SolveResult Solver<D>::refine(const ContactProblem<D>& problem, const SolveSetti
 }
 
 template <int D>
-SolveResult Solver<D>::solve_by_newton(const ContactProblem<D>& problem, const SolveSettings& settings, std::vector<Row>& r) {
+SolveResult Solver<D>::solve_by_newton(const ContactProblem<D>& problem, const SolveSettings& settings,
+                                       std::vector<Row>& r) {
   constexpr int first_sweeps = 20;
   nlgs_.begin(problem, settings, r);
   for (int k = 0; k < first_sweeps; ++k) nlgs_.sweep_once(r);
@@ -78,7 +85,8 @@ SolveResult Solver<D>::solve_by_newton(const ContactProblem<D>& problem, const S
 }
 
 template <int D>
-SolveResult Solver<D>::solve_by_both(const ContactProblem<D>& problem, const SolveSettings& settings, std::vector<Row>& r) {
+SolveResult Solver<D>::solve_by_both(const ContactProblem<D>& problem, const SolveSettings& settings,
+                                     std::vector<Row>& r) {
   constexpr int first_turn = 32, turn = 64;  // sweeps
   constexpr int longest_way = 300;           // sweeps; Newton steps are shorter
   nlgs_.begin(problem, settings, r);

@@ -11,10 +11,10 @@ namespace flyrock {
 template <int D>
 class ProximalNewton;
 
-/// Solves friction problems with the solver that the settings name. `automatic` begins with NLGS, which nearly always
-/// suffices, and goes on with Newton steps (proximal_newton.h) where the sweeps foretell that they are the longer way. What
-/// a step costs is counted, not timed: the same problem takes the same way on every machine.
-/// It keeps its buffers: no allocation while NLGS suffices. Instantiated for D = 2, 3.
+/// Solves friction problems with the solver that the settings name. `automatic` begins with NLGS, which
+/// nearly always suffices, and goes on with Newton steps (proximal_newton.h) where the sweeps foretell that
+/// they are the longer way. What a step costs is counted, not timed: the same problem takes the same way on
+/// every machine. It keeps its buffers: no allocation while NLGS suffices. Instantiated for D = 2, 3.
 template <int D>
 class Solver {
  public:
@@ -30,8 +30,10 @@ class Solver {
 
  private:
   SolveResult refine(const ContactProblem<D>& problem, const SolveSettings& settings, std::vector<Row>& r);
-  SolveResult solve_by_newton(const ContactProblem<D>& problem, const SolveSettings& settings, std::vector<Row>& r);
-  SolveResult solve_by_both(const ContactProblem<D>& problem, const SolveSettings& settings, std::vector<Row>& r);
+  SolveResult solve_by_newton(const ContactProblem<D>& problem, const SolveSettings& settings,
+                              std::vector<Row>& r);
+  SolveResult solve_by_both(const ContactProblem<D>& problem, const SolveSettings& settings,
+                            std::vector<Row>& r);
 
   Nlgs<D> nlgs_;
   std::unique_ptr<ProximalNewton<D>> newton_;  ///< made when it is first needed

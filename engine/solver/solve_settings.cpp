@@ -9,7 +9,9 @@ namespace flyrock {
 namespace {
 
 constexpr std::array<std::pair<SolverKind, std::string_view>, 3> names{
-    {{SolverKind::automatic, "auto"}, {SolverKind::nlgs, "nlgs"}, {SolverKind::proximal_newton, "proximal_newton"}}};
+    {{SolverKind::automatic, "auto"},
+     {SolverKind::nlgs, "nlgs"},
+     {SolverKind::proximal_newton, "proximal_newton"}}};
 
 }  // namespace
 
@@ -18,7 +20,8 @@ std::string_view name_of(SolverKind kind) {
 }
 
 std::optional<SolverKind> solver_of_name(std::string_view name) {
-  const auto found = std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.second == name; });
+  const auto found =
+      std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.second == name; });
   if (found == names.end()) return std::nullopt;
   return found->first;
 }

@@ -20,7 +20,8 @@ ScenarioError error_at_key(const std::string& text) {
 Blast blast_at(const Scenario& scenario, const DrawKey& key) {
   Blast blast;
   if (!scenario.blast) return blast;
-  for (const auto& [field, value] : scenario.blast->fields) blast[field] = value.value(scenario.draws, scenario.seed, key);
+  for (const auto& [field, value] : scenario.blast->fields)
+    blast[field] = value.value(scenario.draws, scenario.seed, key);
   blast.is_anfo = scenario.blast->is_anfo;
   try {
     complete(blast);

@@ -47,7 +47,8 @@ TrialBuilder<D>::TrialBuilder(const Scenario& scenario) : scenario_(scenario), i
 template <int D>
 WorldSettings TrialBuilder<D>::world_settings() const {
   const SolverPlan& solver = scenario_.solver;
-  return {solver.time_step, solver.theta, solver.tolerance, solver.max_iterations, solver.rest_speed, solver_of_name(solver.name).value()};
+  return {solver.time_step,      solver.theta,      solver.tolerance,
+          solver.max_iterations, solver.rest_speed, solver_of_name(solver.name).value()};
 }
 
 template <int D>
@@ -82,16 +83,19 @@ Air<D> TrialBuilder<D>::air_of(const Body<D>& body, const DrawKey& key) const {
   if (!scenario_.air) return air;
   const AirPlan& plan = *scenario_.air;
   air.drag = drag_constant(number(plan.density, key), number(plan.cd, key), body.mass, body.volume);
-  for (std::size_t i = 0; i < plan.wind.size(); ++i) air.wind[static_cast<int>(i)] = number(plan.wind[i], key);
+  for (std::size_t i = 0; i < plan.wind.size(); ++i)
+    air.wind[static_cast<int>(i)] = number(plan.wind[i], key);
   constexpr double most_wind = 1000;  // m/s
   if (!(air.wind.norm() <= most_wind))
-    throw ScenarioError("air.wind", fmt::format("is {:.3g} m/s, expected at most {:g} m/s", air.wind.norm(), most_wind));
+    throw ScenarioError("air.wind",
+                        fmt::format("is {:.3g} m/s, expected at most {:g} m/s", air.wind.norm(), most_wind));
   return air;
 }
 
 template <int D>
 void TrialBuilder<D>::connect(Trial<D>& trial, World<D>& world, std::vector<Partner> partners) {
-  at_path("pairs", [&] { trial.surfaces.emplace_back(scenario_, instances_, std::move(partners)).connect(world); });
+  at_path("pairs",
+          [&] { trial.surfaces.emplace_back(scenario_, instances_, std::move(partners)).connect(world); });
 }
 
 template <int D>
@@ -108,7 +112,8 @@ Trial<D> TrialBuilder<D>::build(std::uint64_t number_of_trial) {
 /// Shape, mass, pose and launch of one rock.
 template <int D>
 template <class Plan>
-Body<D> TrialBuilder<D>::rock_body(const Plan& plan, TrialRock& rock, const Terrain& terrain, RandomStream& where) {
+Body<D> TrialBuilder<D>::rock_body(const Plan& plan, TrialRock& rock, const Terrain& terrain,
+                                   RandomStream& where) {
   const RockGroup& group = scenario_.rocks[rock.group];
   const GroupModels& models = instances_.groups[rock.group];
   const std::string stream = "rocks." + group.name, path = fmt::format("rocks.{}.", rock.group);
@@ -124,15 +129,18 @@ Body<D> TrialBuilder<D>::rock_body(const Plan& plan, TrialRock& rock, const Terr
   RandomStream turn(scenario_.seed, stream + ".orientation", rock.key);
   Body<D> body;
   if constexpr (D == 2) {
-    body = make_body(std::move(contactors), density, mass, group.thickness ? number(*group.thickness, rock.key) : 0);
+    body = make_body(std::move(contactors), density, mass,
+                     group.thickness ? number(*group.thickness, rock.key) : 0);
     body.attitude = plan.angle          ? *plan.angle
                     : group.orientation ? number(*group.orientation, rock.key)
                                         : turn.uniform(0, 2 * pi);
   } else {
     body = at_path(path + "shape", [&] { return make_body(std::move(contactors), density, mass); });
-    const Rotation3 turned = plan.orientation ? *plan.orientation
-                             : group.turn     ? at_path(path + "orientation", [&] { return rotation_of(*group.turn, scenario_, rock.key); })
-                                              : random_rotation(turn);
+    const Rotation3 turned =
+        plan.orientation ? *plan.orientation
+        : group.turn
+            ? at_path(path + "orientation", [&] { return rotation_of(*group.turn, scenario_, rock.key); })
+            : random_rotation(turn);
     body.attitude = turned * body.attitude.rotation;
   }
   body.group = group.name;
@@ -142,7 +150,9 @@ Body<D> TrialBuilder<D>::rock_body(const Plan& plan, TrialRock& rock, const Terr
   if (plan.position)
     place.position = *plan.position;
   else if (group.release)
-    place = at_path(path + "release", [&] { return place_rock(*group.release, scenario_, rock.key, where, body, ground_of(terrain)); });
+    place = at_path(path + "release", [&] {
+      return place_rock(*group.release, scenario_, rock.key, where, body, ground_of(terrain));
+    });
   else
     throw ScenarioError(path + "release", "neither the population nor `release` says where a rock starts");
   body.x = place.position;
@@ -165,8 +175,8 @@ void TrialBuilder<D>::launch(TrialRock& rock, const Place<D>& place, Body<D>& bo
   view.face_angle = place.face_angle;
   view.group = group.name;
   RandomStream rng(scenario_.seed, "rocks." + group.name + ".launch", rock.key);
-  const Launch launch = instances_.groups[rock.group].launch->launch(values_of(*group.launch, scenario_, rock.key), view,
-                                                            blast_at(scenario_, rock.key), rng);
+  const Launch launch = instances_.groups[rock.group].launch->launch(
+      values_of(*group.launch, scenario_, rock.key), view, blast_at(scenario_, rock.key), rng);
   if (!launch.velocity.allFinite() || !launch.spin.allFinite())
     throw PluginError(fmt::format("plugin {}: launch() returned a velocity or spin that is not finite",
                                   group.launch->plugin->spec.name));
@@ -237,14 +247,15 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
     const RockGroup& group = scenario_.rocks[g];
     RandomStream rng(scenario_.seed, "rocks." + group.name + ".population", of_trial);
     const auto plans = at_path(group.population.path, [&] {
-      return rocks_of(*instances_.groups[g].population, values_of(group.population, scenario_, of_trial), *trial.terrain,
-                      blast_at(scenario_, first_hole), rng);
+      return rocks_of(*instances_.groups[g].population, values_of(group.population, scenario_, of_trial),
+                      *trial.terrain, blast_at(scenario_, first_hole), rng);
     });
     for (const auto& plan : plans) {
       TrialRock& rock = trial.rocks.emplace_back();
       rock.group = g;
       rock.key = {number_of_trial, 1 + count % holes, 1 + count, 0};
-      if (scenario_.blast && !scenario_.rock_contacts) rock.start_time = scenario_.blast->pattern.time(hole_of(rock.key));
+      if (scenario_.blast && !scenario_.rock_contacts)
+        rock.start_time = scenario_.blast->pattern.time(hole_of(rock.key));
       ++count;
       try {
         RandomStream where(scenario_.seed, "rocks." + group.name + ".release", rock.key);
@@ -287,8 +298,9 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
     rock.key = {number_of_trial, 0, static_cast<std::uint64_t>(i) + 1, 0};
     const auto value = [&](const Number& n) { return number(n, rock.key); };
     RandomStream rng(scenario_.seed, "bodies." + plan.name + ".shape", rock.key);
-    auto contactors =
-        at_path(plan.shape.path, [&] { return contactors_of<D>(*instances_.bodies[i], values_of(plan.shape, scenario_, rock.key), rng); });
+    auto contactors = at_path(plan.shape.path, [&] {
+      return contactors_of<D>(*instances_.bodies[i], values_of(plan.shape, scenario_, rock.key), rng);
+    });
     const double density = plan.density ? value(*plan.density) : 0, mass = plan.mass ? value(*plan.mass) : 0;
     Body<D> body;
     if constexpr (D == 2) {
@@ -298,7 +310,8 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
       body = at_path(path + "shape", [&] { return make_body(std::move(contactors), density, mass); });
       if (plan.turn)
         body.attitude =
-            at_path(path + "orientation", [&] { return rotation_of(*plan.turn, scenario_, rock.key); }) * body.attitude.rotation;
+            at_path(path + "orientation", [&] { return rotation_of(*plan.turn, scenario_, rock.key); }) *
+            body.attitude.rotation;
     }
     body.group = plan.name;
     if (!plan.fixed && !plan.driven) at_path(path + mass_key(plan), [&] { refuse_extremes(body); });
@@ -324,7 +337,8 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
     if (world.bodies.back().kind == BodyKind::dynamic) trial.rocks.push_back(rock);
   }
   connect(trial, world, std::move(partners));
-  if (const auto fault = start_fault(world)) throw ScenarioError(fmt::format("bodies.{}.position", fault->body), fault->text);
+  if (const auto fault = start_fault(world))
+    throw ScenarioError(fmt::format("bodies.{}.position", fault->body), fault->text);
 }
 
 template class TrialBuilder<2>;

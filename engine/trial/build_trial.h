@@ -19,30 +19,30 @@ StopReason reason_of(const TrialError& error);
 
 /// A rock of a trial (or a moving body of `bodies`).
 struct TrialRock {
-  int group = 0;           ///< index into Scenario::rocks or ::bodies
-  DrawKey key;             ///< of its draws
-  int world = -1;          ///< index into Trial::worlds; -1 where the rock could not be built
-  int body = 0;            ///< in that world
-  double start_time = 0;   ///< s, when its hole goes off; 0 where rocks meet each other, which leave together
-  double launch_speed = 0; ///< m/s
-  double launch_elevation = 0;  ///< rad above the outward horizontal
-  double greatest_throw = 0;    ///< m, see Launch
-  std::string note;        ///< of its velocity model
-  std::string fault;       ///< why it could not be built
-  std::string fault_path;  ///< of the key that is to blame: "rocks.0.release"
+  int group = 0;          ///< index into Scenario::rocks or ::bodies
+  DrawKey key;            ///< of its draws
+  int world = -1;         ///< index into Trial::worlds; -1 where the rock could not be built
+  int body = 0;           ///< in that world
+  double start_time = 0;  ///< s, when its hole goes off; 0 where rocks meet each other, which leave together
+  double launch_speed = 0;                      ///< m/s
+  double launch_elevation = 0;                  ///< rad above the outward horizontal
+  double greatest_throw = 0;                    ///< m, see Launch
+  std::string note;                             ///< of its velocity model
+  std::string fault;                            ///< why it could not be built
+  std::string fault_path;                       ///< of the key that is to blame: "rocks.0.release"
   StopReason reason = StopReason::not_started;  ///< with a fault
 };
 
 template <int D>
 struct Trial {
   std::shared_ptr<const typename Geometry<D>::Terrain> terrain;
-  std::deque<World<D>> worlds;     ///< one a rock, or one for all where they meet
+  std::deque<World<D>> worlds;  ///< one a rock, or one for all where they meet
   std::vector<TrialRock> rocks;
-  std::deque<Surfaces> surfaces;   ///< one a world; none for points, which meet nothing
+  std::deque<Surfaces> surfaces;  ///< one a world; none for points, which meet nothing
 };
 
-/// Builds trials of a scenario of D dimensions. A terrain that draws (a distribution, or its plugin from `rng`) is built
-/// for each trial, another one once. Instantiated for D = 2, 3.
+/// Builds trials of a scenario of D dimensions. A terrain that draws (a distribution, or its plugin from
+/// `rng`) is built for each trial, another one once. Instantiated for D = 2, 3.
 template <int D>
 class TrialBuilder {
  public:
@@ -51,8 +51,8 @@ class TrialBuilder {
   /// Throws ScenarioError: the plugins cannot be made, or a pair of bodies has no material.
   explicit TrialBuilder(const Scenario& scenario);
 
-  /// A rock that cannot be built is a TrialRock with `fault`. Throws ScenarioError where the terrain, a population or
-  /// one of `bodies` fails.
+  /// A rock that cannot be built is a TrialRock with `fault`. Throws ScenarioError where the terrain, a
+  /// population or one of `bodies` fails.
   Trial<D> build(std::uint64_t trial);
 
   /// The terrain of a trial.
@@ -73,7 +73,9 @@ class TrialBuilder {
   Vec<D> gravity(const DrawKey& key) const;
   Air<D> air_of(const Body<D>& body, const DrawKey& key) const;
   void connect(Trial<D>& trial, World<D>& world, std::vector<Partner> partners);
-  double number(const Number& n, const DrawKey& key) const { return n.value(scenario_.draws, scenario_.seed, key); }
+  double number(const Number& n, const DrawKey& key) const {
+    return n.value(scenario_.draws, scenario_.seed, key);
+  }
   WorldSettings world_settings() const;
 
   const Scenario& scenario_;

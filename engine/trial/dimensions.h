@@ -12,40 +12,45 @@
 
 namespace flyrock {
 
-inline Terrain2 make_terrain(const TerrainModel& model, const PluginUse& use, const Scenario& scenario, const DrawKey& key,
-                      RandomStream& rng, const Terrain2*) {
+inline Terrain2 make_terrain(const TerrainModel& model, const PluginUse& use, const Scenario& scenario,
+                             const DrawKey& key, RandomStream& rng, const Terrain2*) {
   Profile profile = model.build(values_of(use, scenario, key), rng);
   if (const std::string fault = profile.fault(); !fault.empty())
-    throw PluginError(fmt::format("plugin {}: build() returned a poly-line that is no profile: {}", use.plugin->spec.name, fault));
+    throw PluginError(fmt::format("plugin {}: build() returned a poly-line that is no profile: {}",
+                                  use.plugin->spec.name, fault));
   for (const Vec2& point : profile.points)
     if (point.cwiseAbs().maxCoeff() > farthest_place)
-      throw PluginError(fmt::format("plugin {}: the point ({:.6g}, {:.6g}) of a profile is more than 100 km from the origin",
-                                    use.plugin->spec.name, point.x(), point.y()));
+      throw PluginError(fmt::format(
+          "plugin {}: the point ({:.6g}, {:.6g}) of a profile is more than 100 km from the origin",
+          use.plugin->spec.name, point.x(), point.y()));
   return Terrain2(with_zones(std::move(profile), scenario.terrain.zones));
 }
-inline Terrain3 make_terrain(const TerrainModel& model, const PluginUse& use, const Scenario& scenario, const DrawKey& key,
-                      RandomStream& rng, const Terrain3*) {
+inline Terrain3 make_terrain(const TerrainModel& model, const PluginUse& use, const Scenario& scenario,
+                             const DrawKey& key, RandomStream& rng, const Terrain3*) {
   const Plane plane = model.build_3d(values_of(use, scenario, key), rng);
   if (plane.point.cwiseAbs().maxCoeff() > farthest_place)
-    throw PluginError(fmt::format("plugin {}: the point ({:.6g}, {:.6g}, {:.6g}) of a plane is more than 100 km from the origin",
-                                  use.plugin->spec.name, plane.point.x(), plane.point.y(), plane.point.z()));
+    throw PluginError(fmt::format(
+        "plugin {}: the point ({:.6g}, {:.6g}, {:.6g}) of a plane is more than 100 km from the origin",
+        use.plugin->spec.name, plane.point.x(), plane.point.y(), plane.point.z()));
   return Terrain3(plane);
 }
 
 inline const Profile& ground_of(const Terrain2& terrain) { return terrain.profile(); }
 inline const Plane& ground_of(const Terrain3& terrain) { return terrain.plane(); }
 
-inline auto rocks_of(const Population& population, const std::vector<double>& values, const Terrain2& terrain, const Blast& blast,
-              RandomStream& rng) {
+inline auto rocks_of(const Population& population, const std::vector<double>& values, const Terrain2& terrain,
+                     const Blast& blast, RandomStream& rng) {
   return population.rocks(values, terrain.profile(), blast, rng);
 }
-inline auto rocks_of(const Population& population, const std::vector<double>& values, const Terrain3& terrain, const Blast& blast,
-              RandomStream& rng) {
+inline auto rocks_of(const Population& population, const std::vector<double>& values, const Terrain3& terrain,
+                     const Blast& blast, RandomStream& rng) {
   return population.rocks_3d(values, terrain.plane(), blast, rng);
 }
 
 /// Above the outward horizontal in 2D, where a launch may go back over the crest; above the horizontal in 3D.
-inline double elevation_of(const Vec2& v, const Vec3& outward) { return std::atan2(v.y(), v.x() * outward.x()); }
+inline double elevation_of(const Vec2& v, const Vec3& outward) {
+  return std::atan2(v.y(), v.x() * outward.x());
+}
 inline double elevation_of(const Vec3& v, const Vec3&) { return std::atan2(v.z(), v.head<2>().norm()); }
 
 template <int D>

@@ -17,8 +17,8 @@ struct MaterialLaws {
 
 struct GroupModels {
   std::unique_ptr<Population> population;
-  std::unique_ptr<ShapeModel> shape;     ///< may be absent
-  std::unique_ptr<VelocityModel> launch; ///< may be absent: at rest
+  std::unique_ptr<ShapeModel> shape;      ///< may be absent
+  std::unique_ptr<VelocityModel> launch;  ///< may be absent: at rest
 };
 
 /// One instance of each use. Lua instances belong to the state that registered them: one Instances a worker.
@@ -26,9 +26,9 @@ struct Instances {
   explicit Instances(const Scenario& scenario);  ///< throws ScenarioError
 
   std::unique_ptr<TerrainModel> terrain;
-  std::vector<MaterialLaws> materials;                ///< in the order of Scenario::materials
-  std::vector<GroupModels> groups;                    ///< of Scenario::rocks
-  std::vector<std::unique_ptr<ShapeModel>> bodies;    ///< of Scenario::bodies
+  std::vector<MaterialLaws> materials;              ///< in the order of Scenario::materials
+  std::vector<GroupModels> groups;                  ///< of Scenario::rocks
+  std::vector<std::unique_ptr<ShapeModel>> bodies;  ///< of Scenario::bodies
 };
 
 /// The values of a use's parameters at `key`.

@@ -13,8 +13,8 @@ namespace {
 
 const Profile::Face& face_of(int bench, const Profile& profile) {
   if (bench < 1 || bench > static_cast<int>(profile.faces.size()))
-    throw StartError(fmt::format("bench {} does not exist, the terrain has {} bench faces", bench,
-                                  profile.faces.size()));
+    throw StartError(
+        fmt::format("bench {} does not exist, the terrain has {} bench faces", bench, profile.faces.size()));
   return profile.faces[bench - 1];
 }
 
@@ -34,7 +34,7 @@ Place<2> on_face(int bench, const Body<2>& rock, const Profile& profile, RandomS
   const double room = (crest - toe).norm() - (high - low);
   if (room < 0)
     throw StartError(fmt::format("a rock {:.3g} m long does not fit on the face of bench {}, {:.3g} m long",
-                                  high - low, bench, (crest - toe).norm()));
+                                 high - low, bench, (crest - toe).norm()));
   Place<2> place;
   place.position = toe + (rng.uniform() * room - low) * up - depth * out;
   place.outward = {out.x() < 0 ? -1.0 : 1.0, 0, 0};
@@ -43,15 +43,18 @@ Place<2> on_face(int bench, const Body<2>& rock, const Profile& profile, RandomS
 }
 
 /// Resting on the bench above a face: at the collar of the rock's hole, or anywhere up to the last row.
-Place<2> on_top(const Release& release, const Scenario& scenario, const DrawKey& key, RandomStream& rng, const Body<2>& rock,
-                const Profile& profile) {
+Place<2> on_top(const Release& release, const Scenario& scenario, const DrawKey& key, RandomStream& rng,
+                const Body<2>& rock, const Profile& profile) {
   const Profile::Face& face = face_of(release.bench, profile);
   const Blast blast = blast_at(scenario, key);
-  const double front = std::isnan(blast[BlastField::burden_crest]) ? blast[BlastField::burden] : blast[BlastField::burden_crest];
-  if (std::isnan(front)) throw StartError("the place of the holes needs blast.burden, or burden_crest and burden_toe");
+  const double front = std::isnan(blast[BlastField::burden_crest]) ? blast[BlastField::burden]
+                                                                   : blast[BlastField::burden_crest];
+  if (std::isnan(front))
+    throw StartError("the place of the holes needs blast.burden, or burden_crest and burden_toe");
   const Pattern& pattern = scenario.blast->pattern;
   const int row = release.kind == ReleaseKind::collar ? pattern.row(hole_of(key)) : pattern.rows - 1;
-  if (row > 0 && pattern.row_distance <= 0) throw StartError("the place of a second row needs blast.rows.distance");
+  if (row > 0 && pattern.row_distance <= 0)
+    throw StartError("the place of a second row needs blast.rows.distance");
   const double back = front + row * pattern.row_distance;
   const double share = release.kind == ReleaseKind::collar ? 1 : rng.uniform();
   const double out = face.toe.x() < face.crest.x() ? -1 : 1;
@@ -60,7 +63,8 @@ Place<2> on_top(const Release& release, const Scenario& scenario, const DrawKey&
     throw StartError(fmt::format("a hole {:.6g} m behind the crest lies beyond the terrain", back));
   double low = 1e300;
   for (const Contactor2& contactor : rock.contactors)
-    for (const Vec2& local : contactor.points) low = std::min(low, (rock.attitude.rotation * local).y() - contactor.radius);
+    for (const Vec2& local : contactor.points)
+      low = std::min(low, (rock.attitude.rotation * local).y() - contactor.radius);
   Place<2> place;
   place.position = {x, profile.height(x) - low};
   place.outward = {out, 0, 0};
@@ -82,7 +86,9 @@ Vec3 along(const std::vector<Vec3>& points, RandomStream& rng) {
 
 /// Uniform over a flat convex polygon: a triangle of the fan by its area, then a point in it.
 Vec3 inside(const std::vector<Vec3>& points, RandomStream& rng) {
-  const auto area = [&](std::size_t i) { return (points[i] - points[0]).cross(points[i + 1] - points[0]).norm(); };
+  const auto area = [&](std::size_t i) {
+    return (points[i] - points[0]).cross(points[i + 1] - points[0]).norm();
+  };
   double total = 0;
   for (std::size_t i = 1; i + 1 < points.size(); ++i) total += area(i);
   double left = rng.uniform() * total;
@@ -109,7 +115,7 @@ Place<2> place_rock(const Release& release, const Scenario& scenario, const Draw
       const double x = number(release.x);
       if (x < profile.x_min() || x > profile.x_max())
         throw StartError(fmt::format("x = {:.6g} m lies beyond the terrain, from {:.6g} to {:.6g} m", x,
-                                      profile.x_min(), profile.x_max()));
+                                     profile.x_min(), profile.x_max()));
       place.position = {x, profile.height(x) + number(release.above_ground)};
       break;
     }
@@ -158,7 +164,8 @@ Rotation3 rotation_of(const TurnPlan& turn, const Scenario& scenario, const Draw
   Eigen::Quaterniond q(1, 0, 0, 0);
   double length = 0;
   if (turn.axis.empty()) {
-    q = {number(turn.quaternion[0]), number(turn.quaternion[1]), number(turn.quaternion[2]), number(turn.quaternion[3])};
+    q = {number(turn.quaternion[0]), number(turn.quaternion[1]), number(turn.quaternion[2]),
+         number(turn.quaternion[3])};
     length = q.norm();
   } else {
     const Vec3 axis(number(turn.axis[0]), number(turn.axis[1]), number(turn.axis[2]));

@@ -15,7 +15,8 @@ namespace {
 /// A rock that starts deeper than this share of its size inside the ground or another rock is refused.
 constexpr double most_overlap = 1e-6;
 
-/// How deep the middle of a contactor lies below the surface: what lies deep in the ground has no contact with it.
+/// How deep the middle of a contactor lies below the surface: what lies deep in the ground has no contact
+/// with it.
 double buried(const Body<2>& body, const Terrain2& terrain) {
   double depth = 0;
   for (const Contactor2& contactor : body.contactors) {
@@ -43,20 +44,24 @@ double room_at(const Vec2& place, const Terrain2& terrain) {
   return room;
 }
 
-double room_at(const Vec3& place, const Terrain3& terrain) { return std::max(0.0, terrain.plane().distance(place)); }
+double room_at(const Vec3& place, const Terrain3& terrain) {
+  return std::max(0.0, terrain.plane().distance(place));
+}
 
 /// How many times longer a contactor is than thick, as if it were a rectangle or a box; exact for these.
 double slenderness(const Contactor2& contactor) {
   if (contactor.points.size() < 3) return 1;
   double length = 0;
-  for (const Vec2& point : contactor.points) length = std::max(length, (point - contactor.points.front()).norm());
+  for (const Vec2& point : contactor.points)
+    length = std::max(length, (point - contactor.points.front()).norm());
   return length * length / area_properties({contactor}).area;
 }
 
 double slenderness(const Contactor3& contactor) {
   if (contactor.round()) return 1;
   const Vec3 moments = principal_frame(volume_properties({contactor}).inertia).moments;
-  const Vec3 squares = Vec3::Constant(0.5 * moments.sum()) - moments;  // integral of x^2, y^2, z^2: a side squared, to a factor
+  const Vec3 squares = Vec3::Constant(0.5 * moments.sum()) -
+                       moments;  // integral of x^2, y^2, z^2: a side squared, to a factor
   return std::sqrt(squares.maxCoeff() / std::max(0.0, squares.minCoeff()));
 }
 
@@ -71,7 +76,8 @@ std::string place_text(const Vec<D>& place) {
 
 template <int D>
 std::string far_text(const Body<D>& body) {
-  return fmt::format("`{}` starts at {}, more than 100 km from the origin", body.group, place_text<D>(body.x));
+  return fmt::format("`{}` starts at {}, more than 100 km from the origin", body.group,
+                     place_text<D>(body.x));
 }
 
 template <int D>
@@ -80,8 +86,9 @@ std::string inside_terrain(const Body<D>& body, double depth, const typename Geo
   const std::string start =
       fmt::format("`{}` starts at {}, {:.3g} m inside the terrain", body.group, place_text<D>(body.x), depth);
   if (room == 0) return start + ": its centre of mass is below the ground, where no radius fits";
-  return start + fmt::format(": it reaches {:.3g} m from its centre of mass, a radius of at most {:.3g} m fits there", body.size,
-                             room);
+  return start +
+         fmt::format(": it reaches {:.3g} m from its centre of mass, a radius of at most {:.3g} m fits there",
+                     body.size, room);
 }
 
 }  // namespace
@@ -95,9 +102,10 @@ void refuse_extremes(const Body<D>& body) {
   else
     inertia = body.inertia.minCoeff();
   if (body.mass > 1 / most && body.mass < most && std::isnormal(inertia)) return;
-  throw StartError(fmt::format("`{}` has a mass of {:.3g} kg and a moment of inertia of {:.3g} kg m2, expected a mass from "
-                                "{:.0e} to {:.0e} kg",
-                                body.group, body.mass, inertia, 1 / most, most));
+  throw StartError(fmt::format(
+      "`{}` has a mass of {:.3g} kg and a moment of inertia of {:.3g} kg m2, expected a mass from "
+      "{:.0e} to {:.0e} kg",
+      body.group, body.mass, inertia, 1 / most, most));
 }
 
 template <int D>
@@ -105,7 +113,8 @@ void refuse_slender(const Body<D>& body) {
   constexpr double most = 1e4;
   for (const auto& contactor : body.contactors)
     if (const double times = slenderness(contactor); !(times <= most * (1 + 1e-6)))
-      throw StartError(fmt::format("`{}` is {:.3g} times as long as thick, expected at most {:g} times", body.group, times, most));
+      throw StartError(fmt::format("`{}` is {:.3g} times as long as thick, expected at most {:g} times",
+                                   body.group, times, most));
 }
 
 template <int D>
@@ -113,8 +122,9 @@ void refuse_speed(const Body<D>& body) {
   constexpr double most_speed = 1e5, most_spin = 1e6;
   const double speed = body.v.norm(), spin = body.spin_speed();
   if (speed <= most_speed && spin <= most_spin) return;
-  throw StartError(fmt::format("`{}` starts with {:.3g} m/s and {:.3g} rad/s, expected at most {:.0e} m/s and {:.0e} rad/s",
-                                body.group, speed, spin, most_speed, most_spin));
+  throw StartError(fmt::format(
+      "`{}` starts with {:.3g} m/s and {:.3g} rad/s, expected at most {:.0e} m/s and {:.0e} rad/s",
+      body.group, speed, spin, most_speed, most_spin));
 }
 
 template <int D>
@@ -123,20 +133,22 @@ std::optional<StartFault> start_fault(World<D>& world) {
   const auto [low, high] = extent(world.terrain());
   for (int i = 0; i < static_cast<int>(world.bodies.size()); ++i) {
     const Body<D>& body = world.bodies[i];
-    if (!(body.x.cwiseAbs().maxCoeff() <= farthest_place))
-      return StartFault{i, far_text(body)};
+    if (!(body.x.cwiseAbs().maxCoeff() <= farthest_place)) return StartFault{i, far_text(body)};
     if (!body.moves()) continue;
     size = std::max(size, body.size);
     if (body.x.x() < low || body.x.x() > high)
-      return StartFault{i, fmt::format("`{}` starts at x = {:.6g} m, beyond the terrain, which runs from {:.6g} to {:.6g} m",
-                                       body.group, body.x.x(), low, high)};
+      return StartFault{
+          i,
+          fmt::format("`{}` starts at x = {:.6g} m, beyond the terrain, which runs from {:.6g} to {:.6g} m",
+                      body.group, body.x.x(), low, high)};
     if (const double depth = buried(body, world.terrain()); depth > most_overlap * body.size)
       return StartFault{i, inside_terrain(body, depth, world.terrain())};
   }
   const auto overlap = world.deepest_overlap();
   if (overlap.depth <= most_overlap * size) return std::nullopt;
   const Body<D>& body = world.bodies[overlap.body];
-  if (overlap.other < 0) return StartFault{overlap.body, inside_terrain(body, overlap.depth, world.terrain())};
+  if (overlap.other < 0)
+    return StartFault{overlap.body, inside_terrain(body, overlap.depth, world.terrain())};
   return StartFault{overlap.body, fmt::format("`{}` starts {:.3g} m inside `{}`", body.group, overlap.depth,
                                               world.bodies[overlap.other].group)};
 }
@@ -145,14 +157,16 @@ std::string start_fault_of_point(const Body<3>& body, const Plane& plane) {
   if (!(body.x.cwiseAbs().maxCoeff() <= farthest_place)) return far_text(body);
   const double depth = -plane.distance(body.x);
   if (depth <= most_overlap * body.size) return {};
-  return fmt::format("`{}` starts at {}, {:.3g} m inside the terrain", body.group, place_text<3>(body.x), depth);
+  return fmt::format("`{}` starts at {}, {:.3g} m inside the terrain", body.group, place_text<3>(body.x),
+                     depth);
 }
 
 std::string start_fault_of_point(const Body<2>& body, const Profile& profile) {
   if (!(body.x.cwiseAbs().maxCoeff() <= farthest_place)) return far_text(body);
   const std::string start = fmt::format("`{}` starts at {}, ", body.group, place_text<2>(body.x));
   if (body.x.x() < profile.x_min() || body.x.x() > profile.x_max())
-    return start + fmt::format("beyond the terrain, which runs from {:.6g} to {:.6g} m", profile.x_min(), profile.x_max());
+    return start + fmt::format("beyond the terrain, which runs from {:.6g} to {:.6g} m", profile.x_min(),
+                               profile.x_max());
   const double depth = profile.height(body.x.x()) - body.x.y();
   return depth > most_overlap * body.size ? start + fmt::format("{:.3g} m inside the terrain", depth) : "";
 }

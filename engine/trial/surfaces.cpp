@@ -45,17 +45,21 @@ Surface* Surfaces::make(int material, const DrawKey& key) {
 /// `pairs` decides; else two that show the same material use it.
 int Surfaces::material_between(const Partner& a, const Partner& b) const {
   for (const PairPlan& pair : scenario_.pairs)
-    if ((pair.a == a.name && pair.b == b.name) || (pair.a == b.name && pair.b == a.name)) return pair.material;
+    if ((pair.a == a.name && pair.b == b.name) || (pair.a == b.name && pair.b == a.name))
+      return pair.material;
   if (a.material >= 0 && a.material == b.material) return a.material;
-  throw StartError(fmt::format("`{0}` and `{1}` can meet, and nothing says how: give both the same `material`, or a "
-                                "`pairs` entry `{{ between: [{0}, {1}], material: ... }}`",
-                                a.name, b.name));
+  throw StartError(
+      fmt::format("`{0}` and `{1}` can meet, and nothing says how: give both the same `material`, or a "
+                  "`pairs` entry `{{ between: [{0}, {1}], material: ... }}`",
+                  a.name, b.name));
 }
 
-int Surfaces::material_of_part(const std::string& name, const std::string& part, const std::string& part_name) const {
+int Surfaces::material_of_part(const std::string& name, const std::string& part,
+                               const std::string& part_name) const {
   for (const std::string& terrain : {part_name, std::string("terrain")})
     for (const PairPlan& pair : scenario_.pairs)
-      if ((pair.a == name && pair.b == terrain) || (pair.b == name && pair.a == terrain)) return pair.material;
+      if ((pair.a == name && pair.b == terrain) || (pair.b == name && pair.a == terrain))
+        return pair.material;
   const auto& materials = scenario_.terrain.material_of_part;
   if (const auto found = materials.find(part); found != materials.end()) return found->second;
   if (const auto one = materials.find(""); one != materials.end()) return one->second;
@@ -72,9 +76,12 @@ void Surfaces::connect(World<D>& world) {
       if (const int material = material_with_terrain(world, i, static_cast<int>(part)); material >= 0)
         world.set_terrain_surface(i, static_cast<int>(part), make(material, partner.key));
     for (int j = i + 1; j < bodies; ++j)
-      if (world.bodies[i].moves() || world.bodies[j].moves()) material_between(partner, partners_[j]);  // throws
+      if (world.bodies[i].moves() || world.bodies[j].moves())
+        material_between(partner, partners_[j]);  // throws
   }
-  world.surface_between = [this](int a, int b) { return make(material_between(partners_[a], partners_[b]), partners_[a].key); };
+  world.surface_between = [this](int a, int b) {
+    return make(material_between(partners_[a], partners_[b]), partners_[a].key);
+  };
 }
 
 void Surfaces::add_use(std::vector<MaterialUse>& of_material) const {

@@ -18,10 +18,10 @@ struct Partner {
   DrawKey key;        ///< of its draws
 };
 
-/// One Surface for each body and part of the terrain, and one for each pair of bodies, so that each pair has draws and a
-/// memory of its own; only the laws are shared. The surface of two bodies is made when they first come near each other:
-/// of the pairs of many rocks few ever meet. What is drawn belongs to the body with the lower index. Stays where it is:
-/// the world points into it. The scenario and the instances outlive it.
+/// One Surface for each body and part of the terrain, and one for each pair of bodies, so that each pair has
+/// draws and a memory of its own; only the laws are shared. The surface of two bodies is made when they first
+/// come near each other: of the pairs of many rocks few ever meet. What is drawn belongs to the body with the
+/// lower index. Stays where it is: the world points into it. The scenario and the instances outlive it.
 class Surfaces {
  public:
   /// `partners`: of the bodies of the world, in their order.

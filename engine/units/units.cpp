@@ -117,9 +117,9 @@ std::string si_unit(const Dimension& dimension) {
 
 ReadableUnit readable_unit(const std::string& si) {
   constexpr double degree = 3.14159265358979323846 / 180;
-  static const std::map<std::string, ReadableUnit> known{{"1", {"", 1}},           {"rad", {"deg", 1 / degree}},
-                                                         {"kg m2/s2", {"kJ", 1e-3}}, {"kg m/s2", {"N", 1}},
-                                                         {"kg/s2", {"N/m", 1}},      {"kg/m s2", {"Pa", 1}}};
+  static const std::map<std::string, ReadableUnit> known{
+      {"1", {"", 1}},        {"rad", {"deg", 1 / degree}}, {"kg m2/s2", {"kJ", 1e-3}},
+      {"kg m/s2", {"N", 1}}, {"kg/s2", {"N/m", 1}},        {"kg/m s2", {"Pa", 1}}};
   const auto found = known.find(si);
   return found == known.end() ? ReadableUnit{si, 1} : found->second;
 }

@@ -36,8 +36,8 @@ inline constexpr Dimension energy{2, 1, -2, 0};
 /// "m/s", "kg m2/s2", "rad/s", or "1" for no dimension: the SI unit of a dimension, for messages.
 std::string si_unit(const Dimension& dimension);
 
-/// The unit in which a person reads numbers of an SI unit: deg for rad, kJ for kg m2/s2, N for kg m/s2, "" for "1", else
-/// the SI unit itself.
+/// The unit in which a person reads numbers of an SI unit: deg for rad, kJ for kg m2/s2, N for kg m/s2, ""
+/// for "1", else the SI unit itself.
 struct ReadableUnit {
   std::string name;
   double per_si = 1;  ///< units in one SI unit

@@ -30,7 +30,8 @@ void add_worst(Checks& checks, const std::string& name, const std::string& kind,
 
 // The groups of problems; sources beside the numbers.
 
-/// A rod that strikes the ground with its tip, a double pendulum, a box on its corner; all forms of restitution.
+/// A rod that strikes the ground with its tip, a double pendulum, a box on its corner; all forms of
+/// restitution.
 void check_worked_impacts(Checks& checks);
 /// A ball that strikes obliquely: newton, poisson and energy agree.
 void check_oblique_ball(Checks& checks);
@@ -44,12 +45,13 @@ void check_random_impacts(Checks& checks);
 /// Launch speeds and ranges of blasts: Roth, the fit of bench blasts, Richards and Moore, McKenzie.
 void check_launch_formulas(Checks& checks);
 
-/// Runs of the scenarios of the course and of the examples of contact laws, in the folder `share`, against what they expect.
-/// Throws std::runtime_error for one that cannot be read, TrialError for one that cannot be run.
+/// Runs of the scenarios of the course and of the examples of contact laws, in the folder `share`, against
+/// what they expect. Throws std::runtime_error for one that cannot be read, TrialError for one that cannot be
+/// run.
 void check_scenarios(Checks& checks, const std::string& share);
 
-/// The friction problems (solver/fclib.h) *.hdf5 in `folder`, or in its folder fclib: |F|/|q| <= 1e-8 by the automatic solver.
-/// Throws std::runtime_error where there is none, or one cannot be read.
+/// The friction problems (solver/fclib.h) *.hdf5 in `folder`, or in its folder fclib: |F|/|q| <= 1e-8 by the
+/// automatic solver. Throws std::runtime_error where there is none, or one cannot be read.
 void check_fclib_problems(Checks& checks, const std::string& folder);
 
 /// All that need no data, in this order.

@@ -1,4 +1,5 @@
-// The launch formulas of blasts against worked numbers: field.md 2, a workbook of Richards and Moore's model, and hand.
+// The launch formulas of blasts against worked numbers: field.md 2, a workbook of Richards and Moore's model,
+// and hand.
 
 #include <cmath>
 
@@ -71,10 +72,11 @@ void check_launch_formulas(Checks& checks) {
     const double v = richards_moore_speed(mode, 28, workbook());
     return v * v / g * std::sin(2 * elevation);
   };
-  add_formula(checks, "Richards and Moore, workbook",
-              {{"face burst", reach(RichardsMooreMode::face_burst, pi / 4), 241.21},
-               {"cratering", reach(RichardsMooreMode::cratering, pi / 4), 374.37},
-               {"stemming ejection at 80 deg", reach(RichardsMooreMode::stemming_ejection, 80 * pi / 180), 128.04}});
+  add_formula(
+      checks, "Richards and Moore, workbook",
+      {{"face burst", reach(RichardsMooreMode::face_burst, pi / 4), 241.21},
+       {"cratering", reach(RichardsMooreMode::cratering, pi / 4), 374.37},
+       {"stemming ejection at 80 deg", reach(RichardsMooreMode::stemming_ejection, 80 * pi / 180), 128.04}});
 
   const double depth = scaled_depth_of_burial(workbook());
   Blast small = ninh_dan(2.7);

@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "batch/load.h"
-#include "results/results.h"
 #include "batch/trial.h"
+#include "results/results.h"
 #include "verify/check.h"
 
 namespace flyrock {
@@ -16,10 +16,14 @@ namespace {
 
 std::string bound_text(ExpectKind kind) {
   switch (kind) {
-    case ExpectKind::equals: return "";
-    case ExpectKind::below: return " below";
-    case ExpectKind::above: return " above";
-    case ExpectKind::between: break;
+    case ExpectKind::equals:
+      return "";
+    case ExpectKind::below:
+      return " below";
+    case ExpectKind::above:
+      return " above";
+    case ExpectKind::between:
+      break;
   }
   return " at least";
 }
@@ -42,7 +46,8 @@ void check_scenario(Checks& checks, const std::string& path, const std::string& 
     const Expectation& expectation = verdict.expectation;
     std::string row = fmt::format("{}: {}{}", name, expectation.measure, bound_text(expectation.kind));
     if (loaded->plan.points.size() > 1) row += fmt::format(", point {}", verdict.point);
-    checks.push_back({row, "run", verdict.computed, expectation.value, verdict.tolerance, verdict.judgement == Judgement::passed});
+    checks.push_back({row, "run", verdict.computed, expectation.value, verdict.tolerance,
+                      verdict.judgement == Judgement::passed});
   }
 }
 
@@ -55,7 +60,8 @@ void check_scenarios(Checks& checks, const std::string& share) {
     files.emplace_back("course/" + entry.path().stem().string(), entry.path().string());
   for (const char* kind : {"restitution", "friction", "rolling", "unilateral"})
     for (const auto& entry : fs::directory_iterator(fs::path(share) / "plugins" / kind))
-      files.emplace_back(std::string(kind) + '/' + entry.path().filename().string(), (entry.path() / "example.yaml").string());
+      files.emplace_back(std::string(kind) + '/' + entry.path().filename().string(),
+                         (entry.path() / "example.yaml").string());
   std::sort(files.begin(), files.end());
   for (const auto& [name, path] : files) check_scenario(checks, path, name);
 }

@@ -17,17 +17,20 @@ struct SingleImpact {
   double e = 0;
 };
 
-/// What an impact leaves: its impulse, the velocity after it, and the energy dT = p.(v^- + v^+)/2 that it brought.
+/// What an impact leaves: its impulse, the velocity after it, and the energy dT = p.(v^- + v^+)/2 that it
+/// brought.
 template <int D>
 struct SingleOutcome {
   Eigen::Matrix<double, D, 1> impulse, after;
   double energy = 0;
 };
 
-/// W of a uniform rod (mass 1, length 1) that touches the ground with its tip to the right and below, `angle` [rad] from it.
+/// W of a uniform rod (mass 1, length 1) that touches the ground with its tip to the right and below, `angle`
+/// [rad] from it.
 Eigen::Matrix2d rod_mobility(double angle);
 
-/// By the solver of impacts. `phases`: as if coupled to another contact, so that poisson and energy take their two phases.
+/// By the solver of impacts. `phases`: as if coupled to another contact, so that poisson and energy take
+/// their two phases.
 template <int D>
 SingleOutcome<D> solve_single(const SingleImpact<D>& impact, RestitutionForm form, bool phases = false);
 /// Along the path in impulse space.

@@ -1,4 +1,5 @@
-// Impacts worked by hand: a rod A to G and the double pendulum in closed form, the box by integration in impulse space.
+// Impacts worked by hand: a rod A to G and the double pendulum in closed form, the box by integration in
+// impulse space.
 
 #include <fmt/format.h>
 
@@ -12,17 +13,24 @@ namespace {
 
 /// By what an impact is computed: a form of the solver, its two phases, or the path in impulse space.
 enum class By { newton, newton_mean, poisson, energy, two_phase_poisson, path_newton };
-constexpr const char* names[] = {"newton", "newton_mean", "poisson", "energy", "poisson in two phases", "path to -e v_n"};
+constexpr const char* names[] = {"newton", "newton_mean",           "poisson",
+                                 "energy", "poisson in two phases", "path to -e v_n"};
 
 template <int D>
 SingleOutcome<D> compute(const SingleImpact<D>& impact, By by) {
   switch (by) {
-    case By::newton: return solve_single(impact, RestitutionForm::newton);
-    case By::newton_mean: return solve_single(impact, RestitutionForm::newton_mean);
-    case By::poisson: return solve_single(impact, RestitutionForm::poisson);
-    case By::energy: return solve_single(impact, RestitutionForm::energy);
-    case By::two_phase_poisson: return solve_single(impact, RestitutionForm::poisson, true);
-    case By::path_newton: break;
+    case By::newton:
+      return solve_single(impact, RestitutionForm::newton);
+    case By::newton_mean:
+      return solve_single(impact, RestitutionForm::newton_mean);
+    case By::poisson:
+      return solve_single(impact, RestitutionForm::poisson);
+    case By::energy:
+      return solve_single(impact, RestitutionForm::energy);
+    case By::two_phase_poisson:
+      return solve_single(impact, RestitutionForm::poisson, true);
+    case By::path_newton:
+      break;
   }
   return follow_single(impact, ImpactEnd::newton);
 }
@@ -80,7 +88,8 @@ struct PendulumRow {
   double energy;
 };
 
-// Two rods (m = 1, l = 1) at 20 and 30 degrees from the vertical, rates -0.1 and -0.2 rad/s, tip on the floor.
+// Two rods (m = 1, l = 1) at 20 and 30 degrees from the vertical, rates -0.1 and -0.2 rad/s, tip on the
+// floor.
 constexpr PendulumRow pendulum_rows[] = {
     {0.5, 0.5, By::path_newton, -0.006093}, {0.5, 0.5, By::newton, 0.013619},
     {0.5, 0.5, By::poisson, -0.010546},     {0.5, 0.5, By::energy, -0.010358},
@@ -99,9 +108,12 @@ struct BoxRow {
 
 // Box 1 x 0.6 x 0.4 (m = 1) that falls on a corner, z the normal; e = 0.6. Five decimals.
 constexpr BoxRow box_rows[] = {
-    {0.3, By::path_newton, -0.06699, 0.05107, 0.28278, -0.13441}, {0.3, By::newton, -0.05715, 0.06477, 0.28793, -0.13435},
-    {0.3, By::poisson, -0.06659, 0.05060, 0.28074, -0.13515},     {0.3, By::energy, -0.06672, 0.05076, 0.28142, -0.13491},
-    {0.9, By::newton, -0.20951, 0.13592, 0.27749, -0.20472},      {0.9, By::energy, -0.21026, 0.12527, 0.27255, -0.20703},
+    {0.3, By::path_newton, -0.06699, 0.05107, 0.28278, -0.13441},
+    {0.3, By::newton, -0.05715, 0.06477, 0.28793, -0.13435},
+    {0.3, By::poisson, -0.06659, 0.05060, 0.28074, -0.13515},
+    {0.3, By::energy, -0.06672, 0.05076, 0.28142, -0.13491},
+    {0.9, By::newton, -0.20951, 0.13592, 0.27749, -0.20472},
+    {0.9, By::energy, -0.21026, 0.12527, 0.27255, -0.20703},
 };
 
 void check_boxes(Checks& checks) {
@@ -116,7 +128,8 @@ void check_boxes(Checks& checks) {
   for (const BoxRow& row : box_rows) {
     box.mu = row.mu;
     const SingleOutcome<3> out = compute(box, row.by);
-    add_worst(checks, fmt::format("box on its corner, mu {}, {}", row.mu, names[static_cast<int>(row.by)]), "problem", 3e-5,
+    add_worst(checks, fmt::format("box on its corner, mu {}, {}", row.mu, names[static_cast<int>(row.by)]),
+              "problem", 3e-5,
               {{"p_n", out.impulse[0], row.p_z},
                {"p_x", out.impulse[1], row.p_x},
                {"p_y", out.impulse[2], row.p_y},
@@ -125,7 +138,8 @@ void check_boxes(Checks& checks) {
   // Of these the reference gives only the velocity after the impact.
   box.mu = 0.9;
   add_worst(checks, "box on its corner, mu 0.9, path to -e v_n", "problem", 3e-5,
-            {{"v_x", compute(box, By::path_newton).after[1], 0.08053}, {"v_y", compute(box, By::path_newton).after[2], -0.07724}});
+            {{"v_x", compute(box, By::path_newton).after[1], 0.08053},
+             {"v_y", compute(box, By::path_newton).after[2], -0.07724}});
   add_worst(checks, "box on its corner, mu 0.9, poisson", "problem", 3e-5,
             {{"v_n", compute(box, By::poisson).after[0], 0.58225}});
 }
@@ -136,7 +150,8 @@ void check_worked_impacts(Checks& checks) {
   for (const RodRow& row : rod_rows) {
     const SingleImpact<2> impact{rod_mobility(row.degrees * pi / 180), {-1, row.vx}, row.mu, row.e};
     const SingleOutcome<2> out = compute(impact, row.by);
-    add_worst(checks, fmt::format("rod impact {}, {}", row.id, names[static_cast<int>(row.by)]), "problem", 1e-6,
+    add_worst(checks, fmt::format("rod impact {}, {}", row.id, names[static_cast<int>(row.by)]), "problem",
+              1e-6,
               {{"p_n", out.impulse[0], row.p_n},
                {"p_t", out.impulse[1], row.p_t},
                {"v_n", out.after[0], row.v_n},
@@ -149,8 +164,9 @@ void check_worked_impacts(Checks& checks) {
   for (const PendulumRow& row : pendulum_rows) {
     pendulum.mu = row.mu;
     pendulum.e = row.e;
-    add_worst(checks, fmt::format("double pendulum, mu {}, e {}, {}", row.mu, row.e, names[static_cast<int>(row.by)]), "problem", 2e-6,
-              {{"energy change", compute(pendulum, row.by).energy, row.energy}});
+    add_worst(checks,
+              fmt::format("double pendulum, mu {}, e {}, {}", row.mu, row.e, names[static_cast<int>(row.by)]),
+              "problem", 2e-6, {{"energy change", compute(pendulum, row.by).energy, row.energy}});
   }
   check_boxes(checks);
 }

@@ -13,7 +13,8 @@ double drag_constant(double density, double cd, double mass, double volume) {
 }
 
 template <int D>
-std::array<Vec<D>, 2> leg_accelerations(const Air<D>& air, const Vec<D>& velocity, const Vec<D>& gravity, double h) {
+std::array<Vec<D>, 2> leg_accelerations(const Air<D>& air, const Vec<D>& velocity, const Vec<D>& gravity,
+                                        double h) {
   const Vec<D> a1 = air.acceleration(velocity);
   const Vec<D> a2 = air.acceleration(velocity + 0.5 * h * (gravity + a1));
   const Vec<D> a3 = air.acceleration(velocity + 0.5 * h * (gravity + a2));
@@ -29,7 +30,8 @@ double leg_length(const Air<D>& air, const Vec<D>& velocity, const Vec<D>& gravi
   const double speed = (velocity - air.wind).norm() + longest * gravity.norm();
   const double rate = 2 * air.drag * speed, change = rate * (air.drag * speed * speed + gravity.norm());
   if (!(change > 0)) return longest;
-  constexpr double stable = 0.5;  // of the time in which drag stops a rock: beyond it the scheme loses its order
+  constexpr double stable =
+      0.5;  // of the time in which drag stops a rock: beyond it the scheme loses its order
   return std::min({longest, std::cbrt(324 * leg_tolerance / change), stable / rate});
 }
 

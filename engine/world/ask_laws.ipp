@@ -20,7 +20,8 @@ ContactState World<D>::state_of(const Contact& contact, double h) {
   double inverse_mass = 0;
   for (const int i : {contact.candidate, contact.antagonist}) {
     if (i < 0) continue;
-    const typename Body<D>::Rows normal = contact_columns<D>(contact.at.normal, contact.at.point - bodies[i].x).col(0);
+    const typename Body<D>::Rows normal =
+        contact_columns<D>(contact.at.normal, contact.at.point - bodies[i].x).col(0);
     inverse_mass += normal.dot(bodies[i].inverse_mass_times(normal));
   }
   state.effective_mass = 1 / inverse_mass;
@@ -58,7 +59,8 @@ ContactState World<D>::state_of(const Contact& contact, double h) {
   return state;
 }
 
-/// Groups the contacts that close faster than rest_speed into manifolds, and counts them as impacts of their bodies.
+/// Groups the contacts that close faster than rest_speed into manifolds, and counts them as impacts of their
+/// bodies.
 template <int D>
 void World<D>::begin_manifolds() {
   int manifolds = 0;
@@ -66,11 +68,12 @@ void World<D>::begin_manifolds() {
     Contact& contact = contacts_[i];
     contact.manifold = -1;
     if (contact.approach() <= settings_.rest_speed) continue;
-    if (contact.law.condition == NormalCondition::penalty && contact.age > 0) continue;  // a spring that is still being pressed
+    if (contact.law.condition == NormalCondition::penalty && contact.age > 0)
+      continue;  // a spring that is still being pressed
     for (std::size_t k = 0; k < i && contact.manifold < 0; ++k) {
       const Contact& other = contacts_[k];
-      if (other.manifold >= 0 && other.candidate == contact.candidate && other.antagonist == contact.antagonist &&
-          same_direction<D>(other.at.normal, contact.at.normal))
+      if (other.manifold >= 0 && other.candidate == contact.candidate &&
+          other.antagonist == contact.antagonist && same_direction<D>(other.at.normal, contact.at.normal))
         contact.manifold = other.manifold, contact.impact_number = other.impact_number;
     }
     if (contact.manifold >= 0) continue;

@@ -36,12 +36,15 @@ void World<D>::assemble(double h, bool warm) {
     Contact& contact = contacts_[a];
     ContactRows rows;
     rows.antagonist.setZero();
-    const auto columns = [&](int body) { return contact_columns<D>(contact.at.normal, contact.at.point - bodies[body].x); };
+    const auto columns = [&](int body) {
+      return contact_columns<D>(contact.at.normal, contact.at.point - bodies[body].x);
+    };
     rows.candidate = columns(contact.candidate);
     if (contact.antagonist >= 0) rows.antagonist = -columns(contact.antagonist);
     rows_.push_back(rows);
     if (bodies[contact.candidate].moves()) contacts_of_[contact.candidate].push_back(a);
-    if (contact.antagonist >= 0 && bodies[contact.antagonist].moves()) contacts_of_[contact.antagonist].push_back(a);
+    if (contact.antagonist >= 0 && bodies[contact.antagonist].moves())
+      contacts_of_[contact.antagonist].push_back(a);
 
     typename Problem::Contact row;
     row.q = relative_velocity(contact);
@@ -69,7 +72,8 @@ void World<D>::couple() {
     for (const int body : {contacts_[a].candidate, contacts_[a].antagonist}) {
       if (body < 0 || !bodies[body].moves()) continue;
       ContactColumns<D> mobility;  // M^-1 H of contact a
-      for (int k = 0; k < Problem::rows; ++k) mobility.col(k) = bodies[body].inverse_mass_times(of(a, body).col(k));
+      for (int k = 0; k < Problem::rows; ++k)
+        mobility.col(k) = bodies[body].inverse_mass_times(of(a, body).col(k));
       problem_.contacts[a].w.noalias() += mobility.transpose() * of(a, body);
       for (const int b : contacts_of_[body]) {
         if (b == a) continue;
@@ -95,7 +99,8 @@ int World<D>::island_of(const Contact& contact) {
   return island_of(bodies[contact.candidate].moves() ? contact.candidate : contact.antagonist);
 }
 
-/// The tolerance of a contact is relative to g h, or to the fastest approach in its island of touching bodies.
+/// The tolerance of a contact is relative to g h, or to the fastest approach in its island of touching
+/// bodies.
 template <int D>
 void World<D>::scale_by_island(double h) {
   island_.resize(bodies.size());

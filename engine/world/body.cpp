@@ -56,7 +56,8 @@ Vec3 free_spin(const Body<3>& body, double h, double theta) {
   for (int i = 0; i < most_iterations; ++i) {
     const Vec3 middle = (1 - theta) * before + theta * w;
     const Vec3 residual = momentum(w - before) + h * middle.cross(momentum(middle));
-    Eigen::Matrix3d slope = h * theta * (skew(middle) * moments.asDiagonal().toDenseMatrix() - skew(momentum(middle)));
+    Eigen::Matrix3d slope =
+        h * theta * (skew(middle) * moments.asDiagonal().toDenseMatrix() - skew(momentum(middle)));
     slope.diagonal() += moments;
     const Vec3 change = slope.inverse() * residual;
     if (!change.allFinite()) break;

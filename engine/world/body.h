@@ -38,11 +38,13 @@ struct Attitude<3> {
   Attitude() = default;
   Attitude(const Rotation3& r) : rotation(r) {}
   /// Turned on by |turn| [rad] about the axis `turn`, world frame.
-  Attitude turned(const Vec3& turn) const { return turn.isZero(0) ? *this : Attitude(Rotation3::from_vector(turn) * rotation); }
+  Attitude turned(const Vec3& turn) const {
+    return turn.isZero(0) ? *this : Attitude(Rotation3::from_vector(turn) * rotation);
+  }
 };
 
-/// SI units; x is the centre of mass, in the world; contactors are in the frame of the centre of mass, in 3D the principal
-/// one.
+/// SI units; x is the centre of mass, in the world; contactors are in the frame of the centre of mass, in 3D
+/// the principal one.
 template <int D>
 struct Body {
   using Rows = Eigen::Matrix<double, Space<D>::dof, 1>;
@@ -66,7 +68,7 @@ struct Body {
   Air<D> air;                    ///< that it flies through
   Vec<D> push = Vec<D>::Zero();  ///< m/s2, its acceleration by the air over the flight or step at hand
 
-  int impacts = 0;     ///< manifolds that closed faster than rest_speed
+  int impacts = 0;  ///< manifolds that closed faster than rest_speed
 
   static Spin no_spin();
   bool moves() const { return kind == BodyKind::dynamic && present; }
@@ -157,20 +159,25 @@ inline double Body<3>::spin_speed() const {
 }
 
 /// w.I w of a spin in the world frame.
-inline double twice_spin_energy(const Body<2>& body, const Attitude<2>&, double w) { return body.inertia * w * w; }
+inline double twice_spin_energy(const Body<2>& body, const Attitude<2>&, double w) {
+  return body.inertia * w * w;
+}
 inline double twice_spin_energy(const Body<3>& body, const Attitude<3>& attitude, const Vec3& w) {
   return body.inertia.dot(attitude.rotation.inverse(w).cwiseAbs2());
 }
 template <int D>
 double Body<D>::kinetic_energy() const {
-  return kind == BodyKind::dynamic ? 0.5 * (mass * v.squaredNorm() + twice_spin_energy(*this, attitude, w)) : 0.0;
+  return kind == BodyKind::dynamic ? 0.5 * (mass * v.squaredNorm() + twice_spin_energy(*this, attitude, w))
+                                   : 0.0;
 }
 
-/// A dynamic body of contactors that do not overlap: moves them to the centre of mass and computes area, volume, mass
-/// and inertia exactly. `thickness` <= 0 takes default_thickness. Give a density [kg/m3], or a mass [kg] with density 0.
+/// A dynamic body of contactors that do not overlap: moves them to the centre of mass and computes area,
+/// volume, mass and inertia exactly. `thickness` <= 0 takes default_thickness. Give a density [kg/m3], or a
+/// mass [kg] with density 0.
 Body<2> make_body(std::vector<Contactor2> contactors, double density, double mass, double thickness);
 
-/// The same in space. The body's frame becomes the principal one: attitude stands for the frame of the contactors as given.
+/// The same in space. The body's frame becomes the principal one: attitude stands for the frame of the
+/// contactors as given.
 Body<3> make_body(std::vector<Contactor3> contactors, double density, double mass);
 
 }  // namespace flyrock

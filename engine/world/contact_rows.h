@@ -30,7 +30,8 @@ ContactColumns<D> contact_columns(const Vec<D>& normal, const Vec<D>& r) {
 
 /// The rows of a contact with a normal, from the relative velocity and spin of its bodies there.
 template <int D>
-typename ContactProblem<D>::Row contact_velocity(const Vec<D>& normal, const Vec<D>& v, const typename Space<D>::Spin& w) {
+typename ContactProblem<D>::Row contact_velocity(const Vec<D>& normal, const Vec<D>& v,
+                                                 const typename Space<D>::Spin& w) {
   const auto frame = contact_frame(normal);
   if constexpr (D == 2) {
     return {frame.col(0).dot(v), frame.col(1).dot(v), w};

@@ -13,8 +13,8 @@ namespace flyrock {
 
 namespace {
 
-// A contact that carried an impulse in the last step stays active up to this share of its size: one step missed on a
-// sliding contact costs mu g h.
+// A contact that carried an impulse in the last step stays active up to this share of its size: one step
+// missed on a sliding contact costs mu g h.
 constexpr double carry_share = 1e-6;
 
 }  // namespace
@@ -27,8 +27,8 @@ double World<D>::contact_size(int candidate, int antagonist) const {
   return !a.moves() ? b.size : !b.moves() ? a.size : std::min(a.size, b.size);
 }
 
-/// A body that keeps contact by its curvature or by turning about a vertex opens a gap of at most g h^2 / 8 in half a
-/// step before it flies off.
+/// A body that keeps contact by its curvature or by turning about a vertex opens a gap of at most g h^2 / 8
+/// in half a step before it flies off.
 template <int D>
 double World<D>::carry_reach(int candidate, int antagonist) const {
   const double h = settings_.time_step;
@@ -39,8 +39,10 @@ template <int D>
 const std::vector<std::pair<int, int>>& World<D>::near_pairs(double dt) {
   boxes_.clear();
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    boxes_.push_back(swept_box<D>(Path<D>{bodies[i].x, bodies[i].v, bodies[i].moves() ? Vec<D>(gravity_ + bodies[i].push) : Vec<D>::Zero()},
-                               bodies[i].size * (1 + carry_share), dt));
+    boxes_.push_back(
+        swept_box<D>(Path<D>{bodies[i].x, bodies[i].v,
+                             bodies[i].moves() ? Vec<D>(gravity_ + bodies[i].push) : Vec<D>::Zero()},
+                     bodies[i].size * (1 + carry_share), dt));
   return broad_phase_.template pairs<D>(boxes_);
 }
 
@@ -62,8 +64,8 @@ const std::vector<std::pair<int, int>>& World<D>::close_pairs() {
   return broad_phase_.template pairs<D>(boxes_);
 }
 
-/// `ahead` [s]: how far the bodies have been moved on from the start of a step; in 2D an edge may have turned out of the
-/// cone of a corner meanwhile.
+/// `ahead` [s]: how far the bodies have been moved on from the start of a step; in 2D an edge may have turned
+/// out of the cone of a corner meanwhile.
 template <int D>
 void World<D>::detect(double ahead) {
   const PhaseTimer timer(clock, &PhaseTimes::detect);
@@ -78,7 +80,8 @@ void World<D>::detect(double ahead) {
                                        : pair_surface(candidate, antagonist);
     }
   };
-  // By candidate, the terrain first, then the antagonists in their order: the order of NLGS, and what match_last needs.
+  // By candidate, the terrain first, then the antagonists in their order: the order of NLGS, and what
+  // match_last needs.
   static const std::vector<std::pair<int, int>> none;
   const auto& pairs = bodies.size() > 1 ? close_pairs() : none;
   auto pair = pairs.begin();
@@ -111,9 +114,9 @@ void World<D>::detect(double ahead) {
   match_last();
 }
 
-/// The contact of the last step that a contact carries on: of the same features; else the same vertex on the next segment of
-/// the terrain; else the nearest place whose own features are gone. The last is for surfaces that lie flush with their
-/// corners on each other: which feature answers is then left to rounding.
+/// The contact of the last step that a contact carries on: of the same features; else the same vertex on the
+/// next segment of the terrain; else the nearest place whose own features are gone. The last is for surfaces
+/// that lie flush with their corners on each other: which feature answers is then left to rounding.
 template <int D>
 const typename World<D>::Contact* World<D>::carried_on(const Contact& contact, std::span<const Contact> last,
                                                        std::span<const Contact> now) const {
@@ -124,7 +127,8 @@ const typename World<D>::Contact* World<D>::carried_on(const Contact& contact, s
   const Contact* found = nullptr;
   for (const Contact& old : last) {
     if (same_features(old.at, contact.at)) return &old;
-    if (contact.antagonist < 0 && old.at.feature == contact.at.feature && same_direction<D>(old.at.normal, contact.at.normal) &&
+    if (contact.antagonist < 0 && old.at.feature == contact.at.feature &&
+        same_direction<D>(old.at.normal, contact.at.normal) &&
         next_to(*terrain_, old.at.against, contact.at.against))
       found = &old;
   }
@@ -133,7 +137,8 @@ const typename World<D>::Contact* World<D>::carried_on(const Contact& contact, s
   for (const Contact& old : last) {
     const double distance = (old.at.point - contact.at.point).norm();
     if (distance > nearest || !same_direction<D>(old.at.normal, contact.at.normal)) continue;
-    if (std::any_of(now.begin(), now.end(), [&](const Contact& c) { return same_features(c.at, old.at); })) continue;
+    if (std::any_of(now.begin(), now.end(), [&](const Contact& c) { return same_features(c.at, old.at); }))
+      continue;
     nearest = distance;
     found = &old;
   }
@@ -169,8 +174,8 @@ void World<D>::match_last() {
   }
 }
 
-/// The gap that the last solves of both bodies may have left to a contact that should be closed now: their residual x the
-/// time since. Corners of a body that lands flat arrive so far apart.
+/// The gap that the last solves of both bodies may have left to a contact that should be closed now: their
+/// residual x the time since. Corners of a body that lands flat arrive so far apart.
 template <int D>
 double World<D>::gap_of_solver(const Contact& contact) const {
   double gap = 0;
@@ -179,7 +184,8 @@ double World<D>::gap_of_solver(const Contact& contact) const {
   return std::min(gap, carry_share * contact_size(contact.candidate, contact.antagonist));
 }
 
-/// Keeps the contacts that are closed now: within touch plus a share of the size, or carried on from the last step.
+/// Keeps the contacts that are closed now: within touch plus a share of the size, or carried on from the last
+/// step.
 template <int D>
 void World<D>::keep_closed(double share_of_size) {
   std::erase_if(contacts_, [&](const Contact& c) {
@@ -190,22 +196,25 @@ void World<D>::keep_closed(double share_of_size) {
   for (const Contact& c : contacts_) quality_.max_penetration = std::max(quality_.max_penetration, -c.at.gap);
 }
 
-/// Keeps the contacts of the middle of a step whose features were closed when it began. One that has closed since is a
-/// touch at which the step must be cut. A contact whose features have changed, but not its place, was closed: new features
-/// that lay deeper in each other than a step may bring did so beside one another. Returns how far the worst that is kept has
-/// drifted into overlap since the start, in units of what a step may bring; springs overlap by their nature.
+/// Keeps the contacts of the middle of a step whose features were closed when it began. One that has closed
+/// since is a touch at which the step must be cut. A contact whose features have changed, but not its place,
+/// was closed: new features that lay deeper in each other than a step may bring did so beside one another.
+/// Returns how far the worst that is kept has drifted into overlap since the start, in units of what a step
+/// may bring; springs overlap by their nature.
 template <int D>
 double World<D>::keep_closed_at_start() {
   double share = 0;
   std::erase_if(contacts_, [&](const Contact& c) {
-    const double reach = carry_reach(c.candidate, c.antagonist), closed = c.carried ? reach : 1e-12 + 1e-9 * contact_size(c.candidate, c.antagonist);
+    const double reach = carry_reach(c.candidate, c.antagonist),
+                 closed = c.carried ? reach : 1e-12 + 1e-9 * contact_size(c.candidate, c.antagonist);
     const double gap = gap_at(c, [&](int body) {
       const Moment<D>& start = saved_[body].moment;
       return typename Geometry<D>::Pose{start.x, start.attitude.rotation};
     });
     const double may_drift = 3 * reach;
     if (c.at.gap > reach || gap > closed || (!c.carried && gap < -may_drift)) return true;
-    // On the next segment of the terrain the gap at the start is to a line beyond its end: the greater of both is meant.
+    // On the next segment of the terrain the gap at the start is to a line beyond its end: the greater of
+    // both is meant.
     quality_.max_penetration = std::max(quality_.max_penetration, -std::max(gap, c.at.gap));
     if (c.law.condition != NormalCondition::penalty)
       share = std::max(share, (std::min(gap, 0.0) - c.at.gap) / may_drift);

@@ -25,7 +25,8 @@ inline int part_of(const Terrain3& terrain, std::uint32_t against) { return terr
 inline const std::vector<std::string>& parts_of(const Terrain2& terrain) { return terrain.profile().parts; }
 inline const std::vector<std::string>& parts_of(const Terrain3& terrain) { return terrain.parts(); }
 
-/// Whether two features of the terrain are one place: a segment and the corners at its ends, or two segments that meet.
+/// Whether two features of the terrain are one place: a segment and the corners at its ends, or two segments
+/// that meet.
 inline bool next_to(const Terrain2&, std::uint32_t a, std::uint32_t b) {
   // In half segments: a corner i lies half-way between the segments i - 1 and i.
   const auto place = [](std::uint32_t id) { return 2 * terrain_index(id) + (is_corner(id) ? -1 : 0); };

@@ -3,12 +3,17 @@
 namespace flyrock {
 
 Motion2 free_motion(const Body<2>& body, const Moment<2>& start, const Vec2& gravity) {
-  return {{start.x, start.v, body.moves() ? Vec2(gravity + body.push) : Vec2::Zero()}, start.attitude.angle, start.w, 0};
+  return {{start.x, start.v, body.moves() ? Vec2(gravity + body.push) : Vec2::Zero()},
+          start.attitude.angle,
+          start.w,
+          0};
 }
 
 Motion3 free_motion(const Body<3>& body, const Moment<3>& start, const Vec3& gravity) {
-  if (!body.moves()) return {{start.x, start.v, Vec3::Zero()}, GivenRotation{start.attitude.rotation, start.w, Vec3::Zero()}};
-  return {{start.x, start.v, gravity + body.push}, FreeRotation(body.inertia, start.attitude.rotation, start.w)};
+  if (!body.moves())
+    return {{start.x, start.v, Vec3::Zero()}, GivenRotation{start.attitude.rotation, start.w, Vec3::Zero()}};
+  return {{start.x, start.v, gravity + body.push},
+          FreeRotation(body.inertia, start.attitude.rotation, start.w)};
 }
 
 Motion2 step_motion(const Moment<2>& start, const Body<2>& b, double h, double theta) {
@@ -23,12 +28,16 @@ Motion3 step_motion(const Moment<3>& start, const Body<3>& b, double h, double t
 }
 
 Motion2 mean_motion(const Moment<2>& start, const Body<2>& b, double h) {
-  return {{start.x, (b.x - start.x) / h, Vec2::Zero()}, start.attitude.angle, (b.attitude.angle - start.attitude.angle) / h, 0};
+  return {{start.x, (b.x - start.x) / h, Vec2::Zero()},
+          start.attitude.angle,
+          (b.attitude.angle - start.attitude.angle) / h,
+          0};
 }
 
 Motion3 mean_motion(const Moment<3>& start, const Body<3>& b, double h) {
   const Vec3 turned = (b.attitude.rotation * start.attitude.rotation.inverse()).vector();
-  return {{start.x, (b.x - start.x) / h, Vec3::Zero()}, GivenRotation{start.attitude.rotation, turned / h, Vec3::Zero()}};
+  return {{start.x, (b.x - start.x) / h, Vec3::Zero()},
+          GivenRotation{start.attitude.rotation, turned / h, Vec3::Zero()}};
 }
 
 }  // namespace flyrock

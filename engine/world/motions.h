@@ -29,12 +29,13 @@ Moment<D> moment_of(const Body<D>& body) {
   return {body.x, body.v, body.attitude, body.w};
 }
 
-/// From `start`, under gravity and the push of the air, without torque; a body that forces do not move keeps its velocities.
+/// From `start`, under gravity and the push of the air, without torque; a body that forces do not move keeps
+/// its velocities.
 Motion2 free_motion(const Body<2>& body, const Moment<2>& start, const Vec2& gravity);
 Motion3 free_motion(const Body<3>& body, const Moment<3>& start, const Vec3& gravity);
 
-/// The path of a step of length h from `start` to the present state of `body`: velocities begin as at the start and change
-/// by 2 theta (v+ - v) t / h, so that x arrives where (1 - theta) v + theta v+ carries it.
+/// The path of a step of length h from `start` to the present state of `body`: velocities begin as at the
+/// start and change by 2 theta (v+ - v) t / h, so that x arrives where (1 - theta) v + theta v+ carries it.
 Motion2 step_motion(const Moment<2>& start, const Body<2>& body, double h, double theta);
 Motion3 step_motion(const Moment<3>& start, const Body<3>& body, double h, double theta);
 

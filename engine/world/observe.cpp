@@ -6,7 +6,8 @@
 namespace flyrock {
 
 const char* name_of(StopReason reason) {
-  constexpr const char* names[] = {"stopped", "left_domain", "timed_out", "caught", "diverged", "plugin_error", "not_started"};
+  constexpr const char* names[] = {"stopped",  "left_domain",  "timed_out",  "caught",
+                                   "diverged", "plugin_error", "not_started"};
   return names[static_cast<int>(reason)];
 }
 

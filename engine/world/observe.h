@@ -17,18 +17,19 @@ struct BodyState {
   double time = 0;
   Vec3 position = Vec3::Zero();  ///< of the centre of mass
   Vec3 velocity = Vec3::Zero();
-  Vec3 spin = Vec3::Zero();      ///< rad/s, world frame; (0, 0, w) in 2D
-  double angle = 0;              ///< rad, 2D, counted through full turns
-  double kinetic_energy = 0;     ///< J
+  Vec3 spin = Vec3::Zero();   ///< rad/s, world frame; (0, 0, w) in 2D
+  double angle = 0;           ///< rad, 2D, counted through full turns
+  double kinetic_energy = 0;  ///< J
 };
 
 /// An impact of a manifold (DESIGN: contacts of one pair of bodies, all terrain being one, whose normals lie
-/// within 15 degrees): impulses and energies summed; place and velocities are means weighted by the normal impulse.
+/// within 15 degrees): impulses and energies summed; place and velocities are means weighted by the normal
+/// impulse.
 struct Impact {
   int body = 0;
-  int other = -1;   ///< the other body, -1 for the terrain
-  int part = -1;    ///< of the terrain
-  int number = 0;   ///< of this body, from 1
+  int other = -1;  ///< the other body, -1 for the terrain
+  int part = -1;   ///< of the terrain
+  int number = 0;  ///< of this body, from 1
   double time = 0;
   Vec3 place = Vec3::Zero();
   double vn_before = 0, vn_after = 0;
@@ -68,9 +69,9 @@ struct BarrierHit {
   double height = 0;          ///< m above the ground at the barrier
 };
 
-/// How a body travels. flight: in the air until it first lands on the terrain (a contact at its release is none, nor is one
-/// with another body); bounce: in the air after that; roll: in contact, where every contact sticks or slips slower than a twentieth of the body's speed; slide: in
-/// contact otherwise.
+/// How a body travels. flight: in the air until it first lands on the terrain (a contact at its release is
+/// none, nor is one with another body); bounce: in the air after that; roll: in contact, where every contact
+/// sticks or slips slower than a twentieth of the body's speed; slide: in contact otherwise.
 enum class TravelMode { flight, bounce, slide, roll };
 inline constexpr std::array<const char*, 4> travel_mode_names = {"flight", "bounce", "slide", "roll"};
 
@@ -91,23 +92,24 @@ struct TrajectoryPoint {
 
 struct BodyHistory {
   BodyState first, last;
-  BodyState min, max;            ///< each component's extreme over the run, flights included
+  BodyState min, max;  ///< each component's extreme over the run, flights included
   double min_speed = 0, max_speed = 0;
   StopReason reason = StopReason::timed_out;
-  std::string fault;             ///< why it diverged or which plugin failed
+  std::string fault;                                            ///< why it diverged or which plugin failed
   double stop_time = std::numeric_limits<double>::quiet_NaN();  ///< start of the 0.2 s at rest
-  double contact_time = 0;       ///< s spent in contact
-  double max_distance = 0;       ///< m, greatest |x - x_first| ever reached
-  bool landed = false;           ///< it flew, and has touched the terrain since
-  double flight_range = 0;       ///< m, horizontal distance to where it landed first; where it never did, to its end
-  double bounce_height = 0;      ///< m, greatest height of the centre of mass above the ground below it
+  double contact_time = 0;                                      ///< s spent in contact
+  double max_distance = 0;                                      ///< m, greatest |x - x_first| ever reached
+  bool landed = false;  ///< it flew, and has touched the terrain since
+  double flight_range =
+      0;  ///< m, horizontal distance to where it landed first; where it never did, to its end
+  double bounce_height = 0;  ///< m, greatest height of the centre of mass above the ground below it
   int impact_count = 0;
-  Travel travel;                    ///< of a body that stopped, until it came to rest
-  PathBins path;                    ///< greatest height, speed and energy along x
-  std::vector<Passage> passages;    ///< of gates, each at most once
-  std::vector<BarrierHit> barriers; ///< met, each at most once
+  Travel travel;                     ///< of a body that stopped, until it came to rest
+  PathBins path;                     ///< greatest height, speed and energy along x
+  std::vector<Passage> passages;     ///< of gates, each at most once
+  std::vector<BarrierHit> barriers;  ///< met, each at most once
   std::vector<Impact> impacts;
-  std::vector<Apex> apexes;      ///< after the first impact
+  std::vector<Apex> apexes;  ///< after the first impact
   std::vector<TrajectoryPoint> trajectory;
 
   /// Starts at a state: the first, the last and all extremes.
@@ -122,19 +124,20 @@ struct SolverQuality {
   std::uint64_t cut_steps = 0;
   std::uint64_t flights = 0;
   std::uint64_t impact_problems = 0;
-  std::uint64_t problems = 0;          ///< solves: of impacts, of steps, and of steps that were then made shorter
+  std::uint64_t problems = 0;  ///< solves: of impacts, of steps, and of steps that were then made shorter
   std::uint64_t iterations = 0;
-  std::uint64_t toc_iterations = 0;    ///< of the time-of-contact search
+  std::uint64_t toc_iterations = 0;  ///< of the time-of-contact search
   std::uint64_t not_converged = 0;
   double not_converged_residual =
       0;  ///< greatest of those, over the speed_scale of its contact: to hold against the tolerance
-  double max_residual = 0;             ///< m/s, of the scaled local map
-  double max_penetration = 0;          ///< m
-  double max_spring_angle = 0;         ///< rad, h sqrt(k W_nn): how far a spring (`penalty`) swings in a step; unstable from 2 on
-  std::uint64_t energy_gains = 0;      ///< impacts and steps with dT > 0 beyond rounding
-  double energy_gained = 0;            ///< J
-  std::uint64_t shocks = 0;            ///< jumps of velocity in a step without approach (Painleve)
-  double energy_relative_change = 0;   ///< (total energy at the end - at the start) / |scale|
+  double max_residual = 0;     ///< m/s, of the scaled local map
+  double max_penetration = 0;  ///< m
+  double max_spring_angle =
+      0;  ///< rad, h sqrt(k W_nn): how far a spring (`penalty`) swings in a step; unstable from 2 on
+  std::uint64_t energy_gains = 0;     ///< impacts and steps with dT > 0 beyond rounding
+  double energy_gained = 0;           ///< J
+  std::uint64_t shocks = 0;           ///< jumps of velocity in a step without approach (Painleve)
+  double energy_relative_change = 0;  ///< (total energy at the end - at the start) / |scale|
 
   void add(const SolverQuality& other);
 };

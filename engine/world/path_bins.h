@@ -20,14 +20,16 @@ class PathBins {
  public:
   /// Keeps nothing.
   PathBins() = default;
-  /// Of the ground from x_low to x_high [m]; what lies beyond counts in the first or last bin. A width of 0 keeps nothing.
+  /// Of the ground from x_low to x_high [m]; what lies beyond counts in the first or last bin. A width of 0
+  /// keeps nothing.
   PathBins(double width, double x_low, double x_high);
 
   /// Number of the first bin visited; bins() are from there on.
   std::int64_t first() const { return low_ + begin_; }
   const std::vector<PathBin>& bins() const { return bins_; }
 
-  /// Calls see(PathBin&, t0, t1) for each bin that x(t) = x + v t visits over [from, to], with the times of entry and exit.
+  /// Calls see(PathBin&, t0, t1) for each bin that x(t) = x + v t visits over [from, to], with the times of
+  /// entry and exit.
   template <class See>
   void visit(double x, double v, double from, double to, See see) {
     if (width_ <= 0 || !std::isfinite(x) || !std::isfinite(v)) return;

@@ -12,11 +12,13 @@ BarrierOutcome outcome_of(const Barrier& barrier, const Arrival& arrival) {
 }  // namespace
 
 BarrierHit meet(const Barrier& barrier, int index, const Arrival& arrival) {
-  return {index, outcome_of(barrier, arrival), arrival.time, arrival.speed, arrival.kinetic_energy, arrival.height};
+  return {index,         outcome_of(barrier, arrival), arrival.time,
+          arrival.speed, arrival.kinetic_energy,       arrival.height};
 }
 
 double velocity_left(const Barrier& barrier, const BarrierHit& hit) {
-  return hit.outcome == BarrierOutcome::over_energy ? std::sqrt(1 - barrier.capacity / hit.kinetic_energy) : 1;
+  return hit.outcome == BarrierOutcome::over_energy ? std::sqrt(1 - barrier.capacity / hit.kinetic_energy)
+                                                    : 1;
 }
 
 }  // namespace flyrock

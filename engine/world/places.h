@@ -1,8 +1,9 @@
 #pragma once
 // Gates, which look at what passes them, and barriers, which hold it.
 //
-// Both stand at an x of the terrain (in 3D a vertical plane across x) and act once on each body: when its centre of mass
-// first arrives there from the side on which it started. A body that starts at x arrives at once.
+// Both stand at an x of the terrain (in 3D a vertical plane across x) and act once on each body: when its
+// centre of mass first arrives there from the side on which it started. A body that starts at x arrives at
+// once.
 
 #include <span>
 #include <vector>
@@ -15,9 +16,10 @@ struct Gate {
   double x = 0;  ///< m
 };
 
-/// A fence or berm. A body that arrives at `height` above the ground or higher goes on over the top. Lower, it is caught
-/// where its kinetic energy E, of translation and rotation, is at most `capacity`; else it goes through, and its
-/// velocity and spin are scaled by sqrt(1 - capacity / E), which takes `capacity` from its energy.
+/// A fence or berm. A body that arrives at `height` above the ground or higher goes on over the top. Lower,
+/// it is caught where its kinetic energy E, of translation and rotation, is at most `capacity`; else it goes
+/// through, and its velocity and spin are scaled by sqrt(1 - capacity / E), which takes `capacity` from its
+/// energy.
 struct Barrier {
   double x = 0;         ///< m
   double height = 0;    ///< m above the ground at x

@@ -18,13 +18,16 @@ void World<D>::apply_laws(double h) {
     rebounds_[a].before = contact.before;
     set_law<D>(contact.law, contact.sticking, contact.at.gap, h, row, rebounds_[a]);
     if (contact.law.condition == NormalCondition::penalty)
-      quality_.max_spring_angle = std::max(quality_.max_spring_angle, h * std::sqrt(contact.law.stiffness * row.w(0, 0)));
-    if (row.w(D, D) <= 0) row.mu_r = row.mu_spin = row.c_r = row.c_spin = 0;  // a body without rotational inertia to speak of cannot roll
+      quality_.max_spring_angle =
+          std::max(quality_.max_spring_angle, h * std::sqrt(contact.law.stiffness * row.w(0, 0)));
+    if (row.w(D, D) <= 0)
+      row.mu_r = row.mu_spin = row.c_r = row.c_spin =
+          0;  // a body without rotational inertia to speak of cannot roll
   }
 }
 
-/// Problems of a few contacts are solved to rounding: what an impact leaves unsolved turns a body that should land flat, and
-/// its corners then arrive one after the other.
+/// Problems of a few contacts are solved to rounding: what an impact leaves unsolved turns a body that should
+/// land flat, and its corners then arrive one after the other.
 template <int D>
 void World<D>::solve_and_apply() {
   const PhaseTimer timer(clock, &PhaseTimes::solve);
@@ -79,8 +82,9 @@ double World<D>::energy_of(int a) const {
   return 0.5 * contacts_[a].impulse.dot(contacts_[a].before + after_[a]);
 }
 
-/// A shock without collision (Painleve): no contact of the island approaches, and yet the velocity of a contact jumps, by far
-/// more than forces bring in a step. Each such contact becomes an impact of its own, so that a row tells it.
+/// A shock without collision (Painleve): no contact of the island approaches, and yet the velocity of a
+/// contact jumps, by far more than forces bring in a step. Each such contact becomes an impact of its own, so
+/// that a row tells it.
 template <int D>
 void World<D>::find_shocks(double h) {
   constexpr double usual = 20;  // times the change by gravity: friction on a round body brings 4 at mu = 1
@@ -95,7 +99,8 @@ void World<D>::find_shocks(double h) {
     const Body<D>& body = bodies[contact.candidate];
     if (island_collides_[island_of(contact)] || contact.law.condition == NormalCondition::penalty) continue;
     const double forces = (g_ + body.push.norm()) * h;
-    if ((after_[a] - contact.before).template head<D>().norm() <= settings_.rest_speed + usual * forces) continue;
+    if ((after_[a] - contact.before).template head<D>().norm() <= settings_.rest_speed + usual * forces)
+      continue;
     contact.manifold = manifolds++;
     contact.impact_number = ++bodies[contact.candidate].impacts;
     if (contact.antagonist >= 0) ++bodies[contact.antagonist].impacts;
@@ -155,21 +160,24 @@ double World<D>::work_of_driven(int a) const {
   const Contact& contact = contacts_[a];
   double work = 0;
   const auto add = [&](int body, const ContactColumns<D>& columns) {
-    if (body >= 0 && bodies[body].kind == BodyKind::driven) work -= contact.impulse.dot(columns.transpose() * bodies[body].velocity());
+    if (body >= 0 && bodies[body].kind == BodyKind::driven)
+      work -= contact.impulse.dot(columns.transpose() * bodies[body].velocity());
   };
   add(contact.candidate, rows_[a].candidate);
   add(contact.antagonist, rows_[a].antagonist);
   return work;
 }
 
-/// Counts the energy that the contacts of an island bring in an impact, or a step of length h: beyond rounding, and beyond
-/// |r| g h / 2 of a contact that opens or reverses its slip within the step, there should be none.
+/// Counts the energy that the contacts of an island bring in an impact, or a step of length h: beyond
+/// rounding, and beyond |r| g h / 2 of a contact that opens or reverses its slip within the step, there
+/// should be none.
 template <int D>
 void World<D>::audit_energy(double h) {
   island_gain_.assign(bodies.size(), 0.0);
   for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) {
     energy_given_ += work_of_driven(a);
-    if (contacts_[a].law.condition != NormalCondition::penalty) island_gain_[island_of(contacts_[a])] += energy_of(a);
+    if (contacts_[a].law.condition != NormalCondition::penalty)
+      island_gain_[island_of(contacts_[a])] += energy_of(a);
   }
   for (double& gain : island_gain_) {
     if (h == 0) energy_given_ += std::max(0.0, gain);
@@ -181,8 +189,8 @@ void World<D>::audit_energy(double h) {
     // A spring returns what it took.
     if (contact.law.condition != NormalCondition::penalty) gain += energy_of(a);
     gain -= contact.impulse.template head<D>().norm() *
-                (1e-12 * (contact.before.norm() + after_[a].norm()) +
-                 10 * settings_.tolerance * problem_.contacts[a].speed_scale + 0.5 * g_ * h);
+            (1e-12 * (contact.before.norm() + after_[a].norm()) +
+             10 * settings_.tolerance * problem_.contacts[a].speed_scale + 0.5 * g_ * h);
   }
   for (const double gain : island_gain_)
     if (gain > 0) {
@@ -191,9 +199,9 @@ void World<D>::audit_energy(double h) {
     }
 }
 
-/// Whether contact a counts as closed after an impact or step. Restitution throws it off at any speed. Otherwise it opens
-/// where it is faster than g h / 2: slower, it would close again within a step, and a block that rocks to rest would do
-/// so without end. `duration`: of the step.
+/// Whether contact a counts as closed after an impact or step. Restitution throws it off at any speed.
+/// Otherwise it opens where it is faster than g h / 2: slower, it would close again within a step, and a
+/// block that rocks to rest would do so without end. `duration`: of the step.
 template <int D>
 bool World<D>::stays_closed(int a, double duration) const {
   const Contact& contact = contacts_[a];
@@ -202,7 +210,8 @@ bool World<D>::stays_closed(int a, double duration) const {
   if (contact.law.condition == NormalCondition::penalty)
     return speed <= 0 || contact.at.gap + settings_.theta * duration * speed <= 0;
   if (contact.manifold >= 0 && contact.law.e_n > 0) return speed <= 0;
-  const double within_tolerance = 10 * settings_.tolerance * problem_.contacts[a].speed_scale + 1e-14 * contact.before.norm();
+  const double within_tolerance =
+      10 * settings_.tolerance * problem_.contacts[a].speed_scale + 1e-14 * contact.before.norm();
   return speed <= std::max(within_tolerance, 0.5 * g_ * settings_.time_step);
 }
 

@@ -29,8 +29,8 @@ void World<D>::restore() {
   for (Surface* surface : surfaces_) memory = surface->restore_history(memory);
 }
 
-/// v_free = v + h (g + the push of the air), and w_free of free_spin;  contacts at q_m = q + h (1 - theta) v;  v+ = v_free + M^-1 H r;
-/// q+ = q_m + h theta v+.
+/// v_free = v + h (g + the push of the air), and w_free of free_spin;  contacts at q_m = q + h (1 - theta) v;
+/// v+ = v_free + M^-1 H r; q+ = q_m + h theta v+.
 template <int D>
 typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
   constexpr int most_cuts = 4, most_refinements = 4;
@@ -84,7 +84,8 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
   record_impacts();
   audit_energy(h);
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (bodies[i].moves()) energy_given_ += bodies[i].mass * bodies[i].push.dot(bodies[i].x - saved_[i].moment.x);
+    if (bodies[i].moves())
+      energy_given_ += bodies[i].mass * bodies[i].push.dot(bodies[i].x - saved_[i].moment.x);
   project_drift(cut);
   time += h;
   ++quality_.steps;
@@ -103,7 +104,8 @@ typename World<D>::Outcome World<D>::impact() {
   begin_manifolds();
   ask_laws(0);
   assemble(0, false);
-  const bool approaching = std::any_of(contacts_.begin(), contacts_.end(), [](const Contact& c) { return c.before[0] < 0; });
+  const bool approaching =
+      std::any_of(contacts_.begin(), contacts_.end(), [](const Contact& c) { return c.before[0] < 0; });
   if (approaching) {
     solve_and_apply();
     ++quality_.impact_problems;
@@ -117,8 +119,8 @@ typename World<D>::Outcome World<D>::impact() {
   return outcome;
 }
 
-/// The first touch of places that are not in contact, along the path of the step; with `pass_held` of bodies that have no
-/// contact with each other.
+/// The first touch of places that are not in contact, along the path of the step; with `pass_held` of bodies
+/// that have no contact with each other.
 template <int D>
 std::optional<double> World<D>::first_touch(double h, bool pass_held) {
   const PhaseTimer timer(clock, &PhaseTimes::detect);
@@ -136,11 +138,13 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
     if (pass_held && !held_here.empty()) continue;
     const TouchSearch search{held_here, true, 0.5 * touch(i), body.size, &quality_.toc_iterations};
     for (std::size_t k = 0; k < body.contactors.size(); ++k)
-      consider(time_of_contact(body.contactors[k], static_cast<int>(k), motions_[i], *terrain_, first.value_or(h), search));
+      consider(time_of_contact(body.contactors[k], static_cast<int>(k), motions_[i], *terrain_,
+                               first.value_or(h), search));
   }
   if (bodies.size() < 2) return first;
   boxes_.clear();
-  for (std::size_t i = 0; i < bodies.size(); ++i) boxes_.push_back(swept_box<D>(motions_[i], bodies[i].size, h));
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    boxes_.push_back(swept_box<D>(motions_[i], bodies[i].size, h));
   for (const auto& [i, j] : broad_phase_.template pairs<D>(boxes_)) {
     const Body<D>&a = bodies[i], &b = bodies[j];
     if (!a.present || !b.present || (!a.moves() && !b.moves())) continue;
@@ -150,26 +154,29 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
     const TouchSearch search{held_here, true, 0.5e-9 * size + 0.5e-12, size, &quality_.toc_iterations};
     for (std::size_t k = 0; k < a.contactors.size(); ++k)
       for (std::size_t l = 0; l < b.contactors.size(); ++l)
-        consider(time_of_contact(a.contactors[k], static_cast<int>(k), motions_[i], b.contactors[l], static_cast<int>(l),
-                                 motions_[j], first.value_or(h), search));
+        consider(time_of_contact(a.contactors[k], static_cast<int>(k), motions_[i], b.contactors[l],
+                                 static_cast<int>(l), motions_[j], first.value_or(h), search));
   }
   return first;
 }
 
-/// Contacts that carry on keep their gap only to second order in h. It is closed, by displacements M^-1 H_n lambda,
-/// without touching the velocities; a contact without impulse is only pushed out. The deep overlaps that fixed time steps
-/// make (`exact` false) are left, as LMGC90 leaves them.
+/// Contacts that carry on keep their gap only to second order in h. It is closed, by displacements M^-1 H_n
+/// lambda, without touching the velocities; a contact without impulse is only pushed out. The deep overlaps
+/// that fixed time steps make (`exact` false) are left, as LMGC90 leaves them.
 template <int D>
 void World<D>::project_drift(bool exact) {
   if (contacts_.empty()) return;
   constexpr int passes = 3;
-  constexpr double deepest = 1e-3;  // of the size: beyond it something else is wrong, and a push would throw the body
+  constexpr double deepest =
+      1e-3;  // of the size: beyond it something else is wrong, and a push would throw the body
   drift_.assign(bodies.size(), Body<D>::Rows::Zero());
   gaps_.clear();
   for (const Contact& c : contacts_) {
     const double gap = gap_at(c, [&](int body) { return bodies[body].pose(); });
     const double reach = carry_reach(c.candidate, c.antagonist);
-    const bool near = gap <= reach && gap >= -(exact ? std::max(reach, deepest * contact_size(c.candidate, c.antagonist)) : reach);
+    const bool near =
+        gap <= reach &&
+        gap >= -(exact ? std::max(reach, deepest * contact_size(c.candidate, c.antagonist)) : reach);
     gaps_.push_back(near && c.law.condition != NormalCondition::penalty ? std::optional(gap) : std::nullopt);
   }
   for (int pass = 0; pass < passes; ++pass) {
@@ -186,8 +193,7 @@ void World<D>::project_drift(bool exact) {
     }
   }
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (bodies[i].moves())
-      bodies[i].displace(drift_[i]);
+    if (bodies[i].moves()) bodies[i].displace(drift_[i]);
 }
 
 /// Keeps the contacts for the next step, and says whether some of them last.
@@ -210,7 +216,8 @@ typename World<D>::Outcome World<D>::keep(double duration, bool new_touch) {
 template <int D>
 bool World<D>::slips(const Contact& contact, int body) const {
   constexpr double rolling_slip = 0.05;
-  return !contact.sticking && tangential(relative_velocity(contact)).norm() > rolling_slip * bodies[body].v.norm();
+  return !contact.sticking &&
+         tangential(relative_velocity(contact)).norm() > rolling_slip * bodies[body].v.norm();
 }
 
 }  // namespace flyrock

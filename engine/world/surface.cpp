@@ -7,10 +7,11 @@ namespace flyrock {
 
 namespace {
 
-/// The answer of a law: kept where it is constant, asked and checked otherwise. `own`: what it remembers of the contact.
+/// The answer of a law: kept where it is constant, asked and checked otherwise. `own`: what it remembers of
+/// the contact.
 template <class Answer, class LawKind, class Ask>
-Answer answer(BoundLaw<LawKind>& bound, std::optional<Answer>& kept, std::uint64_t& asked, ContactState& state,
-              std::span<double> own, Ask&& ask) {
+Answer answer(BoundLaw<LawKind>& bound, std::optional<Answer>& kept, std::uint64_t& asked,
+              ContactState& state, std::span<double> own, Ask&& ask) {
   if (!bound.law) return Answer{};
   ++asked;
   if (kept) return *kept;
@@ -60,17 +61,22 @@ void Surface::begin_impact(std::uint64_t impact_number) {
 }
 
 ContactLaw Surface::ask(ContactState& state, bool impact, ContactHistory& history) {
-  const auto own = [&](std::size_t kind) { return std::span(history).subspan(kind * most_history, most_history); };
+  const auto own = [&](std::size_t kind) {
+    return std::span(history).subspan(kind * most_history, most_history);
+  };
   Restitution rebound;
   if (impact)
     rebound = answer(restitution, constant_restitution_, use.restitution, state, own(0),
                      [](const auto& l, const auto& p, const auto& s) { return l.impact(p, s); });
-  const Friction friction_given = answer(friction, constant_friction_, use.friction, state, own(1),
-                                         [](const auto& l, const auto& p, const auto& s) { return l.friction(p, s); });
-  const Rolling rolling_given = answer(rolling, constant_rolling_, use.rolling, state, own(2),
-                                       [](const auto& l, const auto& p, const auto& s) { return l.rolling(p, s); });
-  const Unilateral normal = answer(unilateral, constant_unilateral_, use.unilateral, state, own(3),
-                                   [](const auto& l, const auto& p, const auto& s) { return l.condition(p, s); });
+  const Friction friction_given =
+      answer(friction, constant_friction_, use.friction, state, own(1),
+             [](const auto& l, const auto& p, const auto& s) { return l.friction(p, s); });
+  const Rolling rolling_given =
+      answer(rolling, constant_rolling_, use.rolling, state, own(2),
+             [](const auto& l, const auto& p, const auto& s) { return l.rolling(p, s); });
+  const Unilateral normal =
+      answer(unilateral, constant_unilateral_, use.unilateral, state, own(3),
+             [](const auto& l, const auto& p, const auto& s) { return l.condition(p, s); });
   ContactLaw law;
   law.mu_s = friction_given.mu_s;
   law.mu_d = friction_given.mu_d;
@@ -101,11 +107,14 @@ const ContactLaw* Surface::known() {
 }
 
 bool Surface::remembers() const {
-  return !(restitution.history.empty() && friction.history.empty() && rolling.history.empty() && unilateral.history.empty());
+  return !(restitution.history.empty() && friction.history.empty() && rolling.history.empty() &&
+           unilateral.history.empty());
 }
 
 void Surface::save_history(std::vector<double>& memory) const {
-  const auto append = [&](const auto& bound) { memory.insert(memory.end(), bound.history.begin(), bound.history.end()); };
+  const auto append = [&](const auto& bound) {
+    memory.insert(memory.end(), bound.history.begin(), bound.history.end());
+  };
   append(restitution), append(friction), append(rolling), append(unilateral);
 }
 

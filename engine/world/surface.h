@@ -32,11 +32,11 @@ struct BoundLaw {
     const Draw* draw;
   };
   std::vector<ImpactDraw> per_impact;
-  std::size_t memory = 0;      ///< numbers that the law remembers
-  bool per_contact = false;    ///< of each contact, else of the pair
-  std::vector<double> history; ///< of the pair
-  std::vector<double> before;  ///< the same before this instant: what every contact of the instant reads
-  std::vector<double> scratch; ///< what one contact reads and writes
+  std::size_t memory = 0;       ///< numbers that the law remembers
+  bool per_contact = false;     ///< of each contact, else of the pair
+  std::vector<double> history;  ///< of the pair
+  std::vector<double> before;   ///< the same before this instant: what every contact of the instant reads
+  std::vector<double> scratch;  ///< what one contact reads and writes
   /// Begins a memory of `memory` numbers, all zero.
   void forget() { before = scratch = history = std::vector<double>(per_contact ? 0 : memory, 0.0); }
 
@@ -56,19 +56,23 @@ class Surface {
   DrawKey key;  ///< trial and rock, for draws per impact
   MaterialUse use;
 
-  /// All contacts of one instant (a step or an impact) read what the pair remembered before it. A number that a contact
-  /// changes is kept; where several change the same number, the last in the order of contacts holds.
+  /// All contacts of one instant (a step or an impact) read what the pair remembered before it. A number that
+  /// a contact changes is kept; where several change the same number, the last in the order of contacts
+  /// holds.
   void begin_instant();
-  /// Draws what is drawn per impact, before a contact of it asks: one impact of several contacts draws the same for each.
+  /// Draws what is drawn per impact, before a contact of it asks: one impact of several contacts draws the
+  /// same for each.
   void begin_impact(std::uint64_t impact_number);
-  /// The law of a contact in this state; restitution is asked only of an `impact`. `history`: of this contact.
+  /// The law of a contact in this state; restitution is asked only of an `impact`. `history`: of this
+  /// contact.
   ContactLaw ask(ContactState& state, bool impact, ContactHistory& history);
-  /// The same of a contact without impact, where it is known without asking: no law that is asked at every step reads the
-  /// state, and all have been asked since the last impact. Else null.
+  /// The same of a contact without impact, where it is known without asking: no law that is asked at every
+  /// step reads the state, and all have been asked since the last impact. Else null.
   const ContactLaw* known();
   /// Whether a law remembers of the pair.
   bool remembers() const;
-  /// The memory of the pair, to be taken back to: appended to `memory`, and read from it; the latter returns what follows.
+  /// The memory of the pair, to be taken back to: appended to `memory`, and read from it; the latter returns
+  /// what follows.
   void save_history(std::vector<double>& memory) const;
   const double* restore_history(const double* memory);
 

@@ -19,11 +19,11 @@
 namespace flyrock {
 
 struct WorldSettings {
-  double time_step = 1e-3;    ///< s
-  double theta = 0.5;         ///< of the scheme, in [1/2, 1]
+  double time_step = 1e-3;               ///< s
+  double theta = 0.5;                    ///< of the scheme, in [1/2, 1]
   double tolerance = default_tolerance;  ///< of the contact solver
   int max_iterations = 1000;
-  double rest_speed = 0.02;   ///< m/s; slower approaches are without restitution
+  double rest_speed = 0.02;  ///< m/s; slower approaches are without restitution
   SolverKind solver = SolverKind::automatic;
 };
 
@@ -34,7 +34,7 @@ struct WorldContact {
 
   ContactPoint<D> at;
   int candidate = 0;
-  int antagonist = -1;       ///< a body, or -1 for the terrain
+  int antagonist = -1;  ///< a body, or -1 for the terrain
   Surface* surface = nullptr;
   ContactLaw law;
   ContactHistory history{};  ///< what the laws remember of this contact
@@ -43,16 +43,16 @@ struct WorldContact {
   double age = 0;            ///< s since it closed
   bool carried = false;      ///< did not open in the last step
   bool sticking = false;
-  int manifold = -1;         ///< of the impacts of this step; -1: no impact
-  int impact_number = 0;     ///< of the candidate, where this is one
+  int manifold = -1;      ///< of the impacts of this step; -1: no impact
+  int impact_number = 0;  ///< of the candidate, where this is one
 
   /// The coefficient of friction in force.
   double mu() const { return sticking ? law.mu_s : law.mu_d; }
   double approach() const { return before[0] < 0 ? -before[0] : 0; }
 };
 
-/// One world of D dimensions. Everything that a step needs is kept between steps: the step loop does not allocate
-/// once the buffers have grown to the number of contacts.
+/// One world of D dimensions. Everything that a step needs is kept between steps: the step loop does not
+/// allocate once the buffers have grown to the number of contacts.
 template <int D>
 class World {
  public:
@@ -68,9 +68,11 @@ class World {
   int add(Body<D> body);
   /// Takes the body that was added last away again.
   void remove_last();
-  /// The laws between a body and a part of the terrain; null where nothing is said. Surfaces belong to the caller.
+  /// The laws between a body and a part of the terrain; null where nothing is said. Surfaces belong to the
+  /// caller.
   void set_terrain_surface(int body, int part, Surface* surface);
-  /// The laws between two bodies, a < b: asked once, when they first come near each other. Empty: nothing is said.
+  /// The laws between two bodies, a < b: asked once, when they first come near each other. Empty: nothing is
+  /// said.
   std::function<Surface*(int a, int b)> surface_between;
 
   double time = 0;
@@ -94,9 +96,9 @@ class World {
     bool in_contact = false;  ///< some contact carries an impulse or stays closed
   };
 
-  /// One step of at most h: shorter where a contact would drift too far. With `cut` it ends at the first touch of places
-  /// that are not in contact (an impact is then due), with `pass_held` only of bodies that have no contact with each other.
-  /// Impacts inside a step without cutting are reported to `impacts`.
+  /// One step of at most h: shorter where a contact would drift too far. With `cut` it ends at the first
+  /// touch of places that are not in contact (an impact is then due), with `pass_held` only of bodies that
+  /// have no contact with each other. Impacts inside a step without cutting are reported to `impacts`.
   Outcome step(double h, bool cut, bool pass_held = false);
 
   /// The impact problem without duration of all contacts that are closed now: velocities jump, time stands.
@@ -109,8 +111,8 @@ class World {
 
   /// Impacts of the last step or impact, one a manifold.
   const std::vector<Impact>& impacts() const { return impacts_; }
-  /// The contacts of a body with the terrain (other = -1) or another body, as a search for the time of contact takes
-  /// them. Valid until the next call.
+  /// The contacts of a body with the terrain (other = -1) or another body, as a search for the time of
+  /// contact takes them. Valid until the next call.
   std::span<const HeldContact> held(int body, int other);
   /// Where bodies overlap the terrain or each other deepest now; for the check of a start.
   struct Overlap {
@@ -119,7 +121,8 @@ class World {
     int other = -1;    ///< -1: the terrain
   };
   Overlap deepest_overlap();
-  /// Counts how deep bodies are in the ground or each other now; for the end of a flight that no touch has ended.
+  /// Counts how deep bodies are in the ground or each other now; for the end of a flight that no touch has
+  /// ended.
   void measure_penetration();
   /// The boxes of all bodies over the next `dt` of flight, and the pairs of them that may meet.
   const std::vector<std::pair<int, int>>& near_pairs(double dt);
@@ -127,11 +130,12 @@ class World {
   /// Whether a contact slips faster than a twentieth of the speed of one of its bodies.
   bool slips(const Contact& contact, int body) const;
 
-  /// Kinetic energy, potential energy (of the height above the origin) and that of pressed springs (`penalty`) [J].
+  /// Kinetic energy, potential energy (of the height above the origin) and that of pressed springs
+  /// (`penalty`) [J].
   double total_energy() const;
-  /// The energy that came from outside since the world was made [J]: work of the air and of driven bodies, and what impacts
-  /// gained by their laws. Without a fault total_energy never exceeds that of the start plus this, but for the error of
-  /// the scheme.
+  /// The energy that came from outside since the world was made [J]: work of the air and of driven bodies,
+  /// and what impacts gained by their laws. Without a fault total_energy never exceeds that of the start plus
+  /// this, but for the error of the scheme.
   double energy_given() const { return energy_given_; }
   /// How far a contact of a body may open or close in a step before it is projected out [m].
   double carry_reach(int candidate, int antagonist) const;
@@ -163,7 +167,8 @@ class World {
   // detect.ipp: what touches
   void detect(double ahead);
   void match_last();
-  const Contact* carried_on(const Contact& contact, std::span<const Contact> last, std::span<const Contact> now) const;
+  const Contact* carried_on(const Contact& contact, std::span<const Contact> last,
+                            std::span<const Contact> now) const;
   void keep_closed(double share_of_size);
   double keep_closed_at_start();
   double gap_of_solver(const Contact& contact) const;
@@ -212,14 +217,14 @@ class World {
   double g_;  ///< its size, m/s2
   WorldSettings settings_;
   SolverQuality quality_;
-  double energy_given_ = 0;  ///< J
+  double energy_given_ = 0;                             ///< J
   std::vector<std::vector<Surface*>> terrain_surface_;  ///< [body][part]
   std::vector<std::vector<Surface*>> pair_surface_;     ///< [a][b], a < b; null before they met
 
   std::vector<Contact> contacts_;  ///< active in the step at hand
   std::vector<Contact> last_;      ///< of the last step that stands
   std::vector<ContactPoint<D>> points_;
-  std::vector<Vec<D>> patch_;      ///< the points of one manifold
+  std::vector<Vec<D>> patch_;  ///< the points of one manifold
   std::vector<ContactRows> rows_;
   std::vector<Impact> impacts_;
   std::vector<ImpactSum> sums_;
@@ -233,12 +238,13 @@ class World {
     double since = 0;     ///< s
   };
   std::vector<Unsolved> unsolved_;  ///< of each body, what its last solve left
-  std::vector<Row> after_;  ///< velocities of the contacts after the step or impact, in the frame of detection
-  std::vector<Row> start_;  ///< of the impulses, where hard problems are kept
+  std::vector<Row>
+      after_;  ///< velocities of the contacts after the step or impact, in the frame of detection
+  std::vector<Row> start_;                     ///< of the impulses, where hard problems are kept
   std::vector<std::vector<int>> contacts_of_;  ///< of each body that contacts move
   std::vector<int> island_;
   std::vector<double> island_speed_;
-  std::vector<double> island_gain_;  ///< J that an island got, less what rounding allows
+  std::vector<double> island_gain_;    ///< J that an island got, less what rounding allows
   std::vector<bool> island_collides_;  ///< whether an impact is under way in it
   SortAndSweep broad_phase_;
   std::vector<typename Geometry<D>::Box> boxes_;

@@ -47,10 +47,13 @@ Surface* World<D>::pair_surface(int a, int b) {
   return surface;
 }
 
-/// Surfaces remember: a step that is done again takes them back, one that was made within the step to its birth.
+/// Surfaces remember: a step that is done again takes them back, one that was made within the step to its
+/// birth.
 template <int D>
 void World<D>::know(Surface* surface) {
-  if (!surface || !surface->remembers() || std::find(surfaces_.begin(), surfaces_.end(), surface) != surfaces_.end()) return;
+  if (!surface || !surface->remembers() ||
+      std::find(surfaces_.begin(), surfaces_.end(), surface) != surfaces_.end())
+    return;
   surfaces_.push_back(surface);
   surface->save_history(memory_);
 }

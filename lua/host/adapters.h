@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "sandbox/state.h"
 #include "plugin/registry.h"
+#include "sandbox/state.h"
 
 namespace flyrock {
 

@@ -7,12 +7,12 @@
 
 #include "host/adapters.h"
 #include "host/manifest.h"
-#include "sandbox/read_only.h"
 #include "host/read_value.h"
-#include "sandbox/sandbox.h"
 #include "host/table_reader.h"
 #include "host/wording.h"
 #include "plugin/module_loader.h"
+#include "sandbox/read_only.h"
+#include "sandbox/sandbox.h"
 #include "units/units.h"
 
 namespace flyrock {
@@ -93,8 +93,7 @@ void LuaSession::Host::run_file(lua_State* lua, const LuaFile& file) {
   push_environment(lua, -1);
   const int environment = lua_gettop(lua);
   const std::string_view code = file.code();
-  if (luaL_loadbufferx(lua, code.data(), code.size(), ("@" + file.source->name).c_str(), "t") !=
-      LUA_OK)
+  if (luaL_loadbufferx(lua, code.data(), code.size(), ("@" + file.source->name).c_str(), "t") != LUA_OK)
     lua_error(lua);
   lua_pushvalue(lua, environment);
   lua_setupvalue(lua, -2, 1);  // the first upvalue of a chunk is its _ENV
@@ -117,7 +116,8 @@ void LuaSession::Host::load_plugin(const std::string& path, const std::string& s
   std::string fault;
   const LuaFile* file = files_.read(path, shown, fault);
   if (!file)
-    return diagnostics.error(at, "plugins", fault + ", expected a Lua file, or a folder with plugin.lua in it");
+    return diagnostics.error(at, "plugins",
+                             fault + ", expected a Lua file, or a folder with plugin.lua in it");
   sources_.push_back({shown, file->text});
   const std::size_t errors_before = diagnostics.errors_given();
   load(*file, diagnostics, [](lua_State*) {});
@@ -130,7 +130,8 @@ std::optional<Value> LuaSession::Host::read_scenario(const std::string& path, co
   std::string fault;
   const LuaFile* file = files_.read(path, shown, fault);
   if (!file) {
-    diagnostics.error({std::make_shared<Source>(Source{shown, {}}), 0, 0}, "", fault + ", expected a Lua file");
+    diagnostics.error({std::make_shared<Source>(Source{shown, {}}), 0, 0}, "",
+                      fault + ", expected a Lua file");
     return std::nullopt;
   }
   std::optional<Value> value;
@@ -156,7 +157,8 @@ LuaSession::Host& LuaSession::Host::self(lua_State* lua) {
 
 std::pair<const LuaFile*, FieldPlaces> LuaSession::Host::calling(lua_State* lua, const char* function) const {
   lua_Debug frame;
-  const bool called = lua_getstack(lua, 1, &frame) != 0 && lua_getinfo(lua, "Sl", &frame) != 0;  // not by a coroutine itself
+  const bool called =
+      lua_getstack(lua, 1, &frame) != 0 && lua_getinfo(lua, "Sl", &frame) != 0;  // not by a coroutine itself
   const LuaFile* file = main_ && called ? files_.of_chunk(frame.source) : nullptr;
   if (!file)
     throw std::runtime_error(
@@ -229,7 +231,8 @@ std::optional<Factory> LuaSession::Host::native_factory(const PluginSpec& spec, 
     const fs::path named = fs::path(file.folder) / object;
     if (!is_within(named, file.folder))
       return refuse(fmt::format("`{}` leads out of the folder of {}", object, file.source->name));
-    const std::string path = fs::weakly_canonical(fs::absolute(named)).string();  // what was looked at is what is loaded
+    const std::string path =
+        fs::weakly_canonical(fs::absolute(named)).string();  // what was looked at is what is loaded
     const auto bytes = read_bytes(path);
     if (!bytes) return refuse(fmt::format("no shared object `{}` beside the manifest", object));
     if (const std::string error = load_module(path, own); !error.empty()) return refuse(error);
@@ -269,13 +272,15 @@ void LuaSession::Host::require_file(lua_State* lua, const std::string& name) {
     return;
   }
   if (!is_within(path, main_->folder))
-    throw std::runtime_error(fmt::format("require: `{}` leads out of the folder of {}", name, main_->source->name));
+    throw std::runtime_error(
+        fmt::format("require: `{}` leads out of the folder of {}", name, main_->source->name));
   const std::string shown = (fs::path(main_->source->name).parent_path() / (relative + ".lua")).string();
   std::string fault;
   const LuaFile* file = files_.read(path, shown, fault);
   if (!file)
-    throw std::runtime_error(fmt::format("require: {}, expected a module beside the file{}", fault,
-                                         nearest_name(name, {"flyrock"}).empty() ? "" : "; did you mean `flyrock`?"));
+    throw std::runtime_error(
+        fmt::format("require: {}, expected a module beside the file{}", fault,
+                    nearest_name(name, {"flyrock"}).empty() ? "" : "; did you mean `flyrock`?"));
   sources_.push_back({shown, file->text});
   struct Loading {  // forgets the file where it fails: an error of Lua unwinds this frame
     std::map<std::string, int>& required;

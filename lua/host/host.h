@@ -11,8 +11,8 @@
 #include "host/locate.h"
 #include "host/session.h"
 #include "host/source_files.h"
-#include "sandbox/state.h"
 #include "plugin/module.h"
+#include "sandbox/state.h"
 
 namespace flyrock {
 

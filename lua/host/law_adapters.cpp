@@ -90,10 +90,11 @@ class LuaUnilateral : public LuaLaw<UnilateralLaw> {
       const char* name = lua_type(lua, 1) == LUA_TSTRING ? lua_tostring(lua, 1) : nullptr;
       const auto condition = normal_condition(name ? name : "");
       if (!condition)
-        call_.fail(fmt::format(
-            "returned {}, expected \"signorini\", \"quasi_shock\", \"cohesive\" with the pull that it bears, or \"penalty\" "
-            "with its stiffness",
-            name ? fmt::format("\"{}\"", printable(name)) : luaL_typename(lua, 1)));
+        call_.fail(
+            fmt::format("returned {}, expected \"signorini\", \"quasi_shock\", \"cohesive\" with the pull "
+                        "that it bears, or \"penalty\" "
+                        "with its stiffness",
+                        name ? fmt::format("\"{}\"", printable(name)) : luaL_typename(lua, 1)));
       answer.condition = *condition;
       if (*condition == NormalCondition::penalty)
         answer.stiffness = call_.number(lua, 2, "the stiffness");

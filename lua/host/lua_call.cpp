@@ -21,7 +21,8 @@ LuaParameters::LuaParameters(lua_State* lua, const PluginSpec& spec, Params& par
       lua_pushboolean(lua, 1);
       lua_setfield(lua, table + 1, param.name.c_str());
     }
-    const bool components = param.type == ParamType::vector || (param.type == ParamType::spin && params.dimension() == 3);
+    const bool components =
+        param.type == ParamType::vector || (param.type == ParamType::spin && params.dimension() == 3);
     switch (components ? ParamType::vector : param.type) {
       case ParamType::number:
       case ParamType::integer:
@@ -31,7 +32,8 @@ LuaParameters::LuaParameters(lua_State* lua, const PluginSpec& spec, Params& par
           fields_.push_back({param.name, param.type, slot, 0});
         break;
       case ParamType::vector:
-        if (const int slot = param.type == ParamType::spin ? params.slot(param.name) : params.vector_slot(param.name);
+        if (const int slot =
+                param.type == ParamType::spin ? params.slot(param.name) : params.vector_slot(param.name);
             slot >= 0) {
           lua_createtable(lua, params.dimension(), 0);
           lua_pushvalue(lua, -1);
@@ -77,7 +79,9 @@ LuaParameters::LuaParameters(lua_State* lua, const PluginSpec& spec, Params& par
 }
 
 namespace {
-bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
 }  // namespace
 
 void LuaParameters::push(lua_State* lua, Values values) {
@@ -140,15 +144,17 @@ void LuaCall::call(lua_State* lua, Values values, std::initializer_list<const vo
   for (const void* object : objects) (view++)->push(lua, object);
   lua_call(lua, 1 + static_cast<int>(objects.size()), results);
   if (const char* changed = outer_->restore(lua))
-    fail(fmt::format("changed `{}`, a local variable outside of it: a plugin keeps nothing from call to call, so that "
-                     "every run is the same",
-                     changed));
+    fail(fmt::format(
+        "changed `{}`, a local variable outside of it: a plugin keeps nothing from call to call, so that "
+        "every run is the same",
+        changed));
 }
 
 void LuaCall::end_failed(const LuaError& error) const {
   plugin_->state->run(instructions_, [&](lua_State* lua) {
     outer_->restore(lua);
-    // What the call left would otherwise count for later ones: what they say would depend on the rocks of this thread.
+    // What the call left would otherwise count for later ones: what they say would depend on the rocks of
+    // this thread.
     lua_gc(lua, LUA_GCCOLLECT);
   });
   rethrow(error);

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "sandbox/freeze.h"
-#include "sandbox/state.h"
 #include "host/view.h"
 #include "plugin/params.h"
+#include "sandbox/freeze.h"
+#include "sandbox/state.h"
 
 namespace flyrock {
 

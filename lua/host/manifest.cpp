@@ -37,7 +37,8 @@ class ManifestReader {
       table_.error("name",
                    fmt::format("`{}`, expected small letters, digits and _, a letter first", spec_.name));
     else if (spec_.name.size() > most_letters)
-      table_.error("name", fmt::format("a name of {} letters, expected at most {}", spec_.name.size(), most_letters));
+      table_.error("name",
+                   fmt::format("a name of {} letters, expected at most {}", spec_.name.size(), most_letters));
     spec_.doc = table_.required_text("doc");
     spec_.source = table_.text("source").value_or("");
     spec_.validity = table_.text("validity").value_or("");
@@ -73,9 +74,11 @@ class ManifestReader {
   void read_native() {
     const auto native = table_.text("native");
     if (native && !is_identifier(*native))
-      table_.error("native", fmt::format("`{}`, expected the name of a shared object beside the manifest: small letters, "
-                                         "digits and _, a letter first",
-                                         *native));
+      table_.error(
+          "native",
+          fmt::format("`{}`, expected the name of a shared object beside the manifest: small letters, "
+                      "digits and _, a letter first",
+                      *native));
     spec_.native = native.value_or("");
   }
 
@@ -83,8 +86,9 @@ class ManifestReader {
     if (spec_.kind == PluginKind::restitution) {
       spec_.form = form.value_or("newton");
       if (!restitution_form(spec_.form))
-        table_.error("form", fmt::format("`{}`, expected `newton`, `newton_mean`, `poisson`, `energy` or `velocity`",
-                                         spec_.form));
+        table_.error("form",
+                     fmt::format("`{}`, expected `newton`, `newton_mean`, `poisson`, `energy` or `velocity`",
+                                 spec_.form));
     } else if (form) {
       table_.error("form", fmt::format("a {} has no form: only a restitution has", name_of(spec_.kind)));
     }
@@ -151,12 +155,17 @@ class ManifestReader {
   void check_condition(const FieldRead& read) {
     const int param = spec_.find(read.param);
     if (param < 0 || spec_.params[param].type != ParamType::choice)
-      return table_.error("reads", fmt::format("`{}` is no parameter with choices, expected `FIELD if PARAM is CHOICE`", read.param));
+      return table_.error(
+          "reads",
+          fmt::format("`{}` is no parameter with choices, expected `FIELD if PARAM is CHOICE`", read.param));
     const std::vector<std::string>& known = spec_.params[param].choices;
     for (const std::string& choice : read.choices)
       if (std::find(known.begin(), known.end(), choice) == known.end())
-        table_.error("reads", fmt::format("`{}` is no choice of `{}`, expected {}", choice, read.param, choice_text(known)));
-    if (read.choices.empty()) table_.error("reads", fmt::format("`{}` without a choice, expected `FIELD if PARAM is CHOICE`", read.param));
+        table_.error("reads", fmt::format("`{}` is no choice of `{}`, expected {}", choice, read.param,
+                                          choice_text(known)));
+    if (read.choices.empty())
+      table_.error("reads",
+                   fmt::format("`{}` without a choice, expected `FIELD if PARAM is CHOICE`", read.param));
   }
 
   /// What a law remembers: names, and whether each contact or each pair of bodies has its own.
@@ -166,18 +175,22 @@ class ManifestReader {
     const bool law = spec_.kind == PluginKind::restitution || spec_.kind == PluginKind::friction ||
                      spec_.kind == PluginKind::rolling || spec_.kind == PluginKind::unilateral;
     if (!spec_.history.empty() && !law)
-      table_.error("history", fmt::format("a {} has no history: only laws of contacts have", name_of(spec_.kind)));
+      table_.error("history",
+                   fmt::format("a {} has no history: only laws of contacts have", name_of(spec_.kind)));
     if (spec_.history.size() > most_history)
-      table_.error("history", fmt::format("{} names, expected at most {}", spec_.history.size(), most_history));
+      table_.error("history",
+                   fmt::format("{} names, expected at most {}", spec_.history.size(), most_history));
     for (std::size_t i = 0; i < spec_.history.size(); ++i) {
       const std::string& name = spec_.history[i];
       if (!is_identifier(name))
-        table_.error("history", fmt::format("`{}`, expected small letters, digits and _, a letter first", name));
+        table_.error("history",
+                     fmt::format("`{}`, expected small letters, digits and _, a letter first", name));
       if (std::find(spec_.history.begin(), spec_.history.begin() + i, name) != spec_.history.begin() + i)
         table_.error("history", fmt::format("`{}` twice", name));
     }
     if (!owner) return;
-    if (spec_.history.empty()) table_.error("history_of", "says whose history it is, and there is none: expected `history`");
+    if (spec_.history.empty())
+      table_.error("history_of", "says whose history it is, and there is none: expected `history`");
     if (*owner != "pair" && *owner != "contact")
       table_.error("history_of", fmt::format("`{}`, expected `pair` or `contact`", *owner));
     spec_.history_of_contact = *owner == "contact";
@@ -192,7 +205,8 @@ class ManifestReader {
     if (empty) return;
     constexpr std::size_t most_params = 200;
     if (params->map()->size() > most_params)
-      return table_.error("params", fmt::format("{} parameters, expected at most {}", params->map()->size(), most_params));
+      return table_.error(
+          "params", fmt::format("{} parameters, expected at most {}", params->map()->size(), most_params));
     for (const Entry& entry : *params->map()) {
       auto param = read_param(entry, diagnostics_);
       if (param)

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "plugin/spec.h"
 #include "document/diagnostics.h"
+#include "plugin/spec.h"
 
 namespace flyrock {
 

@@ -27,7 +27,8 @@ class ParamReader {
     spec_.optional = table_.boolean("optional").value_or(false);
     const bool spin = spec_.type == ParamType::spin;
     const bool numeric = spin || spec_.type == ParamType::number || spec_.type == ParamType::integer;
-    if (spin || spec_.type == ParamType::number || spec_.type == ParamType::vector || spec_.type == ParamType::points)
+    if (spin || spec_.type == ParamType::number || spec_.type == ParamType::vector ||
+        spec_.type == ParamType::points)
       read_unit();
     if (numeric || spec_.type == ParamType::vector) {
       read_limits();
@@ -156,7 +157,8 @@ class ParamReader {
       return table_.error("choices", "missing, expected a list of texts: choices = { \"a\", \"b\" }");
     if (spec_.default_text &&
         std::find(spec_.choices.begin(), spec_.choices.end(), *spec_.default_text) == spec_.choices.end())
-      table_.error("default", fmt::format("`{}`, expected {}", *spec_.default_text, choice_text(spec_.choices)));
+      table_.error("default",
+                   fmt::format("`{}`, expected {}", *spec_.default_text, choice_text(spec_.choices)));
   }
 
   std::string name_;
@@ -166,18 +168,21 @@ class ParamReader {
 };
 
 /// What is wrong with a bound of `param`, or an empty text.
-std::string bound_fault(const ParamSpec& param, const ParamBound& bound, const std::vector<ParamSpec>& params) {
+std::string bound_fault(const ParamSpec& param, const ParamBound& bound,
+                        const std::vector<ParamSpec>& params) {
   std::vector<std::string> others;  // that it may name
   for (const ParamSpec& one : params)
     if ((one.type == ParamType::number || one.type == ParamType::integer) && one.name != param.name)
       others.push_back(one.name);
-  const auto other = std::find_if(params.begin(), params.end(), [&](const ParamSpec& one) { return one.name == bound.other; });
+  const auto other = std::find_if(params.begin(), params.end(),
+                                  [&](const ParamSpec& one) { return one.name == bound.other; });
   if (std::find(others.begin(), others.end(), bound.other) == others.end())
-    return fmt::format("`{}`, expected a number, or the name of another parameter that is a number{}", bound.other,
-                       did_you_mean(bound.other, others));
+    return fmt::format("`{}`, expected a number, or the name of another parameter that is a number{}",
+                       bound.other, did_you_mean(bound.other, others));
   if (other->dimension != param.dimension)
     return fmt::format("`{}` has other units than `{}`", bound.other, param.name);
-  if (param.default_number && other->default_number && !keeps(*param.default_number, bound.relation, *other->default_number))
+  if (param.default_number && other->default_number &&
+      !keeps(*param.default_number, bound.relation, *other->default_number))
     return fmt::format("the default must be {} that of `{}`", name_of(bound.relation), bound.other);
   return {};
 }
@@ -198,7 +203,8 @@ bool check_bounds(const Map& written, const std::vector<ParamSpec>& params, Diag
     for (const ParamBound& bound : params[i].bounds)
       if (const std::string fault = bound_fault(params[i], bound, params); !fault.empty()) {
         const std::string key(key_of(bound.relation));
-        diagnostics.error(written[i].value.find(key)->at, fmt::format("params.{}.{}", params[i].name, key), fault);
+        diagnostics.error(written[i].value.find(key)->at, fmt::format("params.{}.{}", params[i].name, key),
+                          fault);
         sound = false;
       }
   return sound;

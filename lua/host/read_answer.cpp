@@ -25,7 +25,8 @@ class AnswerReader {
   }
 
   void check_keys(const Value& value, const std::string& path, const std::vector<std::string>& known) const {
-    if (value.list() && value.list()->empty()) return;  // Lua writes an empty list and a table without fields alike
+    if (value.list() && value.list()->empty())
+      return;  // Lua writes an empty list and a table without fields alike
     if (!value.map()) wrong(path, value, "a table with " + choice_text(known));
     for (const Entry& entry : *value.map())
       if (std::find(known.begin(), known.end(), entry.key) == known.end()) {
@@ -192,7 +193,8 @@ Launch read_launch(const LuaCall& call, const Value& answer, int dimension) {
     if (!note->text()) reader.wrong("note", *note, "text");
     launch.note = *note->text();
   }
-  if (const Value* distance = answer.find("greatest_throw")) launch.greatest_throw = reader.number(*distance, "greatest_throw");
+  if (const Value* distance = answer.find("greatest_throw"))
+    launch.greatest_throw = reader.number(*distance, "greatest_throw");
   return launch;
 }
 

@@ -2,9 +2,9 @@
 // The tables that plugins return to what the engine takes. A wrong answer is a PluginError that names the
 // field: "plugin my_shape, my_shape.lua:9: build() returned vertices[1] = text, expected { x, y }".
 
+#include "document/value.h"
 #include "host/lua_call.h"
 #include "plugin/models.h"
-#include "document/value.h"
 
 namespace flyrock {
 
@@ -22,7 +22,8 @@ Profile read_terrain(const LuaCall& call, const Value& answer);
 /// the place of shape. What is left out comes from the group.
 std::vector<RockPlan> read_rocks(const LuaCall& call, const Value& answer);
 
-/// { velocity = { vx, vy[, vz] } [, spin = w, a vector in 3D] [, note = text for the run's warnings] [, greatest_throw = m] }.
+/// { velocity = { vx, vy[, vz] } [, spin = w, a vector in 3D] [, note = text for the run's warnings] [,
+/// greatest_throw = m] }.
 Launch read_launch(const LuaCall& call, const Value& answer, int dimension);
 
 }  // namespace flyrock

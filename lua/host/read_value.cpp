@@ -7,8 +7,8 @@
 #include <lua.hpp>
 #include <set>
 
-#include "sandbox/read_only.h"
 #include "document/printable.h"
+#include "sandbox/read_only.h"
 
 namespace flyrock {
 
@@ -40,7 +40,8 @@ class Reader {
         std::size_t length;
         const char* text = lua_tolstring(lua_, -1, &length);
         value.data = std::string(text, length);
-        if (const std::string fault = text_fault({text, length}); !fault.empty()) fail(path, "a text that " + fault);
+        if (const std::string fault = text_fault({text, length}); !fault.empty())
+          fail(path, "a text that " + fault);
         break;
       }
       case LUA_TTABLE:

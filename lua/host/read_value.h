@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "host/locate.h"
 #include "document/diagnostics.h"
+#include "host/locate.h"
 
 struct lua_State;
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "sandbox/print_log.h"
-#include "plugin/registry.h"
 #include "document/diagnostics.h"
+#include "plugin/registry.h"
+#include "sandbox/print_log.h"
 
 namespace flyrock {
 

@@ -13,9 +13,9 @@
 namespace flyrock {
 
 struct LuaFile {
-  std::string path;    ///< to open
-  std::string folder;  ///< in which it stands
-  std::string text;    ///< as it stands in the file
+  std::string path;                      ///< to open
+  std::string folder;                    ///< in which it stands
+  std::string text;                      ///< as it stands in the file
   std::shared_ptr<const Source> source;  ///< its name as shown, and its lines
 
   /// The text for Lua: without a byte order mark and a first line that begins with `#`.
@@ -27,8 +27,8 @@ std::optional<std::string> read_bytes(const std::string& path);
 
 class SourceFiles {
  public:
-  /// Reads a file of at most 4 MiB; null where it cannot be read, and `fault` says why. The pointer holds as long as
-  /// this object.
+  /// Reads a file of at most 4 MiB; null where it cannot be read, and `fault` says why. The pointer holds as
+  /// long as this object.
   const LuaFile* read(const std::string& path, const std::string& shown, std::string& fault);
   /// The file that Lua calls `chunk` ("@my_law.lua"), or null.
   const LuaFile* of_chunk(const std::string& chunk) const;

@@ -4,9 +4,9 @@
 
 #include <lua.hpp>
 
+#include "host/table_reader.h"
 #include "sandbox/read_only.h"
 #include "sandbox/state.h"
-#include "host/table_reader.h"
 
 namespace flyrock {
 

@@ -39,8 +39,9 @@ void push_history(lua_State* lua, const void* object, int field) {
 void assign_history(lua_State* lua, const void* object, int field) {
   const lua_Number number = lua_type(lua, 3) == LUA_TNUMBER ? lua_tonumber(lua, 3) : NAN;
   if (!std::isfinite(number))
-    raise(lua, fmt::format("`contact.history.{}` was set to {}, expected a finite number", lua_tostring(lua, 2),
-                           lua_type(lua, 3) == LUA_TNUMBER ? "a number that is not finite" : luaL_typename(lua, 3)));
+    raise(lua, fmt::format(
+                   "`contact.history.{}` was set to {}, expected a finite number", lua_tostring(lua, 2),
+                   lua_type(lua, 3) == LUA_TNUMBER ? "a number that is not finite" : luaL_typename(lua, 3)));
   // The memory belongs to the engine, which passed it as one that the law may write.
   static_cast<double*>(const_cast<void*>(object))[field] = number;
 }

@@ -149,8 +149,8 @@ int resume(lua_State* lua) {
   return results;
 }
 
-/// Not where the budget is exceeded: in a coroutine that died inside the hook, no hook counts what its __close
-/// methods do.
+/// Not where the budget is exceeded: in a coroutine that died inside the hook, no hook counts what its
+/// __close methods do.
 int close(lua_State* lua) {
   if (const std::string& exceeded = budget_of(lua).exceeded; !exceeded.empty()) exceed(lua, exceeded);
   return lua_tocfunction(lua, lua_upvalueindex(1))(lua);
@@ -202,8 +202,8 @@ void wrap_original(lua_State* lua, const char* name, lua_CFunction wrapper) {
 void add_base_library(lua_State* lua) {
   lua_pushcfunction(lua, luaopen_base);  // fills the state's own table of globals, which no code of ours sees
   lua_call(lua, 0, 1);
-  for (const char* name : {"assert", "error", "ipairs", "rawequal", "rawget", "rawlen", "select",
-                           "tonumber", "type", "_VERSION"}) {
+  for (const char* name : {"assert", "error", "ipairs", "rawequal", "rawget", "rawlen", "select", "tonumber",
+                           "type", "_VERSION"}) {
     lua_getfield(lua, -1, name);
     lua_setfield(lua, -3, name);
   }

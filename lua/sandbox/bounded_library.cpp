@@ -64,7 +64,8 @@ void bound(lua_State* lua, const char* name) {
   lua_setfield(lua, -2, name);
 }
 
-/// string.format without %p, and with %s as the sandbox's tostring has it: no addresses. The pattern may hold zeros.
+/// string.format without %p, and with %s as the sandbox's tostring has it: no addresses. The pattern may hold
+/// zeros.
 int format(lua_State* lua) {
   charge(lua, texts(lua));
   std::size_t length;
@@ -76,7 +77,8 @@ int format(lua_State* lua) {
     const char conversion = at < pattern.size() ? pattern[at] : '\0';
     if (conversion == '%') continue;  // "%%", or what Lua refuses
     ++argument;
-    if (conversion == 'p') raise(lua, "the format %p is not available here: addresses differ from run to run");
+    if (conversion == 'p')
+      raise(lua, "the format %p is not available here: addresses differ from run to run");
     const int type = lua_type(lua, argument);
     if (conversion == 's' && type > LUA_TBOOLEAN && type != LUA_TNUMBER && type != LUA_TSTRING) {
       lua_pushvalue(lua, lua_upvalueindex(2));

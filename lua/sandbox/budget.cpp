@@ -32,7 +32,8 @@ std::string spend(Budget& budget, double instructions) {
     budget.start = now;
     budget.processor_start = processor_time();
   }
-  // A busy machine is no fault of the plugin; the time of the processor takes longer to ask for, so it comes second.
+  // A busy machine is no fault of the plugin; the time of the processor takes longer to ask for, so it comes
+  // second.
   if (now - budget.start > budget.time_limit && processor_time() - budget.processor_start > budget.time_limit)
     return fmt::format("ran for more than {} s", std::chrono::duration<double>(budget.time_limit).count());
   return {};
@@ -58,7 +59,8 @@ const char* refusal(const Budget& budget, bool text, std::size_t more, std::size
 
 void Budget::arm(double instructions) {
   limit = left = instructions;
-  time_limit = std::min<std::chrono::nanoseconds>(static_cast<std::int64_t>(instructions) * instruction_time, longest_time);
+  time_limit = std::min<std::chrono::nanoseconds>(static_cast<std::int64_t>(instructions) * instruction_time,
+                                                  longest_time);
   timed = false;
   refused = "";
   raised_at.clear();

@@ -18,15 +18,15 @@ namespace flyrock {
 struct Budget {
   static constexpr std::size_t memory_limit = std::size_t{256} << 20;  ///< bytes a state
   static constexpr std::size_t text_limit = std::size_t{1} << 20;  ///< bytes a text: no hook counts comparing
-  static constexpr double law_limit = 2e6;                             ///< instructions of one call of a law
-  static constexpr double call_limit = 1e7;                            ///< and of a model, which is asked less often
-  static constexpr double load_limit = 1e8;                            ///< instructions of loading one file
+  static constexpr double law_limit = 2e6;                         ///< instructions of one call of a law
+  static constexpr double call_limit = 1e7;  ///< and of a model, which is asked less often
+  static constexpr double load_limit = 1e8;  ///< instructions of loading one file
   static constexpr const char* long_text = "made a text of more than 1 MiB";
-  /// Of the processor, for what takes long and has few instructions, as comparing long texts: so much of it for each
-  /// instruction that a call may use, which is twenty times what one takes, and 4 s at most.
+  /// Of the processor, for what takes long and has few instructions, as comparing long texts: so much of it
+  /// for each instruction that a call may use, which is twenty times what one takes, and 4 s at most.
   static constexpr std::chrono::nanoseconds instruction_time{250};
   static constexpr std::chrono::seconds longest_time{4};
-  static constexpr int interval = 100;                  ///< instructions between two looks
+  static constexpr int interval = 100;  ///< instructions between two looks
 
   std::size_t memory = 0;  ///< bytes in use
   double limit = 0;        ///< instructions of the call under way
@@ -70,7 +70,8 @@ void charge(lua_State* lua, double instructions);
 /// Raises the error at the top of the stack again where it tells of a limit exceeded.
 void raise_if_exceeded(lua_State* lua);
 
-/// Where the error at the top of the stack is Lua's own about memory: puts what the allocator refused in its place.
+/// Where the error at the top of the stack is Lua's own about memory: puts what the allocator refused in its
+/// place.
 void name_refusal(lua_State* lua);
 
 }  // namespace flyrock

@@ -22,7 +22,9 @@ int refuse_change(lua_State* lua) {
 }
 
 /// "a.b"; "b" where the table has no name (the globals).
-std::string field_path(const std::string& path, const char* field) { return path.empty() ? field : path + "." + field; }
+std::string field_path(const std::string& path, const char* field) {
+  return path.empty() ? field : path + "." + field;
+}
 
 /// Walks over all that a function reaches: freezes tables, hands each function to `use`.
 class Walk {
@@ -36,9 +38,10 @@ class Walk {
   void add(const std::string& name) {
     const int type = lua_type(lua_, -1);
     if (type == LUA_TTHREAD)
-      raise(lua_, fmt::format("reaches the coroutine `{}`, which would remember one call in the next: make it inside "
-                              "of the function",
-                              name));
+      raise(lua_, fmt::format(
+                      "reaches the coroutine `{}`, which would remember one call in the next: make it inside "
+                      "of the function",
+                      name));
     if ((type == LUA_TTABLE || type == LUA_TFUNCTION) && seen_.insert(lua_topointer(lua_, -1)).second) {
       names_.push_back(name);
       lua_rawseti(lua_, waiting_, static_cast<lua_Integer>(names_.size()));
@@ -57,7 +60,8 @@ class Walk {
         table(name);
       } else {
         use(name);
-        for (int n = 1; const char* local = lua_getupvalue(lua_, -1, n); ++n) add(!*local ? name : std::string_view(local) == "_ENV" ? "" : local);
+        for (int n = 1; const char* local = lua_getupvalue(lua_, -1, n); ++n)
+          add(!*local ? name : std::string_view(local) == "_ENV" ? "" : local);
       }
       lua_pop(lua_, 1);
     }
@@ -79,7 +83,8 @@ class Walk {
     lua_pop(lua_, 1);
   }
 
-  /// Takes in the fields of the table at the top of the stack, in an order that the addresses of keys do not change.
+  /// Takes in the fields of the table at the top of the stack, in an order that the addresses of keys do not
+  /// change.
   void add_fields(const std::string& path) {
     struct Field {
       int key_type;
@@ -100,7 +105,8 @@ class Walk {
       const int key = lua_type(lua_, -2);
       const double number = key == LUA_TNUMBER ? lua_tonumber(lua_, -2) : lua_toboolean(lua_, -2);
       const auto place = static_cast<lua_Integer>(fields.size()) + 1;
-      fields.push_back({key, number, key == LUA_TSTRING ? field_path(path, lua_tostring(lua_, -2)) : path + "[]", place});
+      fields.push_back(
+          {key, number, key == LUA_TSTRING ? field_path(path, lua_tostring(lua_, -2)) : path + "[]", place});
       lua_rawseti(lua_, values, place);
     }
     charge(lua_, 10 * count);
@@ -125,7 +131,8 @@ bool same_value(lua_State* lua, int a, int b) {
   if (lua_isinteger(lua, a) != lua_isinteger(lua, b)) return false;
   if (lua_isinteger(lua, a)) return lua_tointeger(lua, a) == lua_tointeger(lua, b);
   // bits, so that nan is itself and 0 is not -0
-  return std::bit_cast<std::uint64_t>(lua_tonumber(lua, a)) == std::bit_cast<std::uint64_t>(lua_tonumber(lua, b));
+  return std::bit_cast<std::uint64_t>(lua_tonumber(lua, a)) ==
+         std::bit_cast<std::uint64_t>(lua_tonumber(lua, b));
 }
 
 }  // namespace

@@ -68,7 +68,8 @@ int ordered_pairs(lua_State* lua) {
 
   struct Key {
     int rank;
-    double number;  // orders numbers; integers beyond 2^53 that round to the same double are ordered by `integer`
+    double number;  // orders numbers; integers beyond 2^53 that round to the same double are ordered by
+                    // `integer`
     lua_Integer integer;
     std::string text;
   };

@@ -4,7 +4,8 @@
 
 namespace flyrock {
 
-void PrintLog::add(const std::string& place, std::string_view text, std::string (*printable)(std::string_view)) {
+void PrintLog::add(const std::string& place, std::string_view text,
+                   std::string (*printable)(std::string_view)) {
   for (int lines = 0; lines <= lines_of_a_place; ++lines) {
     const std::size_t end = text.find('\n');
     add_line(place, printable(text.substr(0, end)));
@@ -29,8 +30,8 @@ void PrintLog::add_line(const std::string& place, std::string text) {
   int& count = count_[place];
   if (count > lines_of_a_place) return;
   if (++count > lines_of_a_place)
-    text = fmt::format("{}{}print: after {} lines the others of this place are dropped", place, place.empty() ? "" : ": ",
-                       lines_of_a_place);
+    text = fmt::format("{}{}print: after {} lines the others of this place are dropped", place,
+                       place.empty() ? "" : ": ", lines_of_a_place);
   lines_.push_back({place, std::move(text)});
 }
 

@@ -14,8 +14,9 @@ class PrintLog {
   static constexpr int lines_of_a_place = 10;
   static constexpr std::size_t most_places = 50;
 
-  /// Takes a text, which may have several lines, unless `place` ("my_law.lua:14", or empty) has had its lines. The line
-  /// after the last one says that more was dropped. Each line is stored as `printable` makes it.
+  /// Takes a text, which may have several lines, unless `place` ("my_law.lua:14", or empty) has had its
+  /// lines. The line after the last one says that more was dropped. Each line is stored as `printable` makes
+  /// it.
   void add(const std::string& place, std::string_view text, std::string (*printable)(std::string_view));
   /// Takes what a later log holds, as if it had been printed here.
   void add(const PrintLog& later);

@@ -18,10 +18,10 @@ int refuse_write(lua_State* lua) {
 }
 
 // Keys of metatables that no Lua code can name.
-const char shown_key = 0;  // of a view: the table that it shows
-const char data_key = 0;   // of a view: that it is one of data
-const char view_key = 0;   // of the fields of a frozen table: its view
-const char former_key = 0; // of the view of a frozen table: the metatable that the table had
+const char shown_key = 0;   // of a view: the table that it shows
+const char data_key = 0;    // of a view: that it is one of data
+const char view_key = 0;    // of the fields of a frozen table: its view
+const char former_key = 0;  // of the view of a frozen table: the metatable that the table had
 
 bool push_marked(lua_State* lua, int index, const char* key) {
   if (!lua_istable(lua, index) || !lua_getmetatable(lua, index)) return false;
@@ -107,8 +107,8 @@ int index_by_function(lua_State* lua) {
   return 1;
 }
 
-/// On the stack: a frozen table's fields at `fields`, the metatable of its view, that of its fields, and the one
-/// that it had, which is popped.
+/// On the stack: a frozen table's fields at `fields`, the metatable of its view, that of its fields, and the
+/// one that it had, which is popped.
 void keep_metamethods(lua_State* lua, int fields) {
   const int of_view = fields + 1, of_fields = fields + 2, own = fields + 3;
   lua_pushvalue(lua, own);  // what getmetatable answers, unless it has an answer of its own
@@ -116,7 +116,8 @@ void keep_metamethods(lua_State* lua, int fields) {
   if (push_shown(lua, own)) lua_replace(lua, own);
   for (lua_pushnil(lua); lua_next(lua, own); lua_pop(lua, 1)) {
     const std::string_view name = lua_type(lua, -2) == LUA_TSTRING ? lua_tostring(lua, -2) : "";
-    // What acts when garbage is collected is refused by setmetatable; a field that was set later stays without effect.
+    // What acts when garbage is collected is refused by setmetatable; a field that was set later stays
+    // without effect.
     if (name == "__newindex" || name == "__mode" || name == "__gc" || !name.starts_with("__")) continue;
     int to = of_view;
     lua_pushvalue(lua, -1);

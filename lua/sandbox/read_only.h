@@ -17,12 +17,14 @@ void make_read_only(lua_State* lua, const std::string& what, bool is_data = fals
 /// Its metamethods stay, but for those that write. `refuse` is its __newindex; it finds `what` in upvalue 1.
 void freeze_table(lua_State* lua, int index, const std::string& what, int (*refuse)(lua_State*));
 
-/// Keeps the metatable at the top of the stack, which is popped, as the one that the frozen table at `index` had.
+/// Keeps the metatable at the top of the stack, which is popped, as the one that the frozen table at `index`
+/// had.
 void keep_former_metatable(lua_State* lua, int index);
 /// Pushes the metatable that the frozen table at `index` had, or returns false where there was none.
 bool push_former_metatable(lua_State* lua, int index);
 
-/// Marks the table at `index`, which has a metatable, as one that no Lua code gets hold of: it is its own view.
+/// Marks the table at `index`, which has a metatable, as one that no Lua code gets hold of: it is its own
+/// view.
 void mark_hidden(lua_State* lua, int index);
 
 /// Pushes the table that the view at `index` shows, or returns false where it is no view.

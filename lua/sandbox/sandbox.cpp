@@ -31,7 +31,8 @@ int refuse_undefined(lua_State* lua) {
   const std::string name = text ? text : luaL_typename(lua, 2);
   for (const auto& [known, reason] : left_out)
     if (known == name) raise(lua, fmt::format("`{}` is not available here: {}", name, reason));
-  raise(lua, fmt::format("`{}` is not defined{}", name, budget_of(lua).wording.did_you_mean(name, text_keys(lua, lua_upvalueindex(1)))));
+  raise(lua, fmt::format("`{}` is not defined{}", name,
+                         budget_of(lua).wording.did_you_mean(name, text_keys(lua, lua_upvalueindex(1)))));
 }
 
 int refuse_random(lua_State* lua) {
@@ -100,8 +101,6 @@ void push_environment(lua_State* lua, int globals) {
   lua_setmetatable(lua, -2);
 }
 
-void freeze_environment(lua_State* lua, int index) {
-  freeze_table(lua, index, "", guarded<refuse_global>);
-}
+void freeze_environment(lua_State* lua, int index) { freeze_table(lua, index, "", guarded<refuse_global>); }
 
 }  // namespace flyrock

@@ -1,5 +1,5 @@
-// Flights of rigid bodies through air, against closed forms and the reference integration of a sphere of 0.1 m and
-// 2700 kg/m3 with c_d 1 at 60 m/s and 45 degrees: 197.8927 m, 7.15237 s, apex 63.3257 m.
+// Flights of rigid bodies through air, against closed forms and the reference integration of a sphere of 0.1
+// m and 2700 kg/m3 with c_d 1 at 60 m/s and 45 degrees: 197.8927 m, 7.15237 s, apex 63.3257 m.
 #include <catch2/catch.hpp>
 
 #include "lab_3d.h"
@@ -56,7 +56,8 @@ TEST_CASE("a rigid body through air lands where the reference integration does, 
   CHECK(history.bounce_height == Approx(63.3257 + 0.05).epsilon(1e-6));
   REQUIRE(history.impacts.size() >= 1);
   CHECK(history.impacts[0].time == Approx(7.15237).epsilon(1e-6));
-  CHECK(std::hypot(history.impacts[0].vn_before, history.impacts[0].vt_before) == Approx(35.924).epsilon(2e-5));
+  CHECK(std::hypot(history.impacts[0].vn_before, history.impacts[0].vt_before) ==
+        Approx(35.924).epsilon(2e-5));
 
   lab::Material soft3(0, 10);
   lab::Bench3 space(lab::plane(), soft3);
@@ -76,10 +77,12 @@ TEST_CASE("a body without drag flies as if there were no air, to the last bit") 
   const BodyHistory calm = run({}), windy = run({0, {10, 0}});
   CHECK(calm.last.position == windy.last.position);
   CHECK(calm.last.time == windy.last.time);
-  CHECK(run({1e-9, Vec2::Zero()}).flight_range == Approx(calm.flight_range).epsilon(1e-6));  // and tends to it
+  CHECK(run({1e-9, Vec2::Zero()}).flight_range ==
+        Approx(calm.flight_range).epsilon(1e-6));  // and tends to it
 }
 
-TEST_CASE("a block through air lands on a bench where its lowest corner meets it, and fences stop it on the way") {
+TEST_CASE(
+    "a block through air lands on a bench where its lowest corner meets it, and fences stop it on the way") {
   Profile profile;
   profile.points = {{-50, 12}, {0, 12}, {4, 0}, {500, 0}};
   profile.part = {0, 0, 0};

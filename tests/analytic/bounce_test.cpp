@@ -34,7 +34,8 @@ TEST_CASE("with the default rest speed the lost time is 2 v / (g (1 - e))") {
   const BodyHistory& ball = bench.run(20);
   // The first approach below rest_speed is not restituted: the remaining bounces are lost.
   const double v = ball.impacts.back().vn_after * e;
-  const double lost = 2 * ball.impacts.back().vn_after / (9.81 * (1 - e)) - 2 * ball.impacts.back().vn_after / 9.81;
+  const double lost =
+      2 * ball.impacts.back().vn_after / (9.81 * (1 - e)) - 2 * ball.impacts.back().vn_after / 9.81;
   CHECK(v < 0.02);
   CHECK(ball.stop_time == Approx(std::sqrt(2 / 9.81) * (1 + e) / (1 - e) - lost).margin(1e-9));
 }

@@ -61,7 +61,9 @@ TEST_CASE("a box stands on four corners that carry m g h together") {
   CHECK(sum == Approx(1000 * g * 1e-3).epsilon(1e-9));
 }
 
-TEST_CASE("a box that spins on its square base is stopped by the friction of its corners and by spinning resistance") {
+TEST_CASE(
+    "a box that spins on its square base is stopped by the friction of its corners and by spinning "
+    "resistance") {
   const double side = 0.4, mass = 20, mu = 0.3, mu_spin = GENERATE(0.0, 0.05), spin = 10;
   Material material(0, mu, 0, 0, mu_spin);
   Bench3 bench(plane(), material);

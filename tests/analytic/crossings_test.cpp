@@ -44,7 +44,8 @@ TEST_CASE("a gate sees the parabola, once, and does not disturb it") {
   CHECK(passage.time == Approx(0.5).epsilon(1e-14));
   CHECK(passage.height == Approx(height_at_5).epsilon(1e-14));
   CHECK(passage.speed == Approx(speed_at_5).epsilon(1e-14));
-  CHECK(passage.kinetic_energy == Approx(500 * speed_at_5 * speed_at_5 + 0.5 * gated.inertia() * 4).epsilon(1e-14));
+  CHECK(passage.kinetic_energy ==
+        Approx(500 * speed_at_5 * speed_at_5 + 0.5 * gated.inertia() * 4).epsilon(1e-14));
 }
 
 TEST_CASE("a gate on the left sees what flies to the left") {
@@ -83,7 +84,8 @@ TEST_CASE("a barrier catches, is passed over, or takes its capacity") {
     CHECK(history.barriers.at(0).outcome == BarrierOutcome::over_energy);
     CHECK(history.barriers[0].kinetic_energy == Approx(energy));
     REQUIRE(history.passages.size() == 2);
-    CHECK(history.passages[0].kinetic_energy == Approx(energy));  // a gate at the same place sees what arrives
+    CHECK(history.passages[0].kinetic_energy ==
+          Approx(energy));  // a gate at the same place sees what arrives
     const double after = history.passages[1].kinetic_energy;
     CHECK(after == Approx(0.25 * energy).epsilon(1e-3));
     // It lands with 5 m/s and 1 rad/s, and comes to roll at (v - k R w) / (1 + k).

@@ -1,5 +1,5 @@
-// What no body can do ends its run as diverged, and says what it was. A friction law that tampers with the body stands for any
-// error of the program.
+// What no body can do ends its run as diverged, and says what it was. A friction law that tampers with the
+// body stands for any error of the program.
 #include <catch2/catch.hpp>
 
 #include "analytic/lab.h"
@@ -22,7 +22,8 @@ struct Tampering : FrictionLaw {
 };
 
 template <class BenchType, class BodyType>
-void tamper(BenchType& bench, Material& material, BodyType body, const std::function<void(BodyType&)>& change, const char* fault) {
+void tamper(BenchType& bench, Material& material, BodyType body, const std::function<void(BodyType&)>& change,
+            const char* fault) {
   Tampering law;
   law.tamper = [&] { change(bench.world.bodies[0]); };
   material.surface.friction.law = &law;
@@ -37,17 +38,21 @@ void tamper(BenchType& bench, Material& material, BodyType body, const std::func
 TEST_CASE("a body below the ground has diverged") {
   Material material(0.5, 0.5);
   Bench bench(ground(10), material);
-  tamper<Bench, Body<2>>(bench, material, disk(0.1, 1, {0, 1}), [](Body<2>& b) { b.x.y() = -0.5; }, "below the ground");
+  tamper<Bench, Body<2>>(
+      bench, material, disk(0.1, 1, {0, 1}), [](Body<2>& b) { b.x.y() = -0.5; }, "below the ground");
   Bench3 bench3(plane(0.3), material);
-  tamper<Bench3, Body<3>>(bench3, material, sphere(0.1, 1, {0, 0, 1}), [](Body<3>& b) { b.x.z() -= 0.5; }, "below the ground");
+  tamper<Bench3, Body<3>>(
+      bench3, material, sphere(0.1, 1, {0, 0, 1}), [](Body<3>& b) { b.x.z() -= 0.5; }, "below the ground");
 }
 
 TEST_CASE("a body with energy from nowhere has diverged") {
   Material material(0.5, 0.5);
   Bench bench(ground(10), material);
-  tamper<Bench, Body<2>>(bench, material, disk(0.1, 1, {0, 1}), [](Body<2>& b) { b.v.x() += 5; }, "J more than");
+  tamper<Bench, Body<2>>(
+      bench, material, disk(0.1, 1, {0, 1}), [](Body<2>& b) { b.v.x() += 5; }, "J more than");
   Bench3 bench3(plane(), material);
-  tamper<Bench3, Body<3>>(bench3, material, sphere(0.1, 1, {0, 0, 1}), [](Body<3>& b) { b.w.x() += 500; }, "J more than");
+  tamper<Bench3, Body<3>>(
+      bench3, material, sphere(0.1, 1, {0, 0, 1}), [](Body<3>& b) { b.w.x() += 500; }, "J more than");
 }
 
 TEST_CASE("what impacts gain by their law is no energy from nowhere") {

@@ -49,13 +49,15 @@ struct Material {
 inline Profile ground(double half_length, double slope = 0, int segments = 1) {
   Profile profile;
   const Vec2 along(std::cos(slope), -std::sin(slope));
-  for (int i = 0; i <= segments; ++i) profile.points.push_back(half_length * (2.0 * i / segments - 1) * along);
+  for (int i = 0; i <= segments; ++i)
+    profile.points.push_back(half_length * (2.0 * i / segments - 1) * along);
   profile.part.assign(segments, 0);
   profile.parts = {""};
   return profile;
 }
 
-inline Body<2> disk(double radius, double mass, const Vec2& at, const Vec2& velocity = Vec2::Zero(), double spin = 0) {
+inline Body<2> disk(double radius, double mass, const Vec2& at, const Vec2& velocity = Vec2::Zero(),
+                    double spin = 0) {
   Body<2> body = make_body({Contactor2::disk(radius)}, 0, mass, 0);
   body.move_to(at, 0);
   body.v = velocity;
@@ -64,9 +66,11 @@ inline Body<2> disk(double radius, double mass, const Vec2& at, const Vec2& velo
 }
 
 inline Body<2> box(double width, double height, double mass, const Vec2& at, double angle = 0) {
-  Body<2> body = make_body(
-      {Contactor2::polygon({{-width / 2, -height / 2}, {width / 2, -height / 2}, {width / 2, height / 2}, {-width / 2, height / 2}})},
-      0, mass, 0);
+  Body<2> body = make_body({Contactor2::polygon({{-width / 2, -height / 2},
+                                                 {width / 2, -height / 2},
+                                                 {width / 2, height / 2},
+                                                 {-width / 2, height / 2}})},
+                           0, mass, 0);
   body.move_to(at, angle);
   return body;
 }
@@ -100,7 +104,8 @@ struct BenchOf {
 };
 
 struct Bench : BenchOf<2> {
-  Bench(Profile profile, Material& material, const WorldSettings& settings = {}, const Vec2& gravity = {0, -9.81})
+  Bench(Profile profile, Material& material, const WorldSettings& settings = {},
+        const Vec2& gravity = {0, -9.81})
       : BenchOf<2>(Terrain2(std::move(profile)), material, settings, gravity) {}
 };
 

@@ -5,7 +5,8 @@
 
 namespace flyrock::lab {
 
-/// A plane through the origin, at `slope` below the horizontal towards +x turned by `azimuth` about the vertical.
+/// A plane through the origin, at `slope` below the horizontal towards +x turned by `azimuth` about the
+/// vertical.
 inline Plane plane(double slope = 0, double azimuth = 0) {
   Plane ground;
   ground.normal = {std::sin(slope) * std::cos(azimuth), std::sin(slope) * std::sin(azimuth), std::cos(slope)};
@@ -38,7 +39,8 @@ inline Body<3> box(const Vec3& size, double mass, const Vec3& at, const Vec3& al
 }
 
 struct Bench3 : BenchOf<3> {
-  Bench3(Plane ground, Material& material, const WorldSettings& settings = {}, const Vec3& gravity = {0, 0, -9.81})
+  Bench3(Plane ground, Material& material, const WorldSettings& settings = {},
+         const Vec3& gravity = {0, 0, -9.81})
       : BenchOf<3>(Terrain3(std::move(ground)), material, settings, gravity) {}
 };
 

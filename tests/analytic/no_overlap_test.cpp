@@ -1,7 +1,6 @@
-// No rock enters the ground, judged apart from the engine's own detection: every stored state of random rocks on
-// random rough ground is checked against the poly-line.
+// No rock enters the ground, judged apart from the engine's own detection: every stored state of random rocks
+// on random rough ground is checked against the poly-line.
 #include <catch2/catch.hpp>
-
 #include <random>
 
 #include "analytic/lab.h"
@@ -27,7 +26,8 @@ double depth_below(const Profile& profile, const Vec2& p) {
 double depth_inside(const Contactor2& shape, const Vec2& local) {
   if (shape.points.size() == 1) return std::max(0.0, shape.radius - local.norm());
   double outside = -1e300;
-  for (std::size_t e = 0; e < shape.points.size(); ++e) outside = std::max(outside, shape.normals[e].dot(local - shape.points[e]));
+  for (std::size_t e = 0; e < shape.points.size(); ++e)
+    outside = std::max(outside, shape.normals[e].dot(local - shape.points[e]));
   return std::max(0.0, -outside);
 }
 
@@ -73,7 +73,8 @@ TEST_CASE("random rocks on random ground never enter it") {
     const BodyHistory& history = bench.run(20);
     REQUIRE(history.reason != StopReason::diverged);
     const Contactor2& shape = bench.world.bodies[0].contactors[0];
-    // A contact drifts by r (w h)^2 / 2 in a step; where its features change meanwhile, that is projected out a step later.
+    // A contact drifts by r (w h)^2 / 2 in a step; where its features change meanwhile, that is projected out
+    // a step later.
     const double allowed = 2e-5;
     for (const TrajectoryPoint& point : history.trajectory) {
       const Vec2 x = point.state.position.head<2>();
@@ -84,7 +85,8 @@ TEST_CASE("random rocks on random ground never enter it") {
         for (const Vec2& v : shape.points) depth = std::max(depth, depth_below(profile, x + r * v));
       for (const Vec2& p : profile.points)
         if ((p - x).norm() < body.size) depth = std::max(depth, depth_inside(shape, r.inverse(p - x)));
-      INFO("rock " << rock << " at t = " << point.state.time << ", x = " << x.transpose() << ", angle " << point.state.angle);
+      INFO("rock " << rock << " at t = " << point.state.time << ", x = " << x.transpose() << ", angle "
+                   << point.state.angle);
       REQUIRE(depth <= allowed);
     }
   }

@@ -1,8 +1,8 @@
 // The order of accuracy: error against time step for a slide, a frictional impact and a rocking block. With
 // FLYROCK_PICTURES set to a folder, the figure of docs/numerics.md is drawn there from the computed numbers.
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include <catch2/catch.hpp>
 #include <cstdlib>
 #include <fstream>
 #include <functional>
@@ -56,7 +56,8 @@ double bounce(double h, bool exact) {
     bench.add(disk(radius, 1000, {0, radius + 0.5 * g * fall * fall}, {5, 0}));
     const double end = 0.8, left = end - fall, up = e * g * fall;
     const BodyHistory& history = bench.run(end);
-    const Vec2 place(5 * fall + (5 - mu * (1 + e) * g * fall) * left, radius + up * left - 0.5 * g * left * left);
+    const Vec2 place(5 * fall + (5 - mu * (1 + e) * g * fall) * left,
+                     radius + up * left - 0.5 * g * left * left);
     return (history.last.position.head<2>() - place).norm();
   });
 }
@@ -72,7 +73,8 @@ double rock(double h) {
   const auto slope = [&](double t) { return -p2 * std::sin(alpha - t); };
   for (int i = 0; i < parts; ++i) {
     const double k1 = rate, l1 = slope(theta), k2 = rate + 0.5 * dt * l1, l2 = slope(theta + 0.5 * dt * k1);
-    const double k3 = rate + 0.5 * dt * l2, l3 = slope(theta + 0.5 * dt * k2), k4 = rate + dt * l3, l4 = slope(theta + dt * k3);
+    const double k3 = rate + 0.5 * dt * l2, l3 = slope(theta + 0.5 * dt * k2), k4 = rate + dt * l3,
+                 l4 = slope(theta + dt * k3);
     theta += dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
     rate += dt / 6 * (l1 + 2 * l2 + 2 * l3 + l4);
   }
@@ -111,35 +113,50 @@ void draw(const std::vector<Line>& lines, const std::string& file) {
     return height - bottom - (std::log10(std::max(error, 1e-14)) - y0) / (y1 - y0) * (height - top - bottom);
   };
   std::ofstream svg(file);
-  svg << fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" font-family=\"sans-serif\" font-size=\"12\">\n"
-                     "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n", width, height);
+  svg << fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" font-family=\"sans-serif\" "
+      "font-size=\"12\">\n"
+      "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
+      width, height);
   for (int decade = -14; decade <= 0; decade += 2) {
     const double at = y(std::pow(10.0, decade));
-    svg << fmt::format("<path d=\"M{} {:.1f}H{}\" stroke=\"#ddd\"/><text x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">1e{}</text>\n",
-                       left, at, width - right, left - 6, at + 4, decade);
+    svg << fmt::format(
+        "<path d=\"M{} {:.1f}H{}\" stroke=\"#ddd\"/><text x=\"{}\" y=\"{:.1f}\" "
+        "text-anchor=\"end\">1e{}</text>\n",
+        left, at, width - right, left - 6, at + 4, decade);
   }
   for (const double h : steps)
-    svg << fmt::format("<path d=\"M{:.1f} {}V{}\" stroke=\"#eee\"/><text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{:g}</text>\n",
-                       x(h), top, height - bottom, x(h), height - bottom + 16, 1e3 * h);
-  svg << fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">time step, ms</text>\n", 0.5 * (left + width - right), height - 12);
-  svg << fmt::format("<text transform=\"translate(16 {}) rotate(-90)\" text-anchor=\"middle\">error, m or rad</text>\n", 0.5 * (height - bottom + top));
+    svg << fmt::format(
+        "<path d=\"M{:.1f} {}V{}\" stroke=\"#eee\"/><text x=\"{:.1f}\" y=\"{}\" "
+        "text-anchor=\"middle\">{:g}</text>\n",
+        x(h), top, height - bottom, x(h), height - bottom + 16, 1e3 * h);
+  svg << fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">time step, ms</text>\n",
+                     0.5 * (left + width - right), height - 12);
+  svg << fmt::format(
+      "<text transform=\"translate(16 {}) rotate(-90)\" text-anchor=\"middle\">error, m or rad</text>\n",
+      0.5 * (height - bottom + top));
   for (std::size_t k = 0; k < lines.size(); ++k) {
     std::string path, marks;
     for (std::size_t i = 0; i < steps.size(); ++i) {
       path += fmt::format("{}{:.1f} {:.1f}", i == 0 ? "M" : "L", x(steps[i]), y(lines[k].errors[i]));
-      marks += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"/>", x(steps[i]), y(lines[k].errors[i]), lines[k].color);
+      marks += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"/>", x(steps[i]),
+                           y(lines[k].errors[i]), lines[k].color);
     }
     const std::string slope = lines[k].order > 0 ? fmt::format(", slope {:.2f}", lines[k].order) : "";
-    svg << fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\"/>{}\n", path, lines[k].color, marks);
-    svg << fmt::format("<text x=\"{}\" y=\"{}\" fill=\"{}\">{}{}</text>\n", width - right + 12, top + 20 + 22 * static_cast<double>(k),
-                       lines[k].color, lines[k].name, slope);
+    svg << fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\"/>{}\n", path,
+                       lines[k].color, marks);
+    svg << fmt::format("<text x=\"{}\" y=\"{}\" fill=\"{}\">{}{}</text>\n", width - right + 12,
+                       top + 20 + 22 * static_cast<double>(k), lines[k].color, lines[k].name, slope);
   }
   svg << "</svg>\n";
 }
 
 }  // namespace
 
-TEST_CASE("a slide is of second order in the step, rocking and impacts in fixed steps of first, exact flight has no error", "[slow]") {
+TEST_CASE(
+    "a slide is of second order in the step, rocking and impacts in fixed steps of first, exact flight has "
+    "no error",
+    "[slow]") {
   std::vector<Line> lines = {{"slide to a stop", "#1f77b4", 0, {}},
                              {"rocking block", "#2ca02c", 0, {}},
                              {"impact, fixed steps", "#d62728", 0, {}},
@@ -160,5 +177,6 @@ TEST_CASE("a slide is of second order in the step, rocking and impacts in fixed 
   CHECK(lines[1].order == Approx(1).margin(0.1));
   CHECK(lines[2].order == Approx(1).margin(0.15));
   for (const double error : lines[3].errors) CHECK(error < 1e-10);
-  if (const char* folder = std::getenv("FLYROCK_PICTURES")) draw(lines, std::string(folder) + "/order_of_accuracy.svg");
+  if (const char* folder = std::getenv("FLYROCK_PICTURES"))
+    draw(lines, std::string(folder) + "/order_of_accuracy.svg");
 }

@@ -86,9 +86,9 @@ TEST_CASE("The bins along a parabola hold its heights, speeds and energies") {
 TEST_CASE("Bins grow to both sides and end with the ground") {
   PathBins path(1, -3, 3);
   const auto count = [](PathBin& bin, double t0, double t1) { bin.height += t1 - t0; };
-  path.visit(0.5, 1, 0, 1, count);    // to 1.5
-  path.visit(1.5, -2, 0, 1.5, count); // to -1.5
-  path.visit(-1.5, -1, 0, 9, count);  // beyond the ground: its first bin keeps the rest
+  path.visit(0.5, 1, 0, 1, count);     // to 1.5
+  path.visit(1.5, -2, 0, 1.5, count);  // to -1.5
+  path.visit(-1.5, -1, 0, 9, count);   // beyond the ground: its first bin keeps the rest
   CHECK(path.first() == -3);
   REQUIRE(path.bins().size() == 5);
   double time = 0;

@@ -1,7 +1,6 @@
 // Piles at rest: a stack, a wall, a block on a slope. An exact rigid solution neither sinks nor creeps.
 
 #include <catch2/catch.hpp>
-
 #include <ctime>
 #include <iostream>
 
@@ -21,8 +20,8 @@ void rest(const char* name, Bench& bench) {
   const double ms = 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / steps;
   const SolverQuality& quality = bench.world.quality();
   std::cout << name << ": " << bench.world.contacts().size() << " contacts, " << ms << " ms a step, "
-            << static_cast<double>(quality.iterations) / steps << " iterations a step, " << quality.not_converged
-            << " of " << steps << " not converged\n";
+            << static_cast<double>(quality.iterations) / steps << " iterations a step, "
+            << quality.not_converged << " of " << steps << " not converged\n";
 }
 
 }  // namespace
@@ -47,7 +46,8 @@ TEST_CASE("a wall of a hundred bricks stands and does not sink", "[slow]") {
   settings.time_step = 1.0 / 240;
   Bench bench(ground(30), material, settings);
   for (int row = 0; row < 10; ++row)
-    for (int i = 0; i < 10; ++i) bench.add(box(1, 0.5, 675, {1.01 * i + (row % 2 ? 0.25 : 0), 0.25 + 0.5 * row}));
+    for (int i = 0; i < 10; ++i)
+      bench.add(box(1, 0.5, 675, {1.01 * i + (row % 2 ? 0.25 : 0), 0.25 + 0.5 * row}));
   rest("wall of a hundred bricks", bench);
   CHECK(bench.world.quality().not_converged == 0);
   for (int k = 0; k < 100; ++k) {

@@ -1,4 +1,5 @@
-// The ground goes on level beyond the ends of a profile: a body whose centre is over the profile does not tip over.
+// The ground goes on level beyond the ends of a profile: a body whose centre is over the profile does not tip
+// over.
 #include <catch2/catch.hpp>
 
 #include "analytic/lab.h"

@@ -1,6 +1,6 @@
-// Disks and polygons on random ground, at the default settings: none ends below the ground, none gets energy from nowhere.
+// Disks and polygons on random ground, at the default settings: none ends below the ground, none gets energy
+// from nowhere.
 #include <catch2/catch.hpp>
-
 #include <random>
 
 #include "analytic/lab.h"
@@ -17,7 +17,8 @@ struct Draw {
 
 enum class Relief { gentle, rough, concave };
 
-/// 120 m of ground that falls towards +x: gentle (bends of a few milliradians), rough (steps of decimetres), or concave.
+/// 120 m of ground that falls towards +x: gentle (bends of a few milliradians), rough (steps of decimetres),
+/// or concave.
 Profile relief(Relief kind, Draw& uniform) {
   Profile profile;
   profile.parts = {""};
@@ -71,12 +72,14 @@ void roll_down(int profiles, int rocks) {
       REQUIRE(history.reason != StopReason::diverged);
       const Vec2 end = history.last.position.head<2>();
       if (end.x() > profile.x_min() && end.x() < profile.x_max()) REQUIRE(end.y() > profile.height(end.x()));
-      // A contact of a rock that turns drifts by R (w h)^2 / 2 in a step; where its features change meanwhile, a step later.
+      // A contact of a rock that turns drifts by R (w h)^2 / 2 in a step; where its features change
+      // meanwhile, a step later.
       REQUIRE(bench.world.quality().max_penetration < 1e-3 * body.size);
       without_solution += bench.world.quality().not_converged > 0;
     }
   }
-  // Newton's law may have no solution for a disk that is wedged between two segments: both stick, and one shall rebound.
+  // Newton's law may have no solution for a disk that is wedged between two segments: both stick, and one
+  // shall rebound.
   CHECK(without_solution <= profiles * rocks / 10'000);
 }
 
@@ -84,4 +87,6 @@ void roll_down(int profiles, int rocks) {
 
 TEST_CASE("disks and polygons stay above random ground") { roll_down(50, 6); }
 
-TEST_CASE("two hundred thousand disks and polygons stay above fifty random profiles", "[heavy]") { roll_down(50, 4000); }
+TEST_CASE("two hundred thousand disks and polygons stay above fifty random profiles", "[heavy]") {
+  roll_down(50, 4000);
+}

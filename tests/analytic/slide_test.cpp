@@ -44,7 +44,8 @@ TEST_CASE("a block on an incline slides with g (sin - mu cos) or sticks") {
   } else {
     const double a = 9.81 * (std::sin(slope) - mu * std::cos(slope));
     CHECK(history.last.velocity.head<2>().dot(along) == Approx(2 * a).epsilon(1e-8));
-    CHECK((history.last.position - history.first.position).head<2>().dot(along) == Approx(2 * a).epsilon(1e-8));
+    CHECK((history.last.position - history.first.position).head<2>().dot(along) ==
+          Approx(2 * a).epsilon(1e-8));
   }
   CHECK(bench.world.quality().not_converged == 0);
 }

@@ -91,7 +91,8 @@ TEST_CASE("the place where a sliding sphere comes to roll has an error of second
     bench.add(sphere(0.5, 1000, {0, 0, 0.5}, {v0, 0, 0}));
     const BodyHistory& history = bench.run(1);
     // The transition falls anywhere in a step: an error of at most 7/2 mu g h^2 / 8.
-    CHECK(std::abs(history.last.position.x() - (rolls_at + 5 * v0 / 7 * (1 - slip))) <= 3.5 * mu * g * h * h / 8);
+    CHECK(std::abs(history.last.position.x() - (rolls_at + 5 * v0 / 7 * (1 - slip))) <=
+          3.5 * mu * g * h * h / 8);
   }
 }
 

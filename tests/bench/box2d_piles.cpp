@@ -1,8 +1,9 @@
 // The piles of tests/analytic/piles_test.cpp in Box2D (Debian: libbox2d-dev), by hand:
 //   g++ -O3 tests/bench/box2d_piles.cpp -lbox2d -o /tmp/box2d_piles && /tmp/box2d_piles
-// Prints milliseconds of processor time a step and how far the highest box has sunk after 5 s at 1/240 s, sleeping off.
-// Box2D: 8 velocity and 3 position iterations, its recommendation. It keeps polygons apart by a skin of 2 x 0.005 m less a
-// slop of 0.005 m, so that boxes placed at gap 0 are first pushed apart: what it has sunk may be negative.
+// Prints milliseconds of processor time a step and how far the highest box has sunk after 5 s at 1/240 s,
+// sleeping off. Box2D: 8 velocity and 3 position iterations, its recommendation. It keeps polygons apart by a
+// skin of 2 x 0.005 m less a slop of 0.005 m, so that boxes placed at gap 0 are first pushed apart: what it
+// has sunk may be negative.
 
 #include <box2d/box2d.h>
 

@@ -13,7 +13,8 @@ using namespace flyrock;
 
 namespace {
 
-/// ns a call of a restitution with e_n given, all else by default: the fastest of many batches, since others use the machine too.
+/// ns a call of a restitution with e_n given, all else by default: the fastest of many batches, since others
+/// use the machine too.
 double cost_of(const Registry& registry, const std::string& name) {
   const Plugin* plugin = registry.find(PluginKind::restitution, name);
   if (!plugin) throw std::runtime_error("no restitution " + name);

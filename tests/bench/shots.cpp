@@ -1,13 +1,13 @@
-// Ballistic shots with drag over a bench: their error against a reference integration, and what one costs without tables.
-// Prints one line.
+// Ballistic shots with drag over a bench: their error against a reference integration, and what one costs
+// without tables. Prints one line.
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <ctime>
 
-#include "random/stream.h"
 #include "flight/ballistic.h"
+#include "random/stream.h"
 
 using namespace flyrock;
 
@@ -36,10 +36,12 @@ Shot draw(RandomStream& rng) {
 }
 
 Landing<2> landing_of(const Shot& shot, const Profile& ground) {
-  return land(BallisticFlight<2>(shot.forces, shot.from, shot.velocity), ground, 1e3, [](const Arc<2>&, const ArcEnd&) {});
+  return land(BallisticFlight<2>(shot.forces, shot.from, shot.velocity), ground, 1e3,
+              [](const Arc<2>&, const ArcEnd&) {});
 }
 
-/// The classical Runge-Kutta scheme in steps of dt; the last one is shortened until it ends on the floor, by Newton's method.
+/// The classical Runge-Kutta scheme in steps of dt; the last one is shortened until it ends on the floor, by
+/// Newton's method.
 Vec2 reference(const Shot& shot, double dt) {
   const auto step = [&](Vec2& x, Vec2& v, double h) {
     const auto a = [&](const Vec2& u) { return shot.forces.acceleration(u); };
@@ -84,6 +86,8 @@ int main() {
   const std::clock_t begin = std::clock();  // of the processor: other programs take none of it
   for (int i = 0; i < shots; ++i) sum += landing_of(draw(rng), ground).position.x();
   const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-  fmt::print("shots        greatest error {:.1e} of the range against steps of 1 ms; a flight takes {:.1f} us, mean range {:.1f} m\n",
-             worst, 1e6 * seconds / shots, sum / shots);
+  fmt::print(
+      "shots        greatest error {:.1e} of the range against steps of 1 ms; a flight takes {:.1f} us, mean "
+      "range {:.1f} m\n",
+      worst, 1e6 * seconds / shots, sum / shots);
 }

@@ -25,7 +25,8 @@ TEST_CASE("Any number of threads gives the same bytes") {
   check_same(folder, "j1", "j2");
   check_same(folder, "j1", "j3");
   CHECK(read(folder.path() / "j2/run.log").find("threads  2") != std::string::npos);
-  CHECK(call(folder, "run s.yaml -j0").err.find("-j: `0` is not a whole number of at least 1") != std::string::npos);
+  CHECK(call(folder, "run s.yaml -j0").err.find("-j: `0` is not a whole number of at least 1") !=
+        std::string::npos);
 }
 
 TEST_CASE("A law in Lua runs in several threads") {
@@ -44,7 +45,8 @@ return fr.plugin {
   std::string text = bench_with("{ type: newton, en: 0.3 }", "{ type: mine }");
   text.replace(text.find("trials: 4"), 9, "trials: 120");
   folder.write("s.yaml", "plugins: [law.lua]\n" + text);
-  for (const char* threads : {"1", "3"}) call(folder, std::string("run s.yaml --quiet -o j") + threads + " -j" + threads);
+  for (const char* threads : {"1", "3"})
+    call(folder, std::string("run s.yaml --quiet -o j") + threads + " -j" + threads);
   check_same(folder, "j1", "j3");
   for (const char* threads : {"1", "3"})
     CHECK(call(folder, std::string("run s.yaml --strict -o s") + threads + " -j" + threads).code == 3);
@@ -58,7 +60,8 @@ TEST_CASE("A run that is killed at any moment and resumed gives the same bytes",
   folder.write("s.yaml", text);
   const auto start = std::chrono::steady_clock::now();
   REQUIRE(call(folder, "run s.yaml --quiet -o whole").code == 0);
-  const auto whole = std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - start);
+  const auto whole =
+      std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - start);
   for (int kill = 1; kill <= 10; ++kill)
     call_and_kill(folder, "s.yaml --resume -o killed", whole * ((kill * 37) % 100) / 100);
   const Output resumed = call(folder, "run s.yaml --resume --quiet -o killed");
@@ -73,14 +76,17 @@ TEST_CASE("A run that is killed at any moment and resumed gives the same bytes",
 TEST_CASE("A million rocks take no more memory than ten thousand", "[heavy]") {
   const Folder folder;
   const auto peak = [&](const std::string& trials) {  // MB
-    REQUIRE(call(folder, "run " FLYROCK_SOURCE_DIR "/tests/bench/many.yaml --quiet --force -j2 -o r --trials " + trials).code == 0);
+    REQUIRE(
+        call(folder,
+             "run " FLYROCK_SOURCE_DIR "/tests/bench/many.yaml --quiet --force -j2 -o r --trials " + trials)
+            .code == 0);
     const std::string log = read(folder.path() / "r/run.log");
     return std::stod(log.substr(log.find("memory") + 6));
   };
   const double few = peak("10000"), many = peak("1000000");
   WARN("at most " << few << " MB for ten thousand rocks, " << many << " MB for a million");
-  // Chunks grow from 100 to 250 trials and the list of chunks to 4000: some 2 MB. A byte kept of each rock would be 1 MB,
-  // a double of each 8 MB.
+  // Chunks grow from 100 to 250 trials and the list of chunks to 4000: some 2 MB. A byte kept of each rock
+  // would be 1 MB, a double of each 8 MB.
   CHECK(many - few < 4);
   CHECK(many < 40);
 }
@@ -92,8 +98,9 @@ TEST_CASE("An interrupted run is resumed") {
   // Of 100,000 trials: another scenario than the file's own 4.
   const Output other = call(folder, "run s.yaml --resume");
   CHECK(other.code == 2);
-  CHECK(other.err.find("out/s holds a run of another scenario, seed, number of trials or version of flyrock") !=
-        std::string::npos);
+  CHECK(
+      other.err.find("out/s holds a run of another scenario, seed, number of trials or version of flyrock") !=
+      std::string::npos);
   CHECK(folder.has("out/s/chunks/p0-c0.chunk"));
   CHECK(call(folder, "run s.yaml --resume --force").err.find("expected one of --resume and --force") !=
         std::string::npos);
@@ -141,8 +148,8 @@ TEST_CASE("Three shards merged are one run") {
   const Output some = call(folder, "merge " + one + three + "-o some --quiet");
   CHECK(some.code == 0);
   CHECK(some.err.find("40 of 120 chunks are missing, from trial 1 of point 0 on") != std::string::npos);
-  CHECK(call(folder, "merge " + one + two + one + "-o twice").err.find("both hold p0-c0.chunk: a shard given twice") !=
-        std::string::npos);
+  CHECK(call(folder, "merge " + one + two + one + "-o twice")
+            .err.find("both hold p0-c0.chunk: a shard given twice") != std::string::npos);
   CHECK(call(folder, "run s.yaml --seed 9 --shard 2/3 --quiet -o foreign").code == 0);
   const Output foreign = call(folder, "merge " + one + "foreign -o f");
   CHECK(foreign.code == 2);
@@ -150,11 +157,13 @@ TEST_CASE("Three shards merged are one run") {
   CHECK(call(folder, "merge whole -o f").err.find("whole has no chunks: it is no shard, its results stand") !=
         std::string::npos);
   CHECK(call(folder, "merge nowhere -o f").err.find("nowhere is no result folder") != std::string::npos);
-  CHECK(call(folder, "merge " + one + "-o " + one).err.find("needs a folder of its own") != std::string::npos);
+  CHECK(call(folder, "merge " + one + "-o " + one).err.find("needs a folder of its own") !=
+        std::string::npos);
   CHECK_FALSE(folder.has("f"));
 
   fs::rename(folder.path() / "s.yaml", folder.path() / "moved.yaml");
-  CHECK(call(folder, "merge " + one + "-o m").err.find("is not here; name it with --scenario FILE") != std::string::npos);
+  CHECK(call(folder, "merge " + one + "-o m").err.find("is not here; name it with --scenario FILE") !=
+        std::string::npos);
   CHECK(call(folder, "merge " + one + two + three + "-o m --quiet --scenario moved.yaml").code == 0);
   check_same(folder, "whole", "m");
   CHECK(call(folder, "run moved.yaml --shard 4/3").err.find("--shard: `4/3`, expected i from 1 to n") !=

@@ -1,7 +1,7 @@
-// The report in a browser. Needs Chromium (make deps-browser) and Plotly (make deps); says SKIPPED without them.
+// The report in a browser. Needs Chromium (make deps-browser) and Plotly (make deps); says SKIPPED without
+// them.
 
 #include <catch2/catch.hpp>
-
 #include <regex>
 
 #include "program.h"
@@ -11,7 +11,8 @@ using namespace flyrock::test;
 namespace {
 
 bool can_draw() {
-  return std::system("command -v chromium > /dev/null") == 0 && fs::exists(FLYROCK_SHARE_DIR "/report/plotly-cartesian.min.js");
+  return std::system("command -v chromium > /dev/null") == 0 &&
+         fs::exists(FLYROCK_SHARE_DIR "/report/plotly-cartesian.min.js");
 }
 
 std::size_t count(const std::string& text, const std::string& what) {
@@ -28,9 +29,11 @@ struct Opened {
 
 Opened open_page(const Folder& folder, const fs::path& opened) {
   const fs::path page = folder.path() / ".page", log = folder.path() / ".log";
-  const std::string line = "timeout 120 chromium --headless --no-sandbox --disable-gpu --window-size=1280,4000 --enable-logging=stderr --user-data-dir='" +
-                           (folder.path() / ".browser").string() + "' --dump-dom 'file://" +
-                           opened.string() + "' >'" + page.string() + "' 2>'" + log.string() + "'";
+  const std::string line =
+      "timeout 120 chromium --headless --no-sandbox --disable-gpu --window-size=1280,4000 "
+      "--enable-logging=stderr --user-data-dir='" +
+      (folder.path() / ".browser").string() + "' --dump-dom 'file://" + opened.string() + "' >'" +
+      page.string() + "' 2>'" + log.string() + "'";
   const auto start = std::chrono::steady_clock::now();
   const int status = std::system(line.c_str());
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -46,7 +49,8 @@ Opened open_page(const Folder& folder, const fs::path& opened) {
 std::vector<std::string> captions_of(const std::string& page) {
   static const std::regex caption("<div class=\"caption\"><p>([^<]*)</p>");
   std::vector<std::string> list;
-  for (auto found = std::sregex_iterator(page.begin(), page.end(), caption); found != std::sregex_iterator(); ++found)
+  for (auto found = std::sregex_iterator(page.begin(), page.end(), caption); found != std::sregex_iterator();
+       ++found)
     list.push_back((*found)[1]);
   return list;
 }
@@ -59,14 +63,17 @@ void check_captions(const std::string& page) {
   CHECK_FALSE(captions.empty());
   for (const std::string& text : captions) {
     INFO(text);
-    CHECK(std::distance(std::sregex_iterator(text.begin(), text.end(), end_of_sentence), std::sregex_iterator()) <= 2);
+    CHECK(std::distance(std::sregex_iterator(text.begin(), text.end(), end_of_sentence),
+                        std::sregex_iterator()) <= 2);
   }
 }
 
 /// What a reader sees of a page: without its scripts, its data and the scenario.
 std::string without_sources(std::string page) {
-  for (const auto& [open, close] : {std::pair{"<script", "</script>"}, {"<style", "</style>"}, {"<pre", "</pre>"}})
-    for (std::size_t at = 0; (at = page.find(open)) != std::string::npos;) page.erase(at, page.find(close, at) - at);
+  for (const auto& [open, close] :
+       {std::pair{"<script", "</script>"}, {"<style", "</style>"}, {"<pre", "</pre>"}})
+    for (std::size_t at = 0; (at = page.find(open)) != std::string::npos;)
+      page.erase(at, page.find(close, at) - at);
   return page;
 }
 
@@ -75,19 +82,24 @@ void check_width(const Folder& folder, const std::string& result) {
   std::string page = read(folder.path() / result / "report.html");
   const std::size_t end = page.rfind("</body>");
   REQUIRE(end != std::string::npos);
-  page.insert(end, "<script>for (const fold of document.querySelectorAll('details')) fold.open = true;\n"
-                   "document.body.dataset.cut = [...document.querySelectorAll('.scroll')].filter((box) => box.scrollWidth > "
-                   "box.clientWidth).map((box) => `${box.closest('section').id} ${box.scrollWidth}`).join(', ');</script>\n");
+  page.insert(end,
+              "<script>for (const fold of document.querySelectorAll('details')) fold.open = true;\n"
+              "document.body.dataset.cut = [...document.querySelectorAll('.scroll')].filter((box) => "
+              "box.scrollWidth > "
+              "box.clientWidth).map((box) => `${box.closest('section').id} ${box.scrollWidth}`).join(', "
+              "');</script>\n");
   const Opened opened = open_page(folder, folder.path() / folder.write("opened.html", page));
   const std::size_t cut = opened.page.find("data-cut=\"");
   REQUIRE(cut != std::string::npos);
   CHECK(opened.page.substr(cut, opened.page.find('"', cut + 10) - cut + 1) == "data-cut=\"\"");
 }
 
-/// Every section's plot holds a picture, and the browser complained of nothing. At least `plots` of them. Returns the
-/// seconds that the page took, without the start of the browser.
+/// Every section's plot holds a picture, and the browser complained of nothing. At least `plots` of them.
+/// Returns the seconds that the page took, without the start of the browser.
 double check_drawn(const Folder& folder, const std::string& result, std::size_t plots) {
-  const double start = open_page(folder, folder.path() / folder.write("empty.html", "<!DOCTYPE html><title>Empty</title>")).seconds;
+  const double start =
+      open_page(folder, folder.path() / folder.write("empty.html", "<!DOCTYPE html><title>Empty</title>"))
+          .seconds;
   const Opened report = open_page(folder, folder.path() / result / "report.html");
   CHECK(report.console == "");
   const std::size_t drawn = count(report.page, "<div class=\"plot js-plotly-plot\"");
@@ -98,7 +110,8 @@ double check_drawn(const Folder& folder, const std::string& result, std::size_t 
   check_width(folder, result);
   // The last section stands: no script ended before.
   CHECK(report.page.find("<h2>How to reproduce this</h2>") != std::string::npos);
-  WARN(result << ": " << drawn << " plots, " << report.seconds - start << " s behind the " << start << " s of an empty page");
+  WARN(result << ": " << drawn << " plots, " << report.seconds - start << " s behind the " << start
+              << " s of an empty page");
   return report.seconds - start;
 }
 
@@ -112,11 +125,14 @@ TEST_CASE("A browser draws every plot of a report and complains of nothing", "[s
   const Folder folder;
   const std::string scenario = "run " FLYROCK_SOURCE_DIR "/scenarios/ninh_dan/benches_2d.yaml --quiet ";
   REQUIRE(call(folder, scenario + "-o one").code == 0);  // its 1000 trials
-  // Under 3 s on a machine that has nothing else to do: the machine of the tests has, which may take five times as long.
+  // Under 3 s on a machine that has nothing else to do: the machine of the tests has, which may take five
+  // times as long.
   CHECK(check_drawn(folder, "one", 6) < 15);
   CHECK(fs::file_size(folder.path() / "one/report.html") < 10'000'000);
   REQUIRE(call(folder, scenario + "-o sweep --trials 50 --set terrain.berm=\"{ sweep: [6 m, 8 m, 10 m] }\" "
-                                  "--set materials.haul_floor.friction=\"{ type: coulomb, mu: { sweep: [0.4, 0.5, 0.6, 0.7] } }\"").code == 0);
+                                  "--set materials.haul_floor.friction=\"{ type: coulomb, mu: { sweep: [0.4, "
+                                  "0.5, 0.6, 0.7] } }\"")
+              .code == 0);
   check_drawn(folder, "sweep", 7);
 }
 
@@ -126,9 +142,12 @@ TEST_CASE("A page that has no room for all sweep points says how many it shows",
     return;
   }
   const Folder folder;
-  REQUIRE(call(folder, "run " FLYROCK_SOURCE_DIR "/scenarios/quarry/blasting_area.yaml --quiet -o area --trials 200 "
-                       "--set blast.hole.length=\"{ sweep: [11 m, 12 m, 13 m] }\" --set blast.burden=\"{ sweep: [2.5 m, 2.7 m, 2.9 m] }\" "
-                       "--set rocks.1.launch.drill_angle=\"70 deg\"").code == 0);
+  REQUIRE(call(folder,
+               "run " FLYROCK_SOURCE_DIR "/scenarios/quarry/blasting_area.yaml --quiet -o area --trials 200 "
+               "--set blast.hole.length=\"{ sweep: [11 m, 12 m, 13 m] }\" --set blast.burden=\"{ sweep: [2.5 "
+               "m, 2.7 m, 2.9 m] }\" "
+               "--set rocks.1.launch.drill_angle=\"70 deg\"")
+              .code == 0);
   check_drawn(folder, "area", 5);
   const std::string page = open_page(folder, folder.path() / "area/report.html").page;
   CHECK(page.find("4 of 9 sweep points shown.") != std::string::npos);
@@ -145,10 +164,14 @@ TEST_CASE("The page of the method ballistic speaks of first landings", "[slow]")
     return;
   }
   const Folder folder;
-  REQUIRE(call(folder, "run " FLYROCK_SOURCE_DIR "/scenarios/quarry/stemming_ejection.yaml --quiet -o r --trials 200").code <= 1);
+  REQUIRE(call(folder,
+               "run " FLYROCK_SOURCE_DIR "/scenarios/quarry/stemming_ejection.yaml --quiet -o r --trials 200")
+              .code <= 1);
   check_drawn(folder, "r", 5);
   const std::string page = without_sources(open_page(folder, folder.path() / "r/report.html").page);
-  for (const char* said : {"<h2>First landing</h2>", "<h2>What the first landing depends on</h2>", ">first landed</td>"}) CHECK(page.find(said) != std::string::npos);
+  for (const char* said :
+       {"<h2>First landing</h2>", "<h2>What the first landing depends on</h2>", ">first landed</td>"})
+    CHECK(page.find(said) != std::string::npos);
   for (const char* wrong : {"unout", "stopped", "came to rest", " rad<"}) {
     INFO(wrong);
     CHECK(page.find(wrong) == std::string::npos);
@@ -172,7 +195,8 @@ return fr.plugin {
   end,
 }
 )");
-  std::string text = "plugins: [law.lua]\n" + bench_with("{ type: newton, en: 0.3 }", "{ type: fails, mass: 200 }");
+  std::string text =
+      "plugins: [law.lua]\n" + bench_with("{ type: newton, en: 0.3 }", "{ type: fails, mass: 200 }");
   text.replace(text.find("trials: 4"), 9, "trials: 40");
   text.replace(text.find("diameter: 0.5"), 13, "diameter: { uniform: [0.4, 0.7] }");
   text.replace(text.find("time: 60 s"), 10, "time: 3 s");
@@ -181,6 +205,8 @@ return fr.plugin {
   check_drawn(folder, "some", 5);  // too few rocks to rank inputs
   CHECK(call(folder, "run some.yaml --quiet -o all --set materials.rock.restitution.mass=0").code == 3);
   check_drawn(folder, "all", 1);
-  CHECK(call(folder, "run some.yaml --quiet -o sweep --set materials.rock.restitution.mass=\"{ sweep: [0, 200] }\"").code == 3);
+  CHECK(call(folder,
+             "run some.yaml --quiet -o sweep --set materials.rock.restitution.mass=\"{ sweep: [0, 200] }\"")
+            .code == 3);
   check_drawn(folder, "sweep", 1);
 }

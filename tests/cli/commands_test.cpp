@@ -24,28 +24,36 @@ TEST_CASE("A wrong command line is exit code 2 with the nearest word") {
     return output.err;
   };
   CHECK(error("rn x.yaml").find("unknown command `rn`, did you mean `run`?") != std::string::npos);
-  CHECK(error("run x.yaml --forse").find("unknown option `--forse`, did you mean `--force`?") != std::string::npos);
+  CHECK(error("run x.yaml --forse").find("unknown option `--forse`, did you mean `--force`?") !=
+        std::string::npos);
   CHECK(error("run").find("expected: flyrock run SCENARIO") != std::string::npos);
   CHECK(error("run a.yaml b.yaml").find("`b.yaml` is one word too many") != std::string::npos);
-  CHECK(error("run x.yaml --trials 0").find("--trials: `0` is not a whole number of at least 1") != std::string::npos);
+  CHECK(error("run x.yaml --trials 0").find("--trials: `0` is not a whole number of at least 1") !=
+        std::string::npos);
   CHECK(error("run x.yaml --seed -1").find("--seed: `-1` is not a whole number") != std::string::npos);
-  CHECK(error("run x.yaml --only trial=1").find("--only: `trial=1`, expected point=P,trial=T") != std::string::npos);
-  CHECK(error("run x.yaml --shard 0/2").find("--shard i: `0` is not a whole number of at least 1") != std::string::npos);
+  CHECK(error("run x.yaml --only trial=1").find("--only: `trial=1`, expected point=P,trial=T") !=
+        std::string::npos);
+  CHECK(error("run x.yaml --shard 0/2").find("--shard i: `0` is not a whole number of at least 1") !=
+        std::string::npos);
   CHECK(error("run x.yaml --shard 3/2").find("--shard: `3/2`, expected i from 1 to n") != std::string::npos);
-  CHECK(error("run x.yaml -j 1e3").find("-j: `1e3` is not a whole number of at least 1") != std::string::npos);
+  CHECK(error("run x.yaml -j 1e3").find("-j: `1e3` is not a whole number of at least 1") !=
+        std::string::npos);
   CHECK(error("run x.yaml --trials 99999999999999999999").find("is not a whole number") != std::string::npos);
   CHECK(error("plugins restitutoin").find("did you mean `restitution`?") != std::string::npos);
   CHECK(error("plugins restitution/newtn").find("did you mean `newton`?") != std::string::npos);
   folder.write("bench.yaml", bench);
-  CHECK(error("run bench.yaml --only point=1,trial=0").find("point 1 does not exist, the scenario has 1 (from 0)") != std::string::npos);
-  CHECK(error("run bench.yaml --only point=0,trial=4").find("trial 4 does not exist, the scenario has 4 (from 0)") != std::string::npos);
+  CHECK(error("run bench.yaml --only point=1,trial=0")
+            .find("point 1 does not exist, the scenario has 1 (from 0)") != std::string::npos);
+  CHECK(error("run bench.yaml --only point=0,trial=4")
+            .find("trial 4 does not exist, the scenario has 4 (from 0)") != std::string::npos);
   CHECK_FALSE(folder.has("out"));
 }
 
 TEST_CASE("What is told of a wrong command line is text in one line, whatever bytes it holds") {
   const Folder folder;
   folder.write("bench.yaml", bench);
-  for (const char* words : {"run x.yaml --trials $'a\\nb'", "run x.yaml --seed $'\\xff'", "export $'\\e[31m' --to csv", "$'\\vrun'"}) {
+  for (const char* words : {"run x.yaml --trials $'a\\nb'", "run x.yaml --seed $'\\xff'",
+                            "export $'\\e[31m' --to csv", "$'\\vrun'"}) {
     const Output output = shell(folder, std::string("bash -c \"'" FLYROCK_BINARY "' ") + words + "\"");
     INFO(words << ": " << output.err);
     CHECK(output.code == 2);
@@ -106,20 +114,26 @@ TEST_CASE("check validates and runs nothing") {
   folder.write("blast.yaml", std::string(bench) + "blast: { burden: 3 m }\n");
   const Output unused = call(folder, "check blast.yaml");
   CHECK(unused.code == 0);
-  CHECK(unused.out.find("not used: blast.burden changes nothing (`flyrock check --strict` says why)\n") != std::string::npos);
+  CHECK(unused.out.find("not used: blast.burden changes nothing (`flyrock check --strict` says why)\n") !=
+        std::string::npos);
   CHECK(call(folder, "check blast.yaml --strict").code == 2);
-  folder.write("gurney.yaml", bench_with("{ type: fixed, speed: { uniform: [5, 15] }, elevation: 20 deg }", "{ type: gurney }") + R"(blast:
+  folder.write("gurney.yaml", bench_with("{ type: fixed, speed: { uniform: [5, 15] }, elevation: 20 deg }",
+                                         "{ type: gurney }") +
+                                  R"(blast:
   explosive: { density: 850, detonation_velocity: 4000 m/s }
   hole: { diameter: 102 mm }
   burden: 2.7 m
   rock_density: 2700
   breakout_angle: 90 deg
 )");
-  CHECK(call(folder, "check gurney.yaml").out.find("not used") == std::string::npos);  // the Gurney constant is D/3
+  CHECK(call(folder, "check gurney.yaml").out.find("not used") ==
+        std::string::npos);  // the Gurney constant is D/3
   CHECK(call(folder, "run blast.yaml --strict").code == 2);
   CHECK_FALSE(folder.has("out"));
 
-  folder.write("law.lua", "local fr = require \"flyrock\"\nreturn fr.plugin { kind = \"restitution\", name = \"law\" }\n");
+  folder.write(
+      "law.lua",
+      "local fr = require \"flyrock\"\nreturn fr.plugin { kind = \"restitution\", name = \"law\" }\n");
   CHECK(call(folder, "check law.lua").code == 2);
   folder.write("law.lua", R"(local fr = require "flyrock"
 return fr.plugin {
@@ -142,11 +156,14 @@ return fr.plugin { kind = "shape", name = "fine", doc = "A circle of 3000 corner
   return { vertices = vertices }
 end }
 )");
-  folder.write("fine.yaml", "plugins: [shape.lua]\n" + bench_with("{ type: polygon, sides: { integer: [5, 8] }, diameter: 0.5 }", "{ type: fine }"));
+  folder.write("fine.yaml", "plugins: [shape.lua]\n" +
+                                bench_with("{ type: polygon, sides: { integer: [5, 8] }, diameter: 0.5 }",
+                                           "{ type: fine }"));
   const Output output = call(folder, "check fine.yaml");
   INFO(output.err);
   CHECK(output.code == 0);
-  CHECK(output.err.find("has 3000 vertices and centres: above 500 a trial takes many seconds") != std::string::npos);
+  CHECK(output.err.find("has 3000 vertices and centres: above 500 a trial takes many seconds") !=
+        std::string::npos);
 }
 
 TEST_CASE("check shows no control characters of what a plugin answers") {
@@ -172,7 +189,9 @@ end }
   const Output output = call(folder, "check law.lua");
   INFO(output.err);
   CHECK(output.code == 0);
-  CHECK(output.err == "law.lua:2:77: warning: restitution/law: its calls take so long that only some of the samples were tried\n");
+  CHECK(output.err ==
+        "law.lua:2:77: warning: restitution/law: its calls take so long that only some of the samples were "
+        "tried\n");
   CHECK(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < 60);
 }
 

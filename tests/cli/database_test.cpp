@@ -25,8 +25,10 @@ std::vector<std::string> documented_queries() {
 
 TEST_CASE("The database holds what the other tables hold, and every drawn number with its path") {
   const Folder folder;
-  folder.write("s.yaml", bench_with("mu: 0.6", "mu: { sweep: [0.5, 0.7] }") +
-                             "expect:\n  - { measure: rocks.count, equals: 4 }\n  - { measure: rocks.runout.p95, below: 1 }\n");
+  folder.write(
+      "s.yaml",
+      bench_with("mu: 0.6", "mu: { sweep: [0.5, 0.7] }") +
+          "expect:\n  - { measure: rocks.count, equals: 4 }\n  - { measure: rocks.runout.p95, below: 1 }\n");
   REQUIRE(call(folder, "run s.yaml -o r --quiet").code == 1);
   const fs::path db = folder.path() / "r/results.db";
   CHECK(query(db, "SELECT * FROM points") == std::vector<std::string>{"0|4", "1|4"});
@@ -36,55 +38,73 @@ TEST_CASE("The database holds what the other tables hold, and every drawn number
   CHECK(query(db, "SELECT DISTINCT path FROM inputs ORDER BY path") ==
         std::vector<std::string>{"rocks.blocks.launch.speed", "rocks.blocks.shape.sides"});
   // The launch draws its speed: the input is the rock's.
-  CHECK(query(db, "SELECT count(*) FROM rocks JOIN inputs USING (point, trial, rock) WHERE path = "
-                  "'rocks.blocks.launch.speed' AND abs(value - launch_speed_m_s) < 1e-9") ==
+  CHECK(query(db,
+              "SELECT count(*) FROM rocks JOIN inputs USING (point, trial, rock) WHERE path = "
+              "'rocks.blocks.launch.speed' AND abs(value - launch_speed_m_s) < 1e-9") ==
         std::vector<std::string>{"8"});
-  CHECK(query(db, "SELECT point, trial, rock FROM rocks GROUP BY point, trial, rock HAVING impacts <> (SELECT count(*) "
-                  "FROM impacts i WHERE i.point = rocks.point AND i.trial = rocks.trial AND i.rock = rocks.rock)")
+  CHECK(query(db,
+              "SELECT point, trial, rock FROM rocks GROUP BY point, trial, rock HAVING impacts <> (SELECT "
+              "count(*) "
+              "FROM impacts i WHERE i.point = rocks.point AND i.trial = rocks.trial AND i.rock = rocks.rock)")
             .empty());
   CHECK(query(db, "SELECT count(DISTINCT trial) FROM trajectories") == std::vector<std::string>{"4"});
-  // Each rock has its own path: it starts with it, and ends where the rock has stopped, when it has not moved for 0.2 s.
-  CHECK(query(db, "SELECT count(*) FROM rocks JOIN (SELECT point, trial, rock, min(time_s) AS start_s, max(time_s) AS end_s, "
-                  "x_m FROM trajectories GROUP BY point, trial, rock) p USING (point, trial, rock) "
-                  "WHERE start_s = 0 AND end_s - time_s BETWEEN 0.2 - 1e-9 AND 0.202 AND abs(x_m - stop_x_m) < 1e-9") ==
-        std::vector<std::string>{"8"});
+  // Each rock has its own path: it starts with it, and ends where the rock has stopped, when it has not moved
+  // for 0.2 s.
+  CHECK(query(db,
+              "SELECT count(*) FROM rocks JOIN (SELECT point, trial, rock, min(time_s) AS start_s, "
+              "max(time_s) AS end_s, "
+              "x_m FROM trajectories GROUP BY point, trial, rock) p USING (point, trial, rock) "
+              "WHERE start_s = 0 AND end_s - time_s BETWEEN 0.2 - 1e-9 AND 0.202 AND abs(x_m - stop_x_m) < "
+              "1e-9") == std::vector<std::string>{"8"});
   CHECK(query(db, "SELECT count(*) FROM trajectories") == query(db, "SELECT count(*) FROM trajectory_rows"));
   CHECK(query(db, "SELECT count(*) FROM impacts") == query(db, "SELECT count(*) FROM impact_rows"));
-  // Envelopes: every rock passes the place where it starts, and somewhere the fastest is the fastest of all, to 1 %.
-  CHECK(query(db, "SELECT DISTINCT rocks FROM envelopes WHERE x_m <= 0 AND x_m + width_m > 0") == std::vector<std::string>{"4"});
-  CHECK(query(db, "SELECT point, abs(max(speed_max_m_s) / (SELECT max(max_speed_m_s) FROM rocks r WHERE r.point = e.point) - 1) < 0.011, "
-                  "abs(max(energy_max_J) / (SELECT max(max_energy_J) FROM rocks r WHERE r.point = e.point) - 1) < 0.011, "
-                  "min(height_p50_m <= height_p95_m AND height_p95_m <= height_max_m) FROM envelopes e GROUP BY point") ==
-        std::vector<std::string>{"0|1|1|1", "1|1|1|1"});
-  CHECK(query(db, "SELECT x_m, y_m, z_m, part FROM ground WHERE point = 1") ==
-        std::vector<std::string>{"-20.0|10.0|0.0|0", "0.0|10.0|0.0|0", "3.0|0.0|0.0|0", "300.0|0.0|0.0|NULL"});
+  // Envelopes: every rock passes the place where it starts, and somewhere the fastest is the fastest of all,
+  // to 1 %.
+  CHECK(query(db, "SELECT DISTINCT rocks FROM envelopes WHERE x_m <= 0 AND x_m + width_m > 0") ==
+        std::vector<std::string>{"4"});
+  CHECK(query(db,
+              "SELECT point, abs(max(speed_max_m_s) / (SELECT max(max_speed_m_s) FROM rocks r WHERE r.point "
+              "= e.point) - 1) < 0.011, "
+              "abs(max(energy_max_J) / (SELECT max(max_energy_J) FROM rocks r WHERE r.point = e.point) - 1) "
+              "< 0.011, "
+              "min(height_p50_m <= height_p95_m AND height_p95_m <= height_max_m) FROM envelopes e GROUP BY "
+              "point") == std::vector<std::string>{"0|1|1|1", "1|1|1|1"});
+  CHECK(
+      query(db, "SELECT x_m, y_m, z_m, part FROM ground WHERE point = 1") ==
+      std::vector<std::string>{"-20.0|10.0|0.0|0", "0.0|10.0|0.0|0", "3.0|0.0|0.0|0", "300.0|0.0|0.0|NULL"});
   CHECK(query(db, "SELECT number, point, kind, passed FROM expectations") ==
         std::vector<std::string>{"0|0|equals|1", "1|1|equals|1", "2|0|below|0", "3|1|below|0"});
 }
 
 TEST_CASE("The database has who passed a gate, who met a barrier, and how rocks travelled") {
   const Folder folder;
-  folder.write("s.yaml", std::string(bench) +
-                             "gates: [{ name: road, x: 6 }]\nbarriers: [{ name: fence, x: 9, height: 30, capacity: 1 MJ }]\n");
+  folder.write(
+      "s.yaml",
+      std::string(bench) +
+          "gates: [{ name: road, x: 6 }]\nbarriers: [{ name: fence, x: 9, height: 30, capacity: 1 MJ }]\n");
   REQUIRE(call(folder, "run s.yaml -o r --quiet").code == 0);
   const fs::path db = folder.path() / "r/results.db";
   const std::string summary = read(folder.path() / "r/summary.json");
-  CHECK(summary.find("\"rocks\": " + query(db, "SELECT count(*) FROM gates WHERE gate = 'road'")[0]) != std::string::npos);
+  CHECK(summary.find("\"rocks\": " + query(db, "SELECT count(*) FROM gates WHERE gate = 'road'")[0]) !=
+        std::string::npos);
   CHECK(query(db, "SELECT count(*) FROM barriers WHERE barrier = 'fence' AND outcome = 'caught'") ==
         query(db, "SELECT count(*) FROM rocks WHERE stop_reason = 'caught'"));
   CHECK(query(db, "SELECT count(*) > 0 FROM barriers") == std::vector<std::string>{"1"});
   // A rock that is caught ends there and then.
-  CHECK(query(db, "SELECT count(*) FROM barriers JOIN rocks r USING (point, trial, rock) WHERE outcome = 'caught' AND "
-                  "abs(r.time_s - barriers.time_s) > 1e-9") == std::vector<std::string>{"0"});
+  CHECK(query(db,
+              "SELECT count(*) FROM barriers JOIN rocks r USING (point, trial, rock) WHERE outcome = "
+              "'caught' AND "
+              "abs(r.time_s - barriers.time_s) > 1e-9") == std::vector<std::string>{"0"});
   CHECK(query(db, "SELECT DISTINCT abs(flight_s + bounce_s + slide_s + roll_s - time_s) < 1e-9 FROM rocks") ==
         std::vector<std::string>{"1"});
 }
 
 TEST_CASE("The queries of docs/results.md run and give rows") {
   const Folder folder;
-  const Output run =
-      call(folder, "run '" FLYROCK_SOURCE_DIR "/scenarios/ninh_dan/benches_2d.yaml' --trials 20 -o r --quiet "
-                   "--set gates='[{ name: road, x: 20 }]' --set barriers='[{ name: fence, x: 25, height: 3, capacity: 500 kJ }]'");
+  const Output run = call(folder, "run '" FLYROCK_SOURCE_DIR
+                                  "/scenarios/ninh_dan/benches_2d.yaml' --trials 20 -o r --quiet "
+                                  "--set gates='[{ name: road, x: 20 }]' --set barriers='[{ name: fence, x: "
+                                  "25, height: 3, capacity: 500 kJ }]'");
   INFO(run.err);
   REQUIRE(run.code == 0);
   const std::vector<std::string> queries = documented_queries();
@@ -94,6 +114,7 @@ TEST_CASE("The queries of docs/results.md run and give rows") {
     const fs::path db = folder.path() / "r/results.db";
     CHECK_FALSE(query(db, sql).empty());
     // An index that SQLite makes for one query would search all rows of all rocks once for each rock.
-    for (const std::string& step : query(db, "EXPLAIN QUERY PLAN " + sql)) CHECK(step.find(" r USING AUTOMATIC") == std::string::npos);
+    for (const std::string& step : query(db, "EXPLAIN QUERY PLAN " + sql))
+      CHECK(step.find(" r USING AUTOMATIC") == std::string::npos);
   }
 }

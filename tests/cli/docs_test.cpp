@@ -99,9 +99,11 @@ std::set<std::string> code_words(const std::string& page, const std::string& fro
   const std::string text = page.substr(begin, page.find(to, begin) - begin);
   static const std::regex code("`([^`]*)`"), word("\\w+");
   std::set<std::string> words;
-  for (auto span = std::sregex_iterator(text.begin(), text.end(), code); span != std::sregex_iterator(); ++span) {
+  for (auto span = std::sregex_iterator(text.begin(), text.end(), code); span != std::sregex_iterator();
+       ++span) {
     const std::string inside = (*span)[1];
-    for (auto found = std::sregex_iterator(inside.begin(), inside.end(), word); found != std::sregex_iterator(); ++found)
+    for (auto found = std::sregex_iterator(inside.begin(), inside.end(), word);
+         found != std::sregex_iterator(); ++found)
       words.insert(found->str());
   }
   return words;
@@ -123,7 +125,8 @@ struct ModelRow {
 std::vector<ModelRow> model_rows(const std::string& readme) {
   static const std::regex row("\\| `(\\w+)`[^|]*\\| ([0-9.]+) \\| ([0-9]+) \\(([0-9]+) to ([0-9]+)\\) \\|");
   std::vector<ModelRow> rows;
-  for (auto found = std::sregex_iterator(readme.begin(), readme.end(), row); found != std::sregex_iterator(); ++found)
+  for (auto found = std::sregex_iterator(readme.begin(), readme.end(), row); found != std::sregex_iterator();
+       ++found)
     rows.push_back({(*found)[1], (*found)[2], (*found)[3], (*found)[4], (*found)[5]});
   return rows;
 }
@@ -148,9 +151,9 @@ return fr.plugin {
   failing.replace(failing.find("trials: 4"), 9, "trials: 40");
   folder.write("failing.yaml", "plugins: [law.lua]\n" + failing);
   const std::pair<std::string, int> runs[] = {
-      {scenarios + "course/fences.yaml --trials 20", 0},          // gates and barriers
-      {scenarios + "quarry/blasting_area.yaml --trials 20", 0},   // blast, clearance by azimuth, reach
-      {"failing.yaml", 3},                                        // faults, ended early
+      {scenarios + "course/fences.yaml --trials 20", 0},         // gates and barriers
+      {scenarios + "quarry/blasting_area.yaml --trials 20", 0},  // blast, clearance by azimuth, reach
+      {"failing.yaml", 3},                                       // faults, ended early
   };
   const std::set<std::string> named =
       code_words(read(FLYROCK_SOURCE_DIR "/docs/results.md"), "\n## summary.json\n", "\n## Chunks\n");
@@ -160,7 +163,9 @@ return fr.plugin {
     REQUIRE(call(folder, "run " + arguments + " --quiet --force -o r").code == code);
     collect_fields(nlohmann::json::parse(read(folder.path() / "r/summary.json")), fields);
   }
-  for (const char* rare : {"gate", "barrier", "area", "reach", "blast", "ended_early", "not_asked", "fault_line"}) CHECK(fields.count(rare) == 1);
+  for (const char* rare :
+       {"gate", "barrier", "area", "reach", "blast", "ended_early", "not_asked", "fault_line"})
+    CHECK(fields.count(rare) == 1);
   for (const std::string& field : fields) {
     INFO(field);
     CHECK(named.count(field) == 1);
@@ -170,15 +175,18 @@ return fr.plugin {
 TEST_CASE("docs/architecture.md names source files that exist") {
   std::vector<std::string> files;
   for (const char* tree : {"engine", "lua", "plugins", "tests"})
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(FLYROCK_SOURCE_DIR) / tree)) files.push_back("/" + entry.path().string());
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(FLYROCK_SOURCE_DIR) / tree))
+      files.push_back("/" + entry.path().string());
   static const std::regex source("`((?:\\w+/)*\\w+\\.(?:h|cpp|ipp|js))`");
   const std::string page = read(FLYROCK_SOURCE_DIR "/docs/architecture.md");
   int named = 0;
-  for (auto found = std::sregex_iterator(page.begin(), page.end(), source); found != std::sregex_iterator(); ++found) {
+  for (auto found = std::sregex_iterator(page.begin(), page.end(), source); found != std::sregex_iterator();
+       ++found) {
     const std::string name = (*found)[1];
     if (name == "lua.h") continue;  // Lua's own
     INFO(name);
-    CHECK(std::any_of(files.begin(), files.end(), [&](const std::string& file) { return file.ends_with("/" + name); }));
+    CHECK(std::any_of(files.begin(), files.end(),
+                      [&](const std::string& file) { return file.ends_with("/" + name); }));
     ++named;
   }
   CHECK(named > 100);
@@ -186,14 +194,18 @@ TEST_CASE("docs/architecture.md names source files that exist") {
 
 TEST_CASE("The Ninh Dan page has the distances that the program computes", "[slow]") {
   const Folder folder;
-  const std::string blast = "run " FLYROCK_SOURCE_DIR "/scenarios/ninh_dan/benches_2d.yaml --quiet --force -o r";
+  const std::string blast =
+      "run " FLYROCK_SOURCE_DIR "/scenarios/ninh_dan/benches_2d.yaml --quiet --force -o r";
   const std::vector<ModelRow> rows = model_rows(read(FLYROCK_SOURCE_DIR "/scenarios/ninh_dan/README.md"));
   REQUIRE(rows.size() == 3);
   for (const ModelRow& row : rows) {
     INFO(row.launch);
-    const std::string keys = row.launch == "bench_fit" ? ", rock: limestone, form: linear" : row.launch == "richards_moore" ? ", k: 27" : "";
+    const std::string keys = row.launch == "bench_fit"        ? ", rock: limestone, form: linear"
+                             : row.launch == "richards_moore" ? ", k: 27"
+                                                              : "";
     REQUIRE(call(folder, blast + " --set rocks.0.launch='{ type: " + row.launch + keys +
-                             ", elevation: { normal: { mean: 20 deg, sd: 10 deg } } }'").code <= 1);  // gurney goes beyond what is expected
+                             ", elevation: { normal: { mean: 20 deg, sd: 10 deg } } }'")
+                .code <= 1);  // gurney goes beyond what is expected
     const auto summary = nlohmann::json::parse(read(folder.path() / "r/summary.json"));
     const auto& fly_rock = summary.at("points").at(0).at("rocks").at(1);
     REQUIRE(fly_rock.at("group") == "fly_rock");

@@ -52,8 +52,11 @@ TEST_CASE("Every table of a result is exported as CSV") {
   INFO(csv.err);
   REQUIRE(csv.code == 0);
   const fs::path db = folder.path() / "r/results.db";
-  for (const std::string& table : query(db, "SELECT name FROM sqlite_master WHERE type IN ('table', 'view') AND name "
-                                            "NOT IN ('drawn', 'draws', 'report', 'rows_of_rock') AND name NOT LIKE '%\\_rows' ESCAPE '\\' ORDER BY name")) {
+  for (const std::string& table :
+       query(db,
+             "SELECT name FROM sqlite_master WHERE type IN ('table', 'view') AND name "
+             "NOT IN ('drawn', 'draws', 'report', 'rows_of_rock') AND name NOT LIKE '%\\_rows' ESCAPE '\\' "
+             "ORDER BY name")) {
     INFO(table);
     CHECK(csv.out.find("tables/" + table + ".csv\n") != std::string::npos);
     CHECK(std::to_string(lines_in(folder.path() / "tables" / (table + ".csv")) - 1) ==
@@ -62,10 +65,13 @@ TEST_CASE("Every table of a result is exported as CSV") {
   CHECK(read(folder.path() / "tables/sweep.csv") ==
         "point,path,value\n0,materials.rock.friction.mu,0.5\n1,materials.rock.friction.mu,0.7\n");
   CHECK(read(folder.path() / "tables/gates.csv").find("0,0,0,road,") != std::string::npos);
-  CHECK(read(folder.path() / "tables/expectations.csv").find("0,rocks.count,0,4,equals,4,,0,1,\n") != std::string::npos);
+  CHECK(read(folder.path() / "tables/expectations.csv").find("0,rocks.count,0,4,equals,4,,0,1,\n") !=
+        std::string::npos);
   // The columns of rocks.csv, with the same text, and more of them.
-  const std::string rocks = read(folder.path() / "r/rocks.csv"), more = read(folder.path() / "tables/rocks.csv");
-  const std::string first = rocks.substr(rocks.find("\n0,0,0,"), rocks.find(",0,", rocks.find("\n0,0,0,") + 60) - rocks.find("\n0,0,0,"));
+  const std::string rocks = read(folder.path() / "r/rocks.csv"),
+                    more = read(folder.path() / "tables/rocks.csv");
+  const std::string first = rocks.substr(
+      rocks.find("\n0,0,0,"), rocks.find(",0,", rocks.find("\n0,0,0,") + 60) - rocks.find("\n0,0,0,"));
   CHECK(more.find(first) != std::string::npos);
 }
 
@@ -76,15 +82,19 @@ TEST_CASE("Trajectories are exported for ParaView") {
   const Output vtk = call(folder, "export r --to vtk");
   INFO(vtk.err);
   REQUIRE(vtk.code == 0);
-  CHECK(vtk.out == "r/vtk/trajectories-p0.vtp\nr/vtk/rocks-p0.pvd\nr/vtk/ground-p0.vtp\n"
-                   "r/vtk/trajectories-p1.vtp\nr/vtk/rocks-p1.pvd\nr/vtk/ground-p1.vtp\n");
+  CHECK(vtk.out ==
+        "r/vtk/trajectories-p0.vtp\nr/vtk/rocks-p0.pvd\nr/vtk/ground-p0.vtp\n"
+        "r/vtk/trajectories-p1.vtp\nr/vtk/rocks-p1.pvd\nr/vtk/ground-p1.vtp\n");
   const std::string ground = read(folder.path() / "r/vtk/ground-p1.vtp");
   CHECK(ground.find("NumberOfPoints=\"6\" NumberOfVerts=\"0\" NumberOfLines=\"3\"") != std::string::npos);
   CHECK(ground.find("-20 10 0\n0 10 0\n0 10 0\n3 0 0\n3 0 0\n300 0 0\n") != std::string::npos);
   const std::string lines = read(folder.path() / "r/vtk/trajectories-p1.vtp");
-  const std::string points = query(folder.path() / "r/results.db", "SELECT count(*) FROM trajectories WHERE point = 1")[0];
-  CHECK(lines.find("NumberOfPoints=\"" + points + "\" NumberOfVerts=\"0\" NumberOfLines=\"4\"") != std::string::npos);
-  for (const char* name : {"time_s", "speed_m_s", "energy_J", "mode", "trial", "rock", "runout_m", "diameter_m"})
+  const std::string points =
+      query(folder.path() / "r/results.db", "SELECT count(*) FROM trajectories WHERE point = 1")[0];
+  CHECK(lines.find("NumberOfPoints=\"" + points + "\" NumberOfVerts=\"0\" NumberOfLines=\"4\"") !=
+        std::string::npos);
+  for (const char* name :
+       {"time_s", "speed_m_s", "energy_J", "mode", "trial", "rock", "runout_m", "diameter_m"})
     CHECK(lines.find(std::string("Name=\"") + name + "\"") != std::string::npos);
   // The last offset is the number of points.
   CHECK(lines.find("\n" + points + "\n</DataArray>\n</Lines>") != std::string::npos);
@@ -93,7 +103,8 @@ TEST_CASE("Trajectories are exported for ParaView") {
   const std::regex entry("timestep=\"([^\"]+)\" part=\"0\" file=\"([^\"]+)\"");
   std::size_t steps = 0;
   std::string last;
-  for (std::sregex_iterator at(index.begin(), index.end(), entry); at != std::sregex_iterator(); ++at, ++steps) {
+  for (std::sregex_iterator at(index.begin(), index.end(), entry); at != std::sregex_iterator();
+       ++at, ++steps) {
     last = (*at)[2];
     CHECK(fs::exists(folder.path() / "r/vtk" / last));
   }
@@ -104,8 +115,10 @@ TEST_CASE("Trajectories are exported for ParaView") {
   const std::string end = read(folder.path() / "r/vtk" / last);
   CHECK(end.find("NumberOfPoints=\"4\" NumberOfVerts=\"4\" NumberOfLines=\"0\"") != std::string::npos);
   const std::size_t at = end.find("<Points>");
-  for (const std::string& x : query(folder.path() / "r/results.db", "SELECT x_m FROM trajectories t WHERE point = 1 AND time_s = "
-                                    "(SELECT max(time_s) FROM trajectories u WHERE (u.point, u.trial, u.rock) = (t.point, t.trial, t.rock))"))
+  for (const std::string& x : query(folder.path() / "r/results.db",
+                                    "SELECT x_m FROM trajectories t WHERE point = 1 AND time_s = "
+                                    "(SELECT max(time_s) FROM trajectories u WHERE (u.point, u.trial, "
+                                    "u.rock) = (t.point, t.trial, t.rock))"))
     CHECK(end.find(x.substr(0, 8), at) != std::string::npos);
 }
 
@@ -135,5 +148,6 @@ TEST_CASE("An export says which formats there are and which folders are results"
   refused("export nowhere --to csv", "nowhere is no result folder: it has no manifest.json");
   refused("report s.yaml", "s.yaml is no result folder");
   CHECK(call(folder, "run s.yaml --shard 1/2 --quiet -o half").code == 0);
-  refused("report half", "half has no results yet: `flyrock run --resume` goes on with a run that was interrupted");
+  refused("report half",
+          "half has no results yet: `flyrock run --resume` goes on with a run that was interrupted");
 }

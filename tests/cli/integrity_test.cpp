@@ -1,4 +1,5 @@
-// A flipped bit, a file that is cut short, a chunk that is lost: each is told, none is read as if it were a result.
+// A flipped bit, a file that is cut short, a chunk that is lost: each is told, none is read as if it were a
+// result.
 
 #include <random>
 
@@ -12,7 +13,8 @@ bool one_line(const std::string& text) { return !text.empty() && text.find('\n')
 
 /// Words of the libraries that read files for flyrock.
 bool names_a_library(const std::string& text) {
-  for (const char* word : {"sqlite", "SQLite", "malformed", "disk image", "json.exception", "parse_error", "basic_ios", "what()", "std::"})
+  for (const char* word : {"sqlite", "SQLite", "malformed", "disk image", "json.exception", "parse_error",
+                           "basic_ios", "what()", "std::"})
     if (text.find(word) != std::string::npos) return true;
   return false;
 }
@@ -39,7 +41,8 @@ class Damage {
   std::string file_, whole_;
 };
 
-constexpr const char* readers[] = {"report r", "export r --to csv -o tables", "run s.yaml --resume --quiet -o r"};
+constexpr const char* readers[] = {"report r", "export r --to csv -o tables",
+                                   "run s.yaml --resume --quiet -o r"};
 
 }  // namespace
 
@@ -48,7 +51,8 @@ TEST_CASE("A flipped bit in a file of a result is exit code 2 and one line, whic
   folder.write("s.yaml", bench);
   REQUIRE(call(folder, "run s.yaml --quiet -o r").code == 0);
   std::mt19937 random(11);
-  for (const std::string file : {"r/results.db", "r/manifest.json", "r/summary.json", "r/rocks.csv", "r/SHA256SUMS"})
+  for (const std::string file :
+       {"r/results.db", "r/manifest.json", "r/summary.json", "r/rocks.csv", "r/SHA256SUMS"})
     for (const char* reader : readers) {
       const Damage damage(folder, file, with_flipped_bit(read(folder.path() / file), random));
       const Output output = call(folder, reader);
@@ -66,13 +70,16 @@ TEST_CASE("A file of a result that is cut short, empty or no database is exit co
   folder.write("s.yaml", bench);
   REQUIRE(call(folder, "run s.yaml --quiet -o r").code == 0);
   const std::string database = read(folder.path() / "r/results.db");
-  for (const std::string& bytes : {std::string(), std::string("no database"), database.substr(0, database.size() / 2)}) {
+  for (const std::string& bytes :
+       {std::string(), std::string("no database"), database.substr(0, database.size() / 2)}) {
     const Damage damage(folder, "r/results.db", bytes);
     for (const char* reader : {"report r", "export r --to vtk -o paraview"}) {
       const Output output = call(folder, reader);
       CHECK(output.code == 2);
-      CHECK(output.err == "error: r/results.db is damaged: its SHA-256 is not the one that the run wrote into SHA256SUMS; run the scenario "
-                          "again, with --force or -o DIR\n");
+      CHECK(output.err ==
+            "error: r/results.db is damaged: its SHA-256 is not the one that the run wrote into SHA256SUMS; "
+            "run the scenario "
+            "again, with --force or -o DIR\n");
     }
   }
   fs::remove(folder.path() / "r/results.db");
@@ -88,7 +95,9 @@ TEST_CASE("A database that is damaged under a right checksum is exit code 2 as w
   std::string database = read(folder.path() / "r/results.db");
   for (std::size_t at = 200; at < database.size(); at += 37) database[at] = 'x';
   folder.write("r/results.db", database);
-  REQUIRE(shell(folder, "cd r && sha256sum manifest.json results.db rocks.csv summary.json > SHA256SUMS").code == 0);
+  REQUIRE(
+      shell(folder, "cd r && sha256sum manifest.json results.db rocks.csv summary.json > SHA256SUMS").code ==
+      0);
   for (const char* reader : {"report r", "export r --to csv -o tables", "export r --to vtk -o paraview"}) {
     const Output output = call(folder, reader);
     CHECK(output.code == 2);
@@ -104,7 +113,8 @@ TEST_CASE("The checksums are those of sha256sum, and the same however the result
   CHECK(check.code == 0);
   CHECK(check.out == "manifest.json: OK\nresults.db: OK\nrocks.csv: OK\nsummary.json: OK\n");
   for (const char* shard : {"1", "2"})
-    REQUIRE(call(folder, std::string("run s.yaml --quiet -j2 --shard ") + shard + "/2 -o s" + shard).code == 0);
+    REQUIRE(call(folder, std::string("run s.yaml --quiet -j2 --shard ") + shard + "/2 -o s" + shard).code ==
+            0);
   REQUIRE(call(folder, "merge s2 s1 -o m --quiet").code == 0);
   CHECK(read(folder.path() / "m/SHA256SUMS") == read(folder.path() / "r/SHA256SUMS"));
 }
@@ -117,7 +127,8 @@ TEST_CASE("A flipped bit in a shard is exit code 2, or the merged result is what
     REQUIRE(call(folder, std::string("run s.yaml --quiet --shard ") + shard + "/2 -o s" + shard).code == 0);
   std::mt19937 random(5);
   int refused = 0;
-  for (const std::string file : {"s1/manifest.json", "s1/chunks/request.json", "s2/chunks/p0-c1.chunk", "s2/chunks/request.json"})
+  for (const std::string file :
+       {"s1/manifest.json", "s1/chunks/request.json", "s2/chunks/p0-c1.chunk", "s2/chunks/request.json"})
     for (int flip = 0; flip < 3; ++flip) {
       const Damage damage(folder, file, with_flipped_bit(read(folder.path() / file), random));
       const Output output = call(folder, "merge s1 s2 -o m --quiet --force");
@@ -141,8 +152,9 @@ TEST_CASE("A merge of shards of which one has lost a chunk is made, says so and 
   fs::remove(folder.path() / "s2/chunks/p0-c3.chunk");
   const Output lost = call(folder, "merge s1 s2 -o m --quiet");
   CHECK(lost.code == 3);
-  CHECK(lost.err == "error: the run ended early: 1 of 4 chunks are missing, from trial 3 of point 0 on\n"
-                    "error: s2 lacks 1 of its 2 chunks; run that shard again with --resume\n");
+  CHECK(lost.err ==
+        "error: the run ended early: 1 of 4 chunks are missing, from trial 3 of point 0 on\n"
+        "error: s2 lacks 1 of its 2 chunks; run that shard again with --resume\n");
   CHECK(read(folder.path() / "m/summary.json").find("\"complete\": false") != std::string::npos);
   // Of one shard alone nothing is lost.
   const Output some = call(folder, "merge s1 -o some --quiet");

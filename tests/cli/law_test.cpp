@@ -16,11 +16,13 @@ TEST_CASE("law draws a law's graph from solved contacts") {
   const std::string svg = read(folder.path() / "coulomb.svg");
   CHECK(svg.starts_with("<svg xmlns="));
   CHECK(svg.find("nan") == std::string::npos);
-  for (const char* law : {"restitution/newton --set en=0.5 --set form=energy", "restitution/wyllie",
-                          "restitution/normal_tangential --set rn=0.4 --set rt=0.8", "rolling/rolling_resistance --set \"mu_r=2 cm\"",
-                          "friction/slip_weakening --set mu_s=0.6 --set mu_d=0.2 --set distance=0.5", "unilateral/signorini",
-                          "unilateral/quasi_shock", "unilateral/cohesive --set \"pull=1 kN\"",
-                          "unilateral/penalty --set \"stiffness=1e5 N/m\""}) {
+  for (const char* law :
+       {"restitution/newton --set en=0.5 --set form=energy", "restitution/wyllie",
+        "restitution/normal_tangential --set rn=0.4 --set rt=0.8",
+        "rolling/rolling_resistance --set \"mu_r=2 cm\"",
+        "friction/slip_weakening --set mu_s=0.6 --set mu_d=0.2 --set distance=0.5", "unilateral/signorini",
+        "unilateral/quasi_shock", "unilateral/cohesive --set \"pull=1 kN\"",
+        "unilateral/penalty --set \"stiffness=1e5 N/m\""}) {
     INFO(law);
     const Output output = call(folder, std::string("law ") + law);
     CHECK(output.code == 0);
@@ -60,7 +62,8 @@ return fr.plugin { kind = "restitution", name = "soft", doc = "Falls with the ap
   folder.write("model.lua", R"(local fr = require "flyrock"
 return fr.plugin { kind = "velocity", name = "model", doc = "One speed.", params = {},
   launch = function(p, rock) return { velocity = rock:direction(3, 0.2) } end })");
-  CHECK(call(folder, "law model.lua").err == "error: model.lua registers no contact laws, expected one\nSee `flyrock law --help`.\n");
+  CHECK(call(folder, "law model.lua").err ==
+        "error: model.lua registers no contact laws, expected one\nSee `flyrock law --help`.\n");
   CHECK(call(folder, "law absent.lua").err.find("cannot read `absent.lua`") != std::string::npos);
 }
 

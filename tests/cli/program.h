@@ -54,8 +54,8 @@ struct Output {
 /// A line for a shell, in a folder.
 inline Output shell(const Folder& folder, const std::string& line) {
   const fs::path out = folder.path() / ".out", err = folder.path() / ".err";
-  const std::string whole = "cd '" + folder.path().string() + "' && { " + line + "; } >'" + out.string() + "' 2>'" +
-                            err.string() + "'";
+  const std::string whole = "cd '" + folder.path().string() + "' && { " + line + "; } >'" + out.string() +
+                            "' 2>'" + err.string() + "'";
   const int status = std::system(whole.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out), read(err)};
 }
@@ -65,9 +65,10 @@ inline Output call(const Folder& folder, const std::string& arguments) {
   return shell(folder, "'" FLYROCK_BINARY "' " + arguments);
 }
 
-/// `flyrock run SCENARIO` with more trials than it can finish, interrupted as by Ctrl-C when `until` exists (after
-/// 20 s in any case).
-inline Output call_and_interrupt(const Folder& folder, const std::string& scenario, const std::string& until) {
+/// `flyrock run SCENARIO` with more trials than it can finish, interrupted as by Ctrl-C when `until` exists
+/// (after 20 s in any case).
+inline Output call_and_interrupt(const Folder& folder, const std::string& scenario,
+                                 const std::string& until) {
   const fs::path err = folder.path() / ".err";
   const pid_t child = ::fork();
   if (child == 0) {
@@ -75,7 +76,8 @@ inline Output call_and_interrupt(const Folder& folder, const std::string& scenar
     ::execl(FLYROCK_BINARY, "flyrock", "run", scenario.c_str(), "--trials", "100000", nullptr);
     ::_exit(99);
   }
-  for (int i = 0; i < 400 && !folder.has(until); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  for (int i = 0; i < 400 && !folder.has(until); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
   ::kill(child, SIGINT);
   int status = 0;
   ::waitpid(child, &status, 0);
@@ -83,11 +85,12 @@ inline Output call_and_interrupt(const Folder& folder, const std::string& scenar
 }
 
 /// `flyrock run SCENARIO --quiet ARGUMENTS...` killed (SIGKILL) after a time, where it has not ended before.
-inline void call_and_kill(const Folder& folder, const std::string& arguments, std::chrono::milliseconds after) {
+inline void call_and_kill(const Folder& folder, const std::string& arguments,
+                          std::chrono::milliseconds after) {
   const pid_t child = ::fork();
   if (child == 0) {
-    const std::string line = "cd '" + folder.path().string() + "' && exec '" FLYROCK_BINARY "' run " + arguments +
-                             " --quiet 2>/dev/null";
+    const std::string line = "cd '" + folder.path().string() + "' && exec '" FLYROCK_BINARY "' run " +
+                             arguments + " --quiet 2>/dev/null";
     ::execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
     ::_exit(99);
   }

@@ -37,7 +37,8 @@ inline std::vector<std::string> query(const std::filesystem::path& database, con
 /// Every row of every table, in the order in which they were written.
 inline std::vector<std::string> all_rows(const std::filesystem::path& database) {
   std::vector<std::string> rows;
-  for (const std::string& table : query(database, "SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY name"))
+  for (const std::string& table :
+       query(database, "SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY name"))
     for (const std::string& row : query(database, "SELECT * FROM " + table + " ORDER BY rowid"))
       rows.push_back(table + ": " + row);
   return rows;

@@ -10,7 +10,8 @@ using namespace flyrock::test;
 TEST_CASE("The answer says on which material round rocks roll when their time is up, on a slope too") {
   const Folder folder;
   std::string text = bench_with("[3, 0], [300, 0]", "[3, 0], [200, -10], [300, -12]");
-  text.replace(text.find("{ type: polygon, sides: { integer: [5, 8] }, diameter: 0.5 }"), 60, "{ type: disk, radius: { uniform: [0.2, 0.4] } }");
+  text.replace(text.find("{ type: polygon, sides: { integer: [5, 8] }, diameter: 0.5 }"), 60,
+               "{ type: disk, radius: { uniform: [0.2, 0.4] } }");
   text.replace(text.find("    rolling: { type: rolling_resistance, mu_r: 0.1 m }\n"), 55, "");
   text.replace(text.find("time: 60 s"), 10, "time: 12 s");
   folder.write("balls.yaml", text);
@@ -71,8 +72,10 @@ TEST_CASE("Trials are the same whatever runs beside them") {
 
 TEST_CASE("A trial that is replayed has the rows and the trajectory that it had in the run") {
   const Folder folder;
-  folder.write("bench.yaml", bench_with("mu: 0.6", "mu: { sweep: [0.5, 0.7] }") +
-                                 "gates: [{ name: road, x: 6 }]\nbarriers: [{ name: fence, x: 9, height: 3, capacity: 5 kJ }]\n");
+  folder.write(
+      "bench.yaml",
+      bench_with("mu: 0.6", "mu: { sweep: [0.5, 0.7] }") +
+          "gates: [{ name: road, x: 6 }]\nbarriers: [{ name: fence, x: 9, height: 3, capacity: 5 kJ }]\n");
   REQUIRE(call(folder, "run bench.yaml -o all --quiet").code == 0);
   REQUIRE(call(folder, "run bench.yaml -o one --quiet --only point=1,trial=2").code == 0);
   const fs::path all = folder.path() / "all/results.db", one = folder.path() / "one/results.db";
@@ -83,12 +86,15 @@ TEST_CASE("A trial that is replayed has the rows and the trajectory that it had 
     CHECK(rows == query(all, "SELECT * FROM " + table + " WHERE point = 1 AND trial = 2"));
   }
   // A trial whose trajectory the run did not store has the same rows, and its trajectory.
-  folder.write("few.yaml", read(folder.path() / "bench.yaml") + "output: { trajectories: { first: 1, every: 20 ms } }\n");
+  folder.write("few.yaml",
+               read(folder.path() / "bench.yaml") + "output: { trajectories: { first: 1, every: 20 ms } }\n");
   REQUIRE(call(folder, "run few.yaml -o few --quiet").code == 0);
   REQUIRE(call(folder, "run few.yaml -o again --quiet --only point=1,trial=2").code == 0);
   CHECK(query(folder.path() / "few/results.db", "SELECT * FROM trajectories WHERE trial = 2").empty());
-  CHECK(query(folder.path() / "again/results.db", "SELECT * FROM trajectories") == query(one, "SELECT * FROM trajectories"));
-  CHECK(query(folder.path() / "again/results.db", "SELECT * FROM rocks") == query(one, "SELECT * FROM rocks"));
+  CHECK(query(folder.path() / "again/results.db", "SELECT * FROM trajectories") ==
+        query(one, "SELECT * FROM trajectories"));
+  CHECK(query(folder.path() / "again/results.db", "SELECT * FROM rocks") ==
+        query(one, "SELECT * FROM rocks"));
 }
 
 TEST_CASE("Rocks that run out of time or leave the domain are rows, and no faults") {
@@ -99,39 +105,48 @@ TEST_CASE("Rocks that run out of time or leave the domain are rows, and no fault
     const Output run = call(folder, "run " + std::string(name) + ".yaml -o " + name + " --quiet --strict");
     INFO(run.err);
     CHECK(run.code == 0);
-    CHECK(query(folder.path() / name / "results.db", "SELECT DISTINCT stop_reason, censored, fault FROM rocks") ==
+    CHECK(query(folder.path() / name / "results.db",
+                "SELECT DISTINCT stop_reason, censored, fault FROM rocks") ==
           std::vector<std::string>{std::string(reason) + "|1|"});
   }
 }
 
-TEST_CASE("The first lines say on what rocks rolled when time was up, and how the landings of points are called") {
+TEST_CASE(
+    "The first lines say on what rocks rolled when time was up, and how the landings of points are called") {
   const Folder folder;
-  std::string rolling = bench_with("{ type: polygon, sides: { integer: [5, 8] }, diameter: 0.5 }", "{ type: disk, radius: 0.25 }");
+  std::string rolling = bench_with("{ type: polygon, sides: { integer: [5, 8] }, diameter: 0.5 }",
+                                   "{ type: disk, radius: 0.25 }");
   rolling.erase(rolling.find("    rolling:"), rolling.find("rocks:") - rolling.find("    rolling:"));
   folder.write("rolling.yaml", rolling.replace(rolling.find("time: 60 s"), 10, "time: 12 s"));
   const Output run = call(folder, "run rolling.yaml -o r");
   INFO(run.out);
   CHECK(run.code == 0);
-  CHECK(run.out.find(" 100 % of the rocks are censored (95 % interval 39.8 to 100 %): 4 ran out of time (12 s) on rock, x from ") != std::string::npos);
+  CHECK(run.out.find(" 100 % of the rocks are censored (95 % interval 39.8 to 100 %): 4 ran out of time (12 "
+                     "s) on rock, x from ") != std::string::npos);
   const auto summary = nlohmann::json::parse(read(folder.path() / "r/summary.json"));
   CHECK(summary["points"][0]["censored"][0]["material"] == "rock");
   folder.write("flight.yaml", bench_with("method: nscd", "method: ballistic"));
   const Output flight = call(folder, "run flight.yaml -o f");
   INFO(flight.out);
-  CHECK(flight.out.find("The distance of the first landing that 95 % of the rocks do not exceed is ") != std::string::npos);
+  CHECK(flight.out.find("The distance of the first landing that 95 % of the rocks do not exceed is ") !=
+        std::string::npos);
   CHECK(flight.out.find("  first landing, m") != std::string::npos);
   CHECK(flight.out.find("  4 first landed\n") != std::string::npos);
 }
 
 TEST_CASE("A clearance per blast of few rocks is warned of, and says with how many") {
   const Folder folder;
-  folder.write("s.yaml", bench_with("trials: 4", "trials: 40") + "clearance: [{ name: road, group: blocks, probability: 0.5, per: blast }]\n");
+  folder.write("s.yaml", bench_with("trials: 4", "trials: 40") +
+                             "clearance: [{ name: road, group: blocks, probability: 0.5, per: blast }]\n");
   const Output check = call(folder, "check s.yaml");
   CHECK(check.code == 0);
-  CHECK(check.err.find("warning: clearance.0.per: the farthest rock of a blast is sought among 1 rock a blast here") != std::string::npos);
+  CHECK(check.err.find(
+            "warning: clearance.0.per: the farthest rock of a blast is sought among 1 rock a blast here") !=
+        std::string::npos);
   const Output run = call(folder, "run s.yaml -o r");
   CHECK(run.code == 0);
-  CHECK(run.out.find("Clearance road: at most 50 % of the blasts (with 1 rock a blast) throw a rock of blocks farther than ") != std::string::npos);
+  CHECK(run.out.find("Clearance road: at most 50 % of the blasts (with 1 rock a blast) throw a rock of "
+                     "blocks farther than ") != std::string::npos);
 }
 
 TEST_CASE("An existing folder is replaced with --force only, and other files in it stay") {
@@ -142,7 +157,8 @@ TEST_CASE("An existing folder is replaced with --force only, and other files in 
   const std::string before = read(folder.path() / "r/rocks.csv");
   const Output again = call(folder, "run bench.yaml -o r");
   CHECK(again.code == 2);
-  CHECK(again.err.find("r exists; --resume goes on with an unfinished run, --force replaces the results in it, -o DIR names another folder") != std::string::npos);
+  CHECK(again.err.find("r exists; --resume goes on with an unfinished run, --force replaces the results in "
+                       "it, -o DIR names another folder") != std::string::npos);
   CHECK(read(folder.path() / "r/rocks.csv") == before);
   REQUIRE(call(folder, "run bench.yaml -o r --quiet --force").code == 0);
   CHECK(read(folder.path() / "r/rocks.csv") != before);
@@ -173,15 +189,19 @@ TEST_CASE("Bad input: exit code 2, the reason on stderr, nothing written") {
     CHECK(run.err.find(reason) != std::string::npos);
     CHECK_FALSE(folder.has("out"));
   };
-  refused(bench_with("density: 2700", "densty: 2700"), "bad.yaml:15:5: error: rocks.0.densty: unknown key, did you mean `density`?");
-  refused(bench_with("en: 0.3", "en: -0.3"), "bad.yaml:10:38: error: materials.rock.restitution.en: is `-0.3`, must be at least 0");
-  refused(std::string(bench) + "expect:\n  - { measure: rocks.runnout.p95, below: 1 m }\n", "did you mean `runout`?");
+  refused(bench_with("density: 2700", "densty: 2700"),
+          "bad.yaml:15:5: error: rocks.0.densty: unknown key, did you mean `density`?");
+  refused(bench_with("en: 0.3", "en: -0.3"),
+          "bad.yaml:10:38: error: materials.rock.restitution.en: is `-0.3`, must be at least 0");
+  refused(std::string(bench) + "expect:\n  - { measure: rocks.runnout.p95, below: 1 m }\n",
+          "did you mean `runout`?");
   refused("", "bad.yaml");
   refused(bench_with("seed: 3", "seed: [3"), "bad.yaml");
 
   CHECK(call(folder, "run nowhere.yaml").err.find("nowhere.yaml") != std::string::npos);
   CHECK(call(folder, "run nowhere.yaml").code == 2);
-  CHECK(call(folder, "run nowhere.txt").err.find("expected a scenario: a file .yaml, .yml or .lua") != std::string::npos);
+  CHECK(call(folder, "run nowhere.txt").err.find("expected a scenario: a file .yaml, .yml or .lua") !=
+        std::string::npos);
 }
 
 TEST_CASE("A law that fails later is a row, and exit code 3") {
@@ -197,7 +217,8 @@ return fr.plugin {
   end,
 }
 )");
-  folder.write("bench.yaml", "plugins: [tired.lua]\n" + bench_with("{ type: newton, en: 0.3 }", "{ type: tired }"));
+  folder.write("bench.yaml",
+               "plugins: [tired.lua]\n" + bench_with("{ type: newton, en: 0.3 }", "{ type: tired }"));
   const Output run = call(folder, "run bench.yaml -o r");
   INFO(run.err);
   CHECK(run.code == 3);
@@ -223,13 +244,15 @@ return fr.plugin {
   end,
 }
 )");
-  folder.write("bench.yaml", "plugins: [chatty.lua]\n" + bench_with("{ type: newton, en: 0.3 }", "{ type: chatty }"));
+  folder.write("bench.yaml",
+               "plugins: [chatty.lua]\n" + bench_with("{ type: newton, en: 0.3 }", "{ type: chatty }"));
   const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
   const std::string one = call(folder, "run bench.yaml --trials 60 --quiet -o one -j 1").err;
   INFO(one);
   CHECK(one.find("loading\nspeed\t0.1\t\\x1B[2J\nspeed\t3.0\t") == 0);
   CHECK(lines(one) == 1 + 3 + 11);  // while it loads, on sampled states, in the trials
-  CHECK(one.find("chatty.lua:7: print: after 10 lines the others of this place are dropped\n") != std::string::npos);
+  CHECK(one.find("chatty.lua:7: print: after 10 lines the others of this place are dropped\n") !=
+        std::string::npos);
   CHECK(call(folder, "run bench.yaml --trials 60 --quiet -o three -j 3").err == one);
   CHECK(lines(call(folder, "check chatty.lua").err) == 1 + 11);
 }
@@ -249,7 +272,8 @@ TEST_CASE("The Lua twin of a scenario gives the same bytes") {
   const Folder folder;
   const std::string scenarios = FLYROCK_SOURCE_DIR "/scenarios/ninh_dan/benches_2d";
   for (const char* language : {"yaml", "lua"}) {
-    const Output run = call(folder, "run '" + scenarios + "." + language + "' --trials 10 --quiet -o " + language);
+    const Output run =
+        call(folder, "run '" + scenarios + "." + language + "' --trials 10 --quiet -o " + language);
     INFO(run.err);
     CHECK(run.code == 0);
   }

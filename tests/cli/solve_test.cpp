@@ -85,10 +85,13 @@ TEST_CASE("What is no problem is exit code 2") {
     CHECK(output.code == 2);
     return output.err;
   };
-  CHECK(error("solve a.hdf5 --solver nlg").find("unknown solver `nlg`, expected auto, nlgs or proximal_newton; did you mean `nlgs`?") !=
+  CHECK(error("solve a.hdf5 --solver nlg")
+            .find("unknown solver `nlg`, expected auto, nlgs or proximal_newton; did you mean `nlgs`?") !=
         std::string::npos);
-  CHECK(error("solve a.hdf5 --tolerance -1").find("--tolerance is `-1`, expected a number above 0") != std::string::npos);
-  CHECK(error("solve a.hdf5 --max-iterations 0").find("not a whole number of at least 1") != std::string::npos);
+  CHECK(error("solve a.hdf5 --tolerance -1").find("--tolerance is `-1`, expected a number above 0") !=
+        std::string::npos);
+  CHECK(error("solve a.hdf5 --max-iterations 0").find("not a whole number of at least 1") !=
+        std::string::npos);
   if (without_hdf5(folder)) return;
   CHECK(error("solve absent.hdf5") == "error: absent.hdf5: cannot be opened as an HDF5 file\n");
   folder.write("text.hdf5", "no HDF5");

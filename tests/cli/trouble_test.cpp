@@ -38,9 +38,11 @@ TEST_CASE("A full disk is one line, and --resume goes on with what was done") {
   const Folder folder;
   folder.write("s.yaml", many_trials());
   REQUIRE(call(folder, "run s.yaml --quiet -o whole").code == 0);
-  // Files may not grow beyond so many blocks of 512 bytes: too few for a chunk, then too few for the database.
+  // Files may not grow beyond so many blocks of 512 bytes: too few for a chunk, then too few for the
+  // database.
   for (const int blocks : {20, 300}) {
-    const Output full = shell(folder, "ulimit -f " + std::to_string(blocks) + "; '" FLYROCK_BINARY "' run s.yaml --quiet -o full --resume");
+    const Output full = shell(folder, "ulimit -f " + std::to_string(blocks) +
+                                          "; '" FLYROCK_BINARY "' run s.yaml --quiet -o full --resume");
     INFO(full.err);
     CHECK(full.code == 3);
     CHECK(one_line(full.err));
@@ -59,10 +61,11 @@ TEST_CASE("A folder that cannot be written is told before anything runs") {
   check_refused(folder, "run s.yaml -o file", "file is a file, expected a folder");
   check_refused(folder, "run s.yaml -o file/below", "cannot make the folder file/below: Not a directory");
   fs::create_directories(folder.path() / "closed");
-  fs::permissions(folder.path() / "closed", fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_exec |
-                                                fs::perms::others_read);
+  fs::permissions(folder.path() / "closed", fs::perms::owner_read | fs::perms::owner_exec |
+                                                fs::perms::others_exec | fs::perms::others_read);
   for (const char* path : {"closed", "closed/r"}) {
-    const Output output = shell(folder, as_nobody("\"" FLYROCK_BINARY "\" run s.yaml --quiet -o " + std::string(path)));
+    const Output output =
+        shell(folder, as_nobody("\"" FLYROCK_BINARY "\" run s.yaml --quiet -o " + std::string(path)));
     INFO(output.err);
     CHECK(output.code == 2);
     CHECK(one_line(output.err));
@@ -87,8 +90,9 @@ TEST_CASE("A result of an older format is neither read nor gone on with") {
   REQUIRE(at != std::string::npos);
   folder.write("r/manifest.json", manifest.replace(at, 11, "\"format\": 2"));
   for (const char* command : {"report r", "export r --to csv", "merge r -o m", "run s.yaml --resume -o r"})
-    check_refused(folder, command, "error: r was written by flyrock 0.1.0 in format 2, this one has format 6: run the "
-                                   "scenario again, with --force or -o DIR\n");
+    check_refused(folder, command,
+                  "error: r was written by flyrock 0.1.0 in format 2, this one has format 6: run the "
+                  "scenario again, with --force or -o DIR\n");
   CHECK(folder.has("r/results.db"));
   CHECK(call(folder, "run s.yaml --force --quiet -o r").code == 0);
   CHECK(call(folder, "report r").code == 0);
@@ -114,18 +118,24 @@ TEST_CASE("Nobody reads or writes a folder in which a run is writing") {
 TEST_CASE("A report is refused while its run is writing, and the run goes on") {
   const Folder folder;
   folder.write("s.yaml", many_trials());
-  const Output both = shell(folder, "'" FLYROCK_BINARY "' run s.yaml --quiet -o r & run=$!; n=0; "
-                                    "while [ ! -e r/chunks/p0-c0.chunk ] && [ $n -lt 400 ]; do sleep 0.02; n=$((n+1)); done; "
-                                    "kill -STOP $run; '" FLYROCK_BINARY "' report r; echo report $?; "
-                                    "'" FLYROCK_BINARY "' run s.yaml --force -o r; echo second run $?; "
-                                    "kill -CONT $run; wait $run; echo run $?");
+  const Output both =
+      shell(folder, "'" FLYROCK_BINARY
+                    "' run s.yaml --quiet -o r & run=$!; n=0; "
+                    "while [ ! -e r/chunks/p0-c0.chunk ] && [ $n -lt 400 ]; do sleep 0.02; n=$((n+1)); done; "
+                    "kill -STOP $run; '" FLYROCK_BINARY
+                    "' report r; echo report $?; "
+                    "'" FLYROCK_BINARY
+                    "' run s.yaml --force -o r; echo second run $?; "
+                    "kill -CONT $run; wait $run; echo run $?");
   INFO(both.err);
   CHECK(both.out == "report 2\nsecond run 2\nrun 0\n");
-  CHECK(both.err == "error: r: another flyrock is writing there\nerror: r: another flyrock is writing there\n");
+  CHECK(both.err ==
+        "error: r: another flyrock is writing there\nerror: r: another flyrock is writing there\n");
   CHECK(call(folder, "report r").code == 0);
 }
 
-TEST_CASE("A rock that a law throws beyond all numbers is a row that diverged, and no nan or inf is printed") {
+TEST_CASE(
+    "A rock that a law throws beyond all numbers is a row that diverged, and no nan or inf is printed") {
   const Folder folder;
   folder.write("law.lua", R"(local fr = require "flyrock"
 return fr.plugin {
@@ -142,7 +152,8 @@ return fr.plugin {
   folder.write("s.yaml", text.replace(text.find("trials: 4"), 9, "trials: 30"));
   const Output run = call(folder, "run s.yaml -o r");
   CHECK(run.code == 3);
-  CHECK(run.err.find("error: point 0, trial 3, rock 0: diverged: its state is not finite, or it is faster than 100 km/s\n") == 0);
+  CHECK(run.err.find("error: point 0, trial 3, rock 0: diverged: its state is not finite, or it is faster "
+                     "than 100 km/s\n") == 0);
   CHECK(run.out.find("24 stopped, 6 diverged\n") != std::string::npos);
   // 1000 km/s, which is a number still.
   const Output fast = call(folder, "run s.yaml -o fast --set materials.rock.restitution.en=1e5");
@@ -151,7 +162,8 @@ return fr.plugin {
   for (const char* result : {"r", "fast"}) {
     REQUIRE(call(folder, std::string("export ") + result + " --to csv").code == 0);
     const std::regex no_number("\\b(nan|inf)\\b", std::regex::icase);
-    for (const char* file : {"rocks.csv", "summary.json", "csv/rocks.csv", "csv/impacts.csv", "csv/trajectories.csv"})
+    for (const char* file :
+         {"rocks.csv", "summary.json", "csv/rocks.csv", "csv/impacts.csv", "csv/trajectories.csv"})
       CHECK_FALSE(std::regex_search(read(folder.path() / result / file), no_number));
     CHECK_FALSE(std::regex_search(run.out + run.err + fast.out + fast.err, no_number));
   }
@@ -167,24 +179,29 @@ TEST_CASE("A damaged chunk is found before a merge makes anything") {
   std::string damaged = whole;
   damaged[damaged.size() / 2] ^= 1;
   folder.write("s2/chunks/p0-c3.chunk", damaged);
-  check_refused(folder, "merge s1 s2 -o m", "error: s2/chunks/p0-c3.chunk is not what a run wrote: damaged: its checksum is wrong; "
-                                            "run its shard again with --resume\n");
+  check_refused(folder, "merge s1 s2 -o m",
+                "error: s2/chunks/p0-c3.chunk is not what a run wrote: damaged: its checksum is wrong; "
+                "run its shard again with --resume\n");
   CHECK_FALSE(folder.has("m"));
   REQUIRE(call(folder, "run s.yaml --quiet --shard 2/2 -o s2 --resume").code == 0);
   CHECK(read(chunk) == whole);
   CHECK(call(folder, "merge s1 s2 -o m --quiet").code == 0);
 }
 
-TEST_CASE("A rock that would start deep in the ground, or with a speed beyond all rocks, is refused before anything runs") {
+TEST_CASE(
+    "A rock that would start deep in the ground, or with a speed beyond all rocks, is refused before "
+    "anything runs") {
   const Folder folder;
   folder.write("deep.yaml", bench_with("position: [0, 12]", "position: [1, -25]"));
   check_refused(folder, "run deep.yaml -o r",
-                "deep.yaml:17:5: error: rocks.0.release: trial 0, rock 0: `blocks` starts at (1, -25) m, 31.7 m inside the terrain: "
+                "deep.yaml:17:5: error: rocks.0.release: trial 0, rock 0: `blocks` starts at (1, -25) m, "
+                "31.7 m inside the terrain: "
                 "its centre of mass is below the ground, where no radius fits\n"
                 "      release: { position: [1, -25] }\n      ^\n");
   folder.write("fast.yaml", bench_with("{ uniform: [5, 15] }", "1e155"));
   check_refused(folder, "run fast.yaml -o r",
-                "fast.yaml:18:5: error: rocks.0.launch: trial 0, rock 0: `blocks` starts with inf m/s and 0 rad/s, expected at most "
+                "fast.yaml:18:5: error: rocks.0.launch: trial 0, rock 0: `blocks` starts with inf m/s and 0 "
+                "rad/s, expected at most "
                 "1e+05 m/s and 1e+06 rad/s\n"
                 "      launch: { type: fixed, speed: 1e155, elevation: 20 deg }\n      ^\n");
   CHECK_FALSE(folder.has("r"));
@@ -192,15 +209,22 @@ TEST_CASE("A rock that would start deep in the ground, or with a speed beyond al
 
 TEST_CASE("A fault for which no plugin is to blame has its own reason") {
   const Folder folder;
-  const auto scenario = [](const std::string& restitution, const std::string& rock, const std::string& height) {
+  const auto scenario = [](const std::string& restitution, const std::string& rock,
+                           const std::string& height) {
     return "flyrock: 1\ndimension: 2\nmethod: nscd\ntrials: 300\n"
            "terrain: { type: profile, points: [[-50, 0], [50, 0]], material: rock }\n"
-           "materials: { rock: { restitution: " + restitution + ", friction: { type: coulomb, mu: 0.5 } } }\n"
-           "rocks: [{ name: stones, density: 2700, shape: " + rock + ", orientation: 0 deg,\n"
-           "  release: { position: [0, " + height + "] } }]\nstop: { time: 20 }\n";
+           "materials: { rock: { restitution: " +
+           restitution +
+           ", friction: { type: coulomb, mu: 0.5 } } }\n"
+           "rocks: [{ name: stones, density: 2700, shape: " +
+           rock +
+           ", orientation: 0 deg,\n"
+           "  release: { position: [0, " +
+           height + "] } }]\nstop: { time: 20 }\n";
   };
   // The first trials start well, so that the scenario is sound.
-  folder.write("start.yaml", scenario("{ type: newton, en: 0.5 }", "{ type: disk, radius: 0.5 }", "{ uniform: [0.45, 5] }"));
+  folder.write("start.yaml", scenario("{ type: newton, en: 0.5 }", "{ type: disk, radius: 0.5 }",
+                                      "{ uniform: [0.45, 5] }"));
   const Output start = call(folder, "run start.yaml -o start");
   INFO(start.err);
   CHECK(start.code == 3);
@@ -209,11 +233,14 @@ TEST_CASE("A fault for which no plugin is to blame has its own reason") {
   CHECK(read(folder.path() / "start/rocks.csv").find(",not_started,") != std::string::npos);
 
   folder.write("flat.yaml", scenario("{ type: normal_tangential, rn: 0.4, rt: 0.8 }",
-                                     "{ type: polygon, vertices: [[0, 0], [1, 0], [1, 1], [0, 1]] }", "{ uniform: [2, 5] }"));
+                                     "{ type: polygon, vertices: [[0, 0], [1, 0], [1, 1], [0, 1]] }",
+                                     "{ uniform: [2, 5] }"));
   const Output flat = call(folder, "run flat.yaml -o flat");
   INFO(flat.err);
   CHECK(flat.code == 3);
-  CHECK(flat.err.find("diverged: restitution of form velocity at a contact whose body touches something else") != std::string::npos);
+  CHECK(flat.err.find(
+            "diverged: restitution of form velocity at a contact whose body touches something else") !=
+        std::string::npos);
   CHECK(flat.err.find("plugin_error") == std::string::npos);
 }
 
@@ -240,8 +267,9 @@ TEST_CASE("A result whose files are gone is made again by --resume, and no expor
   folder.write("s.yaml", bench);
   REQUIRE(call(folder, "run s.yaml --quiet -o r").code == 0);
   const std::string rocks = read(folder.path() / "r/rocks.csv");
-  check_refused(folder, "export r --to csv -o r", "error: -o r: it holds results, whose files would be replaced; expected another folder\n"
-                                                  "See `flyrock export --help`.\n");
+  check_refused(folder, "export r --to csv -o r",
+                "error: -o r: it holds results, whose files would be replaced; expected another folder\n"
+                "See `flyrock export --help`.\n");
   for (const char* file : {"report.html", "rocks.csv", "results.db"}) {
     fs::remove(folder.path() / "r" / file);
     CHECK(call(folder, "run s.yaml --resume --quiet -o r").code == 0);
@@ -252,17 +280,24 @@ TEST_CASE("A result whose files are gone is made again by --resume, and no expor
 
 TEST_CASE("A scenario, or a file that it names, that is a pipe, a device or a folder is an error at once") {
   const Folder folder;
-  REQUIRE(shell(folder, "mkfifo pipe.yaml && ln -s /dev/zero zero.yaml && mkdir folder.yaml && ln -s /dev/zero zero.txt && mkfifo "
-                        "pipe.txt && mkdir folder.txt")
+  REQUIRE(shell(folder,
+                "mkfifo pipe.yaml && ln -s /dev/zero zero.yaml && mkdir folder.yaml && ln -s /dev/zero "
+                "zero.txt && mkfifo "
+                "pipe.txt && mkdir folder.txt")
               .code == 0);
-  check_refused(folder, "run pipe.yaml -o r", "pipe.yaml: error: cannot read pipe.yaml: a pipe or a device, expected a file\n");
-  check_refused(folder, "run zero.yaml -o r", "zero.yaml: error: cannot read zero.yaml: a pipe or a device, expected a file\n");
-  check_refused(folder, "run folder.yaml -o r", "folder.yaml: error: cannot read folder.yaml: Is a directory\n");
+  check_refused(folder, "run pipe.yaml -o r",
+                "pipe.yaml: error: cannot read pipe.yaml: a pipe or a device, expected a file\n");
+  check_refused(folder, "run zero.yaml -o r",
+                "zero.yaml: error: cannot read zero.yaml: a pipe or a device, expected a file\n");
+  check_refused(folder, "run folder.yaml -o r",
+                "folder.yaml: error: cannot read folder.yaml: Is a directory\n");
   for (const char* file : {"zero.txt", "pipe.txt", "folder.txt"}) {
-    folder.write("s.yaml", bench_with("points: [[-20, 10], [0, 10], [3, 0], [300, 0]]", "file: " + std::string(file)));
+    folder.write("s.yaml",
+                 bench_with("points: [[-20, 10], [0, 10], [3, 0], [300, 0]]", "file: " + std::string(file)));
     const Output run = call(folder, "run s.yaml -o r");
     CHECK(run.code == 2);
-    CHECK(run.err.find(std::string("s.yaml:7:33: error: terrain.file: `") + file + "` is a folder, a pipe or a device, expected a file\n") == 0);
+    CHECK(run.err.find(std::string("s.yaml:7:33: error: terrain.file: `") + file +
+                       "` is a folder, a pipe or a device, expected a file\n") == 0);
   }
   for (const char* plugin : {"zero.txt", "pipe.txt", "folder.txt"}) {
     folder.write("s.yaml", "plugins: [" + std::string(plugin) + "]\n" + bench);

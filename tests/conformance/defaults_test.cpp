@@ -1,12 +1,12 @@
-// Scenes as a user runs them: with no `solver` section. Each says in its `expect` what must hold, and runs without a fault.
-#include <catch2/catch.hpp>
-
+// Scenes as a user runs them: with no `solver` section. Each says in its `expect` what must hold, and runs
+// without a fault.
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <filesystem>
 
 #include "batch/load.h"
-#include "results/results.h"
 #include "batch/trial.h"
+#include "results/results.h"
 
 using namespace flyrock;
 

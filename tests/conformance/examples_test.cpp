@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "batch/load.h"
-#include "results/results.h"
 #include "batch/trial.h"
+#include "results/results.h"
 
 using namespace flyrock;
 

@@ -31,11 +31,13 @@ TEST_CASE("the norm blocks of 1 m3 have the published inertia") {
 TEST_CASE("a drawn polyhedron has the volume of its sphere and the vertices asked for") {
   for (const double count : {6.0, 12.0, 40.0})
     for (std::uint64_t seed = 1; seed < 20; ++seed) {
-      const Contactor3 rock = build("random_polyhedron", {{"vertices", count}, {"diameter", 0.5}, {"irregularity", 0.8}}, seed);
+      const Contactor3 rock =
+          build("random_polyhedron", {{"vertices", count}, {"diameter", 0.5}, {"irregularity", 0.8}}, seed);
       CHECK(rock.points.size() == static_cast<std::size_t>(count));  // all lie on a sphere: none inside
       CHECK(volume_properties({rock}).volume == Approx(pi / 6 * 0.125).epsilon(1e-12));
     }
-  const Contactor3 plate = build("random_polyhedron", {{"diameter", 1.0}, {"elongation", 0.9}, {"flatness", 0.2}});
+  const Contactor3 plate =
+      build("random_polyhedron", {{"diameter", 1.0}, {"elongation", 0.9}, {"flatness", 0.2}});
   const Vec3 moments = volume_properties({plate}).inertia.diagonal();
   CHECK(moments.z() > 1.5 * moments.x());
 }
@@ -56,6 +58,7 @@ TEST_CASE("a polyhedron by its points, from a text and an OBJ file") {
   std::remove(text.c_str());
   std::remove(obj.c_str());
   CHECK_THROWS_WITH(build("polyhedron", {}), "plugin polyhedron: expected either `points` or a `file`");
-  CHECK_THROWS_WITH(build("polyhedron", {{"points", std::vector<std::vector<double>>(points.begin(), points.begin() + 3)}}),
-                    "plugin polyhedron: a polyhedron has 3 points, at least 4 are needed");
+  CHECK_THROWS_WITH(
+      build("polyhedron", {{"points", std::vector<std::vector<double>>(points.begin(), points.begin() + 3)}}),
+      "plugin polyhedron: a polyhedron has 3 points, at least 4 are needed");
 }

@@ -50,7 +50,9 @@ TEST_CASE("fixed launches by components or by speed and direction") {
 }
 
 TEST_CASE("a launch that gives no elevation starts at 45 degrees") {
-  const auto elevation = [](const Launch& launch) { return std::atan2(launch.velocity.y(), launch.velocity.x()); };
+  const auto elevation = [](const Launch& launch) {
+    return std::atan2(launch.velocity.y(), launch.velocity.x());
+  };
   CHECK(elevation(launch("fixed", {{"speed", 10.0}})) == Approx(pi / 4));
   CHECK(elevation(launch("gurney", {}, ninh_dan(2.7))) == Approx(pi / 4));
   CHECK(elevation(launch("bench_fit", {{"rock", "limestone"}}, ninh_dan(2.7))) == Approx(pi / 4));
@@ -151,8 +153,9 @@ TEST_CASE("richards_moore reaches the workbook's distances") {
 }
 
 TEST_CASE("richards_moore: stemming leaves along the hole, and only stemming") {
-  const Launch behind = launch("richards_moore",
-                               {{"mode", "stemming_ejection"}, {"k", 20.0}, {"drill_angle", 110 * pi / 180}}, ninh_dan(2.7));
+  const Launch behind =
+      launch("richards_moore", {{"mode", "stemming_ejection"}, {"k", 20.0}, {"drill_angle", 110 * pi / 180}},
+             ninh_dan(2.7));
   CHECK(behind.velocity.x() < 0);
   CHECK_THROWS_WITH(launch("richards_moore", {{"mode", "stemming_ejection"}, {"k", 20.0}}, ninh_dan(2.7)),
                     "plugin richards_moore: `drill_angle` is missing, stemming leaves along the hole");
@@ -169,7 +172,8 @@ TEST_CASE("mckenzie reaches its ranges; the power 2/3 is of the diameter alone")
     Blast blast = ninh_dan(2.7);
     blast[BlastField::hole_stemming] = stemming;
     const Launch thrown = launch("mckenzie", {{"elevation", pi / 4}}, blast);
-    CHECK(reach(thrown) == Approx(range).epsilon(1e-3));  // with the power over SDoB too: 122.7, 144.4, 251.5 m
+    CHECK(reach(thrown) ==
+          Approx(range).epsilon(1e-3));  // with the power over SDoB too: 122.7, 144.4, 251.5 m
     CHECK(thrown.greatest_throw == Approx(range).epsilon(1e-3));
     CHECK(thrown.note.empty());
   }
@@ -181,7 +185,8 @@ TEST_CASE("mckenzie reaches its ranges; the power 2/3 is of the diameter alone")
 
 TEST_CASE("lundborg's distances are metres") {
   const Blast blast = ninh_dan(2.7);  // taken for feet: 200 and 31 m
-  CHECK(reach(launch("lundborg", {{"mode", "crater"}, {"elevation", pi / 4}}, blast)) == Approx(656.9).epsilon(1e-3));
+  CHECK(reach(launch("lundborg", {{"mode", "crater"}, {"elevation", pi / 4}}, blast)) ==
+        Approx(656.9).epsilon(1e-3));
   const Launch bench = launch("lundborg", {{"elevation", pi / 4}}, blast);
   CHECK(reach(bench) == Approx(101.1).epsilon(1e-3));
   CHECK(bench.greatest_throw == Approx(101.1).epsilon(1e-3));
@@ -191,7 +196,8 @@ TEST_CASE("lundborg's distances are metres") {
 TEST_CASE("at_rest and measured launches") {
   CHECK(launch("at_rest", {}).velocity == Vec3(0, 0, 0));
   const std::vector<std::vector<double>> seen{{12, 3}, {15, -4}, {18, 2}};
-  const auto made = make<VelocityModel>(session(), PluginKind::velocity, "measured", {{"velocities", seen}, {"scale", 2.0}});
+  const auto made = make<VelocityModel>(session(), PluginKind::velocity, "measured",
+                                        {{"velocities", seen}, {"scale", 2.0}});
   std::array<int, 3> drawn{};
   RandomStream rng(1, "launch", {});
   for (int i = 0; i < 3000; ++i) {
@@ -204,8 +210,8 @@ TEST_CASE("at_rest and measured launches") {
 
 TEST_CASE("measured launches of space go outward, to the left and upward") {
   const std::vector<std::vector<double>> seen{{10, 3, 5}};
-  const auto made =
-      make<VelocityModel>(session(), PluginKind::velocity, "measured", {{"velocities", seen}, {"scale", 2.0}}, 3);
+  const auto made = make<VelocityModel>(session(), PluginKind::velocity, "measured",
+                                        {{"velocities", seen}, {"scale", 2.0}}, 3);
   RandomStream rng(1, "launch", {});
   RockView rock;
   rock.dimension = 3;
@@ -223,7 +229,8 @@ const std::map<std::string, std::vector<ModelParams>>& modes() {
       {"gurney", {{}}},
       {"bench_fit", {{{"rock", "limestone"}}}},
       {"richards_moore",
-       {{{"k", 20.0}}, {{"mode", "cratering"}, {"k", 20.0}},
+       {{{"k", 20.0}},
+        {{"mode", "cratering"}, {"k", 20.0}},
         {{"mode", "stemming_ejection"}, {"k", 20.0}, {"drill_angle", 1.4}}}},
       {"mckenzie", {{}}},
       {"lundborg", {{}, {{"mode", "crater"}}}},
@@ -237,8 +244,8 @@ const std::map<std::string, std::vector<ModelParams>>& modes() {
 bool asks_for(const FieldRead& read, const PluginSpec& spec, const ModelParams& params) {
   if (read.always()) return true;
   const auto given = params.find(read.param);
-  const std::string chosen =
-      given == params.end() ? *spec.params[spec.find(read.param)].default_text : std::get<const char*>(given->second);
+  const std::string chosen = given == params.end() ? *spec.params[spec.find(read.param)].default_text
+                                                   : std::get<const char*>(given->second);
   return std::find(read.choices.begin(), read.choices.end(), chosen) != read.choices.end();
 }
 
@@ -257,7 +264,8 @@ TEST_CASE("every velocity model reads the fields of the blast that it declares, 
       Blast changed = blast;
       changed[field.field] *= 0.15;  // of a long charge mckenzie takes ten diameters
       for (const ModelParams& params : modes().at(spec.name)) {
-        const bool felt = launch(spec.name, params, changed).velocity != launch(spec.name, params, blast).velocity;
+        const bool felt =
+            launch(spec.name, params, changed).velocity != launch(spec.name, params, blast).velocity;
         const bool declared = std::any_of(spec.reads.begin(), spec.reads.end(), [&](const FieldRead& read) {
           return read.field == fmt::format("blast.{}", field.path) && asks_for(read, spec, params);
         });

@@ -65,15 +65,18 @@ class Words : public Kind {
   std::string mutant_of(const std::string& sound, Dice& dice) const {
     const std::size_t equals = sound.find('=');
     switch (dice.below(5)) {
-      case 0: return dice.pick(dictionary_.numbers);
-      case 1: return dice.pick(dictionary_.texts);
+      case 0:
+        return dice.pick(dictionary_.numbers);
+      case 1:
+        return dice.pick(dictionary_.texts);
       case 2:
         if (equals == std::string::npos) break;
         return sound.substr(0, equals + 1) + dice.pick(dictionary_.numbers);
       case 3:
         if (equals == std::string::npos) break;
         return dice.pick(dictionary_.keys) + sound.substr(equals);
-      default: break;
+      default:
+        break;
     }
     std::string value = sound;
     dice.one_in(2) ? mutate_text(value, dictionary_, dice) : mutate_bytes(value, dice);

@@ -65,7 +65,9 @@ fs::path scratch_place() {
   const fs::path memory = "/dev/shm";
   std::error_code none;
   const fs::space_info space = fs::space(memory, none);
-  return !none && space.available >= enough && ::access(memory.c_str(), W_OK) == 0 ? memory : fs::temp_directory_path();
+  return !none && space.available >= enough && ::access(memory.c_str(), W_OK) == 0
+             ? memory
+             : fs::temp_directory_path();
 }
 
 /// A folder of its own for one mutant after the other, removed at the end.
@@ -102,8 +104,8 @@ std::string joined(const std::vector<std::string>& lines) {
   return text;
 }
 
-/// Bounds what a mutant may ask for, so that a length that is none does not take the machine's memory. Sanitizers need the
-/// room of addresses for themselves.
+/// Bounds what a mutant may ask for, so that a length that is none does not take the machine's memory.
+/// Sanitizers need the room of addresses for themselves.
 void limit_memory() {
 #ifndef __SANITIZE_ADDRESS__
   const rlimit limit{most_memory, most_memory};
@@ -111,10 +113,12 @@ void limit_memory() {
 #endif
 }
 
-void judge(const Batch& batch, std::uint64_t number, const Calls& calls, const Capture& capture, Tally& tally) {
+void judge(const Batch& batch, std::uint64_t number, const Calls& calls, const Capture& capture,
+           Tally& tally) {
   ++tally.mutants;
   ++tally.codes[std::clamp(calls.gravest(), 0, 3)];
-  Finding finding{std::string(batch.kind.name), batch.seed, number, calls.fault(), joined(calls.lines()), capture.err()};
+  Finding finding{std::string(batch.kind.name), batch.seed,   number, calls.fault(),
+                  joined(calls.lines()),        capture.err()};
   if (!calls.fault().empty()) {
     ++tally.wrong;
     save(finding, fs::current_path(), batch.findings);
@@ -126,9 +130,10 @@ void judge(const Batch& batch, std::uint64_t number, const Calls& calls, const C
 }
 
 /// The child: mutants from `first` on, until the batch or its time is over.
-void attempt_all(const Batch& batch, std::uint64_t first, double deadline, const Scratch& scratch, const Capture& capture,
-                 const SharedMemory& shared) {
-  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM}) std::signal(signal, SIG_DFL);  // not those of a test program
+void attempt_all(const Batch& batch, std::uint64_t first, double deadline, const Scratch& scratch,
+                 const Capture& capture, const SharedMemory& shared) {
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM})
+    std::signal(signal, SIG_DFL);  // not those of a test program
   limit_memory();
   fs::current_path(scratch.path());
   capture.redirect();
@@ -167,7 +172,8 @@ bool ended_by_force(pid_t child, const SharedMemory& shared, int& status) {
     const double now = seconds_of(CLOCK_MONOTONIC);
     if (!shared->attempts || !sleeps(child)) last_awake = now;
     if (!shared->attempts) continue;
-    if (seconds_of(clock) - shared->processor_before < most_seconds && now - last_awake < most_seconds) continue;
+    if (seconds_of(clock) - shared->processor_before < most_seconds && now - last_awake < most_seconds)
+      continue;
     ::kill(child, SIGKILL);
     ::waitpid(child, &status, 0);
     return true;
@@ -211,8 +217,9 @@ std::uint64_t run_batch(const Batch& batch, Tally& tally) {
     if (!hung && WIFEXITED(status) && WEXITSTATUS(status) == 0) break;
     ++shared->tally.mutants;
     ++(hung ? shared->tally.hangs : shared->tally.signals);
-    save({std::string(batch.kind.name), batch.seed, next, hung ? "hang" : how_it_ended(status), "", capture.err()}, scratch.path(),
-         batch.findings);
+    save({std::string(batch.kind.name), batch.seed, next, hung ? "hang" : how_it_ended(status), "",
+          capture.err()},
+         scratch.path(), batch.findings);
     ++next;
   }
   tally = shared->tally;

@@ -56,7 +56,8 @@ std::string Capture::err() const {
   flush();
   std::string text;
   char block[4096];
-  for (ssize_t count; (count = ::pread(::fileno(err_), block, sizeof block, static_cast<off_t>(text.size()))) > 0;)
+  for (ssize_t count;
+       (count = ::pread(::fileno(err_), block, sizeof block, static_cast<off_t>(text.size()))) > 0;)
     text.append(block, static_cast<std::size_t>(count));
   return text;
 }

@@ -30,7 +30,8 @@ std::vector<Source> sources_in(const std::vector<std::string>& folders, const st
       Source source{fs::relative(path, root).string(), read_file(path), {}};
       for (const std::string& other : beside)
         for (const fs::path& file : files_below(path.parent_path(), other))
-          if (file != path) source.beside.emplace_back(fs::relative(file, path.parent_path()).string(), read_file(file));
+          if (file != path)
+            source.beside.emplace_back(fs::relative(file, path.parent_path()).string(), read_file(file));
       sources.push_back(std::move(source));
     }
   return sources;
@@ -40,7 +41,8 @@ std::string read_source(const std::string& name) { return read_file(fs::path(FLY
 
 void write_here(const std::string& name, const std::string& bytes) {
   if (const fs::path folder = fs::path(name).parent_path(); !folder.empty()) fs::create_directories(folder);
-  std::ofstream(name, std::ios::binary) << bytes;  // not synced as write_file does: mutants are many and go away
+  std::ofstream(name, std::ios::binary)
+      << bytes;  // not synced as write_file does: mutants are many and go away
 }
 
 }  // namespace flyrock::fuzz

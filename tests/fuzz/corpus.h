@@ -11,12 +11,14 @@ namespace flyrock::fuzz {
 struct Source {
   std::string name;  ///< its path below the source tree
   std::string text;
-  std::vector<std::pair<std::string, std::string>> beside;  ///< names and texts of files of its folder that it may name
+  std::vector<std::pair<std::string, std::string>>
+      beside;  ///< names and texts of files of its folder that it may name
 
   std::filesystem::path file() const { return std::filesystem::path(name).filename(); }
 };
 
-/// The files with this extension below folders of the source tree, by name; `beside` those with the extensions given.
+/// The files with this extension below folders of the source tree, by name; `beside` those with the
+/// extensions given.
 std::vector<Source> sources_in(const std::vector<std::string>& folders, const std::string& extension,
                                const std::vector<std::string>& beside = {});
 

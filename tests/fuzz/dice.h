@@ -1,6 +1,6 @@
 #pragma once
-// The choices of a mutation: a function of the seed, the name of what is mutated and the number of the mutant, on every
-// machine the same.
+// The choices of a mutation: a function of the seed, the name of what is mutated and the number of the
+// mutant, on every machine the same.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +13,8 @@ namespace flyrock::fuzz {
 
 class Dice {
  public:
-  Dice(std::uint64_t seed, std::string_view name, std::uint64_t number) : stream_(seed, name, {.trial = number}) {}
+  Dice(std::uint64_t seed, std::string_view name, std::uint64_t number)
+      : stream_(seed, name, {.trial = number}) {}
 
   /// From 0 to count - 1; `count` is above 0.
   std::size_t below(std::size_t count) {

@@ -1,18 +1,20 @@
 #pragma once
-// What mutations insert: the keys of scenarios and plugins, their words, units, and numbers and texts that readers get wrong.
+// What mutations insert: the keys of scenarios and plugins, their words, units, and numbers and texts that
+// readers get wrong.
 
 #include <string>
 #include <vector>
 
 #include "dice.h"
-#include "plugin/registry.h"
 #include "document/value.h"
+#include "plugin/registry.h"
 
 namespace flyrock::fuzz {
 
 struct Dictionary {
-  std::vector<std::string> keys;     ///< of every section, of every parameter, of distributions, sweeps and manifests
-  std::vector<std::string> words;    ///< choices, kinds and names of plugins, measures, fields of contacts
+  std::vector<std::string>
+      keys;  ///< of every section, of every parameter, of distributions, sweeps and manifests
+  std::vector<std::string> words;  ///< choices, kinds and names of plugins, measures, fields of contacts
   std::vector<std::string> units;
   std::vector<std::string> numbers;  ///< as they are written: "1e308", "010", ".nan"
   std::vector<std::string> texts;    ///< empty, very long, no UTF-8, with control characters

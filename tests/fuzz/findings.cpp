@@ -16,13 +16,15 @@ namespace {
 constexpr std::ptrdiff_t most_saved = 100;
 
 void append_line(const Finding& finding, const fs::path& file) {
-  std::ofstream(file, std::ios::app) << fmt::format("{} {} {} {}\n", finding.kind, finding.seed, finding.number, printable(finding.what));
+  std::ofstream(file, std::ios::app) << fmt::format("{} {} {} {}\n", finding.kind, finding.seed,
+                                                    finding.number, printable(finding.what));
 }
 
 std::ptrdiff_t saved_of(const std::string& kind, const fs::path& folder) {
-  return std::count_if(fs::directory_iterator(folder), fs::directory_iterator(), [&](const fs::directory_entry& entry) {
-    return entry.path().filename().string().starts_with(kind + "-");
-  });
+  return std::count_if(fs::directory_iterator(folder), fs::directory_iterator(),
+                       [&](const fs::directory_entry& entry) {
+                         return entry.path().filename().string().starts_with(kind + "-");
+                       });
 }
 
 }  // namespace

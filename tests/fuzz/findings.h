@@ -15,8 +15,8 @@ struct Finding {
   std::string err;    ///< what was said on stderr
 };
 
-/// Copies the files of the mutant from `from` to <folder>/<kind>-<seed>-<number>, with what.txt beside them, and appends a
-/// line to <folder>/findings.txt. Of a kind 100 are kept.
+/// Copies the files of the mutant from `from` to <folder>/<kind>-<seed>-<number>, with what.txt beside them,
+/// and appends a line to <folder>/findings.txt. Of a kind 100 are kept.
 void save(const Finding& finding, const std::filesystem::path& from, const std::filesystem::path& folder);
 
 /// Appends a line to <folder>/rock_faults.txt: rocks may fail, but why is worth a look.

@@ -1,17 +1,20 @@
-// The same mutants each time: whoever makes one of them crash, hang or fail without a line finds out before a long fuzzing does.
-
-#include <catch2/catch.hpp>
+// The same mutants each time: whoever makes one of them crash, hang or fail without a line finds out before a
+// long fuzzing does.
 
 #include <unistd.h>
+
+#include <catch2/catch.hpp>
 
 #include "fuzz.h"
 
 using namespace flyrock::fuzz;
 
-TEST_CASE("2000 fixed mutants give no signal, no hang, documented exit codes and errors that say where", "[slow]") {
+TEST_CASE("2000 fixed mutants give no signal, no hang, documented exit codes and errors that say where",
+          "[slow]") {
   FuzzSettings settings;
   settings.mutants = 2000;
-  settings.findings = std::filesystem::temp_directory_path() / ("flyrock_fuzz_findings_" + std::to_string(::getpid()));
+  settings.findings =
+      std::filesystem::temp_directory_path() / ("flyrock_fuzz_findings_" + std::to_string(::getpid()));
   const std::vector<KindTally> tallies = fuzz(settings);
   INFO(table_of(tallies) << settings.findings << " has the mutants");
   CHECK(sum_of(tallies).mutants >= 1800);  // without HDF5 there are fewer

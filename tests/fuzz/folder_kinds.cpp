@@ -65,7 +65,8 @@ std::vector<std::string> names_without(const Files& files, const std::string& ex
 
 std::uint64_t word_at(const std::string& bytes, std::size_t at) {
   std::uint64_t word = 0;
-  for (std::size_t i = 0; i < 8; ++i) word |= std::uint64_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
+  for (std::size_t i = 0; i < 8; ++i)
+    word |= std::uint64_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
   return word;
 }
 
@@ -73,7 +74,8 @@ void set_word(std::string& bytes, std::size_t at, std::uint64_t word) {
   for (std::size_t i = 0; i < 8; ++i) bytes[at + i] = static_cast<char>(word >> (8 * i));
 }
 
-constexpr std::size_t chunk_header = 8 + 8 + 8 + 64 + 4 * 8;  // magic, format, hash with its length, the range
+constexpr std::size_t chunk_header =
+    8 + 8 + 8 + 64 + 4 * 8;  // magic, format, hash with its length, the range
 
 /// Makes the checksums of a chunk right again, as a hostile hand would: the tables behind them are then read.
 void seal(std::string& bytes) {
@@ -81,7 +83,8 @@ void seal(std::string& bytes) {
     const std::uint64_t length = word_at(bytes, at);
     at += 8;
     if (length > bytes.size() - at || bytes.size() - at - length < 8) return;
-    set_word(bytes, at + length, ::crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data() + at), length));
+    set_word(bytes, at + length,
+             ::crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data() + at), length));
     at += length + 8;
   }
 }
@@ -115,7 +118,8 @@ class Shards : public Kind {
 void change_database(const std::string& file, const std::vector<std::string>& statements) {
   sqlite3* database = nullptr;
   if (sqlite3_open(file.c_str(), &database) == SQLITE_OK)
-    for (const std::string& statement : statements) sqlite3_exec(database, statement.c_str(), nullptr, nullptr, nullptr);
+    for (const std::string& statement : statements)
+      sqlite3_exec(database, statement.c_str(), nullptr, nullptr, nullptr);
   sqlite3_close(database);
 }
 
@@ -132,7 +136,9 @@ std::vector<Column> columns_of(const std::string& file) {
     return 0;
   };
   if (sqlite3_open(file.c_str(), &database) == SQLITE_OK)
-    sqlite3_exec(database, "SELECT m.name, c.name FROM sqlite_master m, pragma_table_info(m.name) c WHERE m.type = 'table' ORDER BY 1, 2",
+    sqlite3_exec(database,
+                 "SELECT m.name, c.name FROM sqlite_master m, pragma_table_info(m.name) c WHERE m.type = "
+                 "'table' ORDER BY 1, 2",
                  add, &columns, nullptr);
   sqlite3_close(database);
   return columns;
@@ -166,14 +172,20 @@ class Results : public Kind {
 
  private:
   std::vector<std::string> statements(Dice& dice) const {
-    static const std::vector<const char*> values = {"NULL", "1e300", "-1", "9223372036854775807", "'oops'", "''", "x'00ff'", "0"};
+    static const std::vector<const char*> values = {"NULL",   "1e300", "-1",      "9223372036854775807",
+                                                    "'oops'", "''",    "x'00ff'", "0"};
     const Column& column = dice.pick(columns_);
     switch (dice.below(6)) {
-      case 0: return {"DROP TABLE " + column.table};
-      case 1: return {"DELETE FROM " + column.table + " WHERE rowid % 2 = 0"};
-      case 2: return {"ALTER TABLE " + column.table + " RENAME COLUMN " + column.name + " TO other"};
-      case 3: return {"INSERT INTO " + column.table + " SELECT * FROM " + column.table};
-      default: return {"UPDATE " + column.table + " SET " + column.name + " = " + dice.pick(values)};
+      case 0:
+        return {"DROP TABLE " + column.table};
+      case 1:
+        return {"DELETE FROM " + column.table + " WHERE rowid % 2 = 0"};
+      case 2:
+        return {"ALTER TABLE " + column.table + " RENAME COLUMN " + column.name + " TO other"};
+      case 3:
+        return {"INSERT INTO " + column.table + " SELECT * FROM " + column.table};
+      default:
+        return {"UPDATE " + column.table + " SET " + column.name + " = " + dice.pick(values)};
     }
   }
 

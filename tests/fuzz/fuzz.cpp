@@ -13,20 +13,24 @@ namespace {
 
 constexpr std::uint64_t batch_size = 1000;
 
-double share_of(const FuzzSettings& settings, const KindEntry& kind) { return settings.kind.empty() ? kind.share / 100.0 : 1; }
+double share_of(const FuzzSettings& settings, const KindEntry& kind) {
+  return settings.kind.empty() ? kind.share / 100.0 : 1;
+}
 
 Tally tally_of(const FuzzSettings& settings, const KindEntry& kind) {
   using Clock = std::chrono::steady_clock;
   const double share = share_of(settings, kind);
   const std::uint64_t wanted =
-      settings.mutants > 0 ? static_cast<std::uint64_t>(static_cast<double>(settings.mutants) * share + 0.5) : ~std::uint64_t{0};
+      settings.mutants > 0 ? static_cast<std::uint64_t>(static_cast<double>(settings.mutants) * share + 0.5)
+                           : ~std::uint64_t{0};
   const double seconds = settings.mutants > 0 ? 1e9 : share * settings.seconds;
   const Clock::time_point start = Clock::now();
   Tally tally;
   for (std::uint64_t next = 0; next < wanted;) {
     const double left = seconds - std::chrono::duration<double>(Clock::now() - start).count();
     if (left <= 0) break;
-    next = run_batch({kind, settings.seed, next, std::min(batch_size, wanted - next), left, settings.findings}, tally);
+    next = run_batch(
+        {kind, settings.seed, next, std::min(batch_size, wanted - next), left, settings.findings}, tally);
   }
   return tally;
 }
@@ -41,8 +45,9 @@ void add(Tally& sum, const Tally& more) {
 }
 
 std::string row_of(const std::string& kind, const Tally& t) {
-  return fmt::format("{:<10} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", kind, t.mutants, t.codes[0], t.codes[1], t.codes[2],
-                     t.codes[3], t.signals, t.hangs, t.wrong, t.rock_faults);
+  return fmt::format("{:<10} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", kind, t.mutants,
+                     t.codes[0], t.codes[1], t.codes[2], t.codes[3], t.signals, t.hangs, t.wrong,
+                     t.rock_faults);
 }
 
 }  // namespace
@@ -65,8 +70,9 @@ Tally sum_of(const std::vector<KindTally>& tallies) {
 }
 
 std::string table_of(const std::vector<KindTally>& tallies) {
-  std::string table = fmt::format("{:<10} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "kind", "mutants", "exit 0", "exit 1", "exit 2",
-                                  "exit 3", "signals", "hangs", "wrong", "faults");
+  std::string table =
+      fmt::format("{:<10} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "kind", "mutants",
+                  "exit 0", "exit 1", "exit 2", "exit 3", "signals", "hangs", "wrong", "faults");
   for (const KindTally& each : tallies) table += row_of(each.kind, each.tally);
   return table + row_of("all", sum_of(tallies));
 }

@@ -46,8 +46,9 @@ std::vector<std::string> error_lines(const std::string& err) {
 
 /// Texts of libraries and of the language, which name nothing that a user wrote.
 std::string library_text(const std::string& err) {
-  constexpr std::array texts = {"json.exception", "HDF5-DIAG", "basic_string", "std::", "bad_alloc", "vector::_M", "terminate called",
-                                "malformed database", "filesystem error", "map::at", "stoi", "stod"};
+  constexpr std::array texts = {
+      "json.exception",   "HDF5-DIAG",          "basic_string",     "std::",   "bad_alloc", "vector::_M",
+      "terminate called", "malformed database", "filesystem error", "map::at", "stoi",      "stod"};
   for (const char* text : texts)
     if (err.find(text) != std::string::npos) return text;
   return {};
@@ -55,7 +56,8 @@ std::string library_text(const std::string& err) {
 
 /// Whether a run ended with rocks that failed, and says so.
 bool says_faults(const std::string& err) {
-  return err.find("error: point ") != std::string::npos || err.find("the run ended early") != std::string::npos;
+  return err.find("error: point ") != std::string::npos ||
+         err.find("the run ended early") != std::string::npos;
 }
 
 bool has_code(const std::string& command, int code, const std::string& err) {
@@ -70,15 +72,18 @@ std::string fault_of(const cli::Arguments& arguments, int code, const std::strin
   const std::string command = arguments.empty() ? "" : arguments.front();
   const std::vector<std::string> errors = error_lines(err);
   const std::string first = errors.empty() ? "" : errors.front();
-  if (!has_code(command, code, err)) return fmt::format("exit code {} of {}: {}", code, command, first.empty() ? err : first);
-  if (const std::string text = library_text(err); !text.empty()) return fmt::format("text of a library ({}): {}", text, first);
+  if (!has_code(command, code, err))
+    return fmt::format("exit code {} of {}: {}", code, command, first.empty() ? err : first);
+  if (const std::string text = library_text(err); !text.empty())
+    return fmt::format("text of a library ({}): {}", text, first);
   std::string one_line = err;
   std::replace(one_line.begin(), one_line.end(), '\n', ' ');
   if (const std::string text = text_fault(one_line); !text.empty()) return "the error text " + text;
   if (code == cli::bad_input) {
     if (errors.empty()) return "bad input without an error";
     for (const std::string& line : errors)
-      if (form == ErrorForm::placed ? !begins_with_place(line) : !begins_with_name(line)) return "without a line: " + line;
+      if (form == ErrorForm::placed ? !begins_with_place(line) : !begins_with_name(line))
+        return "without a line: " + line;
   } else if (code != cli::faults && !errors.empty()) {
     return fmt::format("exit code {} with an error: {}", code, first);
   }

@@ -1,5 +1,5 @@
-// flyrock_fuzz: tries mutants of every kind of input against the commands that read it. CONTRIBUTING.md says how to read
-// what it prints.
+// flyrock_fuzz: tries mutants of every kind of input against the commands that read it. CONTRIBUTING.md says
+// how to read what it prints.
 
 #include <fmt/format.h>
 
@@ -21,13 +21,15 @@ constexpr cli::Command self = {"fuzz", "fuzz [options]", "tries mutants of every
 
 po::options_description fuzz_options() {
   po::options_description options("options");
-  options.add_options()
-      ("seconds", po::value<std::string>()->default_value("60")->value_name("S"), "for all kinds together")
-      ("mutants", po::value<std::string>()->value_name("N"), "so many, in place of --seconds")
-      ("seed", po::value<std::string>()->default_value("1")->value_name("S"), "of the mutants")
-      ("kind", po::value<std::string>()->value_name("K"), "only yaml, lua, plugin, chunk, hdf5, result or arguments")
-      ("number", po::value<std::string>()->value_name("N"), "with --kind: one mutant, in this process; its files stay")
-      ("output,o", po::value<std::string>()->default_value("out/fuzz")->value_name("DIR"), "what was found");
+  options.add_options()("seconds", po::value<std::string>()->default_value("60")->value_name("S"),
+                        "for all kinds together")("mutants", po::value<std::string>()->value_name("N"),
+                                                  "so many, in place of --seconds")(
+      "seed", po::value<std::string>()->default_value("1")->value_name("S"), "of the mutants")(
+      "kind", po::value<std::string>()->value_name("K"),
+      "only yaml, lua, plugin, chunk, hdf5, result or arguments")(
+      "number", po::value<std::string>()->value_name("N"),
+      "with --kind: one mutant, in this process; its files stay")(
+      "output,o", po::value<std::string>()->default_value("out/fuzz")->value_name("DIR"), "what was found");
   return options;
 }
 
@@ -57,7 +59,8 @@ int run(const cli::CommandLine& line) {
   const std::vector<KindTally> tallies = flyrock::fuzz::fuzz(settings);
   fmt::print("seed {}\n{}", settings.seed, table_of(tallies));
   if (sum_of(tallies).findings() == 0) return 0;
-  fmt::print("{} lists what was found, the mutants are beside it\n", (settings.findings / "findings.txt").string());
+  fmt::print("{} lists what was found, the mutants are beside it\n",
+             (settings.findings / "findings.txt").string());
   return 1;
 }
 

@@ -49,13 +49,19 @@ std::vector<Token> tokens_of(const std::string& text) {
 
 std::string replacement(const Token& token, const Dictionary& dictionary, Dice& dice) {
   switch (token.kind) {
-    case TokenKind::number: return dice.pick(dictionary.numbers);
-    case TokenKind::word: return dice.one_in(2) ? dice.pick(dictionary.words) : dice.pick(dictionary.keys);
-    case TokenKind::quoted: return '"' + (dice.one_in(2) ? dice.pick(dictionary.texts) : dice.pick(dictionary.words)) + '"';
-    case TokenKind::blank: return dice.one_in(2) ? "\n" : " ";
-    case TokenKind::sign: break;
+    case TokenKind::number:
+      return dice.pick(dictionary.numbers);
+    case TokenKind::word:
+      return dice.one_in(2) ? dice.pick(dictionary.words) : dice.pick(dictionary.keys);
+    case TokenKind::quoted:
+      return '"' + (dice.one_in(2) ? dice.pick(dictionary.texts) : dice.pick(dictionary.words)) + '"';
+    case TokenKind::blank:
+      return dice.one_in(2) ? "\n" : " ";
+    case TokenKind::sign:
+      break;
   }
-  static const std::vector<const char*> signs = {"{", "}", "[", "]", "(", ")", ",", ":", "=", "-", ".", "#", "..", "<", "~", "&", "*"};
+  static const std::vector<const char*> signs = {"{", "}", "[", "]",  "(", ")", ",", ":", "=",
+                                                 "-", ".", "#", "..", "<", "~", "&", "*"};
   return dice.pick(signs);
 }
 
@@ -64,13 +70,24 @@ void change_token(std::string& text, const Dictionary& dictionary, Dice& dice) {
   if (tokens.empty()) return;
   // Numbers, words and texts say something; blanks and signs are touched less often.
   Token* token = &dice.pick(tokens);
-  for (int i = 0; i < 3 && (token->kind == TokenKind::blank || token->kind == TokenKind::sign); ++i) token = &dice.pick(tokens);
+  for (int i = 0; i < 3 && (token->kind == TokenKind::blank || token->kind == TokenKind::sign); ++i)
+    token = &dice.pick(tokens);
   switch (dice.below(8)) {
-    case 0: token->text.clear(); break;
-    case 1: token->text += token->text; break;
-    case 2: std::swap(token->text, dice.pick(tokens).text); break;
-    case 3: token->text = dice.pick(dictionary.numbers); break;
-    default: token->text = replacement(*token, dictionary, dice); break;
+    case 0:
+      token->text.clear();
+      break;
+    case 1:
+      token->text += token->text;
+      break;
+    case 2:
+      std::swap(token->text, dice.pick(tokens).text);
+      break;
+    case 3:
+      token->text = dice.pick(dictionary.numbers);
+      break;
+    default:
+      token->text = replacement(*token, dictionary, dice);
+      break;
   }
   text.clear();
   for (const Token& each : tokens) text += each.text;
@@ -86,9 +103,15 @@ void change_line(std::string& text, Dice& dice) {
   if (lines.empty()) return;
   std::string& line = dice.pick(lines);
   switch (dice.below(3)) {
-    case 0: line.clear(); break;
-    case 1: line += line; break;
-    default: std::swap(line, dice.pick(lines)); break;
+    case 0:
+      line.clear();
+      break;
+    case 1:
+      line += line;
+      break;
+    default:
+      std::swap(line, dice.pick(lines));
+      break;
   }
   text.clear();
   for (const std::string& each : lines) text += each;
@@ -103,10 +126,20 @@ std::string word_of(std::uint64_t number) {
 
 std::string nasty_word(Dice& dice) {
   using Limits = std::numeric_limits<double>;
-  static const std::vector<std::uint64_t> words = {
-      0, 1, 255, 0x7fffffff, 0x80000000, 0xffffffff, std::uint64_t{1} << 29, std::uint64_t{1} << 40, std::uint64_t{1} << 63, ~std::uint64_t{0},
-      std::bit_cast<std::uint64_t>(Limits::quiet_NaN()), std::bit_cast<std::uint64_t>(Limits::infinity()),
-      std::bit_cast<std::uint64_t>(-1e300), std::bit_cast<std::uint64_t>(Limits::denorm_min())};
+  static const std::vector<std::uint64_t> words = {0,
+                                                   1,
+                                                   255,
+                                                   0x7fffffff,
+                                                   0x80000000,
+                                                   0xffffffff,
+                                                   std::uint64_t{1} << 29,
+                                                   std::uint64_t{1} << 40,
+                                                   std::uint64_t{1} << 63,
+                                                   ~std::uint64_t{0},
+                                                   std::bit_cast<std::uint64_t>(Limits::quiet_NaN()),
+                                                   std::bit_cast<std::uint64_t>(Limits::infinity()),
+                                                   std::bit_cast<std::uint64_t>(-1e300),
+                                                   std::bit_cast<std::uint64_t>(Limits::denorm_min())};
   return word_of(dice.pick(words));
 }
 
@@ -115,13 +148,27 @@ void change_bytes(std::string& bytes, Dice& dice, std::size_t from) {
   const std::size_t at = from + dice.below(bytes.size() - from);
   const std::size_t length = 1 + dice.below(std::min<std::size_t>(64, bytes.size() - at));
   switch (dice.below(8)) {
-    case 0: bytes[at] = static_cast<char>(dice.below(256)); break;
-    case 1: bytes.erase(at, length); break;
-    case 2: bytes.insert(at, bytes.substr(at, length)); break;
-    case 3: bytes.insert(at, 1 + dice.below(16), static_cast<char>(dice.below(256))); break;
-    case 4: bytes.replace(at, 8, nasty_word(dice)); break;
-    case 5: bytes.resize(at); break;
-    default: bytes[at] = static_cast<char>(bytes[at] ^ (1 << dice.below(8))); break;
+    case 0:
+      bytes[at] = static_cast<char>(dice.below(256));
+      break;
+    case 1:
+      bytes.erase(at, length);
+      break;
+    case 2:
+      bytes.insert(at, bytes.substr(at, length));
+      break;
+    case 3:
+      bytes.insert(at, 1 + dice.below(16), static_cast<char>(dice.below(256)));
+      break;
+    case 4:
+      bytes.replace(at, 8, nasty_word(dice));
+      break;
+    case 5:
+      bytes.resize(at);
+      break;
+    default:
+      bytes[at] = static_cast<char>(bytes[at] ^ (1 << dice.below(8)));
+      break;
   }
 }
 

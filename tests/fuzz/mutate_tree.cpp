@@ -26,7 +26,8 @@ struct Places {
 
 void change_value(Places& places, const Dictionary& dictionary, Dice& dice) {
   Value& value = *dice.pick(places.values);
-  if (&value == places.values.front()) return;  // the document stays a map, else there is nothing to be wrong in it
+  if (&value == places.values.front())
+    return;  // the document stays a map, else there is nothing to be wrong in it
   if (double* number = std::get_if<double>(&value.data); number && dice.one_in(3)) {
     static const std::vector<double> factors = {-1, 0, 0.1, 10, 1e-6, 1e6, 0.999999, 1e100};
     *number *= dice.pick(factors);
@@ -48,10 +49,18 @@ void change_map(Places& places, const Dictionary& dictionary, Dice& dice) {
   Map& map = *dice.pick(places.maps)->map();
   const std::size_t at = dice.below(map.size());
   switch (dice.below(5)) {
-    case 0: map.erase(map.begin() + static_cast<std::ptrdiff_t>(at)); break;
-    case 1: map.push_back(Entry(map[at])); break;
-    case 2: map[at].key = dice.one_in(4) ? dice.pick(dictionary.texts) : dice.pick(dictionary.keys); break;
-    default: map.push_back({dice.pick(dictionary.keys), {}, some_value(dictionary, dice)}); break;
+    case 0:
+      map.erase(map.begin() + static_cast<std::ptrdiff_t>(at));
+      break;
+    case 1:
+      map.push_back(Entry(map[at]));
+      break;
+    case 2:
+      map[at].key = dice.one_in(4) ? dice.pick(dictionary.texts) : dice.pick(dictionary.keys);
+      break;
+    default:
+      map.push_back({dice.pick(dictionary.keys), {}, some_value(dictionary, dice)});
+      break;
   }
 }
 
@@ -60,10 +69,18 @@ void change_list(Places& places, const Dictionary& dictionary, Dice& dice) {
   List& list = *dice.pick(places.lists)->list();
   const std::size_t at = dice.below(list.size());
   switch (dice.below(4)) {
-    case 0: list.erase(list.begin() + static_cast<std::ptrdiff_t>(at)); break;
-    case 1: list.push_back(Value(list[at])); break;
-    case 2: list.insert(list.begin() + static_cast<std::ptrdiff_t>(at), some_value(dictionary, dice)); break;
-    default: std::swap(list[at], dice.pick(list)); break;
+    case 0:
+      list.erase(list.begin() + static_cast<std::ptrdiff_t>(at));
+      break;
+    case 1:
+      list.push_back(Value(list[at]));
+      break;
+    case 2:
+      list.insert(list.begin() + static_cast<std::ptrdiff_t>(at), some_value(dictionary, dice));
+      break;
+    default:
+      std::swap(list[at], dice.pick(list));
+      break;
   }
 }
 
@@ -107,7 +124,8 @@ std::string lua_value(const Value& value, int indent) {
   if (const List* list = value.list())
     for (const Value& item : *list) out += margin + lua_value(item, indent + 2) + ",\n";
   if (const Map* map = value.map())
-    for (const Entry& entry : *map) out += margin + "[" + lua_text(entry.key) + "] = " + lua_value(entry.value, indent + 2) + ",\n";
+    for (const Entry& entry : *map)
+      out += margin + "[" + lua_text(entry.key) + "] = " + lua_value(entry.value, indent + 2) + ",\n";
   return out + margin + "}";
 }
 
@@ -117,12 +135,25 @@ void mutate_tree(Value& root, const Dictionary& dictionary, Dice& dice) {
   do {
     Places places(root);
     switch (dice.below(9)) {
-      case 0: swap_values(places, dice); break;
-      case 1: case 2: change_map(places, dictionary, dice); break;
-      case 3: change_list(places, dictionary, dice); break;
-      case 4: transplant(places, dice); break;
-      case 5: wrap(places, dictionary, dice); break;
-      default: change_value(places, dictionary, dice); break;
+      case 0:
+        swap_values(places, dice);
+        break;
+      case 1:
+      case 2:
+        change_map(places, dictionary, dice);
+        break;
+      case 3:
+        change_list(places, dictionary, dice);
+        break;
+      case 4:
+        transplant(places, dice);
+        break;
+      case 5:
+        wrap(places, dictionary, dice);
+        break;
+      default:
+        change_value(places, dictionary, dice);
+        break;
     }
   } while (dice.one_in(3));
 }

@@ -5,8 +5,8 @@
 
 namespace flyrock::fuzz {
 
-/// One to four changes: a value is replaced, swapped with another, wrapped or emptied; a key is removed, doubled, renamed or
-/// added with a value of the dictionary.
+/// One to four changes: a value is replaced, swapped with another, wrapped or emptied; a key is removed,
+/// doubled, renamed or added with a value of the dictionary.
 void mutate_tree(Value& root, const Dictionary& dictionary, Dice& dice);
 
 /// The tree as a scenario in Lua: `return fr.scenario { ... }`.

@@ -76,13 +76,20 @@ Problem global_problem() {
 }
 
 template <class Number>
-void change(std::vector<std::pair<std::string, std::vector<Number>>>& sets, const std::vector<Number>& nasty, Dice& dice) {
+void change(std::vector<std::pair<std::string, std::vector<Number>>>& sets, const std::vector<Number>& nasty,
+            Dice& dice) {
   const std::size_t at = dice.below(sets.size());
   std::vector<Number>& numbers = sets[at].second;
   switch (dice.below(6)) {
-    case 0: sets.erase(sets.begin() + static_cast<std::ptrdiff_t>(at)); break;
-    case 1: numbers.push_back(dice.pick(nasty)); break;
-    case 2: numbers.resize(dice.below(numbers.size() + 1)); break;
+    case 0:
+      sets.erase(sets.begin() + static_cast<std::ptrdiff_t>(at));
+      break;
+    case 1:
+      numbers.push_back(dice.pick(nasty));
+      break;
+    case 2:
+      numbers.resize(dice.below(numbers.size() + 1));
+      break;
     default:
       if (!numbers.empty()) dice.pick(numbers) = dice.pick(nasty);
   }
@@ -106,8 +113,10 @@ class Problems : public Kind {
 
  private:
   static void change_numbers(Problem& problem, Dice& dice) {
-    static const std::vector<std::int32_t> integers = {0, 1, -1, -2, -3, 2, 3, 4, 6, 7, 100, 100'000'000, 2147483647, -2147483647};
-    static const std::vector<double> doubles = {0, -0.0, 1, -1, 1e-300, 1e-16, 1e16, 1e155, 1e300, -1e300, 1e308, 5e-324, 0.5, -2};
+    static const std::vector<std::int32_t> integers = {0, 1, -1, -2,  -3,          2,          3,
+                                                       4, 6, 7,  100, 100'000'000, 2147483647, -2147483647};
+    static const std::vector<double> doubles = {0,     -0.0,  1,      -1,    1e-300, 1e-16, 1e16,
+                                                1e155, 1e300, -1e300, 1e308, 5e-324, 0.5,   -2};
     do dice.one_in(2) ? change(problem.integers, integers, dice) : change(problem.doubles, doubles, dice);
     while (dice.one_in(3));
   }

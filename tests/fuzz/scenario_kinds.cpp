@@ -1,12 +1,12 @@
 // Scenarios in YAML and Lua, as trees and as text.
 
 #include "corpus.h"
+#include "document/yaml_reader.h"
 #include "host/session.h"
 #include "host/share.h"
 #include "kind.h"
 #include "mutate_text.h"
 #include "mutate_tree.h"
-#include "document/yaml_reader.h"
 
 namespace flyrock::fuzz {
 
@@ -17,7 +17,9 @@ Dictionary dictionary_of_plugins() { return make_dictionary(LuaSession(share_fol
 /// `check`, and where the scenario is sound a run of two trials that ends early.
 void check_and_run(const std::string& scenario, Calls& call) {
   if (call({"check", scenario}, ErrorForm::placed) != cli::done) return;
-  call({"run", scenario, "-o", "out", "--force", "--quiet", "-j", "1", "--trials", "2", "--set", "stop.time=0.5"}, ErrorForm::placed);
+  call({"run", scenario, "-o", "out", "--force", "--quiet", "-j", "1", "--trials", "2", "--set",
+        "stop.time=0.5"},
+       ErrorForm::placed);
 }
 
 Value tree_of(const Source& source) {

@@ -1,5 +1,5 @@
-// Malformed scenarios: each file of tests/scenarios/bad gives exactly the text of its .expect, when it is read or when its
-// first trials are made.
+// Malformed scenarios: each file of tests/scenarios/bad gives exactly the text of its .expect, when it is
+// read or when its first trials are made.
 
 #include <catch2/catch.hpp>
 #include <cstdlib>
@@ -49,7 +49,9 @@ void check_text(const flyrock::Diagnostics& diagnostics, const fs::path& path) {
   CHECK(diagnostics.to_text() == read(expect));
 }
 
-fs::path folder_of(const std::string& name) { return fs::path(FLYROCK_SOURCE_DIR) / "tests/scenarios" / name; }
+fs::path folder_of(const std::string& name) {
+  return fs::path(FLYROCK_SOURCE_DIR) / "tests/scenarios" / name;
+}
 
 /// Every file with this extension in a folder beside this one gives the text of its .expect.
 void check_messages(const std::string& name, const std::string& extension, std::size_t at_least) {
@@ -68,7 +70,9 @@ void check_messages(const std::string& name, const std::string& extension, std::
 }  // namespace
 
 TEST_CASE("malformed scenarios give their exact error texts") { check_messages("bad", ".yaml", 20); }
-TEST_CASE("malformed scenarios in Lua give their exact error texts", "[slow]") { check_messages("bad_lua", ".lua", 12); }
+TEST_CASE("malformed scenarios in Lua give their exact error texts", "[slow]") {
+  check_messages("bad_lua", ".lua", 12);
+}
 
 TEST_CASE("shipped scenarios load, and what they resolve to loads as the same plan") {
   for (const char* folder : {"scenarios/course", "scenarios/ninh_dan"}) {

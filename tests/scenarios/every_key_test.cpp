@@ -1,5 +1,5 @@
-// Every key of a scenario with values that do not belong there. Each is refused at its place, or taken; none ends the
-// program. The scenarios of tests/scenarios/every_key hold all keys of the schema.
+// Every key of a scenario with values that do not belong there. Each is refused at its place, or taken; none
+// ends the program. The scenarios of tests/scenarios/every_key hold all keys of the schema.
 
 #include <catch2/catch.hpp>
 #include <chrono>
@@ -9,11 +9,11 @@
 #include <limits>
 #include <set>
 
-#include "results/clearance.h"
 #include "batch/runners.h"
+#include "document/yaml_reader.h"
+#include "results/clearance.h"
 #include "scenario/decode.h"
 #include "scenario/schema.h"
-#include "document/yaml_reader.h"
 
 namespace fs = std::filesystem;
 using namespace flyrock;
@@ -22,16 +22,16 @@ namespace {
 
 const std::vector<std::string> bad_values{
     // of another kind
-    "oops", "'12'", "''", "~", "true", "[]", "[oops, 1]", "[1, 2]", "[1, 2, 3, 4]", "[[oops, 0], [10, 0]]", "{ a: 1 }",
-    "{ type: oops }", "../../x",
+    "oops", "'12'", "''", "~", "true", "[]", "[oops, 1]", "[1, 2]", "[1, 2, 3, 4]", "[[oops, 0], [10, 0]]",
+    "{ a: 1 }", "{ type: oops }", "../../x",
     // out of range
     "0", "-1", "2.5", "7", "1e-308", "5e-324", "1e300", "-1e300", "1e18", ".nan", ".inf", "-.inf",
     // units
     "12 parsec", "3 kg s", "-20 deg", "2 mm", "1e200 km",
     // sweeps and distributions
-    "{ sweep: [1, 2] }", "{ sweep: [] }", "{ sweep: [oops, 1] }", "{ sweep: { from: 0, to: 1e300, count: 2 } }",
-    "{ uniform: [1, 2] }", "{ uniform: [2, 1] }", "{ uniform: [oops, 1], per: never }", "{ normal: { mean: 1, sd: 1e300 } }",
-    "{ discrete: [1e300, 0] }"};
+    "{ sweep: [1, 2] }", "{ sweep: [] }", "{ sweep: [oops, 1] }",
+    "{ sweep: { from: 0, to: 1e300, count: 2 } }", "{ uniform: [1, 2] }", "{ uniform: [2, 1] }",
+    "{ uniform: [oops, 1], per: never }", "{ normal: { mean: 1, sd: 1e300 } }", "{ discrete: [1e300, 0] }"};
 
 Value read_value(const std::string& text, const std::string& name = "value.yaml") {
   Diagnostics diagnostics;
@@ -44,14 +44,16 @@ Value read_value(const std::string& text, const std::string& name = "value.yaml"
 /// A bad value as a tree. No file, but Lua, gives numbers that are not finite.
 Value bad_value(const std::string& text) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  for (const auto& [name, number] : {std::pair(".nan", std::nan("")), std::pair(".inf", infinite), std::pair("-.inf", -infinite)})
+  for (const auto& [name, number] :
+       {std::pair(".nan", std::nan("")), std::pair(".inf", infinite), std::pair("-.inf", -infinite)})
     if (text == name) return Value{number, {}};
   return read_value("v: " + text).map()->front().value;
 }
 
 std::vector<std::pair<std::string, Value>> documents() {
   std::vector<std::pair<std::string, Value>> list;
-  for (const auto& entry : fs::directory_iterator(fs::path(FLYROCK_SOURCE_DIR) / "tests/scenarios/every_key")) {
+  for (const auto& entry :
+       fs::directory_iterator(fs::path(FLYROCK_SOURCE_DIR) / "tests/scenarios/every_key")) {
     std::ifstream file(entry.path());
     const std::string name = entry.path().filename().string();
     list.emplace_back(name, read_value({std::istreambuf_iterator<char>(file), {}}, name));
@@ -91,8 +93,8 @@ void relocate(Value& value, const Location& at) {
     for (Entry& entry : *map) entry.at = at, relocate(entry.value, at);
 }
 
-/// Decodes a tree, and where it is sound makes a few of its trials, as `flyrock check` does. The errors that do not say where
-/// they are; nothing where all do, or where there are none.
+/// Decodes a tree, and where it is sound makes a few of its trials, as `flyrock check` does. The errors that
+/// do not say where they are; nothing where all do, or where there are none.
 std::string errors_without_place(const Value& root, const Registry& registry) {
   Diagnostics diagnostics;
   LoadedScenario loaded;
@@ -131,7 +133,8 @@ void try_bad_values(std::size_t first, std::size_t stride) {
           if (number++ % stride != first) continue;
           *slot.value = values[i];
           relocate(*slot.value, good.at);
-          INFO(name << ": " << slot.path << ": " << bad_values[i] << (beside_a_sweep ? " beside a sweep" : ""));
+          INFO(name << ": " << slot.path << ": " << bad_values[i]
+                    << (beside_a_sweep ? " beside a sweep" : ""));
           const auto start = std::chrono::steady_clock::now();
           const std::string lost = errors_without_place(root, session.registry());
           const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
@@ -143,7 +146,8 @@ void try_bad_values(std::size_t first, std::size_t stride) {
   CHECK(number > 30000);
 }
 
-/// The path of a value without indices and names that a user gives: "materials.restitution", "rocks.release.x".
+/// The path of a value without indices and names that a user gives: "materials.restitution",
+/// "rocks.release.x".
 std::string place_of(const std::string& path) {
   std::string place;
   bool is_name = false;
@@ -186,6 +190,10 @@ TEST_CASE("every key of the schema stands in a scenario of tests/scenarios/every
   }
 }
 
-TEST_CASE("a sample of bad values at every key of the schema is refused at its place or taken") { try_bad_values(0, 47); }
+TEST_CASE("a sample of bad values at every key of the schema is refused at its place or taken") {
+  try_bad_values(0, 47);
+}
 
-TEST_CASE("each bad value at every key of the schema is refused at its place or taken", "[slow]") { try_bad_values(0, 1); }
+TEST_CASE("each bad value at every key of the schema is refused at its place or taken", "[slow]") {
+  try_bad_values(0, 1);
+}

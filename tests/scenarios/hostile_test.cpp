@@ -1,5 +1,6 @@
-// Hostile plugins: each file of tests/scenarios/hostile is used as a law. What `flyrock run` says and its exit
-// code stand in the .expect; where only the rocks of the group `hostile` suffer, the others are as with a sound law.
+// Hostile plugins: each file of tests/scenarios/hostile is used as a law. What `flyrock run` says and its
+// exit code stand in the .expect; where only the rocks of the group `hostile` suffer, the others are as with
+// a sound law.
 
 #include <catch2/catch.hpp>
 #include <chrono>
@@ -19,7 +20,8 @@ std::string scenario(const std::string& law) {
   return "flyrock: 1\ndimension: 2\nmethod: nscd\nseed: 3\ntrials: 2\nplugins: [" + law + R"(]
 terrain: { type: profile, points: [[-20, 10], [0, 10], [3, 0], [300, 0]], material: ground }
 materials:
-  ground: { restitution: { type: )" + type + R"( }, friction: { type: coulomb, mu: 0.6 } }
+  ground: { restitution: { type: )" +
+         type + R"( }, friction: { type: coulomb, mu: 0.6 } }
 rocks:
   - name: sound
     density: 2700
@@ -70,7 +72,8 @@ TEST_CASE("hostile plugins are contained, each with its exact text", "[slow]") {
     const auto start = std::chrono::steady_clock::now();
     const Output output = run_with(folder, law.filename().string());
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-    CHECK(spent.count() < 30);  // calls of a law end after 0.5 s of the processor at most, sanitizers and a busy machine included
+    CHECK(spent.count() < 30);  // calls of a law end after 0.5 s of the processor at most, sanitizers and a
+                                // busy machine included
     const std::string said = "exit " + std::to_string(output.code) + "\n" + output.err;
     const fs::path expect = fs::path(law).replace_extension(".expect");
     if (updates()) std::ofstream(expect) << said;
@@ -100,6 +103,7 @@ end })");
   const Output strict = call(folder, "run quarry.yaml -o strict --quiet --strict");
   INFO(strict.err);
   CHECK(strict.code == 3);
-  CHECK(count(read(folder.path() / "strict/rocks.csv"), "plugin_error") == 2);  // the rocks of the first trial
+  CHECK(count(read(folder.path() / "strict/rocks.csv"), "plugin_error") ==
+        2);  // the rocks of the first trial
   CHECK(count(strict.err, "tired.lua:3: tired") >= 1);
 }

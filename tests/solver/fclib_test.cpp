@@ -2,14 +2,14 @@
 
 #include "solver/fclib.h"
 
-#include <catch2/catch.hpp>
+#include <unistd.h>
 
+#include <catch2/catch.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <random>
-#include <unistd.h>
 
 #include "data.h"
 #include "solver/hdf5_file.h"
@@ -24,7 +24,8 @@ namespace {
 
 /// A file of this process, removed at the end.
 struct TemporaryFile {
-  std::string name = (fs::temp_directory_path() / ("flyrock_fclib_" + std::to_string(::getpid()) + ".hdf5")).string();
+  std::string name =
+      (fs::temp_directory_path() / ("flyrock_fclib_" + std::to_string(::getpid()) + ".hdf5")).string();
   ~TemporaryFile() { fs::remove(name); }
 };
 
@@ -113,13 +114,16 @@ TEST_CASE("a problem that is written is read back to the last bit, with what FCL
   std::mt19937 engine(1);
   std::uniform_real_distribution<double> unit(-1, 1);
   ContactProblem<2> problem;
-  const auto block = [&] { return ContactProblem<2>::Block::NullaryExpr([&] { return unit(engine); }).eval(); };
+  const auto block = [&] {
+    return ContactProblem<2>::Block::NullaryExpr([&] { return unit(engine); }).eval();
+  };
   std::vector<ContactProblem<2>::Row> start;
   for (int a = 0; a < 3; ++a) {
     ContactProblem<2>::Contact contact;
     contact.w = block();
     contact.q = block().col(0);
-    contact.mu = 0.4, contact.c_t = 0.1 * a, contact.mu_r = 0.02, contact.normal = a != 1, contact.speed_scale = 0.1;
+    contact.mu = 0.4, contact.c_t = 0.1 * a, contact.mu_r = 0.02, contact.normal = a != 1,
+    contact.speed_scale = 0.1;
     problem.contacts.push_back(contact);
     problem.first.push_back(problem.couplings());
     problem.couple((a + 1) % 3, block());
@@ -154,21 +158,27 @@ TEST_CASE("a broken file gives one line that says what is wrong") {
   };
   CHECK(error_with([](Parts&) {}).empty());
   CHECK(error_with([](Parts& p) { p.n = {5}; }) == "/fclib_local/W: is 6 by 5, expected a square");
-  CHECK(error_with([](Parts& p) { p.i[2] = 6; }) == "/fclib_local/W: entry 2 stands at row 6, column 2 of a 6 by 6 matrix");
+  CHECK(error_with([](Parts& p) { p.i[2] = 6; }) ==
+        "/fclib_local/W: entry 2 stands at row 6, column 2 of a 6 by 6 matrix");
   CHECK(error_with([](Parts& p) { p.m = {7}; }) == "/fclib_local/W: is 7 by 6, expected a square");
   CHECK(error_with([](Parts& p) { p.m = {-1}; }) == "/fclib_local/W/m: -1 is no sensible number of rows");
   CHECK(error_with([](Parts& p) { p.m = {6, 6}; }) == "/fclib_local/W/m: expected one integer, found 2");
-  CHECK(error_with([](Parts& p) { p.nz = {-7}; }) == "/fclib_local/W/nz: -7 names no storage, expected -1, -2 or a number of triplets");
+  CHECK(error_with([](Parts& p) { p.nz = {-7}; }) ==
+        "/fclib_local/W/nz: -7 names no storage, expected -1, -2 or a number of triplets");
   CHECK(error_with([](Parts& p) { p.x.pop_back(); }) == "/fclib_local/W/x: expected 8 numbers, found 7");
   CHECK(error_with([](Parts& p) { p.nz = {-1}; }) == "/fclib_local/W/p: expected 7 numbers, found 8");
   CHECK(error_with([](Parts& p) { p.x[3] = std::nan(""); }) == "/fclib_local/W/x: number 3 is not finite");
-  CHECK(error_with([](Parts& p) { p.q.push_back(0); }) == "/fclib_local/vectors/q: expected 6 numbers, found 7");
+  CHECK(error_with([](Parts& p) { p.q.push_back(0); }) ==
+        "/fclib_local/vectors/q: expected 6 numbers, found 7");
   CHECK(error_with([](Parts& p) { p.mu = {0.5}; }) == "/fclib_local/vectors/mu: expected 2 numbers, found 1");
-  CHECK(error_with([](Parts& p) { p.mu[1] = -0.5; }) == "/fclib_local/vectors/mu: number 1 is -0.5, must be at least 0");
+  CHECK(error_with([](Parts& p) { p.mu[1] = -0.5; }) ==
+        "/fclib_local/vectors/mu: number 1 is -0.5, must be at least 0");
   // Before a matrix of that size is made: it would take gigabytes.
-  CHECK(error_with([](Parts& p) { p.m = p.n = {100'000'000}; }) == "/fclib_local/vectors/q: expected 100000000 numbers, found 6");
+  CHECK(error_with([](Parts& p) { p.m = p.n = {100'000'000}; }) ==
+        "/fclib_local/vectors/q: expected 100000000 numbers, found 6");
   CHECK(error_with([](Parts& p) { p.spacedim = {4}; }) == "/fclib_local/spacedim: is 4, expected 2 or 3");
-  CHECK(error_with([](Parts& p) { p.spacedim = {2}; }) == "/fclib_local/vectors/mu: expected 3 numbers, found 2");
+  CHECK(error_with([](Parts& p) { p.spacedim = {2}; }) ==
+        "/fclib_local/vectors/mu: expected 3 numbers, found 2");
 
   Parts().write(file.name);
   fs::resize_file(file.name, fs::file_size(file.name) / 2);
@@ -185,9 +195,10 @@ TEST_CASE("the merit is the one of the tables of FCLIB's problems", "[data]") {
     const char* name;
     double at_zero;
   };
-  for (const auto& [name, at_zero] : {Known{"FrictionContactProblem00237", 0.299490048}, Known{"FrictionContact3D_RR_1c", 0.384162141},
-                                      Known{"OneObject-i100000-499", 0.00385217131}, Known{"RockPile_tob1", 0.20192206},
-                                      Known{"Box_Stacks-i0122-82-5", 0.945051353}}) {
+  for (const auto& [name, at_zero] :
+       {Known{"FrictionContactProblem00237", 0.299490048}, Known{"FrictionContact3D_RR_1c", 0.384162141},
+        Known{"OneObject-i100000-499", 0.00385217131}, Known{"RockPile_tob1", 0.20192206},
+        Known{"Box_Stacks-i0122-82-5", 0.945051353}}) {
     const std::string file = fclib_folder + name + ".hdf5";
     std::visit(
         [&](const auto& stored) {
@@ -211,7 +222,8 @@ TEST_CASE("a global problem is condensed to the local one", "[data]") {
   const auto local = std::get<StoredProblem<3>>(read_fclib(fclib_folder + name));
   REQUIRE(global.problem.size() == local.problem.size());
   for (int a = 0; a < local.problem.size(); ++a) {
-    CHECK((global.problem.contacts[a].w - local.problem.contacts[a].w).norm() <= 1e-12 * local.problem.contacts[a].w.norm());
+    CHECK((global.problem.contacts[a].w - local.problem.contacts[a].w).norm() <=
+          1e-12 * local.problem.contacts[a].w.norm());
     CHECK((global.problem.contacts[a].q - local.problem.contacts[a].q).norm() <= 1e-12);
   }
 }
@@ -224,11 +236,12 @@ TEST_CASE("every problem of FCLIB is solved to 1e-8, in few sweeps to 1e-4", "[d
     int sweeps;
   };
   for (const auto& [name, sweeps] :
-       {Known{"FrictionContactProblem00237", 131}, Known{"FrictionContact3D_1c", 1}, Known{"FrictionContact3D_RR_1c", 1},
-        Known{"Confeti-ex13-4contact-Fc3D-SBM", 1}, Known{"Rover1040", 9}, Known{"NESpheres_10_1", 7},
-        Known{"OneObject-i100000-499", 0}, Known{"local_problem_test", 34350}, Known{"Confeti-ex03-Fc3D-SBM", 31},
-        Known{"LMGC_100_PR_PerioBox-i00361-60-03000", 261}, Known{"Box_Stacks-i0122-82-5", 13}, Known{"Capsules-i101-404", 12},
-        Known{"Capsules-i125-1213", 12}, Known{"Spheres-i099-356-679", 99}}) {
+       {Known{"FrictionContactProblem00237", 131}, Known{"FrictionContact3D_1c", 1},
+        Known{"FrictionContact3D_RR_1c", 1}, Known{"Confeti-ex13-4contact-Fc3D-SBM", 1},
+        Known{"Rover1040", 9}, Known{"NESpheres_10_1", 7}, Known{"OneObject-i100000-499", 0},
+        Known{"local_problem_test", 34350}, Known{"Confeti-ex03-Fc3D-SBM", 31},
+        Known{"LMGC_100_PR_PerioBox-i00361-60-03000", 261}, Known{"Box_Stacks-i0122-82-5", 13},
+        Known{"Capsules-i101-404", 12}, Known{"Capsules-i125-1213", 12}, Known{"Spheres-i099-356-679", 99}}) {
     INFO(name);
     std::visit(
         [&](const auto& stored) {

@@ -1,8 +1,7 @@
-// Files of HDF5 that promise more than they hold: a few kB of header that ask for gigabytes are refused before memory is.
+// Files of HDF5 that promise more than they hold: a few kB of header that ask for gigabytes are refused
+// before memory is.
 
 #ifdef FLYROCK_HAS_HDF5
-
-#include "solver/hdf5_file.h"
 
 #include <hdf5.h>
 #include <unistd.h>
@@ -12,6 +11,8 @@
 #include <fstream>
 #include <numeric>
 
+#include "solver/hdf5_file.h"
+
 using namespace flyrock;
 namespace fs = std::filesystem;
 
@@ -19,16 +20,20 @@ namespace {
 
 /// A file with one set of doubles, `numbers`, as the library writes it, removed at the end.
 struct HostileFile {
-  std::string name = (fs::temp_directory_path() / ("flyrock_hdf5_" + std::to_string(::getpid()) + ".hdf5")).string();
+  std::string name =
+      (fs::temp_directory_path() / ("flyrock_hdf5_" + std::to_string(::getpid()) + ".hdf5")).string();
 
-  /// `count` numbers of which `written` are in the file; chunks of `chunk` numbers, 0 for none; compressed or not.
+  /// `count` numbers of which `written` are in the file; chunks of `chunk` numbers, 0 for none; compressed or
+  /// not.
   HostileFile(hsize_t count, std::vector<double> written, hsize_t chunk, bool compressed) {
     const hid_t file = H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
     const hsize_t unlimited = H5S_UNLIMITED;
-    const hid_t space = H5Screate_simple(1, &count, chunk > 0 ? &unlimited : nullptr), creation = H5Pcreate(H5P_DATASET_CREATE);
+    const hid_t space = H5Screate_simple(1, &count, chunk > 0 ? &unlimited : nullptr),
+                creation = H5Pcreate(H5P_DATASET_CREATE);
     if (chunk > 0) H5Pset_chunk(creation, 1, &chunk);
     if (compressed) H5Pset_deflate(creation, 6);
-    const hid_t set = H5Dcreate2(file, "numbers", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, creation, H5P_DEFAULT);
+    const hid_t set =
+        H5Dcreate2(file, "numbers", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, creation, H5P_DEFAULT);
     REQUIRE(set >= 0);
     const hsize_t first = 0, some = written.size();
     const hid_t memory = H5Screate_simple(1, &some, nullptr);
@@ -68,7 +73,8 @@ TEST_CASE("a set whose numbers have no size is refused") {
   const HostileFile file(10, std::vector<double>(10, 1.0), 0, false);
   std::ifstream stream(file.name, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  const std::string type("\x11\x20\x3f\0\x08\0\0\0", 8);  // the message of the type: a double, little-endian, of 8 bytes
+  const std::string type("\x11\x20\x3f\0\x08\0\0\0",
+                         8);  // the message of the type: a double, little-endian, of 8 bytes
   const std::size_t at = bytes.find(type);
   REQUIRE(at != std::string::npos);
   bytes[at + 4] = 0;
@@ -90,11 +96,13 @@ TEST_CASE("sets in chunks, compressed ones too, are read where their numbers are
 }
 
 TEST_CASE("numbers of another file are refused, and a text is read only where it is one") {
-  const std::string name = (fs::temp_directory_path() / ("flyrock_hdf5_other_" + std::to_string(::getpid()))).string();
+  const std::string name =
+      (fs::temp_directory_path() / ("flyrock_hdf5_other_" + std::to_string(::getpid()))).string();
   std::ofstream(name) << std::string(80, 'x');
   const hid_t file = H5Fcreate((name + ".hdf5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   const hsize_t ten = 10;
-  const hid_t space = H5Screate_simple(1, &ten, nullptr), creation = H5Pcreate(H5P_DATASET_CREATE), text = H5Tcopy(H5T_C_S1);
+  const hid_t space = H5Screate_simple(1, &ten, nullptr), creation = H5Pcreate(H5P_DATASET_CREATE),
+              text = H5Tcopy(H5T_C_S1);
   H5Pset_external(creation, name.c_str(), 0, 80);
   H5Dclose(H5Dcreate2(file, "numbers", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, creation, H5P_DEFAULT));
   H5Tset_size(text, 8);

@@ -1,8 +1,8 @@
 // Laws as terms of the problem, on one contact of a body of 2 kg.
 
-#include <catch2/catch.hpp>
-
 #include "solver/law_terms.h"
+
+#include <catch2/catch.hpp>
 
 using namespace flyrock;
 
@@ -16,7 +16,8 @@ struct Solved {
   Row impulse, velocity;
 };
 
-Solved solve(const ContactLaw& law, double gap, double duration, const Row& before, const Row& free, bool sticking = false) {
+Solved solve(const ContactLaw& law, double gap, double duration, const Row& before, const Row& free,
+             bool sticking = false) {
   ContactProblem<2> problem;
   ContactProblem<2>::Contact contact;
   contact.w = Eigen::Vector3d(1 / mass, 1 / mass, 1).asDiagonal();
@@ -147,14 +148,17 @@ TEST_CASE("several contacts under the energetic form keep their balance and gain
       INFO("mu " << mu << ", slip " << slip << ", r " << r[0].transpose() << " | " << r[1].transpose());
       CHECK(result.converged);
       const Eigen::Vector3d after = motion + inverse_mass * (columns(-0.5) * r[0] + columns(0.5) * r[1]);
-      const auto energy = [&](const Eigen::Vector3d& v) { return v.cwiseProduct(v).dot(Eigen::Vector3d(1, 1, 1.0 / 6)); };
+      const auto energy = [&](const Eigen::Vector3d& v) {
+        return v.cwiseProduct(v).dot(Eigen::Vector3d(1, 1, 1.0 / 6));
+      };
       CHECK(energy(after) <= energy(motion));
       CHECK(after[1] > 0);
       if (mu == 0) CHECK(after[1] == Approx(0.6).epsilon(1e-6));
     }
 }
 
-TEST_CASE("rolling resistance of a spring is bound by its push, that of a cohesive contact by pull and pressure") {
+TEST_CASE(
+    "rolling resistance of a spring is bound by its push, that of a cohesive contact by pull and pressure") {
   ContactLaw law;
   law.mu_r = 0.1;
   law.condition = NormalCondition::penalty;
@@ -181,7 +185,8 @@ TEST_CASE("a spring in space resists rolling and spinning by its push") {
   law.stiffness = 1e6;
   ContactProblem<3> problem;
   ContactProblem<3>::Contact contact;
-  contact.w = (Eigen::Matrix<double, 6, 1>() << 1 / mass, 1 / mass, 1 / mass, 1, 1, 1).finished().asDiagonal();
+  contact.w =
+      (Eigen::Matrix<double, 6, 1>() << 1 / mass, 1 / mass, 1 / mass, 1, 1, 1).finished().asDiagonal();
   contact.q << 0, 0, 0, 5, 3, -4;
   Rebound<3> rebound;
   set_law<3>(law, false, -1e-3, h, contact, rebound);
@@ -195,12 +200,15 @@ TEST_CASE("a spring in space resists rolling and spinning by its push") {
   CHECK(r[0][5] == Approx(0.08));
 }
 
-TEST_CASE("rolling resistance acts in both phases of an impact: a central one has mu_r times the whole normal impulse") {
+TEST_CASE(
+    "rolling resistance acts in both phases of an impact: a central one has mu_r times the whole normal "
+    "impulse") {
   ContactLaw law;
   law.mu_r = 0.1;
   law.e_n = 0.5;
   const Row before(-1, 0, 5);
-  for (const RestitutionForm form : {RestitutionForm::newton, RestitutionForm::poisson, RestitutionForm::energy}) {
+  for (const RestitutionForm form :
+       {RestitutionForm::newton, RestitutionForm::poisson, RestitutionForm::energy}) {
     law.form = form;
     const Solved solved = solve(law, 0, 0, before, before);
     CHECK(solved.impulse[0] == Approx(mass * 1.5));

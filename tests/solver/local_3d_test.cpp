@@ -3,7 +3,6 @@
 #include "solver/local_3d.h"
 
 #include <catch2/catch.hpp>
-
 #include <cmath>
 #include <random>
 
@@ -25,8 +24,8 @@ struct Random {
   double scale(double decades) { return std::pow(10, 0.5 * decades * unit()); }
 };
 
-/// G^T G + a small diagonal over the leading n rows, scaled by s; each entry off by up to `unsymmetric`, which leaves the
-/// block positive definite.
+/// G^T G + a small diagonal over the leading n rows, scaled by s; each entry off by up to `unsymmetric`,
+/// which leaves the block positive definite.
 Block random_block(Random& random, int n, double s, double unsymmetric) {
   Block g = Block::Zero(), w = Block::Zero();
   for (int i = 0; i < n; ++i)
@@ -40,12 +39,15 @@ Block random_block(Random& random, int n, double s, double unsymmetric) {
 /// The local error relative to the velocities at hand.
 double relative_error(const Problem::Contact& contact, const Row& r) {
   const Row u = contact.q + contact.w * r;
-  return local_error<3>(contact, u, r) / (contact.q.head<3>().norm() + contact.w.topRows<3>().norm() * r.norm());
+  return local_error<3>(contact, u, r) /
+         (contact.q.head<3>().norm() + contact.w.topRows<3>().norm() * r.norm());
 }
 
 }  // namespace
 
-TEST_CASE("100,000 random blocks in space are solved to rounding: mu 0 to 10, scales over 12 decades, slightly unsymmetric") {
+TEST_CASE(
+    "100,000 random blocks in space are solved to rounding: mu 0 to 10, scales over 12 decades, slightly "
+    "unsymmetric") {
   Random random{std::mt19937(3)};
   int slides = 0, sticks = 0;
   for (int k = 0; k < 100000; ++k) {
@@ -70,7 +72,8 @@ TEST_CASE("100,000 random blocks in space are solved to rounding: mu 0 to 10, sc
       ++sticks;
     } else if (bound > 0) {
       ++slides;
-      // Friction opposes the slip: the part of u_t across r_t, and along it with the wrong sign, are rounding.
+      // Friction opposes the slip: the part of u_t across r_t, and along it with the wrong sign, are
+      // rounding.
       const Eigen::Vector2d d = r.segment<2>(1) / t;
       const double size = contact.q.head<3>().norm() + contact.w.norm() * r.norm();
       REQUIRE(d.dot(u.segment<2>(1)) <= 1e-11 * size);
@@ -130,7 +133,8 @@ TEST_CASE("contacts that resist rolling and spinning are solved to rounding") {
     contact.mu_r = k % 3 == 1 ? 0 : 0.5 * random.positive() + 1e-6;
     for (int i = 0; i < 6; ++i) contact.q[i] = random.unit();
     const Row r = solve_local(contact, contact.q, Row::Zero());
-    INFO("case " << k << " mu " << contact.mu << " spin " << contact.mu_spin << " roll " << contact.mu_r << " r " << r.transpose());
+    INFO("case " << k << " mu " << contact.mu << " spin " << contact.mu_spin << " roll " << contact.mu_r
+                 << " r " << r.transpose());
     REQUIRE(r.allFinite());
     REQUIRE(r[0] >= 0);
     REQUIRE(std::abs(r[3]) <= contact.mu_spin * r[0] * (1 + 1e-14));

@@ -1,7 +1,6 @@
 #include "solver/nlgs.h"
 
 #include <catch2/catch.hpp>
-
 #include <random>
 
 #include "solver/local_2d.h"
@@ -14,7 +13,8 @@ namespace {
 using Problem = ContactProblem<2>;
 
 /// A contact of one body of mass 1 and inertia `inertia` with lever r.
-Problem::Contact single(const Eigen::Vector2d& r, double inertia, const Problem::Row& q, double mu, double mu_r = 0) {
+Problem::Contact single(const Eigen::Vector2d& r, double inertia, const Problem::Row& q, double mu,
+                        double mu_r = 0) {
   Eigen::Matrix3d columns;  // n = (0, 1), t = (1, 0)
   columns << 0, 1, 0, 1, 0, 0, r.x(), -r.y(), 1;
   Problem::Contact contact;
@@ -32,7 +32,8 @@ TEST_CASE("the local solve satisfies Signorini, Coulomb and rolling for random c
   std::uniform_real_distribution<double> unit(-1, 1);
   for (int k = 0; k < 20000; ++k) {
     const double mu = std::abs(unit(rng)) * 2, mu_r = k % 2 ? std::abs(unit(rng)) * 0.3 : 0;
-    const auto contact = single({unit(rng), unit(rng)}, 0.05 + std::abs(unit(rng)), {unit(rng), unit(rng), unit(rng)}, mu, mu_r);
+    const auto contact = single({unit(rng), unit(rng)}, 0.05 + std::abs(unit(rng)),
+                                {unit(rng), unit(rng), unit(rng)}, mu, mu_r);
     const Problem::Row r = solve_local(contact, contact.q);
     const Problem::Row u = contact.q + contact.w * r;
     INFO("case " << k << " r " << r.transpose() << " u " << u.transpose());
@@ -50,8 +51,8 @@ TEST_CASE("a contact with cohesion is solved exactly, open or closed, sliding or
   int open_and_held = 0;
   for (int k = 0; k < 20000; ++k) {
     const double mu_r = k % 2 ? std::abs(unit(rng)) * 0.3 : 0;
-    auto contact = single({0.3 * unit(rng), unit(rng)}, 0.3 + std::abs(unit(rng)), {unit(rng), unit(rng), unit(rng)},
-                          std::abs(unit(rng)), mu_r);
+    auto contact = single({0.3 * unit(rng), unit(rng)}, 0.3 + std::abs(unit(rng)),
+                          {unit(rng), unit(rng), unit(rng)}, std::abs(unit(rng)), mu_r);
     contact.c_t = std::abs(unit(rng));
     const Problem::Row r = solve_local(contact, contact.q);
     const Problem::Row u = contact.q + contact.w * r;
@@ -89,7 +90,8 @@ TEST_CASE("a rod beyond the Painleve paradox gets an impulse") {
   const double angle = 63.435 * 3.14159265358979323846 / 180;
   for (const double mu : {1.2, 1.4, 2.0, 5.0}) {
     for (const double slip : {-1.0, 0.0, 1.0}) {
-      const auto contact = single({0.5 * std::cos(angle), -0.5 * std::sin(angle)}, 1.0 / 12, {-1, slip, 0}, mu);
+      const auto contact =
+          single({0.5 * std::cos(angle), -0.5 * std::sin(angle)}, 1.0 / 12, {-1, slip, 0}, mu);
       const Problem::Row r = solve_local(contact, contact.q);
       REQUIRE(r.allFinite());
       CHECK(r[0] > 0);

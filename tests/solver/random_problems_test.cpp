@@ -1,7 +1,7 @@
-// Ten thousand random problems: singular, hyperstatic, ill-scaled. Never a NaN, never a false word about the answer.
+// Ten thousand random problems: singular, hyperstatic, ill-scaled. Never a NaN, never a false word about the
+// answer.
 
 #include <catch2/catch.hpp>
-
 #include <iostream>
 #include <random>
 
@@ -19,11 +19,13 @@ struct Random {
   double scale(double decades) { return std::pow(10, 0.5 * decades * unit()); }
 };
 
-/// Contacts between a few bodies and the ground: W = H^T M^-1 H, of the rank of the bodies at most, so that many contacts
-/// make it singular. Masses spread over `decades`. Where `possible`, q = H^T v of moving bodies, so that there is a
-/// solution (bodies at rest break no condition); else q is anything, and contacts may ask what no motion gives.
+/// Contacts between a few bodies and the ground: W = H^T M^-1 H, of the rank of the bodies at most, so that
+/// many contacts make it singular. Masses spread over `decades`. Where `possible`, q = H^T v of moving
+/// bodies, so that there is a solution (bodies at rest break no condition); else q is anything, and contacts
+/// may ask what no motion gives.
 template <int D>
-ContactProblem<D> random_problem(Random& random, int contacts, int bodies, double decades, bool rolling, bool possible) {
+ContactProblem<D> random_problem(Random& random, int contacts, int bodies, double decades, bool rolling,
+                                 bool possible) {
   using Problem = ContactProblem<D>;
   constexpr int dof = D == 2 ? 3 : 6;
   const int width = rolling ? Problem::rows : D;
@@ -41,7 +43,8 @@ ContactProblem<D> random_problem(Random& random, int contacts, int bodies, doubl
   };
   std::vector<Pair> pairs;
   for (int a = 0; a < contacts; ++a) {
-    Pair pair{{random.whole(0, bodies - 1), random.whole(-1, bodies - 1)}, {Columns::Zero(), Columns::Zero()}};
+    Pair pair{{random.whole(0, bodies - 1), random.whole(-1, bodies - 1)},
+              {Columns::Zero(), Columns::Zero()}};
     if (pair.body[1] == pair.body[0]) pair.body[1] = -1;
     for (auto& h : pair.h)
       for (int j = 0; j < width; ++j)
@@ -90,11 +93,13 @@ bool is_possible(int k) { return k % 8 < 6; }
 template <int D>
 bool try_one(Random& random, int k) {
   const int contacts = random.whole(1, 60), bodies = random.whole(1, 30);
-  const auto problem = random_problem<D>(random, contacts, bodies, k % 3 == 0 ? 8 : 2, k % 5 == 0, is_possible(k));
+  const auto problem =
+      random_problem<D>(random, contacts, bodies, k % 3 == 0 ? 8 : 2, k % 5 == 0, is_possible(k));
   SolveSettings settings;
   settings.tolerance = 1e-8;
   settings.max_iterations = 400;
-  std::vector<typename ContactProblem<D>::Row> r(static_cast<std::size_t>(contacts), ContactProblem<D>::Row::Zero());
+  std::vector<typename ContactProblem<D>::Row> r(static_cast<std::size_t>(contacts),
+                                                 ContactProblem<D>::Row::Zero());
   const SolveResult result = solve(problem, settings, r);
   REQUIRE(std::isfinite(result.residual));
   bool within = true;
@@ -109,8 +114,8 @@ bool try_one(Random& random, int k) {
     const auto t = r[a].template segment<D - 1>(1), slip = u.template segment<D - 1>(1);
     const double friction = t.norm(), speed = slip.norm();
     REQUIRE(friction <= contact.mu * r[a][0] * (1 + 1e-10));
-    // Sliding: an error e of the map leaves an angle of e / v between slip and friction, or of e / (w |r_t|) where the
-    // friction is weak; its cosine differs from 1 by half its square.
+    // Sliding: an error e of the map leaves an angle of e / v between slip and friction, or of e / (w |r_t|)
+    // where the friction is weak; its cosine differs from 1 by half its square.
     if (speed > 1e-6 + 10 * rounding && friction > 0) {
       const double w = contact.w.diagonal().template head<D>().maxCoeff();
       const double angle = (settings.tolerance + rounding) / std::min(speed, w * friction);
@@ -123,7 +128,8 @@ bool try_one(Random& random, int k) {
 
 }  // namespace
 
-TEST_CASE("ten thousand random problems: no NaN, no hang, converged or reported, friction against slip", "[slow]") {
+TEST_CASE("ten thousand random problems: no NaN, no hang, converged or reported, friction against slip",
+          "[slow]") {
   Random random{std::mt19937(6)};
   int converged[2] = {0, 0}, tried[2] = {0, 0};
   for (int k = 0; k < 10000; ++k) {
@@ -131,7 +137,7 @@ TEST_CASE("ten thousand random problems: no NaN, no hang, converged or reported,
     converged[is_possible(k)] += k % 2 ? try_one<3>(random, k) : try_one<2>(random, k);
     ++tried[is_possible(k)];
   }
-  std::cout << "converged: " << converged[1] << " of " << tried[1] << " that have a solution, " << converged[0] << " of "
-            << tried[0] << " others\n";
+  std::cout << "converged: " << converged[1] << " of " << tried[1] << " that have a solution, "
+            << converged[0] << " of " << tried[0] << " others\n";
   CHECK(converged[1] > 0.85 * tried[1]);
 }

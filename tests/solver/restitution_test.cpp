@@ -1,7 +1,6 @@
 // Restitution: every problem of the verification suite, and what the paths and phases must keep everywhere.
 
 #include <catch2/catch.hpp>
-
 #include <random>
 
 #include "verify/check.h"
@@ -13,7 +12,8 @@ namespace {
 
 void require_all(const Checks& checks) {
   for (const Check& check : checks) {
-    INFO(check.name << ": computed " << check.computed << ", expected " << check.expected << " +- " << check.tolerance);
+    INFO(check.name << ": computed " << check.computed << ", expected " << check.expected << " +- "
+                    << check.tolerance);
     CHECK(check.passed);
   }
 }
@@ -25,8 +25,10 @@ Eigen::Matrix3d random_mobility(std::mt19937& rng) {
   return half * half.transpose() + 0.05 * Eigen::Matrix3d::Identity();
 }
 
-/// The same impact by small steps of the midpoint rule in P, slip taken as it comes: slow and rough, but told otherwise.
-Eigen::Vector3d marched(const Eigen::Matrix3d& w, const Eigen::Vector3d& v, double mu, ImpactEnd end, double e, int steps) {
+/// The same impact by small steps of the midpoint rule in P, slip taken as it comes: slow and rough, but told
+/// otherwise.
+Eigen::Vector3d marched(const Eigen::Matrix3d& w, const Eigen::Vector3d& v, double mu, ImpactEnd end,
+                        double e, int steps) {
   const auto stick_impulse = [&]() -> Eigen::Vector3d {
     Eigen::Vector3d p(1, 0, 0);
     p.tail<2>() = -w.block<2, 2>(1, 1).ldlt().solve(w.block<2, 1>(1, 0));
@@ -44,7 +46,8 @@ Eigen::Vector3d marched(const Eigen::Matrix3d& w, const Eigen::Vector3d& v, doub
       d.tail<2>() = -mu * at.tail<2>().normalized();
       return d;
     };
-    const Eigen::Vector3d half = u + 0.5 * dp * w * direction(u), step = dp * direction(half), next = u + w * step;
+    const Eigen::Vector3d half = u + 0.5 * dp * w * direction(u), step = dp * direction(half),
+                          next = u + w * step;
     if (!stuck && can_stick && next.tail<2>().dot(u.tail<2>()) <= 0) {
       stuck = true;
       continue;
@@ -113,7 +116,8 @@ TEST_CASE("in the plane and in space a straight path is the same, and the axes d
     const Eigen::Matrix3d turned_w = turn * w * turn.transpose();
     const Eigen::Vector3d turned_v = turn * v, turned = impact_path(turned_w, turned_v, mu, end, e);
     REQUIRE(p.allFinite());
-    INFO("case " << k << " p " << p.transpose() << " turned back " << (turn.transpose() * turned).transpose());
+    INFO("case " << k << " p " << p.transpose() << " turned back "
+                 << (turn.transpose() * turned).transpose());
     CHECK((turn.transpose() * turned - p).norm() < 1e-9 * (1 + p.norm()));
   }
 }

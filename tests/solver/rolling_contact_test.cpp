@@ -30,15 +30,17 @@ TEST_CASE("a contact with rolling resistance is solved in one go, sliding or sti
       }
 }
 
-TEST_CASE("bounds with a constant part resist slip and rolling of an open contact together, and of a closed one") {
+TEST_CASE(
+    "bounds with a constant part resist slip and rolling of an open contact together, and of a closed one") {
   Eigen::Matrix3d rows;
   rows << 0, 1, 0.12, 1, 0, 0.25, 0, 0, 1;
   const Eigen::Matrix3d inverse_mass = Eigen::Vector3d(1.0 / 200, 1.0 / 200, 1.0 / 7).asDiagonal();
   for (const bool normal : {true, false})
     for (const double c_t : {0.0, 4.0, 400.0})
       for (const double c_r : {0.5, 50.0})
-        for (const Eigen::Vector3d& velocity : {Eigen::Vector3d(0.5, 0.2, -1), Eigen::Vector3d(0.5, -0.2, -3),
-                                                Eigen::Vector3d(-0.3, 0.01, 2), Eigen::Vector3d(0.01, -1, 0.02)}) {
+        for (const Eigen::Vector3d& velocity :
+             {Eigen::Vector3d(0.5, 0.2, -1), Eigen::Vector3d(0.5, -0.2, -3), Eigen::Vector3d(-0.3, 0.01, 2),
+              Eigen::Vector3d(0.01, -1, 0.02)}) {
           ContactProblem<2>::Contact contact;
           contact.w = rows * inverse_mass * rows.transpose();
           contact.q = rows * velocity;

@@ -1,6 +1,6 @@
-// The floors of docs/architecture.md, read from the include lines: a floor includes itself and floors below it.
+// The floors of docs/architecture.md, read from the include lines: a floor includes itself and floors below
+// it.
 #include <catch2/catch.hpp>
-
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -52,7 +52,8 @@ TEST_CASE("every floor includes only itself and the floors below it") {
       const std::string extension = entry.path().extension();
       if (extension != ".h" && extension != ".cpp" && extension != ".ipp") continue;
       if (entry.path().parent_path() == tree) continue;  // the precompiled headers
-      const std::string floor = tree.filename() == "plugins" ? "plugins" : entry.path().parent_path().filename().string();
+      const std::string floor =
+          tree.filename() == "plugins" ? "plugins" : entry.path().parent_path().filename().string();
       INFO("no floor: " << entry.path());
       REQUIRE(may_see().contains(floor));
       ++files;

@@ -27,6 +27,8 @@ class SlipWeakening : public FrictionLaw {
 
 }  // namespace
 
-std::unique_ptr<FrictionLaw> make_slip_weakening(Params& params) { return std::make_unique<SlipWeakening>(params); }
+std::unique_ptr<FrictionLaw> make_slip_weakening(Params& params) {
+  return std::make_unique<SlipWeakening>(params);
+}
 
 }  // namespace flyrock::plugins

@@ -16,7 +16,8 @@ class Newton : public RestitutionLaw {
     if (form_ == RestitutionForm::newton) return;
     for (const auto& [name, slot] : {std::pair("et", e_t_), std::pair("as_lmgc90", as_lmgc90_)})
       if (slot >= 0)
-        throw PluginError(fmt::format("plugin newton: `{}` belongs to the form newton; the form {} has none", name, name_of(form_)));
+        throw PluginError(fmt::format("plugin newton: `{}` belongs to the form newton; the form {} has none",
+                                      name, name_of(form_)));
   }
 
   bool constant() const override { return true; }

@@ -10,7 +10,9 @@ class RollingResistance : public RollingLaw {
 
   bool constant() const override { return true; }
   std::string origin() const override { return "rolling_resistance"; }
-  Rolling rolling(Values values, const ContactState&) const override { return {values[mu_r_], values[mu_spin_]}; }
+  Rolling rolling(Values values, const ContactState&) const override {
+    return {values[mu_r_], values[mu_spin_]};
+  }
 
  private:
   int mu_r_, mu_spin_;

@@ -13,8 +13,8 @@ class Box : public ShapeModel {
   std::vector<Contactor3> build_3d(Values values, RandomStream&) const override {
     const Vec3 size(values[size_], values[size_ + 1], values[size_ + 2]);
     if (!(size.minCoeff() > 0))
-      throw PluginError(fmt::format("plugin box: size is [{:.6g}, {:.6g}, {:.6g}] m, each must be above 0", size.x(),
-                                    size.y(), size.z()));
+      throw PluginError(fmt::format("plugin box: size is [{:.6g}, {:.6g}, {:.6g}] m, each must be above 0",
+                                    size.x(), size.y(), size.z()));
     return {Contactor3::box(size)};
   }
 

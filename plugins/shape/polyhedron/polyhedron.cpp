@@ -14,7 +14,8 @@ std::vector<Vec3> points_of(Params& params) {
   if (params.given("points") == params.given("file"))
     throw PluginError("plugin polyhedron: expected either `points` or a `file`");
   if (params.given("file"))
-    for (const auto& point : read_points("polyhedron", file, 3)) points.emplace_back(point[0], point[1], point[2]);
+    for (const auto& point : read_points("polyhedron", file, 3))
+      points.emplace_back(point[0], point[1], point[2]);
   return points;
 }
 

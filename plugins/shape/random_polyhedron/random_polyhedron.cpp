@@ -12,8 +12,8 @@ namespace {
 
 constexpr double thinnest = 0.05;
 
-/// Points on the unit sphere, evenly spread along a spiral (Fibonacci's lattice), then moved by a random vector of at most
-/// `irregularity` times half the distance between neighbours, and put back on the sphere.
+/// Points on the unit sphere, evenly spread along a spiral (Fibonacci's lattice), then moved by a random
+/// vector of at most `irregularity` times half the distance between neighbours, and put back on the sphere.
 std::vector<Vec3> points_on_sphere(int count, double irregularity, RandomStream& rng) {
   const double golden_angle = pi * (3 - std::sqrt(5.0)), half_distance = 0.5 * std::sqrt(4 * pi / count);
   std::vector<Vec3> points;
@@ -21,7 +21,8 @@ std::vector<Vec3> points_on_sphere(int count, double irregularity, RandomStream&
     const double z = 1 - (2 * i + 1.0) / count, r = std::sqrt(1 - z * z), angle = golden_angle * i;
     // In a ball: a direction from its height and longitude, a radius from the cube root.
     const double height = rng.uniform(-1, 1), longitude = rng.uniform(0, 2 * pi);
-    const double across = std::sqrt(1 - height * height), length = irregularity * half_distance * std::cbrt(rng.uniform());
+    const double across = std::sqrt(1 - height * height),
+                 length = irregularity * half_distance * std::cbrt(rng.uniform());
     const Vec3 move = length * Vec3(across * std::cos(longitude), across * std::sin(longitude), height);
     points.push_back((Vec3(r * std::cos(angle), r * std::sin(angle), z) + move).normalized());
   }
@@ -40,7 +41,8 @@ class RandomPolyhedron : public ShapeModel {
   }
 
   std::vector<Contactor3> build_3d(Values values, RandomStream& rng) const override {
-    const double vertices = values[vertices_], diameter = values[diameter_], irregularity = values[irregularity_];
+    const double vertices = values[vertices_], diameter = values[diameter_],
+                 irregularity = values[irregularity_];
     const double elongation = values[elongation_], flatness = values[flatness_];
     require(vertices >= 6 && vertices <= 100, "vertices", vertices, "from 6 to 100");
     require(diameter > 0, "diameter", diameter, "above 0 m");
@@ -59,7 +61,8 @@ class RandomPolyhedron : public ShapeModel {
  private:
   static void require(bool fine, const char* name, double value, const char* expected) {
     if (!fine)
-      throw PluginError(fmt::format("plugin random_polyhedron: {} is {:.6g}, must be {}", name, value, expected));
+      throw PluginError(
+          fmt::format("plugin random_polyhedron: {} is {:.6g}, must be {}", name, value, expected));
   }
 
   int vertices_, diameter_, irregularity_, elongation_, flatness_;
@@ -67,6 +70,8 @@ class RandomPolyhedron : public ShapeModel {
 
 }  // namespace
 
-std::unique_ptr<ShapeModel> make_random_polyhedron(Params& params) { return std::make_unique<RandomPolyhedron>(params); }
+std::unique_ptr<ShapeModel> make_random_polyhedron(Params& params) {
+  return std::make_unique<RandomPolyhedron>(params);
+}
 
 }  // namespace flyrock::plugins

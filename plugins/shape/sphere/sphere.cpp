@@ -12,7 +12,8 @@ class Sphere : public ShapeModel {
 
   std::vector<Contactor3> build_3d(Values values, RandomStream&) const override {
     const double radius = values[radius_];
-    if (!(radius > 0)) throw PluginError(fmt::format("plugin sphere: radius is {:.6g} m, must be above 0", radius));
+    if (!(radius > 0))
+      throw PluginError(fmt::format("plugin sphere: radius is {:.6g} m, must be above 0", radius));
     return {Contactor3::sphere(radius)};
   }
 

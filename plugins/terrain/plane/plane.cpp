@@ -45,11 +45,14 @@ class PlaneTerrain : public TerrainModel {
     const Vec<D> normal = Eigen::Map<const Vec<D>>(values.data() + normal_);
     const double length = normal.stableNorm(), rise = std::abs(normal[D - 1]);
     if (!(length > 1e-100 && length < 1e100))
-      throw PluginError(fmt::format("plugin plane: its normal has the length {:.6g}, expected one that is neither zero nor immense", length));
+      throw PluginError(fmt::format(
+          "plugin plane: its normal has the length {:.6g}, expected one that is neither zero nor immense",
+          length));
     if (!(rise > 1e-6 * length))
-      throw PluginError(fmt::format("plugin plane: its normal has the vertical component {:.6g} of a length of {:.6g}: the "
-                                    "plane stands upright and has no ground below",
-                                    normal[D - 1], length));
+      throw PluginError(
+          fmt::format("plugin plane: its normal has the vertical component {:.6g} of a length of {:.6g}: the "
+                      "plane stands upright and has no ground below",
+                      normal[D - 1], length));
     return std::copysign(1 / length, normal[D - 1]) * normal;
   }
 

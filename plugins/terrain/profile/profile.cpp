@@ -19,7 +19,8 @@ class ProfileTerrain : public TerrainModel {
     const std::string file = params.text("file");
     if (params.given("points") == params.given("file")) fail("expected either `points` or a `file`");
     if (params.given("file"))
-      for (const auto& point : read_points("profile", file, 2)) profile_.points.emplace_back(point[0], point[1]);
+      for (const auto& point : read_points("profile", file, 2))
+        profile_.points.emplace_back(point[0], point[1]);
     profile_.part.assign(profile_.points.empty() ? 0 : profile_.points.size() - 1, 0);
     profile_.parts = {""};
     if (std::string fault = profile_.fault(); !fault.empty()) fail(fault);

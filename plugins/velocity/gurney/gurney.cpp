@@ -27,7 +27,8 @@ class Gurney : public VelocityModel {
     if (!is_usual_breakout(blast))
       launch.note = "gurney: the breakout angle lies outside 90 to 120 degrees, for which the prism is given";
     else if (geometry_ == GurneyGeometry::roth && ratio > light_charge)
-      launch.note = "gurney: c/m is above 0.1; with so much gas the geometries differ, and roth leaves the gas out";
+      launch.note =
+          "gurney: c/m is above 0.1; with so much gas the geometries differ, and roth leaves the gas out";
     return launch;
   }
 

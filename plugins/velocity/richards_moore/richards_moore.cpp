@@ -27,7 +27,8 @@ class RichardsMoore : public VelocityModel {
     if (along_the_hole && drill_angle_ < 0)
       throw PluginError("plugin richards_moore: `drill_angle` is missing, stemming leaves along the hole");
     if (along_the_hole && aim_.given_elevation())
-      throw PluginError("plugin richards_moore: stemming leaves at `drill_angle`; `elevation` is of the other modes");
+      throw PluginError(
+          "plugin richards_moore: stemming leaves at `drill_angle`; `elevation` is of the other modes");
     if (!along_the_hole && drill_angle_ >= 0)
       throw PluginError("plugin richards_moore: `drill_angle` is of the mode stemming_ejection only");
   }
@@ -40,7 +41,8 @@ class RichardsMoore : public VelocityModel {
     Launch launch;
     launch.velocity = along_the_hole ? aim_.velocity_at(values, rock, speed, values[drill_angle_])
                                      : aim_.velocity(values, rock, speed);
-    launch.greatest_throw = speed * speed / range_gravity * (along_the_hole ? std::abs(std::sin(2 * values[drill_angle_])) : 1);
+    launch.greatest_throw =
+        speed * speed / range_gravity * (along_the_hole ? std::abs(std::sin(2 * values[drill_angle_])) : 1);
     if (k < 13.5 || k > 30)
       launch.note = "richards_moore: k lies outside 13.5 to 30, the range in which it is used";
     return launch;

@@ -158,24 +158,33 @@ TEST_CASE("Records that a program other than flyrock has written are held agains
     change(records);
     return records_fault(records, trials, scenario);
   };
-  CHECK(fault_after([](TrialRecords& r) { r.rocks[0].group = 3; }) == "a rock of group 3, the scenario has 3");
-  CHECK(fault_after([](TrialRecords& r) { r.rocks[0].group = -1; }) == "a rock of group -1, the scenario has 3");
-  CHECK(fault_after([](TrialRecords& r) { r.rocks[0].trial = 10; }) == "a rock of trial 10, its trials begin at 0 and are 10");
-  CHECK(fault_after([](TrialRecords& r) { r.rocks[0].reason = static_cast<StopReason>(6); }) == "a rock that stopped for no known reason");
+  CHECK(fault_after([](TrialRecords& r) { r.rocks[0].group = 3; }) ==
+        "a rock of group 3, the scenario has 3");
+  CHECK(fault_after([](TrialRecords& r) { r.rocks[0].group = -1; }) ==
+        "a rock of group -1, the scenario has 3");
+  CHECK(fault_after([](TrialRecords& r) { r.rocks[0].trial = 10; }) ==
+        "a rock of trial 10, its trials begin at 0 and are 10");
+  CHECK(fault_after([](TrialRecords& r) { r.rocks[0].reason = static_cast<StopReason>(6); }) ==
+        "a rock that stopped for no known reason");
   CHECK(fault_after([](TrialRecords& r) {
           r.rocks[0].reason = StopReason::stopped;
           r.rocks[0].runout = std::numeric_limits<double>::quiet_NaN();
         }) == "rock 1 of trial 7 has numbers that are not finite");
-  for (const auto& other : {+[](TrialRecords& r) { r.inputs[0].rock = 2; }, +[](TrialRecords& r) { r.trajectories[1].trial = 6; }})
+  for (const auto& other : {+[](TrialRecords& r) { r.inputs[0].rock = 2; },
+                            +[](TrialRecords& r) { r.trajectories[1].trial = 6; }})
     CHECK(fault_after(other) == "rows of a rock that it does not have");
-  for (const auto& other : {+[](TrialRecords& r) { r.gates[0].passage.gate = 3; },
-                            +[](TrialRecords& r) { r.barriers[0].hit.outcome = static_cast<BarrierOutcome>(3); },
-                            +[](TrialRecords& r) { r.gates[0].passage.speed = std::numeric_limits<double>::infinity(); }})
-    CHECK(fault_after(other) == "an arrival at a gate or barrier that the scenario does not have, or with numbers that are not finite");
+  for (const auto& other :
+       {+[](TrialRecords& r) { r.gates[0].passage.gate = 3; },
+        +[](TrialRecords& r) { r.barriers[0].hit.outcome = static_cast<BarrierOutcome>(3); },
+        +[](TrialRecords& r) { r.gates[0].passage.speed = std::numeric_limits<double>::infinity(); }})
+    CHECK(fault_after(other) ==
+          "an arrival at a gate or barrier that the scenario does not have, or with numbers that are not "
+          "finite");
   CHECK(fault_after([](TrialRecords& r) { r.inputs[0].draw = 5; }) == "input 5, the scenario draws 5");
   CHECK(fault_after([](TrialRecords& r) { r.trajectories[0].point.mode = static_cast<TravelMode>(-1); }) ==
         "a point of a trajectory of no known mode of travel");
-  CHECK(fault_after([](TrialRecords& r) { r.totals.bodies[0].reason = static_cast<StopReason>(9); }) == "a body that stopped for no known reason");
+  CHECK(fault_after([](TrialRecords& r) { r.totals.bodies[0].reason = static_cast<StopReason>(9); }) ==
+        "a body that stopped for no known reason");
 }
 
 TEST_CASE("A plan of chunks covers every trial once, in order") {
@@ -208,7 +217,9 @@ TEST_CASE("SHA-256 gives the digests of FIPS 180-4") {
   // In pieces of any length.
   Sha256 sum;
   const std::string text = "abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq";
-  for (std::size_t at = 0, length = 0; at < text.size(); at += length++) sum.add(std::string_view(text).substr(at, length));
+  for (std::size_t at = 0, length = 0; at < text.size(); at += length++)
+    sum.add(std::string_view(text).substr(at, length));
   CHECK(sum.digest() == sha256(text));
-  CHECK(sha256(std::string(1'000'000, 'a')) == "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+  CHECK(sha256(std::string(1'000'000, 'a')) ==
+        "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }

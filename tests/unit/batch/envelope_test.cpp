@@ -11,7 +11,9 @@ namespace {
 /// A rock that passes the bins from 0 to `last` with a height.
 PathBins passing(int last, double height) {
   PathBins path(1, 0, 100);
-  path.visit(0.5, 1, 0, last, [&](PathBin& bin, double, double) { bin = {height, 2 * height, 1e6 * height}; });
+  path.visit(0.5, 1, 0, last, [&](PathBin& bin, double, double) {
+    bin = {height, 2 * height, 1e6 * height};
+  });
   return path;
 }
 
@@ -52,7 +54,8 @@ TEST_CASE("Envelopes of parts add up, and read back as they were written") {
 }
 
 TEST_CASE("Envelopes that no rock has made are refused, and counts that do not agree give an answer") {
-  // One group 0 with one bin 0, whose quantities have 1, 0 and 0 codes; then 1, 1 and 1 codes with 3, 1 and 1 rocks.
+  // One group 0 with one bin 0, whose quantities have 1, 0 and 0 codes; then 1, 1 and 1 codes with 3, 1 and 1
+  // rocks.
   using namespace std::string_literals;
   CHECK_THROWS_WITH(Envelopes::read("\1\0\1\0\1\0\3\0\0"s), "a bin of the envelopes has no rock");
   const Envelopes odd = Envelopes::read("\1\0\1\0\1\0\3\1\7\1\1\7\1"s);

@@ -29,7 +29,9 @@ std::string scenario(const std::string& air, const std::string& launch) {
          "    density: 2700 kg/m3\n"
          "    shape: { type: disk, radius: 0.1 m }\n"
          "    release: { position: [0, 0] }\n"
-         "    launch: { type: " + launch + " }\n"
+         "    launch: { type: " +
+         launch +
+         " }\n"
          "stop: { time: 60 s }\n";
 }
 
@@ -52,9 +54,12 @@ TEST_CASE("A distance model that is flown with drag, or lower, is warned of with
   const std::vector<std::string> drag = warnings_of(scenario(air, "richards_moore, k: 27"));
   REQUIRE(drag.size() == 1);
   CHECK(drag[0] ==
-        "rocks.0.launch: richards_moore (k 27, face_burst) was fitted to the greatest throw, in air and at its best angle. With drag, which "
-        "these distances already contain, the farthest rock of `face` lands at 63.9 m on level ground, where the published formula "
-        "gives 69.8 m. Leave out `air` and `elevation`, or take a model of launch speeds (docs/which-model.md)");
+        "rocks.0.launch: richards_moore (k 27, face_burst) was fitted to the greatest throw, in air and at "
+        "its best angle. With drag, which "
+        "these distances already contain, the farthest rock of `face` lands at 63.9 m on level ground, where "
+        "the published formula "
+        "gives 69.8 m. Leave out `air` and `elevation`, or take a model of launch speeds "
+        "(docs/which-model.md)");
   const std::vector<std::string> low = warnings_of(scenario("", "richards_moore, k: 27, elevation: 20 deg"));
   REQUIRE(low.size() == 1);
   CHECK(low[0].find("At other angles the farthest rock of `face` lands at 44.9 m") != std::string::npos);
@@ -65,15 +70,17 @@ TEST_CASE("A distance model that is flown with drag, or lower, is warned of with
 }
 
 TEST_CASE("A distance model as it was fitted, and a model of speeds, are not warned of") {
-  for (const char* launch : {"richards_moore, k: 27", "richards_moore, k: 27, elevation: 45 deg", "mckenzie", "lundborg",
-                             "richards_moore, k: 27, mode: stemming_ejection, drill_angle: 80 deg"})
+  for (const char* launch :
+       {"richards_moore, k: 27", "richards_moore, k: 27, elevation: 45 deg", "mckenzie", "lundborg",
+        "richards_moore, k: 27, mode: stemming_ejection, drill_angle: 80 deg"})
     CHECK(warnings_of(scenario("", launch)).empty());
   for (const char* launch : {"gurney, elevation: 20 deg", "fixed, speed: 20, elevation: 20 deg"})
     CHECK(warnings_of(scenario(air, launch)).empty());
 }
 
 TEST_CASE("Of a sweep the point that falls shortest is named") {
-  const std::vector<std::string> found = warnings_of(scenario("air: { cd: { sweep: [0, 0.5, 1] } }\n", "mckenzie"));
+  const std::vector<std::string> found =
+      warnings_of(scenario("air: { cd: { sweep: [0, 0.5, 1] } }\n", "mckenzie"));
   REQUIRE(found.size() == 1);
   CHECK(found[0].find("(point 2)") != std::string::npos);
 }
@@ -85,7 +92,8 @@ TEST_CASE("The quarry's scenarios have one k a site and fly their distance model
     const auto loaded = load_scenario(entry.path().string(), {}, diagnostics);
     INFO(entry.path() << diagnostics.to_text());
     REQUIRE(loaded);
-    for (const Draw& draw : loaded->plan.points.front().draws) CHECK_FALSE(draw.stream.ends_with(".launch.k"));
+    for (const Draw& draw : loaded->plan.points.front().draws)
+      CHECK_FALSE(draw.stream.ends_with(".launch.k"));
     CHECK(diagnostics.to_text().find("published formula") == std::string::npos);
     ++seen;
   }

@@ -1,8 +1,7 @@
 #include "batch/run.h"
 
-#include <unistd.h>
-
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <catch2/catch.hpp>
 
@@ -54,7 +53,8 @@ constexpr std::uint64_t never = 1'000'000;
 TEST_CASE("Chunks merge to every trial of every point in order") {
   Folder folder;
   const auto plan = plan_chunks(2, 150);
-  const RunOutcome outcome = run_chunks(plan, rocks_failing_from(never), {.folder = folder.path, .scenario_hash = "h"});
+  const RunOutcome outcome =
+      run_chunks(plan, rocks_failing_from(never), {.folder = folder.path, .scenario_hash = "h"});
   CHECK(outcome.ending == RunEnding::complete);
   CHECK(outcome.progress.done == 300);
   const auto rocks = merged(outcome, 2, folder);
@@ -70,7 +70,8 @@ TEST_CASE("Chunks merge to every trial of every point in order") {
 }
 
 TEST_CASE("Each chunk is shown once, in order, as its file holds it, whatever thread ran it") {
-  for (const std::uint64_t failing : {never, std::uint64_t{40}}) {  // to the end, and to a fault that ends the run
+  for (const std::uint64_t failing :
+       {never, std::uint64_t{40}}) {  // to the end, and to a fault that ends the run
     for (const int threads : {1, 2, 5}) {
       Folder folder;
       const auto plan = plan_chunks(2, 300);
@@ -84,7 +85,8 @@ TEST_CASE("Each chunk is shown once, in order, as its file holds it, whatever th
         const auto files = merged(outcome, 2, folder);
         for (std::size_t point = 0; point < 2; ++point) {
           REQUIRE(seen[point].size() == files[point].size());
-          for (std::size_t i = 0; i < files[point].size(); ++i) CHECK(seen[point][i].runout == files[point][i].runout);
+          for (std::size_t i = 0; i < files[point].size(); ++i)
+            CHECK(seen[point][i].runout == files[point][i].runout);
         }
         CHECK(seen[0].size() == std::min<std::uint64_t>(failing + 1, 300));
       };
@@ -98,7 +100,9 @@ TEST_CASE("Each chunk is shown once, in order, as its file holds it, whatever th
   }
 }
 
-TEST_CASE("What Lua code prints is told in the order of trials, ten lines of each place, for any number of threads") {
+TEST_CASE(
+    "What Lua code prints is told in the order of trials, ten lines of each place, for any number of "
+    "threads") {
   const RunTrial chatter = [](int, std::uint64_t trial, TrialRecords& out) {
     RockRecord rock;
     rock.trial = trial;
@@ -110,8 +114,11 @@ TEST_CASE("What Lua code prints is told in the order of trials, ten lines of eac
     Folder folder;
     std::vector<std::string> lines;
     RunOptions options{.folder = folder.path, .scenario_hash = "h", .threads = threads};
-    options.print = [&](const std::vector<std::string>& more) { lines.insert(lines.end(), more.begin(), more.end()); };
-    run_chunks(plan_chunks(1, 200), [&](int) { return chatter; }, options);
+    options.print = [&](const std::vector<std::string>& more) {
+      lines.insert(lines.end(), more.begin(), more.end());
+    };
+    run_chunks(
+        plan_chunks(1, 200), [&](int) { return chatter; }, options);
     REQUIRE(lines.size() == 22);
     for (int i = 0; i < 10; ++i) CHECK(lines[i] == fmt::format("trial {}", i));
     CHECK(lines[10] == "a.lua:1: print: after 10 lines the others of this place are dropped");
@@ -123,10 +130,12 @@ TEST_CASE("What Lua code prints is told in the order of trials, ten lines of eac
 TEST_CASE("A run goes on after rocks that fail, unless all of the first 20 do") {
   Folder folder;
   const auto plan = plan_chunks(1, 100);
-  const RunOutcome later = run_chunks(plan, rocks_failing_from(1), {.folder = folder.path, .scenario_hash = "h"});
+  const RunOutcome later =
+      run_chunks(plan, rocks_failing_from(1), {.folder = folder.path, .scenario_hash = "h"});
   CHECK(later.ending == RunEnding::complete);
   CHECK(later.progress.done == 100);
-  const RunOutcome all = run_chunks(plan, rocks_failing_from(0), {.folder = folder.path, .scenario_hash = "h"});
+  const RunOutcome all =
+      run_chunks(plan, rocks_failing_from(0), {.folder = folder.path, .scenario_hash = "h"});
   CHECK(all.ending == RunEnding::faults);
   CHECK(all.progress.done == 20);
   CHECK(all.why == "the first 20 rocks all failed, the last with: no law");
@@ -167,7 +176,8 @@ TEST_CASE("Any number of threads ends a failing run at the same trial, with the 
         run_chunks(plan, rocks_failing_from(failing),
                    {.folder = folder.path, .scenario_hash = "h", .threads = threads, .strict = strict});
     std::vector<std::string> written;
-    for (const ChunkRange& chunk : outcome.chunks) written.push_back(read_file(folder.path / chunk.file_name()));
+    for (const ChunkRange& chunk : outcome.chunks)
+      written.push_back(read_file(folder.path / chunk.file_name()));
     CHECK(static_cast<std::size_t>(std::distance(fs::directory_iterator(folder.path), {})) == written.size());
     if (threads == 1) {
       files = written;
@@ -189,13 +199,15 @@ TEST_CASE("A run goes on from whole chunks, and runs broken and foreign ones aga
 
   fs::remove(folder.path / "p0-c0.chunk");
   fs::resize_file(folder.path / "p0-c7.chunk", 100);
-  fs::copy_file(folder.path / "p0-c3.chunk", folder.path / "p0-c8.chunk", fs::copy_options::overwrite_existing);
+  fs::copy_file(folder.path / "p0-c3.chunk", folder.path / "p0-c8.chunk",
+                fs::copy_options::overwrite_existing);
   write_file(folder.path / "p0-c9.chunk", encode_chunk(plan[9], "another scenario", {}));
   const RunOutcome second = run_chunks(plan, rocks_failing_from(900), options);
   CHECK(second.progress.kept == 960);
   CHECK(second.progress.done == 1000);
   CHECK(second.failed == first.failed);
-  for (std::size_t i = 0; i < plan.size(); ++i) CHECK(read_file(folder.path / plan[i].file_name()) == files[i]);
+  for (std::size_t i = 0; i < plan.size(); ++i)
+    CHECK(read_file(folder.path / plan[i].file_name()) == files[i]);
 
   RunOptions strict = options;
   strict.strict = true;
@@ -207,8 +219,9 @@ TEST_CASE("A run goes on from whole chunks, and runs broken and foreign ones aga
 TEST_CASE("What a worker throws ends the run") {
   Folder folder;
   const MakeWorker broken = [](int) -> RunTrial { throw std::runtime_error("no worker"); };
-  CHECK_THROWS_WITH(run_chunks(plan_chunks(1, 10), broken, {.folder = folder.path, .scenario_hash = "h", .threads = 3}),
-                    "no worker");
+  CHECK_THROWS_WITH(
+      run_chunks(plan_chunks(1, 10), broken, {.folder = folder.path, .scenario_hash = "h", .threads = 3}),
+      "no worker");
 }
 
 TEST_CASE("A file that cannot be written is an error that names it, and leaves nothing") {

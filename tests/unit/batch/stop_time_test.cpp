@@ -1,6 +1,5 @@
 // stop.time ends a trial, however late its rocks start, by every method.
 #include <catch2/catch.hpp>
-
 #include <cmath>
 
 #include "load.h"

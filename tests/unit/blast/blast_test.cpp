@@ -111,7 +111,8 @@ TEST_CASE("McKenzie's charge and fragment") {
   blast[BlastField::hole_charge_length] = 5;
   const double fragment = mckenzie_fragment(scaled_depth_of_burial(blast), 0.102, 2600);
   CHECK(mckenzie_fragment(scaled_depth_of_burial(blast), 0.102, 2700) == Approx(fragment * 2600 / 2700));
-  blast[BlastField::hole_charge_length] = 1.02;  // ten diameters: more charge below throws no rock at the collar
+  blast[BlastField::hole_charge_length] =
+      1.02;  // ten diameters: more charge below throws no rock at the collar
   const double ten = scaled_depth_of_burial(blast);
   blast[BlastField::hole_charge_length] = 9;
   CHECK(scaled_depth_of_burial(blast) == ten);

@@ -64,9 +64,10 @@ TEST_CASE("the least burden of a hole between crest and toe") {
   CHECK(least(2.7, 2.7, 0) == Approx(2.7));
   CHECK(least(2.5, 3.3, 0) == Approx(2.5 + 0.8 * 2.6 / 8));  // at the top of the charge, not at the crest
   CHECK(least(3.3, 2.5, 0) == Approx(2.5));
-  CHECK(least(2.7, 2.7, 0.05) == Approx(2.7 - 0.05 * 8));    // at the floor
+  CHECK(least(2.7, 2.7, 0.05) == Approx(2.7 - 0.05 * 8));  // at the floor
   CHECK(least(2.7, 2.7, -0.05) == Approx(2.7 + 0.05 * 2.6));
-  CHECK_THROWS_WITH(least(2.7, 2.7, 0.4), "blast.hole.deviation: the hole deviates by 3.2 m at the floor and leaves the rock");
+  CHECK_THROWS_WITH(least(2.7, 2.7, 0.4),
+                    "blast.hole.deviation: the hole deviates by 3.2 m at the floor and leaves the rock");
 }
 
 TEST_CASE("charges and powder factors of Ninh Dan's pattern") {
@@ -88,7 +89,8 @@ TEST_CASE("charges and powder factors of Ninh Dan's pattern") {
   stated = ninh_dan();
   stated[spacing] = 1.5;
   CHECK(disagreement(stated, design_of(stated, {})) ==
-        "the pattern has 1.33 kg/m3; the prism that a hole breaks out makes it 0.476 (shallow) to 0.762 (deep)");
+        "the pattern has 1.33 kg/m3; the prism that a hole breaks out makes it 0.476 (shallow) to 0.762 "
+        "(deep)");
 }
 
 TEST_CASE("a design says nothing of what it does not know") {
@@ -102,7 +104,11 @@ TEST_CASE("a design says nothing of what it does not know") {
 }
 
 TEST_CASE("holes go off along the rows") {
-  const Pattern pattern{.rows = 3, .holes_per_row = 8, .row_distance = 3.2, .delay_row = 0.042, .delay_hole = 0.017,
+  const Pattern pattern{.rows = 3,
+                        .holes_per_row = 8,
+                        .row_distance = 3.2,
+                        .delay_row = 0.042,
+                        .delay_hole = 0.017,
                         .delay_in_hole = 0.4};
   CHECK(pattern.holes() == 24);
   CHECK(pattern.time(0) == Approx(0.4));

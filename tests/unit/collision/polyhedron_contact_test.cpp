@@ -25,9 +25,9 @@ Contacts between(const Placed3& a, const Placed3& b, double reach) {
     CHECK(c.normal.norm() == Approx(1).epsilon(1e-14));
     CHECK(contactor_of(c.feature) == 1);
     CHECK(contactor_of(c.against) == 2);
-    // Of faces that lean against each other, as deep overlap makes them, the edges have a normal of their own.
-    if (c.gap > -0.011)
-      CHECK(feature_gap(a, c.feature, b, c.against) == Approx(c.gap).margin(1e-9));
+    // Of faces that lean against each other, as deep overlap makes them, the edges have a normal of their
+    // own.
+    if (c.gap > -0.011) CHECK(feature_gap(a, c.feature, b, c.against) == Approx(c.gap).margin(1e-9));
   }
   return contacts;
 }
@@ -68,7 +68,11 @@ TEST_CASE("of many contacts the deepest and the widest four are kept, and share 
   Contacts contacts;
   for (int i = 0; i < 12; ++i) {
     const double angle = 2 * pi * i / 12;
-    contacts.push_back({{std::cos(angle), std::sin(angle), 0}, Vec3::UnitZ(), i == 5 ? -1e-3 : 0, static_cast<std::uint32_t>(i), 0});
+    contacts.push_back({{std::cos(angle), std::sin(angle), 0},
+                        Vec3::UnitZ(),
+                        i == 5 ? -1e-3 : 0,
+                        static_cast<std::uint32_t>(i),
+                        0});
   }
   keep_four(contacts, 0);
   CHECK(ids(contacts) == std::set<std::pair<std::uint32_t, std::uint32_t>>{{2, 0}, {5, 0}, {8, 0}, {11, 0}});
@@ -110,7 +114,8 @@ TEST_CASE("a box on a box: four contacts that keep their ids while it slides and
   for (const double angle : {0.0, 0.3, 0.785}) {
     const Rotation3 turn = Rotation3::from_vector({0, 0, angle});
     const auto at = [&](double shift, const Vec3& tilt) {
-      return between({cube, {Vec3(0.3 + shift, 0.2, 1 - 1e-8), Rotation3::from_vector(tilt) * turn}}, below, 1e-6);
+      return between({cube, {Vec3(0.3 + shift, 0.2, 1 - 1e-8), Rotation3::from_vector(tilt) * turn}}, below,
+                     1e-6);
     };
     const Contacts contacts = at(0, Vec3::Zero());
     REQUIRE(contacts.size() == 4);
@@ -135,7 +140,8 @@ TEST_CASE("two edges meet in one contact, a vertex and a face in one") {
   CHECK(kind_of(crossed[0].feature) == FeatureKind::edge);
 
   const Rotation3 on_tip(Eigen::Quaterniond::FromTwoVectors(Vec3(1, 1, 1), Vec3::UnitZ()));
-  const Contacts tip = between({cube, {Vec3(0.1, 0.1, 0.5 + std::sqrt(0.75) + 0.001), on_tip}}, {cube, {}}, 0.01);
+  const Contacts tip =
+      between({cube, {Vec3(0.1, 0.1, 0.5 + std::sqrt(0.75) + 0.001), on_tip}}, {cube, {}}, 0.01);
   REQUIRE(tip.size() == 1);
   CHECK(tip[0].gap == Approx(0.001));
   CHECK(kind_of(tip[0].feature) == FeatureKind::vertex);
@@ -152,7 +158,9 @@ TEST_CASE("polyhedra thrown together: overlap gives contacts, their push along t
   const Contactor3 first = boxes ? Contactor3::box({1, 0.8, 0.3}) : convex_hull(points);
   for (Vec3& p : points) p = 0.5 * any();
   const Contactor3 second = boxes ? cube : convex_hull(points);
-  const auto along = [](const Placed3& shape, const Contactor3::Edge& e) { return Vec3(shape.point(e.end) - shape.point(e.start)); };
+  const auto along = [](const Placed3& shape, const Contactor3::Edge& e) {
+    return Vec3(shape.point(e.end) - shape.point(e.start));
+  };
   int met = 0;
   for (int k = 0; k < 3000; ++k) {
     const Placed3 a{first, {0.8 * any(), Rotation3::from_vector(3 * any())}};

@@ -23,7 +23,8 @@ Motion3 thrown(const Vec3& x, const Vec3& v) {
   return motion;
 }
 
-Motion3 tumbling(const Vec3& x, const Vec3& v, const Vec3& moments, const Rotation3& rotation, const Vec3& spin) {
+Motion3 tumbling(const Vec3& x, const Vec3& v, const Vec3& moments, const Rotation3& rotation,
+                 const Vec3& spin) {
   Motion3 motion = thrown(x, v);
   motion.rotation = FreeRotation(moments, rotation, spin);
   return motion;
@@ -39,12 +40,14 @@ double lowest(const Contactor3& shape, const Motion3& motion, double t) {
 /// The greatest separation of two polyhedra over all axes that can separate them.
 double separation(const Contactor3& a, const Motion3& ma, const Contactor3& b, const Motion3& mb, double t) {
   const Placed3 pa{a, {ma.position(t), ma.turn(t).rotation}}, pb{b, {mb.position(t), mb.turn(t).rotation}};
-  return std::max({best_face_axis(pa, pb).separation, best_face_axis(pb, pa).separation, best_edge_axis(pa, pb).separation});
+  return std::max({best_face_axis(pa, pb).separation, best_face_axis(pb, pa).separation,
+                   best_edge_axis(pa, pb).separation});
 }
 
 }  // namespace
 
-TEST_CASE("in space a pair released at gap 0 with a speed away returns; without, it touches at once or never") {
+TEST_CASE(
+    "in space a pair released at gap 0 with a speed away returns; without, it touches at once or never") {
   const std::uint32_t ground = feature_id(0, FeatureKind::face, 0);
   std::vector<HeldContact> held;
   for (int i = 0; i < 8; ++i) held.push_back({feature_id(0, FeatureKind::vertex, i), ground});
@@ -67,12 +70,14 @@ TEST_CASE("in space a pair released at gap 0 with a speed away returns; without,
   held.clear();
   int top = 0;
   while (cube.faces[top].normal.z() != 1) ++top;
-  for (int i = 0; i < 8; ++i) held.push_back({feature_id(0, FeatureKind::vertex, i), feature_id(0, FeatureKind::face, top)});
+  for (int i = 0; i < 8; ++i)
+    held.push_back({feature_id(0, FeatureKind::vertex, i), feature_id(0, FeatureKind::face, top)});
   search.held = held;
   for (const Contactor3* shape : {&ball, &cube}) {
     const auto t = time_of_contact(*shape, 0, thrown({0.1, 0, 0.5}, {0, 0, 3}), cube, 0, below, 10, search);
     CHECK(t.value() == Approx(6 / 9.81).epsilon(1e-11));
-    CHECK(time_of_contact(*shape, 0, thrown({0.1, 0, 0.5}, {0, 0, 0}), cube, 0, below, 10, search).value() == 0);
+    CHECK(time_of_contact(*shape, 0, thrown({0.1, 0, 0.5}, {0, 0, 0}), cube, 0, below, 10, search).value() ==
+          0);
   }
 }
 
@@ -151,8 +156,10 @@ TEST_CASE("tumbling polyhedra touch with a gap of at most 1e-11, and not before"
   const double spin = GENERATE(0.0, 3.0, 50.0);
   int met = 0, edges = 0;
   for (int k = 0; k < 200; ++k) {
-    const Motion3 a = tumbling({-3, 0, 0}, Vec3(4, 0, 0) + 0.5 * any(), moments, Rotation3::from_vector(3 * any()), spin * any());
-    const Motion3 b = tumbling({3, 0, 0}, Vec3(-2, 0, 0) + 0.5 * any(), cube_moments, Rotation3::from_vector(3 * any()), spin * any());
+    const Motion3 a = tumbling({-3, 0, 0}, Vec3(4, 0, 0) + 0.5 * any(), moments,
+                               Rotation3::from_vector(3 * any()), spin * any());
+    const Motion3 b = tumbling({3, 0, 0}, Vec3(-2, 0, 0) + 0.5 * any(), cube_moments,
+                               Rotation3::from_vector(3 * any()), spin * any());
     iterations = 0;
     const auto t = time_of_contact(box, 0, a, cube, 0, b, 2, search);
     most = std::max(most, iterations);
@@ -163,15 +170,18 @@ TEST_CASE("tumbling polyhedra touch with a gap of at most 1e-11, and not before"
     const double gap = separation(box, a, cube, b, *t);
     CHECK(gap <= 1e-11);
     CHECK(gap >= -1e-12);
-    const Placed3 pa{box, {a.position(*t), a.turn(*t).rotation}}, pb{cube, {b.position(*t), b.turn(*t).rotation}};
-    edges += best_edge_axis(pa, pb).separation > std::max(best_face_axis(pa, pb).separation, best_face_axis(pb, pa).separation);
+    const Placed3 pa{box, {a.position(*t), a.turn(*t).rotation}},
+        pb{cube, {b.position(*t), b.turn(*t).rotation}};
+    edges += best_edge_axis(pa, pb).separation >
+             std::max(best_face_axis(pa, pb).separation, best_face_axis(pb, pa).separation);
   }
   CHECK(met > 70);
   CHECK(edges > 20);
   CHECK(most < 300);
 }
 
-TEST_CASE("a box that slides over the edge of another is held by the solver's contacts and touches nothing new") {
+TEST_CASE(
+    "a box that slides over the edge of another is held by the solver's contacts and touches nothing new") {
   const double overhang = GENERATE(0.0, 0.3, 0.45), yaw = GENERATE(0.0, 0.4), spin = GENERATE(0.0, 1e-7, 2.0);
   Motion3 below, above;
   below.x = {0, 0, -0.5};
@@ -198,7 +208,8 @@ TEST_CASE("a box that slides over the edge of another is held by the solver's co
 }
 
 TEST_CASE("a given rotation ends where it should, and its spin is its derivative") {
-  const Rotation3 start = Rotation3::from_vector({0.3, -0.2, 1}), end = Rotation3::from_vector({0.31, -0.17, 1.02});
+  const Rotation3 start = Rotation3::from_vector({0.3, -0.2, 1}),
+                  end = Rotation3::from_vector({0.31, -0.17, 1.02});
   const GivenRotation path = GivenRotation::between(start, {1, 2, -3}, end, 0.01);
   CHECK((path.at(0.01).rotation.matrix() - end.matrix()).norm() < 1e-15);
   CHECK((path.at(0).spin - Vec3(1, 2, -3)).norm() < 1e-15);
@@ -207,6 +218,7 @@ TEST_CASE("a given rotation ends where it should, and its spin is its derivative
     const Vec3 spin = (path.at(t + h).rotation * path.at(t - h).rotation.inverse()).vector() / (2 * h);
     CHECK((spin - path.at(t).spin).norm() < 1e-8 * (1 + spin.norm()));
     CHECK(path.at(t).spin.norm() <= path.greatest_spin(t) * (1 + 1e-12));
-    CHECK((path.at(t + h).spin - path.at(t - h).spin).norm() / (2 * h) <= path.greatest_spin_rate(t + h) * (1 + 1e-6));
+    CHECK((path.at(t + h).spin - path.at(t - h).spin).norm() / (2 * h) <=
+          path.greatest_spin_rate(t + h) * (1 + 1e-6));
   }
 }

@@ -44,14 +44,16 @@ TEST_CASE("a pair released at gap 0 with a speed away returns; without, it touch
   TouchSearch search;
   search.held = held;
   const Contactor2 disk = Contactor2::disk(0.5);
-  CHECK(time_of_contact(disk, 0, thrown({0, 0.5}, {1, 3}), ground, 10, search).value() == Approx(6 / 9.81).epsilon(1e-15));
+  CHECK(time_of_contact(disk, 0, thrown({0, 0.5}, {1, 3}), ground, 10, search).value() ==
+        Approx(6 / 9.81).epsilon(1e-15));
   CHECK(time_of_contact(disk, 0, thrown({0, 0.5}, {1, 0}), ground, 10, search).value() == 0);
   Motion2 weightless = thrown({0, 0.5}, {1, 0});
   weightless.a.setZero();
   CHECK_FALSE(time_of_contact(disk, 0, weightless, ground, 10, search));
 
   TouchSearch loose;
-  CHECK(time_of_contact(square, 0, thrown({0, 0.5}, {1, 3}), ground, 10, loose).value() == Approx(6 / 9.81).epsilon(1e-11));
+  CHECK(time_of_contact(square, 0, thrown({0, 0.5}, {1, 3}), ground, 10, loose).value() ==
+        Approx(6 / 9.81).epsilon(1e-11));
 }
 
 TEST_CASE("the gap at the time of contact is at most 1e-12 of the size, and not negative") {
@@ -81,8 +83,10 @@ TEST_CASE("a grazing approach of 1e-6 rad is found") {
   motion.v = {std::cos(angle), -std::sin(angle)};
   motion.x = {-10, 0.5 + 5e-6};
   TouchSearch search;
-  CHECK(time_of_contact(Contactor2::disk(0.5), 0, motion, ground, 100, search).value() == Approx(5e-6 / std::sin(angle)).epsilon(1e-9));
-  CHECK(time_of_contact(square, 0, motion, ground, 100, search).value() == Approx(5e-6 / std::sin(angle)).epsilon(1e-6));
+  CHECK(time_of_contact(Contactor2::disk(0.5), 0, motion, ground, 100, search).value() ==
+        Approx(5e-6 / std::sin(angle)).epsilon(1e-9));
+  CHECK(time_of_contact(square, 0, motion, ground, 100, search).value() ==
+        Approx(5e-6 / std::sin(angle)).epsilon(1e-6));
 }
 
 TEST_CASE("a disk meets a corner on the exact root of the quartic") {

@@ -51,9 +51,11 @@ TEST_CASE("a flight over a bench keeps the numbers of its parabola") {
   CHECK(h.bounce_height == Approx(13 + 100 / (2 * g)).epsilon(1e-12));  // the apex lies beyond the toe
   CHECK(h.max_speed == Approx(std::sqrt(500 + 2 * g * 13)).epsilon(1e-12));
   CHECK(h.last.angle == Approx(2 * h.last.time).epsilon(1e-12));
-  CHECK(h.max.kinetic_energy == Approx(0.5 * body.mass * (500 + 2 * g * 13) + 2 * body.inertia).epsilon(1e-12));
+  CHECK(h.max.kinetic_energy ==
+        Approx(0.5 * body.mass * (500 + 2 * g * 13) + 2 * body.inertia).epsilon(1e-12));
   double path = 0;
-  for (int i = 0; i < 100000; ++i) path += std::hypot(20, 10 - g * (i + 0.5) * h.last.time / 1e5) * h.last.time / 1e5;
+  for (int i = 0; i < 100000; ++i)
+    path += std::hypot(20, 10 - g * (i + 0.5) * h.last.time / 1e5) * h.last.time / 1e5;
   CHECK(h.travel.distance[0] == Approx(path).epsilon(1e-9));
   CHECK(h.travel.time[0] == Approx(h.last.time).epsilon(1e-12));
   CHECK(h.impact_count == 0);
@@ -105,7 +107,9 @@ TEST_CASE("the bins along x hold the heights and speeds of a flight with drag") 
   CHECK(static_cast<double>(h.path.bins().size()) == Approx(h.flight_range / 10).margin(1.01));
 }
 
-TEST_CASE("gates see a flight pass, and fences catch it, let it over the top, or through with what energy is left") {
+TEST_CASE(
+    "gates see a flight pass, and fences catch it, let it over the top, or through with what energy is "
+    "left") {
   const Body<2> body = rock({0, 12}, {20, 10});
   const double range = vacuum_range(std::hypot(20, 10), std::atan2(10, 20), 12, g);
   const auto height = [&](double x) { return 12 + x / 2 - g * x * x / 800; };
@@ -119,7 +123,8 @@ TEST_CASE("gates see a flight pass, and fences catch it, let it over the top, or
   CHECK(free.passages[0].speed == Approx(std::hypot(20, 10 - 1.5 * g)).epsilon(1e-12));
 
   const double energy = free.passages[0].kinetic_energy;
-  CHECK(energy == Approx(0.5 * (body.mass * std::pow(free.passages[0].speed, 2) + 4 * body.inertia)).epsilon(1e-12));
+  CHECK(energy ==
+        Approx(0.5 * (body.mass * std::pow(free.passages[0].speed, 2) + 4 * body.inertia)).epsilon(1e-12));
   const auto fenced = [&](double high, double capacity) {
     const std::vector<Barrier> fence{{30, high, capacity}};
     run.barriers = fence;
@@ -136,7 +141,8 @@ TEST_CASE("gates see a flight pass, and fences catch it, let it over the top, or
   CHECK(through.barriers.at(0).outcome == BarrierOutcome::over_energy);
   const Vec2 slower = 0.8 * Vec2(20, 10 - 1.5 * g);
   CHECK(through.flight_range ==
-        Approx(30 + vacuum_range(slower.norm(), std::atan2(slower.y(), slower.x()), height(30), g)).epsilon(1e-12));
+        Approx(30 + vacuum_range(slower.norm(), std::atan2(slower.y(), slower.x()), height(30), g))
+            .epsilon(1e-12));
   // It has turned at 2 rad/s up to the fence, and at 0.8 of it behind.
   CHECK(through.last.angle == Approx(2 * (1.5 + 0.8 * (through.last.time - 1.5))).epsilon(1e-12));
 }
@@ -159,7 +165,8 @@ TEST_CASE("in space a flight lands on its plane, and turns with the azimuth of t
     CHECK(h.reason == StopReason::stopped);
     CHECK(h.flight_range == Approx(20 * (up + std::sqrt(up * up + 2 * g * 12)) / g).epsilon(1e-12));
     CHECK(h.bounce_height == Approx(12 + up * up / (2 * g)).epsilon(1e-12));
-    CHECK(std::atan2(h.last.position.y(), h.last.position.x()) == Approx(std::remainder(azimuth, 2 * pi)).epsilon(1e-9));
+    CHECK(std::atan2(h.last.position.y(), h.last.position.x()) ==
+          Approx(std::remainder(azimuth, 2 * pi)).epsilon(1e-9));
     CHECK(flown(azimuth, 0.01).flight_range < 0.95 * h.flight_range);
   }
 }

@@ -1,13 +1,13 @@
-// Flights of a point with and without air, against closed forms and the reference integration of the issue: a sphere of
-// 0.1 m and 2700 kg/m3 with c_d 1 at 60 m/s and 45 degrees.
+// Flights of a point with and without air, against closed forms and the reference integration of the issue: a
+// sphere of 0.1 m and 2700 kg/m3 with c_d 1 at 60 m/s and 45 degrees.
 
 #include "flight/ballistic.h"
 
 #include <catch2/catch.hpp>
 
-#include "random/stream.h"
 #include "flight/shroud.h"
 #include "flight/vacuum.h"
+#include "random/stream.h"
 
 using namespace flyrock;
 
@@ -50,19 +50,21 @@ struct Flown : Landing<2> {
 
 Flown fly(const Forces<2>& forces, const Vec2& from, const Vec2& velocity, const Profile& ground) {
   Flown flown;
-  static_cast<Landing<2>&>(flown) =
-      land(BallisticFlight<2>(forces, from, velocity), ground, 1e3, [&](const Arc<2>& arc, const ArcEnd& end) {
+  static_cast<Landing<2>&>(flown) = land(
+      BallisticFlight<2>(forces, from, velocity), ground, 1e3, [&](const Arc<2>& arc, const ArcEnd& end) {
         ++flown.arcs;
         for (int i = 0; i <= 1000; ++i) flown.apex = std::max(flown.apex, arc.position(end.s * i / 1000).y());
       });
   return flown;
 }
 
-/// The classical Runge-Kutta scheme in small steps, then the last one shortened to the ground by linear interpolation.
+/// The classical Runge-Kutta scheme in small steps, then the last one shortened to the ground by linear
+/// interpolation.
 Vec2 reference_landing(const Forces<2>& forces, Vec2 x, Vec2 v, double dt) {
   while (true) {
-    const Vec2 a1 = forces.acceleration(v), v2 = v + dt / 2 * a1, a2 = forces.acceleration(v2), v3 = v + dt / 2 * a2,
-               a3 = forces.acceleration(v3), v4 = v + dt * a3, a4 = forces.acceleration(v4);
+    const Vec2 a1 = forces.acceleration(v), v2 = v + dt / 2 * a1, a2 = forces.acceleration(v2),
+               v3 = v + dt / 2 * a2, a3 = forces.acceleration(v3), v4 = v + dt * a3,
+               a4 = forces.acceleration(v4);
     const Vec2 next = x + dt / 6 * (v + 2 * v2 + 2 * v3 + v4);
     if (next.y() < 0) return x + x.y() / (x.y() - next.y()) * (next - x);
     x = next;
@@ -84,7 +86,8 @@ TEST_CASE("Roth's ranges, and the best angle is not 45 degrees from a height") {
   CHECK(vacuum_range(v, pi / 4, 0, g) == Approx(127.1).epsilon(1e-3));
   CHECK(vacuum_range(v, pi / 4, 12, g) == Approx(138.18).epsilon(1e-4));
   CHECK(greatest_vacuum_range(v, 12, g) == Approx(138.62).epsilon(1e-4));
-  CHECK(vacuum_range(v, best_vacuum_elevation(v, 12, g), 12, g) == Approx(greatest_vacuum_range(v, 12, g)).epsilon(1e-14));
+  CHECK(vacuum_range(v, best_vacuum_elevation(v, 12, g), 12, g) ==
+        Approx(greatest_vacuum_range(v, 12, g)).epsilon(1e-14));
   const Farthest found = farthest(air(0), v, 12, day);
   CHECK(found.range == Approx(greatest_vacuum_range(v, 12, g)).epsilon(1e-7));
   CHECK(found.elevation == Approx(best_vacuum_elevation(v, 12, g)).margin(2e-4));
@@ -107,8 +110,14 @@ TEST_CASE("air matters below 0.3 m, and flattens the best angle") {
   struct Case {
     double diameter, cd, range, best;
   };
-  for (const Case& c : {Case{0.05, 0.47, 203.0, 41}, {0.05, 1, 141.8, 38}, {0.1, 0.47, 257.4, 42}, {0.1, 1, 197.9, 40},
-                        {0.3, 0.47, 319.4, 44}, {0.3, 1, 280.6, 43}, {1, 0.47, 351.0, 45}, {1, 1, 334.8, 44}}) {
+  for (const Case& c : {Case{0.05, 0.47, 203.0, 41},
+                        {0.05, 1, 141.8, 38},
+                        {0.1, 0.47, 257.4, 42},
+                        {0.1, 1, 197.9, 40},
+                        {0.3, 0.47, 319.4, 44},
+                        {0.3, 1, 280.6, 43},
+                        {1, 0.47, 351.0, 45},
+                        {1, 1, 334.8, 44}}) {
     const Forces<2> forces = air(sphere_drag(c.diameter, c.cd));
     CHECK(fly(forces, {0, 0}, launch(60, 45), level()).position.x() == Approx(c.range).epsilon(5e-4));
     CHECK(farthest(forces, 60, 0, day).elevation * 180 / pi == Approx(c.best).margin(0.6));
@@ -162,7 +171,8 @@ TEST_CASE("no flight leaves the envelope, and it is touched") {
   CHECK(nearest < 1e-3);
 }
 
-TEST_CASE("the shroud: the closed form without air, and with little air nearly so; no flight in air leaves it") {
+TEST_CASE(
+    "the shroud: the closed form without air, and with little air nearly so; no flight in air leaves it") {
   const std::vector<Vec2> line = shroud(air(0), 40, 12, day, 41);
   REQUIRE(line.size() == 41);
   for (const Vec2& point : line) CHECK(point.y() == Approx(vacuum_envelope(40, point.x(), g)).margin(1e-6));
@@ -194,9 +204,11 @@ TEST_CASE("landing on a bench: the face, the floor, and the end of the terrain")
   const Flown away = fly(air(0), {-5, 13}, {-40, 20}, ground);
   CHECK(away.left);
   CHECK(away.position.x() == Approx(-50).margin(1e-9));
-  const Flown leaving = fly(air(sphere_drag(0.3, 1)), {0, 12}, {10, 5}, ground);  // begins on the crest and rises
+  const Flown leaving =
+      fly(air(sphere_drag(0.3, 1)), {0, 12}, {10, 5}, ground);  // begins on the crest and rises
   CHECK(leaving.position.y() == Approx(0).margin(1e-9));
-  const Landing<2> timed = land(BallisticFlight<2>(air(0), {0, 20}, {10, 0}), ground, 0.5, [](const Arc<2>&, const ArcEnd&) {});
+  const Landing<2> timed =
+      land(BallisticFlight<2>(air(0), {0, 20}, {10, 0}), ground, 0.5, [](const Arc<2>&, const ArcEnd&) {});
   CHECK_FALSE(timed.on_ground);
   CHECK_FALSE(timed.left);
   CHECK(timed.time == 0.5);
@@ -217,7 +229,8 @@ TEST_CASE("shots over a bench against small steps") {
   for (int i = 0; i < 50; ++i) {
     const Forces<2> forces = air(sphere_drag(rng.uniform(0.05, 1), 1));
     const Vec2 from(0, 12.5), velocity = launch(rng.uniform(10, 80), rng.uniform(5, 85));
-    const Landing<2> landing = land(BallisticFlight<2>(forces, from, velocity), ground, 1e3, [](const Arc<2>&, const ArcEnd&) {});
+    const Landing<2> landing =
+        land(BallisticFlight<2>(forces, from, velocity), ground, 1e3, [](const Arc<2>&, const ArcEnd&) {});
     if (landing.on_ground && landing.position.x() > 5)
       worst = std::max(worst, (landing.position - reference_landing(forces, from, velocity, 1e-3)).norm());
   }

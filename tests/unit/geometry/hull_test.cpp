@@ -41,7 +41,8 @@ TEST_CASE("the hull of random points closes, and holds them all") {
   std::normal_distribution<double> draw;
   for (int round = 0; round < 50; ++round) {
     std::vector<Vec3> points;
-    for (int i = 0; i < 4 + round; ++i) points.push_back({draw(generator), draw(generator), 0.1 * draw(generator)});
+    for (int i = 0; i < 4 + round; ++i)
+      points.push_back({draw(generator), draw(generator), 0.1 * draw(generator)});
     const Contactor3 hull = convex_hull(points);
     CHECK(hull.points.size() + hull.faces.size() == hull.edges.size() + 2);  // Euler
     for (const Contactor3::Face& face : hull.faces)
@@ -50,7 +51,10 @@ TEST_CASE("the hull of random points closes, and holds them all") {
 }
 
 TEST_CASE("points without a hull are refused") {
-  CHECK_THROWS_WITH(convex_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), "a polyhedron has 3 points, at least 4 are needed");
-  CHECK_THROWS_WITH(convex_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}), "the points of a polyhedron lie in one plane");
-  CHECK_THROWS_WITH(convex_hull({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}), "the points of a polyhedron lie in one plane");
+  CHECK_THROWS_WITH(convex_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}),
+                    "a polyhedron has 3 points, at least 4 are needed");
+  CHECK_THROWS_WITH(convex_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}),
+                    "the points of a polyhedron lie in one plane");
+  CHECK_THROWS_WITH(convex_hull({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}),
+                    "the points of a polyhedron lie in one plane");
 }

@@ -1,7 +1,6 @@
 #include "geometry/plan_hull.h"
 
 #include <catch2/catch.hpp>
-
 #include <random>
 
 using namespace flyrock;

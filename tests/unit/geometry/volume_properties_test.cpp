@@ -27,7 +27,8 @@ TEST_CASE("a regular tetrahedron has the inertia of a ball") {
 
 TEST_CASE("two balls on a rod: the theorem of parallel axes") {
   const double r = 0.1;
-  const VolumeProperties p = volume_properties({Contactor3::sphere(r, {1, 0, 0}), Contactor3::sphere(r, {3, 0, 0})});
+  const VolumeProperties p =
+      volume_properties({Contactor3::sphere(r, {1, 0, 0}), Contactor3::sphere(r, {3, 0, 0})});
   const double volume = 4.0 / 3.0 * pi * r * r * r;
   CHECK(p.volume == Approx(2 * volume));
   CHECK((p.centroid - Vec3(2, 0, 0)).norm() < 1e-15);
@@ -47,5 +48,6 @@ TEST_CASE("the principal frame of a turned box is that of the box") {
   const Eigen::Matrix3d off = volume_properties({box}).inertia - Eigen::Matrix3d(frame.moments.asDiagonal());
   CHECK(off.norm() < 1e-15);
   CHECK((principal_frame(volume_properties({Contactor3::box({1, 0.6, 0.4})}).inertia).rotation.matrix() -
-         Eigen::Matrix3d::Identity()).norm() == 0);
+         Eigen::Matrix3d::Identity())
+            .norm() == 0);
 }

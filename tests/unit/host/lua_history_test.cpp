@@ -17,8 +17,8 @@ PluginUse use_of(const LuaFixture& lua, PluginKind kind, const std::string& name
 }
 
 std::string friction(const std::string& fields, const std::string& body) {
-  return "local fr = require 'flyrock'\nreturn fr.plugin { kind = 'friction', name = 'f', doc = 'd', " + fields +
-         "\n  friction = function(p, contact)\n    " + body + "\n  end }\n";
+  return "local fr = require 'flyrock'\nreturn fr.plugin { kind = 'friction', name = 'f', doc = 'd', " +
+         fields + "\n  friction = function(p, contact)\n    " + body + "\n  end }\n";
 }
 
 /// The message of one call with a memory of two numbers.
@@ -42,7 +42,8 @@ std::string failure(const std::string& body) {
 TEST_CASE("a law reads and writes its memory, which the engine keeps") {
   LuaFixture lua;
   lua.write("f.lua", friction("history = { 'slip', 'age' }, history_of = 'contact',",
-                              "local h = contact.history\n    h.slip = h.slip + contact.slip_speed * contact.step\n    return 1 / (1 + h.slip)"));
+                              "local h = contact.history\n    h.slip = h.slip + contact.slip_speed * "
+                              "contact.step\n    return 1 / (1 + h.slip)"));
   REQUIRE(lua.load("f.lua") == "");
   const PluginUse use = use_of(lua, PluginKind::friction, "f");
   CHECK(use.plugin->spec.history == std::vector<std::string>{"slip", "age"});
@@ -64,7 +65,8 @@ TEST_CASE("a law reads and writes its memory, which the engine keeps") {
 
 TEST_CASE("a memory holds finite numbers under its names alone") {
   CHECK(failure("contact.history.slip = 0/0; return 1") ==
-        "plugin f, f.lua:4: `contact.history.slip` was set to a number that is not finite, expected a finite number");
+        "plugin f, f.lua:4: `contact.history.slip` was set to a number that is not finite, expected a finite "
+        "number");
   CHECK(failure("contact.history.slip = 'far'; return 1") ==
         "plugin f, f.lua:4: `contact.history.slip` was set to string, expected a finite number");
   CHECK(failure("contact.history.slop = 1; return 1") ==
@@ -79,21 +81,27 @@ TEST_CASE("a manifest says what is wrong with its history and its form") {
   };
   const auto of = [&](const std::string& fields) { return fault(friction(fields, "return 1")); };
   CHECK(of("history_of = 'pair',").find("there is none: expected `history`") != std::string::npos);
-  CHECK(of("history = { 'a' }, history_of = 'body',").find("`body`, expected `pair` or `contact`") != std::string::npos);
+  CHECK(of("history = { 'a' }, history_of = 'body',").find("`body`, expected `pair` or `contact`") !=
+        std::string::npos);
   CHECK(of("history = { 'a', 'a' },").find("`a` twice") != std::string::npos);
-  CHECK(of("history = { 'a', 'b', 'c', 'd', 'e' },").find("5 names, expected at most 4") != std::string::npos);
-  CHECK(fault("local fr = require 'flyrock'\nreturn fr.plugin { kind = 'restitution', name = 'r', doc = 'd', form = 'poison', "
+  CHECK(of("history = { 'a', 'b', 'c', 'd', 'e' },").find("5 names, expected at most 4") !=
+        std::string::npos);
+  CHECK(fault("local fr = require 'flyrock'\nreturn fr.plugin { kind = 'restitution', name = 'r', doc = 'd', "
+              "form = 'poison', "
               "impact = function(p) return 1 end }\n")
-            .find("`poison`, expected `newton`, `newton_mean`, `poisson`, `energy` or `velocity`") != std::string::npos);
+            .find("`poison`, expected `newton`, `newton_mean`, `poisson`, `energy` or `velocity`") !=
+        std::string::npos);
 }
 
 TEST_CASE("e_t is refused where the form has none") {
   LuaFixture lua;
   lua.write("r.lua",
-            "local fr = require 'flyrock'\nreturn fr.plugin { kind = 'restitution', name = 'r', doc = 'd', form = 'poisson',\n"
+            "local fr = require 'flyrock'\nreturn fr.plugin { kind = 'restitution', name = 'r', doc = 'd', "
+            "form = 'poisson',\n"
             "  impact = function(p) return 0.5, 0.1 end }\n");
   REQUIRE(lua.load("r.lua") == "");
   const auto law = make_instance<RestitutionLaw>(use_of(lua, PluginKind::restitution, "r"), 2);
   CHECK_THROWS_WITH(check_answer(*law, law->impact({}, {})),
-                    "plugin r, r.lua:3: impact() returned e_t = 0.1, must be 0: the form poisson has no tangential restitution");
+                    "plugin r, r.lua:3: impact() returned e_t = 0.1, must be 0: the form poisson has no "
+                    "tangential restitution");
 }

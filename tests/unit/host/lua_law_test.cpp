@@ -210,8 +210,9 @@ end })");
     contact.gap = gap;
     return law->impact({}, contact).e_n;
   };
-  const std::string changed = "plugin my_law, wear.lua:3: impact() changed `{}`, a local variable outside of it: a "
-                              "plugin keeps nothing from call to call, so that every run is the same";
+  const std::string changed =
+      "plugin my_law, wear.lua:3: impact() changed `{}`, a local variable outside of it: a "
+      "plugin keeps nothing from call to call, so that every run is the same";
   CHECK(at_gap(0) == 0);
   CHECK_THROWS_WITH(at_gap(1), fmt::format(fmt::runtime(changed), "worn"));
   CHECK_THROWS_WITH(at_gap(2), fmt::format(fmt::runtime(changed), "kept"));
@@ -291,16 +292,17 @@ fr.plugin { kind = "unilateral", name = "v", doc = "d", condition = function(p) 
   CHECK(friction("one").mu_d == 0.6);
   ContactState contact;
   contact.radius = 0.5;
-  CHECK(
-      make_instance<RollingLaw>(use_of(lua.session, PluginKind::rolling, "r", {}), 2)->rolling({}, contact).mu_r ==
-      0.05);
+  CHECK(make_instance<RollingLaw>(use_of(lua.session, PluginKind::rolling, "r", {}), 2)
+            ->rolling({}, contact)
+            .mu_r == 0.05);
   const auto condition = [&](const std::string& name) {
     return make_instance<UnilateralLaw>(use_of(lua.session, PluginKind::unilateral, name, {}), 2)
         ->condition({}, {})
         .condition;
   };
   CHECK(condition("u") == NormalCondition::signorini);
-  CHECK_THROWS_WITH(condition("v"),
-                    "plugin v, laws.lua:6: condition() returned \"glue\", expected \"signorini\", \"quasi_shock\", "
-                    "\"cohesive\" with the pull that it bears, or \"penalty\" with its stiffness");
+  CHECK_THROWS_WITH(
+      condition("v"),
+      "plugin v, laws.lua:6: condition() returned \"glue\", expected \"signorini\", \"quasi_shock\", "
+      "\"cohesive\" with the pull that it bears, or \"penalty\" with its stiffness");
 }

@@ -126,7 +126,8 @@ TEST_CASE("a population in Lua places its rocks on the terrain") {
 TEST_CASE("rocks of a population may take all from their group") {
   OnePlugin lua("population", "rocks = function(p, terrain, blast, rng) return { {}, {} } end");
   auto rng = stream();
-  const auto rocks = make<Population>(lua.session, PluginKind::population, "m", {}).model->rocks({}, Profile(), Blast(), rng);
+  const auto rocks = make<Population>(lua.session, PluginKind::population, "m", {})
+                         .model->rocks({}, Profile(), Blast(), rng);
   REQUIRE(rocks.size() == 2);
   for (const RockPlan& rock : rocks) CHECK((rock.contactors.empty() && !rock.position && !rock.angle));
 }

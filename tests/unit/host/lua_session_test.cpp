@@ -90,19 +90,23 @@ TEST_CASE("a limit may be another parameter of the same unit") {
     static int count = 0;
     const std::string name = "p" + std::to_string(++count);
     lua.write("p.lua", "local fr = require 'flyrock'\nreturn fr.plugin { kind = 'friction', name = '" + name +
-                           "', doc = 'd', friction = function(p) return p.mu_s, p.mu_d end, params = {\n" + params + " } }");
+                           "', doc = 'd', friction = function(p) return p.mu_s, p.mu_d end, params = {\n" +
+                           params + " } }");
     return lua.load("p.lua");
   };
   CHECK(message("mu_s = fr.number { min = 0 }, mu_d = fr.number { min = 0, max = 'mu_s' }") == "");
   const PluginSpec& spec = lua.session.registry().find(PluginKind::friction, "p1")->spec;
   const ParamSpec& mu_d = spec.params[spec.find("mu_d")];
   REQUIRE(mu_d.bounds.size() == 1);
-  CHECK((mu_d.bounds[0].other == "mu_s" && mu_d.bounds[0].relation == BoundRelation::at_most && mu_d.min == 0.0));
+  CHECK((mu_d.bounds[0].other == "mu_s" && mu_d.bounds[0].relation == BoundRelation::at_most &&
+         mu_d.min == 0.0));
   CHECK(message("mu_s = fr.number {}, mu_d = fr.number { max = 'mu_a' }") ==
-        "p.lua:3:47: params.mu_d.max: `mu_a`, expected a number, or the name of another parameter that is a number, did you mean "
+        "p.lua:3:47: params.mu_d.max: `mu_a`, expected a number, or the name of another parameter that is a "
+        "number, did you mean "
         "`mu_s`?\n");
   CHECK(message("mu_s = fr.number {}, mu_d = fr.number { below = 'mu_d' }") ==
-        "p.lua:3:49: params.mu_d.below: `mu_d`, expected a number, or the name of another parameter that is a number, did you mean "
+        "p.lua:3:49: params.mu_d.below: `mu_d`, expected a number, or the name of another parameter that is "
+        "a number, did you mean "
         "`mu_s`?\n");
   CHECK(message("mu_s = fr.number { unit = 'm' }, mu_d = fr.number { max = 'mu_s' }") ==
         "p.lua:3:59: params.mu_d.max: `mu_s` has other units than `mu_d`\n");
@@ -140,7 +144,9 @@ TEST_CASE("a native plugin comes from the folder of its manifest, and nothing el
   LuaFixture lua;
   namespace fs = std::filesystem;
   const auto manifest = [](const std::string& native) {
-    return "local fr = require 'flyrock'\nfr.plugin { kind = 'restitution', name = 'p', doc = 'd',\nnative = '" + native + "' }\n";
+    return "local fr = require 'flyrock'\nfr.plugin { kind = 'restitution', name = 'p', doc = 'd',\nnative = "
+           "'" +
+           native + "' }\n";
   };
   const std::string object = (lua.folder / "outside.so").string();
   fs::copy_file(fs::path(FLYROCK_SHARE_DIR) / "flyrock_plugins.so", object);
@@ -148,9 +154,11 @@ TEST_CASE("a native plugin comes from the folder of its manifest, and nothing el
   fs::create_symlink("../outside.so", lua.folder / "in/link.so");
   fs::create_symlink("..", lua.folder / "in/up");
 
-  const std::string no_path = ", expected the name of a shared object beside the manifest: small letters, digits and _, a letter first\n";
-  for (const std::string& native : {std::string("../outside"), (lua.folder / "outside").string(), std::string("up/outside"),
-                                    std::string("../in/link"), std::string("")}) {
+  const std::string no_path =
+      ", expected the name of a shared object beside the manifest: small letters, digits and _, a letter "
+      "first\n";
+  for (const std::string& native : {std::string("../outside"), (lua.folder / "outside").string(),
+                                    std::string("up/outside"), std::string("../in/link"), std::string("")}) {
     lua.write("in/p.lua", manifest(native));
     CHECK(lua.load("in/p.lua") == "in/p.lua:3:10: native: `" + native + "`" + no_path);
   }
@@ -159,7 +167,8 @@ TEST_CASE("a native plugin comes from the folder of its manifest, and nothing el
   lua.write("in/scenario.lua", manifest("link") + "return fr.scenario {}");
   Diagnostics diagnostics;
   lua.session.read_scenario((lua.folder / "in/scenario.lua").string(), "scenario.lua", diagnostics);
-  CHECK(LuaFixture::messages(diagnostics) == "scenario.lua:3:10: native: `link.so` leads out of the folder of scenario.lua\n");
+  CHECK(LuaFixture::messages(diagnostics) ==
+        "scenario.lua:3:10: native: `link.so` leads out of the folder of scenario.lua\n");
 
   std::ifstream maps("/proc/self/maps");
   const std::string opened((std::istreambuf_iterator<char>(maps)), {});
@@ -168,7 +177,8 @@ TEST_CASE("a native plugin comes from the folder of its manifest, and nothing el
   lua.write("in/real.so", "no object");
   fs::create_symlink("real.so", lua.folder / "in/alias.so");
   lua.write("in/p.lua", manifest("alias"));
-  CHECK(lua.load("in/p.lua").find("native: cannot open the module") != std::string::npos);  // a link within the folder is followed
+  CHECK(lua.load("in/p.lua").find("native: cannot open the module") !=
+        std::string::npos);  // a link within the folder is followed
 }
 
 TEST_CASE("files that are no plugins say so") {
@@ -208,10 +218,12 @@ TEST_CASE("require stays in the folder, and files have a size") {
   lua.write("mine/plugin.lua", "local x = require 'link'");
   lua.write("outside.lua", "return 1");
   std::filesystem::create_symlink("../outside.lua", lua.folder / "mine/link.lua");
-  CHECK(lua.load("mine") == "mine/plugin.lua:1:1: require: `link` leads out of the folder of mine/plugin.lua\n");
+  CHECK(lua.load("mine") ==
+        "mine/plugin.lua:1:1: require: `link` leads out of the folder of mine/plugin.lua\n");
   lua.write("huge.lua", std::string(5 << 20, '\n'));
   CHECK(lua.load("huge.lua") ==
-        ":0:0: plugins: `huge.lua` is larger than 4 MiB, expected a Lua file, or a folder with plugin.lua in it\n");
+        ":0:0: plugins: `huge.lua` is larger than 4 MiB, expected a Lua file, or a folder with plugin.lua in "
+        "it\n");
   CHECK(lua.load("/dev/zero").find("cannot read `/dev/zero`") != std::string::npos);
 }
 

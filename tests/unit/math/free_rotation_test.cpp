@@ -14,12 +14,11 @@ const Vec3 box_moments(0.6 * 0.6 + 0.4 * 0.4, 1 + 0.4 * 0.4, 1 + 0.6 * 0.6);  //
 Vec3 momentum(const Vec3& moments, const Turn& turn) {
   return turn.rotation * moments.cwiseProduct(turn.rotation.inverse(turn.spin));
 }
-double energy(const Vec3& moments, const Turn& turn) {
-  return 0.5 * turn.spin.dot(momentum(moments, turn));
-}
+double energy(const Vec3& moments, const Turn& turn) { return 0.5 * turn.spin.dot(momentum(moments, turn)); }
 
-/// Holds a rotation against its differential equations by central differences. Of nearly equal moments the angle about
-/// the momentum is a difference of long integrals, right to 1e-16 over the square root of their difference.
+/// Holds a rotation against its differential equations by central differences. Of nearly equal moments the
+/// angle about the momentum is a difference of long integrals, right to 1e-16 over the square root of their
+/// difference.
 void check_motion(const Vec3& moments, const FreeRotation& free, double t) {
   Vec3 sorted = moments;
   std::sort(sorted.data(), sorted.data() + 3);
@@ -38,11 +37,13 @@ void check_motion(const Vec3& moments, const FreeRotation& free, double t) {
 }  // namespace
 
 TEST_CASE("free rotation keeps momentum and energy and solves Euler's equations") {
-  const Vec3 moments = GENERATE(Vec3(2, 2, 2), Vec3(1, 1, 3), Vec3(3, 1, 1), Vec3(1, 3, 1), Vec3(1, 2, 2.5),
-                                Vec3(2.5, 1, 2), Vec3(2, 2.5, 1), Vec3(1, 1 + 1e-6, 1.5), Vec3(1, 1.5, 1.5 + 1e-9));
+  const Vec3 moments =
+      GENERATE(Vec3(2, 2, 2), Vec3(1, 1, 3), Vec3(3, 1, 1), Vec3(1, 3, 1), Vec3(1, 2, 2.5), Vec3(2.5, 1, 2),
+               Vec3(2, 2.5, 1), Vec3(1, 1 + 1e-6, 1.5), Vec3(1, 1.5, 1.5 + 1e-9));
   const Rotation3 start = Rotation3::from_vector({0.3, -1, 0.7});
-  for (const Vec3& w : {Vec3(1, 2, 3), Vec3(-3, 0.5, 0.1), Vec3(0.01, 1, 0), Vec3(0, 0.2, -4), Vec3(1e-3, -2, 1e-3),
-                        Vec3(0, 1, 0), Vec3(1, 0, 0), Vec3(0, 0, -2), Vec3(0, 0, 0), Vec3(-1, 0, 1)}) {
+  for (const Vec3& w :
+       {Vec3(1, 2, 3), Vec3(-3, 0.5, 0.1), Vec3(0.01, 1, 0), Vec3(0, 0.2, -4), Vec3(1e-3, -2, 1e-3),
+        Vec3(0, 1, 0), Vec3(1, 0, 0), Vec3(0, 0, -2), Vec3(0, 0, 0), Vec3(-1, 0, 1)}) {
     const FreeRotation free(moments, start, start * w);
     const Turn first = free.at(0);
     CHECK((first.spin - start * w).norm() <= 1e-13);
@@ -80,7 +81,8 @@ TEST_CASE("a box spun about its middle axis flips at the time of the elliptic in
   }
   CHECK(least < -0.999);
   REQUIRE(crossings.size() > 20);
-  // Landau and Lifshitz, Mechanics, 37: the component about the middle axis is sn, of half period 2 K / lambda.
+  // Landau and Lifshitz, Mechanics, 37: the component about the middle axis is sn, of half period 2 K /
+  // lambda.
   const double i1 = box_moments.x(), i2 = box_moments.y(), i3 = box_moments.z();
   const double twice = 2 * energy_0, square = momentum_0.squaredNorm();
   double lambda = std::sqrt((i3 - i2) * (square - twice * i1) / (i1 * i2 * i3));

@@ -1,8 +1,7 @@
 #include "math/polynomial.h"
 
-#include <catch2/catch.hpp>
-
 #include <array>
+#include <catch2/catch.hpp>
 
 using namespace flyrock;
 
@@ -12,7 +11,7 @@ TEST_CASE("first_fall finds the first root at which a polynomial falls") {
   CHECK(first_fall(quartic, 0, 10).value() == Approx(1).epsilon(1e-14));
   CHECK(first_fall(quartic, 1.5, 10).value() == Approx(3).epsilon(1e-14));
   CHECK(first_fall(quartic, 3.5, 10).value() == 3.5);  // below zero and falling
-  CHECK_FALSE(first_fall(quartic, 3.8, 10));          // below zero and rising
+  CHECK_FALSE(first_fall(quartic, 3.8, 10));           // below zero and rising
   CHECK_FALSE(first_fall(quartic, 0, 0.9));
 }
 

@@ -2,9 +2,9 @@
 
 #include "plugin/conformance.h"
 
-#include "plugin/sampled_params.h"
-
 #include <catch2/catch.hpp>
+
+#include "plugin/sampled_params.h"
 
 using namespace flyrock;
 
@@ -59,8 +59,7 @@ class ShapeUnderTest : public ShapeModel {
 Plugin shape(std::vector<Vec2> vertices) {
   Plugin plugin;
   plugin.spec.kind = PluginKind::shape;
-  plugin.make =
-      FactoryOf<ShapeModel>([vertices](Params& params) {
+  plugin.make = FactoryOf<ShapeModel>([vertices](Params& params) {
     params.require_dimension(2);
     return std::make_unique<ShapeUnderTest>(vertices);
   });
@@ -73,7 +72,9 @@ class FrictionUnderTest : public FrictionLaw {
   explicit FrictionUnderTest(Params& params) : mu_s_(params.slot("mu_s")), mu_d_(params.slot("mu_d")) {}
   bool constant() const override { return true; }
   std::string origin() const override { return "under_test"; }
-  Friction friction(Values values, const ContactState&) const override { return {values[mu_s_], values[mu_d_]}; }
+  Friction friction(Values values, const ContactState&) const override {
+    return {values[mu_s_], values[mu_d_]};
+  }
 
  private:
   int mu_s_, mu_d_;
@@ -92,7 +93,8 @@ Plugin friction(std::vector<ParamBound> bounds_of_mu_d) {
   plugin.spec.kind = PluginKind::friction;
   plugin.spec.name = "under_test";
   plugin.spec.params = {number("mu_d", std::move(bounds_of_mu_d)), number("mu_s")};
-  plugin.make = FactoryOf<FrictionLaw>([](Params& params) { return std::make_unique<FrictionUnderTest>(params); });
+  plugin.make =
+      FactoryOf<FrictionLaw>([](Params& params) { return std::make_unique<FrictionUnderTest>(params); });
   return plugin;
 }
 
@@ -111,34 +113,44 @@ TEST_CASE("a sound law has no faults") {
 }
 
 TEST_CASE("the battery finds laws that break their word") {
-  CHECK_THAT(only(conformance_faults(rolling({.follows_state = true}))),
-             Catch::StartsWith("says that it is constant and answers two states differently\n  asked with: approach_speed = "));
+  CHECK_THAT(
+      only(conformance_faults(rolling({.follows_state = true}))),
+      Catch::StartsWith(
+          "says that it is constant and answers two states differently\n  asked with: approach_speed = "));
   CHECK(conformance_faults(rolling({.uses = false})) == Faults{"the parameter `mu_r` changes nothing"});
   CHECK_THAT(only(conformance_faults(rolling({.negative = true}))),
-             Catch::StartsWith("plugin under_test: rolling() returned mu_r = -1, must be at least 0\n  asked with: ") &&
+             Catch::StartsWith(
+                 "plugin under_test: rolling() returned mu_r = -1, must be at least 0\n  asked with: ") &&
                  Catch::Contains(" (SI units)\n  parameters: mu_r = 0."));
   CHECK_THAT(only(conformance_faults(rolling({.reads = false, .uses = false}))),
-             Catch::StartsWith("it cannot be made with parameters within their limits: plugin under_test: declares the "
-                               "parameter `mu_r` and does not read it\n  parameters: mu_r = "));
+             Catch::StartsWith(
+                 "it cannot be made with parameters within their limits: plugin under_test: declares the "
+                 "parameter `mu_r` and does not read it\n  parameters: mu_r = "));
 }
 
 TEST_CASE("the battery finds shapes that are no convex polygons") {
   CHECK(conformance_faults(shape({{0, 0}, {1, 0}, {0, 1}})).empty());
   const std::string sample = "\n  asked with: the random numbers of sample 0\n  parameters: none";
-  CHECK(conformance_faults(shape({{0, 0}, {0, 1}, {1, 0}})) == Faults{"the vertices of a polygon run clockwise" + sample});
+  CHECK(conformance_faults(shape({{0, 0}, {0, 1}, {1, 0}})) ==
+        Faults{"the vertices of a polygon run clockwise" + sample});
   CHECK(conformance_faults(shape({{0, 0}, {4, 0}, {1, 1}, {0, 4}})) ==
         Faults{"the polygon is not convex at the vertex (1, 1)" + sample});
 }
 
 TEST_CASE("parameters that bound each other are sampled within their bounds") {
   CHECK(conformance_faults(friction({{BoundRelation::at_most, "mu_s"}})).empty());
-  CHECK_THAT(only(conformance_faults(friction({}))), Catch::Contains("must be at most mu_s\n  asked with: ") &&
-                                                         Catch::Contains("\n  parameters: mu_d = 0.") && Catch::Contains(", mu_s = 0."));
+  CHECK_THAT(only(conformance_faults(friction({}))),
+             Catch::Contains("must be at most mu_s\n  asked with: ") &&
+                 Catch::Contains("\n  parameters: mu_d = 0.") && Catch::Contains(", mu_s = 0."));
 
   PluginSpec chain;  // a < b, c >= b, c <= d, an optional one below all, and two whole numbers
-  chain.params = {number("a", {{BoundRelation::below, "b"}}), number("b"),
-                  number("c", {{BoundRelation::at_least, "b"}, {BoundRelation::at_most, "d"}}), number("d"),
-                  number("least", {{BoundRelation::at_most, "a"}}), number("n", {{BoundRelation::above, "m"}}), number("m")};
+  chain.params = {number("a", {{BoundRelation::below, "b"}}),
+                  number("b"),
+                  number("c", {{BoundRelation::at_least, "b"}, {BoundRelation::at_most, "d"}}),
+                  number("d"),
+                  number("least", {{BoundRelation::at_most, "a"}}),
+                  number("n", {{BoundRelation::above, "m"}}),
+                  number("m")};
   chain.params[3].default_number = 0.1;
   chain.params[4].optional = true;
   chain.params[5].type = chain.params[6].type = ParamType::integer;
@@ -178,5 +190,6 @@ TEST_CASE("the work of the battery grows with the number of parameters, not with
     return std::make_unique<Sum>();
   });
   CHECK(conformance_faults(plugin).empty());
-  CHECK(made < 1500);  // 64 choices of optional parameters, 4 samples of each in 2D and in 3D, each made twice
+  CHECK(made <
+        1500);  // 64 choices of optional parameters, 4 samples of each in 2D and in 3D, each made twice
 }

@@ -3,12 +3,12 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "results/material_graphs.h"
 #include "batch/load.h"
 #include "report/convergence.h"
 #include "report/rounded.h"
 #include "report/sensitivity.h"
 #include "report/tracks.h"
+#include "results/material_graphs.h"
 
 using namespace flyrock;
 
@@ -202,7 +202,8 @@ TEST_CASE("A percentile converges to that of all rocks") {
 
 TEST_CASE("The graph of a law is the law") {
   Diagnostics diagnostics;
-  const auto loaded = load_scenario(FLYROCK_SOURCE_DIR "/scenarios/ninh_dan/benches_2d.yaml", {}, diagnostics);
+  const auto loaded =
+      load_scenario(FLYROCK_SOURCE_DIR "/scenarios/ninh_dan/benches_2d.yaml", {}, diagnostics);
   REQUIRE(loaded);
   const std::vector<MaterialGraph> graphs = material_graphs(loaded->plan.points.front(), {200, 0.3});
   const auto graph_of = [&](const std::string& material, const std::string& kind) {

@@ -1,16 +1,15 @@
-#include "report/html.h"
-
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "results/answer.h"
-#include "unit/results/fake_results.h"
+#include "report/html.h"
 #include "report/report_data.h"
 #include "report/runout_data.h"
 #include "report/scenario_text.h"
 #include "report/summary_data.h"
 #include "report/tables.h"
 #include "report/tracks.h"
+#include "results/answer.h"
+#include "unit/results/fake_results.h"
 #include "units/units.h"
 
 using namespace flyrock;
@@ -105,7 +104,8 @@ TEST_CASE("summary.json holds statistics, censoring, expectations and warnings")
   CHECK(data["expectations"][0]["expected"] == 280);
   CHECK(data["expectations"][1]["expected"] == nlohmann::ordered_json::array({1.0, 2.0}));
   CHECK(data["expectations"][1]["passed"] == false);
-  CHECK(data["expectations"][1]["reason"] == "censored rocks fall into it: the computed value is only a lower bound");
+  CHECK(data["expectations"][1]["reason"] ==
+        "censored rocks fall into it: the computed value is only a lower bound");
   CHECK(data["warnings"].empty());  // what changes nothing does not hide a warning
   CHECK(data["not_asked"][0] == "material mud: nothing touched it, none of its laws was asked");
   CHECK(data["not_used"][0] == "blast.spacing (bench_fit does not read it)");
@@ -132,7 +132,8 @@ TEST_CASE("Problems that did not converge are a warning that can be held against
   records.totals.quality.not_converged_residual = 1.5e-6;
   const Results results = make_results(plan, {rows_of(records)}, {{1}, true, "", {}});
   const std::string expected =
-      "solver: 2 of 1000 contact problems did not converge; relative to the approach speed their greatest residual is "
+      "solver: 2 of 1000 contact problems did not converge; relative to the approach speed their greatest "
+      "residual is "
       "1.5e-06, solver.tolerance is 1e-06";
   CHECK(std::count(results.warnings.begin(), results.warnings.end(), expected) == 1);
 }
@@ -148,9 +149,12 @@ TEST_CASE("The answer names the censored share first of all") {
 
 TEST_CASE("The assumptions are those of the method") {
   Plan plan = fake::plan(1);
-  CHECK(assumptions(plan).find("each rock alone, rocks do not meet each other, no drag of the air; contacts by non-smooth") != std::string::npos);
+  CHECK(assumptions(plan).find(
+            "each rock alone, rocks do not meet each other, no drag of the air; contacts by non-smooth") !=
+        std::string::npos);
   plan.points[0].method = Method::ballistic;
-  CHECK(assumptions(plan).find("Assumed: a vertical section (2D), each rock is a point whose path ends where it first meets the ground") == 0);
+  CHECK(assumptions(plan).find("Assumed: a vertical section (2D), each rock is a point whose path ends where "
+                               "it first meets the ground") == 0);
   CHECK(assumptions(plan).find("no drag of the air.") != std::string::npos);
   plan.points[0].air.emplace();
   CHECK(assumptions(plan).find("drag of the air as on a sphere of equal volume.") != std::string::npos);
@@ -188,7 +192,8 @@ TEST_CASE("The first line of a page with rocks that diverged says so, above ever
   results.points[0].terrain = fake::bench();
   const std::string page = report_html(data.finish(results, {rows_of(records)}), assets);
   const std::string line =
-      "<main>\n<p class=\"alarm\">3 of 100 rocks diverged and 1 failed: below the ground (trial 3, rock 1); plugin &lt;b&gt;: failed "
+      "<main>\n<p class=\"alarm\">3 of 100 rocks diverged and 1 failed: below the ground (trial 3, rock 1); "
+      "plugin &lt;b&gt;: failed "
       "(trial 10, rock 0). They are in no number of this report: find the cause before you use it.</p>\n<h1>";
   CHECK(page.find(line) != std::string::npos);
 }
@@ -215,7 +220,8 @@ TEST_CASE("The page shows the angles of a scenario in degrees that read back as 
 
 TEST_CASE("A page without its style sheet is an error that names it") {
   const Plan plan = fake::plan(1);
-  CHECK_THROWS_WITH(report_html(data_of(plan, 1), "/nowhere"), Catch::Contains("cannot read /nowhere/report.css"));
+  CHECK_THROWS_WITH(report_html(data_of(plan, 1), "/nowhere"),
+                    Catch::Contains("cannot read /nowhere/report.css"));
 }
 
 TEST_CASE("A histogram and its curve count every rock once") {

@@ -36,16 +36,20 @@ TEST_CASE("the answer says what a barrier catches, what goes over it and what go
   plan.points[0].barriers = {{"fence", 20, 2, 2000}};
   TrialRecords records = resting(100);
   for (std::uint64_t trial = 0; trial < 100; trial += 2) {
-    const BarrierOutcome outcome = trial < 60 ? BarrierOutcome::caught : trial < 80 ? BarrierOutcome::over_top : BarrierOutcome::over_energy;
+    const BarrierOutcome outcome = trial < 60   ? BarrierOutcome::caught
+                                   : trial < 80 ? BarrierOutcome::over_top
+                                                : BarrierOutcome::over_energy;
     records.barriers.push_back({trial, 0, {.barrier = 0, .outcome = outcome}});
     if (outcome == BarrierOutcome::caught) records.rocks[2 * trial].reason = StopReason::caught;
   }
   const std::string text = answer_of(plan, records);
   INFO(text);
   // 50, 30, 10 and 10 of 200. R: binom.test(50, 200) and so on.
-  CHECK(says(text, " Barrier fence: 25 % (95 % interval 19.2 to 31.6 %) of the rocks reach it; it catches 15 % (95 % interval 10.4 to 20.7 %), "
-                   "5 % (95 % interval 2.42 to 9 %) go over it, and 5 % (95 % interval 2.42 to 9 %) go through it. "
-                   "These distances hold only while the barriers stand."));
+  CHECK(says(text,
+             " Barrier fence: 25 % (95 % interval 19.2 to 31.6 %) of the rocks reach it; it catches 15 % (95 "
+             "% interval 10.4 to 20.7 %), "
+             "5 % (95 % interval 2.42 to 9 %) go over it, and 5 % (95 % interval 2.42 to 9 %) go through it. "
+             "These distances hold only while the barriers stand."));
 }
 
 TEST_CASE("a barrier that no rock reaches has an upper bound, and no distance rests on it") {
@@ -53,11 +57,14 @@ TEST_CASE("a barrier that no rock reaches has an upper bound, and no distance re
   plan.points[0].barriers = {{"fence", 20, 2, 2000}};
   const std::string text = answer_of(plan, resting(100));
   INFO(text);
-  CHECK(says(text, " No rock is censored (95 % interval up to 1.83 %). Barrier fence: 0 % (95 % interval up to 1.83 %) of the rocks reach it."));
+  CHECK(says(text,
+             " No rock is censored (95 % interval up to 1.83 %). Barrier fence: 0 % (95 % interval up to "
+             "1.83 %) of the rocks reach it."));
   CHECK_FALSE(says(text, "while the barriers stand"));
 }
 
-TEST_CASE("the answer names material, part and place of the rocks that time ran out for, and where others left") {
+TEST_CASE(
+    "the answer names material, part and place of the rocks that time ran out for, and where others left") {
   Plan plan = fake::plan(100);
   plan.points[0].terrain.material_of_part = {{"berm", 1}, {"floor", 0}};
   TrialRecords records = resting(100);
@@ -75,8 +82,11 @@ TEST_CASE("the answer names material, part and place of the rocks that time ran 
   cut(5, StopReason::left_domain, -1, 300);
   std::string text = answer_of(plan, records);
   INFO(text);
-  CHECK(says(text, " 3 % of the rocks are censored (95 % interval 1.11 to 6.42 %): 3 ran out of time (60 s) on rock (part floor), x from 120 to 180 m; "
-                   "2 left the domain at x = 300 m; 1 ran out of time (60 s) in the air, x = 30 m. Their distances are lower bounds."));
+  CHECK(says(text,
+             " 3 % of the rocks are censored (95 % interval 1.11 to 6.42 %): 3 ran out of time (60 s) on "
+             "rock (part floor), x from 120 to 180 m; "
+             "2 left the domain at x = 300 m; 1 ran out of time (60 s) in the air, x = 30 m. Their distances "
+             "are lower bounds."));
   cut(6, StopReason::left_domain, -1, -40);  // at the other end
   text = answer_of(plan, records);
   INFO(text);

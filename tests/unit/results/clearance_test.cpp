@@ -67,7 +67,8 @@ TEST_CASE("a clearance by azimuth: quantiles of each sector, and of too few rock
   CHECK(std::isnan(sectors[2].distance.value));
   CHECK(sectors[2].with_factor == 2 * sectors[2].greatest.value);
   CHECK(sectors[1].share.value == Approx(1000.0 / 1010));
-  // The farthest of the polygon is what the clearance says; ten rocks of which one was cut short may have gone farther still.
+  // The farthest of the polygon is what the clearance says; ten rocks of which one was cut short may have
+  // gone farther still.
   CHECK(found.distance.value == sectors[1].distance.value);
   CHECK(found.interval.lower == sectors[1].interval.lower);
   CHECK(found.interval.lower < found.distance.value);
@@ -81,7 +82,8 @@ TEST_CASE("a clearance by azimuth: quantiles of each sector, and of too few rock
 }
 
 TEST_CASE("the distances of sectors count from the hull of all release places, azimuths about its centroid") {
-  // Released all over a square of 100 m about (1000, 0), and 30 m or 60 m outside of it at rest, due east and due north.
+  // Released all over a square of 100 m about (1000, 0), and 30 m or 60 m outside of it at rest, due east and
+  // due north.
   TrialRecords records;
   for (int i = 0; i <= 20; ++i)
     for (int k = 0; k <= 20; ++k)

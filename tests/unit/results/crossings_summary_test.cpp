@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "results/measures.h"
 #include "batch/rows.h"
+#include "results/measures.h"
 
 using namespace flyrock;
 

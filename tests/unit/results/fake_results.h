@@ -52,7 +52,8 @@ inline TrialRecords records(std::uint64_t trials, int point = 0) {
   out.totals.materials[0] = {9, 9, 9, 9, 9};
   for (std::uint64_t t = 0; t < trials; ++t) {
     for (int r = 0; r < 2; ++r) {
-      const double u = uniform_at(7, hash_name("fake"), {.trial = t, .rock = static_cast<std::uint64_t>(r) + 1});
+      const double u =
+          uniform_at(7, hash_name("fake"), {.trial = t, .rock = static_cast<std::uint64_t>(r) + 1});
       const double speed = 5 + (r == 0 ? 25 : 5) * u * u + 3 * point;
       const double flight = std::sqrt(2 * 10 / 9.81);
       RockRecord rock;
@@ -72,7 +73,8 @@ inline TrialRecords records(std::uint64_t trials, int point = 0) {
       for (int i = 0; t < 100 && i <= 70; ++i) {
         TrajectoryRecord row{t, r, {}};
         row.point.state.time = flight * i / 70;
-        row.point.state.position = {speed * row.point.state.time, 10 - 4.905 * row.point.state.time * row.point.state.time, 0};
+        row.point.state.position = {speed * row.point.state.time,
+                                    10 - 4.905 * row.point.state.time * row.point.state.time, 0};
         row.point.state.velocity = {speed, -9.81 * row.point.state.time, 0};
         out.trajectories.push_back(row);
       }

@@ -1,8 +1,7 @@
-#include "results/expectations.h"
-
 #include <catch2/catch.hpp>
 
 #include "batch/rows.h"
+#include "results/expectations.h"
 
 using namespace flyrock;
 
@@ -112,7 +111,9 @@ TEST_CASE("Expectations compare as they are written") {
   rock.runout = 100;
   rock.reason = StopReason::stopped;
   const PointResult result = result_of(scenario, {rock});
-  const auto judged = [&](const Expectation& expectation) { return judge_one(expectation, scenario, result).judgement; };
+  const auto judged = [&](const Expectation& expectation) {
+    return judge_one(expectation, scenario, result).judgement;
+  };
   CHECK(judged(expecting(ExpectKind::equals, 101, 0, 1)) == Judgement::passed);
   CHECK(judged(expecting(ExpectKind::equals, 101.1, 0, 1)) == Judgement::failed);
   Expectation relative = expecting(ExpectKind::equals, 110);

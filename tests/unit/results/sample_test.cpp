@@ -5,9 +5,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "results/clearance.h"
 #include "batch/rows.h"
 #include "random/stream.h"
+#include "results/clearance.h"
 
 using namespace flyrock;
 
@@ -17,7 +17,8 @@ namespace {
 std::vector<double> uniforms(std::uint64_t study, int n) {
   std::vector<double> u;
   for (int i = 0; i < n; ++i)
-    u.push_back(uniform_at(11, hash_name("coverage"), {.trial = study, .rock = static_cast<std::uint64_t>(i)}));
+    u.push_back(
+        uniform_at(11, hash_name("coverage"), {.trial = study, .rock = static_cast<std::uint64_t>(i)}));
   return u;
 }
 

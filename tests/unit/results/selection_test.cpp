@@ -12,7 +12,8 @@ using namespace flyrock;
 namespace {
 
 /// The order statistics of all `ranks`, and the passes that it took.
-std::vector<double> select(const std::vector<double>& values, const std::vector<std::uint64_t>& ranks, int& passes) {
+std::vector<double> select(const std::vector<double>& values, const std::vector<std::uint64_t>& ranks,
+                           int& passes) {
   const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
   Selection selection(ranks, values.size(), *least, *greatest);
   for (passes = 0; selection.open(); ++passes) {
@@ -61,9 +62,7 @@ TEST_CASE("Order statistics are those of the sorted column, in a few passes") {
     values.push_back(-1e300);
     CHECK(check(values) <= 7);
   }
-  SECTION("all of them are one number") {
-    CHECK(check(std::vector<double>(5000, -3.5)) == 0);
-  }
+  SECTION("all of them are one number") { CHECK(check(std::vector<double>(5000, -3.5)) == 0); }
   SECTION("zeros of both signs are one number") {
     for (int i = 0; i < 3000; ++i) values.push_back(i % 2 == 0 ? 0.0 : -0.0);
     CHECK(check(values) == 0);

@@ -3,7 +3,6 @@
 #include "results/share.h"
 
 #include <catch2/catch.hpp>
-
 #include <cmath>
 
 using namespace flyrock;

@@ -14,9 +14,12 @@ std::vector<Bounded> known(std::initializer_list<double> values) {
   return list;
 }
 
-Statistics statistics_of(const std::vector<Bounded>& values) { return flyrock::statistics_of(sample_of(values, stated_questions())); }
+Statistics statistics_of(const std::vector<Bounded>& values) {
+  return flyrock::statistics_of(sample_of(values, stated_questions()));
+}
 
-std::vector<GroupSummary> summarise(const std::vector<RockRecord>& rocks, const std::vector<std::string>& groups) {
+std::vector<GroupSummary> summarise(const std::vector<RockRecord>& rocks,
+                                    const std::vector<std::string>& groups) {
   RockTally tally(groups);
   TrialRecords records;
   records.rocks = rocks;
@@ -24,7 +27,9 @@ std::vector<GroupSummary> summarise(const std::vector<RockRecord>& rocks, const 
   return tally.summaries();
 }
 
-const Bounded& get(const Statistics& statistics, Statistic which) { return statistics[static_cast<int>(which)]; }
+const Bounded& get(const Statistics& statistics, Statistic which) {
+  return statistics[static_cast<int>(which)];
+}
 
 RockRecord rock(int group, double runout, StopReason reason = StopReason::stopped) {
   RockRecord record;
@@ -44,7 +49,7 @@ TEST_CASE("Statistics of a sample, quantiles linear between order statistics") {
   CHECK(get(s, Statistic::min).value == 1);
   CHECK(get(s, Statistic::max).value == 4);
   CHECK(get(s, Statistic::p50).value == 2.5);
-  CHECK(get(s, Statistic::p90).value == Approx(3.7));   // numpy.percentile([1, 2, 3, 4], 90)
+  CHECK(get(s, Statistic::p90).value == Approx(3.7));  // numpy.percentile([1, 2, 3, 4], 90)
   CHECK(get(s, Statistic::p99).value == Approx(3.97));
   for (const Bounded& number : s) CHECK_FALSE(number.censored);
 }

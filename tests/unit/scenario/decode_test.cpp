@@ -249,9 +249,9 @@ TEST_CASE("a blast: D/3 unless the Gurney constant is given, and drawn with D") 
 }
 
 TEST_CASE("a third of a whole number that is drawn is no list of all that it may be") {
-  const Plan plan =
-      decode_text(head + benches + blocks +
-                  "blast: { explosive: { density: 850, detonation_velocity: { integer: [1, 100000000] } } }\n");
+  const Plan plan = decode_text(
+      head + benches + blocks +
+      "blast: { explosive: { density: 850, detonation_velocity: { integer: [1, 100000000] } } }\n");
   const Scenario& s = plan.points[0];
   const Number gurney = s.blast->fields.at(BlastField::gurney_constant);
   CHECK(s.draws[gurney.draw].distribution.values.empty());

@@ -72,7 +72,8 @@ struct Written {
 
   explicit Written(const std::string& text, const std::map<std::string, std::string>& plugins = {}) {
     for (const auto& [name, content] : plugins) files.write(name, content);
-    files.write("scenario.yaml", "flyrock: 1\ntitle: of a test\ndimension: 2\nmethod: nscd\nstop: { time: 1 s }\n" + text);
+    files.write("scenario.yaml",
+                "flyrock: 1\ntitle: of a test\ndimension: 2\nmethod: nscd\nstop: { time: 1 s }\n" + text);
     Diagnostics diagnostics;
     loaded = load_scenario((files.folder / "scenario.yaml").string(), {}, diagnostics);
     INFO(diagnostics.to_text());
@@ -84,7 +85,9 @@ struct Written {
 
 }  // namespace
 
-TEST_CASE("a bond holds while a block lands on one corner and then on the other, and tears where it is lifted off") {
+TEST_CASE(
+    "a bond holds while a block lands on one corner and then on the other, and tears where it is lifted "
+    "off") {
   Written written(R"(
 terrain: { type: profile, points: [[-20, 0], [20, 0]], material: mortar }
 materials:
@@ -144,7 +147,7 @@ materials: { rock: { friction: { type: by_part } } }
 bodies:
   - { name: ball, shape: { type: disk, radius: 0.5 m }, mass: 100 kg, position: [20, 0.5] }
 )",
-                        {{"by_part.lua", R"(
+                  {{"by_part.lua", R"(
 return require("flyrock").plugin { kind = "friction", name = "by_part", doc = "d", reads = { "contact.group_b" },
   friction = function(p, contact) return contact.group_b == "terrain.floor" and 0.25 or 0.75 end }
 )"}});
@@ -197,7 +200,8 @@ bodies:
   - {{ name: a, shape: {{ type: disk, radius: 0.5 m }}, mass: 1 kg, material: rock, position: [0, 0.5] }}
   - {{ name: b, shape: {{ type: disk, radius: 0.5 m }}, mass: 1 kg, material: rock, position: [0, {}] }}
   - {{ name: c, shape: {{ type: disk, radius: 0.5 m }}, mass: 1 kg, material: rock, position: [5, {}] }}
-)", height_of_b, height_of_c));
+)",
+                                        height_of_b, height_of_c));
     } catch (const TrialError& error) {
       return std::string(error.what());
     }
@@ -206,6 +210,8 @@ bodies:
   CHECK(fault(1.5, 0.5) == "");
   CHECK(fault(1.25, 0.5) == "`b` starts 0.25 m inside `a`");
   CHECK(fault(0.25, 3).find("`b` starts") == 0);
-  CHECK(fault(1.5, 0.25) == "`c` starts at (5, 0.25) m, 0.25 m inside the terrain: it reaches 0.5 m from its centre of mass, a radius of at "
-                          "most 0.25 m fits there");
+  CHECK(fault(1.5, 0.25) ==
+        "`c` starts at (5, 0.25) m, 0.25 m inside the terrain: it reaches 0.5 m from its centre of mass, a "
+        "radius of at "
+        "most 0.25 m fits there");
 }

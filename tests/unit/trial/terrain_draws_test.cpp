@@ -10,18 +10,27 @@ using namespace flyrock;
 
 namespace {
 
-/// A scenario whose terrain is level at a height: `height` of the plugin's parameter, `height + draw` of what it draws.
+/// A scenario whose terrain is level at a height: `height` of the plugin's parameter, `height + draw` of what
+/// it draws.
 class Level {
  public:
   Level(const std::string& height, const std::string& draw) {
-    files_.write("level.lua", "local fr = require 'flyrock'\nreturn fr.plugin { kind = 'terrain', name = 'level', doc = 'd',\n"
-                              "params = { height = fr.number { doc = 'd' } }, build = function(p, rng)\n"
-                              "  local y = p.height + " + draw + "\n  return { points = { { -10, y }, { 10, y } } }\nend }");
-    files_.write("s.yaml", "flyrock: 1\ndimension: 2\nmethod: nscd\ntrials: 10\nplugins: [level.lua]\n"
-                           "terrain: { type: level, height: " + height + ", material: rock }\n"
-                           "materials: { rock: { restitution: { type: newton, en: 0.5 }, friction: { type: coulomb, mu: 0.5 } } }\n"
-                           "bodies: [{ name: ball, shape: { type: disk, radius: 0.1 }, mass: 1, position: [0, 5] }]\n"
-                           "stop: { time: 1 }\n");
+    files_.write(
+        "level.lua",
+        "local fr = require 'flyrock'\nreturn fr.plugin { kind = 'terrain', name = 'level', doc = 'd',\n"
+        "params = { height = fr.number { doc = 'd' } }, build = function(p, rng)\n"
+        "  local y = p.height + " +
+            draw + "\n  return { points = { { -10, y }, { 10, y } } }\nend }");
+    files_.write(
+        "s.yaml",
+        "flyrock: 1\ndimension: 2\nmethod: nscd\ntrials: 10\nplugins: [level.lua]\n"
+        "terrain: { type: level, height: " +
+            height +
+            ", material: rock }\n"
+            "materials: { rock: { restitution: { type: newton, en: 0.5 }, friction: { type: coulomb, mu: 0.5 "
+            "} } }\n"
+            "bodies: [{ name: ball, shape: { type: disk, radius: 0.1 }, mass: 1, position: [0, 5] }]\n"
+            "stop: { time: 1 }\n");
     Diagnostics diagnostics;
     loaded_ = load_scenario((files_.folder / "s.yaml").string(), {}, diagnostics);
     INFO(diagnostics.to_text());
@@ -34,7 +43,9 @@ class Level {
   std::optional<LoadedScenario> loaded_;
 };
 
-double height(TrialBuilder<2>& builder, int trial) { return builder.terrain_of(trial)->profile().points.front().y(); }
+double height(TrialBuilder<2>& builder, int trial) {
+  return builder.terrain_of(trial)->profile().points.front().y();
+}
 
 }  // namespace
 
@@ -49,8 +60,10 @@ TEST_CASE("a terrain that draws from rng is another one in each trial, whichever
   CHECK(std::adjacent_find(heights.begin(), heights.end()) == heights.end());
 }
 
-TEST_CASE("a terrain with a distribution is another one in each trial, and one that draws nothing is built once") {
-  const Level drawn("{ uniform: [1, 2] }", "0"), of_run("{ uniform: [1, 2], per: run }", "0"), constant("1", "0");
+TEST_CASE(
+    "a terrain with a distribution is another one in each trial, and one that draws nothing is built once") {
+  const Level drawn("{ uniform: [1, 2] }", "0"), of_run("{ uniform: [1, 2], per: run }", "0"),
+      constant("1", "0");
   TrialBuilder<2> of_trials = drawn.builder(), once_drawn = of_run.builder(), once = constant.builder();
   CHECK(height(of_trials, 0) != height(of_trials, 1));
   CHECK(once_drawn.terrain_of(0) == once_drawn.terrain_of(7));

@@ -1,8 +1,7 @@
 // The step loop does not allocate: a run of ten seconds allocates as often as one of half a second.
 #ifndef __SANITIZE_ADDRESS__  // the sanitizer has its own operators
-#include <catch2/catch.hpp>
-
 #include <atomic>
+#include <catch2/catch.hpp>
 #include <cstdlib>
 #include <new>
 
@@ -28,7 +27,8 @@ namespace {
 /// Allocations of a run in which a square and a disk fall, bounce, slide and rest on 200 rough segments.
 long allocations_of(double seconds, bool exact) {
   Profile profile = ground(100, 0.1, 200);
-  for (std::size_t i = 0; i < profile.points.size(); ++i) profile.points[i].y() += 0.1 * std::sin(3.0 * static_cast<double>(i));
+  for (std::size_t i = 0; i < profile.points.size(); ++i)
+    profile.points[i].y() += 0.1 * std::sin(3.0 * static_cast<double>(i));
   Material material(0.4, 0.5, 0.05);
   Bench bench(profile, material);
   bench.add(box(1, 0.7, 1000, {0, 3}, 0.3));
