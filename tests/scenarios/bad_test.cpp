@@ -1,5 +1,7 @@
-// Malformed scenarios: each file of tests/scenarios/bad gives exactly the text of its .expect, when it is
-// read or when its first trials are made.
+// Malformed scenarios: each case of tests/scenarios/bad gives exactly its messages, when it is read or when
+// its first trials are made.
+
+#include <unistd.h>
 
 #include <catch2/catch.hpp>
 #include <cstdlib>
@@ -8,15 +10,13 @@
 #include <iterator>
 
 #include "batch/runners.h"
+#include "scenarios/cases.h"
 
 namespace fs = std::filesystem;
 
 namespace {
 
-std::string read(const fs::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
+using flyrock::test::read_file_of_test;
 
 /// Scenarios are named as they are from their folder, so that the texts hold no folder of a machine.
 struct InFolder {
@@ -41,37 +41,67 @@ flyrock::Diagnostics messages_about(const fs::path& path) {
   return diagnostics;
 }
 
+/// FLYROCK_UPDATE_EXPECT=1 writes the messages anew; look at the difference before it is committed.
+bool updates() { return std::getenv("FLYROCK_UPDATE_EXPECT") != nullptr; }
+
 /// The messages about a scenario are the text of its .expect.
 void check_text(const flyrock::Diagnostics& diagnostics, const fs::path& path) {
   const fs::path expect = fs::path(path).replace_extension(".expect");
-  // FLYROCK_UPDATE_EXPECT=1 writes the texts anew; look at the difference before it is committed.
-  if (std::getenv("FLYROCK_UPDATE_EXPECT")) std::ofstream(expect) << diagnostics.to_text();
-  CHECK(diagnostics.to_text() == read(expect));
+  if (updates()) std::ofstream(expect) << diagnostics.to_text();
+  CHECK(diagnostics.to_text() == read_file_of_test(expect));
 }
 
 fs::path folder_of(const std::string& name) {
   return fs::path(FLYROCK_SOURCE_DIR) / "tests/scenarios" / name;
 }
 
-/// Every file with this extension in a folder beside this one gives the text of its .expect.
-void check_messages(const std::string& name, const std::string& extension, std::size_t at_least) {
-  const fs::path folder = folder_of(name);
-  const InFolder inside(folder);
-  const std::vector<fs::path> scenarios = files(folder, extension);
-  REQUIRE(scenarios.size() >= at_least);
-  for (const fs::path& path : scenarios) {
+/// Every case of the files .cases of a folder. Returns how many there are.
+int check_cases(const std::string& name) {
+  const fs::path scratch =
+      fs::temp_directory_path() / ("flyrock_cases_" + name + "_" + std::to_string(::getpid()));
+  fs::create_directories(scratch);
+  fs::copy(folder_of(name), scratch, fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+  int count = 0;
+  for (const fs::path& path : files(folder_of(name), ".cases")) {
+    const InFolder inside(scratch);
+    flyrock::test::CaseFile file = flyrock::test::read_cases(path);
+    for (flyrock::test::MessageCase& one : file.cases) {
+      INFO(path.filename() << ", " << one.name);
+      std::ofstream(scratch / one.name) << one.input;
+      const flyrock::Diagnostics diagnostics = messages_about(one.name);
+      CHECK(diagnostics.has_errors());
+      if (updates()) one.says = diagnostics.to_text();
+      CHECK(diagnostics.to_text() == one.says);
+      ++count;
+    }
+    if (updates()) write_cases(path, file);
+  }
+  fs::remove_all(scratch);
+  return count;
+}
+
+/// Scenarios whose bytes are what is wrong with them: each stands in a file of its own, beside its .expect.
+int check_files(const std::string& name) {
+  const InFolder inside(folder_of(name));
+  int count = 0;
+  for (const fs::path& path : files(folder_of(name), ".yaml")) {
     INFO(path.filename());
     const flyrock::Diagnostics diagnostics = messages_about(path);
     CHECK(diagnostics.has_errors());
     check_text(diagnostics, path);
+    ++count;
   }
+  return count;
 }
 
 }  // namespace
 
-TEST_CASE("malformed scenarios give their exact error texts") { check_messages("bad", ".yaml", 20); }
+TEST_CASE("malformed scenarios give their exact error texts") {
+  CHECK(check_cases("bad") >= 80);
+  CHECK(check_files("bad") >= 4);
+}
 TEST_CASE("malformed scenarios in Lua give their exact error texts", "[slow]") {
-  check_messages("bad_lua", ".lua", 12);
+  CHECK(check_cases("bad_lua") >= 14);
 }
 
 TEST_CASE("shipped scenarios load, and what they resolve to loads as the same plan") {

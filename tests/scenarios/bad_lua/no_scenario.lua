@@ -1,2 +1,0 @@
-local fr = require "flyrock"
-local scenario = fr.scenario { flyrock = 1 }
