@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <tuple>
+#include <utility>
 
 #include "batch/record_columns.h"
 
@@ -72,6 +75,22 @@ bool are_arrivals(const TrialRecords& records, const Scenario& scenario) {
          std::all_of(records.barriers.begin(), records.barriers.end(), hits);
 }
 
+/// Whether rocks stand in the order of trials and of rocks in them, each once: rows are looked up by that.
+bool in_order(const std::vector<RockRecord>& rocks) {
+  const auto not_later = [](const RockRecord& a, const RockRecord& b) {
+    return std::pair(a.trial, a.rock) >= std::pair(b.trial, b.rock);
+  };
+  return std::adjacent_find(rocks.begin(), rocks.end(), not_later) == rocks.end();
+}
+
+/// Whether a rock arrives twice at one gate or barrier. They act once on each rock, so shares are of rocks.
+template <class Row, class Place>
+bool arrives_twice(const std::vector<Row>& rows, Place&& place) {
+  std::set<std::tuple<std::uint64_t, int, int>> seen;
+  return !std::all_of(rows.begin(), rows.end(),
+                      [&](const Row& row) { return seen.emplace(row.trial, row.rock, place(row)).second; });
+}
+
 }  // namespace
 
 std::string records_fault(const TrialRecords& records, const ChunkRange& range, const Scenario& scenario) {
@@ -79,6 +98,7 @@ std::string records_fault(const TrialRecords& records, const ChunkRange& range, 
   for (const RockRecord& rock : records.rocks)
     if (std::string fault = rock_fault(rock, range, groups); !fault.empty()) return fault;
   const auto& rocks = records.rocks;
+  if (!in_order(rocks)) return "rocks out of order";
   if (!of_rocks(records.inputs, rocks) || !of_rocks(records.impacts, rocks) ||
       !of_rocks(records.trajectories, rocks) || !of_rocks(records.gates, rocks) ||
       !of_rocks(records.barriers, rocks))
@@ -86,6 +106,9 @@ std::string records_fault(const TrialRecords& records, const ChunkRange& range, 
   if (!are_arrivals(records, scenario))
     return "an arrival at a gate or barrier that the scenario does not have, or with numbers that are not "
            "finite";
+  if (arrives_twice(records.gates, [](const GateRecord& row) { return row.passage.gate; }) ||
+      arrives_twice(records.barriers, [](const BarrierRecord& row) { return row.hit.barrier; }))
+    return "a rock that arrives twice at one gate or barrier";
   for (const InputRecord& input : records.inputs)
     if (!is_index(input.draw, scenario.draws.size()))
       return fmt::format("input {}, the scenario draws {}", input.draw, scenario.draws.size());

@@ -181,6 +181,11 @@ TEST_CASE("Records that a program other than flyrock has written are held agains
     CHECK(fault_after(other) ==
           "an arrival at a gate or barrier that the scenario does not have, or with numbers that are not "
           "finite");
+  CHECK(fault_after([](TrialRecords& r) { r.rocks.push_back(r.rocks.front()); }) == "rocks out of order");
+  CHECK(fault_after([](TrialRecords& r) { r.gates.push_back(r.gates.back()); }) ==
+        "a rock that arrives twice at one gate or barrier");
+  CHECK(fault_after([](TrialRecords& r) { r.barriers.push_back(r.barriers.back()); }) ==
+        "a rock that arrives twice at one gate or barrier");
   CHECK(fault_after([](TrialRecords& r) { r.inputs[0].draw = 5; }) == "input 5, the scenario draws 5");
   CHECK(fault_after([](TrialRecords& r) { r.trajectories[0].point.mode = static_cast<TravelMode>(-1); }) ==
         "a point of a trajectory of no known mode of travel");
