@@ -1,5 +1,0 @@
--- A table that grows, inside pcall.
-local fr = require "flyrock"
-local rows, text = {}, ("x"):rep(1e6)
-while true do pcall(function() rows[#rows + 1] = text .. #rows end) end
-return fr.plugin { kind = "restitution", name = "hostile", doc = "never reached", impact = function(p) return 0.3 end }

@@ -1,2 +1,0 @@
-local fr = require "flyrock"
-return fr.plugin { kind = "restitution" name = "hostile" }

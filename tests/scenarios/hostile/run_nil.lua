@@ -1,8 +1,0 @@
-local fr = require "flyrock"
-return fr.plugin {
-  kind = "restitution", name = "hostile", doc = "answers nothing, later",
-  impact = function(p, contact)
-    if contact.time == 0 or contact.group_a ~= "hostile" then return 0.3 end
-    return nil
-  end,
-}
