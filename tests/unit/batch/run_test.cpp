@@ -7,6 +7,7 @@
 
 #include "batch/chunk_files.h"
 #include "batch/safe_file.h"
+#include "host/wording.h"
 
 using namespace flyrock;
 namespace fs = std::filesystem;
@@ -107,8 +108,8 @@ TEST_CASE(
     RockRecord rock;
     rock.trial = trial;
     out.rocks.push_back(rock);
-    out.prints.add("a.lua:1", fmt::format("trial {}", trial));
-    if (trial > 100) out.prints.add("a.lua:2", "late\x1B[2J");
+    out.prints.add("a.lua:1", fmt::format("trial {}", trial), wording.printable);
+    if (trial > 100) out.prints.add("a.lua:2", "late\x1B[2J", wording.printable);
   };
   for (const int threads : {1, 3}) {
     Folder folder;
