@@ -13,7 +13,7 @@ namespace flyrock {
 /// What the command line says beside the file.
 struct Overrides {
   std::vector<std::string> set;  ///< "path=value", value in YAML
-  std::optional<std::uint64_t> seed, trials;
+  std::optional<std::uint64_t> seed = {}, trials = {};
 };
 
 /// Applies `--set`, `--seed` and `--trials` to the tree. A path must exist in it or be a known key.

@@ -1,7 +1,6 @@
 #pragma once
 // What a solve is asked for, and how it ended.
 
-#include <cstddef>
 #include <optional>
 #include <string_view>
 
@@ -21,7 +20,7 @@ inline constexpr double default_tolerance = 1e-7;
 
 /// A problem of so many contacts is small: it is swept plainly, and where `to_rounding` matters it costs
 /// little.
-inline constexpr std::size_t few_contacts = 8;
+inline constexpr int few_contacts = 8;
 
 struct SolveSettings {
   double tolerance = default_tolerance;

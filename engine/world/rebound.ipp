@@ -34,7 +34,7 @@ void World<D>::solve_and_apply() {
   if (on_hard_problem) start_ = impulses_;
   SolveSettings wanted;
   wanted.tolerance = settings_.tolerance;
-  wanted.to_rounding = contacts_.size() <= few_contacts;
+  wanted.to_rounding = static_cast<int>(contacts_.size()) <= few_contacts;
   wanted.max_iterations = settings_.max_iterations;
   wanted.solver = settings_.solver;
   const SolveResult result = solver_.solve(problem_, rebounds_, wanted, impulses_);

@@ -111,7 +111,6 @@ int to_text(lua_State* lua) {
 
 /// To stderr, since stdout carries results, or to who asked for it.
 int print(lua_State* lua) {
-  constexpr double bytes_per_instruction = 16;
   const int count = lua_gettop(lua);
   std::string text;
   for (int i = 1; i <= count; ++i) {
@@ -120,7 +119,7 @@ int print(lua_State* lua) {
     lua_call(lua, 1, 1);
     std::size_t length;
     const char* one = lua_tolstring(lua, -1, &length);
-    charge(lua, 10 + static_cast<double>(length) / bytes_per_instruction);
+    charge(lua, 10 + static_cast<double>(length) / Budget::bytes_per_instruction);
     constexpr std::size_t enough = 1 << 16;  // more than is ever shown
     if (i > 1) text += '\t';
     if (text.size() < enough) text.append(one, std::min(length, enough));

@@ -15,8 +15,6 @@ namespace flyrock {
 
 namespace {
 
-constexpr double bytes_per_instruction = 16;
-
 /// Instructions that a call costs, from its arguments; what is wrong with them the original says.
 using Cost = double (*)(lua_State*);
 
@@ -31,7 +29,7 @@ double texts(lua_State* lua) {
   double bytes = 0;
   for (int i = 1; i <= lua_gettop(lua); ++i)
     if (lua_type(lua, i) == LUA_TSTRING) bytes += static_cast<double>(lua_rawlen(lua, i));
-  return bytes / bytes_per_instruction;
+  return bytes / Budget::bytes_per_instruction;
 }
 
 double repeat(lua_State* lua) {

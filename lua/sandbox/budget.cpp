@@ -79,7 +79,7 @@ Budget& budget_of(lua_State* lua) { return **static_cast<Budget**>(lua_getextras
 
 void* allocate(void* data, void* block, std::size_t old_size, std::size_t new_size) {
   constexpr std::size_t large = 1 << 16;
-  constexpr double bytes_per_instruction = 256;
+  constexpr double filled_per_instruction = 256;  // bytes
   Budget& budget = *static_cast<Budget*>(data);
   const bool text = !block && old_size == LUA_TSTRING;  // for a new block Lua passes the kind of object
   if (!block) old_size = 0;
@@ -94,7 +94,7 @@ void* allocate(void* data, void* block, std::size_t old_size, std::size_t new_si
       budget.refused_at = place_of(budget.lua);
       return nullptr;
     }
-    if (new_size > large) budget.left -= static_cast<double>(new_size) / bytes_per_instruction;
+    if (new_size > large) budget.left -= static_cast<double>(new_size) / filled_per_instruction;
   }
   void* moved = std::realloc(block, new_size);
   if (moved)

@@ -19,8 +19,9 @@ struct Budget {
   static constexpr std::size_t memory_limit = std::size_t{256} << 20;  ///< bytes a state
   static constexpr std::size_t text_limit = std::size_t{1} << 20;  ///< bytes a text: no hook counts comparing
   static constexpr double law_limit = 2e6;                         ///< instructions of one call of a law
-  static constexpr double call_limit = 1e7;  ///< and of a model, which is asked less often
-  static constexpr double load_limit = 1e8;  ///< instructions of loading one file
+  static constexpr double call_limit = 1e7;            ///< and of a model, which is asked less often
+  static constexpr double load_limit = 1e8;            ///< instructions of loading one file
+  static constexpr double bytes_per_instruction = 16;  ///< of a text that a C function reads through
   static constexpr const char* long_text = "made a text of more than 1 MiB";
   /// Of the processor, for what takes long and has few instructions, as comparing long texts: so much of it
   /// for each instruction that a call may use, which is twenty times what one takes, and 4 s at most.

@@ -27,14 +27,13 @@ std::size_t start_at(lua_State* lua, int index, std::size_t length) {
 
 /// Finds a text as it stands, paying for what is compared.
 const char* find_plain(lua_State* lua, std::string_view subject, std::string_view text, std::size_t from) {
-  constexpr double bytes_per_instruction = 16;
   const char* end = subject.data() + subject.size();
   const char* s = subject.data() + from;
   if (text.empty()) return s;
   while (static_cast<std::size_t>(end - s) >= text.size()) {
     const auto* first = static_cast<const char*>(std::memchr(s, text[0], end - s - text.size() + 1));
     charge(lua, (static_cast<double>((first ? first : end) - s) + static_cast<double>(text.size())) /
-                    bytes_per_instruction);
+                    Budget::bytes_per_instruction);
     if (!first) return nullptr;
     if (std::memcmp(first, text.data(), text.size()) == 0) return first;
     s = first + 1;

@@ -17,10 +17,9 @@ constexpr int table = 1, comparison = 2, elements = 3;
 
 /// Pays for comparing the two values at the top of the stack where both are long texts.
 void charge_texts(lua_State* lua) {
-  constexpr double bytes_per_instruction = 16;
   if (lua_type(lua, -1) != LUA_TSTRING || lua_type(lua, -2) != LUA_TSTRING) return;
   const double bytes = static_cast<double>(std::min(lua_rawlen(lua, -1), lua_rawlen(lua, -2)));
-  if (bytes > 100 * bytes_per_instruction) charge(lua, bytes / bytes_per_instruction);
+  if (bytes > 100 * Budget::bytes_per_instruction) charge(lua, bytes / Budget::bytes_per_instruction);
 }
 
 /// Whether element a is less than element b.
