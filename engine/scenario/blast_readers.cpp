@@ -19,7 +19,7 @@ bool reads(const PluginUse& use, const BlastFieldInfo& info) {
   });
 }
 
-/// A Lua plugin may read what it likes where its manifest does not say.
+/// A Lua plugin may read any field if its manifest does not say what it reads.
 bool may_read(const PluginUse& use, const BlastFieldInfo& info) {
   return reads(use, info) || (!use.plugin->spec.declares_reads && use.plugin->spec.native.empty());
 }

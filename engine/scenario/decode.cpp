@@ -111,7 +111,7 @@ class PlanDecoder {
                       points, most));
   }
 
-  /// The resolved tree of the first point gets its sweeps back.
+  /// Puts the sweeps back into the resolved tree of the first point.
   void write_sweeps() {
     for (std::size_t a = 0; a < sweeps_.size(); ++a) {
       Map sweep;
@@ -120,7 +120,7 @@ class PlanDecoder {
     }
   }
 
-  /// `at` of expectations: the axes by their paths, and the values exactly as the points have them.
+  /// Resolves `at` of expectations: the axes by their paths, and the values exactly as the points have them.
   void resolve_expectations() {
     const auto expect = Node::root(tree_).find("expect");
     if (!expect) return;
@@ -138,7 +138,7 @@ class PlanDecoder {
   }
 
   std::pair<std::string, double> resolve_at(const Node& entry, double value) {
-    constexpr double rounding = 1e-12;  // 20 mm and 0.02 m differ in the last digit
+    constexpr double rounding = 1e-12;  // 20 mm and 0.02 m may differ in the last digit
     std::vector<std::string> paths;
     for (std::size_t a = 0; a < sweeps_.size(); ++a) {
       paths.push_back(sweeps_[a].path);
@@ -154,14 +154,14 @@ class PlanDecoder {
     return {};
   }
 
-  Value tree_;  ///< with the values of the point that is being decoded in place of sweeps
+  Value tree_;  ///< the value of the current point stands in place of each sweep
   const Registry& registry_;
   const std::string& folder_;
   Diagnostics& diagnostics_;
   const bool a_plugin_failed_;  // or another step before this one
   std::vector<SweptValue> sweeps_;
   std::set<std::string> swept_;
-  std::vector<List> resolved_values_;  ///< of each axis and step
+  std::vector<List> resolved_values_;  ///< for each axis and step
   Plan plan_;
 };
 

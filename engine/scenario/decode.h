@@ -1,5 +1,5 @@
 #pragma once
-// The tree of values to the typed plan.
+// Decodes the tree of values into the typed plan.
 
 #include <optional>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace flyrock {
 
-/// What the command line says beside the file.
+/// What the command line adds to the file.
 struct Overrides {
   std::vector<std::string> set;  ///< "path=value", value in YAML
   std::optional<std::uint64_t> seed = {}, trials = {};
@@ -19,10 +19,12 @@ struct Overrides {
 /// Applies `--set`, `--seed` and `--trials` to the tree. A path must exist in it or be a known key.
 void apply_overrides(Value& root, const Overrides& overrides, Diagnostics& diagnostics);
 
-/// The files of `plugins: [...]`, before anything else is decoded (they decide what is known).
+/// The files of `plugins: [...]`. They are found before anything else is decoded because they decide which
+/// names are known.
 std::vector<std::pair<std::string, Location>> plugin_files(const Value& root, Diagnostics& diagnostics);
 
-/// Decodes; nothing where there are errors. `folder` is that of the scenario, for files that it names.
+/// Decodes the tree; nothing if there are errors. `folder` is the folder of the scenario: the files that it
+/// names are relative to it.
 std::optional<Plan> decode(const Value& root, const Registry& registry, const std::string& folder,
                            Diagnostics& diagnostics);
 

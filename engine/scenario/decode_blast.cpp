@@ -10,13 +10,13 @@ namespace flyrock {
 
 namespace {
 
-/// One spec at a time, because the burden varies from hole to hole and the rest from trial to trial.
+/// Rules for one field. The burden and the hole vary from hole to hole, the rest from trial to trial.
 NumberRules rules_of(std::string_view path) {
   const bool is_of_hole = path.starts_with("hole.") || path.starts_with("burden");
   return {.varies = true, .scope = is_of_hole ? Scope::hole : Scope::trial, .finest = Scope::rock};
 }
 
-/// Decodes the fields of `section` ("" of the blast itself, "hole.", "explosive.") that are given.
+/// Decodes the given fields of `section`: "" for the blast itself, "hole.", "explosive.".
 void decode_fields(DecodeContext& context, const Node& node, std::string_view section,
                    std::string_view prefix, BlastPlan& plan, Map& resolved) {
   for (const ParamSpec& spec : section_spec(section).keys) {
@@ -28,7 +28,7 @@ void decode_fields(DecodeContext& context, const Node& node, std::string_view se
   }
 }
 
-/// D/3 in place of a Gurney constant that was not given: the draw of D itself, times 1/3, so that both fall
+/// D/3 for a Gurney constant that is not given. The draw of D itself is scaled by 1/3, so that both vary
 /// together.
 Number third_of(DecodeContext& context, const Number& velocity) {
   if (velocity.is_constant()) return {velocity.constant / 3, -1};
@@ -90,7 +90,7 @@ std::string metres(const Range& range) {
   return fmt::format("{:.6g} to {:.6g} m", range.low, range.high);
 }
 
-/// Two of length, stemming and charge length give the third; three have to agree.
+/// Two of length, stemming and charge length determine the third; if all three are given, they must agree.
 void check_lengths(DecodeContext& context, const Node& hole, const BlastPlan& plan) {
   using enum BlastField;
   const auto given = [&](BlastField field) { return plan.fields.contains(field); };
@@ -118,7 +118,7 @@ void check_lengths(DecodeContext& context, const Node& hole, const BlastPlan& pl
             drawn ? "are given and drawn apart" : "disagree, length = stemming + charge_length"));
 }
 
-/// `burden`, or both `burden_crest` and `burden_toe` with what the depth of the charge needs.
+/// Requires `burden`, or both `burden_crest` and `burden_toe` with what the depth of the charge needs.
 void check_burdens(DecodeContext& context, const Node& blast, const BlastPlan& plan) {
   using enum BlastField;
   const auto given = [&](BlastField field) { return plan.fields.contains(field); };
@@ -140,13 +140,13 @@ void check_burdens(DecodeContext& context, const Node& blast, const BlastPlan& p
         "`hole.deviation` changes the burden along the hole, which needs burden_crest and burden_toe");
 }
 
-/// Completes the blast of medians, and says what does not agree in it.
+/// Completes the blast with all medians, and reports contradictions in it.
 void complete_plan(DecodeContext& context, const Node& node, BlastPlan& plan) {
   try {
     complete(plan.typical);
     plan.design = design_of(plan.typical, plan.pattern);
   } catch (const std::invalid_argument& fault) {
-    return context.diagnostics.error(node.key_at, "", fault.what());  // it begins with the path
+    return context.diagnostics.error(node.key_at, "", fault.what());  // the text already begins with the path
   }
   if (const std::string text = disagreement(plan.typical, plan.design); !text.empty())
     context.diagnostics.warning(node.key_at, node.path, text);
@@ -185,7 +185,7 @@ BlastPlan decode_blast(DecodeContext& context, const Node& node, Map& resolved) 
     put(map, "rows", map_value(std::move(fields)));
   }
   put(resolved, "blast", map_value(std::move(map)));
-  if (!is_sound()) return plan;  // what follows from its numbers would mislead
+  if (!is_sound()) return plan;  // checks of derived values would mislead
   for (const auto& [field, value] : plan.fields) plan.typical[field] = middle_of(context, value);
   plan.typical.is_anfo = plan.is_anfo;
   if (const auto hole = node.find("hole")) check_lengths(context, *hole, plan);

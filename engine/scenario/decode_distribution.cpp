@@ -9,7 +9,7 @@ namespace flyrock {
 
 namespace {
 
-/// A parameter of a distribution: has the dimension of what is drawn, or none.
+/// A parameter of a distribution. It has the dimension of the drawn quantity, or no dimension.
 struct Parameter {
   const char* name;
   double Distribution::*member;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr NumberRules gravity_rules{.varies = true, .scope = Scope::trial, .finest = Scope::trial};
 
-/// Names of the elements of a list of groups or bodies, also of those that are wrong otherwise.
+/// The names of the elements of a list of groups or bodies, including elements with other errors.
 std::vector<std::string> element_names(const std::optional<Node>& list) {
   std::vector<std::string> names;
   if (!list) return names;
@@ -112,7 +112,7 @@ class DocumentDecoder {
     scenario_.gravity = section.number("gravity");
   }
 
-  /// What a method cannot do.
+  /// Reports what the method cannot do.
   void check_method() {
     if (scenario_.method == Method::nscd) return;
     if (scenario_.rock_contacts)
@@ -166,7 +166,7 @@ class DocumentDecoder {
     return names;
   }
 
-  /// Rocks or bodies.
+  /// Decodes rocks or bodies.
   void decode_moving(const std::optional<Profile>& profile) {
     const auto rocks = root_.find("rocks"), bodies = root_.find("bodies");
     if (!rocks && !bodies) context_.diagnostics.error(root_.key_at, "", "`rocks` or `bodies` is missing");
@@ -188,7 +188,7 @@ class DocumentDecoder {
     }
   }
 
-  /// `rocks.runout.p95` would be a group or a quantity.
+  /// Refuses groups with the name of a quantity: `rocks.runout.p95` would be ambiguous.
   void check_group_names(const Node& rocks) {
     const std::vector<std::string> reserved = rock_quantities();
     for (const Node& item : rocks.items())
@@ -197,7 +197,8 @@ class DocumentDecoder {
           name->error(context_.diagnostics, "is the name of a measured quantity, a group needs another one");
   }
 
-  /// A velocity model must find the fields of the blast that it reads. What a wrong blast gives is not known.
+  /// Checks that velocity models find the fields of the blast that they read. Skipped if the blast has
+  /// errors, because its fields are then unknown.
   void check_reads(const Node& rocks) {
     if (!blast_is_sound_) return;
     const std::vector<Node> items = rocks.items();
@@ -216,7 +217,8 @@ class DocumentDecoder {
     }
   }
 
-  /// Whether the plugin as it is written in the scenario reads the field; its parameters may still be wrong.
+  /// Whether the plugin reads the field when it is used as the scenario writes it. Its parameters may still
+  /// be wrong.
   static bool asks_for(const FieldRead& read, const PluginSpec& spec, const Value& use) {
     if (read.always()) return true;
     const Value* written = use.find(read.param);
@@ -225,7 +227,7 @@ class DocumentDecoder {
     return std::find(read.choices.begin(), read.choices.end(), chosen) != read.choices.end();
   }
 
-  /// The path of a field that a manifest names and the scenario lacks, or an empty text.
+  /// The path of a field that a manifest names and the scenario lacks; empty if there is none.
   std::string missing_field(const std::string& field) const {
     for (const BlastFieldInfo& info : blast_fields()) {
       if (field != fmt::format("blast.{}", info.path) && field != fmt::format("blast.{}", info.name))
@@ -242,12 +244,12 @@ class DocumentDecoder {
     });
   }
 
-  /// Things that meet need a material between them: the same one, or an entry of `pairs` (DESIGN 8). `first`
-  /// is 1 where a thing does not meet its own kind.
+  /// Checks that things that meet have a material between them: the same one, or an entry of `pairs` (DESIGN
+  /// 8). `first` is 1 if things of one kind do not meet each other.
   template <class Plan, class Meet>
   void check_materials(const Node& list, const std::vector<Plan>& plans, std::size_t first, Meet meet) {
     const std::vector<Node> items = list.items();
-    if (items.size() != plans.size()) return;  // one of them is no map, which was reported
+    if (items.size() != plans.size()) return;  // one of them is not a map, which is already reported
     for (std::size_t j = 0; j < plans.size(); ++j)
       for (std::size_t i = 0; i + first <= j; ++i) {
         const Plan& a = plans[i];

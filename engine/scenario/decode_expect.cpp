@@ -7,7 +7,7 @@ namespace flyrock {
 
 namespace {
 
-constexpr NumberRules expect_rules{.bare_angles = true};  // DESIGN 8: bare numbers are SI, also angles
+constexpr NumberRules expect_rules{.bare_angles = true};  // DESIGN 8: bare numbers are SI, angles too
 
 class ExpectationDecoder {
  public:
@@ -79,7 +79,7 @@ class ExpectationDecoder {
     }
   }
 
-  /// The values are compared with those of the sweep's axes once these are known.
+  /// Stores `at`. The values are compared with those of the axes once the axes are known.
   void decode_at() {
     const auto at = node_.find("at");
     if (!at || !at->expect_map(context_.diagnostics)) return;

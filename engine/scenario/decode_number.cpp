@@ -13,7 +13,7 @@ bool is_reciprocal(const Dimension& a, const Dimension& b) {
          a.radian == -b.radian;
 }
 
-/// "the unit `s/m` is a reciprocal of the expected m/s" and other ways in which a unit does not fit.
+/// How a unit does not fit: "the unit `s/m` is a reciprocal of the expected m/s" and the like.
 std::string dimension_fault(const Quantity& quantity, const Dimension& expected) {
   const Dimension& found = quantity.unit.dimension;
   if (found == expected) return {};
@@ -52,7 +52,7 @@ std::string quantity_fault(const Value& value, const QuantityError& error, const
   return fmt::format("unknown unit `{}` in {}{}", error.unit_text, shown(value), hint);
 }
 
-/// The unit that messages about a parameter use: the declared one.
+/// The unit that messages about a parameter use: the declared one, or SI if none is declared.
 std::string unit_of(const ParamSpec& spec) { return spec.unit.empty() ? si_unit(spec.dimension) : spec.unit; }
 
 bool is_whole(double number) { return number == std::floor(number); }
@@ -76,7 +76,7 @@ std::optional<Scope> decode_scope(DecodeContext& context, const Node& node, cons
   return std::nullopt;
 }
 
-/// "; did you mean `2.7 g/cm3`?" where a bare number is usual in another unit than SI.
+/// "; did you mean `2.7 g/cm3`?" for a bare number that would be usual in another unit than SI.
 std::string unit_hint(const Value& value, const Dimension& dimension, const UsualRange& usual) {
   static const std::vector<std::string> candidates{"g/cm3", "mm", "cm", "in", "ft", "km/s", "km/h"};
   const double* number = value.number();
@@ -89,7 +89,7 @@ std::string unit_hint(const Value& value, const Dimension& dimension, const Usua
   return {};
 }
 
-/// Values from `low` to `high`.
+/// Warns if values from `low` to `high` are unusual.
 void warn_of_unusual(DecodeContext& context, const Node& node, const ParamSpec& spec, double low,
                      double high) {
   if (!spec.usual || (spec.usual->holds(low) && spec.usual->holds(high))) return;
@@ -125,7 +125,8 @@ std::optional<DecodedNumber> decode_draw(DecodeContext& context, const Node& nod
                                                 with_unit(low, spec), with_unit(high, spec), fault));
     return std::nullopt;
   }
-  constexpr double rare = 1e-3;  // a draw in a thousand may be beyond each end
+  constexpr double rare =
+      1e-3;  // quantiles that count as the ends: one draw in a thousand may lie beyond each
   warn_of_unusual(context, node, spec, distribution.quantile(rare), distribution.quantile(1 - rare));
   Draw draw{node.path, node.stream, distribution, *scope, hash_name(node.stream), 1, si_unit(spec.dimension)};
   DecodedNumber result;
@@ -142,7 +143,7 @@ std::optional<double> decode_quantity(DecodeContext& context, const Node& node, 
                                       const NumberRules& rules, const std::string& expected) {
   const Value& value = *node.value;
   if (!rules.varies && context.swept.contains(node.path)) {
-    // At the key: the value's place is another one at each point.
+    // Reported at the key, because the value has another place at each sweep point.
     context.diagnostics.error(node.key_at, node.path, "takes no sweep, expected " + expected);
     return std::nullopt;
   }

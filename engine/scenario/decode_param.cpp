@@ -28,7 +28,7 @@ void decode_boolean(DecodeContext& context, const Node& node, const ParamSpec& s
   resolved.data = *boolean;
 }
 
-/// A choice of `off` and `on` may also be written as false and true, as in Lua.
+/// A choice of `off` and `on` also accepts false and true, as Lua writes them.
 void decode_choice(DecodeContext& context, const Node& node, const ParamSpec& spec, ParamValue& value,
                    Value& resolved) {
   std::string text;
@@ -48,7 +48,7 @@ void decode_text(DecodeContext& context, const Node& node, const ParamSpec& spec
   resolved = text_value(*text);
 }
 
-/// What keeps a file from being read, or an empty text.
+/// Why a file cannot be read; empty if it can.
 std::string file_fault(const std::filesystem::path& path, const std::string& name) {
   constexpr std::uintmax_t most_mebibytes = 256;
   std::error_code code;
@@ -92,7 +92,7 @@ void decode_vector(DecodeContext& context, const Node& node, const ParamSpec& sp
   resolved = list_value(std::move(list));
 }
 
-/// A point [x, y]; empty where it is wrong, which was then reported.
+/// A point [x, y] or [x, y, z]; empty if it is wrong, which is reported.
 std::vector<double> decode_point(DecodeContext& context, const Node& node, const ParamSpec& spec) {
   const std::vector<Node> items = node.items();
   if (static_cast<int>(items.size()) != context.dimension) {
@@ -108,8 +108,8 @@ std::vector<double> decode_point(DecodeContext& context, const Node& node, const
   return point.size() == items.size() ? point : std::vector<double>();
 }
 
-/// The corners of a polygon of space in its own plane; empty where they span none or leave it by more than a
-/// millionth of its size.
+/// The corners of a polygon in 3D, in coordinates of its own plane. Empty if they span no plane, or leave it
+/// by more than a millionth of the polygon's size.
 std::vector<Vec2> flattened(const std::vector<std::vector<double>>& points) {
   std::vector<Vec3> corners;
   for (const std::vector<double>& point : points) corners.emplace_back(point[0], point[1], point[2]);
@@ -131,7 +131,7 @@ std::vector<Vec2> flattened(const std::vector<std::vector<double>>& points) {
   return flat;
 }
 
-/// What is wrong with points as the outline of a convex polygon, or an empty text.
+/// Why points are not the outline of a convex polygon; empty if they are.
 std::string outline_fault(const std::vector<std::vector<double>>& points, int dimension) {
   std::vector<Vec2> vertices;
   if (dimension == 2)
@@ -141,8 +141,8 @@ std::string outline_fault(const std::vector<std::vector<double>>& points, int di
   return make_convex(vertices);
 }
 
-/// Points. Those of a parameter called `inside`, and in 2D `vertices`, are the outline of a convex polygon,
-/// wherever it stands: what is wrong with it is said here, where its place in the file is known.
+/// Decodes points. The points of a parameter called `inside`, and in 2D `vertices`, are the outline of a
+/// convex polygon. They are checked here for every plugin, because their place in the file is known here.
 void decode_points(DecodeContext& context, const Node& node, const ParamSpec& spec, ParamValue& value,
                    Value& resolved) {
   if (!node.is_list() || node.value->is_null()) return refuse(context, node, spec);

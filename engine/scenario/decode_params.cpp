@@ -14,7 +14,7 @@ namespace {
 
 bool is_number_type(ParamType type) { return type == ParamType::number || type == ParamType::integer; }
 
-/// Makes an instance and drops it: a plugin refuses parameters that contradict each other when it is made.
+/// Makes an instance and drops it, because a plugin refuses contradicting parameters only when it is made.
 void try_to_make(DecodeContext& context, const Node& node, const PluginUse& use) {
   auto make = [&]<class Interface>(const FactoryOf<Interface>&) {
     make_instance<Interface>(use, context.dimension);
@@ -147,7 +147,7 @@ constexpr const char* name_rule = "expected letters, digits, `_` and `-`";
 
 bool check_name(DecodeContext& context, const Node& node) {
   const std::string* text = node.value->text();
-  if (!text) return false;  // reported as not being text
+  if (!text) return false;  // already reported
   if (is_name(*text)) return true;
   node.error(context.diagnostics, fmt::format("{} is not a name, {}", shown(*node.value), name_rule));
   return false;

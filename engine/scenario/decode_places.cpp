@@ -1,5 +1,5 @@
-// What is asked of rocks at places and distances: barriers, gates, clearances. Nothing here may vary within a
-// run.
+// Places and distances at which the rocks are evaluated: barriers, gates, clearances. None of their values
+// may vary within a run.
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@ namespace flyrock {
 
 namespace {
 
-/// `x` of an element lies on the terrain of the first trial.
+/// Checks that `x` of an element lies on the terrain of the first trial.
 void check_place(DecodeContext& context, const Node& item, const Section& section,
                  const std::optional<Profile>& profile) {
   const auto x = item.find("x");
@@ -23,7 +23,7 @@ void check_place(DecodeContext& context, const Node& item, const Section& sectio
                        profile->x_min(), profile->x_max()));
 }
 
-/// The group of rocks that a clearance is of, -1 for all.
+/// The group of rocks of a clearance; -1 for all groups.
 int decode_group(DecodeContext& context, const Node& item, const Section& section,
                  const std::vector<std::string>& groups) {
   if (!section.given("group")) return -1;
@@ -35,7 +35,7 @@ int decode_group(DecodeContext& context, const Node& item, const Section& sectio
   return -1;
 }
 
-/// The distance by azimuth, from all release places or from a point.
+/// The sectors of a clearance by azimuth, about all release places or about a point.
 void decode_sectors(DecodeContext& context, const Node& item, const Section& section, ClearancePlan& plan) {
   const auto error_at = [&](const char* key, const char* text) {
     item.find(key)->error(context.diagnostics, text);

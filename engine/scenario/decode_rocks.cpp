@@ -14,7 +14,7 @@ constexpr NumberRules rock_rules{.varies = true, .scope = Scope::rock, .finest =
 constexpr NumberRules population_rules{.varies = true, .scope = Scope::trial, .finest = Scope::trial};
 constexpr NumberRules body_rules{.varies = true, .scope = Scope::trial, .finest = Scope::trial};
 
-/// Exactly one of density and mass; none where `is_optional`.
+/// Requires exactly one of density and mass; none is fine if `is_optional`.
 void check_mass(DecodeContext& context, const Node& node, const Section& section, bool is_optional) {
   const bool density = section.given("density"), mass = section.given("mass");
   if (density && mass)
@@ -148,8 +148,8 @@ std::optional<PluginUse> decode_part(DecodeContext& context, const Node& node, P
   return use;
 }
 
-/// The elevation of a launch that gives none and has no direction of its own either, as `velocity` and
-/// `drill_angle` have.
+/// The elevation of a launch that gives none and has no direction of its own either (`velocity` and
+/// `drill_angle` are such directions).
 std::optional<double> assumed_elevation(const Node& launch, const PluginSpec& spec) {
   constexpr double of_every_model = pi / 4;
   const int elevation = spec.find("elevation");
@@ -188,7 +188,7 @@ RockGroup decode_group(DecodeContext& context, const Node& node, const std::vect
   if (group.launch)
     group.assumed_elevation = assumed_elevation(*node.find("launch"), group.launch->plugin->spec);
   if (group.population.plugin && group.population.plugin->spec.name == default_population)
-    for (const char* key : {"shape", "release"})  // other populations may decide both themselves
+    for (const char* key : {"shape", "release"})  // other populations may decide both
       if (!node.find(key))
         context.diagnostics.error(node.key_at, node.path, fmt::format("`{}` is missing", key));
   return group;

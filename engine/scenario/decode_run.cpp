@@ -1,5 +1,5 @@
-// The air, and how a run is computed, ended and stored: solver, stop, output, which may not vary within a
-// run.
+// The air, and how a run is computed, ended and stored: solver, stop, output. The last three may not vary
+// within a run.
 
 #include "scenario/decode_sections.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 // One function for each section of a scenario. Each appends what it read to `resolved`, in schema order, and
-// reports what is wrong; its result is used only where nothing was wrong.
+// reports what is wrong. Its result is used only if nothing was wrong.
 
 #include <optional>
 #include <string>
@@ -12,15 +12,15 @@
 
 namespace flyrock {
 
-/// The materials, in order of their names.
+/// The materials, sorted by name.
 std::vector<Material> decode_materials(DecodeContext& context, const std::optional<Node>& node,
                                        Map& resolved);
 
-/// The index of the material that a node names, -1 where there is none (which is reported).
+/// The index of the material that a node names; -1 if there is none, which is reported.
 int find_material(DecodeContext& context, const Node& node, const std::vector<Material>& materials);
 
-/// The terrain, and for the checks of what refers to it: its parts and zones, and in 2D its profile, as built
-/// in trial 0. No parts where it could not be built.
+/// The terrain, with the data that checks of other sections need: its parts and zones, and in 2D its profile,
+/// as built in trial 0. There are no parts if it could not be built.
 struct DecodedTerrain {
   TerrainPlan plan;
   std::vector<std::string> parts;
@@ -32,7 +32,7 @@ DecodedTerrain decode_terrain(DecodeContext& context, const Node& node,
 
 BlastPlan decode_blast(DecodeContext& context, const Node& node, Map& resolved);
 
-/// Checks of the blast that need the terrain: the length of the hole against the bench.
+/// Checks that need both the blast and the terrain: the length of the hole against the height of the bench.
 void check_hole(DecodeContext& context, const Node& blast, const BlastPlan& plan, const TerrainPlan& terrain);
 
 std::vector<RockGroup> decode_rocks(DecodeContext& context, const Node& node,
@@ -42,12 +42,12 @@ std::vector<RockGroup> decode_rocks(DecodeContext& context, const Node& node,
 std::vector<BodyPlan> decode_bodies(DecodeContext& context, const Node& node,
                                     const std::vector<Material>& materials, Map& resolved);
 
-/// `names`: bodies, groups, `terrain` and `terrain.<part>`.
+/// `names`: the bodies, the groups, `terrain` and `terrain.<part>`.
 std::vector<PairPlan> decode_pairs(DecodeContext& context, const Node& node,
                                    const std::vector<Material>& materials,
                                    const std::vector<std::string>& names, Map& resolved);
 
-/// Gates and barriers stand within the profile.
+/// Also checks that gates and barriers stand within the profile.
 std::vector<BarrierPlan> decode_barriers(DecodeContext& context, const Node& node,
                                          const std::optional<Profile>& profile, Map& resolved);
 std::vector<GatePlan> decode_gates(DecodeContext& context, const Node& node,
@@ -66,13 +66,14 @@ OutputPlan decode_output(DecodeContext& context, const std::optional<Node>& node
 std::vector<Expectation> decode_expect(DecodeContext& context, const Node& node, const MeasureNames& names,
                                        Map& resolved);
 
-/// Known keys that nothing in this run reads.
+/// Known keys of the scenario that this run does not read.
 std::vector<std::string> find_not_used(const Node& root, const Scenario& scenario);
 
-/// An error at each element of a list whose `name` an earlier one has; group and body names.
+/// Reports an error at each element of a list whose `name` is already used by an earlier element; for names
+/// of groups and bodies.
 void refuse_duplicate_names(DecodeContext& context, const Node& list);
 
-/// A list of elements with names: decode(element, map) reads one and appends what it read to `map`.
+/// Decodes a list of elements with names. decode(element, map) reads one and appends what it read to `map`.
 template <class Item, class Decode>
 std::vector<Item> decode_list(DecodeContext& context, const Node& node, std::string_view key, Map& resolved,
                               Decode&& decode) {

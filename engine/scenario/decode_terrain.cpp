@@ -48,7 +48,7 @@ std::vector<Zone> decode_zones(DecodeContext& context, const Node& node, Map& re
   return zones;
 }
 
-/// Builds the terrain of trial 0, for its parts and, in 2D, its profile.
+/// Builds the terrain of trial 0 to get its parts and, in 2D, its profile.
 void try_to_build(DecodeContext& context, const Node& node, const PluginUse& use, std::uint64_t seed,
                   DecodedTerrain& terrain) {
   try {
@@ -68,13 +68,13 @@ void try_to_build(DecodeContext& context, const Node& node, const PluginUse& use
   }
 }
 
-/// `material` holds for every part and zone that `materials` does not name.
+/// `material` applies to every part and zone that `materials` does not name.
 void decode_part_materials(DecodeContext& context, const Node& node, const std::vector<Material>& materials,
                            const std::vector<std::string>& parts, TerrainPlan& plan, Map& resolved) {
   const std::optional<Node> rest = node.find("material");
   const std::optional<Node> named = node.find("materials");
   std::vector<std::string> names = parts;
-  std::erase(names, "");  // a profile without parts: all but its zones
+  std::erase(names, "");  // a profile without parts: all of it except its zones
   if (rest) {
     const int index = find_material(context, *rest, materials);
     for (const std::string& part : parts) plan.material_of_part[part] = index;

@@ -35,7 +35,7 @@ const Table extreme_components_3d{{"x", dimension::length},
                                   {"wz", dimension::spin},
                                   {"kinetic_energy", dimension::energy}};
 
-/// `base` and one more.
+/// `base` and one more entry.
 Table with(Table base, Named entry) {
   base.push_back(entry);
   return base;
@@ -84,7 +84,7 @@ std::vector<std::string> names_of(const Table& table) {
   return names;
 }
 
-/// Reads a measure from left to right; the first step that fits nothing becomes the fault.
+/// Reads a measure from left to right. The first step that does not fit becomes the fault.
 class MeasureParser {
  public:
   MeasureParser(std::string_view measure, const MeasureNames& names) : measure_(measure), names_(names) {
@@ -119,7 +119,7 @@ class MeasureParser {
     if (info_.fault.empty()) info_.fault = fmt::format("`{}` is not a measure: {}", measure_, text);
   }
 
-  /// The next step, if it is one of `known`; else empty, and the fault is set.
+  /// The next step, if it is one of `known`. Otherwise empty, and the fault is set.
   std::string next(const std::vector<std::string>& known) {
     if (!info_.fault.empty()) return {};
     if (at_ >= steps_.size()) {
@@ -138,7 +138,7 @@ class MeasureParser {
       if (entry.name == name) info_.dimension = entry.dimension;
   }
 
-  /// Turns "impact[2]" into "impact", if the index is a whole number from 1.
+  /// Turns "impact[2]" into "impact" if the index is a whole number of at least 1.
   void strip_index(const std::string& list) {
     if (at_ >= steps_.size() || !steps_[at_].starts_with(list + "[") || !steps_[at_].ends_with(']')) return;
     const std::string index = steps_[at_].substr(list.size() + 1, steps_[at_].size() - list.size() - 2);

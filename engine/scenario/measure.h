@@ -1,5 +1,5 @@
 #pragma once
-// The grammar of measures: what `expect` compares.
+// The grammar of measures, which `expect` compares with values.
 
 #include <string>
 #include <string_view>
@@ -9,7 +9,7 @@
 
 namespace flyrock {
 
-/// What a measure may name.
+/// The names that a measure may use.
 struct MeasureNames {
   int dimension = 2;
   std::vector<std::string> bodies;
@@ -22,10 +22,10 @@ struct MeasureNames {
 
 struct MeasureInfo {
   Dimension dimension;
-  std::string fault;  ///< why it is not a measure, with the nearest name; empty where it is one
+  std::string fault;  ///< why it is not a measure, with the nearest name; empty if it is one
 };
 
-/// Checks a measure against DESIGN section 3:
+/// Checks a measure. The grammar (DESIGN section 3):
 ///   body.<name>.final|max|min.<component>, body.<name>.stop_time|contact_time,
 ///   body.<name>.impact[n].<quantity>, body.<name>.apex[n].time|height,
 ///   energy.total.relative_change, solver.<quantity>,
@@ -35,7 +35,7 @@ struct MeasureInfo {
 ///   clearance.<name>.distance|lower|upper|with_factor
 MeasureInfo check_measure(std::string_view measure, const MeasureNames& names);
 
-/// Quantities of rocks, which a group cannot be named after.
+/// Quantities of rocks. A group cannot have one of these names.
 std::vector<std::string> rock_quantities();
 
 }  // namespace flyrock

@@ -1,4 +1,4 @@
-// Known keys that nothing in a run reads.
+// Finds the known keys that a run does not read.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,7 +17,7 @@ bool any_is_placed_by_rows(const Scenario& scenario) {
   return std::any_of(scenario.rocks.begin(), scenario.rocks.end(), is_placed_by_rows);
 }
 
-/// Why nothing reads a field: it names the plugins that get the blast.
+/// Why no plugin reads a field; names the plugins that get the blast.
 std::string reason(const Scenario& scenario) {
   std::set<std::string> readers;
   for (const RockGroup& group : scenario.rocks)
@@ -68,7 +68,7 @@ void find_materials(const Scenario& scenario, std::vector<std::string>& list) {
       list.push_back(fmt::format("materials.{} (nothing is made of it)", scenario.materials[i].name));
 }
 
-/// What concerns rocks that meet each other, where they do not.
+/// Keys about contacts between rocks, in a scenario where rocks do not meet each other.
 void find_rock_contacts(const Node& root, const Scenario& scenario, std::vector<std::string>& list) {
   if (scenario.rocks.empty()) {
     if (root.find("rock_contacts")) list.emplace_back("rock_contacts (the scenario has no rocks)");

@@ -23,7 +23,7 @@ void relocate(Value& value, const Location& at) {
     }
 }
 
-/// The element of a list by its index or its `name`.
+/// The element of a list, found by its index or its `name`.
 Value* find_item(List& list, const std::string& step) {
   for (Value& item : list)
     if (const Value* name = item.find("name"); name && name->text() && *name->text() == step) return &item;
@@ -42,8 +42,8 @@ std::vector<std::string> item_names(const List& list) {
   return names;
 }
 
-/// Walks to the place of a path and puts the value there. Keys that a map does not have yet are added:
-/// decoding knows all keys and refuses those that do not exist, with the nearest.
+/// Walks to the place of a path and puts the value there. Adds keys that a map does not have yet: decoding
+/// knows all keys, refuses unknown ones and names the nearest.
 void set_path(Value& root, const std::string& path, Value value, const Location& at,
               Diagnostics& diagnostics) {
   Value* place = &root;

@@ -6,11 +6,11 @@ namespace flyrock {
 
 namespace {
 
-/// What a parameter may be in a run.
+/// The values that a parameter takes in a run.
 struct Range {
   double low = 0, high = 0;
   bool drawn = false;
-  bool open = false;  ///< of a continuous distribution: its ends are never drawn
+  bool open = false;  ///< for a continuous distribution, whose ends are never drawn
 };
 
 Range range_of(const Number& number, const std::vector<Draw>& draws) {
@@ -54,7 +54,8 @@ void check_bounds(DecodeContext& context, const Node& map, const std::vector<Par
     for (const ParamBound& bound : specs[i].bounds) {
       const std::size_t other = index_of(bound.other);
       if (!decoded[i] || !decoded[other] || keeps(range(i), bound.relation, range(other))) continue;
-      // Said of the one that the file gives: of the other, the converse.
+      // The message is about the parameter that the file gives. If only the other one is given, it states the
+      // converse.
       const bool itself = map.find(specs[i].name).has_value();
       const std::size_t subject = itself ? i : other, object = itself ? other : i;
       const std::optional<Node> node = map.find(specs[subject].name);

@@ -1,5 +1,5 @@
 #pragma once
-// Parameters that bound each other: `max = "mu_s"` in a manifest.
+// Checks parameters that bound each other: `max = "mu_s"` in a manifest.
 
 #include <vector>
 
@@ -7,9 +7,9 @@
 
 namespace flyrock {
 
-/// Reports each number of `map` that is out of a bound which another one of it sets, at the key of the one
-/// that the file gives, with both values. What is drawn is judged by the ends of its distribution: no draw
-/// may break a bound. `decoded` says which values are there and sound.
+/// Reports each number of `map` that violates a bound given by another number of it. The message is at the
+/// key that the file gives and shows both values. A number that is drawn is judged by the ends of its
+/// distribution, because no draw may violate a bound. `decoded` says which values are present and sound.
 void check_bounds(DecodeContext& context, const Node& map, const std::vector<ParamSpec>& specs,
                   const std::vector<ParamValue>& values, const std::vector<bool>& decoded);
 

@@ -21,24 +21,24 @@ enum class Method {
   ballistic  ///< each rock is a point that flies to the first ground it meets
 };
 
-/// As the scenario writes it.
+/// The name as the scenario writes it.
 inline std::string_view name_of(Method method) { return method == Method::ballistic ? "ballistic" : "nscd"; }
 
-/// The air that flying rocks meet.
+/// The air that flying rocks pass through.
 struct AirPlan {
   Number density;            ///< kg/m3
   Number cd;                 ///< drag coefficient on the sphere of equal volume
   std::vector<Number> wind;  ///< m/s; empty: calm
 };
 
-/// A way in which a surface answers; a law that is absent takes the default (no restitution, no friction,
-/// no rolling resistance, signorini).
+/// The laws of a surface. A law that is absent takes the default: no restitution, no friction, no rolling
+/// resistance, signorini.
 struct Material {
   std::string name;
   std::optional<PluginUse> restitution, friction, rolling, unilateral;
 };
 
-/// A stretch of terrain with its own name, x from `from` to `to`.
+/// A stretch of terrain with its own name, from x = `from` to x = `to`.
 struct Zone {
   std::string name;
   double from = 0, to = 0;
@@ -51,23 +51,23 @@ struct TerrainPlan {
   std::vector<Zone> zones;
 };
 
-/// The blast with the number of every field given.
+/// The blast, with the number of each field that is given.
 struct BlastPlan {
   std::map<BlastField, Number> fields;
   bool is_anfo = false;
-  bool gurney_follows = false;  ///< the Gurney constant is D/3, no number of its own
+  bool gurney_follows = false;  ///< the Gurney constant is D/3 and not given separately
   Pattern pattern;              ///< rock k belongs to hole k mod holes
-  Blast typical;                ///< completed, with the median of what is drawn
+  Blast typical;                ///< completed, with the medians of all distributions
   BlastDesign design;           ///< of the typical blast
 
-  /// Whether a field is given or follows from others.
+  /// Whether a field is given or follows from other fields.
   bool provides(BlastField field) const { return !std::isnan(typical[field]); }
 };
 
 enum class ReleaseKind {
   face,
   collar,     ///< on the bench above, at the collar of the rock's hole
-  bench_top,  ///< between the crest and the last row of holes
+  bench_top,  ///< on the bench above, between the crest and the last row of holes
   above_ground,
   position,
   along,
@@ -77,19 +77,19 @@ enum class ReleaseKind {
 /// Where a rock starts.
 struct Release {
   ReleaseKind kind = ReleaseKind::position;
-  int bench = 1;  ///< face, collar, bench_top: which, from 1
+  int bench = 1;  ///< for face, collar, bench_top: the number of the bench, from 1
   Number x, y,
-      above_ground;  ///< above_ground: height of the centre of mass above the ground at x (and y in 3D)
+      above_ground;  ///< for above_ground: height of the centre of mass above the ground at x (and y in 3D)
   std::vector<Number> position;  ///< of the centre of mass
-  std::vector<Vec3> points;  ///< along a poly-line, or inside a flat convex polygon, uniformly; z = 0 in 2D
+  std::vector<Vec3> points;      ///< along a polyline, or uniform inside a flat convex polygon; z = 0 in 2D
 };
 
-/// How a body of 3D is turned: about an axis by an angle [rad], or by a quaternion [w, x, y, z] that maps
-/// body to world.
+/// The orientation of a body in 3D: a rotation about an axis by an angle [rad], or a quaternion [w, x, y, z]
+/// that maps body to world.
 struct TurnPlan {
-  std::vector<Number> axis;  ///< three, or none
+  std::vector<Number> axis;  ///< three components, or none
   Number angle;
-  std::vector<Number> quaternion;  ///< four, or none
+  std::vector<Number> quaternion;  ///< four components, or none
 };
 
 struct RockGroup {
@@ -98,13 +98,13 @@ struct RockGroup {
   std::optional<PluginUse> shape;
   std::optional<Release> release;
   std::optional<PluginUse> launch;          ///< absent: at rest
-  std::optional<double> assumed_elevation;  ///< rad, of a launch for which the scenario gives none
+  std::optional<double> assumed_elevation;  ///< rad, of a launch whose elevation the scenario does not give
   Number density;                           ///< kg/m3
   std::optional<Number> mass;               ///< kg; in place of density
   std::optional<Number> thickness;          ///< m; absent: default_thickness
   std::optional<Number> orientation;        ///< 2D, rad; absent: random and uniform
   std::optional<TurnPlan> turn;             ///< 3D; absent: random and uniform
-  int material = -1;                        ///< shown to other rocks; -1 none
+  int material = -1;                        ///< for contacts with other rocks; -1: none
 };
 
 struct BodyPlan {
@@ -114,7 +114,7 @@ struct BodyPlan {
   std::vector<Number> position, velocity;
   std::vector<Number> spin;      ///< one number in 2D, three in 3D
   Number orientation;            ///< 2D, rad
-  std::optional<TurnPlan> turn;  ///< 3D; absent: as the shape is described
+  std::optional<TurnPlan> turn;  ///< 3D; absent: in the orientation of the shape's description
   bool fixed = false;
   struct Driven {
     std::vector<double> velocity, spin;
@@ -123,38 +123,38 @@ struct BodyPlan {
   int material = -1;
 };
 
-/// What holds between two named things: a body, a group, `terrain` or `terrain.<part>`.
+/// The material between two named things: a body, a group, `terrain` or `terrain.<part>`.
 struct PairPlan {
   std::string a, b;
   int material = -1;
 };
 
-/// A place where passing rocks are looked at.
+/// A place where passing rocks are recorded.
 struct GatePlan {
   std::string name;
   double x = 0;  ///< m
 };
 
-/// A fence or berm; flight/crossings.h says what it does.
+/// A fence or berm. flight/crossings.h describes what it does.
 struct BarrierPlan {
   std::string name;
   double x = 0, height = 0;  ///< m
   double capacity = 0;       ///< J
 };
 
-/// A distance that is asked of a run: exceeded with `probability` by a rock, or by the farthest rock of a
-/// blast.
+/// A clearance that a run must compute: the distance that a rock, or the farthest rock of a blast, exceeds
+/// with `probability`.
 struct ClearancePlan {
   std::string name;
   int group = -1;  ///< index into Scenario::rocks; -1: rocks of all groups
   double probability = 0;
   double confidence = 0.95;           ///< of the interval
-  std::optional<double> factor = {};  ///< of safety; absent: none is applied
+  std::optional<double> factor = {};  ///< safety factor; absent: none is applied
   bool per_blast = false;
-  bool of_max_distance = false;  ///< else of runout
-  int sectors = 0;               ///< 3D: by azimuth, in so many sectors; 0: not
+  bool of_max_distance = false;  ///< use max_distance instead of runout
+  int sectors = 0;               ///< 3D: number of sectors by azimuth; 0: no sectors
   std::optional<Vec2> about =
-      {};  ///< m: distances count from there, azimuths about it; absent: from the hull of all release places
+      {};  ///< m: origin of distances and azimuths; absent: distances from the hull of all release places
 
   bool counts(int rock_group) const { return group < 0 || group == rock_group; }
 };
@@ -165,7 +165,7 @@ struct SolverPlan {
   std::string name = "auto";  ///< solver/solve_settings.h
   double time_step = 1e-3;    ///< s
   double theta = 0.5;
-  double tolerance = 1e-7;  ///< by measurement, see default_tolerance
+  double tolerance = 1e-7;  ///< found by measurement, see default_tolerance
   int max_iterations = 1000;
   FlightMode flight = FlightMode::exact;
   double rest_speed = 0.02;  ///< m/s
@@ -177,10 +177,10 @@ struct StopPlan {
 };
 
 struct OutputPlan {
-  int trajectories_first = 100;      ///< trials with trajectories
+  int trajectories_first = 100;      ///< number of trials with trajectories
   double trajectories_every = 0.02;  ///< s
   bool impacts = true;
-  bool hard_problems = false;  ///< steps that did not converge are kept as FCLIB files
+  bool hard_problems = false;  ///< keep each step that did not converge as an FCLIB file
 };
 
 enum class ExpectKind { equals, below, above, between };
@@ -189,18 +189,18 @@ inline constexpr std::array<std::string_view, 4> expect_kind_names = {"equals", 
 struct Expectation {
   std::string measure;
   ExpectKind kind = ExpectKind::equals;
-  double value = 0, high = 0;                      ///< between: from value to high
-  double tolerance = 0;                            ///< equals: absolute
-  std::optional<double> relative;                  ///< equals: relative to the value
-  std::vector<std::pair<std::string, double>> at;  ///< sweep points on which it is judged; empty: all
+  double value = 0, high = 0;                      ///< for between: from value to high
+  double tolerance = 0;                            ///< for equals: absolute
+  std::optional<double> relative;                  ///< for equals: relative to the value
+  std::vector<std::pair<std::string, double>> at;  ///< sweep points at which it is judged; empty: all
   std::string unit;                                ///< SI, of the measure
 };
 
-/// Of all points of a sweep together.
+/// The largest number of trials of all sweep points together.
 inline constexpr std::uint64_t most_trials = 1'000'000'000;
 
-/// One point of a sweep, fully decoded. The draws, with their streams, are the same at each point but where
-/// a sweep stands inside a distribution.
+/// One point of a sweep, fully decoded. All points have the same draws and streams, except where a sweep
+/// stands inside a distribution.
 struct Scenario {
   std::string title;
   int dimension = 2;
@@ -226,22 +226,22 @@ struct Scenario {
   std::vector<Draw> draws;
 };
 
-/// One axis of a sweep and the values it takes, as written.
+/// One axis of a sweep and its values, as written.
 struct SweepAxis {
   std::string path;
   std::vector<double> values;  ///< SI
   std::string unit;            ///< SI: "m", "rad", "1"
 };
 
-/// What a scenario file becomes.
+/// The result of decoding a scenario file.
 struct Plan {
   std::vector<SweepAxis> axes;               ///< sorted by path; the last varies fastest
-  std::vector<Scenario> points;              ///< one where nothing is swept
-  std::vector<std::vector<double>> at;       ///< the axes' values at each point
+  std::vector<Scenario> points;              ///< one point if nothing is swept
+  std::vector<std::vector<double>> at;       ///< the values of the axes at each point
   Value resolved;                            ///< in schema order, with defaults, in SI units, sweeps kept
   std::vector<std::string> not_used;         ///< "blast.spacing (bench_fit does not read it)"
   std::vector<std::string> plugin_files;     ///< `plugins:` as written
-  std::map<std::string, std::string> files;  ///< that parameters name: as written, and the full path
+  std::map<std::string, std::string> files;  ///< that parameters name: name as written -> full path
 };
 
 }  // namespace flyrock

@@ -24,7 +24,7 @@ ParamSpec number(std::string name, std::string unit, std::string doc) {
 }
 ParamSpec integer(std::string name, std::string doc) {
   ParamSpec spec = key(ParamType::integer, std::move(name), "", std::move(doc));
-  spec.max = 1e9;  // an int holds it
+  spec.max = 1e9;  // fits into an int
   return spec;
 }
 ParamSpec boolean(std::string name, bool value, std::string doc) {
@@ -80,7 +80,7 @@ ParamSpec usually(ParamSpec spec, const std::optional<UsualRange>& range) {
   return spec;
 }
 
-constexpr double exact_integer = 9007199254740992.0;  // 2^53: beyond it not every whole number is a double
+constexpr double exact_integer = 9007199254740992.0;  // 2^53: above it some whole numbers are not doubles
 
 SectionSpec document() {
   return {"",
@@ -95,7 +95,7 @@ SectionSpec document() {
            "clearance", "solver", "stop", "output", "sweep", "expect"}};
 }
 
-/// The fields of the blast below `prefix` ("" or "hole."), from the table that velocity models read by.
+/// The fields of the blast below `prefix` ("" or "hole."), from the table that velocity models also use.
 std::vector<ParamSpec> blast_keys(std::string_view prefix) {
   std::vector<ParamSpec> keys;
   for (const BlastFieldInfo& info : blast_fields()) {
@@ -108,7 +108,7 @@ std::vector<ParamSpec> blast_keys(std::string_view prefix) {
     const bool may_be_zero =
         info.field == BlastField::hole_stemming || info.field == BlastField::hole_subdrilling;
     if (info.field == BlastField::hole_deviation)
-      keys.push_back(std::move(spec));  // away from the face it is negative
+      keys.push_back(std::move(spec));  // negative away from the face
     else
       keys.push_back(may_be_zero ? at_least(std::move(spec), 0) : above(std::move(spec), 0));
   }
@@ -138,7 +138,7 @@ std::vector<SectionSpec> make_sections() {
   return {
       document(),
       {"air",
-       // Bounded: the steps of a flight shrink with the drag.
+       // Bounded, because the steps of a flight shrink as the drag grows.
        {or_else(at_most(above(number("density", "kg/m3", "of the air"), 0), 100), 1.225),
         usually(
             at_most(at_least(number("cd", "", "drag coefficient, on the sphere of equal volume"), 0), 100),

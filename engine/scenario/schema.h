@@ -1,6 +1,6 @@
 #pragma once
-// The keys of a scenario's own sections, described as plugins describe their parameters. Decoding, the
-// resolved scenario and the schema for editors come from these tables.
+// The keys of the scenario's own sections, described in the same way as plugins describe their parameters.
+// Decoding, the resolved scenario and the schema for editors use these tables.
 
 #include <string_view>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace flyrock {
 
-/// A section of a scenario. `parts` are the keys that hold sections, lists or plugins of their own.
+/// A section of a scenario. `parts` are the keys that hold sections, lists or plugins.
 struct SectionSpec {
   std::string_view name;  ///< "solver", "blast.hole"; "" for the document
   std::vector<ParamSpec> keys;
@@ -19,13 +19,13 @@ struct SectionSpec {
   std::vector<std::string> key_names() const;
 };
 
-/// The section of that name; one that does not exist is an error of the program (std::logic_error).
+/// The section with that name. An unknown name is a bug of the program (std::logic_error).
 const SectionSpec& section_spec(std::string_view name);
 
 /// All sections, in the order of the document.
 const std::vector<SectionSpec>& section_specs();
 
-/// The population of a group without a `type`.
+/// The population of a group that gives no `type`.
 inline constexpr std::string_view default_population = "independent";
 
 }  // namespace flyrock

@@ -11,7 +11,7 @@ namespace flyrock {
 
 namespace {
 
-/// `from` to `to` in `count` even steps, ends included; in SI units where they have units.
+/// `from` to `to` in `count` even steps, ends included; in SI units if they have units.
 std::vector<Value> even_steps(const Node& node, Diagnostics& diagnostics) {
   node.refuse_unknown_keys({"from", "to", "count"}, diagnostics);
   constexpr double most = 10000;
@@ -79,7 +79,8 @@ void search(Value& value, const Node& node, Diagnostics& diagnostics, std::vecto
   }
   if (Map* map = value.map())
     for (Entry& entry : *map) {
-      if (node.path.empty() && entry.key == "sweep") continue;  // the section, not a sweep
+      if (node.path.empty() && entry.key == "sweep")
+        continue;  // this is the section `sweep`, not a sweep of a value
       search(entry.value, *node.find(entry.key), diagnostics, found);
     }
   if (List* list = value.list()) {

@@ -1,5 +1,5 @@
 #pragma once
-// Sweeps written where a number stands: `{ sweep: [a, b] }` or `{ sweep: { from: a, to: b, count: n } }`.
+// Sweeps, written in place of a number: `{ sweep: [a, b] }` or `{ sweep: { from: a, to: b, count: n } }`.
 
 #include <string>
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace flyrock {
 
-/// A place of the tree that is swept.
+/// A value of the tree that is swept.
 struct SweptValue {
-  Value* slot = nullptr;     ///< in the tree; each point of the sweep writes its value here
+  Value* slot = nullptr;     ///< in the tree; each sweep point writes its value here
   std::string path, stream;  ///< as in Node
   Location at;
   std::vector<Value> values;  ///< as written, one for each step of the axis
@@ -19,8 +19,8 @@ struct SweptValue {
 /// All sweeps of a tree, sorted by path. The slots point into `root`.
 std::vector<SweptValue> find_sweeps(Value& root, Diagnostics& diagnostics);
 
-/// The grid of axes with `sizes` steps: one index for each axis, the last varies fastest. One empty point
-/// where there are no axes.
+/// The grid of axes with `sizes` steps: one index for each axis; the last varies fastest. One empty point if
+/// there are no axes.
 std::vector<std::vector<std::size_t>> grid_points(const std::vector<std::size_t>& sizes);
 
 }  // namespace flyrock
