@@ -8,7 +8,7 @@ namespace flyrock {
 
 namespace {
 
-/// Texts about a blast begin with the key: "blast.hole: it ends above the floor".
+/// Texts about a blast begin with their key: "blast.hole: it ends above the floor".
 ScenarioError error_at_key(const std::string& text) {
   const std::size_t colon = text.find(": ");
   if (colon == text.npos) return {"blast", text};

@@ -15,10 +15,10 @@ namespace flyrock {
 
 namespace {
 
-// Rocks that meet each other are placed anew as often as this before the trial is refused.
+// How often rocks that meet each other are placed again before the trial is refused.
 constexpr int most_places = 1000;
 
-/// The key that decides the mass of a rock or body before others.
+/// The key that determines the mass of a rock or body.
 template <class Plan>
 std::string mass_key(const Plan& plan) {
   return plan.mass ? "mass" : plan.thickness ? "thickness" : "shape";
@@ -65,7 +65,7 @@ std::shared_ptr<const typename TrialBuilder<D>::Terrain> TrialBuilder<D>::terrai
   const bool same_parameters = std::all_of(model.slots.begin(), model.slots.end(), [&](const Number& n) {
     return n.is_constant() || scenario_.draws[n.draw].scope == Scope::run;
   });
-  // Plugins have no memory: one that drew nothing now, of the same parameters, never draws.
+  // Plugins have no memory: a plugin that draws nothing now draws nothing later with the same parameters.
   if (same_parameters && !rng.drawn()) kept_terrain_ = terrain;
   return terrain;
 }
@@ -213,7 +213,7 @@ void TrialBuilder<D>::build_alone(Trial<D>& trial, const Plan& plan, TrialRock& 
   if (!is_point) connect(trial, trial.worlds.back(), {{group.name, group.material, rock.key}});
 }
 
-/// A rock among those of `world`. One that is released at random is placed anew until it is apart from them.
+/// A rock in a world with others. A rock with a random release is placed again until it touches none of them.
 template <int D>
 template <class Plan>
 void TrialBuilder<D>::add_apart(World<D>& world, const Plan& plan, TrialRock& rock, RandomStream& where) {

@@ -14,45 +14,46 @@
 
 namespace flyrock {
 
-/// What a trial that ends with an error says of its rocks.
+/// The stop reason of the rocks of a trial that ends with an error.
 StopReason reason_of(const TrialError& error);
 
 /// A rock of a trial (or a moving body of `bodies`).
 struct TrialRock {
-  int group = 0;          ///< index into Scenario::rocks or ::bodies
-  DrawKey key;            ///< of its draws
-  int world = -1;         ///< index into Trial::worlds; -1 where the rock could not be built
-  int body = 0;           ///< in that world
-  double start_time = 0;  ///< s, when its hole goes off; 0 where rocks meet each other, which leave together
+  int group = 0;   ///< index into Scenario::rocks or ::bodies
+  DrawKey key;     ///< of its draws
+  int world = -1;  ///< index into Trial::worlds; -1 where the rock could not be built
+  int body = 0;    ///< in that world
+  double start_time =
+      0;  ///< s, when its hole detonates; 0 if rocks meet each other, because they then start together
   double launch_speed = 0;                      ///< m/s
   double launch_elevation = 0;                  ///< rad above the outward horizontal
   double greatest_throw = 0;                    ///< m, see Launch
-  std::string note;                             ///< of its velocity model
+  std::string note;                             ///< text from its velocity model
   std::string fault;                            ///< why it could not be built
-  std::string fault_path;                       ///< of the key that is to blame: "rocks.0.release"
+  std::string fault_path;                       ///< key that caused the fault: "rocks.0.release"
   StopReason reason = StopReason::not_started;  ///< with a fault
 };
 
 template <int D>
 struct Trial {
   std::shared_ptr<const typename Geometry<D>::Terrain> terrain;
-  std::deque<World<D>> worlds;  ///< one a rock, or one for all where they meet
+  std::deque<World<D>> worlds;  ///< one for each rock, or one for all if rocks meet each other
   std::vector<TrialRock> rocks;
-  std::deque<Surfaces> surfaces;  ///< one a world; none for points, which meet nothing
+  std::deque<Surfaces> surfaces;  ///< one for each world; none for points, which have no contacts
 };
 
-/// Builds trials of a scenario of D dimensions. A terrain that draws (a distribution, or its plugin from
-/// `rng`) is built for each trial, another one once. Instantiated for D = 2, 3.
+/// Builds trials of a scenario of D dimensions. A terrain that uses draws (from a distribution, or its plugin
+/// from `rng`) is built for each trial; any other terrain is built once. Instantiated for D = 2, 3.
 template <int D>
 class TrialBuilder {
  public:
   using Terrain = typename Geometry<D>::Terrain;
 
-  /// Throws ScenarioError: the plugins cannot be made, or a pair of bodies has no material.
+  /// Throws ScenarioError if the plugins cannot be made, or if a pair of bodies has no material.
   explicit TrialBuilder(const Scenario& scenario);
 
-  /// A rock that cannot be built is a TrialRock with `fault`. Throws ScenarioError where the terrain, a
-  /// population or one of `bodies` fails.
+  /// Builds one trial. A rock that cannot be built becomes a TrialRock with `fault`. Throws ScenarioError if
+  /// the terrain, a population or one of `bodies` fails.
   Trial<D> build(std::uint64_t trial);
 
   /// The terrain of a trial.
@@ -80,7 +81,7 @@ class TrialBuilder {
 
   const Scenario& scenario_;
   Instances instances_;
-  std::shared_ptr<const Terrain> kept_terrain_;  ///< that of all trials, once it is known to be
+  std::shared_ptr<const Terrain> kept_terrain_;  ///< terrain of all trials, once it is known to be the same
 };
 
 }  // namespace flyrock

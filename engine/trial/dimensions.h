@@ -1,5 +1,5 @@
 #pragma once
-// What trials of two and of three dimensions do differently.
+// What differs between trials in 2D and in 3D.
 
 #include <fmt/format.h>
 
@@ -47,7 +47,8 @@ inline auto rocks_of(const Population& population, const std::vector<double>& va
   return population.rocks_3d(values, terrain.plane(), blast, rng);
 }
 
-/// Above the outward horizontal in 2D, where a launch may go back over the crest; above the horizontal in 3D.
+/// The angle of v above the outward horizontal in 2D, where a launch may go back over the crest. In 3D the
+/// angle above the horizontal.
 inline double elevation_of(const Vec2& v, const Vec3& outward) {
   return std::atan2(v.y(), v.x() * outward.x());
 }
@@ -61,7 +62,7 @@ auto contactors_of(const ShapeModel& shape, const std::vector<double>& values, R
     return shape.build_3d(values, rng);
 }
 
-/// A spin of its components: one in 2D, three in 3D.
+/// A spin from its components: one in 2D, three in 3D.
 template <int D, class Component>
 typename Space<D>::Spin spin_of(Component component) {
   if constexpr (D == 2)

@@ -1,5 +1,5 @@
 #pragma once
-// The plugins of a scenario, made.
+// The instances of a scenario's plugins.
 
 #include <memory>
 #include <vector>
@@ -21,7 +21,8 @@ struct GroupModels {
   std::unique_ptr<VelocityModel> launch;  ///< may be absent: at rest
 };
 
-/// One instance of each use. Lua instances belong to the state that registered them: one Instances a worker.
+/// One instance for each use of a plugin. Lua instances belong to the state that registered them, so each
+/// worker has its own Instances.
 struct Instances {
   explicit Instances(const Scenario& scenario);  ///< throws ScenarioError
 
@@ -31,7 +32,7 @@ struct Instances {
   std::vector<std::unique_ptr<ShapeModel>> bodies;  ///< of Scenario::bodies
 };
 
-/// The values of a use's parameters at `key`.
+/// The values of the parameters of a use at `key`.
 std::vector<double> values_of(const PluginUse& use, const Scenario& scenario, const DrawKey& key);
 
 }  // namespace flyrock

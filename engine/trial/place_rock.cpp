@@ -42,7 +42,8 @@ Place<2> on_face(int bench, const Body<2>& rock, const Profile& profile, RandomS
   return place;
 }
 
-/// Resting on the bench above a face: at the collar of the rock's hole, or anywhere up to the last row.
+/// A place at rest on the bench above a face: at the collar of the rock's hole, or anywhere up to the last
+/// row.
 Place<2> on_top(const Release& release, const Scenario& scenario, const DrawKey& key, RandomStream& rng,
                 const Body<2>& rock, const Profile& profile) {
   const Profile::Face& face = face_of(release.bench, profile);
@@ -84,7 +85,7 @@ Vec3 along(const std::vector<Vec3>& points, RandomStream& rng) {
   return points.front();
 }
 
-/// Uniform over a flat convex polygon: a triangle of the fan by its area, then a point in it.
+/// A uniform place in a flat convex polygon: first a triangle of its fan, chosen by area, then a point in it.
 Vec3 inside(const std::vector<Vec3>& points, RandomStream& rng) {
   const auto area = [&](std::size_t i) {
     return (points[i] - points[0]).cross(points[i + 1] - points[0]).norm();

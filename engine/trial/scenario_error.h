@@ -1,5 +1,5 @@
 #pragma once
-// What fails while a trial is made or a plugin is tried, with the key of the scenario that is to blame.
+// Errors of a scenario, with their key, while a trial is made or a plugin is tried out.
 
 #include <stdexcept>
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace flyrock {
 
-/// A draw, a start or a plugin that fails at a key: `path` is "rocks.0.release".
+/// A draw, a start or a plugin that fails. `path` is the key that caused it: "rocks.0.release".
 struct ScenarioError : TrialError {
   ScenarioError(std::string at, const std::string& text, bool by_plugin = false)
       : TrialError(text), path(std::move(at)), of_plugin(by_plugin) {}
   std::string path;
-  bool of_plugin;  ///< a plugin failed; else what the scenario asks for cannot be
+  bool of_plugin;  ///< a plugin failed; otherwise the scenario asks for something impossible
 };
 
-/// What `call` gives. An error in it that does not know its key gets `path`.
+/// The result of `call`. An error in it that does not know its key gets `path`.
 template <class Call>
 decltype(auto) at_path(const std::string& path, Call&& call) {
   try {
@@ -26,7 +26,7 @@ decltype(auto) at_path(const std::string& path, Call&& call) {
     throw;
   } catch (const TrialError& error) {
     throw ScenarioError(path, error.what(), dynamic_cast<const PluginError*>(&error) != nullptr);
-  } catch (const std::invalid_argument& error) {  // of a shape, whose faces underflow
+  } catch (const std::invalid_argument& error) {  // from a shape whose faces underflow
     throw ScenarioError(path, error.what());
   }
 }

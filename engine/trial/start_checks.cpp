@@ -12,11 +12,11 @@ namespace flyrock {
 
 namespace {
 
-/// A rock that starts deeper than this share of its size inside the ground or another rock is refused.
+/// A rock that starts deeper in the ground or in another rock than this share of its size is refused.
 constexpr double most_overlap = 1e-6;
 
-/// How deep the middle of a contactor lies below the surface: what lies deep in the ground has no contact
-/// with it.
+/// How deep the middle of a contactor lies below the surface. A contactor deep in the ground has no contact
+/// with it, so contacts alone do not find it.
 double buried(const Body<2>& body, const Terrain2& terrain) {
   double depth = 0;
   for (const Contactor2& contactor : body.contactors) {
@@ -28,10 +28,10 @@ double buried(const Body<2>& body, const Terrain2& terrain) {
   return depth;
 }
 
-/// The ground below a plane has contact at any depth.
+/// The ground below a plane has contacts at any depth.
 double buried(const Body<3>&, const Terrain3&) { return 0; }
 
-/// How far the ground is from a place above it [m]; 0 below it.
+/// The distance from a place above the ground to the ground [m]; 0 below it.
 double room_at(const Vec2& place, const Terrain2& terrain) {
   if (place.y() <= terrain.height(place.x())) return 0;
   double room = 1e300;
@@ -48,7 +48,7 @@ double room_at(const Vec3& place, const Terrain3& terrain) {
   return std::max(0.0, terrain.plane().distance(place));
 }
 
-/// How many times longer a contactor is than thick, as if it were a rectangle or a box; exact for these.
+/// The length of a contactor divided by its thickness, as if it were a rectangle or a box; exact for these.
 double slenderness(const Contactor2& contactor) {
   if (contactor.points.size() < 3) return 1;
   double length = 0;
@@ -61,7 +61,7 @@ double slenderness(const Contactor3& contactor) {
   if (contactor.round()) return 1;
   const Vec3 moments = principal_frame(volume_properties({contactor}).inertia).moments;
   const Vec3 squares = Vec3::Constant(0.5 * moments.sum()) -
-                       moments;  // integral of x^2, y^2, z^2: a side squared, to a factor
+                       moments;  // integrals of x^2, y^2, z^2: proportional to a side squared
   return std::sqrt(squares.maxCoeff() / std::max(0.0, squares.minCoeff()));
 }
 
@@ -96,7 +96,7 @@ std::string inside_terrain(const Body<D>& body, double depth, const typename Geo
 template <int D>
 void refuse_extremes(const Body<D>& body) {
   constexpr double most = 1e30;
-  double inertia;  // the least moment
+  double inertia;  // the smallest moment
   if constexpr (D == 2)
     inertia = body.inertia;
   else

@@ -42,7 +42,7 @@ Surface* Surfaces::make(int material, const DrawKey& key) {
   return &surface;
 }
 
-/// `pairs` decides; else two that show the same material use it.
+/// `pairs` decides. Without an entry, two bodies that show the same material use it.
 int Surfaces::material_between(const Partner& a, const Partner& b) const {
   for (const PairPlan& pair : scenario_.pairs)
     if ((pair.a == a.name && pair.b == b.name) || (pair.a == b.name && pair.b == a.name))
@@ -77,7 +77,7 @@ void Surfaces::connect(World<D>& world) {
         world.set_terrain_surface(i, static_cast<int>(part), make(material, partner.key));
     for (int j = i + 1; j < bodies; ++j)
       if (world.bodies[i].moves() || world.bodies[j].moves())
-        material_between(partner, partners_[j]);  // throws
+        material_between(partner, partners_[j]);  // throws if there is none
   }
   world.surface_between = [this](int a, int b) {
     return make(material_between(partners_[a], partners_[b]), partners_[a].key);

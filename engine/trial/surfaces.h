@@ -1,5 +1,5 @@
 #pragma once
-// The surfaces of one world: the laws by which its bodies meet the terrain and each other.
+// The surfaces of one world: the laws for contacts of its bodies with the terrain and with each other.
 
 #include <deque>
 #include <string>
@@ -11,30 +11,32 @@
 
 namespace flyrock {
 
-/// What decides how a body of a world meets others.
+/// The data that decide how a body of a world meets others.
 struct Partner {
   std::string name;   ///< of its group of rocks, or its own in `bodies`
-  int material = -1;  ///< that it shows: index into Scenario::materials; -1: none
+  int material = -1;  ///< index into Scenario::materials; -1: none
   DrawKey key;        ///< of its draws
 };
 
-/// One Surface for each body and part of the terrain, and one for each pair of bodies, so that each pair has
-/// draws and a memory of its own; only the laws are shared. The surface of two bodies is made when they first
-/// come near each other: of the pairs of many rocks few ever meet. What is drawn belongs to the body with the
-/// lower index. Stays where it is: the world points into it. The scenario and the instances outlive it.
+/// One Surface for each body and part of the terrain, and one for each pair of bodies. Each has its own draws
+/// and its own memory; only the laws are shared. The surface of a pair of bodies is made when they first come
+/// near each other, because few pairs of many rocks ever meet. Draws of a pair belong to the body with the
+/// lower index. A Surfaces object must not move, because the world points into it. The scenario and the
+/// instances must outlive it.
 class Surfaces {
  public:
-  /// `partners`: of the bodies of the world, in their order.
+  /// `partners`: one for each body of the world, in the same order.
   Surfaces(const Scenario& scenario, const Instances& instances, std::vector<Partner> partners);
   Surfaces(const Surfaces&) = delete;
 
-  /// Binds the bodies of `world`. Throws StartError where two of them can meet and nothing says how.
+  /// Gives the bodies of `world` their surfaces. Throws StartError if two of them can meet and no material is
+  /// given.
   template <int D>
   void connect(World<D>& world);
 
-  /// The index of the material between two bodies of the world; throws PluginError where nothing says which.
+  /// The index of the material between two bodies of the world. Throws PluginError if none is given.
   int material_between(int a, int b) const { return material_between(partners_[a], partners_[b]); }
-  /// The same between a body and a part of the terrain, by the part's index; -1: none is said.
+  /// The same for a body and a part of the terrain, given by its index; -1 if none is given.
   template <int D>
   int material_with_terrain(const World<D>& world, int body, int part) const {
     const auto& terrain = world.terrain();
@@ -42,7 +44,7 @@ class Surfaces {
   }
   const DrawKey& key_of(int body) const { return partners_[body].key; }
 
-  /// Adds how often the laws of each material were asked.
+  /// Adds the number of calls of the laws of each material.
   void add_use(std::vector<MaterialUse>& of_material) const;
 
  private:
@@ -54,7 +56,7 @@ class Surfaces {
   const Instances& instances_;
   std::vector<Partner> partners_;
   std::deque<Surface> surfaces_;
-  std::vector<int> material_;  ///< of each surface
+  std::vector<int> material_;  ///< for each surface
 };
 
 }  // namespace flyrock
