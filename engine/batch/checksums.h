@@ -1,7 +1,7 @@
 #pragma once
-// SHA256SUMS: the SHA-256 of the files of a result, as the tool `sha256sum` writes and checks them. With it a
-// command finds a flipped bit, or a file that is cut short, before it reads anything: neither SQLite nor a
-// table of text would.
+// SHA256SUMS: the SHA-256 of the files of a result, in the format of the tool `sha256sum`. With it a command
+// finds a flipped bit or a truncated file before it reads anything. SQLite and text tables do not detect such
+// damage.
 
 #include <array>
 #include <filesystem>
@@ -9,14 +9,15 @@
 namespace flyrock {
 
 inline constexpr const char* checksums_name = "SHA256SUMS";
-/// The files of a result that are summed: all but the page, which `flyrock report` draws again, and the log
-/// of the run.
+/// The files of a result that have a checksum. The page has none, because `flyrock report` draws it again;
+/// the log of the run has none either.
 inline constexpr std::array summed_names = {"manifest.json", "results.db", "rocks.csv", "summary.json"};
 
-/// Writes SHA256SUMS of a folder in which all of them stand. Throws FileError.
+/// Writes SHA256SUMS of a folder that holds all of these files. Throws FileError.
 void write_checksums(const std::filesystem::path& folder);
 
-/// Compares all of them. Throws UnreadableFile that names the first that is not what the run wrote.
+/// Compares all checksums. Throws UnreadableFile with the name of the first file that the run did not write
+/// like this.
 void check_checksums(const std::filesystem::path& folder);
 
 }  // namespace flyrock

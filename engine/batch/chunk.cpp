@@ -27,7 +27,7 @@ auto columns_of(Io& io, Rows& rows) {
   return [&io, &rows](const Column&, auto get) { io.columns(rows, get); };
 }
 
-/// The stored trajectory of a body is a table of its own (TrajectoryRecord) and not repeated here.
+/// The trajectory of a body is stored in a table of its own (TrajectoryRecord), so it is not repeated here.
 template <class Io, class Bodies>
 void walk_bodies(Io& io, Bodies& bodies) {
   using B = BodyHistory;
@@ -73,7 +73,7 @@ void walk_totals(Io& io, Totals& totals) {
   walk_bodies(io, totals.bodies);
 }
 
-// The tables that each part adds to the one before.
+// The tables that each part adds to the part before it.
 
 template <class Io, class Records>
 void walk_brief(Io& io, Records& records) {
@@ -126,13 +126,13 @@ std::string header(const ChunkRange& range, const std::string& scenario_hash) {
   return out.take();
 }
 
-/// Room for about all tables of a chunk.
+/// An estimate of the size of all tables of a chunk.
 std::size_t size_of(const TrialRecords& records) {
   const auto size = [](const auto& rows) { return rows.size() * sizeof(rows[0]); };
   return size(records.rocks) + size(records.inputs) + size(records.impacts) + size(records.trajectories);
 }
 
-/// The tables whose length stands at `at`, checked; `at` goes on behind their checksum.
+/// The section whose length is stored at `at`, with its checksum checked. Moves `at` past the checksum.
 std::string_view section(std::string_view bytes, std::size_t& at) {
   const auto read_word = [&] {
     std::uint64_t value = 0;
@@ -218,7 +218,7 @@ std::optional<TrialRecords> read_chunk(const std::filesystem::path& path, const 
     file.append_to(bytes, length);
     file.append_to(bytes, word_size);  // the checksum
   }
-  if (part == Part::whole) file.append_to(bytes, 1);  // there should be none
+  if (part == Part::whole) file.append_to(bytes, 1);  // must not exist
   return decode_chunk(bytes, range, scenario_hash, part, why);
 }
 

@@ -42,7 +42,7 @@ void remove_chunks(const fs::path& folder) {
     fs::remove(entry.path(), code);
     if (code) throw FileError(fmt::format("cannot remove {}: {}", entry.path().string(), code.message()));
   }
-  fs::remove(folder, code);  // refused where somebody else's files are in it: they stay
+  fs::remove(folder, code);  // fails if the folder holds files of others, which then stay
 }
 
 }  // namespace flyrock

@@ -1,5 +1,5 @@
 #pragma once
-// The chunk files of a result that is not whole yet: a run under way, killed or interrupted, or a shard.
+// The chunk files of a result that is not complete: a run in progress, killed or interrupted, or a shard.
 
 #include <filesystem>
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace flyrock {
 
-/// A chunk and the folder that holds its file. There may be many of them: they share the folder's name.
+/// A chunk and the folder of its file. All chunks share the folder's name, because there may be many of them.
 struct ChunkFile {
   ChunkRange range;
   std::shared_ptr<const std::filesystem::path> folder;
@@ -22,12 +22,12 @@ struct ChunkFile {
 std::vector<ChunkFile> chunk_files(const std::vector<ChunkRange>& chunks,
                                    const std::filesystem::path& folder);
 
-/// The rows of each point, in chunk files in the order of the plan. A pass throws FileError where a file is
-/// not what was written.
+/// The rows of each point in chunk files, in the order of the plan. A pass throws FileError if a file is not
+/// what was written.
 std::vector<Rows> rows_in(std::vector<ChunkFile> files, int points, const std::string& scenario_hash);
 
-/// Removes every chunk file in a folder, what a kill left of one included, and the folder where nothing else
-/// is in it. Throws FileError.
+/// Removes every chunk file in a folder, including partly written ones of a killed run. Also removes the
+/// folder if it is then empty. Throws FileError.
 void remove_chunks(const std::filesystem::path& folder);
 
 }  // namespace flyrock

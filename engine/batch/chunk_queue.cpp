@@ -6,7 +6,7 @@ namespace flyrock {
 
 namespace {
 
-/// So many rocks that fail, and none that does not, are no accident: the run would only repeat the message.
+/// If so many rocks fail and none succeeds, it is no accident, and the run would only repeat the message.
 constexpr std::uint64_t hopeless = 20;
 
 }  // namespace

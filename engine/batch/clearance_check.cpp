@@ -12,9 +12,9 @@ namespace flyrock {
 
 namespace {
 
-constexpr double beyond = 10;  // rocks that must be expected farther than a clearance
+constexpr double beyond = 10;  // rocks that must be expected beyond a clearance
 
-/// Why the trials of a scenario are too few, or an empty text.
+/// Why a scenario has too few trials; empty if it has enough.
 std::string too_few(const ClearancePlan& plan, std::uint64_t trials, std::uint64_t rocks_per_trial) {
   const std::uint64_t each = plan.per_blast ? 1 : rocks_per_trial;
   const std::uint64_t needed = needed_for(plan.probability);
@@ -27,7 +27,7 @@ std::string too_few(const ClearancePlan& plan, std::uint64_t trials, std::uint64
       enough <= most_trials ? fmt::format("that is `trials: {}`", enough) : "more than a run may have");
 }
 
-/// How many rocks of each group a trial has; the first stands for all.
+/// The number of rocks of each group in a trial. The first trial stands for all.
 std::vector<std::uint64_t> rocks_of_a_trial(const Scenario& scenario) {
   std::vector<std::uint64_t> counts(scenario.rocks.size(), 0);
   const auto count = [&](const auto& trial) {
@@ -64,7 +64,8 @@ void object(const ClearancePlan& plan, std::uint64_t trials, std::uint64_t rocks
 }  // namespace
 
 std::uint64_t needed_for(double probability) {
-  // 10 / 0.07 * 0.07 may be a little less than 10; of a tiny probability it is more than a count can be.
+  // 10 / 0.07 * 0.07 may be slightly less than 10. For a tiny probability the result does not fit into the
+  // count.
   const double needed = std::ceil(beyond / probability * (1 - 1e-12));
   constexpr auto most = std::uint64_t{1} << 62;
   return needed < static_cast<double>(most) ? static_cast<std::uint64_t>(needed) : most;

@@ -1,5 +1,5 @@
 #pragma once
-// Whether a run is long enough for the clearances that it is asked for.
+// Checks whether a run is long enough for the clearances of its scenario.
 
 #include <cstdint>
 
@@ -8,16 +8,16 @@
 
 namespace flyrock {
 
-/// A clearance needs so many rocks (or blasts) that 10 of them are expected beyond it: fewer say too little
-/// about the tail.
+/// The number of rocks (or blasts) that a clearance needs: so many that 10 of them are expected beyond it.
+/// Fewer say too little about the tail.
 std::uint64_t needed_for(double probability);
 
-/// Rocks of a blast below which its farthest says little: a blast throws thousands.
+/// With fewer rocks in a blast, the farthest one says little, because a real blast throws thousands.
 inline constexpr std::uint64_t few_rocks_per_blast = 100;
 
-/// At any point of the sweep: an error at each clearance of the scenario's tree that its rocks and trials are
-/// too few for, where the run is a `full` one; a warning at each `per: blast` with few rocks a blast. What a
-/// plugin does wrong meanwhile is left to the run to report.
+/// Checks all points of the sweep. Reports an error at each clearance that has too few rocks and trials, if
+/// the run is a `full` one, and a warning at each `per: blast` with few rocks in a blast. Errors of plugins
+/// met here are left to the run to report.
 void check_clearances(const Value& root, const Plan& plan, bool full, Diagnostics& diagnostics);
 
 }  // namespace flyrock

@@ -1,9 +1,9 @@
 #pragma once
-// Tables of records as columns of bytes. A table is described once, by a walk over its columns, and the same
-// walk writes and reads it, so that the two cannot drift apart.
+// Tables of records as columns of bytes. A table is described once, by a walk over its columns. The same walk
+// writes and reads it, so writing and reading cannot differ.
 //
-// A column of numbers is a byte, then the number of each row; where the byte is 1, the same number stands in
-// all rows and only once here (the coordinates of the plane that are zero take a third of a trajectory).
+// A column of numbers is a byte, then the number of each row. If the byte is 1, all rows have the same number
+// and it is stored only once. (In 2D this saves the coordinates that are zero, a third of a trajectory.)
 
 #include <algorithm>
 #include <array>
@@ -18,13 +18,14 @@
 
 namespace flyrock {
 
-/// Bytes that are not what a column should be.
+/// Bytes that are not a valid column.
 struct ColumnError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Rows that a table may have although the bytes behind their number are too few for them: those of which
-/// every column holds one number. In a longer table the numbers of some column differ, and take 8 bytes each.
+/// A table may have this many rows even if the bytes after their count are too few for them, because every
+/// column may hold one number for all rows. In a longer table the numbers of some column differ and take 8
+/// bytes each.
 inline constexpr std::uint64_t most_bare_rows = 1024;
 
 class ColumnWriter {
@@ -35,7 +36,7 @@ class ColumnWriter {
   std::string take() { return std::move(bytes_); }
   void raw(std::string_view bytes) { bytes_ += bytes; }
 
-  /// Another whole number in place of the one at byte `at`.
+  /// Replaces the whole number at byte `at`.
   void replace(std::size_t at, std::uint64_t word) {
     const Little little = little_endian(word);
     std::copy(little.begin(), little.end(), bytes_.begin() + static_cast<std::ptrdiff_t>(at));
@@ -57,7 +58,7 @@ class ColumnWriter {
     value(static_cast<std::uint64_t>(rows.size()));
   }
 
-  /// One column after the other; `get` is a member pointer or a function from a row to a reference.
+  /// Writes one column after the other. `get` is a member pointer or a function from a row to a reference.
   template <class Row, class... Get>
   void columns(const std::vector<Row>& rows, Get... get) {
     (column(rows, get), ...);
@@ -97,7 +98,7 @@ class ColumnWriter {
     }
   }
 
-  /// Room for so many more bytes.
+  /// Makes room for `count` more bytes.
   char* grown(std::size_t count) {
     bytes_.resize(bytes_.size() + count);
     return bytes_.data() + bytes_.size() - count;
@@ -106,7 +107,7 @@ class ColumnWriter {
   std::string bytes_;
 };
 
-/// Throws ColumnError where the bytes end early.
+/// Reads columns. Throws ColumnError if the bytes end early.
 class ColumnReader {
  public:
   explicit ColumnReader(std::string_view bytes) : rest_(bytes) {}

@@ -12,7 +12,7 @@ namespace flyrock {
 namespace {
 
 constexpr double least = 1e-3, ratio = 1.02;
-constexpr std::uint64_t most_codes = 4096;  // beyond any finite energy
+constexpr std::uint64_t most_codes = 4096;  // above the code of any finite energy
 
 std::uint32_t code_of(double value) {
   if (!(value >= least)) return 0;
@@ -34,7 +34,7 @@ void count(std::vector<CodeCount>& counts, std::uint32_t code) {
     counts.insert(at, {code, 1});
 }
 
-/// Both in the order of their codes, merged in place from behind: this runs for each bin of each chunk.
+/// Both are sorted by code. Merges in place from the end, because this runs for each bin of each chunk.
 void merge(std::vector<CodeCount>& counts, const std::vector<CodeCount>& more) {
   std::size_t from = counts.size(), to = from;
   auto at = counts.begin();
@@ -50,7 +50,7 @@ void merge(std::vector<CodeCount>& counts, const std::vector<CodeCount>& more) {
   }
 }
 
-/// In one walk: the bins of both are in order.
+/// A single walk, because the bins of both are sorted.
 void add_bins(std::map<std::int64_t, EnvelopeBin>& bins, const std::map<std::int64_t, EnvelopeBin>& more) {
   auto at = bins.begin();
   for (const auto& [bin, counts] : more) {
@@ -60,7 +60,7 @@ void add_bins(std::map<std::int64_t, EnvelopeBin>& bins, const std::map<std::int
   }
 }
 
-// Whole numbers of 7 bits a byte, the last byte without its highest bit (LEB128).
+// Whole numbers with 7 bits in each byte; the highest bit is 0 in the last byte (LEB128).
 
 void put(std::string& bytes, std::uint64_t number) {
   for (; number >= 128; number >>= 7) bytes.push_back(static_cast<char>(number | 128));
@@ -79,7 +79,7 @@ std::uint64_t take(std::string_view& bytes) {
   throw ColumnError("a number of the envelopes is too long");
 }
 
-/// ..., -1, 0, 1, ... to whole numbers from 0, small ones to small ones.
+/// Maps ..., -1, 0, 1, ... to whole numbers from 0, small ones to small ones.
 std::uint64_t folded(std::int64_t n) {
   return static_cast<std::uint64_t>(n) << 1 ^ static_cast<std::uint64_t>(n >> 63);
 }
@@ -98,7 +98,7 @@ double EnvelopeBin::quantile(EnvelopeQuantity quantity, double p) const {
   const double wanted = p * static_cast<double>(rocks());
   std::uint64_t seen = 0;
   auto at = of.begin();
-  // The last one in any case: the counts of a chunk that is not flyrock's may not agree.
+  // Always stops at the last count: in a chunk that flyrock did not write, the counts may not agree.
   while (static_cast<double>(seen += at->rocks) < wanted && at + 1 != of.end()) ++at;
   return value_of(at->code);
 }

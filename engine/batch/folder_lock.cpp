@@ -17,7 +17,7 @@ namespace {
 
 std::filesystem::path lock_in(const std::filesystem::path& folder) { return folder / "lock"; }
 
-/// Whether the open file is still the one of that name: its holder before us may have removed it.
+/// Whether the open file still has that name. The holder before us may have removed it.
 bool is_named(int file, const std::filesystem::path& path) {
   struct stat open {
   }, named{};

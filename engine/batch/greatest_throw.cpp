@@ -14,15 +14,15 @@ namespace flyrock {
 
 namespace {
 
-constexpr double matters = 0.99;  // of a distance: less is short
+constexpr double matters = 0.99;  // share of the formula's distance; a smaller share is short
 constexpr std::size_t most_trials_flown = 200, most_builds = 1000;
 
 /// The greatest distances [m] of the rocks of a group.
 struct Throws {
   std::size_t point = 0;
   double published = 0;
-  double flown = 0;   ///< over level ground, as the scenario says
-  double vacuum = 0;  ///< the same without air: what the angle alone makes of it
+  double flown = 0;   ///< over level ground, as the scenario gives it
+  double vacuum = 0;  ///< the same without air: the effect of the angle alone
 
   double share() const { return flown / published; }
   bool by_drag() const { return flown < matters * vacuum; }
@@ -40,7 +40,7 @@ void add_flight(const TrialRock& rock, const World<D>& world, double longest, Th
   const Vec<D> direction = across > 0 ? Vec<D>(level / across) : Vec<D>(Vec<D>::UnitX());
   Forces<2> forces;
   forces.gravity = {0, world.gravity()[D - 1]};
-  if (!(forces.gravity.y() < 0)) return;  // nothing comes down
+  if (!(forces.gravity.y() < 0)) return;  // nothing falls
   const double vacuum = level_range(forces, velocity, 0, longest);
   forces.air = {body.air.drag, {body.air.wind.dot(direction), body.air.wind[D - 1]}};
   throws.published = std::max(throws.published, rock.greatest_throw);
@@ -49,7 +49,8 @@ void add_flight(const TrialRock& rock, const World<D>& world, double longest, Th
       std::max(throws.flown, body.air.drag > 0 ? level_range(forces, velocity, 0, longest) : vacuum);
 }
 
-/// Of the groups whose model was fitted to distances. Ends with the first trial where there is none.
+/// The throws of the groups whose model was fitted to distances. Stops after the first trial if there is
+/// none.
 template <int D>
 ThrowsOfGroups throws_in(const Scenario& scenario, std::size_t point, std::uint64_t trials) {
   ThrowsOfGroups groups;
@@ -66,7 +67,7 @@ ThrowsOfGroups throws_in(const Scenario& scenario, std::size_t point, std::uint6
   return groups;
 }
 
-/// Of each group at the sweep point where it lands shortest against its formula.
+/// The throws of each group, at the sweep point where it lands shortest relative to its formula.
 ThrowsOfGroups shortest_throws(const Plan& plan) {
   ThrowsOfGroups shortest;
   const std::size_t points = std::min(plan.points.size(), most_builds);
@@ -133,7 +134,7 @@ void warn_of_short_throws(const Value& root, const Plan& plan, Diagnostics& diag
     const Node launch = group.find("launch").value_or(group);
     diagnostics.warning(launch.value->at, launch.path, text_of(plan, groups));
   } catch (const TrialError&) {
-    return;  // the run says it, with the trial
+    return;  // the run reports it, with the trial
   }
 }
 

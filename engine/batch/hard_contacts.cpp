@@ -9,7 +9,7 @@ namespace flyrock {
 
 namespace {
 
-/// The greatest W_nn of one body [1/kg]; 0 for one that contacts do not move.
+/// The greatest W_nn of one body [1/kg]; 0 for a body that contacts do not move.
 double greatest_w(const Body<2>& body) {
   if (!body.moves()) return 0;
   double lever = 0;
@@ -40,10 +40,10 @@ double greatest_w(const Body<3>& body) {
   return 1 / body.mass + turned;
 }
 
-/// The stiffness of a material as a spring [N/m]; 0 where it is none.
+/// The stiffness of a material that is a spring [N/m]; 0 if it is none.
 double stiffness_of(int material, const DrawKey& key, const Scenario& scenario, const Instances& instances) {
   const UnilateralLaw* law = instances.materials[material].unilateral.get();
-  if (!law || !law->constant()) return 0;  // one that changes is watched in the run
+  if (!law || !law->constant()) return 0;  // a law that is not constant is checked during the run
   const Unilateral answer =
       law->condition(values_of(*scenario.materials[material].unilateral, scenario, key), {});
   return answer.condition == NormalCondition::penalty ? answer.stiffness : 0;

@@ -27,7 +27,7 @@ std::optional<Value> read_tree(const std::string& path, LuaSession& session, Dia
   try {
     std::string text;
     FileReader(path).append_to(
-        text, most_yaml_bytes + 1);  // of a longer file no more than shows that it is too long
+        text, most_yaml_bytes + 1);  // read only enough of a longer file to see that it is too long
     return read_yaml(text, path, diagnostics);
   } catch (const FileError& error) {
     diagnostics.error(in_file(path), "", error.what());
@@ -47,7 +47,8 @@ std::uint64_t trials_of(const Value& root) {
   return number && *number >= 1 ? static_cast<std::uint64_t>(*number) : 1;
 }
 
-/// The files that parameters name, as they are now: another terrain under the same name is another scenario.
+/// The files that parameters name, with their present content, because another terrain under the same name
+/// makes another scenario.
 std::vector<SourceHash> hashes_of(const std::map<std::string, std::string>& files, Diagnostics& diagnostics) {
   std::vector<SourceHash> hashes;
   for (const auto& [name, path] : files) try {
@@ -86,7 +87,8 @@ std::optional<LoadedScenario> load_scenario(const std::string& path, const Overr
   std::optional<Plan> plan = decode(root, loaded.session->registry(), folder.string(), diagnostics);
   if (!plan || diagnostics.has_errors()) return std::nullopt;
   loaded.plan = std::move(*plan);
-  // A shorter run than the scenario asks for lists what it cannot say; a full one must be able to say it.
+  // A run shorter than the scenario asks for may lack answers and lists them. A full run must give all
+  // answers.
   check_clearances(root, loaded.plan, loaded.plan.points.front().trials >= loaded.own_trials, diagnostics);
   warn_of_short_throws(root, loaded.plan, diagnostics);
   loaded.files = hashes_of(loaded.plan.files, diagnostics);

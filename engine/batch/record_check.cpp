@@ -21,8 +21,8 @@ bool is_value(Enum value, Enum last) {
   return value >= Enum{} && value <= last;
 }
 
-/// What is known of a rock without a fault is finite: samples are sorted by these numbers. (Shares of time
-/// and path are not.)
+/// The known numbers of a rock without fault must be finite, because samples are sorted by them. (Shares of
+/// time and path may be unknown.)
 bool has_finite_numbers(const RockRecord& rock) {
   bool finite = true;
   visit_rocks([&](const Column& column, auto get) {
@@ -45,7 +45,7 @@ std::string rock_fault(const RockRecord& rock, const ChunkRange& range, std::siz
   return {};
 }
 
-/// Whether each row belongs to a rock; rows stand in the order of the rocks.
+/// Whether each row belongs to a rock. Rows are sorted in the order of the rocks.
 template <class Row>
 bool of_rocks(const std::vector<Row>& rows, const std::vector<RockRecord>& rocks) {
   auto rock = rocks.begin();
@@ -56,7 +56,7 @@ bool of_rocks(const std::vector<Row>& rows, const std::vector<RockRecord>& rocks
   });
 }
 
-/// The arrival of a rock at a gate or barrier, of which there are `count`.
+/// Whether this is a valid arrival of a rock at a gate or barrier, of which there are `count`.
 template <class Arrival>
 bool is_arrival(const Arrival& arrival, int place, std::size_t count) {
   return is_index(place, count) && std::isfinite(arrival.time) && std::isfinite(arrival.speed) &&
@@ -75,7 +75,7 @@ bool are_arrivals(const TrialRecords& records, const Scenario& scenario) {
          std::all_of(records.barriers.begin(), records.barriers.end(), hits);
 }
 
-/// Whether rocks stand in the order of trials and of rocks in them, each once: rows are looked up by that.
+/// Whether the rocks are sorted by trial and number, each once. Rows are looked up by this order.
 bool in_order(const std::vector<RockRecord>& rocks) {
   const auto not_later = [](const RockRecord& a, const RockRecord& b) {
     return std::pair(a.trial, a.rock) >= std::pair(b.trial, b.rock);
@@ -83,7 +83,8 @@ bool in_order(const std::vector<RockRecord>& rocks) {
   return std::adjacent_find(rocks.begin(), rocks.end(), not_later) == rocks.end();
 }
 
-/// Whether a rock arrives twice at one gate or barrier. They act once on each rock, so shares are of rocks.
+/// Whether a rock arrives twice at one gate or barrier. A gate or barrier acts once on each rock, so that
+/// shares count rocks.
 template <class Row, class Place>
 bool arrives_twice(const std::vector<Row>& rows, Place&& place) {
   std::set<std::tuple<std::uint64_t, int, int>> seen;

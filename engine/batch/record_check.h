@@ -1,6 +1,6 @@
 #pragma once
-// Whether records that were read fit the scenario that they are said to be of. A checksum finds damage; this
-// finds what a program that is not flyrock has written: numbers that later code uses as indices.
+// Checks whether records from a file fit their scenario. A checksum finds damage. This check finds wrong
+// numbers from a program that is not flyrock, because later code uses them as indices.
 
 #include <string>
 
@@ -9,7 +9,7 @@
 
 namespace flyrock {
 
-/// Why they do not fit: "a rock of group 7, the scenario has 2". Empty where they do.
+/// Why the records do not fit: "a rock of group 7, the scenario has 2". Empty if they do.
 std::string records_fault(const TrialRecords& records, const ChunkRange& range, const Scenario& scenario);
 
 }  // namespace flyrock

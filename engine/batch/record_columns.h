@@ -1,9 +1,9 @@
 #pragma once
-// The columns of the tables of a run, told once: chunk files write and read them, rocks.csv and results.db
-// show them.
+// The columns of the tables of a run, described once: chunk files write and read them, rocks.csv and
+// results.db show them.
 //
-// visit_<table>(visit) calls visit(column, get) for each column in its order. std::invoke(get, record) is a
-// reference to what the column holds, const for a const record.
+// visit_<table>(visit) calls visit(column, get) for each column in order. std::invoke(get, record) is a
+// reference to the value of the column, const for a const record.
 
 #include <functional>
 #include <string>
@@ -16,13 +16,12 @@
 namespace flyrock {
 
 struct Column {
-  const char* name =
-      nullptr;  ///< in results.db and rocks.csv, with its unit; none: chunk files alone have it
+  const char* name = nullptr;  ///< in results.db and rocks.csv, with its unit; none: only in chunk files
   bool in_space =
-      false;  ///< zero in 2D: rocks.csv and the tables in which a rock has many rows leave it out there
-  bool in_csv = true;       ///< rocks.csv has it too
-  bool in_degrees = false;  ///< held in rad
-  bool is_index = false;    ///< of a group, gate or barrier, whose name is shown
+      false;           ///< zero in 2D: then left out of rocks.csv and of tables with many rows for each rock
+  bool in_csv = true;  ///< also in rocks.csv
+  bool in_degrees = false;  ///< shown in degrees, stored in rad
+  bool is_index = false;    ///< index of a group, gate or barrier; its name is shown
 };
 
 template <class Visit>
@@ -52,7 +51,7 @@ void visit_rocks(Visit&& visit) {
   visit(Column{.name = "max_energy_J"}, &R::max_energy);
   visit(Column{.name = "impacts"}, &R::impacts);
   visit(Column{.name = "time_s"}, &R::time);
-  // In the order of travel_mode_names.
+  // In the same order as travel_mode_names.
   constexpr const char* names[][2] = {
       {"flight_s", "flight_m"}, {"bounce_s", "bounce_m"}, {"slide_s", "slide_m"}, {"roll_s", "roll_m"}};
   static_assert(std::size(names) == travel_mode_names.size());
@@ -69,7 +68,7 @@ void visit_rocks(Visit&& visit) {
   visit(Column{.name = "fault", .in_csv = false}, &R::fault);
 }
 
-// The rows below belong to a rock: their trial and rock stand apart.
+// The rows below belong to a rock. Their trial and rock are stored separately.
 
 template <class Visit>
 void visit_inputs(Visit&& visit) {
@@ -77,7 +76,7 @@ void visit_inputs(Visit&& visit) {
   visit(Column{.name = "value"}, &InputRecord::value);
 }
 
-/// Columns of an Impact. A vector of the plane has the components x and y, one of space z too.
+/// Columns of an Impact. A vector has the components x and y in 2D, and z as well in 3D.
 template <class Visit>
 void visit_impact(Visit&& visit) {
   using I = Impact;
@@ -128,7 +127,7 @@ void visit_state(Visit&& visit) {
   visit(Column{.name = "kinetic_energy_J"}, &S::kinetic_energy);
 }
 
-/// A visit of what `part` finds in a record: visit_impact(within(visit, &ImpactRecord::impact)).
+/// Visits the columns of a member of a record: visit_impact(within(visit, &ImpactRecord::impact)).
 template <class Visit, class Part>
 auto within(Visit& visit, Part part) {
   return [&visit, part](const Column& column, auto get) {
@@ -150,7 +149,7 @@ void visit_trajectories(Visit&& visit) {
       Column{.name = "mode"}, [](auto& r) -> auto& { return r.point.mode; });
 }
 
-/// What a passage of a gate and the arrival at a barrier have in common.
+/// The columns that a passage of a gate and an arrival at a barrier share.
 template <class Visit>
 void visit_arrival(Visit&& visit) {
   visit(
@@ -179,8 +178,8 @@ void visit_barriers(Visit&& visit) {
   visit_arrival(within(visit, &BarrierRecord::hit));
 }
 
-/// What a table shows of `value`: a number, a text, or the name that it stands for. `names`: of what
-/// `is_index`.
+/// Calls `use` with what a table shows for `value`: a number, a text, or the name for an index. `names`: the
+/// names for `is_index`.
 template <class T>
 auto shown_value(const Column& column, const T& value, const std::vector<std::string>& names, auto&& use) {
   if constexpr (std::is_same_v<T, TravelMode>)
@@ -197,7 +196,7 @@ auto shown_value(const Column& column, const T& value, const std::vector<std::st
     return use(value);
 }
 
-/// The type of such a value in SQL.
+/// The SQL type of such a value.
 template <class T>
 constexpr const char* sql_type(const Column& column) {
   if constexpr (std::is_same_v<T, double>) return "REAL";

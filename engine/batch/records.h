@@ -1,5 +1,5 @@
 #pragma once
-// What a trial leaves, and what chunks, tables and the report are made of.
+// The records of a trial. Chunks, tables and the report are made of them.
 
 #include <cstdint>
 #include <string>
@@ -14,10 +14,10 @@
 
 namespace flyrock {
 
-/// One rock (or one moving body of `bodies`), as in rocks.csv; DESIGN section 5 defines the columns.
+/// One rock (or one moving body of `bodies`), as in rocks.csv. DESIGN section 5 defines the columns.
 struct RockRecord {
   std::uint64_t trial = 0;
-  int rock = 0;   ///< in its trial, from 0
+  int rock = 0;   ///< number in its trial, from 0
   int group = 0;  ///< index into the groups of the scenario (or its moving bodies)
   double mass = 0, volume = 0;
   double launch_speed = 0, launch_elevation = 0;  ///< m/s, rad
@@ -27,24 +27,24 @@ struct RockRecord {
   double runout = 0;                ///< |x_stop - x_release|
   double max_distance = 0;
   double stop_x = 0, stop_y = 0, stop_z = 0;
-  int end_part = -1;    ///< timed_out: part of the terrain that it was on; -1: it was in the air
-  bool landed = false;  ///< it flew, and has touched the terrain since: its flight range is known
+  int end_part = -1;    ///< timed_out: the part of the terrain that it was on; -1: it was in the air
+  bool landed = false;  ///< it flew and has touched the terrain since: its flight range is known
   double flight_range = 0;
   double bounce_height = 0;
   double max_speed = 0;
   double max_energy = 0;  ///< kinetic, J
   int impacts = 0;
-  double time = 0;    ///< s, from its start until it came to rest, or until its path ends
-  Travel travel;      ///< path in that time, by mode of travel
-  std::string fault;  ///< of a rock that failed: why
+  double time = 0;    ///< s, from its start until it came to rest or its path ended
+  Travel travel;      ///< path in that time, by mode of motion
+  std::string fault;  ///< why the rock failed; empty if it did not
 };
 
 bool is_fault(StopReason reason);
 
-/// What RockRecord::group counts: the rock groups, or the bodies.
+/// The names for RockRecord::group: the rock groups, or the bodies.
 std::vector<std::string> group_names(const Scenario& scenario);
 
-/// One drawn number of one rock: `draw` is the index into Scenario::draws. Draws `per: impact` are not
+/// One drawn number of one rock. `draw` is the index into Scenario::draws. Draws `per: impact` are not
 /// stored.
 struct InputRecord {
   std::uint64_t trial = 0;
@@ -77,7 +77,7 @@ struct BarrierRecord {
   BarrierHit hit;
 };
 
-/// What is counted or summed up over trials: it needs no more room for many of them than for one.
+/// Counts and sums over trials. They take no more memory for many trials than for one.
 struct TrialTotals {
   std::vector<MaterialUse> materials;  ///< in the order of Scenario::materials
   Envelopes envelopes;                 ///< of rocks without faults
@@ -86,12 +86,12 @@ struct TrialTotals {
   std::vector<std::string> notes;   ///< distinct notes of launches ("v0^2 < 0: ..."), at most 20
   std::vector<BodyHistory> bodies;  ///< `bodies` scenarios: the last trial's histories, for measures
 
-  /// Those of later trials.
+  /// Adds the totals of later trials.
   void add(const TrialTotals& later);
   void add_note(const std::string& note);
 };
 
-/// Everything that consecutive trials of one point leave: rows, in order of trial and rock, and totals.
+/// All records of consecutive trials of one point: rows, in the order of trials and rocks, and totals.
 struct TrialRecords {
   std::vector<RockRecord> rocks;
   std::vector<InputRecord> inputs;
@@ -100,7 +100,7 @@ struct TrialRecords {
   std::vector<GateRecord> gates;
   std::vector<BarrierRecord> barriers;
   TrialTotals totals;
-  PrintLog prints;  ///< of Lua code; for the terminal alone, in no chunk file
+  PrintLog prints;  ///< from Lua code; only for the terminal, not in chunk files
 };
 
 }  // namespace flyrock

@@ -1,6 +1,6 @@
 #pragma once
-// The rows of a point, read in passes. They stay on disk; in memory is one chunk at a time, so that a million
-// rocks take no more of it than a thousand.
+// The rows of a point, read in passes. They stay on disk and only one chunk at a time is in memory, so a
+// million rocks take no more memory than a thousand.
 
 #include <functional>
 
@@ -8,23 +8,23 @@
 
 namespace flyrock {
 
-/// What a pass reads of each chunk.
+/// The part of each chunk that a pass reads.
 enum class Part {
-  brief,  ///< rocks, gates, barriers, totals but envelopes; the other tables, which are long, are empty
-  whole   ///< and inputs, impacts, trajectories, envelopes
+  brief,  ///< rocks, gates, barriers, totals without envelopes; the other tables, which are long, are empty
+  whole   ///< also inputs, impacts, trajectories, envelopes
 };
 
 using SeeRows = std::function<void(const TrialRecords& chunk)>;
 
-/// Shows the chunks of a point in the order of their trials; a trial is never split, and every pass shows the
-/// same. The chunk is gone when `see` returns. Throws FileError where a chunk cannot be read.
+/// Shows the chunks of a point in the order of their trials. A trial is never split, and every pass shows the
+/// same rows. The chunk is destroyed when `see` returns. Throws FileError if a chunk cannot be read.
 using Rows = std::function<void(Part part, const SeeRows& see)>;
 
-/// Rows that are in memory, as one chunk.
+/// Rows that are already in memory, as one chunk.
 Rows rows_of(TrialRecords records);
 
-/// Passes over the rows until `reader` has seen enough. It has see(const TrialRecords&), called for each
-/// chunk, and bool again(), called after each pass: whether it needs another one.
+/// Passes over the rows until `reader` needs no more. It has see(const TrialRecords&), called for each chunk,
+/// and bool again(), called after each pass, which says whether it needs another pass.
 template <class Reader>
 void read_in_passes(const Rows& rows, Reader& reader, Part part = Part::brief) {
   do {

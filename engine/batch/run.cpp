@@ -43,7 +43,7 @@ class Run {
       for (int thread = 1; thread < threads; ++thread)
         others.emplace_back([&, thread] { work(make_worker, thread); });
       work(make_worker, 0);
-    }  // joined
+    }  // threads are joined here
     if (error_) std::rethrow_exception(error_);
     return conclude();
   }
@@ -63,8 +63,8 @@ class Run {
     }
   }
 
-  /// Whether an earlier run left the chunk. Where a fault may end the run, one with faults is run again: it
-  /// may have to end in the middle.
+  /// Whether a chunk of an earlier run is kept. If a fault may end the run, a chunk with faults runs again,
+  /// because it may have to end in the middle.
   bool keep(std::size_t index) {
     const ChunkRange& chunk = chunks_[index];
     const std::filesystem::path path = options_.folder / chunk.file_name();
@@ -128,9 +128,9 @@ class Run {
     show(index, records);
   }
 
-  /// Shows a chunk that has become whole, if it is the next, and those behind it that had to wait for it. No
-  /// lock is held meanwhile: other threads go on. Chunks that had to wait are read back, so that none is kept
-  /// in memory.
+  /// Shows a chunk that has just been completed, if it is the next one, and later chunks that waited for it.
+  /// Holds no lock meanwhile, so other threads go on. Chunks that waited are read back from disk, so none
+  /// stays in memory.
   void show(std::size_t index, const TrialRecords& records) {
     std::unique_lock lock(mutex_);
     if (showing_ || index != shown_) return;
@@ -175,13 +175,13 @@ class Run {
   }
 
   const RunOptions& options_;
-  std::vector<ChunkRange> chunks_;  ///< the one in which the run ends becomes short
-  std::vector<char> whole_;         ///< not bool: threads write neighbours
-  std::vector<PrintLog> printed_;   ///< by the Lua code of each chunk that is not shown yet
+  std::vector<ChunkRange> chunks_;  ///< the chunk in which the run ends becomes short
+  std::vector<char> whole_;         ///< not bool, because threads write neighbouring elements
+  std::vector<PrintLog> printed_;   ///< by the Lua code of each chunk not shown yet
   ChunkQueue queue_;
-  std::mutex mutex_;       ///< of what follows, and of chunks_, whole_ and printed_
-  std::size_t shown_ = 0;  ///< chunks, from the first
-  bool showing_ = false;   ///< by some thread, to which prints_ belongs
+  std::mutex mutex_;       ///< guards the members below, and chunks_, whole_ and printed_
+  std::size_t shown_ = 0;  ///< number of chunks, from the first
+  bool showing_ = false;   ///< some thread shows chunks now and owns prints_
   PrintLog prints_;        ///< of the whole run
   RunOutcome outcome_;
   std::exception_ptr error_;

@@ -1,5 +1,5 @@
 #pragma once
-// What runs the trials of a scenario, one for each point of its sweep.
+// The runners of the trials of a scenario, one for each point of its sweep.
 
 #include <cstdint>
 #include <memory>
@@ -12,14 +12,14 @@ namespace flyrock {
 
 using Runners = std::vector<std::unique_ptr<TrialRunner>>;
 
-/// Throws ScenarioError where a plugin cannot be made.
+/// Throws ScenarioError if a plugin cannot be made.
 Runners make_runners(const Plan& plan);
 
-/// Trials that a run tries out before it starts.
+/// The number of trials that are tried out before a run starts.
 inline constexpr std::uint64_t tried_before_a_run = 3;
 
-/// Tries each point out on up to `trials` trials and makes its runner; none where there are errors. What
-/// fails is an error at the key to blame, and warnings are also those of the scenario.
+/// Tries out up to `trials` trials of each point and makes its runner; none if there are errors. A failure is
+/// reported as an error at the key that caused it. The warnings are also added to the scenario.
 Runners try_runners(LoadedScenario& scenario, std::uint64_t trials, Diagnostics& diagnostics);
 
 }  // namespace flyrock

@@ -93,7 +93,8 @@ FileReader::FileReader(std::filesystem::path path) : path_(std::move(path)) {
   std::error_code code;
   const std::filesystem::file_status status = std::filesystem::status(path_, code);
   if (std::filesystem::is_directory(status)) fail_to_read(path_, EISDIR);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))  // may never end
+  if (std::filesystem::exists(status) &&
+      !std::filesystem::is_regular_file(status))  // reading another kind of file may never end
     throw UnreadableFile(fmt::format("cannot read {}: a pipe or a device, expected a file", path_.string()));
   file_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
   if (file_ < 0) fail_to_read(path_, errno);
@@ -102,7 +103,8 @@ FileReader::FileReader(std::filesystem::path path) : path_(std::move(path)) {
 FileReader::~FileReader() { ::close(file_); }
 
 void FileReader::append_to(std::string& bytes, std::uint64_t count) {
-  constexpr std::uint64_t at_once = 1 << 20;  // a count may be damaged: what is not there takes no memory
+  constexpr std::uint64_t at_once =
+      1 << 20;  // a damaged count must not reserve memory for bytes that do not exist
   while (count > 0) {
     const std::size_t size = bytes.size();
     const auto wanted = static_cast<std::size_t>(std::min(count, at_once));

@@ -1,5 +1,5 @@
 #pragma once
-// Files that are either whole or absent.
+// Files that are either complete or absent.
 
 #include <cstdint>
 #include <filesystem>
@@ -9,25 +9,26 @@
 
 namespace flyrock {
 
-/// A file that could not be read or written; the text names it and says why.
+/// A file that cannot be read or written. The text names it and says why.
 struct FileError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A file that cannot be read, or holds what flyrock did not write: bad input to a command that is given it.
+/// A file that cannot be read, or that flyrock did not write. For the command that got it, this is bad input.
 struct UnreadableFile : FileError {
   using FileError::FileError;
 };
 
-/// Whether a file must also outlast a power cut.
+/// Whether a file must also survive a power cut.
 enum class Sync {
   yes,
-  no  ///< it may then be broken: for files with a checksum that can be made again. A sync takes some
+  no  ///< it may then be damaged: for files with a checksum that can be made again, because a sync takes some
       ///< milliseconds
 };
 
-/// A file that is written piece by piece under a temporary name beside `path`. commit() syncs and renames it:
-/// a reader (or the next run after a power cut) meets the whole file or none. Without commit() it goes away.
+/// Writes a file piece by piece under a temporary name in the same folder as `path`. commit() syncs and
+/// renames it, so a reader (or the next run after a power cut) finds the complete file or none. Without
+/// commit() the temporary file is removed.
 class FileWriter {
  public:
   /// Throws FileError.
@@ -42,7 +43,7 @@ class FileWriter {
 
  private:
   void flush();
-  void put(std::string_view bytes);  ///< past the buffer
+  void put(std::string_view bytes);  ///< bypasses the buffer
 
   std::string buffer_;
   std::filesystem::path path_, temporary_;
@@ -50,15 +51,15 @@ class FileWriter {
   int file_ = -1;
 };
 
-/// The name under which the file `path` is written.
+/// The temporary name of the file `path`.
 std::filesystem::path temporary_name(const std::filesystem::path& path);
-/// Gives its name to what was written under the temporary name of `path`. Throws FileError.
+/// Renames what was written under the temporary name of `path` to `path`. Throws FileError.
 void commit_file(const std::filesystem::path& path, Sync sync = Sync::yes);
 
-/// A FileWriter at once. Throws FileError.
+/// Writes a whole file with a FileWriter. Throws FileError.
 void write_file(const std::filesystem::path& path, std::string_view bytes, Sync sync = Sync::yes);
 
-/// A file that is read from its beginning on.
+/// A file that is read from its beginning.
 class FileReader {
  public:
   /// Throws UnreadableFile.
@@ -67,7 +68,7 @@ class FileReader {
   FileReader(const FileReader&) = delete;
   FileReader& operator=(const FileReader&) = delete;
 
-  /// The next `count` bytes, fewer where the file ends before. Throws UnreadableFile.
+  /// Appends the next `count` bytes, or fewer at the end of the file. Throws UnreadableFile.
   void append_to(std::string& bytes, std::uint64_t count);
 
  private:
@@ -78,7 +79,7 @@ class FileReader {
 /// The bytes of a file. Throws UnreadableFile.
 std::string read_file(const std::filesystem::path& path);
 
-/// Makes a folder and those above it. Throws FileError.
+/// Makes a folder and its parents. Throws FileError.
 void make_folder(const std::filesystem::path& path);
 
 }  // namespace flyrock

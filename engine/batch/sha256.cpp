@@ -63,7 +63,8 @@ void Sha256::add(std::string_view bytes) {
 }
 
 std::string Sha256::digest() {
-  // The message, a one bit, zeros, and its length in bits as 8 bytes, up to a whole number of blocks.
+  // Padding: a one bit, zeros up to a whole number of blocks, and the length of the message in bits as the
+  // last 8 bytes.
   const std::uint64_t bits = 8 * length_;
   std::string end = "\x80";
   while ((rest_.size() + end.size()) % block_size != block_size - 8) end.push_back('\0');

@@ -1,5 +1,5 @@
 #pragma once
-// SHA-256 (FIPS 180-4): names a scenario, a plugin source or a file by its content.
+// SHA-256 (FIPS 180-4): identifies a scenario, a plugin source or a file by its content.
 
 #include <array>
 #include <cstdint>
@@ -8,11 +8,11 @@
 
 namespace flyrock {
 
-/// A digest of bytes that come piece by piece.
+/// The digest of bytes that are added piece by piece.
 class Sha256 {
  public:
   void add(std::string_view bytes);
-  /// The digest of all that was added, as 64 hexadecimal digits. Nothing is added after it.
+  /// The digest of all added bytes, as 64 hexadecimal digits. Nothing may be added after it.
   std::string digest();
 
  private:

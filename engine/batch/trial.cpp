@@ -20,10 +20,10 @@ namespace flyrock {
 
 namespace {
 
-/// Why a world could not go on, and what that makes of its rocks.
+/// Why a world could not go on, and the stop reason of its rocks.
 using TrialFault = std::pair<std::string, StopReason>;
 
-// Phases are timed in every 16th trial: reading the clock costs as much as a tenth of a step.
+// Phases are timed in every 16th trial, because reading the clock costs as much as a tenth of a step.
 constexpr std::uint64_t timed_every = 16;
 
 /// "rocks.0.release: it starts inside the terrain"
@@ -31,15 +31,15 @@ std::string at_key(const std::string& path, const std::string& fault) {
   return path.empty() ? fault : path + ": " + fault;
 }
 
-/// When a rock came to rest, which in a trial of several rocks may be long before the trial ends; of one that
-/// did not, when its path ends.
+/// When a rock came to rest. In a trial of several rocks this may be long before the trial ends. For a rock
+/// that did not come to rest, the end of its path.
 double end_of(const BodyHistory& history) {
   const bool rested = history.reason == StopReason::stopped && !std::isnan(history.stop_time);
   return rested ? history.stop_time : history.last.time;
 }
 
-/// The ground nearest to a place: how far it is, and which part. Infinite where there is none within `reach`
-/// along x.
+/// The ground nearest to a place: its distance and its part. Infinite if there is none within `reach` along
+/// x.
 struct NearestGround {
   double distance = std::numeric_limits<double>::infinity();
   int part = -1;
@@ -60,12 +60,12 @@ NearestGround nearest_ground(const Terrain3& terrain, const Vec3& at, double) {
   return {terrain.plane().distance(at), 0};
 }
 
-/// The part of the terrain that a body is on; -1 where all of it is in the air. On a slope a ball that
-/// touches the ground has more than its radius below its centre, so that the distance to the ground counts,
-/// and not the height above it.
+/// The part of the terrain that a body is on; -1 if all of it is in the air. The distance to the ground
+/// decides and not the height above it: on a slope, a ball that touches the ground has more than its radius
+/// below its centre.
 template <int D, class Terrain>
 int part_under(const Terrain& terrain, const Body<D>& body) {
-  constexpr double rounding = 1e-3;  // of the radius: a rolling body leaves the ground by less
+  constexpr double rounding = 1e-3;  // share of the radius; a rolling body is closer to the ground than this
   const double reach = (1 + rounding) * body.radius;
   const NearestGround nearest = nearest_ground(terrain, body.x, reach);
   return nearest.distance <= reach ? nearest.part : -1;
@@ -92,7 +92,7 @@ class TrialRunner::Trials : public OfDimension {
 
  private:
   void fail_trial(std::uint64_t trial, const ScenarioError& error, TrialRecords& out) const;
-  /// The rocks of a trial by the method ballistic: a history a world.
+  /// The rocks of a trial by the method ballistic: one history for each world.
   std::vector<std::vector<BodyHistory>> fly(const Trial<D>& trial, const RunSettings& settings) const;
   void record(std::uint64_t trial, int index, const TrialRock& rock, const World<D>* world,
               const BodyHistory& history, TrialRecords& out) const;
@@ -102,7 +102,7 @@ class TrialRunner::Trials : public OfDimension {
   TrialBuilder<D> builder_;
   std::vector<Gate> gates_;
   std::vector<Barrier> barriers_;
-  double bin_width_ = 0;  ///< m, of envelopes; 0 for `bodies` and on terrain without ends
+  double bin_width_ = 0;  ///< m, bin width of envelopes; 0 for `bodies` and on terrain without ends
 };
 
 TrialRunner::TrialRunner(const Scenario& scenario) {
@@ -265,7 +265,7 @@ void TrialRunner::Trials<D>::record(std::uint64_t trial, int index, const TrialR
   record_inputs(trial, index, rock, out);
 }
 
-/// Every draw that concerns the rock: all but those of other groups, and those per impact.
+/// Records every draw of the rock, except draws of other groups and draws per impact.
 template <int D>
 void TrialRunner::Trials<D>::record_inputs(std::uint64_t trial, int index, const TrialRock& rock,
                                            TrialRecords& out) const {

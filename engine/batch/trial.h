@@ -10,23 +10,23 @@
 
 namespace flyrock {
 
-/// Owns the instances of the plugins; not shared between threads.
+/// Owns the instances of the plugins. Threads must not share it.
 class TrialRunner {
  public:
-  /// Makes the plugins. Throws ScenarioError where one of them, or the ground of trial 0, cannot be made.
+  /// Makes the plugins. Throws ScenarioError if one of them, or the ground of trial 0, cannot be made.
   explicit TrialRunner(const Scenario& scenario);
 
-  /// Appends one trial. A rock that fails is a row with its reason, never an exception.
+  /// Appends one trial. A rock that fails is a row with its reason and never an exception.
   void run(std::uint64_t trial, TrialRecords& out) { of_dimension_->run(trial, out); }
 
-  /// Trials throw Interrupted as soon as this says so.
+  /// Trials throw Interrupted as soon as `interrupted` returns true.
   void stop_when(bool (*interrupted)()) { of_dimension_->interrupted = interrupted; }
 
-  /// Where problems that did not converge are written, if output.hard_problems asks for them: at most ten a
-  /// trial, as trial-<t>-<n>.hdf5. The folder is made when it is needed.
+  /// The folder for problems that did not converge, if output.hard_problems asks for them: at most ten for
+  /// each trial, as trial-<t>-<n>.hdf5. The folder is made when it is needed.
   void keep_hard_problems(const std::filesystem::path& folder) { of_dimension_->hard_problems = folder; }
 
-  /// The terrain of a trial, for pictures; in 3D its cut along x at y = 0, 100 m to either side.
+  /// The terrain of a trial for pictures. In 3D, its section along x at y = 0, from -100 m to 100 m.
   Profile picture_of(std::uint64_t trial) { return of_dimension_->picture_of(trial); }
 
  private:

@@ -19,13 +19,13 @@ namespace {
 constexpr std::uint64_t samples = 3;
 constexpr std::size_t most_rocks = 2000;
 
-/// Keeps the first of each key.
+/// Keeps only the first message of each key.
 void add(std::vector<ScenarioError>& list, const std::string& path, const std::string& text) {
   const auto is_known = [&](const ScenarioError& known) { return known.path == path; };
   if (std::none_of(list.begin(), list.end(), is_known)) list.emplace_back(path, text);
 }
 
-/// Calls a law of a material on one sampled state, with a memory that is new, and checks its answer.
+/// Calls a law of a material on one sampled state with new memory, and checks its answer.
 template <class LawKind, class Ask>
 void try_law(const std::unique_ptr<LawKind>& law, const std::optional<PluginUse>& use, ContactState state,
              const Scenario& scenario, const DrawKey& key, TriedOut& tried, Ask&& ask) {
@@ -44,7 +44,7 @@ void try_law(const std::unique_ptr<LawKind>& law, const std::optional<PluginUse>
   }
 }
 
-/// States of a contact as laws meet them: a slow, an oblique and a fast impact.
+/// Typical states of a contact: a slow, an oblique and a fast impact.
 std::array<ContactState, samples> typical_contacts() {
   std::array<ContactState, samples> states;
   const double approach[] = {0.1, 3, 20}, slip[] = {0.5, 8, 1};
@@ -89,7 +89,8 @@ void try_laws(const Scenario& scenario, const Instances& instances, TriedOut& tr
   }
 }
 
-/// Springs that are too stiff for the time step, and masses that differ too much for the contact solver.
+/// Finds springs that are too stiff for the time step, and mass ratios that are too large for the contact
+/// solver.
 template <int D>
 void find_hard_contacts(const Scenario& scenario, const Instances& instances, const Trial<D>& trial,
                         TriedOut& tried) {
@@ -121,7 +122,7 @@ void find_hard_contacts(const Scenario& scenario, const Instances& instances, co
 bool is_round(const Contactor2& contactor) { return contactor.points.size() == 1; }
 bool is_round(const Contactor3& contactor) { return contactor.round(); }
 
-/// Round rocks on ground that lets them roll for ever: they end at stop.time.
+/// Finds round rocks on ground without rolling resistance: they roll until stop.time.
 template <int D>
 void find_free_rollers(const Scenario& scenario, const Trial<D>& trial, TriedOut& tried) {
   if (!scenario.bodies.empty()) return;
@@ -144,8 +145,8 @@ void find_free_rollers(const Scenario& scenario, const Trial<D>& trial, TriedOut
   }
 }
 
-/// Rocks of many vertices or contactors: each impact looks at all of them, and each vertex makes impacts of
-/// its own.
+/// Finds rocks with many vertices or contactors. Each impact looks at all of them, and each vertex makes
+/// impacts of its own.
 template <int D>
 void find_fine_outlines(const Scenario& scenario, const Trial<D>& trial, TriedOut& tried) {
   constexpr std::size_t most = 500;
@@ -165,7 +166,7 @@ void find_fine_outlines(const Scenario& scenario, const Trial<D>& trial, TriedOu
   }
 }
 
-/// Shapes, populations, launches, starts and the terrain, by making trials.
+/// Tries shapes, populations, launches, starts and the terrain by making trials.
 template <int D>
 void try_trials(const Scenario& scenario, TrialBuilder<D>& builder, std::uint64_t trials, TriedOut& tried) {
   std::size_t rocks = 0;
