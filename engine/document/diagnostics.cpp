@@ -15,7 +15,7 @@ std::string source_name(const Diagnostic& diagnostic) {
   return diagnostic.at.source ? diagnostic.at.source->name : std::string();
 }
 
-/// "file:line:column: ", as much of it as is known.
+/// "file:line:column: ", or the known part of it.
 std::string place(const Diagnostic& diagnostic) {
   const std::string name = printable(source_name(diagnostic));
   if (name.empty()) return {};
@@ -23,8 +23,8 @@ std::string place(const Diagnostic& diagnostic) {
   return fmt::format("{}:{}:{}: ", name, diagnostic.at.line, diagnostic.at.column);
 }
 
-/// The quoted line and a caret below the column. Columns count characters, not bytes; a tab is repeated, so
-/// that the caret stands right at any tab width. Nothing where the line is no text for a terminal.
+/// The quoted line and a caret below the column. Columns count characters, not bytes. A tab is repeated, so
+/// that the caret is in the right column at any tab width. Empty if the line cannot be shown in a terminal.
 std::string quotation(const Location& at) {
   if (!at.source || at.line < 1 || at.line > static_cast<int>(at.source->lines.size())) return {};
   constexpr std::size_t longest = 200;
@@ -34,7 +34,7 @@ std::string quotation(const Location& at) {
   int column = 1;
   for (char c : line) {
     if (column >= at.column) break;
-    if ((c & 0xC0) == 0x80) continue;  // the rest of a UTF-8 character
+    if ((c & 0xC0) == 0x80) continue;  // a later byte of the same UTF-8 character
     blanks += c == '\t' ? '\t' : ' ';
     ++column;
   }

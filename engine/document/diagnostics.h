@@ -1,5 +1,5 @@
 #pragma once
-// Messages about a scenario: all are collected, none stops the reading.
+// Messages about a scenario. All of them are collected; none stops the reading.
 
 #include <set>
 #include <string>
@@ -22,34 +22,36 @@ struct Diagnostic {
   std::string text;  ///< what is wrong, what was expected, did you mean
 };
 
-/// A message that is given twice (a value that several points of a sweep share) is kept once.
+/// A message that is given twice is kept once, for example one about a value that several sweep points share.
 class Diagnostics {
  public:
   void error(const Location& at, const std::string& path, const std::string& text);
   void warning(const Location& at, const std::string& path, const std::string& text);
   void unusual(const Location& at, const std::string& path, const std::string& text);
-  /// Makes errors of what is unusual.
+  /// Turns warnings about unusual values into errors.
   void be_strict();
 
   bool has_errors() const { return errors_given_ > 0; }
-  /// Errors given so far, repeated ones too: what was read while this did not grow is sound.
+  /// The number of errors given so far, repeated ones included. If it does not grow while something is read,
+  /// then that is sound.
   std::size_t errors_given() const { return errors_given_; }
   const std::vector<Diagnostic>& all() const { return all_; }
   std::vector<std::string> warnings() const;
 
-  /// Each as `file:line:column: error: path: text`, then the line and a caret under the column; in the order
-  /// of lines and columns. The first 100; how many more there are is said at the end.
+  /// All messages as `file:line:column: error: path: text`, each followed by the line and a caret under the
+  /// column, ordered by line and column. Only the first 100 are shown; the text ends with the number of the
+  /// others.
   std::string to_text() const;
 
  private:
   void add(Diagnostic diagnostic);
 
   std::vector<Diagnostic> all_;
-  std::set<std::string> known_;  ///< texts of all, to keep each once
+  std::set<std::string> known_;  ///< the texts of all_, to keep each once
   std::size_t errors_given_ = 0;
 };
 
-/// One message in that form.
+/// One message in the same form.
 std::string to_text(const Diagnostic& diagnostic);
 
 }  // namespace flyrock

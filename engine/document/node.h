@@ -1,5 +1,5 @@
 #pragma once
-// A value of the tree with its path: what decoding walks over.
+// A value of the tree and its path. Decoding walks over nodes.
 
 #include <optional>
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace flyrock {
 
-/// A value and where it stands. The value outlives the node. `stream` is the path with an element's name in
-/// place of its index: "rocks.blocks.density" for "rocks.0.density".
+/// A value and its place. The value must outlive the node. `stream` is the path with the name of an element
+/// in place of its index: "rocks.blocks.density" for "rocks.0.density".
 struct Node {
   const Value* value = nullptr;
   Location key_at;  ///< of the key, or of the element of a list
@@ -21,27 +21,28 @@ struct Node {
 
   static Node root(const Value& value) { return {&value, value.at, "", "", ""}; }
 
-  /// The value of a key, where this is a map that has it.
+  /// The value of a key; nothing if this is not a map or has no such key.
   std::optional<Node> find(std::string_view key) const;
-  /// The entries of a map in order of their bytes, so that a Lua table gives the same order as a file.
+  /// The entries of a map, sorted by the bytes of their keys, so that a Lua table gives the same order as a
+  /// file.
   std::vector<Node> entries() const;
   /// The elements of a list.
   std::vector<Node> items() const;
 
-  /// Lua writes an empty list and an empty map alike.
+  /// An empty list and an empty map look the same in Lua, so an empty one counts as both.
   bool is_map() const { return value->map() || (value->list() && value->list()->empty()); }
   bool is_list() const { return value->list() || (value->map() && value->map()->empty()); }
 
-  /// An error at the value, or at its key where the value is empty.
+  /// Reports an error at the value, or at its key if the value is empty.
   void error(Diagnostics& diagnostics, const std::string& text) const;
-  /// An error unless this is a map: "is empty, expected a map" and the like.
+  /// Reports an error unless this is a map: "is empty, expected a map" and the like.
   bool expect_map(Diagnostics& diagnostics) const;
   bool expect_list(Diagnostics& diagnostics) const;
-  /// An error at each key of this map that is not in `known`, with the nearest.
+  /// Reports an error at each key of this map that is not in `known`, and names the nearest known key.
   void refuse_unknown_keys(const std::vector<std::string>& known, Diagnostics& diagnostics) const;
 };
 
-/// The deepest node on the way to a path that exists: that of "rocks.0" for "rocks.0.release" where there is
+/// The deepest node that exists on the way to a path: the node of "rocks.0" for "rocks.0.release" if there is
 /// no release.
 Node node_at(const Value& root, const std::string& path);
 

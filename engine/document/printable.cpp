@@ -6,7 +6,7 @@ namespace flyrock {
 
 namespace {
 
-/// The length of the UTF-8 character at the start of `text`, or 0.
+/// The length in bytes of the UTF-8 character at the start of `text`; 0 if there is none.
 std::size_t character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
   const unsigned first = byte(0);
@@ -20,7 +20,7 @@ std::size_t character(std::string_view text) {
   return overlong || surrogate || beyond ? 0 : length;
 }
 
-/// C0 and C1 controls and DEL. (A terminal obeys C1 as it does ESC.)
+/// C0 and C1 controls and DEL. A terminal obeys C1 controls as it obeys ESC.
 bool is_control(std::string_view one) {
   const auto first = static_cast<unsigned char>(one[0]);
   return (one.size() == 1 && (first < 0x20 || first == 0x7F) && first != '\t') ||

@@ -1,17 +1,18 @@
 #pragma once
-// Text from scenarios and plugins as a terminal, a table and a page may show it.
+// Makes text from scenarios and plugins safe to show in a terminal, a table or a page.
 
 #include <string>
 #include <string_view>
 
 namespace flyrock {
 
-/// Why a text cannot be shown and stored: "is not UTF-8" (overlong forms, surrogates and what lies beyond
-/// U+10FFFF are not), or "holds the control character \x1B" (tabs and line feeds aside). Empty where it can.
+/// Why a text cannot be shown and stored: "is not UTF-8" (overlong forms, surrogates and code points above
+/// U+10FFFF are not valid either), or "holds the control character \x1B" (tabs and line feeds are allowed).
+/// Empty if the text is fine.
 std::string text_fault(std::string_view text);
 
-/// `text` in one line: control characters (tabs aside) and bytes that are no UTF-8 as \x1B, a line feed as
-/// \n; what goes on beyond about `longest` bytes is cut and ends with "...".
+/// `text` in one line. Control characters (except tabs) and bytes that are not UTF-8 become \x1B and the
+/// like, a line feed becomes \n. Text longer than about `longest` bytes is cut and ends with "...".
 std::string printable(std::string_view text, std::size_t longest = 500);
 
 }  // namespace flyrock

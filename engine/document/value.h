@@ -1,5 +1,5 @@
 #pragma once
-// The tree of located values in which YAML and Lua scenarios meet.
+// The tree of located values. YAML and Lua scenarios both become such a tree.
 
 #include <memory>
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace flyrock {
 
-/// A text that values come from: a file, or an argument of the command line.
+/// A text that contains values: a file, or an argument of the command line.
 struct Source {
   std::string name;                ///< as messages show it
-  std::vector<std::string> lines;  ///< empty where there is nothing to quote
+  std::vector<std::string> lines;  ///< empty if there is nothing to quote
 };
 
-/// A place in a source; lines and columns count from 1, 0 where unknown.
+/// A place in a source. Lines and columns count from 1; 0 means unknown.
 struct Location {
   std::shared_ptr<const Source> source;
   int line = 0;
@@ -29,8 +29,8 @@ struct Entry;
 using List = std::vector<Value>;
 using Map = std::vector<Entry>;  ///< in the order of the file; keys are unique
 
-/// One value. Plain YAML scalars that read as a number or true/false are numbers and booleans here, as in
-/// Lua; quoted ones are text.
+/// One value. A plain YAML scalar that reads as a number or as true/false becomes a number or a boolean, as
+/// in Lua. A quoted scalar is text.
 struct Value {
   std::variant<std::monostate, bool, double, std::string, List, Map> data;
   Location at;
@@ -44,7 +44,7 @@ struct Value {
   List* list() { return std::get_if<List>(&data); }
   const Map* map() const { return std::get_if<Map>(&data); }
   Map* map() { return std::get_if<Map>(&data); }
-  /// The value of a key of a map, or null.
+  /// The value of a key of a map; null if there is none.
   const Value* find(std::string_view key) const;
   Value* find(std::string_view key);
   /// "a number", "text", "a list", "a map", "true or false", "nothing".
@@ -57,7 +57,7 @@ struct Entry {
   Value value;
 };
 
-/// The shortest decimal text that reads back as the same double: "0.1", "1e+300"; integers without ".0".
+/// The shortest decimal text that reads back as the same double: "0.1", "1e+300". Integers have no ".0".
 std::string shortest(double number);
 
 /// The tree as YAML (maps in their order) and as JSON.

@@ -1,4 +1,4 @@
-// The tree of values as YAML and as JSON.
+// Writes the tree of values as YAML and as JSON.
 
 #include <fmt/format.h>
 
@@ -12,13 +12,14 @@ namespace flyrock {
 
 namespace {
 
-constexpr std::size_t flow_width = 88;  // a value that fits into a line is written in one
+constexpr std::size_t flow_width =
+    88;  // a value that fits into one line of this width is written in one line
 
 std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-/// Whether a text can stand without quotes and reads back as the same text.
+/// Whether a text can be written without quotes and still reads back as the same text.
 bool is_plain(const std::string& text) {
   if (text.empty() || text == "true" || text == "false" || text == "null" || text == "Null" || text == "NULL")
     return false;
@@ -31,7 +32,7 @@ bool is_plain(const std::string& text) {
     return is_letter(c) || is_digit(c) || std::string_view(" ./+-^*%()").find(c) != std::string_view::npos;
   };
   if (!std::all_of(text.begin(), text.end(), is_safe)) return false;
-  // "010" and "12" must stay text; "12 m" cannot be mistaken.
+  // "010" and "12" need quotes to stay text; "12 m" does not.
   return !is_number_like || text.find(' ') != std::string::npos;
 }
 
@@ -64,7 +65,7 @@ bool is_flow(const Value& value, const std::string& flow) {
 
 void write_block(std::string& out, const Value& value, int indent);
 
-/// The entries of a map; the first one stands where the text already is (after "- " of a list).
+/// The entries of a map. The first one continues the current line (after "- " of a list).
 void write_map(std::string& out, const Map& map, int indent) {
   bool first = true;
   for (const Entry& entry : map) {
@@ -100,7 +101,7 @@ nlohmann::ordered_json json_of(const Value& value) {
   if (const bool* boolean = value.boolean()) return *boolean;
   if (const std::string* text = value.text()) return *text;
   if (const double* number = value.number()) {
-    // As an integer, so that JSON shows 3 and not 3.0.
+    // Whole numbers are written as integers: JSON shows 3, not 3.0.
     constexpr double exact = 9007199254740992.0;
     if (*number == std::floor(*number) && std::abs(*number) < exact)
       return static_cast<std::int64_t>(*number);

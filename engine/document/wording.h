@@ -1,5 +1,5 @@
 #pragma once
-// Words that messages have in common, from YAML and from Lua.
+// Words that messages about YAML and about Lua share.
 
 #include <string>
 #include <string_view>
@@ -13,10 +13,10 @@ std::string join_path(const std::string& path, std::string_view step);
 /// "`a`", "`a` or `b`", "`a`, `b` or `c`".
 std::string choice_text(const std::vector<std::string>& names);
 
-/// ", did you mean `x`?" with the candidate nearest to a word; empty where none is near.
+/// ", did you mean `x`?" with the candidate nearest to a word; empty if none is near.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
 
-/// The same; where none is near ", expected " and all candidates, if they are few enough to read.
+/// The same. If no candidate is near, ", expected " and all candidates, if they are few enough to read.
 std::string suggestion(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace flyrock

@@ -17,7 +17,8 @@ namespace flyrock {
 
 namespace {
 
-constexpr std::size_t most_values = 100000;  // aliases expanded: a few lines can name billions
+constexpr std::size_t most_values =
+    100000;  // after expansion of aliases, because a few lines can name billions of values
 
 std::size_t count_values(const Value& value) {
   std::size_t count = 1;
@@ -34,14 +35,14 @@ bool has_leading_zero(std::string_view text) {
          text.find_first_not_of("0123456789.") == std::string_view::npos && text[1] != '.';
 }
 
-/// Ends the reading of a file that is YAML and no scenario.
+/// Ends the reading of a file that is YAML but not a scenario.
 struct Refusal {
   Location at;
   std::string text;
 };
 
-/// Builds the tree from the parser's events. Events are used rather than YAML::Node because they keep
-/// duplicate keys, tags and the place of every scalar.
+/// Builds the tree from the parser's events. It uses events instead of YAML::Node because they keep duplicate
+/// keys, tags and the place of every scalar.
 class TreeBuilder : public YAML::EventHandler {
  public:
   TreeBuilder(std::shared_ptr<const Source> source, Diagnostics& diagnostics)
@@ -70,14 +71,14 @@ class TreeBuilder : public YAML::EventHandler {
   void OnMapEnd() override { close(); }
 
  private:
-  /// A list or map whose end has not come yet.
+  /// A list or map whose end has not been read yet.
   struct Open {
     Value value;
     YAML::anchor_t anchor;
-    std::string key;  ///< of a map: the key that waits for its value
+    std::string key;  ///< for a map: the key that waits for its value
     Location key_at;
     bool has_key;
-    std::map<std::string, int> line_of = {};  ///< of a map: where its keys stand
+    std::map<std::string, int> line_of = {};  ///< for a map: the line of each key
   };
 
   Value make(decltype(Value::data) data, const YAML::Mark& mark) {
@@ -103,14 +104,14 @@ class TreeBuilder : public YAML::EventHandler {
   std::vector<Open> open_;
   std::map<YAML::anchor_t, Value> anchors_;
   std::size_t values_ = 0;
-  /// How far the line of the last mark was counted, and the bytes in it that begin no character: a file may
-  /// be one line.
+  /// How far the line of the last mark has been counted, and how many of these bytes do not begin a
+  /// character. Kept because a whole file may be one line.
   struct {
     int line = -1, bytes = 0, inner = 0;
   } counted_;
 };
 
-/// Marks count from 0, and bytes; places count from 1, and characters.
+/// Marks count bytes from 0; places count characters from 1.
 Location TreeBuilder::locate(const YAML::Mark& mark) {
   Location at{source_, mark.line + 1, mark.column + 1};
   if (mark.line >= 0 && mark.line < static_cast<int>(source_->lines.size())) {
@@ -133,7 +134,7 @@ void TreeBuilder::OnScalar(const YAML::Mark& mark, const std::string& tag, YAML:
   check_tag(mark, tag);
   if (const std::string fault = quote_fault(*source_, mark.line, mark.column); !fault.empty())
     diagnostics_.error(locate(mark), path_of(pending_key()), fault);
-  if (const std::string fault = text_fault(text); !fault.empty())  // an escape: "\e"
+  if (const std::string fault = text_fault(text); !fault.empty())  // an escape such as "\e" can give one
     diagnostics_.error(locate(mark), path_of(pending_key()), "the text " + fault);
   finish(tag == "?" ? resolve(mark, text) : make(text, mark), anchor);
 }
@@ -215,7 +216,7 @@ void TreeBuilder::add_entry(Open& map, Value value) {
   map.value.map()->push_back({std::move(map.key), map.key_at, std::move(value)});
 }
 
-/// The path of a key of the innermost open map, or of that map where the key is empty.
+/// The path of a key of the innermost open map; the path of that map if the key is empty.
 std::string TreeBuilder::path_of(const std::string& key) const {
   std::string path;
   for (std::size_t i = 0; i < open_.size(); ++i) {
@@ -230,7 +231,7 @@ std::string TreeBuilder::path_of(const std::string& key) const {
   return path;
 }
 
-/// `{ measure: body.ball.impact[1].time }` is not YAML, and nothing in the parser's message says why.
+/// `{ measure: body.ball.impact[1].time }` is not YAML, and the parser's message does not say why.
 std::string bracket_hint(const std::string& message) {
   if (message != YAML::ErrorMsg::END_OF_MAP_FLOW && message != YAML::ErrorMsg::END_OF_SEQ_FLOW) return {};
   return " (a closing bracket is missing, or text with brackets or commas inside a bracket needs quotes)";
@@ -245,7 +246,7 @@ std::optional<Value> read_yaml(const std::string& text, const std::string& name,
     return std::nullopt;
   }
   if (has_foreign_bytes(source, diagnostics) || has_tab_indentation(source, diagnostics)) return std::nullopt;
-  Diagnostics found;  // of this text alone: earlier errors are not a reason to give up
+  Diagnostics found;  // of this text only: an earlier error elsewhere is no reason to stop
   TreeBuilder builder(source, found);
   std::istringstream stream(text);
   try {

@@ -1,5 +1,5 @@
 #pragma once
-// YAML text to the tree of located values.
+// Reads YAML text into the tree of located values.
 
 #include <optional>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace flyrock {
 
-/// A longer text is no scenario.
+/// A longer text is not read as a scenario.
 inline constexpr std::size_t most_yaml_bytes = 4 << 20;
 
 /// Reads one YAML document. Errors: not YAML, more than one document, a duplicate key, a key that is not

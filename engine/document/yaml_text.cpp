@@ -60,7 +60,7 @@ std::string quote_fault(const Source& source, int line, int byte) {
       if (quote == '"' && text[at] == '\\')
         ++at;  // the next character stands for itself
       else if (text[at] == quote && quote == '\'' && at + 1 < text.size() && text[at + 1] == quote)
-        ++at;  // two are one
+        ++at;  // two quotes stand for one
       else if (text[at] == quote)
         return {};
     }

@@ -1,5 +1,5 @@
 #pragma once
-// Looks at the text of a YAML file where yaml-cpp says nothing, or nothing clear.
+// Checks of the text of a YAML file for mistakes that yaml-cpp does not report, or does not report clearly.
 
 #include <memory>
 #include <string>
@@ -8,17 +8,19 @@
 
 namespace flyrock {
 
-/// Its lines, without their ends.
+/// The lines of a text, without their line ends.
 std::shared_ptr<const Source> source_of(const std::string& text, const std::string& name);
 
-/// yaml-cpp guesses at bytes that are no text, and a result file could not hold them. Reports the first line.
+/// Reports the first line with bytes that are not text: yaml-cpp guesses at them, and a result file could not
+/// hold them.
 bool has_foreign_bytes(const std::shared_ptr<const Source>& source, Diagnostics& diagnostics);
 
-/// Reports each line.
+/// Reports each line that is indented with tabs.
 bool has_tab_indentation(const std::shared_ptr<const Source>& source, Diagnostics& diagnostics);
 
-/// Of a scalar that begins at a line and byte, from 0: whether its quote is closed before the next key, or
-/// what is wrong. A quote that is closed later, or by the end of the file, swallows the keys between.
+/// What is wrong with the quote of a scalar that begins at a line and byte (both from 0); empty if the quote
+/// is closed before the next key. A quote that is closed later, or only by the end of the file, swallows the
+/// keys between.
 std::string quote_fault(const Source& source, int line, int byte);
 
 }  // namespace flyrock
