@@ -47,7 +47,7 @@ std::string_view ending(StopReason reason) {
   return "failed";
 }
 
-/// The values that exist: a number, or the range of a sweep.
+/// The values that exist: one number, or the range over a sweep.
 std::string range_of(std::vector<Bounded> values) {
   std::erase_if(values, [](const Bounded& value) { return std::isnan(value.value); });
   if (values.empty()) return "not known";
@@ -57,7 +57,7 @@ std::string range_of(std::vector<Bounded> values) {
   return fmt::format("{} to {}", display(*low, "m"), display(*high, "m"));
 }
 
-/// A statistic of the runout of a group (0: all rocks) over all points.
+/// A statistic of the runout of a group (0: all rocks) over all sweep points.
 std::string range_of(const Results& results, Statistic statistic, std::size_t group = 0) {
   std::vector<Bounded> values;
   for (const PointResult& point : results.points)
@@ -65,8 +65,8 @@ std::string range_of(const Results& results, Statistic statistic, std::size_t gr
   return range_of(std::move(values));
 }
 
-/// "rocks of face go", "blasts (with 3 rocks a blast) throw a rock of face": who goes farther than a
-/// clearance.
+/// Who goes farther than a clearance: "rocks of face go", "blasts (with 3 rocks a blast) throw a rock of
+/// face".
 std::string who_goes(const Scenario& scenario, const ClearancePlan& asked, const ClearanceSummary& found) {
   const std::string of =
       asked.group < 0 ? "" : " of " + scenario.rocks.at(static_cast<std::size_t>(asked.group)).name;
@@ -77,7 +77,7 @@ std::string who_goes(const Scenario& scenario, const ClearancePlan& asked, const
                      scenario.method == Method::ballistic ? " that first lands" : "");
 }
 
-/// "301 to 345 m"; an end is not known where the sample is too small for it, or where censored rocks hide it.
+/// "301 to 345 m". An end is unknown if the sample is too small for it, or if it is among censored rocks.
 std::string ends_text(const Interval& interval) {
   if (std::isnan(interval.lower) && std::isnan(interval.upper)) return "not known";
   if (std::isnan(interval.upper))
@@ -88,8 +88,8 @@ std::string ends_text(const Interval& interval) {
 }
 
 /// " Clearance road: at most 0.1 % of the rocks go farther than 320 m (95 % interval 301 to 345 m). With the
-/// factor 1.5 that is 480 m."; with sectors the distance of the one that reaches farthest; over a sweep the
-/// least to the greatest distance, without an interval: the points have their own.
+/// factor 1.5 that is 480 m." With sectors, the distance of the sector that reaches farthest. In a sweep, the
+/// least to the greatest distance without an interval, because each point has its own.
 std::string clearance_answer(const Plan& plan, const Results& results, std::size_t c) {
   const ClearancePlan& asked = plan.points.front().clearances[c];
   const ClearanceSummary& first = results.points.front().clearances.at(c);
@@ -133,7 +133,7 @@ std::string clearances_answer(const Plan& plan, const Results& results) {
 std::string bodies_answer(const Plan& plan, const Results& results) {
   const std::vector<std::string> names = group_names(plan.points.front());
   std::string text;
-  constexpr std::size_t most_named = 4;  // of a heap of bodies the table says more than a sentence
+  constexpr std::size_t most_named = 4;  // for more bodies a table says more than a sentence
   const std::vector<RockRecord>& bodies = results.points.front().first_trial;
   for (std::size_t b = 0; b < std::min(bodies.size(), most_named); ++b) {
     const RockRecord& body = bodies[b];
@@ -146,10 +146,10 @@ std::string bodies_answer(const Plan& plan, const Results& results) {
   return text;
 }
 
-/// " (blocks 217 m, loose 15.1 m)": of all rocks together a percentile says little where groups differ.
+/// " (blocks 217 m, loose 15.1 m)", because a percentile of all rocks together says little if groups differ.
 std::string by_group(const Results& results, Statistic statistic) {
   const std::vector<GroupSummary>& groups = results.points.front().groups;
-  constexpr std::size_t most_named = 4;  // of more the table says more than a sentence
+  constexpr std::size_t most_named = 4;  // for more a table says more than a sentence
   if (groups.size() < 2) return "";
   if (groups.size() > most_named + 1) {
     const auto shorter = [&](const GroupSummary& a, const GroupSummary& b) {
@@ -200,7 +200,7 @@ std::string answer(const Plan& plan, const Results& results) {
 }
 
 std::string assumed_elevations(const Scenario& scenario) {
-  std::map<double, std::vector<std::string>> groups;  // by their elevation
+  std::map<double, std::vector<std::string>> groups;  // by elevation
   for (const RockGroup& group : scenario.rocks)
     if (group.assumed_elevation) groups[*group.assumed_elevation].push_back("`" + group.name + "`");
   std::string text;

@@ -19,8 +19,8 @@ std::string interval_text(const Interval& interval) {
                      percent(interval.upper));
 }
 
-/// Of one point the share with its interval. Over a sweep the least to the greatest, without one: the points
-/// have their own.
+/// For one point, the share with its interval. In a sweep, the least to the greatest share without an
+/// interval, because each point has its own.
 std::string over_points(std::vector<Share> shares) {
   if (shares.size() == 1) return display(shares.front());
   std::erase_if(shares, [](const Share& share) { return std::isnan(share.value); });
@@ -31,7 +31,7 @@ std::string over_points(std::vector<Share> shares) {
   return fmt::format("{:.3g} to {}", 100 * low->value, percent(high->value));
 }
 
-/// "x from 120 to 180 m", in 3D with y.
+/// "x from 120 to 180 m"; in 3D also for y.
 std::string range_text(const char* axis, double low, double high) {
   const std::string from = fmt::format("{:.4g}", low), to = fmt::format("{:.4g}", high);
   return from == to ? fmt::format("{} = {} m", axis, from)
@@ -131,7 +131,7 @@ std::string censored_answer(const Plan& plan, const Results& results) {
 
 std::string barriers_answer(const Plan& plan, const Results& results) {
   const std::size_t count = plan.points.front().barriers.size();
-  constexpr std::size_t most_named = 4;  // of more the table says more than a sentence
+  constexpr std::size_t most_named = 4;  // for more a table says more than a sentence
   if (count == 0) return "";
   std::string text;
   std::vector<Share> caught;

@@ -24,7 +24,8 @@ std::vector<CensoredPlace> sorted(std::vector<CensoredPlace> places) {
 }  // namespace
 
 bool CensoredPlace::same_place(const CensoredPlace& other) const {
-  // On a part the place says where; in the air, or outside, only the direction tells two ends apart.
+  // On a part, the part says where. In the air or outside the domain, only the direction distinguishes the
+  // two ends.
   return reason == other.reason && part == other.part && (part >= 0 || ahead == other.ahead);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Where censored rocks were when their paths were cut short: on what they rolled when time was up, where they
-// left the domain.
+// Where censored rocks were when their paths were cut short: the part that they rolled on when time ran out,
+// or the end at which they left the domain.
 
 #include <cstdint>
 #include <vector>
@@ -9,32 +9,32 @@
 
 namespace flyrock {
 
-/// Rocks that were cut short for one reason in one place.
+/// Rocks that were censored for the same reason in the same place.
 struct CensoredPlace {
   StopReason reason = StopReason::timed_out;
-  int part = -1;  ///< of the terrain, on which they were when time was up; -1: they were in the air, or left
-                  ///< the domain
-  bool ahead = true;  ///< beyond their release along x: of the two ends of a domain the right one
+  int part = -1;  ///< part of the terrain that they were on when time ran out; -1: they were in the air, or
+                  ///< left the domain
+  bool ahead = true;  ///< at larger x than their release: the right one of the two ends of a domain
   std::uint64_t rocks = 0;
-  Vec3 low = Vec3::Zero(), high = Vec3::Zero();  ///< m, the box of their centres of mass
+  Vec3 low = Vec3::Zero(), high = Vec3::Zero();  ///< m, box of their centres of mass
 
   bool same_place(const CensoredPlace& other) const;
   void add(const CensoredPlace& other);
 };
 
-/// Adds them up in a pass; there are as many places as parts, so that they take no more room for a million
-/// rocks than for a thousand.
+/// Counts censored rocks by place in one pass. There are only as many places as parts, so a million rocks
+/// take no more memory than a thousand.
 class CensoredTally {
  public:
   void see(const RockRecord& rock);
-  /// Those with most rocks first.
+  /// The places, most rocks first.
   std::vector<CensoredPlace> places() const;
 
  private:
   std::vector<CensoredPlace> places_;
 };
 
-/// The places of several points together.
+/// The places of several sweep points together.
 std::vector<CensoredPlace> joined(const std::vector<std::vector<CensoredPlace>>& points);
 
 }  // namespace flyrock

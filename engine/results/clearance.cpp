@@ -8,12 +8,12 @@ namespace flyrock {
 
 namespace {
 
-/// The distances of rocks, or of the farthest rock of each trial, that a clearance is of. Returns how many
-/// rocks they are of.
+/// Adds the distances of rocks, or of the farthest rock of each trial, for a clearance. Returns the number of
+/// rocks considered.
 std::uint64_t add_distances(const std::vector<RockRecord>& rocks, const ClearancePlan& plan, Sample& sample) {
   const RockQuantity quantity = plan.of_max_distance ? RockQuantity::max_distance : RockQuantity::runout;
   std::uint64_t count = 0;
-  std::optional<Bounded> farthest;  // of the trial
+  std::optional<Bounded> farthest;  // in the trial
   for (std::size_t i = 0; i < rocks.size(); ++i) {
     if (!is_fault(rocks[i].reason) && plan.counts(rocks[i].group)) {
       ++count;
@@ -31,8 +31,8 @@ std::uint64_t add_distances(const std::vector<RockRecord>& rocks, const Clearanc
   return count;
 }
 
-/// With sectors the distance is that of the polygon where it reaches farthest. Where another sector is a
-/// lower bound, it may reach farther still.
+/// With sectors, the distance is the farthest one of the polygon. If another sector is a lower bound, that
+/// sector may reach farther still.
 void take_farthest(ClearanceSummary& summary) {
   const SectorSummary* farthest = summary.area.farthest();
   if (!farthest) return;

@@ -7,7 +7,7 @@ namespace flyrock {
 
 namespace {
 
-/// The rock of a row, or nullptr where it failed. Rows of a chunk are in order.
+/// The rock of a row; nullptr if it failed. The rows of a chunk are sorted.
 template <class Row>
 const RockRecord* rock_of(const Row& row, const std::vector<RockRecord>& rocks) {
   const auto found = std::lower_bound(

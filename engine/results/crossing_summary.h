@@ -1,5 +1,5 @@
 #pragma once
-// What the gates and barriers of one point saw.
+// What passed the gates and barriers of one sweep point.
 
 #include <array>
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace flyrock {
 
-/// Rocks without faults of one point. A censored rock that has not arrived might have done so later: the
-/// numbers of a place for which there is one are lower bounds.
+/// The rocks without faults of one sweep point at one place. A censored rock that has not arrived might have
+/// arrived later. If there is such a rock, the numbers of the place are lower bounds.
 struct GateSummary {
   std::uint64_t passed = 0;                ///< rocks
   Share share;                             ///< of all rocks
@@ -20,12 +20,12 @@ struct GateSummary {
 
 struct BarrierSummary {
   std::array<std::uint64_t, 3> outcomes{};  ///< rocks, indexed by BarrierOutcome
-  Share reached;                            ///< of all rocks, those that arrived
+  Share reached;                            ///< rocks that arrived, of all rocks
   std::array<Share, 3> shares{};            ///< of all rocks, indexed by BarrierOutcome
   Statistics energy{}, height{};            ///< of the rocks that arrived, before the barrier acts
 };
 
-/// Summarises what arrives at places, shown in passes; see read_in_passes().
+/// Summarises the arrivals at gates and barriers, shown in passes; see read_in_passes().
 class CrossingTally {
  public:
   CrossingTally(std::size_t gates, std::size_t barriers);
@@ -38,7 +38,7 @@ class CrossingTally {
  private:
   /// The arrivals at one place.
   struct Arrivals {
-    std::uint64_t censored = 0;  ///< rocks that arrived and were lost later
+    std::uint64_t censored = 0;  ///< rocks that arrived and were censored later
     std::array<std::uint64_t, 3> outcomes{};
     Sample speed{stated_questions()}, energy{stated_questions()}, height{stated_questions()};
 
@@ -47,11 +47,11 @@ class CrossingTally {
 
   template <class Arrival>
   void add(Arrivals& at, const Arrival& arrival, const RockRecord& rock);
-  /// Censored rocks that had not arrived: they might have done so later.
+  /// Censored rocks that had not arrived: they might have arrived later.
   std::uint64_t open(const Arrivals& at) const { return censored_ - at.censored; }
   Share share(std::uint64_t count, const Arrivals& at) const { return share_of(count, rocks_, open(at)); }
 
-  bool counted_ = false;                    ///< in the first pass
+  bool counted_ = false;                    ///< first pass is done
   std::uint64_t rocks_ = 0, censored_ = 0;  ///< without faults
   std::vector<Arrivals> gates_, barriers_;
 };

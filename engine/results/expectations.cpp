@@ -11,7 +11,7 @@ namespace flyrock {
 
 namespace {
 
-/// A swept value from a range carries rounding: 0.1 + 2 * 0.1 is the 0.3 that `at` names.
+/// Swept values of a range have rounding errors: 0.1 + 2 * 0.1 must match the 0.3 of `at`.
 bool same(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b)); }
 
 bool applies(const Expectation& expectation, const Plan& plan, std::size_t point) {

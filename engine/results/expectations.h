@@ -1,5 +1,5 @@
 #pragma once
-// What a scenario expects of its own results, and whether it came.
+// Compares the results with the expectations of the scenario.
 
 #include <optional>
 #include <string>
@@ -14,16 +14,16 @@ enum class Judgement { passed, failed, not_judged };
 /// One expectation at one point.
 struct Verdict {
   Expectation expectation;
-  int point = -1;         ///< -1: its `at` names no point of the sweep
-  double computed = 0;    ///< NaN where there is no value
+  int point = -1;         ///< -1: its `at` matches no point of the sweep
+  double computed = 0;    ///< NaN if there is no value
   bool censored = false;  ///< computed is a lower bound
-  double tolerance = 0;   ///< absolute; `equals` only
+  double tolerance = 0;   ///< absolute; only for `equals`
   Judgement judgement = Judgement::failed;
-  std::string reason;  ///< why it failed without a comparison, or was not judged
+  std::string reason;  ///< why it failed without a comparison, or why it was not judged
 };
 
-/// Every expectation of a plan at every point that it names, in file order. `full` is false where fewer
-/// trials ran than the scenario asks for: expectations on rocks are then not judged.
+/// Every expectation of a plan at every sweep point that it names, in file order. `full` is false if fewer
+/// trials ran than the scenario asks for; then expectations about rocks are not judged.
 std::vector<Verdict> judge(const Plan& plan, const std::vector<PointResult>& points, bool full);
 
 }  // namespace flyrock

@@ -1,5 +1,5 @@
 #pragma once
-// The first line of a report whose rocks diverged or failed.
+// The first line of a report in which rocks diverged or failed.
 
 #include <string>
 
@@ -8,7 +8,7 @@
 namespace flyrock {
 
 /// "2 of 4000 rocks diverged: below the ground (trial 17, rock 0). They are in no number of this report:
-/// ..."; empty where no rock failed.
+/// ..."; empty if no rock failed.
 std::string fault_line(const Plan& plan, const Results& results);
 
 }  // namespace flyrock

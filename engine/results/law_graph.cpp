@@ -13,7 +13,7 @@ namespace {
 
 constexpr double mass = 500, radius = 0.3, inertia = 0.4 * mass * radius * radius, g = 9.81, step = 1e-3;
 
-/// A law with constant parameters by itself, asked as a pair of bodies asks it.
+/// A single law with constant parameters, called in the same way as for a pair of bodies.
 template <class LawKind>
 class Asked {
  public:
@@ -28,7 +28,7 @@ class Asked {
   void forget() { (surface_.*kind_).forget(); }
   bool remembers() const { return (surface_.*kind_).memory > 0; }
   ContactLaw operator()(ContactState state) {
-    ContactHistory of_contact{};  // here the pair remembers
+    ContactHistory of_contact{};  // memory of the pair
     surface_.begin_instant();
     return surface_.ask(state, std::is_same_v<LawKind, RestitutionLaw>, of_contact);
   }
@@ -167,7 +167,7 @@ std::vector<LawGraph> graphs_of(Asked<RollingLaw> asked) {
 
 std::vector<LawGraph> graphs_of(Asked<UnilateralLaw> asked) {
   NormalCondition condition{};
-  /// A contact with a gap that reaches the end of the step with the speed `free`, were there no contact.
+  /// A contact with a gap. Without contact it would reach the end of the step with the speed `free`.
   const auto solved_at = [&](double gap, double free) {
     asked.forget();
     ContactState state = ball_at(0, 0);
@@ -189,7 +189,7 @@ std::vector<LawGraph> graphs_of(Asked<UnilateralLaw> asked) {
     const Solved solved = solved_at(0, 0.02 * i);
     put(by_speed.cases[0], solved.velocity[0], solved);
   }
-  // The others leave an open contact alone.
+  // The other laws do nothing at an open contact.
   if (condition == NormalCondition::quasi_shock) {
     by_speed.cases.push_back({"open by 1 mm", {}, {}});
     for (int i = -100; i <= 100; ++i) {

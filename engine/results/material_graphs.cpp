@@ -12,10 +12,11 @@ namespace flyrock {
 
 namespace {
 
-constexpr int speeds = 41, draws = 50, of_low = 2, of_high = 47;  // of 50 in order: nine tenths lie between
+constexpr int speeds = 41, draws = 50, of_low = 2,
+              of_high = 47;  // indices among 50 sorted draws; nine tenths lie between
 constexpr double slowest = 0.1, fastest = 50;
 
-/// The answer of a law to the values of its parameters and a speed, at a contact; one number for each curve.
+/// The answer of a law for values of its parameters, at a contact and a speed: one number for each curve.
 using Answer = std::function<std::vector<double>(Values, const ContactState&, double speed)>;
 
 /// The values of a law's parameters, drawn as often as a graph needs.
@@ -38,9 +39,9 @@ MaterialGraph sample(MaterialGraph graph, ContactState contact, const Scenario& 
   try {
     for (int i = 0; i < speeds; ++i) {
       const double speed = slowest * std::pow(fastest / slowest, i / (speeds - 1.0));
-      std::vector<std::vector<double>> answers(graph.curves.size());  // of each curve
+      std::vector<std::vector<double>> answers(graph.curves.size());  // for each curve
       for (const std::vector<double>& values : list) {
-        std::array<double, most_history> history{};  // of a contact that has just been born
+        std::array<double, most_history> history{};  // of a new contact
         contact.history = history;
         const std::vector<double> one = answer(values, contact, speed);
         for (std::size_t c = 0; c < one.size(); ++c) answers[c].push_back(one[c]);

@@ -86,7 +86,7 @@ void Measure::read_rocks(const std::vector<std::string>& words, const Scenario& 
   if (words.size() == (total ? 3u : 4u)) {
     const std::vector<std::string> groups = group_names(scenario);
     index_ = index_of(words[1], groups);
-    index_ = groups.size() > 1 ? index_ + 1 : 0;  // a single group is not summarised twice
+    index_ = groups.size() > 1 ? index_ + 1 : 0;  // a single group has no summary of its own
   }
   if (total) {
     kind_ = last == "count" ? Kind::count : Kind::censored;
@@ -161,7 +161,7 @@ Measured Measure::clearance_value(const ClearanceSummary& clearance, const std::
     return {0, false,
             fmt::format("it needs {} rocks or blasts, there are {}", clearance.needed, clearance.count)};
   const bool bound = clearance.distance.censored;
-  // The ends of the interval are known or absent.
+  // The ends of an interval are either known or absent, and never censored.
   const std::array<Bounded, clearance_fields.size()> values = {{clearance.distance,
                                                                 {clearance.interval.lower, false},
                                                                 {clearance.interval.upper, false},
@@ -190,7 +190,7 @@ Measured Measure::body_value(const BodyHistory& body) const {
 }
 
 double Measure::state_value(const BodyHistory& body) const {
-  // The extremes of speed are not those of its components: they are kept beside.
+  // The extremes of speed do not follow from those of its components, so they are stored separately.
   if (field_ == "speed" && table_ != "final") return table_ == "max" ? body.max_speed : body.min_speed;
   const BodyState& s = table_ == "final" ? body.last : table_ == "max" ? body.max : body.min;
   const std::array<double, state_fields.size()> values = {

@@ -1,5 +1,5 @@
 #pragma once
-// Measures: the numbers that an expectation can be about, by name.
+// Measures: named numbers that expectations can be about.
 
 #include <string>
 #include <vector>
@@ -11,36 +11,36 @@
 
 namespace flyrock {
 
-/// What one point of a sweep left, as numbers; its rows are read in passes (batch/rows.h).
+/// The results of one sweep point as numbers. Its rows are read in passes (batch/rows.h).
 struct PointResult {
   std::uint64_t trials = 0;
-  Profile terrain;  ///< of its first trial, for pictures; no points where it could not be built
-  std::vector<RockRecord> first_trial;  ///< rocks of the first trial that ran
+  Profile terrain;  ///< of its first trial, for pictures; no points if it could not be built
+  std::vector<RockRecord> first_trial;  ///< rocks of the first trial of this run
   TrialTotals totals;
-  std::vector<GroupSummary> groups;  ///< all rocks first; see summarise()
+  std::vector<GroupSummary> groups;  ///< all rocks first, then the groups; see RockTally
   std::vector<GateSummary> gates;    ///< in the order of Scenario::gates
   std::vector<BarrierSummary> barriers;
   std::vector<ClearanceSummary> clearances;
-  std::vector<Reach> reaches;           ///< of the method ballistic
-  std::vector<CensoredPlace> censored;  ///< where censored rocks were, most of them first
+  std::vector<Reach> reaches;           ///< only with the method ballistic
+  std::vector<CensoredPlace> censored;  ///< places of censored rocks, most rocks first
 };
 
 struct Measured {
   double value = 0;
-  bool censored = false;  ///< censored rocks fall into it: a lower bound
+  bool censored = false;  ///< a lower bound, because censored rocks fall into it
   std::string fault;      ///< why there is no value: "never came to rest"
 };
 
-/// One measure of a scenario, read from its name: body.<name>.final.x, body.<name>.impact[2].vn_after,
+/// One measure of a scenario, given by its name: body.<name>.final.x, body.<name>.impact[2].vn_after,
 /// energy.total.relative_change, solver.max_residual, rocks[.<group>].runout.p95, rocks[.<group>].count,
-/// gate.<name>.passed, barrier.<name>.caught, clearance.<name>.distance.
-/// scenario/measure.h holds the grammar, docs/results.md what each means.
+/// gate.<name>.passed, barrier.<name>.caught, clearance.<name>.distance. scenario/measure.h holds the
+/// grammar; docs/results.md describes each measure.
 class Measure {
  public:
-  /// `name` is a measure of `scenario`: the decoder has checked it.
+  /// `name` must be a measure of `scenario`; the decoder has checked it.
   Measure(const std::string& name, const Scenario& scenario);
 
-  /// Whether it needs the full number of trials (a statistic of rocks).
+  /// Whether it needs the full number of trials, as statistics of rocks do.
   bool of_rocks() const { return kind_ != Kind::body && kind_ != Kind::energy && kind_ != Kind::solver; }
   Measured value(const PointResult& result) const;
 

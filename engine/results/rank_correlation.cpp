@@ -11,7 +11,7 @@ namespace flyrock {
 
 namespace {
 
-/// Ranks about their mean.
+/// Ranks minus their mean.
 std::vector<double> centred_ranks(const std::vector<double>& values) {
   const std::size_t n = values.size();
   std::vector<std::size_t> order(n);

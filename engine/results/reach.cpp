@@ -19,7 +19,7 @@ double lowest(const Terrain2& terrain, const Vec2&) {
 }
 double lowest(const Terrain3& terrain, const Vec3& at) { return terrain.height(at.x(), at.y()); }
 
-/// Where the first rock of a group starts, and what acts on it.
+/// Stores where the first rock of a group starts, and which forces act on it.
 template <int D>
 void place(Reach& reach, const World<D>& world, const Body<D>& body) {
   reach.origin = {body.x.x(), body.x[D - 1]};
@@ -46,7 +46,7 @@ std::vector<Reach> reaches_in(const Scenario& scenario, const std::vector<GroupS
     reach.longest = scenario.stop.time;
     const World<D>& world = trial.worlds[rock->world];
     place<D>(reach, world, world.bodies[rock->body]);
-    if (!(reach.forces.gravity.y() < 0)) continue;  // nothing comes down
+    if (!(reach.forces.gravity.y() < 0)) continue;  // nothing falls
     for (const Statistic statistic : {Statistic::p50, Statistic::p95, Statistic::max}) {
       const double speed = summary.at(RockQuantity::launch_speed, statistic).value;
       reach.speeds.push_back(

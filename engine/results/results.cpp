@@ -17,7 +17,7 @@ constexpr std::size_t faults_kept = 20;
 
 }  // namespace
 
-/// Finds out what one point left.
+/// Computes the results of one sweep point.
 class PointTally {
  public:
   PointTally(const Scenario& scenario, int point)
@@ -27,7 +27,7 @@ class PointTally {
         crossings_(scenario.gates.size(), scenario.barriers.size()),
         clearances_(scenario.clearances) {}
 
-  /// Rows of the first pass; their faults go into `results`.
+  /// Takes the rows of the first pass. Their faults go into `results`.
   void see_first(const TrialRecords& chunk, Results& results) {
     result_.totals.add(chunk.totals);
     for (const RockRecord& rock : chunk.rocks) {
@@ -75,10 +75,10 @@ class PointTally {
 
 namespace {
 
-constexpr double most_sunk = 0.1;  ///< of the size
+constexpr double most_sunk = 0.1;  ///< share of the size
 
-/// The diameter of the sphere of the volume of the smallest rock of all first trials [m]; infinite where
-/// there is none.
+/// The diameter of the sphere with the volume of the smallest rock of all first trials [m]; infinite if there
+/// is none.
 double least_size(const std::vector<PointResult>& points) {
   double least = std::numeric_limits<double>::infinity();
   for (const PointResult& point : points)
@@ -120,7 +120,7 @@ std::vector<std::string> solver_warnings(const Plan& plan, const std::vector<Poi
   return warnings;
 }
 
-/// Of the launches, each once: the same launch may have the same trouble at every point.
+/// The notes of launches, each once, because a launch may have the same problem at every point.
 std::vector<std::string> launch_notes(const std::vector<PointResult>& points) {
   std::vector<std::string> list;
   std::set<std::string> notes;

@@ -1,5 +1,5 @@
 #pragma once
-// Everything that a run found out: what the tables, the report and the terminal show.
+// All results of a run. The tables, the report and the terminal show them.
 
 #include <string>
 #include <utility>
@@ -24,38 +24,38 @@ struct Results {
   std::vector<PointResult> points;
   std::vector<Verdict> verdicts;
   std::vector<std::string>
-      warnings;  ///< what may make the numbers wrong: of the solver, the reader, the launches
+      warnings;  ///< what may make the numbers wrong: from the solver, the reader, the launches
   std::vector<std::string>
-      not_asked;              ///< laws that no contact needed; keys that nothing reads are Plan::not_used
+      not_asked;              ///< laws that no contact needed; keys that are not read are in Plan::not_used
   std::vector<Fault> faults;  ///< the first 20
   std::uint64_t fault_count = 0;
-  std::string ended_early;  ///< why, or empty where every trial ran
+  std::string ended_early;  ///< why; empty if every trial ran
 
   std::uint64_t rocks() const;
-  /// Of the verdicts.
+  /// The number of verdicts with this judgement.
   int count(Judgement judgement) const;
 };
 
-/// How the records came about.
+/// How the records were produced.
 struct RunFacts {
-  std::vector<std::uint64_t> trials;  ///< that ran, of each point
-  bool full = true;                   ///< false where the scenario itself asks for more; see judge()
+  std::vector<std::uint64_t> trials;  ///< trials that ran, for each point
+  bool full = true;                   ///< false if the scenario itself asks for more; see judge()
   std::string ended_early;            ///< why, or empty
-  std::vector<std::string> warnings;  ///< of the scenario's reader
+  std::vector<std::string> warnings;  ///< from the reader of the scenario
 };
 
 class PointTally;
 
-/// Finds out what a run left: in a first pass, which may be while it runs, and in further passes over the
-/// rows.
+/// Computes the results of a run: in a first pass, which may take place during the run, and in further passes
+/// over the rows.
 class ResultTally {
  public:
   explicit ResultTally(const Plan& plan);
   ~ResultTally();
 
-  /// The chunks of all points in order, with all their rows.
+  /// Takes the chunks of all points in order, with all their rows.
   void see(int point, const TrialRecords& chunk);
-  /// The same chunks again. Throws FileError where one cannot be read.
+  /// Reads the same chunks again. Throws FileError if a chunk cannot be read.
   Results finish(const std::vector<Rows>& rows, const RunFacts& facts);
 
  private:
@@ -64,11 +64,11 @@ class ResultTally {
   std::vector<PointTally> tallies_;
 };
 
-/// All passes at once, over the rows of each point.
+/// All passes in one call, over the rows of each point.
 Results make_results(const Plan& plan, const std::vector<Rows>& rows, const RunFacts& facts);
 
-/// "material haul_floor: its restitution pfeiffer_bowen was never asked": laws that no contact of any point
-/// needed.
+/// The laws that no contact of any point needed: "material haul_floor: its restitution pfeiffer_bowen was
+/// never asked".
 std::vector<std::string> laws_never_asked(const Plan& plan, const std::vector<PointResult>& points);
 
 }  // namespace flyrock

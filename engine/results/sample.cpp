@@ -11,8 +11,8 @@ namespace flyrock {
 
 namespace {
 
-/// The greatest k in [0, n] with holds(k), which holds up to some k >= 0 and for none beyond; -1 where it
-/// never holds. It is looked for around `guess`, in steps that double, then between the last two.
+/// The greatest k in [0, n] with holds(k); -1 if there is none. holds(k) must be true up to some k and false
+/// for all greater k. The search starts at `guess`, doubles its steps, then bisects.
 template <class Holds>
 std::int64_t last_that(std::int64_t n, double guess, Holds holds) {
   std::int64_t low = -1, high = n + 1;
@@ -32,7 +32,7 @@ std::int64_t last_that(std::int64_t n, double guess, Holds holds) {
   return low;
 }
 
-/// Where a quantile lies: this share of the way from x_low to x_low+1.
+/// The position of a quantile: this share of the way from x_low to x_low+1.
 struct Rank {
   std::uint64_t low;
   double share;
@@ -40,13 +40,14 @@ struct Rank {
 
 Rank rank_of(double p, std::uint64_t n) {
   double h = static_cast<double>(n - 1) * p;
-  // 0.95 of 100 is 95, though 0.95 has no exact double.
+  // 0.95 of 100 must be 95, although 0.95 is not exact as a double.
   if (std::abs(h - std::round(h)) <= 4 * std::numeric_limits<double>::epsilon() * static_cast<double>(n))
     h = std::round(h);
   return {static_cast<std::uint64_t>(h), h - std::floor(h)};
 }
 
-/// Ranks, from 0, of the ends of an interval; below 0 or beyond the last where the sample is too small.
+/// Ranks, from 0, of the ends of an interval. A rank below 0 or above the last one means that the sample is
+/// too small.
 struct Ends {
   std::int64_t lower, upper;
 };

@@ -1,6 +1,6 @@
 #pragma once
-// A sample of numbers of which some are censored: its quantiles, its mean and their confidence intervals. The
-// numbers are not kept: they are shown in passes, see results/selection.h.
+// A sample of numbers, some of them censored: its quantiles, its mean and their confidence intervals. The
+// numbers are not kept; they are shown in passes, see results/selection.h.
 
 #include <cstdint>
 #include <limits>
@@ -10,30 +10,30 @@
 
 namespace flyrock {
 
-/// A number that censored rocks may have had a hand in: then it is a lower bound (of the standard deviation:
-/// merely not known). NaN where there are too few rocks.
+/// A number that may be affected by censored rocks. It is then a lower bound (a standard deviation is then
+/// only unknown). NaN if there are too few rocks.
 struct Bounded {
   double value = 0;
   bool censored = false;
 };
 
-/// The confidence that all intervals of a summary have.
+/// The confidence of all intervals of a summary.
 inline constexpr double stated_confidence = 0.95;
 
-/// A confidence interval; NaN for an end that the sample does not give: it is too small, or censored values
-/// reach it.
+/// A confidence interval. An end is NaN if the sample does not give it: the sample is too small, or censored
+/// values reach this end.
 struct Interval {
   double lower = 0, upper = 0;
 };
 
-/// Mean, and standard deviation of the sample, sum (x - mean)^2 / (n - 1) under the root. NaN where there are
-/// too few.
+/// Mean and standard deviation of the sample, sqrt(sum (x - mean)^2 / (n - 1)). NaN if there are too few
+/// numbers.
 struct Moments {
   double mean = 0, sd = 0;
 };
 
-/// What a sample will be asked. Nothing else that rests on order statistics can be answered: they are looked
-/// for.
+/// The questions that a sample must answer. They are needed in advance, because the passes look only for the
+/// order statistics of these questions.
 struct Questions {
   struct IntervalOf {
     double p, confidence;
@@ -42,35 +42,37 @@ struct Questions {
   std::vector<IntervalOf> intervals;  ///< of quantiles
 };
 
-/// x_0 <= ... <= x_{n-1}; at equal values the known come before the censored.
+/// x_0 <= ... <= x_{n-1}. Among equal values, known ones come before censored ones.
 class Sample {
  public:
   explicit Sample(Questions questions = {}) : questions_(std::move(questions)) {}
 
-  /// Each number, in the same order in every pass (sums run in it).
+  /// Adds a number. Every pass needs the same order, because sums depend on it.
   void add(const Bounded& value);
-  /// Ends a pass; whether another one is needed before the sample can answer.
+  /// Ends a pass. Returns whether the sample needs another one.
   bool again();
 
   std::uint64_t size() const { return count_; }
   bool any_censored() const { return least_censored_ < none; }
   Moments moments() const;
 
-  /// Linear between the order statistics at h = (n - 1) p, as NumPy and the PERCENTILE.INC of spreadsheets:
-  /// x_floor(h) + (h - floor(h)) (x_floor(h)+1 - x_floor(h)). Exact where the order statistics up to those
-  /// that it reads hold whatever the censored values truly are, that is where every censored bound lies
-  /// behind them in the order; else a lower bound. NaN of an empty sample.
+  /// Linear interpolation between the order statistics at h = (n - 1) p, as in NumPy and PERCENTILE.INC of
+  /// spreadsheets: x_floor(h) + (h - floor(h)) (x_floor(h)+1 - x_floor(h)). Exact if every censored bound
+  /// comes later in the order than the order statistics used here, because then the true values of censored
+  /// rocks cannot change them. Otherwise a lower bound. NaN for an empty sample.
   Bounded quantile(double p) const;
 
-  /// Of the quantile p, from order statistics, whatever the distribution of the values: their number below
-  /// the quantile is binomial B(n, p), so that [x_(l), x_(u)], counted from 1, with the greatest l for which
-  /// P(B < l) <= (1 - confidence) / 2 and the least u for which P(B >= u) is, holds it with at least that
-  /// confidence. Source: David and Nagaraja 2003, Order Statistics, 7.1. A censored bound at the lower end is
-  /// below the true value and holds; at the upper not.
+  /// The interval of the quantile p from order statistics; it holds for any distribution of the values. The
+  /// number of values below the quantile is binomial B(n, p). Therefore [x_(l), x_(u)], counted from 1,
+  /// contains the quantile with at least this confidence, with the greatest l for which P(B < l) <= (1 -
+  /// confidence) / 2 and the least u for which P(B >= u) <= (1 - confidence) / 2. Source: David and Nagaraja
+  /// 2003, Order Statistics, 7.1. A censored bound is valid as the lower end, because it is below the true
+  /// value; as the upper end it is not.
   Interval quantile_interval(double p, double confidence) const;
 
-  /// Of the mean: mean -+ t sd / sqrt(n), Student's t with n - 1 degrees of freedom; holds for many values,
-  /// fewer where tails are light. Not given for one value, nor where any is censored.
+  /// The interval of the mean: mean -+ t sd / sqrt(n), Student's t with n - 1 degrees of freedom. It is valid
+  /// for many values; fewer suffice if the tails are light. Not given for one value, or if any value is
+  /// censored.
   Interval mean_interval(double confidence) const;
 
  private:
@@ -80,17 +82,17 @@ class Sample {
 
   Questions questions_;
   int pass_ = 0;
-  // The first pass:
+  // Found in the first pass:
   std::uint64_t count_ = 0;
   double sum_ = 0, least_ = none, greatest_ = -none, least_censored_ = none;
-  // The second:
-  double squares_ = 0;                ///< of the departures from the mean
+  // Found in the second pass:
+  double squares_ = 0;                ///< of the deviations from the mean
   std::uint64_t first_censored_ = 0;  ///< its rank
-  // The second and later ones:
+  // Used in the second and later passes:
   Selection selection_;
 };
 
-/// A sample of numbers that are in memory.
+/// A sample of numbers that are already in memory.
 Sample sample_of(const std::vector<Bounded>& values, const Questions& questions);
 
 }  // namespace flyrock

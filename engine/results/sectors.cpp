@@ -9,7 +9,8 @@ namespace flyrock {
 
 namespace {
 
-/// The farther of two, where a censored rock may have gone farther than the farthest known one.
+/// The greater of two distances; censored if either is, because a censored rock may have gone farther than
+/// the farthest known one.
 Bounded farther(const Bounded& a, const Bounded& b) {
   return {std::max(a.value, b.value), a.censored || b.censored};
 }
@@ -44,7 +45,7 @@ void SectorTally::see(const TrialRecords& chunk) {
   }
 }
 
-/// Of a million places few are corners: the others are dropped from time to time.
+/// Few of a million places are corners of the hull; the others are dropped from time to time.
 void SectorTally::widen(const RockRecord& rock) {
   constexpr std::size_t most = 4096;
   releases_.emplace_back(rock.start_x, rock.start_y);

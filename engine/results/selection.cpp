@@ -12,7 +12,7 @@ constexpr std::uint64_t most_kept = 1024;
 constexpr int part_bits = 10;
 constexpr std::uint64_t sign = std::uint64_t{1} << 63;
 
-/// In the order of the numbers; the two zeros are one.
+/// Maps doubles to whole numbers in the same order. -0 and +0 have the same key.
 std::uint64_t key_of(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value + 0.0);
   return bits & sign ? ~bits : bits | sign;
@@ -100,7 +100,7 @@ void Selection::narrow(const Stretch& stretch) {
   }
 }
 
-/// The wanted ranks from `before` on, `count` of them at most.
+/// Answers the wanted ranks from `before` on, at most `count` of them.
 void Selection::answer(std::uint64_t before, std::uint64_t count, const double* sorted, std::size_t stride) {
   auto rank = std::lower_bound(ranks_.begin(), ranks_.end(), before);
   for (; rank != ranks_.end() && *rank < before + count; ++rank)

@@ -23,7 +23,7 @@ constexpr std::array<std::pair<Statistic, double>, 6> percents = {{{Statistic::m
                                                                    {Statistic::p95, 0.95},
                                                                    {Statistic::p99, 0.99}}};
 
-/// The extremes have none.
+/// Minimum and maximum have no interval.
 bool has_interval(double p) { return p > 0 && p < 1; }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-// Statistics of the rocks of one point, with what is censored kept apart from what is known.
+// Statistics of the rocks of one sweep point. Censored values are kept apart from known ones.
 
 #include <array>
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace flyrock {
 
-/// What is counted of a rock, under its name in measures and summary.json.
+/// The quantities of a rock, with their names in measures and summary.json.
 enum class RockQuantity {
   runout,
   max_distance,
@@ -39,40 +39,40 @@ inline constexpr std::array<std::string_view, 8> statistic_names = {"mean", "sd"
 using Statistics = std::array<Bounded, statistic_names.size()>;  ///< indexed by Statistic
 
 /// A number of one rock. The path of a censored rock was cut short, so each of its numbers is a lower bound,
-/// but for its launch speed and the flight range of a rock that had landed.
+/// except its launch speed, and its flight range if it had landed.
 Bounded quantity_of(const RockRecord& rock, RockQuantity quantity);
 
-/// Intervals of the mean and of the percentiles; NaN for the other statistics. The values are taken as
+/// Intervals of the mean and of the percentiles; NaN for the other statistics. The values are assumed
 /// independent.
 using Intervals = std::array<Interval, statistic_names.size()>;
 
-/// What a sample is asked for its statistics and their intervals.
+/// The questions to a sample for its statistics and their intervals.
 Questions stated_questions();
 Statistics statistics_of(const Sample& sample);
 Intervals intervals_of(const Sample& sample);
 
-/// The rocks of one group, or of all.
+/// The rocks of one group, or all rocks.
 struct GroupSummary {
   std::string name;          ///< empty: all rocks
-  std::uint64_t count = 0;   ///< rocks, those with faults included
-  std::uint64_t faults = 0;  ///< rocks that failed: in no statistic
+  std::uint64_t count = 0;   ///< rocks, including those with faults
+  std::uint64_t faults = 0;  ///< rocks that failed; they are in no statistic
   std::uint64_t censored = 0;
   std::array<std::uint64_t, stop_reasons> reasons{};  ///< indexed by StopReason
   std::array<Statistics, quantity_names.size()> statistics{};
   std::array<Intervals, quantity_names.size()> intervals{};
 
-  /// Of all rocks without faults together, indexed by TravelMode; NaN where none has moved.
+  /// Shares of all rocks without faults together, indexed by TravelMode; NaN if none has moved.
   std::array<double, travel_mode_names.size()> time_share{}, distance_share{};
 
   const Bounded& at(RockQuantity quantity, Statistic statistic) const {
     return statistics[static_cast<int>(quantity)][static_cast<int>(statistic)];
   }
-  /// Share of the rocks without faults that are censored; 0 where there are none.
+  /// Share of censored rocks among the rocks without faults; 0 if there are none.
   double censored_share() const;
   Interval censored_interval() const { return share_interval(censored, count - faults, stated_confidence); }
 };
 
-/// Summarises the rocks of one group, shown in passes.
+/// Summarises the rocks of one group from passes.
 class GroupTally {
  public:
   explicit GroupTally(const std::string& name);
@@ -81,13 +81,13 @@ class GroupTally {
   GroupSummary summary() const;
 
  private:
-  bool counted_ = false;  ///< in the first pass
+  bool counted_ = false;  ///< first pass is done
   GroupSummary counts_;
   Travel travel_;
-  std::vector<Sample> samples_;  ///< of each quantity
+  std::vector<Sample> samples_;  ///< one for each quantity
 };
 
-/// Summarises rocks: all of them first, then each group where there is more than one. See read_in_passes().
+/// Summarises rocks: all of them first, then each group if there is more than one. See read_in_passes().
 class RockTally {
  public:
   explicit RockTally(const std::vector<std::string>& groups);

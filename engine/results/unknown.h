@@ -4,7 +4,7 @@
 
 namespace flyrock {
 
-/// A number that the rocks of a run do not give: there are too few of them, or none.
+/// A number that is unknown because a run has too few rocks, or none.
 inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace flyrock
