@@ -1,5 +1,5 @@
 #pragma once
-// How percentiles of runout settle as more rocks are run.
+// How the percentiles of the runout settle as more rocks are run.
 
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace flyrock {
 
-/// The percentiles of the first n rocks of a group, in their order, with their intervals, for up to 24 counts
-/// n that grow by equal ratios to all rocks. See read_in_passes().
+/// The percentiles of the first n rocks of a group, with their intervals, for up to 24 counts n. The counts
+/// grow in equal ratios up to all rocks. See read_in_passes().
 class Convergence {
  public:
-  /// `count` rocks without faults will be shown.
+  /// `count`: the number of rocks without faults that will be shown.
   explicit Convergence(std::uint64_t count);
 
   void add(const Bounded& runout);
@@ -27,7 +27,7 @@ class Convergence {
     Sample sample;
   };
   std::vector<Start> starts_;
-  std::uint64_t seen_ = 0;  ///< in this pass
+  std::uint64_t seen_ = 0;  ///< rocks, in this pass
 };
 
 }  // namespace flyrock

@@ -5,9 +5,9 @@
 
 namespace flyrock {
 
-/// Quoted where it has to be.
+/// The text, quoted if necessary.
 std::string csv_text(const std::string& text);
-/// The shortest decimal that reads back as the same double; empty where there is no number.
+/// The shortest decimal that reads back as the same double; empty for NaN and infinity.
 std::string csv_number(double number);
 
 }  // namespace flyrock

@@ -27,7 +27,7 @@ CREATE TABLE expectations (number INTEGER, measure TEXT, point INTEGER, computed
   expected_high REAL, tolerance REAL, passed INTEGER, reason TEXT);
 )";
 
-/// The columns of a table of results.db, after point (and trial and rock, where a row belongs to a rock).
+/// The columns of a table of results.db after point (and after trial and rock, if its rows belong to rocks).
 template <class Row, class VisitTable>
 std::vector<std::string> table_columns(VisitTable visit_table) {
   std::vector<std::string> columns;
@@ -59,7 +59,7 @@ std::string record_tables_schema() {
       fmt::join(rock_columns(), ", "), fmt::join(gate_columns(), ", "), fmt::join(barrier_columns(), ", "));
 }
 
-/// Puts what a table shows of a record. `names`: of what its indices stand for.
+/// Puts what a table shows for a record. `names`: the names for its indices.
 template <class Row>
 auto put_into(Statement& to, const Row& row, const std::vector<std::string>& names) {
   return [&to, &row, &names](const Column& column, auto get) {
@@ -78,7 +78,7 @@ std::vector<std::string> names_of(const Places& places) {
 constexpr const char* inputs_view =
     "CREATE VIEW inputs AS SELECT point, trial, rock, path, value FROM drawn JOIN draws USING (draw);";
 
-// After the rows: an index that grows with them is slower to build.
+// Built after the rows, because an index that grows with the rows takes longer.
 constexpr const char* indices = R"(
 CREATE UNIQUE INDEX rocks_by_rock ON rocks (point, trial, rock);
 CREATE INDEX gates_by_rock ON gates (point, trial, rock);
@@ -107,7 +107,7 @@ void add_ground(const SqliteFile& file, const Plan& plan, const Results& results
     const bool space = plan.points[p].dimension == 3;
     for (std::size_t i = 0; i < ground.points.size(); ++i) {
       const double height = ground.points[i].y();
-      // The last point has no segment behind it.
+      // No segment follows the last point.
       const double part = i < ground.part.size() ? ground.part[i] : std::numeric_limits<double>::quiet_NaN();
       rows.row(p, ground.points[i].x(), space ? 0 : height, space ? height : 0, part);
     }
@@ -211,7 +211,7 @@ void ResultDatabase::finish(const Results& results, const std::string& report) {
     add_envelopes(file_, results);
     add_expectations(file_, results);
   }
-  insertions_.reset();  // a statement holds its file open
+  insertions_.reset();  // because a statement keeps its file open
   file_.commit();
 }
 

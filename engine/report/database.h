@@ -1,5 +1,5 @@
 #pragma once
-// results.db: everything that a run left, as tables of SQLite. docs/results.md describes the schema.
+// results.db: all results of a run as SQLite tables. docs/results.md describes the schema.
 
 #include <filesystem>
 #include <memory>
@@ -13,17 +13,19 @@ namespace flyrock {
 
 class ResultDatabase {
  public:
-  /// Opens the file under a temporary name and makes its tables. Throws FileError, as all that follows.
+  /// Opens the file under a temporary name and makes its tables. This and all other functions throw
+  /// FileError.
   ResultDatabase(const std::filesystem::path& path, const Plan& plan);
 
-  /// The rows of a chunk of one point; chunks come in order.
+  /// Adds the rows of a chunk of one point. Chunks must come in order.
   void add(int point, const TrialRecords& records);
 
-  /// Behind the last chunk: the indices of its rows. They take a while, and other work can be done beside
-  /// them.
+  /// Builds the indices of the rows, after the last chunk. It takes a while; other work can run at the same
+  /// time.
   void index();
 
-  /// Points, terrain parts and expectations, and `report`, the data of the page. The file gets its name.
+  /// Writes points, terrain parts, expectations, and `report`, the data of the page. Then renames the file to
+  /// its final name.
   void finish(const Results& results, const std::string& report);
 
  private:
@@ -43,7 +45,7 @@ class ResultDatabase {
   } written_;  ///< rows
 };
 
-/// What finish() was given as `report`. Throws UnreadableFile.
+/// The `report` that was given to finish(). Throws UnreadableFile.
 std::string stored_report(const std::filesystem::path& path);
 
 }  // namespace flyrock

@@ -18,7 +18,7 @@ struct Table {
   const char* rows;
 };
 
-// A rock's rows come out of a view as they went in: report/rock_rows.h.
+// The view returns the rows of a rock in the order in which they were written: report/rock_rows.h.
 constexpr std::array<Table, 12> tables = {{
     {"points", "SELECT * FROM points ORDER BY rowid"},
     {"sweep", "SELECT * FROM sweep ORDER BY rowid"},
@@ -34,7 +34,7 @@ constexpr std::array<Table, 12> tables = {{
     {"expectations", "SELECT * FROM expectations ORDER BY rowid"},
 }};
 
-/// A line, of `field` of each column.
+/// A CSV line with `field` of each column.
 template <class Field>
 std::string line_of(const Query& row, Field field) {
   std::string line;

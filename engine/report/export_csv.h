@@ -6,8 +6,8 @@
 
 namespace flyrock {
 
-/// Writes one file for each table of the database `results`, as docs/results.md lists them, into `folder`, in
-/// the order of the rows; no value is an empty field. Returns the files. Throws FileError.
+/// Writes each table of the database `results` into its own file in `folder`, as docs/results.md lists them.
+/// Rows keep their order; a missing value is an empty field. Returns the files. Throws FileError.
 std::vector<std::filesystem::path> export_csv(const std::filesystem::path& results,
                                               const std::filesystem::path& folder);
 

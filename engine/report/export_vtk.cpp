@@ -36,8 +36,7 @@ double mode_number(const std::string& name) {
   return static_cast<double>(found - travel_mode_names.begin());
 }
 
-/// The paths of the sweep point on whose first row `row` stands; `more` says whether there is a row behind
-/// them.
+/// The paths of the sweep point at whose first row `row` is. `more` tells whether a row follows them.
 std::vector<Path> read_point(Query& row, bool& more) {
   std::vector<Path> paths;
   for (; more && (paths.empty() || paths.back().point == row.whole(0)); more = row.next()) {
@@ -54,7 +53,7 @@ std::vector<Path> read_point(Query& row, bool& more) {
   return paths;
 }
 
-/// Linear between the stored moments; the mode is that in which the rock arrives at the later one.
+/// Linear between the stored moments. The mode is the one in which the rock arrives at the later moment.
 Moment moment_at(const Path& path, double time) {
   const auto later = std::lower_bound(path.moments.begin(), path.moments.end(), time,
                                       [](const Moment& m, double t) { return m.time < t; });
@@ -66,7 +65,7 @@ Moment moment_at(const Path& path, double time) {
           a.place + share * (b.place - a.place)};
 }
 
-/// Collects moments as points of VTK, with their numbers.
+/// Collects moments as VTK points with their data.
 class PointData {
  public:
   void add(const Moment& m) {
@@ -88,7 +87,7 @@ class PointData {
   VtkArray times_{"time_s", {}}, speeds_{"speed_m_s", {}}, energies_{"energy_J", {}}, modes_{"mode", {}};
 };
 
-/// One cell a path.
+/// One cell for each path.
 std::vector<VtkArray> cell_data(const std::vector<Path>& paths) {
   std::vector<VtkArray> arrays = {{"trial", {}}, {"rock", {}}, {"runout_m", {}}, {"diameter_m", {}}};
   for (const Path& path : paths) {
@@ -128,7 +127,7 @@ void write_series(const fs::path& index, const std::vector<Path>& paths) {
   write_pvd(index, series);
 }
 
-/// A line a segment, so that each can tell its part.
+/// One line for each segment, because each segment has its own part.
 void write_ground(const fs::path& file, const SqliteReader& database, std::int64_t point) {
   Query row(database,
             fmt::format("SELECT x_m, y_m, z_m, part FROM ground WHERE point = {} ORDER BY rowid", point));

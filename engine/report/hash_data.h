@@ -1,5 +1,5 @@
 #pragma once
-// The hashes of what a run was made from, as the manifest and the report hold them.
+// The hashes of the inputs of a run, for the manifest and the report.
 
 #include <nlohmann/json.hpp>
 #include <vector>

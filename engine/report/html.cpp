@@ -16,10 +16,10 @@ std::string replace_all(std::string text, std::string_view what, std::string_vie
   return text;
 }
 
-/// Within a script, "</script" would end it wherever it stands.
+/// "</script" ends a script anywhere in it, so it is escaped.
 std::string script(std::string source) { return replace_all(std::move(source), "</script", "<\\/script"); }
 
-/// The scripts of the page, in one scope, in this order: each uses what stands before it.
+/// The scripts of the page, in one scope. Their order matters, because each uses the ones before it.
 std::string scripts(const std::filesystem::path& assets) {
   std::string joined = "\"use strict\";\n(() => {\n";
   for (const char* name : {"page.js", "reach.js", "tracks.js", "plots.js", "small_plots.js", "curves.js",

@@ -8,13 +8,13 @@
 
 namespace flyrock {
 
-/// JSON has no NaN and no infinity: null stands for them.
+/// A number, or null for NaN and infinity, which JSON does not have.
 inline nlohmann::ordered_json number(double value) {
   return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
 }
 
-/// { key: value, ... } of keys and values by turns. ordered_json copies all members, whole arrays, each time
-/// that it finds no room for another; here it has the room at once.
+/// { key: value, ... } from alternating keys and values. ordered_json copies all members, including whole
+/// arrays, each time it runs out of room for another one. This reserves the room at the start.
 template <class... Members>
 nlohmann::ordered_json json_object(Members&&... members) {
   nlohmann::ordered_json::object_t object;

@@ -7,8 +7,8 @@
 
 namespace flyrock {
 
-/// { mass, radius, graphs: [{ material, kind, law, doc, source, x, y, speed, curves, drawn, fault }] }; a
-/// curve is { name, middle } with { low, high } where parameters are drawn.
+/// { mass, radius, graphs: [{ material, kind, law, doc, source, x, y, speed, curves, drawn, fault }] }. A
+/// curve is { name, middle }, with { low, high } in addition if parameters are drawn.
 nlohmann::ordered_json law_data(const Scenario& scenario, const LawSubject& subject);
 
 }  // namespace flyrock

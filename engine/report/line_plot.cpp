@@ -16,7 +16,7 @@ namespace {
 constexpr double width = 420, height = 340, left = 64, right = 14, top = 64, bottom = 48;
 constexpr std::array<const char*, 4> colours = {"#1f5fa8", "#c4531b", "#2f7d3b", "#7a3f92"};
 
-/// An axis from `low` to `high` with ticks at round numbers; of no length it is given one.
+/// An axis from `low` to `high` with ticks at round numbers. If both are equal, the axis is widened.
 struct Axis {
   double low = std::numeric_limits<double>::infinity(), high = -low, step = 1;
 

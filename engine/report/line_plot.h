@@ -1,5 +1,5 @@
 #pragma once
-// Curves as a picture in SVG that needs nothing else.
+// Curves as a self-contained SVG picture.
 
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@ namespace flyrock {
 
 struct Curve {
   std::string name;
-  std::vector<double> x, y;  ///< equally many, finite
+  std::vector<double> x, y;  ///< same length, finite
 };
 
 /// One pair of axes.
@@ -17,7 +17,7 @@ struct Plot {
   std::vector<Curve> curves;
 };
 
-/// The plots side by side, with a heading; round ticks, a legend where there are several curves.
+/// The plots next to each other under a heading, with round ticks, and a legend if there are several curves.
 std::string svg_of(const std::string& heading, const std::vector<Plot>& plots);
 
 }  // namespace flyrock

@@ -10,7 +10,7 @@ namespace {
 
 using enum BlastField;
 
-/// Rocks that meet each other depend on what any of them depends on.
+/// Rocks that meet each other depend on everything that any of them depends on.
 bool group_reads(const Scenario& scenario, std::size_t group, BlastField field) {
   const auto depends = [&](const RockGroup& g) { return depends_on(*scenario.blast, g, field); };
   if (!scenario.rock_contacts) return depends(scenario.rocks[group]);
@@ -20,7 +20,7 @@ bool group_reads(const Scenario& scenario, std::size_t group, BlastField field) 
 std::vector<bool> draws_read(const Scenario& scenario, std::size_t group) {
   std::vector<bool> read(scenario.draws.size(), true);
   for (std::size_t d = 0; d < read.size(); ++d)
-    if (scenario.draws[d].factor != 1) read[d] = false;  // a share of another draw, which stands for both
+    if (scenario.draws[d].factor != 1) read[d] = false;  // derived from another draw, which represents both
   if (!scenario.blast) return read;
   for (const auto& [field, number] : scenario.blast->fields)
     if (!number.is_constant() && !group_reads(scenario, group, field))

@@ -1,6 +1,6 @@
 #pragma once
-// Which drawn numbers are ranked: those that the run reads. What nothing reads moves no rock, so that any
-// correlation of it with the runout is chance.
+// Decides which drawn numbers are ranked: those that the run reads. A number that is not read moves no rock,
+// so any correlation of it with the runout is chance.
 
 #include <cstdint>
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace flyrock {
 
-/// Numbers that follow from what is drawn, and stand beside the drawn ones.
+/// Numbers that follow from drawn ones. They are ranked together with them.
 enum class DerivedInput { charge_per_hole, powder_factor };
 inline constexpr int derived_inputs = 2;
 
@@ -19,19 +19,18 @@ class RankedInputs {
  public:
   explicit RankedInputs(const Scenario& scenario);
 
-  /// Counts how often the laws of each material were asked.
+  /// Counts the calls of the laws of each material.
   void see(const TrialTotals& totals);
 
-  /// Whether the rocks of a group depend on a draw (an index of Scenario::draws), as far as the scenario
-  /// says.
+  /// Whether the scenario makes the rocks of a group depend on a draw (an index of Scenario::draws).
   bool reads(std::size_t group, int draw) const {
     return reads_.at(group).at(static_cast<std::size_t>(draw));
   }
-  /// Whether they depend on all drawn numbers that a derived one follows from.
+  /// Whether they depend on all drawn numbers that a derived number follows from.
   bool reads(std::size_t group, DerivedInput input) const {
     return derived_.at(group).at(static_cast<std::size_t>(input));
   }
-  /// Whether the law that a draw belongs to was ever asked; true of what belongs to no law.
+  /// Whether the law of a draw was ever called; true for a draw that belongs to no law.
   bool was_asked(int draw) const;
 
  private:
@@ -42,9 +41,9 @@ class RankedInputs {
   };
   void find_laws(const Scenario& scenario);
 
-  std::vector<std::vector<bool>> reads_, derived_;  ///< groups
+  std::vector<std::vector<bool>> reads_, derived_;  ///< for each group
   std::map<int, LawOf> law_of_draw_;
-  std::vector<MaterialUse> use_;  ///< materials
+  std::vector<MaterialUse> use_;  ///< for each material
 };
 
 }  // namespace flyrock

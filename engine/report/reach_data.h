@@ -1,5 +1,5 @@
 #pragma once
-// Launch models side by side, as tables and pictures take them.
+// A comparison of launch models, for tables and pictures.
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -11,7 +11,7 @@ namespace flyrock {
 /// summary.json, `reach`.
 nlohmann::ordered_json reach_data(const Scenario& scenario, const std::vector<Reach>& reaches);
 
-/// [{ group, of, x, y }]: the shrouds of each group's speeds, in metres of the terrain; `group` counts from
+/// [{ group, of, x, y }]: the shrouds of each group's speeds, in metres of the terrain. `group` counts from
 /// 0.
 nlohmann::ordered_json shroud_data(const std::vector<Reach>& reaches);
 

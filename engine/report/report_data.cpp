@@ -21,7 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Points of trajectories in one page; 15 bytes each.
+/// The greatest number of trajectory points in one page; each takes 15 bytes.
 constexpr std::size_t most_track_points = 150'000;
 
 Json terrain_data(const Profile& terrain) {
@@ -33,7 +33,7 @@ Json terrain_data(const Profile& terrain) {
   return {{"x", std::move(x)}, {"y", std::move(y)}, {"part", terrain.part}, {"parts", terrain.parts}};
 }
 
-/// Of all rocks, then of each group where there is more than one: the order of PointResult::groups.
+/// Of all rocks, then of each group if there is more than one, as in PointResult::groups.
 class Runouts {
  public:
   explicit Runouts(const std::vector<GroupSummary>& groups) {
@@ -105,15 +105,15 @@ Json bodies_data(const Scenario& scenario, const TrialTotals& totals) {
   return list;
 }
 
-/// The rock that meets the laws in their graphs: the last of the first trial.
+/// The rock for the graphs of the laws: the last rock of the first trial.
 LawSubject subject_of(const PointResult& point) {
-  LawSubject subject{500, 0.35};  // where every rock failed before it was made
+  LawSubject subject{500, 0.35};  // if every rock failed before it was made
   for (const RockRecord& rock : point.first_trial)
     if (rock.mass > 0 && rock.volume > 0) subject = {rock.mass, sphere_radius(rock.volume)};
   return subject;
 }
 
-/// { sha256, plugins, files }; not the name of the scenario's file, which may change before shards are
+/// { sha256, plugins, files }, without the name of the scenario file, because it may change before shards are
 /// merged.
 Json source_data(const LoadedScenario& scenario) {
   return {{"sha256", scenario.hash},
@@ -121,8 +121,8 @@ Json source_data(const LoadedScenario& scenario) {
           {"files", hash_data(scenario.files)}};
 }
 
-/// { terrain, impact }: whether the terrain differs from trial to trial, and the numbers that are drawn at
-/// each impact.
+/// { terrain, impact }: whether the terrain differs from trial to trial, and the numbers drawn at each
+/// impact.
 Json drawn_data(const Scenario& scenario) {
   const std::vector<Number>& slots = scenario.terrain.model.slots;
   Json impact = Json::array();
@@ -133,13 +133,13 @@ Json drawn_data(const Scenario& scenario) {
       {"impact", impact}};
 }
 
-/// { unit, per_si } of a unit that people read.
+/// { unit, per_si } for a unit shown to readers.
 Json unit_data(const std::string& si) {
   const ReadableUnit unit = readable_unit(si);
   return {{"unit", unit.name}, {"per_si", unit.per_si}};
 }
 
-/// Of each axis of a sweep: { path, unit, per_si }.
+/// For each axis of a sweep: { path, unit, per_si }.
 Json axes_data(const Plan& plan) {
   Json list = Json::array();
   for (const SweepAxis& axis : plan.axes) {

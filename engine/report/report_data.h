@@ -1,6 +1,6 @@
 #pragma once
-// What the scripts of the page draw, as JSON. Lengths are whole millimetres, times whole milliseconds, which
-// keeps the page small; series that grow are stored as differences.
+// The data that the scripts of the page draw, as JSON. Lengths are whole millimetres, times whole
+// milliseconds, and growing series are stored as differences, because this keeps the page small.
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -13,27 +13,29 @@
 
 namespace flyrock {
 
-/// Collects it: in a first pass over all rows, which may be while the run goes on, and in further ones.
+/// Collects the data: in a first pass over all rows, which may take place during the run, and in further
+/// passes.
 class ReportData {
  public:
   explicit ReportData(const LoadedScenario& scenario);
 
-  /// The chunks of all points in order, with all their rows.
+  /// Takes the chunks of all points in order, with all their rows.
   void see(int point, const TrialRecords& chunk);
 
-  /// Behind the last chunk: thins the paths and sorts the inputs. It takes a while, and other work can be
-  /// done beside; else finish() does it.
+  /// Thins the paths and sorts the inputs, after the last chunk. It takes a while; other work can run at the
+  /// same time. If it is not called, finish() does the same.
   void close();
 
   /// Reads `rows` of each point in passes and samples the laws of the scenario (call it in the thread of its
-  /// session). { summary, source: { sha256, plugins, files }, scenario, groups, units, axes: [{ path, unit,
-  /// per_si }], expectation_units: [{ unit, per_si }], drawn, points: [{ terrain, tracks, runout,
-  /// convergence, envelopes, sensitivity, laws, bodies }] }. A value in SI times per_si is in the unit that
-  /// people read. `laws` is null where it is that of point 0.
+  /// session).
+  /// { summary, source: { sha256, plugins, files }, scenario, groups, units, axes: [{ path, unit, per_si }],
+  /// expectation_units: [{ unit, per_si }], drawn, points: [{ terrain, tracks, runout, convergence,
+  /// envelopes, sensitivity, laws, bodies }] }. A value in SI times per_si is in the unit shown to readers.
+  /// `laws` is null if it equals that of point 0.
   nlohmann::ordered_json finish(const Results& results, const std::vector<Rows>& rows);
 
  private:
-  /// The point whose chunks are shown: these keep rows.
+  /// The point whose chunks are being shown. Only this point keeps rows.
   struct Open {
     Tracks tracks;
     Sensitivity sensitivity;
@@ -45,7 +47,7 @@ class ReportData {
   void close_point();
 
   const LoadedScenario& scenario_;
-  std::vector<Closed> closed_;  ///< points
+  std::vector<Closed> closed_;  ///< finished points
   std::optional<Open> open_;
 };
 

@@ -36,7 +36,7 @@ Results ResultWriter::finish(const std::vector<Rows>& rows, const RunFacts& fact
   for (std::size_t p = 0; p < terrains.size(); ++p) results.points[p].terrain = std::move(terrains[p]);
   closed.get();
   const nlohmann::ordered_json drawn = report_.finish(results, rows);
-  // The database is the largest file, and its disk takes a while.
+  // Runs in parallel, because the database is the largest file and writing it takes a while.
   std::future<void> database = beside([&] { database_.finish(results, drawn.dump()); });
   csv_.commit();
   write_file(folder_ / "summary.json", summary_json(plan_, results));

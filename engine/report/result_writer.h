@@ -1,5 +1,5 @@
 #pragma once
-// The files of a result, built from its chunks: rocks.csv, results.db, summary.json and report.html.
+// Writes the files of a result from its chunks: rocks.csv, results.db, summary.json and report.html.
 
 #include <filesystem>
 #include <vector>
@@ -12,18 +12,18 @@
 
 namespace flyrock {
 
-/// Takes the chunks in a first pass, which may be while the run goes on, so that little is left to do behind
-/// its last trial. Files have temporary names until finish() has all that goes into them; without it they go
-/// away.
+/// Takes the chunks in a first pass, which may take place during the run, so that little work remains after
+/// the last trial. Files have temporary names until finish() has written all their contents; without finish()
+/// they are removed.
 class ResultWriter {
  public:
-  /// Throws FileError, as all that follows.
+  /// This and all other functions throw FileError.
   ResultWriter(const std::filesystem::path& folder, const LoadedScenario& scenario);
 
-  /// The chunks of all points in order, with all their rows.
+  /// Takes the chunks of all points in order, with all their rows.
   void see(int point, const TrialRecords& chunk);
 
-  /// Reads the same chunks again in passes. `terrains` are those of the pictures, of each point; `assets` see
+  /// Reads the same chunks again in passes. `terrains`: for pictures, one for each point. `assets`: see
   /// report_html().
   Results finish(const std::vector<Rows>& rows, const RunFacts& facts, std::vector<Profile> terrains,
                  const std::filesystem::path& assets);

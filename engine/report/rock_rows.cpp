@@ -26,8 +26,8 @@ std::string table_of(const RockTable& table, int dimension) {
   return fmt::format("CREATE TABLE {}_rows ({});\n", table.name, fmt::join(columns, ", "));
 }
 
-/// The + keeps SQLite from finding rows by what a query asks of a column: an index of its own making, over
-/// all rows, looks cheaper to it than the few rows of a rock.
+/// The + keeps SQLite from building an automatic index over all rows for a query. SQLite estimates this to be
+/// cheaper than reading the few rows of a rock.
 std::string view_of(const RockTable& table, int dimension) {
   std::string columns;
   for (const auto& [column, type] : table.columns)

@@ -1,9 +1,9 @@
 #pragma once
-// Tables of results.db in which a rock has many rows.
+// The tables of results.db in which a rock has many rows.
 //
-// The rows of a rock follow each other in a table, and rows_of_rock has the first and the last of each rock,
-// in the order of `rocks`: an index by point, trial and rock would take as long to build as the rows to
-// write. A view shows the rows with their rock.
+// The rows of a rock are consecutive in a table, and rows_of_rock holds the first and the last row of each
+// rock, in the order of `rocks`. An index by point, trial and rock would take as long to build as the rows
+// take to write. A view shows the rows with their rock.
 
 #include <cstdint>
 #include <string>
@@ -18,17 +18,17 @@ namespace flyrock {
 struct RockTable {
   struct StoredColumn {
     Column column;
-    const char* type;  ///< of SQL
+    const char* type;  ///< SQL type
   };
   const char* name;  ///< "input", "impact", "trajectory"
   const char* view;
   std::vector<StoredColumn> columns;
 
-  /// How many are stored.
+  /// The number of stored columns.
   int width(int dimension) const;
 };
 
-/// A column of the tables in which a rock has many rows: those of the third dimension are not stored in 2D.
+/// Whether a column is stored in these tables. Columns of the third dimension are not stored in 2D.
 inline bool is_stored(const Column& column, int dimension) {
   return column.name && (!column.in_space || dimension == 3);
 }
@@ -37,17 +37,17 @@ const RockTable& input_table();
 const RockTable& impact_table();
 const RockTable& trajectory_table();
 
-/// CREATE TABLE and VIEW of the three, and of rows_of_rock.
+/// CREATE TABLE and CREATE VIEW of the three tables, and of rows_of_rock.
 std::string rock_tables_schema(int dimension);
 
-/// Which rows of a table are whose: they come in the order of the rocks.
+/// Finds the rows of each rock. They must come in the order of the rocks.
 template <class Row>
 class RowsOfRocks {
  public:
-  /// `written`: rows of earlier chunks; it is counted on.
+  /// `written`: number of rows of earlier chunks; continues to count here.
   RowsOfRocks(const std::vector<Row>& rows, std::int64_t& written) : rows_(rows), written_(written) {}
 
-  /// First and last of the next rock, from 1; the last is before the first where it has none.
+  /// First and last row of the next rock, from 1. If it has no rows, the last is before the first.
   std::pair<std::int64_t, std::int64_t> of(const RockRecord& rock) {
     const std::int64_t first = written_ + 1;
     for (; at_ < rows_.size() && rows_[at_].trial == rock.trial && rows_[at_].rock == rock.rock; ++at_)

@@ -8,8 +8,7 @@ namespace flyrock {
 nlohmann::ordered_json rounded(double value) {
   if (!std::isfinite(value)) return nullptr;
   if (value == 0) return 0;
-  // Division by a power of ten is exact to the last bit that decimals of so few digits need; multiplication
-  // is not.
+  // Division by a power of ten rounds correctly for decimals with so few digits; multiplication does not.
   const int digits = 3 - static_cast<int>(std::floor(std::log10(std::abs(value))));
   const double scale = std::pow(10, std::abs(digits));
   return digits > 0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;

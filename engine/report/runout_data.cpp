@@ -15,11 +15,11 @@ using Json = nlohmann::ordered_json;
 constexpr double bins_wanted = 40;
 constexpr std::uint64_t curve_points = 400, tail = 100;
 
-/// Ranks of the points of the curve among `count` runouts.
+/// The ranks of the curve's points among `count` runouts.
 std::vector<std::uint64_t> curve_ranks(std::uint64_t count) {
   std::vector<std::uint64_t> ranks;
   const std::uint64_t stride = std::max<std::uint64_t>(1, count / curve_points);
-  // The tail is what the curve is read for: its last 100 rocks are never thinned.
+  // The last 100 rocks are never thinned, because readers use the curve for its tail.
   for (std::uint64_t i = 0; i < count; i += i + tail >= count ? 1 : std::min(stride, count - tail - i))
     ranks.push_back(i);
   return ranks;
@@ -49,7 +49,7 @@ bool RunoutData::again() {
 }
 
 Json RunoutData::data() const {
-  // Share of rocks beyond x: at the value of rank i (from 0), the n - 1 - i behind it.
+  // The share of rocks beyond x: at the value of rank i (from 0), the n - 1 - i rocks after it.
   Json x = Json::array(), share = Json::array();
   for (const std::uint64_t rank : ranks_) {
     x.push_back(std::llround(1000 * curve_.at(rank)));

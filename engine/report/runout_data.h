@@ -1,5 +1,5 @@
 #pragma once
-// Runout as the report draws it: a histogram, and the share of rocks that go farther.
+// The runout for the report: a histogram, and the share of rocks that go farther than x.
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -7,9 +7,9 @@
 
 namespace flyrock {
 
-/// The counts of a histogram of runout, the rocks whose runout is known beside those that are censored, and
-/// the share of rocks that went farther than x. Both need no more room for a million rocks than for a
-/// thousand. Made of the rocks of one group, shown in passes.
+/// The counts of a histogram of runout, separately for known and for censored runouts, and the share of rocks
+/// that went farther than x. A million rocks take no more memory than a thousand. Computed from the rocks of
+/// one group, shown in passes.
 class RunoutData {
  public:
   /// `count` runouts from `least` to `greatest` [m].
@@ -22,8 +22,8 @@ class RunoutData {
  private:
   std::uint64_t count_;
   double step_;
-  bool binned_ = false;                          ///< in the first pass
-  std::vector<std::uint64_t> known_, censored_;  ///< of each step
+  bool binned_ = false;                          ///< first pass is done
+  std::vector<std::uint64_t> known_, censored_;  ///< counts for each step
   double least_censored_ = std::numeric_limits<double>::infinity();
   std::vector<std::uint64_t> ranks_;  ///< of the points of the curve
   Selection curve_;

@@ -8,7 +8,7 @@ namespace flyrock {
 
 namespace {
 
-/// "70 deg" of "1.2217304763960306 rad"; any other text as it is.
+/// "70 deg" for "1.2217304763960306 rad"; any other text unchanged.
 std::string degrees_text(const std::string& text) {
   const std::optional<Quantity> angle = parse_quantity(text);
   if (!angle || angle->unit_text != "rad") return text;

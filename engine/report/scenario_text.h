@@ -7,8 +7,8 @@
 
 namespace flyrock {
 
-/// to_yaml() with angles in degrees. It reads back as the same scenario: an angle of which no degrees read
-/// back as the same double stays in rad.
+/// to_yaml() with angles in degrees. It reads back as the same scenario: an angle stays in rad if no text in
+/// degrees reads back as the same double.
 std::string scenario_text(const Value& resolved);
 
 }  // namespace flyrock

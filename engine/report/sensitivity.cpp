@@ -17,15 +17,15 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_rocks = 10'000;
 constexpr std::size_t tenths = 10;
-constexpr std::size_t least_in_tenth = 10;  // fewer rocks have no p10
+constexpr std::size_t least_in_tenth = 10;  // with fewer rocks there is no p10
 
-/// Of sorted values, the one that `share` of them do not exceed.
+/// Of sorted values, the one that the given share of them does not exceed.
 double at_share(const std::vector<double>& values, double share) {
   return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
 }
 
-/// The runout over one number, times `scale`, tenth by tenth; rocks of one value stay together. Null where
-/// there are too few rocks or values.
+/// The runout against one number, times `scale`, for each tenth. Rocks with equal values stay together. Null
+/// if there are too few rocks or values.
 Json curve_data(const std::vector<double>& values, double scale, const std::vector<double>& runout) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -68,8 +68,8 @@ bool Sensitivity::is_ranked(std::size_t group, int input) const {
   return inputs_.reads(group, input) && inputs_.was_asked(input);
 }
 
-/// What the blast of one rock, whose drawn numbers are given, makes of them; where a draw of it is missing,
-/// nothing.
+/// Adds the numbers that follow from the drawn numbers of one rock. Adds nothing if a draw of its blast is
+/// missing.
 void Sensitivity::add_derived(const std::map<int, double>& drawn, Group& group) const {
   if (!blast_) return;
   Blast blast;
@@ -84,7 +84,7 @@ void Sensitivity::add_derived(const std::map<int, double>& drawn, Group& group) 
   try {
     complete(blast);
   } catch (const std::invalid_argument&) {
-    return;  // the rock has failed for it
+    return;  // the rock failed for this reason
   }
   const BlastDesign design = design_of(blast, blast_->pattern);
   if (!std::isnan(design.charge_per_hole)) group.inputs[first_derived()].push_back(design.charge_per_hole);
@@ -109,14 +109,14 @@ void Sensitivity::see(const TrialRecords& chunk) {
   }
 }
 
-/// The inputs of a group that are ranked, the strongest first.
+/// The ranked inputs of a group, strongest first.
 std::vector<Sensitivity::Line> Sensitivity::ranked(std::size_t of_group) const {
   const Group& group = groups_[of_group];
   std::vector<Line> lines;
   if (group.runout.size() < least_pairs) return lines;
   for (const auto& [input, values] : group.inputs) {
     if (values.size() != group.runout.size())
-      continue;  // a population may draw a number for some of its rocks only
+      continue;  // a population may draw a number for only some of its rocks
     if (!is_ranked(of_group, input)) continue;
     const double r = rank_correlation(values, group.runout, stated_confidence).r;
     if (!std::isnan(r)) lines.push_back({input, r});

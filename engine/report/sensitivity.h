@@ -1,5 +1,5 @@
 #pragma once
-// Which drawn numbers the runout depends on, and how.
+// Which drawn numbers influence the runout, and how.
 
 #include <map>
 #include <nlohmann/json_fwd.hpp>
@@ -11,37 +11,36 @@
 
 namespace flyrock {
 
-/// The rank correlation of every drawn number that the run reads (ranked_inputs.h) against the runout, of
-/// each group of rocks, over its first 10,000 rocks without faults: they say all that can be seen in a plot,
-/// and take no more room where there are a million. A censored runout has the rank of its lower bound.
+/// The rank correlation of each drawn number that the run reads (ranked_inputs.h) with the runout, for each
+/// group of rocks. Only the first 10,000 rocks without faults of a group count: more would add nothing to a
+/// plot, and they limit the memory. A censored runout has the rank of its lower bound.
 ///
-/// Many numbers are looked at, and some of them would seem to matter by chance alone. Therefore the intervals
-/// of one group hold together: with m inputs each has the confidence 1 - 0.05/m (Bonferroni), so that in 19
-/// of 20 runs none of those without influence excludes 0.
+/// With many numbers, some seem to have an influence by chance alone. Therefore the intervals of one group
+/// hold together: with m inputs each has the confidence 1 - 0.05/m (Bonferroni). In 19 of 20 runs, all inputs
+/// without influence then have intervals that contain 0.
 ///
-/// Each has a curve: the runout of the rocks within each tenth of the number's values, all other numbers
-/// being drawn as ever. Two numbers that follow from what is drawn stand with the drawn ones: the charge of a
-/// hole and its powder factor.
+/// Each number has a curve: the runout of the rocks in each tenth of the number's values, while all other
+/// numbers vary as drawn. Two numbers that follow from drawn ones are also ranked: the charge of a hole and
+/// its powder factor.
 class Sensitivity {
  public:
   explicit Sensitivity(const Scenario& scenario);
 
-  /// Chunks in order, with their inputs.
+  /// Takes chunks in order, with their inputs.
   void see(const TrialRecords& chunk);
 
-  /// One entry a group: { count, confidence, inputs: [{ path, unit, r, lower, upper, curve }] }, the
-  /// strongest first; what has one value in all rocks is left out. confidence is that of one interval; unit
-  /// is one that people read (readable_unit). curve: { x, low, middle, high }, the median of the number in
-  /// that unit and p10, p50 and p90 of the runout, of each tenth.
+  /// One entry for each group: { count, confidence, inputs: [{ path, unit, r, lower, upper, curve }] },
+  /// strongest first. Inputs with the same value in all rocks are left out. confidence is that of one
+  /// interval; unit is a unit for readers (readable_unit). curve: { x, low, middle, high }, the median of the
+  /// number in that unit and p10, p50 and p90 of the runout, in each tenth.
   nlohmann::ordered_json data() const;
 
  private:
   struct Group {
     std::vector<double> runout;
-    std::map<int, std::vector<double>>
-        inputs;  ///< of each draw, and of what follows from draws, numbered after them
+    std::map<int, std::vector<double>> inputs;  ///< for each draw, then for each derived number
   };
-  /// An input that orders the runouts in some way.
+  /// One ranked input.
   struct Line {
     int input = 0;
     double r = 0;
@@ -54,8 +53,8 @@ class Sensitivity {
 
   std::optional<BlastPlan> blast_;
   RankedInputs inputs_;
-  std::vector<std::string> names_;   ///< of the draws, then of what follows from them
-  std::vector<ReadableUnit> units_;  ///< the same
+  std::vector<std::string> names_;   ///< of the draws, then of the derived numbers
+  std::vector<ReadableUnit> units_;  ///< in the same order
   std::vector<Group> groups_;
 };
 

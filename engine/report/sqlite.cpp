@@ -19,7 +19,7 @@ std::string insert_into(const std::string& table, int columns, std::size_t rows)
   return fmt::format("INSERT INTO {} VALUES {}", table, fmt::join(each, ", "));
 }
 
-/// Why SQLite refused, in our words. After its own texts a user would search for a fault of the database
+/// Why SQLite refused, in our own words. SQLite's texts would make a user look for a bug in the database
 /// program.
 std::string reason(sqlite3* database) {
   const int code = database ? sqlite3_errcode(database) & 0xff : SQLITE_NOMEM;
@@ -45,7 +45,7 @@ std::string reason(sqlite3* database) {
 
 [[noreturn]] void fail_to_read(const std::filesystem::path& path, sqlite3* database) {
   const int code = database ? sqlite3_errcode(database) & 0xff : SQLITE_NOMEM;
-  // A missing table is SQLITE_ERROR: our own statements have no other fault.
+  // SQLITE_ERROR means a missing table, because our own statements have no other error.
   if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB || code == SQLITE_ERROR)
     throw UnreadableFile(
         fmt::format("{} is damaged: it is not the database that a run writes", path.string()));
@@ -56,7 +56,7 @@ std::string reason(sqlite3* database) {
 
 SqliteFile::SqliteFile(std::filesystem::path path)
     : path_(std::move(path)), temporary_(temporary_name(path_)) {
-  std::error_code code;  // what a kill left
+  std::error_code code;  // left by a killed run
   std::filesystem::remove(temporary_, code);
   if (sqlite3_open_v2(temporary_.c_str(), &database_,
                       SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX,

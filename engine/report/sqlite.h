@@ -1,6 +1,6 @@
 #pragma once
-// SQLite as far as results.db needs it: a file that is built once with prepared insertions, and queries of a
-// file that stands.
+// The part of SQLite that results.db needs: a file that is built once with prepared insertions, and queries
+// of an existing file.
 
 #include <sqlite3.h>
 
@@ -14,19 +14,19 @@
 
 namespace flyrock {
 
-/// An open database. It is built beside its final place and not synced on the way: a file that is cut short
-/// is thrown away and built again, so that a journal would only cost time.
+/// An open database. It is built under a temporary name and not synced meanwhile. A journal would only cost
+/// time, because an incomplete file is deleted and built again.
 class SqliteFile {
  public:
-  /// Throws FileError, as all that follows.
+  /// This and all other functions throw FileError.
   explicit SqliteFile(std::filesystem::path path);
   ~SqliteFile();
   SqliteFile(const SqliteFile&) = delete;
   SqliteFile& operator=(const SqliteFile&) = delete;
 
-  /// One or several statements without results.
+  /// Executes one or several statements without results.
   void execute(const std::string& sql);
-  /// Closes the file, syncs it and gives it its name. Statements are gone by then.
+  /// Closes the file, syncs it and renames it to its final name. All statements must be destroyed first.
   void commit();
 
   [[noreturn]] void fail() const;
@@ -37,7 +37,7 @@ class SqliteFile {
   sqlite3* database_ = nullptr;
 };
 
-/// A prepared statement, and what is put into its `?`.
+/// A prepared statement, with the values for its `?`.
 class Statement {
  public:
   Statement(const SqliteFile& file, const std::string& sql);
@@ -45,8 +45,8 @@ class Statement {
   Statement(const Statement&) = delete;
   Statement& operator=(const Statement&) = delete;
 
-  /// Fills the `?` behind those that were filled since the last step: whole numbers, doubles (NULL where they
-  /// are not finite) and texts, which are not copied and stay until the step.
+  /// Fills the next `?` after those filled since the last step: whole numbers, doubles (NULL if not finite)
+  /// and texts. Texts are not copied and must live until the step.
   template <class... Values>
   void put(const Values&... values) {
     (bind(values), ...);
@@ -73,19 +73,20 @@ class Statement {
   int filled_ = 0;
 };
 
-/// Puts rows into a table.
+/// Inserts rows into a table.
 class Insertion {
  public:
   Insertion(const SqliteFile& file, const std::string& table, int columns);
 
-  /// The values of one row.
+  /// Inserts the values of one row.
   template <class... Values>
   void row(const Values&... values) {
     one_.put(values...);
     one_.step();
   }
 
-  /// A row for each record: `put(Statement&, const Record&)` puts its values. Texts must outlast the call.
+  /// Inserts one row for each record; `put(Statement&, const Record&)` puts its values. Texts must outlive
+  /// the call.
   template <class Records, class Put>
   void rows(const Records& records, Put put) {
     std::size_t i = 0;
@@ -96,12 +97,12 @@ class Insertion {
 
  private:
   static constexpr std::size_t at_once =
-      32;  ///< rows of a statement: fewer statements take a third less of the time
+      32;  ///< rows in one statement; fewer statements save a third of the time
 
   Statement one_, many_;
 };
 
-/// A database that is read, also where its folder cannot be written.
+/// A database that is only read, even if its folder cannot be written.
 class SqliteReader {
  public:
   /// Throws UnreadableFile.
@@ -118,16 +119,16 @@ class SqliteReader {
   sqlite3* database_ = nullptr;
 };
 
-/// A SELECT, row by row. Columns count from 0.
+/// A SELECT, read row by row. Columns count from 0.
 class Query {
  public:
-  /// Throws UnreadableFile, as next().
+  /// Throws UnreadableFile; so does next().
   Query(const SqliteReader& file, const std::string& sql);
   ~Query() { sqlite3_finalize(statement_); }
   Query(const Query&) = delete;
   Query& operator=(const Query&) = delete;
 
-  /// Goes to the next row; false behind the last.
+  /// Goes to the next row; false after the last one.
   bool next();
 
   int columns() const { return sqlite3_column_count(statement_); }

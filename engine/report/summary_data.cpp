@@ -22,7 +22,7 @@ Json at_point(const Plan& plan, std::size_t point) {
 
 Json interval_data(const Interval& interval) { return {number(interval.lower), number(interval.upper)}; }
 
-/// { p95: [lower, upper], ... } of the statistics that have an interval.
+/// { p95: [lower, upper], ... } for the statistics that have an interval.
 Json intervals_data(const Intervals& intervals) {
   Json data = Json::object();
   for (const Statistic s :
@@ -113,8 +113,8 @@ Json barriers_data(const Scenario& scenario, const std::vector<BarrierSummary>& 
 }
 
 /// The distance by azimuth about (x, y), from a hull: { x, y, hull: [[x, y], ...], sectors: [{ azimuth_deg,
-/// count, share, share_interval, greatest, distance, lower, upper, lower_bound, with_factor }] }. All but the
-/// count is null where no rock ended: no data.
+/// count, share, share_interval, greatest, distance, lower, upper, lower_bound, with_factor }] }. If no rock
+/// ended in a sector, everything but its count is null: no data.
 Json area_data(const AreaSummary& area) {
   Json hull = Json::array(), list = Json::array();
   for (const Vec2& corner : area.hull) hull.push_back({corner.x(), corner.y()});
@@ -196,7 +196,7 @@ Json quality_data(const SolverQuality& q) {
           {"energy_relative_change", number(q.energy_relative_change)}};
 }
 
-/// How often each law was asked; null where the material has none.
+/// How often each law was called; null if the material has no such law.
 Json materials_data(const Scenario& scenario, const std::vector<MaterialUse>& use) {
   const auto asked = [](const std::optional<PluginUse>& law, std::uint64_t times) {
     return law ? Json(times) : Json(nullptr);
@@ -228,7 +228,7 @@ Json verdict_data(const Verdict& verdict) {
   return data;
 }
 
-/// The design of the blast, with the median of what is drawn; null where the scenario does not say enough.
+/// The design of the blast, with the medians of distributions; null if the scenario does not give enough.
 Json blast_data(const BlastPlan& plan) {
   const BlastDesign& design = plan.design;
   return {{"holes", plan.pattern.holes()},

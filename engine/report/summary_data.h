@@ -1,5 +1,5 @@
 #pragma once
-// The content of summary.json, which the report shows too.
+// The content of summary.json. The report shows it too.
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -7,7 +7,7 @@
 
 namespace flyrock {
 
-/// Keys in the order of docs/results.md; numbers that do not exist are null.
+/// Keys in the order of docs/results.md. Numbers that do not exist are null.
 nlohmann::ordered_json summary_data(const Plan& plan, const Results& results);
 
 }  // namespace flyrock

@@ -20,7 +20,7 @@ bool is_in_csv(const Column& column, int dimension) {
   return column.name && column.in_csv && (!column.in_space || dimension == 3);
 }
 
-/// A cell of a line, after the comma.
+/// Appends a comma and a cell to a line.
 struct AppendCell {
   std::string& csv;
 

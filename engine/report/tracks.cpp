@@ -12,11 +12,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A thinned path departs from the stored one by this share of the extent of its group at most: a seventh of
-/// a pixel of a plot of the group.
+/// The greatest distance between a thinned path and the stored path, relative to the extent of its group: a
+/// seventh of a pixel in a plot of the group.
 constexpr double track_tolerance = 1e-4;
 
-/// Whole thousandths, the first as it is and then the differences.
+/// Whole thousandths: the first value, then the differences.
 Json differences(const std::vector<double>& values) {
   Json list = Json::array();
   std::int64_t before = 0;
@@ -52,7 +52,7 @@ std::vector<std::size_t> simplify(const std::vector<Vec2>& points, double tolera
   if (points.empty()) return {};
   std::vector<bool> keep(points.size(), false);
   keep.front() = keep.back() = true;
-  // A stack of stretches in place of recursion: a path may have many thousand points.
+  // A stack of stretches instead of recursion, because a path may have many thousand points.
   std::vector<std::pair<std::size_t, std::size_t>> stretches = {{0, points.size() - 1}};
   while (!stretches.empty()) {
     const auto [first, last] = stretches.back();
@@ -86,13 +86,13 @@ std::vector<Tracks::Stretch> Tracks::stretches_of(const TrialRecords& chunk) {
       return row.trial == rows[begin].trial && row.rock == rows[begin].rock;
     };
     while (end < rows.size() && of_one(rows[end])) ++end;
-    rock = std::find_if(rock, chunk.rocks.end(), of_one);  // rows come in the order of rocks
+    rock = std::find_if(rock, chunk.rocks.end(), of_one);  // rows are sorted in the order of the rocks
     stretches.push_back({*rock, begin, end});
   }
   return stretches;
 }
 
-/// Each stretch of one mode is thinned, and ends where the next begins.
+/// Thins each stretch of one mode separately. A stretch ends where the next one begins.
 std::vector<Tracks::Point> Tracks::thinned(const std::vector<Point>& path, double tolerance) {
   std::vector<Point> kept = {path.front()};
   for (std::size_t begin = 0; begin + 1 < path.size();) {
@@ -115,7 +115,7 @@ void Tracks::see(const TrialRecords& chunk) {
     for (std::size_t i = begin; i < end; ++i)
       boxes_[rock.group].extend(chunk.trajectories[i].point.state.position);
   for (const auto& [rock, begin, end] : stretches) {
-    // Paths that are thinned again may need less room, seldom half of it.
+    // Thinning again may save room, but rarely more than half of it.
     full_ = full_ || kept_ > 2 * budget_;
     if (full_) return;
     std::vector<Point> path;

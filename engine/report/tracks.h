@@ -1,5 +1,5 @@
 #pragma once
-// Trajectories thinned to what a plot can show.
+// Trajectories, thinned to what a plot can show.
 
 #include <cstddef>
 #include <map>
@@ -10,31 +10,31 @@
 
 namespace flyrock {
 
-/// The indices of `points` that a poly-line within `tolerance` [m] of all of them keeps, in the plane of x
-/// and height (Ramer 1972, Douglas and Peucker 1973). First and last are always kept.
+/// The indices of the `points` that remain in a polyline within `tolerance` [m] of all points, in the plane
+/// of x and height (Ramer 1972, Douglas and Peucker 1973). The first and the last point always remain.
 std::vector<std::size_t> simplify(const std::vector<Vec2>& points, double tolerance);
 
-/// The paths of whole rocks, as many as fit into a budget of points: each thinned, with time, speed and mode
-/// of travel. How much a path may be thinned rests on the extent of all of its group: it is thinned as far as
-/// those before it tell, and again when all have been seen.
+/// The complete paths of as many rocks as fit into a budget of points. Each path is thinned and has time,
+/// speed and mode of motion. The tolerance of thinning depends on the extent of all paths of the group. A
+/// path is therefore thinned first by the extent known so far, and again after all paths have been seen.
 class Tracks {
  public:
   Tracks(std::size_t budget, int dimension) : budget_(budget), dimension_(dimension) {}
 
-  /// The chunks in order.
+  /// Takes the chunks in order.
   void see(const TrialRecords& chunk);
 
-  /// { list: [{ trial, rock, group, reason, x, y, t, speed, modes }], cut }: x, y and t as differences of
-  /// thousandths, speed in thousandths; modes is how many points follow each other in a mode, by turns with
-  /// the mode's number.
+  /// { list: [{ trial, rock, group, reason, x, y, t, speed, modes }], cut }. x, y and t are differences in
+  /// thousandths, speed is in thousandths. modes alternates between a number of consecutive points and the
+  /// number of their mode.
   nlohmann::ordered_json data() const;
 
  private:
-  /// What the page needs of a stored point.
+  /// The data of a stored point that the page needs.
   struct Point {
-    Vec2 place;  ///< in the vertical plane of 2D; of space as seen from the side
+    Vec2 place;  ///< in the vertical plane in 2D; side view (x and height) in 3D
     double time, speed;
-    TravelMode mode;  ///< in which the rock arrived here
+    TravelMode mode;  ///< mode in which the rock arrived here
   };
   struct Track {
     std::uint64_t trial;
@@ -55,8 +55,9 @@ class Tracks {
 
   std::size_t budget_, kept_ = 0;
   int dimension_;
-  bool full_ = false;                         ///< there were more
-  std::map<int, Eigen::AlignedBox3d> boxes_;  ///< of the paths of each group, which a plot may show alone
+  bool full_ = false;  ///< some paths did not fit
+  std::map<int, Eigen::AlignedBox3d>
+      boxes_;  ///< of the paths of each group, because a plot may show one group alone
   std::vector<Track> tracks_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// Poly-lines and points as an XML file of VTK (.vtp), which ParaView opens.
-// Source: VTK File Formats, "PolyData" (Kitware, VTK User's Guide).
+// Polylines and points as an XML file of VTK (.vtp), which ParaView opens. Source: VTK File Formats,
+// "PolyData" (Kitware, VTK User's Guide).
 
 #include <filesystem>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace flyrock {
 
-/// A number of each point or cell.
+/// Numbers for the points or cells, one each.
 struct VtkArray {
   std::string name;
   std::vector<double> values;
@@ -18,8 +18,8 @@ struct VtkArray {
 
 struct VtkPoints {
   std::vector<Vec3> points;  ///< m
-  /// Behind the last point of each poly-line; no lines where it is empty: every point is then a cell of its
-  /// own.
+  /// For each polyline, the index after its last point. If empty, there are no lines and every point is a
+  /// cell.
   std::vector<std::size_t> line_ends;
   std::vector<VtkArray> of_points, of_cells;
 };
@@ -27,7 +27,7 @@ struct VtkPoints {
 /// Throws FileError.
 void write_vtp(const std::filesystem::path& path, const VtkPoints& data);
 
-/// A file of a series over time, as the index (.pvd) names it.
+/// One file of a time series, as listed in the index file (.pvd).
 struct VtkMoment {
   double time;  ///< s
   std::string file;
