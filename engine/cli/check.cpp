@@ -16,7 +16,7 @@ namespace flyrock::cli {
 
 namespace {
 
-/// Loads a plugin file or folder, and tries what it registers on sampled parameters and states.
+/// Loads a plugin file or folder and tries its plugins on sampled parameters and states.
 int check_plugin(const std::string& path) {
   LuaSession session(share_folder());
   const std::optional<std::vector<const Plugin*>> plugins = load_plugin_file(session, path);
@@ -55,8 +55,8 @@ int check_scenario(const std::string& path, const Overrides& overrides, bool str
   return done;
 }
 
-/// A folder is a plugin's. A Lua file is one where it nowhere calls fr.scenario; a file that cannot be read
-/// is left to the reader of scenarios, which says why.
+/// A folder is always a plugin. A Lua file is a plugin if it never calls fr.scenario. For a file that cannot
+/// be read the scenario reader reports the reason.
 bool is_plugin(const std::string& path) {
   if (std::filesystem::is_directory(path)) return true;
   std::error_code code;
@@ -79,7 +79,7 @@ int check(const Command& command, const Arguments& arguments) {
     return is_plugin(path) ? check_plugin(path) : check_scenario(path, overrides, line.has("strict"));
   } catch (const InputError&) {
     throw;
-  } catch (const std::exception& error) {  // nothing runs here: what goes wrong lies in the file
+  } catch (const std::exception& error) {  // nothing runs here, so the error is in the file
     fmt::print(stderr, "{}: error: {}\n", path, error.what());
     return bad_input;
   }

@@ -30,7 +30,7 @@ CommandLine parse(const Command& command, const po::options_description& options
   all.add_options()("words", po::value<std::vector<std::string>>(&line.words), "");
   po::positional_options_description positions;
   positions.add("words", -1);
-  // No guessing: an abbreviation that works today means something else when the next option comes.
+  // No guessing of abbreviated options: an abbreviation that works today could mean another option later.
   const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
   try {
     po::store(po::command_line_parser(arguments).options(all).positional(positions).style(style).run(),

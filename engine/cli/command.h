@@ -1,5 +1,5 @@
 #pragma once
-// What the commands of flyrock have in common.
+// What the commands of flyrock share.
 
 #include <boost/program_options.hpp>
 #include <cstdint>
@@ -17,8 +17,7 @@ struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What a command was given is not to be used: a folder that cannot be written, a damaged file. Nothing was
-/// run.
+/// Input that a command cannot use: a folder that cannot be written, a damaged file. Nothing has run.
 struct InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -43,9 +42,9 @@ int law(const Command&, const Arguments&);
 int verify(const Command&, const Arguments&);
 int solve(const Command&, const Arguments&);
 
-/// A parsed command line: options by their name, and the words between them.
+/// A parsed command line: options by name, and the words between them.
 struct CommandLine {
-  bool help = false;  ///< help was asked for and is printed: nothing else is to be done
+  bool help = false;  ///< help was asked for and is already printed
   std::vector<std::string> words;
   boost::program_options::variables_map options;
 
@@ -53,12 +52,12 @@ struct CommandLine {
   const std::string& text(const std::string& option) const { return options[option].as<std::string>(); }
 };
 
-/// Throws UsageError where an option is unknown (naming the nearest), lacks its value or takes none, or where
-/// the number of words is not between the two bounds.
+/// Parses a command line. Throws UsageError if an option is unknown (the text names the nearest), lacks its
+/// value or takes none, or if the number of words is not between the two bounds.
 CommandLine parse(const Command& command, const boost::program_options::options_description& options,
                   const Arguments& arguments, std::size_t least_words, std::size_t most_words);
 
-/// A whole number of at least `least`; throws UsageError that names `what`.
+/// A whole number of at least `least`. Throws UsageError with the name `what`.
 std::uint64_t whole_number(const std::string& text, const std::string& what, std::uint64_t least);
 
 }  // namespace flyrock::cli

@@ -1,5 +1,5 @@
 #pragma once
-// The beginning and the end of commands that build results.
+// The start and the end of commands that build results.
 
 #include "batch/chunk.h"
 #include "cli/command.h"
@@ -8,13 +8,13 @@
 
 namespace flyrock::cli {
 
-/// Prints the rocks that failed to stderr and why a run ended early.
+/// Prints to stderr the rocks that failed and why a run ended early.
 void print_faults(const Results& results);
 
 /// 0, expectation_failed or faults; DESIGN section 4.
 int exit_code(const Results& results);
 
-/// A log of here and now.
+/// A log with the present time and place.
 RunLog start_log();
 
 /// Trials of all points in `chunks`.

@@ -56,7 +56,7 @@ void print_help() {
       "2 bad input (nothing was run), 3 faults while running, 130 interrupted.\n");
 }
 
-/// One line: a text may hold what a user gave, with line feeds and bytes that are none of UTF-8.
+/// In one line. The text may contain user input with line feeds and bytes that are not UTF-8.
 void print_error(const std::string& text) { fmt::print(stderr, "error: {}\n", printable(text, 2000)); }
 
 int usage_error(const std::string& text, const std::string& help) {
@@ -65,7 +65,7 @@ int usage_error(const std::string& text, const std::string& help) {
   return bad_input;
 }
 
-/// What ended the program, without the words of the library that threw it.
+/// What ended the program, without the wording of the library that threw it.
 std::string said_by(const std::exception& error) {
   if (dynamic_cast<const std::bad_alloc*>(&error)) return "not enough memory";
   if (const auto* file = dynamic_cast<const std::filesystem::filesystem_error*>(&error))
@@ -118,7 +118,8 @@ int dispatch(const Arguments& arguments) {
       throw std::system_error(errno, std::generic_category(), "cannot write to standard output");
     return code;
   } catch (const std::exception& error) {
-    // Bad input has been answered before: this is the machine (a full disk, no memory) or a fault of flyrock.
+    // Bad input is handled above. This is a problem of the machine (a full disk, no memory) or a bug of
+    // flyrock.
     print_error(said_by(error));
     return faults;
   }

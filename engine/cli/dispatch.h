@@ -1,12 +1,11 @@
 #pragma once
-// The words of a command line to one command.
+// Gives the words of a command line to a command.
 
 #include "cli/command.h"
 
 namespace flyrock::cli {
 
-/// Does what the words after `flyrock` ask for, and turns every exception into a line on stderr and an exit
-/// code.
+/// Executes the words after `flyrock`. Turns every exception into a line on stderr and an exit code.
 int dispatch(const Arguments& arguments);
 
 }  // namespace flyrock::cli

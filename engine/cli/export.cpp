@@ -1,4 +1,4 @@
-// Writes what results.db holds in the formats of other programs.
+// Writes the content of results.db in the formats of other programs.
 
 #include <fmt/format.h>
 
@@ -19,9 +19,9 @@ namespace {
 
 struct Format {
   const char* name;
-  /// Of the database, into a folder; returns the files.
+  /// Writes the database into a folder and returns the files.
   std::vector<fs::path> (*write)(const fs::path& results, const fs::path& folder);
-  const char* nothing;  ///< why there may be no file
+  const char* nothing;  ///< message if no file is written
 };
 
 constexpr std::array<Format, 2> formats = {{

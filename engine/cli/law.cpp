@@ -1,4 +1,4 @@
-// flyrock law: what a contact law does, as a picture and as a table.
+// flyrock law: shows what a contact law does, as a picture and as a table.
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ namespace flyrock::cli {
 
 namespace {
 
-/// The plugin with the parameters of --set, "name=value" with units as in a scenario; faults are printed.
+/// The plugin with the parameters of --set, "name=value" with units as in a scenario. Prints faults.
 std::optional<PluginUse> decode_use(const Registry& registry, const PluginSpec& spec,
                                     const std::vector<std::string>& settings) {
   std::string text = "type: " + spec.name + '\n';
@@ -48,7 +48,7 @@ bool is_law(const Plugin* plugin) {
          kind == PluginKind::unilateral;
 }
 
-/// KIND/NAME, or the law of a file; null where the file has faults, which are printed.
+/// KIND/NAME, or the law of a file. If the file has faults, prints them and returns null.
 const PluginSpec* law_named(LuaSession& session, const std::string& word) {
   if (!names_plugin_file(word)) {
     if (word.find('/') == std::string::npos)
@@ -64,7 +64,7 @@ const PluginSpec* law_named(LuaSession& session, const std::string& word) {
   return &plugins->front()->spec;
 }
 
-/// Every tenth part of each curve.
+/// Prints every tenth part of each curve.
 void print_table(const LawGraph& graph) {
   constexpr std::size_t rows = 10;
   fmt::print("\n{}\n", graph.title);

@@ -1,5 +1,5 @@
 #pragma once
-// Loading as the commands do it: what is wrong goes to stderr.
+// Loading of scenarios for the commands; errors go to stderr.
 
 #include <boost/program_options.hpp>
 #include <optional>
@@ -14,8 +14,8 @@ namespace flyrock::cli {
 void add_override_options(boost::program_options::options_description& options);
 Overrides overrides_of(const CommandLine& line);
 
-/// Prints every error and warning; nothing where there were errors. With `strict`, keys that nothing reads
-/// are errors.
+/// Prints every error and warning; nothing is returned if there are errors. With `strict`, keys that are not
+/// read are errors.
 std::optional<LoadedScenario> load(const std::string& path, const Overrides& overrides, bool strict);
 
 }  // namespace flyrock::cli

@@ -1,4 +1,4 @@
-// flyrock: the program. One file a command; dispatch.cpp finds the command.
+// flyrock: the program. Each command has its own file; dispatch.cpp finds the command.
 
 #include <csignal>
 
@@ -6,6 +6,7 @@
 
 int main(int count, char** words) {
   std::signal(SIGXFSZ,
-              SIG_IGN);  // a file that grows beyond a limit is an error like a full disk, not a sudden end
+              SIG_IGN);  // so that a file above the size limit is an error like a full disk and does not end
+                         // the program
   return flyrock::cli::dispatch({words + 1, words + count});
 }

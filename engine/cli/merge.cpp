@@ -1,4 +1,4 @@
-// Puts shards together: their chunks, in order, become the tables of one run.
+// Merges shards: their chunks, in order, become the tables of one run.
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The hash of the scenario that all of the shards are of.
+/// The scenario hash that all shards have in common.
 std::string common_hash(const std::vector<std::string>& shards) {
   std::string common;
   for (const std::string& shard : shards) {
@@ -38,7 +38,7 @@ std::string common_hash(const std::vector<std::string>& shards) {
   return common;
 }
 
-/// A folder that is merged: which part of the chunks it should have, and how many of them are not there.
+/// A folder to merge: its part of the chunks, and how many of them are missing.
 struct Piece {
   std::string name;
   std::shared_ptr<const fs::path> chunks;  ///< folder
@@ -55,7 +55,7 @@ std::vector<Piece> pieces_of(const std::vector<std::string>& shards) {
   return pieces;
 }
 
-/// The chunks of a plan that the pieces hold, in order; counts what they lack of their own.
+/// The chunks of a plan that the pieces hold, in order. Counts the missing chunks of each piece.
 std::vector<ChunkFile> find_chunks(const std::vector<ChunkRange>& chunks, std::vector<Piece>& pieces) {
   std::vector<ChunkFile> files;
   for (std::size_t c = 0; c < chunks.size(); ++c) {
@@ -81,7 +81,7 @@ std::vector<ChunkFile> find_chunks(const std::vector<ChunkRange>& chunks, std::v
   return files;
 }
 
-/// Says which folders lack chunks that they should have; whether there are any.
+/// Prints which folders lack chunks of their part. Returns whether there are any.
 bool tell_lost(const std::vector<Piece>& pieces) {
   bool any = false;
   for (const Piece& piece : pieces) {
@@ -108,7 +108,7 @@ void check_whole(const std::vector<ChunkFile>& files, const LoadedScenario& scen
   }
 }
 
-/// "12 of 300 chunks are missing, from trial 40 of point 0 on", or nothing.
+/// "12 of 300 chunks are missing, from trial 40 of point 0 on"; empty if none is missing.
 std::string missing_text(const std::vector<ChunkRange>& chunks, const std::vector<ChunkFile>& files) {
   if (files.size() == chunks.size()) return {};
   std::size_t first = 0;
@@ -149,7 +149,8 @@ int merge(const Command& command, const Arguments& arguments) {
   if (line.help) return done;
   if (!line.has("output")) throw UsageError("expected -o DIR, the folder of the merged result");
   const std::vector<std::string>& shards = line.words;
-  std::error_code no_path;  // as of a name that is too long: it is then no result folder, which is said below
+  std::error_code
+      no_path;  // for example of a name that is too long; it is reported below as not a result folder
   const fs::path output = fs::weakly_canonical(line.text("output"), no_path);
   for (const std::string& shard : shards)
     if (fs::weakly_canonical(shard, no_path) == output && !no_path)
@@ -190,7 +191,7 @@ int merge(const Command& command, const Arguments& arguments) {
   if (!line.has("quiet"))
     fmt::print("{}report: {}\n", summary_text(plan, results, loaded->warnings), folder.report().string());
   const bool lost = tell_lost(pieces);
-  // Some shards are enough, and it was said.
+  // Merging only some of the shards is fine, and the output says so.
   if (!results.ended_early.empty() && results.fault_count == 0 && !lost) return done;
   return exit_code(results);
 }

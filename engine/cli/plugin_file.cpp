@@ -52,7 +52,7 @@ std::string place_of(const PluginSpec& spec) {
     return token.line == at.line && token.column == at.column && token.text == spec.name;
   };
   Location place{source, 1, 1};
-  for (const LuaToken& call : tokens) {  // a file may register several plugins
+  for (const LuaToken& call : tokens) {  // because a file may register several plugins
     if (!call.is("plugin")) continue;
     const FieldPlaces fields(source, "plugin", call.line);
     const Location name = fields.value("name");

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "9.144 m/s", "90 deg": a value in SI as the manifest would write it.
+/// A value in SI units as the manifest would write it: "9.144 m/s", "90 deg".
 std::string in_unit(double value, const ParamSpec& param) {
   if (param.unit.empty()) return shortest(value);
   const double factor = parse_unit(param.unit)->factor;
@@ -36,7 +36,7 @@ std::string default_text(const ParamSpec& param) {
   return param.optional ? "may be left out" : "required";
 }
 
-/// "at least 0, below 1", "linear | as_printed", or nothing.
+/// "at least 0, below 1", "linear | as_printed"; empty if everything is allowed.
 std::string allowed_text(const ParamSpec& param) {
   std::vector<std::string> limits;
   if (param.min) limits.push_back("at least " + in_unit(*param.min, param));
@@ -58,7 +58,7 @@ std::string memory_text(const PluginSpec& spec) {
                      spec.history_of_contact ? "contact" : "pair of bodies");
 }
 
-/// Lines of whole words, at most 80 columns wide.
+/// Wraps a text at words into lines of at most 80 columns.
 std::string wrapped(const std::string& text, const std::string& indent) {
   constexpr std::size_t width = 80;
   std::string lines, line = indent;
@@ -73,7 +73,7 @@ std::string wrapped(const std::string& text, const std::string& indent) {
   return lines + line + '\n';
 }
 
-/// A text within a cell of a Markdown table.
+/// Escapes a text for a cell of a Markdown table.
 std::string cell(const std::string& text) {
   std::string escaped;
   for (char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);

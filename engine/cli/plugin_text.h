@@ -9,12 +9,12 @@
 
 namespace flyrock::cli {
 
-/// The plugins that "KIND" or "KIND/NAME" selects; all where the text is empty. Throws UsageError for an
-/// unknown one.
+/// The plugins selected by "KIND" or "KIND/NAME"; all if the text is empty. Throws UsageError for an unknown
+/// one.
 std::vector<const PluginSpec*> select_plugins(const Registry& registry, const std::string& wanted);
-/// Kind, name and what it does, 80 columns wide.
+/// Kind, name and purpose, 80 columns wide.
 std::string short_text(const PluginSpec& spec);
-/// All that the manifest says, for a terminal.
+/// The whole manifest, for a terminal.
 std::string full_text(const PluginSpec& spec);
 /// A section with a table of parameters.
 std::string markdown(const PluginSpec& spec);

@@ -1,4 +1,4 @@
-// Builds report.html again, from the data that stands in results.db: with the drawing of this flyrock.
+// Draws report.html again from the data in results.db, with the scripts of this flyrock.
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@ namespace flyrock::cli {
 
 namespace {
 
-/// The page of what the database holds. Throws UnreadableFile.
+/// The page for the data in the database. Throws UnreadableFile.
 std::string page_of(const std::filesystem::path& database) {
   try {
     const auto data = nlohmann::ordered_json::parse(stored_report(database));

@@ -45,7 +45,7 @@ Request read_request(const std::filesystem::path& chunks) {
 }
 
 void remove_request(const std::filesystem::path& chunks) {
-  std::error_code code;  // a folder that cannot be tidied is no reason to fail a run that is done
+  std::error_code code;  // a finished run must not fail because its folder cannot be tidied
   std::filesystem::remove(file_in(chunks), code);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Which file a run was started with, kept beside its chunks: merging shards needs the scenario and its
-// plugins again.
+// The file that a run was started with, stored with its chunks, because merging shards needs the scenario and
+// its plugins again.
 
 #include <cstdint>
 #include <filesystem>
@@ -10,23 +10,24 @@
 
 namespace flyrock::cli {
 
-/// The part of the chunks that a run makes: every `of`-th, so that the shards of a sweep take equally long.
+/// The part of the chunks that a run makes: every `of`-th chunk, so that the shards of a sweep take equally
+/// long.
 struct Shard {
   std::uint64_t number = 1, of = 1;
 
-  /// Whether the chunk of that index among all chunks of the plan is one of it.
+  /// Whether the shard contains the chunk with this index among all chunks of the plan.
   bool holds(std::size_t chunk) const { return chunk % of == number - 1; }
 };
 
 struct Request {
   std::string scenario;  ///< path
   Overrides overrides;
-  Shard shard;  ///< all chunks, unless --shard says otherwise
+  Shard shard;  ///< all chunks, unless --shard is given
 };
 
 /// Writes chunks/request.json, with the path made absolute. Throws FileError.
 void write_request(const std::filesystem::path& chunks, const Request& request);
-/// Throws UnreadableFile where there is none.
+/// Throws UnreadableFile if there is none.
 Request read_request(const std::filesystem::path& chunks);
 void remove_request(const std::filesystem::path& chunks);
 

@@ -19,18 +19,18 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* manifest_name = "manifest.json";
-constexpr const char* run_log_name = "run.log";  ///< written when all else is there
+constexpr const char* run_log_name = "run.log";  ///< written last
 constexpr std::array result_names = {run_log_name, checksums_name, "summary.json",
                                      "rocks.csv",  "results.db",   "report.html"};
 
-/// Whether a run came to its end there.
+/// Whether a run has finished in the folder.
 bool stands(const fs::path& folder) {
   std::error_code code;
   return fs::exists(folder / run_log_name, code);
 }
 
-/// What `read` finds in a file of JSON. Throws UnreadableFile where the file is none, or `read` does not find
-/// it.
+/// The result of `read` for a JSON file. Throws UnreadableFile if the file is not JSON, or if `read` does not
+/// find what it needs.
 template <class Read>
 auto read_json(const fs::path& file, Read read) {
   try {
@@ -40,7 +40,7 @@ auto read_json(const fs::path& file, Read read) {
   }
 }
 
-/// What another process is writing is neither read nor replaced.
+/// Refuses a folder that another process is writing. It is neither read nor replaced.
 void refuse_written(const fs::path& folder) {
   if (FolderLock::held(folder))
     throw InputError(fmt::format("{}: another flyrock is writing there", folder.string()));
@@ -66,7 +66,7 @@ std::string scenario_hash_in(const fs::path& folder) {
     return read_json(file, read_hash);
   } catch (const UnreadableFile&) {
     if (stands(folder)) throw;
-    return "";  // a folder that was made half
+    return "";  // the folder is incomplete
   }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The folder that a run writes.
+// The result folder of a run.
 
 #include <filesystem>
 #include <optional>
@@ -15,52 +15,52 @@
 
 namespace flyrock::cli {
 
-/// What becomes of a folder that has something in it.
+/// What happens to a folder that is not empty.
 enum class Existing {
   refused,
-  continued,  ///< --resume: chunks of the same scenario stay, one of another scenario is refused
+  continued,  ///< --resume: chunks of the same scenario are kept; a folder of another scenario is refused
   replaced    ///< --force
 };
 
 class ResultFolder {
  public:
-  /// Names the folder of a scenario and writes nothing. Throws UsageError where it is not to be used so,
-  /// InputError where it is no folder or another run is writing it.
+  /// Chooses the folder of a scenario; writes nothing. Throws UsageError if `existing` does not allow it,
+  /// InputError if it is not a folder or another run writes it.
   ResultFolder(std::filesystem::path path, const LoadedScenario& scenario, Existing existing);
 
-  /// Whether the results of all trials of the scenario stand; the exit code that the run ended with. Throws
-  /// UnreadableFile where they are not what the run wrote.
+  /// The exit code of the run, if the results of all trials of the scenario are in the folder. Throws
+  /// UnreadableFile if they are not what the run wrote.
   std::optional<int> complete(const Plan& plan) const;
 
-  /// Makes the folder and holds it, removes tables of an earlier run, and its chunks where they are not
-  /// continued, and writes the manifest. Other files stay. Throws InputError where the folder cannot be
-  /// written or held.
+  /// Makes and locks the folder and writes the manifest. Removes tables of an earlier run, and its chunks
+  /// unless they are continued. Other files stay. Throws InputError if the folder cannot be written or
+  /// locked.
   void open(const LoadedScenario& scenario, const Request& request);
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path chunks() const { return path_ / "chunks"; }
-  /// Where steps that did not converge are kept.
+  /// The folder for steps that did not converge.
   std::filesystem::path hard_problems() const { return path_ / "hard_problems"; }
   std::filesystem::path report() const { return path_ / "report.html"; }
 
-  /// Finishes the tables and the report of what `writer` has seen, and logs it. Throws FileError.
+  /// Finishes the tables and the report from what `writer` has seen, and writes the log. Throws FileError.
   Results build(ResultWriter& writer, const std::vector<Rows>& rows, const RunFacts& facts,
                 std::vector<Profile> terrains, RunLog log) const;
-  /// Removes the chunks, once the results stand. Throws FileError.
+  /// Removes the chunks, after the results are written. Throws FileError.
   void tidy() const;
 
  private:
   std::filesystem::path path_;
   bool continued_ = false;
-  std::optional<FolderLock> lock_;  ///< from open() on
+  std::optional<FolderLock> lock_;  ///< held after open()
 };
 
-/// The hash of the scenario in the manifest of a result folder, or an empty text where there is none, or a
-/// broken one of a folder that was made half. Throws InputError where it is of a format that this flyrock
-/// does not read, or a run is writing it, and UnreadableFile where it is damaged.
+/// The scenario hash in the manifest of a result folder. Empty if there is no manifest, or a broken one in an
+/// incomplete folder. Throws InputError if this flyrock does not read its format or a run writes it, and
+/// UnreadableFile if it is damaged.
 std::string scenario_hash_in(const std::filesystem::path& folder);
 
-/// The path of a result folder whose tables stand, as the run wrote them: their checksums are compared.
-/// Throws InputError or UnreadableFile where it is none.
+/// The path of a result folder with complete tables. Their checksums are compared. Throws InputError or
+/// UnreadableFile if it is not such a folder.
 std::filesystem::path finished_result(const std::string& folder);
 
 }  // namespace flyrock::cli

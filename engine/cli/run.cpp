@@ -35,7 +35,7 @@ Only read_only(const std::string& text) {
   return {whole_number(point.substr(6), "--only point", 0), whole_number(trial.substr(6), "--only trial", 0)};
 }
 
-/// Bounds the replay by the plan, and makes its trajectory one that is stored.
+/// Checks the replayed trial against the plan, and stores its trajectory.
 void prepare(const Only& only, Plan& plan) {
   if (only.point >= plan.points.size())
     throw UsageError(fmt::format("--only: point {} does not exist, the scenario has {} (from 0)", only.point,
@@ -117,7 +117,7 @@ Execution execute(const Job& job, const LoadedScenario& loaded, Runners& runners
   return execution;
 }
 
-/// What a shard leaves: its chunks, for `flyrock merge`.
+/// Ends the run of a shard: its chunks stay for `flyrock merge`.
 int conclude_shard(const RunOutcome& outcome, const Shard& shard, const std::filesystem::path& chunks,
                    bool quiet) {
   if (!outcome.why.empty()) fmt::print(stderr, "error: the run ended early: {}\n", outcome.why);
@@ -133,7 +133,7 @@ int threads_of(const CommandLine& line) {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-/// Options that contradict each other.
+/// Refuses options that contradict each other.
 void refuse_pairs(const CommandLine& line) {
   for (const auto& [a, b] :
        {std::pair("resume", "force"), std::pair("only", "resume"), std::pair("only", "shard")})
@@ -179,7 +179,7 @@ std::string default_folder(const Job& job, const std::string& scenario) {
   return name;
 }
 
-/// Runs the trials and builds what they leave, in a folder that is open.
+/// Runs the trials in an open folder and builds the results.
 int carry_out(const Job& job, const LoadedScenario& loaded, Runners& runners, const ResultFolder& folder) {
   const Plan& plan = loaded.plan;
   catch_interrupt();

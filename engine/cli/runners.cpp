@@ -11,7 +11,7 @@ namespace flyrock::cli {
 
 namespace {
 
-/// What Lua code prints from here on goes to the records of its trial.
+/// From here on, output of Lua's `print` goes into the records of its trial.
 RunTrial trial_of(Runners& runners, LuaSession& session) {
   session.collect_prints();
   return [&](int point, std::uint64_t trial, TrialRecords& out) {
@@ -20,7 +20,7 @@ RunTrial trial_of(Runners& runners, LuaSession& session) {
   };
 }
 
-/// A scenario read again, and its runners.
+/// A scenario that a thread has read again, and its runners.
 struct Reading {
   std::optional<LoadedScenario> scenario;
   Runners runners;
@@ -56,8 +56,8 @@ MakeWorker workers(const LoadedScenario& scenario, Runners& runners, const std::
     if (thread == 0) return trial_of(runners, *scenario.session);
     const auto reading = std::make_shared<Reading>();
     Diagnostics diagnostics;
-    reading->scenario =
-        load_scenario(path, overrides, diagnostics, Prints::collected);  // thread 0 has shown them
+    reading->scenario = load_scenario(path, overrides, diagnostics,
+                                      Prints::collected);  // thread 0 has already shown these prints
     if (!reading->scenario || reading->scenario->hash != scenario.hash)
       throw FileError(fmt::format("{}, or a file that it names, was changed while the run started", path));
     reading->runners = make_runners(reading->scenario->plan);

@@ -1,5 +1,5 @@
 #pragma once
-// What runs the trials of a scenario, for each thread, as the commands do it.
+// Makes the runners of a scenario's trials for each thread, for the commands.
 
 #include <filesystem>
 #include <optional>
@@ -11,21 +11,21 @@
 
 namespace flyrock::cli {
 
-/// Tries a scenario out on up to `trials` trials of each point and makes its runners. Nothing where one
-/// fails: why is printed, and warnings are.
+/// Tries out up to `trials` trials of each point and makes the runners. Prints warnings. If a runner fails,
+/// prints why and returns nothing.
 std::optional<Runners> try_runners(LoadedScenario& scenario, std::uint64_t trials);
 
-/// Lets an interrupt end trials, and hard problems go to point-<p> of a folder. False where this flyrock
-/// cannot store them: why is printed.
+/// Lets Ctrl-C end trials, and stores hard problems in point-<p> of a folder. If this flyrock cannot store
+/// them, prints why and returns false.
 bool prepare(Runners& runners, const LoadedScenario& scenario, const std::filesystem::path& hard_problems);
 
-/// The workers of a run. Thread 0 uses `runners`; each other one reads the scenario again, since a Lua state
-/// serves one thread at a time. Throws FileError (in the thread) where the files have changed in the
-/// meantime.
+/// The workers of a run. Thread 0 uses `runners`. Every other thread reads the scenario again, because a Lua
+/// state serves only one thread at a time. Throws FileError (in the thread) if the files have changed
+/// meanwhile.
 MakeWorker workers(const LoadedScenario& scenario, Runners& runners, const std::string& path,
                    const Overrides& overrides, const std::filesystem::path& hard_problems);
 
-/// The ground of each point for the report's pictures; where it cannot be built, every rock is a row that
+/// The ground of each point, for the pictures of the report. If it cannot be built, every rock is a row that
 /// says why.
 std::vector<Profile> first_terrains(Runners& runners);
 

@@ -9,7 +9,8 @@ namespace flyrock::cli {
 
 namespace {
 
-/// Functions of a Lua scenario have no place in a tree: the tree names its file as that of its plugins.
+/// A tree cannot hold the functions of a Lua scenario. It therefore names the scenario's file under
+/// `plugins`.
 void name_plugin_file(Value& resolved, const std::string& file) {
   if (Value* plugins = resolved.find("plugins"); plugins && plugins->list())
     plugins->list()->push_back({file, {}, false});

@@ -1,4 +1,4 @@
-// Solves a friction problem from disk.
+// Solves a friction problem from a file.
 
 #include "solver/solve.h"
 

@@ -65,7 +65,7 @@ std::string place_line(const std::string& place, const Share& share) {
                      range_text(share.interval));
 }
 
-/// How many rocks gates and barriers of a point saw, a line each.
+/// The number of rocks at the gates and barriers of a point, one line for each.
 std::string places_text(const Scenario& scenario, const PointResult& point) {
   if (scenario.gates.empty() && scenario.barriers.empty()) return "";
   std::string text = fmt::format("  {:<34}{:>12}{:>16}\n", "share of all rocks", "share", "95 % interval");
@@ -101,7 +101,7 @@ std::string verdict_line(const Verdict& verdict, bool sweep) {
   std::string text =
       fmt::format("  {:<11}{}", words[static_cast<int>(verdict.judgement)], verdict.expectation.measure);
   if (sweep && verdict.point >= 0) text += fmt::format(" at point {}", verdict.point);
-  // Ten digits: four would hide how near a textbook's number is met.
+  // Ten digits, because four would hide how close the value is to a textbook's number.
   text += fmt::format(" = {}{:.10g}, expected {}", verdict.censored ? ">= " : "", verdict.computed,
                       wanted(verdict));
   if (!verdict.reason.empty()) text += fmt::format(" ({})", verdict.reason);

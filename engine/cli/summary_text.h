@@ -1,5 +1,5 @@
 #pragma once
-// The end of a run in the terminal.
+// The summary of a run in the terminal.
 
 #include <string>
 #include <vector>
@@ -9,10 +9,10 @@
 namespace flyrock::cli {
 
 /// Answer, percentiles by point and group, how the rocks ended, expectations, and the warnings that are not
-/// `told` yet.
+/// in `told`.
 std::string summary_text(const Plan& plan, const Results& results, const std::vector<std::string>& told);
 
-/// Each rock of a replayed trial in a line.
+/// One line for each rock of a replayed trial.
 std::string trial_text(const Scenario& scenario, const std::vector<RockRecord>& rocks);
 
 }  // namespace flyrock::cli

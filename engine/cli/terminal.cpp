@@ -27,7 +27,7 @@ std::string progress_text(const RunProgress& progress, double since_start, doubl
   const auto filled = static_cast<std::size_t>(30 * share);
   std::string text = fmt::format("[{}{}] {} of {} trials", std::string(filled, '#'),
                                  std::string(30 - filled, '.'), progress.done, progress.total);
-  if (progress.done > progress.kept) {  // chunks of an earlier run took no time of this one
+  if (progress.done > progress.kept) {  // chunks of an earlier run took no time in this one
     const double left = since_start * static_cast<double>(progress.total - progress.done) /
                         static_cast<double>(progress.done - progress.kept);
     text += fmt::format(", {:.0f} rocks/s, {} left", static_cast<double>(progress.rocks) / since_start,
