@@ -9,7 +9,7 @@ void add_worst(Checks& checks, const std::string& name, const std::string& kind,
   const Compared* worst = nullptr;
   double error = -1;
   for (const Compared& number : numbers) {
-    // Written so that a number that is none is the worst of all.
+    // Written in this form so that NaN counts as the worst number.
     const double difference = std::abs(number.computed - number.expected);
     if (difference <= error) continue;
     worst = &number;

@@ -1,4 +1,4 @@
-// Friction problems of others, from disk.
+// Published friction problems, read from files.
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
-// Impacts with closed forms: an oblique ball, rows of balls, a rod beyond Painleve's paradox, and rods at
-// random.
+// Impacts with closed forms: an oblique ball, rows of balls, a rod beyond the Painleve paradox, and random
+// rods.
 
 #include <fmt/format.h>
 
@@ -15,7 +15,8 @@ namespace flyrock {
 
 namespace {
 
-/// Velocities after the first of n balls of mass 1 strikes the others, which touch and rest, at 1 m/s.
+/// The velocities after the first of n balls of mass 1 hits the others at 1 m/s. The others touch each other
+/// and are at rest.
 std::vector<double> struck_row(int n, double e, RestitutionForm form) {
   ContactProblem<2> problem;
   std::vector<Rebound<2>> rebounds(n - 1);
@@ -45,8 +46,8 @@ std::vector<double> struck_row(int n, double e, RestitutionForm form) {
 
 }  // namespace
 
-// Sphere of mass 1 and radius 1 at (3, -2) m/s without spin, e = 0.5: it sticks where mu >= 2 |v_t| / (7 (1 +
-// e) |v_n|).
+// Sphere of mass 1 and radius 1 at (3, -2) m/s without spin, e = 0.5. It sticks if mu >= 2 |v_t| / (7 (1 + e)
+// |v_n|).
 void check_oblique_ball(Checks& checks) {
   SingleImpact<2> ball;
   ball.w << 1, 0, 0, 3.5;
@@ -60,7 +61,7 @@ void check_oblique_ball(Checks& checks) {
                                        RestitutionForm::poisson, RestitutionForm::energy}) {
       const SingleOutcome<2> out = solve_single(ball, form);
       const bool mean =
-          sticks && form == RestitutionForm::newton_mean;  // here v_t^+ comes from mu p_n, not from sticking
+          sticks && form == RestitutionForm::newton_mean;  // here v_t^+ comes from mu p_n and not from stick
       add_worst(checks, fmt::format("oblique ball that {}, {}", sticks ? "sticks" : "slips", name_of(form)),
                 "problem", 1e-10,
                 {{"p_n", out.impulse[0], 3},
@@ -87,7 +88,8 @@ void check_ball_rows(Checks& checks) {
   }
 }
 
-// At 63.435 degrees the paradox begins at mu = 4/3: beyond it W_nn - mu |W_tn| < 0 for slip to the right.
+// At 63.435 degrees the paradox begins at mu = 4/3. Above this value W_nn - mu |W_tn| < 0 for slip to the
+// right.
 void check_painleve_rod(Checks& checks) {
   for (const double mu : {1.3, 1.4, 5.0})
     for (const RestitutionForm form : {RestitutionForm::newton, RestitutionForm::newton_mean,
@@ -107,8 +109,7 @@ void check_painleve_rod(Checks& checks) {
     }
 }
 
-// Rods at 5 to 85 degrees that strike at 1 m/s from any side, |spin| <= 2 rad/s, mu and e from 0 to 1, no
-// jam.
+// Rods at 5 to 85 degrees that hit at 1 m/s from any side, |spin| <= 2 rad/s, mu and e from 0 to 1, no jam.
 void check_random_impacts(Checks& checks) {
   constexpr int trials = 100000;
   constexpr RestitutionForm forms[] = {RestitutionForm::newton, RestitutionForm::newton_mean,
@@ -128,8 +129,8 @@ void check_random_impacts(Checks& checks) {
     ++struck;
     for (int k = 0; k < 4; ++k) gains[k] += solve_single(impact, forms[k]).energy > 1e-12;
   }
-  // The share of newton depends on how rods are drawn; 1.68 % of 89,200 were found elsewhere with the same
-  // ranges.
+  // The share of newton depends on the distribution of the rods. An independent study with the same ranges
+  // found 1.68 % of 89,200.
   checks.push_back({"random rods, newton: share that gains energy", "problem", double(gains[0]) / trials,
                     0.0168, 0.003, std::abs(double(gains[0]) / trials - 0.0168) <= 0.003});
   for (int k = 1; k < 4; ++k)

@@ -41,7 +41,7 @@ Blast workbook() {
   return blast;
 }
 
-/// The number that is farthest off, as a share of what it must be.
+/// Adds the number with the greatest relative error.
 void add_formula(Checks& checks, const std::string& name, std::vector<Compared> numbers) {
   for (Compared& number : numbers) number = {number.name, number.computed / number.expected, 1};
   add_worst(checks, name + ", computed / expected", "formula", 1e-3, numbers);

@@ -1,4 +1,4 @@
-// Shipped scenarios that carry their closed forms, run as rows of the suite.
+// Shipped scenarios with closed-form expectations, run as rows of the suite.
 
 #include <fmt/format.h>
 
@@ -28,7 +28,7 @@ std::string bound_text(ExpectKind kind) {
   return " at least";
 }
 
-/// Runs a scenario in memory; its expectations become checks.
+/// Runs a scenario in memory. Its expectations become checks.
 void check_scenario(Checks& checks, const std::string& path, const std::string& name) {
   Diagnostics diagnostics;
   const auto loaded = load_scenario(path, {}, diagnostics);

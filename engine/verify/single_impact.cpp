@@ -35,7 +35,7 @@ SingleOutcome<D> solve_single(const SingleImpact<D>& impact, RestitutionForm for
   contact.speed_scale = impact.v.norm();
   problem.contacts.push_back(contact);
   problem.first = {0};
-  if (phases) problem.couple(0, Problem::Block::Zero());  // coupled, by a block of zeros, to itself
+  if (phases) problem.couple(0, Problem::Block::Zero());  // coupled to itself by a block of zeros
   problem.first.push_back(problem.couplings());
   Rebound<D> rebound;
   rebound.form = form;

@@ -17,23 +17,22 @@ struct SingleImpact {
   double e = 0;
 };
 
-/// What an impact leaves: its impulse, the velocity after it, and the energy dT = p.(v^- + v^+)/2 that it
-/// brought.
+/// The result of an impact: its impulse, the velocity after it, and its energy dT = p.(v^- + v^+)/2.
 template <int D>
 struct SingleOutcome {
   Eigen::Matrix<double, D, 1> impulse, after;
   double energy = 0;
 };
 
-/// W of a uniform rod (mass 1, length 1) that touches the ground with its tip to the right and below, `angle`
-/// [rad] from it.
+/// W of a uniform rod (mass 1, length 1) that touches the ground with its lower right tip; `angle` [rad] is
+/// measured from the ground.
 Eigen::Matrix2d rod_mobility(double angle);
 
-/// By the solver of impacts. `phases`: as if coupled to another contact, so that poisson and energy take
+/// Solved by the impact solver. `phases`: as if coupled to another contact, so that poisson and energy use
 /// their two phases.
 template <int D>
 SingleOutcome<D> solve_single(const SingleImpact<D>& impact, RestitutionForm form, bool phases = false);
-/// Along the path in impulse space.
+/// Solved along the path in impulse space.
 template <int D>
 SingleOutcome<D> follow_single(const SingleImpact<D>& impact, ImpactEnd end);
 

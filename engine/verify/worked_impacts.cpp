@@ -1,4 +1,4 @@
-// Impacts worked by hand: a rod A to G and the double pendulum in closed form, the box by integration in
+// Impacts worked by hand: rods A to G and the double pendulum in closed form, the box by integration in
 // impulse space.
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@ namespace flyrock {
 
 namespace {
 
-/// By what an impact is computed: a form of the solver, its two phases, or the path in impulse space.
+/// How an impact is computed: a form of the solver, its two phases, or the path in impulse space.
 enum class By { newton, newton_mean, poisson, energy, two_phase_poisson, path_newton };
 constexpr const char* names[] = {"newton", "newton_mean",           "poisson",
                                  "energy", "poisson in two phases", "path to -e v_n"};
@@ -42,7 +42,7 @@ struct RodRow {
   double p_t, p_n, v_t, v_n, energy;
 };
 
-// Uniform rod, m = 1, L = 1, no spin; tip to the right and below. Six decimals.
+// Uniform rod, m = 1, L = 1, no spin, contact at its lower right tip. Six decimals.
 constexpr RodRow rod_rows[] = {
     {"A", 30, 0.3, 0.5, 1, By::newton, -0.157327, 0.524423, 1.405923, 0.5, -0.320364},
     {"A", 30, 0.3, 0.5, 1, By::newton_mean, -0.157327, 0.524423, 1.405923, 0.5, -0.320364},
@@ -106,7 +106,7 @@ struct BoxRow {
   double p_x, p_y, p_z, energy;
 };
 
-// Box 1 x 0.6 x 0.4 (m = 1) that falls on a corner, z the normal; e = 0.6. Five decimals.
+// Box 1 x 0.6 x 0.4 (m = 1) that falls on a corner, z is the normal; e = 0.6. Five decimals.
 constexpr BoxRow box_rows[] = {
     {0.3, By::path_newton, -0.06699, 0.05107, 0.28278, -0.13441},
     {0.3, By::newton, -0.05715, 0.06477, 0.28793, -0.13435},
@@ -135,7 +135,7 @@ void check_boxes(Checks& checks) {
                {"p_y", out.impulse[2], row.p_y},
                {"energy change", out.energy, row.energy}});
   }
-  // Of these the reference gives only the velocity after the impact.
+  // For these cases the reference gives only the velocity after the impact.
   box.mu = 0.9;
   add_worst(checks, "box on its corner, mu 0.9, path to -e v_n", "problem", 3e-5,
             {{"v_x", compute(box, By::path_newton).after[1], 0.08053},
