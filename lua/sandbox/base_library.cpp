@@ -16,7 +16,7 @@ namespace flyrock {
 
 namespace {
 
-/// The end of pcall and xpcall, also where the call yielded. `kept` values at the bottom are not results.
+/// The end of pcall and xpcall, also after the call has yielded. `kept` values at the bottom are not results.
 int finish_call(lua_State* lua, int status, lua_KContext kept) {
   if (status != LUA_OK && status != LUA_YIELD) {
     raise_if_exceeded(lua);
@@ -34,8 +34,8 @@ int protected_call(lua_State* lua) {
   return finish_call(lua, lua_pcallk(lua, lua_gettop(lua) - 2, LUA_MULTRET, 0, 0, finish_call), 0);
 }
 
-/// Calls the handler in upvalue 1, but not where the budget is exceeded: Lua asks for handlers inside the
-/// hook that raised the error, and there no hook counts.
+/// Calls the handler in upvalue 1, unless the budget is exceeded. In that case Lua calls handlers inside the
+/// hook that raised the error, where no hook counts their instructions.
 int call_handler(lua_State* lua) {
   if (!budget_of(lua).exceeded.empty()) return 1;
   lua_settop(lua, 1);
@@ -67,7 +67,8 @@ int set_metatable(lua_State* lua) {
     lua_settop(lua, 2);
   }
   if (lua_istable(lua, 2))
-    for (const char* name : {"__gc", "__mode"}) {  // both act when garbage is collected: never the same twice
+    for (const char* name :
+         {"__gc", "__mode"}) {  // both act at garbage collection, whose moment differs from run to run
       lua_pushstring(lua, name);
       if (lua_rawget(lua, 2) != LUA_TNIL)
         raise(lua, fmt::format("the metamethod {} is not available here", name));
@@ -85,7 +86,7 @@ int get_metatable(lua_State* lua) {
   return 1;
 }
 
-/// rawget and rawlen see the fields of a view. The original in upvalue 1.
+/// Lets rawget and rawlen see the fields of a view. Upvalue 1 is the original function.
 int raw_access(lua_State* lua) {
   if (push_shown(lua, 1)) lua_replace(lua, 1);
   return lua_tocfunction(lua, lua_upvalueindex(1))(lua);
@@ -109,7 +110,7 @@ int to_text(lua_State* lua) {
   return 1;
 }
 
-/// To stderr, since stdout carries results, or to who asked for it.
+/// Prints to stderr, because stdout is for results, or into the log if the host collects prints.
 int print(lua_State* lua) {
   const int count = lua_gettop(lua);
   std::string text;
@@ -120,7 +121,7 @@ int print(lua_State* lua) {
     std::size_t length;
     const char* one = lua_tolstring(lua, -1, &length);
     charge(lua, 10 + static_cast<double>(length) / Budget::bytes_per_instruction);
-    constexpr std::size_t enough = 1 << 16;  // more than is ever shown
+    constexpr std::size_t enough = 1 << 16;  // more is never shown
     if (i > 1) text += '\t';
     if (text.size() < enough) text.append(one, std::min(length, enough));
     lua_pop(lua, 1);
@@ -134,7 +135,7 @@ int print(lua_State* lua) {
   return 0;
 }
 
-/// Pays for the state of a coroutine: each starts its own count of instructions.
+/// Charges for the state of a coroutine, because each coroutine starts its own count of instructions.
 void charge_coroutine(lua_State* lua) { charge(lua, 10 * Budget::interval); }
 
 int create_coroutine(lua_State* lua) {
@@ -148,14 +149,14 @@ int resume(lua_State* lua) {
   return results;
 }
 
-/// Not where the budget is exceeded: in a coroutine that died inside the hook, no hook counts what its
-/// __close methods do.
+/// Refused if the budget is exceeded: when a coroutine died inside the hook, no hook counts the instructions
+/// of its __close methods.
 int close(lua_State* lua) {
   if (const std::string& exceeded = budget_of(lua).exceeded; !exceeded.empty()) exceed(lua, exceeded);
   return lua_tocfunction(lua, lua_upvalueindex(1))(lua);
 }
 
-/// The function that coroutine.wrap answers with. Upvalues: resume, the coroutine, close.
+/// The function that coroutine.wrap returns. Upvalues: resume, the coroutine, close.
 int resume_wrapped(lua_State* lua) {
   lua_pushvalue(lua, lua_upvalueindex(1));
   lua_pushvalue(lua, lua_upvalueindex(2));
@@ -163,7 +164,7 @@ int resume_wrapped(lua_State* lua) {
   lua_call(lua, lua_gettop(lua) - 1, LUA_MULTRET);
   if (lua_toboolean(lua, 1)) return lua_gettop(lua) - 1;
   const int status = lua_status(lua_tothread(lua, lua_upvalueindex(2)));
-  if (status != LUA_OK && status != LUA_YIELD) {  // it failed, now or while its variables are closed
+  if (status != LUA_OK && status != LUA_YIELD) {  // it failed, in its code or while its variables were closed
     lua_pushvalue(lua, lua_upvalueindex(3));
     lua_pushvalue(lua, lua_upvalueindex(2));
     lua_call(lua, 1, 2);
@@ -199,7 +200,8 @@ void wrap_original(lua_State* lua, const char* name, lua_CFunction wrapper) {
 }  // namespace
 
 void add_base_library(lua_State* lua) {
-  lua_pushcfunction(lua, luaopen_base);  // fills the state's own table of globals, which no code of ours sees
+  lua_pushcfunction(lua,
+                    luaopen_base);  // fills the state's own table of globals, which no sandboxed code sees
   lua_call(lua, 0, 1);
   for (const char* name : {"assert", "error", "ipairs", "rawequal", "rawget", "rawlen", "select", "tonumber",
                            "type", "_VERSION"}) {

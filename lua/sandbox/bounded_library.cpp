@@ -1,4 +1,5 @@
-// The functions of `table` and `string` that loop in C, where no hook counts: each pays for its work first.
+// The functions of `table` and `string` that loop in C, where no hook counts. Each charges for its work
+// first.
 
 #include <fmt/format.h>
 
@@ -15,10 +16,11 @@ namespace flyrock {
 
 namespace {
 
-/// Instructions that a call costs, from its arguments; what is wrong with them the original says.
+/// The cost of a call in instructions, computed from its arguments. Errors in the arguments are left to the
+/// original function.
 using Cost = double (*)(lua_State*);
 
-/// The original in upvalue 1, after paying.
+/// Charges, then calls the original function in upvalue 1.
 template <Cost cost>
 int charged(lua_State* lua) {
   charge(lua, cost(lua));
@@ -47,7 +49,7 @@ double range(lua_State* lua, int first, int last, double length) {
   return std::max(0.0, to - from + 1);
 }
 
-/// The length as the library takes it: a metamethod __len may claim any.
+/// The length as the library sees it. A metamethod __len may return any number.
 double length_of(lua_State* lua) { return lua_istable(lua, 1) ? static_cast<double>(luaL_len(lua, 1)) : 0; }
 
 double concatenate(lua_State* lua) { return range(lua, 3, 4, lua_isnoneornil(lua, 4) ? length_of(lua) : 0); }
@@ -62,8 +64,8 @@ void bound(lua_State* lua, const char* name) {
   lua_setfield(lua, -2, name);
 }
 
-/// string.format without %p, and with %s as the sandbox's tostring has it: no addresses. The pattern may hold
-/// zeros.
+/// string.format without addresses: %p is refused and %s uses the sandbox's tostring. The pattern may contain
+/// zero bytes.
 int format(lua_State* lua) {
   charge(lua, texts(lua));
   std::size_t length;
@@ -73,7 +75,7 @@ int format(lua_State* lua) {
   for (std::size_t at = pattern.find('%'); at != pattern.npos; at = pattern.find('%', at + 1)) {
     at = std::min(pattern.find_first_not_of("-+ #0.123456789", at + 1), pattern.size());
     const char conversion = at < pattern.size() ? pattern[at] : '\0';
-    if (conversion == '%') continue;  // "%%", or what Lua refuses
+    if (conversion == '%') continue;  // "%%", or a conversion that Lua refuses
     ++argument;
     if (conversion == 'p')
       raise(lua, "the format %p is not available here: addresses differ from run to run");
@@ -109,7 +111,7 @@ void add_string_library(lua_State* lua) {
   bound<repeat>(lua, "rep");
   add_pattern_functions(lua);
   lua_getfield(lua, -1, "format");
-  lua_getfield(lua, -3, "tostring");  // of the globals below the library
+  lua_getfield(lua, -3, "tostring");  // from the globals below the library on the stack
   lua_pushcclosure(lua, guarded<format>, 2);
   lua_setfield(lua, -2, "format");
 

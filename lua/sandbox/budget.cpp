@@ -15,14 +15,14 @@ namespace {
 constexpr const char* out_of_memory = "needed more than 256 MiB of memory";
 static_assert(Budget::memory_limit == 256 << 20 && Budget::text_limit == 1 << 20);
 
-/// The time that this thread has had.
+/// The processor time of this thread.
 std::chrono::nanoseconds processor_time() {
   timespec time;
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
 }
 
-/// What is over its limit after `instructions` more, or an empty text.
+/// The limit that is exceeded after `instructions` more; empty if none is.
 std::string spend(Budget& budget, double instructions) {
   budget.left -= instructions;
   if (budget.left < 0) return fmt::format("used more than its {:.0f} instructions", budget.limit);
@@ -32,14 +32,14 @@ std::string spend(Budget& budget, double instructions) {
     budget.start = now;
     budget.processor_start = processor_time();
   }
-  // A busy machine is no fault of the plugin; the time of the processor takes longer to ask for, so it comes
-  // second.
+  // A busy machine is not the plugin's fault, so processor time decides. Reading it takes longer, so it is
+  // read only if the wall time is over the limit.
   if (now - budget.start > budget.time_limit && processor_time() - budget.processor_start > budget.time_limit)
     return fmt::format("ran for more than {} s", std::chrono::duration<double>(budget.time_limit).count());
   return {};
 }
 
-/// `level` is that of the Lua function to name: 0 in a hook, 1 in a C function.
+/// `level` is the level of the Lua function to name: 0 in a hook, 1 in a C function.
 void spend_or_raise(lua_State* lua, double instructions, int level) {
   const Budget& budget = budget_of(lua);
   const std::string over = budget.exceeded.empty() ? spend(budget_of(lua), instructions) : budget.exceeded;
@@ -48,7 +48,7 @@ void spend_or_raise(lua_State* lua, double instructions, int level) {
 
 void look(lua_State* lua, lua_Debug*) { spend_or_raise(lua, Budget::interval, 0); }
 
-/// Why a block is not given, or null.
+/// Why a block of memory is refused; null if it is not.
 const char* refusal(const Budget& budget, bool text, std::size_t more, std::size_t size) {
   if (text && size > Budget::text_limit) return Budget::long_text;
   if (budget.memory + more > Budget::memory_limit) return out_of_memory;
@@ -81,7 +81,7 @@ void* allocate(void* data, void* block, std::size_t old_size, std::size_t new_si
   constexpr std::size_t large = 1 << 16;
   constexpr double filled_per_instruction = 256;  // bytes
   Budget& budget = *static_cast<Budget*>(data);
-  const bool text = !block && old_size == LUA_TSTRING;  // for a new block Lua passes the kind of object
+  const bool text = !block && old_size == LUA_TSTRING;  // for a new block Lua passes the type of the object
   if (!block) old_size = 0;
   if (new_size == 0) {
     std::free(block);
@@ -123,7 +123,7 @@ void raise_if_exceeded(lua_State* lua) {
 }
 
 void name_refusal(lua_State* lua) {
-  // The status would not do: coroutine.wrap raises the same text as an ordinary error.
+  // The status is not enough: coroutine.wrap raises the same text as an ordinary error.
   Budget& budget = budget_of(lua);
   if (!*budget.refused || lua_type(lua, -1) != LUA_TSTRING) return;
   if (std::string_view(lua_tostring(lua, -1)) != "not enough memory") return;

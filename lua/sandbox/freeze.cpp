@@ -21,12 +21,12 @@ int refuse_change(lua_State* lua) {
                          lua_tostring(lua, lua_upvalueindex(1))));
 }
 
-/// "a.b"; "b" where the table has no name (the globals).
+/// "a.b"; "b" if the table has no name (the globals).
 std::string field_path(const std::string& path, const char* field) {
   return path.empty() ? field : path + "." + field;
 }
 
-/// Walks over all that a function reaches: freezes tables, hands each function to `use`.
+/// Walks over everything that a function reaches. Freezes tables and gives each function to `use`.
 class Walk {
  public:
   explicit Walk(lua_State* lua) : lua_(lua) {
@@ -34,7 +34,7 @@ class Walk {
     waiting_ = lua_gettop(lua);
   }
 
-  /// Takes a value from the top of the stack into the walk.
+  /// Adds the value at the top of the stack to the walk.
   void add(const std::string& name) {
     const int type = lua_type(lua_, -1);
     if (type == LUA_TTHREAD)
@@ -50,7 +50,7 @@ class Walk {
     }
   }
 
-  /// use(name) finds the function at the top of the stack.
+  /// Walks. use(name) finds the function at the top of the stack.
   template <class Use>
   void run(Use&& use) {
     for (std::size_t i = 0; i < names_.size(); ++i) {
@@ -77,20 +77,20 @@ class Walk {
       if (has_metatable) keep_former_metatable(lua_, table);
       push_shown(lua_, table);
     }
-    // Also where another walk has frozen the table: its metamethods may set local variables.
+    // Needed even if another walk has frozen the table, because its metamethods may set local variables.
     if (push_former_metatable(lua_, -2)) add(name + "'s metatable");
     add_fields(name);
     lua_pop(lua_, 1);
   }
 
-  /// Takes in the fields of the table at the top of the stack, in an order that the addresses of keys do not
-  /// change.
+  /// Adds the fields of the table at the top of the stack, in an order that does not depend on the addresses
+  /// of keys.
   void add_fields(const std::string& path) {
     struct Field {
       int key_type;
       double number;
       std::string name;
-      lua_Integer place;  // in the list of values
+      lua_Integer place;  // index in the list of values
     };
     std::vector<Field> fields;
     double count = 0;
@@ -121,7 +121,7 @@ class Walk {
   }
 
   lua_State* lua_;
-  int waiting_;  // the list of what is reached, each with its name
+  int waiting_;  // list of reached values, each with its name
   std::vector<std::string> names_;
   std::set<const void*> seen_;
 };
@@ -130,7 +130,7 @@ bool same_value(lua_State* lua, int a, int b) {
   if (lua_type(lua, a) != LUA_TNUMBER || lua_type(lua, b) != LUA_TNUMBER) return lua_rawequal(lua, a, b);
   if (lua_isinteger(lua, a) != lua_isinteger(lua, b)) return false;
   if (lua_isinteger(lua, a)) return lua_tointeger(lua, a) == lua_tointeger(lua, b);
-  // bits, so that nan is itself and 0 is not -0
+  // Compares bits, so that nan equals itself and 0 differs from -0.
   return std::bit_cast<std::uint64_t>(lua_tonumber(lua, a)) ==
          std::bit_cast<std::uint64_t>(lua_tonumber(lua, b));
 }
@@ -143,11 +143,11 @@ OuterLocals::OuterLocals(lua_State* lua, const std::string& what) {
   Walk walk(lua);
   lua_pushvalue(lua, function);
   walk.add(what);
-  std::set<const void*> known;  // functions share a local
+  std::set<const void*> known;  // because functions may share a local
   walk.run([&](const std::string& name) {
     const bool library = lua_iscfunction(lua, -1);
     for (int n = 1; const char* local = lua_getupvalue(lua, -1, n); ++n) {
-      // an iterator of the library counts in its upvalues; what else they hold it never sets
+      // Iterators of the library count in an upvalue; they never set their other upvalues.
       const bool may_change = !library || lua_type(lua, -1) == LUA_TNUMBER;
       if (may_change && known.insert(lua_upvalueid(lua, -2, n)).second) {
         locals_.push_back({n, library ? name : local});

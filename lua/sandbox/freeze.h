@@ -1,9 +1,9 @@
 #pragma once
-// Plugins keep nothing from call to call: what a Lua function finds outside of itself is frozen before it is
-// first called, so that an answer depends on its arguments alone, whatever ran before on the same thread.
+// Keeps plugins without memory. Everything outside of a Lua function that it can reach is frozen before its
+// first call. Its answer then depends only on its arguments and not on earlier calls in the same thread.
 //
-// Tables become read-only in place, metatables and closures are followed, coroutines are refused. What Lua
-// cannot protect, the local variables outside of functions, is compared after each call and put back.
+// Tables become read-only in place, metatables and closures are followed, coroutines are refused. Lua cannot
+// protect local variables outside of functions, so they are compared after each call and restored.
 
 #include <string>
 #include <vector>
@@ -15,14 +15,15 @@ namespace flyrock {
 /// The local variables outside of an entry function that its code could set.
 class OuterLocals {
  public:
-  /// Freezes all that the function at the top of the stack reaches, and notes its outer locals. `what` names
-  /// the function. A Lua error where a coroutine is reached. Leaves nothing on the stack but the function.
+  /// Freezes everything that the function at the top of the stack can reach, and stores its outer locals.
+  /// `what` names the function. Raises a Lua error if it reaches a coroutine. Leaves only the function on the
+  /// stack.
   OuterLocals(lua_State* lua, const std::string& what);
 
-  /// Puts back what a call has changed; the name of the first variable that was changed, or null.
+  /// Restores what a call has changed. Returns the name of the first changed variable, or null.
   const char* restore(lua_State* lua) const;
 
-  /// For the owner to release.
+  /// The owner must release it.
   int reference() const { return cells_; }
 
  private:
@@ -31,7 +32,7 @@ class OuterLocals {
     std::string name;
   };
   std::vector<Cell> locals_;
-  int cells_;  // a list: the function and the value of each, in turn
+  int cells_;  // a list of pairs: a function, then the value
 };
 
 }  // namespace flyrock

@@ -22,7 +22,8 @@ int rank(lua_State* lua, int index) {
     case LUA_TBOOLEAN:
       return 2;
     default:
-      // Which of several such keys comes first is up to their addresses: their types are not named.
+      // Which of several such keys comes first depends on their addresses, so the message does not name their
+      // types.
       raise(lua, "a table has no fixed order where a key is neither a number, a text nor a boolean");
   }
 }
@@ -33,21 +34,22 @@ bool before(lua_State* lua, int a, int b) {
   if (rank_a != rank_b) return rank_a < rank_b;
   if (rank_a == 2) return lua_toboolean(lua, a) < lua_toboolean(lua, b);
   if (rank_a == 0) return lua_compare(lua, a, b, LUA_OPLT) != 0;
-  std::size_t length_a, length_b;  // bytes, not the collation of the locale
+  std::size_t length_a, length_b;  // compared by bytes, not by the collation of the locale
   const char* text_a = lua_tolstring(lua, a, &length_a);
   const char* text_b = lua_tolstring(lua, b, &length_b);
   return std::string_view(text_a, length_a) < std::string_view(text_b, length_b);
 }
 
-/// Upvalues: the sorted list of keys, the place in it, the table. (The table is not handed out as the state
-/// of the loop: that of a read-only view could then be written.)
+/// Upvalues: the sorted list of keys, the index in it, the table. (The table is not the state of the loop,
+/// because Lua code could then write the table of a read-only view.)
 int next_of_list(lua_State* lua) {
   auto place = lua_tointeger(lua, lua_upvalueindex(2));
   for (;;) {
     lua_settop(lua, 0);
     if (lua_rawgeti(lua, lua_upvalueindex(1), ++place) == LUA_TNIL) return 1;
     lua_pushvalue(lua, -1);
-    if (lua_rawget(lua, lua_upvalueindex(3)) != LUA_TNIL) break;  // a field may be removed on the way
+    if (lua_rawget(lua, lua_upvalueindex(3)) != LUA_TNIL)
+      break;  // skips a field that was removed during the loop
   }
   lua_pushinteger(lua, place);
   lua_replace(lua, lua_upvalueindex(2));
@@ -68,8 +70,7 @@ int ordered_pairs(lua_State* lua) {
 
   struct Key {
     int rank;
-    double number;  // orders numbers; integers beyond 2^53 that round to the same double are ordered by
-                    // `integer`
+    double number;  // orders numbers; `integer` orders integers above 2^53 that round to the same double
     lua_Integer integer;
     std::string text;
   };

@@ -143,7 +143,7 @@ const char* PatternMatcher::class_end(const char* p) const {
   }
   if (p[-1] != '[') return p;
   if (p < pattern_end_ && *p == '^') ++p;
-  do {  // look for the closing bracket; one that comes first is a member
+  do {  // looks for the closing bracket; a bracket in first place is a member
     if (p == pattern_end_) luaL_error(lua_, "malformed pattern (missing ']')");
     if (*p++ == escape && p < pattern_end_) ++p;
   } while (p == pattern_end_ || *p != ']');

@@ -1,6 +1,6 @@
 #pragma once
-// Lua's text patterns (reference manual 6.4.1), with each step paid from the budget: the library's own
-// matcher can backtrack for hours without a hook being called.
+// Lua's text patterns (reference manual 6.4.1). Each step is charged to the budget, because the library's own
+// matcher can backtrack for hours without calling a hook.
 
 #include <array>
 #include <cstddef>
@@ -12,16 +12,18 @@ namespace flyrock {
 
 class PatternMatcher {
  public:
-  /// Both texts must outlive the matcher. Faults of the pattern are Lua errors, as in the library.
+  /// Both texts must outlive the matcher. Errors in the pattern are Lua errors, as in the library.
   PatternMatcher(lua_State* lua, std::string_view subject, std::string_view pattern);
 
-  /// The end of the match that begins at `start` (null where there is none). `pattern` without its anchor.
+  /// The end of the match that begins at `start`; null if there is none. `pattern` must not include its
+  /// anchor.
   const char* match(const char* start);
 
   int captures() const { return level_; }
-  /// Pushes capture `index` from 0; where the pattern has none, index 0 is the whole match from start to end.
+  /// Pushes capture `index`, from 0. If the pattern has no captures, index 0 is the whole match from start to
+  /// end.
   void push_capture(int index, const char* start, const char* end) const;
-  /// Pushes all captures, or the whole match where there are none and `start` is not null; returns how many.
+  /// Pushes all captures, or the whole match if there are none and `start` is not null. Returns their number.
   int push_captures(const char* start, const char* end) const;
 
  private:

@@ -17,7 +17,7 @@ std::string_view text_at(lua_State* lua, int index) {
   return {text, length};
 }
 
-/// The offset from 0 that an optional position names; beyond the end where it names none.
+/// The offset, from 0, of an optional position; beyond the end if there is no such place.
 std::size_t start_at(lua_State* lua, int index, std::size_t length) {
   const lua_Integer position = luaL_optinteger(lua, index, 1);
   if (position > 0) return static_cast<std::size_t>(position) - 1;
@@ -25,7 +25,7 @@ std::size_t start_at(lua_State* lua, int index, std::size_t length) {
   return length + static_cast<std::size_t>(position);
 }
 
-/// Finds a text as it stands, paying for what is compared.
+/// Finds a text without patterns and charges for the comparisons.
 const char* find_plain(lua_State* lua, std::string_view subject, std::string_view text, std::size_t from) {
   const char* end = subject.data() + subject.size();
   const char* s = subject.data() + from;
@@ -78,7 +78,7 @@ int search(lua_State* lua, bool find) {
 int find(lua_State* lua) { return search(lua, true); }
 int match(lua_State* lua) { return search(lua, false); }
 
-/// Upvalues: subject, pattern, where to go on, the end of the last match (or -1).
+/// Upvalues: subject, pattern, where to continue, the end of the last match (or -1).
 int next_match(lua_State* lua) {
   const std::string_view subject = text_at(lua, lua_upvalueindex(1));
   const auto from = static_cast<std::size_t>(lua_tointeger(lua, lua_upvalueindex(3)));
@@ -87,7 +87,8 @@ int next_match(lua_State* lua) {
   for (std::size_t i = from; i <= subject.size(); ++i) {
     const char* s = subject.data() + i;
     const char* end = matcher.match(s);
-    if (!end || end - subject.data() == previous) continue;  // an empty match where the last one ended
+    if (!end || end - subject.data() == previous)
+      continue;  // skips an empty match at the end of the last match
     lua_pushinteger(lua, end - subject.data());
     lua_pushvalue(lua, -1);
     lua_replace(lua, lua_upvalueindex(3));
@@ -108,7 +109,7 @@ int all_matches(lua_State* lua) {
   return 1;
 }
 
-/// Adds a replacement text with its %0 to %9 filled in.
+/// Adds a replacement text with %0 to %9 filled in.
 void add_text(lua_State* lua, luaL_Buffer& result, const PatternMatcher& matcher, const char* start,
               const char* end) {
   const std::string_view text = text_at(lua, 3);
@@ -124,7 +125,7 @@ void add_text(lua_State* lua, luaL_Buffer& result, const PatternMatcher& matcher
       luaL_addlstring(&result, start, end - start);
     } else if (std::isdigit(static_cast<unsigned char>(next))) {
       matcher.push_capture(next - '1', start, end);
-      luaL_tolstring(lua, -1, nullptr);  // a position is a number
+      luaL_tolstring(lua, -1, nullptr);  // converts a position, which is a number
       lua_remove(lua, -2);
       luaL_addvalue(&result);
     } else {

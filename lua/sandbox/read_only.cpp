@@ -17,11 +17,11 @@ int refuse_write(lua_State* lua) {
   raise(lua, fmt::format("`{}` cannot be changed", lua_tostring(lua, lua_upvalueindex(1))));
 }
 
-// Keys of metatables that no Lua code can name.
-const char shown_key = 0;   // of a view: the table that it shows
-const char data_key = 0;    // of a view: that it is one of data
-const char view_key = 0;    // of the fields of a frozen table: its view
-const char former_key = 0;  // of the view of a frozen table: the metatable that the table had
+// Keys of metatables. Lua code cannot name them.
+const char shown_key = 0;   // in a view: the table that it shows
+const char data_key = 0;    // in a view: it is a view of data
+const char view_key = 0;    // in the fields of a frozen table: its view
+const char former_key = 0;  // in the view of a frozen table: the former metatable of the table
 
 bool push_marked(lua_State* lua, int index, const char* key) {
   if (!lua_istable(lua, index) || !lua_getmetatable(lua, index)) return false;
@@ -96,7 +96,7 @@ void move_fields(lua_State* lua, int from, int to) {
   }
 }
 
-/// __index of a frozen table whose own is a function (upvalue 2): its fields (upvalue 1) first.
+/// __index of a frozen table whose own __index is a function (upvalue 2). Its fields (upvalue 1) come first.
 int index_by_function(lua_State* lua) {
   lua_pushvalue(lua, 2);
   if (lua_rawget(lua, lua_upvalueindex(1)) != LUA_TNIL) return 1;
@@ -107,17 +107,17 @@ int index_by_function(lua_State* lua) {
   return 1;
 }
 
-/// On the stack: a frozen table's fields at `fields`, the metatable of its view, that of its fields, and the
-/// one that it had, which is popped.
+/// On the stack: the fields of a frozen table at `fields`, the metatable of its view, the metatable of its
+/// fields, and its former metatable, which is popped.
 void keep_metamethods(lua_State* lua, int fields) {
   const int of_view = fields + 1, of_fields = fields + 2, own = fields + 3;
-  lua_pushvalue(lua, own);  // what getmetatable answers, unless it has an answer of its own
+  lua_pushvalue(lua, own);  // the answer of getmetatable, unless it has its own
   lua_setfield(lua, of_view, "__metatable");
   if (push_shown(lua, own)) lua_replace(lua, own);
   for (lua_pushnil(lua); lua_next(lua, own); lua_pop(lua, 1)) {
     const std::string_view name = lua_type(lua, -2) == LUA_TSTRING ? lua_tostring(lua, -2) : "";
-    // What acts when garbage is collected is refused by setmetatable; a field that was set later stays
-    // without effect.
+    // setmetatable refuses the fields that act at garbage collection. If they are set later, they have no
+    // effect.
     if (name == "__newindex" || name == "__mode" || name == "__gc" || !name.starts_with("__")) continue;
     int to = of_view;
     lua_pushvalue(lua, -1);
@@ -126,7 +126,7 @@ void keep_metamethods(lua_State* lua, int fields) {
       lua_insert(lua, -2);
       lua_pushcclosure(lua, index_by_function, 2);
     } else if (name == "__index") {
-      to = of_fields;  // no Lua code sees these fields: only a table may follow them
+      to = of_fields;  // Lua code never sees these fields, so only a table may follow them
     }
     lua_setfield(lua, to, name.data());
   }
@@ -137,7 +137,7 @@ void keep_metamethods(lua_State* lua, int fields) {
 
 void make_read_only(lua_State* lua, const std::string& what, bool is_data) {
   const int table = lua_gettop(lua);
-  lua_createtable(lua, 0, 0);  // the view stays empty, so that each access asks its metatable
+  lua_createtable(lua, 0, 0);  // empty, so that each access uses its metatable
   push_view_metatable(lua, table, what, refuse_write, is_data);
   lua_setmetatable(lua, -2);
   lua_replace(lua, table);
@@ -149,7 +149,7 @@ void freeze_table(lua_State* lua, int index, const std::string& what, lua_CFunct
   const int fields = lua_gettop(lua);
   move_fields(lua, index, fields);
   push_view_metatable(lua, fields, what, refuse, true);
-  lua_createtable(lua, 0, 2);  // of the fields: back to the view, and what the table inherited
+  lua_createtable(lua, 0, 2);  // of the fields: leads back to the view, and inherits
   lua_pushvalue(lua, index);
   lua_rawsetp(lua, -2, &view_key);
   if (lua_getmetatable(lua, index)) keep_metamethods(lua, fields);

@@ -11,7 +11,7 @@ namespace flyrock {
 
 namespace {
 
-/// Names that a Lua programmer expects and that are left out on purpose.
+/// Names that Lua programmers expect and that are left out on purpose.
 constexpr std::pair<std::string_view, std::string_view> left_out[] = {
     {"io", "plugins and scenarios do not touch files"},
     {"os", "plugins and scenarios do not touch the system or the clock"},
@@ -47,7 +47,7 @@ int refuse_global(lua_State* lua) {
                          name ? name : luaL_typename(lua, 2)));
 }
 
-/// Opens a library of Lua without entering it anywhere.
+/// Opens a Lua library without registering it.
 void push_library(lua_State* lua, lua_CFunction open) {
   lua_pushcfunction(lua, open);
   lua_call(lua, 0, 1);
@@ -82,7 +82,7 @@ void push_globals(lua_State* lua) {
   add_string_library(lua);
   add_read_only(lua, "string");
 
-  lua_createtable(lua, 0, 1);  // a name that is nowhere
+  lua_createtable(lua, 0, 1);  // metatable of the globals, for undefined names
   lua_pushvalue(lua, -2);
   lua_pushcclosure(lua, guarded<refuse_undefined>, 1);
   lua_setfield(lua, -2, "__index");

@@ -12,10 +12,10 @@ namespace flyrock {
 
 namespace {
 
-// Where the stack holds the table to sort, the comparison (or nil) and a copy of the elements.
+// Positions on the stack: the table to sort, the comparison (or nil), a copy of the elements.
 constexpr int table = 1, comparison = 2, elements = 3;
 
-/// Pays for comparing the two values at the top of the stack where both are long texts.
+/// Charges for comparing the two values at the top of the stack if both are long texts.
 void charge_texts(lua_State* lua) {
   if (lua_type(lua, -1) != LUA_TSTRING || lua_type(lua, -2) != LUA_TSTRING) return;
   const double bytes = static_cast<double>(std::min(lua_rawlen(lua, -1), lua_rawlen(lua, -2)));
@@ -58,7 +58,7 @@ int stable_sort(lua_State* lua) {
   const lua_Integer length = luaL_len(lua, table);
   if (length < 2) return 0;
   charge(lua, static_cast<double>(length) *
-                  std::log2(static_cast<double>(length)));  // no more comparisons than this
+                  std::log2(static_cast<double>(length)));  // upper bound of the number of comparisons
   if (!lua_isnoneornil(lua, comparison)) luaL_checktype(lua, comparison, LUA_TFUNCTION);
   lua_settop(lua, comparison);
   lua_createtable(lua, static_cast<int>(length), 0);

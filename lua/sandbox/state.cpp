@@ -22,7 +22,7 @@ int call_body(lua_State* lua) {
   lua_settop(lua, 0);
   try {
     call.body(call.data, lua);
-  } catch (const std::exception&) {  // kept aside: Lua would lose it
+  } catch (const std::exception&) {  // stored aside, because Lua would lose it
     call.thrown = std::current_exception();
   }
   return 0;
@@ -37,7 +37,7 @@ std::string error_text(lua_State* lua) {
   return fmt::format("raised an error that is no text but a {}", luaL_typename(lua, -1));
 }
 
-/// The message handler: names the place where a message does not. (Those of memory do not come here.)
+/// The message handler: adds the place if a message has none. (Memory errors do not reach it.)
 int add_place(lua_State* lua) {
   std::string text = error_text(lua);
   budget_of(lua).raised_at = place_of(lua);

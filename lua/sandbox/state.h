@@ -1,5 +1,5 @@
 #pragma once
-// A Lua state behind protected calls.
+// A Lua state with protected calls.
 
 #include <memory>
 #include <stdexcept>
@@ -13,11 +13,12 @@ namespace flyrock {
 /// An error that Lua raised: "my_law.lua:16: attempt to perform arithmetic on a nil value".
 struct LuaError : std::runtime_error {
   LuaError(const std::string& text, std::string at) : std::runtime_error(text), raised_at(std::move(at)) {}
-  std::string raised_at;  ///< "my_law.lua:16: ", whatever place the text claims; empty where no Lua code ran
+  std::string
+      raised_at;  ///< "my_law.lua:16: ", even if the text claims another place; empty if no Lua code ran
 };
 
-/// Owns a state. Nothing touches it but the body of a `run`: there errors of Lua, out of memory included,
-/// have a frame that catches them. Lua is the C++ build, so its errors unwind C++ frames.
+/// Owns a state. Only the body of a `run` may touch it, because there Lua errors, including out of memory,
+/// have a frame that catches them. Lua is built as C++, so its errors unwind C++ frames.
 class LuaState {
  public:
   explicit LuaState(const Wording& wording);  ///< throws std::bad_alloc
@@ -25,7 +26,7 @@ class LuaState {
   LuaState(const LuaState&) = delete;
   LuaState& operator=(const LuaState&) = delete;
 
-  /// Runs body(lua_State*) with an empty stack in a protected call. Throws LuaError for an error of Lua;
+  /// Runs body(lua_State*) with an empty stack in a protected call. Throws LuaError for a Lua error;
   /// exceptions of the body pass through.
   template <class Body>
   void run(double instructions, Body&& body) {
@@ -34,12 +35,12 @@ class LuaState {
         [](void* data, lua_State* lua) { (*static_cast<std::remove_reference_t<Body>*>(data))(lua); }, &body);
   }
 
-  /// Lets go of a value kept with luaL_ref.
+  /// Releases a value kept with luaL_ref.
   void release(int reference);
 
-  /// From here on `print` writes nothing: what it says waits to be taken. Forgets what was printed before.
+  /// From here on `print` writes nothing and its lines wait to be taken. Drops lines printed before.
   void collect_prints();
-  /// What was printed since it was taken last; each time counts the lines of a place anew.
+  /// The lines printed since the last call. Each call resets the counts of lines for each place.
   PrintLog take_prints();
 
  private:
@@ -53,16 +54,16 @@ class LuaState {
 /// Whether a message begins with the place of Lua code: "my_law.lua:16: ...".
 bool has_place(std::string_view text);
 
-/// Raises `text` as a Lua error with the place of the Lua code that is running.
+/// Raises `text` as a Lua error with the place of the running Lua code.
 [[noreturn]] void raise(lua_State* lua, const std::string& text);
 
-/// Turns exceptions of a C++ function into Lua errors, so that none is lost on its way through Lua.
+/// Turns exceptions of a C++ function into Lua errors, so that they pass through Lua.
 template <int (*function)(lua_State*)>
 int guarded(lua_State* lua) {
   std::string text;
   try {
     return function(lua);
-  } catch (const std::exception& failure) {  // Lua's own errors are not std::exceptions and pass
+  } catch (const std::exception& failure) {  // Lua's own errors are not std::exceptions and pass through
     text = failure.what();
   }
   raise(lua, text);

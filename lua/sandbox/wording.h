@@ -1,5 +1,5 @@
 #pragma once
-// How the sandbox words its messages: the host says, so that they sound like all others of the program.
+// The wording of the sandbox's messages. The host provides it, so that they sound like all other messages.
 
 #include <string>
 #include <string_view>
@@ -8,9 +8,9 @@
 namespace flyrock {
 
 struct Wording {
-  /// A text in one line, without control characters.
+  /// The text in one line, without control characters.
   std::string (*printable)(std::string_view text);
-  /// ", did you mean `x`?" with the candidate nearest to a word; empty where none is near.
+  /// ", did you mean `x`?" with the candidate nearest to a word; empty if none is near.
   std::string (*did_you_mean)(std::string_view word, const std::vector<std::string>& candidates);
 };
 
