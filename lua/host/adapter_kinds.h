@@ -1,5 +1,5 @@
 #pragma once
-// The factories of the kinds of pure Lua plugins.
+// The factories of pure Lua plugins, one for each kind.
 
 #include <memory>
 
@@ -8,7 +8,7 @@
 
 namespace flyrock {
 
-/// The factory whose products are an Adapter for the plugin behind the interface Kind.
+/// A factory whose products are Adapters: they let the plugin act as the interface Kind.
 template <class Kind, class Adapter>
 Factory adapter_factory(std::shared_ptr<const LuaPlugin> plugin) {
   return FactoryOf<Kind>([plugin = std::move(plugin)](Params& params) -> std::unique_ptr<Kind> {

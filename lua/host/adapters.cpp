@@ -18,7 +18,7 @@ Factory lua_factory(std::shared_ptr<LuaState> state, lua_State* lua, const Plugi
   lua_rawgeti(lua, LUA_REGISTRYINDEX, function);
   lua_Debug info;
   lua_getinfo(lua, ">Su", &info);
-  const bool in_lua = info.linedefined >= 0;  // a function of the library has no place
+  const bool in_lua = info.linedefined >= 0;  // a library function has no place
   plugin->origin = in_lua ? fmt::format("{}, {}:{}", spec.name, info.source + 1, info.linedefined)
                           : fmt::format("{}, {}", spec.name, spec.file);
   plugin->only_parameters = info.nparams <= 1 && !info.isvararg;

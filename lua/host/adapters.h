@@ -1,5 +1,5 @@
 #pragma once
-// Pure Lua plugins behind the interfaces of the engine.
+// Adapts pure Lua plugins to the interfaces of the engine.
 
 #include <memory>
 
@@ -8,8 +8,8 @@
 
 namespace flyrock {
 
-/// The factory of a plugin whose entry point is the Lua function kept under `function`. What it makes
-/// shares the state and belongs to the state's thread. To be called within a run of the state.
+/// The factory of a plugin. `function` is the reference of its entry function. Its products share the state
+/// and belong to the state's thread. Call it within a run of the state.
 Factory lua_factory(std::shared_ptr<LuaState> state, lua_State* lua, const PluginSpec& spec, int function);
 
 }  // namespace flyrock

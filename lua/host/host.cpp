@@ -21,9 +21,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Whether a path lies in a folder, also after its symbolic links.
+/// Whether a path is in a folder, also after resolving symbolic links.
 bool is_within(const fs::path& path, const fs::path& folder) {
-  // Absolute first: of a relative path that does not exist nothing would be resolved.
+  // Absolute first, because a relative path that does not exist would not be resolved at all.
   const fs::path real = fs::weakly_canonical(fs::absolute(path));
   const fs::path around = fs::weakly_canonical(fs::absolute(folder.empty() ? "." : folder));
   return std::mismatch(around.begin(), around.end(), real.begin(), real.end()).first == around.end();
@@ -72,12 +72,13 @@ void LuaSession::Host::load(const LuaFile& file, Diagnostics& diagnostics, Use&&
   registered_ = 0;
   try {
     state_->run(Budget::load_limit, [&](lua_State* lua) {
-      lua_pushnil(lua);  // no argument for the file
+      lua_pushnil(lua);  // the file gets no argument
       run_file(lua, file);
       use(lua);
     });
   } catch (const LuaError& error) {
-    // The text may claim any place, as by error(text, 0); that of the code that raised it is known.
+    // The text may claim any place, for example by error(text, 0). The place of the code that raised it is
+    // known.
     auto message = files_.split_message(error.what());
     if (!message) message = files_.split_message(error.raised_at + error.what());
     if (!message) message.emplace(Location{file.source, 1, 1}, error.what());
@@ -157,13 +158,13 @@ LuaSession::Host& LuaSession::Host::self(lua_State* lua) {
 
 std::pair<const LuaFile*, FieldPlaces> LuaSession::Host::calling(lua_State* lua, const char* function) const {
   lua_Debug frame;
-  const bool called =
-      lua_getstack(lua, 1, &frame) != 0 && lua_getinfo(lua, "Sl", &frame) != 0;  // not by a coroutine itself
+  const bool called = lua_getstack(lua, 1, &frame) != 0 &&
+                      lua_getinfo(lua, "Sl", &frame) != 0;  // false if a coroutine calls it directly
   const LuaFile* file = main_ && called ? files_.of_chunk(frame.source) : nullptr;
   if (!file)
     throw std::runtime_error(
         fmt::format("fr.{} is for loading: it stands at the top level of a file", function));
-  charge(lua, 10'000 + 5.0 * static_cast<double>(file->text.size()));  // for the scanning of the source
+  charge(lua, 10'000 + 5.0 * static_cast<double>(file->text.size()));  // for scanning the source
   return {file, FieldPlaces(file->source, function, frame.currentline)};
 }
 
@@ -173,7 +174,7 @@ int LuaSession::Host::scenario(lua_State* lua) {
   host.scenarios_.push_back({lua_topointer(lua, 1), host.calling(lua, "scenario").second});
   lua_settop(lua, 1);
   lua_pushvalue(lua, 1);
-  luaL_ref(lua, LUA_REGISTRYINDEX);  // kept, so that no other table comes to lie at its address
+  luaL_ref(lua, LUA_REGISTRYINDEX);  // kept, so that no other table gets its address
   return 1;
 }
 
@@ -182,7 +183,7 @@ int LuaSession::Host::plugin(lua_State* lua) {
     raise(lua, "fr.plugin takes a table: fr.plugin { kind = ..., name = ..., doc = ..., ... }");
   lua_settop(lua, 1);
   self(lua).register_plugin(lua);
-  lua_createtable(lua, 0, 2);  // what a script may say of it
+  lua_createtable(lua, 0, 2);  // the functions that a script may use
   for (const char* field : {"kind", "name"}) {
     lua_getfield(lua, 1, field);
     lua_setfield(lua, -2, field);
@@ -193,7 +194,7 @@ int LuaSession::Host::plugin(lua_State* lua) {
 
 void LuaSession::Host::register_plugin(lua_State* lua) {
   const auto [file, places] = calling(lua, "plugin");
-  charge(lua, 90'000);  // `flyrock check` asks each plugin thousands of times
+  charge(lua, 90'000);  // because `flyrock check` calls each plugin thousands of times
   ++registered_;
   std::map<std::string, int> functions;
   const auto value = read_value(lua, 1, places, *diagnostics_, [&](const std::string& path) {
@@ -232,7 +233,7 @@ std::optional<Factory> LuaSession::Host::native_factory(const PluginSpec& spec, 
     if (!is_within(named, file.folder))
       return refuse(fmt::format("`{}` leads out of the folder of {}", object, file.source->name));
     const std::string path =
-        fs::weakly_canonical(fs::absolute(named)).string();  // what was looked at is what is loaded
+        fs::weakly_canonical(fs::absolute(named)).string();  // loads exactly the file that was checked
     const auto bytes = read_bytes(path);
     if (!bytes) return refuse(fmt::format("no shared object `{}` beside the manifest", object));
     if (const std::string error = load_module(path, own); !error.empty()) return refuse(error);
@@ -282,7 +283,7 @@ void LuaSession::Host::require_file(lua_State* lua, const std::string& name) {
         fmt::format("require: {}, expected a module beside the file{}", fault,
                     nearest_name(name, {"flyrock"}).empty() ? "" : "; did you mean `flyrock`?"));
   sources_.push_back({shown, file->text});
-  struct Loading {  // forgets the file where it fails: an error of Lua unwinds this frame
+  struct Loading {  // forgets the file if loading fails, because a Lua error unwinds this frame
     std::map<std::string, int>& required;
     const std::string& path;
     int reference = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// What stands behind a LuaSession: the state with its libraries, the functions fr.scenario, fr.plugin and
+// The implementation of LuaSession: the state with its libraries, the functions fr.scenario, fr.plugin and
 // require, and the files that are being loaded.
 
 #include <map>
@@ -30,29 +30,29 @@ class LuaSession::Host {
   const std::vector<SourceText>& sources() const { return sources_; }
 
  private:
-  /// A table given to fr.scenario, and where.
+  /// A table given to fr.scenario, and the place of the call.
   struct Marked {
     const void* table;
     FieldPlaces places;
   };
 
-  // The functions that Lua sees; upvalue 1 is the host.
+  // The functions that Lua sees. Upvalue 1 is the host.
   static Host& self(lua_State* lua);
   static int scenario(lua_State* lua);
   static int plugin(lua_State* lua);
   static int require(lua_State* lua);
 
   void open_libraries(lua_State* lua, const std::string& share);
-  /// Loads a file at the top level: `use` gets its result at the top of the stack.
+  /// Loads a file at the top level. `use` finds its result at the top of the stack.
   template <class Use>
   void load(const LuaFile& file, Diagnostics& diagnostics, Use&& use);
   /// Runs a file in its own environment; its result stays on the stack.
   void run_file(lua_State* lua, const LuaFile& file);
   void require_file(lua_State* lua, const std::string& name);
-  /// The file and the places of the call of fr.`function` that is running.
+  /// The file and the field places of the running call of fr.`function`.
   std::pair<const LuaFile*, FieldPlaces> calling(lua_State* lua, const char* function) const;
   void register_plugin(lua_State* lua);
-  /// The factory that `native` names; reports where there is none.
+  /// The factory with the name `native`. Reports an error if there is none.
   std::optional<Factory> native_factory(const PluginSpec& spec, const LuaFile& file, const Location& at);
 
   std::shared_ptr<LuaState> state_;
@@ -61,10 +61,10 @@ class LuaSession::Host {
   FactoryTable natives_;  // of flyrock_plugins.so
   SourceFiles files_;
   std::vector<SourceText> sources_;
-  std::map<std::string, int> required_;  // by path: reference of the result, 0 while it is being loaded
+  std::map<std::string, int> required_;  // by path: reference of the result; 0 while it is being loaded
   std::vector<Marked> scenarios_;
 
-  // While a file is loaded:
+  // Set while a file is loaded:
   Diagnostics* diagnostics_ = nullptr;
   const LuaFile* main_ = nullptr;
   bool builtin_ = false;

@@ -12,14 +12,14 @@ namespace flyrock {
 
 namespace {
 
-/// The contact, and behind it the law's memory, which is reached through the contact.
+/// The contact, and after it the law's memory, which the contact gives access to.
 std::vector<View> contact_and_history(lua_State* lua, const PluginSpec& spec) {
   if (spec.history.empty()) return {contact_view(lua)};
   const View history = history_view(lua, spec);
   return {contact_view(lua, &history), history};
 }
 
-/// What all laws share; `Kind` is the interface of one.
+/// The common part of all laws; `Kind` is the interface of one.
 template <class Kind>
 class LuaLaw : public Kind {
  public:

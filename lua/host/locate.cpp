@@ -6,7 +6,7 @@
 
 namespace flyrock {
 
-/// Walks over a table constructor and notes where its fields stand.
+/// Walks over a table constructor and stores the places of its fields.
 class ConstructorScanner {
  public:
   ConstructorScanner(const std::vector<LuaToken>& tokens, FieldPlaces& places)
@@ -30,7 +30,7 @@ class ConstructorScanner {
   const LuaToken& here() const { return ahead(0); }
   bool ended() const { return here().kind == Kind::end; }
 
-  /// From `{` to behind its `}`.
+  /// Reads from `{` to the end of its `}`.
   void constructor(const std::string& path) {
     ++at_;
     std::size_t position = 0;
@@ -57,10 +57,10 @@ class ConstructorScanner {
     ++at_;
   }
 
-  /// To the end of a field's value.
+  /// Reads to the end of a field's value.
   void expression(const std::string& path) {
     nested_constructor(path);
-    int depth = 0;  // of brackets and blocks, in which commas do not end the field
+    int depth = 0;  // of brackets and blocks; commas inside do not end the field
     for (; !ended(); ++at_) {
       if (depth == 0 && (here().is(",") || here().is(";") || here().is("}"))) return;
       for (const char* open : {"(", "{", "[", "function", "do", "if", "repeat"}) depth += here().is(open);
@@ -68,7 +68,7 @@ class ConstructorScanner {
     }
   }
 
-  /// `{ ... }`, `f { ... }` or `a.b({ ... })`, where the value begins so.
+  /// Reads `{ ... }`, `f { ... }` or `a.b({ ... })` if the value begins like this.
   void nested_constructor(const std::string& path) {
     const std::size_t start = at_;
     if (here().kind == Kind::name)

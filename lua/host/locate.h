@@ -1,5 +1,5 @@
 #pragma once
-// Where the values of a Lua table stand in its source.
+// Finds the places of the values of a Lua table in its source.
 
 #include <map>
 #include <memory>
@@ -11,14 +11,15 @@
 
 namespace flyrock {
 
-/// The places of the fields of one table constructor, by path: "terrain.face_angle", "rocks[0].name".
-/// A path that is not written there (the table came from a variable or a function) is at the call, column 1.
+/// The places of the fields of one table constructor, by path: "terrain.face_angle", "rocks[0].name". A path
+/// that is not written in the constructor (because the table comes from a variable or a function) has the
+/// place of the call, in column 1.
 class FieldPlaces {
  public:
-  FieldPlaces() = default;  ///< knows no place: for values that a function made
+  FieldPlaces() = default;  ///< knows no places: for values that a function made
   /// Scans `source` for the call of `function` ("scenario", "plugin") whose name or table begins on `line`,
-  /// and for the fields of the table constructor that is its argument. Constructors nested in fields
-  /// are followed, also as the argument of a call: `en = fr.number { default = 0.5 }`.
+  /// and for the fields of the table constructor in its argument. Also follows constructors nested in fields,
+  /// even as the argument of a call: `en = fr.number { default = 0.5 }`.
   FieldPlaces(std::shared_ptr<const Source> source, std::string_view function, int line);
 
   Location call() const;

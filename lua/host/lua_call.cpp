@@ -14,7 +14,7 @@ namespace flyrock {
 LuaParameters::LuaParameters(lua_State* lua, const PluginSpec& spec, Params& params) {
   lua_createtable(lua, 0, static_cast<int>(spec.params.size()));
   const int table = lua_gettop(lua);
-  lua_createtable(lua, 0, 0);  // names that may be absent
+  lua_createtable(lua, 0, 0);  // no names may be absent
   for (const ParamSpec& param : spec.params) {
     const bool given = params.given(param.name);
     if (!given) {
@@ -153,8 +153,8 @@ void LuaCall::call(lua_State* lua, Values values, std::initializer_list<const vo
 void LuaCall::end_failed(const LuaError& error) const {
   plugin_->state->run(instructions_, [&](lua_State* lua) {
     outer_->restore(lua);
-    // What the call left would otherwise count for later ones: what they say would depend on the rocks of
-    // this thread.
+    // Collects the garbage of the call. Otherwise it would count in later calls, and their messages would
+    // depend on the earlier rocks of this thread.
     lua_gc(lua, LUA_GCCOLLECT);
   });
   rethrow(error);

@@ -1,5 +1,5 @@
 #pragma once
-// A call of a plugin's Lua function with its parameters.
+// Calls a plugin's Lua function with its parameters.
 
 #include <memory>
 #include <string>
@@ -12,23 +12,24 @@
 
 namespace flyrock {
 
-/// A pure Lua plugin, as its manifest made it.
+/// A pure Lua plugin, made from its manifest.
 struct LuaPlugin {
   std::shared_ptr<LuaState> state;
   PluginSpec spec;
   int function = 0;              ///< reference of the entry function
-  std::string origin;            ///< "my_law, my_law.lua:14": where the function is defined
-  std::string entry;             ///< "impact"
-  bool only_parameters = false;  ///< it takes `p` alone
+  std::string origin;            ///< the place where the function is defined: "my_law, my_law.lua:14"
+  std::string entry;             ///< name of the entry function: "impact"
+  bool only_parameters = false;  ///< the function takes only `p`
 };
 
-/// The table `p`: one for each use of a plugin, read-only for Lua, rewritten where a draw has changed.
+/// The table `p`: one for each use of a plugin, read-only for Lua. A value is written again when its draw has
+/// changed.
 class LuaParameters {
  public:
-  /// Asks `params` for all that the manifest declares.
+  /// Reads all parameters of the manifest from `params`.
   LuaParameters(lua_State* lua, const PluginSpec& spec, Params& params);
 
-  /// Writes the draws that differ from those of the last call and pushes p.
+  /// Writes the draws that differ from those of the last call, then pushes p.
   void push(lua_State* lua, Values values);
   std::vector<int> references() const;
 
@@ -38,20 +39,21 @@ class LuaParameters {
     ParamType type;
     int slot;
     int component = 0;  // of a vector, from 1
-    int vector = 0;     // its table
+    int vector = 0;     // reference of its table
   };
   void set(lua_State* lua, const Field& field, double value);
 
   std::vector<Field> fields_;
-  std::vector<double> last_;  // values written
-  std::vector<int> vectors_;  // references, as the two below
+  std::vector<double> last_;  // values written last
+  std::vector<int> vectors_;  // references, like the two members below
   int table_ = 0, view_ = 0;
 };
 
-/// An entry function that is ready to be called. Belongs to one thread.
+/// An entry function, ready for calls. Belongs to one thread.
 class LuaCall {
  public:
-  /// `make_views` returns what the function is passed after p, in order; a call may use `instructions`.
+  /// `make_views` returns the arguments of the function after p, in order. `instructions` is the limit of one
+  /// call.
   LuaCall(std::shared_ptr<const LuaPlugin> plugin, Params& params,
           std::vector<View> (*make_views)(lua_State*, const PluginSpec&), double instructions);
   ~LuaCall();
@@ -60,7 +62,7 @@ class LuaCall {
 
   const LuaPlugin& plugin() const { return *plugin_; }
 
-  /// Calls the function with p and views of `objects`; `read` takes its `results` results from the top of the
+  /// Calls the function with p and views of `objects`. `read` takes the `results` results from the top of the
   /// stack. Throws PluginError, also for a LuaError in `read`.
   template <class Read>
   void operator()(Values values, std::initializer_list<const void*> objects, int results, Read&& read) const {
@@ -76,7 +78,7 @@ class LuaCall {
 
   /// Throws PluginError "plugin my_law, my_law.lua:14: impact() <text>".
   [[noreturn]] void fail(const std::string& text) const;
-  /// The number at `index`, an answer called `name`.
+  /// The number at `index`; `name` is its name in messages.
   double number(lua_State* lua, int index, const char* name) const;
 
  private:
@@ -86,7 +88,7 @@ class LuaCall {
 
   std::shared_ptr<const LuaPlugin> plugin_;
   double instructions_;
-  mutable std::unique_ptr<LuaParameters> parameters_;  // the state of the interpreter, not of the law
+  mutable std::unique_ptr<LuaParameters> parameters_;  // mutable: state of the interpreter, not of the law
   mutable std::vector<View> views_;
   std::unique_ptr<OuterLocals> outer_;
 };

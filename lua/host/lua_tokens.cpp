@@ -90,7 +90,7 @@ class Scanner {
     if (!peek()) return token;
     if (std::isdigit(static_cast<unsigned char>(peek()))) {
       token.kind = Kind::number;
-      // an exponent's sign belongs to the number, a minus after other letters does not
+      // The sign of an exponent belongs to the number; a minus after other letters does not.
       while (word(peek()) || peek() == '.' ||
              (std::strchr("+-", peek()) && std::strchr("eEpP", token.text.back())))
         token.text += take();
@@ -106,7 +106,8 @@ class Scanner {
     } else {
       token.kind = Kind::symbol;
       token.text = take();
-      if (peek() == '=' && std::strchr("=<>~", token.text[0])) token.text += take();  // `==` is not `=`
+      if (peek() == '=' && std::strchr("=<>~", token.text[0]))
+        token.text += take();  // `==` is one word and differs from `=`
     }
     return token;
   }

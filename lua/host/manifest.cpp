@@ -70,7 +70,8 @@ class ManifestReader {
     return false;
   }
 
-  /// A name, never a path: it is that of a file beside the manifest, whose code runs as soon as it is opened.
+  /// Reads a file name in the folder of the manifest and never a path, because its code runs as soon as it is
+  /// opened.
   void read_native() {
     const auto native = table_.text("native");
     if (native && !is_identifier(*native))
@@ -94,7 +95,7 @@ class ManifestReader {
     }
   }
 
-  /// Either native or the function of its kind, and no other function.
+  /// Requires either native or the function of the kind, and no other function.
   void check_entry() {
     const std::string entry(entry_point(spec_.kind));
     const bool native = manifest_.find("native");
@@ -168,7 +169,7 @@ class ManifestReader {
                    fmt::format("`{}` without a choice, expected `FIELD if PARAM is CHOICE`", read.param));
   }
 
-  /// What a law remembers: names, and whether each contact or each pair of bodies has its own.
+  /// Reads the memory of a law: its names, and whether each contact or each pair of bodies has its own.
   void read_history() {
     spec_.history = table_.texts("history").value_or(std::vector<std::string>{});
     const auto owner = table_.text("history_of");

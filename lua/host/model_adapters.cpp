@@ -1,4 +1,4 @@
-// The kinds that make rocks, terrains and launches.
+// The kinds of plugins that make rocks, terrains and launches.
 
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@ std::vector<View> rock_blast_random(lua_State* lua, const PluginSpec& spec) {
   return {rock_view(lua), blast_view(lua, spec), random_view(lua)};
 }
 
-/// Calls and returns the single answer as a tree.
+/// Calls the function and returns its single answer as a tree.
 Value ask(const LuaCall& call, Values values, std::initializer_list<const void*> objects) {
   Value answer;
   call(values, objects, 1, [&](lua_State* lua) { answer = answer_tree(call, lua); });

@@ -70,14 +70,14 @@ class ParamReader {
     }
   }
 
-  /// As a scenario's numbers are converted, so that a default and the same number written there are equal.
+  /// Converts in the same way as for a scenario, so that a default equals the same number in a scenario.
   double si(double written) const { return Quantity{written, true, unit_, spec_.unit}.si(); }
   std::optional<double> si(const std::optional<double>& written) const {
     if (!written) return std::nullopt;
     return si(*written);
   }
 
-  /// A limit that is a number; one that names another parameter goes to the bounds.
+  /// A limit that is a number. A limit that names another parameter becomes a bound.
   std::optional<double> limit(BoundRelation relation) {
     const std::string key(key_of(relation));
     const Value* value = table_.field(key);
@@ -146,7 +146,7 @@ class ParamReader {
         break;
       case ParamType::points:
       case ParamType::file:
-        break;  // what a scenario gives or leaves out
+        break;  // the scenario gives it or leaves it out
     }
   }
 
@@ -167,10 +167,10 @@ class ParamReader {
   Unit unit_;  // as declared
 };
 
-/// What is wrong with a bound of `param`, or an empty text.
+/// Why a bound of `param` is wrong; empty if it is fine.
 std::string bound_fault(const ParamSpec& param, const ParamBound& bound,
                         const std::vector<ParamSpec>& params) {
-  std::vector<std::string> others;  // that it may name
+  std::vector<std::string> others;  // names that it may use
   for (const ParamSpec& one : params)
     if ((one.type == ParamType::number || one.type == ParamType::integer) && one.name != param.name)
       others.push_back(one.name);

@@ -1,5 +1,5 @@
 #pragma once
-// One parameter of a manifest.
+// Reads one parameter of a manifest.
 
 #include <optional>
 #include <string_view>
@@ -10,17 +10,18 @@
 
 namespace flyrock {
 
-/// Small letters, digits and _, a letter first: names of plugins, parameters and histories.
+/// Whether a name has only lower-case letters, digits and _, and begins with a letter: for plugins,
+/// parameters and histories.
 bool is_identifier(std::string_view name);
 
 inline constexpr std::size_t most_letters = 100;  ///< of the name of a plugin or of a parameter
 
-/// An fr.number { ... } or the like, under `params.NAME`, with its default and limits converted to SI.
-/// Nothing where there are errors, which are reported.
+/// Reads an fr.number { ... } or the like under `params.NAME`, with its default and limits converted to SI.
+/// Nothing if there are errors, which are reported.
 std::optional<ParamSpec> read_param(const Entry& entry, Diagnostics& diagnostics);
 
-/// Reports the bounds that name no other number of the same plugin and unit, and defaults that break them;
-/// whether all are sound. `written` holds the parameters in the order of `params`.
+/// Reports bounds that do not name another number of the same plugin with the same unit, and defaults that
+/// violate bounds. Returns whether all are sound. `written` holds the parameters in the order of `params`.
 bool check_bounds(const Map& written, const std::vector<ParamSpec>& params, Diagnostics& diagnostics);
 
 }  // namespace flyrock

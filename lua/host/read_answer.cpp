@@ -13,7 +13,7 @@ namespace flyrock {
 
 namespace {
 
-/// Reads the tree of one answer; every complaint names the place in it.
+/// Reads the tree of one answer. Every error names its place in the tree.
 class AnswerReader {
  public:
   explicit AnswerReader(const LuaCall& call) : call_(call) {}
@@ -26,7 +26,7 @@ class AnswerReader {
 
   void check_keys(const Value& value, const std::string& path, const std::vector<std::string>& known) const {
     if (value.list() && value.list()->empty())
-      return;  // Lua writes an empty list and a table without fields alike
+      return;  // an empty list and a table without fields look the same in Lua
     if (!value.map()) wrong(path, value, "a table with " + choice_text(known));
     for (const Entry& entry : *value.map())
       if (std::find(known.begin(), known.end(), entry.key) == known.end()) {

@@ -21,7 +21,7 @@ class Reader {
 
   bool failed() const { return failed_; }
 
-  /// The value at the top of the stack, which stays there (a view is replaced by what it shows).
+  /// Reads the value at the top of the stack and leaves it there (a view is replaced by its table).
   Value read(const std::string& path) {
     Value value;
     value.at = path.empty() ? places_.call() : places_.value(path);
@@ -92,7 +92,7 @@ class Reader {
     bool is_map = false;
     Map map;
     std::size_t positions = 0;
-    std::set<std::string> odd_keys;  // their types, in an order of their own: Lua's is up to addresses
+    std::set<std::string> odd_keys;  // types of these keys, sorted, because Lua's order depends on addresses
     for (lua_pushnil(lua_); lua_next(lua_, -2); lua_pop(lua_, 1)) {
       if (lua_type(lua_, -2) == LUA_TSTRING) {
         is_map = true;
@@ -149,7 +149,7 @@ class Reader {
   const FieldPlaces& places_;
   Diagnostics& diagnostics_;
   const FunctionSink& functions_;
-  std::vector<const void*> open_;  // the tables around the one that is read
+  std::vector<const void*> open_;  // tables that contain the current one
   int count_ = 0;
   bool failed_ = false;
 };

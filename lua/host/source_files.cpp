@@ -11,7 +11,7 @@ namespace flyrock {
 
 namespace {
 
-/// The name of a chunk in messages: Lua cuts long ones at the front.
+/// The name of a chunk in messages. Lua cuts long names at the front.
 std::string chunk_label(const std::string& name) {
   constexpr std::size_t room = LUA_IDSIZE - 1;
   constexpr std::string_view dots = "...";
@@ -33,7 +33,8 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 std::optional<std::string> read_bytes(const std::string& path) {
   std::error_code none;
-  if (!std::filesystem::is_regular_file(path, none)) return std::nullopt;  // a pipe or a device may never end
+  if (!std::filesystem::is_regular_file(path, none))
+    return std::nullopt;  // reading a pipe or a device may never end
   std::ifstream file(path, std::ios::binary);
   if (!file) return std::nullopt;
   std::ostringstream text;
@@ -71,7 +72,7 @@ const LuaFile* SourceFiles::read(const std::string& path, const std::string& sho
 
 const LuaFile* SourceFiles::of_chunk(const std::string& chunk) const {
   for (auto file = files_.rbegin(); file != files_.rend();
-       ++file)  // a file that was read again: the last text
+       ++file)  // for a file that was read again: the last text
     if (chunk == "@" + (*file)->source->name) return file->get();
   return nullptr;
 }

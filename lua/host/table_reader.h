@@ -1,5 +1,6 @@
 #pragma once
-// Reads the fields of one table of a manifest: each is asked once, what nobody asked for is an error.
+// Reads the fields of one table of a manifest. Each field is read once; a field that is never read is an
+// error.
 
 #include <optional>
 #include <string>
@@ -12,7 +13,7 @@ namespace flyrock {
 
 class TableReader {
  public:
-  /// `table` must be a map, or an empty list, which is an empty map.
+  /// `table` must be a map, or an empty list, which counts as an empty map.
   TableReader(const Value& table, std::string path, Diagnostics& diagnostics);
 
   /// The field, or null. Marks the name as known.
@@ -22,12 +23,13 @@ class TableReader {
   std::optional<std::string> text(const std::string& name);
   std::optional<std::vector<std::string>> texts(const std::string& name);
   std::optional<std::vector<double>> numbers(const std::string& name);
-  /// A text that must be there and not be empty.
+  /// A text that must be present and not empty.
   std::string required_text(const std::string& name);
 
-  /// About a field, or with an empty name about the table; `at` where the field is not in the tree.
+  /// Reports an error about a field, or about the table if the name is empty. `at` is for a field that is not
+  /// in the tree.
   void error(const std::string& name, const std::string& text, const Location* at = nullptr);
-  /// Reports the fields that nobody asked for, with the nearest known name.
+  /// Reports the fields that were never read, with the nearest known name.
   void finish();
   bool failed() const { return failed_; }
 

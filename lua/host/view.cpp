@@ -42,7 +42,7 @@ void View::push(lua_State* lua, int reference, const void* object) {
   static_cast<Box*>(lua_touserdata(lua, -1))->object = object;
 }
 
-/// The number of the field that the key at index 2 names.
+/// The number of the field with the key at index 2.
 int View::field(lua_State* lua, const Box& box) {
   lua_pushvalue(lua, 2);
   if (lua_rawget(lua, lua_upvalueindex(1)) == LUA_TNUMBER) {
@@ -69,7 +69,7 @@ int View::new_index(lua_State* lua) {
 }
 
 const void* viewed(lua_State* lua, int index, const ViewType& type) {
-  const auto* box = static_cast<const View::Box*>(lua_touserdata(lua, index));  // all our userdata are boxes
+  const auto* box = static_cast<const View::Box*>(lua_touserdata(lua, index));  // all userdata here are boxes
   if (!box || box->type != &type)
     raise(lua, fmt::format("a method of `{0}` was called without it: write {0}:method(...)", type.name));
   return box->object;

@@ -1,5 +1,5 @@
 #pragma once
-// Objects of the host as Lua code sees them: read-only, without a copy, valid during one call.
+// Shows objects of the host to Lua code: read-only, without a copy, valid during one call.
 
 #include <string>
 #include <string_view>
@@ -10,27 +10,27 @@ struct lua_State;
 
 namespace flyrock {
 
-/// One kind of view. `push` pushes field number `field` of `object`, a value or a method.
+/// One kind of view. `push` pushes field number `field` of `object`: a value or a method.
 struct ViewType {
   const char* name;  ///< "contact"
   void (*push)(lua_State* lua, const void* object, int field);
-  /// Takes the value at the top of the stack for a field; null: the object cannot be changed.
+  /// Takes the value at the top of the stack for a field. Null: the object cannot be changed.
   void (*assign)(lua_State* lua, const void* object, int field) = nullptr;
 };
 
-/// A userdata that shows the fields of an object; reading any other is an error with the nearest name.
-/// One is made for each plugin in use and pointed at an object before a call: a call makes no garbage. Nobody
-/// keeps it: what outlives a call is frozen (freeze.h).
+/// A userdata that shows the fields of an object. Reading any other field is an error that names the nearest
+/// one. One view is made for each plugin in use and pointed at an object before a call, so a call makes no
+/// garbage. Lua code cannot keep it, because everything that outlives a call is frozen (freeze.h).
 class View {
  public:
-  /// `fields`: names and the numbers that `push` knows them by. Leaves nothing on the stack.
+  /// `fields`: the names, with their numbers for `push`. Leaves nothing on the stack.
   View(lua_State* lua, const ViewType& type, const std::vector<std::pair<std::string_view, int>>& fields);
 
   /// Points the view at an object and pushes it.
   void push(lua_State* lua, const void* object);
   /// Points the view with this reference at an object and pushes it.
   static void push(lua_State* lua, int reference, const void* object);
-  /// For the owner to release.
+  /// The owner must release it.
   int reference() const { return reference_; }
 
  private:
@@ -43,11 +43,11 @@ class View {
   static int index(lua_State* lua);
   static int new_index(lua_State* lua);
 
-  Box* box_;  // lives as long as the reference
+  Box* box_;  // valid as long as the reference
   int reference_;
 };
 
-/// The object of the view at `index`, for a method; an error where it is another thing.
+/// The object of the view at `index`, for a method. Raises an error if it is something else.
 const void* viewed(lua_State* lua, int index, const ViewType& type);
 
 }  // namespace flyrock

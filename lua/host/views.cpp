@@ -18,7 +18,7 @@ void push_point(lua_State* lua, const Vec2& point) { push_vector(lua, {point.x()
 
 // contact
 
-/// The field `history` has this number less the reference of its view.
+/// The field `history` has this number minus the reference of its view.
 constexpr int history_field = -1;
 
 void push_contact(lua_State* lua, const void* object, int field) {
@@ -42,7 +42,7 @@ void assign_history(lua_State* lua, const void* object, int field) {
     raise(lua, fmt::format(
                    "`contact.history.{}` was set to {}, expected a finite number", lua_tostring(lua, 2),
                    lua_type(lua, 3) == LUA_TNUMBER ? "a number that is not finite" : luaL_typename(lua, 3)));
-  // The memory belongs to the engine, which passed it as one that the law may write.
+  // The memory belongs to the engine, which allows the law to write it.
   static_cast<double*>(const_cast<void*>(object))[field] = number;
 }
 constexpr ViewType history_type{"contact.history", push_history, assign_history};
@@ -92,7 +92,7 @@ int direction(lua_State* lua) {
 
 // blast
 
-/// Fields that `reads` does not declare have their number plus this: a better answer than "no such field".
+/// A field that `reads` does not declare has its number plus this, for a better message than "no such field".
 constexpr int undeclared = 1000;
 
 void push_blast(lua_State* lua, const void* object, int field) {
@@ -165,7 +165,7 @@ void push_random(lua_State* lua, const void*, int field) {
 constexpr ViewType random_type{"rng", push_random};
 
 RandomStream& stream(lua_State* lua) {
-  // Drawing moves the stream on; the caller passed it as one that may change.
+  // Drawing advances the stream. The caller passed a stream that may change.
   return *static_cast<RandomStream*>(const_cast<void*>(viewed(lua, 1, random_type)));
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What plugins are passed beside their parameters: contact, rock, blast, terrain and rng.
+// The arguments of plugin functions after the parameters: contact, rock, blast, terrain and rng.
 
 #include "host/view.h"
 #include "plugin/contact_law.h"
@@ -7,12 +7,13 @@
 
 namespace flyrock {
 
-/// With `history`, its field `history` is that view, pointed at the contact's memory.
+/// A view of a contact. With `history`, its field `history` is that view, pointed at the contact's memory.
 View contact_view(lua_State* lua, const View* history = nullptr);
-/// What a law remembers, by the names of its manifest; the one view that may be written, with finite numbers.
+/// The memory of a law, by the names in its manifest. It is the only view that Lua may write, with finite
+/// numbers.
 View history_view(lua_State* lua, const PluginSpec& spec);
-/// Fields of RockView; position and outward are { x, y } in 2D. Method rock:direction(speed, elevation
-/// [, azimuth]): the velocity above the outward horizontal, in rad.
+/// The fields of RockView; position and outward are { x, y } in 2D. Method rock:direction(speed, elevation [,
+/// azimuth]): a velocity, with angles in rad above the outward horizontal.
 View rock_view(lua_State* lua);
 /// The fields that `reads` declares, by their Lua names: blast.hole_diameter.
 View blast_view(lua_State* lua, const PluginSpec& spec);

@@ -1,5 +1,5 @@
 #pragma once
-// How messages of Lua code are worded: as all others.
+// The wording of messages of Lua code, the same as for all others.
 
 #include "document/printable.h"
 #include "document/wording.h"
