@@ -1,5 +1,5 @@
 #pragma once
-// Scenario files of the tests, as a user's.
+// Loads scenario files of the tests as a user would.
 
 #include <catch2/catch.hpp>
 
@@ -8,7 +8,7 @@
 
 namespace flyrock {
 
-/// The scenario of a file, named from the project's folder. Where it is wrong the test ends with its
+/// The scenario in a file, given relative to the project's folder. If it has errors, the test ends with its
 /// messages.
 inline LoadedScenario loaded(const std::string& file, const Overrides& overrides = {}) {
   Diagnostics diagnostics;
@@ -19,7 +19,7 @@ inline LoadedScenario loaded(const std::string& file, const Overrides& overrides
   return std::move(*scenario);
 }
 
-/// What trial 0 leaves.
+/// The records of trial 0.
 inline TrialRecords first_trial(const LoadedScenario& scenario) {
   TrialRunner runner(scenario.plan.points.front());
   TrialRecords records;

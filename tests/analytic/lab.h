@@ -1,5 +1,5 @@
 #pragma once
-// A small world for closed forms: constant laws, level or inclined ground.
+// A small world for tests with closed forms: constant laws, level or inclined ground.
 
 #include <memory>
 
@@ -45,7 +45,7 @@ struct Material {
   Material(const Material&) = delete;
 };
 
-/// A straight line through the origin, at `slope` below the horizontal towards +x, in `segments` equal parts.
+/// A straight line through the origin that falls by the angle `slope` towards +x, in `segments` equal parts.
 inline Profile ground(double half_length, double slope = 0, int segments = 1) {
   Profile profile;
   const Vec2 along(std::cos(slope), -std::sin(slope));

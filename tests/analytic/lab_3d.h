@@ -1,11 +1,11 @@
 #pragma once
-// Bodies and grounds of space for closed forms.
+// Bodies and grounds in 3D for tests with closed forms.
 
 #include "analytic/lab.h"
 
 namespace flyrock::lab {
 
-/// A plane through the origin, at `slope` below the horizontal towards +x turned by `azimuth` about the
+/// A plane through the origin that falls by the angle `slope` towards +x turned by `azimuth` about the
 /// vertical.
 inline Plane plane(double slope = 0, double azimuth = 0) {
   Plane ground;
@@ -13,7 +13,7 @@ inline Plane plane(double slope = 0, double azimuth = 0) {
   return ground;
 }
 
-/// Down the steepest way of plane(slope, azimuth).
+/// The direction of steepest descent of plane(slope, azimuth).
 inline Vec3 down(double slope, double azimuth = 0) {
   return {std::cos(slope) * std::cos(azimuth), std::cos(slope) * std::sin(azimuth), -std::sin(slope)};
 }

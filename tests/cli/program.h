@@ -23,7 +23,7 @@ inline std::string read(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// A working folder of its own, removed at the end.
+/// A separate working folder, removed at the end.
 class Folder {
  public:
   Folder() : path_(fs::temp_directory_path() / ("flyrock_cli_" + std::to_string(::getpid()))) {
@@ -51,7 +51,7 @@ struct Output {
   std::string out, err;
 };
 
-/// A line for a shell, in a folder.
+/// Runs a shell command line in a folder.
 inline Output shell(const Folder& folder, const std::string& line) {
   const fs::path out = folder.path() / ".out", err = folder.path() / ".err";
   const std::string whole = "cd '" + folder.path().string() + "' && { " + line + "; } >'" + out.string() +
@@ -60,13 +60,13 @@ inline Output shell(const Folder& folder, const std::string& line) {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out), read(err)};
 }
 
-/// `flyrock ARGUMENTS` in a folder; the arguments are words for a shell.
+/// Runs `flyrock ARGUMENTS` in a folder. The arguments are shell words.
 inline Output call(const Folder& folder, const std::string& arguments) {
   return shell(folder, "'" FLYROCK_BINARY "' " + arguments);
 }
 
-/// `flyrock run SCENARIO` with more trials than it can finish, interrupted as by Ctrl-C when `until` exists
-/// (after 20 s in any case).
+/// Runs `flyrock run SCENARIO` with more trials than it can finish, and interrupts it like Ctrl-C when
+/// `until` exists (after 20 s in any case).
 inline Output call_and_interrupt(const Folder& folder, const std::string& scenario,
                                  const std::string& until) {
   const fs::path err = folder.path() / ".err";
@@ -84,7 +84,8 @@ inline Output call_and_interrupt(const Folder& folder, const std::string& scenar
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, "", read(err)};
 }
 
-/// `flyrock run SCENARIO --quiet ARGUMENTS...` killed (SIGKILL) after a time, where it has not ended before.
+/// Runs `flyrock run SCENARIO --quiet ARGUMENTS...` and kills it (SIGKILL) after a time, unless it has ended
+/// before.
 inline void call_and_kill(const Folder& folder, const std::string& arguments,
                           std::chrono::milliseconds after) {
   const pid_t child = ::fork();
@@ -99,7 +100,7 @@ inline void call_and_kill(const Folder& folder, const std::string& arguments,
   ::waitpid(child, nullptr, 0);
 }
 
-/// A small and sound scenario: rocks thrown from a bench onto a floor where they come to rest.
+/// A small scenario without errors: rocks thrown from a bench onto a floor, where they come to rest.
 inline const char* const bench = R"(flyrock: 1
 title: A small bench
 dimension: 2
@@ -121,7 +122,7 @@ rocks:
 stop: { time: 60 s }
 )";
 
-/// `bench` with a piece of text replaced by another.
+/// `bench` with a piece of its text replaced.
 inline std::string bench_with(const std::string& from, const std::string& to) {
   std::string text = bench;
   const std::size_t at = text.find(from);

@@ -10,7 +10,7 @@
 
 namespace flyrock::test {
 
-/// A line a row, values separated by "|"; a query that fails fails the test.
+/// One line for each row, values separated by "|". If the query fails, the test fails.
 inline std::vector<std::string> query(const std::filesystem::path& database, const std::string& sql) {
   sqlite3* file = nullptr;
   REQUIRE(sqlite3_open_v2(database.c_str(), &file, SQLITE_OPEN_READONLY, nullptr) == SQLITE_OK);
@@ -34,7 +34,7 @@ inline std::vector<std::string> query(const std::filesystem::path& database, con
   return rows;
 }
 
-/// Every row of every table, in the order in which they were written.
+/// All rows of all tables, in the order of writing.
 inline std::vector<std::string> all_rows(const std::filesystem::path& database) {
   std::vector<std::string> rows;
   for (const std::string& table :

@@ -6,7 +6,7 @@
 
 namespace flyrock::test {
 
-/// The files that may not differ.
+/// Checks the files that must not differ.
 inline void check_same(const Folder& folder, const std::string& a, const std::string& b) {
   for (const char* file : {"manifest.json", "summary.json", "rocks.csv", "report.html"}) {
     INFO(a << " and " << b << ": " << file);

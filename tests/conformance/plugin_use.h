@@ -12,7 +12,7 @@
 
 namespace flyrock {
 
-/// A parameter's value as a test writes it: a number, a text, or a list of points.
+/// The value of a parameter in a test: a number, a text, or a list of points.
 using Given = std::variant<double, const char*, std::vector<std::vector<double>>, std::vector<double>>;
 
 /// An instance and its numbers.

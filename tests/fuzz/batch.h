@@ -1,10 +1,10 @@
 #pragma once
-// Many mutants in one child process: a signal or a hang costs the child, not the program, and the child is
-// started once for up to 1000 mutants.
+// Runs many mutants in one child process. A signal or a hang ends only the child. Each child runs up to 1000
+// mutants.
 //
-// The child notes the number of the mutant under way in memory that it shares with its parent. Where it dies,
-// or uses 20 s of the processor for one mutant or sleeps as long, that mutant is saved and the next child
-// goes on behind it. A busy machine thus makes no hangs.
+// The child stores the number of the current mutant in memory that it shares with its parent. If the child
+// dies, uses 20 s of processor time for one mutant or sleeps as long, the parent saves that mutant and starts
+// the next child after it. Processor time counts, so a busy machine causes no hangs.
 
 #include <cstdint>
 #include <filesystem>
@@ -13,15 +13,15 @@
 
 namespace flyrock::fuzz {
 
-/// What became of the mutants of a kind. It lives in shared memory: numbers only.
+/// The outcomes of the mutants of a kind. It is in shared memory, so it holds only numbers.
 struct Tally {
   std::uint64_t mutants = 0;
-  std::uint64_t codes[4] = {};  ///< the gravest exit code of each mutant
+  std::uint64_t codes[4] = {};  ///< the most serious exit code of each mutant
   std::uint64_t signals = 0;    ///< or another sudden end
   std::uint64_t hangs = 0;
   std::uint64_t wrong =
-      0;  ///< what fault_of() finds: an error without a line, an exit code that is not documented
-  std::uint64_t rock_faults = 0;  ///< runs that say which rocks failed: exit code 3
+      0;  ///< found by fault_of(): an error without a line, an exit code that is not documented
+  std::uint64_t rock_faults = 0;  ///< runs that report failed rocks: exit code 3
 
   std::uint64_t findings() const { return signals + hangs + wrong; }
 };
@@ -30,16 +30,16 @@ struct Batch {
   const KindEntry& kind;
   std::uint64_t seed = 1;
   std::uint64_t first = 0;         ///< number of the first mutant
-  std::uint64_t count = 1000;      ///< of mutants, at most
-  double seconds = 1e9;            ///< after which no other mutant begins; getting ready is not counted
-  std::filesystem::path findings;  ///< folder of saved mutants
+  std::uint64_t count = 1000;      ///< greatest number of mutants
+  double seconds = 1e9;            ///< no mutant begins later; preparation does not count
+  std::filesystem::path findings;  ///< folder for saved mutants
 };
 
-/// Runs the mutants of a batch and adds to `tally`; the number behind the last one that was tried.
+/// Runs the mutants of a batch and adds to `tally`. Returns the number after the last mutant tried.
 std::uint64_t run_batch(const Batch& batch, Tally& tally);
 
-/// One mutant in this process, in a folder that stays: prints what the commands print. For a finding, or for
-/// a debugger.
+/// Runs one mutant in this process, in a folder that stays, and prints what the commands print. For a
+/// finding, or for a debugger.
 void run_one(const KindEntry& kind, std::uint64_t seed, std::uint64_t number);
 
 }  // namespace flyrock::fuzz

@@ -1,5 +1,5 @@
 #pragma once
-// Commands of flyrock called without a process for each, and what they answered to one mutant.
+// Calls commands of flyrock without a process for each, and keeps their answers to one mutant.
 
 #include <cstdio>
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace flyrock::fuzz {
 
-/// Two files without names that stand in for stdout and stderr of the child of a batch. The parent makes
-/// them, so that it can read what a child said that has died.
+/// Two files without names in place of stdout and stderr of a batch's child. The parent makes them, so that
+/// it can read the output of a child that has died.
 class Capture {
  public:
   Capture();
@@ -18,9 +18,9 @@ class Capture {
   Capture(const Capture&) = delete;
   Capture& operator=(const Capture&) = delete;
 
-  void redirect() const;    ///< from here on everything printed goes into the files
+  void redirect() const;    ///< from here on all output goes into the files
   void clear() const;       ///< empties them
-  std::string err() const;  ///< what was said since then
+  std::string err() const;  ///< output since then
 
  private:
   std::FILE *out_, *err_;
@@ -30,14 +30,16 @@ class Calls {
  public:
   explicit Calls(const Capture* capture) : capture_(capture) {}
 
-  /// Calls a command in the current folder and judges its answer; its exit code. Without a capture (one
-  /// mutant is looked at) it prints as ever and is not judged.
+  /// Calls a command in the current folder, judges its answer and returns its exit code. Without a capture
+  /// (to look at one mutant) the command prints as usual and is not judged.
   int operator()(const cli::Arguments& arguments, ErrorForm form);
 
-  const std::vector<std::string>& lines() const { return lines_; }  ///< the command lines so far
+  const std::vector<std::string>& lines() const { return lines_; }  ///< command lines so far
   int gravest() const { return gravest_; }                          ///< exit code
-  const std::string& fault() const { return fault_; }  ///< the first that was found, by fault_of()
-  const std::string& rocks() const { return rocks_; }  ///< what a run with exit code 3 said of its rocks
+  const std::string& fault() const { return fault_; }               ///< the first found by fault_of()
+  const std::string& rocks() const {
+    return rocks_;
+  }  ///< message about failed rocks of a run with exit code 3
 
  private:
   const Capture* capture_;

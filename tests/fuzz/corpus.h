@@ -1,5 +1,5 @@
 #pragma once
-// The sound inputs that mutants are made of: what flyrock ships, and the few files of tests/fuzz/corpus.
+// The valid inputs for mutation: the files that flyrock ships, and the few files of tests/fuzz/corpus.
 
 #include <filesystem>
 #include <string>
@@ -9,22 +9,22 @@
 namespace flyrock::fuzz {
 
 struct Source {
-  std::string name;  ///< its path below the source tree
+  std::string name;  ///< path relative to the source tree
   std::string text;
   std::vector<std::pair<std::string, std::string>>
-      beside;  ///< names and texts of files of its folder that it may name
+      beside;  ///< names and texts of files in its folder that it may name
 
   std::filesystem::path file() const { return std::filesystem::path(name).filename(); }
 };
 
-/// The files with this extension below folders of the source tree, by name; `beside` those with the
-/// extensions given.
+/// The files with this extension in folders of the source tree, sorted by name. `beside` lists the extensions
+/// of files to add from their folders.
 std::vector<Source> sources_in(const std::vector<std::string>& folders, const std::string& extension,
                                const std::vector<std::string>& beside = {});
 
 std::string read_source(const std::string& name);
 
-/// Into the current folder.
+/// Writes a file into the current folder.
 void write_here(const std::string& name, const std::string& bytes);
 
 }  // namespace flyrock::fuzz

@@ -1,6 +1,6 @@
 #pragma once
-// What mutations insert: the keys of scenarios and plugins, their words, units, and numbers and texts that
-// readers get wrong.
+// What mutations insert: the keys and words of scenarios and plugins, units, and numbers and texts that are
+// difficult for readers of files.
 
 #include <string>
 #include <vector>
@@ -16,8 +16,8 @@ struct Dictionary {
       keys;  ///< of every section, of every parameter, of distributions, sweeps and manifests
   std::vector<std::string> words;  ///< choices, kinds and names of plugins, measures, fields of contacts
   std::vector<std::string> units;
-  std::vector<std::string> numbers;  ///< as they are written: "1e308", "010", ".nan"
-  std::vector<std::string> texts;    ///< empty, very long, no UTF-8, with control characters
+  std::vector<std::string> numbers;  ///< as written: "1e308", "010", ".nan"
+  std::vector<std::string> texts;    ///< empty, very long, not UTF-8, with control characters
 };
 
 Dictionary make_dictionary(const Registry& registry);

@@ -1,5 +1,5 @@
 #pragma once
-// All kinds of mutants in turn, and the table of what became of them.
+// Runs all kinds of mutants in turn and makes the table of outcomes.
 
 #include <string>
 #include <vector>
@@ -10,8 +10,8 @@ namespace flyrock::fuzz {
 
 struct FuzzSettings {
   std::uint64_t seed = 1;
-  double seconds = 60;        ///< shared out among the kinds; without bound where `mutants` is given
-  std::uint64_t mutants = 0;  ///< in all, shared out likewise; 0: as many as the time allows
+  double seconds = 60;        ///< divided among the kinds; no limit if `mutants` is given
+  std::uint64_t mutants = 0;  ///< total, divided in the same way; 0: as many as the time allows
   std::string kind;           ///< only this one
   std::filesystem::path findings = "out/fuzz";
 };
@@ -21,10 +21,10 @@ struct KindTally {
   Tally tally;
 };
 
-/// The same seed gives the same mutants in the same order; the time says how many.
+/// The same seed gives the same mutants in the same order. The time only limits how many run.
 std::vector<KindTally> fuzz(const FuzzSettings& settings);
 
-/// A row a kind and one of their sums.
+/// One row for each kind and one for their sums.
 std::string table_of(const std::vector<KindTally>& tallies);
 
 Tally sum_of(const std::vector<KindTally>& tallies);

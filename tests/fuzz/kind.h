@@ -10,7 +10,7 @@
 
 namespace flyrock::fuzz {
 
-/// It lives in the child of a batch. The current folder is an empty one of its own.
+/// A kind of input. It runs in the child of a batch; the current folder is its own and empty.
 class Kind {
  public:
   virtual ~Kind() = default;
@@ -18,18 +18,18 @@ class Kind {
   virtual void attempt(Dice& dice, Calls& call) = 0;
 };
 
-std::unique_ptr<Kind> make_yaml_kind();       ///< scenarios in YAML, and the files that they name
-std::unique_ptr<Kind> make_lua_kind();        ///< scenarios in Lua
+std::unique_ptr<Kind> make_yaml_kind();       ///< YAML scenarios and the files that they name
+std::unique_ptr<Kind> make_lua_kind();        ///< Lua scenarios
 std::unique_ptr<Kind> make_plugin_kind();     ///< manifests and laws in Lua
 std::unique_ptr<Kind> make_chunk_kind();      ///< shards: chunk files, request.json, manifest.json
-std::unique_ptr<Kind> make_problem_kind();    ///< friction problems in HDF5; null in a build without
+std::unique_ptr<Kind> make_problem_kind();    ///< friction problems in HDF5; null if the build has no HDF5
 std::unique_ptr<Kind> make_result_kind();     ///< results.db, manifest.json, summary.json
 std::unique_ptr<Kind> make_arguments_kind();  ///< words of the command line
 
 struct KindEntry {
   std::string_view name;
   std::unique_ptr<Kind> (*make)();
-  int share;  ///< of the time and of the mutants, in hundredths
+  int share;  ///< percent of the time and of the mutants
 };
 
 inline constexpr std::array<KindEntry, 7> kinds = {{

@@ -1,12 +1,13 @@
 #pragma once
-// Scenarios and the messages about them, side by side in one file:
+// Scenarios and the expected messages about them, side by side in one file:
 //
 //   === face_angle.yaml
 //   <the scenario>
 //   --- says
 //   <the exact text of the messages>
 //
-// What stands before the first case says what they are about. Files next to it may be named by its scenarios.
+// Text before the first case says what the messages are about. The scenarios may name files in the same
+// folder.
 
 #include <filesystem>
 #include <fstream>
@@ -18,7 +19,7 @@
 namespace flyrock::test {
 
 struct MessageCase {
-  std::string name;  ///< a file name: messages begin with it
+  std::string name;  ///< a file name; messages begin with it
   std::string input, says;
 };
 
@@ -47,7 +48,7 @@ inline CaseFile read_cases(const std::filesystem::path& path) {
       *text += line + '\n';
     }
   }
-  for (MessageCase& one : result.cases)  // an empty line parts it from the next case
+  for (MessageCase& one : result.cases)  // an empty line separates it from the next case
     if (one.says.ends_with("\n\n")) one.says.pop_back();
   return result;
 }

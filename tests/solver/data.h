@@ -1,5 +1,5 @@
 #pragma once
-// The friction problems of ../shared/data/fclib, which stand beside the project.
+// The FCLIB friction problems in ../shared/data/fclib, outside the project's folder.
 
 #include <string>
 

@@ -1,5 +1,5 @@
 #pragma once
-// A session with a folder of its own for files that a test writes.
+// A session with its own folder for files that a test writes.
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -27,7 +27,8 @@ struct LuaFixture {
     std::ofstream(folder / name) << text;
   }
 
-  /// The messages of loading a plugin, "file:line:column: path: text" a line, in the order of the file.
+  /// The messages of loading a plugin, one "file:line:column: path: text" in each line, in the order of the
+  /// file.
   std::string load(const std::string& name) {
     flyrock::Diagnostics diagnostics;
     session.load_plugin((folder / name).string(), name, {}, diagnostics);

@@ -1,5 +1,5 @@
 #pragma once
-// A few plugins made by hand, so that decoding is tested without the Lua host.
+// A few hand-made plugins, so that decoding can be tested without the Lua host.
 
 #include "plugin/registry.h"
 
@@ -30,7 +30,7 @@ inline ParamSpec or_else(ParamSpec spec, double value) {
   return spec;
 }
 
-/// Asks each parameter once, as a plugin must.
+/// Reads each parameter once, as a plugin must.
 inline void read_all(Params& params, const PluginSpec& spec) {
   for (const ParamSpec& param : spec.params) {
     switch (param.type) {

@@ -1,5 +1,5 @@
 #pragma once
-// A small plan and its records, made without an engine: what tables and report are tested with.
+// A small plan and its records, made without an engine, for tests of tables and the report.
 
 #include <cmath>
 
@@ -16,7 +16,7 @@ inline Profile bench() {
   return profile;
 }
 
-/// Two groups of rocks, two materials of which one is never met.
+/// Two groups of rocks, and two materials, one of which has no contacts.
 inline Scenario scenario(std::uint64_t trials) {
   Scenario s;
   s.title = "A </script> & <b>test</b>";
