@@ -129,7 +129,7 @@ void check_random_impacts(Checks& checks) {
     ++struck;
     for (int k = 0; k < 4; ++k) gains[k] += solve_single(impact, forms[k]).energy > 1e-12;
   }
-  // The share of newton depends on the distribution of the rods. An independent study with the same ranges
+  // The share of newton depends on the distribution of the rods. Another computation with the same ranges
   // found 1.68 % of 89,200.
   checks.push_back({"random rods, newton: share that gains energy", "problem", double(gains[0]) / trials,
                     0.0168, 0.003, std::abs(double(gains[0]) / trials - 0.0168) <= 0.003});

@@ -1,5 +1,5 @@
-// The launch formulas of blasts against worked numbers: field.md 2, a workbook of Richards and Moore's model,
-// and hand.
+// The launch formulas of blasts against worked numbers: the blast of Ninh Dan, a workbook of Richards and
+// Moore's model, and hand calculations.
 
 #include <cmath>
 
