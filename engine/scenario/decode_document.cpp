@@ -244,8 +244,8 @@ class DocumentDecoder {
     });
   }
 
-  /// Checks that things that meet have a material between them: the same one, or an entry of `pairs` (DESIGN
-  /// 8). `first` is 1 if things of one kind do not meet each other.
+  /// Checks that things that meet have a material between them: the same one, or an entry of `pairs`.
+  /// `first` is 1 if things of one kind do not meet each other.
   template <class Plan, class Meet>
   void check_materials(const Node& list, const std::vector<Plan>& plans, std::size_t first, Meet meet) {
     const std::vector<Node> items = list.items();

@@ -7,7 +7,7 @@ namespace flyrock {
 
 namespace {
 
-constexpr NumberRules expect_rules{.bare_angles = true};  // DESIGN 8: bare numbers are SI, angles too
+constexpr NumberRules expect_rules{.bare_angles = true};  // bare numbers are SI, angles too
 
 class ExpectationDecoder {
  public:

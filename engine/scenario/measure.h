@@ -25,7 +25,7 @@ struct MeasureInfo {
   std::string fault;  ///< why it is not a measure, with the nearest name; empty if it is one
 };
 
-/// Checks a measure. The grammar (DESIGN section 3):
+/// Checks a measure. docs/results.md describes what each means. The grammar:
 ///   body.<name>.final|max|min.<component>, body.<name>.stop_time|contact_time,
 ///   body.<name>.impact[n].<quantity>, body.<name>.apex[n].time|height,
 ///   energy.total.relative_change, solver.<quantity>,
