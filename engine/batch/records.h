@@ -14,7 +14,7 @@
 
 namespace flyrock {
 
-/// One rock (or one moving body of `bodies`), as in rocks.csv. DESIGN section 5 defines the columns.
+/// One rock (or one moving body of `bodies`), as in rocks.csv. docs/results.md describes the columns.
 struct RockRecord {
   std::uint64_t trial = 0;
   int rock = 0;   ///< number in its trial, from 0

@@ -9,7 +9,7 @@
 
 namespace flyrock::cli {
 
-/// Exit codes; DESIGN section 4.
+/// Exit codes; docs/results.md describes them.
 enum ExitCode { done = 0, expectation_failed = 1, bad_input = 2, faults = 3, interrupted = 130 };
 
 /// A command line that a command does not understand. The text says what was expected.

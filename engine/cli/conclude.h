@@ -11,7 +11,7 @@ namespace flyrock::cli {
 /// Prints to stderr the rocks that failed and why a run ended early.
 void print_faults(const Results& results);
 
-/// 0, expectation_failed or faults; DESIGN section 4.
+/// The exit code of a run that has ended: done, expectation_failed or faults.
 int exit_code(const Results& results);
 
 /// A log with the present time and place.

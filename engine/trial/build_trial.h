@@ -21,7 +21,7 @@ StopReason reason_of(const TrialError& error);
 struct TrialRock {
   int group = 0;   ///< index into Scenario::rocks or ::bodies
   DrawKey key;     ///< of its draws
-  int world = -1;  ///< index into Trial::worlds; -1 where the rock could not be built
+  int world = -1;  ///< index into Trial::worlds; -1 if the rock could not be built
   int body = 0;    ///< in that world
   double start_time =
       0;  ///< s, when its hole detonates; 0 if rocks meet each other, because they then start together
@@ -81,7 +81,8 @@ class TrialBuilder {
 
   const Scenario& scenario_;
   Instances instances_;
-  std::shared_ptr<const Terrain> kept_terrain_;  ///< terrain of all trials, once it is known to be the same
+  std::shared_ptr<const Terrain>
+      kept_terrain_;  ///< terrain of all trials, once it is known that they share it
 };
 
 }  // namespace flyrock
