@@ -13,7 +13,7 @@ namespace flyrock {
 
 /// The rank correlation of each drawn number that the run reads (ranked_inputs.h) with the runout, for each
 /// group of rocks. Only the first 10,000 rocks without faults of a group count: more would add nothing to a
-/// plot, and they limit the memory. A censored runout has the rank of its lower bound.
+/// plot and would take more memory. A censored runout has the rank of its lower bound.
 ///
 /// With many numbers, some seem to have an influence by chance alone. Therefore the intervals of one group
 /// hold together: with m inputs each has the confidence 1 - 0.05/m (Bonferroni). In 19 of 20 runs, all inputs

@@ -1,5 +1,5 @@
 #pragma once
-// A clearance by azimuth: the danger area as a polygon in plan view.
+// A clearance by azimuth: the blasting area as a polygon in plan view.
 
 #include <cmath>
 #include <cstdint>
