@@ -26,12 +26,12 @@ std::array<Vec<D>, 2> leg_accelerations(const Air<D>& air, const Vec<D>& velocit
 template <int D>
 double leg_length(const Air<D>& air, const Vec<D>& velocity, const Vec<D>& gravity) {
   constexpr double longest = 0.1;
-  // |a'| <= 2 k |v - w| |dv/dt|, with the speed that gravity may add meanwhile.
+  // |a'| <= 2 k |v - w| |dv/dt|, where the speed includes what gravity can add during the leg.
   const double speed = (velocity - air.wind).norm() + longest * gravity.norm();
   const double rate = 2 * air.drag * speed, change = rate * (air.drag * speed * speed + gravity.norm());
   if (!(change > 0)) return longest;
   constexpr double stable =
-      0.5;  // of the time in which drag stops a rock: beyond it the scheme loses its order
+      0.5;  // share of the time in which drag stops a rock; the scheme loses its order above it
   return std::min({longest, std::cbrt(324 * leg_tolerance / change), stable / rate});
 }
 

@@ -2,8 +2,8 @@
 // The drag of the air on a flying rock.
 //
 //   dv/dt = g + a(v),   a(v) = -k |v - w| (v - w),   k = rho c_d A / (2 m)
-// with the wind w and the cross-section A of the sphere of the rock's volume. The air takes nothing from the
-// spin.
+// with the wind w [m/s] and the cross-section A [m2] of the sphere that has the rock's volume. The air does
+// not change the spin.
 
 #include <array>
 
@@ -26,27 +26,27 @@ struct Air {
   }
 };
 
-/// A piece of a flight through air as two parabolas of equal duration, so that all that is known of parabolas
-/// (when they touch, what they pass) holds for it. Place and velocity at its end are those of the classical
-/// Runge-Kutta scheme of order 4 for the whole leg, whose air is a1, a2, a3, a4 at its stages: the two
-/// accelerations by the air
+/// One leg of a flight through air, as two parabolas of equal duration. Parabolas make the time of impact and
+/// the passages computable in closed form. Position and velocity at the end of the leg are those of the
+/// classical Runge-Kutta scheme of order 4 over the whole leg. With the accelerations a1, a2, a3, a4 by the
+/// air at its stages, the accelerations of the two parabolas by the air are
 ///   (3 a1 + 2 a2 + 2 a3 - a4)/6 and (-a1 + 2 a2 + 2 a3 + 3 a4)/6
-/// are those that arrive there. Within the leg the path departs by |a'| h^3 / 324 at most.
+/// Within the leg the parabolas depart from the path by at most |a'| h^3 / 324.
 template <int D>
 std::array<Vec<D>, 2> leg_accelerations(const Air<D>& air, const Vec<D>& velocity, const Vec<D>& gravity,
                                         double h);
 
-/// The mean of both [m/s2]: that of the change of velocity over h.
+/// The mean of the two accelerations [m/s2]: the change of velocity over the leg, divided by h.
 template <int D>
 Vec<D> mean_acceleration(const Air<D>& air, const Vec<D>& velocity, const Vec<D>& gravity, double h) {
   const auto [first, second] = leg_accelerations(air, velocity, gravity, h);
   return 0.5 * (first + second);
 }
 
-/// What a leg of two parabolas may depart from the path [m].
+/// The largest allowed distance between a leg of two parabolas and the path [m].
 inline constexpr double leg_tolerance = 1e-6;
 
-/// How long a leg that begins at `velocity` may last [s]: at most 0.1 s.
+/// The longest allowed duration of a leg that begins at `velocity` [s], at most 0.1 s.
 template <int D>
 double leg_length(const Air<D>& air, const Vec<D>& velocity, const Vec<D>& gravity);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the laws of the contacts answer at the start of a step or impact.
+// Calls the laws of the contacts at the start of a step or impact.
 
 #include <cmath>
 
@@ -39,7 +39,7 @@ ContactState World<D>::state_of(const Contact& contact, double h) {
       patch_.push_back(other.at.point);
   }
   if constexpr (D == 2) {
-    // Half the distance to the other point of the same manifold is this point's tributary length.
+    // The tributary length of this point is half its distance to the other point of the same manifold.
     for (const Vec<D>& point : patch_) state.length += 0.5 * (point - contact.at.point).norm();
     state.area = state.length * body.volume / (pi * body.radius * body.radius);
   } else {
@@ -59,8 +59,8 @@ ContactState World<D>::state_of(const Contact& contact, double h) {
   return state;
 }
 
-/// Groups the contacts that close faster than rest_speed into manifolds, and counts them as impacts of their
-/// bodies.
+/// Groups the contacts that close faster than rest_speed into manifolds, and counts each manifold as one
+/// impact of its bodies.
 template <int D>
 void World<D>::begin_manifolds() {
   int manifolds = 0;
@@ -69,7 +69,7 @@ void World<D>::begin_manifolds() {
     contact.manifold = -1;
     if (contact.approach() <= settings_.rest_speed) continue;
     if (contact.law.condition == NormalCondition::penalty && contact.age > 0)
-      continue;  // a spring that is still being pressed
+      continue;  // a spring that was compressed before has no new impact
     for (std::size_t k = 0; k < i && contact.manifold < 0; ++k) {
       const Contact& other = contacts_[k];
       if (other.manifold >= 0 && other.candidate == contact.candidate &&
@@ -101,7 +101,8 @@ void World<D>::ask_law(Contact& contact, double h) {
   contact.law = surface->ask(state, impact, contact.history);
 }
 
-/// Impacts first: what rests answers with what was drawn for the last impact of its pair.
+/// Impacts come first, because a resting contact uses the values that were drawn for the last impact of its
+/// pair.
 template <int D>
 void World<D>::ask_laws(double h) {
   for (Surface* surface : surfaces_) surface->begin_instant();

@@ -24,7 +24,8 @@ void World<D>::measure_before() {
   for (Contact& contact : contacts_) contact.before = relative_velocity(contact);
 }
 
-/// W = sum over bodies of H^T M^-1 H, q = u_free, and the laws; `warm` starts from the last impulses.
+/// Assembles W = sum over bodies of H^T M^-1 H, q = u_free and the laws. `warm`: start from the impulses of
+/// the last step (warm start).
 template <int D>
 void World<D>::assemble(double h, bool warm) {
   const auto turns = [](const Contact& c) { return c.law.mu_r > 0 || c.law.mu_spin > 0; };
@@ -60,7 +61,7 @@ void World<D>::assemble(double h, bool warm) {
   scale_by_island(h);
 }
 
-/// The blocks of W; those between two contacts in N = problem_.width() rows.
+/// The blocks of W. Blocks between two contacts have N = problem_.width() rows.
 template <int D>
 template <int N>
 void World<D>::couple() {
@@ -87,7 +88,7 @@ void World<D>::couple() {
   problem_.first.push_back(problem_.couplings());
 }
 
-/// The body that stands for the island of a body.
+/// The body that represents the island of a body.
 template <int D>
 int World<D>::island_of(int body) {
   while (island_[body] != body) body = island_[body] = island_[island_[body]];
@@ -99,8 +100,8 @@ int World<D>::island_of(const Contact& contact) {
   return island_of(bodies[contact.candidate].moves() ? contact.candidate : contact.antagonist);
 }
 
-/// The tolerance of a contact is relative to g h, or to the fastest approach in its island of touching
-/// bodies.
+/// Sets the speed_scale of each contact, to which its tolerance is relative: the larger of g h and the
+/// fastest approach in its island of touching bodies.
 template <int D>
 void World<D>::scale_by_island(double h) {
   island_.resize(bodies.size());

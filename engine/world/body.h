@@ -16,7 +16,7 @@ enum class BodyKind {
   driven    ///< moves at a given velocity
 };
 
-/// How a body is turned from its own frame to the world.
+/// The rotation of a body from its own frame to the world frame.
 template <int D>
 struct Attitude;
 
@@ -27,7 +27,7 @@ struct Attitude<2> {
 
   Attitude() = default;
   Attitude(double a) : angle(a), rotation(Rotation2::from_angle(a)) {}
-  /// Turned on by `turn` [rad].
+  /// This attitude turned by `turn` [rad] more.
   Attitude turned(double turn) const { return turn == 0 ? *this : Attitude(angle + turn); }
 };
 
@@ -37,14 +37,14 @@ struct Attitude<3> {
 
   Attitude() = default;
   Attitude(const Rotation3& r) : rotation(r) {}
-  /// Turned on by |turn| [rad] about the axis `turn`, world frame.
+  /// This attitude turned by |turn| [rad] more about the axis `turn`, world frame.
   Attitude turned(const Vec3& turn) const {
     return turn.isZero(0) ? *this : Attitude(Rotation3::from_vector(turn) * rotation);
   }
 };
 
-/// SI units; x is the centre of mass, in the world; contactors are in the frame of the centre of mass, in 3D
-/// the principal one.
+/// SI units. x is the centre of mass in the world frame. Contactors are given in the body's frame: its origin
+/// is the centre of mass, and in 3D its axes are the principal axes.
 template <int D>
 struct Body {
   using Rows = Eigen::Matrix<double, Space<D>::dof, 1>;
@@ -53,31 +53,32 @@ struct Body {
 
   std::string group;
   BodyKind kind = BodyKind::dynamic;
-  bool present = true;  ///< false once it has left the run: it meets nothing
+  bool present = true;  ///< false once it has left the run; it then has no contacts
   std::vector<Contactor> contactors;
   double mass = 0;
   typename Space<D>::Inertia inertia{};
   double volume = 0;
-  double size = 0;    ///< radius of the circle (sphere) about the centre of mass that holds it
+  double size = 0;    ///< radius of the circle (sphere) about the centre of mass that contains the body
   double radius = 0;  ///< of the disk (sphere) of equal area (volume)
 
   Vec<D> x = Vec<D>::Zero(), v = Vec<D>::Zero();
   Attitude<D> attitude;
   Spin w = no_spin();  ///< rad/s, world frame
 
-  Air<D> air;                    ///< that it flies through
-  Vec<D> push = Vec<D>::Zero();  ///< m/s2, its acceleration by the air over the flight or step at hand
+  Air<D> air;                    ///< the air around the body
+  Vec<D> push = Vec<D>::Zero();  ///< m/s2, acceleration by the air in the current flight or step
 
   int impacts = 0;  ///< manifolds that closed faster than rest_speed
 
   static Spin no_spin();
   bool moves() const { return kind == BodyKind::dynamic && present; }
-  /// M^-1 h, the change of velocity that the row h of H^T brings; 0 for a body that contacts do not move.
+  /// M^-1 h, the change of velocity caused by an impulse along h, a column of H^T. 0 for a body that contacts
+  /// do not move.
   Rows inverse_mass_times(const Rows& h) const;
-  /// (v, w) as one column.
+  /// (v, w) as one column vector.
   Rows velocity() const;
   void add_velocity(const Rows& dv);
-  /// Moves by (dx, turn), a small displacement.
+  /// Moves the body by the small displacement (dx, turn).
   void displace(const Rows& by);
   void move_to(const Vec<D>& position, const Attitude<D>& turned) { x = position, attitude = turned; }
   typename Geometry<D>::Pose pose() const { return {x, attitude.rotation}; }
@@ -94,9 +95,9 @@ struct Body {
   bool is_finite() const { return x.allFinite() && v.allFinite() && std::isfinite(spin_speed()); }
 };
 
-/// The spin at the end of h without torque, by the theta scheme with the gyroscopic term implicit:
-///   I (w+ - w) + h w_th x I w_th = 0,  w_th = (1 - theta) w + theta w+,  I at the attitude of now.
-/// theta = 1/2 keeps |I w| and the energy. In the plane there is no such term.
+/// The spin after a step h without torque, by the theta scheme with an implicit gyroscopic term:
+///   I (w+ - w) + h w_th x I w_th = 0,  w_th = (1 - theta) w + theta w+,  I at the current attitude.
+/// theta = 1/2 conserves |I w| and the energy. In 2D there is no gyroscopic term.
 inline double free_spin(const Body<2>& body, double, double) { return body.w; }
 Vec3 free_spin(const Body<3>& body, double h, double theta);
 
@@ -158,7 +159,7 @@ inline double Body<3>::spin_speed() const {
   return w.norm();
 }
 
-/// w.I w of a spin in the world frame.
+/// w.I w [J] of a spin w given in the world frame.
 inline double twice_spin_energy(const Body<2>& body, const Attitude<2>&, double w) {
   return body.inertia * w * w;
 }
@@ -171,13 +172,13 @@ double Body<D>::kinetic_energy() const {
                                    : 0.0;
 }
 
-/// A dynamic body of contactors that do not overlap: moves them to the centre of mass and computes area,
-/// volume, mass and inertia exactly. `thickness` <= 0 takes default_thickness. Give a density [kg/m3], or a
-/// mass [kg] with density 0.
+/// Makes a dynamic body of contactors that do not overlap. Moves the contactors to the centre of mass and
+/// computes area, volume, mass and inertia exactly. `thickness` [m] <= 0 means default_thickness. Give a
+/// density [kg/m3], or a mass [kg] with density 0.
 Body<2> make_body(std::vector<Contactor2> contactors, double density, double mass, double thickness);
 
-/// The same in space. The body's frame becomes the principal one: attitude stands for the frame of the
-/// contactors as given.
+/// The same in 3D. The body's frame becomes the principal frame, and the attitude maps it to the frame in
+/// which the contactors were given.
 Body<3> make_body(std::vector<Contactor3> contactors, double density, double mass);
 
 }  // namespace flyrock

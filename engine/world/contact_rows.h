@@ -1,6 +1,6 @@
 #pragma once
-// H of a contact: what maps the velocities of its bodies to its own rows, (n, t, rolling) in 2D and
-// (n, t, s, spinning, rolling about t and about s) in 3D.
+// The matrix H of a contact. It maps the velocities of its two bodies to the rows of the contact: (n, t,
+// rolling) in 2D; (n, t, s, spinning, rolling about t, rolling about s) in 3D.
 
 #include "solver/contact_problem.h"
 #include "world/body.h"
@@ -11,7 +11,7 @@ namespace flyrock {
 template <int D>
 using ContactColumns = Eigen::Matrix<double, Space<D>::dof, ContactProblem<D>::rows>;
 
-/// For a body with lever r from its centre of mass to the contact.
+/// For a body with the lever r [m] from its centre of mass to the contact point.
 template <int D>
 ContactColumns<D> contact_columns(const Vec<D>& normal, const Vec<D>& r) {
   const auto frame = contact_frame(normal);
@@ -28,7 +28,8 @@ ContactColumns<D> contact_columns(const Vec<D>& normal, const Vec<D>& r) {
   return columns;
 }
 
-/// The rows of a contact with a normal, from the relative velocity and spin of its bodies there.
+/// The velocity rows of a contact with this normal, from the relative velocity and spin of its bodies at the
+/// contact point.
 template <int D>
 typename ContactProblem<D>::Row contact_velocity(const Vec<D>& normal, const Vec<D>& v,
                                                  const typename Space<D>::Spin& w) {

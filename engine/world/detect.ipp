@@ -1,5 +1,5 @@
 #pragma once
-// What touches: contacts within reach, matched with those of the last step.
+// Contact detection: contacts within reach, matched with the contacts of the last step.
 
 #include <algorithm>
 
@@ -13,8 +13,8 @@ namespace flyrock {
 
 namespace {
 
-// A contact that carried an impulse in the last step stays active up to this share of its size: one step
-// missed on a sliding contact costs mu g h.
+// A contact that carried an impulse in the last step stays active up to a gap of this share of its size. If a
+// sliding contact is missed for one step, its velocity error is mu g h.
 constexpr double carry_share = 1e-6;
 
 }  // namespace
@@ -27,8 +27,8 @@ double World<D>::contact_size(int candidate, int antagonist) const {
   return !a.moves() ? b.size : !b.moves() ? a.size : std::min(a.size, b.size);
 }
 
-/// A body that keeps contact by its curvature or by turning about a vertex opens a gap of at most g h^2 / 8
-/// in half a step before it flies off.
+/// A body that keeps contact by its curvature, or while it turns about a vertex, opens a gap of at most g h^2
+/// / 8 in half a step before it leaves the ground.
 template <int D>
 double World<D>::carry_reach(int candidate, int antagonist) const {
   const double h = settings_.time_step;
@@ -46,7 +46,7 @@ const std::vector<std::pair<int, int>>& World<D>::near_pairs(double dt) {
   return broad_phase_.template pairs<D>(boxes_);
 }
 
-/// The pairs of bodies that are within reach of each other now.
+/// The pairs of bodies that are now within reach of each other.
 template <int D>
 const std::vector<std::pair<int, int>>& World<D>::close_pairs() {
   boxes_.clear();
@@ -64,8 +64,8 @@ const std::vector<std::pair<int, int>>& World<D>::close_pairs() {
   return broad_phase_.template pairs<D>(boxes_);
 }
 
-/// `ahead` [s]: how far the bodies have been moved on from the start of a step; in 2D an edge may have turned
-/// out of the cone of a corner meanwhile.
+/// `ahead` [s]: the time by which the bodies have been moved since the start of the step. In 2D an edge may
+/// have left the cone of a corner during this time.
 template <int D>
 void World<D>::detect(double ahead) {
   const PhaseTimer timer(clock, &PhaseTimes::detect);
@@ -80,8 +80,8 @@ void World<D>::detect(double ahead) {
                                        : pair_surface(candidate, antagonist);
     }
   };
-  // By candidate, the terrain first, then the antagonists in their order: the order of NLGS, and what
-  // match_last needs.
+  // Contacts are sorted by candidate, with the terrain first and then the antagonists in their order. NLGS
+  // sweeps in this order, and match_last needs it.
   static const std::vector<std::pair<int, int>> none;
   const auto& pairs = bodies.size() > 1 ? close_pairs() : none;
   auto pair = pairs.begin();
@@ -114,9 +114,10 @@ void World<D>::detect(double ahead) {
   match_last();
 }
 
-/// The contact of the last step that a contact carries on: of the same features; else the same vertex on the
-/// next segment of the terrain; else the nearest place whose own features are gone. The last is for surfaces
-/// that lie flush with their corners on each other: which feature answers is then left to rounding.
+/// The contact of the last step that this contact continues: the one with the same features; otherwise the
+/// one of the same vertex on the next segment of the terrain; otherwise the nearest old contact whose
+/// features are no longer in contact. The last rule is for surfaces that lie flush with their corners on each
+/// other, because rounding then decides which features are found.
 template <int D>
 const typename World<D>::Contact* World<D>::carried_on(const Contact& contact, std::span<const Contact> last,
                                                        std::span<const Contact> now) const {
@@ -174,8 +175,8 @@ void World<D>::match_last() {
   }
 }
 
-/// The gap that the last solves of both bodies may have left to a contact that should be closed now: their
-/// residual x the time since. Corners of a body that lands flat arrive so far apart.
+/// The gap that a contact which should be closed may have because of the last solves of its bodies: their
+/// residual times the time since then. The corners of a body that lands flat arrive with gaps of this size.
 template <int D>
 double World<D>::gap_of_solver(const Contact& contact) const {
   double gap = 0;
@@ -184,8 +185,8 @@ double World<D>::gap_of_solver(const Contact& contact) const {
   return std::min(gap, carry_share * contact_size(contact.candidate, contact.antagonist));
 }
 
-/// Keeps the contacts that are closed now: within touch plus a share of the size, or carried on from the last
-/// step.
+/// Keeps the contacts that are closed now: those with a gap below touch plus a share of the size, and those
+/// carried over from the last step.
 template <int D>
 void World<D>::keep_closed(double share_of_size) {
   std::erase_if(contacts_, [&](const Contact& c) {
@@ -196,11 +197,11 @@ void World<D>::keep_closed(double share_of_size) {
   for (const Contact& c : contacts_) quality_.max_penetration = std::max(quality_.max_penetration, -c.at.gap);
 }
 
-/// Keeps the contacts of the middle of a step whose features were closed when it began. One that has closed
-/// since is a touch at which the step must be cut. A contact whose features have changed, but not its place,
-/// was closed: new features that lay deeper in each other than a step may bring did so beside one another.
-/// Returns how far the worst that is kept has drifted into overlap since the start, in units of what a step
-/// may bring; springs overlap by their nature.
+/// Keeps the contacts, detected in the middle of a step, whose features were closed at its start. A contact
+/// that closed since then is a touch at which the step must be cut. A contact whose features have changed,
+/// but not its position, was closed. A new feature pair that starts deeper than one step can push it was not
+/// touching before: drop it. Returns the largest drift into penetration since the start, divided by the drift
+/// that one step can cause. Springs are left out, because they penetrate by design.
 template <int D>
 double World<D>::keep_closed_at_start() {
   double share = 0;
@@ -213,8 +214,8 @@ double World<D>::keep_closed_at_start() {
     });
     const double may_drift = 3 * reach;
     if (c.at.gap > reach || gap > closed || (!c.carried && gap < -may_drift)) return true;
-    // On the next segment of the terrain the gap at the start is to a line beyond its end: the greater of
-    // both is meant.
+    // On the next segment of the terrain, the gap at the start is measured to the line beyond the end of the
+    // segment. The larger of the two gaps is therefore the true one.
     quality_.max_penetration = std::max(quality_.max_penetration, -std::max(gap, c.at.gap));
     if (c.law.condition != NormalCondition::penalty)
       share = std::max(share, (std::min(gap, 0.0) - c.at.gap) / may_drift);
@@ -223,7 +224,7 @@ double World<D>::keep_closed_at_start() {
   return share;
 }
 
-/// The gap between the features of a contact, with each body where pose_of(body) says.
+/// The gap between the features of a contact, with each body at pose_of(body) [m].
 template <int D>
 template <class PoseOf>
 double World<D>::gap_at(const Contact& c, PoseOf pose_of) const {

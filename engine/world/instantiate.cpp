@@ -1,4 +1,4 @@
-// The one place where worlds are made of their parts.
+// The only place that instantiates World from its parts (*.ipp).
 
 #include "world/ask_laws.ipp"
 #include "world/assemble.ipp"

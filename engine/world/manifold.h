@@ -1,5 +1,5 @@
 #pragma once
-// What the contacts of one manifold share, and where on the terrain they lie.
+// Which contacts form one manifold, and which part of the terrain a contact lies on.
 
 #include <algorithm>
 
@@ -8,14 +8,15 @@
 
 namespace flyrock {
 
-/// Whether two normals lie within 15 degrees: contacts of one pair of bodies are then of one manifold.
+/// Whether the angle between two normals is less than 15 degrees. Contacts of one pair of bodies whose
+/// normals satisfy this belong to one manifold.
 template <int D>
 bool same_direction(const Vec<D>& a, const Vec<D>& b) {
   constexpr double cos_15_degrees = 0.9659258262890683;
   return a.dot(b) > cos_15_degrees;
 }
 
-/// The part of the terrain that a contact's `against` names; a corner belongs to the segment on its right.
+/// The part of the terrain that a contact's `against` names. A corner belongs to the segment on its right.
 inline int part_of(const Terrain2& terrain, std::uint32_t against) {
   return terrain.part(std::min(terrain_index(against), terrain.segments() - 1));
 }
@@ -25,10 +26,10 @@ inline int part_of(const Terrain3& terrain, std::uint32_t against) { return terr
 inline const std::vector<std::string>& parts_of(const Terrain2& terrain) { return terrain.profile().parts; }
 inline const std::vector<std::string>& parts_of(const Terrain3& terrain) { return terrain.parts(); }
 
-/// Whether two features of the terrain are one place: a segment and the corners at its ends, or two segments
-/// that meet.
+/// Whether two features of the terrain are neighbours: a segment and a corner at its end, or two segments
+/// that share a corner.
 inline bool next_to(const Terrain2&, std::uint32_t a, std::uint32_t b) {
-  // In half segments: a corner i lies half-way between the segments i - 1 and i.
+  // Counted in half segments, because corner i lies half-way between the segments i - 1 and i.
   const auto place = [](std::uint32_t id) { return 2 * terrain_index(id) + (is_corner(id) ? -1 : 0); };
   return std::abs(place(a) - place(b)) <= 2;
 }

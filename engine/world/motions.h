@@ -1,11 +1,11 @@
 #pragma once
-// The motions of bodies: free, over a step of the scheme, and the mean motion of a step.
+// The motions of bodies: free motion, the path over a step of the scheme, and the mean motion of a step.
 
 #include "world/body.h"
 
 namespace flyrock {
 
-/// How a body is turned, and its spin, at one moment of a motion.
+/// Attitude and spin of a body at one time of a motion.
 template <int D>
 struct Turned {
   Attitude<D> attitude;
@@ -17,7 +17,7 @@ inline Turned<3> turn_at(const Motion3& motion, double t) {
   return {turn.rotation, turn.spin};
 }
 
-/// Place and velocities of a body at one moment.
+/// Position, attitude and velocities of a body at one time.
 template <int D>
 struct Moment {
   Vec<D> x, v;
@@ -29,13 +29,14 @@ Moment<D> moment_of(const Body<D>& body) {
   return {body.x, body.v, body.attitude, body.w};
 }
 
-/// From `start`, under gravity and the push of the air, without torque; a body that forces do not move keeps
-/// its velocities.
+/// The motion from `start` under gravity and the acceleration by the air, without torque. A body that forces
+/// do not move keeps its velocities.
 Motion2 free_motion(const Body<2>& body, const Moment<2>& start, const Vec2& gravity);
 Motion3 free_motion(const Body<3>& body, const Moment<3>& start, const Vec3& gravity);
 
-/// The path of a step of length h from `start` to the present state of `body`: velocities begin as at the
-/// start and change by 2 theta (v+ - v) t / h, so that x arrives where (1 - theta) v + theta v+ carries it.
+/// The path of a step of length h from `start` to the present state of `body`. Its velocity
+///    v + 2 theta (v+ - v) t / h
+/// takes x to the same end as the mean velocity of the scheme, (1 - theta) v + theta v+.
 Motion2 step_motion(const Moment<2>& start, const Body<2>& body, double h, double theta);
 Motion3 step_motion(const Moment<3>& start, const Body<3>& body, double h, double theta);
 

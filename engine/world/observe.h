@@ -1,5 +1,5 @@
 #pragma once
-// What a run leaves of each body: its states, impacts and extremes.
+// What a run records of each body: its states, impacts and extremes.
 
 #include <array>
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace flyrock {
 
-/// The state of a body at one moment; components that a dimension does not have are 0. SI units.
+/// The state of a body at one time, in SI units. Components that do not exist in 2D are 0 there.
 struct BodyState {
   double time = 0;
   Vec3 position = Vec3::Zero();  ///< of the centre of mass
@@ -22,9 +22,9 @@ struct BodyState {
   double kinetic_energy = 0;  ///< J
 };
 
-/// An impact of a manifold (DESIGN: contacts of one pair of bodies, all terrain being one, whose normals lie
-/// within 15 degrees): impulses and energies summed; place and velocities are means weighted by the normal
-/// impulse.
+/// An impact of one manifold. A manifold is the set of contacts of one pair of bodies whose normals lie
+/// within 15 degrees; the whole terrain counts as one body. Impulses and energies are sums over the contacts.
+/// Place and velocities are means weighted by the normal impulse.
 struct Impact {
   int body = 0;
   int other = -1;  ///< the other body, -1 for the terrain
@@ -40,14 +40,14 @@ struct Impact {
 
 struct Apex {
   double time = 0;
-  double height = 0;  ///< m, of the centre of mass above its place at the first contact
+  double height = 0;  ///< m, of the centre of mass above its position at the first contact
 };
 
 enum class StopReason { stopped, left_domain, timed_out, caught, diverged, plugin_error, not_started };
 inline constexpr std::size_t stop_reasons = 7;
 const char* name_of(StopReason reason);
 
-/// A body's centre of mass arrives at a gate; see flight/crossings.h.
+/// The arrival of a body's centre of mass at a gate; see flight/crossings.h.
 struct Passage {
   int gate = 0;
   double time = 0;
@@ -59,7 +59,7 @@ struct Passage {
 enum class BarrierOutcome { caught, over_top, over_energy };
 const char* name_of(BarrierOutcome outcome);
 
-/// A body's centre of mass arrives at a barrier; speed and energy are those before it acts.
+/// The arrival of a body's centre of mass at a barrier. Speed and energy are those before the barrier acts.
 struct BarrierHit {
   int barrier = 0;
   BarrierOutcome outcome = BarrierOutcome::caught;
@@ -69,13 +69,16 @@ struct BarrierHit {
   double height = 0;          ///< m above the ground at the barrier
 };
 
-/// How a body travels. flight: in the air until it first lands on the terrain (a contact at its release is
-/// none, nor is one with another body); bounce: in the air after that; roll: in contact, where every contact
-/// sticks or slips slower than a twentieth of the body's speed; slide: in contact otherwise.
+/// How a body travels.
+///  - flight: in the air until it first lands on the terrain. A contact at its release does not count as
+///    landing, and neither does a contact with another body.
+///  - bounce: in the air after that.
+///  - roll: in contact, and every contact sticks or slips slower than a twentieth of the body's speed.
+///  - slide: in contact otherwise.
 enum class TravelMode { flight, bounce, slide, roll };
 inline constexpr std::array<const char*, 4> travel_mode_names = {"flight", "bounce", "slide", "roll"};
 
-/// Time [s] and length of path of the centre of mass [m] in each mode, indexed by TravelMode.
+/// Time [s] and path length of the centre of mass [m] in each mode, indexed by TravelMode.
 struct Travel {
   std::array<double, 4> time{}, distance{};
   void add(TravelMode mode, double dt, double length) {
@@ -87,34 +90,35 @@ struct Travel {
 /// One stored point of a trajectory.
 struct TrajectoryPoint {
   BodyState state;
-  TravelMode mode = TravelMode::flight;  ///< in which it arrived there
+  TravelMode mode = TravelMode::flight;  ///< the mode in which the body arrived at this point
 };
 
 struct BodyHistory {
   BodyState first, last;
-  BodyState min, max;  ///< each component's extreme over the run, flights included
+  BodyState min, max;  ///< extremes of each component over the run, flights included
   double min_speed = 0, max_speed = 0;
   StopReason reason = StopReason::timed_out;
-  std::string fault;                                            ///< why it diverged or which plugin failed
+  std::string fault;  ///< why the body diverged, or which plugin failed
   double stop_time = std::numeric_limits<double>::quiet_NaN();  ///< start of the 0.2 s at rest
   double contact_time = 0;                                      ///< s spent in contact
   double max_distance = 0;                                      ///< m, greatest |x - x_first| ever reached
-  bool landed = false;  ///< it flew, and has touched the terrain since
+  bool landed = false;  ///< the body flew and then touched the terrain
   double flight_range =
-      0;  ///< m, horizontal distance to where it landed first; where it never did, to its end
+      0;  ///< m, horizontal distance to the first landing, or to the end of the run if the body never landed
   double bounce_height = 0;  ///< m, greatest height of the centre of mass above the ground below it
   int impact_count = 0;
-  Travel travel;                     ///< of a body that stopped, until it came to rest
+  Travel travel;                     ///< for a body that stopped: until it came to rest
   PathBins path;                     ///< greatest height, speed and energy along x
-  std::vector<Passage> passages;     ///< of gates, each at most once
-  std::vector<BarrierHit> barriers;  ///< met, each at most once
+  std::vector<Passage> passages;     ///< of gates, each gate at most once
+  std::vector<BarrierHit> barriers;  ///< barriers that the body reached, each at most once
   std::vector<Impact> impacts;
   std::vector<Apex> apexes;  ///< after the first impact
   std::vector<TrajectoryPoint> trajectory;
 
-  /// Starts at a state: the first, the last and all extremes.
+  /// Sets the first and last state and all extremes to `state`.
   void begin(const BodyState& state);
-  /// Widens the extremes, but for max_distance, whose horizontal depends on the dimension.
+  /// Widens the extremes by `state`. Does not update max_distance, because its horizontal axes depend on the
+  /// dimension.
   void include(const BodyState& state);
 };
 
@@ -124,20 +128,22 @@ struct SolverQuality {
   std::uint64_t cut_steps = 0;
   std::uint64_t flights = 0;
   std::uint64_t impact_problems = 0;
-  std::uint64_t problems = 0;  ///< solves: of impacts, of steps, and of steps that were then made shorter
+  /// Solves of impacts and of steps, including steps that were then repeated with a shorter length
+  std::uint64_t problems = 0;
   std::uint64_t iterations = 0;
-  std::uint64_t toc_iterations = 0;  ///< of the time-of-contact search
+  std::uint64_t toc_iterations = 0;  ///< of the search for the time of impact
   std::uint64_t not_converged = 0;
-  double not_converged_residual =
-      0;  ///< greatest of those, over the speed_scale of its contact: to hold against the tolerance
-  double max_residual = 0;     ///< m/s, of the scaled local map
+  /// Greatest residual of the solves that did not converge, divided by the speed_scale of its contact; to be
+  /// compared with the tolerance
+  double not_converged_residual = 0;
+  double max_residual = 0;     ///< m/s, residual of the scaled local map
   double max_penetration = 0;  ///< m
-  double max_spring_angle =
-      0;  ///< rad, h sqrt(k W_nn): how far a spring (`penalty`) swings in a step; unstable from 2 on
-  std::uint64_t energy_gains = 0;     ///< impacts and steps with dT > 0 beyond rounding
-  double energy_gained = 0;           ///< J
-  std::uint64_t shocks = 0;           ///< jumps of velocity in a step without approach (Painleve)
-  double energy_relative_change = 0;  ///< (total energy at the end - at the start) / |scale|
+  /// rad, h sqrt(k W_nn): the phase that a spring (`penalty`) advances in one step; unstable from 2 on
+  double max_spring_angle = 0;
+  std::uint64_t energy_gains = 0;  ///< impacts and steps whose contacts gain energy, dT > 0 beyond rounding
+  double energy_gained = 0;        ///< J
+  std::uint64_t shocks = 0;        ///< velocity jumps in a step in which no contact approaches (Painleve)
+  double energy_relative_change = 0;  ///< (total energy at the end - total energy at the start) / |scale|
 
   void add(const SolverQuality& other);
 };

@@ -6,7 +6,7 @@ PathBins::PathBins(double width, double x_low, double x_high) : width_(width) {
   if (width <= 0) return;
   low_ = static_cast<std::int64_t>(std::floor(x_low / width));
   count_ = static_cast<std::int64_t>(std::floor(x_high / width)) - low_ + 1;
-  bins_.reserve(static_cast<std::size_t>(count_));  // nothing is allocated while the body moves
+  bins_.reserve(static_cast<std::size_t>(count_));  // so that nothing is allocated while the body moves
 }
 
 std::int64_t PathBins::index(double x) const {

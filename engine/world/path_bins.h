@@ -1,5 +1,5 @@
 #pragma once
-// The extremes of one body's path in bins along x: what envelopes over many rocks are made of.
+// The extremes of one body's path in bins along x. Envelopes over many rocks are built from these bins.
 
 #include <algorithm>
 #include <cmath>
@@ -15,21 +15,21 @@ struct PathBin {
   double energy = 0;  ///< J, kinetic
 };
 
-/// Bin i is [i width, (i + 1) width). A path is continuous, so that the bins it visited follow each other.
+/// Bin i is [i width, (i + 1) width). The visited bins are consecutive, because a path is continuous.
 class PathBins {
  public:
-  /// Keeps nothing.
+  /// Records nothing.
   PathBins() = default;
-  /// Of the ground from x_low to x_high [m]; what lies beyond counts in the first or last bin. A width of 0
-  /// keeps nothing.
+  /// Bins over the ground from x_low to x_high [m]. Path points outside this range count in the first or last
+  /// bin. A width of 0 records nothing.
   PathBins(double width, double x_low, double x_high);
 
-  /// Number of the first bin visited; bins() are from there on.
+  /// Number of the first visited bin; bins() starts with it.
   std::int64_t first() const { return low_ + begin_; }
   const std::vector<PathBin>& bins() const { return bins_; }
 
-  /// Calls see(PathBin&, t0, t1) for each bin that x(t) = x + v t visits over [from, to], with the times of
-  /// entry and exit.
+  /// Calls see(PathBin&, t0, t1) for each bin that x(t) = x + v t visits in [from, to]. t0 and t1 are the
+  /// times of entry and exit.
   template <class See>
   void visit(double x, double v, double from, double to, See see) {
     if (width_ <= 0 || !std::isfinite(x) || !std::isfinite(v)) return;
@@ -46,12 +46,12 @@ class PathBins {
   }
 
  private:
-  std::int64_t index(double x) const;  ///< from low_ on
+  std::int64_t index(double x) const;  ///< counted from low_
   PathBin& at(std::int64_t index);
 
   double width_ = 0;
-  std::int64_t low_ = 0, count_ = 0;  ///< bins of the ground
-  std::int64_t begin_ = 0;            ///< of bins_, from low_ on
+  std::int64_t low_ = 0, count_ = 0;  ///< the bins that cover the ground
+  std::int64_t begin_ = 0;            ///< first bin of bins_, counted from low_
   std::vector<PathBin> bins_;
 };
 

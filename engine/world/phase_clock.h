@@ -1,5 +1,5 @@
 #pragma once
-// Wall time by phase of the engine, for a run's log; it never enters a result.
+// Wall time by phase of the engine, for the log of a run. It never enters a result.
 
 #include <chrono>
 #include <cstdint>
@@ -18,7 +18,7 @@ struct PhaseTimes {
   }
 };
 
-/// Adds the time of its scope to one phase; does nothing where there is no clock.
+/// Adds the wall time of its scope to one phase. Does nothing if there is no clock.
 class PhaseTimer {
  public:
   PhaseTimer(PhaseTimes* times, std::int64_t PhaseTimes::*phase) : times_(times), phase_(phase) {

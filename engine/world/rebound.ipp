@@ -1,5 +1,5 @@
 #pragma once
-// The friction problem solved with restitution, its solution applied, and what it left.
+// Solves the friction problem with restitution, applies the solution, and records impacts and energy.
 
 #include <algorithm>
 
@@ -22,12 +22,12 @@ void World<D>::apply_laws(double h) {
           std::max(quality_.max_spring_angle, h * std::sqrt(contact.law.stiffness * row.w(0, 0)));
     if (row.w(D, D) <= 0)
       row.mu_r = row.mu_spin = row.c_r = row.c_spin =
-          0;  // a body without rotational inertia to speak of cannot roll
+          0;  // a body with negligible rotational inertia cannot roll
   }
 }
 
-/// Problems of a few contacts are solved to rounding: what an impact leaves unsolved turns a body that should
-/// land flat, and its corners then arrive one after the other.
+/// Problems of a few contacts are solved to rounding. The residual of an impact would turn a body that should
+/// land flat, and its corners would then arrive one after the other.
 template <int D>
 void World<D>::solve_and_apply() {
   const PhaseTimer timer(clock, &PhaseTimes::solve);
@@ -61,7 +61,7 @@ void World<D>::solve_and_apply() {
   }
 }
 
-/// The velocity H v of contact a now, in the frame of detection (the bodies may have moved on).
+/// The velocity H v of contact a now, in the frame of detection (the bodies may have moved since then).
 template <int D>
 typename World<D>::Row World<D>::velocity_after(int a) const {
   const Contact& contact = contacts_[a];
@@ -76,18 +76,18 @@ void World<D>::measure_after() {
   for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) after_[a] = velocity_after(a);
 }
 
-/// The work of contact a on its bodies in an impact, or in a step.
+/// The work of contact a on its bodies in an impact or step [J].
 template <int D>
 double World<D>::energy_of(int a) const {
   return 0.5 * contacts_[a].impulse.dot(contacts_[a].before + after_[a]);
 }
 
-/// A shock without collision (Painleve): no contact of the island approaches, and yet the velocity of a
-/// contact jumps, by far more than forces bring in a step. Each such contact becomes an impact of its own, so
-/// that a row tells it.
+/// Finds shocks without collision (Painleve): no contact of the island approaches, but the velocity of a
+/// contact jumps by far more than forces can change it in one step. Each such contact is recorded as an
+/// impact of its own.
 template <int D>
 void World<D>::find_shocks(double h) {
-  constexpr double usual = 20;  // times the change by gravity: friction on a round body brings 4 at mu = 1
+  constexpr double usual = 20;  // times the change by gravity; friction on a round body reaches 4 at mu = 1
   island_collides_.assign(bodies.size(), false);
   int manifolds = 0;
   for (const Contact& c : contacts_) {
@@ -108,7 +108,7 @@ void World<D>::find_shocks(double h) {
   }
 }
 
-/// One Impact a manifold.
+/// Records one Impact per manifold.
 template <int D>
 void World<D>::record_impacts() {
   sums_.clear();
@@ -130,7 +130,8 @@ void World<D>::record_impacts() {
     const double pn = contact.impulse[0];
     impact.pn += pn;
     impact.energy_change += energy_of(a);
-    // A contact that carries no normal impulse does not count in the means unless it is the only one.
+    // The tiny weight makes a contact without normal impulse count only if no contact of the manifold has
+    // one.
     const double weight = pn + 1e-300;
     sum.weight += weight;
     sum.place += weight * contact.at.point;
@@ -154,7 +155,7 @@ void World<D>::record_impacts() {
   }
 }
 
-/// The work of the driven bodies of contact a on the others.
+/// The work of the driven bodies of contact a on the other bodies [J].
 template <int D>
 double World<D>::work_of_driven(int a) const {
   const Contact& contact = contacts_[a];
@@ -168,9 +169,9 @@ double World<D>::work_of_driven(int a) const {
   return work;
 }
 
-/// Counts the energy that the contacts of an island bring in an impact, or a step of length h: beyond
-/// rounding, and beyond |r| g h / 2 of a contact that opens or reverses its slip within the step, there
-/// should be none.
+/// Counts energy gains: the energy that the contacts of an island add in an impact or in a step of length h.
+/// It should not exceed rounding plus |r| g h / 2 for each contact, because a contact may open or reverse its
+/// slip within the step.
 template <int D>
 void World<D>::audit_energy(double h) {
   island_gain_.assign(bodies.size(), 0.0);
@@ -186,7 +187,7 @@ void World<D>::audit_energy(double h) {
   for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) {
     const Contact& contact = contacts_[a];
     double& gain = island_gain_[island_of(contact)];
-    // A spring returns what it took.
+    // A spring only returns the energy that it stored.
     if (contact.law.condition != NormalCondition::penalty) gain += energy_of(a);
     gain -= contact.impulse.template head<D>().norm() *
             (1e-12 * (contact.before.norm() + after_[a].norm()) +
@@ -199,14 +200,14 @@ void World<D>::audit_energy(double h) {
     }
 }
 
-/// Whether contact a counts as closed after an impact or step. Restitution throws it off at any speed.
-/// Otherwise it opens where it is faster than g h / 2: slower, it would close again within a step, and a
-/// block that rocks to rest would do so without end. `duration`: of the step.
+/// Whether contact a counts as closed after an impact or a step of length `duration` [s]. A contact with
+/// restitution opens at any positive speed. Any other contact opens only above g h / 2. A slower contact
+/// would close again within one step, and a rocking block would never come to rest.
 template <int D>
 bool World<D>::stays_closed(int a, double duration) const {
   const Contact& contact = contacts_[a];
   const double speed = after_[a][0];
-  // A spring lets go where its gap has opened, at the end of the step.
+  // A spring opens if its gap is positive at the end of the step.
   if (contact.law.condition == NormalCondition::penalty)
     return speed <= 0 || contact.at.gap + settings_.theta * duration * speed <= 0;
   if (contact.manifold >= 0 && contact.law.e_n > 0) return speed <= 0;

@@ -29,8 +29,11 @@ void World<D>::restore() {
   for (Surface* surface : surfaces_) memory = surface->restore_history(memory);
 }
 
-/// v_free = v + h (g + the push of the air), and w_free of free_spin;  contacts at q_m = q + h (1 - theta) v;
-/// v+ = v_free + M^-1 H r; q+ = q_m + h theta v+.
+/// The Moreau-Jean step:
+///   q_m = q + h (1 - theta) v          positions where contacts are detected
+///   v_free = v + h (g + a_air),  w_free from free_spin
+///   v+ = v_free + M^-1 H r             r from the friction problem
+///   q+ = q_m + h theta v+
 template <int D>
 typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
   constexpr int most_cuts = 4, most_refinements = 4;
@@ -50,7 +53,8 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
       share = keep_closed_at_start();
     else
       keep_closed(0);
-    // An edge that turns fast about a corner while it slides drifts with h^2: a shorter step.
+    // The drift of an edge that turns fast about a corner while it slides grows with h^2: repeat with a
+    // shorter step.
     if (share > 1 && refinements++ < most_refinements) {
       restore();
       h *= std::max(0.1, 1 / std::sqrt(share));
@@ -95,7 +99,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
 
 template <int D>
 typename World<D>::Outcome World<D>::impact() {
-  // A step that was cut ends at the touch up to second order in its length: what touches then is closed.
+  // A cut step ends at the touch only up to second order in its length, so accept a small gap as closed.
   constexpr double event_share = 1e-7;
   impacts_.clear();
   detect(0);
@@ -115,12 +119,12 @@ typename World<D>::Outcome World<D>::impact() {
   audit_energy(0);
   Outcome outcome = keep(0, false);
   outcome.new_touch = approaching;
-  for (Contact& c : last_) c.impulse.setZero();  // of an impact: no start for the step that follows
+  for (Contact& c : last_) c.impulse.setZero();  // impulses of an impact are no warm start for the next step
   return outcome;
 }
 
-/// The first touch of places that are not in contact, along the path of the step; with `pass_held` of bodies
-/// that have no contact with each other.
+/// The time of the first touch of features that are not in contact, along the path of the step [s]. With
+/// `pass_held`, only touches of bodies that have no contact with each other count.
 template <int D>
 std::optional<double> World<D>::first_touch(double h, bool pass_held) {
   const PhaseTimer timer(clock, &PhaseTimes::detect);
@@ -160,15 +164,16 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
   return first;
 }
 
-/// Contacts that carry on keep their gap only to second order in h. It is closed, by displacements M^-1 H_n
-/// lambda, without touching the velocities; a contact without impulse is only pushed out. The deep overlaps
-/// that fixed time steps make (`exact` false) are left, as LMGC90 leaves them.
+/// Persistent contacts keep their gap only to second order in h. This stage closes the remaining gap by
+/// displacements M^-1 H_n lambda and does not change the velocities. A contact without impulse is only pushed
+/// out of penetration, never pulled closed. The deep penetrations of fixed time steps (`exact` false) are
+/// kept, as in LMGC90.
 template <int D>
 void World<D>::project_drift(bool exact) {
   if (contacts_.empty()) return;
   constexpr int passes = 3;
-  constexpr double deepest =
-      1e-3;  // of the size: beyond it something else is wrong, and a push would throw the body
+  // Share of the size; a deeper penetration has another cause, and its projection would throw the body
+  constexpr double deepest = 1e-3;
   drift_.assign(bodies.size(), Body<D>::Rows::Zero());
   gaps_.clear();
   for (const Contact& c : contacts_) {
@@ -196,7 +201,7 @@ void World<D>::project_drift(bool exact) {
     if (bodies[i].moves()) bodies[i].displace(drift_[i]);
 }
 
-/// Keeps the contacts for the next step, and says whether some of them last.
+/// Keeps the contacts for the next step, and reports whether any of them stays closed.
 template <int D>
 typename World<D>::Outcome World<D>::keep(double duration, bool new_touch) {
   Outcome outcome{duration, new_touch, false};
@@ -204,7 +209,8 @@ typename World<D>::Outcome World<D>::keep(double duration, bool new_touch) {
     Contact& c = contacts_[a];
     const bool closed = stays_closed(static_cast<int>(a), duration);
     c.carried = closed;
-    const double held = c.mu() * c.impulse[0] + duration * c.law.c_t;  // by friction at most
+    // Largest tangential impulse that friction can carry
+    const double held = c.mu() * c.impulse[0] + duration * c.law.c_t;
     c.sticking = held > 0 && tangential(c.impulse).norm() < (1 - 1e-9) * held;
     c.age = closed ? c.age + duration : 0;
     outcome.in_contact = outcome.in_contact || c.carried;

@@ -7,8 +7,8 @@ namespace flyrock {
 
 namespace {
 
-/// The answer of a law: kept where it is constant, asked and checked otherwise. `own`: what it remembers of
-/// the contact.
+/// The answer of a law: the kept answer if it is constant, otherwise a new, checked one. `own` is the law's
+/// memory of the contact.
 template <class Answer, class LawKind, class Ask>
 Answer answer(BoundLaw<LawKind>& bound, std::optional<Answer>& kept, std::uint64_t& asked,
               ContactState& state, std::span<double> own, Ask&& ask) {
@@ -86,7 +86,7 @@ ContactLaw Surface::ask(ContactState& state, bool impact, ContactHistory& histor
   law.stiffness = normal.stiffness;
   law.c_n = friction_given.c_n;
   law.c_t = friction_given.c_t;
-  if (normal.condition == NormalCondition::cohesive) {  // a pull shifts the whole cone of friction
+  if (normal.condition == NormalCondition::cohesive) {  // a pull shifts the whole friction cone
     law.c_n += normal.pull;
     law.c_t += law.mu_s * normal.pull;
   }

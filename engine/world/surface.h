@@ -1,5 +1,5 @@
 #pragma once
-// The laws of a material as one pair meets it: a body and a part of the terrain, or two bodies.
+// The laws of a material for one pair: a body and a part of the terrain, or two bodies.
 
 #include <array>
 #include <cstdint>
@@ -11,40 +11,41 @@
 
 namespace flyrock {
 
-/// How often the laws of a material were asked.
+/// How often the laws of a material were called.
 struct MaterialUse {
-  std::uint64_t contacts = 0;  ///< contacts in which the material was in force
+  std::uint64_t contacts = 0;  ///< contacts that used this material
   std::uint64_t restitution = 0, friction = 0, rolling = 0, unilateral = 0;
   void add(const MaterialUse& other);
 };
 
-/// What the laws of one contact remember, where they remember it per contact.
+/// The memory of the laws of one contact, for laws that keep memory per contact.
 using ContactHistory = std::array<double, 4 * most_history>;
 
-/// A law with the values of its parameters; absent where the material does not name one.
+/// A law with the values of its parameters. `law` is null if the material does not name one.
 template <class LawKind>
 struct BoundLaw {
   const LawKind* law = nullptr;
   std::vector<double> values;
-  /// Parameters that are drawn anew at every impact.
+  /// A parameter that is drawn anew at every impact.
   struct ImpactDraw {
     int slot;
     const Draw* draw;
   };
   std::vector<ImpactDraw> per_impact;
-  std::size_t memory = 0;       ///< numbers that the law remembers
-  bool per_contact = false;     ///< of each contact, else of the pair
-  std::vector<double> history;  ///< of the pair
-  std::vector<double> before;   ///< the same before this instant: what every contact of the instant reads
-  std::vector<double> scratch;  ///< what one contact reads and writes
-  /// Begins a memory of `memory` numbers, all zero.
+  std::size_t memory = 0;       ///< how many numbers the law remembers
+  bool per_contact = false;     ///< true: memory per contact; false: memory per pair
+  std::vector<double> history;  ///< memory of the pair
+  /// memory of the pair before this instant; every contact of the instant reads this
+  std::vector<double> before;
+  std::vector<double> scratch;  ///< copy of the memory that one contact reads and writes
+  /// Resets the memory to `memory` zeros.
   void forget() { before = scratch = history = std::vector<double>(per_contact ? 0 : memory, 0.0); }
 
-  /// Whether one answer serves for the whole run.
+  /// Whether the law gives the same answer during the whole run.
   bool constant() const { return law->constant() && per_impact.empty(); }
 };
 
-/// Asks the laws and checks their answers. A law that is constant is asked once.
+/// Calls the laws and checks their answers. A constant law is called once.
 class Surface {
  public:
   std::string material;
@@ -56,23 +57,23 @@ class Surface {
   DrawKey key;  ///< trial and rock, for draws per impact
   MaterialUse use;
 
-  /// All contacts of one instant (a step or an impact) read what the pair remembered before it. A number that
-  /// a contact changes is kept; where several change the same number, the last in the order of contacts
-  /// holds.
+  /// Begins an instant (a step or an impact). All its contacts read the pair's memory from before the
+  /// instant. A number that a contact changes is kept. If several contacts change the same number, the last
+  /// one in the order of contacts wins.
   void begin_instant();
-  /// Draws what is drawn per impact, before a contact of it asks: one impact of several contacts draws the
-  /// same for each.
+  /// Draws the per-impact parameters, before the laws of a contact of the impact are called. All contacts of
+  /// one impact get the same values.
   void begin_impact(std::uint64_t impact_number);
-  /// The law of a contact in this state; restitution is asked only of an `impact`. `history`: of this
-  /// contact.
+  /// The law of a contact in this state. The restitution law is called only for an `impact`. `history` is the
+  /// memory of this contact.
   ContactLaw ask(ContactState& state, bool impact, ContactHistory& history);
-  /// The same of a contact without impact, where it is known without asking: no law that is asked at every
-  /// step reads the state, and all have been asked since the last impact. Else null.
+  /// The law of a contact without impact, if no call is needed: no law of the step reads the state, and all
+  /// have been called since the last impact. Null otherwise.
   const ContactLaw* known();
-  /// Whether a law remembers of the pair.
+  /// Whether a law keeps memory of the pair.
   bool remembers() const;
-  /// The memory of the pair, to be taken back to: appended to `memory`, and read from it; the latter returns
-  /// what follows.
+  /// A step that is repeated must restore the memory of the pair. save_history appends it to `memory`.
+  /// restore_history reads it from `memory` and returns a pointer to the first number after it.
   void save_history(std::vector<double>& memory) const;
   const double* restore_history(const double* memory);
 

@@ -20,14 +20,14 @@ namespace flyrock {
 
 struct WorldSettings {
   double time_step = 1e-3;               ///< s
-  double theta = 0.5;                    ///< of the scheme, in [1/2, 1]
+  double theta = 0.5;                    ///< parameter of the scheme, in [1/2, 1]
   double tolerance = default_tolerance;  ///< of the contact solver
   int max_iterations = 1000;
-  double rest_speed = 0.02;  ///< m/s; slower approaches are without restitution
+  double rest_speed = 0.02;  ///< m/s; a slower approach has no restitution
   SolverKind solver = SolverKind::automatic;
 };
 
-/// A contact of the world with its law and what it carries.
+/// A contact of the world, with its law, its impulse and its memory.
 template <int D>
 struct WorldContact {
   using Row = typename ContactProblem<D>::Row;
@@ -37,22 +37,22 @@ struct WorldContact {
   int antagonist = -1;  ///< a body, or -1 for the terrain
   Surface* surface = nullptr;
   ContactLaw law;
-  ContactHistory history{};  ///< what the laws remember of this contact
+  ContactHistory history{};  ///< memory of the laws of this contact
   Row impulse = Row::Zero();
   Row before = Row::Zero();  ///< velocity at the start of the step or impact, in the frame of detection
-  double age = 0;            ///< s since it closed
-  bool carried = false;      ///< did not open in the last step
+  double age = 0;            ///< s since the contact closed
+  bool carried = false;      ///< true if the contact did not open in the last step
   bool sticking = false;
-  int manifold = -1;      ///< of the impacts of this step; -1: no impact
-  int impact_number = 0;  ///< of the candidate, where this is one
+  int manifold = -1;      ///< index of the manifold among the impacts of this step; -1: no impact
+  int impact_number = 0;  ///< impact number of the candidate, if this contact is part of an impact
 
-  /// The coefficient of friction in force.
+  /// The current coefficient of friction.
   double mu() const { return sticking ? law.mu_s : law.mu_d; }
   double approach() const { return before[0] < 0 ? -before[0] : 0; }
 };
 
-/// One world of D dimensions. Everything that a step needs is kept between steps: the step loop does not
-/// allocate once the buffers have grown to the number of contacts.
+/// One world of D dimensions. It keeps its buffers between steps, so that the step loop does not allocate
+/// once they have grown to the number of contacts.
 template <int D>
 class World {
  public:
@@ -66,13 +66,13 @@ class World {
 
   /// Adds a body; returns its index.
   int add(Body<D> body);
-  /// Takes the body that was added last away again.
+  /// Removes the body that was added last.
   void remove_last();
-  /// The laws between a body and a part of the terrain; null where nothing is said. Surfaces belong to the
-  /// caller.
+  /// The laws between a body and a part of the terrain; null if the scenario names none. The caller owns the
+  /// surfaces.
   void set_terrain_surface(int body, int part, Surface* surface);
-  /// The laws between two bodies, a < b: asked once, when they first come near each other. Empty: nothing is
-  /// said.
+  /// The laws between two bodies, a < b. Called once, when the bodies first come near each other. Empty: no
+  /// laws.
   std::function<Surface*(int a, int b)> surface_between;
 
   double time = 0;
@@ -84,24 +84,25 @@ class World {
   const std::vector<Contact>& contacts() const { return contacts_; }
   const SolverQuality& quality() const { return quality_; }
   SolverQuality& quality() { return quality_; }
-  /// Where phases are timed; null: nowhere.
+  /// Where the wall time of each phase is added; null: phases are not timed.
   PhaseTimes* clock = nullptr;
-  /// Told of each problem that did not converge, with the start of its impulses; empty: nobody.
+  /// Called with each problem that did not converge and its start impulses. May be empty.
   std::function<void(const Problem&, const std::vector<Row>&)> on_hard_problem;
 
-  /// What a step or an impact tells.
+  /// What a step or an impact returns.
   struct Outcome {
     double duration = 0;      ///< s
-    bool new_touch = false;   ///< it was cut, because a pair that was not in contact touches
-    bool in_contact = false;  ///< some contact carries an impulse or stays closed
+    bool new_touch = false;   ///< the step was cut because two features that were not in contact touch
+    bool in_contact = false;  ///< at least one contact stays closed
   };
 
-  /// One step of at most h: shorter where a contact would drift too far. With `cut` it ends at the first
-  /// touch of places that are not in contact (an impact is then due), with `pass_held` only of bodies that
-  /// have no contact with each other. Impacts inside a step without cutting are reported to `impacts`.
+  /// One step of at most h [s]; the step is shortened if a contact would drift too far. With `cut`, the step
+  /// ends at the first touch of features that are not in contact; an impact problem must follow. With
+  /// `pass_held`, only touches of bodies that have no contact with each other cut the step. Without `cut`,
+  /// impacts inside the step are reported in `impacts`.
   Outcome step(double h, bool cut, bool pass_held = false);
 
-  /// The impact problem without duration of all contacts that are closed now: velocities jump, time stands.
+  /// Solves the impact problem of all contacts that are closed now. Velocities jump; time does not advance.
   Outcome impact();
 
   /// All bodies fly for dt without contacts.
@@ -109,35 +110,35 @@ class World {
   /// The motion of a body in free flight.
   Motion flight_of(int body) const;
 
-  /// Impacts of the last step or impact, one a manifold.
+  /// The impacts of the last step or impact, one per manifold.
   const std::vector<Impact>& impacts() const { return impacts_; }
-  /// The contacts of a body with the terrain (other = -1) or another body, as a search for the time of
-  /// contact takes them. Valid until the next call.
+  /// The contacts of a body with the terrain (other = -1) or with another body, in the form that the search
+  /// for the time of impact needs. Valid until the next call.
   std::span<const HeldContact> held(int body, int other);
-  /// Where bodies overlap the terrain or each other deepest now; for the check of a start.
+  /// The deepest penetration of a body into the terrain or another body now. Used to check a start.
   struct Overlap {
     double depth = 0;  ///< m
-    int body = -1;     ///< of two bodies the one that was added later
+    int body = -1;     ///< for two bodies, the one that was added later
     int other = -1;    ///< -1: the terrain
   };
   Overlap deepest_overlap();
-  /// Counts how deep bodies are in the ground or each other now; for the end of a flight that no touch has
+  /// Updates the maximum penetration with the present state. Used at the end of a flight that no touch has
   /// ended.
   void measure_penetration();
-  /// The boxes of all bodies over the next `dt` of flight, and the pairs of them that may meet.
+  /// The pairs of bodies whose boxes overlap during the next `dt` [s] of flight; only these may meet.
   const std::vector<std::pair<int, int>>& near_pairs(double dt);
 
   /// Whether a contact slips faster than a twentieth of the speed of one of its bodies.
   bool slips(const Contact& contact, int body) const;
 
-  /// Kinetic energy, potential energy (of the height above the origin) and that of pressed springs
-  /// (`penalty`) [J].
+  /// Kinetic energy, potential energy (height above the origin) and energy of compressed springs (`penalty`)
+  /// [J].
   double total_energy() const;
-  /// The energy that came from outside since the world was made [J]: work of the air and of driven bodies,
-  /// and what impacts gained by their laws. Without a fault total_energy never exceeds that of the start plus
-  /// this, but for the error of the scheme.
+  /// The energy that has come from outside since the world was made [J]: the work of the air and of driven
+  /// bodies, and the energy that impacts gain by their laws. If nothing is wrong, total_energy never exceeds
+  /// its start value plus this energy, apart from the error of the scheme.
   double energy_given() const { return energy_given_; }
-  /// How far a contact of a body may open or close in a step before it is projected out [m].
+  /// The gap up to which a contact of the last step stays active, and its drift is projected out [m].
   double carry_reach(int candidate, int antagonist) const;
   /// The gap below which a contact of a body is closed: 1e-9 size + 1e-12 m.
   double touch(int body) const { return 1e-9 * bodies[body].size + 1e-12; }
@@ -145,11 +146,11 @@ class World {
  private:
   using Placed = typename Geometry<D>::Placed;
 
-  /// A contact's columns of H^T for its two bodies; zero for the terrain.
+  /// The columns of H^T of a contact for its two bodies; zero for the terrain.
   struct ContactRows {
     ContactColumns<D> candidate, antagonist;
   };
-  /// Of the contacts of one impact: means weighted by the normal impulse, and the tangential impulse.
+  /// Sums over the contacts of one impact: means weighted by the normal impulse, and the tangential impulse.
   struct ImpactSum {
     double weight = 0;
     Vec<D> place = Vec<D>::Zero();
@@ -164,7 +165,7 @@ class World {
   void know(Surface* surface);
   Surface* pair_surface(int a, int b);
 
-  // detect.ipp: what touches
+  // detect.ipp: which contacts are active
   void detect(double ahead);
   void match_last();
   const Contact* carried_on(const Contact& contact, std::span<const Contact> last,
@@ -177,7 +178,7 @@ class World {
   const std::vector<std::pair<int, int>>& close_pairs();
   double contact_size(int candidate, int antagonist) const;
 
-  // ask_laws.ipp: what the laws of the contacts answer
+  // ask_laws.ipp: the answers of the contact laws
   void begin_manifolds();
   ContactState state_of(const Contact& contact, double h);
   void ask_law(Contact& contact, double h);
@@ -193,7 +194,7 @@ class World {
   int island_of(int body);
   int island_of(const Contact& contact);
 
-  // rebound.ipp: its solution with restitution, applied; what it left
+  // rebound.ipp: its solution with restitution, applied to the bodies; records and energy audit
   void apply_laws(double h);
   void solve_and_apply();
   Row velocity_after(int a) const;
@@ -214,15 +215,16 @@ class World {
 
   const Terrain* terrain_;
   Vec<D> gravity_;
-  double g_;  ///< its size, m/s2
+  double g_;  ///< |g|, m/s2
   WorldSettings settings_;
   SolverQuality quality_;
   double energy_given_ = 0;                             ///< J
   std::vector<std::vector<Surface*>> terrain_surface_;  ///< [body][part]
-  std::vector<std::vector<Surface*>> pair_surface_;     ///< [a][b], a < b; null before they met
+  /// [a][b], a < b; null before the bodies first come near each other
+  std::vector<std::vector<Surface*>> pair_surface_;
 
-  std::vector<Contact> contacts_;  ///< active in the step at hand
-  std::vector<Contact> last_;      ///< of the last step that stands
+  std::vector<Contact> contacts_;  ///< active in the current step
+  std::vector<Contact> last_;      ///< of the last completed step
   std::vector<ContactPoint<D>> points_;
   std::vector<Vec<D>> patch_;  ///< the points of one manifold
   std::vector<ContactRows> rows_;
@@ -237,23 +239,23 @@ class World {
     double residual = 0;  ///< m/s
     double since = 0;     ///< s
   };
-  std::vector<Unsolved> unsolved_;  ///< of each body, what its last solve left
+  std::vector<Unsolved> unsolved_;  ///< of each body: residual and time of its last solve
   std::vector<Row>
       after_;  ///< velocities of the contacts after the step or impact, in the frame of detection
-  std::vector<Row> start_;                     ///< of the impulses, where hard problems are kept
-  std::vector<std::vector<int>> contacts_of_;  ///< of each body that contacts move
+  std::vector<Row> start_;                     ///< start impulses, kept only if hard problems are reported
+  std::vector<std::vector<int>> contacts_of_;  ///< [body], for bodies that contacts move
   std::vector<int> island_;
   std::vector<double> island_speed_;
-  std::vector<double> island_gain_;    ///< J that an island got, less what rounding allows
-  std::vector<bool> island_collides_;  ///< whether an impact is under way in it
+  std::vector<double> island_gain_;    ///< J, energy that an island gains, minus what rounding allows
+  std::vector<bool> island_collides_;  ///< whether the island has an impact in this step
   SortAndSweep broad_phase_;
   std::vector<typename Geometry<D>::Box> boxes_;
   std::vector<Saved> saved_;
-  std::vector<Motion> motions_;     ///< of the bodies over the step at hand
-  std::vector<Surface*> surfaces_;  ///< that remember of a pair, each once
-  std::vector<double> memory_;      ///< what the surfaces remembered when the step began
+  std::vector<Motion> motions_;     ///< of the bodies over the current step
+  std::vector<Surface*> surfaces_;  ///< those with memory of a pair, each once
+  std::vector<double> memory_;      ///< memory of the surfaces at the start of the step
   std::vector<typename Body<D>::Rows> drift_;
-  std::vector<std::optional<double>> gaps_;  ///< of the contacts whose drift is projected out
+  std::vector<std::optional<double>> gaps_;  ///< gaps of the contacts whose drift is projected out
 };
 
 extern template class World<2>;

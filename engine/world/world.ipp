@@ -1,5 +1,5 @@
 #pragma once
-// Bodies added and taken away, free flight, energy.
+// Adding and removing bodies, free flight, energy.
 
 #include "world/manifold.h"
 #include "world/world.h"
@@ -47,8 +47,8 @@ Surface* World<D>::pair_surface(int a, int b) {
   return surface;
 }
 
-/// Surfaces remember: a step that is done again takes them back, one that was made within the step to its
-/// birth.
+/// Registers a surface with memory, because a repeated step must restore its memory. A surface that is first
+/// used within the step is restored to its initial memory.
 template <int D>
 void World<D>::know(Surface* surface) {
   if (!surface || !surface->remembers() ||
