@@ -1,5 +1,5 @@
 #pragma once
-// What the searches of conservative advancement in space share.
+// The loop of conservative advancement in 3D, and the state of a moving contactor that it uses.
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@
 
 namespace flyrock {
 
-/// A contactor at one time, with bounds of its motion until the end of the search.
+/// A contactor at one time, with bounds on its motion until the end of the search.
 struct MovingState {
   Turn turn;
   Vec3 x, v;
@@ -23,14 +23,16 @@ struct MovingState {
 
   Vec3 arm(const Vec3& local) const { return turn.rotation * local; }
   Vec3 velocity_at(const Vec3& arm) const { return v + turn.spin.cross(arm); }
-  /// Bound of the acceleration of a point at a lever, beside that of the centre of mass.
+  /// Bound on the acceleration of a point at a lever [m], in addition to the acceleration of the centre of
+  /// mass.
   double bend(double lever) const { return (w_max * w_max + w_rate) * lever; }
   bool turns() const { return w_max > 0 || w_rate > 0; }
 };
 
-/// Follows a search from one safe time to the next, search.lasts(t) telling how long its contactors stay
-/// apart from t on. Where the balls about them are clear of each other, which the polynomial
-/// search.clearance() tells, it goes on to where they meet.
+/// Advances a search from one safe time to the next until the contactors touch or `end` is reached.
+/// search.lasts(t) returns how long the contactors stay apart from t on. If the polynomial search.clearance()
+/// shows that their bounding balls are apart, the search advances directly to the time at which the balls
+/// meet.
 template <class Search>
 std::optional<double> advance(Search&& search, double end, std::uint64_t* iterations) {
   const auto clearance = search.clearance();

@@ -13,7 +13,7 @@ namespace {
 constexpr double forever = std::numeric_limits<double>::infinity();
 constexpr int most_iterations = 500;
 
-/// A hull at one time, with bounds of its motion until the end of the window.
+/// A hull at one time, with bounds on its motion until the end of the window.
 struct State {
   Rotation2 r;
   Vec2 x, v;
@@ -53,16 +53,18 @@ class Search {
   }
 
  private:
-  /// An edge of a (0) or b (1), or the line between the point of a disk and the nearest of the other (2).
+  /// A separating direction: the normal of an edge of a (kind 0) or b (kind 1), or the line between the point
+  /// of a disk and the nearest point of the other hull (kind 2).
   struct Direction {
     int kind = 0;
     int edge = 0;
-    Vec2 fixed = Vec2::Zero();  ///< kind 2: from b to a, kept in the world
+    Vec2 fixed = Vec2::Zero();  ///< kind 2: from b to a, constant in the world frame
   };
 
-  /// Whether a point p of `other`, in its body's frame, is surely clear of a line that does not turn until
-  /// the end, which is `left` away: with |x| + |y| for its reach, gap + slope t - M t^2 / 2 at the end is
-  /// linear in p and its reach. Most points are, and need no roots.
+  /// Returns a test whether a point p of `other`, in its body's frame, surely stays clear of a line that does
+  /// not turn, until the end of the search in `left` seconds. With |x| + |y| as a bound on the lever of p,
+  /// gap + slope t - M t^2 / 2 at the end is linear in p and this bound. Most points pass, so no roots are
+  /// needed for them.
   auto points_that_stay_clear(const Vec2& normal, const Vec2& x, const Vec2& v, double offset,
                               const Vec2& acceleration, const MovingHull& other, const State& so,
                               double left) const {
@@ -77,7 +79,7 @@ class Search {
     };
   }
 
-  /// How long the edge `edge` of `reference` separates it from the points of `other`.
+  /// How long the edge `edge` of `reference` separates it from the points of `other` [s].
   double edge_lasts(const MovingHull& reference, const State& sr, const MovingHull& other, const State& so,
                     int edge, bool reference_is_a, double t) const {
     const Vec2 normal = sr.r * reference.normals[edge];
@@ -102,8 +104,8 @@ class Search {
       const bool is_held =
           reference_is_a ? search_.holds(edge_id, point_id) : search_.holds(point_id, edge_id);
       if (is_held && search_.held_are_solved) continue;
-      // M >= -gap'' until the end; the horizon keeps the lever |w| of a turning normal from growing without
-      // bound.
+      // M >= -gap'' until the end of the search. The horizon limits the growth of the lever |w| of a turning
+      // normal.
       const double reach = arm.norm(), speed = closing + so.w_max * reach;
       double horizon = left;
       double bend = so.w_max * so.w_max * reach + std::abs(other.motion.alpha) * reach;
@@ -120,7 +122,7 @@ class Search {
     return least;
   }
 
-  /// How long the fixed direction d separates all points of a from those of b.
+  /// How long the fixed direction d separates all points of a from those of b [s].
   double fixed_lasts(const Vec2& d, const State& sa, const State& sb, double t) const {
     const double along = std::max(0.0, d.dot(b_.motion.a - a_.motion.a));
     double least = forever;
@@ -146,7 +148,7 @@ class Search {
     return fixed_lasts(direction.fixed, sa, sb, t);
   }
 
-  /// From the nearest point of b to a, where one of them is a disk.
+  /// The unit vector from the nearest point of b to a, if one of them is a disk.
   Vec2 between_points(const State& sa, const State& sb) const {
     Vec2 best = Vec2::UnitY();
     double nearest = forever;
@@ -159,7 +161,7 @@ class Search {
     return best;
   }
 
-  /// The direction that separates longest, and how long: 0 where none does.
+  /// Finds the direction that separates longest. Returns for how long [s]; 0 if no direction separates.
   double longest(const State& sa, const State& sb, double t, Direction& direction) const {
     double best = 0;
     const double enough = end_ - t;

@@ -9,8 +9,8 @@
 
 namespace flyrock {
 
-/// A convex hull of points, grown by a radius, on its way. A segment of the terrain is one of two points at
-/// rest, a disk one of one point. normals[i] belongs to points[i].
+/// A moving convex hull of points, grown by a radius. A segment of the terrain is a hull of two points at
+/// rest; a disk is a hull of one point. normals[i] is the normal of the edge that starts at points[i].
 struct MovingHull {
   const Vec2* points = nullptr;
   const Vec2* normals = nullptr;
@@ -22,8 +22,8 @@ struct MovingHull {
   int base = 0;
 };
 
-/// The first time in [window.a, window.b] at which the hulls touch and approach; see time_of_contact. `a`
-/// carries the `feature` and `b` the `against` of held contacts.
+/// The first time in [window.a, window.b] at which the hulls touch and approach; see time_of_contact. In held
+/// contacts, `feature` belongs to `a` and `against` to `b`.
 std::optional<double> advance_to_contact(const MovingHull& a, const MovingHull& b, const TimeWindow& window,
                                          const TouchSearch& search);
 

@@ -1,4 +1,4 @@
-// Two contactors on their way.
+// Time of impact of two moving contactors.
 
 #include <algorithm>
 #include <array>
@@ -21,7 +21,8 @@ class PairSearch {
   PairSearch(const MovingContactor& a, const MovingContactor& b, double end, const TouchSearch& search)
       : a_(a), b_(b), end_(end), search_(search), scale_(search.size) {}
 
-  /// How long the direction that was last followed, or else the best one, separates the pair.
+  /// How long the direction of the last call separates the pair [s]. If it no longer does, the best direction
+  /// is used.
   double lasts(double t) {
     const MovingState sa(a_, t, end_), sb(b_, t, end_);
     const double step = chosen_ ? lasts(direction_, sa, sb, t) : 0;
@@ -38,12 +39,13 @@ class PairSearch {
   }
 
  private:
-  /// A normal that turns with a contactor (of_a, of_b), or the product of two edges.
+  /// A separating direction: a normal that turns with a contactor (of_a, of_b), or the cross product of two
+  /// edges.
   struct Direction {
     enum class Kind { of_a, of_b, edges } kind = Kind::of_a;
     Vec3 local = Vec3::UnitZ();  ///< of_a, of_b: in that body's frame, outward
     double support = 0;         ///< of_a, of_b: how far the contactor reaches along it from the body's origin
-    std::uint32_t feature = 0;  ///< of_a, of_b: what it belongs to
+    std::uint32_t feature = 0;  ///< of_a, of_b: the feature to which the normal belongs
     int edge_a = 0, edge_b = 0;  ///< edges
     double sign = 1;             ///< edges: of the product that points from b to a
   };
@@ -52,7 +54,7 @@ class PairSearch {
     return feature_id(c.index, FeatureKind::vertex, i);
   }
 
-  /// A sphere has one contact with a convex contactor, whatever the feature it has reached.
+  /// A sphere has only one contact with a convex contactor, so the feature does not matter.
   bool held(std::uint32_t feature, std::uint32_t against) const {
     if (!a_.shape.round() && !b_.shape.round()) return search_.holds(feature, against);
     return std::any_of(search_.held.begin(), search_.held.end(), [&](const HeldContact& h) {
@@ -60,14 +62,14 @@ class PairSearch {
     });
   }
 
-  /// Bounds of the motion of the difference of two points, while a normal turns.
+  /// Bounds on the relative motion of two points while a normal turns.
   struct Bounds {
-    double horizon;       ///< s for which they hold
+    double horizon;       ///< s, duration for which the bounds hold
     double speed;         ///< of the difference
     double acceleration;  ///< of the difference
   };
 
-  /// The least of safe_time for one pair of points. n' and n'' are bounded by turn and turn_rate.
+  /// The safe time for one pair of points. `turn` and `turn_rate` are bounds on |n'| and |n''|.
   double point_lasts(double gap, double slope, double lever, double turn, double turn_rate, const Bounds& b,
                      bool opened, double t) const {
     const double reach = lever + b.speed * b.horizon;
@@ -90,7 +92,7 @@ class PairSearch {
       Bounds bounds{end_ - t, (so.v - sr.v).norm() + relative_a.norm() * (end_ - t) + so.w_max * arm.norm(),
                     so.bend(arm.norm())};
       if (sr.turns()) {
-        // The lever of a turning normal must not grow without bound.
+        // The horizon limits the growth of the lever of a turning normal.
         if (bounds.speed > 0)
           bounds.horizon = std::min(bounds.horizon, (lever + search_.size) / bounds.speed);
         bounds.acceleration += relative_a.norm();
@@ -104,8 +106,10 @@ class PairSearch {
     return least;
   }
 
-  /// The normal n = N/|N| of N = E x F: with s = |N| and W the sum of the spins, |N'| <= W and |N''| <= W^2 +
-  /// their rates; |n'| <= W/s, |n''| <= |N''|/s + 3 W^2/s^2. They hold with s/2 for a time s/(2 W).
+  /// How long the cross product of two edges separates the pair [s]. The normal is n = N/|N| with N = E x F.
+  /// With s = |N| and the sum W of the spins, |N'| <= W and |N''| <= W^2 + the spin rates. Therefore |n'| <=
+  /// W/s and
+  /// n''| <= |N''|/s + 3 W^2/s^2. These bounds, taken with s/2, hold for a time s/(2 W).
   double edges_last(const Direction& d, const MovingState& sa, const MovingState& sb, double t) const {
     const Contactor3::Edge &ea = a_.shape.edges[d.edge_a], &eb = b_.shape.edges[d.edge_b];
     const auto along = [](const MovingContactor& c, const MovingState& s, const Contactor3::Edge& e) {
@@ -157,7 +161,7 @@ class PairSearch {
     return edges_last(d, sa, sb, t);
   }
 
-  /// Follows the direction that separates longest; returns how long: 0 where none does.
+  /// Selects the direction that separates longest. Returns for how long [s]; 0 if no direction separates.
   double longest(const MovingState& sa, const MovingState& sb, double t) {
     double best = 0;
     const double enough = end_ - t;
@@ -198,7 +202,7 @@ class PairSearch {
     return d;
   }
 
-  /// From the nearest place of a contactor to the centre of a sphere.
+  /// The direction from the nearest point of a contactor to the centre of a sphere.
   static Direction towards(const Vec3& centre, const Placed3& c, const MovingState& s, int index,
                            Direction::Kind kind) {
     Direction d;

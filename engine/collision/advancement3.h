@@ -9,7 +9,7 @@
 
 namespace flyrock {
 
-/// A contactor on its way; both must outlive it.
+/// A moving contactor. Shape and motion must outlive it.
 struct MovingContactor {
   const Contactor3& shape;
   const Motion3& motion;
@@ -21,8 +21,8 @@ struct MovingContactor {
 std::optional<double> advance_to_plane(const MovingContactor& contactor, const Plane& plane, double end,
                                        const TouchSearch& search);
 
-/// The same for two contactors, of which at least one is a polyhedron or turns about a point that is not its
-/// centre.
+/// The same for two contactors. At least one of them is a polyhedron, or a sphere whose centre is not the
+/// centre of mass.
 std::optional<double> advance_to_contact(const MovingContactor& a, const MovingContactor& b, double end,
                                          const TouchSearch& search);
 

@@ -12,7 +12,8 @@ const std::vector<std::pair<int, int>>& SortAndSweep::pairs(const std::vector<Bo
     std::iota(order_.begin(), order_.end(), 0);
   }
   auto left = [&](int i) { return boxes[i].low.x(); };
-  for (std::size_t i = 1; i < order_.size(); ++i)  // insertion sort: the order hardly changes
+  // Insertion sort, because the order hardly changes between calls
+  for (std::size_t i = 1; i < order_.size(); ++i)
     for (std::size_t j = i; j > 0 && left(order_[j]) < left(order_[j - 1]); --j)
       std::swap(order_[j], order_[j - 1]);
   pairs_.clear();

@@ -1,5 +1,5 @@
 #pragma once
-// Which bodies may meet: sort and sweep along x.
+// Broad phase: which bodies may meet, by sort and sweep along x.
 
 #include <utility>
 #include <vector>
@@ -10,8 +10,8 @@ namespace flyrock {
 
 class SortAndSweep {
  public:
-  /// The pairs (i < j) of boxes that overlap, sorted. The order along x is kept between calls, so that
-  /// sorting costs little while boxes move little.
+  /// The pairs (i < j) of boxes that overlap, sorted. The order along x is kept between calls, because
+  /// sorting is then cheap as long as the boxes move little.
   template <int D>
   const std::vector<std::pair<int, int>>& pairs(const std::vector<Box<D>>& boxes);
 

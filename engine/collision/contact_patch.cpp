@@ -7,7 +7,7 @@ namespace flyrock {
 
 namespace {
 
-/// The place of the greatest value from `begin` on; the first of equals.
+/// The index of the greatest value from `begin` on; the first one if several are equal.
 template <class Value>
 std::size_t greatest(const std::vector<ContactPoint<3>>& contacts, std::size_t begin, Value&& value) {
   std::size_t best = begin;
@@ -16,8 +16,8 @@ std::size_t greatest(const std::vector<ContactPoint<3>>& contacts, std::size_t b
   return best;
 }
 
-/// The point q for which all others lie on the left of the line from points[from] to q, the farthest of
-/// several.
+/// The point q for which all other points lie on the left of the line from points[from] to q; the farthest
+/// one if several points qualify.
 std::size_t next_on_hull(std::span<const Vec3> points, std::size_t from, const Vec3& normal) {
   std::size_t next = from;
   for (std::size_t j = 0; j < points.size(); ++j) {

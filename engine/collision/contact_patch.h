@@ -1,5 +1,5 @@
 #pragma once
-// The few contacts that stand for many of one plane.
+// Reduction of the contacts of one plane to a few, and the area that each contact represents.
 
 #include <span>
 #include <vector>
@@ -8,13 +8,13 @@
 
 namespace flyrock {
 
-/// Of the contacts from index `begin` on, which share a normal, keeps at most four: the deepest, the one
-/// farthest from it, and the farthest on either side of the line through these two.
+/// Reduces the contacts from index `begin` on, which share a normal, to at most four: the deepest one, the
+/// one farthest from it, and the farthest one on either side of the line through these two.
 void keep_four(std::vector<ContactPoint<3>>& contacts, std::size_t begin);
 
-/// The share [m2] of points[which] in the area of the convex hull of points that lie, up to small gaps, in
-/// one plane of the given normal: half of the triangles that the hull's centroid makes with its two edges. 0
-/// for fewer than three points, and for one inside the hull.
+/// The tributary area of points[which] [m2]: its share of the area of the convex hull of points that lie, up
+/// to small gaps, in one plane with the given normal. It is half of the two triangles between the hull's
+/// centroid and the two edges at the point. 0 for fewer than three points, and for a point inside the hull.
 double tributary_area(std::span<const Vec3> points, std::size_t which, const Vec3& normal);
 
 }  // namespace flyrock

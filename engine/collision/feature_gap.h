@@ -1,5 +1,5 @@
 #pragma once
-// The gap of a known pair of features, without a search.
+// The gap of a known pair of features, without a contact search.
 
 #include "collision/contact.h"
 #include "collision/placed.h"
@@ -8,12 +8,12 @@
 
 namespace flyrock {
 
-/// The gap between a feature of a contactor and a segment or corner of the terrain, as terrain_contacts names
-/// them [m].
+/// The gap [m] between a feature of a contactor and a segment or corner of the terrain, with the feature ids
+/// of terrain_contacts.
 double feature_gap(const Placed2& contactor, std::uint32_t feature, const Terrain2& terrain,
                    std::uint32_t against);
 
-/// The gap between features of two contactors, as body_contacts names them [m].
+/// The gap [m] between features of two contactors, with the feature ids of body_contacts.
 double feature_gap(const Placed2& candidate, std::uint32_t feature, const Placed2& antagonist,
                    std::uint32_t against);
 

@@ -10,7 +10,7 @@ Vec3 edge_start(const Placed3& shape, int edge) { return shape.point(shape.shape
 Vec3 edge_direction(const Placed3& shape, int edge) {
   return (shape.point(shape.shape.edges[edge].end) - edge_start(shape, edge)).normalized();
 }
-/// Between the normals of the two faces.
+/// The sum of the normals of the two faces at the edge.
 Vec3 edge_outward(const Placed3& shape, int edge) {
   return shape.normal(shape.shape.edges[edge].left) + shape.normal(shape.shape.edges[edge].right);
 }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// Narrows the window to run from the first to the last moment at which x + v t + a t^2 / 2 <= limit.
+/// Narrows the window to the times between the first and the last one at which x + v t + a t^2 / 2 <= limit.
 void keep_below(double x, double v, double a, double limit, TimeWindow& window) {
   const double c = x - limit;
   auto value = [&](double t) { return c + t * (v + 0.5 * t * a); };
@@ -20,7 +20,7 @@ void keep_below(double x, double v, double a, double limit, TimeWindow& window) 
   if (a == 0) {
     if (v != 0) first = last = -c / v;
   } else if (const double discriminant = v * v - 2 * a * c; discriminant >= 0) {
-    const double s = -(v + std::copysign(std::sqrt(discriminant), v));  // free of cancellation
+    const double s = -(v + std::copysign(std::sqrt(discriminant), v));  // avoids cancellation
     const double t1 = s / a, t2 = s != 0 ? 2 * c / s : t1;
     first = std::min(t1, t2);
     last = std::max(t1, t2);
@@ -40,17 +40,17 @@ GivenRotation GivenRotation::between(const Rotation3& start, const Vec3& w, cons
 Turn GivenRotation::at(double t) const {
   const Vec3 u = t * (w + 0.5 * t * alpha), rate = w + t * alpha, across = u.cross(rate);
   const double angle = u.norm();
-  // Near 0 by their series, where the quotients cancel.
+  // Series near 0, because the quotients cancel there.
   const double first = angle < 1e-3 ? 0.5 - angle * angle / 24 : (1 - std::cos(angle)) / (angle * angle);
   const double second =
       angle < 1e-2 ? 1.0 / 6 - angle * angle / 120 : (angle - std::sin(angle)) / std::pow(angle, 3);
   return {Rotation3::from_vector(u) * start, rate + first * across + second * u.cross(across)};
 }
 
-/// The map from u' to the spin lengthens nothing.
+/// A bound, because the map from u' to the spin never increases the length.
 double GivenRotation::greatest_spin(double t) const { return std::max(w.norm(), (w + t * alpha).norm()); }
 
-/// Its own rate of change is at most |u'|/2, and 0 where the axis stays.
+/// The rate of change of that map is at most |u'|/2, and 0 if the axis is constant.
 double GivenRotation::greatest_spin_rate(double t) const {
   const double spin = greatest_spin(t);
   return alpha.norm() + (w.cross(alpha).isZero(0) ? 0 : 0.5 * spin * spin);
@@ -96,7 +96,8 @@ Box<D> swept_box(const Path<D>& path, double r, double t) {
   return box;
 }
 
-/// With u = v . a / |a| + |a| t and p the speed across a, the speed is sqrt(p^2 + u^2).
+/// Integrates the speed sqrt(p^2 + u^2), where u = v . a / |a| + |a| t is its component along a, and p the
+/// component across a.
 template <int D>
 double path_length(const Path<D>& path, double t) {
   const double a = path.a.norm();

@@ -10,8 +10,8 @@ namespace {
 
 using Contacts = std::vector<ContactPoint<2>>;
 
-/// The edge of `polygon` from which the points of `other` are furthest out, and by how much. One that holds
-/// them off by more than `reach` ends the search.
+/// The edge of `polygon` that separates the points of `other` most, and its separation [m]. The search ends
+/// at an edge that separates by more than `reach`.
 struct Separation {
   int edge = 0;
   double distance = -1e300;
@@ -30,7 +30,7 @@ Separation separation(const Placed2& polygon, const Placed2& other, double reach
   return best;
 }
 
-/// The edge of `polygon` whose normal is most opposed to `direction`.
+/// The edge of `polygon` whose normal is most opposite to `direction`.
 int facing_edge(const Placed2& polygon, const Vec2& direction) {
   int edge = 0;
   double least = 1e300;
@@ -48,7 +48,7 @@ void disk_disk(const Placed2& a, int ia, const Placed2& b, int ib, double reach,
       {b.point(0) + (b.shape.radius + 0.5 * gap) * normal, normal, gap, vertex_id(ia, 0), vertex_id(ib, 0)});
 }
 
-/// The contact of a disk with a polygon; the normal points to the disk.
+/// The contact of a disk with a polygon. The normal points to the disk.
 bool disk_polygon(const Placed2& disk, const Placed2& polygon, double reach, ContactPoint<2>& contact,
                   int& feature, bool& on_edge) {
   const Vec2 centre = disk.point(0);
@@ -77,7 +77,7 @@ void polygon_polygon(const Placed2& a, int ia, const Placed2& b, int ib, double 
   if (of_a.distance > reach) return;
   const Separation of_b = separation(b, a, reach);
   if (of_b.distance > reach) return;
-  // A preference for one side keeps the reference from flickering where both are equal.
+  // The preference for b keeps the reference edge from flickering when both separations are equal.
   const double slack = 1e-9 * a.shape.points[0].norm();
   const bool a_is_reference = of_a.distance > of_b.distance + slack;
   const Placed2& reference = a_is_reference ? a : b;
@@ -99,7 +99,8 @@ void polygon_polygon(const Placed2& a, int ia, const Placed2& b, int ib, double 
     Vec2 point = ends[k];
     bool is_vertex = true;
     if (std::abs(clipped - s) > 1e-9 * length) {
-      // Cut the incident edge at the side of the strip: the reference edge's own vertex is the feature there.
+      // Cut the incident edge at the side of the strip. The feature there is the vertex of the reference
+      // edge.
       if (std::min(s0, s1) >= length || std::max(s0, s1) <= 0) continue;
       point = ends[0] + (clipped - s0) / (s1 - s0) * (ends[1] - ends[0]);
       is_vertex = false;

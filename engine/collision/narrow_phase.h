@@ -1,5 +1,5 @@
 #pragma once
-// Contacts of two contactors of moving bodies.
+// Narrow phase: the contact points of two contactors of moving bodies.
 
 #include <vector>
 
@@ -9,16 +9,18 @@
 namespace flyrock {
 
 /// Appends the contacts of two disks or convex polygons whose gap is at most `reach` [m], at most two.
-/// Polygons: the axis of greatest separation among the normals of both decides; the edge that faces it is
-/// clipped to the strip of the reference edge. A disk and a polygon: nearest edge or vertex.
+/// For two polygons, the reference edge is the edge whose normal separates them most. The incident edge,
+/// which faces it, is clipped to the strip of the reference edge. For a disk and a polygon, the contact is at
+/// the nearest edge or vertex.
 void body_contacts(const Placed2& candidate, int candidate_index, const Placed2& antagonist,
                    int antagonist_index, double reach, std::vector<ContactPoint<2>>& out);
 
 /// Appends the contacts of two spheres or convex polyhedra whose gap is at most `reach` [m].
-/// A sphere and a polyhedron: the nearest place of its faces, edges and vertices. Polyhedra: the axis of
-/// greatest separation among the normals of both and the products of two edges decides (the separating axis
-/// theorem). A face: the face of the other that is turned to it is clipped to its sides, at most four
-/// contacts. Two edges: one contact.
+/// For a sphere and a polyhedron, the contact is at the nearest point of its faces, edges and vertices. For
+/// two polyhedra, the axis of greatest separation is found among the face normals of both and the cross
+/// products of two edges (separating axis theorem). If it is a face normal, the incident face of the other
+/// polyhedron is clipped to the sides of this reference face: at most four contact points. If it belongs to
+/// two edges: one contact point.
 void body_contacts(const Placed3& candidate, int candidate_index, const Placed3& antagonist,
                    int antagonist_index, double reach, std::vector<ContactPoint<3>>& out);
 

@@ -1,5 +1,5 @@
 #pragma once
-// A contactor at its place in the world.
+// A contactor at its pose in the world.
 
 #include "geometry/contactor.h"
 #include "geometry/contactor3.h"

@@ -1,4 +1,4 @@
-// A contactor on its way to a plane.
+// Time of impact of a moving contactor with a plane.
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@ class PlaneSearch {
   PlaneSearch(const MovingContactor& c, const Plane& plane, double end, const TouchSearch& search)
       : c_(c), plane_(plane), end_(end), search_(search), scale_(search.size), ball_(c.shape.bound) {}
 
-  /// How long the plane stays clear of all vertices, from t on.
+  /// How long all vertices stay clear of the plane, from t on [s].
   double lasts(double t) const {
     const MovingState s(c_, t, end_);
     double least = std::numeric_limits<double>::infinity();
@@ -33,7 +33,7 @@ class PlaneSearch {
     return least;
   }
 
-  /// The height of the ball about the whole contactor over the plane, as a polynomial of t.
+  /// The height of the contactor's bounding ball over the plane, as a polynomial of t.
   std::array<double, 3> clearance() const {
     return {plane_.distance(c_.motion.x) - ball_ + search_.slack, plane_.normal.dot(c_.motion.v),
             0.5 * plane_.normal.dot(c_.motion.a)};

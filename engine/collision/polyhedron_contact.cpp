@@ -1,4 +1,4 @@
-// Contacts of spheres and convex polyhedra.
+// Contact points of spheres and convex polyhedra.
 
 #include <algorithm>
 #include <boost/container/static_vector.hpp>
@@ -15,9 +15,9 @@ namespace {
 
 using Contacts = std::vector<ContactPoint<3>>;
 
-// Faces that lean against each other by less than about this angle are flush: a face of the first body is
-// preferred to one of the second, and either to a pair of edges, so that the manifold of a body at rest does
-// not flicker.
+// Two faces are flush if the angle between them is less than about this [rad]. A face of the first body is
+// then preferred to a face of the second, and any face to a pair of edges. This keeps the manifold of a body
+// at rest from flickering.
 constexpr double flush = 1e-4;
 
 void sphere_sphere(const Placed3& a, int ia, const Placed3& b, int ib, double reach, Contacts& out) {
@@ -57,17 +57,18 @@ void edge_edge(const Placed3& a, int ia, const Placed3& b, int ib, const EdgeAxi
                  feature_id(ia, FeatureKind::edge, axis.of_a), feature_id(ib, FeatureKind::edge, axis.of_b)});
 }
 
-/// A corner of the incident face while it is clipped: features that make it, and the line to the next corner.
+/// A corner of the incident face while it is clipped: the features that define it, and the line to the next
+/// corner.
 struct Corner {
   Vec3 point;
-  FeatureKind of_reference = FeatureKind::face;  ///< face: it is a vertex of the incident face
+  FeatureKind of_reference = FeatureKind::face;  ///< face: the corner is a vertex of the incident face
   int reference = 0;                             ///< the face, edge or vertex
   int incident = 0;                              ///< the vertex, edge or face
   int line = 0;  ///< edge of the incident shape, or -1 - k on side k of the reference
 };
 using Polygon = boost::container::static_vector<Corner, 2 * Contactor3::most_face_vertices + 8>;
 
-/// What cutting the line behind `from` at side k of the reference face makes.
+/// The corner that results where side k of the reference face cuts the line that starts at `from`.
 Corner cut(const Corner& from, const Vec3& point, const Contactor3& reference, const Contactor3::Face& face,
            int k, int incident_face) {
   if (from.line >= 0) return {point, FeatureKind::edge, reference.loop_edge[face.first + k], from.line, 0};
@@ -106,8 +107,8 @@ Polygon clipped_face(const Placed3& reference, int face_index, const Placed3& in
   return polygon;
 }
 
-/// The face of `incident` that is turned to a reference face of normal n: of those at the vertex that reaches
-/// furthest against n, the one that is most opposed to it.
+/// The incident face, which faces a reference face with normal n. Among the faces at the vertex that reaches
+/// furthest against n, it is the one whose normal is most opposite to n.
 int facing(const Placed3& incident, const Vec3& normal) {
   const Contactor3& shape = incident.shape;
   const Vec3 local = incident.pose.r.inverse(normal);
@@ -163,7 +164,7 @@ void polyhedron_polyhedron(const Placed3& a, int ia, const Placed3& b, int ib, d
     else
       face_face(a, ia, of_a.face, b, ib, true, reach, out);
   }
-  // Two edges may cross beside a face that is all but as good.
+  // A face with nearly the same separation may give no contact point, because the two edges cross outside it.
   if (out.size() == begin && edges.separation > of_faces) edge_edge(a, ia, b, ib, edges, out);
 }
 

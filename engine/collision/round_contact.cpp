@@ -7,7 +7,7 @@ namespace flyrock {
 
 namespace {
 
-/// The nearest place of one face to a point above it, in the frame of the shape.
+/// The point of one face that is nearest to a point above it, in the frame of the shape.
 NearestPlace nearest_of_face(const Contactor3& shape, int f, double above, const Vec3& point) {
   const Contactor3::Face& face = shape.faces[f];
   NearestPlace best{above, face.normal, FeatureKind::face, f};
@@ -46,7 +46,7 @@ NearestPlace nearest_place(const Placed3& polyhedron, const Vec3& point) {
     const double above = shape.faces[f].normal.dot(local - shape.points[shape.vertex(shape.faces[f], 0)]);
     if (above > inside.distance) inside = {above, shape.faces[f].normal, FeatureKind::face, f};
     if (above <= 0) continue;
-    // The nearest place lies on a face that the point sees.
+    // The nearest point lies on a face that is visible from the given point.
     const NearestPlace place = nearest_of_face(shape, f, above, local);
     if (place.distance < outside.distance) outside = place;
   }

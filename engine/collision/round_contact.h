@@ -1,12 +1,13 @@
 #pragma once
-// The place of a convex polyhedron that is nearest to a point.
+// The point of a convex polyhedron that is nearest to a given point.
 
 #include "collision/contact.h"
 #include "collision/placed.h"
 
 namespace flyrock {
 
-/// Where a polyhedron is nearest to a point in the world; for a point inside, the nearest of its planes.
+/// The feature of a polyhedron that is nearest to a point in the world. For a point inside, the nearest face
+/// plane.
 struct NearestPlace {
   double distance = 0;          ///< m, negative inside
   Vec3 normal = Vec3::UnitZ();  ///< unit, out of the polyhedron towards the point

@@ -7,9 +7,9 @@
 
 namespace flyrock {
 
-/// (|x(t)|^2 - r^2) / 2 r for the path of one centre relative to the other, r the sum of the radii: near
-/// contact the gap itself, and a polynomial of degree 4. `gap` is what the gap counts as at t = 0, |x| - r or
-/// a correction of it.
+/// The coefficients of (|x(t)|^2 - r^2) / (2 r) [m], for the path x(t) of one centre relative to the other
+/// and the sum r of the radii. This is a polynomial of degree 4 that equals the gap to first order near
+/// contact. `gap` [m] is the gap at t = 0: |x| - r, or a corrected value.
 template <int D>
 std::array<double, 5> ball_gap(const Path<D>& relative, double r, double gap) {
   const auto& [x, v, a] = relative;

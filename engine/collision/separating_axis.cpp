@@ -7,7 +7,7 @@ namespace flyrock {
 
 namespace {
 constexpr double lowest = -std::numeric_limits<double>::infinity();
-// Edges at a smaller sine than this are parallel; the axis of a face is then as good.
+// Edges whose angle has a smaller sine than this are parallel. A face axis then separates equally well.
 constexpr double parallel_sine = 1e-6;
 }  // namespace
 
@@ -30,8 +30,8 @@ EdgeAxis best_edge_axis(const Placed3& a, const Placed3& b) {
   EdgeAxis best;
   best.separation = lowest;
   const auto& of_a = a.shape;
-  const Rotation3 r =
-      a.pose.r.inverse() * b.pose.r;  // from the frame of b to that of a, where all is reckoned
+  // From the frame of b to the frame of a, in which everything is computed
+  const Rotation3 r = a.pose.r.inverse() * b.pose.r;
   const Vec3 x = a.pose.r.inverse(b.pose.x - a.pose.x);
   for (int j = 0; j < static_cast<int>(b.shape.edges.size()); ++j) {
     const Contactor3::Edge& edge = b.shape.edges[j];

@@ -5,8 +5,8 @@
 namespace flyrock {
 
 namespace {
-// Two segments whose directions differ by less than this angle continue each other: the point between them is
-// no feature, so that an internal edge is not felt.
+// If the directions of two segments differ by less than this angle [rad], the point between them is flat and
+// no feature. A body then does not feel the internal edge.
 constexpr double flat_angle = 1e-9;
 
 constexpr double beyond = 1000;  // m

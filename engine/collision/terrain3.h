@@ -13,7 +13,7 @@ class Terrain3 {
 
   const Plane& plane() const { return plane_; }
   const std::vector<std::string>& parts() const { return plane_.parts; }
-  /// What laws call each part.
+  /// The name of each part, as laws use it.
   const std::vector<std::string>& names() const { return names_; }
   /// The part that a contact's `against` names.
   int part(std::uint32_t against) const { return index_of(against); }

@@ -7,8 +7,8 @@ namespace flyrock {
 
 namespace {
 
-// A vertex less deep in the ground than this share of the size touches each segment that it is behind; a
-// deeper one, which only fixed time steps produce, is pushed out to the nearest place.
+// A vertex that is less deep than this share of the size touches each segment that it lies below. A deeper
+// vertex, which only fixed time steps produce, is pushed out to the nearest point.
 constexpr double shallow_share = 1e-3;
 
 bool in_cone(const Terrain2& terrain, int corner, const Vec2& direction, double slack) {
@@ -16,9 +16,9 @@ bool in_cone(const Terrain2& terrain, int corner, const Vec2& direction, double 
          direction.dot(terrain.tangent(corner)) <= slack;
 }
 
-/// Whether the strip of the segment holds p. At a corner that is not concave the right segment answers alone;
-/// at a concave one both do, and the strip is longer by `shallow`, for a point that has sunk into the other
-/// segment.
+/// Whether the strip of the segment contains p. At a flat or convex corner only the right segment owns the
+/// point. At a concave corner both segments own it, and the strip is longer by `shallow`, because the point
+/// may have sunk into the other segment.
 bool owns(const Terrain2& terrain, int segment, const Vec2& p, double shallow) {
   const double length = terrain.length(segment), slack = 1e-9 * length;
   const double s = (p - terrain.start(segment)).dot(terrain.tangent(segment));
@@ -30,7 +30,7 @@ bool owns(const Terrain2& terrain, int segment, const Vec2& p, double shallow) {
   return (p - terrain.start(next)).dot(terrain.tangent(next)) < -slack;
 }
 
-/// The place of the poly-line that is nearest to a point in the ground.
+/// The point of the polyline that is nearest to a point in the ground.
 ContactPoint<2> nearest_place(const Terrain2& terrain, const Vec2& p) {
   const int above = terrain.first_segment(p.x());
   const double depth = std::max({terrain.start(above).y(), terrain.end(above).y(), p.y()}) - p.y();
@@ -49,8 +49,9 @@ ContactPoint<2> nearest_place(const Terrain2& terrain, const Vec2& p) {
   return nearest;
 }
 
-/// Contacts with segments of a point grown by a radius: the centre of a disk, or a vertex with radius 0. A
-/// point behind a segment is in the ground, or free beyond another part of the poly-line.
+/// Contact points with segments, for a point grown by a radius: the centre of a disk, or a vertex with radius
+/// 0. A point below the line of a segment is either in the ground, or above another part of the polyline and
+/// free.
 void point_contacts(const Vec2& p, double radius, std::uint32_t feature, const Terrain2& terrain,
                     const Terrain2::Run& run, double reach, double shallow,
                     std::vector<ContactPoint<2>>& out) {
@@ -83,7 +84,7 @@ void disk_contacts(const Placed2& disk, int index, const Terrain2& terrain, cons
     if (terrain.corner(i) != Corner::convex) continue;
     const Vec2 away = centre - terrain.point(i);
     const double distance = away.norm(), gap = distance - radius;
-    // Strictly inside the cone: on its edges the segments answer.
+    // Only strictly inside the cone, because on its sides the segments give the contact.
     if (gap > reach || away.dot(terrain.tangent(i - 1)) <= 1e-9 * terrain.length(i - 1) ||
         away.dot(terrain.tangent(i)) >= -1e-9 * terrain.length(i))
       continue;
@@ -92,7 +93,7 @@ void disk_contacts(const Placed2& disk, int index, const Terrain2& terrain, cons
   }
 }
 
-/// Contacts of the edges of a polygon with convex corners.
+/// Contact points of the edges of a polygon with convex corners.
 void edge_contacts(const Placed2& polygon, int index, const Terrain2& terrain, const Terrain2::Run& run,
                    double reach, double cone_slack, std::vector<ContactPoint<2>>& out) {
   const int n = polygon.count();
@@ -105,7 +106,7 @@ void edge_contacts(const Placed2& polygon, int index, const Terrain2& terrain, c
       if (const double outside = polygon.outside(e, corner); outside > gap) gap = outside, edge = e;
     const Vec2 normal = -polygon.normal(edge);
     if (gap > reach || !in_cone(terrain, i, normal, cone_slack)) continue;
-    // Where a vertex stands on the corner, the vertex answers.
+    // If a vertex stands on the corner, the vertex gives the contact.
     const Vec2 a = polygon.point(edge), b = polygon.point((edge + 1) % n);
     if (std::min((a - corner).norm(), (b - corner).norm()) <= 1e-7 * (b - a).norm()) continue;
     out.push_back({corner + 0.5 * gap * normal, normal, gap, edge_id(index, edge), corner_id(i)});
@@ -130,7 +131,7 @@ void terrain_contacts(const Placed2& contactor, int contactor_index, const Terra
   const double shallow = shallow_share * contactor.shape.bound;
   for (int k = 0; k < contactor.count(); ++k)
     point_contacts(contactor.point(k), 0, vertex_id(contactor_index, k), terrain, run, reach, shallow, out);
-  // A polygon that lies flush on a segment is held by the corner at the end of it.
+  // The corner at the end of a segment holds a polygon that lies flush on it, up to this angle [rad].
   constexpr double flush = 1e-4;
   edge_contacts(contactor, contactor_index, terrain, run, reach, flush + turn, out);
 }

@@ -32,8 +32,7 @@ class DiskSearch {
     const Vec2 from_start = motion_.position(*t) - terrain_.start(i);
     const double s = from_start.dot(terrain_.tangent(i));
     const bool beside = s < -beyond_end(i, i, i - 1) || s > terrain_.length(i) + beyond_end(i, i + 1, i + 1);
-    const bool behind =
-        n.dot(from_start) < -1e-6 * search_.size;  // free, beyond another part of the poly-line
+    const bool behind = n.dot(from_start) < -1e-6 * search_.size;  // free, above another part of the polyline
     if (!beside && !behind) best = t;
   }
 
@@ -48,9 +47,9 @@ class DiskSearch {
   }
 
  private:
-  /// How far the strip of a segment reaches beyond its end at `corner`, where `neighbour` begins. At a
-  /// concave corner the ground is behind both lines: a disk that has sunk into the neighbour, if only by
-  /// rounding, meets the line of this segment before its strip.
+  /// How far the strip of a segment extends beyond its end at `corner`, where `neighbour` begins [m]. At a
+  /// concave corner a disk may have sunk into the neighbour, if only by rounding. It then meets the line of
+  /// this segment before it reaches the strip.
   double beyond_end(int segment, int corner, int neighbour) const {
     if (terrain_.corner(corner) != Corner::concave) return 1e-9 * terrain_.length(segment);
     return std::min(radius_, terrain_.length(neighbour));
@@ -92,7 +91,8 @@ std::optional<double> time_of_contact(const Contactor2& contactor, int contactor
   const DiskSearch disk(contactor.radius, vertex_id(contactor_index, 0), motion, terrain, search);
   const MovingHull hull = hull_of(contactor, contactor_index, motion);
 
-  // Segments in the order in which the body passes over them; beyond the best time none can matter.
+  // Visit the segments in the order in which the body passes over them. Segments that it reaches after the
+  // best time cannot matter.
   const Box2 swept = swept_box(motion, reach, t_max);
   const auto run = terrain.segments_between(swept.low.x(), swept.high.x());
   const bool leftwards = motion.v.x() < 0;

@@ -9,10 +9,10 @@ namespace flyrock {
 
 namespace {
 
-/// Whether the contactor is a sphere that its body turns about its centre.
+/// Whether the contactor is a sphere centred at the body's centre of mass.
 bool rolls(const Contactor3& contactor) { return contactor.round() && contactor.points[0].isZero(); }
 
-/// The first root of a distance polynomial, for a pair with one contact.
+/// The first root of a distance polynomial, for a pair with a single contact point.
 template <std::size_t N>
 std::optional<double> first_touch(const std::array<double, N>& gap, double t_max, const TouchSearch& search) {
   if (search.iterations) ++*search.iterations;
