@@ -1,24 +1,25 @@
 #pragma once
-// Anderson's acceleration of a fixed-point iteration.
+// Anderson acceleration of a fixed-point iteration.
 
 #include <Eigen/Dense>
 #include <vector>
 
 namespace flyrock {
 
-/// For x -> g(x): keeps the last differences of f = g(x) - x and of g, and answers with
+/// For x -> g(x): keeps the last differences of f = g(x) - x and of g. The next x is
 ///   g - dG c,   c = argmin |S (f - dF c)|,
-/// S a diagonal that makes the components comparable. Where g is smooth, as NLGS is once no contact changes
-/// its state, this is GMRES on the linearised iteration. After a step that makes |S f| grow more than
-/// threefold it begins anew. No allocation once its buffers have grown. Source: Walker and Ni 2011, with the
-/// normal equations, whose loss of accuracy only slows the iteration down.
+/// with a diagonal matrix S that makes the components comparable. If g is smooth, this equals GMRES on the
+/// linearised iteration; NLGS is smooth once no contact changes its state. After a step that makes |S f| grow
+/// more than threefold the history is cleared. The class does not allocate once its buffers have grown.
+/// Source: Walker and Ni 2011, with normal equations, because their loss of accuracy only slows the iteration
+/// down.
 class Anderson {
  public:
   static constexpr int depth = 12;
 
   /// Begins with vectors of the size of `scale`.
   void begin(const std::vector<double>& scale);
-  /// From x and g(x), both of this size; g is replaced by the next x.
+  /// Takes x and g(x), both of this size, and replaces g by the next x.
   void mix(const double* x, double* g);
 
  private:
@@ -29,8 +30,8 @@ class Anderson {
   }
 
   std::size_t size_ = 0;
-  int stored_ = 0;  ///< differences kept
-  int next_ = 0;    ///< where the next goes
+  int stored_ = 0;  ///< number of stored differences
+  int next_ = 0;    ///< column for the next difference
   bool has_last_ = false;
   double last_norm_ = 0;
   std::vector<double> scale_, f_, last_f_, last_g_, df_, dg_;

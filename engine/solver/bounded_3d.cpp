@@ -1,4 +1,4 @@
-// A contact in space with cohesion, or that resists rolling or spinning (local_3d.h).
+// A contact in 3D with cohesion, rolling resistance or spinning resistance (local_3d.h).
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +16,9 @@ using Row = ContactProblem<3>::Row;
 using Block = ContactProblem<3>::Block;
 constexpr auto& groups = ContactProblem<3>::groups;
 
-/// The minimum of x.A x / 2 + c.x over |x| <= radius, A symmetric positive semi-definite (its symmetric part
-/// is taken). On the rim (A + lambda) x = -c; Newton on 1 / |x|, which is nearly linear in lambda, from
-/// lambda = 0 climbs to the root.
+/// The minimum of x.A x / 2 + c.x over |x| <= radius. A is symmetric positive semi-definite (its symmetric
+/// part is taken). On the rim, (A + lambda) x = -c. Newton's method solves for lambda from 0 with 1 / |x|,
+/// because this is nearly linear in lambda; it approaches the root monotonically.
 Eigen::Vector2d minimum_in_disc(const Eigen::Matrix2d& a, const Eigen::Vector2d& c, double radius) {
   if (radius <= 0) return Eigen::Vector2d::Zero();
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> modes;
@@ -39,7 +39,7 @@ Eigen::Vector2d minimum_in_disc(const Eigen::Matrix2d& a, const Eigen::Vector2d&
   return x * std::min(1.0, radius / x.norm());
 }
 
-/// With r_n given, the rows in bounds minimise their energy: coordinate descent over the groups.
+/// For given r_n, the bounded rows minimise their energy, by coordinate descent over the groups.
 void settle_bounded_rows(const Contact& contact, const Row& b, Row& r) {
   constexpr int most_rounds = 400;
   for (int round = 0; round < most_rounds; ++round) {
@@ -62,7 +62,7 @@ void settle_bounded_rows(const Contact& contact, const Row& b, Row& r) {
   }
 }
 
-/// The bracket on r_n: u_n(r_n) rises from a negative value at 0.
+/// Solves by a bracket on r_n, because u_n(r_n) increases from a negative value at 0.
 Row solve_by_bracket(const Contact& contact, const Row& b) {
   const auto normal_velocity = [&](Row& r) {
     settle_bounded_rows(contact, b, r);
@@ -95,8 +95,8 @@ Row solve_by_bracket(const Contact& contact, const Row& b) {
   return middle;
 }
 
-/// Newton steps from r; stops where the error no longer falls. Returns the error of the best impulse, which
-/// is left in r.
+/// Newton steps from r, until the error no longer decreases. Returns the error of the best impulse, which is
+/// stored in r.
 double sharpen(const Contact& contact, const Row& b, Row& r) {
   constexpr int most_steps = 15;
   double least = std::numeric_limits<double>::infinity();
@@ -158,7 +158,7 @@ Row solve_bounded(const Contact& contact, const Row& b, const Row& guess) {
     Row other = solve_by_bracket(contact, b);
     if (sharpen(contact, b, other) < error) r = other;
   }
-  for (std::size_t g = 0; g < groups.size(); ++g) {  // exactly within bounds
+  for (std::size_t g = 0; g < groups.size(); ++g) {  // clip exactly to the bounds
     const auto [first, count] = groups[g];
     const double radius = contact.radius(static_cast<int>(g), r[0]);
     const double size = count == 1 ? std::abs(r[first]) : r.segment<2>(first).norm();

@@ -1,5 +1,5 @@
 #pragma once
-// The friction problem of one step or impact: no bodies, only numbers.
+// The friction problem of one step or impact, in numbers only, without bodies.
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -11,21 +11,21 @@ namespace flyrock {
 
 /// Find impulses r and velocities u with
 ///   u = q + W r,   0 <= u_n _|_ r_n >= 0,   |r_g| <= mu_g r_n + c_g opposing u_g for each group g of rows
-/// for each contact. Rows are (n, t, rolling) in 2D and (n, t, s, spinning, 2 rolling) in 3D; the groups are
-/// friction (t, or t and s), spinning and rolling, with the coefficients mu, mu_spin and mu_r and the
-/// constant parts c_t, c_spin and c_r: a contact with c_g > 0 resists also where r_n = 0. A lower bound L of
-/// r_n other than 0 is a change of variable: q + W L e_n in place of q, c_g + mu_g L in place of c_g. q holds
-/// the free velocity and the shift of restitution (e_n v_n^-, e_t v_t^-), so that u is not the velocity after
-/// the impact but that plus the shift. W is the Delassus operator H^T M^-1 H in blocks; it may be singular
-/// and slightly unsymmetric. SI units: impulses N s, velocities m/s; rolling and spinning rows N m s and
-/// rad/s.
+/// for each contact. Rows are (n, t, rolling) in 2D and (n, t, s, spinning, 2 rolling) in 3D. The groups are
+/// friction (t, or t and s), spinning and rolling. Their coefficients are mu, mu_spin and mu_r; their
+/// constant parts are c_t, c_spin and c_r. A contact with c_g > 0 also resists if r_n = 0. A lower bound L of
+/// r_n other than 0 is a change of variable: q + W L e_n instead of q, c_g + mu_g L instead of c_g. q
+/// contains the free velocity and the shift of restitution (e_n v_n^-, e_t v_t^-). Therefore u is not the
+/// velocity after the impact, but that velocity plus the shift. W is the Delassus operator H^T M^-1 H in
+/// blocks. It may be singular and slightly unsymmetric. SI units: impulses in N s and velocities in m/s; in
+/// rolling and spinning rows N m s and rad/s.
 template <int D>
 struct ContactProblem {
   static constexpr int rows = D == 2 ? 3 : 6;
   using Block = Eigen::Matrix<double, rows, rows>;
   using Row = Eigen::Matrix<double, rows, 1>;
 
-  /// Rows of a contact that one bound holds together: a segment or a disc whose radius grows with r_n.
+  /// Rows of a contact that share one bound: a segment or a disc whose radius grows with r_n.
   struct Group {
     int first, count;
   };
@@ -42,10 +42,11 @@ struct ContactProblem {
     double mu = 0;
     double c_t = 0;      ///< N s, at least 0
     double mu_r = 0;     ///< m; 0: no rolling resistance
-    double mu_spin = 0;  ///< m; 0: no resistance to spinning; 3D only
+    double mu_spin = 0;  ///< m; 0: no spinning resistance; 3D only
     double c_r = 0;      ///< N m s, at least 0
     double c_spin = 0;   ///< N m s, at least 0; 3D only
-    bool normal = true;  ///< false: r_n = 0 whatever u_n, because the normal impulse is given and stands in q
+    /// false: r_n = 0 for any u_n, because the normal impulse is prescribed and already part of q
+    bool normal = true;
     double speed_scale = 1;  ///< m/s, to which the tolerance is relative
 
     /// The coefficient of a group of rows, and the constant part of its bound.
@@ -55,14 +56,14 @@ struct ContactProblem {
     double radius(int group, double r_n) const { return bound(group) * r_n + constant(group); }
     /// Whether a group of rows can carry an impulse.
     bool resists(int group) const { return bound(group) > 0 || constant(group) > 0; }
-    /// Whether rows can carry an impulse where r_n = 0.
+    /// Whether any row can carry an impulse if r_n = 0.
     bool resists_open() const { return c_t > 0 || c_spin > 0 || c_r > 0; }
-    /// Friction alone, with the cone of Coulomb.
+    /// Whether the contact has Coulomb friction only.
     bool is_plain() const { return normal && !resists_open() && !resists_rotation(); }
-    /// Whether rows beyond friction can carry an impulse.
+    /// Whether rolling or spinning rows can carry an impulse.
     bool resists_rotation() const { return mu_r > 0 || mu_spin > 0 || c_r > 0 || c_spin > 0; }
-    /// Sets the constant parts where r_n counts from a given impulse L on: c_g = max(0, mu_g L), of friction
-    /// with the shear strength beside it, c_t = max(0, strength + mu L).
+    /// Sets the constant parts if r_n counts from a given impulse L on: c_g = max(0, mu_g L). Friction has
+    /// the shear strength in addition: c_t = max(0, strength + mu L).
     void bound_from(double given, double strength) {
       c_t = std::max(0.0, strength + mu * given);
       c_spin = std::max(0.0, mu_spin * given);
@@ -79,10 +80,10 @@ struct ContactProblem {
   std::vector<int> first;  ///< the couplings of contact a are [first[a], first[a + 1])
 
   int size() const { return static_cast<int>(contacts.size()); }
-  /// The leading rows that are in use: D where no contact resists rotation. Blocks of couplings have this
-  /// size.
+  /// The number of leading rows in use: D if no contact resists rotation, otherwise `rows`. Coupling blocks
+  /// have this size.
   int width() const { return width_; }
-  /// The contact that coupling k couples to the owner of its range.
+  /// The contact that coupling k couples to the contact that owns k.
   int other(int k) const { return other_[k]; }
   int couplings() const { return static_cast<int>(other_.size()); }
 
@@ -91,7 +92,7 @@ struct ContactProblem {
     contacts.clear(), first.clear(), other_.clear(), blocks_.clear();
     width_ = width;
   }
-  /// Adds the block that couples the contact being described (the owner of the range) with contact `b`.
+  /// Adds the block that couples the contact under construction (the owner of the range) with contact `b`.
   void couple(int b, const Block& w) {
     other_.push_back(b);
     for (int column = 0; column < width_; ++column)
@@ -104,7 +105,7 @@ struct ContactProblem {
                                                          static_cast<std::size_t>(k) * N * N);
   }
 
-  /// The block of coupling k in all rows; rows beyond width() are zero.
+  /// The block of coupling k with all rows; rows beyond width() are zero.
   Block full_block(int k) const {
     Block w = Block::Zero();
     w.topLeftCorner(width_, width_) = Eigen::Map<const Eigen::MatrixXd>(
@@ -112,7 +113,7 @@ struct ContactProblem {
     return w;
   }
 
-  /// q_a + sum over b != a of W_ab r_b; rows beyond width() are those of q.
+  /// q_a + sum over b != a of W_ab r_b; rows beyond width() are copied from q.
   Row outside_velocity(int a, const std::vector<Row>& r) const {
     Row u = contacts[a].q;
     if (width_ == D)
@@ -141,7 +142,7 @@ struct ContactProblem {
  private:
   int width_ = rows;
   std::vector<int> other_;
-  std::vector<double> blocks_;  ///< column by column, width x width each, in the order of the couplings
+  std::vector<double> blocks_;  ///< blocks of width x width, column by column, in the order of the couplings
 };
 
 }  // namespace flyrock

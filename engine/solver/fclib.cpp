@@ -35,8 +35,8 @@ void expect_size(const Hdf5File& file, const std::string& path, std::size_t foun
   if (found != expected) refuse(file, path, fmt::format("expected {} numbers, found {}", expected, found));
 }
 
-/// Rows and columns that a matrix has by its own account. Vectors of the file must agree before anything is
-/// made of that size.
+/// Rows and columns that the file states for a matrix. The vectors of the file must agree with them before
+/// anything of this size is allocated.
 struct Shape {
   int rows = 0, columns = 0;
 };
@@ -52,7 +52,7 @@ Shape square_of(const Hdf5File& file, const std::string& path) {
   return shape;
 }
 
-/// A matrix in any of FCLIB's three storages. Entries given twice add up, as in its triplets.
+/// Reads a matrix in any of FCLIB's three storage formats. Repeated entries add up, as in its triplets.
 Sparse read_matrix(const Hdf5File& file, const std::string& path, const Shape& shape) {
   const auto [m, n] = shape;
   const std::int64_t nz = file.integer(path + "/nz");
@@ -128,7 +128,7 @@ Operator condense(const Hdf5File& file) {
   return {transposed * mobility, transposed * mass.solve(f) + w};
 }
 
-/// The optional numbers of /flyrock, one a contact.
+/// The optional numbers of /flyrock, one per contact.
 std::vector<double> own_numbers(const Hdf5File& file, const char* name, int contacts, double otherwise) {
   const std::string path = std::string("/flyrock/") + name;
   if (!file.has(path)) return std::vector<double>(static_cast<std::size_t>(contacts), otherwise);
@@ -183,7 +183,7 @@ StoredProblem<D> to_blocks(const Hdf5File& file, const Operator& given, const st
   }
   stored.problem.first.push_back(stored.problem.couplings());
   stored.start.assign(static_cast<std::size_t>(contacts), Problem::Row::Zero());
-  // Only a start of our own: a guess that comes with a problem of others is for comparison.
+  // Use only a start that flyrock wrote, because a guess in a file from elsewhere is for comparison.
   if (file.has("/flyrock/speed_scale") && file.has("/guesses/1/r")) {
     const Eigen::VectorXd r = read_vector(file, "/guesses/1/r", size);
     for (int a = 0; a < contacts; ++a) stored.start[a].head(width) = r.segment(a * width, width);
@@ -216,7 +216,7 @@ AnyProblem read_fclib_guarded(const std::string& name) {
     for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) std::signal(signal, SIG_DFL);
     try {
       read_fclib(name);
-    } catch (const std::exception&) {  // said below, by this process
+    } catch (const std::exception&) {  // the parent process reports the error below
     }
     ::_exit(0);
   }
@@ -232,7 +232,7 @@ template <int D>
 void write_fclib(const std::string& name, const ContactProblem<D>& problem,
                  const std::vector<typename ContactProblem<D>::Row>& start, const std::string& title) {
   const int width = problem.width(), size = problem.size() * width;
-  // Compressed columns of W, by way of its transpose in compressed rows.
+  // Compressed columns of W are the compressed rows of its transpose.
   std::vector<Eigen::Triplet<double, int>> entries;
   const auto add = [&](int a, int b, const auto& block) {
     for (int row = 0; row < width; ++row)

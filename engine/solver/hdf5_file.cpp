@@ -20,7 +20,7 @@ namespace flyrock {
 
 namespace {
 
-/// An identifier of HDF5, closed at the end of its scope.
+/// An HDF5 identifier that is closed at the end of its scope.
 class Handle {
  public:
   Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
@@ -40,8 +40,8 @@ class Handle {
 /// HDF5 prints its stack of errors on the terminal unless it is told not to.
 void be_silent() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
-/// A data set of a file that is read. A header of a few bytes may promise gigabytes: nothing is allocated
-/// before its size is compared with the bytes of the file.
+/// A data set of a file that is read. A header of a few bytes can claim gigabytes, so the size is compared
+/// with the bytes of the file before anything is allocated.
 class DataSet {
  public:
   DataSet(hid_t file, const std::string& name, const std::string& path)
@@ -55,7 +55,7 @@ class DataSet {
     throw std::runtime_error(fmt::format("{}: {}", where_, what));
   }
 
-  /// Of its elements, of the type `stored`.
+  /// The number of elements, which have the type `stored`.
   std::size_t count(hid_t stored) const {
     const Handle space(H5Dget_space(set_), H5Sclose), creation(H5Dget_create_plist(set_), H5Pclose);
     const hssize_t count = H5Sget_simple_extent_npoints(space);
@@ -63,7 +63,7 @@ class DataSet {
     if (count == 0) return 0;
     if (H5Pget_layout(creation) == H5D_VIRTUAL || H5Pget_external_count(creation) > 0)
       fail("has its numbers in another file");
-    // A size that is not backed by bytes in the file would be filled with zeros.
+    // HDF5 would fill a size without bytes in the file with zeros.
     const hsize_t stored_bytes = std::min(H5Dget_storage_size(set_), bytes_of_file());
     if (stored_bytes == 0) fail("has no data");
     const hsize_t most =
@@ -78,8 +78,10 @@ class DataSet {
   hid_t id() const { return set_; }
 
  private:
-  static constexpr hsize_t most_compressed = 64;  ///< bytes that one byte in the file stands for
-  static constexpr hsize_t small = 1 << 16;       ///< bytes that compress better: equal numbers
+  /// Most bytes that one compressed byte of the file may expand to
+  static constexpr hsize_t most_compressed = 64;
+  /// bytes; data below this size may compress better, because all numbers may be equal
+  static constexpr hsize_t small = 1 << 16;
 
   hsize_t bytes_of_file() const {
     std::error_code code;
@@ -87,7 +89,8 @@ class DataSet {
     return code ? 0 : bytes;
   }
 
-  /// HDF5 reads whole chunks, which may be larger than the set; 0 where it is in one piece.
+  /// The chunk size, because HDF5 reads whole chunks and these may be larger than the set. 0 if the set is
+  /// not chunked.
   hsize_t chunk_bytes(hid_t creation, hsize_t element) const {
     if (H5Pget_layout(creation) != H5D_CHUNKED) return 0;
     std::array<hsize_t, H5S_MAX_RANK> sides{};
@@ -105,7 +108,7 @@ class DataSet {
   Handle set_;
 };
 
-/// The type of the elements of a set, which is one of numbers.
+/// The type of the elements of a set, which must be a number type.
 Handle type_of_numbers(const DataSet& set, H5T_class_t kind) {
   Handle stored(H5Dget_type(set.id()), H5Tclose);
   const H5T_class_t found = H5Tget_class(stored);
@@ -147,7 +150,7 @@ bool has_hdf5() { return true; }
 
 Hdf5File Hdf5File::open(const std::string& name) {
   be_silent();
-  std::error_code code;  // of a pipe that nobody writes the library would wait for ever
+  std::error_code code;  // the library would wait forever on a pipe without a writer
   const hid_t file = std::filesystem::is_regular_file(name, code)
                          ? H5Fopen(name.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)
                          : H5I_INVALID_HID;
@@ -167,7 +170,7 @@ Hdf5File::~Hdf5File() {
 }
 
 bool Hdf5File::has(const std::string& path) const {
-  // Each link on the way must be there: H5Lexists fails where a group is missing.
+  // Check each link of the path, because H5Lexists fails if a group on the path is missing.
   for (std::size_t end = path.find('/', 1);; end = path.find('/', end + 1)) {
     if (H5Lexists(handle_, path.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
     if (end == std::string::npos) return true;

@@ -20,7 +20,7 @@ namespace odeint = boost::numeric::odeint;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-/// The normal motion along the path, and which part of the impact it is in.
+/// The normal motion along the path, and the current phase of the impact.
 class NormalMotion {
  public:
   NormalMotion(double v, ImpactEnd end, double e) : speed(v), target_(-e * v), end_(end), e_(e) {}
@@ -31,7 +31,8 @@ class NormalMotion {
 
   bool ended() const { return ended_; }
 
-  /// What is negative before the next event (end of compression, end of impact) and positive behind it.
+  /// A function that is negative before the next event (end of compression, end of impact) and positive after
+  /// it.
   double beyond_event() const {
     if (!restitution_) return speed;
     switch (end_) {
@@ -44,7 +45,7 @@ class NormalMotion {
     }
     return work - turn_work_ - e_ * e_ * compression_work_;
   }
-  /// In restitution the contact may be pressed together again, where slip turns into a jam.
+  /// During restitution the contact may be compressed again, if slip turns into a jam.
   bool compressed_again() const { return restitution_ && speed < 0; }
   void compress_again() {
     restitution_ = false;
@@ -65,9 +66,10 @@ class NormalMotion {
     ended_ = e_ == 0;
   }
 
-  /// Goes along a leg on which dv_n/dP = b for at most `length` of P; returns how far it came.
+  /// Follows a leg with dv_n/dP = b for at most `length` of P. Returns the length it covered.
   double along(double b, double length) {
-    if (length == infinity) b = std::max(b, eps);  // positive in exact arithmetic: such a leg reaches the end
+    // b is positive in exact arithmetic, so an unlimited leg reaches the end
+    if (length == infinity) b = std::max(b, eps);
     double gone = 0;
     while (!ended_) {
       const double rest = length - gone, to_event = distance_to_event(b);
@@ -102,12 +104,12 @@ class NormalMotion {
   ImpactEnd end_;
   double e_;
   bool restitution_ = false, ended_ = false;
-  double start_impulse_ = 0, start_work_ = 0;  // of the compression
-  double turn_impulse_ = 0, turn_work_ = 0;    // where restitution began
+  double start_impulse_ = 0, start_work_ = 0;  // at the start of compression
+  double turn_impulse_ = 0, turn_work_ = 0;    // at the start of restitution
   double compression_impulse_ = 0, compression_work_ = 0;
 };
 
-/// The path in numbers of order 1: velocities over |v|, impulses times trace(W) / |v|.
+/// The path in scaled numbers of order 1: velocities divided by |v|, impulses times trace(W) / |v|.
 class Path {
  public:
   Path(const Eigen::Matrix3d& w, const Eigen::Vector3d& v, double mu, ImpactEnd end, double e)
@@ -142,8 +144,8 @@ class Path {
     slip_ = gone < length ? Vector2d(slip_ + gone * along * e) : Vector2d::Zero();
   }
 
-  /// From v_t = 0: stick, or slip along the unit vector e with W_tn - mu W_tt e = lambda e, lambda > 0. It is
-  /// the only one, because |(mu W_tt + lambda I)^-1 w_tn| falls with lambda.
+  /// Continues from v_t = 0: stick, or slip along the unit vector e with W_tn - mu W_tt e = lambda e, lambda
+  /// > 0. This vector is unique, because |(mu W_tt + lambda I)^-1 w_tn| decreases with lambda.
   void go_on_from_rest() {
     slip_.setZero();
     const auto direction = [&](double lambda) -> Vector2d {
@@ -155,7 +157,7 @@ class Path {
       return;
     }
     const auto excess = [&](double lambda) { return direction(lambda).norm() - 1; };
-    double lambda = w_tn_.norm();  // here |direction| <= 1
+    double lambda = w_tn_.norm();  // |direction| <= 1 at this lambda
     if (excess(lambda) < 0) {
       std::uintmax_t iterations = 200;
       const auto bracket = boost::math::tools::toms748_solve(
@@ -167,8 +169,8 @@ class Path {
     slip_ = gone * slip_rate(e);
   }
 
-  /// With slip rho (cos phi, sin phi) and the clock sigma, dP = rho dsigma, the equations are smooth where
-  /// slip ends:
+  /// With the slip rho (cos phi, sin phi) and the variable sigma, dP = rho dsigma, the equations remain
+  /// smooth when slip ends:
   ///   phi' = across, (ln rho)' = along, P' = rho, v_n' = rho (w_nn - mu e.w_tn), work' = rho v_n.
   void follow_turning_slip() {
     enum { phi, log_rho, impulse, speed, work };
@@ -184,7 +186,7 @@ class Path {
       normal_.work = x[work];
     };
     static const odeint::runge_kutta_fehlberg78<State>
-        blank{};  // static: GCC warns of copies of a work space not yet set
+        blank{};  // static, because GCC warns about copies of an uninitialised work space
     auto plain = blank;
     auto stepper = odeint::make_controlled(1e-13, 1e-13, plain);
     State x = {std::atan2(slip_.y(), slip_.x()), std::log(slip_.norm()), normal_.impulse, normal_.speed,
@@ -199,7 +201,7 @@ class Path {
       take(x);
       const bool again = normal_.compressed_again();
       if (!again && normal_.beyond_event() < 0) continue;
-      // The event lies within this step: its length is found as a root.
+      // The event lies within this step. Find its time as a root.
       const double length = t - begin;
       const auto at = [&](double h) {
         x = from;
@@ -243,7 +245,7 @@ Eigen::Vector3d impact_path(const Eigen::Matrix3d& w, const Eigen::Vector3d& v, 
 Eigen::Vector2d impact_path(const Eigen::Matrix2d& w, const Eigen::Vector2d& v, double mu, ImpactEnd end,
                             double e) {
   Eigen::Matrix3d space =
-      Eigen::Matrix3d::Identity() * w(1, 1);  // the third direction is at rest and coupled to nothing
+      Eigen::Matrix3d::Identity() * w(1, 1);  // the third direction is at rest and uncoupled
   space.topLeftCorner<2, 2>() = w;
   return impact_path(space, {v[0], v[1], 0}, mu, end, e).head<2>();
 }

@@ -5,28 +5,28 @@
 
 namespace flyrock {
 
-/// When an impact ends, for a coefficient e >= 0.
+/// The condition that ends an impact, for a coefficient e >= 0.
 enum class ImpactEnd {
-  newton,   ///< where v_n = -e v_n^- (kinematic; for comparison: it can gain energy)
-  poisson,  ///< where the normal impulse of restitution is e times that of compression
-  energy    ///< where the normal work of restitution is -e^2 times that of compression (Stronge)
+  newton,   ///< v_n = -e v_n^- (kinematic; for comparison only, because it can gain energy)
+  poisson,  ///< the normal impulse of restitution is e times that of compression
+  energy    ///< the normal work of restitution is -e^2 times that of compression (Stronge)
 };
 
-/// The impulse of a contact that meets nothing else, N s, components (n, t, s). Its normal impulse P is the
-/// clock:
-///   dv/dP = W (1, -mu e),  e = v_t / |v_t|,  while it slips;
-/// where slip ends it sticks, if |W_tt^-1 w_tn| <= mu, or else slips on along the one direction that slip
-/// keeps. Compression lasts until v_n = 0, restitution as `end` says. Where the direction of slip does not
-/// turn (always in the plane) the path is straight and every leg a closed form; where it turns, an ordinary
-/// differential equation of the angle of slip is integrated to a relative 1e-12. A jam (W_nn - mu e.w_tn <=
-/// 0, Painleve) ends with its slip and gives an impulse too. `w`: symmetric positive definite, 1/kg; `v`:
-/// m/s. The answer is 0 where v_n >= 0. Source: E. J. Routh 1860; J. B. Keller, Impact with friction, 1986;
-/// W. J. Stronge, Rigid body collisions with friction, 1990; V. Bhatt and J. Koechling 1995 for the turning
-/// slip.
+/// The impulse of an isolated contact [N s], components (n, t, s). The normal impulse P is the independent
+/// variable:
+///   dv/dP = W (1, -mu e),  e = v_t / |v_t|,  during slip.
+/// When slip ends, the contact sticks if |W_tt^-1 w_tn| <= mu. Otherwise it slips on along the one direction
+/// that slip can keep. Compression lasts until v_n = 0, restitution until the condition `end`. If the
+/// direction of slip does not turn (always in 2D), the path is straight and every leg has a closed form. If
+/// it turns, an ordinary differential equation for the angle of slip is integrated to a relative error of
+/// 1e-12. A jam (W_nn - mu e.w_tn <= 0, Painleve) ends when its slip ends, and also gives an impulse. `w`:
+/// symmetric positive definite, 1/kg; `v`: m/s. The answer is 0 if v_n >= 0. Source: E. J. Routh 1860; J. B.
+/// Keller, Impact with friction, 1986; W. J. Stronge, Rigid body collisions with friction, 1990; V. Bhatt and
+/// J. Koechling 1995 for the turning slip.
 Eigen::Vector3d impact_path(const Eigen::Matrix3d& w, const Eigen::Vector3d& v, double mu, ImpactEnd end,
                             double e);
 
-/// In the plane, components (n, t).
+/// The same in 2D, components (n, t).
 Eigen::Vector2d impact_path(const Eigen::Matrix2d& w, const Eigen::Vector2d& v, double mu, ImpactEnd end,
                             double e);
 

@@ -1,5 +1,5 @@
 #pragma once
-// A law as terms of the friction problem.
+// Translates a contact law into terms of the friction problem.
 
 #include <algorithm>
 
@@ -8,11 +8,11 @@
 
 namespace flyrock {
 
-/// Puts the law of a contact into its row of the problem, for a step of length h (0: an impact), and into
-/// `rebound`, whose v^- is left alone. `gap`: where the contact is detected; `sticking`: in the last step. A
-/// pull c_n that the contact bears and the push of a spring are given impulses L, -h c_n and h k max(0,
-/// -gap). Friction, rolling and spinning are bounded by all that presses: |r_t| <= mu r_n + h c_t, and |m_r|
-/// <= mu_r r_n or, where the contact bears a pull, mu_r (r_n + h c_n).
+/// Writes the law of a contact into its row of the problem, for a step of length h [s] (0: an impact), and
+/// into `rebound`, except its v^-. `gap` [m] is the gap at which the contact was detected. `sticking` is the
+/// state in the last step. A pull c_n that the contact bears is a given impulse L = -h c_n; a spring is a
+/// given impulse L = h k max(0, -gap). The total normal impulse bounds friction, rolling and spinning:
+///   |r_t| <= mu r_n + h c_t,   |m_r| <= mu_r r_n, or mu_r (r_n + h c_n) if the contact bears a pull.
 template <int D>
 void set_law(const ContactLaw& law, bool sticking, double gap, double h,
              typename ContactProblem<D>::Contact& contact, Rebound<D>& rebound) {

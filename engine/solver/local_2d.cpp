@@ -12,17 +12,17 @@ using Problem = ContactProblem<2>;
 using Row = Problem::Row;
 using Block = Problem::Block;
 
-/// The state of a friction or rolling row: at rest, or moving in the positive or negative direction.
+/// The state of a friction or rolling row: at rest, moving in the positive or in the negative direction.
 constexpr int states[] = {0, 1, -1};
 
-/// How far the signs of a state are violated: 0 where they hold. Velocities are measured in the impulse that
-/// would remove them, so that both kinds compare.
+/// By how much a state violates its signs; 0 if they hold. Velocities are expressed as the impulses that
+/// would remove them, so that both kinds can be compared.
 double row_violation(int state, double impulse, double bound, double velocity, double diagonal) {
   if (state == 0) return std::max(0.0, std::abs(impulse) - bound);
   return std::max(0.0, -state * velocity / diagonal);
 }
 
-/// Friction alone. r_n and r_t in closed form.
+/// Friction only: r_n and r_t in closed form.
 Row solve_friction(const Problem::Contact& c, const Row& b) {
   const double wnn = c.w(0, 0), wnt = c.w(0, 1), wtn = c.w(1, 0), wtt = c.w(1, 1);
   Row best = Row::Zero();
@@ -36,7 +36,7 @@ Row solve_friction(const Problem::Contact& c, const Row& b) {
       rt = (-b[1] * wnn + b[0] * wtn) / determinant;
     } else {
       const double stiffness = wnn - state * c.mu * wnt;
-      if (stiffness <= 0) continue;  // this way of sliding jams
+      if (stiffness <= 0) continue;  // sliding in this direction jams
       rn = (-b[0] + state * c.c_t * wnt) / stiffness;
       rt = -state * (c.mu * rn + c.c_t);
     }
@@ -51,8 +51,8 @@ Row solve_friction(const Problem::Contact& c, const Row& b) {
   return best;
 }
 
-/// Friction and rolling resistance; of an open contact r_n = 0, and only the constant parts of the bounds
-/// resist.
+/// Friction and rolling resistance. If the contact is `open`, r_n = 0 and only the constant parts of the
+/// bounds resist.
 Row solve_rolling(const Problem::Contact& c, const Row& b, bool open) {
   Row best = Row::Zero();
   double least = std::numeric_limits<double>::infinity();
@@ -93,7 +93,7 @@ Row solve_rolling(const Problem::Contact& c, const Row& b, bool open) {
   return best;
 }
 
-/// Exactly within bounds.
+/// Clips r exactly to its bounds.
 Row clipped(const Problem::Contact& c, Row r) {
   r[0] = std::max(r[0], 0.0);
   for (int group = 0; group < 2; ++group) {

@@ -21,7 +21,7 @@ Matrix2d adjugate(const Matrix2d& m) {
   return a;
 }
 
-/// The greatest root of a x^2 + b x + c with a > 0 and at least one root; without cancellation.
+/// The greatest root of a x^2 + b x + c, with a > 0 and at least one root, without cancellation.
 double greatest_root(double a, double b, double c) {
   const double root = std::sqrt(std::max(0.0, b * b - 4 * a * c));
   return b <= 0 ? (-b + root) / (2 * a) : -2 * c / (b + root);
@@ -62,7 +62,7 @@ bool FrictionContact3::stick(const Vector3d& b, Vector3d& r) const {
   return true;
 }
 
-/// Newton on the angle of r_t. `r` holds the impulse that was reached; true where it solves the contact to
+/// Newton's method on the angle of r_t. `r` returns the impulse reached. True if it solves the contact to
 /// rounding.
 bool FrictionContact3::slide_from(const Vector2d& direction, const Vector3d& b, Vector3d& r) const {
   constexpr int most_steps = 12;
@@ -72,7 +72,7 @@ bool FrictionContact3::slide_from(const Vector2d& direction, const Vector3d& b, 
   Vector2d d = direction;
   for (int step = 0;; ++step) {
     const double stiffness = w_(0, 0) + mu_ * w_nt.dot(d);
-    if (!(stiffness > 0)) return false;  // this way of sliding jams
+    if (!(stiffness > 0)) return false;  // sliding in this direction jams
     const double n = -b[0] / stiffness;
     r << n, mu_ * n * d;
     const Vector2d pushed = w_tn + mu_ * (w_tt * d);
@@ -87,7 +87,7 @@ bool FrictionContact3::slide_from(const Vector2d& direction, const Vector3d& b, 
   }
 }
 
-/// The direction of r_t at a root of the quartic in the multiplier.
+/// The direction of r_t at a root of the quartic in lambda.
 Vector2d FrictionContact3::bracketed_direction(const Vector3d& b) const {
   const double w_nn = w_(0, 0), b_n = b[0];
   const Vector2d w_nt = w_.block<1, 2>(0, 1).transpose(), w_tn = w_.block<2, 1>(1, 0), b_t = b.tail<2>();
@@ -101,7 +101,7 @@ Vector2d FrictionContact3::bracketed_direction(const Vector3d& b) const {
     return tangent(lambda).norm() - mu_ * (n_0 + lambda * (n_1 - b_n * lambda));
   };
 
-  // Beyond `high` the term of lambda^2 outweighs all others.
+  // Above `high` the lambda^2 term dominates all others.
   double low = n_0 > 0 ? 0 : std::max(0.0, greatest_root(-b_n, n_1, n_0));
   double high =
       greatest_root(-mu_ * b_n, -(mu_ * std::abs(n_1) + p_1.norm()), -(mu_ * std::abs(n_0) + p_0.norm()));
@@ -114,7 +114,7 @@ Vector2d FrictionContact3::bracketed_direction(const Vector3d& b) const {
     const double slope = (size > 0 ? t.dot(p_1) / size : 0) - mu_ * (n_1 - 2 * b_n * lambda);
     const double newton = lambda - f / slope;
     if (std::abs(newton - lambda) <= 1e-12 * lambda) break;
-    // The root may be many decades below `high`.
+    // Bisect in the logarithm, because the root may be many decades below `high`.
     const double middle = low > 0 ? std::sqrt(low * high) : 1e-3 * high;
     lambda = newton > low && newton < high ? newton : middle;
   }

@@ -25,7 +25,7 @@ void Nlgs<D>::begin(const Problem& problem, const SolveSettings& settings, std::
   if (settings.measure == ErrorMeasure::merit) wanted_ *= merit(problem, r).q;
   foretold_ = 1;
   next_judgement_ = 1;
-  best_ = r;  // should no residual be a number
+  best_ = r;  // the answer if no residual is a number
   best_residual_ = std::numeric_limits<double>::infinity();
   if constexpr (D == 3) {
     friction_.clear();
@@ -56,9 +56,9 @@ void Nlgs<D>::begin_acceleration() {
   anderson_.begin(scale_);
 }
 
-/// One sweep over the leading N rows. Answers, in problems of more than a few contacts, with the error that
-/// it met on its way: before each contact is solved, its error by the measure, relative to its speed_scale;
-/// the greatest, or |F|.
+/// One sweep over the leading N rows. In problems of more than a few contacts, it returns the error seen
+/// during the sweep: the error of each contact just before it is solved, by the measure of the settings. For
+/// a step this is the greatest error relative to its speed_scale; for the merit it is |F|.
 template <int D>
 template <int N>
 double Nlgs<D>::sweep_rows(std::vector<Row>& r) const {
@@ -93,7 +93,7 @@ double Nlgs<D>::sweep(std::vector<Row>& r) const {
   return problem_->width() == D ? sweep_rows<D>(r) : sweep_rows<Problem::rows>(r);
 }
 
-/// r is what a sweep made of from_: the next start.
+/// Replaces r, the result of a sweep from from_, by the next start.
 template <int D>
 void Nlgs<D>::accelerate(std::vector<Row>& r) {
   const int width = problem_->width();

@@ -1,5 +1,5 @@
 #pragma once
-// Non-linear Gauss-Seidel.
+// Non-linear Gauss-Seidel (NLGS).
 
 #include <vector>
 
@@ -10,31 +10,32 @@
 
 namespace flyrock {
 
-/// Sweeps over the contacts in their order, each local problem solved exactly with the others frozen
-/// (local_2d.h, local_3d.h). In problems of more than a few contacts the sweeps are accelerated (anderson.h).
-/// It keeps its buffers: a solve does not allocate once they have grown. Instantiated for D = 2, 3.
+/// A sweep visits the contacts in their order and solves each local problem exactly, with the impulses of all
+/// others fixed (local_2d.h, local_3d.h). In problems of more than a few contacts the sweeps are accelerated
+/// (anderson.h). A solve does not allocate once the buffers have grown. Instantiated for D = 2, 3.
 template <int D>
 class Nlgs {
  public:
   using Problem = ContactProblem<D>;
   using Row = typename Problem::Row;
 
-  /// Makes room for the accelerated sweeps of a few contacts, so that a step in which they are first needed
-  /// allocates nothing.
+  /// Reserves buffers for accelerated sweeps of a few contacts, so that the first step that needs them does
+  /// not allocate.
   Nlgs();
 
-  /// `r` holds the start (zero, or the impulses of the last step) and the answer. The solve ends when judge
-  /// (residual.h) says so, or after settings.max_iterations sweeps; then the best that was judged is the
-  /// answer. Judging costs as much as a sweep: in problems of more than a few contacts it is done when the
-  /// errors met on the way foretell success.
+  /// `r` holds the start (zero, or the warm start from the last step) and the answer. The solve ends when
+  /// judge (residual.h) reports convergence, or after settings.max_iterations sweeps; the answer is then the
+  /// best checked r. A check costs as much as a sweep. In problems of more than a few contacts it is
+  /// therefore made only when the errors seen during the sweeps predict success.
   SolveResult solve(const Problem& problem, const SolveSettings& settings, std::vector<Row>& r);
 
-  /// The same in parts, for who weighs whether to go on: begin, then `sweeps` more of them at a time.
+  /// The same in parts, for a caller that decides whether to continue: begin, then `sweeps` more sweeps per
+  /// call of run.
   void begin(const Problem& problem, const SolveSettings& settings, std::vector<Row>& r);
   /// The same with accelerated sweeps, whatever the number of contacts.
   void begin_accelerated(const Problem& problem, const SolveSettings& settings, std::vector<Row>& r);
   const SolveResult& run(int sweeps, std::vector<Row>& r);
-  /// One sweep without acceleration, and without judging.
+  /// One sweep without acceleration and without a check.
   void sweep_once(std::vector<Row>& r) { sweep(r); }
 
  private:
@@ -47,12 +48,11 @@ class Nlgs {
   const Problem* problem_ = nullptr;
   SolveSettings settings_;
   SolveResult result_;
-  double wanted_ = 0;  ///< of the error that a sweep meets
-  double foretold_ =
-      1;  ///< what is left after a sweep, as a share of the error it met: from the last judgement
+  double wanted_ = 0;    ///< wanted size of the error seen during a sweep
+  double foretold_ = 1;  ///< error after a sweep / error during the sweep, from the last check
   int next_judgement_ = 1;
   bool accelerated_ = false;
-  std::vector<FrictionContact3> friction_;  ///< of each contact, in space
+  std::vector<FrictionContact3> friction_;  ///< of each contact, in 3D
   Anderson anderson_;
   std::vector<double> scale_, from_, to_;
   std::vector<Row> best_;

@@ -9,7 +9,7 @@ namespace flyrock {
 
 namespace {
 
-/// max(0, x) with a rounded corner of width e, and its slope. Without cancellation for x < 0.
+/// max(0, x) with a rounded corner of width e, and its slope. No cancellation for x < 0.
 struct Rounded {
   double value, slope;
   Rounded(double x, double e) {
@@ -19,7 +19,7 @@ struct Rounded {
   }
 };
 
-/// The law r = p(y) of a contact, smoothed; rows that carry nothing have p = 0.
+/// The smoothed law r = p(y) of a contact. Rows that carry nothing have p = 0.
 template <int D>
 SmoothedLaw<D> smoothed_law(const typename ContactProblem<D>::Contact& contact,
                             const typename ContactProblem<D>::Row& diagonal,
@@ -49,7 +49,7 @@ SmoothedLaw<D> smoothed_law(const typename ContactProblem<D>::Contact& contact,
   return law;
 }
 
-/// Exactly within bounds, where a step ends a little outside.
+/// Clips r exactly to its bounds, because a step may end slightly outside.
 template <int D>
 void clip(const ContactProblem<D>& problem, std::vector<typename ContactProblem<D>::Row>& r) {
   for (int a = 0; a < problem.size(); ++a) {
@@ -85,7 +85,7 @@ void ProximalNewton<D>::begin(const Problem& problem) {
   analysed_ = false;
 }
 
-/// The laws at r in laws_, and F = r - p, scaled, in error_; answers with its size.
+/// Evaluates the laws at r into laws_, and the scaled F = r - p into error_. Returns |error_|.
 template <int D>
 double ProximalNewton<D>::find_error(const std::vector<Row>& r, double smoothing) {
   const int width = problem_->width();
@@ -104,13 +104,13 @@ double ProximalNewton<D>::find_error(const std::vector<Row>& r, double smoothing
   return error_.norm();
 }
 
-/// Solves F' z = -F, from laws_ and error_, into direction_; false where there is no solution.
+/// Solves F' z = -F, from laws_ and error_, into direction_. False if there is no solution.
 template <int D>
 bool ProximalNewton<D>::find_direction() {
   const int width = problem_->width();
   entries_.clear();
   const auto enter = [&](int a, int b,
-                         const Block& w) {  // the part of dp_a / dr_b through u_a, with its sign
+                         const Block& w) {  // the part of dp_a / dr_b that acts through u_a, with its sign
     const Block& slope = laws_[a].slope;
     const Row& d = diagonal_[a];
     for (int j = 0; j < width; ++j)
@@ -142,7 +142,7 @@ bool ProximalNewton<D>::find_direction() {
   return true;
 }
 
-/// Judges r, brought within bounds, and what a sweep makes of it.
+/// Checks r, clipped to its bounds, and the result of one sweep from it.
 template <int D>
 void ProximalNewton<D>::judge_step(Nlgs<D>& sweeper, const std::vector<Row>& r) {
   candidate_ = r;
@@ -156,12 +156,12 @@ void ProximalNewton<D>::judge_step(Nlgs<D>& sweeper, const std::vector<Row>& r) 
   }
 }
 
-/// Solves the shifted problem around r, which is the next centre then; false where its Newton steps stall.
+/// Solves the shifted problem around r, and stores the next centre in r. False if its Newton steps stall.
 template <int D>
 bool ProximalNewton<D>::find_next_centre(Nlgs<D>& sweeper, int steps, std::vector<Row>& r) {
-  constexpr double wanted = 0.05;      // of the error at the centre
-  constexpr double least_step = 1e-3;  // of a Newton step
-  constexpr double sufficient = 1e-4;  // decrease, as a share of the step
+  constexpr double wanted = 0.05;      // share of the error at the centre
+  constexpr double least_step = 1e-3;  // share of a Newton step
+  constexpr double sufficient = 1e-4;  // required decrease, as a share of the step
   const int n = problem_->size();
   centre_ = r;
   const double target = wanted * find_error(r, 0);
@@ -176,7 +176,7 @@ bool ProximalNewton<D>::find_next_centre(Nlgs<D>& sweeper, int steps, std::vecto
     for (; share > least_step; share *= 0.5) {
       for (int a = 0; a < n; ++a) trial_[a] = r[a] + share * direction_[a];
       after = find_error(trial_, smoothing);
-      // The first step is a whole one: it moves far, and the next mends what its curvature costs.
+      // Always take the first step in full: it moves far, and the next step corrects its curvature error.
       if ((k == 0 && std::isfinite(after)) || after <= (1 - sufficient * share) * before) break;
     }
     if (share <= least_step) return false;
@@ -200,7 +200,7 @@ SolveResult ProximalNewton<D>::solve(const Problem& problem, const SolveSettings
   alpha_ = first_alpha;
   best_ = r;
   judge(problem, settings, r, result_);
-  // From zero, because of many solutions the one of least impulses is far from the bounds.
+  // Start from zero, because among many solutions the one with the smallest impulses is far from the bounds.
   r.assign(r.size(), Row::Zero());
   while (!result_.converged && taken_ < steps) {
     const int before = taken_;

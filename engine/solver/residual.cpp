@@ -11,7 +11,7 @@ namespace {
 template <int D>
 using Row = typename ContactProblem<D>::Row;
 
-/// |x - P(x - step u)|, P the projection onto the ball of radius `bound`.
+/// |x - P(x - step u)| with the projection P onto the ball of radius `bound`.
 template <typename Vector>
 double ball_error(const Vector& x, const Vector& u, double step, double bound) {
   Vector y = x - step * u;
@@ -44,7 +44,7 @@ double de_saxce_error(double mu, const Eigen::Matrix<double, D, 1>& u, const Eig
   return (r - x).squaredNorm();
 }
 
-/// The part in |F|^2 of a contact that is more than Coulomb's.
+/// The part of |F|^2 of a contact that has more than Coulomb friction.
 template <int D>
 double separate_error(const typename ContactProblem<D>::Contact& contact, const Row<D>& u, const Row<D>& r) {
   double square = contact.normal ? std::pow(r[0] - std::max(0.0, r[0] - u[0]), 2) : r[0] * r[0];

@@ -1,5 +1,5 @@
 #pragma once
-// How far impulses are from a solution: two measures, never mixed (docs/numerics.md).
+// How far impulses are from a solution: two error measures, which are never mixed (docs/numerics.md).
 
 #include <vector>
 
@@ -10,28 +10,30 @@ namespace flyrock {
 
 /// The scaled local map of a contact in m/s: with rho = 1 / max diagonal of its n and t rows,
 ///   e_n = |r_n - max(0, r_n - rho u_n)| / rho,   e_t = |r_t - P(r_t - rho u_t)| / rho,
-/// P the projection onto |r_t| <= mu r_n + c_t. Spinning and rolling rows likewise with their own bound and
-/// diagonal, brought to m/s by the length sqrt(W_nn / W_gg). The greatest; zero exactly at a solution.
+/// where P is the projection onto |r_t| <= mu r_n + c_t. Spinning and rolling rows are treated alike, with
+/// their own bound and diagonal; the length sqrt(W_nn / W_gg) converts them to m/s. The result is the
+/// greatest of these errors. It is zero exactly at a solution.
 template <int D>
 double local_error(const typename ContactProblem<D>::Contact& contact,
                    const typename ContactProblem<D>::Row& u, const typename ContactProblem<D>::Row& r);
 
-/// What rounding alone may leave in the local error of contact a: 32 eps (|q| + sum |W_ab| |r_b|), over the
-/// translational rows.
+/// The local error of contact a that rounding alone can cause [m/s]: 32 eps (|q| + sum |W_ab| |r_b|), over
+/// the translational rows.
 template <int D>
 double rounding_error(const ContactProblem<D>& problem, int a,
                       const std::vector<typename ContactProblem<D>::Row>& r);
 
-/// The size of the natural map of the de Saxce form with rho = 1, over the rows that are in use:
-///   F_a = r_a - P_K(r_a - (u_n + mu |u_t|, u_t)),   K = { |r_t| <= mu r_n };   the merit is |F| / |q|
-/// and FCLIB's own is |F| / (1 + sqrt |q|). FCLIB knows no cohesion, spinning or rolling: with them the map
-/// is (r_n - max(0, r_n - u_n), r_g - P(r_g - u_g)) instead, whose zeros are the same.
+/// The norm of the natural map of the de Saxce form with rho = 1, over the rows in use:
+///   F_a = r_a - P_K(r_a - (u_n + mu |u_t|, u_t)),   K = { |r_t| <= mu r_n }.
+/// The merit is |F| / |q|; FCLIB's own merit is |F| / (1 + sqrt |q|). FCLIB has no cohesion, spinning or
+/// rolling. With them the map is (r_n - max(0, r_n - u_n), r_g - P(r_g - u_g)) instead, which has the same
+/// zeros.
 struct Merit {
   double natural_map = 0;  ///< |F|
   double q = 0;            ///< |q|
   int worst_contact = -1;
 
-  /// |F| / |q|; |F| where q is zero.
+  /// |F| / |q|; |F| if q is zero.
   double relative() const { return q > 0 ? natural_map / q : natural_map; }
   double fclib() const;
 };
@@ -43,7 +45,7 @@ double natural_map_squared(const typename ContactProblem<D>::Contact& contact,
 template <int D>
 Merit merit(const ContactProblem<D>& problem, const std::vector<typename ContactProblem<D>::Row>& r);
 
-/// Judges r by the measure of `settings`; fills converged, residual and worst_contact of `result`.
+/// Checks r by the error measure of `settings`. Fills converged, residual and worst_contact of `result`.
 template <int D>
 void judge(const ContactProblem<D>& problem, const SolveSettings& settings,
            const std::vector<typename ContactProblem<D>::Row>& r, SolveResult& result);

@@ -14,8 +14,8 @@ bool ImpactSolver<D>::two_phase(int a, const Rebound<D>& rebound) const {
          free_[a][0] < 0;
 }
 
-/// Gives a contact that is coupled to no other its impulse, and puts that into q. False where it must take
-/// part in the common problem.
+/// Solves a contact that is coupled to no other contact, and adds its impulse to q. False if the contact must
+/// be solved in the common problem.
 template <int D>
 bool ImpactSolver<D>::solve_alone(Problem& problem, int a, const Rebound<D>& rebound) {
   auto& contact = problem.contacts[a];
@@ -112,7 +112,7 @@ SolveResult ImpactSolver<D>::solve(Problem& problem, const std::vector<Rebound<D
   return result;
 }
 
-/// The second phase: impulses L + r with L = f r_Cn given, friction, rolling and spinning bounded by both.
+/// The second phase: impulses L + r with the given L = f r_Cn. The sum bounds friction, rolling and spinning.
 template <int D>
 SolveResult ImpactSolver<D>::expand(Problem& problem, const SolveSettings& settings,
                                     const std::vector<Row>& compression) {
@@ -130,8 +130,8 @@ SolveResult ImpactSolver<D>::expand(Problem& problem, const SolveSettings& setti
   return result;
 }
 
-/// Brings f of the contacts of form energy towards their balance; how far the worst of them was from it, as a
-/// share.
+/// Moves f of the contacts of form energy towards their energy balance. Returns the largest relative error of
+/// that balance.
 template <int D>
 double ImpactSolver<D>::adjust_factors(const Problem& problem, const std::vector<Rebound<D>>& rebounds,
                                        const std::vector<Row>& compression) {
@@ -145,8 +145,8 @@ double ImpactSolver<D>::adjust_factors(const Problem& problem, const std::vector
     const double released = 0.5 * expansion_[a][0] * (2 * turn_[a][0] + change);
     const double allowed = rebounds[a].e_n * rebounds[a].e_n * lost;
     if (allowed <= 0) continue;
-    // Where the others press harder than f asks, the contact does not open and its work is below what is
-    // allowed.
+    // If other contacts press harder than f requires, the contact does not open and its work is below the
+    // allowed one.
     const bool pressed = expansion_[a][0] > given_[a][0] * (1 + 1e-9);
     if (pressed && released <= allowed) continue;
     worst = std::max(worst, std::abs(released / allowed - 1));

@@ -1,5 +1,5 @@
 #pragma once
-// The impact problem: contacts that rebound, alone or several at once.
+// The impact problem: contacts with restitution, alone or several at once.
 
 #include <vector>
 
@@ -9,40 +9,38 @@
 
 namespace flyrock {
 
-/// How one contact of an impact rebounds. A contact that closes too slowly to rebound, or rests, has the
-/// default.
+/// How one contact of an impact rebounds. A contact that closes too slowly to rebound, or that rests, keeps
+/// the defaults.
 template <int D>
 struct Rebound {
   RestitutionForm form = RestitutionForm::newton;
   double e_n = 0;
   double e_t = 0;
-  bool as_lmgc90 = false;  ///< newton: also a contact that separates keeps to v_n^+ >= -e_n v_n^-
-  double given =
-      0;  ///< N s, a part of the normal impulse that is given: below 0 a pull that the contact bears
+  /// Form newton: a contact that separates before the impact must also satisfy v_n^+ >= -e_n v_n^-
+  bool as_lmgc90 = false;
+  double given = 0;  ///< N s, prescribed part of the normal impulse; negative: a pull that the contact bears
   typename ContactProblem<D>::Row before = ContactProblem<D>::Row::Zero();  ///< its velocity v^-
 };
 
 /// Solves the friction problem of contacts that rebound. On entry `problem.q` is the free velocity;
-/// `rebounds` has one entry a contact. With v = q + W r and v_n^* = min(0, v_n^-):
-///  - newton:      0 <= v_n + e_n v_n^* _|_ r_n >= 0, Coulomb on v_t + e_t v_t^-. May gain energy.
-///  - newton_mean: the same normal condition, Coulomb (and rolling) on the mean of v_t and v_t^- (Fremond).
-///  Never gains for
-///                 e_n <= 1; a contact that sticks ends with v_t = -v_t^-.
-///  - poisson, energy: a contact that is coupled to no other, without rolling resistance and cohesion,
-///  follows its path in
-///                 impulse space (impact_path.h). Several go through two phases (Glocker and Pfeiffer):
-///                 compression as with e = 0, impulses r_C; then restitution with r_n >= f r_Cn, and Coulomb
-///                 (and rolling) on the velocity at its end. poisson has f = e_n; for energy f is iterated,
-///                 contact by contact, until the normal work of restitution is -e_n^2 times that of
-///                 compression (at most so, where other contacts press harder).
-///  - velocity:    v_n = -e_n v_n^-, v_t = e_t v_t^- whatever the friction; only for a contact that is
-///  coupled to no other:
-///                 else TrialError.
-/// A given impulse L belongs to r_n: where the contact has normal rows, r_n >= L; its c_t is that of a bound
-/// on r_n - L. Forms mix: a contact of newton or newton_mean keeps its conditions in both phases. `r` holds
-/// the start (zero, or the impulses of the last step) and the answer. `problem` is left as it was solved
-/// last. Instantiated for D = 2, 3. Sources: M. Jean 1999; M. Fremond 1995; C. Glocker and F. Pfeiffer 1995;
-/// W. J. Stronge 1990.
+/// `rebounds` has one entry per contact. With v = q + W r and v_n^* = min(0, v_n^-):
+///  - newton: 0 <= v_n + e_n v_n^* _|_ r_n >= 0, Coulomb friction on v_t + e_t v_t^-. May gain energy.
+///  - newton_mean: the same normal condition, Coulomb friction (and rolling) on the mean of v_t and v_t^-
+///    (Fremond). Never gains energy for e_n <= 1. A contact that sticks ends with v_t = -v_t^-.
+///  - poisson, energy: an isolated contact (coupled to no other) without rolling resistance and cohesion
+///  follows
+///    its path in impulse space (impact_path.h). Several contacts go through two phases (Glocker and
+///    Pfeiffer). Compression is solved as with e = 0 and gives the impulses r_C. Restitution then has r_n >=
+///    f r_Cn, and Coulomb friction (and rolling) on the velocity at its end. For poisson, f = e_n. For
+///    energy, f is iterated, contact by contact, until the normal work of restitution is -e_n^2 times that of
+///    compression (at most so, if other contacts press harder).
+///  - velocity: v_n = -e_n v_n^-, v_t = e_t v_t^-, whatever the friction. Only for an isolated contact;
+///    otherwise TrialError.
+/// A given impulse L is part of r_n. If the contact has normal rows, r_n >= L, and its c_t belongs to a bound
+/// on r_n - L. Forms can be mixed: a contact of newton or newton_mean keeps its conditions in both phases.
+/// `r` holds the start (zero, or the warm start from the last step) and the answer. `problem` is left as it
+/// was solved last. Instantiated for D = 2, 3. Sources: M. Jean 1999; M. Fremond 1995; C. Glocker and F.
+/// Pfeiffer 1995; W. J. Stronge 1990.
 template <int D>
 class ImpactSolver {
  public:
@@ -61,10 +59,10 @@ class ImpactSolver {
                         const std::vector<Row>& compression);
 
   Solver<D> solver_;
-  std::vector<Row> alone_;      // impulses of contacts that were solved by themselves
+  std::vector<Row> alone_;      // impulses of isolated contacts
   std::vector<Row> free_;       // q of compression, without shifts
   std::vector<Row> turn_;       // velocity at the end of compression
-  std::vector<Row> given_;      // normal impulses that q holds: rebounds' own, or f r_Cn in expansion
+  std::vector<Row> given_;      // given normal impulses in q: those of rebounds, or f r_Cn in restitution
   std::vector<Row> expansion_;  // impulses of restitution
   std::vector<double> factor_;  // f of each contact; -1: it has no second phase
 };

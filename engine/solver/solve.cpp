@@ -11,9 +11,9 @@ namespace flyrock {
 
 namespace {
 
-constexpr int sweeps_of_a_step = 10;  // what a factorisation counts as
+constexpr int sweeps_of_a_step = 10;  // cost of one factorisation, in sweeps
 
-/// The residual in units of what is wanted.
+/// The residual divided by the wanted residual.
 template <int D>
 double excess(const ContactProblem<D>& problem, const SolveSettings& settings, const SolveResult& result) {
   const double scale =
@@ -50,13 +50,13 @@ SolveResult Solver<D>::solve(const ContactProblem<D>& problem, const SolveSettin
   return solve_by_both(problem, settings, r);
 }
 
-/// Sweeps until only rounding is left: plain ones, then accelerated ones as long as they help. Judged by the
-/// tolerance in the end.
+/// Sweeps until only rounding is left: plain sweeps first, then accelerated ones as long as they help.
+/// Convergence is finally checked against the tolerance.
 template <int D>
 SolveResult Solver<D>::refine(const ContactProblem<D>& problem, const SolveSettings& settings,
                               std::vector<Row>& r) {
   constexpr int plain = 16, turn = 32;  // sweeps
-  constexpr double least_gain = 0.5;    // of a turn
+  constexpr double least_gain = 0.5;    // required reduction of the residual in a turn
   SolveSettings finest = settings;
   finest.tolerance = std::numeric_limits<double>::epsilon();
   nlgs_.begin(problem, finest, r);
@@ -88,7 +88,7 @@ template <int D>
 SolveResult Solver<D>::solve_by_both(const ContactProblem<D>& problem, const SolveSettings& settings,
                                      std::vector<Row>& r) {
   constexpr int first_turn = 32, turn = 64;  // sweeps
-  constexpr int longest_way = 300;           // sweeps; Newton steps are shorter
+  constexpr int longest_way = 300;           // sweeps; beyond this Newton steps are faster
   nlgs_.begin(problem, settings, r);
   SolveResult result = nlgs_.run(first_turn, r);
   for (bool shorter = true; shorter && !result.converged && result.iterations < settings.max_iterations;) {
@@ -96,7 +96,7 @@ SolveResult Solver<D>::solve_by_both(const ContactProblem<D>& problem, const Sol
     const int begin = result.iterations;
     result = nlgs_.run(begin == first_turn ? turn - first_turn : turn, r);
     const double after = excess(problem, settings, result);
-    // Sweeps that are left at the rate of the last turn: log(after) / (log(before / after) / length).
+    // Remaining sweeps at the rate of the last turn: log(after) / (log(before / after) / length).
     shorter = std::log(after) * (result.iterations - begin) <= longest_way * std::log(before / after);
   }
   if (result.converged || result.iterations >= settings.max_iterations) return result;

@@ -1,5 +1,5 @@
 #pragma once
-// The one entry to the contact solvers.
+// The single entry point of the contact solvers.
 
 #include <memory>
 #include <vector>
@@ -11,10 +11,11 @@ namespace flyrock {
 template <int D>
 class ProximalNewton;
 
-/// Solves friction problems with the solver that the settings name. `automatic` begins with NLGS, which
-/// nearly always suffices, and goes on with Newton steps (proximal_newton.h) where the sweeps foretell that
-/// they are the longer way. What a step costs is counted, not timed: the same problem takes the same way on
-/// every machine. It keeps its buffers: no allocation while NLGS suffices. Instantiated for D = 2, 3.
+/// Solves friction problems with the solver that the settings name. `automatic` begins with NLGS, which is
+/// nearly always enough. It continues with Newton steps (proximal_newton.h) if the convergence of the sweeps
+/// predicts that NLGS would take longer. Costs are counted, not timed, so that the same problem is solved in
+/// the same way on every machine. The solver does not allocate while NLGS is enough. Instantiated for D = 2,
+/// 3.
 template <int D>
 class Solver {
  public:
@@ -36,7 +37,7 @@ class Solver {
                             std::vector<Row>& r);
 
   Nlgs<D> nlgs_;
-  std::unique_ptr<ProximalNewton<D>> newton_;  ///< made when it is first needed
+  std::unique_ptr<ProximalNewton<D>> newton_;  ///< created when first needed
 };
 
 /// The same for a single problem.

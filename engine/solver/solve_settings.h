@@ -1,24 +1,25 @@
 #pragma once
-// What a solve is asked for, and how it ended.
+// The settings and the result of a solve.
 
 #include <optional>
 #include <string_view>
 
 namespace flyrock {
 
-/// Which solver is used; `automatic` is written "auto".
+/// Which solver is used. Scenarios write `automatic` as "auto".
 enum class SolverKind { automatic, nlgs, proximal_newton };
 
-/// By what a solve is judged (residual.h): in a time step by the scaled error of every contact, in m/s and
-/// relative to its speed_scale; for comparison with others by |F| / |q| of the whole.
+/// The error measure of a solve (residual.h). `step`: the scaled error of every contact, in m/s, relative to
+/// its speed_scale; used in time steps. `merit`: |F| / |q| of the whole problem; used for comparison with
+/// other solvers.
 enum class ErrorMeasure { step, merit };
 
-/// Of a scenario that names none. Chosen by measurement over an arch, a stack, a wall, a pile, a box on its
-/// edge and the bench blast (docs/numerics.md): at 1e-6 an arch creeps, at 1e-8 a pile takes three times as
-/// long.
+/// The tolerance of a scenario that names none. It was chosen by measurements on an arch, a stack, a wall, a
+/// pile, a box on its edge and the bench blast (docs/numerics.md): at 1e-6 an arch creeps, at 1e-8 a pile
+/// takes three times as long.
 inline constexpr double default_tolerance = 1e-7;
 
-/// A problem of so many contacts is small: it is swept plainly, and where `to_rounding` matters it costs
+/// A problem with at most this many contacts is small. It is solved by plain sweeps, and `to_rounding` costs
 /// little.
 inline constexpr int few_contacts = 8;
 
@@ -28,16 +29,16 @@ struct SolveSettings {
   ErrorMeasure measure = ErrorMeasure::step;
   SolverKind solver = SolverKind::automatic;
   bool to_rounding =
-      false;  ///< continue beyond the tolerance, while sweeps still help, until only rounding is left
+      false;  ///< continue below the tolerance, as long as sweeps help, until only rounding is left
 };
 
 /// How a solve ended.
 struct SolveResult {
   bool converged = false;
   int iterations = 0;
-  double residual = 0;                   ///< the largest local error [m/s], or |F| / |q|, by the measure
-  int worst_contact = -1;                ///< where the error is largest
-  SolverKind solver = SolverKind::nlgs;  ///< which gave the answer
+  double residual = 0;     ///< the largest local error [m/s], or |F| / |q|, depending on the measure
+  int worst_contact = -1;  ///< where the error is largest
+  SolverKind solver = SolverKind::nlgs;  ///< the solver that gave the answer
 };
 
 /// "auto", "nlgs", "proximal_newton".
