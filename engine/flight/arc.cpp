@@ -10,14 +10,14 @@ namespace flyrock {
 
 namespace {
 
-/// c0 + c1 s + ... of a distance to a line.
+/// Coefficients c0 + c1 s + ... of the distance to a line.
 using Coefficients = std::array<double, 6>;
 
-/// When the height `p` above the line of a segment falls through 0 between the ends of the segment. Below the
-/// line beyond the segment, the arc has to rise through the line before it can touch.
+/// When the height `p` above the line of a segment falls through 0 between the ends of the segment. If the
+/// arc is below the line outside the segment, it must first rise through the line before it can touch.
 std::optional<double> touch(const Arc<2>& arc, const Coefficients& p, const Vec2& a, const Vec2& b) {
   const Vec2 along = b - a;
-  const double slack = 1e-12 * along.squaredNorm();  // two neighbours leave no gap
+  const double slack = 1e-12 * along.squaredNorm();  // so that two neighbours leave no gap
   Coefficients depth;
   std::transform(p.begin(), p.end(), depth.begin(), std::negate());
   std::optional<double> from = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// A piece of a flight as a polynomial of time, and where it first meets the ground.
+// A piece of a flight as a polynomial of time, and the point where it first touches the ground.
 
 #include <array>
 #include <optional>
@@ -10,9 +10,9 @@
 
 namespace flyrock {
 
-/// The path over [start, start + length] as the polynomial of degree 5 in s = (t - start) / length that has
-/// position, velocity and acceleration of both ends: p(s) = c0 + c1 s + ... + c5 s^5. Without air the last
-/// three are 0.
+/// The path over [start, start + length] as a polynomial of degree 5 in s = (t - start) / length: p(s) = c0 +
+/// c1 s + ... + c5 s^5. It matches position, velocity and acceleration at both ends. Without air, c3, c4 and
+/// c5 are 0.
 template <int D>
 struct Arc {
   double start = 0, length = 0;  ///< s
@@ -36,17 +36,18 @@ struct Arc {
     of[0] += offset;
     return of;
   }
-  /// The coefficients of its derivative by s.
+  /// The coefficients of n . dp/ds.
   std::array<double, 5> rate_along(const Vec<D>& n) const {
     std::array<double, 5> rate;
     for (int k = 1; k <= 5; ++k) rate[k - 1] = k * n.dot(c[k]);
     return rate;
   }
-  /// A box with sides along the axes around the whole arc (of its control points as a Bezier curve).
+  /// A box with sides along the axes that contains the whole arc (the box of its control points as a Bezier
+  /// curve).
   Eigen::AlignedBox<double, D> box() const;
 };
 
-/// A point in flight.
+/// The state of a point in flight.
 template <int D>
 struct FlightState {
   Vec<D> position = Vec<D>::Zero(), velocity = Vec<D>::Zero(), acceleration = Vec<D>::Zero();
@@ -56,23 +57,23 @@ struct FlightState {
 template <int D>
 Arc<D> arc_between(double start, double length, const FlightState<D>& from, const FlightState<D>& to);
 
-/// The arc of a constant acceleration, that of `from`.
+/// The arc with the constant acceleration of `from`.
 template <int D>
 Arc<D> parabola(double start, double length, const FlightState<D>& from);
 
-/// The first s in [0, 1] at which the arc passes the profile from above, the root being bracketed between
-/// those of the derivatives so that none is missed. A point that begins on the profile and rises from it
-/// leaves it. Beyond its ends a profile has no ground.
+/// The first s in [0, 1] at which the arc passes the profile from above. The roots are bracketed between the
+/// roots of the derivatives, so that none is missed. A point that begins on the profile and rises from it has
+/// left it. Beyond its ends a profile has no ground.
 std::optional<double> first_touch(const Arc<2>& arc, const Profile& ground);
 
 std::optional<double> first_touch(const Arc<3>& arc, const Plane& ground);
 
-/// The first s in [0, 1] at which the arc goes beyond an end of the profile. A plane has none.
+/// The first s in [0, 1] at which the arc passes an end of the profile. A plane has no ends.
 std::optional<double> first_exit(const Arc<2>& arc, const Profile& ground);
 inline std::optional<double> first_exit(const Arc<3>&, const Plane&) { return std::nullopt; }
 
-/// The first s in [0, end] at which the arc arrives at the place x [m] on its side `side` (+1 right, -1
-/// left); 0 where it begins there or beyond.
+/// The first s in [0, end] at which the arc arrives at the position x [m], which lies on its side `side` (+1
+/// right, -1 left); 0 if it begins there or beyond.
 template <int D>
 std::optional<double> first_arrival(const Arc<D>& arc, double x, double side, double end);
 

@@ -13,7 +13,7 @@ namespace odeint = boost::numeric::odeint;
 
 constexpr double longest_arc = 0.5;  // s
 
-/// Position and velocity in one.
+/// Position and velocity in one array.
 template <int D>
 using State = std::array<double, 2 * D>;
 
@@ -63,7 +63,8 @@ Arc<D> BallisticFlight<D>::next(double longest) {
   const double limit = std::min(longest, longest_arc);
   double end = 0, step = std::min(step_, limit), tried = step;
   while (stepper.try_step(system, from, rate, end, to, rate_at_end, step) == odeint::fail) tried = step;
-  if (tried < limit || step < step_) step_ = step;  // a step cut by `longest` says nothing of the next
+  // a step cut by `longest` says nothing about the next step size
+  if (tried < limit || step < step_) step_ = step;
   FlightState<D> next;
   next.position = position_of<D>(to);
   next.velocity = velocity_of<D>(to);

@@ -1,9 +1,9 @@
 #pragma once
 // The flight of a point under gravity and the drag of the air.
 //
-// world/air.h has the equation. Without air the flight is the parabola, in closed form; with it the pair of
-// Dormand and Prince of orders 5 and 4 (Boost.Odeint) with steps adapted to a tolerance. Source: field
-// practice since Stojadinovic et al. 2011, who integrate the same equation.
+// The equation is in world/air.h. Without air the flight is a parabola in closed form. With air it is
+// integrated by the Dormand-Prince pair of orders 5 and 4 (Boost.Odeint), with steps adapted to a tolerance.
+// Source: practice since Stojadinovic et al. 2011, who integrate the same equation.
 
 #include "flight/arc.h"
 #include "world/air.h"
@@ -18,11 +18,11 @@ struct Forces {
   Vec<D> acceleration(const Vec<D>& velocity) const { return gravity + air.acceleration(velocity); }
 };
 
-/// The error that a step may add: this many m and m/s, and this share of position and velocity.
+/// The allowed error of one step: absolute [m, m/s], and relative to position and velocity.
 inline constexpr double flight_tolerance = 1e-7;
 
-/// A flight, arc by arc. The interpolation between the ends of a step is as exact as the step; no arc lasts
-/// longer than 0.5 s, but a parabola, which lasts as long as it is asked to.
+/// A flight, arc by arc. The interpolation within a step is as accurate as the step. No arc is longer than
+/// 0.5 s, except a parabola, which is as long as requested.
 template <int D>
 class BallisticFlight {
  public:
@@ -38,11 +38,11 @@ class BallisticFlight {
   Forces<D> forces_;
   FlightState<D> now_;
   double time_;
-  double step_ = 0.05;  // s, to begin with
+  double step_ = 0.05;  // s, at the start
 };
 
-/// How far along an arc a flight goes: to the ground, to the end of the terrain, to where who watches it
-/// holds it, or to s = 1.
+/// Where on an arc a flight ends: at the ground, at the end of the terrain, where an observer stops it, or at
+/// s = 1.
 struct ArcEnd {
   double s = 1;
   bool on_ground = false, left = false, held = false;
@@ -55,7 +55,8 @@ ArcEnd end_of(const Arc<D>& arc, const Ground& ground) {
   return {};
 }
 
-/// Where a flight ends: at the ground, at the end of the terrain or of the time, or where it was held.
+/// Where a flight ends: at the ground, at the end of the terrain or of the time, or where an observer stopped
+/// it.
 template <int D>
 struct Landing {
   bool on_ground = false, left = false;
@@ -63,8 +64,9 @@ struct Landing {
   Vec<D> position = Vec<D>::Zero(), velocity = Vec<D>::Zero();
 };
 
-/// Flies on to the ground, the end of the terrain or the time `latest`, at once where that is past. `see(arc,
-/// end)` is called with every arc and its ArcEnd, which it may bring forward to hold the flight there.
+/// Flies to the ground, the end of the terrain or the time `latest` [s]; ends immediately if `latest` has
+/// passed. `see(arc, end)` is called with every arc and its ArcEnd. It may move the end forward to stop the
+/// flight there.
 template <int D, class Ground, class See>
 Landing<D> land(BallisticFlight<D> flight, const Ground& ground, double latest, See see) {
   Landing<D> landing{false, false, flight.time(), flight.now().position, flight.now().velocity};

@@ -8,7 +8,7 @@ namespace flyrock {
 
 namespace {
 
-/// A flight with the barriers on its way.
+/// A flight with the barriers on its path.
 template <int D, class Ground>
 class BarrierFlight {
  public:
@@ -39,7 +39,7 @@ class BarrierFlight {
     return end.left ? StopReason::left_domain : StopReason::timed_out;
   }
 
-  /// The barrier that the arc meets before it ends, which then ends it; -1: none.
+  /// The first barrier that the arc meets before its end; the arc then ends there. -1: none.
   int first_barrier(const Arc<D>& arc, ArcEnd& end) const {
     int first = -1;
     for (std::size_t b = 0; b < sides_.size(); ++b) {
@@ -50,7 +50,8 @@ class BarrierFlight {
     return first;
   }
 
-  /// Whether the barrier catches the rock; else it flies on, slower where it went through.
+  /// Whether the barrier catches the rock. Otherwise the rock flies on, slower if it went through the
+  /// barrier.
   bool catches(int barrier, Landing<D>& now) {
     const Barrier& fence = run_.barriers[barrier];
     sides_[barrier] = 0;

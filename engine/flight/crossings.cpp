@@ -14,8 +14,7 @@ constexpr double never = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-/// The first root of ahead = v t + a t^2 / 2, of its two forms the one that does not subtract; without air a
-/// is 0.
+/// The first root of ahead = v t + a t^2 / 2, in the form that does not subtract. Without air, a is 0.
 template <int D>
 double arrival(const Path<D>& path, double x, int side) {
   const double ahead = side * (x - path.x.x()), speed = side * path.v.x();

@@ -1,6 +1,6 @@
 #pragma once
-// Gates and barriers (world/places.h) on the way of a world's bodies. In flight the moment of arrival is that
-// of the parabola; within a step in contact the centre of mass moves on a straight line.
+// Gates and barriers (world/places.h) on the paths of a world's bodies. In free flight the time of arrival is
+// computed on the parabola. In a contact step the centre of mass moves on a straight line.
 
 #include <span>
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace flyrock {
 
-/// When a path arrives at the place x [m], which lies on its side `side` (+1 right, -1 left) [s]: 0 where it
-/// is there already, infinity where it never does.
+/// The time [s] at which a path arrives at the position x [m], which lies on its side `side` (+1 right, -1
+/// left). 0 if the path starts there or beyond, infinity if it never arrives.
 template <int D>
 double arrival(const Path<D>& path, double x, int side);
 
@@ -20,14 +20,14 @@ class Crossings {
  public:
   using Motion = typename Geometry<D>::Motion;
 
-  /// Gates and barriers outlive the object. Passages and barriers met are appended to the histories.
+  /// Gates and barriers must outlive the object. Passages and barrier hits are appended to the histories.
   Crossings(World<D>& world, std::span<const Gate> gates, std::span<const Barrier> barriers,
             std::vector<BodyHistory>& histories);
 
-  /// Until a body on `path` arrives at its next barrier [s]; infinity where it does not.
+  /// The time until a body on `path` arrives at its next barrier [s]; infinity if it does not.
   double time_to_barrier(int body, const Path<D>& path) const;
-  /// The world has moved by dt, and the body along `motion` from the time `start`: gates and barriers act.
-  /// Whether a barrier has caught the body.
+  /// Applies gates and barriers after the world has moved by dt, and the body along `motion` from the time
+  /// `start`. Returns whether a barrier has caught the body.
   bool moved(int body, const Motion& motion, double start, double dt);
 
  private:

@@ -40,7 +40,7 @@ std::optional<std::string> Faults<D>::energy_from_nowhere() {
   double energy = world_.total_energy(), scale = 0, lift = 0;
   for (std::size_t i = 0; i < last_.size(); ++i) {
     const Body<D>& body = world_.bodies[i];
-    if (!body.moves()) {  // it has left, with what it had
+    if (!body.moves()) {  // the body has left and takes its energy with it
       allowed_ -= last_[i];
       last_[i] = 0;
       continue;

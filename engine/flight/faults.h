@@ -1,5 +1,5 @@
 #pragma once
-// What no body can do, whatever the cause: lie below the ground, or have energy from nowhere.
+// Checks for impossible states: a body below the ground, or energy from nowhere.
 
 #include <optional>
 #include <string>
@@ -9,22 +9,23 @@
 
 namespace flyrock {
 
-/// Watches a world while it runs. A fault is an error of the program or of a law, never a result.
-/// Instantiated for D = 2, 3.
+/// Checks a world while it runs. A fault is an error of the program or of a law, never a result. Instantiated
+/// for D = 2, 3.
 template <int D>
 class Faults {
  public:
-  /// `exact_flight`: false where fixed steps may carry a body into the ground before it is pushed out.
+  /// `exact_flight`: false if fixed steps may move a body into the ground before it is pushed out.
   Faults(const World<D>& world, bool exact_flight);
 
-  /// Whether the centre of mass lies below the ground: a vertical line up from it meets a facet from behind.
-  /// A centre that is deeper than a step may bring it is meant; in words, with the depth.
+  /// Whether the centre of mass lies below the ground, deeper than one step can push it. The test is that a
+  /// vertical line up from it meets a facet from below. The text of the fault gives the depth.
   std::optional<std::string> below_ground(int body) const;
 
-  /// Whether the energy of the world exceeds what it may be; in words, with both:
+  /// Whether the energy of the world exceeds its limit. The text of the fault gives both values. The
+  /// condition is
   ///   kinetic + potential + springs <= that of the start + World::energy_given + 1e-6 of the greatest,
-  /// the greatest that the bodies ever had as speed, as height above or below their start and as height over
-  /// their own size. To be asked after each flight and step.
+  /// where the greatest energy is the greatest that the bodies ever had as kinetic energy, as height above or
+  /// below their start, or as height over their own size. Call this after each flight and step.
   std::optional<std::string> energy_from_nowhere();
 
  private:
@@ -33,7 +34,7 @@ class Faults {
   const World<D>& world_;
   bool exact_flight_;
   std::vector<Vec<D>> starts_;
-  std::vector<double> last_;  ///< J, of each body that is still present
+  std::vector<double> last_;  ///< J, last energy of each body that is still present
   double allowed_ = 0;        ///< J
   double greatest_ = 0;       ///< J
 };

@@ -10,7 +10,7 @@ namespace flyrock {
 
 namespace {
 
-/// The height of the ground [m] at a place, or beyond the end of the terrain at that end.
+/// The height of the ground at a position [m]. Beyond an end of the terrain, the height at that end.
 double ground_at(const Profile& ground, const Vec2& p) {
   return ground.height(std::clamp(p.x(), ground.x_min(), ground.x_max()));
 }
@@ -30,8 +30,8 @@ double path_length(const Arc<D>& arc, double end) {
       [&](double s) { return arc.velocity(s).norm() * arc.length; }, 0.0, end);
 }
 
-/// Calls look(s) where the height of the arc above the ground may be greatest, beside its ends: above a
-/// corner of the ground, and where the path runs along it.
+/// Calls look(s) where the height of the arc above the ground may be greatest, in addition to its ends: above
+/// a corner of the ground, and where the path is parallel to the ground.
 template <class Look>
 void visit_highest(const Arc<2>& arc, const Profile& ground, double end, Look look) {
   const Eigen::AlignedBox2d box = arc.box();
@@ -75,7 +75,7 @@ void FlightLog<D, Ground>::see(const Arc<D>& arc, double end) {
   }
   const Vec<D> up = Vec<D>::Unit(D - 1);
   if (const auto apex = first_fall(arc.rate_along(up), 0, end); apex && *apex > 0) widen(at(arc, *apex));
-  for (int k = 0; k < D - 1; ++k)  // where a wind turns the rock
+  for (int k = 0; k < D - 1; ++k)  // points at which wind reverses the rock
     for (const double side : {-1.0, 1.0})
       if (const auto turn = first_fall(arc.rate_along(side * Vec<D>::Unit(k)), 0, end); turn && *turn > 0)
         widen(at(arc, *turn));
@@ -168,8 +168,8 @@ void FlightLog<D, Ground>::highest(const Arc<D>& arc, double end) {
   visit_highest(arc, ground_, end, look);
 }
 
-/// The bins along x. Within a piece of an arc x is taken as linear: without a wind it is out by k v^2 t^2 /
-/// 8, some centimetres.
+/// Fills the bins along x. Within a piece of an arc, x is taken as linear in time. Without wind the error is
+/// k v^2 t^2 / 8, a few centimetres.
 template <int D, class Ground>
 void FlightLog<D, Ground>::bins(const Arc<D>& arc, double end) {
   if (run_.bin_width <= 0) return;

@@ -11,11 +11,11 @@ class FlightLog {
   /// Body, ground and run outlive the log.
   FlightLog(const Body<D>& body, const Ground& ground, const BallisticRun<D>& run);
 
-  /// The flight went along `arc` to s = end in [0, 1].
+  /// Records that the flight followed `arc` to s = end in [0, 1].
   void see(const Arc<D>& arc, double end);
-  /// How the flight arrives at a barrier at x.
+  /// The state in which the flight arrives at a barrier at x.
   Arrival arrival(double x, const Landing<D>& now) const;
-  /// The barrier has acted and left this share of the velocity and spin.
+  /// Records that a barrier has acted and scaled velocity and spin by `left`.
   void met(const BarrierHit& hit, double left);
   BodyHistory finish(const Landing<D>& end, StopReason reason);
 
@@ -35,7 +35,7 @@ class FlightLog {
   const Ground& ground_;
   const BallisticRun<D>& run_;
   BodyHistory history_;
-  typename Space<D>::Spin spin_;   ///< since the time spin_since_: barriers take from it
+  typename Space<D>::Spin spin_;   ///< since the time spin_since_, because barriers change it
   double spin_since_, angle_ = 0;  ///< the angle at that time: rad, 2D
   double twice_spin_energy_;       ///< J
   double next_sample_;

@@ -8,25 +8,25 @@
 
 namespace flyrock {
 
-/// Where the terrain begins and ends along x [m]; infinite where it does not.
+/// Where the terrain begins and ends along x [m]; infinite if it has no end.
 std::pair<double, double> extent(const Terrain2& terrain);
 std::pair<double, double> extent(const Terrain3& terrain);
 
-/// The height of the ground at or below a place within its extent [m], along the vertical axis (y in 2D, z in
-/// 3D).
+/// The height of the ground at or below a position within its extent [m], along the vertical axis (y in 2D, z
+/// in 3D).
 double ground_height(const Terrain2& terrain, const Vec2& at);
 double ground_height(const Terrain3& terrain, const Vec3& at);
 
-/// The mean speed along x over [0, dt], with which paths are cut into pieces along x: exact but in air, where
-/// it is out by |a_x| dt^2 / 8, less than a millimetre in a leg.
+/// The mean velocity along x over [0, dt] [m/s], used to cut paths into pieces along x. It is exact without
+/// air. In air the position error is |a_x| dt^2 / 8, less than a millimetre in a leg.
 template <int D>
 double rate_along_x(const Path<D>& path, double dt) {
   return path.v.x() + 0.5 * dt * path.a.x();
 }
 
 /// Calls visit(from, to, highest) for each part of [0, dt] in which the height of the path above the ground
-/// is one quadratic of time; highest(t0, t1) is the greatest height in a part of it. In 2D: over each
-/// segment.
+/// is one quadratic function of time. highest(t0, t1) returns the greatest height [m] between t0 and t1 of
+/// this part. In 2D each segment gives one part.
 template <class Visit>
 void visit_heights(const Terrain2& terrain, const Path<2>& path, double dt, Visit visit) {
   const Vec2 end = path.position(dt);
@@ -34,7 +34,7 @@ void visit_heights(const Terrain2& terrain, const Path<2>& path, double dt, Visi
   const auto run = terrain.segments_between(std::min(path.x.x(), end.x()), std::max(path.x.x(), end.x()));
   for (int i = run.first; i <= run.last; ++i) {
     const Vec2 &a = terrain.start(i), &b = terrain.end(i);
-    if (b.x() <= a.x()) continue;  // vertical: its top belongs to a neighbour
+    if (b.x() <= a.x()) continue;  // vertical; its top belongs to a neighbour
     double from = 0, to = dt;
     if (rate != 0) {
       const double t1 = (a.x() - path.x.x()) / rate, t2 = (b.x() - path.x.x()) / rate;

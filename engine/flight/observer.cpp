@@ -67,7 +67,7 @@ BodyState Observer<D>::present(int body) const {
 
 template <int D>
 void Observer<D>::extremes(int body, const BodyState& s) {
-  if (!s.position.allFinite() || !s.velocity.allFinite()) return;  // NaN does not enter a history
+  if (!s.position.allFinite() || !s.velocity.allFinite()) return;  // keep NaN out of the history
   BodyHistory& h = histories_[body];
   h.include(s);
   h.max_distance =
@@ -80,7 +80,7 @@ void Observer<D>::store(int body, const BodyState& s) {
   if (every_ <= 0) return;
   auto& points = histories_[body].trajectory;
   if (!points.empty() && points.back().state.time == s.time) {
-    points.back().state = s;  // an impact changes the velocity, not how the body arrived
+    points.back().state = s;  // an impact changes the velocity, but not the mode in which the body arrived
   } else {
     points.push_back({s, mode_[body]});
   }
@@ -98,8 +98,8 @@ void Observer<D>::clearance(int body, const Path<D>& path, double dt) {
   });
 }
 
-/// The greatest speed and energy in each bin: squares of speeds are convex in time, so that they are at an
-/// end.
+/// Finds the greatest speed and energy in each bin. They occur at an end, because squares of speeds are
+/// convex in time.
 template <int D>
 void Observer<D>::speeds(int body, const Motion& motion, double dt) {
   histories_[body].path.visit(motion.x.x(), rate_along_x<D>(motion, dt), 0, dt,

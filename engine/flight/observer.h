@@ -1,5 +1,5 @@
 #pragma once
-// Writes the histories of the bodies of a world while it runs. Instantiated for D = 2, 3.
+// Records the histories of the bodies of a world while it runs. Instantiated for D = 2, 3.
 
 #include <vector>
 
@@ -12,21 +12,21 @@ class Observer {
  public:
   using Motion = typename Geometry<D>::Motion;
 
-  /// `every`: seconds between stored points of trajectories, 0 for none; the ends of each flight are stored
-  /// too. `bin_width`: m, of BodyHistory::path.
+  /// `every`: seconds between stored trajectory points, 0 for none; the ends of each flight are stored as
+  /// well. `bin_width`: m, of BodyHistory::path.
   Observer(const World<D>& world, double every, bool keep_impacts, double bin_width,
            std::vector<BodyHistory>& histories);
 
-  /// The world flew, or stepped without contact at `body`, along `motion` for dt; `start` is the time at its
-  /// begin.
+  /// Records that `body` moved along `motion` for dt without contact, in a flight or a step that began at
+  /// time `start`.
   void flew(int body, const Motion& motion, double start, double dt);
-  /// A contact step of length dt has ended, in which the body moved along `motion`.
+  /// Records a contact step of length dt in which the body moved along `motion`.
   void stepped(int body, const Motion& motion, double dt, TravelMode mode);
-  /// A step or an impact has ended: notes its impacts, and where all bodies are now.
+  /// Records the end of a step or an impact: its impacts and the present state of all bodies.
   void arrived();
-  /// The body touches the terrain at the present time: it has landed, where it had flown.
+  /// Records that the body touches the terrain now. This is a landing if the body has flown.
   void landed(int body);
-  /// The run of the body ends now.
+  /// Records that the run of the body ends now.
   void ended(int body, StopReason reason);
 
  private:
@@ -47,7 +47,7 @@ class Observer {
   std::vector<double> next_sample_;
   std::vector<double> first_contact_height_;
   std::vector<bool> has_flown_;
-  std::vector<TravelMode> mode_;  ///< of what was moved last
+  std::vector<TravelMode> mode_;  ///< mode of the last motion
 };
 
 }  // namespace flyrock

@@ -5,22 +5,22 @@
 
 namespace flyrock {
 
-/// A body is at rest when its speed, and its spin times its radius, stay under the stop speed for this long
-/// in contact and do not grow over that time beyond a tenth of the stop speed: a box that begins to topple
-/// about its edge is slow, but not at rest.
+/// A body is at rest if, for this long in contact, its speed and its spin times its radius stay below the
+/// stop speed and do not grow by more than a tenth of the stop speed. The second condition is needed because
+/// a box that begins to topple about its edge is slow, but not at rest.
 inline constexpr double rest_time = 0.2;  // s
 
-/// Watches one body, step by step, and notes in its history since when it has been at rest.
+/// Follows one body, step by step, and records in its history since when it has been at rest.
 class RestWatch {
  public:
   RestWatch(double stop_speed, BodyHistory& history) : stop_speed_(stop_speed), history_(&history) {}
 
-  /// The body moves, or has no contact: it is not, or no longer, at rest.
+  /// Reports that the body moves or has no contact, so it is not at rest.
   void moves();
-  /// A step in contact from `start` to `end` [s] has ended at `speed` [m/s], the greater of |v| and |w|
-  /// radius; `before`: what the body had travelled at the start.
+  /// Reports a contact step from `start` to `end` [s] that ended at `speed` [m/s], the greater of |v| and |w|
+  /// radius. `before` is the travel of the body at the start of the step.
   void rests(double start, double end, double speed, const Travel& before);
-  /// What it had travelled when it came to rest.
+  /// The travel of the body until it came to rest.
   const Travel& travel() const { return travel_; }
 
  private:

@@ -15,7 +15,7 @@ namespace flyrock {
 namespace {
 
 constexpr double fastest = 1e5;    // m/s; beyond it a run has diverged
-constexpr int most_idle = 10'000;  // steps that lead on by less than the length of one
+constexpr int most_idle = 10'000;  // steps that together advance time by less than one step length
 
 template <int D>
 class Runner {
@@ -49,8 +49,8 @@ class Runner {
       const double before = world_.time;
       in_contact = settings_.exact_flight && !in_contact ? fly() : step();
       end_bodies();
-      // Bodies in contact that touch again and again without time passing are left to their contacts for a
-      // short step; where that is not what held it up, one goes on that no touch cuts.
+      // Bodies in contact touch again and again and time does not advance: advance by one short step that
+      // ignores new impacts of pairs in contact; if time still does not advance, ignore all impacts.
       stalled_ = world_.time - before < 1e-9 * world_.settings().time_step ? stalled_ + 1 : 0;
       if (stalled_ > 50) {
         const double stuck = world_.time;
@@ -87,14 +87,14 @@ class Runner {
     return still;
   }
 
-  /// Ends a body with a fault, and lets it meet nothing from now on.
+  /// Ends a body with a fault. It has no contacts from then on.
   void take_out(int i, const std::string& why) {
     histories_[i].fault = why;
     world_.bodies[i].present = false;
     end(i, StopReason::diverged);
   }
 
-  /// Of all that still run.
+  /// Ends all bodies that still run as diverged.
   void diverge(const std::string& why) {
     for (int i = 0; i < bodies(); ++i) {
       if (!running_[i]) continue;
@@ -103,7 +103,7 @@ class Runner {
     }
   }
 
-  /// Solves the impact problem of what is closed now; whether contacts remain.
+  /// Solves the impact problem of the contacts that are closed now. Returns whether contacts remain.
   bool collide() {
     const auto outcome = world_.impact();
     observer_.arrived();
@@ -115,8 +115,8 @@ class Runner {
     if (contact.antagonist < 0) observer_.landed(contact.candidate);
   }
 
-  /// All bodies fly to the next touch, the end of the domain, of the run or of a leg through air; whether
-  /// contacts remain there.
+  /// Flies all bodies to the next touch, or to the end of the domain, of the run or of a leg through air.
+  /// Returns whether contacts remain there.
   bool fly() {
     if (!in_air_) return jump(time_left());
     double leg = time_left();
@@ -129,13 +129,13 @@ class Runner {
       for (int i = 0; i < bodies(); ++i) world_.bodies[i].push = accelerations_[i][half];
       const double begin = world_.time;
       if (jump(0.5 * leg)) return true;
-      if (world_.time - begin < 0.499 * leg) break;  // something happened on the way
+      if (world_.time - begin < 0.499 * leg) break;  // the jump ended early
     }
     return false;
   }
 
-  /// All bodies jump along their parabolas to the next touch, the end of the domain or the time `longest`;
-  /// whether contacts remain there.
+  /// Moves all bodies along their parabolas to the next touch, the end of the domain or the time `longest`
+  /// [s]. Returns whether contacts remain there.
   bool jump(double longest) {
     double dt = longest;
     bool touch = false;
@@ -154,7 +154,8 @@ class Runner {
         }
       }
     }
-    // Where the boxes that two bodies sweep overlap, they might meet: a shorter jump, at last a step.
+    // If the swept boxes of two bodies overlap, the bodies might meet: try a shorter jump, and finally a
+    // step.
     if (bodies() > 1) {
       const double whole = dt, h = world_.settings().time_step;
       while (dt > h && may_meet(dt)) dt *= 0.5;
@@ -167,7 +168,8 @@ class Runner {
       flights_.push_back(world_.flight_of(i));
       if (!running_[i]) continue;
       observer_.flew(i, flights_[i], start, dt);
-      if (dt > world_.settings().time_step) rest_[i].moves();  // a body that rests may lose touch for less
+      // a resting body may lose contact for a shorter time
+      if (dt > world_.settings().time_step) rest_[i].moves();
     }
     world_.fly(dt);
     cross(start, dt);
@@ -186,7 +188,7 @@ class Runner {
 
   double time_in_domain(const Path<D>& flight) const {
     const auto [low, high] = extent(world_.terrain());
-    // A little beyond the edge, so that end_bodies finds it outside.
+    // Go slightly beyond the edge, so that end_bodies finds the body outside.
     return std::min(arrival(flight, low, -1), arrival(flight, high, 1)) * (1 + 1e-12) + 1e-12;
   }
 
@@ -198,7 +200,8 @@ class Runner {
     starts_.clear();
     flights_.clear();
     for (const Body<D>& body : world_.bodies) starts_.push_back(moment_of(body));
-    constexpr double blind = 0.1;  // of a step that passes over touches: overlaps that it makes stay small
+    // Share of a step that ignores touches, so that its penetrations stay small
+    constexpr double blind = 0.1;
     const double h = std::min((touches == Touches::all ? 1 : blind) * step_length(), time_left());
     if (in_air_)
       for (Body<D>& body : world_.bodies)
@@ -237,8 +240,9 @@ class Runner {
     return outcome.new_touch ? collide() : outcome.in_contact;
   }
 
-  /// A step at whose end a barrier is about to be reached is cut there. Contact forces bend the path within a
-  /// step, so that at least a hundredth of a step is made: the barrier is passed, not crept up to.
+  /// The step length, cut at the time at which a barrier is expected. Contact forces bend the path within a
+  /// step, so a step is at least a hundredth of the full length. Otherwise the body would approach the
+  /// barrier in ever shorter steps.
   double step_length() const {
     double h = world_.settings().time_step;
     for (int i = 0; i < bodies(); ++i)
@@ -248,7 +252,7 @@ class Runner {
     return h;
   }
 
-  /// Gates and barriers act on what moved along flights_ since `start`.
+  /// Applies gates and barriers to the bodies that moved along flights_ since `start`.
   void cross(double start, double dt) {
     for (int i = 0; i < bodies(); ++i) {
       if (!running_[i] || !crossings_.moved(i, flights_[i], start, dt)) continue;
@@ -257,8 +261,8 @@ class Runner {
     }
   }
 
-  /// Ends what has come to rest, left the terrain or diverged. In a world of several bodies one at rest may
-  /// be hit again, so that all must be at rest, and no driven one on its way.
+  /// Ends bodies that have come to rest, left the terrain or diverged. In a world of several bodies, a body
+  /// at rest may be hit again. Therefore all bodies must be at rest, and no driven body may move.
   void end_bodies() {
     const auto [low, high] = extent(world_.terrain());
     bool all_at_rest = std::none_of(world_.bodies.begin(), world_.bodies.end(), [](const Body<D>& body) {
@@ -295,7 +299,7 @@ class Runner {
   std::vector<Moment<D>> starts_;
   std::vector<Motion> flights_;  ///< of the last flight or step, from its start
   bool in_air_ = false;
-  std::vector<std::array<Vec<D>, 2>> accelerations_;  ///< by the air, of the leg at hand
+  std::vector<std::array<Vec<D>, 2>> accelerations_;  ///< accelerations by the air in the current leg
   int stalled_ = 0;
   int steps_ = 0;  ///< since marked_time_
   double marked_time_ = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Runs a world: flights in closed form, impacts without duration, contact phases in steps.
+// Runs a world: free flight in closed form, impacts without duration, contact phases in steps.
 
 #include <vector>
 
@@ -8,33 +8,31 @@
 namespace flyrock {
 
 struct RunSettings {
-  bool exact_flight = true;     ///< false: fixed steps throughout, for comparison with the literature
-  double stop_time = 60;        ///< s
-  double stop_speed = 0.05;     ///< m/s; slower for `rest_time` in contact is at rest; 0: never
+  bool exact_flight = true;  ///< false: fixed steps throughout, for comparison with the literature
+  double stop_time = 60;     ///< s
+  double stop_speed = 0.05;  ///< m/s; a body that is slower for `rest_time` in contact is at rest; 0: never
   double trajectory_every = 0;  ///< s between stored points; 0: none
   bool keep_impacts = true;
-  double bin_width = 0;  ///< m, of BodyHistory::path; 0: none is kept; needs a terrain with ends
+  double bin_width = 0;  ///< m, of BodyHistory::path; 0: no bins are kept; needs a terrain with ends
   std::span<const Gate> gates;
   std::span<const Barrier> barriers;
-  bool (*interrupted)() = [] {
-    return false;
-  };  ///< asked at each step and flight: whether to throw Interrupted
+  bool (*interrupted)() = [] { return false; };  ///< called at each step and flight; true: throw Interrupted
 };
 
-/// Thrown out of a run that was interrupted: what it has done is worth nothing.
+/// Thrown by a run that was interrupted. Its results are incomplete and must not be used.
 struct Interrupted {};
 
-/// Runs the world until every dynamic body has stopped, left the terrain or the time is up. With exact
+/// Runs the world until every dynamic body has stopped or left the terrain, or the time is up. With exact
 /// flight:
-///   - while nothing is in contact, all bodies jump to the next touch: parabola and free rotation. Where two
-///   moving
-///     bodies may meet meanwhile, they go on in steps;
-///   - at a touch the impact problem of all closed contacts is solved; if all separate, the flight goes on;
-///   - else steps of the scheme follow, each cut at the first touch of a pair that is not in contact.
-/// A flight ends at a barrier as it does at a touch; a step ends there too, to a hundredth of a step.
-/// Bodies whose state is not finite end with `diverged`, and all where 10,000 steps lead on by less than one
-/// of their length: bodies that cannot be where their contacts want them. Throws TrialError and Interrupted.
-/// Instantiated for D = 2, 3.
+///   - While nothing is in contact, all bodies jump to the next touch: parabola and free rotation. If two
+///     moving bodies may meet in between, they advance in steps.
+///   - At a touch, the impact problem of all closed contacts is solved. If all separate, the flight goes on.
+///   - Otherwise steps of the scheme follow. Each step is cut at the first touch of a pair that is not in
+///     contact.
+/// A flight ends at a barrier as at a touch. A step is also cut there, to a hundredth of a step.
+/// A body whose state is not finite ends as `diverged`. All bodies end as `diverged` if 10,000 steps advance
+/// time by less than one step length, because their contacts cannot all hold at once. Throws TrialError and
+/// Interrupted. Instantiated for D = 2, 3.
 template <int D>
 void run(World<D>& world, const RunSettings& settings, std::vector<BodyHistory>& histories);
 

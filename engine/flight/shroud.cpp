@@ -31,7 +31,7 @@ Farthest farthest(const Forces<2>& forces, double speed, double height, double l
   const auto range = [&](double elevation) {
     return level_range(forces, speed * Vec2(std::cos(elevation), std::sin(elevation)), height, longest);
   };
-  // Golden section: the range has one maximum over the elevation.
+  // Golden-section search, because the range has a single maximum over the elevation.
   const double golden = (std::sqrt(5.0) - 1) / 2;
   double low = 0, high = pi / 2;
   double a = high - golden * (high - low), b = low + golden * (high - low);
@@ -61,10 +61,11 @@ std::vector<Vec2> shroud(const Forces<2>& forces, double speed, double height, d
   const Profile ground = level_ground(height);
   constexpr int flights = 180;
   for (int flight = 0; flight <= flights; ++flight) {
-    // Steep flights make the top of the envelope, where a small angle moves them most.
+    // The fan is denser for steep flights, because they form the top of the envelope, where a small change of
+    // angle matters most.
     const double from_vertical = std::pow(1 - static_cast<double>(flight) / flights, 2);
     const double elevation = pi / 2 * (1 - from_vertical);
-    std::size_t next = 0;  // place not yet reached
+    std::size_t next = 0;  // next point, not yet reached
     const Vec2 velocity = speed * Vec2(std::cos(elevation), std::sin(elevation));
     land(BallisticFlight<2>(forces, Vec2::Zero(), velocity), ground, longest,
          [&](const Arc<2>& arc, const ArcEnd& end) {
@@ -74,7 +75,7 @@ std::vector<Vec2> shroud(const Forces<2>& forces, double speed, double height, d
              line[next].y() = std::max(line[next].y(), arc.position(*s).y());
              ++next;
            }
-           // Above the launch itself the flight straight up is highest.
+           // Directly above the launch, the vertical flight is the highest.
            if (const auto apex = first_fall(arc.rate_along(Vec2::UnitY()), 0, end.s);
                apex && flight == flights)
              line.front().y() = std::max(line.front().y(), arc.position(*apex).y());
