@@ -1,5 +1,5 @@
 #pragma once
-// How far a contactor reaches from its frame's origin.
+// How far a contactor extends from the origin of its frame.
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace flyrock {
 
-/// Radius of the smallest circle or sphere about the origin that holds `points`, grown by `radius`.
+/// The radius [m] of the smallest circle or sphere about the origin that contains `points`, plus `radius`.
 template <class Point>
 double bound_of(const std::vector<Point>& points, double radius) {
   double farthest = 0;  // squared

@@ -11,7 +11,7 @@ namespace flyrock {
 
 namespace {
 
-/// Sine of the least angle between successive edges that still counts as a corner.
+/// Sine of the smallest angle between successive edges that counts as a corner.
 constexpr double corner_sine = 1e-9;
 /// Area over squared perimeter below which a polygon is a line.
 constexpr double flat = 1e-12;
@@ -36,7 +36,7 @@ struct Moments {
   Vec2 first = Vec2::Zero();
   double polar = 0;
 
-  /// A piece with its area, and its first and polar moments about a point of its own, `at`.
+  /// Adds a piece with its area, and its first and polar moments about its own point `at`.
   void add(double piece, const Vec2& piece_first, double piece_polar, const Vec2& at) {
     area += piece;
     first += piece_first + piece * at;
@@ -44,7 +44,7 @@ struct Moments {
   }
 };
 
-/// A grown hull is its core, a rectangle on each edge and a sector at each corner (Steiner).
+/// A grown hull consists of its core, a rectangle on each edge and a sector at each corner (Steiner).
 void add_contactor(Moments& sum, const Contactor2& contactor, const Vec2& origin) {
   const auto& points = contactor.points;
   const std::size_t count = points.size();
@@ -112,14 +112,14 @@ std::string make_convex(std::vector<Vec2>& vertices) {
       return fmt::format("the polygon is not convex at the vertex ({:.6g}, {:.6g})", at.x(), at.y());
     turned += std::atan2(cross(in, out), in.dot(out));
   }
-  // A star turns left at each of its vertices and yet is not convex: it turns round more than once.
+  // A star turns left at every vertex, but it is not convex, because its edges turn around more than once.
   if (turned > 3 * pi) return "the polygon is not convex: its edges cross";
   return {};
 }
 
 AreaProperties area_properties(const std::vector<Contactor2>& contactors) {
   if (contactors.empty()) return {};
-  // Moments about a point of the body: a body drawn far from the frame's origin loses no digits.
+  // Use moments about a point of the body, so that a body drawn far from the frame's origin loses no digits.
   const Vec2 origin = contactors.front().points.front();
   Moments sum;
   for (const Contactor2& contactor : contactors) add_contactor(sum, contactor, origin);

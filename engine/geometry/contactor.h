@@ -1,5 +1,5 @@
 #pragma once
-// The shapes that touch, in 2D.
+// Contactors, the shapes that touch, in 2D.
 
 #include <string>
 #include <vector>
@@ -8,17 +8,17 @@
 
 namespace flyrock {
 
-/// A contactor of the plane: the convex hull of `points`, grown by `radius`.
-/// One point and a radius is a disk; three or more points, counter-clockwise, without a radius a convex
-/// polygon; two points and a radius a wall with rounded ends. Coordinates in the body's frame, metres.
+/// A contactor in 2D: the convex hull of `points`, grown by `radius`. One point with a radius is a disk.
+/// Three or more points, counter-clockwise, without a radius are a convex polygon. Two points with a radius
+/// are a wall with rounded ends. Coordinates in the body's frame, metres.
 struct Contactor2 {
   std::vector<Vec2> points;
   std::vector<Vec2>
       normals;  ///< outward unit normal of the edge from points[i] to points[i + 1]; none for a disk
   double radius = 0;
-  double bound = 0;  ///< radius of the smallest circle about the frame's origin that holds the contactor
+  double bound = 0;  ///< radius of the smallest circle about the frame's origin that contains the contactor
 
-  static constexpr std::size_t most_vertices = 1 << 15;  ///< what a feature id counts (collision/contact.h)
+  static constexpr std::size_t most_vertices = 1 << 15;  ///< limit of a feature id (collision/contact.h)
 
   static Contactor2 disk(double radius, const Vec2& centre = Vec2::Zero());
   /// Counter-clockwise convex polygon; the normals are computed.
@@ -28,7 +28,8 @@ struct Contactor2 {
 };
 
 /// What is wrong with a list of vertices as a convex polygon (fewer than three or too many, not convex, no
-/// area, clockwise is turned round, not an error), or an empty text. Turns `vertices` counter-clockwise.
+/// area), or an empty text. Clockwise vertices are not an error: `vertices` is reversed to counter-clockwise
+/// order.
 std::string make_convex(std::vector<Vec2>& vertices);
 
 /// Area [m2], centroid and polar second moment of area about the centroid [m4] of contactors that do not

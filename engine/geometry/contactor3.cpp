@@ -13,7 +13,7 @@ namespace flyrock {
 
 namespace {
 
-// A vertex may stand out of the plane of a face by this share of the polyhedron's size.
+// The largest allowed distance of a vertex from the plane of its face, as a share of the polyhedron's size.
 constexpr double flat_share = 1e-9;
 
 /// Twice the area of a loop times its normal (Newell).
@@ -39,7 +39,7 @@ void add_faces(Contactor3& shape, const std::vector<std::vector<int>>& faces) {
   }
 }
 
-/// Each edge is run through by two faces, once in each direction.
+/// Each edge belongs to two faces, which pass it in opposite directions.
 void add_edges(Contactor3& shape) {
   std::map<std::pair<int, int>, int> edge_of;  // by (start, end) of its left face
   shape.loop_edge.assign(shape.loop.size(), -1);

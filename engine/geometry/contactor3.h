@@ -1,5 +1,5 @@
 #pragma once
-// The shapes that touch, in 3D.
+// Contactors, the shapes that touch, in 3D.
 
 #include <string>
 #include <vector>
@@ -8,25 +8,25 @@
 
 namespace flyrock {
 
-/// A contactor of space: the convex hull of `points`, grown by `radius`. One point and a radius is a sphere;
-/// points with faces, without a radius, are a convex polyhedron. Coordinates in the body's frame, metres.
+/// A contactor in 3D: the convex hull of `points`, grown by `radius`. One point with a radius is a sphere.
+/// Points with faces, without a radius, are a convex polyhedron. Coordinates in the body's frame, metres.
 struct Contactor3 {
-  /// A plane face with `count` vertices, counter-clockwise seen from outside: loop[first], ..., loop[first +
-  /// count - 1].
+  /// A plane face with `count` vertices loop[first], ..., loop[first + count - 1], counter-clockwise as seen
+  /// from outside.
   struct Face {
     Vec3 normal = Vec3::Zero();  ///< unit, outward
     int first = 0;
     int count = 0;
   };
-  /// From points[start] to points[end]; `left` is the face that runs through it in this direction, `right`
-  /// the other.
+  /// An edge from points[start] to points[end]. The loop of the face `left` passes it in this direction, the
+  /// loop of the face `right` in the opposite direction.
   struct Edge {
     int start = 0, end = 0;
     int left = 0, right = 0;
   };
-  static constexpr int most_face_vertices = 32;  ///< what the narrow phase keeps room for
+  static constexpr int most_face_vertices = 32;  ///< size of the buffers of the narrow phase
   static constexpr int most_edges =
-      1 << 14;  ///< what a feature id counts (collision/contact.h); vertices and faces are fewer
+      1 << 14;  ///< limit of a feature id (collision/contact.h); vertices and faces are fewer
 
   std::vector<Vec3> points;
   std::vector<int> loop;       ///< indices into points, face after face
@@ -34,20 +34,21 @@ struct Contactor3 {
   std::vector<Face> faces;     ///< none for a sphere
   std::vector<Edge> edges;
   double radius = 0;
-  double bound = 0;  ///< radius of the smallest sphere about the frame's origin that holds the contactor
+  double bound = 0;  ///< radius of the smallest sphere about the frame's origin that contains the contactor
 
   static Contactor3 sphere(double radius, const Vec3& centre = Vec3::Zero());
   /// A box about the origin with sides along the axes.
   static Contactor3 box(const Vec3& size);
-  /// A convex polyhedron by its faces, each a loop of indices into `points`, counter-clockwise seen from
-  /// outside. Throws std::invalid_argument where the faces do not close a convex surface, or are too many.
+  /// A convex polyhedron given by its faces. Each face is a loop of indices into `points`, counter-clockwise
+  /// as seen from outside. Throws std::invalid_argument if the faces do not form a closed convex surface or
+  /// are too many.
   static Contactor3 polyhedron(std::vector<Vec3> points, const std::vector<std::vector<int>>& faces);
 
   bool round() const { return points.size() == 1; }
   int vertex(const Face& face, int i) const { return loop[face.first + i]; }
   /// Expresses the contactor in another frame: p becomes r^-1 (p - origin).
   void change_frame(const Vec3& origin, const Rotation3& r);
-  /// Makes a polyhedron larger by a factor, about the origin.
+  /// Scales a polyhedron by a factor about the origin.
   void scale(double factor);
 };
 

@@ -13,13 +13,13 @@ namespace flyrock {
 
 namespace {
 
-/// One run of Qhull; it writes what it complains of to memory.
+/// One run of Qhull; its messages are written to memory.
 class QhullRun {
  public:
   explicit QhullRun(std::vector<double>& coordinates) {
     messages_ = open_memstream(&text_, &size_);
     qh_zero(&qh_, messages_);
-    char command[] = "qhull Pp";  // merges faces of one plane, warns of nothing
+    char command[] = "qhull Pp";  // merges faces of one plane, suppresses warnings
     failed_ = qh_new_qhull(&qh_, 3, static_cast<int>(coordinates.size() / 3), coordinates.data(), False,
                            command, nullptr, messages_) != 0;
   }
@@ -38,7 +38,7 @@ class QhullRun {
   /// The faces as loops of indices into the points, counter-clockwise seen from outside.
   std::vector<std::vector<int>> faces(const std::vector<Vec3>& points) {
     std::vector<std::vector<int>> loops;
-    qhT* qh = &qh_;  // the macros of Qhull take this name
+    qhT* qh = &qh_;  // the macros of Qhull need this name
     for (facetT* facet = qh->facet_list; facet && facet->next; facet = facet->next) {
       setT* vertices = qh_facet3vertex(qh, facet);
       std::vector<int> loop;
@@ -67,14 +67,14 @@ Contactor3 convex_hull(const std::vector<Vec3>& points) {
   if (points.size() < 4)
     throw std::invalid_argument(
         fmt::format("a polyhedron has {} points, at least 4 are needed", points.size()));
-  // About the first point: a rock drawn far from the origin loses no digits.
+  // Coordinates relative to the first point, so that a rock drawn far from the origin loses no digits.
   std::vector<double> coordinates;
   for (const Vec3& p : points)
     for (const double c : Vec3(p - points[0])) coordinates.push_back(c);
   QhullRun run(coordinates);
   if (run.failed()) throw std::invalid_argument("the points of a polyhedron lie in one plane");
   std::vector<std::vector<int>> faces = run.faces(points);
-  std::map<int, int> kept;  // a point's index to that of a vertex, in the order of the points
+  std::map<int, int> kept;  // from the index of a point to the index of a vertex, in the order of the points
   for (const auto& loop : faces)
     for (const int i : loop) kept[i] = 0;
   std::vector<Vec3> vertices;

@@ -8,7 +8,7 @@ namespace flyrock {
 
 namespace {
 
-/// Adds the lower chain (of points from left to right) or the upper one (from right to left) to `hull`,
+/// Adds the lower chain (points from left to right) or the upper chain (from right to left) to `hull`,
 /// without its last point.
 template <class Iterator>
 void add_chain(Iterator begin, Iterator end, std::vector<Vec2>& hull) {
@@ -54,7 +54,7 @@ Vec2 centroid_of(const std::vector<Vec2>& hull) {
     low = low.cwiseMin(hull[i]);
     high = high.cwiseMax(hull[i]);
   }
-  constexpr double thin = 1e-9;  // area over the square of the length: a line, but for rounding
+  constexpr double thin = 1e-9;  // area / length^2, below which the hull is a line up to rounding
   if (area2 <= thin * (high - low).squaredNorm()) return 0.5 * (low + high);
   return hull[0] + moment / area2;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Convex hulls in a plane, such as that of all release places in plan.
+// Convex hulls in a plane, for example of all release positions in plan view.
 
 #include <vector>
 
@@ -7,15 +7,15 @@
 
 namespace flyrock {
 
-/// The corners of the convex hull of points, counter-clockwise, those within its sides left out: a point
-/// alone where all are the same, two where they lie in a line, none of none. Source: Andrew 1979, the
-/// monotone chain.
+/// The corners of the convex hull of points, counter-clockwise, without points on its sides. One point if all
+/// points are equal, two if they lie on a line, none for no points. Source: Andrew 1979, the monotone chain.
 std::vector<Vec2> plan_hull(std::vector<Vec2> points);
 
-/// The centroid of the area of a hull; of a hull that has none the middle of its ends. Zero of no corners.
+/// The centroid of the area of a hull. For a hull without area, the midpoint of its ends; zero for no
+/// corners.
 Vec2 centroid_of(const std::vector<Vec2>& hull);
 
-/// How far a place is from a hull, 0 within it.
+/// The distance [m] of a point from a hull; 0 inside it.
 double distance_from(const std::vector<Vec2>& hull, const Vec2& place);
 
 }  // namespace flyrock

@@ -1,5 +1,5 @@
 #pragma once
-// The ground of a 3D run that is one plane.
+// The ground of a 3D run, which is one plane.
 
 #include <string>
 #include <vector>
@@ -8,7 +8,8 @@
 
 namespace flyrock {
 
-/// Without bounds; rock lies on the side away from the unit normal, which points upwards (normal.z > 0).
+/// An unbounded plane. The ground lies on the side opposite to the unit normal, which points upwards
+/// (normal.z > 0).
 struct Plane {
   Vec3 point = Vec3::Zero();
   Vec3 normal = Vec3::UnitZ();

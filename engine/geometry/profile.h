@@ -1,5 +1,5 @@
 #pragma once
-// The terrain of a 2D run: a poly-line with the ground below it.
+// The terrain of a 2D run: a polyline with the ground below it.
 
 #include <string>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace flyrock {
 
-/// A poly-line from left to right; rock lies to its right hand side, that is below it. x never decreases
-/// and two successive points differ.
+/// A polyline from left to right. The ground lies on its right-hand side, that is below it. x never
+/// decreases, and successive points differ.
 struct Profile {
   std::vector<Vec2> points;
   std::vector<int> part;           ///< of each segment (points.size() - 1): index into `parts`
@@ -23,7 +23,8 @@ struct Profile {
   int segments() const { return static_cast<int>(points.size()) - 1; }
   double x_min() const { return points.front().x(); }
   double x_max() const { return points.back().x(); }
-  /// The height of the ground at x, the highest where the profile is vertical. x within [x_min, x_max].
+  /// The height of the ground at x [m], for x within [x_min, x_max]; the highest one if the profile is
+  /// vertical there.
   double height(double x) const;
   /// What is wrong with the points, or an empty text.
   std::string fault() const;

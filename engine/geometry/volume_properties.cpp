@@ -20,7 +20,7 @@ void add_sphere(Moments& sum, double radius, const Vec3& centre) {
   sum.second += volume * (centre * centre.transpose() + radius * radius / 5 * Eigen::Matrix3d::Identity());
 }
 
-/// The tetrahedron (origin, a, b, c), with its sign.
+/// Adds the tetrahedron (origin, a, b, c) with its sign.
 void add_tetrahedron(Moments& sum, const Vec3& a, const Vec3& b, const Vec3& c) {
   const double det = a.dot(b.cross(c));
   const Vec3 total = a + b + c;
@@ -34,7 +34,7 @@ void add_tetrahedron(Moments& sum, const Vec3& a, const Vec3& b, const Vec3& c) 
 
 VolumeProperties volume_properties(const std::vector<Contactor3>& contactors) {
   if (contactors.empty()) return {};
-  // Moments about a point of the body: a body drawn far from the frame's origin loses no digits.
+  // Use moments about a point of the body, so that a body drawn far from the frame's origin loses no digits.
   const Vec3 origin = contactors.front().points.front();
   Moments sum;
   for (const Contactor3& shape : contactors) {

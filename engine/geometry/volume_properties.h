@@ -1,5 +1,5 @@
 #pragma once
-// Volume, centroid and inertia of bodies of space.
+// Volume, centroid and inertia of bodies in 3D.
 
 #include <vector>
 
@@ -7,23 +7,23 @@
 
 namespace flyrock {
 
-/// Of density 1, in the frame of the contactors.
+/// Properties for a density of 1, in the frame of the contactors.
 struct VolumeProperties {
   double volume = 0;  ///< m3
   Vec3 centroid = Vec3::Zero();
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< integral of (r.r 1 - r r^T) about the centroid [m5]
 };
 
-/// Of contactors that do not overlap. Exact: a polyhedron is a sum of tetrahedra over its faces (the
-/// divergence theorem), with integral of r r^T over (0, a, b, c) = det(a, b, c)/120 (a a^T + b b^T + c c^T +
-/// (a+b+c)(a+b+c)^T).
+/// The properties of contactors that do not overlap. They are exact, because a polyhedron is a sum of
+/// tetrahedra over its faces (divergence theorem):
+///   integral of r r^T over (0, a, b, c) = det(a, b, c)/120 (a a^T + b b^T + c c^T + (a+b+c)(a+b+c)^T).
 VolumeProperties volume_properties(const std::vector<Contactor3>& contactors);
 
-/// Principal moments, ascending, and the principal frame, right-handed; the frame is the identity and the
-/// moments in the order of the axes where the tensor is diagonal to 1e-12.
+/// The principal moments in ascending order and the right-handed principal frame. If the tensor is diagonal
+/// to 1e-12, the frame is the identity and the moments are in the order of the axes.
 struct PrincipalFrame {
   Vec3 moments = Vec3::Zero();
-  Rotation3 rotation;  ///< from the principal frame to that of the tensor
+  Rotation3 rotation;  ///< from the principal frame to the frame of the tensor
 };
 PrincipalFrame principal_frame(const Eigen::Matrix3d& inertia);
 
