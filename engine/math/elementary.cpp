@@ -1,7 +1,8 @@
-// The elementary functions of <cmath>, under their C names: the programs define and export them, so that
-// flyrock, Lua, Boost and plugins call these and not the C library's, whose last bits depend on the processor
-// and on its version. They compute in integers (wide.h) and round once: the nearest double but for 1 argument
-// in 10^9. Special cases are those of the C standard; errno and the floating-point flags are left alone.
+// The elementary functions of <cmath>, under their C names. The programs define and export them, so that
+// flyrock, Lua, Boost and plugins call these functions instead of those of the C library, whose last bits
+// depend on the processor and on its version. They compute in integers (wide.h) and round once. The result is
+// the nearest double, except for 1 argument in 10^9. Special cases follow the C standard. errno and the
+// floating-point flags are not changed.
 
 #include <limits>
 
@@ -34,7 +35,7 @@ double logarithm(double x, const Wide& unit) {
   return is_finite(x) ? narrow(log2(widen(x)) * unit) : x;
 }
 
-/// Whether y is an integer, and whether it is odd. Doubles from 2^53 on are even.
+/// Whether y is an integer, and whether it is odd. Doubles of 2^53 and more are even.
 bool whole(double y) { return std::floor(y) == y; }
 bool odd(double y) { return std::fabs(y) < 0x1p53 && static_cast<long long>(y) & 1; }
 
@@ -45,7 +46,7 @@ double power_of_special(double x, double y) {
     if (std::fabs(x) == 1) return 1;
     return (std::fabs(x) > 1) == (y > 0) ? infinity : 0;
   }
-  const double size = (x == 0) == (y > 0) ? 0 : infinity;  // of a zero or an infinity
+  const double size = (x == 0) == (y > 0) ? 0 : infinity;  // power of a zero or an infinity
   return std::signbit(x) && whole(y) && odd(y) ? -size : size;
 }
 

@@ -8,12 +8,12 @@ namespace flyrock {
 
 namespace {
 
-// Moments that differ by less than this share are equal: the energy of the symmetric top is then right to as
-// much.
+// Moments that differ by less than this share count as equal. The energy of the symmetric top then has a
+// relative error of this size.
 constexpr double equal_moments = 1e-12;
-// A spin that leaves a principal axis by less than this share stays on it.
+// A spin that deviates from a principal axis by less than this share counts as lying on it.
 constexpr double on_axis = 1e-15;
-// On the separatrix the period has no end; this is 1e-15 away from it.
+// The smallest m1: the period is infinite on the separatrix, and this is 1e-15 away from it.
 constexpr double least_complement = 1e-30;
 
 bool equal(double a, double b) { return std::abs(a - b) <= equal_moments * std::max(a, b); }
@@ -43,7 +43,8 @@ FreeRotation::FreeRotation(const Vec3& moments, const Rotation3& rotation, const
     : start_(rotation) {
   const Vec3 w = rotation.inverse(spin);
   int order[3] = {0, 1, 2};
-  // Equal moments keep their order. Not std::stable_sort, which allocates: a motion is made in every step.
+  // Equal moments keep their order. std::stable_sort is not used, because it allocates and a motion is made
+  // in every step.
   std::sort(order, order + 3,
             [&](int i, int j) { return std::pair(moments[i], i) < std::pair(moments[j], j); });
   const int low = order[0], middle = order[1], high = order[2];
@@ -65,20 +66,20 @@ FreeRotation::FreeRotation(const Vec3& moments, const Rotation3& rotation, const
     return;
   }
 
-  // c is the axis that the spin circles about: the modulus is then below 1.
+  // c is the axis that the spin circles, because the modulus is then below 1.
   const auto weight = [&](int i) {
     return moments[i] * std::abs(moments[middle] - moments[i]) * w[i] * w[i];
   };
   const int c = weight(high) >= weight(low) ? high : low, a = c == high ? low : high;
-  to_body_.col(0) =
-      std::copysign(1, w[a]) * Vec3::Unit(a);  // the amplitude at t = 0 is then within a quarter turn
+  // With this sign, the amplitude at t = 0 lies within a quarter turn
+  to_body_.col(0) = std::copysign(1, w[a]) * Vec3::Unit(a);
   to_body_.col(2) = Vec3::Unit(c);
   to_body_.col(1) =
       to_body_.col(2).cross(to_body_.col(0));  // the middle axis, with the sign of a right-handed frame
   const Vec3 v = to_body_.transpose() * w;
   const double ia = moments[a], ib = moments[middle], ic = moments[c];
   moments_ = {ia, ib, ic};
-  // From the integrals of energy and momentum; each is a sum of positive terms.
+  // From the conservation of energy and momentum. Each is a sum of positive terms.
   const double ratio = ib * (ib - ic) / (ia * (ia - ic));
   amplitude_.x() = std::sqrt(v.x() * v.x() + ratio * v.y() * v.y());
   amplitude_.y() = amplitude_.x() / std::sqrt(ratio);
@@ -111,7 +112,7 @@ void FreeRotation::precess(const Vec3& p, const Vec3& q) {
   greatest_spin_rate_ = p.cross(own).norm();
 }
 
-/// From the greatest values of the components.
+/// Sets the bounds from the greatest values of the components.
 void FreeRotation::set_bounds(double a, double b, double c) {
   const double ia = moments_.x(), ib = moments_.y(), ic = moments_.z();
   greatest_spin_ = std::hypot(std::max(a, b), c);

@@ -1,5 +1,5 @@
 #pragma once
-// The rotation of a rigid body without torque, in closed form.
+// The torque-free rotation of a rigid body in closed form.
 
 #include "math/elliptic.h"
 #include "math/space.h"
@@ -14,12 +14,13 @@ struct Turn {
 
 /// Euler's equations I w' = I w x w, solved once at t = 0 and evaluated at any t.
 ///
-/// A spin about a principal axis, a ball and a symmetric top turn as R(t) = exp(t p) R(0) exp(t q), p along
-/// the angular momentum L, q along the axis of symmetry. With three moments, c the axis that the spin circles
-/// about (of the least or the greatest moment), b the middle one and a the third, in the body's frame
+/// A spin about a principal axis, a ball and a symmetric top rotate as R(t) = exp(t p) R(0) exp(t q), with p
+/// along the angular momentum L and q along the axis of symmetry. For three different moments, let c be the
+/// axis that the spin circles (the one of the smallest or the greatest moment), b the axis of the middle
+/// moment and a the third axis. In the body's frame
 ///   w = (A cn(u), B sn(u), C dn(u)),  u = lambda t + u_0,
-/// Jacobi's functions of modulus k; the attitude follows from the direction of L in the body, but for an
-/// angle about L,
+/// with Jacobi's functions of modulus k. The direction of L in the body determines the attitude up to an
+/// angle about L, which is
 ///   phi = L t / I_c + L (1/I_a - 1/I_c) (Pi(n; u) - Pi(n; u_0)) / lambda,
 /// with the elliptic integral of the third kind. |L| and the energy hold to rounding at any t.
 /// Source: van Zon and Schofield, J. Comput. Phys. 225 (2007) 145-164.
@@ -29,7 +30,7 @@ class FreeRotation {
   FreeRotation(const Vec3& moments, const Rotation3& rotation, const Vec3& spin);
 
   Turn at(double t) const;
-  /// Bounds of |w| [rad/s] and |w'| [rad/s2] at all times.
+  /// Bounds on |w| [rad/s] and |w'| [rad/s2] at all times.
   double greatest_spin() const { return greatest_spin_; }
   double greatest_spin_rate() const { return greatest_spin_rate_; }
 

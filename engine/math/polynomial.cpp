@@ -16,8 +16,8 @@ struct Roots {
   void add(double t) { at[count++] = t; }
 };
 
-/// A root of p between a and b, where it changes sign: Newton, guarded by bisection. Returns the end of the
-/// last bracket at which the sign is that of p(a).
+/// A root of p between a and b, where p changes sign, by Newton's method safeguarded by bisection. Returns
+/// the end of the last bracket at which p has the sign of p(a).
 double bracketed_root(std::span<const double> c, double a, double b) {
   const bool positive = evaluate(c, a) > 0;
   double t = 0.5 * (a + b);
@@ -27,7 +27,7 @@ double bracketed_root(std::span<const double> c, double a, double b) {
     double slope = 0;
     for (std::size_t k = c.size() - 1; k > 0; --k) slope = slope * t + static_cast<double>(k) * c[k];
     const double newton = t - p / slope;
-    // A Newton step that lands on an end of the bracket would end the search there: nudge it inwards.
+    // A Newton step that lands on an end of the bracket would end the search there. Bisect instead.
     t = newton > a && newton < b ? newton : 0.5 * (a + b);
     if (b - a <= 4e-16 * (std::abs(a) + std::abs(b))) break;
   }
@@ -57,7 +57,7 @@ Roots roots_between(std::span<const double> c, double low, double high) {
   return roots;
 }
 
-/// Whether p > 0 on [0, high], seen from its coefficients alone.
+/// Whether the coefficients alone show that p > 0 on [0, high].
 bool stays_positive(std::span<const double> c, double high) {
   double least = c[0], power = 1;
   for (std::size_t k = 1; k < c.size(); ++k) {
@@ -87,7 +87,7 @@ std::optional<double> first_approach(std::span<const double> c, double low, doub
 std::optional<double> first_fall(std::span<const double> c, double low, double high) {
   if (low == 0 && stays_positive(c, high)) return std::nullopt;
   if (evaluate(c, low) <= 0) {
-    // The first derivative at low that is not zero says where p goes from there.
+    // The first non-zero derivative at low decides whether p falls or rises from there.
     std::array<double, max_degree + 1> d{};
     std::copy(c.begin(), c.end(), d.begin());
     for (std::size_t order = 1; order < c.size(); ++order) {

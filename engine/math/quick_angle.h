@@ -1,12 +1,13 @@
 #pragma once
-// sin and cos with 64 bits instead of 128: twice as fast, and enough to know the nearest double of 19 results
-// of 20. The others are left to wide_angle.h.
+// sin and cos with 64 bits instead of 128. This is twice as fast, and determines the nearest double in 19 of
+// 20 cases. wide_angle.h computes the others.
 
 #include "math/wide_angle.h"
 
 namespace flyrock::wide {
 
-/// Sizes and signs of sin and cos, with 63 bits behind the point; wrong by less than 4 of the last.
+/// Magnitudes and signs of sin and cos, with 63 fractional bits. The error is less than 4 units of the last
+/// bit.
 struct QuickAngle {
   u64 sine = 0, cosine = 0;
   bool sine_negative = false, cosine_negative = false;
@@ -17,8 +18,8 @@ struct QuickAngle {
   const u64 bits = std::bit_cast<u64>(x);
   const int exponent = static_cast<int>(bits >> 52 & 0x7ff) - 1023;
   const u64 m = bits << 11 | u64{1} << 63;
-  // In quarters of a turn, with 126 bits behind the point: the quarter, the cell in it, and the place in the
-  // cell.
+  // The angle in quarter turns, with 126 fractional bits: the quarter, the cell in it, and the position in
+  // the cell.
   const u128 turned = full_product(m, tables::two_over_pi[0]) + product(m, tables::two_over_pi[1]);
   const u128 quarters = turned >> 9 << ((exponent + 8) & 31);
   const u64 left = low(quarters >> 55);
@@ -44,7 +45,7 @@ struct QuickAngle {
           .cosine_negative = ((quarter + 1) >> 1 & 1) != 0};
 }
 
-/// The nearest double, where the error cannot change it; else 0.
+/// The nearest double, if the error cannot change it; otherwise 0.
 inline double sure(u64 size, bool negative) {
   const int zeros = std::countl_zero(size | 1);
   const u64 n = size << zeros, error = u64{4} << zeros;

@@ -1,11 +1,11 @@
 #pragma once
-// Widths of bins that people like to read.
+// Bin widths that are easy to read.
 
 #include <cmath>
 
 namespace flyrock {
 
-/// The least of ..., 0.1, 0.2, 0.5, 1, 2, 5, 10, ... that is not below `width`; 1 where `width` is not
+/// The smallest of ..., 0.1, 0.2, 0.5, 1, 2, 5, 10, ... that is not below `width`; 1 if `width` is not
 /// positive.
 inline double round_step(double width) {
   if (!(width > 0)) return 1;

@@ -15,12 +15,13 @@ Rotation3 Rotation3::from_vector(const Vec3& v) {
 Vec3 Rotation3::vector() const {
   const double sine = q_.vec().norm();
   if (sine == 0) return Vec3::Zero();
-  // q and -q are one rotation: the half angle in [0, pi/2] gives the shorter turn.
+  // q and -q are the same rotation. The half angle in [0, pi/2] gives the shorter turn.
   const double half = std::atan2(sine, std::abs(q_.w()));
   return std::copysign(2 * half / sine, q_.w()) * q_.vec();
 }
 
-/// Duff and others, Building an orthonormal basis, revisited, JCGT 2017; they change sides at n_z = 0.
+/// Source: Duff and others, Building an orthonormal basis, revisited, JCGT 2017. They change sides at n_z =
+/// 0.
 Eigen::Matrix3d contact_frame(const Vec3& n) {
   const double side = n.z() > -0.9 ? 1 : -1;
   const double a = -1 / (side + n.z()), b = n.x() * n.y() * a;

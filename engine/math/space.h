@@ -1,5 +1,5 @@
 #pragma once
-// Vectors, spins and rotations of the plane and of space.
+// Vectors, spins and rotations in 2D and 3D.
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -22,25 +22,25 @@ inline Vec2 cross(double w, const Vec2& r) { return {-w * r.y(), w * r.x()}; }
 /// r turned by +90 degrees.
 inline Vec2 perpendicular(const Vec2& r) { return {-r.y(), r.x()}; }
 
-/// The length of the horizontal part of a place or direction; vertical is y in the plane and z in space.
+/// The length of the horizontal part of a position or direction. The vertical axis is y in 2D and z in 3D.
 inline double horizontal(const Vec2& v) { return std::abs(v.x()); }
 inline double horizontal(const Vec3& v) { return v.head<2>().norm(); }
 
-/// A rotation of the plane, kept as cosine and sine so that it is applied without trigonometry.
+/// A rotation in 2D, stored as cosine and sine, so that it is applied without trigonometric functions.
 struct Rotation2 {
   double c = 1;
   double s = 0;
 
   static Rotation2 from_angle(double angle) {
     double sine, cosine;
-    ::sincos(angle, &sine, &cosine);  // one reduction of the angle serves both
+    ::sincos(angle, &sine, &cosine);  // computes both with one reduction of the angle
     return {cosine, sine};
   }
   Vec2 operator*(const Vec2& v) const { return {c * v.x() - s * v.y(), s * v.x() + c * v.y()}; }
   Vec2 inverse(const Vec2& v) const { return {c * v.x() + s * v.y(), -s * v.x() + c * v.y()}; }
 };
 
-/// A rotation of space: a unit quaternion, and the matrix that it is, so that many points are turned cheaply.
+/// A rotation in 3D: a unit quaternion and its matrix, because the matrix rotates many points cheaply.
 class Rotation3 {
  public:
   Rotation3() = default;
@@ -64,15 +64,15 @@ class Rotation3 {
   Eigen::Matrix3d matrix_ = Eigen::Matrix3d::Identity();
 };
 
-/// The frame of a contact of normal n: the columns n, t.  t = (n_y, -n_x) is +x on level ground.
+/// The frame of a contact with normal n: the columns n, t.  t = (n_y, -n_x) is +x on level ground.
 inline Eigen::Matrix2d contact_frame(const Vec2& n) {
   Eigen::Matrix2d frame;
   frame << n.x(), n.y(), n.y(), -n.x();
   return frame;
 }
 
-/// The columns n, t, s with s x t = n; on level ground t = +x. Continuous in n but for the cone n_z = -0.9,
-/// where no level and no upright face lies.
+/// The columns n, t, s with s x t = n; on level ground t = +x. Continuous in n except at the cone n_z = -0.9,
+/// which contains the normals of neither level nor upright faces.
 Eigen::Matrix3d contact_frame(const Vec3& n);
 
 /// What depends on the dimension: the type of a spin, of a moment of inertia and of a rotation, and the
@@ -91,8 +91,8 @@ struct Space<2> {
 template <>
 struct Space<3> {
   using Spin = Vec3;  ///< rad/s, world frame
-  using Inertia =
-      Vec3;  ///< kg m2, the principal moments about the centre of mass: a body's frame is its principal one
+  /// kg m2, the principal moments about the centre of mass, because a body's frame is its principal frame
+  using Inertia = Vec3;
   using Rotation = Rotation3;
   static constexpr int dof = 6;  ///< (v_x, v_y, v_z, omega_x, omega_y, omega_z)
 };

@@ -1,5 +1,5 @@
 #pragma once
-// The sphere that stands for a rock of any shape.
+// The sphere with the volume of a rock of any shape.
 
 #include <cmath>
 

@@ -1,11 +1,11 @@
 #pragma once
-// Numbers of 128 bits in integers: what the elementary functions (elementary.cpp) compute with.
+// Numbers with 128 bits, stored in integers. The elementary functions (elementary.cpp) compute with them.
 //
 //   value = (-1)^negative * mantissa * 2^(exponent - 127),   2^127 <= mantissa < 2^128, or 0 with a very
 //   small exponent,
 //
-// so 2^exponent <= |value| < 2^(exponent + 1). An operation cuts off what does not fit: its relative error is
-// below 2^-125. Integers give the same bits on every processor, by every compiler and with every flag.
+// so 2^exponent <= |value| < 2^(exponent + 1). Operations truncate; their relative error is below 2^-125.
+// Integers give the same bits on every processor, with every compiler and every flag.
 
 #include <bit>
 #include <cmath>
@@ -62,19 +62,19 @@ constexpr Wide widen(double x) {
   return {join((fraction | u64{1} << 52) << 11, 0), exponent - 1023, negative};
 }
 
-/// The nearest double, ties to even. What lies within 2^-87 of a tie counts as one, because exact results may
-/// be off by the error of a calculation: pow(x, 2) is x * x.
+/// The nearest double, ties to even. A value within 2^-87 of a tie counts as a tie, because a computed value
+/// of an exact result has a small error: pow(x, 2) must equal x * x.
 constexpr double narrow(const Wide& a) {
   const u64 sign = static_cast<u64>(a.negative) << 63;
   if (a.exponent > 1023) return std::bit_cast<double>(sign | u64{0x7ff} << 52);
-  const int cut = a.exponent < -1022 ? 75 - 1022 - a.exponent : 75;  // subnormal numbers keep fewer bits
+  const int cut = a.exponent < -1022 ? 75 - 1022 - a.exponent : 75;  // subnormal numbers have fewer bits
   if (cut > 128) return std::bit_cast<double>(sign);
   u64 kept = cut == 128 ? 0 : static_cast<u64>(a.mantissa >> cut);
   const u128 rest = a.mantissa << (128 - cut);  // as a share of the last bit kept
   const u128 half = u128{1} << 127;
   const u128 window = u128{1} << (40 + 128 - cut);
   const bool tie = rest - half + window <= 2 * window;
-  if (tie ? kept & 1 : rest > half) ++kept;  // a carry goes on into the exponent
+  if (tie ? kept & 1 : rest > half) ++kept;  // a carry increases the exponent
   if (cut > 75) return std::bit_cast<double>(sign | kept);
   return std::bit_cast<double>(sign | ((static_cast<u64>(a.exponent + 1022) << 52) + kept));
 }
@@ -119,7 +119,7 @@ constexpr Wide operator+(Wide a, Wide b) {
 }
 constexpr Wide operator-(const Wide& a, const Wide& b) { return a + -b; }
 
-/// 1/a: a quotient of 64 bits, and a Newton step.
+/// 1/a: a quotient of 64 bits, followed by a Newton step.
 constexpr Wide inverse(const Wide& a) {
   const Wide one = integer(1), unit{a.mantissa, 0};
   const u64 leading = high(a.mantissa);  // 2^63 or more
@@ -130,7 +130,7 @@ constexpr Wide inverse(const Wide& a) {
 }
 constexpr Wide operator/(const Wide& a, const Wide& b) { return a * inverse(b); }
 
-/// The root of a number that is not negative: a Newton step from that of a double. Error below 2^-104.
+/// The square root of a non-negative number: a Newton step from the root as a double. Error below 2^-104.
 inline Wide root(const Wide& a) {
   if (a.mantissa == 0) return a;
   const int half = a.exponent >> 1;
@@ -140,7 +140,7 @@ inline Wide root(const Wide& a) {
   return scaled(wide_guess + (unit - wide_guess * wide_guess) * widen(0.5 / guess), half);
 }
 
-/// The bits of a / 2^-shift behind the binary point, for 0 <= a < 2^-shift: a fixed-point number.
+/// The fractional bits of a / 2^-shift, for 0 <= a < 2^-shift, as a fixed-point number.
 constexpr u128 fraction(const Wide& a, int shift) {
   const int cut = -1 - shift - a.exponent;
   return cut > 127 ? 0 : a.mantissa >> cut;

@@ -1,5 +1,5 @@
 #pragma once
-// sin, cos and arcus tangent of 128-bit numbers. Errors are below 2^-90, relative to the result.
+// sin, cos and arctan of 128-bit numbers. Relative errors are below 2^-90.
 
 #include <array>
 
@@ -11,14 +11,14 @@ inline constexpr Wide half_pi{join(0xc90fdaa22168c234, 0xc4c6628b80dc1cd1), 0};
 
 namespace tables {
 
-/// 2/pi = 0.a2f9..., in hexadecimal digits: enough for the largest double.
+/// 2/pi = 0.a2f9..., in hexadecimal digits; enough digits for the largest double.
 inline constexpr std::array<u64, 20> two_over_pi = {
     0xa2f9836e4e441529, 0xfc2757d1f534ddc0, 0xdb6295993c439041, 0xfe5163abdebbc561, 0xb7246e3a424dd2e0,
     0x06492eea09d1921c, 0xfe1deb1cb129a73e, 0xe88235f52ebb4484, 0xe99c7026b45f7e41, 0x3991d639835339f4,
     0x9c845f8bbdf9283b, 0x1ff897ffde05980f, 0xef2f118b5a0a6d1f, 0x6d367ecf27cb09b7, 0x4f463f669e5fea2d,
     0x7527bac7ebe5f17b, 0x3d0739f78a5292ea, 0x6bfb5fb11f8d5d08, 0x56033046fc7b6bab, 0xf0cfbc209af4361d};
 
-/// sin(i/128 pi/2), with 127 bits behind the point.
+/// sin(i/128 pi/2), with 127 fractional bits.
 constexpr std::array<u128, 129> make_sines() {
   std::array<u128, 129> table{};
   for (int i = 1; i < 128; ++i) {
@@ -35,7 +35,8 @@ constexpr std::array<u128, 129> make_sines() {
 }
 inline constexpr std::array<u128, 129> sines = make_sines();
 
-/// arctan(i/128), with 127 bits behind the point: each from the one before, by the arctan of a difference.
+/// arctan(i/128), with 127 fractional bits. Each value follows from the previous one by the arctan of a
+/// difference.
 constexpr std::array<u128, 129> make_arcs() {
   std::array<u128, 129> table{};
   for (int i = 1; i <= 128; ++i) {
@@ -61,10 +62,10 @@ struct Angle {
   Wide rest;
 };
 
-/// x modulo 2 pi (Payne and Hanek): x 2/pi with those digits of 2/pi only that matter modulo 4.
+/// x modulo 2 pi (Payne and Hanek): computes x 2/pi with only those digits of 2/pi that matter modulo 4.
 inline Angle reduce(const Wide& x) {
   if (x.exponent < -8) return {0, 0, x};  // below half a cell
-  // Each digit in front of `skipped` gives a multiple of 4: 256 bits from there on.
+  // Digits before `skipped` contribute multiples of 4, so take 256 bits from there on.
   const int skipped = x.exponent > 65 ? x.exponent - 65 : 0;
   const auto digits = [&](int i) {
     const u128 pair = join(tables::two_over_pi[skipped / 64 + i], tables::two_over_pi[skipped / 64 + i + 1]);
@@ -73,10 +74,10 @@ inline Angle reduce(const Wide& x) {
   const u64 m = high(x.mantissa);
   const u128 p1 = full_product(m, digits(3)), p2 = full_product(m, digits(2)) + high(p1);
   const u128 p3 = full_product(m, digits(1)) + high(p2), p4 = full_product(m, digits(0)) + high(p3);
-  // The product, less its last 64 bits; the point is `behind` bits from the end.
+  // The product without its last 64 bits; it has `behind` fractional bits.
   u64 word[5] = {low(p2), low(p3), low(p4), high(p4), 0};
   const int behind = 256 - 1 + skipped - x.exponent;
-  // Shift to 190 bits behind the point, 2 in front of it.
+  // Shift to 190 fractional bits and 2 integer bits.
   const int cut = behind - 190;
   const u64* from = word + cut / 64;
   const auto shifted = [&](int i) { return low(join(from[i + 1], from[i]) >> cut % 64); };

@@ -1,6 +1,6 @@
 #pragma once
-// 2^x and log2(x) of 128-bit numbers: tables for the leading bits, a short series for the rest. Errors are
-// below 2^-90 (exp2) and 2^-100 (log2), relative to the result.
+// 2^x and log2(x) of 128-bit numbers: tables for the leading bits, a short series for the rest. Relative
+// errors are below 2^-90 (exp2) and 2^-100 (log2).
 
 #include <array>
 
@@ -24,7 +24,7 @@ constexpr Wide exp_series(const Wide& x) {
   return sum;
 }
 
-/// 2^(i / 2^bits) for i < 128, with 127 bits behind the point.
+/// 2^(i / 2^bits) for i < 128, with 127 fractional bits.
 constexpr std::array<u128, 128> powers(int bits) {
   std::array<u128, 128> table{};
   for (int i = 0; i < 128; ++i) table[i] = exp_series(scaled(integer(i) * ln2, -bits)).mantissa;
@@ -32,7 +32,7 @@ constexpr std::array<u128, 128> powers(int bits) {
 }
 inline constexpr std::array<u128, 128> coarse_powers = powers(7), fine_powers = powers(14);
 
-/// log2(x) = 2 log2(e) artanh((x - 1) / (x + 1)) by its series, with 116 bits behind the point.
+/// log2(x) = 2 log2(e) artanh((x - 1) / (x + 1)) by its series, with 116 fractional bits.
 constexpr i128 log2_series(const Wide& x) {
   const Wide u = (x - integer(1)) / (x + integer(1));
   Wide sum, power = u;
@@ -46,7 +46,7 @@ constexpr i128 log2_series(const Wide& x) {
 }
 
 struct Cell {
-  i128 log;    ///< -log2 of what the factor stands for
+  i128 log;    ///< -log2 of the factor's value
   int factor;  ///< about 1 / x
 };
 
@@ -77,7 +77,7 @@ inline constexpr std::array<Cell, 257> fine = fine_logs();
 /// 2^x for |x| < 2^11.
 inline Wide exp2(const Wide& x) {
   if (x.exponent < -116) return integer(1);
-  const i128 size = static_cast<i128>(x.mantissa >> (11 - x.exponent));  // 116 bits behind the point
+  const i128 size = static_cast<i128>(x.mantissa >> (11 - x.exponent));  // 116 fractional bits
   const i128 fixed = x.negative ? -size : size;
   const u128 share = static_cast<u128>(fixed) << 12;
   // 2^share = 2^(i / 2^7) 2^(j / 2^14) e^z, where 2^14 z = rest ln 2
@@ -115,9 +115,9 @@ inline Wide log2(const Wide& x) {
   constexpr u128 root_of_two = join(0xb504f333f9de6484, 0);
   const bool large = x.mantissa > root_of_two;
   const int power = x.exponent + large;
-  const u128 m = x.mantissa >> large;  // 0.7 to 1.4, 127 bits behind the point
-  // twice times a factor from a table, which leaves 1 + r; here with 126 bits behind the point, and exact for
-  // doubles
+  const u128 m = x.mantissa >> large;  // 0.7 to 1.4, 127 fractional bits
+  // Multiply twice by a factor from a table, which leaves 1 + r; here with 126 fractional bits, exact for
+  // doubles.
   const tables::Cell& coarse = tables::coarse[static_cast<int>((m + (u128{1} << 119)) >> 120) - 90];
   const i128 r = static_cast<i128>((m >> 10) * coarse.factor) - (i128{1} << 126);
   const tables::Cell& fine = tables::fine[static_cast<int>((r + (i128{1} << 111)) >> 112) + 128];

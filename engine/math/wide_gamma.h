@@ -1,6 +1,6 @@
 #pragma once
-// The error function and the gamma function of 128-bit numbers: plain series, because nothing of flyrock
-// calls them often. Errors are below 2^-84, relative to the result, but for log_gamma (see there).
+// The error function and the gamma function of 128-bit numbers, by plain series, because flyrock rarely calls
+// them. Relative errors are below 2^-84, except for log_gamma (see there).
 
 #include "math/wide_angle.h"
 #include "math/wide_exp_log.h"
@@ -13,7 +13,7 @@ inline constexpr Wide half_log2_two_pi{join(0xa9b21cd26377dd6c, 0x36cb93c202a238
 /// e^(-x^2)
 inline Wide bell(const Wide& x) { return exp2(-(x * x * log2_e)); }
 
-/// erf(x) = 2/sqrt(pi) e^(-x^2) (x + 2 x^3 / 3 + 4 x^5 / (3 5) + ...), 0 < x < 7: all terms add up.
+/// erf(x) = 2/sqrt(pi) e^(-x^2) (x + 2 x^3 / 3 + 4 x^5 / (3 5) + ...), 0 < x < 7: all terms are positive.
 inline Wide erf(const Wide& x) {
   const Wide double_square = scaled(x * x, 1);
   Wide sum = x, term = x;
@@ -66,7 +66,7 @@ inline Wide gamma(const Wide& x) {
   return exp2(parts.log2_gamma) / parts.product;
 }
 
-/// ln Gamma(1 + z) for |z| < 2^-12: its Taylor series, the coefficients of which are zeta(n) / n.
+/// ln Gamma(1 + z) for |z| < 2^-12, by its Taylor series with the coefficients zeta(n) / n.
 inline Wide log_gamma_near_one(const Wide& z) {
   constexpr Wide coefficients[] = {
       {join(0x9381d0ee751d72c6, 0x0ffa0f2958701a44), -3, true},
@@ -81,7 +81,7 @@ inline Wide log_gamma_near_one(const Wide& z) {
   return sum * z;
 }
 
-/// ln Gamma(x), x > 0: to full precision also near its roots 1 and 2.
+/// ln Gamma(x), x > 0, to full precision, including near its roots 1 and 2.
 inline Wide log_gamma(const Wide& x) {
   const Wide above_one = x - integer(1), above_two = x - integer(2);
   if (above_one.mantissa == 0 || above_two.mantissa == 0) return {};
