@@ -12,13 +12,13 @@ namespace {
 
 namespace policies = boost::math::policies;
 using Policy =
-    policies::policy<policies::promote_double<false>>;  // doubles are exact enough, and ten times faster
+    policies::policy<policies::promote_double<false>>;  // doubles are accurate enough and ten times faster
 using Normal = boost::math::normal_distribution<double, Policy>;
 using Beta = boost::math::beta_distribution<double, Policy>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The two ends of what the distribution gives before truncation.
+/// The two ends of the support of the distribution, before truncation.
 std::pair<double, double> support(const Distribution& f) {
   switch (f.kind) {
     case DistributionKind::uniform:
@@ -76,7 +76,7 @@ double inverse(const Distribution& f, double p) {
   return 0;
 }
 
-/// The value of a discrete distribution at u, among those that the truncation leaves.
+/// The value of a discrete distribution at u, among the values within the truncation.
 double discrete_quantile(const Distribution& f, double u) {
   auto weight = [&](std::size_t i) {
     if (f.values[i] < f.min || f.values[i] > f.max) return 0.0;
@@ -170,7 +170,7 @@ double Distribution::quantile(double u) const {
   const double low = lowest(), high = highest();
   if (kind == DistributionKind::integer) return std::min(low + std::floor(u * (high - low + 1)), high);
   const double from = cumulative(min), to = cumulative(max);
-  // The ends: rounding in F and F^-1 must not carry a draw past its truncation.
+  // Clamp, because rounding in F and F^-1 must not move a draw past its truncation.
   return std::clamp(inverse(*this, from + u * (to - from)), low, high);
 }
 
@@ -179,7 +179,7 @@ std::string Distribution::fault() const {
   if (!(min < max)) return "its min must be below its max";
   if (!(lowest() <= highest())) return "nothing of it lies between its min and its max";
   const bool is_continuous = kind != DistributionKind::discrete && kind != DistributionKind::integer;
-  // Below this share the difference of two cumulative values has no digits left.
+  // Below this share, the difference of two cumulative values loses all its digits.
   if (is_continuous && cumulative(max) - cumulative(min) < 1e-9)
     return "less than 1e-9 of it lies between its min and its max";
   return {};

@@ -1,5 +1,5 @@
 #pragma once
-// The distributions that a scenario may write in place of a number.
+// The distributions that a scenario may use instead of a number.
 
 #include <limits>
 #include <string>
@@ -22,8 +22,8 @@ enum class DistributionKind {
   integer       ///< a whole number from a to b, both included
 };
 
-/// A distribution, truncated to [min, max]: sampled by the inverse of its cumulative distribution, so
-/// that one uniform number gives one draw, and the truncation is exact:
+/// A distribution, truncated to [min, max]. It is sampled by the inverse of its cumulative distribution, so
+/// that one uniform number u gives one draw and the truncation is exact:
 ///   x = F^-1(F(min) + u (F(max) - F(min))).
 struct Distribution {
   DistributionKind kind = DistributionKind::uniform;
@@ -35,11 +35,11 @@ struct Distribution {
 
   /// The value at probability u in (0, 1).
   double quantile(double u) const;
-  /// The cumulative distribution at x, before truncation; not for `discrete`.
+  /// The cumulative distribution at x, before truncation. Not defined for `discrete`.
   double cumulative(double x) const;
   /// What is wrong with the parameters, or an empty text.
   std::string fault() const;
-  /// The least and the greatest value that can be drawn (may be infinite).
+  /// The smallest and the greatest value that can be drawn; may be infinite.
   double lowest() const;
   double highest() const;
 };
@@ -51,21 +51,22 @@ enum class Scope { run, trial, hole, rock, impact };
 
 std::string_view name_of(Scope scope);
 
-/// One distribution of a scenario. `stream` is its path with an element's name in place of its index.
+/// One distribution of a scenario. `stream` is its path with the names of list elements instead of their
+/// indices.
 struct Draw {
   std::string path;
   std::string stream;
   Distribution distribution;
   Scope scope = Scope::trial;
   std::uint64_t stream_hash = 0;
-  double factor = 1;  ///< above 0, of each value drawn
+  double factor = 1;  ///< above 0, multiplies each value drawn
   std::string unit;   ///< SI, of the values: "m", "rad", "1"
 
-  /// The value at probability u in (0, 1), and the least and the greatest value.
+  /// The value at probability u in (0, 1), and the smallest and the greatest value.
   double quantile(double u) const { return factor * distribution.quantile(u); }
   double lowest() const { return factor * distribution.lowest(); }
   double highest() const { return factor * distribution.highest(); }
-  /// The value at `key`; only the parts of the key that `scope` depends on are used.
+  /// The value at `key`. Only the parts of the key that `scope` depends on are used.
   double value(std::uint64_t seed, const DrawKey& key) const;
 };
 

@@ -17,7 +17,7 @@ double uniform_at(std::uint64_t seed, std::uint64_t name_hash, const DrawKey& ke
   const r123::Threefry4x64::key_type k{{seed, name_hash, 0, 0}};
   const r123::Threefry4x64::ctr_type counter{{key.trial, key.hole << 32 | key.rock, key.impact, n / 4}};
   const std::uint64_t bits = r123::Threefry4x64()(counter, k)[n % 4];
-  return (static_cast<double>(bits >> 11) + 0.5) * 0x1p-53;  // the open interval: never 0 or 1
+  return (static_cast<double>(bits >> 11) + 0.5) * 0x1p-53;  // open interval, never 0 or 1
 }
 
 double RandomStream::normal() { return std::sqrt(2.0) * boost::math::erf_inv(2 * uniform() - 1); }
