@@ -6,7 +6,7 @@ namespace flyrock {
 
 namespace {
 
-/// Edit distance with swaps of neighbours (optimal string alignment): a typing slip costs one.
+/// Edit distance with swaps of neighbours (optimal string alignment), in which one typing error costs 1.
 int edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::vector<int>> cost(a.size() + 1, std::vector<int>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) cost[i][0] = static_cast<int>(i);
@@ -21,7 +21,7 @@ int edit_distance(std::string_view a, std::string_view b) {
   return cost[a.size()][b.size()];
 }
 
-/// An abbreviation of at least three letters, or a word that goes on after one: "degrees" for "deg".
+/// Whether one word is the beginning of the other, with at least three letters: "degrees" for "deg".
 bool abbreviates(std::string_view a, std::string_view b) {
   return (a.size() >= 3 && b.starts_with(a)) || (b.size() >= 3 && a.starts_with(b));
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The units that a scenario may write.
+// The units that a scenario may use.
 
 #include <span>
 #include <string_view>
@@ -13,8 +13,9 @@ struct NamedUnit {
   Unit unit;
 };
 
-/// All of them, by field. Factors: BIPM, The International System of Units (2019); NIST SP 811 (2008),
-/// appendix B, for US units. A bare "ton" is left out: it is short, long or metric.
+/// All units, grouped by quantity. Sources of the factors: BIPM, The International System of Units (2019);
+/// NIST SP 811 (2008), appendix B, for US units. "ton" alone is left out, because it can be short, long or
+/// metric.
 std::span<const NamedUnit> unit_table();
 
 }  // namespace flyrock

@@ -20,14 +20,14 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// The length of the decimal number at the start of a text, 0 where there is none.
+/// The length of the decimal number at the start of a text; 0 if there is none.
 std::size_t number_length(std::string_view text) {
   std::size_t i = 0;
   if (i < text.size() && (text[i] == '+' || text[i] == '-')) ++i;
   const std::size_t whole = i;
   while (i < text.size() && is_digit(text[i])) ++i;
   std::size_t digits = i - whole;
-  if (digits > 1 && text[whole] == '0') return 0;  // 010: eight, ten or a slip
+  if (digits > 1 && text[whole] == '0') return 0;  // 010 could be octal, ten or a typing error
   if (i < text.size() && text[i] == '.') {
     const std::size_t point = i++;
     while (i < text.size() && is_digit(text[i])) ++i;
@@ -39,7 +39,7 @@ std::size_t number_length(std::string_view text) {
     if (exponent < text.size() && (text[exponent] == '+' || text[exponent] == '-')) ++exponent;
     const std::size_t first = exponent;
     while (exponent < text.size() && is_digit(text[exponent])) ++exponent;
-    if (exponent > first) i = exponent;  // else the "e" begins a unit
+    if (exponent > first) i = exponent;  // otherwise the "e" begins a unit
   }
   return i;
 }
@@ -64,7 +64,7 @@ void multiply(Unit& product, const Unit& unit, int exponent) {
   product.dimension.radian += exponent * unit.dimension.radian;
 }
 
-/// Superscripts and the middle dot as their plain spelling.
+/// Replaces superscripts and the middle dot by their plain spelling.
 std::string plain_spelling(std::string_view text) {
   std::string plain(text);
   constexpr std::array<std::pair<std::string_view, std::string_view>, 3> spellings{
@@ -74,7 +74,7 @@ std::string plain_spelling(std::string_view text) {
   return plain;
 }
 
-/// One factor, "m3", "s^-2", "ft-lb" or "1"; false where its unit is unknown.
+/// Multiplies by one factor: "m3", "s^-2", "ft-lb" or "1". False if its unit is unknown.
 bool multiply_factor(Unit& product, std::string_view factor, int sign) {
   if (factor == "1") return true;
   std::size_t end = factor.size();
@@ -134,7 +134,7 @@ std::optional<Unit> parse_unit(std::string_view text, std::string* unknown) {
     if (is_blank(c) || c == '*' || c == '.') {
       ++i;
     } else if (c == '/') {
-      if (sign < 0 || !any) {  // a second `/` says neither a/(b c) nor (a/b) c
+      if (sign < 0 || !any) {  // a second `/` is ambiguous: a/(b c) or (a/b) c
         if (unknown) *unknown = plain;
         return std::nullopt;
       }
@@ -169,7 +169,7 @@ std::optional<double> parse_number(std::string_view text) {
   if (text.empty() || number_length(text) != text.size()) return std::nullopt;
   if (text.front() == '+') text.remove_prefix(1);
   double value = 0;
-  // from_chars: strtod would read the locale's decimal point.
+  // Use from_chars, because strtod uses the decimal point of the locale.
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (code != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return value;

@@ -1,5 +1,5 @@
 #pragma once
-// Units of mechanics, mining and US practice: text such as "2.7 g/cm3" to SI.
+// Converts quantities in units of mechanics, mining and US practice, such as "2.7 g/cm3", to SI.
 
 #include <cmath>
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace flyrock {
 
-/// Exponents of m, kg, s and rad. An angle has a dimension of its own here, so that degrees cannot be
-/// mistaken for radians.
+/// Exponents of m, kg, s and rad. An angle has its own dimension here, so that degrees are not mistaken for
+/// radians.
 struct Dimension {
   int metre = 0;
   int kilogram = 0;
@@ -33,11 +33,11 @@ inline constexpr Dimension density{-3, 1, 0, 0};
 inline constexpr Dimension energy{2, 1, -2, 0};
 }  // namespace dimension
 
-/// "m/s", "kg m2/s2", "rad/s", or "1" for no dimension: the SI unit of a dimension, for messages.
+/// The SI unit of a dimension, for messages: "m/s", "kg m2/s2", "rad/s", or "1" for no dimension.
 std::string si_unit(const Dimension& dimension);
 
-/// The unit in which a person reads numbers of an SI unit: deg for rad, kJ for kg m2/s2, N for kg m/s2, ""
-/// for "1", else the SI unit itself.
+/// The unit in which values of an SI unit are shown to people: deg for rad, kJ for kg m2/s2, N for kg m/s2,
+/// "" for "1", otherwise the SI unit itself.
 struct ReadableUnit {
   std::string name;
   double per_si = 1;  ///< units in one SI unit
@@ -50,27 +50,28 @@ struct Unit {
 };
 
 /// Parses a unit expression: known units with integer exponents, `*`, blank or `.` between factors,
-/// one `/`: "kg/m3", "m/s^2", "g/cm3", "ft-lb". nullopt where a unit is unknown; `unknown` then names it.
+/// one `/`: "kg/m3", "m/s^2", "g/cm3", "ft-lb". Returns nullopt if a unit is unknown; `unknown` then names
+/// it.
 std::optional<Unit> parse_unit(std::string_view text, std::string* unknown = nullptr);
 
 /// The names of all known units, for "did you mean".
 std::vector<std::string> unit_names();
 
-/// A number with an optional unit, "12 m", "-3.5e2 kPa", "5".
+/// A number with an optional unit: "12 m", "-3.5e2 kPa", "5".
 struct Quantity {
   double value = 0;  ///< in the unit as written
   bool has_unit = false;
   Unit unit;
   std::string unit_text;
-  /// In SI units. Where a factor is one over a whole number (mm, ms) the value is divided by that: 102 mm is
-  /// the double nearest to 0.102, which 102 * 1e-3 is not.
+  /// The value in SI units. If the factor is one over a whole number (mm, ms), the value is divided by this
+  /// number, because 102 / 1000 is the double nearest to 0.102 and 102 * 1e-3 is not.
   double si() const {
     const double inverse = 1 / unit.factor;
     return inverse == std::floor(inverse) ? value / inverse : value * unit.factor;
   }
 };
 
-/// Why a text is not a quantity. `unit_text` is set where the number was read and the unit was not.
+/// Why a text is not a quantity. `unit_text` is set if the number was valid but the unit was not.
 struct QuantityError {
   std::string unit_text;
   std::string nearest;  ///< the nearest known unit, or empty
@@ -79,10 +80,10 @@ struct QuantityError {
 /// A strict decimal number: no leading zeros ("010"), no hexadecimal, no NaN or infinity.
 std::optional<double> parse_number(std::string_view text);
 
-/// Parses a text; returns nothing and fills `error` where it is not a number with an optional unit.
+/// Parses a text. If it is not a number with an optional unit, returns nullopt and fills `error`.
 std::optional<Quantity> parse_quantity(std::string_view text, QuantityError* error = nullptr);
 
-/// The candidate nearest to `word` by edit distance, or empty where none is near.
+/// The candidate nearest to `word` by edit distance, or an empty text if none is near.
 std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace flyrock
