@@ -1,5 +1,5 @@
 #pragma once
-// The blast as a velocity model reads it.
+// The data of a blast that a velocity model reads.
 
 #include <array>
 #include <limits>
@@ -24,7 +24,7 @@ enum class BlastField {
   hole_charge_length,
   hole_subdrilling,
   hole_deviation,
-  burden,  ///< the least of the charge
+  burden,  ///< the smallest burden along the charge
   burden_crest,
   burden_toe,
   spacing,
@@ -34,7 +34,7 @@ enum class BlastField {
   count
 };
 
-/// How a field is written in a scenario and read in a plugin (`reads = { "blast.burden" }`).
+/// The names of a field in a scenario and in a plugin (`reads = { "blast.burden" }`).
 struct BlastFieldInfo {
   BlastField field;
   std::string_view path;  ///< below `blast`: "hole.diameter"
@@ -46,7 +46,7 @@ struct BlastFieldInfo {
 };
 const std::vector<BlastFieldInfo>& blast_fields();
 
-/// The blast of one hole in SI units. A field that the scenario does not give is NaN; the decoder has
+/// The blast of one hole, in SI units. A field that the scenario does not give is NaN. The decoder has
 /// checked that no plugin in use reads such a field.
 struct Blast {
   std::array<double, static_cast<int>(BlastField::count)> values;
@@ -57,15 +57,15 @@ struct Blast {
   double& operator[](BlastField field) { return values[static_cast<int>(field)]; }
 };
 
-/// A field that a formula needs above 0. Throws std::invalid_argument, "blast.burden is -1 m, must be above
-/// 0", also where the field is not given (NaN).
+/// The value of a field that a formula needs to be above 0. Otherwise throws std::invalid_argument,
+/// "blast.burden is -1 m, must be above 0", also if the field is not given (NaN).
 double positive(const Blast& blast, BlastField field);
 
-/// g [m/s2] of the published distances: those who measured them stood on level ground of the Earth, whatever
-/// the gravity of a scenario is.
+/// g [m/s2] for the published distances. They were measured on the Earth, so the gravity of the scenario does
+/// not apply.
 inline constexpr double range_gravity = 9.81;
 
-/// Mass of charge per length of hole [kg/m]: W/l = pi/4 d^2 rho_e. Throws std::invalid_argument.
+/// The mass of charge per length of hole [kg/m]: W/l = pi/4 d^2 rho_e. Throws std::invalid_argument.
 double linear_charge(const Blast& blast);
 
 /// Explosives known by name: `explosive: ANFO`.

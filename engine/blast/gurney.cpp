@@ -25,7 +25,7 @@ bool is_usual_breakout(const Blast& blast) {
 }
 
 double gurney_factor(GurneyGeometry geometry, double charge_to_mass) {
-  double gas = 0;  // the part of the charge's own mass that moves along
+  double gas = 0;  // share of the charge's own mass that moves with the rock
   switch (geometry) {
     case GurneyGeometry::roth:
       gas = 0;

@@ -7,7 +7,7 @@ namespace flyrock {
 
 namespace {
 
-/// SDoB^-2.167 d^(2/3), d in mm: what range and fragment size share.
+/// SDoB^-2.167 d^(2/3), with d in mm: the factor common to range and fragment size.
 double scaled(double depth, double hole_diameter) {
   return std::pow(depth, -2.167) * std::pow(1000 * hole_diameter, 2.0 / 3);
 }

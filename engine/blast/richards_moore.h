@@ -1,5 +1,5 @@
 #pragma once
-// Launch speeds by scaled burden and scaled stemming (Richards and Moore).
+// Launch speeds from scaled burden and scaled stemming (Richards and Moore).
 
 #include "blast/blast.h"
 
@@ -12,11 +12,11 @@ enum class RichardsMooreMode {
   stemming_ejection  ///< along the hole, which throws its stemming
 };
 
-/// v = k (sqrt(m) / s)^1.3 [m/s] with the charge per metre m [kg/m] and s [m] the burden of a face burst,
-/// else the stemming. k [m/s at sqrt(m) = s] is of the site. At the elevation theta it reaches (v^2/g) sin(2
-/// theta) in a vacuum: the published distances (k^2/g)(sqrt(m)/s)^2.6, at 45 degrees or at the drill angle.
-/// Throws std::invalid_argument that names a field which is not positive.
-/// Source: A. B. Richards and A. J. Moore, Flyrock control - by chance or design, ISEE 2004.
+/// v = k (sqrt(m) / s)^1.3 [m/s] with the charge per metre m [kg/m]. s [m] is the burden for a face burst,
+/// otherwise the stemming. k [m/s at sqrt(m) = s] is a site constant. In a vacuum, the range at the elevation
+/// theta is (v^2/g) sin(2 theta). This gives the published distances (k^2/g)(sqrt(m)/s)^2.6, at 45 degrees or
+/// at the drill angle. Throws std::invalid_argument that names a field that is not positive. Source: A. B.
+/// Richards and A. J. Moore, Flyrock control - by chance or design, ISEE 2004.
 double richards_moore_speed(RichardsMooreMode mode, double k, const Blast& blast);
 
 }  // namespace flyrock
