@@ -18,9 +18,10 @@ namespace {
 
 constexpr int law_states = 1000;
 constexpr int draws = 200;
-constexpr int samples = 4;  // of the parameters of each variant
+constexpr int samples = 4;  // samples of the parameters of each variant
 
-/// What a plugin may take of the processor in all: calls that take long each are tried less often.
+/// Limit of the total processor time for one plugin. A plugin with slow calls is therefore tested with fewer
+/// calls.
 constexpr std::chrono::seconds enough_time{5};
 
 struct TimeIsUp {};
@@ -29,7 +30,7 @@ class Patience {
  public:
   /// Throws TimeIsUp.
   void check() const {
-    // The time of the processor takes longer to ask for, so it comes second.
+    // Check the processor time second, because reading it takes longer.
     if (std::chrono::steady_clock::now() - start_ > enough_time &&
         processor_time() - processor_start_ > enough_time)
       throw TimeIsUp();
@@ -46,7 +47,7 @@ class Patience {
   std::chrono::nanoseconds processor_start_ = processor_time();
 };
 
-/// All numbers that a plugin answers with; two answers are equal where these are.
+/// All numbers of a plugin's answer. Two answers are equal if these numbers are equal.
 using Numbers = std::vector<double>;
 
 [[noreturn]] void fail(const std::string& text) { throw PluginError(text); }
@@ -93,7 +94,7 @@ void check_contactors(const std::vector<Contactor3>& contactors) {
   if (!(properties.volume > 0 && properties.inertia.trace() > 0)) fail("a rock has no volume or no inertia");
 }
 
-/// Asks; an error of the plugin says in addition what it was asked with.
+/// Calls the plugin, and adds the inputs of the call to the message of an error.
 template <class Ask, class State>
 void asked_with(const Patience& patience, State&& state, Ask&& ask) {
   patience.check();
@@ -104,7 +105,7 @@ void asked_with(const Patience& patience, State&& state, Ask&& ask) {
   }
 }
 
-/// Asks once for each of the sampled streams of random numbers; ask(i, rng).
+/// Calls ask(i, rng) once for each sampled stream of random numbers.
 template <class Ask>
 void for_each_stream(const Patience& patience, Ask&& ask) {
   for (int i = 0; i < draws; ++i)
@@ -116,7 +117,7 @@ void for_each_stream(const Patience& patience, Ask&& ask) {
         });
 }
 
-// One overload a kind: everything that an instance of a dimension answers, checked.
+// One overload per kind: collects and checks all answers of an instance in one dimension.
 
 Numbers answer_of(const PluginSpec&, const ShapeModel& shape, Values values, int dimension,
                   const Patience& patience) {
@@ -244,7 +245,7 @@ requires std::derived_from<SomeLaw, Law> Numbers answer_of(const PluginSpec& spe
   std::array<double, most_history> history{};
   for (int i = 0; i < law_states; ++i) {
     ContactState contact = sampled_contact(i);
-    if (i % 2 == 0) history.fill(0);  // a contact that has just been born, and one that remembers
+    if (i % 2 == 0) history.fill(0);  // test a new contact and a contact with memory
     const std::array<double, most_history> before = history;
     contact.history = history;
     const auto state = [&] {
@@ -272,8 +273,8 @@ class Trial {
     for (const Number& slot : use_.slots) numbers_.push_back(slot.constant);
   }
 
-  /// Makes an instance and asks it. Nothing where these parameters do not go together; `refusal` then says
-  /// why.
+  /// Makes an instance and calls it. Returns nothing if these parameters do not fit together; `refusal` then
+  /// says why.
   std::optional<Numbers> ask(std::string& refusal) const {
     std::unique_ptr<Interface> instance;
     try {
@@ -308,9 +309,9 @@ std::vector<std::string> faults(const Plugin& plugin, const FactoryOf<Interface>
   std::string refusal = "no sample of the parameters keeps their bounds";
   bool made = params.empty(), tried = params.empty();
   std::vector<bool> given(params.size(), false), felt(params.size(), false);
-  // In the dimensions that it has; it refuses the others.
+  // Test the dimensions of the plugin; it refuses the others.
   const int each =
-      params.empty() ? 1 : samples;  // of a dimension: without parameters one sample is as any other
+      params.empty() ? 1 : samples;  // samples per dimension; without parameters all samples are the same
   for (int sample = 0; sample < 2 * each; ++sample) {
     const int dimension = sample < each ? 2 : 3;
     tried = tried || can_sample(plugin.spec);

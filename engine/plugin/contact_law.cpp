@@ -29,7 +29,7 @@ class Answer {
 
   void require(bool fine, std::string_view name, double value, std::string_view expected) const {
     if (fine) return;
-    if (std::isnan(value)) value = std::abs(value);  // its sign differs from machine to machine
+    if (std::isnan(value)) value = std::abs(value);  // the sign of NaN differs between machines
     throw PluginError(fmt::format("plugin {}: {}() returned {} = {:.6g}, must be {}", law_.origin(), entry_,
                                   name, value, expected));
   }

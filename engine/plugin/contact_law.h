@@ -1,5 +1,5 @@
 #pragma once
-// How a contact answers: restitution, friction, rolling resistance, the normal condition.
+// Contact laws: restitution, friction, rolling resistance and the normal condition.
 
 #include <optional>
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace flyrock {
 
-/// What e_n and e_t mean; solver/restitution.h has the equations.
+/// The meaning of e_n and e_t. The equations are in solver/restitution.h.
 enum class RestitutionForm {
   newton,       ///< e_n of the normal, e_t of the tangential velocity
   newton_mean,  ///< e_n of the normal velocity, friction on the mean of the tangential velocities before and
@@ -23,18 +23,19 @@ enum class RestitutionForm {
 std::string_view name_of(RestitutionForm form);
 std::optional<RestitutionForm> restitution_form(std::string_view name);
 
-/// How a contact bears pressure, in a step of length h that leads to a gap g without contact forces.
+/// The normal condition of a contact, in a step of length h that would end with the gap g without contact
+/// forces.
 enum class NormalCondition {
-  signorini,    ///< of a closed contact 0 <= U_n _|_ r_n >= 0
-  quasi_shock,  ///< 0 <= max(0, g)/h + U_n _|_ r_n >= 0: the gap that is left may close
+  signorini,    ///< for a closed contact, 0 <= U_n _|_ r_n >= 0
+  quasi_shock,  ///< 0 <= max(0, g)/h + U_n _|_ r_n >= 0: the remaining gap may close
   cohesive,     ///< signorini on r_n + h c_n: the contact bears a pull up to c_n
-  penalty       ///< r_n = h k max(0, -g), a spring in place of a constraint, as in smooth DEM
+  penalty       ///< r_n = h k max(0, -g): a spring instead of a constraint, as in smooth DEM
 };
 std::string_view name_of(NormalCondition condition);
 std::optional<NormalCondition> normal_condition(std::string_view name);
 
-/// All that the solver knows of a contact's law. Forces, not impulses: a step of length h bears h times as
-/// much.
+/// The complete contact law for the solver. It contains forces, not impulses; a step of length h multiplies
+/// them by h.
 struct ContactLaw {
   RestitutionForm form = RestitutionForm::newton;
   NormalCondition condition = NormalCondition::signorini;
@@ -44,16 +45,16 @@ struct ContactLaw {
   double mu_s = 0;         ///< Coulomb coefficient while the contact sticks
   double mu_d = 0;         ///< Coulomb coefficient while it slides
   double c_n = 0;          ///< N; the pull that the contact bears: r_n >= -c_n
-  double c_t = 0;          ///< N; shear strength beside friction: |r_t| <= mu r_n + c_t, at least mu c_n
-  double mu_r = 0;         ///< m; bound of the rolling torque: |m_r| <= mu_r (r_n + c_n)
-  double mu_spin = 0;      ///< m; bound of the torque about the normal: |m_n| <= mu_spin (r_n + c_n); 3D only
-  double stiffness = 0;    ///< N/m; k of the condition `penalty`
+  double c_t = 0;      ///< N; shear strength in addition to friction: |r_t| <= mu r_n + c_t, at least mu c_n
+  double mu_r = 0;     ///< m; bound of the rolling torque: |m_r| <= mu_r (r_n + c_n)
+  double mu_spin = 0;  ///< m; bound of the torque about the normal: |m_n| <= mu_spin (r_n + c_n); 3D only
+  double stiffness = 0;  ///< N/m; k of the condition `penalty`
 };
 
-/// What a law may read of its contact. SI units; velocities at the contact point, relative.
-/// The order is that of `contact_fields()`.
+/// The data of a contact that a law may read. SI units. Velocities are relative velocities at the contact
+/// point. The order is that of `contact_fields()`.
 struct ContactState {
-  double approach_speed = 0;  ///< m/s, -v_n where the bodies approach, else 0
+  double approach_speed = 0;  ///< m/s, -v_n if the bodies approach, otherwise 0
   double slip_speed = 0;      ///< m/s, |v_t|
   double impact_angle = 0;    ///< rad from the surface: pi/2 is a normal impact
   double gap = 0;             ///< m
@@ -66,22 +67,22 @@ struct ContactState {
   double area = 0;            ///< m2, tributary area; in 2D the length times the thickness of the candidate
   double age = 0;             ///< s since the contact closed
   double pair_age =
-      0;  ///< s since the pair has been in contact without a break: the greatest age of its contacts
-  double was_sticking = 0;    ///< 1 where the contact stuck in the last step, else 0
+      0;  ///< s since the pair has been in contact without interruption: the greatest age of its contacts
+  double was_sticking = 0;    ///< 1 if the contact stuck in the last step, otherwise 0
   double impact_number = 0;   ///< impacts of the candidate so far, this one included; from 1
   double time = 0;            ///< s
-  double step = 0;            ///< s, length of the step that the law is asked for; 0 for an impact
+  double step = 0;            ///< s, length of the current step; 0 for an impact
   std::string_view group_a;   ///< candidate: name of its group or body
   std::string_view group_b;   ///< antagonist: name of its group or body, or terrain.<part>; terrain where the
                               ///< part has no name
-  std::string_view material;  ///< name of the material in force
-  /// The law's memory, in the order of its manifest: zero at the birth of its pair or contact, kept between
-  /// calls. A law may write it; the engine takes a step that is done again back to the memory with which it
-  /// began.
+  std::string_view material;  ///< name of the material of the contact
+  /// The law's memory, in the order of its manifest. It is zero when its pair or contact is created, and kept
+  /// between calls. A law may write it. If the engine repeats a step, it restores the memory from the start
+  /// of the step.
   std::span<double> history;
 };
 
-/// A field of a contact by its name; one of `number` and `text` is set.
+/// A field of a contact and its name. Exactly one of `number` and `text` is set.
 struct ContactField {
   std::string_view name;
   double ContactState::*number = nullptr;
@@ -89,7 +90,7 @@ struct ContactField {
 };
 const std::vector<ContactField>& contact_fields();
 
-/// Answers; fields as in ContactLaw.
+/// The answers of the laws; fields as in ContactLaw.
 struct Restitution {
   double e_n = 0;
   double e_t = 0;
@@ -112,15 +113,15 @@ struct Unilateral {
   double pull = 0;       ///< N, of `cohesive`: c_n, with c_t = mu c_n
 };
 
-/// The law kinds. Laws are immutable and shared by threads (a Lua law belongs to one worker). `values` are
-/// the parameters in the slots that the factory noted. They throw PluginError. Results are checked by the
-/// caller with the functions below.
+/// The kinds of laws. Laws are immutable and shared by threads (a Lua law belongs to one worker). `values`
+/// are the parameters in the slots that the factory recorded. Laws throw PluginError. The caller checks the
+/// results with the functions below.
 class Law {
  public:
   virtual ~Law() = default;
-  /// Whether the answer depends on `values` alone: then it is asked once.
+  /// Whether the answer depends on `values` only. The law is then called once.
   virtual bool constant() const = 0;
-  /// "coulomb" or "my_law, my_law.lua:14": what messages call it.
+  /// The name of the law in messages: "coulomb" or "my_law, my_law.lua:14".
   virtual std::string origin() const = 0;
 };
 class RestitutionLaw : public Law {
@@ -140,9 +141,9 @@ class UnilateralLaw : public Law {
   virtual Unilateral condition(Values values, const ContactState& contact) const = 0;
 };
 
-/// Throw PluginError "plugin NAME, FILE:LINE: impact() returned e_n = -0.2, must be at least 0" where an
-/// answer is not finite or out of range: e_n >= 0, -1 <= e_t <= 1 and 0 for a form that has none, mu >= 0,
-/// mu_d <= mu_s, c_n >= 0, c_t >= mu_s c_n, mu_r and mu_spin >= 0, stiffness > 0 where it counts, pull >= 0.
+/// Throw PluginError "plugin NAME, FILE:LINE: impact() returned e_n = -0.2, must be at least 0" if an answer
+/// is not finite or out of range. Required: e_n >= 0; -1 <= e_t <= 1, and 0 for a form without e_t; mu >= 0;
+/// mu_d <= mu_s; c_n >= 0; c_t >= mu_s c_n; mu_r and mu_spin >= 0; stiffness > 0 if it is used; pull >= 0.
 void check_answer(const Law& law, const Restitution& answer);
 void check_answer(const Law& law, const Friction& answer);
 void check_answer(const Law& law, const Rolling& answer);

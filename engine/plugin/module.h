@@ -1,5 +1,5 @@
 #pragma once
-// The entry of a shared object with native plugins.
+// The entry points of a shared object with native plugins.
 
 #include <Eigen/Core>
 #include <map>
@@ -10,7 +10,7 @@
 
 namespace flyrock {
 
-/// Data that the host compares before it calls anything in a shared object.
+/// Data that the host compares before it calls any function of a shared object.
 struct ModuleTag {
   char magic[8];
   int abi;

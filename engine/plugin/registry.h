@@ -1,5 +1,5 @@
 #pragma once
-// The plugins that a run knows. A registry is a value that the run owns: nothing is global.
+// The plugins that a run can use. The run owns its registry; there are no globals.
 
 #include <functional>
 #include <map>
@@ -17,7 +17,7 @@ namespace flyrock {
 template <class Interface>
 using FactoryOf = std::function<std::unique_ptr<Interface>(Params&)>;
 
-/// Makes an instance from parameters; throws PluginError.
+/// Makes an instance from parameters. Throws PluginError.
 using Factory = std::variant<FactoryOf<ShapeModel>, FactoryOf<Population>, FactoryOf<RestitutionLaw>,
                              FactoryOf<FrictionLaw>, FactoryOf<RollingLaw>, FactoryOf<UnilateralLaw>,
                              FactoryOf<VelocityModel>, FactoryOf<TerrainModel>>;
@@ -29,11 +29,11 @@ struct Plugin {
 
 class Registry {
  public:
-  /// Adds a plugin; one of the same kind and name is an error (an empty text means done).
+  /// Adds a plugin. Returns an error text if one of the same kind and name exists, otherwise an empty text.
   std::string add(Plugin plugin);
   std::size_t size() const { return plugins_.size(); }
   const Plugin* find(PluginKind kind, std::string_view name) const;
-  /// Of one kind, by name.
+  /// The plugins of one kind, sorted by name.
   std::vector<const Plugin*> of_kind(PluginKind kind) const;
   std::vector<std::string> names(PluginKind kind) const;
 
@@ -49,7 +49,7 @@ struct PluginUse {
   std::string path;           ///< in the scenario: "materials.haul_floor.restitution"
 };
 
-/// An instance, after construction checked for parameters that it declares and did not read.
+/// Makes an instance, and checks that it has read all parameters that its plugin declares.
 template <class Interface>
 std::unique_ptr<Interface> make_instance(const PluginUse& use, int dimension) {
   Params params(use.plugin->spec, use.values, dimension);

@@ -9,10 +9,12 @@ namespace flyrock {
 
 namespace {
 
-constexpr double steps = 6;             // of a whole number without an upper limit: small, as counts are
-constexpr std::size_t all_choices = 6;  // optional parameters of which every choice is tried
+// Range of a whole number without an upper limit; small, because counts are usually small
+constexpr double steps = 6;
+// Largest number of optional parameters for which every choice is tried
+constexpr std::size_t all_choices = 6;
 constexpr std::size_t most_choices = 64;
-constexpr int most_samples = 100;  // until the bounds are kept
+constexpr int most_samples = 100;  // attempts to satisfy the bounds
 
 struct Range {
   std::optional<double> low, high;
@@ -27,7 +29,7 @@ struct Range {
   }
 };
 
-/// What the numbers of `values` leave to parameter `i`.
+/// The range that the numbers of `values` leave for parameter `i`.
 Range bounds_of(const PluginSpec& spec, std::size_t i, const std::vector<ParamValue>& values) {
   Range range;
   const auto number = [&](std::size_t k) -> std::optional<double> {
@@ -145,7 +147,7 @@ bool keeps_bounds(const PluginSpec& spec, const std::vector<ParamValue>& values)
 
 namespace {
 
-/// One sample of the parameters that are given, in their order: each keeps the bounds to those before it.
+/// Samples the given parameters in their order. Each satisfies its bounds to the parameters before it.
 std::vector<ParamValue> sample_given(const PluginSpec& spec, const std::vector<bool>& given, int dimension,
                                      RandomStream& rng) {
   std::vector<ParamValue> values;

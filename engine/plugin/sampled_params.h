@@ -1,5 +1,5 @@
 #pragma once
-// Parameters drawn from the limits that a manifest declares.
+// Parameters sampled within the limits that a manifest declares.
 
 #include <string>
 #include <vector>
@@ -9,29 +9,29 @@
 
 namespace flyrock {
 
-/// Whether a value of this parameter can be made up: not a text or the name of a file.
+/// Whether a value of this parameter can be sampled; a text or the name of a file cannot.
 bool can_sample(const ParamSpec& spec);
-/// Whether values can be made up for all parameters that must be given.
+/// Whether values can be sampled for all required parameters.
 bool can_sample(const PluginSpec& spec);
 
-/// A value of parameter `i` within its limits and the bounds that it and those of `values` that are given set
-/// each other: near the default where there is one that is not 0, else in the range (an open side is one unit
-/// long; whole numbers six steps). Points are those of a convex polygon with x increasing, in 3D of a
-/// tetrahedron.
+/// A value of parameter `i` within its limits and within the bounds between it and the given ones of
+/// `values`. It is near the default, if there is one other than 0; otherwise anywhere in the range. A side
+/// without limit is one unit long, for whole numbers six steps. Points are those of a convex polygon with
+/// increasing x, in 3D of a tetrahedron.
 ParamValue sample_param(const PluginSpec& spec, std::size_t i, const std::vector<ParamValue>& values,
                         int dimension, RandomStream& rng);
 
-/// Whether the numbers of `values` keep the bounds that parameters set each other.
+/// Whether the numbers of `values` satisfy the bounds between parameters.
 bool keeps_bounds(const PluginSpec& spec, const std::vector<ParamValue>& values);
 
-/// Every choice of optional parameters with all the others given; of more than six optional ones none, all,
-/// and choices at random, 64 together. Nothing where a required one cannot be sampled. A choice is left out
-/// where no sample of a hundred keeps the bounds.
+/// Samples for every choice of optional parameters, with all required ones given. With more than six optional
+/// parameters: none, all, and random choices, 64 in total. Returns nothing if a required parameter cannot be
+/// sampled. A choice is left out if none of a hundred samples satisfies the bounds.
 std::vector<std::vector<ParamValue>> sample_variants(const PluginSpec& spec, int dimension,
                                                      RandomStream& rng);
 
-/// "en = 0.4, speed = 12 m/s, sides = 5": the parameters that are given, numbers as they stand in `numbers`,
-/// which are dense_slots drawn, in the units that are declared; "none" where there are none.
+/// The given parameters as a text: "en = 0.4, speed = 12 m/s, sides = 5". The values are taken from `numbers`
+/// (drawn dense_slots) and written in the declared units. "none" if there are no parameters.
 std::string parameters_text(const PluginSpec& spec, const std::vector<ParamValue>& values, Values numbers);
 
 }  // namespace flyrock

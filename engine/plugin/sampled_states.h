@@ -1,6 +1,5 @@
 #pragma once
-// What plugins are asked in the conformance battery: contacts, blasts and rocks, each a function of its
-// number.
+// The inputs of the conformance tests: contacts, blasts and rocks, each a function of its number.
 
 #include <string>
 
@@ -16,8 +15,8 @@ Blast sampled_blast(int number);
 RockView sampled_rock(int number);
 Profile level_ground();
 
-/// "approach_speed = 3.1, slip_speed = 8 (SI units)": the fields that a plugin declares to read, or all of
-/// them.
+/// The fields that a plugin declares to read (or all fields) as a text: "approach_speed = 3.1, slip_speed = 8
+/// (SI units)".
 std::string state_text(const PluginSpec& spec, const ContactState& contact);
 std::string state_text(const PluginSpec& spec, const RockView& rock, const Blast& blast);
 std::string state_text(const PluginSpec& spec, const Blast& blast);

@@ -1,5 +1,5 @@
 #pragma once
-// The manifest of a plugin: what it is, its parameters, what it reads.
+// The manifest of a plugin: its identity, its parameters and the fields that it reads.
 
 #include <limits>
 #include <optional>
@@ -23,22 +23,22 @@ enum class ParamType {
   boolean,  ///< true or false
   choice,   ///< one of `choices`
   text,     ///< any text
-  vector,   ///< `dimension` numbers with one unit, each may be a distribution
+  vector,   ///< `dimension` numbers with one unit; each may be a distribution
   points,   ///< a list of points [[x, y], ...], constant
-  file,     ///< the name of a file beside the scenario; the host gives its full path
+  file,     ///< a file name relative to the scenario's folder; the host gives its full path
   spin      ///< about z in 2D: a number; in 3D a vector in the world frame. May be a distribution
 };
 std::string_view name_of(ParamType type);
 std::optional<ParamType> param_type(std::string_view name);
 
-/// How a parameter lies to another one of the same plugin.
+/// The relation of a parameter to another one of the same plugin.
 enum class BoundRelation { at_least, above, at_most, below };
 std::string_view name_of(BoundRelation relation);  ///< "at least"
-/// The key of a manifest that says it: "min", "above", "max", "below".
+/// The manifest key of a relation: "min", "above", "max", "below".
 std::string_view key_of(BoundRelation relation);
-/// What the other parameter is to this one: at least, where this one is at most.
+/// The converse relation, of the other parameter to this one: at least, if this one is at most.
 BoundRelation converse(BoundRelation relation);
-/// Whether `value` is `relation` of `other`.
+/// Whether `value` has `relation` to `other`.
 bool keeps(double value, BoundRelation relation, double other);
 
 /// A limit that is another parameter: `max = "mu_s"`.
@@ -54,7 +54,7 @@ struct ParamSpec {
   std::string unit;  ///< as declared, "m/s"; empty for a pure number
   Dimension dimension;
   std::string doc;
-  bool optional = false;                    ///< may be left out although it has no default
+  bool optional = false;                    ///< may be left out even without a default
   std::optional<double> default_number;     ///< number, integer, boolean (0 or 1)
   std::optional<std::string> default_text;  ///< choice, text
   std::optional<std::vector<double>> default_vector;
@@ -67,11 +67,12 @@ struct ParamSpec {
   bool required() const { return !optional && !default_number && !default_text && !default_vector; }
 };
 
-/// Names that the history of one law may have: a contact keeps room for the laws of its four kinds.
+/// Maximum number of names in the history of one law. A contact reserves this space for each of its four
+/// kinds of laws.
 inline constexpr std::size_t most_history = 4;
 
-/// A field of the blast or the contact that a plugin reads: always, or where a choice among its parameters
-/// asks for it. A manifest writes "blast.burden" or "blast.burden if mode is face_burst or cratering".
+/// A field of the blast or the contact that a plugin reads, always or only for certain values of a choice
+/// parameter. A manifest writes "blast.burden" or "blast.burden if mode is face_burst or cratering".
 struct FieldRead {
   std::string field;
   std::string param;                 ///< empty: always
@@ -86,14 +87,14 @@ struct PluginSpec {
   std::string name;
   std::string doc;
   std::string source;                ///< the publication that the model comes from
-  std::string validity;              ///< where the model holds; outside it says so in a note
+  std::string validity;              ///< where the model is valid; outside, its note says so
   std::string form;                  ///< restitution: "newton", "poisson", ...
-  std::vector<std::string> history;  ///< names of what the law remembers
-  bool history_of_contact = false;   ///< remembered per contact, else per pair of bodies
+  std::vector<std::string> history;  ///< names of the numbers that the law remembers
+  bool history_of_contact = false;   ///< true: memory per contact; false: memory per pair of bodies
   std::vector<FieldRead> reads;      ///< "blast.burden", "contact.approach_speed"
   bool declares_reads = false;
   std::vector<ParamSpec> params;
-  std::string file;    ///< the manifest, as it was named to the loader
+  std::string file;    ///< the manifest file, as given to the loader
   std::string native;  ///< factory in a shared object; empty for pure Lua
 
   /// Index of a parameter, or -1.
