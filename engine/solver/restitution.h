@@ -28,10 +28,9 @@ struct Rebound {
 ///  - newton_mean: the same normal condition, Coulomb friction (and rolling) on the mean of v_t and v_t^-
 ///    (Fremond). Never gains energy for e_n <= 1. A contact that sticks ends with v_t = -v_t^-.
 ///  - poisson, energy: an isolated contact (coupled to no other) without rolling resistance and cohesion
-///  follows
-///    its path in impulse space (impact_path.h). Several contacts go through two phases (Glocker and
-///    Pfeiffer). Compression is solved as with e = 0 and gives the impulses r_C. Restitution then has r_n >=
-///    f r_Cn, and Coulomb friction (and rolling) on the velocity at its end. For poisson, f = e_n. For
+///    follows its path in impulse space (impact_path.h). Several contacts go through two phases (Glocker and
+///    Pfeiffer). Compression is solved as with e = 0 and gives the impulses r_C. Restitution then has
+///    r_n >= f r_Cn, and Coulomb friction (and rolling) on the velocity at its end. For poisson, f = e_n. For
 ///    energy, f is iterated, contact by contact, until the normal work of restitution is -e_n^2 times that of
 ///    compression (at most so, if other contacts press harder).
 ///  - velocity: v_n = -e_n v_n^-, v_t = e_t v_t^-, whatever the friction. Only for an isolated contact;
