@@ -1,5 +1,5 @@
 #pragma once
-// The factories of flyrock's own native plugins, one a folder.
+// The factories of flyrock's own native plugins, one per folder.
 
 #include <memory>
 

@@ -37,7 +37,7 @@ std::vector<std::vector<double>> read_points(const std::string& plugin, const st
   for (std::string line; std::getline(file, line);) {
     const std::string where = fmt::format("plugin {}: {}:{}", plugin, path, ++line_number);
     if (line_number == 1 && line.starts_with("\xEF\xBB\xBF"))
-      line.erase(0, 3);  // a mark that spreadsheets put before UTF-8
+      line.erase(0, 3);  // byte order mark that spreadsheets write before UTF-8 text
     line.erase(std::min(line.find('#'), line.size()));
     if (is_obj) {
       if (!line.starts_with("v ")) continue;

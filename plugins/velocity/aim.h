@@ -1,5 +1,5 @@
 #pragma once
-// What the velocity models share: the direction of a launch, and the charge behind it.
+// Code shared by the velocity models: the direction of a launch, and errors of the blast formulas.
 
 #include <stdexcept>
 #include <string>
@@ -18,17 +18,17 @@ class Aim {
                         ": `azimuth` turns a launch about the vertical, which needs dimension 3");
   }
 
-  /// Whether the scenario gives a direction of its own.
+  /// Whether the scenario gives its own direction.
   bool given() const { return given_elevation() || azimuth_ >= 0; }
 
   bool given_elevation() const { return elevation_ >= 0; }
 
-  /// At the elevation of the scenario, or at 45 degrees where it gives none, as of every model.
+  /// The velocity at the elevation of the scenario, or at 45 degrees, the default of every model.
   Vec3 velocity(Values values, const RockView& rock, double speed) const {
     return velocity_at(values, rock, speed, given_elevation() ? values[elevation_] : pi / 4);
   }
 
-  /// At an elevation [rad] that the model knows, turned by the azimuth of the scenario.
+  /// The velocity at an elevation [rad] from the model, turned by the azimuth of the scenario.
   Vec3 velocity_at(Values values, const RockView& rock, double speed, double elevation) const {
     return direction_velocity(rock, speed, elevation, azimuth_ < 0 ? 0 : values[azimuth_]);
   }
@@ -37,7 +37,7 @@ class Aim {
   int elevation_, azimuth_;
 };
 
-/// The answer of a formula, with the plugin's name on what is wrong with the blast.
+/// The result of a blast formula. Its errors are rethrown with the plugin's name.
 template <class Formula>
 auto of_the_blast(const std::string& plugin, Formula formula) {
   try {

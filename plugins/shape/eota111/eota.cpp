@@ -9,8 +9,8 @@ namespace flyrock::plugins {
 
 namespace {
 
-/// The hull of the points (+-L/2, +-L/4, +-L/4) and their permutations, each axis scaled: 24 vertices, 26
-/// faces, 17/24 of the volume of the box about it.
+/// The hull of the points (+-L/2, +-L/4, +-L/4) and their permutations, with each axis scaled. It has 24
+/// vertices, 26 faces and 17/24 of the volume of its bounding box.
 Contactor3 norm_block(const Vec3& size) {
   std::vector<Vec3> points;
   for (int axis = 0; axis < 3; ++axis)

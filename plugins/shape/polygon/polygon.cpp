@@ -12,7 +12,7 @@ constexpr int most_sides = 100;
 constexpr double usual_irregularity = 0.3;
 constexpr double least_gap = 20 * pi / 180;
 
-/// A polygon whose vertices the scenario gives.
+/// A polygon with the vertices that the scenario gives.
 class GivenPolygon : public ShapeModel {
  public:
   explicit GivenPolygon(std::vector<Vec2> vertices) : contactor_(Contactor2::polygon(std::move(vertices))) {}
@@ -22,8 +22,9 @@ class GivenPolygon : public ShapeModel {
   Contactor2 contactor_;
 };
 
-/// Angles between successive vertices: a least one, and shares of the rest that go from equal (irregularity
-/// 0) to those of points thrown on a circle, whose spacings are exponential numbers over their sum.
+/// Draws the angles between successive vertices [rad]. Each is a minimum angle plus a share of the rest. The
+/// shares go from equal (irregularity 0) to those of random points on a circle, whose spacings are
+/// exponential numbers divided by their sum.
 std::vector<double> draw_gaps(int sides, double irregularity, RandomStream& rng) {
   const double least = sides * least_gap < 2 * pi ? least_gap : pi / sides;
   std::vector<double> gaps;

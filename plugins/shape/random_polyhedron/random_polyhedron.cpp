@@ -12,14 +12,15 @@ namespace {
 
 constexpr double thinnest = 0.05;
 
-/// Points on the unit sphere, evenly spread along a spiral (Fibonacci's lattice), then moved by a random
-/// vector of at most `irregularity` times half the distance between neighbours, and put back on the sphere.
+/// Points on the unit sphere, evenly spaced along a spiral (Fibonacci lattice). Each point is moved by a
+/// random vector of at most `irregularity` times half the distance between neighbours, and then projected
+/// back onto the sphere.
 std::vector<Vec3> points_on_sphere(int count, double irregularity, RandomStream& rng) {
   const double golden_angle = pi * (3 - std::sqrt(5.0)), half_distance = 0.5 * std::sqrt(4 * pi / count);
   std::vector<Vec3> points;
   for (int i = 0; i < count; ++i) {
     const double z = 1 - (2 * i + 1.0) / count, r = std::sqrt(1 - z * z), angle = golden_angle * i;
-    // In a ball: a direction from its height and longitude, a radius from the cube root.
+    // A random vector in a ball: the direction from height and longitude, the radius from a cube root.
     const double height = rng.uniform(-1, 1), longitude = rng.uniform(0, 2 * pi);
     const double across = std::sqrt(1 - height * height),
                  length = irregularity * half_distance * std::cbrt(rng.uniform());

@@ -8,7 +8,7 @@ namespace flyrock::plugins {
 
 namespace {
 
-constexpr double half_length = 1000;  // m, of the profile that a plane is in 2D
+constexpr double half_length = 1000;  // m, half length of the profile that represents the plane in 2D
 
 class PlaneTerrain : public TerrainModel {
  public:
@@ -38,7 +38,7 @@ class PlaneTerrain : public TerrainModel {
     return point_ < 0 ? Vec<D>(Vec<D>::Zero()) : Vec<D>(Eigen::Map<const Vec<D>>(values.data() + point_));
   }
 
-  /// Unit, upwards: the ground is below.
+  /// The unit normal, upwards; the ground is below the plane.
   template <int D>
   Vec<D> normal_of(Values values) const {
     if (normal_ < 0) return Vec<D>::Unit(D - 1);

@@ -28,7 +28,7 @@ class BenchFitLaunch : public VelocityModel {
   }
 
  private:
-  /// What the user must know of this speed, the gravest first.
+  /// What the user must know about this speed, the most serious first.
   std::string note(const Blast& blast, double squared) const {
     if (squared < 0)
       return "bench_fit: v0^2 < 0, the charge is too small for the fit; the rock starts at rest";
