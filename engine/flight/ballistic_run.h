@@ -11,9 +11,8 @@ namespace flyrock {
 template <int D>
 struct BallisticRun {
   Forces<D> forces;
-  double start_time = 0,
-         /// s; a flight whose start_time is later than its stop_time is timed out at its start
-      stop_time = 60;
+  /// s; a flight whose start_time is later than its stop_time is timed out at its start
+  double start_time = 0, stop_time = 60;
   double trajectory_every = 0;  ///< s between stored points; 0: none
   double bin_width = 0;         ///< m, of BodyHistory::path; 0: no bins are kept; 2D only
   std::span<const Gate> gates;

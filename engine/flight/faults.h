@@ -23,9 +23,9 @@ class Faults {
 
   /// Whether the energy of the world exceeds its limit. The text of the fault gives both values. The
   /// condition is
-  ///   kinetic + potential + springs <= that of the start + World::energy_given + 1e-6 of the greatest,
-  /// where the greatest energy is the greatest that the bodies ever had as kinetic energy, as height above or
-  /// below their start, or as height over their own size. Call this after each flight and step.
+  ///   kinetic + potential + springs <= start energy + World::energy_given + 1e-6 x greatest energy.
+  /// The greatest energy is the largest that the bodies ever had as kinetic energy, as height above or below
+  /// their start, or as height over their own size. Call this function after each flight and step.
   std::optional<std::string> energy_from_nowhere();
 
  private:

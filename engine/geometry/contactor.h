@@ -41,8 +41,9 @@ struct AreaProperties {
 };
 AreaProperties area_properties(const std::vector<Contactor2>& contactors);
 
-/// Mass properties of a prism or, by default, of a body whose volume is that of the sphere of equal
-/// cross-section area A: thickness t = 2/3 d with d = 2 sqrt(A/pi).
+/// The default thickness t [m] of a body in 2D with cross-section area A [m2]. Its volume A t then equals the
+/// volume of the sphere with the same cross-section: t = 2/3 d with d = 2 sqrt(A/pi). Mass properties are
+/// those of a prism:
 ///   m = rho A t,  I = rho t J   (J the polar second moment of area)
 double default_thickness(double area);
 

@@ -24,10 +24,10 @@ struct SmoothedLaw {
 /// that.
 ///
 /// A shifted problem is r = p(y), y = r - u / diag(W) (the map of Alart and Curnier). Newton's method solves
-/// it with a smoothing of width e = sqrt(s / diag(W)). The energy s decreases to what the wanted error
-/// requires:
+/// it with a smoothing of width e = sqrt(s / diag(W)), whose energy s decreases to what the wanted error
+/// requires. The smoothed law is
 ///   p_n = (y_n + sqrt(y_n^2 + 4 e^2)) / 2,   p_g = y_g R / M,   R = mu_g p_n + c_g,
-///   M = (R + |y_g| + sqrt((R - |y_g|)^2 + 4 e^2)) / 2   for each group g of rows,
+///   M = (R + |y_g| + sqrt((R - |y_g|)^2 + 4 e^2)) / 2   for each group g of rows.
 /// Each step needs one sparse LU factorisation, whose pattern is analysed once. Steps are halved until the
 /// error decreases. alpha shrinks after an easy solve and grows after a failed one. An NLGS sweep after each
 /// step brings every contact into an admissible state. Both the step and the sweep are checked, and the best
