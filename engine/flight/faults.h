@@ -21,11 +21,11 @@ class Faults {
   /// vertical line up from it meets a facet from below. The text of the fault gives the depth.
   std::optional<std::string> below_ground(int body) const;
 
-  /// Whether the energy of the world exceeds its limit. The text of the fault gives both values. The
-  /// condition is
+  /// Whether the energy of the world exceeds its limit. The text of the fault gives the excess [J]. The
+  /// condition for a correct world is
   ///   kinetic + potential + springs <= start energy + World::energy_given + 1e-6 x greatest energy.
-  /// The greatest energy is the largest that the bodies ever had as kinetic energy, as height above or below
-  /// their start, or as height over their own size. Call this function after each flight and step.
+  /// The greatest energy is the largest value so far of the sum over the bodies of kinetic energy and
+  /// m g (distance from the start + size). Call this function after each flight and step.
   std::optional<std::string> energy_from_nowhere();
 
  private:

@@ -78,9 +78,9 @@ class DataSet {
   hid_t id() const { return set_; }
 
  private:
-  /// Most bytes that one compressed byte of the file may expand to
+  /// Most bytes that one compressed byte of the file may expand to.
   static constexpr hsize_t most_compressed = 64;
-  /// bytes; data below this size may compress better, because all numbers may be equal
+  /// Bytes; data up to this size may compress better, because all its numbers may be equal.
   static constexpr hsize_t small = 1 << 16;
 
   hsize_t bytes_of_file() const {
