@@ -20,9 +20,9 @@ struct Budget {
   static constexpr std::size_t memory_limit = std::size_t{256} << 20;  ///< bytes in one state
   static constexpr std::size_t text_limit =
       std::size_t{1} << 20;  ///< bytes in one text, because no hook counts the comparison of texts
-  static constexpr double law_limit = 2e6;   ///< instructions in one call of a law
-  static constexpr double call_limit = 1e7;  ///< the same for a model, which is called less often
-  static constexpr double load_limit = 1e8;  ///< instructions for loading one file
+  static constexpr double law_limit = 2e6;             ///< instructions in one call of a law
+  static constexpr double call_limit = 1e7;            ///< the same for a model, which is called less often
+  static constexpr double load_limit = 1e8;            ///< instructions for loading one file
   static constexpr double bytes_per_instruction = 16;  ///< bytes of a text that a C function reads
   static constexpr const char* long_text = "made a text of more than 1 MiB";
   /// Limit of processor time, for work that takes long with few instructions, such as comparing long texts.

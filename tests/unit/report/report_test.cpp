@@ -200,8 +200,9 @@ TEST_CASE("The first line of a page with rocks that diverged says so, above ever
 
 TEST_CASE("The page shows the angles of a scenario in degrees that read back as the same number") {
   const auto shown = [](const std::string& text) {
-    Value scenario;
-    scenario.data = Map{{"title", {}, {text}}, {"angle", {}, {text}}};
+    Value scenario, angle;
+    angle.data = text;
+    scenario.data = Map{{"title", {}, angle}, {"angle", {}, angle}};
     return scenario_text(scenario);
   };
   for (const char* degrees : {"70 deg", "33 deg", "-12.5 deg", "0 deg", "0.001 deg", "359.9 deg"}) {
