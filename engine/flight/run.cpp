@@ -43,7 +43,7 @@ class Runner {
       if (settings_.interrupted()) throw Interrupted();
       if (stands_still()) {
         diverge(std::to_string(most_idle) +
-                " steps led on by less than one of their length: its contacts contradict each other");
+                " steps without progress: the contacts of this rock cannot all hold at once");
         break;
       }
       const double before = world_.time;
