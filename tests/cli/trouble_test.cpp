@@ -259,7 +259,9 @@ stop: { time: 0.2 s }
 )");
   const Output run = call(folder, "run press.yaml -o r");
   CHECK(run.code == 3);
-  CHECK(run.err.find("diverged: 10000 steps without progress: the contacts of this rock cannot all hold at once") != std::string::npos);
+  CHECK(run.err.find(
+            "diverged: 10000 steps without progress: the contacts of this rock cannot all hold at once") !=
+        std::string::npos);
 }
 
 TEST_CASE("A result whose files are gone is made again by --resume, and no export replaces them") {
