@@ -1,5 +1,6 @@
 #include "report/rounded.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -14,6 +15,9 @@ nlohmann::ordered_json rounded(double value) {
   return digits > 0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;
 }
 
-std::int64_t thousandth(double value) { return std::llround(1000 * value); }
+std::int64_t thousandth(double value) {
+  constexpr double farthest = 1e15;  // differences of two such numbers fit into 64 bits
+  return std::isnan(value) ? 0 : std::llround(std::clamp(1000 * value, -farthest, farthest));
+}
 
 }  // namespace flyrock
