@@ -27,36 +27,32 @@ CREATE TABLE expectations (number INTEGER, measure TEXT, point INTEGER, computed
   expected_high REAL, tolerance REAL, passed INTEGER, reason TEXT);
 )";
 
-/// The columns of a table of results.db after point (and after trial and rock, if its rows belong to rocks).
-template <class Row, class VisitTable>
-std::vector<std::string> table_columns(VisitTable visit_table) {
-  std::vector<std::string> columns;
-  visit_table([&](const Column& column, auto get) {
-    using T = std::decay_t<std::invoke_result_t<decltype(get), const Row&>>;
-    if (column.name) columns.push_back(fmt::format("\"{}\" {}", column.name, sql_type<T>(column)));
-  });
+const std::vector<StoredColumn>& rock_columns() {
+  static const auto columns = columns_of<RockRecord>([](auto visit) { visit_rocks(visit); });
+  return columns;
+}
+const std::vector<StoredColumn>& gate_columns() {
+  static const auto columns = columns_of<GateRecord>([](auto visit) { visit_gates(visit); });
+  return columns;
+}
+const std::vector<StoredColumn>& barrier_columns() {
+  static const auto columns = columns_of<BarrierRecord>([](auto visit) { visit_barriers(visit); });
   return columns;
 }
 
-const std::vector<std::string>& rock_columns() {
-  static const auto columns = table_columns<RockRecord>([](auto visit) { visit_rocks(visit); });
-  return columns;
-}
-const std::vector<std::string>& gate_columns() {
-  static const auto columns = table_columns<GateRecord>([](auto visit) { visit_gates(visit); });
-  return columns;
-}
-const std::vector<std::string>& barrier_columns() {
-  static const auto columns = table_columns<BarrierRecord>([](auto visit) { visit_barriers(visit); });
-  return columns;
+/// `, "mass_kg" REAL, ...`: the declarations of columns that follow others.
+std::string declared(const std::vector<StoredColumn>& columns) {
+  std::string text;
+  for (const auto& [column, type] : columns) text += fmt::format(", \"{}\" {}", column.name, type);
+  return text;
 }
 
 std::string record_tables_schema() {
   return fmt::format(
-      "CREATE TABLE rocks (point INTEGER, {});\n"
-      "CREATE TABLE gates (point INTEGER, trial INTEGER, rock INTEGER, {});\n"
-      "CREATE TABLE barriers (point INTEGER, trial INTEGER, rock INTEGER, {});\n",
-      fmt::join(rock_columns(), ", "), fmt::join(gate_columns(), ", "), fmt::join(barrier_columns(), ", "));
+      "CREATE TABLE rocks (point INTEGER{});\n"
+      "CREATE TABLE gates (point INTEGER, trial INTEGER, rock INTEGER{});\n"
+      "CREATE TABLE barriers (point INTEGER, trial INTEGER, rock INTEGER{});\n",
+      declared(rock_columns()), declared(gate_columns()), declared(barrier_columns()));
 }
 
 /// Puts what a table shows for a record. `names`: the names for its indices.

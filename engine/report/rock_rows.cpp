@@ -8,17 +8,6 @@ namespace flyrock {
 
 namespace {
 
-/// The columns of a table, from its visit.
-template <class Row, class VisitTable>
-std::vector<RockTable::StoredColumn> columns_of(VisitTable visit_table) {
-  std::vector<RockTable::StoredColumn> columns;
-  visit_table([&](const Column& column, auto get) {
-    using T = std::decay_t<std::invoke_result_t<decltype(get), const Row&>>;
-    if (column.name) columns.push_back({column, sql_type<T>(column)});
-  });
-  return columns;
-}
-
 std::string table_of(const RockTable& table, int dimension) {
   std::vector<std::string> columns;
   for (const auto& [column, type] : table.columns)

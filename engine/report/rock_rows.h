@@ -14,12 +14,25 @@
 
 namespace flyrock {
 
+/// A column of results.db.
+struct StoredColumn {
+  Column column;
+  const char* type;  ///< of SQL
+};
+
+/// The columns of a table that have a name, from its visit.
+template <class Row, class VisitTable>
+std::vector<StoredColumn> columns_of(VisitTable visit_table) {
+  std::vector<StoredColumn> columns;
+  visit_table([&](const Column& column, auto get) {
+    using T = std::decay_t<std::invoke_result_t<decltype(get), const Row&>>;
+    if (column.name) columns.push_back({column, sql_type<T>(column)});
+  });
+  return columns;
+}
+
 /// A table <name>_rows and its view.
 struct RockTable {
-  struct StoredColumn {
-    Column column;
-    const char* type;  ///< SQL type
-  };
   const char* name;  ///< "input", "impact", "trajectory"
   const char* view;
   std::vector<StoredColumn> columns;

@@ -4,19 +4,18 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 #include "batch/runners.h"
+#include "batch/safe_file.h"
 #include "scenarios/cases.h"
 
 namespace fs = std::filesystem;
 
 namespace {
 
-using flyrock::test::read_file_of_test;
+using flyrock::test::updates;
 
 /// Scenarios are named as they are from their folder, so that the texts hold no folder of a machine.
 struct InFolder {
@@ -41,14 +40,11 @@ flyrock::Diagnostics messages_about(const fs::path& path) {
   return diagnostics;
 }
 
-/// FLYROCK_UPDATE_EXPECT=1 writes the messages anew; look at the difference before it is committed.
-bool updates() { return std::getenv("FLYROCK_UPDATE_EXPECT") != nullptr; }
-
 /// The messages about a scenario are the text of its .expect.
 void check_text(const flyrock::Diagnostics& diagnostics, const fs::path& path) {
   const fs::path expect = fs::path(path).replace_extension(".expect");
   if (updates()) std::ofstream(expect) << diagnostics.to_text();
-  CHECK(diagnostics.to_text() == read_file_of_test(expect));
+  CHECK(diagnostics.to_text() == flyrock::read_file(expect));
 }
 
 fs::path folder_of(const std::string& name) {

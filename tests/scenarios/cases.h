@@ -9,9 +9,9 @@
 // Text before the first case says what the messages are about. The scenarios may name files in the same
 // folder.
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -28,10 +28,8 @@ struct CaseFile {
   std::vector<MessageCase> cases;
 };
 
-inline std::string read_file_of_test(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
+/// FLYROCK_UPDATE_EXPECT=1 writes the messages anew; look at the difference before it is committed.
+inline bool updates() { return std::getenv("FLYROCK_UPDATE_EXPECT") != nullptr; }
 
 inline CaseFile read_cases(const std::filesystem::path& path) {
   std::ifstream file(path);

@@ -52,8 +52,6 @@ Output run_with(const Folder& folder, const std::string& law) {
   return call(folder, "run quarry.yaml -o out --force --quiet");
 }
 
-bool updates() { return std::getenv("FLYROCK_UPDATE_EXPECT") != nullptr; }  // as in bad_test.cpp
-
 }  // namespace
 
 TEST_CASE("hostile plugins are contained, each with its exact text", "[slow]") {
