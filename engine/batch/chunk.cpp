@@ -53,11 +53,13 @@ void walk_envelopes(Io& io, E& envelopes) {
 
 template <class Io, class Quality>
 void walk_quality(Io& io, Quality& q) {
-  io.value(q.steps), io.value(q.cut_steps), io.value(q.flights), io.value(q.impact_problems);
+  io.value(q.steps), io.value(q.cut_steps), io.value(q.refused_steps), io.value(q.flights),
+      io.value(q.impact_problems);
   io.value(q.problems), io.value(q.iterations), io.value(q.toc_iterations), io.value(q.not_converged),
       io.value(q.energy_gains), io.value(q.shocks);
   io.value(q.not_converged_residual), io.value(q.max_residual), io.value(q.max_penetration),
       io.value(q.max_spring_angle), io.value(q.energy_gained);
+  io.value(q.least_step), io.value(q.greatest_step), io.value(q.step_time);
   io.value(q.energy_relative_change);
 }
 

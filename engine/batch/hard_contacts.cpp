@@ -55,12 +55,13 @@ template <int D>
 std::vector<SpringSwing> spring_swings(const Scenario& scenario, const Instances& instances,
                                        const World<D>& world, const Surfaces& surfaces) {
   std::vector<SpringSwing> swings;
+  if (!scenario.solver.time_step) return swings;  // chosen steps are short enough
+  const double time_step = *scenario.solver.time_step;
   const auto consider = [&](int material, int owner, double w, const std::string& bodies) {
     if (material < 0 || w == 0) return;
     const double stiffness = stiffness_of(material, surfaces.key_of(owner), scenario, instances);
     if (stiffness == 0) return;
-    const SpringSwing swing{material, scenario.solver.time_step * std::sqrt(stiffness * w), stiffness,
-                            bodies};
+    const SpringSwing swing{material, time_step * std::sqrt(stiffness * w), stiffness, bodies};
     const auto known = std::find_if(swings.begin(), swings.end(),
                                     [&](const SpringSwing& s) { return s.material == material; });
     if (known == swings.end())

@@ -102,7 +102,7 @@ void find_hard_contacts(const Scenario& scenario, const Instances& instances, co
           "above {:.3g} "
           "and gain energy above {:.3g}; expected a solver.time_step of at most {:.2g} s",
           swing.angle * 180 / pi, swing.bodies, inaccurate_spring * 180 / pi, unstable_spring * 180 / pi,
-          scenario.solver.time_step * inaccurate_spring / swing.angle);
+          *scenario.solver.time_step * inaccurate_spring / swing.angle);
       const std::string path =
           fmt::format("materials.{}.unilateral", scenario.materials[swing.material].name);
       add(swing.angle > unstable_spring ? tried.errors : tried.warnings, path, text);

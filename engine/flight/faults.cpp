@@ -51,7 +51,7 @@ std::optional<std::string> Faults<D>::energy_from_nowhere() {
   }
   greatest_ = std::max(greatest_, scale);
   const double excess = energy - (allowed_ + world_.energy_given());
-  if (!(excess > share * greatest_ + lift)) return std::nullopt;
+  if (!(excess > share * greatest_ + lift + world_.energy_in_doubt())) return std::nullopt;
   return fmt::format("it has {:.3g} J more than gravity, air and impacts gave it", excess);
 }
 

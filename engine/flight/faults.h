@@ -23,7 +23,8 @@ class Faults {
 
   /// Whether the energy of the world exceeds its limit. The text of the fault gives the excess [J]. The
   /// condition for a correct world is
-  ///   kinetic + potential + springs <= start energy + World::energy_given + 1e-6 x greatest energy.
+  ///   kinetic + potential + springs
+  ///     <= start energy + World::energy_given + World::energy_in_doubt + 1e-6 x greatest energy.
   /// The greatest energy is the largest value so far of the sum over the bodies of kinetic energy and
   /// m g (distance from the start + size). Call this function after each flight and step.
   std::optional<std::string> energy_from_nowhere();

@@ -1,6 +1,8 @@
 #pragma once
 // When a body is at rest.
 
+#include <limits>
+
 #include "world/observe.h"
 
 namespace flyrock {
@@ -17,9 +19,14 @@ class RestWatch {
 
   /// Reports that the body moves or has no contact, so it is not at rest.
   void moves();
-  /// Reports a contact step from `start` to `end` [s] that ended at `speed` [m/s], the greater of |v| and |w|
-  /// radius. `before` is the travel of the body at the start of the step.
-  void rests(double start, double end, double speed, const Travel& before);
+  /// Reports a contact step from `start` to `end` [s] that began at the speed `from` and ended at `speed`
+  /// [m/s], the greater of |v| and |w| radius. The body is slow from the time at which the speed, taken as
+  /// linear, falls below the stop speed. `before` is the travel of the body at the start of the step.
+  void rests(double start, double end, double from, double speed, const Travel& before);
+  /// The time until a body that stays slow is at rest [s]; infinite if it is not slow.
+  double time_to_rest(double now) const {
+    return since_ < 0 ? std::numeric_limits<double>::infinity() : since_ + rest_time - now;
+  }
   /// The travel of the body until it came to rest.
   const Travel& travel() const { return travel_; }
 

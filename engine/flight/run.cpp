@@ -202,7 +202,10 @@ class Runner {
     for (const Body<D>& body : world_.bodies) starts_.push_back(moment_of(body));
     // Share of a step that ignores touches, so that its penetrations stay small
     constexpr double blind = 0.1;
-    const double h = std::min((touches == Touches::all ? 1 : blind) * step_length(), time_left());
+    const double wanted = touches == Touches::all
+                              ? step_length()
+                              : blind * std::min(step_length(), world_.settings().time_step);
+    const double h = std::min(wanted, time_left());
     if (in_air_)
       for (Body<D>& body : world_.bodies)
         body.push = mean_acceleration(body.air, body.v, world_.gravity(), h);
@@ -229,7 +232,9 @@ class Runner {
       if (touching_[i]) {
         observer_.stepped(i, flights_[i], outcome.duration,
                           slipping_[i] ? TravelMode::slide : TravelMode::roll);
-        rest_[i].rests(start, world_.time, std::max(body.v.norm(), body.spin_speed() * body.radius), before);
+        const double from = std::max(starts_[i].v.norm(), spin_speed(starts_[i].w) * body.radius);
+        rest_[i].rests(start, world_.time, from, std::max(body.v.norm(), body.spin_speed() * body.radius),
+                       before);
       } else {
         if (outcome.duration > 0) observer_.flew(i, flights_[i], start, outcome.duration);
         rest_[i].moves();
@@ -243,12 +248,17 @@ class Runner {
   /// The step length, cut at the time at which a barrier is expected. Contact forces bend the path within a
   /// step, so a step is at least a hundredth of the full length. Otherwise the body would approach the
   /// barrier in ever shorter steps.
-  double step_length() const {
-    double h = world_.settings().time_step;
+  double step_length() {
+    const double chosen = world_.step_length();
+    double h = chosen;
+    if (world_.settings().step_tolerance > 0)
+      for (const RestWatch& rest : rest_)
+        if (const double left = rest.time_to_rest(world_.time); left > 1e-9)
+          h = std::min(h, left * (1 + 1e-12));
     for (int i = 0; i < bodies(); ++i)
       if (running_[i])
         h = std::min(h, std::max(crossings_.time_to_barrier(i, {world_.bodies[i].x, world_.bodies[i].v}),
-                                 0.01 * world_.settings().time_step));
+                                 0.01 * chosen));
     return h;
   }
 

@@ -62,7 +62,7 @@ struct ParamSpec {
   std::optional<double> above, below;  ///< allowed, limits excluded
   std::vector<ParamBound> bounds;      ///< number, integer: limits that are other parameters
   std::optional<UsualRange> usual;     ///< number, integer, vector (of each component), spin
-  std::vector<std::string> choices;
+  std::vector<std::string> choices;    ///< choice: the allowed texts; number: words allowed in its place
 
   bool required() const { return !optional && !default_number && !default_text && !default_vector; }
 };

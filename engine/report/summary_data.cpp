@@ -180,6 +180,10 @@ Json censored_data(const Scenario& scenario, const PointResult& point) {
 Json quality_data(const SolverQuality& q) {
   return {{"steps", q.steps},
           {"cut_steps", q.cut_steps},
+          {"refused_steps", q.refused_steps},
+          {"least_step", number(q.least_step)},
+          {"mean_step", number(q.steps > 0 ? q.step_time / static_cast<double>(q.steps) : 0)},
+          {"greatest_step", number(q.greatest_step)},
           {"flights", q.flights},
           {"impact_problems", q.impact_problems},
           {"problems", q.problems},

@@ -193,8 +193,11 @@ std::optional<DecodedNumber> decode_number(DecodeContext& context, const Node& n
 
 std::string expected_text(const ParamSpec& spec) {
   switch (spec.type) {
-    case ParamType::number:
-      return spec.dimension == dimension::none ? "a number" : "a number in " + unit_of(spec);
+    case ParamType::number: {
+      const std::string number =
+          spec.dimension == dimension::none ? "a number" : "a number in " + unit_of(spec);
+      return spec.choices.empty() ? number : number + " or " + choice_text(spec.choices);
+    }
     case ParamType::integer:
       return "a whole number";
     case ParamType::boolean:

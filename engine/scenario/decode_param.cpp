@@ -20,6 +20,11 @@ void refuse(DecodeContext& context, const Node& node, const ParamSpec& spec) {
   node.error(context.diagnostics, fmt::format("expected {}, found {}{}", expected, shown(*node.value), hint));
 }
 
+/// Whether a number may also be this word.
+bool is_word_of(const ParamSpec& spec, const std::string& word) {
+  return std::find(spec.choices.begin(), spec.choices.end(), word) != spec.choices.end();
+}
+
 void decode_boolean(DecodeContext& context, const Node& node, const ParamSpec& spec, ParamValue& value,
                     Value& resolved) {
   const bool* boolean = node.value->boolean();
@@ -172,6 +177,12 @@ void decode_param(DecodeContext& context, const Node& node, const ParamSpec& spe
       if (context.dimension == 3) return decode_vector(context, node, spec, rules, value, resolved);
       [[fallthrough]];
     case ParamType::number:
+      if (const std::string* word = node.value->text(); word && is_word_of(spec, *word)) {
+        value.text = *word;
+        resolved = text_value(*word);
+        return;
+      }
+      [[fallthrough]];
     case ParamType::integer:
       if (std::optional<DecodedNumber> decoded = decode_number(context, node, spec, rules)) {
         value.numbers = {decoded->number};

@@ -17,12 +17,18 @@ SolverPlan decode_solver(DecodeContext& context, const std::optional<Node>& node
   Map map;
   const Section section = decode_section(context, node, "solver", {}, map);
   put(resolved, "solver", map_value(std::move(map)));
+  const bool chosen = section.text("time_step") == "auto";
+  const bool stepped = section.text("flight") == "stepped";
+  if (stepped && chosen)
+    node->find("flight")->error(context.diagnostics,
+                                "`stepped` asks for steps of one length, expected a number for `time_step`");
   return {.name = section.text("name"),
-          .time_step = section.constant("time_step"),
+          .time_step = chosen ? std::nullopt : std::optional(section.constant("time_step")),
+          .step_tolerance = section.constant("step_tolerance"),
           .theta = section.constant("theta"),
           .tolerance = section.constant("tolerance"),
           .max_iterations = section.integer("max_iterations"),
-          .flight = section.text("flight") == "stepped" ? FlightMode::stepped : FlightMode::exact,
+          .flight = stepped ? FlightMode::stepped : FlightMode::exact,
           .rest_speed = section.constant("rest_speed")};
 }
 

@@ -162,8 +162,9 @@ struct ClearancePlan {
 enum class FlightMode { exact, stepped };
 
 struct SolverPlan {
-  std::string name = "auto";  ///< solver/solve_settings.h
-  double time_step = 1e-3;    ///< s
+  std::string name = "auto";        ///< solver/solve_settings.h
+  std::optional<double> time_step;  ///< s; absent: chosen by error (world/step_control.h)
+  double step_tolerance = 1e-3;     ///< of chosen steps, a share of a rock's diameter; found by measurement
   double theta = 0.5;
   double tolerance = 1e-7;  ///< found by measurement, see default_tolerance
   int max_iterations = 1000;

@@ -59,6 +59,12 @@ ParamSpec or_else(ParamSpec spec, const char* value) {
   spec.default_text = value;
   return spec;
 }
+/// A number, or this word, which is the default.
+ParamSpec or_word(ParamSpec spec, const char* word) {
+  spec.choices = {word};
+  spec.default_text = word;
+  return spec;
+}
 ParamSpec at_least(ParamSpec spec, double limit) {
   spec.min = limit;
   return spec;
@@ -233,7 +239,14 @@ std::vector<SectionSpec> make_sections() {
        {}},
       {"solver",
        {or_else(choice("name", {"auto", "nlgs", "proximal_newton"}, "which contact solver"), "auto"),
-        or_else(at_most(at_least(number("time_step", "s", "of the contact scheme"), 1e-7), 0.1), 1e-3),
+        or_word(at_most(at_least(number("time_step", "s", "of the contact scheme"), 1e-7), 0.1), "auto"),
+        or_else(
+            at_most(at_least(number("step_tolerance", "",
+                                    "of `time_step: auto`: error of a phase in contact, as a share of the "
+                                    "diameter of a rock"),
+                             1e-9),
+                    0.1),
+            SolverPlan{}.step_tolerance),
         or_else(at_most(at_least(number("theta", "", "of the theta scheme"), 0.5), 1), 0.5),
         or_else(above(number("tolerance", "", "of the scaled residual"), 0), SolverPlan{}.tolerance),
         or_else(at_least(integer("max_iterations", "of one contact problem"), 1), 1000),

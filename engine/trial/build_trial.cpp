@@ -47,8 +47,16 @@ TrialBuilder<D>::TrialBuilder(const Scenario& scenario) : scenario_(scenario), i
 template <int D>
 WorldSettings TrialBuilder<D>::world_settings() const {
   const SolverPlan& solver = scenario_.solver;
-  return {solver.time_step,      solver.theta,      solver.tolerance,
-          solver.max_iterations, solver.rest_speed, solver_of_name(solver.name).value()};
+  WorldSettings settings{.theta = solver.theta,
+                         .tolerance = solver.tolerance,
+                         .max_iterations = solver.max_iterations,
+                         .rest_speed = solver.rest_speed,
+                         .solver = solver_of_name(solver.name).value()};
+  if (solver.time_step)
+    settings.time_step = *solver.time_step;
+  else
+    settings.step_tolerance = solver.step_tolerance;
+  return settings;
 }
 
 template <int D>

@@ -19,13 +19,48 @@ typename World<D>::Row World<D>::relative_velocity(const Contact& contact) const
   return contact_velocity<D>(contact.at.normal, v, spin);
 }
 
+/// The acceleration of the point of contact relative to the centre of a body that turns, w x (w x lever). A
+/// vertex or edge turns with its body; the rounding of a contactor does not.
 template <int D>
-void World<D>::measure_before() {
-  for (Contact& contact : contacts_) contact.before = relative_velocity(contact);
+typename World<D>::Row World<D>::turning_of(const Contact& contact) const {
+  const auto of = [&](int i, std::uint32_t feature, double side) -> Vec<D> {
+    const Body<D>& body = bodies[i];
+    const double rounding = side * body.contactors[contactor_of(feature)].radius;
+    const Vec<D> lever = contact.at.point + rounding * contact.at.normal - body.x;
+    if constexpr (D == 2)
+      return -body.w * body.w * lever;
+    else
+      return body.w.cross(body.w.cross(lever));
+  };
+  Vec<D> a = of(contact.candidate, contact.at.feature, 1);
+  if (contact.antagonist >= 0) a -= of(contact.antagonist, contact.at.against, -1);
+  return contact_velocity<D>(contact.at.normal, a, Body<D>::no_spin());
 }
 
-/// Assembles W = sum over bodies of H^T M^-1 H, q = u_free and the laws. `warm`: start from the impulses of
-/// the last step (warm start).
+/// The frames of the contacts are those of the middle of the step. At its start the velocity in them still
+/// lacks what they turn by until then. A body that collides in the step is left out, because its spin jumps.
+template <int D>
+void World<D>::measure_before(double h) {
+  touching_.assign(bodies.size(), false);  // those that collide
+  for (Contact& contact : contacts_) {
+    contact.before = relative_velocity(contact);
+    contact.turning.setZero();
+    if (contact.approach() <= settings_.rest_speed) continue;
+    touching_[contact.candidate] = true;
+    if (contact.antagonist >= 0) touching_[contact.antagonist] = true;
+  }
+  if (h == 0) return;
+  for (Contact& contact : contacts_) {
+    if (touching_[contact.candidate] || (contact.antagonist >= 0 && touching_[contact.antagonist])) continue;
+    contact.turning = turning_of(contact);
+    contact.before -= (1 - settings_.theta) * h * contact.turning;
+  }
+}
+
+/// Assembles W = sum over bodies of H^T M^-1 H, q = u_free and the laws. The laws hold for the velocity at
+/// the end of the step, when the lever arms have turned on; without this, a body that pivots about a corner
+/// would leave it by w^2 h^2 / 2 times the lever in each step. `warm`: start from the impulses of the last
+/// step (warm start).
 template <int D>
 void World<D>::assemble(double h, bool warm) {
   const auto turns = [](const Contact& c) { return c.law.mu_r > 0 || c.law.mu_spin > 0; };
@@ -33,6 +68,7 @@ void World<D>::assemble(double h, bool warm) {
   rows_.clear();
   impulses_.clear();
   for (auto& list : contacts_of_) list.clear();
+  const double scale = last_step_ > 0 ? h / last_step_ : 1;
   for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) {
     Contact& contact = contacts_[a];
     ContactRows rows;
@@ -48,10 +84,10 @@ void World<D>::assemble(double h, bool warm) {
       contacts_of_[contact.antagonist].push_back(a);
 
     typename Problem::Contact row;
-    row.q = relative_velocity(contact);
+    row.q = relative_velocity(contact) + settings_.theta * h * contact.turning;
     row.w.setZero();
     problem_.contacts.push_back(row);
-    impulses_.push_back(warm && contact.carried ? contact.impulse : Row::Zero());
+    impulses_.push_back(warm && contact.carried ? Row(scale * contact.impulse) : Row::Zero());
   }
   if (problem_.width() == D)
     couple<D>();
@@ -100,8 +136,8 @@ int World<D>::island_of(const Contact& contact) {
   return island_of(bodies[contact.candidate].moves() ? contact.candidate : contact.antagonist);
 }
 
-/// Sets the speed_scale of each contact, to which its tolerance is relative: the larger of g h and the
-/// fastest approach in its island of touching bodies.
+/// Sets the speed_scale of each contact, to which its tolerance is relative: the larger of g h (chosen steps:
+/// g x 1 ms at most) and the fastest approach in its island of touching bodies.
 template <int D>
 void World<D>::scale_by_island(double h) {
   island_.resize(bodies.size());
@@ -109,7 +145,9 @@ void World<D>::scale_by_island(double h) {
   for (const Contact& c : contacts_)
     if (c.antagonist >= 0 && bodies[c.candidate].moves() && bodies[c.antagonist].moves())
       island_[island_of(c.candidate)] = island_of(c.antagonist);
-  island_speed_.assign(bodies.size(), g_ * (h > 0 ? h : settings_.time_step));
+  // A long step asks for no less than a short one: what a residual moves in a second is its speed.
+  const double least = h > 0 && !chooses_steps() ? h : settings_.time_step;
+  island_speed_.assign(bodies.size(), g_ * (h > 0 ? std::min(h, least) : least));
   for (const Contact& c : contacts_) {
     double& speed = island_speed_[island_of(c)];
     speed = std::max(speed, c.approach());

@@ -40,11 +40,11 @@ Body<3> make_body(std::vector<Contactor3> contactors, double density, double mas
   return body;
 }
 
-Vec3 free_spin(const Body<3>& body, double h, double theta) {
+Vec3 free_spin(const Body<3>& body, double h, double theta, const Vec3& by_contacts) {
   constexpr int most_iterations = 20;
   const auto& r = body.attitude.rotation;
   const auto& moments = body.inertia;
-  const Vec3 before = r.inverse(body.w);
+  const Vec3 before = r.inverse(body.w), pushed = theta * r.inverse(by_contacts);
   const auto momentum = [&](const Vec3& w) -> Vec3 { return moments.cwiseProduct(w); };
   const auto skew = [](const Vec3& a) {
     Eigen::Matrix3d m;
@@ -54,7 +54,7 @@ Vec3 free_spin(const Body<3>& body, double h, double theta) {
   // Newton's method in the body's frame, where I is diagonal.
   Vec3 w = before;
   for (int i = 0; i < most_iterations; ++i) {
-    const Vec3 middle = (1 - theta) * before + theta * w;
+    const Vec3 middle = (1 - theta) * before + theta * w + pushed;
     const Vec3 residual = momentum(w - before) + h * middle.cross(momentum(middle));
     Eigen::Matrix3d slope =
         h * theta * (skew(middle) * moments.asDiagonal().toDenseMatrix() - skew(momentum(middle)));

@@ -97,9 +97,10 @@ struct Body {
 
 /// The spin after a step h without torque, by the theta scheme with an implicit gyroscopic term:
 ///   I (w+ - w) + h w_th x I w_th = 0,  w_th = (1 - theta) w + theta w+,  I at the current attitude.
-/// theta = 1/2 conserves |I w| and the energy. In 2D there is no gyroscopic term.
-inline double free_spin(const Body<2>& body, double, double) { return body.w; }
-Vec3 free_spin(const Body<3>& body, double h, double theta);
+/// theta = 1/2 conserves |I w| and the energy. In 2D there is no gyroscopic term. `by_contacts` [rad/s]: the
+/// change of the spin that contacts are expected to make in the step; theta times it is added to w_th.
+inline double free_spin(const Body<2>& body, double, double, double) { return body.w; }
+Vec3 free_spin(const Body<3>& body, double h, double theta, const Vec3& by_contacts);
 
 template <>
 inline double Body<2>::no_spin() {

@@ -31,8 +31,7 @@ double World<D>::contact_size(int candidate, int antagonist) const {
 /// / 8 in half a step before it leaves the ground.
 template <int D>
 double World<D>::carry_reach(int candidate, int antagonist) const {
-  const double h = settings_.time_step;
-  return carry_share * contact_size(candidate, antagonist) + 0.25 * g_ * h * h;
+  return carry_share * contact_size(candidate, antagonist) + 0.25 * g_ * reach_time_ * reach_time_;
 }
 
 template <int D>
@@ -167,6 +166,8 @@ void World<D>::match_last() {
       if (!found) continue;
       contact.impulse = found->impulse;
       contact.law = found->law;
+      contact.mu_before = found->mu();
+      contact.c_t_before = found->law.c_t;
       contact.history = found->history;
       contact.age = found->age;
       contact.carried = found->carried;
@@ -209,7 +210,7 @@ double World<D>::keep_closed_at_start() {
     const double reach = carry_reach(c.candidate, c.antagonist),
                  closed = c.carried ? reach : 1e-12 + 1e-9 * contact_size(c.candidate, c.antagonist);
     const double gap = gap_at(c, [&](int body) {
-      const Moment<D>& start = saved_[body].moment;
+      const Moment<D>& start = starts_[body];
       return typename Geometry<D>::Pose{start.x, start.attitude.rotation};
     });
     const double may_drift = 3 * reach;

@@ -38,9 +38,21 @@ void BodyHistory::include(const BodyState& state) {
   max_speed = std::max(max_speed, speed);
 }
 
+void SolverQuality::count_step(double h, bool cut) {
+  ++steps;
+  cut_steps += cut;
+  step_time += h;
+  greatest_step = std::max(greatest_step, h);
+  if (!cut) least_step = std::min(least_step, h);
+}
+
 void SolverQuality::add(const SolverQuality& other) {
   steps += other.steps;
   cut_steps += other.cut_steps;
+  refused_steps += other.refused_steps;
+  step_time += other.step_time;
+  greatest_step = std::max(greatest_step, other.greatest_step);
+  least_step = std::min(least_step, other.least_step);
   flights += other.flights;
   impact_problems += other.impact_problems;
   problems += other.problems;

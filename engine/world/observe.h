@@ -126,6 +126,10 @@ struct BodyHistory {
 struct SolverQuality {
   std::uint64_t steps = 0;
   std::uint64_t cut_steps = 0;
+  std::uint64_t refused_steps = 0;  ///< repeated with a shorter length because of their error
+  double least_step = std::numeric_limits<double>::infinity();  ///< s, of the steps that no touch cut
+  double greatest_step = 0;                                     ///< s
+  double step_time = 0;                                         ///< s, sum of the lengths of all steps
   std::uint64_t flights = 0;
   std::uint64_t impact_problems = 0;
   /// Solves of impacts and of steps, including steps that were then repeated with a shorter length
@@ -145,6 +149,8 @@ struct SolverQuality {
   std::uint64_t shocks = 0;        ///< velocity jumps in a step in which no contact approaches (Painleve)
   double energy_relative_change = 0;  ///< (total energy at the end - total energy at the start) / |scale|
 
+  /// Counts a step of length h; `cut`: a touch has cut it short.
+  void count_step(double h, bool cut);
   void add(const SolverQuality& other);
 };
 

@@ -12,14 +12,14 @@ namespace flyrock {
 template <int D>
 void World<D>::apply_laws(double h) {
   rebounds_.resize(contacts_.size());
+  spring_angle_ = 0;
   for (std::size_t a = 0; a < contacts_.size(); ++a) {
     const Contact& contact = contacts_[a];
     auto& row = problem_.contacts[a];
     rebounds_[a].before = contact.before;
     set_law<D>(contact.law, contact.sticking, contact.at.gap, h, row, rebounds_[a]);
     if (contact.law.condition == NormalCondition::penalty)
-      quality_.max_spring_angle =
-          std::max(quality_.max_spring_angle, h * std::sqrt(contact.law.stiffness * row.w(0, 0)));
+      spring_angle_ = std::max(spring_angle_, h * std::sqrt(contact.law.stiffness * row.w(0, 0)));
     if (row.w(D, D) <= 0)
       row.mu_r = row.mu_spin = row.c_r = row.c_spin =
           0;  // a body with negligible rotational inertia cannot roll
@@ -61,19 +61,20 @@ void World<D>::solve_and_apply() {
   }
 }
 
-/// The velocity H v of contact a now, in the frame of detection (the bodies may have moved since then).
+/// The velocity of contact a at the end of a step of length h (0: an impact).
 template <int D>
-typename World<D>::Row World<D>::velocity_after(int a) const {
+typename World<D>::Row World<D>::velocity_after(int a, double h) const {
   const Contact& contact = contacts_[a];
   Row u = rows_[a].candidate.transpose() * bodies[contact.candidate].velocity();
   if (contact.antagonist >= 0) u += rows_[a].antagonist.transpose() * bodies[contact.antagonist].velocity();
+  if (h > 0) u += settings_.theta * h * contact.turning;
   return u;
 }
 
 template <int D>
-void World<D>::measure_after() {
+void World<D>::measure_after(double h) {
   after_.resize(contacts_.size());
-  for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) after_[a] = velocity_after(a);
+  for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) after_[a] = velocity_after(a, h);
 }
 
 /// The work of contact a on its bodies in an impact or step [J].
@@ -174,11 +175,24 @@ double World<D>::work_of_driven(int a) const {
 /// slip within the step.
 template <int D>
 void World<D>::audit_energy(double h) {
+  constexpr double error_of_turning = 0.1;
   island_gain_.assign(bodies.size(), 0.0);
   for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) {
     energy_given_ += work_of_driven(a);
-    if (contacts_[a].law.condition != NormalCondition::penalty)
-      island_gain_[island_of(contacts_[a])] += energy_of(a);
+    energy_in_doubt_ += error_of_turning * h * contacts_[a].impulse.template head<D>().norm() *
+                        contacts_[a].turning.template head<D>().norm();
+    const Contact& contact = contacts_[a];
+    if (contact.law.condition != NormalCondition::penalty) {
+      island_gain_[island_of(contact)] += energy_of(a);
+    } else {
+      const double w = problem_.contacts[a].w(0, 0), stiffness = contact.law.stiffness;
+      const double energy =
+          0.5 * (stiffness * contact.at.gap * contact.at.gap + contact.before[0] * contact.before[0] / w);
+      const double place = settings_.step_tolerance * 2 * bodies[contact.candidate].radius;
+      spring_energy_in_doubt_ =
+          std::max(spring_energy_in_doubt_,
+                   0.25 * h * h * stiffness * w * energy + stiffness * std::abs(contact.at.gap) * place);
+    }
   }
   for (double& gain : island_gain_) {
     if (h == 0) energy_given_ += std::max(0.0, gain);

@@ -10,8 +10,12 @@ namespace flyrock {
 
 template <int D>
 void World<D>::save() {
-  saved_.clear();
-  for (const Body<D>& body : bodies) saved_.push_back({moment_of(body), body.impacts});
+  starts_.clear();
+  impacts_before_.clear();
+  for (const Body<D>& body : bodies) {
+    starts_.push_back(moment_of(body));
+    impacts_before_.push_back(body.impacts);
+  }
   memory_.clear();
   for (const Surface* surface : surfaces_) surface->save_history(memory_);
 }
@@ -19,14 +23,88 @@ void World<D>::save() {
 template <int D>
 void World<D>::restore() {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const auto& [moment, impacts] = saved_[i];
-    bodies[i].move_to(moment.x, moment.attitude);
-    bodies[i].v = moment.v;
-    bodies[i].w = moment.w;
-    bodies[i].impacts = impacts;
+    const Moment<D>& start = starts_[i];
+    bodies[i].move_to(start.x, start.attitude);
+    bodies[i].v = start.v;
+    bodies[i].w = start.w;
+    bodies[i].impacts = impacts_before_[i];
   }
   const double* memory = memory_.data();
   for (Surface* surface : surfaces_) memory = surface->restore_history(memory);
+}
+
+/// Velocities jump, or bodies fly: the next step is not like the last one.
+template <int D>
+void World<D>::forget_steps() {
+  control_.forget();
+  by_contacts_.clear();
+}
+
+template <int D>
+double World<D>::step_length() {
+  if (!chooses_steps()) return settings_.time_step;
+  touching_.assign(bodies.size(), false);
+  for (const Contact& c : last_) {
+    // A spring keeps its energy only if the steps are equal.
+    if (c.law.condition == NormalCondition::penalty) continue;
+    for (const int body : {c.candidate, c.antagonist})
+      if (body >= 0) touching_[body] = true;
+  }
+  return control_.length(bodies, touching_);
+}
+
+/// The longest step that gives the springs of a step of length h enough steps a period [s].
+template <int D>
+double World<D>::longest_of_springs(double h) const {
+  return spring_angle_ > 0 ? h * (2 * pi / steps_a_period) / spring_angle_
+                           : std::numeric_limits<double>::infinity();
+}
+
+/// What friction leaves in doubt: half of what friction and resistance to rolling would change of each body
+/// if they had the direction of the start of the step in place of its end, or the coefficients of the last
+/// step [m/s]; with the change of the spin times the radius. A contact that ends at rest leaves no doubt,
+/// because the solver finds the impulse that stops it. A direction that turns smoothly does so in the other
+/// steps of a phase too.
+template <int D>
+std::span<const double> World<D>::doubt_of_friction(double h) {
+  constexpr double at_rest = 1e-6;  // of the speed at the start
+  constexpr double smooth = 0.5;    // rad
+  doubt_.assign(bodies.size(), 0.0);
+  for (std::size_t a = 0; a < contacts_.size(); ++a) {
+    const Contact& contact = contacts_[a];
+    if (contact.impulse[0] <= 0) continue;
+    const Row after = velocity_after(static_cast<int>(a), h);
+    Row half = Row::Zero();
+    const auto doubt = [&](int first, int count, double impulse, const auto& change) {
+      const double times = change.norm() < smooth ? std::max(1.0, 0.5 * usual_phase / h) : 1;
+      half.segment(first, count) += 0.5 * times * impulse * change;
+    };
+    const auto turn = [&](int first, int count) {
+      const auto from = contact.before.segment(first, count), to = after.segment(first, count);
+      const double slow = from.norm(), fast = to.norm();
+      if (fast <= at_rest * slow || slow <= at_rest * fast) return;
+      doubt(first, count, contact.impulse.segment(first, count).norm(), (to / fast - from / slow).eval());
+    };
+    turn(1, D - 1);
+    const double slip = tangential(after).norm();
+    if (contact.carried && slip > at_rest * tangential(contact.before).norm()) {
+      const double bound = contact.mu() * contact.impulse[0] + h * contact.law.c_t;
+      const double bound_before = contact.mu_before * contact.impulse[0] + h * contact.c_t_before;
+      if (bound > 0) doubt(1, D - 1, bound, ((1 - bound_before / bound) / slip * tangential(after)).eval());
+    }
+    if constexpr (D == 3) turn(D, 1);
+    turn(Problem::rows - (D - 1), D - 1);
+    if (half.isZero(0)) continue;
+    const auto add = [&](int i, const ContactColumns<D>& columns) {
+      if (i < 0 || !bodies[i].moves()) return;
+      const typename Body<D>::Rows change = bodies[i].inverse_mass_times(columns * half);
+      doubt_[i] +=
+          change.template head<D>().norm() + bodies[i].radius * change.tail(change.size() - D).norm();
+    };
+    add(contact.candidate, rows_[a].candidate);
+    add(contact.antagonist, rows_[a].antagonist);
+  }
+  return doubt_;
 }
 
 /// The Moreau-Jean step:
@@ -36,16 +114,21 @@ void World<D>::restore() {
 ///   q+ = q_m + h theta v+
 template <int D>
 typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
-  constexpr int most_cuts = 4, most_refinements = 4;
+  constexpr int most_cuts = 4, most_refinements = 4, most_refusals = 12;
   const double theta = settings_.theta;
+  by_contacts_.resize(bodies.size(), Body<D>::no_spin());
+  free_spins_.resize(bodies.size());
   const auto drift = [&](double dt) {
     for (Body<D>& body : bodies)
       if (body.present && body.kind != BodyKind::fixed) body.displace(dt * body.velocity());
   };
   impacts_.clear();
   save();
+  const bool chooses = chooses_steps() && cut;
+  if (chooses) reach_time_ = std::max(h, last_step_);
   bool new_touch = false;
-  for (int cuts = 0, refinements = 0;;) {
+  double error = 0;
+  for (int cuts = 0, refinements = 0, refusals = 0;;) {
     drift((1 - theta) * h);
     detect((1 - theta) * h);
     double share = 0;
@@ -61,17 +144,31 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
       new_touch = false;
       continue;
     }
-    measure_before();
-    for (Body<D>& body : bodies) {
+    measure_before(h);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      Body<D>& body = bodies[i];
       if (!body.moves()) continue;
       body.v += h * (gravity_ + body.push);
-      body.w = free_spin(body, h, theta);
+      body.w = free_spin(body, h, theta, h * by_contacts_[i]);
+      free_spins_[i] = body.w;
     }
     begin_manifolds();
     ask_laws(h);
     assemble(h, true);
     if (!contacts_.empty()) solve_and_apply();
     drift(theta * h);
+    if (chooses && refusals++ < most_refusals) {
+      error = control_.error(bodies, starts_, doubt_of_friction(h), h);
+      const double of_springs = longest_of_springs(h);
+      const double fits = error > 1 ? StepControl<D>::shorter(h, error) : h;
+      if (std::min(fits, of_springs) < h) {
+        restore();
+        h = std::min(fits, 0.95 * of_springs);
+        new_touch = false;
+        ++quality_.refused_steps;
+        continue;
+      }
+    }
     if (!cut || cuts++ == most_cuts) break;
     const std::optional<double> touch = first_touch(h, pass_held);
     if (!touch || *touch >= h * (1 - 1e-9)) break;
@@ -83,17 +180,20 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
       return {0, true, true};
     }
   }
-  measure_after();
+  quality_.max_spring_angle = std::max(quality_.max_spring_angle, spring_angle_);
+  if (chooses) control_.finished(bodies, starts_, h, error, longest_of_springs(h));
+  measure_after(h);
   find_shocks(h);
   record_impacts();
   audit_energy(h);
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (bodies[i].moves())
-      energy_given_ += bodies[i].mass * bodies[i].push.dot(bodies[i].x - saved_[i].moment.x);
+    if (bodies[i].moves()) energy_given_ += bodies[i].mass * bodies[i].push.dot(bodies[i].x - starts_[i].x);
   project_drift(cut);
   time += h;
-  ++quality_.steps;
-  quality_.cut_steps += new_touch;
+  last_step_ = h;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (bodies[i].moves()) by_contacts_[i] = (bodies[i].w - free_spins_[i]) / h;
+  quality_.count_step(h, new_touch);
   return keep(h, new_touch);
 }
 
@@ -102,9 +202,10 @@ typename World<D>::Outcome World<D>::impact() {
   // A cut step ends at the touch only up to second order in its length, so accept a small gap as closed.
   constexpr double event_share = 1e-7;
   impacts_.clear();
+  forget_steps();
   detect(0);
   keep_closed(event_share);
-  measure_before();
+  measure_before(0);
   begin_manifolds();
   ask_laws(0);
   assemble(0, false);
@@ -114,7 +215,7 @@ typename World<D>::Outcome World<D>::impact() {
     solve_and_apply();
     ++quality_.impact_problems;
   }
-  measure_after();
+  measure_after(0);
   record_impacts();
   audit_energy(0);
   Outcome outcome = keep(0, false);
@@ -131,7 +232,7 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
   std::optional<double> first;
   motions_.clear();
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    motions_.push_back(step_motion(saved_[i].moment, bodies[i], h, settings_.theta));
+    motions_.push_back(step_motion(starts_[i], bodies[i], h, settings_.theta));
   const auto consider = [&](std::optional<double> t) {
     if (t && (!first || *t < *first)) first = t;
   };

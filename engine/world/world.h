@@ -14,12 +14,14 @@
 #include "world/motions.h"
 #include "world/observe.h"
 #include "world/phase_clock.h"
+#include "world/step_control.h"
 #include "world/surface.h"
 
 namespace flyrock {
 
 struct WorldSettings {
-  double time_step = 1e-3;               ///< s
+  double time_step = 1e-3;               ///< s; of chosen steps only the scale for what counts as short
+  double step_tolerance = 0;             ///< steps are chosen by their error (StepControl); 0: fixed
   double theta = 0.5;                    ///< parameter of the scheme, in [1/2, 1]
   double tolerance = default_tolerance;  ///< of the contact solver
   int max_iterations = 1000;
@@ -39,9 +41,12 @@ struct WorldContact {
   ContactLaw law;
   ContactHistory history{};  ///< memory of the laws of this contact
   Row impulse = Row::Zero();
-  Row before = Row::Zero();  ///< velocity at the start of the step or impact, in the frame of detection
-  double age = 0;            ///< s since the contact closed
-  bool carried = false;      ///< true if the contact did not open in the last step
+  Row before = Row::Zero();   ///< velocity at the start of the step or impact
+  Row turning = Row::Zero();  ///< acceleration by which the lever arms change the velocity as they turn
+  double mu_before = 0;       ///< coefficient of friction in the last step, if the contact is carried on
+  double c_t_before = 0;      ///< N, its tangential cohesion
+  double age = 0;             ///< s since the contact closed
+  bool carried = false;       ///< true if the contact did not open in the last step
   bool sticking = false;
   int manifold = -1;      ///< index of the manifold among the impacts of this step; -1: no impact
   int impact_number = 0;  ///< impact number of the candidate, if this contact is part of an impact
@@ -101,6 +106,8 @@ class World {
   /// `pass_held`, only touches of bodies that have no contact with each other cut the step. Without `cut`,
   /// impacts inside the step are reported in `impacts`.
   Outcome step(double h, bool cut, bool pass_held = false);
+  /// The length of the next step: the fixed one, or chosen by error [s].
+  double step_length();
 
   /// Solves the impact problem of all contacts that are closed now. Velocities jump; time does not advance.
   Outcome impact();
@@ -138,6 +145,10 @@ class World {
   /// bodies, and the energy that impacts gain by their laws. If nothing is wrong, total_energy never exceeds
   /// its start value plus this energy, apart from the error of the scheme.
   double energy_given() const { return energy_given_; }
+  /// The energy by which the steps so far may err [J]: of each contact a tenth of its impulse times the speed
+  /// by which its lever arms turned in the step; of a spring, which swings by the angle a in a step, a^2 / 4
+  /// of its energy, and its force times the error of a place that chosen steps may make.
+  double energy_in_doubt() const { return energy_in_doubt_ + spring_energy_in_doubt_; }
   /// The gap up to which a contact of the last step stays active, and its drift is projected out [m].
   double carry_reach(int candidate, int antagonist) const;
   /// The gap below which a contact of a body is closed: 1e-9 size + 1e-12 m.
@@ -156,10 +167,6 @@ class World {
     Vec<D> place = Vec<D>::Zero();
     double vn_before = 0, vn_after = 0;
     Vec<D - 1> vt_before = Vec<D - 1>::Zero(), vt_after = Vec<D - 1>::Zero(), pt = Vec<D - 1>::Zero();
-  };
-  struct Saved {
-    Moment<D> moment;
-    int impacts;
   };
 
   void know(Surface* surface);
@@ -186,7 +193,8 @@ class World {
 
   // assemble.ipp: the friction problem
   Row relative_velocity(const Contact& contact) const;
-  void measure_before();
+  Row turning_of(const Contact& contact) const;
+  void measure_before(double h);
   void assemble(double h, bool warm);
   template <int N>
   void couple();
@@ -197,8 +205,8 @@ class World {
   // rebound.ipp: its solution with restitution, applied to the bodies; records and energy audit
   void apply_laws(double h);
   void solve_and_apply();
-  Row velocity_after(int a) const;
-  void measure_after();
+  Row velocity_after(int a, double h) const;
+  void measure_after(double h);
   void find_shocks(double h);
   void record_impacts();
   void audit_energy(double h);
@@ -209,6 +217,10 @@ class World {
   // step.ipp: the scheme
   void save();
   void restore();
+  void forget_steps();
+  bool chooses_steps() const { return settings_.step_tolerance > 0; }
+  double longest_of_springs(double h) const;
+  std::span<const double> doubt_of_friction(double h);
   std::optional<double> first_touch(double h, bool pass_held);
   void project_drift(bool exact);
   Outcome keep(double duration, bool new_touch);
@@ -218,8 +230,13 @@ class World {
   double g_;  ///< |g|, m/s2
   WorldSettings settings_;
   SolverQuality quality_;
-  double energy_given_ = 0;                             ///< J
-  std::vector<std::vector<Surface*>> terrain_surface_;  ///< [body][part]
+  StepControl<D> control_;
+  double last_step_ = 0;     ///< s
+  double reach_time_ = 0;    ///< s, the longer of this step and the last one; fixed steps: their length
+  double spring_angle_ = 0;  ///< rad, greatest h sqrt(k W_nn) of the springs in the step
+  double energy_given_ = 0;  ///< J
+  double energy_in_doubt_ = 0, spring_energy_in_doubt_ = 0;  ///< J
+  std::vector<std::vector<Surface*>> terrain_surface_;       ///< [body][part]
   /// [a][b], a < b; null before the bodies first come near each other
   std::vector<std::vector<Surface*>> pair_surface_;
 
@@ -239,21 +256,27 @@ class World {
     double residual = 0;  ///< m/s
     double since = 0;     ///< s
   };
-  std::vector<Unsolved> unsolved_;  ///< of each body: residual and time of its last solve
-  std::vector<Row>
-      after_;  ///< velocities of the contacts after the step or impact, in the frame of detection
+  std::vector<Unsolved> unsolved_;             ///< of each body: residual and time of its last solve
+  std::vector<Row> after_;                     ///< velocities of the contacts after the step or impact
   std::vector<Row> start_;                     ///< start impulses, kept only if hard problems are reported
   std::vector<std::vector<int>> contacts_of_;  ///< [body], for bodies that contacts move
   std::vector<int> island_;
   std::vector<double> island_speed_;
-  std::vector<double> island_gain_;    ///< J, energy that an island gains, minus what rounding allows
+  std::vector<double> island_gain_;  ///< J, energy that an island gains, minus what rounding allows
+  /// rad/s2, of each body: the change of its spin by contacts in the last step; empty: unknown, taken as zero
+  std::vector<typename Space<D>::Spin> by_contacts_;
+  std::vector<typename Space<D>::Spin>
+      free_spins_;                     ///< rad/s, of each body, without the contacts of the step
+  std::vector<double> doubt_;          ///< m/s, of each body
+  std::vector<bool> touching_;         ///< [body], a mark that the functions of a step set anew
   std::vector<bool> island_collides_;  ///< whether the island has an impact in this step
   SortAndSweep broad_phase_;
   std::vector<typename Geometry<D>::Box> boxes_;
-  std::vector<Saved> saved_;
-  std::vector<Motion> motions_;     ///< of the bodies over the current step
-  std::vector<Surface*> surfaces_;  ///< those with memory of a pair, each once
-  std::vector<double> memory_;      ///< memory of the surfaces at the start of the step
+  std::vector<Moment<D>> starts_;    ///< of the bodies, at the start of the step
+  std::vector<int> impacts_before_;  ///< of the bodies, at the start of the step
+  std::vector<Motion> motions_;      ///< of the bodies over the current step
+  std::vector<Surface*> surfaces_;   ///< those with memory of a pair, each once
+  std::vector<double> memory_;       ///< memory of the surfaces at the start of the step
   std::vector<typename Body<D>::Rows> drift_;
   std::vector<std::optional<double>> gaps_;  ///< gaps of the contacts whose drift is projected out
 };

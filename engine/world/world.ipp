@@ -8,7 +8,12 @@ namespace flyrock {
 
 template <int D>
 World<D>::World(const Terrain& terrain, const Vec<D>& gravity, const WorldSettings& settings)
-    : terrain_(&terrain), gravity_(gravity), g_(gravity.norm()), settings_(settings) {}
+    : terrain_(&terrain),
+      gravity_(gravity),
+      g_(gravity.norm()),
+      settings_(settings),
+      control_(settings.step_tolerance),
+      reach_time_(settings.time_step) {}
 
 template <int D>
 int World<D>::add(Body<D> body) {
@@ -74,6 +79,7 @@ void World<D>::fly(double dt) {
     body.v = motion.velocity(dt);
     body.w = turned.spin;
   }
+  forget_steps();
   time += dt;
   ++quality_.flights;
 }

@@ -120,7 +120,7 @@ TEST_CASE("the gyroscopic term of a step keeps the energy and |L| at theta 1/2, 
   const double energy = body.kinetic_energy();
   for (int i = 0; i < 1000; ++i) {
     body.attitude = body.attitude.turned((1 - theta) * 1e-3 * body.w);
-    body.w = free_spin(body, 1e-3, theta);
+    body.w = free_spin(body, 1e-3, theta, Vec3::Zero());
     body.attitude = body.attitude.turned(theta * 1e-3 * body.w);
   }
   const Vec3 after = body.inertia.cwiseProduct(body.attitude.rotation.inverse(body.w));

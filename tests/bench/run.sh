@@ -22,6 +22,28 @@ done
 
 "$1/flyrock_shots"
 
+# Steps in contact chosen by error and fixed ones, in turn; Box2D with the same scene and the same rest between them.
+if g++ -O3 "$here/box2d_s3.cpp" -lbox2d -o "$out/box2d_s3" 2> /dev/null; then peer=yes; else peer=; fi
+for scenario in "$here/../../scenarios/ninh_dan/benches_2d.yaml" "$here/s3.yaml"; do
+  name=$(basename "$scenario" .yaml)
+  for round in 1 2 3; do
+    for step in auto "5 ms" "1 ms"; do
+      of=$out/$name-$(echo "$step" | tr -d ' ')
+      sed "/^solver:/d; s|file: scenes|file: $here/scenes|; \$ a solver: { time_step: $step }" "$scenario" > "$of.yaml"
+      "$flyrock" run "$of.yaml" -o "$of" -j 1 --force --quiet > /dev/null 2>&1 || true
+      sed -n 's/^rocks\/s *//p' "$of/run.log" >> "$of.rates"
+    done
+    if [ -n "$peer" ] && [ "$name" = s3 ]; then "$out/box2d_s3" "$here/scenes/profile.txt" 60 0.001 >> "$out/box2d"; fi
+  done
+  for step in auto 5ms 1ms; do
+    of=$out/$name-$step
+    runout=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "runout_m") c = i } NR > 1 && $c != "" { print $c }' "$of/rocks.csv" |
+      sort -n | awk '{ v[NR] = $1; s += $1; q += $1 * $1 } END { m = s / NR; printf "%.1f +- %.1f m, p95 %.1f m", m, 1.96 * sqrt((q / NR - m * m) / NR), v[int(0.95 * NR + 0.5)] }')
+    printf '%-12s %-5s %8s rocks/s, runout %s\n' $name $step $(sort -n "$of.rates" | sed -n 2p) "$runout"
+  done
+done
+if [ -n "$peer" ]; then sort "$out/box2d" | sed -n 2p; else echo "Box2D: not installed (libbox2d-dev)"; fi
+
 # Memory does not grow with the number of rocks; 1000000 gives the same (about a minute). All threads, as an engineer runs it.
 for trials in 10000 100000; do
   "$flyrock" run "$here/many.yaml" --trials $trials -o "$out/many" --force --quiet

@@ -112,7 +112,8 @@ function solver_section() {
   section_of_point("Solver quality", (point) => {
     const s = point.solver;
     return [table("", ["quantity", "value", "unit", "meaning"], [
-      ["steps", s.steps, "", `time steps with contact, ${s.cut_steps} of them cut short at a contact that opens or closes`],
+      ["steps", s.steps, "", `time steps with contact, ${s.cut_steps} of them cut short at a contact that opens or closes, ${s.refused_steps} repeated with a shorter length because of their error`],
+      ["mean step", s.steps === 0 ? null : s.mean_step * 1e3, "ms", s.steps === 0 ? "no steps in contact" : `from ${(s.least_step * 1e3).toPrecision(3)} ms (where no touch cuts a step short) to ${(s.greatest_step * 1e3).toPrecision(3)} ms`],
       ["flights", s.flights, "", "stretches of exact flight between contacts"],
       ["impact problems", s.impact_problems, "", "impacts solved in impulses"],
       ["contact problems", s.problems, "", "of impacts, of steps, and of steps that were then cut short"],

@@ -76,7 +76,8 @@ TEST_CASE("a scenario of bodies: units, defaults and names") {
   CHECK(s.gravity.constant == 9.81);
   CHECK(s.stop.time == 2);
   CHECK(s.stop.speed == 0.05);
-  CHECK(s.solver.time_step == 1e-3);
+  CHECK_FALSE(s.solver.time_step);
+  CHECK(s.solver.step_tolerance == 1e-3);
   CHECK(s.solver.max_iterations == 1000);
   CHECK(s.solver.flight == FlightMode::exact);
   CHECK(s.output.trajectories_first == 100);
@@ -194,10 +195,10 @@ TEST_CASE("a sweep inside a distribution keeps the stream") {
 
 TEST_CASE("where nothing may vary") {
   CHECK(refuse(head + ground + ball + "solver: { time_step: { sweep: [1 ms, 2 ms] } }\n") ==
-        "solver.time_step: takes no sweep, expected a number in s\n");
+        "solver.time_step: takes no sweep, expected a number in s or `auto`\n");
   CHECK(refuse(head + ground + ball + "solver: { theta: { uniform: [0.5, 0.6] } }\n") ==
         "solver.theta: takes no distribution, expected a number\n");
-  CHECK(refuse(head + ground + ball + "solver: { flight: { sweep: [exact, stepped] } }\n") ==
+  CHECK(refuse(head + ground + ball + "solver: { time_step: 1 ms, flight: { sweep: [exact, stepped] } }\n") ==
         "solver.flight: takes no sweep, only numbers that may vary are swept\n");
 }
 

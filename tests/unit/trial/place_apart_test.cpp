@@ -10,7 +10,9 @@ TEST_CASE("rocks released at random into one place start apart, and come to rest
   const TrialRecords records = first_trial(loaded("tests/unit/trial/pit.yaml"));
   REQUIRE(records.rocks.size() == 12);
   for (const RockRecord& rock : records.rocks) CHECK(rock.reason == StopReason::stopped);
-  CHECK(records.totals.quality.max_penetration < 1e-4);
+  // A step passes over new touches of pairs that are in contact; a quarter of what step_tolerance allows in
+  // place.
+  CHECK(records.totals.quality.max_penetration < 2.5e-4);
 }
 
 TEST_CASE("rocks of space start above the ground, or uniformly inside a flat polygon") {
