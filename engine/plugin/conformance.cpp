@@ -196,6 +196,55 @@ void add(Numbers& answer, const Plane& plane) {
   answer.insert(answer.end(), plane.normal.begin(), plane.normal.end());
 }
 
+void add(Numbers& answer, const Mesh& mesh) {
+  if (mesh.triangles.empty()) fail("a mesh has no triangles");
+  if (mesh.part.size() != mesh.triangles.size())
+    fail(
+        fmt::format("a mesh of {} triangles names the parts of {}", mesh.triangles.size(), mesh.part.size()));
+  const auto outside = [](int index, std::size_t size) {
+    return index < 0 || index >= static_cast<int>(size);
+  };
+  for (const Vec3& vertex : mesh.vertices) {
+    if (!vertex.allFinite()) fail("a vertex of a mesh is not finite");
+    answer.insert(answer.end(), vertex.begin(), vertex.end());
+  }
+  for (const auto& triangle : mesh.triangles) {
+    for (const int corner : triangle)
+      if (outside(corner, mesh.vertices.size()))
+        fail(
+            fmt::format("a mesh of {} vertices has a triangle with vertex {}", mesh.vertices.size(), corner));
+    answer.insert(answer.end(), triangle.begin(), triangle.end());
+  }
+  for (const int part : mesh.part)
+    if (outside(part, mesh.parts.size()))
+      fail(fmt::format("a mesh of {} parts has a triangle of part {}", mesh.parts.size(), part));
+  answer.insert(answer.end(), mesh.part.begin(), mesh.part.end());
+}
+
+void add(Numbers& answer, const HeightGrid& grid) {
+  if (grid.columns < 2 || grid.rows < 2)
+    fail(fmt::format("a grid has {} x {} heights, expected at least 2 x 2", grid.columns, grid.rows));
+  const std::size_t cells = static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows);
+  if (grid.heights.size() != cells)
+    fail(fmt::format("a grid of {} x {} cells has {} heights", grid.columns, grid.rows, grid.heights.size()));
+  if (!(grid.cell > 0) || !grid.corner.allFinite()) fail("the cells of a grid have no finite size and place");
+  if (!grid.part.empty() && grid.part.size() != cells)
+    fail(fmt::format("a grid of {} cells names the parts of {}", cells, grid.part.size()));
+  for (const double height : grid.heights) {
+    if (std::isinf(height)) fail("a height of a grid is infinite");
+    answer.push_back(std::isnan(height) ? 1e300 : height);  // no data, comparable with itself
+  }
+  for (const std::uint8_t part : grid.part)
+    if (part >= grid.parts.size())
+      fail(fmt::format("a grid of {} parts has a cell of part {}", grid.parts.size(), part));
+  answer.insert(answer.end(), grid.part.begin(), grid.part.end());
+  answer.insert(answer.end(), {grid.cell, grid.corner.x(), grid.corner.y()});
+}
+
+void add(Numbers& answer, const TerrainShape3& terrain) {
+  std::visit([&](const auto& shape) { add(answer, shape); }, terrain);
+}
+
 void add(Numbers& answer, const Profile& profile) {
   if (std::string fault = profile.fault(); !fault.empty()) fail(fault);
   for (const Vec2& point : profile.points) answer.insert(answer.end(), {point.x(), point.y()});

@@ -14,7 +14,7 @@ namespace {
 std::vector<Contactor2> ShapeModel::build(Values, RandomStream&) const { refuse("shape", 2); }
 std::vector<Contactor3> ShapeModel::build_3d(Values, RandomStream&) const { refuse("shape", 3); }
 Profile TerrainModel::build(Values, RandomStream&) const { refuse("terrain", 2); }
-Plane TerrainModel::build_3d(Values, RandomStream&) const { refuse("terrain", 3); }
+TerrainShape3 TerrainModel::build_3d(Values, RandomStream&) const { refuse("terrain", 3); }
 std::vector<RockPlan> Population::rocks(Values, const Profile&, const Blast&, RandomStream&) const {
   refuse("rocks", 2);
 }

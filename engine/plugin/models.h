@@ -9,8 +9,8 @@
 #include "blast/blast.h"
 #include "geometry/contactor.h"
 #include "geometry/contactor3.h"
-#include "geometry/plane.h"
 #include "geometry/profile.h"
+#include "geometry/terrain_shape.h"
 #include "plugin/params.h"
 #include "random/stream.h"
 
@@ -31,7 +31,7 @@ class TerrainModel {
  public:
   virtual ~TerrainModel() = default;
   virtual Profile build(Values values, RandomStream& rng) const;
-  virtual Plane build_3d(Values values, RandomStream& rng) const;
+  virtual TerrainShape3 build_3d(Values values, RandomStream& rng) const;
 };
 
 /// The data of a rock that a velocity model reads. SI units; z components are 0 in 2D.

@@ -58,7 +58,7 @@ void try_to_build(DecodeContext& context, const Node& node, const PluginUse& use
     RandomStream rng(seed, use.path, key);
     const auto model = make_instance<TerrainModel>(use, context.dimension);
     if (context.dimension == 3) {
-      terrain.parts = model->build_3d(values, rng).parts;
+      terrain.parts = parts_of(model->build_3d(values, rng));
     } else {
       terrain.profile = model->build(values, rng);
       terrain.parts = terrain.profile->parts;

@@ -27,7 +27,11 @@ inline Terrain2 make_terrain(const TerrainModel& model, const PluginUse& use, co
 }
 inline Terrain3 make_terrain(const TerrainModel& model, const PluginUse& use, const Scenario& scenario,
                              const DrawKey& key, RandomStream& rng, const Terrain3*) {
-  const Plane plane = model.build_3d(values_of(use, scenario, key), rng);
+  const TerrainShape3 shape = model.build_3d(values_of(use, scenario, key), rng);
+  if (!std::holds_alternative<Plane>(shape))
+    throw PluginError(fmt::format("plugin {}: build_3d() returned triangles or heights, expected a plane",
+                                  use.plugin->spec.name));
+  const Plane& plane = std::get<Plane>(shape);
   if (plane.point.cwiseAbs().maxCoeff() > farthest_place)
     throw PluginError(fmt::format(
         "plugin {}: the point ({:.6g}, {:.6g}, {:.6g}) of a plane is more than 100 km from the origin",

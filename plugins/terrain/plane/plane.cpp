@@ -25,7 +25,7 @@ class PlaneTerrain : public TerrainModel {
     return profile;
   }
 
-  Plane build_3d(Values values, RandomStream&) const override {
+  TerrainShape3 build_3d(Values values, RandomStream&) const override {
     Plane plane;
     plane.point = point_of<3>(values);
     plane.normal = normal_of<3>(values);

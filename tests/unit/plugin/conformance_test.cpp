@@ -3,6 +3,7 @@
 #include "plugin/conformance.h"
 
 #include <catch2/catch.hpp>
+#include <limits>
 
 #include "plugin/sampled_params.h"
 
@@ -55,6 +56,26 @@ class ShapeUnderTest : public ShapeModel {
  private:
   std::vector<Vec2> vertices_;
 };
+
+class TerrainUnderTest : public TerrainModel {
+ public:
+  explicit TerrainUnderTest(TerrainShape3 shape) : shape_(std::move(shape)) {}
+  TerrainShape3 build_3d(Values, RandomStream&) const override { return shape_; }
+
+ private:
+  TerrainShape3 shape_;
+};
+
+Plugin terrain(TerrainShape3 shape) {
+  Plugin plugin;
+  plugin.spec.kind = PluginKind::terrain;
+  plugin.spec.name = "under_test";
+  plugin.make = FactoryOf<TerrainModel>([shape](Params& params) {
+    params.require_dimension(3);
+    return std::make_unique<TerrainUnderTest>(shape);
+  });
+  return plugin;
+}
 
 Plugin shape(std::vector<Vec2> vertices) {
   Plugin plugin;
@@ -135,6 +156,25 @@ TEST_CASE("the battery finds shapes that are no convex polygons") {
         Faults{"the vertices of a polygon run clockwise" + sample});
   CHECK(conformance_faults(shape({{0, 0}, {4, 0}, {1, 1}, {0, 4}})) ==
         Faults{"the polygon is not convex at the vertex (1, 1)" + sample});
+}
+
+TEST_CASE("the battery finds meshes and grids that do not fit together") {
+  const std::string sample = "\n  asked with: the random numbers of sample 0\n  parameters: none";
+  Mesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.triangles = {{0, 1, 2}};
+  mesh.part = {0};
+  mesh.parts = {""};
+  CHECK(conformance_faults(terrain(mesh)).empty());
+  mesh.triangles[0][2] = 3;
+  CHECK(conformance_faults(terrain(mesh)) ==
+        Faults{"in 3D a mesh of 3 vertices has a triangle with vertex 3" + sample});
+  HeightGrid grid;
+  grid.columns = grid.rows = 2;
+  grid.heights = {0, 1, 2, std::numeric_limits<double>::quiet_NaN()};
+  CHECK(conformance_faults(terrain(grid)).empty());
+  grid.heights.pop_back();
+  CHECK(conformance_faults(terrain(grid)) == Faults{"in 3D a grid of 2 x 2 cells has 3 heights" + sample});
 }
 
 TEST_CASE("parameters that bound each other are sampled within their bounds") {
