@@ -59,7 +59,7 @@ std::string Params::text(std::string_view name) {
 }
 
 const std::vector<std::vector<double>>& Params::points(std::string_view name) {
-  return values_[at(name, {ParamType::points})].points;
+  return values_[at(name, {ParamType::points, ParamType::plan_points})].points;
 }
 
 std::vector<Vec2> Params::points2(std::string_view name) {

@@ -30,6 +30,12 @@ struct PluginError : TrialError {
   using TrialError::TrialError;
 };
 
+/// A plugin cannot use its parameters together, which it sees only when it is called, because they may be
+/// draws. Other parameters within their limits may fit.
+struct ParameterError : PluginError {
+  using PluginError::PluginError;
+};
+
 /// The decoded value of one declared parameter.
 struct ParamValue {
   bool given = false;           ///< false only for an optional parameter that was left out
@@ -63,7 +69,8 @@ class Params {
   double constant(std::string_view name);
   /// A choice, text or file; empty if it was left out.
   std::string text(std::string_view name);
-  /// Points with as many components as the scenario has dimensions; none if they were left out.
+  /// Points with as many components as the scenario has dimensions, points in plan with two; none if they
+  /// were left out.
   const std::vector<std::vector<double>>& points(std::string_view name);
   std::vector<Vec2> points2(std::string_view name);
   std::vector<Vec3> points3(std::string_view name);

@@ -126,6 +126,9 @@ ParamValue sample_param(const PluginSpec& plugin, std::size_t i, const std::vect
       else
         value.points = {{0, 0, 0}, {2, -rng.uniform(), 0}, {3, rng.uniform(), 0}, {1, 0, 1 + rng.uniform()}};
       break;
+    case ParamType::plan_points:  // long and nearly straight, so that lines beside it have the same corners
+      value.points = {{0, 0}, {1000, -rng.uniform()}, {3000, rng.uniform()}};
+      break;
     case ParamType::text:
     case ParamType::file:
       value = {};
@@ -153,7 +156,7 @@ std::vector<ParamValue> sample_given(const PluginSpec& spec, const std::vector<b
   std::vector<ParamValue> values;
   for (std::size_t i = 0; i < spec.params.size(); ++i) {
     values.push_back(given[i] ? sample_param(spec, i, values, dimension, rng) : ParamValue{});
-    if (!given[i] && spec.params[i].default_text) {
+    if (!given[i] && spec.params[i].default_text && spec.params[i].group().empty()) {
       values.back().given = true;
       values.back().text = *spec.params[i].default_text;
     }
@@ -166,19 +169,30 @@ std::vector<ParamValue> sample_given(const PluginSpec& spec, const std::vector<b
 std::vector<std::vector<ParamValue>> sample_variants(const PluginSpec& spec, int dimension,
                                                      RandomStream& rng) {
   if (!can_sample(spec)) return {};
+  // What may be left out: a parameter, or a group of parameters, which its first one stands for.
   std::vector<std::size_t> varied;
-  for (std::size_t i = 0; i < spec.params.size(); ++i)
-    if (spec.params[i].optional && can_sample(spec.params[i])) varied.push_back(i);
+  for (std::size_t i = 0; i < spec.params.size(); ++i) {
+    const std::string_view group = spec.params[i].group();
+    const bool opens_group = !group.empty() && (i == 0 || spec.params[i - 1].group() != group);
+    if (opens_group || (group.empty() && spec.params[i].optional && can_sample(spec.params[i])))
+      varied.push_back(i);
+  }
   const bool all = varied.size() <= all_choices;
   const std::size_t choices = all ? std::size_t{1} << varied.size() : most_choices;
 
   std::vector<std::vector<ParamValue>> variants;
   for (std::size_t choice = 0; choice < choices; ++choice) {
     std::vector<bool> given;
-    for (const ParamSpec& param : spec.params) given.push_back(!param.optional && can_sample(param));
-    for (std::size_t place = 0; place < varied.size(); ++place)
-      given[varied[place]] =
+    for (const ParamSpec& param : spec.params)
+      given.push_back(!param.optional && param.group().empty() && can_sample(param));
+    for (std::size_t place = 0; place < varied.size(); ++place) {
+      const bool is_given =
           all ? (choice >> place & 1) != 0 : choice == 1 || (choice > 1 && rng.integer(0, 1) == 1);
+      const std::string_view group = spec.params[varied[place]].group();
+      for (std::size_t i = varied[place]; i < spec.params.size(); ++i)
+        if (i == varied[place] || (!group.empty() && spec.params[i].group() == group))
+          given[i] = is_given && can_sample(spec.params[i]);
+    }
     auto values = sample_given(spec, given, dimension, rng);
     for (int more = 1; more < most_samples && !keeps_bounds(spec, values); ++more)
       values = sample_given(spec, given, dimension, rng);

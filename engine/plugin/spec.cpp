@@ -7,8 +7,8 @@ namespace flyrock {
 namespace {
 constexpr std::array<std::string_view, plugin_kinds> kind_names{
     "shape", "population", "restitution", "friction", "rolling", "unilateral", "velocity", "terrain"};
-constexpr std::array<std::string_view, 9> type_names{"number", "integer", "boolean", "choice", "text",
-                                                     "vector", "points",  "file",    "spin"};
+constexpr std::array<std::string_view, 10> type_names{"number", "integer", "boolean",     "choice", "text",
+                                                      "vector", "points",  "plan_points", "file",   "spin"};
 constexpr std::array<std::string_view, 4> relation_names{"at least", "above", "at most", "below"};
 constexpr std::array<std::string_view, 4> relation_keys{"min", "above", "max", "below"};
 constexpr std::array<BoundRelation, 4> converses{BoundRelation::at_most, BoundRelation::below,
@@ -29,6 +29,17 @@ std::optional<ParamType> param_type(std::string_view name) {
   for (std::size_t i = 0; i < type_names.size(); ++i)
     if (type_names[i] == name) return static_cast<ParamType>(i);
   return std::nullopt;
+}
+
+std::string_view ParamSpec::group() const {
+  const std::string_view whole = name;
+  const std::size_t dot = whole.find('.');
+  return dot == whole.npos ? std::string_view() : whole.substr(0, dot);
+}
+
+std::string_view ParamSpec::own_name() const {
+  const std::string_view whole = name;
+  return whole.substr(whole.find('.') + 1);  // npos + 1 = 0
 }
 
 std::string_view name_of(BoundRelation relation) {

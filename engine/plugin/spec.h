@@ -18,15 +18,16 @@ std::string_view name_of(PluginKind kind);
 std::optional<PluginKind> plugin_kind(std::string_view name);
 
 enum class ParamType {
-  number,   ///< a real number with a unit; may be a distribution or a sweep
-  integer,  ///< a whole number; may be a distribution or a sweep
-  boolean,  ///< true or false
-  choice,   ///< one of `choices`
-  text,     ///< any text
-  vector,   ///< `dimension` numbers with one unit; each may be a distribution
-  points,   ///< a list of points [[x, y], ...], constant
-  file,     ///< a file name relative to the scenario's folder; the host gives its full path
-  spin      ///< about z in 2D: a number; in 3D a vector in the world frame. May be a distribution
+  number,       ///< a real number with a unit; may be a distribution or a sweep
+  integer,      ///< a whole number; may be a distribution or a sweep
+  boolean,      ///< true or false
+  choice,       ///< one of `choices`
+  text,         ///< any text
+  vector,       ///< `dimension` numbers with one unit; each may be a distribution
+  points,       ///< a list of points [[x, y], ...], constant
+  plan_points,  ///< the same with two coordinates in 2D and 3D: places in plan
+  file,         ///< a file name relative to the scenario's folder; the host gives its full path
+  spin          ///< about z in 2D: a number; in 3D a vector in the world frame. May be a distribution
 };
 std::string_view name_of(ParamType type);
 std::optional<ParamType> param_type(std::string_view name);
@@ -47,7 +48,8 @@ struct ParamBound {
   std::string other;
 };
 
-/// One declared parameter. Limits and defaults are in SI units.
+/// One declared parameter. Limits and defaults are in SI units. A parameter of a group of parameters, such as
+/// the ditch of a bench, has the name "ditch.width". Without the group it is not given, and has no default.
 struct ParamSpec {
   std::string name;
   ParamType type = ParamType::number;
@@ -65,6 +67,10 @@ struct ParamSpec {
   std::vector<std::string> choices;    ///< choice: the allowed texts; number: words allowed in its place
 
   bool required() const { return !optional && !default_number && !default_text && !default_vector; }
+  /// "ditch" of "ditch.width"; empty for a parameter outside of groups.
+  std::string_view group() const;
+  /// "width" of "ditch.width".
+  std::string_view own_name() const;
 };
 
 /// Maximum number of names in the history of one law. A contact reserves this space for each of its four

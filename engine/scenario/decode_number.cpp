@@ -210,6 +210,8 @@ std::string expected_text(const ParamSpec& spec) {
       return "a list of numbers in " + unit_of(spec);
     case ParamType::points:
       return "a list of points [x, y]";
+    case ParamType::plan_points:
+      return "a list of points [x, y] in plan";
     case ParamType::file:
       return "the name of a file";
     case ParamType::spin:

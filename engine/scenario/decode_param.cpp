@@ -100,8 +100,9 @@ void decode_vector(DecodeContext& context, const Node& node, const ParamSpec& sp
 /// A point [x, y] or [x, y, z]; empty if it is wrong, which is reported.
 std::vector<double> decode_point(DecodeContext& context, const Node& node, const ParamSpec& spec) {
   const std::vector<Node> items = node.items();
-  if (static_cast<int>(items.size()) != context.dimension) {
-    node.error(context.diagnostics, fmt::format("expected a point of {} coordinates", context.dimension));
+  const int coordinates = spec.type == ParamType::plan_points ? 2 : context.dimension;
+  if (static_cast<int>(items.size()) != coordinates) {
+    node.error(context.diagnostics, fmt::format("expected a point of {} coordinates", coordinates));
     return {};
   }
   ParamSpec coordinate = spec;
@@ -200,6 +201,7 @@ void decode_param(DecodeContext& context, const Node& node, const ParamSpec& spe
     case ParamType::vector:
       return decode_vector(context, node, spec, rules, value, resolved);
     case ParamType::points:
+    case ParamType::plan_points:
       return decode_points(context, node, spec, value, resolved);
   }
 }

@@ -28,6 +28,32 @@ void try_to_make(DecodeContext& context, const Node& node, const PluginUse& use)
 
 }  // namespace
 
+namespace {
+
+/// The map of a group of parameters; nothing if it is not given, or is no map, which is reported at the first
+/// of its parameters.
+std::optional<Node> find_group(DecodeContext& context, const Node& map, const std::vector<ParamSpec>& specs,
+                               std::size_t i) {
+  const std::string_view group = specs[i].group();
+  std::optional<Node> node = map.find(group);
+  if (!node) return std::nullopt;
+  if (i > 0 && specs[i - 1].group() == group) return node->is_map() ? node : std::nullopt;
+  if (!node->expect_map(context.diagnostics)) return std::nullopt;
+  std::vector<std::string> names;
+  for (const ParamSpec& spec : specs)
+    if (spec.group() == group) names.emplace_back(spec.own_name());
+  node->refuse_unknown_keys(names, context.diagnostics);
+  return node;
+}
+
+/// The resolved map of a group, after the parameters before it.
+Map& resolved_group(Map& resolved, std::string_view group) {
+  if (resolved.empty() || resolved.back().key != group) put(resolved, group, map_value({}));
+  return std::get<Map>(resolved.back().value.data);
+}
+
+}  // namespace
+
 std::vector<ParamValue> decode_params(DecodeContext& context, const Node& map,
                                       const std::vector<ParamSpec>& specs, const NumberRules& rules,
                                       Map& resolved) {
@@ -35,15 +61,20 @@ std::vector<ParamValue> decode_params(DecodeContext& context, const Node& map,
   std::vector<bool> decoded(specs.size(), false);
   for (std::size_t i = 0; i < specs.size(); ++i) {
     const ParamSpec& spec = specs[i];
+    const bool is_grouped = !spec.group().empty();
+    const std::optional<Node> parent = is_grouped ? find_group(context, map, specs, i) : map;
+    if (!parent) continue;
     Value shown_value;
-    if (const std::optional<Node> node = map.find(spec.name))
+    if (const std::optional<Node> node = parent->find(spec.own_name()))
       decode_param(context, *node, spec, rules, values[i], shown_value);
     else if (spec.required())
-      context.diagnostics.error(map.key_at, map.path,
-                                fmt::format("`{}` is missing, expected {}", spec.name, expected_text(spec)));
+      context.diagnostics.error(
+          parent->key_at, parent->path,
+          fmt::format("`{}` is missing, expected {}", spec.own_name(), expected_text(spec)));
     else if (!take_default(spec, context.dimension, values[i], shown_value))
       continue;
-    put(resolved, spec.name, std::move(shown_value));
+    put(is_grouped ? resolved_group(resolved, spec.group()) : resolved, spec.own_name(),
+        std::move(shown_value));
     decoded[i] = !values[i].numbers.empty();
     if (is_number_type(spec.type) && values[i].numbers.empty()) values[i].numbers = {Number{}};
   }
@@ -118,7 +149,8 @@ std::optional<PluginUse> decode_plugin(DecodeContext& context, const Node& node,
     return std::nullopt;
   }
   std::vector<std::string> keys{"type"};
-  for (const ParamSpec& spec : plugin->spec.params) keys.push_back(spec.name);
+  for (const ParamSpec& spec : plugin->spec.params)
+    keys.emplace_back(spec.group().empty() ? spec.own_name() : spec.group());
   keys.insert(keys.end(), others.begin(), others.end());
   node.refuse_unknown_keys(keys, context.diagnostics);
 

@@ -56,7 +56,9 @@ void check_bounds(DecodeContext& context, const Node& map, const std::vector<Par
       if (!decoded[i] || !decoded[other] || keeps(range(i), bound.relation, range(other))) continue;
       // The message is about the parameter that the file gives. If only the other one is given, it states the
       // converse.
-      const bool itself = map.find(specs[i].name).has_value();
+      const std::optional<Node> group =
+          specs[i].group().empty() ? std::optional<Node>(map) : map.find(specs[i].group());
+      const bool itself = group && group->find(specs[i].own_name()).has_value();
       const std::size_t subject = itself ? i : other, object = itself ? other : i;
       const std::optional<Node> node = map.find(specs[subject].name);
       const char* by_default = map.find(specs[object].name) ? "" : " by default";

@@ -13,14 +13,43 @@ namespace flyrock {
 
 LuaParameters::LuaParameters(lua_State* lua, const PluginSpec& spec, Params& params) {
   lua_createtable(lua, 0, static_cast<int>(spec.params.size()));
-  const int table = lua_gettop(lua);
+  const int whole = lua_gettop(lua);
   lua_createtable(lua, 0, 0);  // no names may be absent
+  // The table of the group of the present parameter: its place on the stack and its reference; 0: none.
+  int group_table = 0, group_reference = 0;
+  std::string group;
+  const auto close_group = [&] {
+    if (group_table == 0) return;
+    lua_createtable(lua, 0, 0);
+    for (const ParamSpec& param : spec.params)
+      if (param.group() == group && !params.given(param.name)) {
+        lua_pushboolean(lua, 1);
+        lua_setfield(lua, -2, std::string(param.own_name()).c_str());
+      }
+    make_strict(lua, group_table, "p." + group);
+    make_read_only(lua, "p." + group);
+    lua_setfield(lua, whole, group.c_str());
+    group_table = group_reference = 0;
+  };
   for (const ParamSpec& param : spec.params) {
     const bool given = params.given(param.name);
+    const std::string name(param.own_name());
+    if (group != param.group()) {
+      close_group();
+      group = param.group();
+    }
     if (!given) {
       lua_pushboolean(lua, 1);
-      lua_setfield(lua, table + 1, param.name.c_str());
+      lua_setfield(lua, whole + 1, (group.empty() ? name : group).c_str());
     }
+    if (given && !group.empty() && group_table == 0) {
+      lua_createtable(lua, 0, 0);
+      group_table = lua_gettop(lua);
+      lua_pushvalue(lua, group_table);
+      group_reference = luaL_ref(lua, LUA_REGISTRYINDEX);
+      vectors_.push_back(group_reference);
+    }
+    const int table = group_table == 0 ? whole : group_table;
     const bool components =
         param.type == ParamType::vector || (param.type == ParamType::spin && params.dimension() == 3);
     switch (components ? ParamType::vector : param.type) {
@@ -29,7 +58,7 @@ LuaParameters::LuaParameters(lua_State* lua, const PluginSpec& spec, Params& par
       case ParamType::boolean:
       case ParamType::spin:
         if (const int slot = params.slot(param.name); slot >= 0)
-          fields_.push_back({param.name, param.type, slot, 0});
+          fields_.push_back({name, param.type, slot, 0, group_reference});
         break;
       case ParamType::vector:
         if (const int slot =
@@ -40,9 +69,9 @@ LuaParameters::LuaParameters(lua_State* lua, const PluginSpec& spec, Params& par
           const int list = luaL_ref(lua, LUA_REGISTRYINDEX);
           vectors_.push_back(list);
           make_read_only(lua, "p." + param.name, true);
-          lua_setfield(lua, table, param.name.c_str());
+          lua_setfield(lua, table, name.c_str());
           for (int i = 0; i < params.dimension(); ++i)
-            fields_.push_back({param.name, param.type, slot + i, i + 1, list});
+            fields_.push_back({name, param.type, slot + i, i + 1, list});
         }
         break;
       case ParamType::choice:
@@ -50,10 +79,11 @@ LuaParameters::LuaParameters(lua_State* lua, const PluginSpec& spec, Params& par
       case ParamType::file:
         if (const std::string text = params.text(param.name); given) {
           lua_pushlstring(lua, text.data(), text.size());
-          lua_setfield(lua, table, param.name.c_str());
+          lua_setfield(lua, table, name.c_str());
         }
         break;
-      case ParamType::points: {
+      case ParamType::points:
+      case ParamType::plan_points: {
         const auto& points = params.points(param.name);
         if (!given) break;
         lua_createtable(lua, static_cast<int>(points.size()), 0);
@@ -67,12 +97,13 @@ LuaParameters::LuaParameters(lua_State* lua, const PluginSpec& spec, Params& par
           lua_rawseti(lua, -2, static_cast<lua_Integer>(i + 1));
         }
         make_read_only(lua, "p." + param.name, true);
-        lua_setfield(lua, table, param.name.c_str());
+        lua_setfield(lua, table, name.c_str());
       }
     }
   }
-  make_strict(lua, table, "p");
-  lua_pushvalue(lua, table);
+  close_group();
+  make_strict(lua, whole, "p");
+  lua_pushvalue(lua, whole);
   table_ = luaL_ref(lua, LUA_REGISTRYINDEX);
   make_read_only(lua, "p");
   view_ = luaL_ref(lua, LUA_REGISTRYINDEX);
@@ -95,7 +126,7 @@ void LuaParameters::push(lua_State* lua, Values values) {
 }
 
 void LuaParameters::set(lua_State* lua, const Field& field, double value) {
-  lua_rawgeti(lua, LUA_REGISTRYINDEX, field.component ? field.vector : table_);
+  lua_rawgeti(lua, LUA_REGISTRYINDEX, field.inner ? field.inner : table_);
   if (field.type == ParamType::boolean)
     lua_pushboolean(lua, value != 0);
   else if (field.type == ParamType::integer)
@@ -117,7 +148,7 @@ std::vector<int> LuaParameters::references() const {
 
 LuaCall::LuaCall(std::shared_ptr<const LuaPlugin> plugin, Params& params,
                  std::vector<View> (*make_views)(lua_State*, const PluginSpec&), double instructions)
-    : plugin_(std::move(plugin)), instructions_(instructions) {
+    : plugin_(std::move(plugin)), instructions_(instructions), dimension_(params.dimension()) {
   try {
     plugin_->state->run(Budget::load_limit, [&](lua_State* lua) {
       parameters_ = std::make_unique<LuaParameters>(lua, plugin_->spec, params);
@@ -142,7 +173,9 @@ void LuaCall::call(lua_State* lua, Values values, std::initializer_list<const vo
   parameters_->push(lua, values);
   auto view = views_.begin();
   for (const void* object : objects) (view++)->push(lua, object);
-  lua_call(lua, 1 + static_cast<int>(objects.size()), results);
+  const bool is_build = plugin_->entry == "build";
+  if (is_build) lua_pushinteger(lua, dimension_);
+  lua_call(lua, 1 + static_cast<int>(objects.size()) + is_build, results);
   if (const char* changed = outer_->restore(lua))
     fail(fmt::format(
         "changed `{}`, a local variable outside of it: a plugin keeps nothing from call to call, so that "

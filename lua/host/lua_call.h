@@ -39,13 +39,13 @@ class LuaParameters {
     ParamType type;
     int slot;
     int component = 0;  // of a vector, from 1
-    int vector = 0;     // reference of its table
+    int inner = 0;      // reference of the table of its vector or group
   };
   void set(lua_State* lua, const Field& field, double value);
 
   std::vector<Field> fields_;
   std::vector<double> last_;  // values written last
-  std::vector<int> vectors_;  // references, like the two members below
+  std::vector<int> vectors_;  // references of vectors and groups, like the two members below
   int table_ = 0, view_ = 0;
 };
 
@@ -88,6 +88,7 @@ class LuaCall {
 
   std::shared_ptr<const LuaPlugin> plugin_;
   double instructions_;
+  int dimension_;                                      ///< of the scenario: the last argument of build()
   mutable std::unique_ptr<LuaParameters> parameters_;  // mutable: state of the interpreter, not of the law
   mutable std::vector<View> views_;
   std::unique_ptr<OuterLocals> outer_;

@@ -209,11 +209,10 @@ class ManifestReader {
       return table_.error(
           "params", fmt::format("{} parameters, expected at most {}", params->map()->size(), most_params));
     for (const Entry& entry : *params->map()) {
-      auto param = read_param(entry, diagnostics_);
-      if (param)
-        spec_.params.push_back(std::move(*param));
-      else
-        params_failed_ = true;
+      auto params_of_entry = read_param(entry, diagnostics_);
+      if (!params_of_entry) params_failed_ = true;
+      for (ParamSpec& param : params_of_entry.value_or(std::vector<ParamSpec>()))
+        spec_.params.push_back(std::move(param));
     }
     if (!params_failed_ && !check_bounds(*params->map(), spec_.params, diagnostics_)) params_failed_ = true;
   }

@@ -13,11 +13,14 @@ namespace {
 
 class ParamReader {
  public:
-  ParamReader(const Entry& entry, Diagnostics& diagnostics)
-      : name_(entry.key), table_(entry.value, "params." + entry.key, diagnostics) {}
+  ParamReader(const Entry& entry, const std::string& group, Diagnostics& diagnostics)
+      : name_(entry.key),
+        table_(entry.value, (group.empty() ? "params." : "params." + group + ".params.") + entry.key,
+               diagnostics) {
+    spec_.name = group.empty() ? name_ : group + "." + name_;
+  }
 
   std::optional<ParamSpec> read() {
-    spec_.name = name_;
     if (!is_identifier(name_))
       table_.error("", "a parameter's name has small letters, digits and _, a letter first");
     else if (name_.size() > most_letters)
@@ -28,7 +31,7 @@ class ParamReader {
     const bool spin = spec_.type == ParamType::spin;
     const bool numeric = spin || spec_.type == ParamType::number || spec_.type == ParamType::integer;
     if (spin || spec_.type == ParamType::number || spec_.type == ParamType::vector ||
-        spec_.type == ParamType::points)
+        spec_.type == ParamType::points || spec_.type == ParamType::plan_points)
       read_unit();
     if (numeric || spec_.type == ParamType::vector) {
       read_limits();
@@ -53,7 +56,7 @@ class ParamReader {
     table_.error(
         "",
         "expected a parameter: fr.number { ... }, fr.integer, fr.boolean, fr.choice, fr.text, fr.vector, "
-        "fr.points, fr.file or fr.spin");
+        "fr.points, fr.plan_points, fr.file, fr.spin or fr.group");
     return false;
   }
 
@@ -145,6 +148,7 @@ class ParamReader {
           for (double& component : *spec_.default_vector) check_default(component = si(component));
         break;
       case ParamType::points:
+      case ParamType::plan_points:
       case ParamType::file:
         break;  // the scenario gives it or leaves it out
     }
@@ -166,6 +170,10 @@ class ParamReader {
   ParamSpec spec_;
   Unit unit_;  // as declared
 };
+
+const Value& map_at(const Map& map, const std::string& key) {
+  return std::find_if(map.begin(), map.end(), [&](const Entry& entry) { return entry.key == key; })->value;
+}
 
 /// Why a bound of `param` is wrong; empty if it is fine.
 std::string bound_fault(const ParamSpec& param, const ParamBound& bound,
@@ -203,15 +211,49 @@ bool check_bounds(const Map& written, const std::vector<ParamSpec>& params, Diag
     for (const ParamBound& bound : params[i].bounds)
       if (const std::string fault = bound_fault(params[i], bound, params); !fault.empty()) {
         const std::string key(key_of(bound.relation));
-        diagnostics.error(written[i].value.find(key)->at, fmt::format("params.{}.{}", params[i].name, key),
-                          fault);
+        const std::string own(params[i].own_name()), group(params[i].group());
+        const Value* table = &map_at(written, group.empty() ? own : group);
+        if (!group.empty()) table = table->find("params")->find(own);
+        diagnostics.error(table->find(key)->at, fmt::format("params.{}.{}", params[i].name, key), fault);
         sound = false;
       }
   return sound;
 }
 
-std::optional<ParamSpec> read_param(const Entry& entry, Diagnostics& diagnostics) {
-  return ParamReader(entry, diagnostics).read();
+namespace {
+
+bool is_group(const Entry& entry) {
+  const Value* type = entry.value.find("type");
+  return type && type->text() && *type->text() == "group";
+}
+
+std::optional<std::vector<ParamSpec>> read_group(const Entry& entry, Diagnostics& diagnostics) {
+  TableReader table(entry.value, "params." + entry.key, diagnostics);
+  table.text("type");
+  table.text("doc");
+  const Value* params = table.field("params");
+  if (!is_identifier(entry.key))
+    table.error("", "a parameter's name has small letters, digits and _, a letter first");
+  if (!params || !params->map()) table.error("params", "missing, expected a table of named parameters");
+  table.finish();
+  if (table.failed()) return std::nullopt;
+  std::vector<ParamSpec> specs;
+  bool sound = true;
+  for (const Entry& inner : *params->map()) {
+    auto spec = ParamReader(inner, entry.key, diagnostics).read();
+    sound = sound && spec;
+    if (spec) specs.push_back(std::move(*spec));
+  }
+  return sound ? std::optional(std::move(specs)) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::vector<ParamSpec>> read_param(const Entry& entry, Diagnostics& diagnostics) {
+  if (is_group(entry)) return read_group(entry, diagnostics);
+  auto spec = ParamReader(entry, {}, diagnostics).read();
+  if (!spec) return std::nullopt;
+  return std::vector<ParamSpec>{std::move(*spec)};
 }
 
 }  // namespace flyrock

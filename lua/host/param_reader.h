@@ -16,12 +16,13 @@ bool is_identifier(std::string_view name);
 
 inline constexpr std::size_t most_letters = 100;  ///< of the name of a plugin or of a parameter
 
-/// Reads an fr.number { ... } or the like under `params.NAME`, with its default and limits converted to SI.
-/// Nothing if there are errors, which are reported.
-std::optional<ParamSpec> read_param(const Entry& entry, Diagnostics& diagnostics);
+/// Reads an fr.number { ... } or the like under `params.NAME`, with its default and limits converted to SI;
+/// of an fr.group { params = { ... } } each of its parameters, as NAME.OTHER. Nothing if there are errors,
+/// which are reported.
+std::optional<std::vector<ParamSpec>> read_param(const Entry& entry, Diagnostics& diagnostics);
 
 /// Reports bounds that do not name another number of the same plugin with the same unit, and defaults that
-/// violate bounds. Returns whether all are sound. `written` holds the parameters in the order of `params`.
+/// violate bounds. Returns whether all are sound. `written` is the table `params`.
 bool check_bounds(const Map& written, const std::vector<ParamSpec>& params, Diagnostics& diagnostics);
 
 }  // namespace flyrock

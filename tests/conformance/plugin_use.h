@@ -1,6 +1,7 @@
 #pragma once
 // Registered plugins with constant parameters, for tests.
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
@@ -32,10 +33,16 @@ Made<Interface> make(const LuaSession& session, PluginKind kind, const std::stri
   for (const ParamSpec& spec : plugin->spec.params) {
     ParamValue value;
     const auto found = given.find(spec.name);
-    value.given = found != given.end() || spec.default_number || spec.default_text;
+    // A parameter of a group has its default where another one of the group is given.
+    const std::string group(spec.group());
+    const bool has_group = group.empty() || std::any_of(given.begin(), given.end(), [&](const auto& one) {
+                             return one.first.starts_with(group + ".");
+                           });
+    value.given = found != given.end() || (has_group && (spec.default_number || spec.default_text));
     const bool components = spec.type == ParamType::spin && dimension == 3;
-    if (spec.default_number) value.numbers.assign(components ? 3 : 1, {*spec.default_number, -1});
-    if (spec.default_text) value.text = *spec.default_text;
+    if (has_group && spec.default_number)
+      value.numbers.assign(components ? 3 : 1, {*spec.default_number, -1});
+    if (has_group && spec.default_text) value.text = *spec.default_text;
     if (found != given.end()) {
       if (auto number = std::get_if<double>(&found->second)) value.numbers = {{*number, -1}};
       if (auto text = std::get_if<const char*>(&found->second)) value.text = *text;

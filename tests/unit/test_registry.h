@@ -38,6 +38,7 @@ inline void read_all(Params& params, const PluginSpec& spec) {
         params.vector_slot(param.name);
         break;
       case ParamType::points:
+      case ParamType::plan_points:
         params.points2(param.name);
         break;
       case ParamType::text:
