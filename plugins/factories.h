@@ -30,5 +30,7 @@ std::unique_ptr<VelocityModel> make_mckenzie(Params& params);
 std::unique_ptr<TerrainModel> make_benches(Params& params);
 std::unique_ptr<TerrainModel> make_profile(Params& params);
 std::unique_ptr<TerrainModel> make_plane(Params& params);
+std::unique_ptr<TerrainModel> make_mesh(Params& params);
+std::unique_ptr<TerrainModel> make_raster(Params& params);
 
 }  // namespace flyrock::plugins

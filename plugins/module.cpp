@@ -29,5 +29,7 @@ FLYROCK_MODULE(table) {
   table[{terrain, "benches"}] = make_benches;
   table[{terrain, "profile"}] = make_profile;
   table[{terrain, "plane"}] = make_plane;
+  table[{terrain, "mesh"}] = make_mesh;
+  table[{terrain, "raster"}] = make_raster;
   return nullptr;
 }

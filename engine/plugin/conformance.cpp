@@ -8,6 +8,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "geometry/terrain_fault.h"
 #include "geometry/volume_properties.h"
 #include "plugin/sampled_params.h"
 #include "plugin/sampled_states.h"
@@ -100,6 +101,8 @@ void asked_with(const Patience& patience, State&& state, Ask&& ask) {
   patience.check();
   try {
     ask();
+  } catch (const ParameterError&) {
+    throw;
   } catch (const PluginError& error) {
     fail(fmt::format("{}\n  asked with: {}", error.what(), state()));
   }
@@ -190,58 +193,25 @@ Numbers answer_of(const PluginSpec& spec, const VelocityModel& model, Values val
 }
 
 void add(Numbers& answer, const Plane& plane) {
-  if (!plane.point.allFinite() || !(std::abs(plane.normal.norm() - 1) < 1e-9 && plane.normal.z() > 0))
-    fail("a plane has no finite point or no unit normal that points upwards");
   answer.insert(answer.end(), plane.point.begin(), plane.point.end());
   answer.insert(answer.end(), plane.normal.begin(), plane.normal.end());
 }
 
 void add(Numbers& answer, const Mesh& mesh) {
-  if (mesh.triangles.empty()) fail("a mesh has no triangles");
-  if (mesh.part.size() != mesh.triangles.size())
-    fail(
-        fmt::format("a mesh of {} triangles names the parts of {}", mesh.triangles.size(), mesh.part.size()));
-  const auto outside = [](int index, std::size_t size) {
-    return index < 0 || index >= static_cast<int>(size);
-  };
-  for (const Vec3& vertex : mesh.vertices) {
-    if (!vertex.allFinite()) fail("a vertex of a mesh is not finite");
-    answer.insert(answer.end(), vertex.begin(), vertex.end());
-  }
-  for (const auto& triangle : mesh.triangles) {
-    for (const int corner : triangle)
-      if (outside(corner, mesh.vertices.size()))
-        fail(
-            fmt::format("a mesh of {} vertices has a triangle with vertex {}", mesh.vertices.size(), corner));
-    answer.insert(answer.end(), triangle.begin(), triangle.end());
-  }
-  for (const int part : mesh.part)
-    if (outside(part, mesh.parts.size()))
-      fail(fmt::format("a mesh of {} parts has a triangle of part {}", mesh.parts.size(), part));
+  for (const Vec3& vertex : mesh.vertices) answer.insert(answer.end(), vertex.begin(), vertex.end());
+  for (const auto& triangle : mesh.triangles) answer.insert(answer.end(), triangle.begin(), triangle.end());
   answer.insert(answer.end(), mesh.part.begin(), mesh.part.end());
 }
 
 void add(Numbers& answer, const HeightGrid& grid) {
-  if (grid.columns < 2 || grid.rows < 2)
-    fail(fmt::format("a grid has {} x {} heights, expected at least 2 x 2", grid.columns, grid.rows));
-  const std::size_t cells = static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows);
-  if (grid.heights.size() != cells)
-    fail(fmt::format("a grid of {} x {} cells has {} heights", grid.columns, grid.rows, grid.heights.size()));
-  if (!(grid.cell > 0) || !grid.corner.allFinite()) fail("the cells of a grid have no finite size and place");
-  if (!grid.part.empty() && grid.part.size() != cells)
-    fail(fmt::format("a grid of {} cells names the parts of {}", cells, grid.part.size()));
-  for (const double height : grid.heights) {
-    if (std::isinf(height)) fail("a height of a grid is infinite");
+  for (const double height : grid.heights)
     answer.push_back(std::isnan(height) ? 1e300 : height);  // no data, comparable with itself
-  }
-  for (const std::uint8_t part : grid.part)
-    if (part >= grid.parts.size())
-      fail(fmt::format("a grid of {} parts has a cell of part {}", grid.parts.size(), part));
   answer.insert(answer.end(), grid.part.begin(), grid.part.end());
   answer.insert(answer.end(), {grid.cell, grid.corner.x(), grid.corner.y()});
 }
 
 void add(Numbers& answer, const TerrainShape3& terrain) {
+  if (const std::string wrong = fault(terrain); !wrong.empty()) fail(wrong);
   std::visit([&](const auto& shape) { add(answer, shape); }, terrain);
 }
 
@@ -253,8 +223,10 @@ void add(Numbers& answer, const Profile& profile) {
 
 Numbers answer_of(const PluginSpec&, const TerrainModel& terrain, Values values, int dimension,
                   const Patience& patience) {
+  constexpr std::size_t enough = 1'000'000;  // numbers, of a terrain of many triangles
   Numbers answer;
   for_each_stream(patience, [&](int, RandomStream& rng) {
+    if (answer.size() > enough) return;
     if (dimension == 3)
       add(answer, terrain.build_3d(values, rng));
     else
@@ -334,6 +306,9 @@ class Trial {
     }
     try {
       return answer_of(use_.plugin->spec, *instance, numbers_, dimension_, patience_);
+    } catch (const ParameterError& error) {
+      refusal = with_parameters(error.what());
+      return std::nullopt;
     } catch (const PluginError& error) {
       fail(with_parameters((dimension_ == 2 ? "" : "in 3D ") + std::string(error.what())));
     }

@@ -168,11 +168,14 @@ TEST_CASE("the battery finds meshes and grids that do not fit together") {
   CHECK(conformance_faults(terrain(mesh)).empty());
   mesh.triangles[0][2] = 3;
   CHECK(conformance_faults(terrain(mesh)) ==
-        Faults{"in 3D a mesh of 3 vertices has a triangle with vertex 3" + sample});
+        Faults{"in 3D triangle 0 of a mesh names the vertex 3 of 3 vertices (from 0)" + sample});
   HeightGrid grid;
   grid.columns = grid.rows = 2;
-  grid.heights = {0, 1, 2, std::numeric_limits<double>::quiet_NaN()};
+  grid.heights = {0, 1, 2, 3};
   CHECK(conformance_faults(terrain(grid)).empty());
+  grid.heights[3] = std::numeric_limits<double>::quiet_NaN();
+  CHECK(conformance_faults(terrain(grid)) ==
+        Faults{"in 3D a grid has no ground: nowhere have four neighbouring cells a height" + sample});
   grid.heights.pop_back();
   CHECK(conformance_faults(terrain(grid)) == Faults{"in 3D a grid of 2 x 2 cells has 3 heights" + sample});
 }

@@ -1,0 +1,41 @@
+#include <fmt/format.h>
+
+#include "geometry/mesh_fault.h"
+#include "plugins/factories.h"
+#include "plugins/terrain/mesh/mesh_file.h"
+
+namespace flyrock::plugins {
+
+namespace {
+
+class MeshTerrain : public TerrainModel {
+ public:
+  explicit MeshTerrain(Params& params)
+      : file_(params.text("file")), y_is_up_(params.text("up") == "y"), scale_(params.slot("scale")) {
+    params.require_dimension(3);
+  }
+
+  TerrainShape3 build_3d(Values values, RandomStream&) const override {
+    MeshFile read = read_mesh(file_);
+    const double scale = values[scale_];
+    if (!(scale > 0)) throw PluginError(fmt::format("plugin mesh: scale is {:.6g}, must be above 0", scale));
+    for (Vec3& vertex : read.mesh.vertices) {
+      if (y_is_up_) vertex = Vec3(vertex.x(), -vertex.z(), vertex.y());
+      vertex *= scale;
+    }
+    if (const std::string wrong = fault(read.mesh, read.lines); !wrong.empty())
+      throw PluginError(fmt::format("plugin mesh: {}: {}", file_, wrong));
+    return std::move(read.mesh);
+  }
+
+ private:
+  std::string file_;
+  bool y_is_up_;
+  int scale_;
+};
+
+}  // namespace
+
+std::unique_ptr<TerrainModel> make_mesh(Params& params) { return std::make_unique<MeshTerrain>(params); }
+
+}  // namespace flyrock::plugins

@@ -1,0 +1,196 @@
+// OBJ through tinyobjloader, which splits statements, resolves the forms of corners (v, v/vt, v//vn, v/vt/vn)
+// and passes what it reads to callbacks. It neither counts lines nor refuses text that is no number (it reads
+// 0), so each line passes a check on its way to it.
+
+#define TINYOBJLOADER_IMPLEMENTATION
+#define TINYOBJLOADER_USE_DOUBLE
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#include <tiny_obj_loader.h>
+#pragma GCC diagnostic pop
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <streambuf>
+
+#include "geometry/mesh_edges.h"
+#include "plugin/params.h"
+#include "plugin/words.h"
+#include "plugins/terrain/mesh/mesh_file.h"
+
+namespace flyrock::plugins {
+
+namespace {
+
+std::vector<std::string_view> words_of(std::string_view line) {
+  std::vector<std::string_view> words;
+  constexpr std::string_view blanks = " \t\r";
+  for (std::size_t at = line.find_first_not_of(blanks); at != line.npos;) {
+    const std::size_t end = std::min(line.find_first_of(blanks, at), line.size());
+    words.push_back(line.substr(at, end - at));
+    at = line.find_first_not_of(blanks, end);
+  }
+  return words;
+}
+
+/// Hands the lines of a file on, one at a time, each after a check. A line that ends with a backslash goes on
+/// in the next.
+class CheckedLines : public std::streambuf {
+ public:
+  explicit CheckedLines(const std::string& path) : path_(path), file_(path) {
+    if (!file_) throw PluginError("plugin mesh: cannot read the file " + path);
+  }
+
+  /// The line that was handed on last, from 1.
+  int line() const { return line_; }
+
+  [[noreturn]] void fail(const std::string& text) const {
+    throw PluginError(fmt::format("plugin mesh: {}:{}: {}", path_, line_, text));
+  }
+
+ protected:
+  int_type underflow() override {
+    if (!std::getline(file_, text_)) return traits_type::eof();
+    ++lines_read_;
+    line_ = lines_read_;
+    std::string more;
+    while (text_.ends_with('\\') || text_.ends_with("\\\r")) {
+      text_.resize(text_.rfind('\\'));
+      if (!std::getline(file_, more)) break;
+      ++lines_read_;
+      text_ += ' ' + more;
+    }
+    text_.resize(std::min(text_.find('#'), text_.size()));
+    text_.resize(std::min(text_.find('\0'), text_.size()));
+    check();
+    text_ += '\n';
+    setg(text_.data(), text_.data(), text_.data() + text_.size());
+    return traits_type::to_int_type(text_[0]);
+  }
+
+ private:
+  void check() {
+    const std::vector<std::string_view> words = words_of(text_);
+    if (words.empty()) return;
+    if (words[0] == "v") check_vertex(words);
+    if (words[0] == "f") check_face(words);
+  }
+
+  void check_vertex(const std::vector<std::string_view>& words) {
+    if (words.size() < 4) fail(fmt::format("a vertex has {} numbers, expected x, y and z", words.size() - 1));
+    double number = 0;
+    for (std::size_t i = 1; i < words.size(); ++i)
+      if (!to_number(words[i], number)) fail(fmt::format("`{}` is not a number", words[i]));
+    ++vertices_;
+  }
+
+  void check_face(const std::vector<std::string_view>& words) {
+    if (words.size() < 4)
+      fail(fmt::format("a face has {} corners, expected at least three", words.size() - 1));
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      const std::string_view index = words[i].substr(0, words[i].find('/'));
+      int number = 0;
+      const auto [stop, error] = std::from_chars(index.data(), index.data() + index.size(), number);
+      if (error != std::errc() || stop != index.data() + index.size())
+        fail(fmt::format("`{}` is not a corner, expected the number of a vertex", words[i]));
+      if (number == 0 || std::abs(number) > vertices_)
+        fail(fmt::format("the face names the vertex {}, there are {} above it", number, vertices_));
+    }
+  }
+
+  std::string path_, text_;
+  std::ifstream file_;
+  int lines_read_ = 0, line_ = 0;
+  int vertices_ = 0;
+};
+
+/// A part's name from that of a group.
+std::string part_name(std::string name) {
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-') c = '_';
+  return name;
+}
+
+/// What the callbacks fill.
+struct Reading {
+  CheckedLines& text;
+  MeshFile& file;
+  std::string part = {};
+
+  void name_part(const char* name) { part = part_name(name ? name : ""); }
+
+  int part_index() {
+    auto& parts = file.mesh.parts;
+    const auto found = std::find(parts.begin(), parts.end(), part);
+    if (found != parts.end()) return static_cast<int>(found - parts.begin());
+    parts.push_back(part);
+    return static_cast<int>(parts.size()) - 1;
+  }
+
+  void add_face(const tinyobj::index_t* corners, int count) {
+    Mesh& mesh = file.mesh;
+    const int vertices = static_cast<int>(mesh.vertices.size());
+    std::vector<int> face;
+    for (int i = 0; i < count; ++i) {
+      const int index = corners[i].vertex_index;  // from 1; negative: from the last
+      face.push_back(index > 0 ? index - 1 : vertices + index);
+    }
+    if (count > 3) require_convex(face);
+    const int of = part_index();
+    for (int i = 1; i + 1 < count; ++i) {
+      mesh.triangles.push_back({face[0], face[i], face[i + 1]});
+      mesh.part.push_back(of);
+      file.lines.push_back(text.line());
+    }
+  }
+
+  /// All triangles of the fan of a convex face look to the same side.
+  void require_convex(const std::vector<int>& face) const {
+    const auto& vertices = file.mesh.vertices;
+    const int count = static_cast<int>(face.size());
+    const auto corner = [&](int i) -> const Vec3& { return vertices[face[i % count]]; };
+    Vec3 mean = Vec3::Zero();
+    for (int i = 1; i + 1 < count; ++i) mean += (corner(i) - corner(0)).cross(corner(i + 1) - corner(0));
+    const double least = -1e-9 * mean.squaredNorm();  // corners on one line are fine, with their rounding
+    for (int i = 0; i < count; ++i)
+      if ((corner(i + 1) - corner(i)).cross(corner(i + 2) - corner(i + 1)).dot(mean) < least)
+        text.fail(fmt::format("the face of {} corners is not convex, expected triangles", count));
+  }
+};
+
+Reading& of(void* user) { return *static_cast<Reading*>(user); }
+
+}  // namespace
+
+MeshFile read_obj(const std::string& path) {
+  MeshFile file;
+  CheckedLines text(path);
+  Reading reading{text, file};
+  tinyobj::callback_t callbacks;
+  callbacks.vertex_cb = [](void* user, double x, double y, double z, double) {
+    of(user).file.mesh.vertices.emplace_back(x, y, z);
+  };
+  callbacks.index_cb = [](void* user, tinyobj::index_t* corners, int count) {
+    of(user).add_face(corners, count);
+  };
+  callbacks.group_cb = [](void* user, const char** names, int count) {
+    of(user).name_part(count > 0 ? names[0] : "");
+  };
+  callbacks.object_cb = [](void* user, const char* name) { of(user).name_part(name); };
+  std::istream stream(&text);
+  stream.exceptions(std::ios::badbit);  // lets an error of a line through
+  std::string error;
+  if (!tinyobj::LoadObjWithCallback(stream, callbacks, &reading, nullptr, nullptr, &error) || !error.empty())
+    text.fail(error.empty() ? "is no OBJ file" : error);
+  if (file.mesh.triangles.empty())
+    throw PluginError(fmt::format("plugin mesh: {}: has no faces, expected lines that begin with `f`", path));
+  file.mesh = welded(std::move(file.mesh));
+  return file;
+}
+
+}  // namespace flyrock::plugins

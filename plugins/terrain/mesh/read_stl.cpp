@@ -1,0 +1,145 @@
+// STL: text ("facet normal ... outer loop, vertex x y z three times, endloop endfacet") or binary (a header
+// of 80 bytes, the number of triangles, 50 bytes each: normal and corners in single precision). The normals
+// are not read, because the order of the corners says the same.
+
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "geometry/mesh_edges.h"
+#include "plugin/params.h"
+#include "plugin/words.h"
+#include "plugins/terrain/mesh/mesh_file.h"
+
+namespace flyrock::plugins {
+
+namespace {
+
+constexpr std::size_t header = 80, record = 50;
+
+static_assert(std::endian::native == std::endian::little);
+
+/// The number of triangles of a binary file; nothing if the file is text. A binary file may begin with the
+/// word "solid" too: its size tells.
+std::int64_t binary_triangles(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw PluginError("plugin mesh: cannot read the file " + path);
+  std::array<char, header + 4> start{};
+  file.read(start.data(), start.size());
+  const bool is_solid = std::memcmp(start.data(), "solid", 5) == 0;
+  std::uint32_t count = 0;
+  std::memcpy(&count, start.data() + header, sizeof count);
+  const auto size = static_cast<std::int64_t>(std::filesystem::file_size(path));
+  const std::int64_t expected = header + 4 + static_cast<std::int64_t>(record) * count;
+  if (file && size == expected) return count;
+  if (is_solid) return -1;
+  throw PluginError(
+      fmt::format("plugin mesh: {}: is neither STL as text (its first word is not `solid`) nor binary: {} "
+                  "triangles need {} bytes, the file has {}",
+                  path, count, expected, size));
+}
+
+void add_triangle(MeshFile& file, const std::array<Vec3, 3>& corners) {
+  const int first = static_cast<int>(file.mesh.vertices.size());
+  file.mesh.vertices.insert(file.mesh.vertices.end(), corners.begin(), corners.end());
+  file.mesh.triangles.push_back({first, first + 1, first + 2});
+  file.mesh.part.push_back(0);
+}
+
+void read_binary(const std::string& path, std::int64_t count, MeshFile& mesh) {
+  std::ifstream file(path, std::ios::binary);
+  file.seekg(header + 4);
+  std::array<char, record> bytes{};
+  for (std::int64_t i = 0; i < count; ++i) {
+    if (!file.read(bytes.data(), bytes.size()))
+      throw PluginError(fmt::format("plugin mesh: {}: ends at triangle {} of {}", path, i + 1, count));
+    std::array<float, 12> numbers{};
+    std::memcpy(numbers.data(), bytes.data(), sizeof numbers);
+    std::array<Vec3, 3> corners;
+    for (int k = 0; k < 3; ++k) {
+      corners[k] = Vec3(numbers[3 + 3 * k], numbers[4 + 3 * k], numbers[5 + 3 * k]);
+      if (!corners[k].allFinite())
+        throw PluginError(
+            fmt::format("plugin mesh: {}: a corner of triangle {} of {} is not finite", path, i + 1, count));
+    }
+    add_triangle(mesh, corners);
+  }
+}
+
+void expect(Words& words, std::string_view expected) {
+  const std::string found(words.next());
+  if (found == expected) return;
+  words.fail(found.empty() ? fmt::format("the file ends, expected `{}`", expected)
+                           : fmt::format("expected `{}`, found `{}`", expected, found));
+}
+
+void read_facet(Words& words, MeshFile& mesh) {
+  mesh.lines.push_back(static_cast<int>(words.line()));
+  expect(words, "normal");
+  for (int i = 0; i < 3; ++i) words.next();  // some programs write `nan` for a facet without an area
+  expect(words, "outer");
+  expect(words, "loop");
+  std::array<Vec3, 3> corners;
+  for (Vec3& corner : corners) {
+    expect(words, "vertex");
+    for (int k = 0; k < 3; ++k) corner[k] = words.number("a coordinate");
+  }
+  expect(words, "endloop");
+  expect(words, "endfacet");
+  add_triangle(mesh, corners);
+}
+
+/// One or several solids; a name may follow `solid` and `endsolid`, on the same line.
+void read_text(const std::string& path, MeshFile& mesh) {
+  Words words("plugin mesh", path);
+  expect(words, "solid");
+  const auto skip_name = [&words] {
+    const std::int64_t line = words.line();
+    while (!words.peek().empty() && words.line() == line) words.next();
+  };
+  skip_name();
+  while (true) {
+    const std::string word(words.next());
+    if (word == "facet") {
+      read_facet(words, mesh);
+    } else if (word == "endsolid") {
+      skip_name();
+      if (words.peek().empty()) return;
+      expect(words, "solid");
+      skip_name();
+    } else {
+      words.fail(word.empty() ? "the file ends, expected `endsolid`"
+                              : fmt::format("expected `facet` or `endsolid`, found `{}`", word));
+    }
+  }
+}
+
+}  // namespace
+
+MeshFile read_stl(const std::string& path) {
+  MeshFile file;
+  file.mesh.parts = {""};
+  const std::int64_t triangles = binary_triangles(path);
+  if (triangles >= 0)
+    read_binary(path, triangles, file);
+  else
+    read_text(path, file);
+  if (file.mesh.triangles.empty()) throw PluginError(fmt::format("plugin mesh: {}: has no triangles", path));
+  file.mesh = welded(std::move(file.mesh));
+  return file;
+}
+
+MeshFile read_mesh(const std::string& path) {
+  std::string ending = path.substr(std::min(path.rfind('.'), path.size()));
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (ending == ".obj") return read_obj(path);
+  if (ending == ".stl") return read_stl(path);
+  throw PluginError(fmt::format("plugin mesh: {}: expected a file whose name ends in .obj or .stl", path));
+}
+
+}  // namespace flyrock::plugins
