@@ -1,15 +1,15 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "plugins/factories.h"
+#include "plugins/terrain/benches/sweep.h"
 
 namespace flyrock::plugins {
 
 namespace {
 
-constexpr double plateau = 50;  // m of berm behind the uppermost crest
+constexpr double default_length = 100;  // m, along the crest
 
 class Benches : public TerrainModel {
  public:
@@ -18,48 +18,82 @@ class Benches : public TerrainModel {
         height_(params.slot("height")),
         face_angle_(params.slot("face_angle")),
         berm_(params.slot("berm")),
-        floor_(params.slot("floor")) {
-    params.require_dimension(2);
+        floor_(params.slot("floor")),
+        length_(params.slot("length")),
+        azimuth_(params.slot("azimuth")),
+        line_(params.points2("line")),
+        ditch_{params.slot("ditch.width"), params.slot("ditch.depth"), params.slot("ditch.slope")},
+        bund_{params.slot("bund.height"), params.slot("bund.top"), params.slot("bund.slope"),
+              params.slot("bund.distance")},
+        bund_on_berms_(params.text("bund.on") == "berm"),
+        roughness_{params.slot("roughness.sd"), params.slot("roughness.length"),
+                   params.slot("roughness.hurst"), params.slot("roughness.cell")} {
+    const bool has_line = params.given("line");
+    for (const char* name : {"length", "azimuth", "line"})
+      if (params.dimension() == 2 && params.given(name)) fail(fmt::format("`{}` needs dimension 3", name));
+    for (const char* name : {"length", "azimuth"})
+      if (has_line && params.given(name))
+        fail(fmt::format("`line` says where the crest runs, expected it without `{}`", name));
+    if (has_line && line_.size() < 2) fail("`line` needs at least two points");
+    if (bund_on_berms_ && params.given("bund.distance"))
+      fail("`distance` is that of a bund on the floor: on berms it stands at their outer edge");
   }
 
-  Profile build(Values values, RandomStream&) const override {
-    const double count = values[count_], height = values[height_], angle = values[face_angle_];
-    const double length = values[floor_], berm = values[berm_];
-    require(count >= 1, "count", count, "at least 1");
-    require(height > 0, "height", height, "above 0 m");
-    require(angle > 0 && angle <= pi / 2 * (1 + 1e-12), "face_angle", angle, "above 0 and at most pi/2 rad");
-    require(berm >= 0, "berm", berm, "at least 0 m");
-    require(length > 0, "floor", length, "above 0 m");
+  Profile build(Values values, RandomStream& rng) const override {
+    return profile_of(section(values), roughness(values), rng);
+  }
 
-    enum Part { face, berm_part, floor_part };
-    Profile profile;
-    profile.parts = {"face", "berm", "floor"};
-    const int benches = static_cast<int>(std::lround(count));
-    const double run = height * std::max(0.0, std::cos(angle)) / std::sin(angle);
-    const auto go_to = [&profile](const Vec2& point, Part part) {
-      profile.points.push_back(point);
-      profile.part.push_back(part);
-    };
-    profile.points.emplace_back(-plateau, benches * height);
-    go_to({0, benches * height}, berm_part);
-    for (int below = benches - 1; below >= 0; --below) {
-      const Vec2 crest = profile.points.back();
-      const Vec2 toe(crest.x() + run, below * height);
-      go_to(toe, face);
-      profile.faces.push_back({toe, crest});
-      if (below > 0 && berm > 0) go_to(toe + Vec2(berm, 0), berm_part);
-    }
-    go_to(profile.points.back() + Vec2(length, 0), floor_part);
-    return profile;
+  TerrainShape3 build_3d(Values values, RandomStream& rng) const override {
+    return mesh_of(section(values), crest(values), roughness(values), rng);
   }
 
  private:
-  static void require(bool fine, const char* name, double value, const char* expected) {
-    if (!fine)
-      throw PluginError(fmt::format("plugin benches: {} is {:.6g}, must be {}", name, value, expected));
+  [[noreturn]] static void fail(const std::string& text) { throw PluginError("plugin benches: " + text); }
+
+  static double or_else(Values values, int slot, double otherwise) {
+    return slot < 0 ? otherwise : values[slot];
   }
 
-  int count_, height_, face_angle_, berm_, floor_;
+  Section section(Values values) const {
+    BenchNumbers numbers;
+    numbers.count = static_cast<int>(std::lround(values[count_]));
+    numbers.height = values[height_];
+    numbers.face_angle = values[face_angle_];
+    numbers.berm = values[berm_];
+    numbers.floor = values[floor_];
+    if (ditch_[0] >= 0) numbers.ditch = {values[ditch_[0]], values[ditch_[1]], values[ditch_[2]]};
+    if (bund_[0] >= 0)
+      numbers.bund = {values[bund_[0]], values[bund_[1]], values[bund_[2]], bund_on_berms_,
+                      or_else(values, bund_[3], 0)};
+    return section_of(numbers);
+  }
+
+  /// The uppermost crest in plan. A straight one runs so that the faces to its right look to +x, turned by
+  /// the azimuth.
+  std::vector<Vec2> crest(Values values) const {
+    if (!line_.empty()) return line_;
+    const double length = or_else(values, length_, default_length);
+    if (!(length > 0)) fail(fmt::format("length is {:.6g}, must be above 0 m", length));
+    const Rotation2 turn = Rotation2::from_angle(or_else(values, azimuth_, 0));
+    return {turn * Vec2(0, -length / 2), turn * Vec2(0, length / 2)};
+  }
+
+  std::optional<Roughness> roughness(Values values) const {
+    if (roughness_[0] < 0) return std::nullopt;
+    const double sd = values[roughness_[0]], length = values[roughness_[1]];
+    const Roughness rough{sd, {length, values[roughness_[2]], or_else(values, roughness_[3], length / 4)}};
+    if (!(sd >= 0)) fail(fmt::format("roughness.sd is {:.6g}, must be at least 0 m", sd));
+    if (!(length > 0)) fail(fmt::format("roughness.length is {:.6g}, must be above 0 m", length));
+    if (!(rough.spectrum.cell > 0))
+      fail(fmt::format("roughness.cell is {:.6g}, must be above 0 m", rough.spectrum.cell));
+    return rough;
+  }
+
+  int count_, height_, face_angle_, berm_, floor_, length_, azimuth_;
+  std::vector<Vec2> line_;
+  int ditch_[3], bund_[4];
+  bool bund_on_berms_;
+  int roughness_[4];
 };
 
 }  // namespace
