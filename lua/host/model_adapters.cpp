@@ -44,11 +44,12 @@ class LuaShape : public ShapeModel {
 class LuaTerrain : public TerrainModel {
  public:
   LuaTerrain(std::shared_ptr<const LuaPlugin> plugin, Params& params)
-      : call_(std::move(plugin), params, random_only, Budget::call_limit) {
-    params.require_dimension(2);
-  }
+      : call_(std::move(plugin), params, random_only, Budget::call_limit) {}
   Profile build(Values values, RandomStream& rng) const override {
     return read_terrain(call_, ask(call_, values, {&rng}));
+  }
+  TerrainShape3 build_3d(Values values, RandomStream& rng) const override {
+    return read_terrain_3d(call_, ask(call_, values, {&rng}));
   }
 
  private:

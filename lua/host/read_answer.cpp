@@ -5,64 +5,17 @@
 #include <algorithm>
 #include <lua.hpp>
 
-#include "host/locate.h"
+#include "host/answer_reader.h"
 #include "host/read_value.h"
-#include "host/table_reader.h"
 
 namespace flyrock {
 
 namespace {
 
-/// Reads the tree of one answer. Every error names its place in the tree.
-class AnswerReader {
+/// Shapes, rocks and the parts of a profile.
+class PartReader : public AnswerReader {
  public:
-  explicit AnswerReader(const LuaCall& call) : call_(call) {}
-
-  [[noreturn]] void wrong(const std::string& path, const Value& value, const std::string& expected) const {
-    const std::string name = path.empty() ? "" : path + " = ";
-    const std::string found = value.number() ? shortest(*value.number()) : value.kind();
-    call_.fail(fmt::format("returned {}{}, expected {}", name, found, expected));
-  }
-
-  void check_keys(const Value& value, const std::string& path, const std::vector<std::string>& known) const {
-    if (value.list() && value.list()->empty())
-      return;  // an empty list and a table without fields look the same in Lua
-    if (!value.map()) wrong(path, value, "a table with " + choice_text(known));
-    for (const Entry& entry : *value.map())
-      if (std::find(known.begin(), known.end(), entry.key) == known.end()) {
-        const std::string hint = did_you_mean(entry.key, known);
-        call_.fail(fmt::format("returned the unknown field {}{}", join_path(path, entry.key),
-                               hint.empty() ? ", expected " + choice_text(known) : hint));
-      }
-  }
-
-  double number(const Value& value, const std::string& path) const {
-    if (!value.number()) wrong(path, value, "a number");
-    return *value.number();
-  }
-
-  const List& list(const Value& value, const std::string& path, const std::string& expected) const {
-    if (!value.list()) wrong(path, value, expected);
-    return *value.list();
-  }
-
-  Vec3 vector(const Value& value, const std::string& path, int dimension) const {
-    const char* expected = dimension == 2 ? "{ x, y }" : "{ x, y, z }";
-    const List& components = list(value, path, expected);
-    if (static_cast<int>(components.size()) != dimension) wrong(path, value, expected);
-    Vec3 result = Vec3::Zero();
-    for (int i = 0; i < dimension; ++i) result[i] = number(components[i], join_path(path, i));
-    return result;
-  }
-
-  Vec2 point(const Value& value, const std::string& path) const { return vector(value, path, 2).head<2>(); }
-
-  std::vector<Vec2> points(const Value& value, const std::string& path) const {
-    std::vector<Vec2> result;
-    const List& items = list(value, path, "a list of { x, y }");
-    for (std::size_t i = 0; i < items.size(); ++i) result.push_back(point(items[i], join_path(path, i)));
-    return result;
-  }
+  using AnswerReader::AnswerReader;
 
   Contactor2 contactor(const Value& value, const std::string& path) const {
     check_keys(value, path, {"radius", "centre", "vertices"});
@@ -122,8 +75,6 @@ class AnswerReader {
     if (const Value* angle = value.find("angle")) plan.angle = number(*angle, join_path(path, "angle"));
     return plan;
   }
-
-  const LuaCall& call_;
 };
 
 }  // namespace
@@ -138,11 +89,12 @@ Value answer_tree(const LuaCall& call, lua_State* lua) {
 }
 
 std::vector<Contactor2> read_shape(const LuaCall& call, const Value& answer) {
-  return AnswerReader(call).shape(answer, "");
+  return PartReader(call).shape(answer, "");
 }
 
 Profile read_terrain(const LuaCall& call, const Value& answer) {
-  const AnswerReader reader(call);
+  const PartReader reader(call);
+  refuse_dimension(call, answer, {"vertices", "heights"}, 3, "`points`");
   reader.check_keys(answer, "", {"points", "parts", "faces"});
   Profile profile;
   if (const Value* points = answer.find("points")) profile.points = reader.points(*points, "points");
@@ -167,8 +119,17 @@ Profile read_terrain(const LuaCall& call, const Value& answer) {
   return profile;
 }
 
+void refuse_dimension(const LuaCall& call, const Value& answer, const std::vector<std::string>& keys,
+                      int dimension, const std::string& expected) {
+  for (const std::string& key : keys)
+    if (answer.find(key))
+      throw ParameterError(
+          fmt::format("plugin {}: {}() returned `{}`, a terrain of dimension {}; dimension {} expects {}",
+                      call.plugin().origin, call.plugin().entry, key, dimension, 5 - dimension, expected));
+}
+
 std::vector<RockPlan> read_rocks(const LuaCall& call, const Value& answer) {
-  const AnswerReader reader(call);
+  const PartReader reader(call);
   std::vector<RockPlan> rocks;
   const List& items = reader.list(answer, "", "a list of rocks");
   for (std::size_t i = 0; i < items.size(); ++i)

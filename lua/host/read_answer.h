@@ -18,6 +18,17 @@ std::vector<Contactor2> read_shape(const LuaCall& call, const Value& answer);
 /// crest = { x, y } }, ... }] }. Without parts, the terrain is one part without a name.
 Profile read_terrain(const LuaCall& call, const Value& answer);
 
+/// The same in 3D: { vertices = { { x, y, z }, ... }, triangles = { { a, b, c }, ... } [, part = { of each
+/// triangle }, parts = { name, ... }] [, faces = { { name =, toe = { { x, y, z }, ... }, crest = { ... } },
+/// ... }] } with indices from 1, or { heights = { row, ... }, cell = m [, corner = { x, y }] }: rows from the
+/// south, each from the west, `corner` the place of the first height; `false` has no data.
+TerrainShape3 read_terrain_3d(const LuaCall& call, const Value& answer);
+
+/// Refuses an answer with one of `keys`, which belong to a terrain of `dimension`, where the scenario has the
+/// other one. Throws ParameterError, because a terrain may serve one dimension only.
+void refuse_dimension(const LuaCall& call, const Value& answer, const std::vector<std::string>& keys,
+                      int dimension, const std::string& expected);
+
 /// Reads a list of { shape = as above [, position = { x, y }] [, angle = rad] }. radius or vertices may
 /// replace shape. The group provides what is left out.
 std::vector<RockPlan> read_rocks(const LuaCall& call, const Value& answer);

@@ -103,6 +103,57 @@ TEST_CASE("a velocity in Lua reads the rock and the fields of the blast that it 
       "plugin m, m.lua:3: `blast.burden` is not declared: add \"blast.burden\" to `reads` of the manifest");
 }
 
+namespace {
+TerrainShape3 terrain_3d(const std::string& answer) {
+  OnePlugin lua("terrain", "build = function(p, rng, dimension) return " + answer + " end");
+  auto rng = stream();
+  return make<TerrainModel>(lua.session, PluginKind::terrain, "m", {}, 3).model->build_3d({}, rng);
+}
+}  // namespace
+
+TEST_CASE("a terrain in Lua answers triangles with parts and faces in 3D") {
+  const Mesh mesh =
+      std::get<Mesh>(terrain_3d("{ vertices = { {0, 0, 5}, {4, 0, 5}, {4, 4, 1}, {0, 4, 1} }, triangles = { "
+                                "{1, 2, 3}, {1, 3, 4} }, part = { 1, 2 },"
+                                " parts = { 'top', 'side' }, faces = { { name = 'main', toe = { {4, 4, 1}, "
+                                "{0, 4, 1} }, crest = { {4, 0, 5}, "
+                                "{0, 0, 5} } } } }"));
+  CHECK(mesh.vertices.size() == 4);
+  CHECK(mesh.triangles[1] == std::array<int, 3>{0, 2, 3});
+  CHECK(mesh.part == std::vector<int>{0, 1});
+  CHECK(mesh.parts == std::vector<std::string>{"top", "side"});
+  REQUIRE(mesh.faces.size() == 1);
+  CHECK(mesh.faces[0].crest[1] == Vec3(0, 0, 5));
+}
+
+TEST_CASE("a terrain in Lua answers heights in 3D, rows from the south") {
+  const HeightGrid grid = std::get<HeightGrid>(
+      terrain_3d("{ heights = { {1, 2, false}, {dimension, 5, 6} }, cell = 2, corner = {10, 20} }"));
+  CHECK((grid.columns == 3 && grid.rows == 2 && grid.cell == 2));
+  CHECK(grid.corner == Vec2(10, 20));
+  CHECK(grid.at(1, 0) == 2);
+  CHECK(grid.at(0, 1) == 3);
+  CHECK(std::isnan(grid.at(2, 0)));
+}
+
+TEST_CASE("a wrong terrain in Lua in 3D is refused with its field") {
+  const std::string vertices = "{ vertices = { {0, 0, 0}, {1, 0, 0}, {0, 1, 0} }, ";
+  CHECK_THROWS_WITH(terrain_3d(vertices + "triangles = { {1, 2, 4} } }"),
+                    Catch::Contains("returned triangles[0][2] = 4, expected a whole number from 1 to 3"));
+  CHECK_THROWS_WITH(terrain_3d(vertices + "triangles = { {1, 3, 2} } }"), Catch::Contains("faces down"));
+  CHECK_THROWS_WITH(terrain_3d(vertices + "triangles = { {1, 2, 3} }, part = { 1 } }"),
+                    Catch::Contains("returned one of `part` and `parts`, expected both or neither"));
+  CHECK_THROWS_WITH(terrain_3d("{ heights = { {1, 2}, {1} }, cell = 1 }"),
+                    Catch::Contains("returned heights[1] with 1 heights, expected 2 as in the first row"));
+  CHECK_THROWS_WITH(terrain_3d("{ heights = { {1, 2}, {1, 2} } }"), Catch::Contains("returned no `cell`"));
+  CHECK_THROWS_WITH(
+      terrain_3d("{ points = { {1, 2}, {3, 2} } }"),
+      Catch::Contains(
+          "a terrain of dimension 2; dimension 3 expects `vertices` and `triangles`, or `heights`"));
+  CHECK_THROWS_WITH(terrain("{ heights = { {1, 2}, {3, 2} } }"),
+                    Catch::Contains("a terrain of dimension 3; dimension 2 expects `points`"));
+}
+
 TEST_CASE("a population in Lua places its rocks on the terrain") {
   OnePlugin lua("population",
                 "rocks = function(p, terrain, blast, rng)\n"
