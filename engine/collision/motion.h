@@ -3,6 +3,7 @@
 
 #include <variant>
 
+#include "geometry/box.h"
 #include "math/free_rotation.h"
 #include "math/space.h"
 
@@ -58,17 +59,6 @@ struct TimeWindow {
 /// The length of the path over [0, t] [m].
 template <int D>
 double path_length(const Path<D>& path, double t);
-
-/// A box with sides along the axes.
-template <int D>
-struct Box {
-  Vec<D> low = Vec<D>::Zero(), high = Vec<D>::Zero();
-  bool overlaps(const Box& other) const {
-    return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
-  }
-};
-using Box2 = Box<2>;
-using Box3 = Box<3>;
 
 /// A time window in [0, t_max]. Outside it, a circle (sphere) of radius r about the moving point does not
 /// meet the box.
