@@ -56,8 +56,9 @@ NearestGround nearest_ground(const Terrain2& terrain, const Vec2& at, double rea
   }
   return nearest;
 }
-NearestGround nearest_ground(const Terrain3& terrain, const Vec3& at, double) {
-  return {terrain.plane().distance(at), 0};
+NearestGround nearest_ground(const Terrain3& terrain, const Vec3& at, double reach) {
+  const auto nearest = terrain.ground().nearest(at, reach);
+  return nearest ? NearestGround{nearest->distance, terrain.ground().part(nearest->facet)} : NearestGround{};
 }
 
 /// The part of the terrain that a body is on; -1 if all of it is in the air. The distance to the ground
@@ -72,12 +73,22 @@ int part_under(const Terrain& terrain, const Body<D>& body) {
 }
 
 Profile picture(const Terrain2& terrain) { return terrain.profile(); }
+/// The section at y = 0, or at the middle of the terrain if it does not reach there. A plane is shown from
+/// -100 m to 100 m, other terrain in 400 parts.
 Profile picture(const Terrain3& terrain) {
   constexpr double half = 100;
+  constexpr int parts = 400;
+  const Box3& box = terrain.ground().extent();
+  const bool endless = std::isinf(box.low.x());
+  const double low = endless ? -half : box.low.x(), high = endless ? half : box.high.x();
+  const double y = box.low.y() <= 0 && box.high.y() >= 0 ? 0 : 0.5 * (box.low.y() + box.high.y());
   Profile cut;
-  cut.points = {{-half, terrain.height(-half, 0)}, {half, terrain.height(half, 0)}};
-  cut.part = {0};
   cut.parts = terrain.parts();
+  for (int i = 0; i <= parts; i += endless ? parts : 1) {
+    const double x = low + (high - low) * i / parts;
+    if (const auto z = terrain.ground().height(x, y)) cut.points.push_back({x, *z});
+  }
+  cut.part.assign(cut.points.empty() ? 0 : cut.points.size() - 1, 0);
   return cut;
 }
 

@@ -99,8 +99,8 @@ class Search {
       const Vec2 velocity = so.v + cross(so.w, arm) - sr.v;
       const double gap = normal.dot(w) - offset + search_.slack;
       const double slope = sr.w * turn.dot(w) + normal.dot(velocity);
-      const std::uint32_t edge_id = reference.edge_id(reference.base, edge);
-      const std::uint32_t point_id = other.point_id(other.base, j);
+      const FeatureId edge_id = reference.edge_id(reference.base, edge);
+      const FeatureId point_id = other.point_id(other.base, j);
       const bool is_held =
           reference_is_a ? search_.holds(edge_id, point_id) : search_.holds(point_id, edge_id);
       if (is_held && search_.held_are_solved) continue;
@@ -128,7 +128,7 @@ class Search {
     double least = forever;
     for (int i = 0; i < a_.count; ++i) {
       for (int j = 0; j < b_.count && least > 0; ++j) {
-        const std::uint32_t feature = a_.point_id(a_.base, i), against = b_.point_id(b_.base, j);
+        const FeatureId feature = a_.point_id(a_.base, i), against = b_.point_id(b_.base, j);
         const bool is_held = search_.holds(feature, against);
         if (is_held && search_.held_are_solved) continue;
         const Vec2 ra = sa.r * a_.points[i], rb = sb.r * b_.points[j];

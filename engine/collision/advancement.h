@@ -17,8 +17,8 @@ struct MovingHull {
   int count = 0;
   double radius = 0;
   Motion2 motion;
-  std::uint32_t (*point_id)(int base, int i) = nullptr;
-  std::uint32_t (*edge_id)(int base, int i) = nullptr;
+  FeatureId (*point_id)(int base, int i) = nullptr;
+  FeatureId (*edge_id)(int base, int i) = nullptr;
   int base = 0;
 };
 

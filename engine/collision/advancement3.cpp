@@ -24,12 +24,17 @@ class PairSearch {
   /// How long the direction of the last call separates the pair [s]. If it no longer does, the best direction
   /// is used.
   double lasts(double t) {
-    const MovingState sa(a_, t, end_), sb(b_, t, end_);
-    const double step = chosen_ ? lasts(direction_, sa, sb, t) : 0;
-    return step > 0 ? step : longest(sa, sb, t);
+    const MovingState sa(a_, t, end_);
+    if (!sb_ || !b_.facet) sb_.emplace(b_, t, end_);  // a facet is at rest
+    const double step = chosen_ ? lasts(direction_, sa, *sb_, t) : 0;
+    return step > 0 ? step : longest(sa, *sb_, t);
   }
 
+  /// The gap between the bounding balls; for a facet, between the ball and its plane.
   std::array<double, 5> clearance() const {
+    if (const Facet* f = b_.facet)
+      return {f->distance(a_.motion.x) - a_.shape.bound + search_.slack, f->normal.dot(a_.motion.v),
+              0.5 * f->normal.dot(a_.motion.a), 0, 0};
     Path<3> relative = a_.motion;
     relative.x -= b_.motion.x;
     relative.v -= b_.motion.v;
@@ -44,22 +49,28 @@ class PairSearch {
   struct Direction {
     enum class Kind { of_a, of_b, edges } kind = Kind::of_a;
     Vec3 local = Vec3::UnitZ();  ///< of_a, of_b: in that body's frame, outward
-    double support = 0;         ///< of_a, of_b: how far the contactor reaches along it from the body's origin
-    std::uint32_t feature = 0;  ///< of_a, of_b: the feature to which the normal belongs
+    double support = 0;     ///< of_a, of_b: how far the contactor reaches along it from the body's origin
+    FeatureId feature = 0;  ///< of_a, of_b: the feature to which the normal belongs
     int edge_a = 0, edge_b = 0;  ///< edges
     double sign = 1;             ///< edges: of the product that points from b to a
   };
 
-  static std::uint32_t vertex(const MovingContactor& c, int i) {
-    return feature_id(c.index, FeatureKind::vertex, i);
-  }
+  static FeatureId vertex(const MovingContactor& c, int i) { return c.id(FeatureKind::vertex, i); }
 
   /// A sphere has only one contact with a convex contactor, so the feature does not matter.
-  bool held(std::uint32_t feature, std::uint32_t against) const {
+  bool held(FeatureId feature, FeatureId against) const {
     if (!a_.shape.round() && !b_.shape.round()) return search_.holds(feature, against);
     return std::any_of(search_.held.begin(), search_.held.end(), [&](const HeldContact& h) {
-      return contactor_of(h.feature) == a_.index && contactor_of(h.against) == b_.index;
+      return contactor_of(h.feature) == a_.index && of_b(h.against);
     });
+  }
+
+  bool of_b(FeatureId feature) const {
+    if (!b_.facet) return contactor_of(feature) == b_.index;
+    bool known = feature == b_.facet->face_feature();
+    for (int i = 0; i < 3; ++i)
+      known = known || feature == b_.facet->edge_feature(i) || feature == b_.facet->vertex_feature(i);
+    return known;
   }
 
   /// Bounds on the relative motion of two points while a normal turns.
@@ -83,7 +94,10 @@ class PairSearch {
     const Vec3 relative_a = other.motion.a - reference.motion.a;
     const double offset = d.support + reference.shape.radius + other.shape.radius;
     double least = forever;
+    const PlaneClearance clear(normal, normal.dot(sr.x) + offset, sr.v, relative_a, so, end_ - t,
+                               other.shape.bound, search_);
     for (int j = 0; j < static_cast<int>(other.shape.points.size()) && least > 0; ++j) {
+      if (reference.facet && clear.of(other.shape.points[j])) continue;
       const bool is_held =
           &reference == &a_ ? held(d.feature, vertex(other, j)) : held(vertex(other, j), d.feature);
       if (is_held && search_.held_are_solved) continue;
@@ -129,8 +143,7 @@ class PairSearch {
         end_ - t,
         (sa.v - sb.v).norm() + relative_a.norm() * (end_ - t) + sa.w_max * size_a + sb.w_max * size_b,
         sa.bend(size_a) + sb.bend(size_b) + relative_a.norm()};
-    const bool is_held = held(feature_id(a_.index, FeatureKind::edge, d.edge_a),
-                              feature_id(b_.index, FeatureKind::edge, d.edge_b));
+    const bool is_held = held(a_.id(FeatureKind::edge, d.edge_a), b_.id(FeatureKind::edge, d.edge_b));
     if (w > 0) bounds.horizon = std::min(bounds.horizon, s / w);
     if (bounds.speed > 0)
       bounds.horizon = std::min(bounds.horizon, ((sa.x - sb.x).norm() + search_.size) / bounds.speed);
@@ -169,24 +182,47 @@ class PairSearch {
       if (best >= enough) return;
       if (const double time = lasts(candidate, sa, sb, t); time > best) best = time, direction_ = candidate;
     };
+    const auto try_face = [&](const MovingContactor& c, Direction::Kind kind, int f) {
+      const Contactor3::Face& face = c.shape.faces[f];
+      const double support = face.normal.dot(c.shape.points[c.shape.vertex(face, 0)]);
+      try_direction({kind, face.normal, support, c.id(FeatureKind::face, f), 0, 0, 1});
+    };
     const auto try_faces = [&](const MovingContactor& c, Direction::Kind kind) {
-      for (int f = 0; f < static_cast<int>(c.shape.faces.size()); ++f) {
-        const Contactor3::Face& face = c.shape.faces[f];
-        const double support = face.normal.dot(c.shape.points[c.shape.vertex(face, 0)]);
-        try_direction({kind, face.normal, support, feature_id(c.index, FeatureKind::face, f), 0, 0, 1});
-      }
+      for (int f = 0; f < static_cast<int>(c.shape.faces.size()); ++f) try_face(c, kind, f);
     };
     const Placed3 a{a_.shape, {sa.x, sa.turn.rotation}}, b{b_.shape, {sb.x, sb.turn.rotation}};
     if (a_.shape.round()) {
-      try_direction(towards(a.point(0), b, sb, b_.index, Direction::Kind::of_b));
+      try_direction(towards(a.point(0), b_, b, sb, Direction::Kind::of_b));
     } else if (b_.shape.round()) {
-      try_direction(towards(b.point(0), a, sa, a_.index, Direction::Kind::of_a));
+      try_direction(towards(b.point(0), a_, a, sa, Direction::Kind::of_a));
     } else {
       try_faces(b_, Direction::Kind::of_b);
-      try_faces(a_, Direction::Kind::of_a);
-      if (const EdgeAxis axis = best_edge_axis(a, b); axis.of_a >= 0) try_direction(across(axis, a, b));
+      // A facet is mostly cleared by its own plane or by the face of the body that separates most. The others
+      // are tried where these two soon fail.
+      if (b_.facet && best < enough) try_face(a_, Direction::Kind::of_a, most_separating_face(a, b));
+      if (!b_.facet || best <= 0) try_faces(a_, Direction::Kind::of_a);
+      constexpr double soon = 0.1;  // of the time that is left
+      const bool is_clear = b_.facet && best > soon * enough;
+      const EdgeAxis axis = is_clear ? EdgeAxis{} : best_edge_axis(a, b);
+      if (axis.of_a >= 0) try_direction(across(axis, a, b));
     }
     chosen_ = true;
+    return best;
+  }
+
+  /// The face of a whose plane has the corners of the facet b farthest outside.
+  static int most_separating_face(const Placed3& a, const Placed3& b) {
+    std::array<Vec3, 3> corner;  // in the frame of a
+    for (int i = 0; i < 3; ++i) corner[i] = a.pose.r.inverse(b.point(i) - a.pose.x);
+    int best = 0;
+    double most = -forever;
+    for (int f = 0; f < a.faces(); ++f) {
+      const Contactor3::Face& face = a.shape.faces[f];
+      const double nearest =
+          std::min({face.normal.dot(corner[0]), face.normal.dot(corner[1]), face.normal.dot(corner[2])});
+      const double outside = nearest - face.normal.dot(a.shape.points[a.shape.vertex(face, 0)]);
+      if (outside > most) most = outside, best = f;
+    }
     return best;
   }
 
@@ -203,18 +239,18 @@ class PairSearch {
   }
 
   /// The direction from the nearest point of a contactor to the centre of a sphere.
-  static Direction towards(const Vec3& centre, const Placed3& c, const MovingState& s, int index,
-                           Direction::Kind kind) {
+  static Direction towards(const Vec3& centre, const MovingContactor& moving, const Placed3& c,
+                           const MovingState& s, Direction::Kind kind) {
     Direction d;
     d.kind = kind;
     if (c.shape.round()) {
       const Vec3 away = centre - c.point(0);
       d.local = s.turn.rotation.inverse(away.norm() > 0 ? Vec3(away.normalized()) : Vec3::UnitZ());
-      d.feature = feature_id(index, FeatureKind::vertex, 0);
+      d.feature = moving.id(FeatureKind::vertex, 0);
     } else {
       const NearestPlace place = nearest_place(c, centre);
       d.local = s.turn.rotation.inverse(place.normal);
-      d.feature = feature_id(index, place.kind, place.index);
+      d.feature = moving.id(place.kind, place.index);
     }
     d.support = -forever;
     for (const Vec3& p : c.shape.points) d.support = std::max(d.support, d.local.dot(p));
@@ -226,15 +262,16 @@ class PairSearch {
   double end_;
   const TouchSearch& search_;
   GapScale scale_;
+  std::optional<MovingState> sb_;
   Direction direction_;
   bool chosen_ = false;
 };
 
 }  // namespace
 
-std::optional<double> advance_to_contact(const MovingContactor& a, const MovingContactor& b, double end,
-                                         const TouchSearch& search) {
-  return advance(PairSearch(a, b, end, search), end, search.iterations);
+std::optional<double> advance_to_contact(const MovingContactor& a, const MovingContactor& b,
+                                         const TimeWindow& window, const TouchSearch& search) {
+  return advance(PairSearch(a, b, window.b, search), window, search.iterations);
 }
 
 }  // namespace flyrock

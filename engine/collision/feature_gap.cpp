@@ -3,12 +3,11 @@
 namespace flyrock {
 
 namespace {
-bool is_edge(std::uint32_t feature) { return feature & 1; }
-int index_2d(std::uint32_t feature) { return static_cast<int>(feature >> 1 & 0x7fff); }
+bool is_edge(FeatureId feature) { return feature & 1; }
+int index_2d(FeatureId feature) { return static_cast<int>(feature >> 1 & 0x7fff); }
 }  // namespace
 
-double feature_gap(const Placed2& contactor, std::uint32_t feature, const Terrain2& terrain,
-                   std::uint32_t against) {
+double feature_gap(const Placed2& contactor, FeatureId feature, const Terrain2& terrain, FeatureId against) {
   const int i = terrain_index(against), k = index_2d(feature);
   if (is_edge(feature)) return contactor.outside(k, terrain.point(i)) - contactor.shape.radius;
   const Vec2 p = contactor.point(k);
@@ -17,8 +16,8 @@ double feature_gap(const Placed2& contactor, std::uint32_t feature, const Terrai
   return distance - contactor.shape.radius;
 }
 
-double feature_gap(const Placed2& candidate, std::uint32_t feature, const Placed2& antagonist,
-                   std::uint32_t against) {
+double feature_gap(const Placed2& candidate, FeatureId feature, const Placed2& antagonist,
+                   FeatureId against) {
   const int k = index_2d(feature), j = index_2d(against);
   const double radii = candidate.shape.radius + antagonist.shape.radius;
   if (is_edge(feature)) return candidate.outside(k, antagonist.point(j)) - radii;

@@ -10,16 +10,12 @@ namespace flyrock {
 
 /// The gap [m] between a feature of a contactor and a segment or corner of the terrain, with the feature ids
 /// of terrain_contacts.
-double feature_gap(const Placed2& contactor, std::uint32_t feature, const Terrain2& terrain,
-                   std::uint32_t against);
+double feature_gap(const Placed2& contactor, FeatureId feature, const Terrain2& terrain, FeatureId against);
 
 /// The gap [m] between features of two contactors, with the feature ids of body_contacts.
-double feature_gap(const Placed2& candidate, std::uint32_t feature, const Placed2& antagonist,
-                   std::uint32_t against);
+double feature_gap(const Placed2& candidate, FeatureId feature, const Placed2& antagonist, FeatureId against);
 
-double feature_gap(const Placed3& contactor, std::uint32_t feature, const Terrain3& terrain,
-                   std::uint32_t against);
-double feature_gap(const Placed3& candidate, std::uint32_t feature, const Placed3& antagonist,
-                   std::uint32_t against);
+double feature_gap(const Placed3& contactor, FeatureId feature, const Terrain3& terrain, FeatureId against);
+double feature_gap(const Placed3& candidate, FeatureId feature, const Placed3& antagonist, FeatureId against);
 
 }  // namespace flyrock

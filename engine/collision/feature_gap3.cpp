@@ -25,7 +25,7 @@ double edge_edge(const Placed3& a, int ea, const Placed3& b, int eb) {
 }
 
 /// The distance of the vertex `v` of a from a feature of b.
-double from_vertex(const Placed3& a, int v, const Placed3& b, std::uint32_t feature) {
+double from_vertex(const Placed3& a, int v, const Placed3& b, FeatureId feature) {
   const Vec3 p = a.point(v);
   const int i = index_of(feature);
   switch (kind_of(feature)) {
@@ -41,12 +41,30 @@ double from_vertex(const Placed3& a, int v, const Placed3& b, std::uint32_t feat
 
 }  // namespace
 
-double feature_gap(const Placed3& contactor, std::uint32_t feature, const Terrain3& terrain, std::uint32_t) {
-  return terrain.plane().distance(contactor.point(index_of(feature))) - contactor.shape.radius;
+double feature_gap(const Placed3& contactor, FeatureId feature, const Terrain3& terrain, FeatureId against) {
+  const Facet f = terrain.ground().facet(terrain.ground().facet_of(against));
+  const double radius = contactor.shape.radius;
+  switch (kind_of(against)) {
+    case FeatureKind::face:
+      return f.distance(contactor.point(index_of(feature))) - radius;
+    case FeatureKind::vertex: {
+      const Vec3 top = terrain.ground().vertex(ground_index(against));
+      return contactor.shape.round() ? (contactor.point(0) - top).norm() - radius
+                                     : contactor.outside(index_of(feature), top);
+    }
+    case FeatureKind::edge:
+      break;
+  }
+  const int rim = static_cast<int>(ground_index(against) % 3);
+  const Vec3 along = f.along(rim).normalized();
+  if (contactor.shape.round()) return along.cross(contactor.point(0) - f.corner[rim]).norm() - radius;
+  Vec3 normal = along.cross(edge_direction(contactor, index_of(feature)));
+  if (normal.dot(f.normal + f.beyond[rim]) < 0) normal = -normal;
+  return normal.normalized().dot(edge_start(contactor, index_of(feature)) - f.corner[rim]);
 }
 
-double feature_gap(const Placed3& candidate, std::uint32_t feature, const Placed3& antagonist,
-                   std::uint32_t against) {
+double feature_gap(const Placed3& candidate, FeatureId feature, const Placed3& antagonist,
+                   FeatureId against) {
   const FeatureKind of_candidate = kind_of(feature), of_antagonist = kind_of(against);
   const double radii = candidate.shape.radius + antagonist.shape.radius;
   if (of_candidate == FeatureKind::vertex)

@@ -107,11 +107,11 @@ void polygon_polygon(const Placed2& a, int ia, const Placed2& b, int ib, double 
     }
     const double gap = normal.dot(point - start);
     if (gap > reach) continue;
-    const std::uint32_t incident_id = is_vertex ? vertex_id(a_is_reference ? ib : ia, vertex[k])
-                                                : edge_id(a_is_reference ? ib : ia, facing);
+    const FeatureId incident_id = is_vertex ? vertex_id(a_is_reference ? ib : ia, vertex[k])
+                                            : edge_id(a_is_reference ? ib : ia, facing);
     const int reference_vertex = clipped <= 0 ? edge : (edge + 1) % reference.count();
-    const std::uint32_t reference_id = is_vertex ? edge_id(a_is_reference ? ia : ib, edge)
-                                                 : vertex_id(a_is_reference ? ia : ib, reference_vertex);
+    const FeatureId reference_id = is_vertex ? edge_id(a_is_reference ? ia : ib, edge)
+                                             : vertex_id(a_is_reference ? ia : ib, reference_vertex);
     const Vec2 middle = point - 0.5 * gap * normal;
     if (a_is_reference)
       out.push_back({middle, -normal, gap, reference_id, incident_id});
@@ -135,8 +135,7 @@ void body_contacts(const Placed2& candidate, int ic, const Placed2& antagonist, 
   const Placed2& polygon = round_candidate ? antagonist : candidate;
   if (!disk_polygon(disk, polygon, reach, contact, feature, on_edge)) return;
   const int polygon_index = round_candidate ? ia : ic;
-  const std::uint32_t polygon_id =
-      on_edge ? edge_id(polygon_index, feature) : vertex_id(polygon_index, feature);
+  const FeatureId polygon_id = on_edge ? edge_id(polygon_index, feature) : vertex_id(polygon_index, feature);
   contact.feature = round_candidate ? vertex_id(ic, 0) : polygon_id;
   contact.against = round_candidate ? polygon_id : vertex_id(ia, 0);
   if (!round_candidate) contact.normal = -contact.normal;

@@ -37,8 +37,8 @@ void sphere_polyhedron(const Placed3& sphere, int sphere_index, const Placed3& p
   const double radius = sphere.shape.radius, gap = place.distance - radius;
   if (gap > reach) return;
   const Vec3 point = centre - (radius + 0.5 * gap) * place.normal;
-  const std::uint32_t round = feature_id(sphere_index, FeatureKind::vertex, 0);
-  const std::uint32_t flat = feature_id(polyhedron_index, place.kind, place.index);
+  const FeatureId round = feature_id(sphere_index, FeatureKind::vertex, 0);
+  const FeatureId flat = feature_id(polyhedron_index, place.kind, place.index);
   if (sphere_is_candidate)
     out.push_back({point, place.normal, gap, round, flat});
   else
@@ -137,8 +137,8 @@ void face_face(const Placed3& reference, int reference_index, int face, const Pl
     const FeatureKind of_incident = corner.of_reference == FeatureKind::face   ? FeatureKind::vertex
                                     : corner.of_reference == FeatureKind::edge ? FeatureKind::edge
                                                                                : FeatureKind::face;
-    const std::uint32_t of_r = feature_id(reference_index, corner.of_reference, corner.reference);
-    const std::uint32_t of_i = feature_id(incident_index, of_incident, corner.incident);
+    const FeatureId of_r = feature_id(reference_index, corner.of_reference, corner.reference);
+    const FeatureId of_i = feature_id(incident_index, of_incident, corner.incident);
     const Vec3 middle = corner.point - 0.5 * gap * normal;
     if (reference_is_candidate)
       out.push_back({middle, -normal, gap, of_r, of_i});

@@ -1,26 +1,29 @@
 #pragma once
-// The ground of a 3D run, prepared for contact search.
+// The ground of a 3D run, with the names of its parts as laws use them.
+
+#include <memory>
 
 #include "collision/contact.h"
-#include "geometry/plane.h"
+#include "geometry/ground.h"
 #include "geometry/terrain_names.h"
 
 namespace flyrock {
 
+/// Copies share the ground, which does not change.
 class Terrain3 {
  public:
-  explicit Terrain3(Plane plane) : plane_(std::move(plane)), names_(terrain_names(plane_.parts)) {}
+  explicit Terrain3(TerrainShape3 shape)
+      : ground_(make_ground(std::move(shape))), names_(terrain_names(ground_->parts())) {}
 
-  const Plane& plane() const { return plane_; }
-  const std::vector<std::string>& parts() const { return plane_.parts; }
+  const Ground3& ground() const { return *ground_; }
+  const std::vector<std::string>& parts() const { return ground_->parts(); }
   /// The name of each part, as laws use it.
   const std::vector<std::string>& names() const { return names_; }
-  /// The part that a contact's `against` names.
-  int part(std::uint32_t against) const { return index_of(against); }
-  double height(double x, double y) const { return plane_.height(x, y); }
+  /// The part that a contact's `against` names. An edge belongs to the facet that names it.
+  int part(FeatureId against) const { return ground_->part(ground_->facet_of(against)); }
 
  private:
-  Plane plane_;
+  std::shared_ptr<const Ground3> ground_;
   std::vector<std::string> names_;
 };
 

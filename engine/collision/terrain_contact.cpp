@@ -52,7 +52,7 @@ ContactPoint<2> nearest_place(const Terrain2& terrain, const Vec2& p) {
 /// Contact points with segments, for a point grown by a radius: the centre of a disk, or a vertex with radius
 /// 0. A point below the line of a segment is either in the ground, or above another part of the polyline and
 /// free.
-void point_contacts(const Vec2& p, double radius, std::uint32_t feature, const Terrain2& terrain,
+void point_contacts(const Vec2& p, double radius, FeatureId feature, const Terrain2& terrain,
                     const Terrain2::Run& run, double reach, double shallow,
                     std::vector<ContactPoint<2>>& out) {
   bool deep = false;

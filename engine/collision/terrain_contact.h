@@ -22,9 +22,10 @@ namespace flyrock {
 void terrain_contacts(const Placed2& contactor, int contactor_index, const Terrain2& terrain, double reach,
                       double turn, std::vector<ContactPoint<2>>& out);
 
-/// Appends the contacts of a sphere or convex polyhedron with a plane whose gap is at most `reach` [m]: for a
-/// polyhedron, at most four of its vertices.
+/// The same in 3D. A sphere meets each facet in whose strip its centre lies, and each convex edge and peak in
+/// whose cone of normals it lies. A polyhedron meets facets with its vertices, convex edges with its edges,
+/// and peaks with its faces. Of the contacts in one plane, at most four are kept (contact_patch.h).
 void terrain_contacts(const Placed3& contactor, int contactor_index, const Terrain3& terrain, double reach,
-                      std::vector<ContactPoint<3>>& out);
+                      double turn, std::vector<ContactPoint<3>>& out);
 
 }  // namespace flyrock

@@ -1,21 +1,159 @@
+// Contacts of spheres and of the vertices of polyhedra with the ground, and the choice among all contacts.
+
+#include <algorithm>
+#include <cmath>
+
 #include "collision/contact_patch.h"
+#include "collision/facet_region.h"
+#include "collision/rim_contact.h"
 #include "collision/terrain_contact.h"
 
 namespace flyrock {
 
+namespace {
+
+using Contacts = std::vector<ContactPoint<3>>;
+
+// As in 2D: a vertex that is less deep than this share of the size touches each facet that it lies below. A
+// deeper one, which only fixed time steps produce, is pushed out to the nearest facet.
+constexpr double shallow_share = 1e-3;
+
+/// Contact points with facets, for a point grown by a radius: the centre of a sphere, or a vertex with radius
+/// 0. A point below the plane of a facet is either in the ground, or above another part of it and free.
+void point_contacts(const Vec3& p, double radius, FeatureId feature, const Ground3& ground,
+                    std::span<const Facet> facets, double reach, double shallow, Contacts& out) {
+  // On the side of a convex rim, a sphere has the contact of the edge, and a vertex has no other.
+  const double slack = radius > 0 ? 1e-12 : region_slack;
+  double depth = 0;
+  for (const Facet& f : facets) {
+    const double height = f.distance(p), gap = height - radius;
+    if (gap > reach || !strip_contains(f, p, shallow, slack)) continue;
+    if (!f.unbounded && height < 0 && nearer_beyond(f, p, height)) continue;
+    if (!f.unbounded && height < -reach) {
+      const double below = ground.depth(p);
+      if (below <= 0) continue;
+      if (height < -shallow) {
+        depth = std::max(depth, below);
+        continue;
+      }
+    }
+    out.push_back({p - (radius + 0.5 * gap) * f.normal, f.normal, gap, feature, f.face_feature()});
+  }
+  if (depth == 0) return;
+  const auto nearest = ground.nearest(p, depth * (1 + region_slack));
+  if (!nearest || nearest->distance < shallow) return;  // it has this contact
+  const Facet f = ground.facet(nearest->facet);
+  const double gap = -nearest->distance - radius;
+  out.push_back({p - (radius + 0.5 * gap) * f.normal, f.normal, gap, feature, f.face_feature()});
+}
+
+/// Contact points of a sphere with convex edges and peaks, whose cones of normals contain its centre. On the
+/// sides of these cones the facets give the contact.
+void round_contacts(const Vec3& centre, double radius, FeatureId feature, const Ground3& ground,
+                    std::span<const Facet> facets, double reach, Contacts& out) {
+  const auto touch = [&](const Vec3& place, const Vec3& away, FeatureId against) {
+    const double distance = away.norm(), gap = distance - radius;
+    if (gap > reach || !(distance > 0)) return;
+    const Vec3 normal = away / distance;
+    out.push_back({place + 0.5 * gap * normal, normal, gap, feature, against});
+  };
+  const double farthest = (radius + reach) * (radius + reach);
+  thread_local std::vector<Vec3> edges;          // keeps its memory between calls
+  thread_local std::vector<std::uint64_t> seen;  // peaks, each of which many facets share
+  seen.clear();
+  for (const Facet& f : facets)
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 from_corner = centre - f.corner[i];
+      if (f.rim[i] == Rim::convex && f.names_edge(i)) {
+        const Vec3 along = f.along(i);
+        const double share = from_corner.dot(along) / along.squaredNorm();
+        const Vec3 away = from_corner - share * along;
+        if (share >= -region_slack && share <= 1 + region_slack && away.squaredNorm() <= farthest &&
+            rim_cone_contains(f, i, away, 0))
+          touch(f.corner[i] + share * along, away, f.edge_feature(i));
+      }
+      if (from_corner.squaredNorm() > farthest ||
+          std::find(seen.begin(), seen.end(), f.vertex[i]) != seen.end())
+        continue;
+      seen.push_back(f.vertex[i]);
+      edges.clear();
+      if (ground.peak(f.vertex[i], edges) && peak_cone_contains(edges, from_corner, 0))
+        touch(f.corner[i], from_corner, f.vertex_feature(i));
+    }
+}
+
+/// Drops contacts that an earlier one repeats: at the same place, or of the same vertex, with the same
+/// normal. Facets of one plane give them at their common edges, and a vertex that stands on an edge does.
+void drop_repeated(Contacts& contacts, std::size_t begin, double size) {
+  const auto repeats = [&](const ContactPoint<3>& a, const ContactPoint<3>& b) {
+    const double turned = (a.normal - b.normal).squaredNorm();
+    if (a.feature == b.feature && turned < 1e-16) return true;
+    return turned < 1e-12 && (a.point - b.point).squaredNorm() < 1e-14 * size * size;
+  };
+  std::size_t to = begin;
+  for (std::size_t from = begin; from < contacts.size(); ++from) {
+    const bool known = std::any_of(contacts.begin() + begin, contacts.begin() + to,
+                                   [&](const ContactPoint<3>& c) { return repeats(c, contacts[from]); });
+    if (!known) contacts[to++] = contacts[from];
+  }
+  contacts.resize(to);
+}
+
+/// Keeps four contacts of each plane, in the order in which the planes were found.
+void keep_four_of_each_plane(Contacts& contacts, std::size_t begin, double size) {
+  if (contacts.size() - begin <= 4) return;
+  const auto one_plane = [&](const ContactPoint<3>& a, const ContactPoint<3>& b) {
+    return (a.normal - b.normal).squaredNorm() < 1e-12 &&
+           std::abs(a.normal.dot(a.point - b.point)) < 1e-6 * size;
+  };
+  thread_local Contacts rest, others, kept;  // keep their memory between calls
+  rest.assign(contacts.begin() + begin, contacts.end());
+  kept.clear();
+  while (!rest.empty()) {
+    others.clear();
+    const std::size_t plane = kept.size();
+    for (const ContactPoint<3>& contact : rest)
+      (one_plane(rest.front(), contact) ? kept : others).push_back(contact);
+    keep_four(kept, plane);
+    rest.swap(others);
+  }
+  contacts.resize(begin);
+  contacts.insert(contacts.end(), kept.begin(), kept.end());
+}
+
+}  // namespace
+
 void terrain_contacts(const Placed3& contactor, int contactor_index, const Terrain3& terrain, double reach,
-                      std::vector<ContactPoint<3>>& out) {
-  const Plane& plane = terrain.plane();
-  const double radius = contactor.shape.radius;
+                      double turn, std::vector<ContactPoint<3>>& out) {
+  const Ground3& ground = terrain.ground();
+  const Contactor3& shape = contactor.shape;
+  Box3 box{contactor.point(0), contactor.point(0)};
+  for (int i = 1; i < contactor.count(); ++i) {
+    const Vec3 p = contactor.point(i);
+    box = {box.low.cwiseMin(p), box.high.cwiseMax(p)};
+  }
+  const double grow = shape.radius + reach;
+  box.low.array() -= grow;
+  box.high.array() += grow;
+  thread_local std::vector<Facet> facets;  // keeps its memory between calls
+  facets.clear();
+  ground.facets(box, facets);
+  const double size = shape.round() ? shape.radius : shape.bound;
   const std::size_t begin = out.size();
   for (int i = 0; i < contactor.count(); ++i) {
-    const Vec3 p = contactor.point(i);
-    const double gap = plane.distance(p) - radius;
-    if (gap > reach) continue;
-    out.push_back({p - (radius + 0.5 * gap) * plane.normal, plane.normal, gap,
-                   feature_id(contactor_index, FeatureKind::vertex, i), feature_id(0, FeatureKind::face, 0)});
+    const FeatureId vertex = feature_id(contactor_index, FeatureKind::vertex, i);
+    point_contacts(contactor.point(i), shape.radius, vertex, ground, facets, reach, shallow_share * size,
+                   out);
   }
-  keep_four(out, begin);
+  if (!facets.empty() && !facets.front().unbounded) {
+    if (shape.round())
+      round_contacts(contactor.point(0), shape.radius, feature_id(contactor_index, FeatureKind::vertex, 0),
+                     ground, facets, reach, out);
+    else
+      rim_contacts(contactor, contactor_index, ground, facets, box, reach, turn, out);
+    drop_repeated(out, begin, size);
+  }
+  keep_four_of_each_plane(out, begin, size);
 }
 
 }  // namespace flyrock

@@ -12,12 +12,12 @@ namespace flyrock {
 
 namespace {
 
-std::uint32_t terrain_point(int base, int i) { return corner_id(base + i); }
-std::uint32_t terrain_edge(int base, int) { return segment_id(base); }
+FeatureId terrain_point(int base, int i) { return corner_id(base + i); }
+FeatureId terrain_edge(int base, int) { return segment_id(base); }
 
 class DiskSearch {
  public:
-  DiskSearch(double radius, std::uint32_t feature, const Motion2& motion, const Terrain2& terrain,
+  DiskSearch(double radius, FeatureId feature, const Motion2& motion, const Terrain2& terrain,
              const TouchSearch& search)
       : radius_(radius), feature_(feature), motion_(motion), terrain_(terrain), search_(search) {}
 
@@ -56,7 +56,7 @@ class DiskSearch {
   }
 
   double radius_;
-  std::uint32_t feature_;
+  FeatureId feature_;
   const Motion2& motion_;
   const Terrain2& terrain_;
   const TouchSearch& search_;
@@ -75,7 +75,7 @@ MovingHull hull_of(const Contactor2& contactor, int index, const Motion2& motion
 
 }  // namespace
 
-bool TouchSearch::holds(std::uint32_t feature, std::uint32_t against) const {
+bool TouchSearch::holds(FeatureId feature, FeatureId against) const {
   return std::any_of(held.begin(), held.end(),
                      [&](const HeldContact& h) { return h.feature == feature && h.against == against; });
 }

@@ -15,8 +15,8 @@ namespace flyrock {
 
 /// A contact that exists when the search begins, by its feature ids.
 struct HeldContact {
-  std::uint32_t feature = 0;
-  std::uint32_t against = 0;
+  FeatureId feature = 0;
+  FeatureId against = 0;
 };
 
 /// What is known at the start of a search. In free flight, the held contacts are those that have just opened.
@@ -30,7 +30,7 @@ struct TouchSearch {
   double size = 1;  ///< m, of the body; the time of impact is exact up to a gap of 1e-12 of it
   std::uint64_t* iterations = nullptr;
 
-  bool holds(std::uint32_t feature, std::uint32_t against) const;
+  bool holds(FeatureId feature, FeatureId against) const;
   /// The gap at the start for a distance polynomial [m]. A contact that has just opened counts from 0,
   /// because a bounce on the same point must then take 2 v / g to the last bit.
   double start_gap(double gap, bool just_opened) const;

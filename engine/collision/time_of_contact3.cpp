@@ -1,6 +1,9 @@
+#include <algorithm>
 #include <array>
 
-#include "collision/advancement3.h"
+#include "collision/advance3.h"
+#include "collision/along_path.h"
+#include "collision/facet_region.h"
 #include "collision/round_path.h"
 #include "collision/time_of_contact.h"
 #include "math/polynomial.h"
@@ -12,39 +15,209 @@ namespace {
 /// Whether the contactor is a sphere centred at the body's centre of mass.
 bool rolls(const Contactor3& contactor) { return contactor.round() && contactor.points[0].isZero(); }
 
-/// The first root of a distance polynomial, for a pair with a single contact point.
-template <std::size_t N>
-std::optional<double> first_touch(const std::array<double, N>& gap, double t_max, const TouchSearch& search) {
-  if (search.iterations) ++*search.iterations;
-  return first_approach(gap, 0, t_max);
+/// The times of touch of a sphere with facets, edges and peaks: roots of polynomials of degree 2, 4 and 4.
+class BallSearch {
+ public:
+  BallSearch(double radius, FeatureId feature, const Motion3& motion, const Ground3& ground, double end,
+             const TouchSearch& search)
+      : radius_(radius), feature_(feature), motion_(motion), ground_(ground), end_(end), search_(search) {
+    seen_.clear();
+  }
+
+  void facet(const Facet& f, const TimeWindow& window, std::optional<double>& first) const {
+    if (search_.iterations) ++*search_.iterations;
+    plane(f, window, first);
+    if (f.unbounded) return;
+    for (int i = 0; i < 3; ++i) {
+      if (f.rim[i] == Rim::convex && f.names_edge(i)) edge(f, i, window, first);
+      peak(f, i, first);
+    }
+  }
+
+ private:
+  static constexpr double generous = 1e-6;  // rad or share: regions of neighbours overlap, and none is missed
+
+  bool solved(FeatureId against, bool& held) const {
+    held = search_.holds(feature_, against);
+    return held && search_.held_are_solved;
+  }
+
+  void plane(const Facet& f, const TimeWindow& window, std::optional<double>& first) const {
+    bool held = false;
+    if (solved(f.face_feature(), held)) return;
+    const std::array<double, 3> gap{search_.start_gap(f.distance(motion_.x) - radius_, held),
+                                    f.normal.dot(motion_.v), 0.5 * f.normal.dot(motion_.a)};
+    const auto t = first_approach(gap, window.a, window.b);
+    if (!t || (first && *t >= *first)) return;
+    if (f.unbounded || over(f, *t)) {
+      first = t;
+      return;
+    }
+    // A sphere that has sunk into the neighbour of a concave rim, if only by rounding, is below the plane of
+    // this facet when it comes over it.
+    for (int i = 0; i < 3; ++i) {
+      if (f.rim[i] != Rim::concave) continue;
+      const Vec3 outward = f.along(i).cross(f.normal);
+      const std::array<double, 3> outside{outward.dot(motion_.x - f.corner[i]), outward.dot(motion_.v),
+                                          0.5 * outward.dot(motion_.a)};
+      const auto enters = first_fall(outside, *t, first ? std::min(*first, window.b) : window.b);
+      if (enters && evaluate(gap, *enters) <= 0 && over(f, *enters)) first = enters;
+    }
+  }
+
+  /// Whether the sphere is over a facet, and not far below it: then it is free, above another part of the
+  /// ground.
+  bool over(const Facet& f, double t) const {
+    const Vec3 at = motion_.position(t);
+    return f.distance(at) >= -generous * search_.size &&
+           strip_contains(f, at, generous * radius_, region_slack);
+  }
+
+  void edge(const Facet& f, int i, const TimeWindow& window, std::optional<double>& first) const {
+    bool held = false;
+    if (solved(f.edge_feature(i), held)) return;
+    const double length = f.along(i).norm();
+    const Vec3 along = f.along(i) / length, away = motion_.x - f.corner[i];
+    const auto across = [&](const Vec3& v) -> Vec3 { return v - along.dot(v) * along; };
+    const Path<3> relative{across(away), across(motion_.v), across(motion_.a)};
+    const auto gap = ball_gap(relative, radius_, search_.start_gap(relative.x.norm() - radius_, held));
+    touch(gap, window, first, [&](double t) {
+      const Vec3 at = motion_.position(t) - f.corner[i];
+      const double share = at.dot(along) / length;
+      return share >= -generous && share <= 1 + generous &&
+             rim_cone_contains(f, i, across(at).normalized(), generous);
+    });
+  }
+
+  void peak(const Facet& f, int i, std::optional<double>& first) const {
+    if (std::find(seen_.begin(), seen_.end(), f.vertex[i]) != seen_.end()) return;
+    seen_.push_back(f.vertex[i]);
+    const Vec3& top = f.corner[i];
+    const TimeWindow window = meeting_window<3>(motion_, radius_ * (1 + generous), {top, top},
+                                                first ? std::min(*first, end_) : end_);
+    bool held = false;
+    edges_.clear();
+    if (window.empty() || solved(f.vertex_feature(i), held) || !ground_.peak(f.vertex[i], edges_)) return;
+    const Path<3> relative{motion_.x - top, motion_.v, motion_.a};
+    const auto gap = ball_gap(relative, radius_, search_.start_gap(relative.x.norm() - radius_, held));
+    touch(gap, window, first,
+          [&](double t) { return peak_cone_contains(edges_, relative.position(t).normalized(), generous); });
+  }
+
+  /// The first fall of a gap at which the sphere is in the region of the feature. After a fall outside of it,
+  /// the gap must open before it can close there.
+  template <class Inside>
+  static void touch(const std::array<double, 5>& gap, const TimeWindow& window, std::optional<double>& first,
+                    const Inside& inside) {
+    std::array<double, 5> opposite;
+    std::transform(gap.begin(), gap.end(), opposite.begin(), std::negate());
+    const double end = first ? std::min(*first, window.b) : window.b;
+    for (double from = window.a; from < end;) {
+      const auto t = first_approach(gap, from, end);
+      if (!t) return;
+      if (inside(*t)) {
+        if (!first || *t < *first) first = t;
+        return;
+      }
+      const auto opens = first_fall(opposite, std::nextafter(*t, end), end);
+      if (!opens || *opens <= from) return;
+      from = *opens;
+    }
+  }
+
+  double radius_;
+  FeatureId feature_;
+  const Motion3& motion_;
+  const Ground3& ground_;
+  double end_;
+  const TouchSearch& search_;
+  std::vector<std::uint64_t>& seen_ = vertex_buffer();
+  std::vector<Vec3>& edges_ = edge_buffer();
+
+  static std::vector<std::uint64_t>& vertex_buffer() {
+    thread_local std::vector<std::uint64_t> seen;  // keeps its memory between calls
+    return seen;
+  }
+  static std::vector<Vec3>& edge_buffer() {
+    thread_local std::vector<Vec3> edges;
+    return edges;
+  }
+};
+
+/// A bound on the way that a point of a contactor moves within [0, end] [m].
+double greatest_travel(const MovingContactor& c, double end) {
+  const double speed = c.motion.v.norm() + end * c.motion.a.norm();
+  return end * (speed + c.motion.greatest_spin(end) * c.shape.bound);
+}
+
+/// The first touch of a contactor that moves by `travel` at most, a small part of its size. Only the facets
+/// in its box matter, and of these the ones whose planes it does not surely stay above.
+template <class See>
+std::optional<double> near_start(const Ground3& ground, const MovingContactor& c, double travel, double end,
+                                 const TouchSearch& search, const See& see) {
+  const MovingState start(c, 0, end);
+  Box3 box{c.motion.x, c.motion.x};
+  for (const Vec3& point : c.shape.points) {
+    const Vec3 place = start.x + start.arm(point);
+    box = &point == &c.shape.points.front() ? Box3{place, place}
+                                            : Box3{box.low.cwiseMin(place), box.high.cwiseMax(place)};
+  }
+  const double grow = c.shape.radius + travel + 1e-6 * c.shape.bound;
+  box.low.array() -= grow;
+  box.high.array() += grow;
+  thread_local std::vector<Facet> facets;  // keeps its memory between calls
+  facets.clear();
+  ground.facets(box, facets);
+  std::optional<double> first;
+  for (const Facet& facet : facets) {
+    const PlaneClearance clear(facet.normal, facet.normal.dot(facet.corner[0]) + c.shape.radius, Vec3::Zero(),
+                               c.motion.a, start, first.value_or(end), c.shape.bound, search);
+    const auto& points = c.shape.points;
+    if (facet.unbounded ||
+        !std::all_of(points.begin(), points.end(), [&](const Vec3& p) { return clear.of(p); }))
+      see(facet, {0, first.value_or(end)}, first);
+  }
+  return first;
 }
 
 }  // namespace
 
 std::optional<double> time_of_contact(const Contactor3& contactor, int contactor_index, const Motion3& motion,
                                       const Terrain3& terrain, double t_max, const TouchSearch& search) {
-  const Plane& plane = terrain.plane();
-  if (!rolls(contactor)) return advance_to_plane({contactor, motion, contactor_index}, plane, t_max, search);
-  const bool held =
-      search.holds(feature_id(contactor_index, FeatureKind::vertex, 0), feature_id(0, FeatureKind::face, 0));
-  if (held && search.held_are_solved) return std::nullopt;
-  const std::array<double, 3> gap{search.start_gap(plane.distance(motion.x) - contactor.radius, held),
-                                  plane.normal.dot(motion.v), 0.5 * plane.normal.dot(motion.a)};
-  return first_touch(gap, t_max, search);
+  const double reach =
+      contactor.bound * (1 + 1e-6);  // rounding must not exclude a facet that is just touched
+  const Ground3& ground = terrain.ground();
+  if (rolls(contactor)) {
+    const BallSearch ball(contactor.radius, feature_id(contactor_index, FeatureKind::vertex, 0), motion,
+                          ground, t_max, search);
+    return along_path(ground, motion, reach, t_max,
+                      [&](const Facet& facet, const TimeWindow& window, std::optional<double>& first) {
+                        ball.facet(facet, window, first);
+                      });
+  }
+  const MovingContactor moving{contactor, motion, contactor_index};
+  const auto see = [&](const Facet& facet, const TimeWindow& window, std::optional<double>& first) {
+    const auto t = advance_to_facet(moving, facet, window, search);
+    if (t && (!first || *t < *first)) first = t;
+  };
+  if (const double travel = greatest_travel(moving, t_max); travel < 0.25 * reach)
+    return near_start(ground, moving, travel, t_max, search, see);
+  return along_path(ground, motion, reach, t_max, see);
 }
 
 std::optional<double> time_of_contact(const Contactor3& a, int a_index, const Motion3& a_motion,
                                       const Contactor3& b, int b_index, const Motion3& b_motion, double t_max,
                                       const TouchSearch& search) {
   if (!rolls(a) || !rolls(b))
-    return advance_to_contact({a, a_motion, a_index}, {b, b_motion, b_index}, t_max, search);
+    return advance_to_contact({a, a_motion, a_index}, {b, b_motion, b_index}, {0, t_max}, search);
   const bool held =
       search.holds(feature_id(a_index, FeatureKind::vertex, 0), feature_id(b_index, FeatureKind::vertex, 0));
   if (held && search.held_are_solved) return std::nullopt;
   const Path<3> relative{a_motion.x - b_motion.x, a_motion.v - b_motion.v, a_motion.a - b_motion.a};
   const double radii = a.radius + b.radius;
-  return first_touch(ball_gap(relative, radii, search.start_gap(relative.x.norm() - radii, held)), t_max,
-                     search);
+  const auto gap = ball_gap(relative, radii, search.start_gap(relative.x.norm() - radii, held));
+  if (search.iterations) ++*search.iterations;
+  return first_approach(gap, 0, t_max);
 }
 
 }  // namespace flyrock

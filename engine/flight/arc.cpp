@@ -13,26 +13,71 @@ namespace {
 /// Coefficients c0 + c1 s + ... of the distance to a line.
 using Coefficients = std::array<double, 6>;
 
-/// When the height `p` above the line of a segment falls through 0 between the ends of the segment. If the
-/// arc is below the line outside the segment, it must first rise through the line before it can touch.
-std::optional<double> touch(const Arc<2>& arc, const Coefficients& p, const Vec2& a, const Vec2& b) {
-  const Vec2 along = b - a;
-  const double slack = 1e-12 * along.squaredNorm();  // so that two neighbours leave no gap
+/// When the height `p` above a segment or facet falls through 0 over it: over(s) says whether the arc is over
+/// it. If the arc is below its line or plane elsewhere, it must first rise through it before it can touch.
+template <class Over>
+std::optional<double> touch(const Coefficients& p, const Over& over) {
   Coefficients depth;
   std::transform(p.begin(), p.end(), depth.begin(), std::negate());
   std::optional<double> from = 0;
   while (from) {
     const std::optional<double> fall = first_fall(p, *from, 1);
-    if (!fall) return std::nullopt;
-    const double place = (arc.position(*fall) - a).dot(along);
-    if (place >= -slack && place <= along.squaredNorm() + slack) return fall;
+    if (!fall || over(*fall)) return fall;
     const double below = std::nextafter(*fall, 2);
     from = below < 1 ? first_fall(depth, below, 1) : std::nullopt;
   }
   return std::nullopt;
 }
 
+std::optional<double> touch(const Arc<3>& arc, const Facet& facet) {
+  Coefficients height = arc.along(facet.normal);
+  height[0] = facet.distance(arc.c[0]);
+  if (facet.unbounded) return first_fall(height, 0, 1);
+  return touch(height, [&](double s) {
+    const Vec3 place = arc.position(s);
+    for (int i = 0; i < 3; ++i)
+      if (facet.inside(i, place) < -1e-12 * facet.along(i).norm()) return false;
+    return true;
+  });
+}
+
+/// The first touch within [from, to] of s. The arc is halved until few facets are near a part of it.
+std::optional<double> first_touch(const Arc<3>& arc, const Ground3& ground, double from, double to) {
+  constexpr int few = 16;
+  const Eigen::AlignedBox3d bounds = arc.part(from, to).box();
+  const Box3 box{bounds.min(), bounds.max()};
+  const int met = ground.count(box, few + 1);
+  if (met == 0) return std::nullopt;
+  if (met > few && to - from > 1e-6) {
+    const double middle = 0.5 * (from + to);
+    const auto first = first_touch(arc, ground, from, middle);
+    return first ? first : first_touch(arc, ground, middle, to);
+  }
+  std::vector<Facet> facets;
+  ground.facets(box, facets);
+  std::optional<double> first;
+  for (const Facet& facet : facets)
+    if (const auto s = touch(arc, facet); s && (!first || *s < *first)) first = s;
+  return first;
+}
+
 }  // namespace
+
+/// Horner's scheme expands p about `from`; then s is scaled.
+template <int D>
+Arc<D> Arc<D>::part(double from, double to) const {
+  Arc part = *this;
+  for (int k = 0; k < 5; ++k)
+    for (int i = 4; i >= k; --i) part.c[i] += from * part.c[i + 1];
+  double scale = 1;
+  for (Vec<D>& coefficient : part.c) {
+    coefficient *= scale;
+    scale *= to - from;
+  }
+  part.start += from * length;
+  part.length *= to - from;
+  return part;
+}
 
 template <int D>
 Eigen::AlignedBox<double, D> Arc<D>::box() const {
@@ -83,15 +128,19 @@ std::optional<double> first_touch(const Arc<2>& arc, const Profile& ground) {
     const Vec2 normal = perpendicular(b - a).normalized();
     Coefficients height = arc.along(normal);
     height[0] = normal.dot(arc.c[0] - a);
-    if (const auto s = touch(arc, height, a, b); s && (!first || *s < *first)) first = s;
+    const Vec2 along = b - a;
+    const double slack = 1e-12 * along.squaredNorm();  // so that two neighbours leave no gap
+    const auto s = touch(height, [&](double at) {
+      const double place = (arc.position(at) - a).dot(along);
+      return place >= -slack && place <= along.squaredNorm() + slack;
+    });
+    if (s && (!first || *s < *first)) first = s;
   }
   return first;
 }
 
-std::optional<double> first_touch(const Arc<3>& arc, const Plane& ground) {
-  Coefficients height = arc.along(ground.normal);
-  height[0] = ground.distance(arc.c[0]);
-  return first_fall(height, 0, 1);
+std::optional<double> first_touch(const Arc<3>& arc, const Ground3& ground) {
+  return first_touch(arc, ground, 0, 1);
 }
 
 template <int D>
@@ -107,6 +156,18 @@ std::optional<double> first_exit(const Arc<2>& arc, const Profile& ground) {
     const Coefficients inside = arc.along(-side * Vec2::UnitX(), side * end);
     if (const auto s = first_fall(inside, 0, 1); s && (!first || *s < *first)) first = s;
   }
+  return first;
+}
+
+std::optional<double> first_exit(const Arc<3>& arc, const Ground3& ground) {
+  std::optional<double> first;
+  for (const double side : {-1.0, 1.0})
+    for (int k = 0; k < 2; ++k) {
+      const double end = side < 0 ? ground.extent().low[k] : ground.extent().high[k];
+      if (std::isinf(end)) continue;
+      const Coefficients inside = arc.along(-side * Vec3::Unit(k), side * end);
+      if (const auto s = first_fall(inside, 0, 1); s && (!first || *s < *first)) first = s;
+    }
   return first;
 }
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "geometry/plane.h"
+#include "geometry/ground.h"
 #include "geometry/profile.h"
 #include "math/space.h"
 
@@ -42,6 +42,8 @@ struct Arc {
     for (int k = 1; k <= 5; ++k) rate[k - 1] = k * n.dot(c[k]);
     return rate;
   }
+  /// The part of the arc over [from, to] of s.
+  Arc part(double from, double to) const;
   /// A box with sides along the axes that contains the whole arc (the box of its control points as a Bezier
   /// curve).
   Eigen::AlignedBox<double, D> box() const;
@@ -66,11 +68,11 @@ Arc<D> parabola(double start, double length, const FlightState<D>& from);
 /// left it. Beyond its ends a profile has no ground.
 std::optional<double> first_touch(const Arc<2>& arc, const Profile& ground);
 
-std::optional<double> first_touch(const Arc<3>& arc, const Plane& ground);
+std::optional<double> first_touch(const Arc<3>& arc, const Ground3& ground);
 
-/// The first s in [0, 1] at which the arc passes an end of the profile. A plane has no ends.
+/// The first s in [0, 1] at which the arc passes an end of the ground. A plane has no ends.
 std::optional<double> first_exit(const Arc<2>& arc, const Profile& ground);
-inline std::optional<double> first_exit(const Arc<3>&, const Plane&) { return std::nullopt; }
+std::optional<double> first_exit(const Arc<3>& arc, const Ground3& ground);
 
 /// The first s in [0, end] at which the arc arrives at the position x [m], which lies on its side `side` (+1
 /// right, -1 left); 0 if it begins there or beyond.

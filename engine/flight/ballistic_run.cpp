@@ -77,6 +77,6 @@ BodyHistory run_ballistic(const Body<D>& body, const Ground& ground, const Balli
 }
 
 template BodyHistory run_ballistic(const Body<2>&, const Profile&, const BallisticRun<2>&);
-template BodyHistory run_ballistic(const Body<3>&, const Plane&, const BallisticRun<3>&);
+template BodyHistory run_ballistic(const Body<3>&, const Ground3&, const BallisticRun<3>&);
 
 }  // namespace flyrock

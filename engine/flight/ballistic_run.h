@@ -21,7 +21,7 @@ struct BallisticRun {
 
 /// Flies the body from its position with its velocity and spin. The run ends as `stopped` at the ground, as
 /// `caught` at a barrier, as `left_domain` or as `timed_out`. Records that a flight does not have (impacts,
-/// contact) are empty. The ground is a Profile in 2D and a Plane in 3D.
+/// contact) are empty. The ground is a Profile in 2D and a Ground3 in 3D.
 template <int D, class Ground>
 BodyHistory run_ballistic(const Body<D>& body, const Ground& ground, const BallisticRun<D>& run);
 

@@ -16,11 +16,11 @@ constexpr double never = std::numeric_limits<double>::infinity();
 
 /// The first root of ahead = v t + a t^2 / 2, in the form that does not subtract. Without air, a is 0.
 template <int D>
-double arrival(const Path<D>& path, double x, int side) {
-  const double ahead = side * (x - path.x.x()), speed = side * path.v.x();
+double arrival(const Path<D>& path, double x, int side, int axis) {
+  const double ahead = side * (x - path.x[axis]), speed = side * path.v[axis];
   if (ahead <= 0) return 0;
   if (ahead == never) return never;
-  const double push = side * path.a.x(), discriminant = speed * speed + 2 * push * ahead;
+  const double push = side * path.a[axis], discriminant = speed * speed + 2 * push * ahead;
   if (discriminant < 0) return never;
   const double root = std::sqrt(discriminant);
   if (speed < 0) return push > 0 ? (root - speed) / push : never;
@@ -71,7 +71,8 @@ bool Crossings<D>::moved(int body, const Motion& motion, double start, double dt
 
 template <int D>
 double Crossings<D>::height(const Vec<D>& place, double x) const {
-  return place[D - 1] - ground_height(world_.terrain(), at_x<D>(place, x));
+  const auto ground = ground_height(world_.terrain(), at_x<D>(place, x));
+  return ground ? place[D - 1] - *ground : never;
 }
 
 template <int D>
@@ -87,8 +88,8 @@ bool Crossings<D>::catches(int barrier, int body) {
   return hit.outcome == BarrierOutcome::caught;
 }
 
-template double arrival(const Path<2>&, double, int);
-template double arrival(const Path<3>&, double, int);
+template double arrival(const Path<2>&, double, int, int);
+template double arrival(const Path<3>&, double, int, int);
 template class Crossings<2>;
 template class Crossings<3>;
 

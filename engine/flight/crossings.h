@@ -10,10 +10,11 @@
 
 namespace flyrock {
 
-/// The time [s] at which a path arrives at the position x [m], which lies on its side `side` (+1 right, -1
-/// left). 0 if the path starts there or beyond, infinity if it never arrives.
+/// The time [s] at which a path arrives at the position x [m] along an axis, which lies on its side `side`
+/// (+1 towards greater x, -1 towards smaller). 0 if the path starts there or beyond, infinity if it never
+/// arrives.
 template <int D>
-double arrival(const Path<D>& path, double x, int side);
+double arrival(const Path<D>& path, double x, int side, int axis = 0);
 
 template <int D>
 class Crossings {

@@ -25,7 +25,7 @@ double Faults<D>::energy_of(const Body<D>& body) const {
 template <int D>
 std::optional<std::string> Faults<D>::below_ground(int i) const {
   const Body<D>& body = world_.bodies[i];
-  const double depth = ground_height(world_.terrain(), body.x) - body.x[D - 1];
+  const double depth = depth_below_ground(world_.terrain(), body.x);
   if (!(depth > 0)) return std::nullopt;
   double usual = world_.carry_reach(i, -1) + world_.touch(i);
   if (!exact_flight_) usual += body.size + body.v.norm() * world_.settings().time_step;

@@ -14,10 +14,19 @@ namespace {
 double ground_at(const Profile& ground, const Vec2& p) {
   return ground.height(std::clamp(p.x(), ground.x_min(), ground.x_max()));
 }
-double ground_at(const Plane& ground, const Vec3& p) { return ground.height(p.x(), p.y()); }
+double ground_at(const Ground3& ground, const Vec3& p) {
+  const Box3& box = ground.extent();
+  const Vec3 within = p.cwiseMax(box.low).cwiseMin(box.high);
+  const auto top =
+      ground.overhangs() ? ground.crossing({within.x(), within.y(), p.z()}, false) : std::nullopt;
+  return top ? top->z : ground.height(within.x(), within.y()).value_or(p.z());
+}
 
 PathBins bins_over(const Profile& ground, double width) { return {width, ground.x_min(), ground.x_max()}; }
-PathBins bins_over(const Plane&, double) { return {}; }
+PathBins bins_over(const Ground3& ground, double width) {
+  const Box3& box = ground.extent();
+  return std::isinf(box.low.x()) ? PathBins() : PathBins(width, box.low.x(), box.high.x());
+}
 
 /// The length of the path [m].
 template <int D>
@@ -44,8 +53,18 @@ void visit_highest(const Arc<2>& arc, const Profile& ground, double end, Look lo
   }
 }
 template <class Look>
-void visit_highest(const Arc<3>& arc, const Plane& ground, double end, Look look) {
-  if (const auto s = first_fall(arc.rate_along(ground.normal), 0, end)) look(*s);
+void visit_highest(const Arc<3>& arc, const Ground3& ground, double end, Look look) {
+  std::vector<Facet> below;
+  ground.facets_under(arc.c[0].head<2>(), arc.position(end).head<2>(), below);
+  for (const Facet& f : below) {
+    if (const auto s = first_fall(arc.rate_along(f.normal), 0, end)) look(*s);
+    for (int i = 0; i < 3 && !f.unbounded; ++i) {
+      const Vec3 across(-f.along(i).y(), f.along(i).x(), 0);
+      for (const double side : {-1.0, 1.0})
+        if (const auto s = first_fall(arc.along(side * across, -side * across.dot(f.corner[i])), 0, end))
+          look(*s);
+    }
+  }
 }
 
 }  // namespace
@@ -190,6 +209,6 @@ void FlightLog<D, Ground>::bins(const Arc<D>& arc, double end) {
 }
 
 template class FlightLog<2, Profile>;
-template class FlightLog<3, Plane>;
+template class FlightLog<3, Ground3>;
 
 }  // namespace flyrock

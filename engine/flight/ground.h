@@ -2,20 +2,40 @@
 // The ground below a flight.
 
 #include <algorithm>
-#include <utility>
+#include <array>
+#include <optional>
 
 #include "collision/geometry.h"
 
 namespace flyrock {
 
-/// Where the terrain begins and ends along x [m]; infinite if it has no end.
-std::pair<double, double> extent(const Terrain2& terrain);
-std::pair<double, double> extent(const Terrain3& terrain);
+/// Where the terrain begins and ends along each horizontal axis [m]; infinite if it has no end.
+template <int D>
+struct Domain {
+  std::array<double, D - 1> low, high;
+  bool contains(const Vec<D>& place) const {
+    for (int k = 0; k < D - 1; ++k)
+      if (place[k] < low[k] || place[k] > high[k]) return false;
+    return true;
+  }
+};
+Domain<2> domain_of(const Terrain2& terrain);
+Domain<3> domain_of(const Terrain3& terrain);
 
-/// The height of the ground at or below a position within its extent [m], along the vertical axis (y in 2D, z
-/// in 3D).
-double ground_height(const Terrain2& terrain, const Vec2& at);
-double ground_height(const Terrain3& terrain, const Vec3& at);
+/// The height of the ground at or below a position [m], along the vertical axis (y in 2D, z in 3D). Nothing
+/// where a terrain in 3D has no ground. Within an overhang, the ground below the position.
+std::optional<double> ground_height(const Terrain2& terrain, const Vec2& at);
+std::optional<double> ground_height(const Terrain3& terrain, const Vec3& at);
+
+/// How deep a position lies below the ground [m]: a vertical line up from it meets the surface from behind.
+/// Not positive if it is free.
+double depth_below_ground(const Terrain2& terrain, const Vec2& at);
+double depth_below_ground(const Terrain3& terrain, const Vec3& at);
+
+/// The time at which a path comes to a place without ground below, within the domain [s]; infinity if it does
+/// not. Only a terrain in 3D has such places.
+double time_over_ground(const Terrain2& terrain, const Path<2>& path, double dt);
+double time_over_ground(const Terrain3& terrain, const Path<3>& path, double dt);
 
 /// The mean velocity along x over [0, dt] [m/s], used to cut paths into pieces along x. It is exact without
 /// air. In air the position error is |a_x| dt^2 / 8, less than a millimetre in a leg.
@@ -55,16 +75,32 @@ void visit_heights(const Terrain2& terrain, const Path<2>& path, double dt, Visi
   }
 }
 
-/// Over a plane of normal n the height is (x - p).n / n_z.
+/// When a path is over a facet, in plan, within [0, dt]; empty if it is not. Paths are straight in plan, as
+/// for rate_along_x.
+TimeWindow over_facet(const Facet& facet, const Path<3>& path, double dt);
+
+/// The facets that a path may pass over within [0, dt]. Valid until the next call on this thread.
+const std::vector<Facet>& facets_below(const Terrain3& terrain, const Path<3>& path, double dt);
+
+/// In 3D each facet below the path gives one part. Over a facet of normal n the height is (x - p).n / n_z.
 template <class Visit>
 void visit_heights(const Terrain3& terrain, const Path<3>& path, double dt, Visit visit) {
-  const Plane& plane = terrain.plane();
-  const auto above = [&](double t) { return plane.distance(path.position(t)) / plane.normal.z(); };
-  const double fall = -plane.normal.dot(path.a);
-  const double top = fall > 0 ? plane.normal.dot(path.v) / fall : 0;
-  visit(0.0, dt, [&](double t0, double t1) {
-    return std::max({above(t0), above(std::clamp(top, t0, t1)), above(t1)});
-  });
+  for (const Facet& f : facets_below(terrain, path, dt)) {
+    if (!(f.normal.z() > 0)) continue;  // upright or facing down
+    const TimeWindow over = over_facet(f, path, dt);
+    if (over.empty()) continue;
+    const auto above = [&](double t) { return f.distance(path.position(t)) / f.normal.z(); };
+    if (terrain.ground().overhangs()) {  // another facet may be nearer below the path
+      const Vec3 middle = path.position(0.5 * (over.a + over.b));
+      const auto ground = terrain.ground().crossing(middle, false);
+      if (!ground || middle.z() - ground->z < above(0.5 * (over.a + over.b)) * (1 - 1e-9)) continue;
+    }
+    const double fall = -f.normal.dot(path.a);
+    const double top = fall > 0 ? f.normal.dot(path.v) / fall : 0;
+    visit(over.a, over.b, [&](double t0, double t1) {
+      return std::max({above(t0), above(std::clamp(top, t0, t1)), above(t1)});
+    });
+  }
 }
 
 }  // namespace flyrock

@@ -18,13 +18,13 @@ Observer<D>::Observer(const World<D>& world, double every, bool keep_impacts, do
       first_contact_height_(world.bodies.size(), 0.0),
       has_flown_(world.bodies.size(), false),
       mode_(world.bodies.size(), TravelMode::flight) {
-  const auto [low, high] = extent(world.terrain());
+  const auto domain = domain_of(world.terrain());
   histories_.resize(world.bodies.size());
   for (std::size_t i = 0; i < histories_.size(); ++i) {
     BodyHistory& history = histories_[i];
     history = {};
     if (world.bodies[i].kind == BodyKind::dynamic && bin_width > 0)
-      history.path = PathBins(bin_width, low, high);
+      history.path = PathBins(bin_width, domain.low[0], domain.high[0]);
     const int body = static_cast<int>(i);
     history.begin(present(body));
     const Motion now = world.flight_of(body);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "flight/faults.h"
@@ -154,6 +155,11 @@ class Runner {
         }
       }
     }
+    for (int i = 0; i < bodies(); ++i) {
+      if (!running_[i] || !world_.bodies[i].moves()) continue;
+      if (const double end = time_over_ground(world_.terrain(), world_.flight_of(i), dt); end < dt)
+        dt = end * (1 + 1e-9) + 1e-9, touch = false;  // slightly beyond, so that end_bodies finds it there
+    }
     // If the swept boxes of two bodies overlap, the bodies might meet: try a shorter jump, and finally a
     // step.
     if (bodies() > 1) {
@@ -187,9 +193,12 @@ class Runner {
   }
 
   double time_in_domain(const Path<D>& flight) const {
-    const auto [low, high] = extent(world_.terrain());
+    const Domain<D> domain = domain_of(world_.terrain());
+    double first = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < D - 1; ++k)
+      first = std::min({first, arrival(flight, domain.low[k], -1, k), arrival(flight, domain.high[k], 1, k)});
     // Go slightly beyond the edge, so that end_bodies finds the body outside.
-    return std::min(arrival(flight, low, -1), arrival(flight, high, 1)) * (1 + 1e-12) + 1e-12;
+    return first * (1 + 1e-12) + 1e-12;
   }
 
   /// Which touches cut a step.
@@ -274,7 +283,7 @@ class Runner {
   /// Ends bodies that have come to rest, left the terrain or diverged. In a world of several bodies, a body
   /// at rest may be hit again. Therefore all bodies must be at rest, and no driven body may move.
   void end_bodies() {
-    const auto [low, high] = extent(world_.terrain());
+    const Domain<D> domain = domain_of(world_.terrain());
     bool all_at_rest = std::none_of(world_.bodies.begin(), world_.bodies.end(), [](const Body<D>& body) {
       return body.kind == BodyKind::driven && (body.v.norm() > 0 || body.spin_speed() > 0);
     });
@@ -283,7 +292,7 @@ class Runner {
       Body<D>& body = world_.bodies[i];
       if (!body.is_finite() || body.v.norm() > fastest) {
         take_out(i, "its state is not finite, or it is faster than 100 km/s");
-      } else if (body.x.x() < low || body.x.x() > high) {
+      } else if (!domain.contains(body.x) || !ground_height(world_.terrain(), body.x)) {
         end(i, StopReason::left_domain);
         body.present = false;
       } else if (const auto fault = faults_.below_ground(i)) {

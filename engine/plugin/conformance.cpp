@@ -159,13 +159,14 @@ void add(Numbers& answer, const RockPlan& rock) {
 Numbers answer_of(const PluginSpec& spec, const Population& population, Values values, int dimension,
                   const Patience& patience) {
   Numbers answer;
+  const auto level = make_ground(Plane{});
   for_each_stream(patience, [&](int i, RandomStream& rng) {
     const Blast blast = sampled_blast(i);
     asked_with(
         patience, [&] { return state_text(spec, blast); },
         [&] {
           if (dimension == 3)
-            for (const RockPlan3& rock : population.rocks_3d(values, Plane{}, blast, rng)) add(answer, rock);
+            for (const RockPlan3& rock : population.rocks_3d(values, *level, blast, rng)) add(answer, rock);
           else
             for (const RockPlan& rock : population.rocks(values, level_ground(), blast, rng))
               add(answer, rock);

@@ -18,7 +18,7 @@ TerrainShape3 TerrainModel::build_3d(Values, RandomStream&) const { refuse("terr
 std::vector<RockPlan> Population::rocks(Values, const Profile&, const Blast&, RandomStream&) const {
   refuse("rocks", 2);
 }
-std::vector<RockPlan3> Population::rocks_3d(Values, const Plane&, const Blast&, RandomStream&) const {
+std::vector<RockPlan3> Population::rocks_3d(Values, const Ground3&, const Blast&, RandomStream&) const {
   refuse("rocks", 3);
 }
 

@@ -9,8 +9,8 @@
 #include "blast/blast.h"
 #include "geometry/contactor.h"
 #include "geometry/contactor3.h"
+#include "geometry/ground.h"
 #include "geometry/profile.h"
-#include "geometry/terrain_shape.h"
 #include "plugin/params.h"
 #include "random/stream.h"
 
@@ -89,7 +89,7 @@ class Population {
   virtual ~Population() = default;
   virtual std::vector<RockPlan> rocks(Values values, const Profile& terrain, const Blast& blast,
                                       RandomStream& rng) const;
-  virtual std::vector<RockPlan3> rocks_3d(Values values, const Plane& terrain, const Blast& blast,
+  virtual std::vector<RockPlan3> rocks_3d(Values values, const Ground3& terrain, const Blast& blast,
                                           RandomStream& rng) const;
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "batch/greatest_throw.h"
 #include "trial/build_trial.h"
@@ -17,7 +18,10 @@ double lowest(const Terrain2& terrain, const Vec2&) {
                           [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); })
       ->y();
 }
-double lowest(const Terrain3& terrain, const Vec3& at) { return terrain.height(at.x(), at.y()); }
+double lowest(const Terrain3& terrain, const Vec3& at) {
+  const double end = terrain.ground().extent().low.z();
+  return std::isinf(end) ? terrain.ground().height(at.x(), at.y()).value_or(at.z()) : end;
+}
 
 /// Stores where the first rock of a group starts, and which forces act on it.
 template <int D>

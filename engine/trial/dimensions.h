@@ -27,20 +27,17 @@ inline Terrain2 make_terrain(const TerrainModel& model, const PluginUse& use, co
 }
 inline Terrain3 make_terrain(const TerrainModel& model, const PluginUse& use, const Scenario& scenario,
                              const DrawKey& key, RandomStream& rng, const Terrain3*) {
-  const TerrainShape3 shape = model.build_3d(values_of(use, scenario, key), rng);
-  if (!std::holds_alternative<Plane>(shape))
-    throw PluginError(fmt::format("plugin {}: build_3d() returned triangles or heights, expected a plane",
-                                  use.plugin->spec.name));
-  const Plane& plane = std::get<Plane>(shape);
-  if (plane.point.cwiseAbs().maxCoeff() > farthest_place)
+  TerrainShape3 shape = model.build_3d(values_of(use, scenario, key), rng);
+  if (const auto* plane = std::get_if<Plane>(&shape);
+      plane && plane->point.cwiseAbs().maxCoeff() > farthest_place)
     throw PluginError(fmt::format(
         "plugin {}: the point ({:.6g}, {:.6g}, {:.6g}) of a plane is more than 100 km from the origin",
-        use.plugin->spec.name, plane.point.x(), plane.point.y(), plane.point.z()));
-  return Terrain3(plane);
+        use.plugin->spec.name, plane->point.x(), plane->point.y(), plane->point.z()));
+  return Terrain3(std::move(shape));
 }
 
 inline const Profile& ground_of(const Terrain2& terrain) { return terrain.profile(); }
-inline const Plane& ground_of(const Terrain3& terrain) { return terrain.plane(); }
+inline const Ground3& ground_of(const Terrain3& terrain) { return terrain.ground(); }
 
 inline auto rocks_of(const Population& population, const std::vector<double>& values, const Terrain2& terrain,
                      const Blast& blast, RandomStream& rng) {
@@ -48,7 +45,7 @@ inline auto rocks_of(const Population& population, const std::vector<double>& va
 }
 inline auto rocks_of(const Population& population, const std::vector<double>& values, const Terrain3& terrain,
                      const Blast& blast, RandomStream& rng) {
-  return population.rocks_3d(values, terrain.plane(), blast, rng);
+  return population.rocks_3d(values, terrain.ground(), blast, rng);
 }
 
 /// The angle of v above the outward horizontal in 2D, where a launch may go back over the crest. In 3D the

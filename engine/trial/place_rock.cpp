@@ -134,13 +134,15 @@ Place<2> place_rock(const Release& release, const Scenario& scenario, const Draw
 }
 
 Place<3> place_rock(const Release& release, const Scenario& scenario, const DrawKey& key, RandomStream& rng,
-                    const Body<3>&, const Plane& plane) {
+                    const Body<3>&, const Ground3& ground) {
   const auto number = [&](const Number& n) { return n.value(scenario.draws, scenario.seed, key); };
   Place<3> place;
   switch (release.kind) {
     case ReleaseKind::above_ground: {
       const double x = number(release.x), y = number(release.y);
-      place.position = {x, y, plane.height(x, y) + number(release.above_ground)};
+      const auto top = ground.height(x, y);
+      if (!top) throw StartError(fmt::format("there is no ground at ({:.6g}, {:.6g}) m", x, y));
+      place.position = {x, y, *top + number(release.above_ground)};
       break;
     }
     case ReleaseKind::position:

@@ -26,7 +26,7 @@ Place<2> place_rock(const Release& release, const Scenario& scenario, const Draw
 /// There are no faces in 3D: a rock starts at a position, along a polyline, inside a flat polygon or above
 /// the ground.
 Place<3> place_rock(const Release& release, const Scenario& scenario, const DrawKey& key, RandomStream& rng,
-                    const Body<3>& rock, const Plane& plane);
+                    const Body<3>& rock, const Ground3& ground);
 
 /// The rotation that a scenario gives. Throws StartError if a draw leaves it without an axis.
 Rotation3 rotation_of(const TurnPlan& turn, const Scenario& scenario, const DrawKey& key);

@@ -16,23 +16,22 @@ namespace {
 constexpr double most_overlap = 1e-6;
 
 /// How deep the middle of a contactor lies below the surface. A contactor deep in the ground has no contact
-/// with it, so contacts alone do not find it.
-double buried(const Body<2>& body, const Terrain2& terrain) {
+/// with it, so contacts alone do not find it. The ground below a plane has contacts at any depth.
+template <int D>
+double buried(const Body<D>& body, const typename Geometry<D>::Terrain& terrain) {
+  if (std::isinf(domain_of(terrain).low[0])) return 0;
   double depth = 0;
-  for (const Contactor2& contactor : body.contactors) {
-    Vec2 middle = Vec2::Zero();
-    for (const Vec2& point : contactor.points) middle += point / static_cast<double>(contactor.points.size());
-    const Vec2 place = body.pose() * middle;
-    depth = std::max(depth, terrain.height(place.x()) - place.y());
+  for (const auto& contactor : body.contactors) {
+    Vec<D> middle = Vec<D>::Zero();
+    for (const Vec<D>& point : contactor.points)
+      middle += point / static_cast<double>(contactor.points.size());
+    depth = std::max(depth, depth_below_ground(terrain, body.pose() * middle));
   }
   return depth;
 }
 
-/// The ground below a plane has contacts at any depth.
-double buried(const Body<3>&, const Terrain3&) { return 0; }
-
-/// The distance from a place above the ground to the ground [m]; 0 below it.
-double room_at(const Vec2& place, const Terrain2& terrain) {
+/// The distance from a place above the ground to the ground [m]; 0 below it. In 3D at most `most`.
+double room_at(const Vec2& place, const Terrain2& terrain, double) {
   if (place.y() <= terrain.height(place.x())) return 0;
   double room = 1e300;
   const Profile& profile = terrain.profile();
@@ -44,8 +43,10 @@ double room_at(const Vec2& place, const Terrain2& terrain) {
   return room;
 }
 
-double room_at(const Vec3& place, const Terrain3& terrain) {
-  return std::max(0.0, terrain.plane().distance(place));
+double room_at(const Vec3& place, const Terrain3& terrain, double most) {
+  if (depth_below_ground(terrain, place) > 0) return 0;
+  const auto nearest = terrain.ground().nearest(place, most);
+  return nearest ? nearest->distance : most;
 }
 
 /// The length of a contactor divided by its thickness, as if it were a rectangle or a box; exact for these.
@@ -80,9 +81,21 @@ std::string far_text(const Body<D>& body) {
                      place_text<D>(body.x));
 }
 
+/// What is wrong with a place beyond the terrain, or an empty text.
+template <int D>
+std::string beyond_text(const Body<D>& body, const Domain<D>& domain) {
+  constexpr const char* axes[] = {"x", "y"};
+  for (int k = 0; k < D - 1; ++k)
+    if (body.x[k] < domain.low[k] || body.x[k] > domain.high[k])
+      return fmt::format(
+          "`{}` starts at {} = {:.6g} m, beyond the terrain, which runs from {:.6g} to {:.6g} m", body.group,
+          axes[k], body.x[k], domain.low[k], domain.high[k]);
+  return {};
+}
+
 template <int D>
 std::string inside_terrain(const Body<D>& body, double depth, const typename Geometry<D>::Terrain& terrain) {
-  const double room = room_at(body.x, terrain);
+  const double room = room_at(body.x, terrain, body.size);
   const std::string start =
       fmt::format("`{}` starts at {}, {:.3g} m inside the terrain", body.group, place_text<D>(body.x), depth);
   if (room == 0) return start + ": its centre of mass is below the ground, where no radius fits";
@@ -130,17 +143,16 @@ void refuse_speed(const Body<D>& body) {
 template <int D>
 std::optional<StartFault> start_fault(World<D>& world) {
   double size = 0;
-  const auto [low, high] = extent(world.terrain());
+  const Domain<D> domain = domain_of(world.terrain());
   for (int i = 0; i < static_cast<int>(world.bodies.size()); ++i) {
     const Body<D>& body = world.bodies[i];
     if (!(body.x.cwiseAbs().maxCoeff() <= farthest_place)) return StartFault{i, far_text(body)};
     if (!body.moves()) continue;
     size = std::max(size, body.size);
-    if (body.x.x() < low || body.x.x() > high)
+    if (const std::string beyond = beyond_text(body, domain); !beyond.empty()) return StartFault{i, beyond};
+    if (!ground_height(world.terrain(), body.x))
       return StartFault{
-          i,
-          fmt::format("`{}` starts at x = {:.6g} m, beyond the terrain, which runs from {:.6g} to {:.6g} m",
-                      body.group, body.x.x(), low, high)};
+          i, fmt::format("`{}` starts at {}, where there is no ground", body.group, place_text<D>(body.x))};
     if (const double depth = buried(body, world.terrain()); depth > most_overlap * body.size)
       return StartFault{i, inside_terrain(body, depth, world.terrain())};
   }
@@ -153,12 +165,12 @@ std::optional<StartFault> start_fault(World<D>& world) {
                                               world.bodies[overlap.other].group)};
 }
 
-std::string start_fault_of_point(const Body<3>& body, const Plane& plane) {
+std::string start_fault_of_point(const Body<3>& body, const Ground3& ground) {
   if (!(body.x.cwiseAbs().maxCoeff() <= farthest_place)) return far_text(body);
-  const double depth = -plane.distance(body.x);
-  if (depth <= most_overlap * body.size) return {};
-  return fmt::format("`{}` starts at {}, {:.3g} m inside the terrain", body.group, place_text<3>(body.x),
-                     depth);
+  const std::string start = fmt::format("`{}` starts at {}, ", body.group, place_text<3>(body.x));
+  if (!ground.height(body.x.x(), body.x.y())) return start + "where there is no ground";
+  const double depth = ground.depth(body.x);
+  return depth > most_overlap * body.size ? start + fmt::format("{:.3g} m inside the terrain", depth) : "";
 }
 
 std::string start_fault_of_point(const Body<2>& body, const Profile& profile) {

@@ -38,7 +38,7 @@ template <int D>
 std::optional<StartFault> start_fault(World<D>& world);
 
 /// The same for a point that flies over the ground of a terrain; empty if it may start.
-std::string start_fault_of_point(const Body<3>& body, const Plane& plane);
+std::string start_fault_of_point(const Body<3>& body, const Ground3& ground);
 std::string start_fault_of_point(const Body<2>& body, const Profile& profile);
 
 /// Whether the body added last starts without touching the others and the terrain.

@@ -63,8 +63,8 @@ const std::vector<std::pair<int, int>>& World<D>::close_pairs() {
   return broad_phase_.template pairs<D>(boxes_);
 }
 
-/// `ahead` [s]: the time by which the bodies have been moved since the start of the step. In 2D an edge may
-/// have left the cone of a corner during this time.
+/// `ahead` [s]: the time by which the bodies have been moved since the start of the step. An edge may have
+/// left the cone of a corner or edge of the ground during this time.
 template <int D>
 void World<D>::detect(double ahead) {
   const PhaseTimer timer(clock, &PhaseTimes::detect);
@@ -91,10 +91,7 @@ void World<D>::detect(double ahead) {
       const double reach = carry_reach(i, -1);
       for (int k = 0; k < static_cast<int>(body.contactors.size()); ++k) {
         const Placed contactor{body.contactors[k], body.pose()};
-        if constexpr (D == 2)
-          terrain_contacts(contactor, k, *terrain_, reach, body.spin_speed() * ahead, points_);
-        else
-          terrain_contacts(contactor, k, *terrain_, reach, points_);
+        terrain_contacts(contactor, k, *terrain_, reach, body.spin_speed() * ahead, points_);
       }
       append(i, -1);
     }
@@ -229,7 +226,7 @@ double World<D>::keep_closed_at_start() {
 template <int D>
 template <class PoseOf>
 double World<D>::gap_at(const Contact& c, PoseOf pose_of) const {
-  const auto placed = [&](int body, std::uint32_t feature) {
+  const auto placed = [&](int body, FeatureId feature) {
     return Placed{bodies[body].contactors[contactor_of(feature)], pose_of(body)};
   };
   const Placed candidate = placed(c.candidate, c.at.feature);

@@ -17,10 +17,10 @@ bool same_direction(const Vec<D>& a, const Vec<D>& b) {
 }
 
 /// The part of the terrain that a contact's `against` names. A corner belongs to the segment on its right.
-inline int part_of(const Terrain2& terrain, std::uint32_t against) {
+inline int part_of(const Terrain2& terrain, FeatureId against) {
   return terrain.part(std::min(terrain_index(against), terrain.segments() - 1));
 }
-inline int part_of(const Terrain3& terrain, std::uint32_t against) { return terrain.part(against); }
+inline int part_of(const Terrain3& terrain, FeatureId against) { return terrain.part(against); }
 
 /// The names of the parts of the terrain.
 inline const std::vector<std::string>& parts_of(const Terrain2& terrain) { return terrain.profile().parts; }
@@ -28,11 +28,13 @@ inline const std::vector<std::string>& parts_of(const Terrain3& terrain) { retur
 
 /// Whether two features of the terrain are neighbours: a segment and a corner at its end, or two segments
 /// that share a corner.
-inline bool next_to(const Terrain2&, std::uint32_t a, std::uint32_t b) {
+inline bool next_to(const Terrain2&, FeatureId a, FeatureId b) {
   // Counted in half segments, because corner i lies half-way between the segments i - 1 and i.
-  const auto place = [](std::uint32_t id) { return 2 * terrain_index(id) + (is_corner(id) ? -1 : 0); };
+  const auto place = [](FeatureId id) { return 2 * terrain_index(id) + (is_corner(id) ? -1 : 0); };
   return std::abs(place(a) - place(b)) <= 2;
 }
-inline bool next_to(const Terrain3&, std::uint32_t a, std::uint32_t b) { return a == b; }
+/// In 3D a vertex on ground of the same direction carries its contact on, however many small facets it has
+/// passed in one step.
+inline bool next_to(const Terrain3&, FeatureId, FeatureId) { return true; }
 
 }  // namespace flyrock

@@ -33,7 +33,7 @@ TEST_CASE("a box on an incline slides with g (sin - mu cos) or sticks") {
   settings.tolerance = 1e-8;
   settings.max_iterations = 100000;
   Bench3 bench(plane(slope, azimuth), material, settings);
-  const Vec3 up = bench.terrain.plane().normal, way = down(slope, azimuth);
+  const Vec3 up = bench.terrain.ground().facet(0).normal, way = down(slope, azimuth);
   bench.add(box({1, 0.8, 0.5}, 1000, 0.25 * up, way, up));
   bench.run_settings.stop_speed = 0;
   const BodyHistory& history = bench.run(2);
@@ -83,7 +83,7 @@ TEST_CASE("a box on an incline topples where b/h is less than tan, and slides wh
   const double ratio = GENERATE(0.495, 0.505);  // b/h: the line of gravity leaves the base at 0.5
   Material material(0, 0.7);
   Bench3 bench(plane(slope, azimuth), material);
-  const Vec3 up = bench.terrain.plane().normal;
+  const Vec3 up = bench.terrain.ground().facet(0).normal;
   bench.add(box({ratio, 1, 1}, 1000, 0.5 * up, down(slope, azimuth), up));
   bench.run_settings.stop_speed = 0;
   const BodyHistory& history = bench.run(1);

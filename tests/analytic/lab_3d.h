@@ -39,7 +39,7 @@ inline Body<3> box(const Vec3& size, double mass, const Vec3& at, const Vec3& al
 }
 
 struct Bench3 : BenchOf<3> {
-  Bench3(Plane ground, Material& material, const WorldSettings& settings = {},
+  Bench3(TerrainShape3 ground, Material& material, const WorldSettings& settings = {},
          const Vec3& gravity = {0, 0, -9.81})
       : BenchOf<3>(Terrain3(std::move(ground)), material, settings, gravity) {}
 };

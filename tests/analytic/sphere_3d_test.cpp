@@ -54,12 +54,12 @@ TEST_CASE("a sphere on an incline rolls with 5/7 g sin, or slips") {
   const double slope = 30 * pi / 180, azimuth = 0.4, mu = GENERATE(0.1, 0.3), radius = 0.5;
   Material material(0, mu);
   Bench3 bench(plane(slope, azimuth), material);
-  bench.add(sphere(radius, 1000, radius * bench.terrain.plane().normal));
+  bench.add(sphere(radius, 1000, radius * bench.terrain.ground().facet(0).normal));
   const BodyHistory& history = bench.run(2);
   const bool rolls = mu >= 2 * std::tan(slope) / 7;
   const double a = rolls ? 5 * g * std::sin(slope) / 7 : g * (std::sin(slope) - mu * std::cos(slope));
   const double alpha = rolls ? a / radius : 5 * mu * g * std::cos(slope) / (2 * radius);
-  const Vec3 way = down(slope, azimuth), axle = bench.terrain.plane().normal.cross(way);
+  const Vec3 way = down(slope, azimuth), axle = bench.terrain.ground().facet(0).normal.cross(way);
   CHECK((history.last.position - history.first.position - 2 * a * way).norm() < 1e-6);
   CHECK((history.last.spin - 2 * alpha * axle).norm() < 1e-6);
 }
@@ -110,7 +110,7 @@ TEST_CASE("rolling resistance stops a sphere with 5 mu_r g / (7 R), and holds it
   SECTION("slope") {
     const double slope = GENERATE(0.098, 0.102);
     Bench3 bench(plane(slope, azimuth), material);
-    bench.add(sphere(radius, 1000, radius * bench.terrain.plane().normal));
+    bench.add(sphere(radius, 1000, radius * bench.terrain.ground().facet(0).normal));
     bench.run_settings.stop_speed = 0;
     const BodyHistory& history = bench.run(2);
     if (std::tan(slope) < mu_r / radius)

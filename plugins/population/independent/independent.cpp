@@ -15,7 +15,7 @@ class Independent : public Population {
   std::vector<RockPlan> rocks(Values values, const Profile&, const Blast&, RandomStream&) const override {
     return std::vector<RockPlan>(count(values));
   }
-  std::vector<RockPlan3> rocks_3d(Values values, const Plane&, const Blast&, RandomStream&) const override {
+  std::vector<RockPlan3> rocks_3d(Values values, const Ground3&, const Blast&, RandomStream&) const override {
     return std::vector<RockPlan3>(count(values));
   }
 

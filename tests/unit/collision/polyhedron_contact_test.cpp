@@ -32,8 +32,8 @@ Contacts between(const Placed3& a, const Placed3& b, double reach) {
   return contacts;
 }
 
-std::set<std::pair<std::uint32_t, std::uint32_t>> ids(const Contacts& contacts) {
-  std::set<std::pair<std::uint32_t, std::uint32_t>> set;
+std::set<std::pair<FeatureId, FeatureId>> ids(const Contacts& contacts) {
+  std::set<std::pair<FeatureId, FeatureId>> set;
   for (const auto& c : contacts) set.insert({c.feature, c.against});
   return set;
 }
@@ -45,14 +45,14 @@ TEST_CASE("a sphere and a box on a plane") {
   const Terrain3 ground{slope};
   const Contactor3 ball = Contactor3::sphere(0.5);
   Contacts contacts;
-  terrain_contacts({ball, {Vec3(3, 0, 1) + 0.4 * slope.normal, {}}}, 0, ground, 0, contacts);
+  terrain_contacts({ball, {Vec3(3, 0, 1) + 0.4 * slope.normal, {}}}, 0, ground, 0, 0, contacts);
   REQUIRE(contacts.size() == 1);
   CHECK(contacts[0].gap == Approx(-0.1));
   CHECK((contacts[0].point - (Vec3(3, 0, 1) - 0.05 * slope.normal)).norm() < 1e-15);
 
   contacts.clear();
   const Placed3 box{cube, {Vec3(0, 0, 0.5 + 1e-7), {}}};
-  terrain_contacts(box, 3, level, 1e-6, contacts);
+  terrain_contacts(box, 3, level, 1e-6, 0, contacts);
   REQUIRE(contacts.size() == 4);
   for (const auto& c : contacts) {
     CHECK(c.gap == Approx(1e-7).epsilon(1e-6));
@@ -60,7 +60,7 @@ TEST_CASE("a sphere and a box on a plane") {
     CHECK(contactor_of(c.feature) == 3);
   }
   contacts.clear();
-  terrain_contacts(box, 3, level, 1e-8, contacts);
+  terrain_contacts(box, 3, level, 1e-8, 0, contacts);
   CHECK(contacts.empty());
 }
 
@@ -71,11 +71,11 @@ TEST_CASE("of many contacts the deepest and the widest four are kept, and share 
     contacts.push_back({{std::cos(angle), std::sin(angle), 0},
                         Vec3::UnitZ(),
                         i == 5 ? -1e-3 : 0,
-                        static_cast<std::uint32_t>(i),
+                        static_cast<FeatureId>(i),
                         0});
   }
   keep_four(contacts, 0);
-  CHECK(ids(contacts) == std::set<std::pair<std::uint32_t, std::uint32_t>>{{2, 0}, {5, 0}, {8, 0}, {11, 0}});
+  CHECK(ids(contacts) == std::set<std::pair<FeatureId, FeatureId>>{{2, 0}, {5, 0}, {8, 0}, {11, 0}});
 
   const std::vector<Vec3> rectangle{{0, 0, 0}, {3, 0, 0}, {3, 2, 0}, {0, 2, 0}, {1, 1, 0}};
   for (std::size_t i = 0; i < 4; ++i) CHECK(tributary_area(rectangle, i, Vec3::UnitZ()) == Approx(1.5));

@@ -156,7 +156,7 @@ TEST_CASE("in space a flight lands on its plane, and turns with the azimuth of t
     body.v = {20 * std::cos(azimuth), 20 * std::sin(azimuth), 15};
     BallisticRun<3> run;
     run.forces = {{0, 0, -g}, {drag, Vec3::Zero()}};
-    return run_ballistic(body, ground, run);
+    return run_ballistic(body, *make_ground(ground), run);
   };
   // On the plane the flight lasts until 12 + 15 t - g t^2/2 = (-0.1 vx + 0.2 vy) t.
   for (const double azimuth : {0.0, 1.0, 4.0}) {

@@ -1,0 +1,19 @@
+#pragma once
+// Contacts of the edges and faces of a polyhedron with the convex edges and peaks of the ground.
+
+#include <span>
+#include <vector>
+
+#include "collision/contact.h"
+#include "collision/placed.h"
+#include "geometry/ground.h"
+
+namespace flyrock {
+
+/// Appends the contacts whose gap is at most `reach` [m]: edges of the polyhedron with convex edges of the
+/// ground, and its faces with peaks. `facets` are those that meet `box`, the box of the polyhedron. Flat and
+/// concave edges of the ground are not features. `turn` [rad]: see terrain_contacts.
+void rim_contacts(const Placed3& polyhedron, int index, const Ground3& ground, std::span<const Facet> facets,
+                  const Box3& box, double reach, double turn, std::vector<ContactPoint<3>>& out);
+
+}  // namespace flyrock

@@ -1,0 +1,130 @@
+// No body passes the ground, however fast or small, and none sinks into it or gains energy on its way to
+// rest.
+#include <catch2/catch.hpp>
+
+#include "analytic/lab_ground.h"
+
+using namespace flyrock;
+using namespace flyrock::lab;
+
+namespace {
+
+Vec3 random_direction(std::mt19937& rng) {
+  std::normal_distribution<double> random;
+  return Vec3(random(rng), random(rng), random(rng)).normalized();
+}
+
+/// How deep the lowest place of a body lies below the ground [m]; not positive if it is free.
+double deepest(const Ground3& ground, const Body<3>& body) {
+  double depth = -1e300;
+  for (const Contactor3& contactor : body.contactors)
+    for (const Vec3& point : contactor.points) {
+      const Vec3 place = body.pose() * point;
+      if (contactor.round()) {
+        const auto nearest = ground.nearest(place, contactor.radius);
+        depth = std::max({depth, ground.depth(place), nearest ? contactor.radius - nearest->distance : 0.0});
+      } else if (const double below = ground.depth(place); below > 0) {
+        depth = std::max(depth, ground.nearest(place, below)->distance);
+      }
+    }
+  return depth;
+}
+
+/// Shots at 300 m/s from 2 m above the ground, followed over their first impacts.
+void shoot(const TerrainShape3& shape, int shots, unsigned seed) {
+  const Terrain3 terrain(shape);
+  const Ground3& ground = terrain.ground();
+  std::mt19937 rng(seed);
+  std::uniform_real_distribution<double> random(-1, 1);
+  Material material(0.3, 0.5);
+  int below = 0, landed = 0;
+  for (int i = 0; i < shots; ++i) {
+    Body<3> body = body_of_kind(i % 3, 0.005, seed + static_cast<unsigned>(i % 7));
+    const double x = 6 * random(rng), y = 6 * random(rng);
+    body.x = {x, y, ground.height(x, y).value() + 2};
+    Vec3 way = random_direction(rng);
+    way.z() = -std::abs(way.z());
+    body.v = 300 * way;
+    body.w = 100 * random_direction(rng);
+    body.attitude = Attitude<3>(Rotation3::from_vector(3 * random_direction(rng)));
+    World<3> world(terrain, {0, 0, -9.81}, {});
+    world.add(body);
+    world.set_terrain_surface(0, 0, &material.surface);
+    std::vector<BodyHistory> histories;
+    RunSettings settings;
+    settings.stop_time = 0.1;
+    run(world, settings, histories);
+    landed += histories[0].landed;
+    const bool left = histories[0].reason == StopReason::left_domain;
+    below += !histories[0].fault.empty() || (!left && deepest(ground, world.bodies[0]) > 1e-3 * 0.005);
+  }
+  CHECK(below == 0);
+  CHECK(landed > shots / 3);
+}
+
+void to_rest(const TerrainShape3& shape, int rocks, unsigned seed) {
+  const Terrain3 terrain(shape);
+  const Ground3& ground = terrain.ground();
+  std::mt19937 rng(seed);
+  std::uniform_real_distribution<double> random(-1, 1);
+  for (int i = 0; i < rocks; ++i) {
+    CAPTURE(seed, i);
+    Material material(0.3 + 0.2 * random(rng), 0.5, i % 3 == 0 ? 0.02 : 0);
+    Body<3> body = body_of_kind(i % 3, 0.35 + 0.2 * random(rng), seed + static_cast<unsigned>(i));
+    const double x = -15 + 4 * random(rng), y = 8 * random(rng);
+    body.x = {x, y, ground.height(x, y).value() + 2};
+    body.v = 4 * random_direction(rng);
+    body.w = 4 * random_direction(rng);
+    body.attitude = Attitude<3>(Rotation3::from_vector(3 * random_direction(rng)));
+    World<3> world(terrain, {0, 0, -9.81}, {});
+    world.add(body);
+    world.set_terrain_surface(0, 0, &material.surface);
+    std::vector<BodyHistory> histories;
+    RunSettings settings;
+    settings.stop_time = 60;
+    run(world, settings, histories);
+    const BodyHistory& history = histories[0];
+    CHECK(history.fault.empty());
+    CHECK(world.quality().energy_gained <= 1e-4 * body.mass * 9.81 * body.size);
+    if (history.reason != StopReason::left_domain) CHECK(deepest(ground, world.bodies[0]) < 1e-4 * body.size);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("shots of 1 cm at 300 m/s do not pass a mesh, a grid or a plane") {
+  shoot(mesh_of(rough(5, 0.8), 20, 80, 0.2), 300, 1);
+  shoot(grid_of(rough(6, 0.8), 20, 80), 300, 2);
+  shoot(plane(0.3, 0.2), 300, 3);
+}
+
+TEST_CASE("10,000 shots of 1 cm at 300 m/s do not pass a mesh, a grid, a plane or a profile", "[slow]") {
+  Profile steps;
+  for (int i = 0; i < 20; ++i) {
+    steps.points.emplace_back(-20 + 2 * i, -i);
+    steps.points.emplace_back(-19 + 2 * i, -i);
+  }
+  steps.part.assign(steps.points.size() - 1, 0);
+  steps.parts = {""};
+  shoot(mesh_of(rough(7, 0.8), 20, 80, 0.2), 3000, 4);
+  shoot(grid_of(rough(8, 0.8), 20, 80), 3000, 5);
+  shoot(plane(0.3, 0.2), 1000, 6);
+  shoot(extruded(steps, 20, 1), 3000, 7);
+}
+
+TEST_CASE("spheres and polyhedra come to rest on rough ground without sinking or gaining energy") {
+  to_rest(mesh_of(rough(9, 0.5), 25, 100, 0.2), 12, 1);
+  to_rest(grid_of(rough(10, 0.5), 25, 100), 12, 2);
+}
+
+TEST_CASE("hundreds of bodies come to rest on rough ground without sinking or gaining energy", "[slow]") {
+  to_rest(mesh_of(rough(11, 0.5), 25, 100, 0.2), 150, 3);
+  to_rest(grid_of(rough(12, 0.5), 25, 100), 150, 4);
+}
+
+TEST_CASE("100,000 bodies come to rest on rough ground without sinking or gaining energy", "[heavy]") {
+  for (unsigned ground = 0; ground < 100; ++ground) {
+    to_rest(mesh_of(rough(100 + ground, 0.5), 25, 100, 0.2), 500, ground);
+    to_rest(grid_of(rough(200 + ground, 0.5), 25, 100), 500, ground);
+  }
+}
