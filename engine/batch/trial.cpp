@@ -99,7 +99,13 @@ class TrialRunner::Trials : public OfDimension {
  public:
   explicit Trials(const Scenario& scenario);
   void run(std::uint64_t trial, TrialRecords& out) override;
-  Profile picture_of(std::uint64_t trial) override { return picture(*builder_.terrain_of(trial)); }
+  Profile picture_of(std::uint64_t trial) override {
+    Profile shown = picture(*builder_.terrain_of(trial));
+    const Vec3& origin = scenario_.terrain.origin;
+    if (origin != Vec3::Zero())
+      for (Vec2& point : shown.points) point += Vec2(origin.x(), origin.z());
+    return shown;
+  }
 
  private:
   void fail_trial(std::uint64_t trial, const ScenarioError& error, TrialRecords& out) const;
@@ -125,9 +131,9 @@ TrialRunner::TrialRunner(const Scenario& scenario) {
 
 template <int D>
 TrialRunner::Trials<D>::Trials(const Scenario& scenario) : scenario_(scenario), builder_(scenario) {
-  for (const GatePlan& gate : scenario.gates) gates_.push_back({gate.x});
+  for (const GatePlan& gate : scenario.gates) gates_.push_back({gate.x - scenario.terrain.origin.x()});
   for (const BarrierPlan& barrier : scenario.barriers)
-    barriers_.push_back({barrier.x, barrier.height, barrier.capacity});
+    barriers_.push_back({barrier.x - scenario.terrain.origin.x(), barrier.height, barrier.capacity});
   if (D == 2 && scenario.bodies.empty()) bin_width_ = envelope_width(picture_of(0));
 }
 
@@ -195,6 +201,11 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
     times.other = all - times.flight - times.detect - times.solve;
     out.totals.times.add(times);
   }
+
+  const Vec3& origin = scenario_.terrain.origin;
+  if (origin != Vec3::Zero())
+    for (auto& of_world : histories)
+      for (BodyHistory& history : of_world) history.move(origin);
 
   for (std::size_t i = 0; i < trial.rocks.size(); ++i) {
     TrialRock& rock = trial.rocks[i];

@@ -13,16 +13,26 @@ namespace flyrock {
 class Terrain3 {
  public:
   explicit Terrain3(TerrainShape3 shape)
-      : ground_(make_ground(std::move(shape))), names_(terrain_names(ground_->parts())) {}
+      : faces_(faces_of(shape)),
+        ground_(make_ground(std::move(shape))),
+        names_(terrain_names(ground_->parts())) {}
 
   const Ground3& ground() const { return *ground_; }
   const std::vector<std::string>& parts() const { return ground_->parts(); }
   /// The name of each part, as laws use it.
   const std::vector<std::string>& names() const { return names_; }
+  /// The bench faces, the uppermost first.
+  const std::vector<Mesh::Face>& faces() const { return faces_; }
   /// The part that a contact's `against` names. An edge belongs to the facet that names it.
   int part(FeatureId against) const { return ground_->part(ground_->facet_of(against)); }
 
  private:
+  static std::vector<Mesh::Face> faces_of(const TerrainShape3& shape) {
+    const Mesh* mesh = std::get_if<Mesh>(&shape);
+    return mesh ? mesh->faces : std::vector<Mesh::Face>();
+  }
+
+  std::vector<Mesh::Face> faces_;
   std::shared_ptr<const Ground3> ground_;
   std::vector<std::string> names_;
 };

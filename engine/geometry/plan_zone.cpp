@@ -185,7 +185,7 @@ bool is_inside(const std::vector<Vec2>& polygon, const Vec2& place) {
   return inside;
 }
 
-std::string outline_fault(const std::vector<Vec2>& polygon) {
+std::string polygon_fault(const std::vector<Vec2>& polygon) {
   const std::size_t n = polygon.size();
   if (n < 3) return fmt::format("a polygon has {} corners, at least 3 are needed", n);
   double twice_area = 0;

@@ -14,7 +14,7 @@ bool is_inside(const std::vector<Vec2>& polygon, const Vec2& place);
 
 /// Why corners do not outline a simple polygon; empty if they do: at least three, no two edges that cross or
 /// touch, an area.
-std::string outline_fault(const std::vector<Vec2>& polygon);
+std::string polygon_fault(const std::vector<Vec2>& polygon);
 
 /// Makes the region of a polygon in plan the part `name` of a terrain. The triangles of a mesh are cut along
 /// the outline, to 1 mm. A cell of a grid belongs to the region if its centre does. A plane becomes a square

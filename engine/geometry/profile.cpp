@@ -21,6 +21,10 @@ double Profile::height(double x) const {
   return highest;
 }
 
+std::string Profile::face_name(std::size_t face) const {
+  return faces[face].name.empty() ? fmt::format("bench_{}", face + 1) : faces[face].name;
+}
+
 std::string Profile::fault() const {
   if (points.size() < 2) return fmt::format("a profile has {} points, at least 2 are needed", points.size());
   if (part.size() + 1 != points.size())

@@ -17,9 +17,12 @@ struct Profile {
   struct Face {
     Vec2 toe;
     Vec2 crest;
+    std::string name = {};  ///< empty: bench_1 for the first, and so on
   };
   std::vector<Face> faces;  ///< bench faces, the uppermost first: `release: { from: face, bench: 1 }`
 
+  /// The name of a face: its own, or bench_1, bench_2, ...
+  std::string face_name(std::size_t face) const;
   int segments() const { return static_cast<int>(points.size()) - 1; }
   double x_min() const { return points.front().x(); }
   double x_max() const { return points.back().x(); }

@@ -39,29 +39,26 @@ class DocumentDecoder {
     const bool flies = scenario_.method == Method::ballistic;
     scenario_.materials =
         decode_materials(context_, flies ? root_.find("materials") : part("materials"), materials_map);
-    std::optional<Profile> profile;
-    std::vector<std::string> parts;
+    DecodedTerrain terrain;
     if (const auto node = part("terrain")) {
-      DecodedTerrain terrain =
-          decode_terrain(context_, *node, scenario_.materials, !flies, scenario_.seed, resolved_);
-      scenario_.terrain = std::move(terrain.plan);
-      profile = std::move(terrain.profile);
-      parts = std::move(terrain.parts);
+      terrain = decode_terrain(context_, *node, scenario_.materials, !flies, scenario_.seed, resolved_);
+      scenario_.terrain = terrain.plan;
     }
     for (Entry& entry : materials_map) resolved_.push_back(std::move(entry));
     if (const auto pairs = root_.find("pairs"))
-      scenario_.pairs = decode_pairs(context_, *pairs, scenario_.materials, pair_names(parts), resolved_);
+      scenario_.pairs =
+          decode_pairs(context_, *pairs, scenario_.materials, pair_names(terrain.parts), resolved_);
     if (const auto blast = root_.find("blast")) {
       const std::size_t errors_before = context_.diagnostics.errors_given();
       scenario_.blast = decode_blast(context_, *blast, resolved_);
       blast_is_sound_ = context_.diagnostics.errors_given() == errors_before;
       if (blast_is_sound_) check_hole(context_, *blast, *scenario_.blast, scenario_.terrain);
     }
-    decode_moving(profile);
+    decode_moving(terrain);
     if (const auto barriers = root_.find("barriers"))
-      scenario_.barriers = decode_barriers(context_, *barriers, profile, resolved_);
+      scenario_.barriers = decode_barriers(context_, *barriers, terrain.profile, resolved_);
     if (const auto gates = root_.find("gates"))
-      scenario_.gates = decode_gates(context_, *gates, profile, resolved_);
+      scenario_.gates = decode_gates(context_, *gates, terrain.profile, resolved_);
     if (const auto clearances = root_.find("clearance")) {
       if (!root_.find("rocks"))
         clearances->error(context_.diagnostics, "needs `rocks`, the scenario has none");
@@ -167,14 +164,14 @@ class DocumentDecoder {
   }
 
   /// Decodes rocks or bodies.
-  void decode_moving(const std::optional<Profile>& profile) {
+  void decode_moving(const DecodedTerrain& terrain) {
     const auto rocks = root_.find("rocks"), bodies = root_.find("bodies");
     if (!rocks && !bodies) context_.diagnostics.error(root_.key_at, "", "`rocks` or `bodies` is missing");
     if (rocks && bodies)
       context_.diagnostics.error(bodies->key_at, bodies->path,
                                  "`bodies` and `rocks` cannot stand in one scenario");
     if (rocks) {
-      scenario_.rocks = decode_rocks(context_, *rocks, scenario_.materials, profile, resolved_);
+      scenario_.rocks = decode_rocks(context_, *rocks, scenario_.materials, terrain, resolved_);
       check_group_names(*rocks);
       check_reads(*rocks);
       check_materials(*rocks, scenario_.rocks, 0,

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "geometry/contactor.h"
+#include "geometry/plan_zone.h"
 
 namespace flyrock {
 
@@ -162,7 +163,14 @@ void decode_points(DecodeContext& context, const Node& node, const ParamSpec& sp
     list.push_back(list_value(std::move(coordinates)));
     value.points.push_back(std::move(point));
   }
-  if (good && (spec.name == "inside" || (spec.name == "vertices" && context.dimension == 2)))
+  const bool in_plan = spec.type == ParamType::plan_points;
+  if (good && in_plan && (spec.name == "inside" || spec.name == "polygon")) {
+    std::vector<Vec2> corners;
+    for (const std::vector<double>& point : value.points) corners.emplace_back(point[0], point[1]);
+    if (const std::string fault = polygon_fault(corners); !fault.empty())
+      node.error(context.diagnostics, fault);
+  }
+  if (good && !in_plan && (spec.name == "inside" || (spec.name == "vertices" && context.dimension == 2)))
     if (const std::string fault = outline_fault(value.points, context.dimension); !fault.empty())
       node.error(context.diagnostics, fault);
   resolved = list_value(std::move(list));

@@ -29,15 +29,6 @@ int decode_material(DecodeContext& context, const Node& node, const Section& sec
   return material && section.given("material") ? find_material(context, *material, materials) : -1;
 }
 
-void check_bench(DecodeContext& context, const Node& node, int bench, const std::optional<Profile>& profile) {
-  if (!profile || bench < 1) return;
-  const int faces = static_cast<int>(profile->faces.size());
-  if (bench <= faces) return;
-  const std::string found =
-      faces == 0 ? "the terrain has no bench faces" : fmt::format("the terrain has {}", faces);
-  node.error(context.diagnostics, fmt::format("there is no bench {}, {}", bench, found));
-}
-
 /// In 3D: { axis, angle } or a quaternion [w, x, y, z].
 std::optional<TurnPlan> decode_turn(DecodeContext& context, const Node& parent, const NumberRules& rules,
                                     Map& resolved) {
@@ -77,67 +68,6 @@ std::optional<TurnPlan> decode_turn(DecodeContext& context, const Node& parent, 
   return turn;
 }
 
-std::optional<Release> decode_release(DecodeContext& context, const Node& node,
-                                      const std::optional<Profile>& profile, Map& resolved) {
-  constexpr std::array<std::pair<std::string_view, ReleaseKind>, 5> kinds{
-      {{"from", ReleaseKind::face},
-       {"x", ReleaseKind::above_ground},
-       {"position", ReleaseKind::position},
-       {"along", ReleaseKind::along},
-       {"inside", ReleaseKind::inside}}};
-  if (!node.expect_map(context.diagnostics)) return std::nullopt;
-  std::vector<std::string> names;
-  for (const auto& [name, kind] : kinds) names.emplace_back(name);
-  const auto chosen =
-      std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) { return node.find(kind.first); });
-  if (chosen == kinds.end()) {
-    node.refuse_unknown_keys(names, context.diagnostics);
-    context.diagnostics.error(node.key_at, node.path, fmt::format("expected one of {}", choice_text(names)));
-    return std::nullopt;
-  }
-  const bool space = context.dimension == 3;
-  if (space && chosen->second == ReleaseKind::face) {
-    const Node key = *node.find(chosen->first);
-    context.diagnostics.error(
-        key.key_at, key.path,
-        "`from` needs the benches of a profile, which dimension 3 does not have, expected `position`, "
-        "`along`, `inside`, or `x` with `above_ground`");
-    return std::nullopt;
-  }
-  Release release;
-  release.kind = chosen->second;
-  const bool on_ground = release.kind == ReleaseKind::above_ground;
-  const Section section = decode_section(
-      context, node, fmt::format("rocks.release: {}{}", chosen->first, space && on_ground ? " 3D" : ""),
-      rock_rules, resolved);
-  switch (release.kind) {
-    case ReleaseKind::face:
-    case ReleaseKind::collar:
-    case ReleaseKind::bench_top:
-      if (section.text("from") == "collar") release.kind = ReleaseKind::collar;
-      if (section.text("from") == "bench_top") release.kind = ReleaseKind::bench_top;
-      release.bench = section.integer("bench");
-      check_bench(context, node, release.bench, profile);
-      break;
-    case ReleaseKind::above_ground:
-      release.x = section.number("x");
-      if (space) release.y = section.number("y");
-      release.above_ground = section.number("above_ground");
-      break;
-    case ReleaseKind::position:
-      release.position = section.vector("position");
-      break;
-    case ReleaseKind::along:
-      release.points = section.points("along");
-      if (release.points.size() < 2) node.error(context.diagnostics, "`along` needs at least two points");
-      break;
-    case ReleaseKind::inside:
-      release.points = section.points("inside");
-      break;
-  }
-  return release;
-}
-
 std::optional<PluginUse> decode_part(DecodeContext& context, const Node& node, PluginKind kind,
                                      std::string_view key, const NumberRules& rules, Map& resolved) {
   const std::optional<Node> child = node.find(key);
@@ -159,7 +89,7 @@ std::optional<double> assumed_elevation(const Node& launch, const PluginSpec& sp
 }
 
 RockGroup decode_group(DecodeContext& context, const Node& node, const std::vector<Material>& materials,
-                       const std::optional<Profile>& profile, Map& resolved) {
+                       const DecodedTerrain& terrain, Map& resolved) {
   const bool plane = context.dimension == 2;
   const SectionSpec& spec = section_spec(plane ? "rocks" : "rocks 3D");
   RockGroup group;
@@ -181,7 +111,7 @@ RockGroup decode_group(DecodeContext& context, const Node& node, const std::vect
   group.shape = decode_part(context, node, PluginKind::shape, "shape", rock_rules, resolved);
   if (const auto release = node.find("release")) {
     Map map;
-    group.release = decode_release(context, *release, profile, map);
+    group.release = decode_release(context, *release, terrain, map);
     put(resolved, "release", map_value(std::move(map)));
   }
   group.launch = decode_part(context, node, PluginKind::velocity, "launch", rock_rules, resolved);
@@ -252,11 +182,11 @@ void refuse_duplicate_names(DecodeContext& context, const Node& list) {
 }
 
 std::vector<RockGroup> decode_rocks(DecodeContext& context, const Node& node,
-                                    const std::vector<Material>& materials,
-                                    const std::optional<Profile>& profile, Map& resolved) {
+                                    const std::vector<Material>& materials, const DecodedTerrain& terrain,
+                                    Map& resolved) {
   refuse_empty(context, node);
   return decode_list<RockGroup>(context, node, "rocks", resolved, [&](const Node& item, Map& map) {
-    return decode_group(context, item, materials, profile, map);
+    return decode_group(context, item, materials, terrain, map);
   });
 }
 

@@ -19,16 +19,27 @@ std::vector<Material> decode_materials(DecodeContext& context, const std::option
 /// The index of the material that a node names; -1 if there is none, which is reported.
 int find_material(DecodeContext& context, const Node& node, const std::vector<Material>& materials);
 
-/// The terrain, with the data that checks of other sections need: its parts and zones, and in 2D its profile,
-/// as built in trial 0. There are no parts if it could not be built.
+/// The terrain, with the data that checks of other sections need: its parts and zones, the names of its
+/// faces, and in 2D its profile, as built in trial 0. There are no parts if it could not be built.
 struct DecodedTerrain {
   TerrainPlan plan;
   std::vector<std::string> parts;
+  std::vector<std::string> faces;
   std::optional<Profile> profile;
+  Vec3 automatic_origin = Vec3::Zero();  ///< 3D: the origin where the scenario gives none
 };
 DecodedTerrain decode_terrain(DecodeContext& context, const Node& node,
                               const std::vector<Material>& materials, bool needs_materials,
                               std::uint64_t seed, Map& resolved);
+
+/// The zones, faces and the origin of a terrain that was built.
+void decode_places_of_terrain(DecodeContext& context, const Node& node, DecodedTerrain& terrain,
+                              Map& resolved);
+
+/// The ESRI ASCII grid that the key `key` of a section names; nothing if it cannot be read, which is reported
+/// at `node`.
+std::shared_ptr<const HeightGrid> read_raster(DecodeContext& context, const Node& node,
+                                              const Section& section, const char* key);
 
 BlastPlan decode_blast(DecodeContext& context, const Node& node, Map& resolved);
 
@@ -36,8 +47,12 @@ BlastPlan decode_blast(DecodeContext& context, const Node& node, Map& resolved);
 void check_hole(DecodeContext& context, const Node& blast, const BlastPlan& plan, const TerrainPlan& terrain);
 
 std::vector<RockGroup> decode_rocks(DecodeContext& context, const Node& node,
-                                    const std::vector<Material>& materials,
-                                    const std::optional<Profile>& profile, Map& resolved);
+                                    const std::vector<Material>& materials, const DecodedTerrain& terrain,
+                                    Map& resolved);
+
+/// Where the rocks of a group start.
+std::optional<Release> decode_release(DecodeContext& context, const Node& node, const DecodedTerrain& terrain,
+                                      Map& resolved);
 
 std::vector<BodyPlan> decode_bodies(DecodeContext& context, const Node& node,
                                     const std::vector<Material>& materials, Map& resolved);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "geometry/terrain_place.h"
 #include "scenario/decode_sections.h"
 
 namespace flyrock {
@@ -29,26 +30,7 @@ std::vector<std::string> names_of(const std::vector<Material>& materials) {
   return names;
 }
 
-std::vector<Zone> decode_zones(DecodeContext& context, const Node& node, Map& resolved) {
-  std::vector<Zone> zones;
-  List list;
-  if (!node.expect_list(context.diagnostics)) return zones;
-  for (const Node& item : node.items()) {
-    Map zone;
-    const Section section = decode_section(context, item, "terrain.zones", {}, zone);
-    zones.push_back({section.text("name"), section.constant("from"), section.constant("to")});
-    if (const auto name = item.find("name")) check_name(context, *name);
-    const bool has_ends = section.given("from") && section.given("to");
-    if (has_ends && !(zones.back().from < zones.back().to))
-      item.error(context.diagnostics, "`from` must be less than `to`");
-    list.push_back(map_value(std::move(zone)));
-  }
-  refuse_duplicate_names(context, node);
-  put(resolved, "zones", list_value(std::move(list)));
-  return zones;
-}
-
-/// Builds the terrain of trial 0 to get its parts and, in 2D, its profile.
+/// Builds the terrain of trial 0 for what other sections need of it.
 void try_to_build(DecodeContext& context, const Node& node, const PluginUse& use, std::uint64_t seed,
                   DecodedTerrain& terrain) {
   try {
@@ -56,16 +38,57 @@ void try_to_build(DecodeContext& context, const Node& node, const PluginUse& use
     std::vector<double> values;
     for (const Number& slot : use.slots) values.push_back(slot.value(context.draws, seed, key));
     RandomStream rng(seed, use.path, key);
-    const auto model = make_instance<TerrainModel>(use, context.dimension);
+    const std::optional<SectionPlan>& section = terrain.plan.section;
+    const auto model = make_instance<TerrainModel>(use, section ? 3 : context.dimension);
     if (context.dimension == 3) {
-      terrain.parts = parts_of(model->build_3d(values, rng));
+      const TerrainShape3 shape = model->build_3d(values, rng);
+      terrain.parts = parts_of(shape);
+      terrain.automatic_origin = automatic_origin(shape);
+      if (const Mesh* mesh = std::get_if<Mesh>(&shape))
+        for (const Mesh::Face& face : mesh->faces) terrain.faces.push_back(face.name);
     } else {
-      terrain.profile = model->build(values, rng);
+      terrain.profile = section ? section_of(model->build_3d(values, rng), section->from, section->to)
+                                : model->build(values, rng);
       terrain.parts = terrain.profile->parts;
+      for (std::size_t i = 0; i < terrain.profile->faces.size(); ++i)
+        terrain.faces.push_back(terrain.profile->face_name(i));
     }
+  } catch (const SectionError& error) {
+    context.diagnostics.error(node.key_at, node.path, error.what());
   } catch (const PluginError& error) {
     context.diagnostics.error(node.key_at, node.path, error.what());
   }
+}
+
+/// { type: section, of: { type, ... }, from, to }: a profile out of a terrain in 3D.
+std::optional<PluginUse> decode_section_terrain(DecodeContext& context, const Node& node, TerrainPlan& plan,
+                                                Map& resolved) {
+  const SectionSpec& spec = section_spec("terrain: section");
+  std::vector<std::string> keys = spec.key_names();
+  keys.insert(keys.end(), {"type", "material", "materials", "zones", "faces"});
+  node.refuse_unknown_keys(keys, context.diagnostics);
+  put(resolved, "type", text_value("section"));
+  const std::optional<Node> of = node.find("of");
+  if (!of)
+    context.diagnostics.error(node.key_at, node.path,
+                              "`of` is missing, expected a terrain in 3D: { type, ... }");
+  std::optional<PluginUse> use;
+  if (of) {
+    Map map;
+    context.dimension = 3;
+    use = decode_plugin(context, *of, PluginKind::terrain, terrain_rules, map);
+    context.dimension = 2;
+    put(resolved, "of", map_value(std::move(map)));
+  }
+  const Section section(spec.keys, decode_params(context, node, spec.keys, {}, resolved));
+  const auto place = [&](const char* key) {
+    const std::vector<Number>& numbers = section.vector(key);
+    return numbers.size() == 2 ? Vec2(numbers[0].constant, numbers[1].constant) : Vec2(Vec2::Zero());
+  };
+  plan.section = SectionPlan{place("from"), place("to")};
+  if (section.given("from") && section.given("to") && plan.section->from == plan.section->to)
+    node.error(context.diagnostics, "`from` and `to` are the same place");
+  return use;
 }
 
 /// `material` applies to every part and zone that `materials` does not name.
@@ -152,21 +175,25 @@ DecodedTerrain decode_terrain(DecodeContext& context, const Node& node,
   DecodedTerrain terrain;
   Map map;
   const std::size_t errors = context.diagnostics.errors_given();
-  const auto use = decode_plugin(context, node, PluginKind::terrain, terrain_rules, map,
-                                 {"material", "materials", "zones"});
+  const std::optional<Node> type = node.find("type");
+  const bool is_section =
+      context.dimension == 2 && type && type->value->text() && *type->value->text() == "section";
+  std::vector<std::string> others = {"material", "materials", "zones", "faces"};
+  if (context.dimension == 3) others.emplace_back("origin");
+  const auto use = is_section ? decode_section_terrain(context, node, terrain.plan, map)
+                              : decode_plugin(context, node, PluginKind::terrain, terrain_rules, map, others);
   if (use && context.diagnostics.errors_given() == errors) {
     terrain.plan.model = *use;
     try_to_build(context, node, *use, seed, terrain);
   }
-  if (const auto zones = node.find("zones")) {
-    if (context.dimension == 3)
-      context.diagnostics.error(zones->key_at, zones->path,
-                                "zones are stretches of a profile, which dimension 3 does not have");
-    terrain.plan.zones = decode_zones(context, *zones, map);
-  }
+  decode_places_of_terrain(context, node, terrain, map);
   const bool names_materials = node.find("material") || node.find("materials");
   if (!terrain.parts.empty()) {
-    for (const Zone& zone : terrain.plan.zones) terrain.parts.push_back(zone.name);
+    for (const Zone& zone : terrain.plan.zones) {
+      // A group that takes the place of a part leaves nothing of it.
+      if (!zone.group.empty()) std::erase(terrain.parts, zone.group);
+      terrain.parts.push_back(zone.name);
+    }
     if (needs_materials || names_materials)
       decode_part_materials(context, node, materials, terrain.parts, terrain.plan, map);
   }

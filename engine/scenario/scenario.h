@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +12,7 @@
 
 #include "blast/design.h"
 #include "document/value.h"
+#include "geometry/height_grid.h"
 #include "math/space.h"
 #include "plugin/registry.h"
 
@@ -38,17 +40,40 @@ struct Material {
   std::optional<PluginUse> restitution, friction, rolling, unilateral;
 };
 
-/// A stretch of terrain with its own name, from x = `from` to x = `to`.
+/// A region of the terrain with a name of its own. In 2D a stretch from x = `from` to x = `to`; in 3D one of
+/// a polygon in plan, the cells of a raster with a value, or a part of the terrain that has another name so
+/// far.
 struct Zone {
   std::string name;
   double from = 0, to = 0;
+  std::vector<Vec2> polygon;
+  std::shared_ptr<const HeightGrid> raster;
+  double value = 0;
+  std::string group;
+};
+
+/// A face that rocks may leave, beside those of the terrain's plugin. In 2D between two places x, of which
+/// the higher one is the crest; in 3D a zone.
+struct FacePlan {
+  std::string name;
+  double from = 0, to = 0;
+  std::string zone;
+};
+
+/// A profile that is cut out of a terrain in 3D.
+struct SectionPlan {
+  Vec2 from = Vec2::Zero(), to = Vec2::Zero();  ///< m, in plan
 };
 
 struct TerrainPlan {
-  PluginUse model;
+  PluginUse model;                     ///< of a section: of the terrain in 3D
+  std::optional<SectionPlan> section;  ///< 2D
   std::map<std::string, int>
       material_of_part;  ///< index into Scenario::materials; "" for a terrain of one part
   std::vector<Zone> zones;
+  std::vector<FacePlan> faces;
+  /// 3D: the place from which the engine counts [m]. Scenario and results have the coordinates of files.
+  Vec3 origin = Vec3::Zero();
 };
 
 /// The blast, with the number of each field that is given.
@@ -71,7 +96,9 @@ enum class ReleaseKind {
   above_ground,
   position,
   along,
-  inside
+  inside,
+  zone,   ///< 3D: anywhere in a zone
+  raster  ///< 3D: anywhere in the cells of a raster that are above 0
 };
 
 /// Where a rock starts.
@@ -81,7 +108,12 @@ struct Release {
   Number x, y,
       above_ground;  ///< for above_ground: height of the centre of mass above the ground at x (and y in 3D)
   std::vector<Number> position;  ///< of the centre of mass
-  std::vector<Vec3> points;      ///< along a polyline, or uniform inside a flat convex polygon; z = 0 in 2D
+  std::vector<Vec3> points;      ///< along a polyline, or uniform inside a flat polygon; z = 0 in 2D
+  std::string face;              ///< for face, collar, bench_top: its name, in place of the number
+  std::string zone;
+  std::shared_ptr<const HeightGrid> raster;
+  bool in_plan = false;    ///< 3D: the place is one in plan, at a height above the ground (`above_ground`)
+  bool on_ground = false;  ///< 3D: lowered in its attitude until it touches the ground
 };
 
 /// The orientation of a body in 3D: a rotation about an axis by an angle [rad], or a quaternion [w, x, y, z]

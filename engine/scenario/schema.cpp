@@ -43,6 +43,12 @@ ParamSpec choice(std::string name, std::vector<std::string> choices, std::string
 ParamSpec vector(std::string name, std::string unit, std::string doc) {
   return key(ParamType::vector, std::move(name), std::move(unit), std::move(doc));
 }
+ParamSpec plan_points(std::string name, std::string doc) {
+  return key(ParamType::plan_points, std::move(name), "m", std::move(doc));
+}
+ParamSpec file(std::string name, std::string doc) {
+  return key(ParamType::file, std::move(name), "", std::move(doc));
+}
 ParamSpec points(std::string name, std::string doc) {
   return key(ParamType::points, std::move(name), "m", std::move(doc));
 }
@@ -140,6 +146,13 @@ std::vector<ParamSpec> joined(std::vector<ParamSpec> first, std::vector<ParamSpe
   return first;
 }
 
+/// How high a rock starts at a place in plan in 3D.
+std::vector<ParamSpec> heights() {
+  return {
+      at_least(optional(number("above_ground", "m", "height of the centre of mass above the ground")), 0),
+      boolean("on_ground", false, "lowered in its attitude until it touches the ground; or `above_ground`")};
+}
+
 std::vector<SectionSpec> make_sections() {
   return {
       document(),
@@ -151,10 +164,38 @@ std::vector<SectionSpec> make_sections() {
             usual::drag_coefficient),
         optional(vector("wind", "m/s", "calm where it is not given"))},
        {}},
-      {"terrain", {optional(text("material", "of a terrain of one part"))}, {"type", "materials", "zones"}},
+      {"terrain",
+       {optional(text("material", "of a terrain of one part"))},
+       {"type", "materials", "zones", "faces"}},
+      {"terrain 3D",
+       {optional(
+           vector("origin", "m",
+                  "from which the engine counts, in whole metres; where it is not given, the lower left "
+                  "corner of triangles or heights beyond 10 km, rounded down to 100 m"))},
+       {"zones", "faces"}},
+      {"terrain: section",
+       {vector("from", "m", "place in plan where x = 0"), vector("to", "m", "place in plan where it ends")},
+       {"of"}},
       {"terrain.zones",
        {text("name", "its part, in `materials`"), number("from", "m", "least x"),
         number("to", "m", "greatest x")},
+       {}},
+      {"terrain.zones: polygon 3D",
+       {text("name", "its part, in `materials`"), plan_points("polygon", "its outline in plan")},
+       {}},
+      {"terrain.zones: raster 3D",
+       {text("name", "its part, in `materials`"), file("raster", "an ESRI ASCII grid"),
+        number("value", "", "of the cells that belong to it")},
+       {}},
+      {"terrain.zones: group 3D",
+       {text("name", "its part, in `materials`"), text("group", "the part that it takes the place of")},
+       {}},
+      {"terrain.faces",
+       {text("name", "for `release: { from: face, face: NAME }`"), number("from", "m", "x of one end"),
+        number("to", "m", "x of the other end; the higher one is the crest")},
+       {}},
+      {"terrain.faces 3D",
+       {text("name", "for `release: { from: face, face: NAME }`"), text("zone", "that is the face")},
        {}},
       {"materials", {}, {"restitution", "friction", "rolling", "unilateral"}},
       {"pairs", {text("material", "in force between the two")}, {"between"}},
@@ -183,19 +224,31 @@ std::vector<SectionSpec> make_sections() {
        {choice(
             "from", {"face", "collar", "bench_top"},
             "the face of a bench; above it, the collar of the rock's hole; the top as far as the last row"),
-        or_else(at_least(integer("bench", "from 1, the uppermost"), 1), 1)},
+        or_else(at_least(integer("bench", "from 1, the uppermost"), 1), 1),
+        optional(text("face", "its name, in place of `bench`"))},
        {}},
       {"rocks.release: x",
        {number("x", "m", "place along the profile"),
         at_least(number("above_ground", "m", "height of the centre of mass above the ground"), 0)},
        {}},
       {"rocks.release: x 3D",
-       {number("x", "m", "place on the ground"), or_else(number("y", "m", "place on the ground"), 0.0),
-        at_least(number("above_ground", "m", "height of the centre of mass above the ground"), 0)},
+       joined(
+           {number("x", "m", "place on the ground"), or_else(number("y", "m", "place on the ground"), 0.0)},
+           heights()),
        {}},
       {"rocks.release: position", {vector("position", "m", "of the centre of mass")}, {}},
       {"rocks.release: along", {points("along", "a poly-line, uniformly")}, {}},
       {"rocks.release: inside", {points("inside", "a convex polygon, uniformly")}, {}},
+      {"rocks.release: along plan 3D",
+       joined({plan_points("along", "a poly-line, uniformly")}, heights()),
+       {}},
+      {"rocks.release: inside plan 3D",
+       joined({plan_points("inside", "a polygon, uniformly")}, heights()),
+       {}},
+      {"rocks.release: zone 3D", joined({text("zone", "uniformly in plan")}, heights()), {}},
+      {"rocks.release: raster 3D",
+       joined({file("raster", "an ESRI ASCII grid: its cells above 0, uniformly")}, heights()),
+       {}},
       {"bodies",
        joined(joined({text("name", "of the body")}, mass_keys()),
               {thickness(), vector("position", "m", "of the centre of mass"),

@@ -28,7 +28,8 @@ std::string release_path(int group) { return fmt::format("rocks.{}.release", gro
 
 bool is_random(const std::optional<Release>& release) {
   return release && (release->kind == ReleaseKind::face || release->kind == ReleaseKind::bench_top ||
-                     release->kind == ReleaseKind::along || release->kind == ReleaseKind::inside);
+                     release->kind == ReleaseKind::along || release->kind == ReleaseKind::inside ||
+                     release->kind == ReleaseKind::zone || release->kind == ReleaseKind::raster);
 }
 
 }  // namespace
@@ -156,11 +157,10 @@ Body<D> TrialBuilder<D>::rock_body(const Plan& plan, TrialRock& rock, const Terr
   at_path(path + "shape", [&] { refuse_slender(body); });
   Place<D> place;
   if (plan.position)
-    place.position = *plan.position;
+    place.position = *plan.position - origin().template head<D>();
   else if (group.release)
-    place = at_path(path + "release", [&] {
-      return place_rock(*group.release, scenario_, rock.key, where, body, ground_of(terrain));
-    });
+    place = at_path(path + "release",
+                    [&] { return place_rock(*group.release, scenario_, rock.key, where, body, terrain); });
   else
     throw ScenarioError(path + "release", "neither the population nor `release` says where a rock starts");
   body.x = place.position;
@@ -178,7 +178,7 @@ void TrialBuilder<D>::launch(TrialRock& rock, const Place<D>& place, Body<D>& bo
   view.volume = body.volume;
   view.density = body.mass / body.volume;
   view.diameter = 2 * body.radius;
-  view.position.template head<D>() = body.x;
+  view.position.template head<D>() = body.x + origin().template head<D>();
   view.outward = place.outward;
   view.face_angle = place.face_angle;
   view.group = group.name;
@@ -211,9 +211,9 @@ void TrialBuilder<D>::build_alone(Trial<D>& trial, const Plan& plan, TrialRock& 
   rock.body = world.add(rock_body(plan, rock, *trial.terrain, where));
   const bool is_point = scenario_.method == Method::ballistic;
   if (is_point) {
-    const std::string fault = start_fault_of_point(world.bodies.back(), ground_of(*trial.terrain));
+    const std::string fault = start_fault_of_point(world.bodies.back(), ground_of(*trial.terrain), origin());
     if (!fault.empty()) throw ScenarioError(release_path(rock.group), fault);
-  } else if (const auto fault = start_fault(world)) {
+  } else if (const auto fault = start_fault(world, origin())) {
     throw ScenarioError(release_path(rock.group), fault->text);
   }
   trial.worlds.push_back(std::move(world));
@@ -233,7 +233,8 @@ void TrialBuilder<D>::add_apart(World<D>& world, const Plan& plan, TrialRock& ro
       world.remove_last();
       world.add(std::move(elsewhere));
     }
-    if (const auto fault = start_fault(world)) throw ScenarioError(release_path(rock.group), fault->text);
+    if (const auto fault = start_fault(world, origin()))
+      throw ScenarioError(release_path(rock.group), fault->text);
   } catch (const TrialError&) {
     world.remove_last();
     throw;
@@ -324,7 +325,7 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
     body.group = plan.name;
     if (!plan.fixed && !plan.driven) at_path(path + mass_key(plan), [&] { refuse_extremes(body); });
     at_path(path + "shape", [&] { refuse_slender(body); });
-    for (int k = 0; k < D; ++k) body.x[k] = value(plan.position[k]);
+    for (int k = 0; k < D; ++k) body.x[k] = value(plan.position[k]) - origin()[k];
     if (plan.driven) {
       body.kind = BodyKind::driven;
       for (int k = 0; k < D; ++k) body.v[k] = plan.driven->velocity[k];
@@ -345,7 +346,7 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
     if (world.bodies.back().kind == BodyKind::dynamic) trial.rocks.push_back(rock);
   }
   connect(trial, world, std::move(partners));
-  if (const auto fault = start_fault(world))
+  if (const auto fault = start_fault(world, origin()))
     throw ScenarioError(fmt::format("bodies.{}.position", fault->body), fault->text);
 }
 

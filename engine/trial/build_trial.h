@@ -78,6 +78,8 @@ class TrialBuilder {
     return n.value(scenario_.draws, scenario_.seed, key);
   }
   WorldSettings world_settings() const;
+  /// The place from which the engine counts, in the coordinates of the scenario [m]; 0 in 2D.
+  const Vec3& origin() const { return scenario_.terrain.origin; }
 
   const Scenario& scenario_;
   Instances instances_;

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <vector>
 
+#include "geometry/terrain_place.h"
 #include "trial/instances.h"
+#include "trial/make_ground.h"
 #include "trial/place_rock.h"
 #include "trial/start_checks.h"
 
@@ -14,26 +16,19 @@ namespace flyrock {
 
 inline Terrain2 make_terrain(const TerrainModel& model, const PluginUse& use, const Scenario& scenario,
                              const DrawKey& key, RandomStream& rng, const Terrain2*) {
-  Profile profile = model.build(values_of(use, scenario, key), rng);
-  if (const std::string fault = profile.fault(); !fault.empty())
-    throw PluginError(fmt::format("plugin {}: build() returned a poly-line that is no profile: {}",
-                                  use.plugin->spec.name, fault));
-  for (const Vec2& point : profile.points)
-    if (point.cwiseAbs().maxCoeff() > farthest_place)
-      throw PluginError(fmt::format(
-          "plugin {}: the point ({:.6g}, {:.6g}) of a profile is more than 100 km from the origin",
-          use.plugin->spec.name, point.x(), point.y()));
-  return Terrain2(with_zones(std::move(profile), scenario.terrain.zones));
+  const std::vector<double> values = values_of(use, scenario, key);
+  const auto& section = scenario.terrain.section;
+  if (!section) return profile_ground(model.build(values, rng), scenario.terrain);
+  try {
+    return profile_ground(section_of(model.build_3d(values, rng), section->from, section->to),
+                          scenario.terrain);
+  } catch (const SectionError& error) {
+    throw PluginError(fmt::format("plugin {}: {}", use.plugin->spec.name, error.what()));
+  }
 }
 inline Terrain3 make_terrain(const TerrainModel& model, const PluginUse& use, const Scenario& scenario,
                              const DrawKey& key, RandomStream& rng, const Terrain3*) {
-  TerrainShape3 shape = model.build_3d(values_of(use, scenario, key), rng);
-  if (const auto* plane = std::get_if<Plane>(&shape);
-      plane && plane->point.cwiseAbs().maxCoeff() > farthest_place)
-    throw PluginError(fmt::format(
-        "plugin {}: the point ({:.6g}, {:.6g}, {:.6g}) of a plane is more than 100 km from the origin",
-        use.plugin->spec.name, plane->point.x(), plane->point.y(), plane->point.z()));
-  return Terrain3(std::move(shape));
+  return shaped_ground(model.build_3d(values_of(use, scenario, key), rng), scenario.terrain);
 }
 
 inline const Profile& ground_of(const Terrain2& terrain) { return terrain.profile(); }

@@ -20,7 +20,7 @@ void make(std::unique_ptr<Interface>& instance, const std::optional<PluginUse>& 
 
 Instances::Instances(const Scenario& scenario) {
   const int dimension = scenario.dimension;
-  terrain = make<TerrainModel>(scenario.terrain.model, dimension);
+  terrain = make<TerrainModel>(scenario.terrain.model, scenario.terrain.section ? 3 : dimension);
   for (const Material& material : scenario.materials) {
     MaterialLaws& laws = materials.emplace_back();
     make(laws.restitution, material.restitution, dimension);

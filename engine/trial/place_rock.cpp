@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "trial/blast_at.h"
+#include "trial/random_place.h"
+#include "trial/touch_ground.h"
 
 namespace flyrock {
 
@@ -18,8 +20,23 @@ const Profile::Face& face_of(int bench, const Profile& profile) {
   return profile.faces[bench - 1];
 }
 
-Place<2> on_face(int bench, const Body<2>& rock, const Profile& profile, RandomStream& rng) {
-  const auto& [toe, crest] = face_of(bench, profile);
+/// Whether the ground between toe and crest of a face is one straight line.
+bool is_straight(const Terrain2& terrain, const Vec2& toe, const Vec2& crest) {
+  const double tolerance = 1e-9 * (crest - toe).norm();
+  const Vec2 along = (crest - toe).normalized();
+  for (const Vec2& point : terrain.profile().points) {
+    const double at = along.dot(point - toe);
+    if (at > tolerance && at < (crest - toe).norm() - tolerance &&
+        point.x() >= std::min(toe.x(), crest.x()) - tolerance &&
+        point.x() <= std::max(toe.x(), crest.x()) + tolerance &&
+        std::abs(cross(along, Vec2(point - toe))) > tolerance)
+      return false;
+  }
+  return true;
+}
+
+Place<2> on_face(const Release& release, const Body<2>& rock, const Terrain2& terrain, RandomStream& rng) {
+  const auto& [toe, crest, name] = face_of(release.bench, terrain.profile());
   const Vec2 up = (crest - toe).normalized();
   const Vec2 out(up.y(), -up.x());
   double low = 1e300, high = -1e300, depth = 1e300;
@@ -33,10 +50,18 @@ Place<2> on_face(int bench, const Body<2>& rock, const Profile& profile, RandomS
   }
   const double room = (crest - toe).norm() - (high - low);
   if (room < 0)
-    throw StartError(fmt::format("a rock {:.3g} m long does not fit on the face of bench {}, {:.3g} m long",
-                                 high - low, bench, (crest - toe).norm()));
+    throw StartError(fmt::format(
+        "a rock {:.3g} m long does not fit on the face {}, {:.3g} m long", high - low,
+        name.empty() ? fmt::format("of bench {}", release.bench) : "`" + name + "`", (crest - toe).norm()));
   Place<2> place;
   place.position = toe + (rng.uniform() * room - low) * up - depth * out;
+  if (!is_straight(terrain, toe, crest)) {
+    // The ground between the ends is no straight line: move the rock against it from outside.
+    const double away = (crest - toe).norm();
+    const Vec2 start = place.position + away * out;
+    if (const auto distance = distance_to_ground<2>(rock, terrain, start, -out, 3 * away))
+      place.position = start - *distance * out;
+  }
   place.outward = {out.x() < 0 ? -1.0 : 1.0, 0, 0};
   place.face_angle = std::atan2(up.y(), std::abs(up.x()));
   return place;
@@ -47,16 +72,7 @@ Place<2> on_face(int bench, const Body<2>& rock, const Profile& profile, RandomS
 Place<2> on_top(const Release& release, const Scenario& scenario, const DrawKey& key, RandomStream& rng,
                 const Body<2>& rock, const Profile& profile) {
   const Profile::Face& face = face_of(release.bench, profile);
-  const Blast blast = blast_at(scenario, key);
-  const double front = std::isnan(blast[BlastField::burden_crest]) ? blast[BlastField::burden]
-                                                                   : blast[BlastField::burden_crest];
-  if (std::isnan(front))
-    throw StartError("the place of the holes needs blast.burden, or burden_crest and burden_toe");
-  const Pattern& pattern = scenario.blast->pattern;
-  const int row = release.kind == ReleaseKind::collar ? pattern.row(hole_of(key)) : pattern.rows - 1;
-  if (row > 0 && pattern.row_distance <= 0)
-    throw StartError("the place of a second row needs blast.rows.distance");
-  const double back = front + row * pattern.row_distance;
+  const double back = depth_of_holes(release, scenario, key, blast_at(scenario, key));
   const double share = release.kind == ReleaseKind::collar ? 1 : rng.uniform();
   const double out = face.toe.x() < face.crest.x() ? -1 : 1;
   const double x = face.crest.x() - out * share * back;
@@ -72,43 +88,29 @@ Place<2> on_top(const Release& release, const Scenario& scenario, const DrawKey&
   return place;
 }
 
-Vec3 along(const std::vector<Vec3>& points, RandomStream& rng) {
-  double length = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
-  double left = rng.uniform() * length;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const double part = (points[i] - points[i - 1]).norm();
-    if (left <= part || i + 1 == points.size())
-      return points[i - 1] + std::min(1.0, left / part) * (points[i] - points[i - 1]);
-    left -= part;
-  }
-  return points.front();
-}
-
-/// A uniform place in a flat convex polygon: first a triangle of its fan, chosen by area, then a point in it.
-Vec3 inside(const std::vector<Vec3>& points, RandomStream& rng) {
-  const auto area = [&](std::size_t i) {
-    return (points[i] - points[0]).cross(points[i + 1] - points[0]).norm();
-  };
-  double total = 0;
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) total += area(i);
-  double left = rng.uniform() * total;
-  std::size_t triangle = 1;
-  while (triangle + 2 < points.size() && left > area(triangle)) left -= area(triangle++);
-  double u = rng.uniform(), v = rng.uniform();
-  if (u + v > 1) u = 1 - u, v = 1 - v;
-  return points[0] + u * (points[triangle] - points[0]) + v * (points[triangle + 1] - points[0]);
-}
-
 }  // namespace
 
+double depth_of_holes(const Release& release, const Scenario& scenario, const DrawKey& key,
+                      const Blast& blast) {
+  const double front = std::isnan(blast[BlastField::burden_crest]) ? blast[BlastField::burden]
+                                                                   : blast[BlastField::burden_crest];
+  if (std::isnan(front))
+    throw StartError("the place of the holes needs blast.burden, or burden_crest and burden_toe");
+  const Pattern& pattern = scenario.blast->pattern;
+  const int row = release.kind == ReleaseKind::collar ? pattern.row(hole_of(key)) : pattern.rows - 1;
+  if (row > 0 && pattern.row_distance <= 0)
+    throw StartError("the place of a second row needs blast.rows.distance");
+  return front + row * pattern.row_distance;
+}
+
 Place<2> place_rock(const Release& release, const Scenario& scenario, const DrawKey& key, RandomStream& rng,
-                    const Body<2>& rock, const Profile& profile) {
+                    const Body<2>& rock, const Terrain2& terrain) {
+  const Profile& profile = terrain.profile();
   const auto number = [&](const Number& n) { return n.value(scenario.draws, scenario.seed, key); };
   Place<2> place;
   switch (release.kind) {
     case ReleaseKind::face:
-      return on_face(release.bench, rock, profile, rng);
+      return on_face(release, rock, terrain, rng);
     case ReleaseKind::collar:
     case ReleaseKind::bench_top:
       return on_top(release, scenario, key, rng, rock, profile);
@@ -124,40 +126,14 @@ Place<2> place_rock(const Release& release, const Scenario& scenario, const Draw
       place.position = {number(release.position[0]), number(release.position[1])};
       break;
     case ReleaseKind::along:
-      place.position = along(release.points, rng).head<2>();
+      place.position = random_along(release.points, rng).head<2>();
       break;
     case ReleaseKind::inside:
-      place.position = inside(release.points, rng).head<2>();
+      place.position = random_inside(release.points, rng).head<2>();
       break;
-  }
-  return place;
-}
-
-Place<3> place_rock(const Release& release, const Scenario& scenario, const DrawKey& key, RandomStream& rng,
-                    const Body<3>&, const Ground3& ground) {
-  const auto number = [&](const Number& n) { return n.value(scenario.draws, scenario.seed, key); };
-  Place<3> place;
-  switch (release.kind) {
-    case ReleaseKind::above_ground: {
-      const double x = number(release.x), y = number(release.y);
-      const auto top = ground.height(x, y);
-      if (!top) throw StartError(fmt::format("there is no ground at ({:.6g}, {:.6g}) m", x, y));
-      place.position = {x, y, *top + number(release.above_ground)};
-      break;
-    }
-    case ReleaseKind::position:
-      for (int i = 0; i < 3; ++i) place.position[i] = number(release.position[i]);
-      break;
-    case ReleaseKind::along:
-      place.position = along(release.points, rng);
-      break;
-    case ReleaseKind::inside:
-      place.position = inside(release.points, rng);
-      break;
-    case ReleaseKind::face:
-    case ReleaseKind::collar:
-    case ReleaseKind::bench_top:
-      throw StartError("dimension 3 has no bench faces");
+    case ReleaseKind::zone:
+    case ReleaseKind::raster:
+      throw StartError("a zone or raster is a place of dimension 3");
   }
   return place;
 }
@@ -184,27 +160,6 @@ Rotation3 random_rotation(RandomStream& rng) {
   const double u = rng.uniform(), a = 2 * pi * rng.uniform(), b = 2 * pi * rng.uniform();
   const double p = std::sqrt(1 - u), q = std::sqrt(u);
   return Rotation3(Eigen::Quaterniond(q * std::cos(b), p * std::sin(a), p * std::cos(a), q * std::sin(b)));
-}
-
-Profile with_zones(Profile profile, const std::vector<Zone>& zones) {
-  for (const Zone& zone : zones) {
-    const int part = static_cast<int>(profile.parts.size());
-    profile.parts.push_back(zone.name);
-    for (const double x : {zone.from, zone.to}) {
-      for (int i = 0; i < profile.segments(); ++i) {
-        const Vec2 a = profile.points[i], b = profile.points[i + 1];
-        if (x <= a.x() || x >= b.x()) continue;
-        profile.points.insert(profile.points.begin() + i + 1, a + (x - a.x()) / (b.x() - a.x()) * (b - a));
-        profile.part.insert(profile.part.begin() + i, profile.part[i]);
-        break;
-      }
-    }
-    for (int i = 0; i < profile.segments(); ++i) {
-      const double middle = 0.5 * (profile.points[i].x() + profile.points[i + 1].x());
-      if (middle > zone.from && middle < zone.to) profile.part[i] = part;
-    }
-  }
-  return profile;
 }
 
 }  // namespace flyrock

@@ -19,22 +19,24 @@ struct Place {
 /// Places a rock of given orientation. The kinds of release: `face` is uniform along the bench face, as far
 /// as the rock fits between toe and crest, and touches it. `collar` is on the bench above, at the collar of
 /// the hole of `key`. `bench_top` is uniform from the crest to the last row of holes. `inside` is uniform
-/// over a convex polygon. Throws StartError if the rock does not fit or there is no such bench.
+/// over a polygon. In 3D, faces and bench tops are in addition uniform along the crest as far as the rock
+/// fits, and holes stand side by side along it; a face that is a zone is uniform in plan. Places in plan are
+/// at a height above the ground, or on it. Throws StartError if the rock does not fit or there is no such
+/// bench.
 Place<2> place_rock(const Release& release, const Scenario& scenario, const DrawKey& key, RandomStream& rng,
-                    const Body<2>& rock, const Profile& profile);
-
-/// There are no faces in 3D: a rock starts at a position, along a polyline, inside a flat polygon or above
-/// the ground.
+                    const Body<2>& rock, const Terrain2& terrain);
 Place<3> place_rock(const Release& release, const Scenario& scenario, const DrawKey& key, RandomStream& rng,
-                    const Body<3>& rock, const Ground3& ground);
+                    const Body<3>& rock, const Terrain3& terrain);
+
+/// How far behind the crest a rock may start [m]: the row of its hole for `collar`, the last row for
+/// `bench_top`. Throws StartError if the blast does not say.
+double depth_of_holes(const Release& release, const Scenario& scenario, const DrawKey& key,
+                      const Blast& blast);
 
 /// The rotation that a scenario gives. Throws StartError if a draw leaves it without an axis.
 Rotation3 rotation_of(const TurnPlan& turn, const Scenario& scenario, const DrawKey& key);
 
 /// A uniformly distributed random rotation.
 Rotation3 random_rotation(RandomStream& rng);
-
-/// The profile, with its segments cut at the ends of zones. The names of the zones become names of parts.
-Profile with_zones(Profile profile, const std::vector<Zone>& zones);
 
 }  // namespace flyrock

@@ -76,28 +76,29 @@ std::string place_text(const Vec<D>& place) {
 }
 
 template <int D>
-std::string far_text(const Body<D>& body) {
+std::string far_text(const Body<D>& body, const Vec3& origin) {
   return fmt::format("`{}` starts at {}, more than 100 km from the origin", body.group,
-                     place_text<D>(body.x));
+                     place_text<D>(body.x + origin.head<D>()));
 }
 
 /// What is wrong with a place beyond the terrain, or an empty text.
 template <int D>
-std::string beyond_text(const Body<D>& body, const Domain<D>& domain) {
+std::string beyond_text(const Body<D>& body, const Domain<D>& domain, const Vec3& origin) {
   constexpr const char* axes[] = {"x", "y"};
   for (int k = 0; k < D - 1; ++k)
     if (body.x[k] < domain.low[k] || body.x[k] > domain.high[k])
       return fmt::format(
           "`{}` starts at {} = {:.6g} m, beyond the terrain, which runs from {:.6g} to {:.6g} m", body.group,
-          axes[k], body.x[k], domain.low[k], domain.high[k]);
+          axes[k], body.x[k] + origin[k], domain.low[k] + origin[k], domain.high[k] + origin[k]);
   return {};
 }
 
 template <int D>
-std::string inside_terrain(const Body<D>& body, double depth, const typename Geometry<D>::Terrain& terrain) {
+std::string inside_terrain(const Body<D>& body, double depth, const typename Geometry<D>::Terrain& terrain,
+                           const Vec3& origin) {
   const double room = room_at(body.x, terrain, body.size);
-  const std::string start =
-      fmt::format("`{}` starts at {}, {:.3g} m inside the terrain", body.group, place_text<D>(body.x), depth);
+  const std::string start = fmt::format("`{}` starts at {}, {:.3g} m inside the terrain", body.group,
+                                        place_text<D>(body.x + origin.head<D>()), depth);
   if (room == 0) return start + ": its centre of mass is below the ground, where no radius fits";
   return start +
          fmt::format(": it reaches {:.3g} m from its centre of mass, a radius of at most {:.3g} m fits there",
@@ -141,40 +142,41 @@ void refuse_speed(const Body<D>& body) {
 }
 
 template <int D>
-std::optional<StartFault> start_fault(World<D>& world) {
+std::optional<StartFault> start_fault(World<D>& world, const Vec3& origin) {
   double size = 0;
   const Domain<D> domain = domain_of(world.terrain());
   for (int i = 0; i < static_cast<int>(world.bodies.size()); ++i) {
     const Body<D>& body = world.bodies[i];
-    if (!(body.x.cwiseAbs().maxCoeff() <= farthest_place)) return StartFault{i, far_text(body)};
+    if (!(body.x.cwiseAbs().maxCoeff() <= farthest_place)) return StartFault{i, far_text(body, origin)};
     if (!body.moves()) continue;
     size = std::max(size, body.size);
-    if (const std::string beyond = beyond_text(body, domain); !beyond.empty()) return StartFault{i, beyond};
+    if (const std::string beyond = beyond_text(body, domain, origin); !beyond.empty())
+      return StartFault{i, beyond};
     if (!ground_height(world.terrain(), body.x))
-      return StartFault{
-          i, fmt::format("`{}` starts at {}, where there is no ground", body.group, place_text<D>(body.x))};
+      return StartFault{i, fmt::format("`{}` starts at {}, where there is no ground", body.group,
+                                       place_text<D>(body.x + origin.head<D>()))};
     if (const double depth = buried(body, world.terrain()); depth > most_overlap * body.size)
-      return StartFault{i, inside_terrain(body, depth, world.terrain())};
+      return StartFault{i, inside_terrain(body, depth, world.terrain(), origin)};
   }
   const auto overlap = world.deepest_overlap();
   if (overlap.depth <= most_overlap * size) return std::nullopt;
   const Body<D>& body = world.bodies[overlap.body];
   if (overlap.other < 0)
-    return StartFault{overlap.body, inside_terrain(body, overlap.depth, world.terrain())};
+    return StartFault{overlap.body, inside_terrain(body, overlap.depth, world.terrain(), origin)};
   return StartFault{overlap.body, fmt::format("`{}` starts {:.3g} m inside `{}`", body.group, overlap.depth,
                                               world.bodies[overlap.other].group)};
 }
 
-std::string start_fault_of_point(const Body<3>& body, const Ground3& ground) {
-  if (!(body.x.cwiseAbs().maxCoeff() <= farthest_place)) return far_text(body);
-  const std::string start = fmt::format("`{}` starts at {}, ", body.group, place_text<3>(body.x));
+std::string start_fault_of_point(const Body<3>& body, const Ground3& ground, const Vec3& origin) {
+  if (!(body.x.cwiseAbs().maxCoeff() <= farthest_place)) return far_text(body, origin);
+  const std::string start = fmt::format("`{}` starts at {}, ", body.group, place_text<3>(body.x + origin));
   if (!ground.height(body.x.x(), body.x.y())) return start + "where there is no ground";
   const double depth = ground.depth(body.x);
   return depth > most_overlap * body.size ? start + fmt::format("{:.3g} m inside the terrain", depth) : "";
 }
 
-std::string start_fault_of_point(const Body<2>& body, const Profile& profile) {
-  if (!(body.x.cwiseAbs().maxCoeff() <= farthest_place)) return far_text(body);
+std::string start_fault_of_point(const Body<2>& body, const Profile& profile, const Vec3& origin) {
+  if (!(body.x.cwiseAbs().maxCoeff() <= farthest_place)) return far_text(body, origin);
   const std::string start = fmt::format("`{}` starts at {}, ", body.group, place_text<2>(body.x));
   if (body.x.x() < profile.x_min() || body.x.x() > profile.x_max())
     return start + fmt::format("beyond the terrain, which runs from {:.6g} to {:.6g} m", profile.x_min(),
@@ -195,8 +197,8 @@ template void refuse_slender(const Body<2>&);
 template void refuse_slender(const Body<3>&);
 template void refuse_speed(const Body<2>&);
 template void refuse_speed(const Body<3>&);
-template std::optional<StartFault> start_fault(World<2>&);
-template std::optional<StartFault> start_fault(World<3>&);
+template std::optional<StartFault> start_fault(World<2>&, const Vec3&);
+template std::optional<StartFault> start_fault(World<3>&, const Vec3&);
 template bool last_is_free(World<2>&);
 template bool last_is_free(World<3>&);
 

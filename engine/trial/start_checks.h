@@ -33,13 +33,16 @@ struct StartFault {
   std::string text;  ///< with the radius that would fit if the ground is too near
 };
 
-/// The first fault of the moving bodies of a world; nothing if there is none.
+/// The first fault of the moving bodies of a world; nothing if there is none. Texts show places in the
+/// coordinates of the scenario, in which the engine counts from `origin`.
 template <int D>
-std::optional<StartFault> start_fault(World<D>& world);
+std::optional<StartFault> start_fault(World<D>& world, const Vec3& origin = Vec3::Zero());
 
 /// The same for a point that flies over the ground of a terrain; empty if it may start.
-std::string start_fault_of_point(const Body<3>& body, const Ground3& ground);
-std::string start_fault_of_point(const Body<2>& body, const Profile& profile);
+std::string start_fault_of_point(const Body<3>& body, const Ground3& ground,
+                                 const Vec3& origin = Vec3::Zero());
+std::string start_fault_of_point(const Body<2>& body, const Profile& profile,
+                                 const Vec3& origin = Vec3::Zero());
 
 /// Whether the body added last starts without touching the others and the terrain.
 template <int D>

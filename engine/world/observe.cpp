@@ -21,6 +21,12 @@ void BodyHistory::begin(const BodyState& state) {
   min_speed = max_speed = state.velocity.norm();
 }
 
+void BodyHistory::move(const Vec3& by) {
+  for (BodyState* state : {&first, &last, &min, &max}) state->position += by;
+  for (Impact& impact : impacts) impact.place += by;
+  for (TrajectoryPoint& point : trajectory) point.state.position += by;
+}
+
 void BodyHistory::include(const BodyState& state) {
   const auto widen = [](auto& low, auto& high, const auto& value) {
     low = low.cwiseMin(value);

@@ -120,6 +120,9 @@ struct BodyHistory {
   /// Widens the extremes by `state`. Does not update max_distance, because its horizontal axes depend on the
   /// dimension.
   void include(const BodyState& state);
+  /// Adds `by` to all places, when the engine has counted them from another origin. Distances stay, and so do
+  /// the bins of `path`, which exist in 2D only.
+  void move(const Vec3& by);
 };
 
 /// How well the equations were solved.

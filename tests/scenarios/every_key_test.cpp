@@ -50,10 +50,12 @@ Value bad_value(const std::string& text) {
   return read_value("v: " + text).map()->front().value;
 }
 
+const std::string folder = FLYROCK_SOURCE_DIR "/tests/scenarios/every_key";
+
 std::vector<std::pair<std::string, Value>> documents() {
   std::vector<std::pair<std::string, Value>> list;
-  for (const auto& entry :
-       fs::directory_iterator(fs::path(FLYROCK_SOURCE_DIR) / "tests/scenarios/every_key")) {
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() != ".yaml") continue;  // what the scenarios name
     std::ifstream file(entry.path());
     const std::string name = entry.path().filename().string();
     list.emplace_back(name, read_value({std::istreambuf_iterator<char>(file), {}}, name));
@@ -98,7 +100,7 @@ void relocate(Value& value, const Location& at) {
 std::string errors_without_place(const Value& root, const Registry& registry) {
   Diagnostics diagnostics;
   LoadedScenario loaded;
-  std::optional<Plan> plan = decode(root, registry, ".", diagnostics);
+  std::optional<Plan> plan = decode(root, registry, folder, diagnostics);
   if (plan.has_value() == diagnostics.has_errors()) return "decoded with errors, or refused without";
   if (plan) {
     loaded.root = root;
@@ -170,7 +172,7 @@ TEST_CASE("every key of the schema stands in a scenario of tests/scenarios/every
   for (auto& [name, root] : documents()) {
     INFO(name);
     Diagnostics diagnostics;
-    const bool decoded = decode(root, session.registry(), ".", diagnostics).has_value();
+    const bool decoded = decode(root, session.registry(), folder, diagnostics).has_value();
     INFO(diagnostics.to_text());
     CHECK(decoded);
     const bool is_3d = *root.find("dimension")->number() == 3;

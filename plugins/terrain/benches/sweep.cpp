@@ -21,6 +21,19 @@ int pieces(double length, const std::optional<Roughness>& roughness) {
 
 bool is_rough(BenchPart part) { return part == BenchPart::face || part == BenchPart::berm; }
 
+/// Heights for rows x columns places. The field is larger than these by some lengths.
+std::vector<double> rough_heights(int rows, int columns, const Roughness& roughness, RandomStream& rng) {
+  constexpr double most = 1.6e7;
+  const double margin = 4 * roughness.spectrum.length / roughness.spectrum.cell;
+  const double waves = (rows == 1 ? 1 : rows + margin) * (columns + margin);
+  if (!(waves <= most))
+    throw ParameterError(fmt::format(
+        "plugin benches: roughness of cell {:.6g} m and length {:.6g} m needs {:.3g} waves, expected "
+        "at most {:.3g}: a greater cell or a smaller length",
+        roughness.spectrum.cell, roughness.spectrum.length, waves, most));
+  return gaussian_field(rows, columns, roughness.spectrum, rng);
+}
+
 /// The section with its rough stretches cut into pieces; `stretch` is the stretch that each piece is of.
 struct Rows {
   std::vector<Vec2> points;
@@ -194,7 +207,7 @@ Profile profile_of(const Section& section, const std::optional<Roughness>& rough
     profile.faces.push_back({section.points[section.toes[k]], section.points[section.crests[k]]});
   const int count = static_cast<int>(rows.points.size());
   std::vector<double> heights;
-  if (roughness) heights = gaussian_field(1, count, roughness->spectrum, rng);
+  if (roughness) heights = rough_heights(1, count, *roughness, rng);
   for (int row = 0; row < count; ++row) {
     Vec2 point = rows.points[row];
     if (roughness && is_rough_row(rows, section, row))
@@ -216,7 +229,7 @@ Mesh mesh_of(const Section& section, const std::vector<Vec2>& points,
         fmt::format("plugin benches: roughness asks for {} x {} cells, expected a greater `cell`", row_count,
                     column_count));
   std::vector<double> heights;
-  if (roughness) heights = gaussian_field(row_count, column_count, roughness->spectrum, rng);
+  if (roughness) heights = rough_heights(row_count, column_count, *roughness, rng);
 
   Mesh mesh;
   mesh.parts = section.parts;

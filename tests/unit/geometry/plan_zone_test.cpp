@@ -47,11 +47,11 @@ TEST_CASE("a place lies inside of a polygon that bends inwards") {
 }
 
 TEST_CASE("an outline that is no simple polygon says why") {
-  CHECK(outline_fault({{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}}).empty());
-  CHECK(outline_fault({{0, 0}, {4, 0}}) == "a polygon has 2 corners, at least 3 are needed");
-  CHECK(outline_fault({{0, 0}, {4, 4}, {4, 0}, {0, 4}}) ==
+  CHECK(polygon_fault({{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}}).empty());
+  CHECK(polygon_fault({{0, 0}, {4, 0}}) == "a polygon has 2 corners, at least 3 are needed");
+  CHECK(polygon_fault({{0, 0}, {4, 4}, {4, 0}, {0, 4}}) ==
         "the outline of a polygon crosses itself between (0, 0) and (4, 0)");
-  CHECK(outline_fault({{0, 0}, {0, 0}, {4, 4}}).find("twice in a row") != std::string::npos);
+  CHECK(polygon_fault({{0, 0}, {0, 0}, {4, 4}}).find("twice in a row") != std::string::npos);
 }
 
 TEST_CASE("triangles are cut exactly along a zone and keep their surface") {

@@ -1,0 +1,141 @@
+// Where rocks start.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scenario/decode_sections.h"
+
+namespace flyrock {
+
+namespace {
+
+constexpr NumberRules release_rules{.varies = true, .scope = Scope::rock, .finest = Scope::rock};
+
+struct ReleaseKey {
+  std::string_view key;
+  ReleaseKind kind;
+  bool only_3d;
+};
+constexpr std::array<ReleaseKey, 7> release_kinds{{{"from", ReleaseKind::face, false},
+                                                   {"x", ReleaseKind::above_ground, false},
+                                                   {"position", ReleaseKind::position, false},
+                                                   {"along", ReleaseKind::along, false},
+                                                   {"inside", ReleaseKind::inside, false},
+                                                   {"zone", ReleaseKind::zone, true},
+                                                   {"raster", ReleaseKind::raster, true}}};
+
+/// Whether the points of `along` or `inside` are places in plan: [x, y] in 3D.
+bool is_in_plan(const Node& points) {
+  const std::vector<Node> items = points.is_list() ? points.items() : std::vector<Node>();
+  return !items.empty() && items.front().is_list() && items.front().items().size() == 2;
+}
+
+std::string section_name(const Node& node, const ReleaseKey& kind, bool space) {
+  const std::string name = fmt::format("rocks.release: {}", kind.key);
+  if (!space) return name;
+  if (kind.key == "along" || kind.key == "inside")
+    return is_in_plan(*node.find(kind.key)) ? name + " plan 3D" : name;
+  return kind.key == "x" || kind.only_3d ? name + " 3D" : name;
+}
+
+/// The face: `bench: k` or `face: NAME`.
+void read_face(DecodeContext& context, const Node& node, const Section& section,
+               const DecodedTerrain& terrain, Release& release) {
+  if (section.text("from") == "collar") release.kind = ReleaseKind::collar;
+  if (section.text("from") == "bench_top") release.kind = ReleaseKind::bench_top;
+  release.bench = section.integer("bench");
+  release.face = section.text("face");
+  const bool is_built = !terrain.parts.empty();
+  if (!release.face.empty()) {
+    if (node.find("bench"))
+      node.error(context.diagnostics, "has both `bench` and `face`, expected one of them");
+    const auto found = std::find(terrain.faces.begin(), terrain.faces.end(), release.face);
+    if (is_built && found == terrain.faces.end())
+      node.find("face")->error(context.diagnostics,
+                               fmt::format("the terrain has no face `{}`{}", release.face,
+                                           suggestion(release.face, terrain.faces)));
+    release.bench = static_cast<int>(found - terrain.faces.begin()) + 1;
+    return;
+  }
+  const int faces = static_cast<int>(terrain.faces.size());
+  if (!is_built || release.bench < 1 || release.bench <= faces) return;
+  const std::string found =
+      faces == 0 ? "the terrain has no bench faces" : fmt::format("the terrain has {}", faces);
+  node.error(context.diagnostics, fmt::format("there is no bench {}, {}", release.bench, found));
+}
+
+/// `above_ground` or `on_ground` of a place in plan.
+void read_height(DecodeContext& context, const Node& node, const Section& section, Release& release) {
+  release.in_plan = true;
+  release.on_ground = section.constant("on_ground") != 0;
+  if (const auto height = section.optional_number("above_ground")) release.above_ground = *height;
+  const bool both = release.on_ground && section.given("above_ground");
+  const bool neither = !release.on_ground && !section.given("above_ground");
+  if (both) node.error(context.diagnostics, "has both `above_ground` and `on_ground`, expected one of them");
+  if (neither)
+    context.diagnostics.error(node.key_at, node.path,
+                              "`above_ground` is missing, expected a number in m, or `on_ground: true`");
+}
+
+}  // namespace
+
+std::optional<Release> decode_release(DecodeContext& context, const Node& node, const DecodedTerrain& terrain,
+                                      Map& resolved) {
+  if (!node.expect_map(context.diagnostics)) return std::nullopt;
+  const bool space = context.dimension == 3;
+  std::vector<std::string> names;
+  for (const ReleaseKey& kind : release_kinds)
+    if (space || !kind.only_3d) names.emplace_back(kind.key);
+  const auto chosen = std::find_if(release_kinds.begin(), release_kinds.end(), [&](const ReleaseKey& kind) {
+    return node.find(kind.key) && (space || !kind.only_3d);
+  });
+  if (chosen == release_kinds.end()) {
+    node.refuse_unknown_keys(names, context.diagnostics);
+    context.diagnostics.error(node.key_at, node.path, fmt::format("expected one of {}", choice_text(names)));
+    return std::nullopt;
+  }
+  Release release;
+  release.kind = chosen->kind;
+  const std::string name = section_name(node, *chosen, space);
+  const Section section = decode_section(context, node, name, release_rules, resolved);
+  switch (release.kind) {
+    case ReleaseKind::face:
+    case ReleaseKind::collar:
+    case ReleaseKind::bench_top:
+      read_face(context, node, section, terrain, release);
+      return release;
+    case ReleaseKind::above_ground:
+      release.x = section.number("x");
+      if (space) release.y = section.number("y");
+      if (!space) release.above_ground = section.number("above_ground");
+      break;
+    case ReleaseKind::position:
+      release.position = section.vector("position");
+      break;
+    case ReleaseKind::along:
+      release.points = section.points("along");
+      if (release.points.size() < 2) node.error(context.diagnostics, "`along` needs at least two points");
+      break;
+    case ReleaseKind::inside:
+      release.points = section.points("inside");
+      break;
+    case ReleaseKind::zone: {
+      release.zone = section.text("zone");
+      std::vector<std::string> zones;
+      for (const Zone& zone : terrain.plan.zones) zones.push_back(zone.name);
+      if (!release.zone.empty() && std::find(zones.begin(), zones.end(), release.zone) == zones.end())
+        node.find("zone")->error(context.diagnostics, fmt::format("there is no zone `{}`{}", release.zone,
+                                                                  suggestion(release.zone, zones)));
+      break;
+    }
+    case ReleaseKind::raster:
+      release.raster = read_raster(context, *node.find("raster"), section, "raster");
+      break;
+  }
+  const bool takes_height = space && (release.kind == ReleaseKind::above_ground || name.ends_with(" 3D"));
+  if (takes_height) read_height(context, node, section, release);
+  return release;
+}
+
+}  // namespace flyrock

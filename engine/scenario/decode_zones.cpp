@@ -1,0 +1,164 @@
+// Zones and faces of the terrain, and its origin.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "plugin/ascii_grid.h"
+#include "scenario/decode_sections.h"
+
+namespace flyrock {
+
+namespace {
+
+/// The kind of a zone in 3D, by the key that it has; empty if it has none or several, which is reported.
+std::string kind_of_zone(DecodeContext& context, const Node& item) {
+  std::string kind;
+  for (const char* key : {"polygon", "raster", "group"}) {
+    if (!item.find(key)) continue;
+    if (!kind.empty()) {
+      item.error(context.diagnostics, fmt::format("has both `{}` and `{}`, expected one of them", kind, key));
+      return {};
+    }
+    kind = key;
+  }
+  if (kind.empty())
+    item.error(context.diagnostics,
+               "expected `polygon`, `raster` with `value`, or `group` in a zone of a terrain in 3D");
+  return kind;
+}
+
+void read_zone_3d(DecodeContext& context, const Node& item, const Section& section, const std::string& kind,
+                  const std::vector<std::string>& parts, Zone& zone) {
+  if (kind == "polygon")
+    for (const Vec3& corner : section.points("polygon")) zone.polygon.emplace_back(corner.x(), corner.y());
+  if (kind == "raster") {
+    zone.raster = read_raster(context, *item.find("raster"), section, "raster");
+    zone.value = section.constant("value");
+  }
+  if (kind == "group") {
+    zone.group = section.text("group");
+    std::vector<std::string> names = parts;
+    std::erase(names, "");
+    if (!parts.empty() && std::find(names.begin(), names.end(), zone.group) == names.end())
+      item.find("group")->error(context.diagnostics,
+                                fmt::format("the terrain has no part `{}`{}", zone.group,
+                                            names.empty() ? "" : suggestion(zone.group, names)));
+  }
+}
+
+std::vector<Zone> decode_zones(DecodeContext& context, const Node& node, std::vector<std::string> parts,
+                               Map& resolved) {
+  std::vector<Zone> zones;
+  List list;
+  if (!node.expect_list(context.diagnostics)) return zones;
+  const bool space = context.dimension == 3;
+  for (const Node& item : node.items()) {
+    if (space && !item.expect_map(context.diagnostics)) continue;
+    const std::string kind = space ? kind_of_zone(context, item) : "";
+    if (space && kind.empty()) continue;
+    Map map;
+    const Section section = decode_section(
+        context, item, space ? fmt::format("terrain.zones: {} 3D", kind) : "terrain.zones", {}, map);
+    Zone zone;
+    zone.name = section.text("name");
+    if (const auto name = item.find("name")) check_name(context, *name);
+    if (space) {
+      read_zone_3d(context, item, section, kind, parts, zone);
+    } else {
+      zone.from = section.constant("from");
+      zone.to = section.constant("to");
+      if (section.given("from") && section.given("to") && !(zone.from < zone.to))
+        item.error(context.diagnostics, "`from` must be less than `to`");
+    }
+    parts.push_back(zone.name);
+    zones.push_back(std::move(zone));
+    list.push_back(map_value(std::move(map)));
+  }
+  constexpr std::size_t most_parts = 255;  // a cell of a grid keeps the number of its part in a byte
+  if (space && parts.size() > most_parts)
+    node.error(context.diagnostics,
+               fmt::format("the terrain has {} parts, expected at most {}", parts.size(), most_parts));
+  refuse_duplicate_names(context, node);
+  put(resolved, "zones", list_value(std::move(list)));
+  return zones;
+}
+
+std::vector<FacePlan> decode_faces(DecodeContext& context, const Node& node, const DecodedTerrain& terrain,
+                                   Map& resolved) {
+  const bool space = context.dimension == 3;
+  return decode_list<FacePlan>(context, node, "faces", resolved, [&](const Node& item, Map& map) {
+    const Section section =
+        decode_section(context, item, space ? "terrain.faces 3D" : "terrain.faces", {}, map);
+    FacePlan face;
+    face.name = section.text("name");
+    if (std::find(terrain.faces.begin(), terrain.faces.end(), face.name) != terrain.faces.end())
+      item.error(context.diagnostics, fmt::format("the terrain has a face `{}` of its own", face.name));
+    if (space) {
+      face.zone = section.text("zone");
+      std::vector<std::string> zones;
+      for (const Zone& zone : terrain.plan.zones) zones.push_back(zone.name);
+      if (section.given("zone") && std::find(zones.begin(), zones.end(), face.zone) == zones.end())
+        item.find("zone")->error(context.diagnostics, fmt::format("there is no zone `{}`{}", face.zone,
+                                                                  suggestion(face.zone, zones)));
+      return face;
+    }
+    face.from = section.constant("from");
+    face.to = section.constant("to");
+    const auto is_outside = [&](double x) {
+      return terrain.profile && !(x >= terrain.profile->x_min() && x <= terrain.profile->x_max());
+    };
+    for (const char* key : {"from", "to"})
+      if (section.given(key) && is_outside(section.constant(key)))
+        item.find(key)->error(
+            context.diagnostics,
+            fmt::format("{:.6g} m is not on the terrain, which spans x from {:.6g} m to {:.6g} m",
+                        section.constant(key), terrain.profile->x_min(), terrain.profile->x_max()));
+    const bool has_ends = section.given("from") && section.given("to");
+    if (has_ends && face.from == face.to)
+      item.error(context.diagnostics, "`from` and `to` are the same place");
+    return face;
+  });
+}
+
+void decode_origin(DecodeContext& context, const Node& node, TerrainPlan& plan, Map& resolved) {
+  const SectionSpec& spec = section_spec("terrain 3D");
+  const Section section(spec.keys, decode_params(context, node, spec.keys, {}, resolved));
+  const std::vector<Number>& numbers = section.vector("origin");
+  for (std::size_t k = 0; k < numbers.size() && k < 3; ++k) {
+    plan.origin[static_cast<int>(k)] = numbers[k].constant;
+    if (numbers[k].constant != std::floor(numbers[k].constant))
+      return node.find("origin")->error(context.diagnostics, "expected whole metres");
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<const HeightGrid> read_raster(DecodeContext& context, const Node& node,
+                                              const Section& section, const char* key) {
+  const std::string& path = section.text(key);
+  if (path.empty()) return nullptr;  // already reported
+  try {
+    return std::make_shared<const HeightGrid>(read_ascii_grid("raster", path));
+  } catch (const PluginError& error) {
+    node.error(context.diagnostics, error.what());
+    return nullptr;
+  }
+}
+
+void decode_places_of_terrain(DecodeContext& context, const Node& node, DecodedTerrain& terrain,
+                              Map& resolved) {
+  if (const auto zones = node.find("zones"))
+    terrain.plan.zones = decode_zones(context, *zones, terrain.parts, resolved);
+  if (const auto faces = node.find("faces")) {
+    terrain.plan.faces = decode_faces(context, *faces, terrain, resolved);
+    for (const FacePlan& face : terrain.plan.faces) terrain.faces.push_back(face.name);
+  }
+  if (context.dimension == 3) {
+    terrain.plan.origin = terrain.automatic_origin;
+    if (node.find("origin")) decode_origin(context, node, terrain.plan, resolved);
+  }
+}
+
+}  // namespace flyrock
