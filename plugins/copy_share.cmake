@@ -2,7 +2,8 @@
 foreach(folder plugins lua report scenarios)
   file(REMOVE_RECURSE ${SHARE}/${folder})
 endforeach()
-file(COPY ${SOURCE}/plugins DESTINATION ${SHARE} FILES_MATCHING PATTERN "*.lua" PATTERN "*.yaml" PATTERN "*.csv")
+file(COPY ${SOURCE}/plugins DESTINATION ${SHARE} FILES_MATCHING PATTERN "*.lua" PATTERN "*.yaml" PATTERN "*.csv"
+  PATTERN "*.obj" PATTERN "*.asc")
 file(COPY ${SOURCE}/scenarios/course DESTINATION ${SHARE}/scenarios)
 file(COPY ${SOURCE}/lua/flyrock DESTINATION ${SHARE}/lua FILES_MATCHING PATTERN "*.lua")
 file(COPY ${SOURCE}/engine/report/assets/ DESTINATION ${SHARE}/report)
