@@ -73,6 +73,34 @@ class PairSearch {
     return known;
   }
 
+  /// Whether a contact holds the point i of a and the corner j of the facet b apart along a direction: the
+  /// features that touch contain them, and its normal is this direction. A face of a that lies on an edge of
+  /// the ground touches it with several edges. Each of them gives a direction in which the ends of the others
+  /// have no gap.
+  bool held_along(const Vec3& direction, int i, int j, const MovingState& sa) const {
+    return std::any_of(b_.held.begin(), b_.held.end(), [&](const HeldOnGround& h) {
+      constexpr double same = 1 - 5e-7;  // cosine of 1e-3 rad
+      if (contactor_of(h.feature) != a_.index || !h.contains(b_.facet->vertex[j])) return false;
+      const int feature = index_of(h.feature);
+      if (kind_of(h.feature) == FeatureKind::vertex) return feature == i && direction.dot(h.normal) > same;
+      if (kind_of(h.feature) == FeatureKind::face) {
+        const Contactor3::Face& face = a_.shape.faces[feature];
+        const auto* loop = &a_.shape.loop[face.first];
+        return std::find(loop, loop + face.count, i) != loop + face.count &&
+               -direction.dot(sa.arm(face.normal)) > same;
+      }
+      const Contactor3::Edge& edge = a_.shape.edges[feature];
+      if (edge.start != i && edge.end != i) return false;
+      const Vec3 along = sa.arm(a_.shape.points[edge.end] - a_.shape.points[edge.start]);
+      for (int rim = 0; rim < 3; ++rim) {
+        if (h.against != b_.facet->edge_feature(rim)) continue;
+        const Vec3 normal = along.cross(b_.facet->along(rim));
+        return std::abs(direction.dot(normal)) > same * normal.norm();
+      }
+      return false;
+    });
+  }
+
   /// Bounds on the relative motion of two points while a normal turns.
   struct Bounds {
     double horizon;       ///< s, duration for which the bounds hold
@@ -152,11 +180,12 @@ class PairSearch {
       const Vec3 arm_a = sa.arm(a_.shape.points[i]), va = sa.velocity_at(arm_a);
       for (int j = 0; j < static_cast<int>(b_.shape.points.size()) && least > 0; ++j) {
         const bool on_edges = (i == ea.start || i == ea.end) && (j == eb.start || j == eb.end);
-        if (on_edges && is_held && search_.held_are_solved) continue;
+        const bool point_is_held = b_.facet ? held_along(normal, i, j, sa) : on_edges && is_held;
+        if (point_is_held && search_.held_are_solved) continue;
         const Vec3 arm_b = sb.arm(b_.shape.points[j]), away = sa.x + arm_a - sb.x - arm_b;
         const double slope = normal_rate.dot(away) + normal.dot(va - sb.velocity_at(arm_b));
         least = std::min(least, point_lasts(normal.dot(away), slope, away.norm(), turn, turn_rate, bounds,
-                                            on_edges && is_held && t == 0, t));
+                                            point_is_held && t == 0, t));
       }
     }
     return least;
@@ -203,11 +232,25 @@ class PairSearch {
       if (!b_.facet || best <= 0) try_faces(a_, Direction::Kind::of_a);
       constexpr double soon = 0.1;  // of the time that is left
       const bool is_clear = b_.facet && best > soon * enough;
-      const EdgeAxis axis = is_clear ? EdgeAxis{} : best_edge_axis(a, b);
+      if (b_.facet && !is_clear) try_held_edges(a, b, try_direction);
+      const EdgeAxis axis = is_clear || best >= enough ? EdgeAxis{} : best_edge_axis(a, b);
       if (axis.of_a >= 0) try_direction(across(axis, a, b));
     }
     chosen_ = true;
     return best;
+  }
+
+  /// The directions of the contacts of edges of a with edges of the facet b.
+  template <class Try>
+  void try_held_edges(const Placed3& a, const Placed3& b, const Try& try_direction) const {
+    for (const HeldOnGround& h : b_.held) {
+      if (contactor_of(h.feature) != a_.index || kind_of(h.feature) != FeatureKind::edge) continue;
+      for (int i = 0; i < 3; ++i) {
+        if (h.against != b_.facet->edge_feature(i)) continue;
+        const Vec3 outward = b_.facet->normal + b_.facet->beyond[i];
+        try_direction(across({index_of(h.feature), i, -outward, 0}, a, b));
+      }
+    }
   }
 
   /// The face of a whose plane has the corners of the facet b farthest outside.

@@ -1,7 +1,10 @@
 #pragma once
 // Conservative advancement of spheres and convex polyhedra.
 
+#include <algorithm>
+#include <array>
 #include <optional>
+#include <span>
 
 #include "collision/motion.h"
 #include "collision/time_of_contact.h"
@@ -9,12 +12,26 @@
 
 namespace flyrock {
 
+/// A contact with the ground that exists when the search begins, with the vertices of the ground's feature.
+struct HeldOnGround {
+  FeatureId feature = 0;  ///< of the body
+  FeatureId against = 0;
+  std::array<std::uint64_t, 3> vertex{};
+  int vertices = 0;
+  Vec3 normal = Vec3::UnitZ();  ///< of a facet
+
+  bool contains(std::uint64_t of_ground) const {
+    return std::find(vertex.begin(), vertex.begin() + vertices, of_ground) != vertex.begin() + vertices;
+  }
+};
+
 /// A moving contactor. Shape and motion must outlive it.
 struct MovingContactor {
   const Contactor3& shape;
   const Motion3& motion;
-  int index = 0;                 ///< of the contactor in its body, for feature ids
-  const Facet* facet = nullptr;  ///< for a facet of the ground at rest, as a flat polyhedron
+  int index = 0;                         ///< of the contactor in its body, for feature ids
+  const Facet* facet = nullptr;          ///< for a facet of the ground at rest, as a flat polyhedron
+  std::span<const HeldOnGround> held{};  ///< for a facet: the contacts of the other contactor with the ground
 
   /// The id of a feature. A facet has its own; its back has none.
   FeatureId id(FeatureKind kind, int i) const;
@@ -23,7 +40,8 @@ struct MovingContactor {
 /// The first time in the window at which the contactor touches the facet and approaches it; see
 /// time_of_contact.
 std::optional<double> advance_to_facet(const MovingContactor& contactor, const Facet& facet,
-                                       const TimeWindow& window, const TouchSearch& search);
+                                       std::span<const HeldOnGround> held, const TimeWindow& window,
+                                       const TouchSearch& search);
 
 /// The same for two contactors. At least one of them is a polyhedron, or a sphere whose centre is not the
 /// centre of mass.

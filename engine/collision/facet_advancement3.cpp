@@ -97,11 +97,14 @@ FeatureId MovingContactor::id(FeatureKind kind, int i) const {
 }
 
 std::optional<double> advance_to_facet(const MovingContactor& contactor, const Facet& facet,
-                                       const TimeWindow& window, const TouchSearch& search) {
+                                       std::span<const HeldOnGround> held, const TimeWindow& window,
+                                       const TouchSearch& search) {
   if (facet.unbounded)
     return advance(PlaneSearch(contactor, facet, window.b, search), window, search.iterations);
   thread_local FlatPolyhedron flat;  // keeps its memory between calls
-  return advance_to_contact(contactor, flat.of(facet, contactor.shape.bound), window, search);
+  MovingContactor ground = flat.of(facet, contactor.shape.bound);
+  ground.held = held;
+  return advance_to_contact(contactor, ground, window, search);
 }
 
 }  // namespace flyrock

@@ -87,7 +87,7 @@ void round_contacts(const Vec3& centre, double radius, FeatureId feature, const 
 void drop_repeated(Contacts& contacts, std::size_t begin, double size) {
   const auto repeats = [&](const ContactPoint<3>& a, const ContactPoint<3>& b) {
     const double turned = (a.normal - b.normal).squaredNorm();
-    if (a.feature == b.feature && turned < 1e-16) return true;
+    if (a.feature == b.feature && kind_of(a.feature) == FeatureKind::vertex && turned < 1e-16) return true;
     return turned < 1e-12 && (a.point - b.point).squaredNorm() < 1e-14 * size * size;
   };
   std::size_t to = begin;

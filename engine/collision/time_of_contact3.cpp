@@ -144,6 +144,30 @@ class BallSearch {
   }
 };
 
+/// The contacts that exist at the start, with the vertices of their features. Valid until the next call.
+const std::vector<HeldOnGround>& held_on(const Ground3& ground, std::span<const HeldContact> held) {
+  thread_local std::vector<HeldOnGround> found;  // keeps its memory between calls
+  found.clear();
+  for (const HeldContact& contact : held) {
+    HeldOnGround on{contact.feature, contact.against, {}, 1, Vec3::UnitZ()};
+    if (kind_of(contact.against) == FeatureKind::vertex) {
+      on.vertex[0] = ground_index(contact.against);
+    } else {
+      const Facet facet = ground.facet(ground.facet_of(contact.against));
+      const int rim = static_cast<int>(ground_index(contact.against) % 3);
+      on.vertex = facet.vertex;
+      on.vertices = 3;
+      on.normal = facet.normal;
+      if (kind_of(contact.against) == FeatureKind::edge) {
+        on.vertex = {facet.vertex[rim], facet.vertex[Facet::next(rim)]};
+        on.vertices = 2;
+      }
+    }
+    found.push_back(on);
+  }
+  return found;
+}
+
 /// A bound on the way that a point of a contactor moves within [0, end] [m].
 double greatest_travel(const MovingContactor& c, double end) {
   const double speed = c.motion.v.norm() + end * c.motion.a.norm();
@@ -196,8 +220,9 @@ std::optional<double> time_of_contact(const Contactor3& contactor, int contactor
                       });
   }
   const MovingContactor moving{contactor, motion, contactor_index};
+  const auto& held = held_on(ground, search.held);
   const auto see = [&](const Facet& facet, const TimeWindow& window, std::optional<double>& first) {
-    const auto t = advance_to_facet(moving, facet, window, search);
+    const auto t = advance_to_facet(moving, facet, held, window, search);
     if (t && (!first || *t < *first)) first = t;
   };
   if (const double travel = greatest_travel(moving, t_max); travel < 0.25 * reach)

@@ -104,6 +104,17 @@ TEST_CASE("a box that stands on an apex has one contact there") {
   CHECK(kind_of(contacts[0].against) == FeatureKind::vertex);
 }
 
+TEST_CASE("a face that lies on two peaks has a contact with each") {
+  Mesh mesh = mesh_of([](double, double) { return 0.0; }, 2, 8);
+  for (Vec3& v : mesh.vertices)
+    if (std::abs(v.y()) < 0.1 && std::abs(std::abs(v.x()) - 0.5) < 0.1) v.z() = 0.3;
+  const Terrain3 terrain(mesh);
+  std::vector<ContactPoint<3>> contacts;
+  terrain_contacts({Contactor3::box({2, 1, 1}), {{0.1, 0.05, 0.8}, {}}}, 0, terrain, 1e-6, 0, contacts);
+  REQUIRE(contacts.size() == 2);
+  for (const ContactPoint<3>& contact : contacts) CHECK(std::abs(contact.gap) < 1e-12);
+}
+
 TEST_CASE("a box that hangs over a crest is held by its two edges there") {
   Profile crest;
   crest.points = {{-10, 0}, {0, 0}, {1, -3}, {10, -3}};

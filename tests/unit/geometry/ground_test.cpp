@@ -11,8 +11,8 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// Heights of a rough surface at (x, y).
-double rough(double x, double y) { return std::sin(2 * x) * std::cos(1.3 * y) + 0.2 * x; }
+/// Heights of a bumpy surface at (x, y).
+double bumps(double x, double y) { return std::sin(2 * x) * std::cos(1.3 * y) + 0.2 * x; }
 
 HeightGrid grid(int columns = 41, int rows = 33, double cell = 0.25) {
   HeightGrid shape;
@@ -21,7 +21,7 @@ HeightGrid grid(int columns = 41, int rows = 33, double cell = 0.25) {
   shape.cell = cell;
   shape.corner = {-3, 2};
   for (int r = 0; r < rows; ++r)
-    for (int c = 0; c < columns; ++c) shape.heights.push_back(rough(-3 + c * cell, 2 + r * cell));
+    for (int c = 0; c < columns; ++c) shape.heights.push_back(bumps(-3 + c * cell, 2 + r * cell));
   return shape;
 }
 
@@ -127,15 +127,15 @@ TEST_CASE(
   holed.heights[10 * 41 + 12] = nothing;
   const auto ground = make_ground(holed), whole = make_ground(mesh_of(grid()));
   CHECK(!ground->whole());
-  CHECK(*whole->height(-3, 2) == rough(-3, 2));
-  CHECK(*whole->height(-2.5, 3) == Approx(rough(-2.5, 3)).epsilon(1e-14));
-  CHECK(*whole->height(-2.375, 3.125) == Approx(0.5 * (rough(-2.5, 3) + rough(-2.25, 3.25))).epsilon(1e-12));
+  CHECK(*whole->height(-3, 2) == bumps(-3, 2));
+  CHECK(*whole->height(-2.5, 3) == Approx(bumps(-2.5, 3)).epsilon(1e-14));
+  CHECK(*whole->height(-2.375, 3.125) == Approx(0.5 * (bumps(-2.5, 3) + bumps(-2.25, 3.25))).epsilon(1e-12));
   CHECK(!whole->height(-3.001, 3));
   CHECK(!whole->height(0, 10.001));
   CHECK(!ground->height(-3 + 12 * 0.25 + 0.1, 2 + 10 * 0.25 - 0.1));
   CHECK(ground->height(-3 + 14 * 0.25, 2 + 10 * 0.25));
-  CHECK(whole->depth({-2.5, 3, rough(-2.5, 3) - 0.5}) == Approx(0.5));
-  CHECK(whole->depth({-2.5, 3, rough(-2.5, 3) + 0.5}) == 0);
+  CHECK(whole->depth({-2.5, 3, bumps(-2.5, 3) - 0.5}) == Approx(0.5));
+  CHECK(whole->depth({-2.5, 3, bumps(-2.5, 3) + 0.5}) == 0);
 }
 
 TEST_CASE("under an overhang the ground is what lies below") {
