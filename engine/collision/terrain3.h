@@ -13,7 +13,8 @@ namespace flyrock {
 class Terrain3 {
  public:
   explicit Terrain3(TerrainShape3 shape)
-      : faces_(faces_of(shape)),
+      : bytes_(bytes_of(shape)),
+        faces_(faces_of(shape)),
         ground_(make_ground(std::move(shape))),
         names_(terrain_names(ground_->parts())) {}
 
@@ -23,6 +24,8 @@ class Terrain3 {
   const std::vector<std::string>& names() const { return names_; }
   /// The bench faces, the uppermost first.
   const std::vector<Mesh::Face>& faces() const { return faces_; }
+  /// About how much memory it takes.
+  std::size_t bytes() const { return bytes_; }
   /// The part that a contact's `against` names. An edge belongs to the facet that names it.
   int part(FeatureId against) const { return ground_->part(ground_->facet_of(against)); }
 
@@ -32,6 +35,15 @@ class Terrain3 {
     return mesh ? mesh->faces : std::vector<Mesh::Face>();
   }
 
+  /// A mesh with its tree and its tables of neighbours takes some 300 bytes a triangle, a grid its heights.
+  static std::size_t bytes_of(const TerrainShape3& shape) {
+    if (const Mesh* mesh = std::get_if<Mesh>(&shape)) return 300 * mesh->triangles.size();
+    if (const HeightGrid* grid = std::get_if<HeightGrid>(&shape))
+      return grid->heights.size() * sizeof(double) + grid->part.size();
+    return sizeof(Plane);
+  }
+
+  std::size_t bytes_;
   std::vector<Mesh::Face> faces_;
   std::shared_ptr<const Ground3> ground_;
   std::vector<std::string> names_;

@@ -78,6 +78,7 @@ class PlanDecoder {
   void decode_point(const std::vector<std::size_t>& point) {
     for (std::size_t a = 0; a < sweeps_.size(); ++a) *sweeps_[a].slot = sweeps_[a].values[point[a]];
     DecodeContext context{registry_, folder_, diagnostics_, swept_, a_plugin_failed_};
+    context.grounds = grounds_;
     Map resolved;
     Scenario scenario = decode_document(context, Node::root(tree_), resolved);
     if (diagnostics_.has_errors()) return;
@@ -163,6 +164,7 @@ class PlanDecoder {
   std::set<std::string> swept_;
   std::vector<List> resolved_values_;  ///< for each axis and step
   Plan plan_;
+  std::shared_ptr<GroundStore> grounds_ = std::make_shared<GroundStore>();
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "document/node.h"
 #include "plugin/registry.h"
+#include "scenario/ground_store.h"
 
 namespace flyrock {
 
@@ -27,6 +28,7 @@ struct DecodeContext {
   std::map<std::string, SweptNumber> swept_values =
       {};                                         ///< by path; the axes found so far where a sweep is allowed
   std::map<std::string, std::string> files = {};  ///< that parameters name: name as written -> full path
+  std::shared_ptr<GroundStore> grounds = nullptr;  ///< of all points
 };
 
 /// Which forms a number may have at its place.

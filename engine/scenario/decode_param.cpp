@@ -56,7 +56,7 @@ void decode_text(DecodeContext& context, const Node& node, const ParamSpec& spec
 
 /// Why a file cannot be read; empty if it can.
 std::string file_fault(const std::filesystem::path& path, const std::string& name) {
-  constexpr std::uintmax_t most_mebibytes = 256;
+  constexpr std::uintmax_t most_mebibytes = 4096;
   std::error_code code;
   const std::filesystem::file_status status = std::filesystem::status(path, code);
   if (!std::filesystem::exists(status))

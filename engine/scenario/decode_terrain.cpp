@@ -197,7 +197,10 @@ DecodedTerrain decode_terrain(DecodeContext& context, const Node& node,
     if (needs_materials || names_materials)
       decode_part_materials(context, node, materials, terrain.parts, terrain.plan, map);
   }
-  put(resolved, "terrain", map_value(std::move(map)));
+  Value whole = map_value(std::move(map));
+  terrain.plan.text = to_json(whole);
+  terrain.plan.grounds = context.grounds;
+  put(resolved, "terrain", std::move(whole));
   return terrain;
 }
 

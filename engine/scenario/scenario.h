@@ -15,6 +15,7 @@
 #include "geometry/height_grid.h"
 #include "math/space.h"
 #include "plugin/registry.h"
+#include "scenario/ground_store.h"
 
 namespace flyrock {
 
@@ -74,6 +75,8 @@ struct TerrainPlan {
   std::vector<FacePlan> faces;
   /// 3D: the place from which the engine counts [m]. Scenario and results have the coordinates of files.
   Vec3 origin = Vec3::Zero();
+  std::string text;                      ///< of all of it, resolved: equal texts make equal grounds
+  std::shared_ptr<GroundStore> grounds;  ///< of all points of the sweep
 };
 
 /// The blast, with the number of each field that is given.

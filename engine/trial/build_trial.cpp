@@ -64,18 +64,30 @@ template <int D>
 std::shared_ptr<const typename TrialBuilder<D>::Terrain> TrialBuilder<D>::terrain_of(std::uint64_t trial) {
   if (kept_terrain_) return kept_terrain_;
   const PluginUse& model = scenario_.terrain.model;
-  DrawKey key;
-  key.trial = trial;
-  RandomStream rng(scenario_.seed, "terrain", key);
-  auto terrain = at_path(model.path, [&] {
-    return std::make_shared<const Terrain>(
-        make_terrain(*instances_.terrain, model, scenario_, key, rng, static_cast<const Terrain*>(nullptr)));
-  });
   const bool same_parameters = std::all_of(model.slots.begin(), model.slots.end(), [&](const Number& n) {
     return n.is_constant() || scenario_.draws[n.draw].scope == Scope::run;
   });
-  // Plugins have no memory: a plugin that draws nothing now draws nothing later with the same parameters.
-  if (same_parameters && !rng.drawn()) kept_terrain_ = terrain;
+  bool draws = !same_parameters;
+  const auto make = [&] {
+    DrawKey key;
+    key.trial = trial;
+    RandomStream rng(scenario_.seed, "terrain", key);
+    auto terrain = at_path(model.path, [&] {
+      return std::make_shared<const Terrain>(make_terrain(*instances_.terrain, model, scenario_, key, rng,
+                                                          static_cast<const Terrain*>(nullptr)));
+    });
+    // Plugins have no memory: a plugin that draws nothing now draws nothing later with the same parameters.
+    draws = draws || rng.drawn();
+    return terrain;
+  };
+  const auto& store = scenario_.terrain.grounds;
+  if (draws || !store) return make();
+  const auto shared = store->get(scenario_.terrain.text, [&] {
+    const std::shared_ptr<const Terrain> terrain = make();
+    return GroundStore::Made{terrain, bytes_of(*terrain), draws};
+  });
+  auto terrain = std::static_pointer_cast<const Terrain>(shared);
+  if (!draws) kept_terrain_ = terrain;
   return terrain;
 }
 

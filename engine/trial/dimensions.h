@@ -31,6 +31,12 @@ inline Terrain3 make_terrain(const TerrainModel& model, const PluginUse& use, co
   return shaped_ground(model.build_3d(values_of(use, scenario, key), rng), scenario.terrain);
 }
 
+/// About how much memory a terrain takes.
+inline std::size_t bytes_of(const Terrain2& terrain) {
+  return static_cast<std::size_t>(terrain.segments()) * 200;
+}
+inline std::size_t bytes_of(const Terrain3& terrain) { return terrain.bytes(); }
+
 inline const Profile& ground_of(const Terrain2& terrain) { return terrain.profile(); }
 inline const Ground3& ground_of(const Terrain3& terrain) { return terrain.ground(); }
 

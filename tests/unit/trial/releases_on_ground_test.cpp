@@ -63,7 +63,9 @@ TEST_CASE("rocks start on faces, at collars, on bench tops, in zones and on the 
 TEST_CASE("the origin of a terrain changes no result") {
   LoadedScenario scenario = loaded("tests/unit/trial/benches_3d.yaml");
   const TrialRecords near = first_trial(scenario);
-  scenario.plan.points.front().terrain.origin = {100, 200, 10};
+  TerrainPlan& terrain = scenario.plan.points.front().terrain;
+  terrain.origin = {100, 200, 10};
+  terrain.text += " from another origin";  // which is another ground
   const TrialRecords far = first_trial(scenario);
   REQUIRE(near.rocks.size() == far.rocks.size());
   for (std::size_t i = 0; i < near.rocks.size(); ++i) {
