@@ -1,5 +1,7 @@
 #include "flight/run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -293,6 +295,7 @@ class Runner {
       if (!body.is_finite() || body.v.norm() > fastest) {
         take_out(i, "its state is not finite, or it is faster than 100 km/s");
       } else if (!domain.contains(body.x) || !ground_height(world_.terrain(), body.x)) {
+        histories_[i].fault = left_text(domain, body.x);
         end(i, StopReason::left_domain);
         body.present = false;
       } else if (const auto fault = faults_.below_ground(i)) {
@@ -304,6 +307,16 @@ class Runner {
     if (!all_at_rest) return;
     for (int i = 0; i < bodies(); ++i)
       if (running_[i]) end(i, StopReason::stopped);
+  }
+
+  /// Which side of the terrain a body has left.
+  static std::string left_text(const Domain<D>& domain, const Vec<D>& place) {
+    constexpr const char* axes[] = {"x", "y"};
+    for (int k = 0; k < D - 1; ++k)
+      for (const double end : {domain.low[k], domain.high[k]})
+        if (end == domain.low[k] ? place[k] < end : place[k] > end)
+          return fmt::format("it passed the end of the terrain at {} = {:.6g} m", axes[k], end);
+    return "it has no ground below it";
   }
 
   World<D>& world_;

@@ -98,7 +98,7 @@ struct BodyHistory {
   BodyState min, max;  ///< extremes of each component over the run, flights included
   double min_speed = 0, max_speed = 0;
   StopReason reason = StopReason::timed_out;
-  std::string fault;  ///< why the body diverged, or which plugin failed
+  std::string fault;  ///< why the body diverged, which plugin failed, or which side of the terrain it left
   double stop_time = std::numeric_limits<double>::quiet_NaN();  ///< start of the 0.2 s at rest
   double contact_time = 0;                                      ///< s spent in contact
   double max_distance = 0;                                      ///< m, greatest |x - x_first| ever reached

@@ -73,18 +73,19 @@ TEST_CASE("a path comes to where the ground ends: a turned terrain, and missing 
 TEST_CASE("a rock leaves the terrain where its centre has no ground below, along x, y and in the middle") {
   HeightGrid holed = grid_of([](double, double) { return 0.0; }, 10, 20);
   holed.heights[10 * 21 + 15] = std::numeric_limits<double>::quiet_NaN();
-  const auto ends_at = [&](const Vec3& velocity) {
+  const auto ends_at = [&](const Vec3& velocity, const std::string& text) {
     Material material(0.5, 0.1);
     Bench3 bench(holed, material);
     bench.add(sphere(0.3, 100, {0, 0.4, 2}, velocity));
     const BodyHistory& history = bench.run(20);
     CHECK(history.reason == StopReason::left_domain);
+    CHECK(history.fault == text);
     return history.last.position;
   };
-  CHECK(ends_at({-8, 0, 3}).x() == Approx(-10).margin(1e-3));
-  CHECK(ends_at({0, 8, 3}).y() == Approx(10).margin(1e-3));
-  CHECK(ends_at({0, -8, 3}).y() == Approx(-10).margin(1e-3));
-  CHECK(ends_at({8, 0, 9}).x() == Approx(4).margin(1e-3));
+  CHECK(ends_at({-8, 0, 3}, "it passed the end of the terrain at x = -10 m").x() == Approx(-10).margin(1e-3));
+  CHECK(ends_at({0, 8, 3}, "it passed the end of the terrain at y = 10 m").y() == Approx(10).margin(1e-3));
+  CHECK(ends_at({0, -8, 3}, "it passed the end of the terrain at y = -10 m").y() == Approx(-10).margin(1e-3));
+  CHECK(ends_at({8, 0, 9}, "it has no ground below it").x() == Approx(4).margin(1e-3));
 }
 
 TEST_CASE("fixed steps push a body out of a mesh as out of a plane") {

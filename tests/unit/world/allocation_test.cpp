@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "analytic/lab_3d.h"
+#include "analytic/lab_ground.h"
 
 namespace {
 std::atomic<long> allocations{0};
@@ -43,10 +43,10 @@ long allocations_of(double seconds, bool exact) {
   return during;
 }
 
-/// The same of a box and a sphere on an incline of space.
-long allocations_in_space(double seconds, bool exact) {
+/// The same of a box and a sphere on an incline of space, or on rough triangles.
+long allocations_in_space(double seconds, bool exact, bool mesh) {
   Material material(0.4, 0.5, 0.05);
-  Bench3 bench(plane(0.1, 0.5), material);
+  Bench3 bench(mesh ? TerrainShape3(mesh_of(rough(1, 0.3, 0.1), 20, 60, 0.2)) : plane(0.1, 0.5), material);
   Body<3> tumbling = box({1, 0.7, 0.5}, 1000, {0, 0, 3}, Vec3(0.6, 0, -0.8), Vec3(0.8, 0, 0.6));
   tumbling.w = {1, 2, 3};
   bench.add(tumbling);
@@ -64,9 +64,11 @@ long allocations_in_space(double seconds, bool exact) {
 }  // namespace
 
 TEST_CASE("the step loop in space does not allocate") {
-  const bool exact = GENERATE(true, false);
-  const long warm = allocations_in_space(2, exact);
-  CHECK(allocations_in_space(6, exact) <= warm + 8);
+  const bool exact = GENERATE(true, false), mesh = GENERATE(false, true);
+  const long warm = allocations_in_space(2, exact, mesh);
+  // On triangles a box lands again and again, and some of its impacts go to the second solver. An allocation
+  // a step would be 4000.
+  CHECK(allocations_in_space(6, exact, mesh) <= warm + (mesh ? 600 : 8));
   // One problem of the landing goes to the second solver, whose sparse factors take about 500.
   CHECK(warm < 1200);
 }
