@@ -15,7 +15,7 @@ GroundStore::Made made_of(int number, std::size_t bytes, bool draws = false) {
   return {std::make_shared<const int>(number), bytes, draws};
 }
 
-int number_of(const std::shared_ptr<const void>& ground) { return *static_cast<const int*>(ground.get()); }
+int number_of(const std::shared_ptr<const void>& one) { return *static_cast<const int*>(one.get()); }
 
 }  // namespace
 
