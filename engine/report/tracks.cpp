@@ -38,8 +38,8 @@ Json runs_of(const std::vector<int>& modes) {
   return runs;
 }
 
-double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const Vec2 along = b - a;
+double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 along = b - a;
   const double length2 = along.squaredNorm();
   if (length2 == 0) return (p - a).norm();
   const double share = std::clamp((p - a).dot(along) / length2, 0.0, 1.0);
@@ -48,7 +48,7 @@ double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
 
 }  // namespace
 
-std::vector<std::size_t> simplify(const std::vector<Vec2>& points, double tolerance) {
+std::vector<std::size_t> simplify(const std::vector<Vec3>& points, double tolerance) {
   if (points.empty()) return {};
   std::vector<bool> keep(points.size(), false);
   keep.front() = keep.back() = true;
@@ -98,7 +98,7 @@ std::vector<Tracks::Point> Tracks::thinned(const std::vector<Point>& path, doubl
   for (std::size_t begin = 0; begin + 1 < path.size();) {
     std::size_t end = begin + 1;
     while (end + 1 < path.size() && path[end + 1].mode == path[begin + 1].mode) ++end;
-    std::vector<Vec2> places;
+    std::vector<Vec3> places;
     for (std::size_t i = begin; i <= end; ++i) places.push_back(path[i].place);
     const std::vector<std::size_t> of_places = simplify(places, tolerance);
     for (std::size_t i = 1; i < of_places.size(); ++i) kept.push_back(path[begin + of_places[i]]);
@@ -121,28 +121,32 @@ void Tracks::see(const TrialRecords& chunk) {
     std::vector<Point> path;
     for (std::size_t i = begin; i < end; ++i) {
       const auto& [state, mode] = chunk.trajectories[i].point;
-      path.push_back(
-          {{state.position.x(), state.position[dimension_ - 1]}, state.time, state.velocity.norm(), mode});
+      const Vec3& at = state.position;
+      const Vec3 place = dimension_ == 3 ? Vec3(at.x(), at.z(), at.y()) : Vec3(at.x(), at.y(), 0);
+      path.push_back({place, state.time, state.velocity.norm(), mode});
     }
     tracks_.push_back({rock.trial, rock.rock, rock.group, rock.reason, thinned(path, tolerance(rock.group))});
     kept_ += tracks_.back().points.size();
   }
 }
 
-Json Tracks::data_of(const Track& track, const std::vector<Point>& points) {
-  std::vector<double> x, y, t;
+Json Tracks::data_of(const Track& track, const std::vector<Point>& points) const {
+  std::vector<double> x, y, across, t;
   std::vector<int> modes;
   Json speed = Json::array();
   for (const Point& point : points) {
     x.push_back(point.place.x());
     y.push_back(point.place.y());
+    across.push_back(point.place.z());
     t.push_back(point.time);
     modes.push_back(static_cast<int>(point.mode));
     speed.push_back(thousandth(point.speed));
   }
-  return json_object("trial", track.trial, "rock", track.rock, "group", track.group, "reason",
-                     name_of(track.reason), "x", differences(x), "y", differences(y), "t", differences(t),
-                     "speed", std::move(speed), "modes", runs_of(modes));
+  Json data = json_object("trial", track.trial, "rock", track.rock, "group", track.group, "reason",
+                          name_of(track.reason), "x", differences(x), "y", differences(y), "t",
+                          differences(t), "speed", std::move(speed), "modes", runs_of(modes));
+  if (dimension_ == 3) data["across"] = differences(across);
+  return data;
 }
 
 Json Tracks::data() const {

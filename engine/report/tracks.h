@@ -10,9 +10,9 @@
 
 namespace flyrock {
 
-/// The indices of the `points` that remain in a polyline within `tolerance` [m] of all points, in the plane
-/// of x and height (Ramer 1972, Douglas and Peucker 1973). The first and the last point always remain.
-std::vector<std::size_t> simplify(const std::vector<Vec2>& points, double tolerance);
+/// The indices of the `points` that remain in a polyline within `tolerance` [m] of all points (Ramer 1972,
+/// Douglas and Peucker 1973). The first and the last point always remain.
+std::vector<std::size_t> simplify(const std::vector<Vec3>& points, double tolerance);
 
 /// The complete paths of as many rocks as fit into a budget of points. Each path is thinned and has time,
 /// speed and mode of motion. The tolerance of thinning depends on the extent of all paths of the group. A
@@ -24,15 +24,16 @@ class Tracks {
   /// Takes the chunks in order.
   void see(const TrialRecords& chunk);
 
-  /// { list: [{ trial, rock, group, reason, x, y, t, speed, modes }], cut }. x, y and t are differences in
-  /// thousandths, speed is in thousandths. modes alternates between a number of consecutive points and the
+  /// { list: [{ trial, rock, group, reason, x, y, across, t, speed, modes }], cut }. y is the height, across
+  /// the other horizontal coordinate (3D only). x, y, across and t are differences in thousandths, speed is in
+  /// thousandths. modes alternates between a number of consecutive points and the
   /// number of their mode.
   nlohmann::ordered_json data() const;
 
  private:
   /// The data of a stored point that the page needs.
   struct Point {
-    Vec2 place;  ///< in the vertical plane in 2D; side view (x and height) in 3D
+    Vec3 place;  ///< x, height, and in 3D the other horizontal coordinate
     double time, speed;
     TravelMode mode;  ///< mode in which the rock arrived here
   };
@@ -50,7 +51,7 @@ class Tracks {
   };
   static std::vector<Stretch> stretches_of(const TrialRecords& chunk);
   static std::vector<Point> thinned(const std::vector<Point>& path, double tolerance);
-  static nlohmann::ordered_json data_of(const Track& track, const std::vector<Point>& points);
+  nlohmann::ordered_json data_of(const Track& track, const std::vector<Point>& points) const;
   double tolerance(int group) const;
 
   std::size_t budget_, kept_ = 0;

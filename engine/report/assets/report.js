@@ -38,6 +38,7 @@ function facts_section() {
 facts_section();
 reach_section();
 tracks_section();
+plan_section();
 runout_section();
 clearance_section();
 area_section();

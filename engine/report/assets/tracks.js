@@ -24,12 +24,15 @@ function modes_of(track) {
   return list;
 }
 
-/** One trace for each mode, one for each way in which paths end. */
-function track_traces(tracks) {
+/** The stored paths of the point and group shown. */
+const shown_tracks = () => data.points[shown.point].tracks.list.filter((track) => shown.group === 0 || track.group === shown.group - 1);
+
+/** One trace for each mode, one for each way in which paths end: over x, the height ("y") or in plan ("across"). */
+function track_traces(tracks, upwards = "y") {
   const lines = modes.map(() => ({ x: [], y: [], customdata: [] }));
   const ends = new Map();
   for (const track of tracks) {
-    const x = sums(track.x), y = sums(track.y), t = sums(track.t), mode = modes_of(track), group = data.groups[track.group];
+    const x = sums(track.x), y = sums(track[upwards]), t = sums(track.t), mode = modes_of(track), group = data.groups[track.group];
     const at = (i) => [track.trial, track.rock, t[i], track.speed[i] / 1000, group];
     const point = (line, i) => (line.x.push(x[i]), line.y.push(y[i]), line.customdata.push(at(i)));
     for (let i = 1; i < x.length; ++i) {  // the stretch that arrives at i
@@ -41,7 +44,7 @@ function track_traces(tracks) {
     if (!ends.has(track.reason)) ends.set(track.reason, { x: [], y: [], customdata: [] });
     point(ends.get(track.reason), x.length - 1);
   }
-  const hover = (what) => `${what}<br>%{customdata[4]}, trial %{customdata[0]}, rock %{customdata[1]}<br>time %{customdata[2]:.2f} s, speed %{customdata[3]:.2f} m/s<br>x %{x:.2f} m, y %{y:.2f} m<extra></extra>`;
+  const hover = (what) => `${what}<br>%{customdata[4]}, trial %{customdata[0]}, rock %{customdata[1]}<br>time %{customdata[2]:.2f} s, speed %{customdata[3]:.2f} m/s<br>x %{x:.2f} m, ${summary.dimension === 3 && upwards === "y" ? "z" : "y"} %{y:.2f} m<extra></extra>`;
   const traces = [];
   lines.forEach((line, mode) => {
     if (line.x.length > 0) traces.push({ ...line, mode: "lines", name: modes[mode], line: mode_lines[mode], opacity: mode < 2 ? 0.5 : 0.85, hovertemplate: hover(modes[mode]) });
@@ -106,7 +109,7 @@ function tracks_section() {
     "Drag to move, scroll to zoom, double-click to return. Hover for trial, rock, time and speed; click a name in the legend to hide it.", ...shrouds, ...drawn));
   redraw.push(() => {
     const page = data.points[shown.point], point = summary.points[shown.point];
-    const tracks = page.tracks.list.filter((track) => shown.group === 0 || track.group === shown.group - 1);
+    const tracks = shown_tracks();
     const trials = new Set(tracks.map((t) => t.trial)).size;
     note.textContent = `Shown: ${shown_text()}; ${trials} of ${counted(point.trials, "trial", "trials")}` + (page.tracks.cut ? " (more were stored than a page holds)." : ".");
     draw_tracks(node, page, point, tracks, shroud_traces(page));

@@ -244,11 +244,13 @@ TEST_CASE("A histogram and its curve count every rock once") {
 }
 
 TEST_CASE("A thinned path keeps its corners and its ends") {
-  std::vector<Vec2> path;
-  for (int i = 0; i <= 100; ++i) path.emplace_back(i, i <= 50 ? i : 100 - i);
+  std::vector<Vec3> path, turn;
+  for (int i = 0; i <= 100; ++i) path.emplace_back(i, i <= 50 ? i : 100 - i, 0);
   CHECK(simplify(path, 1e-6) == std::vector<std::size_t>{0, 50, 100});
+  for (const Vec3& p : path) turn.emplace_back(p.x(), 0, p.y());
+  CHECK(simplify(turn, 1e-6) == std::vector<std::size_t>{0, 50, 100});  // level, but it turns in plan
   CHECK(simplify({}, 1).empty());
-  CHECK(simplify({{1, 1}}, 1) == std::vector<std::size_t>{0});
+  CHECK(simplify({{1, 1, 0}}, 1) == std::vector<std::size_t>{0});
   // A closed path: its ends coincide, and the farthest point is kept.
-  CHECK(simplify({{0, 0}, {1, 0}, {0, 0}}, 0.1) == std::vector<std::size_t>{0, 1, 2});
+  CHECK(simplify({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}, 0.1) == std::vector<std::size_t>{0, 1, 2});
 }
