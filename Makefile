@@ -37,7 +37,7 @@ deps-format: deps
 	command -v clang-format > /dev/null || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends clang-format; }
 
 format: deps-format
-	git ls-files '*.cpp' '*.h' '*.ipp' | xargs clang-format -i
+	git ls-files '*.cpp' '*.h' | xargs clang-format -i
 
 $(PLOTLY): package-lock.json
 	@command -v npm > /dev/null || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends npm; }

@@ -22,8 +22,8 @@ std::string script(std::string source) { return replace_all(std::move(source), "
 /// The scripts of the page, in one scope. Their order matters, because each uses the ones before it.
 std::string scripts(const std::filesystem::path& assets) {
   std::string joined = "\"use strict\";\n(() => {\n";
-  for (const char* name : {"page.js", "reach.js", "tracks.js", "plan.js", "plots.js", "small_plots.js", "curves.js",
-                           "area.js", "tables.js", "report.js"})
+  for (const char* name : {"page.js", "reach.js", "tracks.js", "plan.js", "plots.js", "small_plots.js",
+                           "curves.js", "area.js", "tables.js", "report.js"})
     joined += read_file(assets / name);
   return joined + "})();\n";
 }

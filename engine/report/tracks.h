@@ -25,9 +25,8 @@ class Tracks {
   void see(const TrialRecords& chunk);
 
   /// { list: [{ trial, rock, group, reason, x, y, across, t, speed, modes }], cut }. y is the height, across
-  /// the other horizontal coordinate (3D only). x, y, across and t are differences in thousandths, speed is in
-  /// thousandths. modes alternates between a number of consecutive points and the
-  /// number of their mode.
+  /// the other horizontal coordinate (3D only). x, y, across and t are differences in thousandths, speed is
+  /// in thousandths. modes alternates between a number of consecutive points and the number of their mode.
   nlohmann::ordered_json data() const;
 
  private:

@@ -172,7 +172,7 @@ class World {
   void know(Surface* surface);
   Surface* pair_surface(int a, int b);
 
-  // detect.ipp: which contacts are active
+  // detect.cpp: which contacts are active
   void detect(double ahead);
   void match_last();
   const Contact* carried_on(const Contact& contact, std::span<const Contact> last,
@@ -180,18 +180,17 @@ class World {
   void keep_closed(double share_of_size);
   double keep_closed_at_start();
   double gap_of_solver(const Contact& contact) const;
-  template <class PoseOf>
-  double gap_at(const Contact& contact, PoseOf pose_of) const;
+  double gap_at(const Contact& contact, bool at_start) const;
   const std::vector<std::pair<int, int>>& close_pairs();
   double contact_size(int candidate, int antagonist) const;
 
-  // ask_laws.ipp: the answers of the contact laws
+  // ask_laws.cpp: the answers of the contact laws
   void begin_manifolds();
   ContactState state_of(const Contact& contact, double h);
   void ask_law(Contact& contact, double h);
   void ask_laws(double h);
 
-  // assemble.ipp: the friction problem
+  // assemble.cpp: the friction problem
   Row relative_velocity(const Contact& contact) const;
   Row turning_of(const Contact& contact) const;
   void measure_before(double h);
@@ -202,7 +201,7 @@ class World {
   int island_of(int body);
   int island_of(const Contact& contact);
 
-  // rebound.ipp: its solution with restitution, applied to the bodies; records and energy audit
+  // rebound.cpp: its solution with restitution, applied to the bodies; records and energy audit
   void apply_laws(double h);
   void solve_and_apply();
   Row velocity_after(int a, double h) const;
@@ -214,13 +213,15 @@ class World {
   double energy_of(int a) const;
   bool stays_closed(int a, double duration) const;
 
-  // step.ipp: the scheme
-  void save();
-  void restore();
-  void forget_steps();
+  // choose_step.cpp: the length of a step by its error
   bool chooses_steps() const { return settings_.step_tolerance > 0; }
   double longest_of_springs(double h) const;
   std::span<const double> doubt_of_friction(double h);
+
+  // step.cpp: the scheme
+  void save();
+  void restore();
+  void forget_steps();
   std::optional<double> first_touch(double h, bool pass_held);
   void project_drift(bool exact);
   Outcome keep(double duration, bool new_touch);

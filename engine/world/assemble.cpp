@@ -1,4 +1,3 @@
-#pragma once
 // The friction problem of the active contacts: Delassus operator and free velocity.
 
 #include <algorithm>
@@ -155,5 +154,17 @@ void World<D>::scale_by_island(double h) {
   for (std::size_t a = 0; a < contacts_.size(); ++a)
     problem_.contacts[a].speed_scale = island_speed_[island_of(contacts_[a])];
 }
+
+#define FLYROCK_INSTANTIATE(D)                                              \
+  template World<D>::Row World<D>::relative_velocity(const Contact&) const; \
+  template World<D>::Row World<D>::turning_of(const Contact&) const;        \
+  template void World<D>::measure_before(double);                           \
+  template void World<D>::assemble(double, bool);                           \
+  template int World<D>::island_of(int);                                    \
+  template int World<D>::island_of(const Contact&);                         \
+  template void World<D>::scale_by_island(double)
+FLYROCK_INSTANTIATE(2);
+FLYROCK_INSTANTIATE(3);
+#undef FLYROCK_INSTANTIATE
 
 }  // namespace flyrock

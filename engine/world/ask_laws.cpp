@@ -1,4 +1,3 @@
-#pragma once
 // Calls the laws of the contacts at the start of a step or impact.
 
 #include <cmath>
@@ -110,5 +109,14 @@ void World<D>::ask_laws(double h) {
     for (Contact& contact : contacts_)
       if ((contact.manifold >= 0) == impacts) ask_law(contact, h);
 }
+
+#define FLYROCK_INSTANTIATE(D)                                      \
+  template ContactState World<D>::state_of(const Contact&, double); \
+  template void World<D>::begin_manifolds();                        \
+  template void World<D>::ask_law(Contact&, double);                \
+  template void World<D>::ask_laws(double)
+FLYROCK_INSTANTIATE(2);
+FLYROCK_INSTANTIATE(3);
+#undef FLYROCK_INSTANTIATE
 
 }  // namespace flyrock

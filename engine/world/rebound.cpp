@@ -1,4 +1,3 @@
-#pragma once
 // Solves the friction problem with restitution, applies the solution, and records impacts and energy.
 
 #include <algorithm>
@@ -229,5 +228,20 @@ bool World<D>::stays_closed(int a, double duration) const {
       10 * settings_.tolerance * problem_.contacts[a].speed_scale + 1e-14 * contact.before.norm();
   return speed <= std::max(within_tolerance, 0.5 * g_ * settings_.time_step);
 }
+
+#define FLYROCK_INSTANTIATE(D)                                        \
+  template void World<D>::apply_laws(double);                         \
+  template void World<D>::solve_and_apply();                          \
+  template World<D>::Row World<D>::velocity_after(int, double) const; \
+  template void World<D>::measure_after(double);                      \
+  template double World<D>::energy_of(int) const;                     \
+  template void World<D>::find_shocks(double);                        \
+  template void World<D>::record_impacts();                           \
+  template double World<D>::work_of_driven(int) const;                \
+  template void World<D>::audit_energy(double);                       \
+  template bool World<D>::stays_closed(int, double) const
+FLYROCK_INSTANTIATE(2);
+FLYROCK_INSTANTIATE(3);
+#undef FLYROCK_INSTANTIATE
 
 }  // namespace flyrock

@@ -1,8 +1,8 @@
-#pragma once
 // Adding and removing bodies, free flight, energy.
 
-#include "world/manifold.h"
 #include "world/world.h"
+
+#include "world/manifold.h"
 
 namespace flyrock {
 
@@ -91,10 +91,24 @@ double World<D>::total_energy() const {
     if (body.moves()) energy += body.kinetic_energy() - body.mass * gravity_.dot(body.x);
   for (const Contact& c : last_) {
     if (c.law.condition != NormalCondition::penalty) continue;
-    const double pressed = std::min(0.0, gap_at(c, [&](int body) { return bodies[body].pose(); }));
+    const double pressed = std::min(0.0, gap_at(c, false));
     energy += 0.5 * c.law.stiffness * pressed * pressed;
   }
   return energy;
 }
+
+#define FLYROCK_INSTANTIATE(D)                                                   \
+  template World<D>::World(const Terrain&, const Vec<D>&, const WorldSettings&); \
+  template int World<D>::add(Body<D>);                                           \
+  template void World<D>::remove_last();                                         \
+  template void World<D>::set_terrain_surface(int, int, Surface*);               \
+  template Surface* World<D>::pair_surface(int, int);                            \
+  template void World<D>::know(Surface*);                                        \
+  template World<D>::Motion World<D>::flight_of(int) const;                      \
+  template void World<D>::fly(double);                                           \
+  template double World<D>::total_energy() const
+FLYROCK_INSTANTIATE(2);
+FLYROCK_INSTANTIATE(3);
+#undef FLYROCK_INSTANTIATE
 
 }  // namespace flyrock

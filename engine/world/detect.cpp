@@ -1,4 +1,3 @@
-#pragma once
 // Contact detection: contacts within reach, matched with the contacts of the last step.
 
 #include <algorithm>
@@ -206,10 +205,7 @@ double World<D>::keep_closed_at_start() {
   std::erase_if(contacts_, [&](const Contact& c) {
     const double reach = carry_reach(c.candidate, c.antagonist),
                  closed = c.carried ? reach : 1e-12 + 1e-9 * contact_size(c.candidate, c.antagonist);
-    const double gap = gap_at(c, [&](int body) {
-      const Moment<D>& start = starts_[body];
-      return typename Geometry<D>::Pose{start.x, start.attitude.rotation};
-    });
+    const double gap = gap_at(c, true);
     const double may_drift = 3 * reach;
     if (c.at.gap > reach || gap > closed || (!c.carried && gap < -may_drift)) return true;
     // On the next segment of the terrain, the gap at the start is measured to the line beyond the end of the
@@ -222,12 +218,14 @@ double World<D>::keep_closed_at_start() {
   return share;
 }
 
-/// The gap between the features of a contact, with each body at pose_of(body) [m].
+/// The gap between the features of a contact, now or at the start of the step [m].
 template <int D>
-template <class PoseOf>
-double World<D>::gap_at(const Contact& c, PoseOf pose_of) const {
+double World<D>::gap_at(const Contact& c, bool at_start) const {
   const auto placed = [&](int body, FeatureId feature) {
-    return Placed{bodies[body].contactors[contactor_of(feature)], pose_of(body)};
+    if (!at_start) return Placed{bodies[body].contactors[contactor_of(feature)], bodies[body].pose()};
+    const Moment<D>& start = starts_[body];
+    const typename Geometry<D>::Pose pose{start.x, start.attitude.rotation};
+    return Placed{bodies[body].contactors[contactor_of(feature)], pose};
   };
   const Placed candidate = placed(c.candidate, c.at.feature);
   if (c.antagonist < 0) return feature_gap(candidate, c.at.feature, *terrain_, c.at.against);
@@ -260,5 +258,25 @@ std::span<const HeldContact> World<D>::held(int body, int other) {
       if (c.candidate == body && c.antagonist == other) held_.push_back({c.at.feature, c.at.against});
   return held_;
 }
+
+#define FLYROCK_INSTANTIATE(D)                                                                     \
+  template double World<D>::contact_size(int, int) const;                                          \
+  template double World<D>::carry_reach(int, int) const;                                           \
+  template const std::vector<std::pair<int, int>>& World<D>::near_pairs(double);                   \
+  template const std::vector<std::pair<int, int>>& World<D>::close_pairs();                        \
+  template void World<D>::detect(double);                                                          \
+  template const World<D>::Contact* World<D>::carried_on(const Contact&, std::span<const Contact>, \
+                                                         std::span<const Contact>) const;          \
+  template void World<D>::match_last();                                                            \
+  template double World<D>::gap_of_solver(const Contact&) const;                                   \
+  template void World<D>::keep_closed(double);                                                     \
+  template double World<D>::keep_closed_at_start();                                                \
+  template double World<D>::gap_at(const Contact&, bool) const;                                    \
+  template World<D>::Overlap World<D>::deepest_overlap();                                          \
+  template void World<D>::measure_penetration();                                                   \
+  template std::span<const HeldContact> World<D>::held(int, int)
+FLYROCK_INSTANTIATE(2);
+FLYROCK_INSTANTIATE(3);
+#undef FLYROCK_INSTANTIATE
 
 }  // namespace flyrock

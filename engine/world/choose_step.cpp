@@ -1,0 +1,85 @@
+// The length of the next step, and what the error of a step is made of besides accelerations.
+
+#include <algorithm>
+#include <limits>
+
+#include "world/world.h"
+
+namespace flyrock {
+
+template <int D>
+double World<D>::step_length() {
+  if (!chooses_steps()) return settings_.time_step;
+  touching_.assign(bodies.size(), false);
+  for (const Contact& c : last_) {
+    // A spring keeps its energy only if the steps are equal.
+    if (c.law.condition == NormalCondition::penalty) continue;
+    for (const int body : {c.candidate, c.antagonist})
+      if (body >= 0) touching_[body] = true;
+  }
+  return control_.length(bodies, touching_);
+}
+
+/// The longest step that gives the springs of a step of length h enough steps a period [s].
+template <int D>
+double World<D>::longest_of_springs(double h) const {
+  return spring_angle_ > 0 ? h * (2 * pi / steps_a_period) / spring_angle_
+                           : std::numeric_limits<double>::infinity();
+}
+
+/// What friction leaves in doubt: half of what friction and resistance to rolling would change of each body
+/// if they had the direction of the start of the step in place of its end, or the coefficients of the last
+/// step [m/s]; with the change of the spin times the radius. A contact that ends at rest leaves no doubt,
+/// because the solver finds the impulse that stops it. A direction that turns smoothly does so in the other
+/// steps of a phase too.
+template <int D>
+std::span<const double> World<D>::doubt_of_friction(double h) {
+  constexpr double at_rest = 1e-6;  // of the speed at the start
+  constexpr double smooth = 0.5;    // rad
+  doubt_.assign(bodies.size(), 0.0);
+  for (std::size_t a = 0; a < contacts_.size(); ++a) {
+    const Contact& contact = contacts_[a];
+    if (contact.impulse[0] <= 0) continue;
+    const Row after = velocity_after(static_cast<int>(a), h);
+    Row half = Row::Zero();
+    const auto doubt = [&](int first, int count, double impulse, const auto& change) {
+      const double times = change.norm() < smooth ? std::max(1.0, 0.5 * usual_phase / h) : 1;
+      half.segment(first, count) += 0.5 * times * impulse * change;
+    };
+    const auto turn = [&](int first, int count) {
+      const auto from = contact.before.segment(first, count), to = after.segment(first, count);
+      const double slow = from.norm(), fast = to.norm();
+      if (fast <= at_rest * slow || slow <= at_rest * fast) return;
+      doubt(first, count, contact.impulse.segment(first, count).norm(), (to / fast - from / slow).eval());
+    };
+    turn(1, D - 1);
+    const double slip = tangential(after).norm();
+    if (contact.carried && slip > at_rest * tangential(contact.before).norm()) {
+      const double bound = contact.mu() * contact.impulse[0] + h * contact.law.c_t;
+      const double bound_before = contact.mu_before * contact.impulse[0] + h * contact.c_t_before;
+      if (bound > 0) doubt(1, D - 1, bound, ((1 - bound_before / bound) / slip * tangential(after)).eval());
+    }
+    if constexpr (D == 3) turn(D, 1);
+    turn(Problem::rows - (D - 1), D - 1);
+    if (half.isZero(0)) continue;
+    const auto add = [&](int i, const ContactColumns<D>& columns) {
+      if (i < 0 || !bodies[i].moves()) return;
+      const typename Body<D>::Rows change = bodies[i].inverse_mass_times(columns * half);
+      doubt_[i] +=
+          change.template head<D>().norm() + bodies[i].radius * change.tail(change.size() - D).norm();
+    };
+    add(contact.candidate, rows_[a].candidate);
+    add(contact.antagonist, rows_[a].antagonist);
+  }
+  return doubt_;
+}
+
+#define FLYROCK_INSTANTIATE(D)                                \
+  template double World<D>::step_length();                    \
+  template double World<D>::longest_of_springs(double) const; \
+  template std::span<const double> World<D>::doubt_of_friction(double)
+FLYROCK_INSTANTIATE(2);
+FLYROCK_INSTANTIATE(3);
+#undef FLYROCK_INSTANTIATE
+
+}  // namespace flyrock
