@@ -55,9 +55,9 @@ void object(const ClearancePlan& plan, std::uint64_t trials, std::uint64_t rocks
   if (full && objections.error.empty()) objections.error = too_few(plan, trials, rocks);
   if (plan.per_blast && rocks < few_rocks_per_blast && objections.warning.empty())
     objections.warning = fmt::format(
-        "the farthest rock of a blast is sought among {} rock{} a blast here: a blast throws thousands, and "
-        "the farthest of more goes "
-        "farther; expected at least {}, or `per: rock`",
+        "each simulated blast has only {} rock{}. A real blast throws thousands, and the farthest of them "
+        "goes "
+        "farther; expected at least {} a blast, or `per: rock`",
         rocks, rocks == 1 ? "" : "s", few_rocks_per_blast);
 }
 

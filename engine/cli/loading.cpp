@@ -10,7 +10,7 @@ namespace po = boost::program_options;
 
 void add_override_options(po::options_description& options) {
   options.add_options()("set", po::value<std::vector<std::string>>()->value_name("path=value"),
-                        "sets a value of the scenario, again and again")(
+                        "sets a value of the scenario; may be given several times")(
       "seed", po::value<std::string>()->value_name("S"), "in place of the scenario's seed")(
       "trials", po::value<std::string>()->value_name("N"), "in place of the scenario's number of trials");
 }

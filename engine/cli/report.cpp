@@ -20,7 +20,8 @@ std::string page_of(const std::filesystem::path& database) {
     const auto data = nlohmann::ordered_json::parse(stored_report(database));
     return report_html(data, std::filesystem::path(share_folder()) / "report");
   } catch (const nlohmann::json::exception&) {
-    throw UnreadableFile(fmt::format("{} is damaged: its data of a report are none", database.string()));
+    throw UnreadableFile(
+        fmt::format("{} is damaged: the stored data of its report are not valid", database.string()));
   }
 }
 

@@ -100,7 +100,7 @@ ResultFolder::ResultFolder(fs::path path, const LoadedScenario& scenario, Existi
   const std::string hash = scenario_hash_in(path_);
   if (hash.empty() && stands(path_))
     throw InputError(fmt::format(
-        "{} holds results without a manifest.json: nobody knows of which scenario; --force replaces them",
+        "{} holds results without a manifest.json: their scenario is unknown; --force replaces them",
         path_.string()));
   if (!hash.empty() && hash != scenario.hash)
     throw UsageError(

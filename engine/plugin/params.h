@@ -30,8 +30,8 @@ struct PluginError : TrialError {
   using TrialError::TrialError;
 };
 
-/// A plugin cannot use its parameters together, which it sees only when it is called, because they may be
-/// draws. Other parameters within their limits may fit.
+/// The values of the parameters do not fit together. A plugin finds this only when it is called, because
+/// values may be drawn. Other values within their limits may fit.
 struct ParameterError : PluginError {
   using PluginError::PluginError;
 };

@@ -201,7 +201,7 @@ std::vector<LawGraph> graphs_of(Asked<UnilateralLaw> asked) {
   if (condition == NormalCondition::penalty) {
     for (int i = -100; i <= 100; ++i) put(by_gap.cases[0], 2e-5 * i, solved_at(2e-5 * i, 0));
   } else {
-    by_gap.title = "pressed with ten times its weight to pulled with it, h = 1 ms";
+    by_gap.title = "from a push of ten times the weight to a pull of ten times the weight, h = 1 ms";
     by_gap.x = "gap that is left [m]";
     for (int i = 100; i >= -100; --i) {
       const Solved solved = solved_at(0, -0.1 * i * g * step);

@@ -107,15 +107,16 @@ std::vector<std::string> solver_warnings(const Plan& plan, const std::vector<Poi
                     "(Painlevé's paradox); each has a row among the impacts",
                     quality.shocks));
   if (const double size = least_size(points); quality.max_penetration > most_sunk * size)
-    warnings.push_back(fmt::format(
-        "solver: a rock sank {:.3g} m into the ground or another, the smallest is {:.3g} m across: a shorter "
-        "solver.time_step, or a stiffer spring (`penalty`), holds it",
-        quality.max_penetration, size));
+    warnings.push_back(
+        fmt::format("solver: a rock sank {:.3g} m into the ground or into another rock; the smallest rock is "
+                    "{:.3g} m across. "
+                    "Use a shorter solver.time_step, or a stiffer spring (`penalty`)",
+                    quality.max_penetration, size));
   if (quality.max_spring_angle > inaccurate_spring)
     warnings.push_back(fmt::format(
         "solver: a spring (`penalty`) swings by {:.4g} deg in a step: bounces are inaccurate above {:.3g} "
         "and "
-        "gain energy above {:.3g}; a shorter solver.time_step or a softer spring mends it",
+        "gain energy above {:.3g}. Use a shorter solver.time_step or a softer spring",
         quality.max_spring_angle * 180 / pi, inaccurate_spring * 180 / pi, unstable_spring * 180 / pi));
   return warnings;
 }

@@ -45,10 +45,10 @@ void decode_sectors(DecodeContext& context, const Node& item, const Section& sec
         Vec2(section.given("x") ? section.constant("x") : 0, section.given("y") ? section.constant("y") : 0);
   for (const char* key : {"x", "y"})
     if (section.given(key) && !section.given("sectors"))
-      error_at(key, "is the point that `sectors` are about, and there are none");
+      error_at(key, "is the centre of the sectors, but `sectors` is missing");
   if (!section.given("sectors")) return;
   plan.sectors = section.integer("sectors");
-  if (context.dimension != 3) error_at("sectors", "are of azimuth, which needs dimension 3");
+  if (context.dimension != 3) error_at("sectors", "divide the azimuth, which needs dimension 3");
   if (plan.of_max_distance) error_at("of", "max_distance has no direction: `sectors` go with runout");
 }
 

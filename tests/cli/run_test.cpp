@@ -142,9 +142,10 @@ TEST_CASE("A clearance per blast of few rocks is warned of, and says with how ma
                              "clearance: [{ name: road, group: blocks, probability: 0.5, per: blast }]\n");
   const Output check = call(folder, "check s.yaml");
   CHECK(check.code == 0);
-  CHECK(check.err.find(
-            "warning: clearance.0.per: the farthest rock of a blast is sought among 1 rock a blast here") !=
-        std::string::npos);
+  CHECK(
+      check.err.find(
+          "warning: clearance.0.per: each simulated blast has only 1 rock. A real blast throws thousands") !=
+      std::string::npos);
   const Output run = call(folder, "run s.yaml -o r");
   CHECK(run.code == 0);
   CHECK(run.out.find("Clearance road: at most 50 % of the blasts (with 1 rock a blast) throw a rock of "

@@ -77,7 +77,7 @@ TEST_CASE("A percentile is a lower bound where censored values can reach into it
   values.assign(101, {10, false});
   values[0] = {5, true};
   CHECK(get(statistics_of(values), Statistic::p50).censored);
-  // At the same value the known come first: the percentile is theirs.
+  // A known value sorts before a censored one that is equal: the percentile is then known.
   values[0] = {10, true};
   CHECK_FALSE(get(statistics_of(values), Statistic::p50).censored);
 }
