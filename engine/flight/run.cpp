@@ -309,13 +309,13 @@ class Runner {
       if (running_[i]) end(i, StopReason::stopped);
   }
 
-  /// Which side of the terrain a body has left.
+  /// Which side of the terrain a body has left. No place is named: the engine counts from its own origin.
   static std::string left_text(const Domain<D>& domain, const Vec<D>& place) {
     constexpr const char* axes[] = {"x", "y"};
     for (int k = 0; k < D - 1; ++k)
-      for (const double end : {domain.low[k], domain.high[k]})
-        if (end == domain.low[k] ? place[k] < end : place[k] > end)
-          return fmt::format("it passed the end of the terrain at {} = {:.6g} m", axes[k], end);
+      if (place[k] < domain.low[k] || place[k] > domain.high[k])
+        return fmt::format("it passed the end of the terrain towards {}{}",
+                           place[k] < domain.low[k] ? "-" : "+", axes[k]);
     return "it has no ground below it";
   }
 

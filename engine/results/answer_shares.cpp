@@ -33,7 +33,11 @@ std::string over_points(std::vector<Share> shares) {
 
 /// "x from 120 to 180 m"; in 3D also for y.
 std::string range_text(const char* axis, double low, double high) {
-  const std::string from = fmt::format("{:.4g}", low), to = fmt::format("{:.4g}", high);
+  // National coordinates have seven digits before the point.
+  const auto text = [](double place) {
+    return std::abs(place) < 1e4 ? fmt::format("{:.4g}", place) : fmt::format("{:.1f}", place);
+  };
+  const std::string from = text(low), to = text(high);
   return from == to ? fmt::format("{} = {} m", axis, from)
                     : fmt::format("{} from {} to {} m", axis, from, to);
 }

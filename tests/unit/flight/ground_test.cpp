@@ -82,9 +82,9 @@ TEST_CASE("a rock leaves the terrain where its centre has no ground below, along
     CHECK(history.fault == text);
     return history.last.position;
   };
-  CHECK(ends_at({-8, 0, 3}, "it passed the end of the terrain at x = -10 m").x() == Approx(-10).margin(1e-3));
-  CHECK(ends_at({0, 8, 3}, "it passed the end of the terrain at y = 10 m").y() == Approx(10).margin(1e-3));
-  CHECK(ends_at({0, -8, 3}, "it passed the end of the terrain at y = -10 m").y() == Approx(-10).margin(1e-3));
+  CHECK(ends_at({-8, 0, 3}, "it passed the end of the terrain towards -x").x() == Approx(-10).margin(1e-3));
+  CHECK(ends_at({0, 8, 3}, "it passed the end of the terrain towards +y").y() == Approx(10).margin(1e-3));
+  CHECK(ends_at({0, -8, 3}, "it passed the end of the terrain towards -y").y() == Approx(-10).margin(1e-3));
   CHECK(ends_at({8, 0, 9}, "it has no ground below it").x() == Approx(4).margin(1e-3));
 }
 
