@@ -43,7 +43,7 @@ std::string range_text(const Interval& interval) {
 }
 
 std::string group_line(const GroupSummary& group, std::size_t width) {
-  std::string text = fmt::format("  {:<{}}{:>8}{:>9}{:>16}", row_name(group), width, group.count,
+  std::string text = fmt::format("  {:<{}}{:>8}{:>9}{:>19}", row_name(group), width, group.count,
                                  percent(group.censored_share()),
                                  group.count > group.faults ? range_text(group.censored_interval()) : "-");
   for (const Statistic s : {Statistic::p50, Statistic::p90, Statistic::p95, Statistic::p99, Statistic::max})
@@ -61,14 +61,14 @@ std::string reasons_line(const Scenario& scenario, const GroupSummary& group) {
 
 std::string place_line(const std::string& place, const Share& share) {
   if (std::isnan(share.value)) return "";
-  return fmt::format("  {:<34}{:>12}{:>16}\n", place, (share.censored ? ">= " : "") + percent(share.value),
+  return fmt::format("  {:<34}{:>12}{:>19}\n", place, (share.censored ? ">= " : "") + percent(share.value),
                      range_text(share.interval));
 }
 
 /// The number of rocks at the gates and barriers of a point, one line for each.
 std::string places_text(const Scenario& scenario, const PointResult& point) {
   if (scenario.gates.empty() && scenario.barriers.empty()) return "";
-  std::string text = fmt::format("  {:<34}{:>12}{:>16}\n", "share of all rocks", "share", "95 % interval");
+  std::string text = fmt::format("  {:<34}{:>12}{:>19}\n", "share of all rocks", "share", "95 % interval");
   for (std::size_t g = 0; g < point.gates.size(); ++g)
     text += place_line(fmt::format("gate {}: passed", scenario.gates[g].name), point.gates[g].share);
   for (std::size_t b = 0; b < point.barriers.size(); ++b) {
@@ -119,7 +119,7 @@ std::string summary_text(const Plan& plan, const Results& results, const std::ve
   if (plan.points.front().bodies.empty()) {
     const std::size_t width = name_width(results);
     const char* what = plan.points.front().method == Method::ballistic ? "first landing, m" : "runout in m";
-    text += fmt::format("  {:<{}}{:>8}{:>9}{:>16}{:>9}{:>9}{:>9}{:>9}{:>9}\n", what, width, "rocks",
+    text += fmt::format("  {:<{}}{:>8}{:>9}{:>19}{:>9}{:>9}{:>9}{:>9}{:>9}\n", what, width, "rocks",
                         "censored", "95 % interval", "p50", "p90", "p95", "p99", "max");
     for (std::size_t p = 0; p < results.points.size(); ++p) {
       if (sweep) text += point_title(plan, p);
