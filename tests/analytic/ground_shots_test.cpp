@@ -24,7 +24,7 @@ double deepest(const Ground3& ground, const Body<3>& body) {
         const auto nearest = ground.nearest(place, contactor.radius);
         depth = std::max({depth, ground.depth(place), nearest ? contactor.radius - nearest->distance : 0.0});
       } else if (const double below = ground.depth(place); below > 0) {
-        depth = std::max(depth, ground.nearest(place, below)->distance);
+        depth = std::max(depth, ground.nearest(place, below * (1 + 1e-9)).value().distance);
       }
     }
   return depth;
