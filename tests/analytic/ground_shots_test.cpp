@@ -24,7 +24,8 @@ double deepest(const Ground3& ground, const Body<3>& body) {
         const auto nearest = ground.nearest(place, contactor.radius);
         depth = std::max({depth, ground.depth(place), nearest ? contactor.radius - nearest->distance : 0.0});
       } else if (const double below = ground.depth(place); below > 0) {
-        depth = std::max(depth, ground.nearest(place, below * (1 + 1e-9)).value().distance);
+        const auto nearest = ground.nearest(place, below);
+        depth = std::max(depth, nearest ? nearest->distance : below);
       }
     }
   return depth;
