@@ -27,6 +27,12 @@ Domain<3> domain_of(const Terrain3& terrain);
 std::optional<double> ground_height(const Terrain2& terrain, const Vec2& at);
 std::optional<double> ground_height(const Terrain3& terrain, const Vec3& at);
 
+/// Whether there is ground below or above a position within the domain. Only a terrain in 3D may have none.
+inline bool is_over_ground(const Terrain2&, const Vec2&) { return true; }
+inline bool is_over_ground(const Terrain3& terrain, const Vec3& at) {
+  return terrain.ground().whole() || ground_height(terrain, at);
+}
+
 /// How deep a position lies below the ground [m]: a vertical line up from it meets the surface from behind.
 /// Not positive if it is free.
 double depth_below_ground(const Terrain2& terrain, const Vec2& at);

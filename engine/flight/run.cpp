@@ -243,9 +243,10 @@ class Runner {
       if (touching_[i]) {
         observer_.stepped(i, flights_[i], outcome.duration,
                           slipping_[i] ? TravelMode::slide : TravelMode::roll);
-        const double from = std::max(starts_[i].v.norm(), spin_speed(starts_[i].w) * body.radius);
-        rest_[i].rests(start, world_.time, from, std::max(body.v.norm(), body.spin_speed() * body.radius),
-                       before);
+        const auto speed_of = [&](const auto& at) {
+          return std::max(at.v.norm(), spin_speed(at.w) * body.radius);
+        };
+        rest_[i].rests(start, world_.time, speed_of(starts_[i]), speed_of(body), before);
       } else {
         if (outcome.duration > 0) observer_.flew(i, flights_[i], start, outcome.duration);
         rest_[i].moves();
@@ -294,7 +295,7 @@ class Runner {
       Body<D>& body = world_.bodies[i];
       if (!body.is_finite() || body.v.norm() > fastest) {
         take_out(i, "its state is not finite, or it is faster than 100 km/s");
-      } else if (!domain.contains(body.x) || !ground_height(world_.terrain(), body.x)) {
+      } else if (!domain.contains(body.x) || !is_over_ground(world_.terrain(), body.x)) {
         histories_[i].fault = left_text(domain, body.x);
         end(i, StopReason::left_domain);
         body.present = false;

@@ -209,11 +209,15 @@ std::string reach_fault(const TerrainShape3& shape, const Vec3& origin, double m
 }
 
 Profile section_of(const TerrainShape3& shape, const Vec2& from, const Vec2& to) {
+  constexpr double shortest = 1e-3, longest = 1e5;  // m
+  const double length = (to - from).norm();
+  if (!(length >= shortest && length <= longest))
+    throw SectionError(
+        fmt::format("`from` and `to` of the section are {:.6g} m apart, expected 1 mm to 100 km", length));
   Cut cut(from, to);
   if (const Plane* plane = std::get_if<Plane>(&shape)) {
     Profile profile;
-    profile.points = {{0, plane->height(from.x(), from.y())},
-                      {(to - from).norm(), plane->height(to.x(), to.y())}};
+    profile.points = {{0, plane->height(from.x(), from.y())}, {length, plane->height(to.x(), to.y())}};
     profile.part = {0};
     profile.parts = plane->parts;
     return profile;

@@ -26,7 +26,7 @@ struct SectionError : std::runtime_error {
 
 /// The profile of a terrain along the line from `from` to `to` in plan [m]: x is the distance from `from`.
 /// Its parts are those of the terrain on the line. Throws SectionError where the ground does not reach both
-/// ends, has a gap or hangs over.
+/// ends, has a gap or hangs over, and for a line shorter than 1 mm or longer than 100 km.
 Profile section_of(const TerrainShape3& shape, const Vec2& from, const Vec2& to);
 
 }  // namespace flyrock

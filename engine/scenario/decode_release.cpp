@@ -39,6 +39,14 @@ std::string section_name(const Node& node, const ReleaseKey& kind, bool space) {
   return kind.key == "x" || kind.only_3d ? name + " 3D" : name;
 }
 
+/// Listed once for all rocks, because a raster may have many cells.
+std::shared_ptr<const std::vector<std::size_t>> cells_above_zero(const HeightGrid& grid) {
+  auto cells = std::make_shared<std::vector<std::size_t>>();
+  for (std::size_t i = 0; i < grid.heights.size(); ++i)
+    if (grid.heights[i] > 0) cells->push_back(i);
+  return cells;
+}
+
 /// The face: `bench: k` or `face: NAME`.
 void read_face(DecodeContext& context, const Node& node, const Section& section,
                const DecodedTerrain& terrain, Release& release) {
@@ -134,6 +142,7 @@ std::optional<Release> decode_release(DecodeContext& context, const Node& node, 
     }
     case ReleaseKind::raster:
       release.raster = read_raster(context, *node.find("raster"), section, "raster");
+      if (release.raster) release.raster_cells = cells_above_zero(*release.raster);
       break;
   }
   const bool takes_height = space && (release.kind == ReleaseKind::above_ground || name.ends_with(" 3D"));

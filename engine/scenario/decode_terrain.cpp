@@ -86,8 +86,6 @@ std::optional<PluginUse> decode_section_terrain(DecodeContext& context, const No
     return numbers.size() == 2 ? Vec2(numbers[0].constant, numbers[1].constant) : Vec2(Vec2::Zero());
   };
   plan.section = SectionPlan{place("from"), place("to")};
-  if (section.given("from") && section.given("to") && plan.section->from == plan.section->to)
-    node.error(context.diagnostics, "`from` and `to` are the same place");
   return use;
 }
 

@@ -115,6 +115,7 @@ struct Release {
   std::string face;              ///< for face, collar, bench_top: its name, in place of the number
   std::string zone;
   std::shared_ptr<const HeightGrid> raster;
+  std::shared_ptr<const std::vector<std::size_t>> raster_cells;  ///< those of the raster that are above 0
   bool in_plan = false;    ///< 3D: the place is one in plan, at a height above the ground (`above_ground`)
   bool on_ground = false;  ///< 3D: lowered in its attitude until it touches the ground
 };

@@ -7,6 +7,7 @@
 
 #include "trial/blast_at.h"
 #include "trial/random_place.h"
+#include "trial/reach.h"
 #include "trial/touch_ground.h"
 
 namespace flyrock {
@@ -39,15 +40,8 @@ Place<2> on_face(const Release& release, const Body<2>& rock, const Terrain2& te
   const auto& [toe, crest, name] = face_of(release.bench, terrain.profile());
   const Vec2 up = (crest - toe).normalized();
   const Vec2 out(up.y(), -up.x());
-  double low = 1e300, high = -1e300, depth = 1e300;
-  for (const Contactor2& contactor : rock.contactors) {
-    for (const Vec2& local : contactor.points) {
-      const Vec2 p = rock.attitude.rotation * local;
-      low = std::min(low, p.dot(up) - contactor.radius);
-      high = std::max(high, p.dot(up) + contactor.radius);
-      depth = std::min(depth, p.dot(out) - contactor.radius);
-    }
-  }
+  const auto [low, high] = reach_of<2>(rock, up);
+  const double depth = reach_of<2>(rock, out).low;
   const double room = (crest - toe).norm() - (high - low);
   if (room < 0)
     throw StartError(fmt::format(
@@ -78,12 +72,8 @@ Place<2> on_top(const Release& release, const Scenario& scenario, const DrawKey&
   const double x = face.crest.x() - out * share * back;
   if (x < profile.x_min() || x > profile.x_max())
     throw StartError(fmt::format("a hole {:.6g} m behind the crest lies beyond the terrain", back));
-  double low = 1e300;
-  for (const Contactor2& contactor : rock.contactors)
-    for (const Vec2& local : contactor.points)
-      low = std::min(low, (rock.attitude.rotation * local).y() - contactor.radius);
   Place<2> place;
-  place.position = {x, profile.height(x) - low};
+  place.position = {x, profile.height(x) - reach_of<2>(rock, Vec2::UnitY()).low};
   place.outward = {out, 0, 0};
   return place;
 }

@@ -10,6 +10,7 @@
 #include "trial/make_ground.h"
 #include "trial/place_rock.h"
 #include "trial/random_place.h"
+#include "trial/reach.h"
 #include "trial/touch_ground.h"
 
 namespace flyrock {
@@ -18,21 +19,6 @@ namespace {
 
 /// How often a place in the box of a zone is drawn until it lies in the zone.
 constexpr int most_draws = 1'000'000;
-
-/// The extent of a body about its centre of mass along a direction [m].
-struct Reach {
-  double low = 1e300, high = -1e300;
-};
-Reach reach_of(const Body<3>& rock, const Vec3& direction) {
-  Reach reach;
-  for (const Contactor3& contactor : rock.contactors)
-    for (const Vec3& local : contactor.points) {
-      const double along = direction.dot(rock.attitude.rotation * local);
-      reach.low = std::min(reach.low, along - contactor.radius);
-      reach.high = std::max(reach.high, along + contactor.radius);
-    }
-  return reach;
-}
 
 Vec3 horizontal_unit(const Vec3& direction) {
   const double length = direction.head<2>().norm();
@@ -99,7 +85,7 @@ class Placing {
       case ReleaseKind::zone:
         return above(random_in(zone_named(release_.zone)));
       case ReleaseKind::raster:
-        return above(random_in_cells(*release_.raster));
+        return above(random_in_cells());
     }
     return {};
   }
@@ -184,10 +170,9 @@ class Placing {
   }
 
   /// Uniform over the cells above 0.
-  Vec2 random_in_cells(const HeightGrid& grid) {
-    std::vector<std::size_t> cells;
-    for (std::size_t i = 0; i < grid.heights.size(); ++i)
-      if (grid.heights[i] > 0) cells.push_back(i);
+  Vec2 random_in_cells() {
+    const HeightGrid& grid = *release_.raster;
+    const std::vector<std::size_t>& cells = *release_.raster_cells;
     if (cells.empty()) throw StartError("the raster of the release has no cell above 0");
     const std::size_t cell =
         cells[static_cast<std::size_t>(rng_.integer(0, static_cast<std::int64_t>(cells.size()) - 1))];

@@ -22,7 +22,7 @@ typename World<D>::Row World<D>::relative_velocity(const Contact& contact) const
 /// vertex or edge turns with its body; the rounding of a contactor does not.
 template <int D>
 typename World<D>::Row World<D>::turning_of(const Contact& contact) const {
-  const auto of = [&](int i, std::uint32_t feature, double side) -> Vec<D> {
+  const auto of = [&](int i, FeatureId feature, double side) -> Vec<D> {
     const Body<D>& body = bodies[i];
     const double rounding = side * body.contactors[contactor_of(feature)].radius;
     const Vec<D> lever = contact.at.point + rounding * contact.at.normal - body.x;
@@ -58,8 +58,8 @@ void World<D>::measure_before(double h) {
 
 /// Assembles W = sum over bodies of H^T M^-1 H, q = u_free and the laws. The laws hold for the velocity at
 /// the end of the step, when the lever arms have turned on; without this, a body that pivots about a corner
-/// would leave it by w^2 h^2 / 2 times the lever in each step. `warm`: start from the impulses of the last
-/// step (warm start).
+/// would leave it by w^2 h^2 / 2 times the lever in each step. `warm`: start from the forces of the last
+/// step (warm start). Of loads that are not determined, the solver finds those next to its start.
 template <int D>
 void World<D>::assemble(double h, bool warm) {
   const auto turns = [](const Contact& c) { return c.law.mu_r > 0 || c.law.mu_spin > 0; };
@@ -144,9 +144,10 @@ void World<D>::scale_by_island(double h) {
   for (const Contact& c : contacts_)
     if (c.antagonist >= 0 && bodies[c.candidate].moves() && bodies[c.antagonist].moves())
       island_[island_of(c.candidate)] = island_of(c.antagonist);
-  // A long step asks for no less than a short one: what a residual moves in a second is its speed.
-  const double least = h > 0 && !chooses_steps() ? h : settings_.time_step;
-  island_speed_.assign(bodies.size(), g_ * (h > 0 ? std::min(h, least) : least));
+  // A long chosen step asks for no less than a short one: what a residual moves in a second is its speed.
+  double time = h > 0 ? h : settings_.time_step;
+  if (chooses_steps()) time = std::min(time, settings_.time_step);
+  island_speed_.assign(bodies.size(), g_ * time);
   for (const Contact& c : contacts_) {
     double& speed = island_speed_[island_of(c)];
     speed = std::max(speed, c.approach());

@@ -43,6 +43,10 @@ struct Attitude<3> {
   }
 };
 
+/// |w| of a spin in 2D or 3D.
+inline double spin_speed(double w) { return std::abs(w); }
+inline double spin_speed(const Vec3& w) { return w.norm(); }
+
 /// SI units. x is the centre of mass in the world frame. Contactors are given in the body's frame: its origin
 /// is the centre of mass, and in 3D its axes are the principal axes.
 template <int D>
@@ -82,7 +86,7 @@ struct Body {
   void displace(const Rows& by);
   void move_to(const Vec<D>& position, const Attitude<D>& turned) { x = position, attitude = turned; }
   typename Geometry<D>::Pose pose() const { return {x, attitude.rotation}; }
-  double spin_speed() const;  ///< |w|, rad/s
+  double spin_speed() const { return flyrock::spin_speed(w); }  ///< |w|, rad/s
   /// 1/2 (m v.v + w.I w) [J]; 0 for a body that is not dynamic.
   double kinetic_energy() const;
   Vec<D> velocity_at(const Vec<D>& point) const {
@@ -151,15 +155,6 @@ template <>
 inline void Body<3>::displace(const Rows& by) {
   move_to(x + by.head<3>(), attitude.turned(by.tail<3>()));
 }
-template <>
-inline double Body<2>::spin_speed() const {
-  return std::abs(w);
-}
-template <>
-inline double Body<3>::spin_speed() const {
-  return w.norm();
-}
-
 /// w.I w [J] of a spin w given in the world frame.
 inline double twice_spin_energy(const Body<2>& body, const Attitude<2>&, double w) {
   return body.inertia * w * w;

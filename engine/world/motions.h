@@ -1,8 +1,6 @@
 #pragma once
 // The motions of bodies: free motion, the path over a step of the scheme, and the mean motion of a step.
 
-#include <cmath>
-
 #include "world/body.h"
 
 namespace flyrock {
@@ -30,9 +28,6 @@ template <int D>
 Moment<D> moment_of(const Body<D>& body) {
   return {body.x, body.v, body.attitude, body.w};
 }
-
-inline double spin_speed(double w) { return std::abs(w); }
-inline double spin_speed(const Vec3& w) { return w.norm(); }
 
 /// The motion from `start` under gravity and the acceleration by the air, without torque. A body that forces
 /// do not move keeps its velocities.

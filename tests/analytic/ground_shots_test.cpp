@@ -31,6 +31,22 @@ double deepest(const Ground3& ground, const Body<3>& body) {
   return depth;
 }
 
+/// A random attitude, and a spin [rad/s] about a random axis.
+void tumble(Body<3>& body, double spin, std::mt19937& rng) {
+  body.w = spin * random_direction(rng);
+  body.attitude = Attitude<3>(Rotation3::from_vector(3 * random_direction(rng)));
+}
+
+BodyHistory run_alone(World<3>& world, const Body<3>& body, Material& material, double stop_time) {
+  world.add(body);
+  world.set_terrain_surface(0, 0, &material.surface);
+  std::vector<BodyHistory> histories;
+  RunSettings settings;
+  settings.stop_time = stop_time;
+  run(world, settings, histories);
+  return histories[0];
+}
+
 /// Shots at 300 m/s from 2 m above the ground, followed over their first impacts.
 void shoot(const TerrainShape3& shape, int shots, unsigned seed) {
   const Terrain3 terrain(shape);
@@ -46,19 +62,13 @@ void shoot(const TerrainShape3& shape, int shots, unsigned seed) {
     Vec3 way = random_direction(rng);
     way.z() = -std::abs(way.z());
     body.v = 300 * way;
-    body.w = 100 * random_direction(rng);
-    body.attitude = Attitude<3>(Rotation3::from_vector(3 * random_direction(rng)));
+    tumble(body, 100, rng);
     World<3> world(terrain, {0, 0, -9.81}, {});
-    world.add(body);
-    world.set_terrain_surface(0, 0, &material.surface);
-    std::vector<BodyHistory> histories;
-    RunSettings settings;
-    settings.stop_time = 0.1;
-    run(world, settings, histories);
-    landed += histories[0].landed;
-    const bool left = histories[0].reason == StopReason::left_domain;
-    below += histories[0].reason == StopReason::diverged ||
-             (!left && deepest(ground, world.bodies[0]) > 1e-3 * 0.005);
+    const BodyHistory history = run_alone(world, body, material, 0.1);
+    landed += history.landed;
+    const bool left = history.reason == StopReason::left_domain;
+    below +=
+        history.reason == StopReason::diverged || (!left && deepest(ground, world.bodies[0]) > 1e-3 * 0.005);
   }
   CHECK(below == 0);
   CHECK(landed > shots / 3);
@@ -76,16 +86,9 @@ void to_rest(const TerrainShape3& shape, int rocks, unsigned seed) {
     const double x = -15 + 4 * random(rng), y = 8 * random(rng);
     body.x = {x, y, ground.height(x, y).value() + 2};
     body.v = 4 * random_direction(rng);
-    body.w = 4 * random_direction(rng);
-    body.attitude = Attitude<3>(Rotation3::from_vector(3 * random_direction(rng)));
+    tumble(body, 4, rng);
     World<3> world(terrain, {0, 0, -9.81}, {});
-    world.add(body);
-    world.set_terrain_surface(0, 0, &material.surface);
-    std::vector<BodyHistory> histories;
-    RunSettings settings;
-    settings.stop_time = 60;
-    run(world, settings, histories);
-    const BodyHistory& history = histories[0];
+    const BodyHistory history = run_alone(world, body, material, 60);
     CHECK(history.reason != StopReason::diverged);
     CHECK(world.quality().energy_gained <= 1e-4 * body.mass * 9.81 * body.size);
     if (history.reason != StopReason::left_domain) CHECK(deepest(ground, world.bodies[0]) < 1e-4 * body.size);
