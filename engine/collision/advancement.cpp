@@ -20,7 +20,7 @@ struct State {
   double w;
   double w_max;  ///< greatest spin until the end
   explicit State(const MovingHull& hull, double t, double end)
-      : r(Rotation2::from_angle(hull.motion.angle_at(t))),
+      : r(hull.rests ? Rotation2() : Rotation2::from_angle(hull.motion.angle_at(t))),
         x(hull.motion.position(t)),
         v(hull.motion.velocity(t)),
         w(hull.motion.spin(t)),
@@ -35,9 +35,9 @@ class Search {
   std::optional<double> run(double t) {
     Direction direction;
     bool chosen = false;
+    State sa(a_, t, end_), sb(b_, t, end_);
     for (int i = 0; i < most_iterations; ++i) {
       if (search_.iterations) ++*search_.iterations;
-      const State sa(a_, t, end_), sb(b_, t, end_);
       double step = chosen ? lasts(direction, sa, sb, t) : 0;
       if (step <= 0) {
         step = longest(sa, sb, t, direction);
@@ -48,6 +48,8 @@ class Search {
       const double next = t + step;
       if (next <= t) return t;  // below the resolution of time
       t = next;
+      sa = State(a_, t, end_);
+      if (!b_.rests) sb = State(b_, t, end_);
     }
     return t;
   }
@@ -94,16 +96,16 @@ class Search {
     double least = forever;
     for (int j = 0; j < other.count && least > 0; ++j) {
       if (!turns && clear(other.points[j])) continue;
-      const Vec2 arm = so.r * other.points[j];
-      const Vec2 w = so.x + arm - sr.x;
-      const Vec2 velocity = so.v + cross(so.w, arm) - sr.v;
-      const double gap = normal.dot(w) - offset + search_.slack;
-      const double slope = sr.w * turn.dot(w) + normal.dot(velocity);
       const FeatureId edge_id = reference.edge_id(reference.base, edge);
       const FeatureId point_id = other.point_id(other.base, j);
       const bool is_held =
           reference_is_a ? search_.holds(edge_id, point_id) : search_.holds(point_id, edge_id);
       if (is_held && search_.held_are_solved) continue;
+      const Vec2 arm = so.r * other.points[j];
+      const Vec2 w = so.x + arm - sr.x;
+      const Vec2 velocity = so.v + cross(so.w, arm) - sr.v;
+      const double gap = normal.dot(w) - offset + search_.slack;
+      const double slope = sr.w * turn.dot(w) + normal.dot(velocity);
       // M >= -gap'' until the end of the search. The horizon limits the growth of the lever |w| of a turning
       // normal.
       const double reach = arm.norm(), speed = closing + so.w_max * reach;
@@ -161,18 +163,40 @@ class Search {
     return best;
   }
 
-  /// Finds the direction that separates longest. Returns for how long [s]; 0 if no direction separates.
+  /// The edge of `reference` from which the points of `other` are now farthest.
+  static int farthest_edge(const MovingHull& reference, const State& sr, const MovingHull& other,
+                           const State& so) {
+    int farthest = 0;
+    double most = -forever;
+    // In the frame of `reference`
+    const Vec2 x = sr.r.inverse(so.x - sr.x);
+    const Rotation2 r{sr.r.c * so.r.c + sr.r.s * so.r.s, sr.r.c * so.r.s - sr.r.s * so.r.c};
+    for (int e = 0; e < reference.count; ++e) {
+      const Vec2& normal = reference.normals[e];
+      const Vec2 towards = r.inverse(normal);
+      double gap = forever;
+      for (int j = 0; j < other.count; ++j) gap = std::min(gap, towards.dot(other.points[j]));
+      gap += normal.dot(x - reference.points[e]);
+      if (gap > most) most = gap, farthest = e;
+    }
+    return farthest;
+  }
+
+  /// Finds a direction that separates for long. Returns for how long [s]; 0 if no direction separates. The
+  /// edges that are farthest now mostly last; all others are tried only if these do not separate.
   double longest(const State& sa, const State& sb, double t, Direction& direction) const {
     double best = 0;
     const double enough = end_ - t;
-    auto try_direction = [&](const Direction& candidate) {
+    const auto try_direction = [&](int kind, int edge, const Vec2& fixed = Vec2::Zero()) {
+      const Direction candidate{kind, edge, fixed};
       if (const double time = lasts(candidate, sa, sb, t); time > best) best = time, direction = candidate;
     };
-    if (b_.count > 1)
-      for (int e = 0; e < b_.count && best < enough; ++e) try_direction({1, e, Vec2::Zero()});
-    if (a_.count > 1)
-      for (int e = 0; e < a_.count && best < enough; ++e) try_direction({0, e, Vec2::Zero()});
-    if ((a_.count == 1 || b_.count == 1) && best < enough) try_direction({2, 0, between_points(sa, sb)});
+    if (b_.count > 1) try_direction(1, b_.count > 2 ? farthest_edge(b_, sb, a_, sa) : 0);
+    if (a_.count > 1 && best < enough) try_direction(0, farthest_edge(a_, sa, b_, sb));
+    if ((a_.count == 1 || b_.count == 1) && best < enough) try_direction(2, 0, between_points(sa, sb));
+    if (best > 0) return best;
+    for (int e = 0; b_.count > 1 && e < b_.count && best < enough; ++e) try_direction(1, e);
+    for (int e = 0; a_.count > 1 && e < a_.count && best < enough; ++e) try_direction(0, e);
     return best;
   }
 

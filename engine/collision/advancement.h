@@ -20,6 +20,7 @@ struct MovingHull {
   FeatureId (*point_id)(int base, int i) = nullptr;
   FeatureId (*edge_id)(int base, int i) = nullptr;
   int base = 0;
+  bool rests = false;  ///< as the ground does, in the frame of the world: `motion` is zero
 };
 
 /// The first time in [window.a, window.b] at which the hulls touch and approach; see time_of_contact. In held

@@ -62,6 +62,15 @@ class DiskSearch {
   const TouchSearch& search_;
 };
 
+/// A time window in [0, t_max]. Outside it, a circle of radius r about the moving point does not meet the
+/// segment. In the frame of the segment its box is flat: the box of a steep face in the world is mostly air.
+TimeWindow segment_window(const Path<2>& path, double r, const Terrain2& terrain, int i, double t_max) {
+  const auto local = [&](const Vec2& v) { return Vec2(v.dot(terrain.tangent(i)), v.dot(terrain.normal(i))); };
+  const Box2 flat{Vec2::Zero(), {terrain.length(i), 0}};
+  return meeting_window(Path<2>{local(path.x - terrain.start(i)), local(path.v), local(path.a)}, r, flat,
+                        t_max);
+}
+
 MovingHull hull_of(const Contactor2& contactor, int index, const Motion2& motion) {
   return {contactor.points.data(),
           contactor.normals.data(),
@@ -74,11 +83,6 @@ MovingHull hull_of(const Contactor2& contactor, int index, const Motion2& motion
 }
 
 }  // namespace
-
-bool TouchSearch::holds(FeatureId feature, FeatureId against) const {
-  return std::any_of(held.begin(), held.end(),
-                     [&](const HeldContact& h) { return h.feature == feature && h.against == against; });
-}
 
 double TouchSearch::start_gap(double gap, bool just_opened) const {
   return just_opened && std::abs(gap) <= 1e-6 * size ? 0.0 : gap + slack;
@@ -105,7 +109,8 @@ std::optional<double> time_of_contact(const Contactor2& contactor, int contactor
           leftwards ? motion.x.x() - reach - terrain.end(i).x() : terrain.start(i).x() - motion.x.x() - reach;
       if (ahead > std::abs(motion.v.x()) * limit) break;
     }
-    const TimeWindow window = meeting_window(motion, reach, terrain.box(i), limit);
+    const TimeWindow window = round ? meeting_window(motion, reach, terrain.box(i), limit)
+                                    : segment_window(motion, reach, terrain, i, limit);
     if (window.empty()) continue;
     if (round) {
       if (search.iterations) ++*search.iterations;
@@ -114,7 +119,7 @@ std::optional<double> time_of_contact(const Contactor2& contactor, int contactor
     } else {
       const Vec2 ends[2] = {terrain.start(i), terrain.end(i)};
       const Vec2 normals[2] = {terrain.normal(i), -terrain.normal(i)};
-      const MovingHull ground{ends, normals, 2, 0, {}, terrain_point, terrain_edge, i};
+      const MovingHull ground{ends, normals, 2, 0, {}, terrain_point, terrain_edge, i, true};
       const auto t = advance_to_contact(hull, ground, window, search);
       if (t && (!best || *t < *best)) best = t;
     }

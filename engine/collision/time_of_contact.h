@@ -30,7 +30,11 @@ struct TouchSearch {
   double size = 1;  ///< m, of the body; the time of impact is exact up to a gap of 1e-12 of it
   std::uint64_t* iterations = nullptr;
 
-  bool holds(FeatureId feature, FeatureId against) const;
+  bool holds(FeatureId feature, FeatureId against) const {
+    for (const HeldContact& h : held)
+      if (h.feature == feature && h.against == against) return true;
+    return false;
+  }
   /// The gap at the start for a distance polynomial [m]. A contact that has just opened counts from 0,
   /// because a bounce on the same point must then take 2 v / g to the last bit.
   double start_gap(double gap, bool just_opened) const;

@@ -145,9 +145,9 @@ void World<D>::scale_by_island(double h) {
     if (c.antagonist >= 0 && bodies[c.candidate].moves() && bodies[c.antagonist].moves())
       island_[island_of(c.candidate)] = island_of(c.antagonist);
   // A long chosen step asks for no less than a short one: what a residual moves in a second is its speed.
-  double time = h > 0 ? h : settings_.time_step;
-  if (chooses_steps()) time = std::min(time, settings_.time_step);
-  island_speed_.assign(bodies.size(), g_ * time);
+  double spell = h > 0 ? h : settings_.time_step;
+  if (chooses_steps()) spell = std::min(spell, settings_.time_step);
+  island_speed_.assign(bodies.size(), g_ * spell);
   for (const Contact& c : contacts_) {
     double& speed = island_speed_[island_of(c)];
     speed = std::max(speed, c.approach());
