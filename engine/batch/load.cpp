@@ -82,7 +82,8 @@ std::string hash_of(const LoadedScenario& loaded) {
 }  // namespace
 
 std::optional<LoadedScenario> load_scenario(const std::string& path, const Overrides& overrides,
-                                            Diagnostics& diagnostics, Prints prints) {
+                                            Diagnostics& diagnostics, Prints prints,
+                                            const LoadedScenario* before) {
   LoadedScenario loaded;
   loaded.session = std::make_unique<LuaSession>(share_folder());
   if (prints == Prints::collected) loaded.session->collect_prints();
@@ -97,14 +98,15 @@ std::optional<LoadedScenario> load_scenario(const std::string& path, const Overr
   const fs::path folder = fs::path(path).parent_path();
   load_plugin_files(root, folder, *loaded.session, diagnostics);
 
-  std::optional<Plan> plan = decode(root, loaded.session->registry(), folder.string(), diagnostics);
+  std::optional<Plan> plan = decode(root, loaded.session->registry(), folder.string(), diagnostics,
+                                    before ? before->plan.points.front().terrain.grounds : nullptr);
   if (!plan || diagnostics.has_errors()) return std::nullopt;
   loaded.plan = std::move(*plan);
   // A run shorter than the scenario asks for may lack answers and lists them. A full run must give all
   // answers.
   check_clearances(root, loaded.plan, loaded.plan.points.front().trials >= loaded.own_trials, diagnostics);
   warn_of_short_throws(root, loaded.plan, diagnostics);
-  loaded.files = hashes_of(loaded.plan.files, diagnostics);
+  loaded.files = before ? before->files : hashes_of(loaded.plan.files, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   loaded.warnings = diagnostics.warnings();
   for (const auto& [name, text] : loaded.session->sources()) loaded.sources.push_back({name, sha256(text)});

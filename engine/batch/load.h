@@ -34,8 +34,11 @@ struct LoadedScenario {
 enum class Prints { shown, collected };
 
 /// Reads `path` (.yaml, .yml or .lua), loads the plugin files that it names relative to its folder, applies
-/// `overrides` and decodes. Nothing if there are errors; all of them are in `diagnostics`.
+/// `overrides` and decodes. Nothing if there are errors; all of them are in `diagnostics`. `before`: the same
+/// scenario, loaded before in this process; its grounds and the hashes of its data files are taken over, so
+/// that each of these files is read and hashed once.
 std::optional<LoadedScenario> load_scenario(const std::string& path, const Overrides& overrides,
-                                            Diagnostics& diagnostics, Prints prints = Prints::shown);
+                                            Diagnostics& diagnostics, Prints prints = Prints::shown,
+                                            const LoadedScenario* before = nullptr);
 
 }  // namespace flyrock

@@ -35,8 +35,8 @@ bool has_finite_numbers(const RockRecord& rock) {
 
 std::string rock_fault(const RockRecord& rock, const ChunkRange& range, std::size_t groups) {
   if (rock.trial < range.first || rock.trial - range.first >= range.count)
-    return fmt::format("a rock of trial {}, its trials begin at {} and are {}", rock.trial, range.first,
-                       range.count);
+    return fmt::format("a rock of trial {}, expected trials {} to {}", rock.trial, range.first,
+                       range.first + range.count - 1);
   if (!is_index(rock.group, groups))
     return fmt::format("a rock of group {}, the scenario has {}", rock.group, groups);
   if (!is_value(rock.reason, StopReason::not_started)) return "a rock that stopped for no known reason";

@@ -40,7 +40,7 @@ const std::vector<BlastFieldInfo>& blast_fields() {
       {BlastField::breakout_angle, "breakout_angle", "breakout_angle", "rad", dimension::angle,
        "opening angle of the prism that a hole breaks out to the face"},
       {BlastField::powder_factor, "powder_factor", "powder_factor", "kg/m3", dimension::density,
-       "explosive over rock, as the plan states it"},
+       "explosive per volume of rock, from the blast plan"},
   };
   return fields;
 }

@@ -56,13 +56,11 @@ MakeWorker workers(const LoadedScenario& scenario, Runners& runners, const std::
     if (thread == 0) return trial_of(runners, *scenario.session);
     const auto reading = std::make_shared<Reading>();
     Diagnostics diagnostics;
-    reading->scenario = load_scenario(path, overrides, diagnostics,
-                                      Prints::collected);  // thread 0 has already shown these prints
+    // The scenario is another one for each thread, because Lua states are; their grounds are the same. Thread
+    // 0 has already shown its prints.
+    reading->scenario = load_scenario(path, overrides, diagnostics, Prints::collected, &scenario);
     if (!reading->scenario || reading->scenario->hash != scenario.hash)
       throw FileError(fmt::format("{}, or a file that it names, was changed while the run started", path));
-    // The scenario is another one for each thread, because Lua states are; their grounds are the same.
-    for (Scenario& point : reading->scenario->plan.points)
-      point.terrain.grounds = scenario.plan.points.front().terrain.grounds;
     reading->runners = make_runners(reading->scenario->plan);
     prepare(reading->runners, *reading->scenario, hard_problems);
     return [reading, run = trial_of(reading->runners, *reading->scenario->session)](

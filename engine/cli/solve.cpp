@@ -79,8 +79,8 @@ void print(const Answer& answer, bool json) {
   fmt::print("{} contacts in {}D: {} after {} {} of {} in {:.3g} s\n", answer.contacts, answer.dimension,
              result.converged ? "converged" : "not converged", result.iterations,
              result.solver == SolverKind::nlgs ? "sweeps" : "steps", name_of(result.solver), answer.seconds);
-  fmt::print("|F|/|q| {:.3g}, of FCLIB {:.3g}; worst at contact {}\n", answer.merit.relative(),
-             answer.merit.fclib(), answer.merit.worst_contact);
+  fmt::print("relative error |F|/|q| {:.3g} (FCLIB's measure {:.3g}), greatest at contact {}\n",
+             answer.merit.relative(), answer.merit.fclib(), answer.merit.worst_contact);
 }
 
 }  // namespace

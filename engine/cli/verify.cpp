@@ -48,8 +48,8 @@ int verify(const Command& command, const Arguments& arguments) {
       fmt::print("{:<72} {:>13.6g} {:>13.6g} {:>9.1e} {:>9.1e}  {}\n", check.name, check.computed,
                  check.expected, std::abs(check.computed - check.expected), check.tolerance,
                  check.passed ? "holds" : "FAILS");
-    fmt::print("{} of {} hold; of each case the quantity that is farthest off is shown\n",
-               checks.size() - failed, checks.size());
+    fmt::print("{} of {} checks hold; a line shows the worst quantity of its case\n", checks.size() - failed,
+               checks.size());
   }
   return failed == 0 ? done : expectation_failed;
 }

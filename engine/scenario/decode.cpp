@@ -46,12 +46,13 @@ Value* find_path(Value& root, const std::string& path) {
 class PlanDecoder {
  public:
   PlanDecoder(const Value& root, const Registry& registry, const std::string& folder,
-              Diagnostics& diagnostics)
+              Diagnostics& diagnostics, std::shared_ptr<GroundStore> grounds)
       : tree_(root),
         registry_(registry),
         folder_(folder),
         diagnostics_(diagnostics),
-        a_plugin_failed_(diagnostics.has_errors()) {}
+        a_plugin_failed_(diagnostics.has_errors()),
+        grounds_(std::move(grounds)) {}
 
   std::optional<Plan> decode() {
     if (!Node::root(tree_).expect_map(diagnostics_)) return std::nullopt;
@@ -164,14 +165,15 @@ class PlanDecoder {
   std::set<std::string> swept_;
   std::vector<List> resolved_values_;  ///< for each axis and step
   Plan plan_;
-  std::shared_ptr<GroundStore> grounds_ = std::make_shared<GroundStore>();
+  const std::shared_ptr<GroundStore> grounds_;
 };
 
 }  // namespace
 
 std::optional<Plan> decode(const Value& root, const Registry& registry, const std::string& folder,
-                           Diagnostics& diagnostics) {
-  return PlanDecoder(root, registry, folder, diagnostics).decode();
+                           Diagnostics& diagnostics, std::shared_ptr<GroundStore> grounds) {
+  if (!grounds) grounds = std::make_shared<GroundStore>();
+  return PlanDecoder(root, registry, folder, diagnostics, std::move(grounds)).decode();
 }
 
 }  // namespace flyrock

@@ -24,8 +24,8 @@ void apply_overrides(Value& root, const Overrides& overrides, Diagnostics& diagn
 std::vector<std::pair<std::string, Location>> plugin_files(const Value& root, Diagnostics& diagnostics);
 
 /// Decodes the tree; nothing if there are errors. `folder` is the folder of the scenario: the files that it
-/// names are relative to it.
+/// names are relative to it. `grounds`: those of the same scenario, decoded before; nullptr for none.
 std::optional<Plan> decode(const Value& root, const Registry& registry, const std::string& folder,
-                           Diagnostics& diagnostics);
+                           Diagnostics& diagnostics, std::shared_ptr<GroundStore> grounds = nullptr);
 
 }  // namespace flyrock

@@ -6,6 +6,7 @@
 
 #include "geometry/terrain_place.h"
 #include "scenario/decode_sections.h"
+#include "scenario/ground_store.h"
 
 namespace flyrock {
 
@@ -30,34 +31,56 @@ std::vector<std::string> names_of(const std::vector<Material>& materials) {
   return names;
 }
 
-/// Builds the terrain of trial 0 for what other sections need of it.
-void try_to_build(DecodeContext& context, const Node& node, const PluginUse& use, std::uint64_t seed,
-                  DecodedTerrain& terrain) {
+/// What other sections need of the terrain of trial 0. Its shape in 3D goes to `shape` unless it may be
+/// another in other trials.
+DecodedTerrain outline_of(DecodeContext& context, const PluginUse& use,
+                          const std::optional<SectionPlan>& section, std::uint64_t seed,
+                          std::shared_ptr<TerrainShape3>& shape) {
+  const DrawKey key;
+  std::vector<double> values;
+  for (const Number& slot : use.slots) values.push_back(slot.value(context.draws, seed, key));
+  RandomStream rng(seed, use.path, key);
+  DecodedTerrain terrain;
+  const auto model = make_instance<TerrainModel>(use, section ? 3 : context.dimension);
+  if (section || context.dimension == 3)
+    shape = std::make_shared<TerrainShape3>(model->build_3d(values, rng));
+  if (context.dimension == 3) {
+    terrain.parts = parts_of(*shape);
+    terrain.automatic_origin = automatic_origin(*shape);
+    if (const Mesh* mesh = std::get_if<Mesh>(shape.get()))
+      for (const Mesh::Face& face : mesh->faces) terrain.faces.push_back(face.name);
+  } else {
+    terrain.profile = section ? section_of(*shape, section->from, section->to) : model->build(values, rng);
+    terrain.parts = terrain.profile->parts;
+    for (std::size_t i = 0; i < terrain.profile->faces.size(); ++i)
+      terrain.faces.push_back(terrain.profile->face_name(i));
+  }
+  const bool constant =
+      std::all_of(use.slots.begin(), use.slots.end(), [](const Number& n) { return n.is_constant(); });
+  if (!constant || rng.drawn()) shape.reset();
+  return terrain;
+}
+
+/// Builds the terrain, or takes its outline from one who has built the same before. `text`: the terrain as
+/// far as it has been resolved.
+std::shared_ptr<TerrainShape3> try_to_build(DecodeContext& context, const Node& node, const PluginUse& use,
+                                            std::uint64_t seed, const std::string& text,
+                                            DecodedTerrain& terrain) {
+  std::shared_ptr<TerrainShape3> shape;
   try {
-    const DrawKey key;
-    std::vector<double> values;
-    for (const Number& slot : use.slots) values.push_back(slot.value(context.draws, seed, key));
-    RandomStream rng(seed, use.path, key);
-    const std::optional<SectionPlan>& section = terrain.plan.section;
-    const auto model = make_instance<TerrainModel>(use, section ? 3 : context.dimension);
-    if (context.dimension == 3) {
-      const TerrainShape3 shape = model->build_3d(values, rng);
-      terrain.parts = parts_of(shape);
-      terrain.automatic_origin = automatic_origin(shape);
-      if (const Mesh* mesh = std::get_if<Mesh>(&shape))
-        for (const Mesh::Face& face : mesh->faces) terrain.faces.push_back(face.name);
-    } else {
-      terrain.profile = section ? section_of(model->build_3d(values, rng), section->from, section->to)
-                                : model->build(values, rng);
-      terrain.parts = terrain.profile->parts;
-      for (std::size_t i = 0; i < terrain.profile->faces.size(); ++i)
-        terrain.faces.push_back(terrain.profile->face_name(i));
-    }
+    const auto outline = context.grounds->get(fmt::format("outline {} {}", seed, text), [&] {
+      return GroundStore::Made{std::make_shared<const DecodedTerrain>(
+          outline_of(context, use, terrain.plan.section, seed, shape))};
+    });
+    TerrainPlan plan = std::move(terrain.plan);
+    terrain = *std::static_pointer_cast<const DecodedTerrain>(outline);
+    terrain.plan = std::move(plan);
   } catch (const SectionError& error) {
     context.diagnostics.error(node.key_at, node.path, error.what());
   } catch (const PluginError& error) {
     context.diagnostics.error(node.key_at, node.path, error.what());
   }
+  return shape;
 }
 
 /// { type: section, of: { type, ... }, from, to }: a profile out of a terrain in 3D.
@@ -110,7 +133,7 @@ void decode_part_materials(DecodeContext& context, const Node& node, const std::
             fmt::format(
                 "the terrain has no part or zone `{}`{}{}", entry.key,
                 names.empty() ? "" : suggestion(entry.key, names),
-                names.size() < parts.size() ? "; `material` beside it holds for all that has no name" : ""));
+                names.size() < parts.size() ? "; `material` applies to the parts without a name" : ""));
       plan.material_of_part[entry.key] = find_material(context, entry, materials);
       if (entry.value->text()) put(map, entry.key, *entry.value);
     }
@@ -180,9 +203,10 @@ DecodedTerrain decode_terrain(DecodeContext& context, const Node& node,
   if (context.dimension == 3) others.emplace_back("origin");
   const auto use = is_section ? decode_section_terrain(context, node, terrain.plan, map)
                               : decode_plugin(context, node, PluginKind::terrain, terrain_rules, map, others);
+  std::shared_ptr<TerrainShape3> shape;
   if (use && context.diagnostics.errors_given() == errors) {
     terrain.plan.model = *use;
-    try_to_build(context, node, *use, seed, terrain);
+    shape = try_to_build(context, node, *use, seed, to_json(map_value(Map(map))), terrain);
   }
   decode_places_of_terrain(context, node, terrain, map);
   const bool names_materials = node.find("material") || node.find("materials");
@@ -198,6 +222,7 @@ DecodedTerrain decode_terrain(DecodeContext& context, const Node& node,
   Value whole = map_value(std::move(map));
   terrain.plan.text = to_json(whole);
   terrain.plan.grounds = context.grounds;
+  if (shape) context.grounds->leave(terrain.plan.text, std::move(shape));
   put(resolved, "terrain", std::move(whole));
   return terrain;
 }

@@ -29,6 +29,17 @@ std::shared_ptr<const void> GroundStore::get(const std::string& key, const std::
   return made.ground;
 }
 
+void GroundStore::leave(const std::string& key, std::shared_ptr<void> shape) {
+  const std::lock_guard lock(mutex_);
+  left_key_ = key;
+  left_ = std::move(shape);
+}
+
+std::shared_ptr<void> GroundStore::take(const std::string& key) {
+  const std::lock_guard lock(mutex_);
+  return key == left_key_ ? std::move(left_) : nullptr;
+}
+
 /// Counts the ground, and drops others while there are too many.
 void GroundStore::keep(Entry& entry, std::size_t bytes) {
   const std::lock_guard lock(mutex_);

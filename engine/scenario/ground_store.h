@@ -25,6 +25,12 @@ class GroundStore {
   };
   std::shared_ptr<const void> get(const std::string& key, const std::function<Made()>& make);
 
+  /// Leaves what was built of a terrain while the scenario was read, for the one who makes its ground: a file
+  /// is then read once. Only the last that was left is kept.
+  void leave(const std::string& key, std::shared_ptr<void> shape);
+  /// What was left under this key, which it then is no longer; nullptr for another key.
+  std::shared_ptr<void> take(const std::string& key);
+
  private:
   struct Entry {
     std::mutex making;
@@ -40,6 +46,8 @@ class GroundStore {
   std::mutex mutex_;
   std::uint64_t clock_ = 0;
   std::map<std::string, std::shared_ptr<Entry>> entries_;
+  std::string left_key_;
+  std::shared_ptr<void> left_;
 };
 
 }  // namespace flyrock

@@ -25,9 +25,9 @@ bool ImpactSolver<D>::solve_alone(Problem& problem, int a, const Rebound<D>& reb
   if (rebound.form == RestitutionForm::velocity && rebound.before[0] < 0) {
     if (!alone)
       throw TrialError(
-          "restitution of form velocity at a contact whose body touches something else at the same time, "
-          "expected a contact "
-          "of its own");
+          "a restitution law of form `velocity` must be alone at an impact, but the body touches something "
+          "else "
+          "at the same time");
     Eigen::Matrix<double, D, 1> after = rebound.e_t * rebound.before.template head<D>();
     after[0] = -rebound.e_n * rebound.before[0];
     alone_[a].template head<D>() = w.ldlt().solve(after - v);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/terrain_place.h"
+#include "scenario/ground_store.h"
 #include "trial/instances.h"
 #include "trial/make_ground.h"
 #include "trial/place_rock.h"
@@ -14,21 +15,32 @@
 
 namespace flyrock {
 
+/// The shape of a terrain, built now or left by the reader of the scenario.
+inline TerrainShape3 shape_of(const TerrainModel& model, const std::vector<double>& values,
+                              const TerrainPlan& plan, RandomStream& rng) {
+  if (plan.grounds)
+    if (const auto left = std::static_pointer_cast<TerrainShape3>(plan.grounds->take(plan.text)))
+      return std::move(*left);
+  return model.build_3d(values, rng);
+}
+
 inline Terrain2 make_terrain(const TerrainModel& model, const PluginUse& use, const Scenario& scenario,
                              const DrawKey& key, RandomStream& rng, const Terrain2*) {
   const std::vector<double> values = values_of(use, scenario, key);
   const auto& section = scenario.terrain.section;
   if (!section) return profile_ground(model.build(values, rng), scenario.terrain);
   try {
-    return profile_ground(section_of(model.build_3d(values, rng), section->from, section->to),
-                          scenario.terrain);
+    return profile_ground(
+        section_of(shape_of(model, values, scenario.terrain, rng), section->from, section->to),
+        scenario.terrain);
   } catch (const SectionError& error) {
     throw PluginError(fmt::format("plugin {}: {}", use.plugin->spec.name, error.what()));
   }
 }
 inline Terrain3 make_terrain(const TerrainModel& model, const PluginUse& use, const Scenario& scenario,
                              const DrawKey& key, RandomStream& rng, const Terrain3*) {
-  return shaped_ground(model.build_3d(values_of(use, scenario, key), rng), scenario.terrain);
+  return shaped_ground(shape_of(model, values_of(use, scenario, key), scenario.terrain, rng),
+                       scenario.terrain);
 }
 
 /// About how much memory a terrain takes.

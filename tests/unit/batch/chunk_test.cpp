@@ -163,7 +163,7 @@ TEST_CASE("Records that a program other than flyrock has written are held agains
   CHECK(fault_after([](TrialRecords& r) { r.rocks[0].group = -1; }) ==
         "a rock of group -1, the scenario has 3");
   CHECK(fault_after([](TrialRecords& r) { r.rocks[0].trial = 10; }) ==
-        "a rock of trial 10, its trials begin at 0 and are 10");
+        "a rock of trial 10, expected trials 0 to 9");
   CHECK(fault_after([](TrialRecords& r) { r.rocks[0].reason = StopReason::not_started; }).empty());
   CHECK(fault_after([](TrialRecords& r) { r.rocks[0].reason = static_cast<StopReason>(stop_reasons); }) ==
         "a rock that stopped for no known reason");

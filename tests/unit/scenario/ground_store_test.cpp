@@ -69,3 +69,12 @@ TEST_CASE("a ground that cannot be made is tried again") {
   CHECK_THROWS(store.get("a", []() -> GroundStore::Made { throw std::runtime_error("no"); }));
   CHECK(number_of(store.get("a", [] { return made_of(7, 1); })) == 7);
 }
+
+TEST_CASE("a shape that was left is taken once, under its key") {
+  GroundStore store;
+  CHECK(!store.take("a"));
+  store.leave("a", std::make_shared<int>(3));
+  CHECK(!store.take("b"));
+  CHECK(*std::static_pointer_cast<int>(store.take("a")) == 3);
+  CHECK(!store.take("a"));
+}

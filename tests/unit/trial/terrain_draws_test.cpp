@@ -69,3 +69,26 @@ TEST_CASE(
   CHECK(once_drawn.terrain_of(0) == once_drawn.terrain_of(7));
   CHECK(once.terrain_of(0) == once.terrain_of(7));
 }
+
+TEST_CASE("the files of a terrain are read and hashed when the scenario is loaded, and never again") {
+  LuaFixture files;
+  files.write("level.asc", "ncols 3\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 1 1\n1 1 1\n1 1 1\n");
+  files.write(
+      "s.yaml",
+      "flyrock: 1\ndimension: 3\nmethod: nscd\nterrain: { type: raster, file: level.asc, material: rock }\n"
+      "materials: { rock: { restitution: { type: newton, en: 0.5 }, friction: { type: coulomb, mu: 0.5 } } "
+      "}\n"
+      "bodies: [{ name: ball, shape: { type: sphere, radius: 0.1 }, mass: 1, position: [1, 1, 5] }]\n"
+      "stop: { time: 1 }\n");
+  Diagnostics diagnostics;
+  const std::string path = (files.folder / "s.yaml").string();
+  const auto first = load_scenario(path, {}, diagnostics);
+  REQUIRE(first);
+  files.write("level.asc", "no raster any more");
+  const auto again = load_scenario(path, {}, diagnostics, Prints::shown, &*first);
+  INFO(diagnostics.to_text());
+  REQUIRE(again);
+  CHECK(again->hash == first->hash);
+  TrialBuilder<3> one(first->plan.points.front()), other(again->plan.points.front());
+  CHECK(one.terrain_of(0) == other.terrain_of(0));
+}
