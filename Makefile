@@ -7,7 +7,7 @@ PACKAGES := g++ cmake ninja-build libeigen3-dev libyaml-cpp-dev liblua5.4-dev li
   libtinyobjloader-dev catch2 npm
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 JOBS := $(shell nproc)
-PLOTLY := node_modules/plotly.js-cartesian-dist-min/plotly-cartesian.min.js
+PLOTLY := node_modules/plotly.js-gl3d-dist-min/plotly-gl3d.min.js
 
 help:
 	@echo "make demo   build, run the Ninh Dan blast (1000 trials) and say where its report is"

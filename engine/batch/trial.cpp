@@ -72,24 +72,11 @@ int part_under(const Terrain& terrain, const Body<D>& body) {
   return nearest.distance <= reach ? nearest.part : -1;
 }
 
-Profile picture(const Terrain2& terrain) { return terrain.profile(); }
-/// The section at y = 0, or at the middle of the terrain if it does not reach there. A plane is shown from
-/// -100 m to 100 m, other terrain in 400 parts.
-Profile picture(const Terrain3& terrain) {
-  constexpr double half = 100;
-  constexpr int parts = 400;
-  const Box3& box = terrain.ground().extent();
-  const bool endless = std::isinf(box.low.x());
-  const double low = endless ? -half : box.low.x(), high = endless ? half : box.high.x();
-  const double y = box.low.y() <= 0 && box.high.y() >= 0 ? 0 : 0.5 * (box.low.y() + box.high.y());
-  Profile cut;
-  cut.parts = terrain.parts();
-  for (int i = 0; i <= parts; i += endless ? parts : 1) {
-    const double x = low + (high - low) * i / parts;
-    if (const auto z = terrain.ground().height(x, y)) cut.points.push_back({x, *z});
-  }
-  cut.part.assign(cut.points.empty() ? 0 : cut.points.size() - 1, 0);
-  return cut;
+TerrainPicture picture(const std::shared_ptr<const Terrain2>& terrain, const Vec3& origin) {
+  return {terrain->profile().parts, terrain->profile(), nullptr, origin};
+}
+TerrainPicture picture(const std::shared_ptr<const Terrain3>& terrain, const Vec3& origin) {
+  return {terrain->parts(), {}, terrain, origin};
 }
 
 }  // namespace
@@ -99,12 +86,8 @@ class TrialRunner::Trials : public OfDimension {
  public:
   explicit Trials(const Scenario& scenario);
   void run(std::uint64_t trial, TrialRecords& out) override;
-  Profile picture_of(std::uint64_t trial) override {
-    Profile shown = picture(*builder_.terrain_of(trial));
-    const Vec3& origin = scenario_.terrain.origin;
-    if (origin != Vec3::Zero())
-      for (Vec2& point : shown.points) point += Vec2(origin.x(), origin.z());
-    return shown;
+  TerrainPicture picture_of(std::uint64_t trial) override {
+    return picture(builder_.terrain_of(trial), scenario_.terrain.origin);
   }
 
  private:
@@ -134,7 +117,7 @@ TrialRunner::Trials<D>::Trials(const Scenario& scenario) : scenario_(scenario), 
   for (const GatePlan& gate : scenario.gates) gates_.push_back({gate.x - scenario.terrain.origin.x()});
   for (const BarrierPlan& barrier : scenario.barriers)
     barriers_.push_back({barrier.x - scenario.terrain.origin.x(), barrier.height, barrier.capacity});
-  if (D == 2 && scenario.bodies.empty()) bin_width_ = envelope_width(picture_of(0));
+  if (D == 2 && scenario.bodies.empty()) bin_width_ = envelope_width(picture_of(0).profile);
 }
 
 template <int D>

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "batch/records.h"
+#include "batch/terrain_picture.h"
 #include "flight/run.h"
 #include "trial/build_trial.h"
 
@@ -26,8 +27,8 @@ class TrialRunner {
   /// each trial, as trial-<t>-<n>.hdf5. The folder is made when it is needed.
   void keep_hard_problems(const std::filesystem::path& folder) { of_dimension_->hard_problems = folder; }
 
-  /// The terrain of a trial for pictures. In 3D, its section along x at y = 0, from -100 m to 100 m.
-  Profile picture_of(std::uint64_t trial) { return of_dimension_->picture_of(trial); }
+  /// The terrain of a trial for pictures.
+  TerrainPicture picture_of(std::uint64_t trial) { return of_dimension_->picture_of(trial); }
 
  private:
   struct OfDimension {
@@ -35,7 +36,7 @@ class TrialRunner {
     bool (*interrupted)() = [] { return false; };
     virtual ~OfDimension() = default;
     virtual void run(std::uint64_t trial, TrialRecords& out) = 0;
-    virtual Profile picture_of(std::uint64_t trial) = 0;
+    virtual TerrainPicture picture_of(std::uint64_t trial) = 0;
   };
   template <int D>
   class Trials;

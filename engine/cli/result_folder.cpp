@@ -145,7 +145,7 @@ void ResultFolder::open(const LoadedScenario& scenario, const Request& request) 
 }
 
 Results ResultFolder::build(ResultWriter& writer, const std::vector<Rows>& rows, const RunFacts& facts,
-                            std::vector<Profile> terrains, RunLog log) const {
+                            std::vector<TerrainPicture> terrains, RunLog log) const {
   const auto start = std::chrono::steady_clock::now();
   Results results = writer.finish(rows, facts, std::move(terrains), fs::path(share_folder()) / "report");
   write_checksums(path_);

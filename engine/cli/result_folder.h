@@ -44,7 +44,7 @@ class ResultFolder {
 
   /// Finishes the tables and the report from what `writer` has seen, and writes the log. Throws FileError.
   Results build(ResultWriter& writer, const std::vector<Rows>& rows, const RunFacts& facts,
-                std::vector<Profile> terrains, RunLog log) const;
+                std::vector<TerrainPicture> terrains, RunLog log) const;
   /// Removes the chunks, after the results are written. Throws FileError.
   void tidy() const;
 

@@ -68,8 +68,8 @@ MakeWorker workers(const LoadedScenario& scenario, Runners& runners, const std::
   };
 }
 
-std::vector<Profile> first_terrains(Runners& runners) {
-  std::vector<Profile> terrains;
+std::vector<TerrainPicture> first_terrains(Runners& runners) {
+  std::vector<TerrainPicture> terrains;
   for (const auto& runner : runners) {
     try {
       terrains.push_back(runner->picture_of(0));

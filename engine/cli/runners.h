@@ -27,6 +27,6 @@ MakeWorker workers(const LoadedScenario& scenario, Runners& runners, const std::
 
 /// The ground of each point, for the pictures of the report. If it cannot be built, every rock is a row that
 /// says why.
-std::vector<Profile> first_terrains(Runners& runners);
+std::vector<TerrainPicture> first_terrains(Runners& runners);
 
 }  // namespace flyrock::cli

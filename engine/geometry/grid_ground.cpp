@@ -18,6 +18,7 @@ constexpr std::array<std::array<int, 2>, 6> ring{{{1, 0}, {1, 1}, {0, 1}, {-1, 0
 
 GridGround::GridGround(HeightGrid grid) : Ground3(grid.parts), grid_(std::move(grid)) {
   build_levels();
+  cell_ = grid_.cell;
   const Vec2 size = grid_.cell * Vec2(grid_.columns - 1, grid_.rows - 1);
   const Level& all = levels_.back();
   extent_.low << grid_.corner, all.low[0];

@@ -63,12 +63,15 @@ class Ground3 {
   bool whole() const { return whole_; }
   /// Whether a vertical line may pass the surface more than once.
   bool overhangs() const { return overhangs_; }
+  /// The cell of a grid, or the median length of the edges of a mesh [m]; 0 for a plane.
+  double cell() const { return cell_; }
   const std::vector<std::string>& parts() const { return parts_; }
 
  protected:
   explicit Ground3(std::vector<std::string> parts) : parts_(std::move(parts)) {}
 
   bool whole_ = true, overhangs_ = false;  ///< known once the ground is made
+  double cell_ = 0;
 
  private:
   std::vector<std::string> parts_;

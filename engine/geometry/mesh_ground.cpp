@@ -27,6 +27,18 @@ class PlanSegment {
   Vec2 a_, low_, high_, across_;
 };
 
+/// The edges of two triangles count twice.
+double median_edge(const Mesh& mesh) {
+  std::vector<double> lengths;
+  lengths.reserve(3 * mesh.triangles.size());
+  for (const auto& triangle : mesh.triangles)
+    for (int i = 0; i < 3; ++i)
+      lengths.push_back((mesh.vertices[triangle[Facet::next(i)]] - mesh.vertices[triangle[i]]).norm());
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
+}
+
 }  // namespace
 
 MeshGround::MeshGround(Mesh mesh) : Ground3(mesh.parts), mesh_(std::move(mesh)) {
@@ -53,6 +65,7 @@ void MeshGround::measure() {
     in_plan += 0.5 * twice_area.z();
     overhangs_ = overhangs_ || twice_area.z() < 0;
   }
+  cell_ = median_edge(mesh_);
   const Vec3 size = extent_.high - extent_.low;
   whole_ = in_plan >= (1 - 1e-9) * size.x() * size.y();
 }

@@ -14,10 +14,13 @@ namespace flyrock {
 namespace {
 
 constexpr const char* schema = R"(
-CREATE TABLE points (point INTEGER PRIMARY KEY, trials INTEGER);
+CREATE TABLE points (point INTEGER PRIMARY KEY, trials INTEGER, ground INTEGER);
 CREATE TABLE sweep (point INTEGER, path TEXT, value REAL);
 CREATE TABLE parts (point INTEGER, part INTEGER, name TEXT);
-CREATE TABLE ground (point INTEGER, x_m REAL, y_m REAL, z_m REAL, part INTEGER);
+CREATE TABLE ground (point INTEGER, x_m REAL, y_m REAL, part INTEGER);
+CREATE TABLE grounds (ground INTEGER PRIMARY KEY, cell_m REAL, lattice_m REAL);
+CREATE TABLE ground_vertices (ground INTEGER, vertex INTEGER, x_m REAL, y_m REAL, z_m REAL);
+CREATE TABLE ground_triangles (ground INTEGER, a INTEGER, b INTEGER, c INTEGER, part INTEGER);
 CREATE TABLE draws (draw INTEGER PRIMARY KEY, path TEXT);
 CREATE TABLE envelopes (point INTEGER, "group" TEXT, x_m REAL, width_m REAL, rocks INTEGER, height_p50_m REAL,
   height_p95_m REAL, height_max_m REAL, speed_p50_m_s REAL, speed_p95_m_s REAL, speed_max_m_s REAL, energy_p50_J REAL,
@@ -96,16 +99,29 @@ void add_expectations(const SqliteFile& file, const Results& results) {
   }
 }
 
-void add_ground(const SqliteFile& file, const Plan& plan, const Results& results) {
-  Insertion rows(file, "ground", 5);
+void add_profiles(const SqliteFile& file, const Results& results) {
+  Insertion rows(file, "ground", 4);
   for (std::size_t p = 0; p < results.points.size(); ++p) {
-    const Profile& ground = results.points[p].terrain;
-    const bool space = plan.points[p].dimension == 3;
+    const Profile& ground = results.points[p].terrain.profile;
     for (std::size_t i = 0; i < ground.points.size(); ++i) {
-      const double height = ground.points[i].y();
       // No segment follows the last point.
       const double part = i < ground.part.size() ? ground.part[i] : std::numeric_limits<double>::quiet_NaN();
-      rows.row(p, ground.points[i].x(), space ? 0 : height, space ? height : 0, part);
+      rows.row(p, ground.points[i].x(), ground.points[i].y(), part);
+    }
+  }
+}
+
+void add_grounds(const SqliteFile& file, const std::vector<GroundPicture>& grounds) {
+  Insertion rows(file, "grounds", 3), vertices(file, "ground_vertices", 5),
+      triangles(file, "ground_triangles", 5);
+  for (std::size_t g = 0; g < grounds.size(); ++g) {
+    const auto& [mesh, lattice] = grounds[g].stored;
+    rows.row(g, grounds[g].cell, lattice);
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+      vertices.row(g, v, mesh.vertices[v].x(), mesh.vertices[v].y(), mesh.vertices[v].z());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto& [a, b, c] = mesh.triangles[t];
+      triangles.row(g, a, b, c, mesh.part[t]);
     }
   }
 }
@@ -194,16 +210,20 @@ void ResultDatabase::add(int point, const TrialRecords& records) {
 
 void ResultDatabase::index() { file_.execute(indices); }
 
-void ResultDatabase::finish(const Results& results, const std::string& report) {
+void ResultDatabase::finish(const Results& results, const GroundPictures& grounds,
+                            const std::string& report) {
   {
     Insertion(file_, "report", 1).row(report);
-    Insertion points(file_, "points", 2), parts(file_, "parts", 3);
+    Insertion points(file_, "points", 3), parts(file_, "parts", 3);
     for (std::size_t p = 0; p < results.points.size(); ++p) {
-      points.row(p, results.points[p].trials);
+      const int ground = grounds.of_point[p];
+      points.row(p, results.points[p].trials,
+                 ground < 0 ? std::numeric_limits<double>::quiet_NaN() : static_cast<double>(ground));
       const std::vector<std::string>& names = results.points[p].terrain.parts;
       for (std::size_t part = 0; part < names.size(); ++part) parts.row(p, part, names[part]);
     }
-    add_ground(file_, plan_, results);
+    add_profiles(file_, results);
+    add_grounds(file_, grounds.grounds);
     add_envelopes(file_, results);
     add_expectations(file_, results);
   }

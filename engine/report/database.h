@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "report/ground_pictures.h"
 #include "report/sqlite.h"
 #include "results/results.h"
 
@@ -24,9 +25,9 @@ class ResultDatabase {
   /// time.
   void index();
 
-  /// Writes points, terrain parts, expectations, and `report`, the data of the page. Then renames the file to
-  /// its final name.
-  void finish(const Results& results, const std::string& report);
+  /// Writes points, terrain parts and grounds, expectations, and `report`, the data of the page. Then renames
+  /// the file to its final name.
+  void finish(const Results& results, const GroundPictures& grounds, const std::string& report);
 
  private:
   struct Insertions {

@@ -44,7 +44,8 @@ Json group_data(const std::vector<EnvelopeRow>& rows) {
 }  // namespace
 
 double envelope_width(const PointResult& point) {
-  return point.terrain.points.empty() ? 0 : envelope_width(point.terrain);
+  const Profile& profile = point.terrain.profile;
+  return profile.points.empty() ? 0 : envelope_width(profile);
 }
 
 std::vector<std::vector<EnvelopeRow>> envelope_rows(const PointResult& point) {

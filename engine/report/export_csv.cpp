@@ -19,11 +19,14 @@ struct Table {
 };
 
 // The view returns the rows of a rock in the order in which they were written: report/rock_rows.h.
-constexpr std::array<Table, 12> tables = {{
+constexpr std::array<Table, 15> tables = {{
     {"points", "SELECT * FROM points ORDER BY rowid"},
     {"sweep", "SELECT * FROM sweep ORDER BY rowid"},
     {"parts", "SELECT * FROM parts ORDER BY rowid"},
     {"ground", "SELECT * FROM ground ORDER BY rowid"},
+    {"grounds", "SELECT * FROM grounds ORDER BY rowid"},
+    {"ground_vertices", "SELECT * FROM ground_vertices ORDER BY rowid"},
+    {"ground_triangles", "SELECT * FROM ground_triangles ORDER BY rowid"},
     {"rocks", "SELECT * FROM rocks ORDER BY rowid"},
     {"inputs", "SELECT * FROM inputs ORDER BY point, trial, rock"},
     {"impacts", "SELECT * FROM impacts ORDER BY point, trial, rock"},

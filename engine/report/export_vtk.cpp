@@ -128,23 +128,47 @@ void write_series(const fs::path& index, const std::vector<Path>& paths) {
 }
 
 /// One line for each segment, because each segment has its own part.
-void write_ground(const fs::path& file, const SqliteReader& database, std::int64_t point) {
+VtkPoints profile_lines(const SqliteReader& database, std::int64_t point) {
   Query row(database,
-            fmt::format("SELECT x_m, y_m, z_m, part FROM ground WHERE point = {} ORDER BY rowid", point));
+            fmt::format("SELECT x_m, y_m, part FROM ground WHERE point = {} ORDER BY rowid", point));
   VtkPoints lines;
   VtkArray parts{"part", {}};
   Vec3 before = Vec3::Zero();
   for (bool first = true; row.next(); first = false) {
-    const Vec3 place(row.real(0), row.real(1), row.real(2));
+    const Vec3 place(row.real(0), row.real(1), 0);
     if (!first) {
       lines.points.insert(lines.points.end(), {before, place});
       lines.line_ends.push_back(lines.points.size());
     }
-    if (row.type(3) != SQLITE_NULL) parts.values.push_back(row.real(3));
+    if (row.type(2) != SQLITE_NULL) parts.values.push_back(row.real(2));
     before = place;
   }
   lines.of_cells = {std::move(parts)};
-  write_vtp(file, lines);
+  return lines;
+}
+
+VtkPoints ground_triangles(const SqliteReader& database, std::int64_t ground) {
+  VtkPoints surface;
+  VtkArray parts{"part", {}};
+  Query vertex(
+      database,
+      fmt::format("SELECT x_m, y_m, z_m FROM ground_vertices WHERE ground = {} ORDER BY rowid", ground));
+  while (vertex.next()) surface.points.emplace_back(vertex.real(0), vertex.real(1), vertex.real(2));
+  Query triangle(
+      database,
+      fmt::format("SELECT a, b, c, part FROM ground_triangles WHERE ground = {} ORDER BY rowid", ground));
+  while (triangle.next()) {
+    surface.triangles.push_back({triangle.whole(0), triangle.whole(1), triangle.whole(2)});
+    parts.values.push_back(triangle.real(3));
+  }
+  surface.of_cells = {std::move(parts)};
+  return surface;
+}
+
+void write_ground(const fs::path& file, const SqliteReader& database, std::int64_t point) {
+  Query ground(database, fmt::format("SELECT ground FROM points WHERE point = {}", point));
+  const bool in_space = ground.next() && ground.type(0) != SQLITE_NULL;
+  write_vtp(file, in_space ? ground_triangles(database, ground.whole(0)) : profile_lines(database, point));
 }
 
 }  // namespace

@@ -10,8 +10,8 @@ namespace flyrock {
 ///   trajectories-p<point>.vtp   one polyline for each rock. Point data: time_s, speed_m_s, energy_J, mode;
 ///                               line data: trial, rock, runout_m, diameter_m (of the sphere of the
 ///                               rock's volume)
-///   ground-p<point>.vtp         the ground of trial 0 (in 3D its section at y = 0), one line for each
-///                               segment, with its part
+///   ground-p<point>.vtp         the ground of trial 0 with its part: in 2D a line for each segment, in 3D
+///                               the triangles where rocks were (report/ground_pictures.h)
 ///   rocks-p<point>.pvd          the rocks over time, in at most 500 steps of a round number of seconds,
 ///                               from the files
 ///   rocks-p<point>/<step>.vtp   with the same data, linear between stored points; a rock that has ended

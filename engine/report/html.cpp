@@ -19,11 +19,17 @@ std::string replace_all(std::string text, std::string_view what, std::string_vie
 /// "</script" ends a script anywhere in it, so it is escaped.
 std::string script(std::string source) { return replace_all(std::move(source), "</script", "<\\/script"); }
 
+/// A library with a statement after it; empty if it is not installed.
+std::string bundle(const std::filesystem::path& file, const std::string& then) {
+  if (!std::filesystem::exists(file)) return "";
+  return "<script>" + script(read_file(file)) + '\n' + then + "</script>\n";
+}
+
 /// The scripts of the page, in one scope. Their order matters, because each uses the ones before it.
 std::string scripts(const std::filesystem::path& assets) {
   std::string joined = "\"use strict\";\n(() => {\n";
-  for (const char* name : {"page.js", "reach.js", "tracks.js", "plan.js", "plots.js", "small_plots.js",
-                           "curves.js", "area.js", "tables.js", "report.js"})
+  for (const char* name : {"page.js", "reach.js", "tracks.js", "space.js", "plan.js", "plots.js",
+                           "small_plots.js", "curves.js", "area.js", "tables.js", "report.js"})
     joined += read_file(assets / name);
   return joined + "})();\n";
 }
@@ -31,7 +37,6 @@ std::string scripts(const std::filesystem::path& assets) {
 }  // namespace
 
 std::string report_html(const nlohmann::ordered_json& data, const std::filesystem::path& assets) {
-  const std::filesystem::path plotly = assets / "plotly-cartesian.min.js";
   const auto text = [&](const char* key) { return data.at("summary").at(key).get<std::string>(); };
   const std::string given = text("title");
   const std::string title = escaped(given.empty() ? "flyrock" : given);
@@ -52,11 +57,10 @@ std::string report_html(const nlohmann::ordered_json& data, const std::filesyste
       "<div id=\"report\"></div>\n</main>\n<script type=\"application/json\" id=\"data\">";
   page += replace_all(data.dump(), "<", "\\u003c");
   page += "</script>\n";
-  if (std::filesystem::exists(plotly)) {
-    page += "<script>";
-    page += script(read_file(plotly));
-    page += "</script>\n";
-  }
+  // Each bundle calls itself Plotly: that of 3D comes first and gets another name.
+  if (data.at("summary").at("dimension") == 3)
+    page += bundle(assets / "plotly-gl3d.min.js", "window.Plotly3D = window.Plotly; delete window.Plotly;");
+  page += bundle(assets / "plotly-cartesian.min.js", "");
   page += "<script>\n";
   page += script(scripts(assets));
   page += "</script>\n</body>\n</html>\n";

@@ -6,6 +6,7 @@
 #include "math/sphere.h"
 #include "report/convergence.h"
 #include "report/envelope_data.h"
+#include "report/ground_data.h"
 #include "report/hash_data.h"
 #include "report/json_object.h"
 #include "report/law_data.h"
@@ -23,6 +24,9 @@ using Json = nlohmann::ordered_json;
 
 /// The greatest number of trajectory points in one page; each takes 15 bytes.
 constexpr std::size_t most_track_points = 150'000;
+
+/// The greatest number of ends of rocks in one page; each takes some 30 bytes.
+constexpr std::size_t most_deposits = 20'000;
 
 Json terrain_data(const Profile& terrain) {
   Json x = Json::array(), y = Json::array();
@@ -164,11 +168,14 @@ ReportData::ReportData(const LoadedScenario& scenario) : scenario_(scenario) { o
 void ReportData::open_point() {
   const std::vector<Scenario>& points = scenario_.plan.points;
   const Scenario& next = points[closed_.size()];
-  open_.emplace(Tracks(most_track_points / points.size(), next.dimension), Sensitivity(next));
+  open_.emplace(Tracks(most_track_points / points.size(), next.dimension), Sensitivity(next),
+                Deposits(most_deposits / points.size()));
 }
 
 void ReportData::close_point() {
-  closed_.push_back({open_->tracks.data(), open_->sensitivity.data()});
+  const bool in_space = scenario_.plan.points.front().dimension == 3;
+  closed_.push_back(
+      {open_->tracks.data(), open_->sensitivity.data(), in_space ? open_->deposits.data() : Json(nullptr)});
   open_.reset();
   if (closed_.size() < scenario_.plan.points.size()) open_point();
 }
@@ -177,13 +184,15 @@ void ReportData::see(int point, const TrialRecords& chunk) {
   while (closed_.size() < static_cast<std::size_t>(point)) close_point();
   open_->tracks.see(chunk);
   open_->sensitivity.see(chunk);
+  open_->deposits.see(chunk);
 }
 
 void ReportData::close() {
   while (open_) close_point();
 }
 
-Json ReportData::finish(const Results& results, const std::vector<Rows>& rows) {
+Json ReportData::finish(const Results& results, const GroundPictures& grounds,
+                        const std::vector<Rows>& rows) {
   close();
   const Plan& plan = scenario_.plan;
   Json points = Json::array(), first_laws;
@@ -196,16 +205,19 @@ Json ReportData::finish(const Results& results, const std::vector<Rows>& rows) {
       first_laws = laws;
     else if (laws == first_laws)
       laws = nullptr;
-    points.push_back(json_object(
-        "terrain", terrain_data(point.terrain), "tracks", std::move(closed_[p].tracks), "runout",
-        runouts.distributions(), "convergence", runouts.convergence(), "envelopes", envelope_data(point),
-        "sensitivity", std::move(closed_[p].sensitivity), "shrouds", shroud_data(point.reaches), "laws",
-        std::move(laws), "bodies", bodies_data(plan.points[p], point.totals)));
+    points.push_back(
+        json_object("terrain", terrain_data(point.terrain.profile), "ground", grounds.of_point[p], "section",
+                    section_data(point), "deposits", std::move(closed_[p].deposits), "tracks",
+                    std::move(closed_[p].tracks), "runout", runouts.distributions(), "convergence",
+                    runouts.convergence(), "envelopes", envelope_data(point), "sensitivity",
+                    std::move(closed_[p].sensitivity), "shrouds", shroud_data(point.reaches), "laws",
+                    std::move(laws), "bodies", bodies_data(plan.points[p], point.totals)));
   }
   return json_object("summary", summary_data(plan, results), "source", source_data(scenario_), "scenario",
                      scenario_text(plan.resolved), "groups", group_names(plan.points.front()), "units",
                      quantity_units, "axes", axes_data(plan), "expectation_units", expectation_units(results),
-                     "drawn", drawn_data(plan.points.front()), "points", std::move(points));
+                     "drawn", drawn_data(plan.points.front()), "grounds", grounds_data(grounds), "points",
+                     std::move(points));
 }
 
 }  // namespace flyrock

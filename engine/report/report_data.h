@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "batch/load.h"
+#include "report/deposits.h"
+#include "report/ground_pictures.h"
 #include "report/sensitivity.h"
 #include "report/tracks.h"
 #include "results/results.h"
@@ -29,19 +31,22 @@ class ReportData {
   /// Reads `rows` of each point in passes and samples the laws of the scenario (call it in the thread of its
   /// session).
   /// { summary, source: { sha256, plugins, files }, scenario, groups, units, axes: [{ path, unit, per_si }],
-  /// expectation_units: [{ unit, per_si }], drawn, points: [{ terrain, tracks, runout, convergence,
-  /// envelopes, sensitivity, laws, bodies }] }. A value in SI times per_si is in the unit shown to readers.
-  /// `laws` is null if it equals that of point 0.
-  nlohmann::ordered_json finish(const Results& results, const std::vector<Rows>& rows);
+  /// expectation_units: [{ unit, per_si }], drawn, grounds, points: [{ terrain, ground, section, deposits,
+  /// tracks, runout, convergence, envelopes, sensitivity, laws, bodies }] }. `terrain` is the profile (no
+  /// points in 3D); `ground` the index into `grounds`, -1 in 2D; `deposits` is null in 2D. A value in SI
+  /// times per_si is in the unit shown to readers. `laws` is null if it equals that of point 0.
+  nlohmann::ordered_json finish(const Results& results, const GroundPictures& grounds,
+                                const std::vector<Rows>& rows);
 
  private:
   /// The point whose chunks are being shown. Only this point keeps rows.
   struct Open {
     Tracks tracks;
     Sensitivity sensitivity;
+    Deposits deposits;
   };
   struct Closed {
-    nlohmann::ordered_json tracks, sensitivity;
+    nlohmann::ordered_json tracks, sensitivity, deposits;
   };
   void open_point();
   void close_point();

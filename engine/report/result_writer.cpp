@@ -3,6 +3,7 @@
 #include <future>
 #include <nlohmann/json.hpp>
 
+#include "report/ground_pictures.h"
 #include "report/html.h"
 #include "report/tables.h"
 
@@ -26,7 +27,7 @@ void ResultWriter::see(int point, const TrialRecords& chunk) {
 }
 
 Results ResultWriter::finish(const std::vector<Rows>& rows, const RunFacts& facts,
-                             std::vector<Profile> terrains, const std::filesystem::path& assets) {
+                             std::vector<TerrainPicture> terrains, const std::filesystem::path& assets) {
   const auto beside = [](auto work) { return std::async(std::launch::async, std::move(work)); };
   std::future<void> closed = beside([&] {
     database_.index();
@@ -35,9 +36,10 @@ Results ResultWriter::finish(const std::vector<Rows>& rows, const RunFacts& fact
   Results results = tally_.finish(rows, facts);
   for (std::size_t p = 0; p < terrains.size(); ++p) results.points[p].terrain = std::move(terrains[p]);
   closed.get();
-  const nlohmann::ordered_json drawn = report_.finish(results, rows);
+  const GroundPictures grounds = ground_pictures(results.points);
+  const nlohmann::ordered_json drawn = report_.finish(results, grounds, rows);
   // Runs in parallel, because the database is the largest file and writing it takes a while.
-  std::future<void> database = beside([&] { database_.finish(results, drawn.dump()); });
+  std::future<void> database = beside([&] { database_.finish(results, grounds, drawn.dump()); });
   csv_.commit();
   write_file(folder_ / "summary.json", summary_json(plan_, results));
   write_file(folder_ / "report.html", report_html(drawn, assets));

@@ -25,7 +25,7 @@ class ResultWriter {
 
   /// Reads the same chunks again in passes. `terrains`: for pictures, one for each point. `assets`: see
   /// report_html().
-  Results finish(const std::vector<Rows>& rows, const RunFacts& facts, std::vector<Profile> terrains,
+  Results finish(const std::vector<Rows>& rows, const RunFacts& facts, std::vector<TerrainPicture> terrains,
                  const std::filesystem::path& assets);
 
  private:

@@ -20,4 +20,24 @@ std::int64_t thousandth(double value) {
   return std::isnan(value) ? 0 : std::llround(std::clamp(1000 * value, -farthest, farthest));
 }
 
+nlohmann::ordered_json differences(const std::vector<double>& values) {
+  auto list = nlohmann::ordered_json::array();
+  std::int64_t before = 0;
+  for (const double value : values) {
+    list.push_back(thousandth(value) - before);
+    before = thousandth(value);
+  }
+  return list;
+}
+
+nlohmann::ordered_json runs_of(const std::vector<int>& values) {
+  auto runs = nlohmann::ordered_json::array();
+  for (std::size_t i = 0, end = 0; i < values.size(); i = end) {
+    for (end = i; end < values.size() && values[end] == values[i];) ++end;
+    runs.push_back(end - i);
+    runs.push_back(values[i]);
+  }
+  return runs;
+}
+
 }  // namespace flyrock

@@ -16,28 +16,6 @@ using Json = nlohmann::ordered_json;
 /// seventh of a pixel in a plot of the group.
 constexpr double track_tolerance = 1e-4;
 
-/// Whole thousandths: the first value, then the differences.
-Json differences(const std::vector<double>& values) {
-  Json list = Json::array();
-  std::int64_t before = 0;
-  for (double value : values) {
-    list.push_back(thousandth(value) - before);
-    before = thousandth(value);
-  }
-  return list;
-}
-
-/// [2, 0, 5, 1]: two points of mode 0, then five of mode 1.
-Json runs_of(const std::vector<int>& modes) {
-  Json runs = Json::array();
-  for (std::size_t i = 0, end = 0; i < modes.size(); i = end) {
-    for (end = i; end < modes.size() && modes[end] == modes[i];) ++end;
-    runs.push_back(end - i);
-    runs.push_back(modes[i]);
-  }
-  return runs;
-}
-
 double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a;
   const double length2 = along.squaredNorm();

@@ -9,25 +9,51 @@ namespace flyrock {
 
 namespace {
 
+/// The cells of a file, which are all of one kind.
+struct Cells {
+  std::string_view kind;                   ///< the element of the file: Verts, Lines, Polys
+  std::vector<std::int64_t> connectivity;  ///< the points of all cells, one after the other
+  std::vector<std::int64_t> ends;          ///< of each cell, the index after its last one
+
+  std::size_t are(std::string_view asked) const { return asked == kind ? ends.size() : 0; }
+};
+
+Cells cells_of(const VtkPoints& data) {
+  if (!data.triangles.empty()) {
+    Cells cells{"Polys", {}, {}};
+    for (const auto& triangle : data.triangles) {
+      cells.connectivity.insert(cells.connectivity.end(), triangle.begin(), triangle.end());
+      cells.ends.push_back(static_cast<std::int64_t>(cells.connectivity.size()));
+    }
+    return cells;
+  }
+  Cells cells{data.line_ends.empty() ? "Verts" : "Lines", {}, {data.line_ends.begin(), data.line_ends.end()}};
+  for (std::size_t i = 0; i < data.points.size(); ++i) {
+    cells.connectivity.push_back(static_cast<std::int64_t>(i));
+    if (data.line_ends.empty()) cells.ends.push_back(static_cast<std::int64_t>(i) + 1);
+  }
+  return cells;
+}
+
 class VtpWriter {
  public:
   explicit VtpWriter(const std::filesystem::path& path) : file_(path, Sync::no) {}
 
   void write(const VtkPoints& data) {
-    const bool lines = !data.line_ends.empty();
+    const Cells cells = cells_of(data);
     file_.write(
         fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
                     "byte_order=\"LittleEndian\">\n<PolyData>\n"
                     "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" "
-                    "NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n",
-                    data.points.size(), lines ? 0 : data.points.size(), data.line_ends.size()));
+                    "NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n",
+                    data.points.size(), cells.are("Verts"), cells.are("Lines"), cells.are("Polys")));
     arrays("PointData", data.of_points);
     arrays("CellData", data.of_cells);
     file_.write("<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n");
     for (const Vec3& p : data.points)
       file_.write(fmt::format("{} {} {}\n", shortest(p.x()), shortest(p.y()), shortest(p.z())));
     file_.write("</DataArray>\n</Points>\n");
-    cells(lines ? "Lines" : "Verts", data);
+    write(cells);
     file_.write("</Piece>\n</PolyData>\n</VTKFile>\n");
     file_.commit();
   }
@@ -43,15 +69,13 @@ class VtpWriter {
     file_.write(fmt::format("</{}>\n", section));
   }
 
-  void cells(const char* section, const VtkPoints& data) {
+  void write(const Cells& cells) {
     file_.write(
-        fmt::format("<{}>\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n", section));
-    for (std::size_t i = 0; i < data.points.size(); ++i) file_.write(fmt::format("{}\n", i));
+        fmt::format("<{}>\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n", cells.kind));
+    for (const std::int64_t point : cells.connectivity) file_.write(fmt::format("{}\n", point));
     file_.write("</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n");
-    for (const std::size_t end : data.line_ends) file_.write(fmt::format("{}\n", end));
-    for (std::size_t i = 0; data.line_ends.empty() && i < data.points.size(); ++i)
-      file_.write(fmt::format("{}\n", i + 1));
-    file_.write(fmt::format("</DataArray>\n</{}>\n", section));
+    for (const std::int64_t end : cells.ends) file_.write(fmt::format("{}\n", end));
+    file_.write(fmt::format("</DataArray>\n</{}>\n", cells.kind));
   }
 
   FileWriter file_;

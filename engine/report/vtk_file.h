@@ -1,7 +1,9 @@
 #pragma once
-// Polylines and points as an XML file of VTK (.vtp), which ParaView opens. Source: VTK File Formats,
-// "PolyData" (Kitware, VTK User's Guide).
+// Polylines, triangles and points as an XML file of VTK (.vtp), which ParaView opens. Source: VTK File
+// Formats, "PolyData" (Kitware, VTK User's Guide).
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -21,6 +23,7 @@ struct VtkPoints {
   /// For each polyline, the index after its last point. If empty, there are no lines and every point is a
   /// cell.
   std::vector<std::size_t> line_ends;
+  std::vector<std::array<std::int64_t, 3>> triangles;  ///< indices of points; then there are no lines
   std::vector<VtkArray> of_points, of_cells;
 };
 

@@ -4,9 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "batch/terrain_picture.h"
 #include "results/censored.h"
 #include "results/clearance.h"
 #include "results/crossing_summary.h"
+#include "results/plan_reach.h"
 #include "results/reach.h"
 
 namespace flyrock {
@@ -14,7 +16,8 @@ namespace flyrock {
 /// The results of one sweep point as numbers. Its rows are read in passes (batch/rows.h).
 struct PointResult {
   std::uint64_t trials = 0;
-  Profile terrain;  ///< of its first trial, for pictures; no points if it could not be built
+  TerrainPicture terrain;               ///< of its first trial, for pictures
+  PlanReach reach;                      ///< 3D: where its rocks were
   std::vector<RockRecord> first_trial;  ///< rocks of the first trial of this run
   TrialTotals totals;
   std::vector<GroupSummary> groups;  ///< all rocks first, then the groups; see RockTally

@@ -30,6 +30,7 @@ class PointTally {
   /// Takes the rows of the first pass. Their faults go into `results`.
   void see_first(const TrialRecords& chunk, Results& results) {
     result_.totals.add(chunk.totals);
+    if (scenario_.dimension == 3) result_.reach.see(chunk);
     for (const RockRecord& rock : chunk.rocks) {
       if (result_.first_trial.empty() || rock.trial == result_.first_trial.front().trial)
         result_.first_trial.push_back(rock);

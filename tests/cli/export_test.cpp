@@ -151,3 +151,36 @@ TEST_CASE("An export says which formats there are and which folders are results"
   refused("report half",
           "half has no results yet: `flyrock run --resume` goes on with a run that was interrupted");
 }
+
+TEST_CASE("In 3D ParaView gets the triangles of the ground where rocks were, with their parts") {
+  const Folder folder;
+  REQUIRE(call(folder, "run " FLYROCK_SOURCE_DIR "/plugins/terrain/mesh/example.yaml -o r --quiet").code ==
+          0);
+  REQUIRE(call(folder, "export r --to vtk").code == 0);
+  const fs::path db = folder.path() / "r/results.db";
+  const std::string vertices = query(db, "SELECT count(*) FROM ground_vertices")[0],
+                    triangles = query(db, "SELECT count(*) FROM ground_triangles")[0];
+  const std::string ground = read(folder.path() / "r/vtk/ground-p0.vtp");
+  CHECK(ground.find("NumberOfPoints=\"" + vertices +
+                    "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" +
+                    triangles + "\"") != std::string::npos);
+  CHECK(ground.find("</Polys>") != std::string::npos);
+  CHECK(query(db, "SELECT ground FROM points") == std::vector<std::string>{"0"});
+  CHECK(query(db, "SELECT lattice_m FROM grounds") == std::vector<std::string>{"0.0"});
+  CHECK(query(db, "SELECT count(*) FROM parts WHERE part IN (SELECT part FROM ground_triangles)")[0] > "1");
+  // It lies under all places of the paths.
+  CHECK(query(db,
+              "SELECT min(x_m) < (SELECT min(x_m) FROM trajectories) AND max(x_m) > (SELECT max(x_m) FROM "
+              "trajectories) AND min(z_m) < (SELECT min(z_m) FROM trajectories) FROM ground_vertices") ==
+        std::vector<std::string>{"1"});
+}
+
+TEST_CASE("The ground of a raster in national coordinates is exported where its rocks are") {
+  const Folder folder;
+  REQUIRE(call(folder, "run " FLYROCK_SOURCE_DIR "/plugins/terrain/raster/example.yaml -o r --quiet").code ==
+          0);
+  const fs::path db = folder.path() / "r/results.db";
+  CHECK(query(db,
+              "SELECT min(x_m) > 2599000, max(y_m) < 1201000, cell_m > 0, lattice_m = 0 FROM ground_vertices "
+              "JOIN grounds USING (ground)") == std::vector<std::string>{"1|1|1|1"});
+}

@@ -155,10 +155,10 @@ function plot(node, traces, layout, movable = false) {
   const config = { responsive: true, displaylogo: false, scrollZoom: movable, displayModeBar: movable, modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d"] };
   Plotly.react(node, traces, { ...base, ...layout }, config);
 }
-/** Paper is narrower than a screen: plots are drawn anew for it, and afterwards for the screen again. */
+/** Paper is narrower than a screen: plots are drawn anew for it, and afterwards for the screen again. A view in 3D is not printed. */
 const paper_width = 690;
 function resize_plots(width) {
-  for (const node of document.querySelectorAll(".js-plotly-plot")) Plotly.relayout(node, width ? { autosize: false, width } : { autosize: true, width: undefined });
+  for (const node of document.querySelectorAll(".js-plotly-plot:not(.space)")) Plotly.relayout(node, width ? { autosize: false, width } : { autosize: true, width: undefined });
 }
 window.addEventListener("beforeprint", () => resize_plots(paper_width));
 window.addEventListener("afterprint", () => resize_plots(null));

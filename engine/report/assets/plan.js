@@ -1,29 +1,64 @@
-// The paths of rocks of a 3D run in plan, and where they ended.
+// The paths of rocks of a 3D run in plan and in a long section, and where they ended.
 
-function draw_plan(node, tracks) {
-  const traces = track_traces(tracks, "across");
-  const seen = (of) => traces.flatMap((trace) => trace[of]).filter((v) => v !== null);
-  const [x, y] = [seen("x"), seen("y")].map((list) => [least(list), most(list)]);
+/** Coordinates in full: 2600050, not 2.60005M. */
+const place_axis = (title) => ({ ...axis(title), title: { text: title, standoff: 12 }, tickformat: "~f" });
+
+/** The window of traces, with a margin, and the height of a plot that shows it to scale. A line of ground counts where it is beside them. */
+function window_of(node, traces, tallest, ground = { x: [], y: [] }) {
+  const range = (of) => { const seen = traces.flatMap((trace) => trace[of]).filter((v) => v !== null); return [least(seen), most(seen)]; };
+  const [x, y] = [range("x"), range("y")], below = ground.y.filter((v, i) => v !== null && ground.x[i] >= x[0] && ground.x[i] <= x[1]);
+  [y[0], y[1]] = [least([y[0], ...below]), most([y[1], ...below])];
   const margin = 0.04 * Math.max(x[1] - x[0], y[1] - y[0], 0.1), drawn = (node.clientWidth || 1000) - 110;
-  const window = [x, y].map(([low, high]) => [low - margin, high + margin]);
-  const height = Math.min(700, Math.max(300, (drawn * (window[1][1] - window[1][0])) / (window[0][1] - window[0][0]) + 120 + movable_top));
-  plot(node, traces, {
-    height, hovermode: "closest", legend,
-    xaxis: { ...axis("x in m"), range: window[0] },
-    yaxis: { ...axis("y in m"), range: window[1], scaleanchor: "x", scaleratio: 1 },
+  const [wide, high] = [x, y].map(([low, top]) => [low - margin, top + margin]);
+  return { x: wide, y: high, height: Math.min(tallest, Math.max(300, (drawn * (high[1] - high[0])) / (wide[1] - wide[0]) + 120 + movable_top)) };
+}
+
+function draw_plan(node, page, tracks, crossings) {
+  const paths = track_traces(lines_of(tracks), deposits_of(page.deposits), (p) => [p.x, p.across], ["x", "y"], false), s = page.section;
+  const cut = { x: [s.from, s.to].map((along) => s.x + along * s.dx), y: [s.from, s.to].map((along) => s.y + along * s.dy), mode: "lines", name: "long section", line: { color: "#5a6370", width: 1, dash: "dash" }, hoverinfo: "skip" };
+  const window = window_of(node, paths, 700);
+  plot(node, [cut, ...paths], {
+    height: window.height, hovermode: "closest", legend,
+    xaxis: { ...place_axis("x in m"), range: window.x },
+    yaxis: { ...place_axis("y in m"), range: window.y, scaleanchor: "x", scaleratio: 1 },
+    ...place_lines(crossings, window.height),
   }, true);
 }
 
-function plan_section() {
-  if (summary.dimension !== 3 || data.points.every((point) => point.tracks.list.length === 0)) return;
-  const node = plot_node("Paths and deposits in plan, coloured by mode of travel; rocks.csv holds where each rock stopped");
-  const note = paragraph("note", "");
-  section("Plan", note, node, caption("The same paths from above: x to the right, y upwards, both to the same scale. A mark is where a path ended.",
-    "Azimuths count from +x towards +y."));
+/** Each path as it is seen from the side of the section, over the ground under the section. */
+function draw_section(node, page, tracks) {
+  const s = page.section, along = (p) => [(p.x - s.x) * s.dx + (p.across - s.y) * s.dy, p.height];
+  const paths = track_traces(lines_of(tracks), deposits_of(page.deposits), along, ["distance", "z"], false);
+  const ground = { x: [], y: [], mode: "lines", name: "ground under the section", line: { color: "#3b3f45", width: 2 }, hoverinfo: "skip" };
+  for (const line of s.lines) {
+    ground.x.push(...sums(line.s), null);
+    ground.y.push(...sums(line.z), null);
+  }
+  const window = window_of(node, paths, 620, ground);
+  plot(node, [ground, ...paths], {
+    height: window.height, hovermode: "closest", legend,
+    xaxis: { ...place_axis("distance from the mean release along the section in m"), range: window.x },
+    yaxis: { ...place_axis("height z in m"), range: window.y, scaleanchor: "x", scaleratio: 1 },
+  }, true);
+}
+
+/** A section of the page with one plot of paths and ends. */
+function paths_section(title, label, about, draw) {
+  const node = plot_node(label), note = paragraph("note", "");
+  section(title, note, node, about);
   redraw.push(() => {
-    const tracks = shown_tracks();
-    note.textContent = `Shown: ${shown_text()}; ${counted(tracks.length, "path", "paths")}.`;
-    if (tracks.length === 0) return no_plot(node, "No path of these rocks was stored.");
-    draw_plan(node, tracks);
+    const page = data.points[shown.point], tracks = shown_tracks();
+    note.textContent = page.section === null ? `Shown: ${shown_text()}.` : shown_of_space(page, tracks);
+    if (page.section === null) return no_plot(node, "No rock came through.");
+    draw(node, page, tracks);
   });
+}
+
+function plan_sections() {
+  if (!has_space()) return;
+  paths_section("Plan", "Paths and ends in plan, coloured by mode of travel; rocks.csv holds where each rock stopped",
+    caption("The paths from above and where rocks ended, both axes to the same scale. Dashed: the line of the long section, through the mean release towards the mean end.", "Azimuths count from +x towards +y."),
+    (node, page, tracks) => draw_plan(node, page, tracks, summary.points[shown.point]));
+  paths_section("Long section", "Paths from the side over the ground under the section, coloured by mode of travel; rocks.csv holds where each rock stopped",
+    caption("The paths from the side: their places projected onto the line that is dashed in the plan, over the ground under this line.", "A path beside the line runs over other ground than that drawn: it may seem to fly above the ground, or to run below it."), draw_section);
 }

@@ -38,7 +38,8 @@ function facts_section() {
 facts_section();
 reach_section();
 tracks_section();
-plan_section();
+space_section();
+plan_sections();
 runout_section();
 clearance_section();
 area_section();

@@ -1,4 +1,4 @@
-// The paths of rocks over the ground, coloured by mode of travel.
+// The paths of rocks, coloured by mode of travel, and in 2D over the profile.
 
 const mode_lines = [
   { color: colour.blue, width: 1, dash: "solid" },
@@ -27,31 +27,60 @@ function modes_of(track) {
 /** The stored paths of the point and group shown. */
 const shown_tracks = () => data.points[shown.point].tracks.list.filter((track) => shown.group === 0 || track.group === shown.group - 1);
 
-/** One trace for each mode, one for each way in which paths end: over x, the height ("y") or in plan ("across"). */
-function track_traces(tracks, upwards = "y") {
-  const lines = modes.map(() => ({ x: [], y: [], customdata: [] }));
+/** Points { x, across, height } and what is told of each; null between two stretches. `across` is the second horizontal coordinate, 0 in 2D. */
+const no_points = () => ({ points: [], told: [] });
+function add_point(list, point, told) {
+  list.points.push(point);
+  list.told.push(told);
+}
+
+/** The paths as one list of points for each mode of travel. */
+function lines_of(tracks) {
+  const lines = modes.map(no_points);
+  for (const track of tracks) {
+    const points = points_of(track), t = sums(track.t), mode = modes_of(track), group = data.groups[track.group];
+    const add = (line, i) => add_point(line, points[i], [track.trial, track.rock, t[i], track.speed[i] / 1000, group]);
+    for (let i = 1; i < points.length; ++i) {  // the stretch that arrives at i
+      const line = lines[mode[i]];
+      if (i === 1 || mode[i] !== mode[i - 1]) add(line, i - 1);
+      add(line, i);
+      if (i + 1 === points.length || mode[i + 1] !== mode[i]) add_point(line, null, null);
+    }
+  }
+  return lines;
+}
+
+function points_of(track) {
+  const across = track.across ? sums(track.across) : null, height = sums(track.y);
+  return sums(track.x).map((x, i) => ({ x, across: across ? across[i] : 0, height: height[i] }));
+}
+
+/** The ends of paths, by reason. */
+function ends_of_paths(tracks) {
   const ends = new Map();
   for (const track of tracks) {
-    const x = sums(track.x), y = sums(track[upwards]), t = sums(track.t), mode = modes_of(track), group = data.groups[track.group];
-    const at = (i) => [track.trial, track.rock, t[i], track.speed[i] / 1000, group];
-    const point = (line, i) => (line.x.push(x[i]), line.y.push(y[i]), line.customdata.push(at(i)));
-    for (let i = 1; i < x.length; ++i) {  // the stretch that arrives at i
-      const line = lines[mode[i]];
-      if (i === 1 || mode[i] !== mode[i - 1]) point(line, i - 1);
-      point(line, i);
-      if (i + 1 === x.length || mode[i + 1] !== mode[i]) (line.x.push(null), line.y.push(null), line.customdata.push(null));
-    }
-    if (!ends.has(track.reason)) ends.set(track.reason, { x: [], y: [], customdata: [] });
-    point(ends.get(track.reason), x.length - 1);
+    if (!ends.has(track.reason)) ends.set(track.reason, no_points());
+    add_point(ends.get(track.reason), points_of(track).at(-1), [track.trial, track.rock, sums(track.t).at(-1), track.speed.at(-1) / 1000, data.groups[track.group]]);
   }
-  const hover = (what) => `${what}<br>%{customdata[4]}, trial %{customdata[0]}, rock %{customdata[1]}<br>time %{customdata[2]:.2f} s, speed %{customdata[3]:.2f} m/s<br>x %{x:.2f} m, ${summary.dimension === 3 && upwards === "y" ? "z" : "y"} %{y:.2f} m<extra></extra>`;
+  return ends;
+}
+
+/** The reasons that occur, what stopped first, so that the few others lie on top. */
+const reasons_of = (ends) => Object.keys(end_meanings).filter((reason) => ends.has(reason));
+/** Ends that are not of a stored path tell no time and no speed. */
+const told_of = (what, [x_name, y_name], with_motion = true) => `${what}<br>%{customdata[4]}, trial %{customdata[0]}, rock %{customdata[1]}` +
+  (with_motion ? "<br>time %{customdata[2]:.2f} s, speed %{customdata[3]:.2f} m/s" : "") + `<br>${x_name} %{x:.2f} m, ${y_name} %{y:.2f} m<extra></extra>`;
+
+/** One trace for each mode and for each way in which paths end. `seen` gives the two coordinates of a point in the plot, `names` are theirs. */
+function track_traces(lines, ends, seen, names, ends_move = true) {
+  const drawn = (list) => ({ x: list.points.map((p) => (p ? seen(p)[0] : null)), y: list.points.map((p) => (p ? seen(p)[1] : null)), customdata: list.told });
   const traces = [];
   lines.forEach((line, mode) => {
-    if (line.x.length > 0) traces.push({ ...line, mode: "lines", name: modes[mode], line: mode_lines[mode], opacity: mode < 2 ? 0.5 : 0.85, hovertemplate: hover(modes[mode]) });
+    if (line.points.length > 0) traces.push({ ...drawn(line), mode: "lines", name: modes[mode], line: mode_lines[mode], opacity: mode < 2 ? 0.5 : 0.85, hovertemplate: told_of(modes[mode], names) });
   });
-  for (const reason of Object.keys(end_meanings).filter((r) => ends.has(r)))  // what stopped first, so that the few others lie on top
+  for (const reason of reasons_of(ends))
     traces.push({
-      ...ends.get(reason), mode: "markers", name: end_name(reason), hovertemplate: hover(end_name(reason)),
+      ...drawn(ends.get(reason)), mode: "markers", name: end_name(reason), hovertemplate: told_of(end_name(reason), names, ends_move),
       marker: reason === "stopped" ? { symbol: end_symbols[reason], size: 5, color: colour.ink, opacity: 0.5 } : { symbol: end_symbols[reason], size: 10, color: colour.brick },
     });
   return traces;
@@ -66,7 +95,7 @@ function ground_at(terrain, at) {
 
 function draw_tracks(node, point, crossings, tracks, shrouds) {
   const terrain_x = point.terrain.x.map((v) => v / 1000), terrain_y = point.terrain.y.map((v) => v / 1000);
-  const paths = track_traces(tracks);
+  const paths = track_traces(lines_of(tracks), ends_of_paths(tracks), (p) => [p.x, p.height], ["x", "y"]);
   const fences = crossings.barriers.map((fence) => {
     const foot = ground_at(point.terrain, fence.x);
     return {
@@ -90,12 +119,13 @@ function draw_tracks(node, point, crossings, tracks, shrouds) {
   plot(node, [ground, ...shrouds, ...paths, ...fences], {
     height, hovermode: "closest", legend,
     xaxis: { ...axis("distance x in m"), range: window.x },
-    yaxis: { ...axis(summary.dimension === 3 ? "height z in m" : "height y in m"), range: window.y, scaleanchor: "x", scaleratio: 1 },
+    yaxis: { ...axis("height y in m"), range: window.y, scaleanchor: "x", scaleratio: 1 },
     ...place_lines(crossings, height),
   }, true);
 }
 
 function tracks_section() {
+  if (summary.dimension === 3) return;  // space.js and plan.js
   if (data.points.every((point) => point.tracks.list.length === 0)) {
     section("Trajectories", paragraph("note", "No trajectory was stored (output.trajectories)."));
     return;

@@ -31,7 +31,8 @@ nlohmann::ordered_json data_of(const Plan& plan, std::uint64_t trials) {
   ReportData data(scenario);
   for (std::size_t p = 0; p < rows.size(); ++p)
     rows[p](Part::whole, [&](const TrialRecords& chunk) { data.see(static_cast<int>(p), chunk); });
-  return data.finish(results_of(plan, trials), rows);
+  const Results results = results_of(plan, trials);
+  return data.finish(results, ground_pictures(results.points), rows);
 }
 
 RunoutData runouts(const std::vector<Bounded>& values, double greatest) {
@@ -190,7 +191,8 @@ TEST_CASE("The first line of a page with rocks that diverged says so, above ever
   data.see(0, records);
   Results results = make_results(plan, {rows_of(records)}, {{50}, true, "", {}});
   results.points[0].terrain = fake::bench();
-  const std::string page = report_html(data.finish(results, {rows_of(records)}), assets);
+  const std::string page =
+      report_html(data.finish(results, ground_pictures(results.points), {rows_of(records)}), assets);
   const std::string line =
       "<main>\n<p class=\"alarm\">3 of 100 rocks diverged and 1 failed: below the ground (trial 3, rock 1); "
       "plugin &lt;b&gt;: failed "

@@ -8,12 +8,12 @@
 namespace flyrock::fake {
 
 /// A bench of 10 m above a floor.
-inline Profile bench() {
+inline TerrainPicture bench() {
   Profile profile;
   profile.points = {{-20, 10}, {0, 10}, {3, 0}, {100, 0}};
   profile.part = {0, 1, 2};
   profile.parts = {"berm", "face", "floor"};
-  return profile;
+  return {profile.parts, profile, nullptr};
 }
 
 /// Two groups of rocks, and two materials, one of which has no contacts.
