@@ -96,6 +96,39 @@ TEST_CASE("the place where a sliding sphere comes to roll has an error of second
   }
 }
 
+TEST_CASE("the slip of a sphere turns downhill on an incline: exact velocity, first order in place") {
+  const double slope = std::asin(7.0 / 25), azimuth = 0.7, mu = 0.3, radius = 0.35, end = 1;
+  const Vec3 way = down(slope, azimuth), normal = plane(slope, azimuth).normal, across = normal.cross(way);
+  const double pull = g * std::sin(slope), k = 3.5 * mu / std::tan(slope);
+  const Vec3 start = 3 * across, slip = 3.5 * way + 3 * across;
+  // |u| = c q^k/sin(phi) with q = tan(phi/2), phi from the downhill direction; docs/course/rolling.md
+  const double q = std::tan(std::atan2(3, 3.5) / 2), c = 3 / std::pow(q, k);
+  const double slipped_down =
+      c * c / (4 * pull) * (std::pow(q, 2 * k - 2) / (2 * k - 2) - std::pow(q, 2 * k + 2) / (2 * k + 2));
+  const double slipped_across =
+      c * c / (2 * pull) * (std::pow(q, 2 * k - 1) / (2 * k - 1) + std::pow(q, 2 * k + 1) / (2 * k + 1));
+  const Vec3 rolling = start - 2.0 / 7 * slip;
+  const Vec3 moved = end * rolling + 5.0 / 14 * pull * end * end * way +
+                     2.0 / 7 * (slipped_down * way + slipped_across * across);
+  double before = 0;
+  for (const double h : {4e-3, 2e-3, 1e-3}) {
+    Material material(0, mu);
+    WorldSettings settings;
+    settings.time_step = h;
+    Bench3 bench(plane(slope, azimuth), material, settings);
+    bench.add(sphere(radius, 10, radius * normal, start, -10 * across));
+    bench.run_settings.stop_speed = 0;
+    const BodyHistory& history = bench.run(end);
+    const Vec3 velocity = rolling + 5.0 / 7 * pull * end * way;
+    CHECK((history.last.velocity - velocity).norm() < 1e-10);
+    CHECK((history.last.spin - normal.cross(velocity) / radius).norm() < 1e-10);
+    const double error = (history.last.position - history.first.position - moved).norm();
+    CHECK(error < 0.08 * h);
+    if (before > 0) CHECK(error / before == Approx(0.5).margin(0.02));
+    before = error;
+  }
+}
+
 TEST_CASE("rolling resistance stops a sphere with 5 mu_r g / (7 R), and holds it on a slope up to mu_r / R") {
   const double radius = 0.5, mu_r = 0.05, azimuth = 1.1;
   Material material(0, 0.6, mu_r);
