@@ -66,7 +66,8 @@ Vec3 slides_over(const Mesh& mesh, int kind) {
 
 }  // namespace
 
-TEST_CASE("facets cut into smaller ones of their planes change nothing, also over the middle of a fan") {
+TEST_CASE("facets cut into smaller ones of their planes change nothing, also over the middle of a fan",
+          "[slow]") {
   const int kind = GENERATE(0, 1, 2), facets = GENERATE(range(3, 10));
   const int form = GENERATE(0, 1, 2);  // apex, pit, saddle
   CAPTURE(kind, facets, form);

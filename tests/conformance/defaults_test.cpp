@@ -45,6 +45,6 @@ void run_at_defaults(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("scenes at the default settings meet their expectations") {
+TEST_CASE("scenes at the default settings meet their expectations", "[slow]") {
   for (const std::string& path : scenes()) run_at_defaults(path);
 }
