@@ -194,11 +194,20 @@ class Runner {
     return false;
   }
 
+  /// The time at which a path passes the end x of the domain [s]. One that starts at the end and does not
+  /// move outwards is still inside.
+  static double departure(const Path<D>& path, double x, int side, int axis) {
+    const double speed = side * path.v[axis], push = side * path.a[axis];
+    if (path.x[axis] != x || speed > 0 || (speed == 0 && push > 0)) return arrival(path, x, side, axis);
+    return push > 0 ? -2 * speed / push : std::numeric_limits<double>::infinity();
+  }
+
   double time_in_domain(const Path<D>& flight) const {
     const Domain<D> domain = domain_of(world_.terrain());
     double first = std::numeric_limits<double>::infinity();
     for (int k = 0; k < D - 1; ++k)
-      first = std::min({first, arrival(flight, domain.low[k], -1, k), arrival(flight, domain.high[k], 1, k)});
+      first =
+          std::min({first, departure(flight, domain.low[k], -1, k), departure(flight, domain.high[k], 1, k)});
     // Go slightly beyond the edge, so that end_bodies finds the body outside.
     return first * (1 + 1e-12) + 1e-12;
   }

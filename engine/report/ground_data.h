@@ -13,8 +13,8 @@ namespace flyrock {
 /// number of triangles and the index of their part, `lattice` is 0 or as in GroundSurface.
 nlohmann::ordered_json grounds_data(const GroundPictures& pictures);
 
-/// { x, y, dx, dy, from, to, lines: [{ s, z }] }: the mean line of the rocks of a point with the ground under it,
-/// thinned; s and z are differences in thousandths. null in 2D and without rocks.
+/// { x, y, dx, dy, from, to, lines: [{ s, z }] }: the mean line of the rocks of a point with the ground under
+/// it, thinned; s and z are differences in thousandths. null in 2D and without rocks.
 nlohmann::ordered_json section_data(const PointResult& point);
 
 }  // namespace flyrock

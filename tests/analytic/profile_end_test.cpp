@@ -17,3 +17,12 @@ TEST_CASE("a long box that reaches beyond the end of the profile lies still") {
   CHECK(std::abs(history.last.angle) < 1e-9);
   CHECK(bench.world.quality().max_penetration < 1e-6);
 }
+
+TEST_CASE("a disk that falls at the very end of the profile comes to rest there") {
+  Material material(0.3, 0.5);
+  for (const double end : {-5.0, 5.0}) {
+    Bench bench(ground(5), material);
+    bench.add(disk(0.5, 100, {end, 3}));
+    CHECK(bench.run(20).reason == StopReason::stopped);
+  }
+}

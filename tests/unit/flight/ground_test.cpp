@@ -88,6 +88,23 @@ TEST_CASE("a rock leaves the terrain where its centre has no ground below, along
   CHECK(ends_at({8, 0, 9}, "it has no ground below it").x() == Approx(4).margin(1e-3));
 }
 
+TEST_CASE("a rock at the very end of the terrain stays on it until it moves outwards") {
+  const auto flat = [](double, double) { return 0.0; };
+  for (const TerrainShape3& shape :
+       {TerrainShape3(grid_of(flat, 10, 20)), TerrainShape3(mesh_of(flat, 10, 20))}) {
+    const auto history = [&](const Vec3& from, const Vec3& velocity) {
+      Material material(0.5, 0.4, 0.02);
+      Bench3 bench(shape, material);
+      bench.add(sphere(0.3, 100, from, velocity));
+      return bench.run(20);
+    };
+    CHECK(history({-9, -10, 2}, {3, 0, 0}).reason == StopReason::stopped);
+    CHECK(history({-10, 10, 2}, {0, 0, 0}).reason == StopReason::stopped);
+    CHECK(history({-10, 0, 2}, {1, 0, 0}).reason == StopReason::stopped);
+    CHECK(history({-10, 0, 2}, {-1, 0, 0}).reason == StopReason::left_domain);
+  }
+}
+
 TEST_CASE("fixed steps push a body out of a mesh as out of a plane") {
   const auto rests_at = [](const TerrainShape3& shape, int kind) {
     Material material(0, 0.5, 0.02);
