@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "math/sphere.h"
+#include "report/azimuth_data.h"
 #include "report/convergence.h"
 #include "report/envelope_data.h"
 #include "report/ground_data.h"
@@ -15,6 +16,7 @@
 #include "report/runout_data.h"
 #include "report/scenario_text.h"
 #include "report/summary_data.h"
+#include "results/cell_size.h"
 
 namespace flyrock {
 
@@ -143,6 +145,13 @@ Json unit_data(const std::string& si) {
   return {{"unit", unit.name}, {"per_si", unit.per_si}};
 }
 
+/// { cell, p5, p50 }: the cell of the ground and the diameters of rocks [m]; null without.
+Json cell_data(const PointResult& point) {
+  const auto size = cell_size(point);
+  if (!size) return nullptr;
+  return {{"cell", size->cell}, {"p5", size->p5}, {"p50", size->p50}};
+}
+
 /// For each axis of a sweep: { path, unit, per_si }.
 Json axes_data(const Plan& plan) {
   Json list = Json::array();
@@ -205,13 +214,13 @@ Json ReportData::finish(const Results& results, const GroundPictures& grounds,
       first_laws = laws;
     else if (laws == first_laws)
       laws = nullptr;
-    points.push_back(
-        json_object("terrain", terrain_data(point.terrain.profile), "ground", grounds.of_point[p], "section",
-                    section_data(point), "deposits", std::move(closed_[p].deposits), "tracks",
-                    std::move(closed_[p].tracks), "runout", runouts.distributions(), "convergence",
-                    runouts.convergence(), "envelopes", envelope_data(point), "sensitivity",
-                    std::move(closed_[p].sensitivity), "shrouds", shroud_data(point.reaches), "laws",
-                    std::move(laws), "bodies", bodies_data(plan.points[p], point.totals)));
+    points.push_back(json_object(
+        "terrain", terrain_data(point.terrain.profile), "ground", grounds.of_point[p], "section",
+        section_data(point), "deposits", std::move(closed_[p].deposits), "tracks",
+        std::move(closed_[p].tracks), "cell", cell_data(point), "azimuths", azimuth_data(point), "runout",
+        runouts.distributions(), "convergence", runouts.convergence(), "envelopes", envelope_data(point),
+        "sensitivity", std::move(closed_[p].sensitivity), "shrouds", shroud_data(point.reaches), "laws",
+        std::move(laws), "bodies", bodies_data(plan.points[p], point.totals)));
   }
   return json_object("summary", summary_data(plan, results), "source", source_data(scenario_), "scenario",
                      scenario_text(plan.resolved), "groups", group_names(plan.points.front()), "units",

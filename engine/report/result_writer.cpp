@@ -6,6 +6,7 @@
 #include "report/ground_pictures.h"
 #include "report/html.h"
 #include "report/tables.h"
+#include "results/cell_size.h"
 
 namespace flyrock {
 
@@ -35,6 +36,7 @@ Results ResultWriter::finish(const std::vector<Rows>& rows, const RunFacts& fact
   });
   Results results = tally_.finish(rows, facts);
   for (std::size_t p = 0; p < terrains.size(); ++p) results.points[p].terrain = std::move(terrains[p]);
+  for (std::string& warning : cell_warnings(results.points)) results.warnings.push_back(std::move(warning));
   closed.get();
   const GroundPictures grounds = ground_pictures(results.points);
   const nlohmann::ordered_json drawn = report_.finish(results, grounds, rows);

@@ -10,13 +10,20 @@
 #include "results/crossing_summary.h"
 #include "results/plan_reach.h"
 #include "results/reach.h"
+#include "results/runout_by_azimuth.h"
 
 namespace flyrock {
+
+/// Percentiles of the diameters of rocks [m], of the sphere with the rock's volume; NaN without rocks.
+struct Diameters {
+  double p5 = unknown, p50 = unknown;
+};
 
 /// The results of one sweep point as numbers. Its rows are read in passes (batch/rows.h).
 struct PointResult {
   std::uint64_t trials = 0;
   TerrainPicture terrain;               ///< of its first trial, for pictures
+  Diameters diameters;                  ///< 3D, of rocks of all groups
   PlanReach reach;                      ///< 3D: where its rocks were
   std::vector<RockRecord> first_trial;  ///< rocks of the first trial of this run
   TrialTotals totals;
@@ -24,8 +31,9 @@ struct PointResult {
   std::vector<GateSummary> gates;    ///< in the order of Scenario::gates
   std::vector<BarrierSummary> barriers;
   std::vector<ClearanceSummary> clearances;
-  std::vector<Reach> reaches;           ///< only with the method ballistic
-  std::vector<CensoredPlace> censored;  ///< places of censored rocks, most rocks first
+  std::vector<Reach> reaches;             ///< only with the method ballistic
+  std::vector<RunoutByAzimuth> azimuths;  ///< 3D, of rocks: in the order of `groups`
+  std::vector<CensoredPlace> censored;    ///< places of censored rocks, most rocks first
 };
 
 struct Measured {

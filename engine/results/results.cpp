@@ -25,7 +25,8 @@ class PointTally {
         point_(point),
         rocks_(group_names(scenario)),
         crossings_(scenario.gates.size(), scenario.barriers.size()),
-        clearances_(scenario.clearances) {}
+        clearances_(scenario.clearances),
+        azimuths_(scenario.dimension == 3 && scenario.bodies.empty() ? 1 + scenario.rocks.size() : 0) {}
 
   /// Takes the rows of the first pass. Their faults go into `results`.
   void see_first(const TrialRecords& chunk, Results& results) {
@@ -47,11 +48,22 @@ class PointTally {
     rocks_.see(chunk);
     crossings_.see(chunk);
     clearances_.see(chunk);
+    if (azimuths_.empty()) return;
+    for (const RockRecord& rock : chunk.rocks) {
+      if (is_fault(rock.reason)) continue;
+      diameters_.add({2 * sphere_radius(rock.volume), false});
+      azimuths_.front().add(rock);
+      azimuths_.at(1 + static_cast<std::size_t>(rock.group)).add(rock);
+    }
   }
 
   bool again() {
-    const bool rocks = rocks_.again(), crossings = crossings_.again(), clearances = clearances_.again();
-    return rocks || crossings || clearances;
+    bool more = rocks_.again();
+    more |= crossings_.again();
+    more |= clearances_.again();
+    for (AzimuthTally& azimuths : azimuths_) more |= azimuths.again();
+    if (!azimuths_.empty()) more |= diameters_.again();
+    return more;
   }
 
   PointResult result() {
@@ -60,6 +72,10 @@ class PointTally {
     result_.barriers = crossings_.barriers();
     result_.clearances = clearances_.summaries();
     result_.censored = censored_.places();
+    if (diameters_.size() > 0)
+      result_.diameters = {diameters_.quantile(0.05).value, diameters_.quantile(0.5).value};
+    for (std::size_t g = 0; g < result_.groups.size() && g < azimuths_.size(); ++g)
+      result_.azimuths.push_back(azimuths_[g].summary());
     if (scenario_.method == Method::ballistic) result_.reaches = reaches_of(scenario_, result_.groups);
     return std::move(result_);
   }
@@ -71,6 +87,8 @@ class PointTally {
   RockTally rocks_;
   CrossingTally crossings_;
   ClearanceTally clearances_;
+  Sample diameters_{Questions{{0.05, 0.5}, {}}};
+  std::vector<AzimuthTally> azimuths_;  ///< of all rocks, then of each group
   CensoredTally censored_;
 };
 

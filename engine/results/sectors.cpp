@@ -7,15 +7,15 @@
 
 namespace flyrock {
 
-namespace {
+std::size_t sector_of(const Vec2& direction, std::size_t n) {
+  double turns = std::atan2(direction.y(), direction.x()) / (2 * pi);
+  turns -= std::floor(turns);
+  return std::min(static_cast<std::size_t>(turns * static_cast<double>(n)), n - 1);
+}
 
-/// The greater of two distances; censored if either is, because a censored rock may have gone farther than
-/// the farthest known one.
 Bounded farther(const Bounded& a, const Bounded& b) {
   return {std::max(a.value, b.value), a.censored || b.censored};
 }
-
-}  // namespace
 
 const SectorSummary* AreaSummary::farthest() const {
   const SectorSummary* best = nullptr;
@@ -57,9 +57,7 @@ void SectorTally::add(const RockRecord& rock) {
   if (!counted_ && (!plan_.per_blast || total_ == 0 || last_trial_ != rock.trial)) ++total_;
   last_trial_ = rock.trial;
   const Vec2 end(rock.stop_x, rock.stop_y);
-  double turns = std::atan2(end.y() - centre_.y(), end.x() - centre_.x()) / (2 * pi);
-  turns -= std::floor(turns);
-  Sector& sector = sectors_[std::min(static_cast<std::size_t>(turns * plan_.sectors), sectors_.size() - 1)];
+  Sector& sector = sectors_[sector_of(end - centre_, sectors_.size())];
   const Bounded distance{distance_from(releases_, end), rock.censored};
   sector.greatest = farther(sector.greatest, distance);
   if (!plan_.per_blast) return sector.sample.add(distance);

@@ -13,6 +13,14 @@
 
 namespace flyrock {
 
+/// The sector of a direction in plan: sector i of n holds azimuths, from +x towards +y, from i to i + 1 times
+/// 2 pi / n, without its end.
+std::size_t sector_of(const Vec2& direction, std::size_t n);
+
+/// The greater of two distances; censored if either is, because a censored rock may have gone farther than
+/// the farthest known one.
+Bounded farther(const Bounded& a, const Bounded& b);
+
 /// The rocks that ended in one sector of azimuth, by their distance from the release places.
 struct SectorSummary {
   double azimuth = 0;       ///< rad, middle of the sector, from +x towards +y
@@ -36,8 +44,7 @@ struct SectorSummary {
 struct AreaSummary {
   Vec2 centre = Vec2::Zero();
   std::vector<Vec2> hull;  ///< counter-clockwise
-  /// In the order of azimuth from 0. Sector i holds azimuths from i to i + 1 times 2 pi / sectors, without
-  /// its end.
+  /// In the order of azimuth from 0; see sector_of().
   std::vector<SectorSummary> sectors;
 
   /// The sector that reaches farthest; nullptr if no rock ended anywhere.

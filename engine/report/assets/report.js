@@ -41,6 +41,7 @@ tracks_section();
 space_section();
 plan_sections();
 runout_section();
+azimuth_section();
 clearance_section();
 area_section();
 crossings_section();

@@ -35,7 +35,7 @@ function shown_of_space(page, tracks) {
 }
 
 // ---- the ground ------------------------------------------------------------------------------------------------
-const ground_colours = ["#c9bfae", "#b3a58f", "#d8d2c4", "#a8b3a0", "#c4b4a8", "#b8bcc4", "#ddd0b8", "#a39a8e"];
+const ground_colours = ["#d6cdbd", "#c2b49d", "#e2ddd1", "#b6c2ad", "#d2c1b4", "#c6cad2", "#e9dcc3", "#b5ab9e"];
 
 /** One surface for each part, so that the legend names them. The light comes from the side of the slope, so that its shape is seen. */
 function ground_traces(ground, offset, section) {
@@ -48,7 +48,7 @@ function ground_traces(ground, offset, section) {
     return {
       type: "mesh3d", x, y, z, i: corner[0], j: corner[1], k: corner[2], name: ground.parts[part] || "ground", showlegend: true,
       color: ground_colours[n % ground_colours.length], flatshading: true, hoverinfo: "skip",
-      lighting: { ambient: 0.5, diffuse: 0.6, specular: 0, roughness: 1, fresnel: 0, facenormalsepsilon: 0 }, lightposition: { x: sun * Math.cos(light), y: sun * Math.sin(light), z: 0.5 * sun },
+      lighting: { ambient: 0.4, diffuse: 0.6, specular: 0, roughness: 1, fresnel: 0, facenormalsepsilon: 0 }, lightposition: { x: sun * Math.cos(light), y: sun * Math.sin(light), z: 0.5 * sun },
     };
   });
 }
@@ -77,10 +77,12 @@ function path_traces_3d(lines, ends, offset) {
   return traces;
 }
 
-/** The lowest and highest value of each coordinate of what is drawn. */
-function box_of(traces) {
-  const range = (of) => { const values = traces.flatMap((t) => [least(t[of].filter((v) => v !== null)), most(t[of].filter((v) => v !== null))]); return [least(values), most(values)]; };
-  return { x: range("x"), y: range("y"), z: range("z") };
+/** The box that is shown: in plan where the rocks shown were, with a margin; upwards with all of the ground. */
+function box_of(paths, ground) {
+  const range = (of) => { const values = paths.flatMap((t) => t[of]).filter((v) => v !== null); return [least(values), most(values)]; };
+  const [x, y, z] = ["x", "y", "z"].map(range), margin = 0.1 * Math.max(...[x, y, z].map(([low, high]) => high - low), 0.1);
+  const wide = ([low, high], by) => [low - by, high + by], heights = ground.length > 0 ? ground[0].z : [];
+  return { x: wide(x, margin), y: wide(y, margin), z: wide([least([z[0], ...heights]), most([z[1], ...heights])], 0.1 * margin) };
 }
 
 /** Round ticks, named in the file's coordinates. */
@@ -102,8 +104,8 @@ function draw_space(node, page, tracks) {
   const points = [...lines, ...ends.values()].flatMap((list) => list.points).filter((p) => p);
   const all = (of_ground, of_points) => [...(ground ? of_ground(ground) : []), ...points.map(of_points)];
   const offset = { x: offset_of(all((g) => g.x, (p) => p.x)), y: offset_of(all((g) => g.y, (p) => p.across)), z: offset_of(all((g) => g.z, (p) => p.height)) };
-  const traces = [...(ground ? ground_traces(ground, offset, page.section) : []), ...path_traces_3d(lines, ends, offset)];
-  const box = box_of(traces), size = [box.x, box.y, box.z].map(([low, high]) => Math.max(high - low, 1e-3)), longest = Math.max(...size);
+  const below = ground ? ground_traces(ground, offset, page.section) : [], paths = path_traces_3d(lines, ends, offset), traces = [...below, ...paths];
+  const box = box_of(paths, below), size = [box.x, box.y, box.z].map(([low, high]) => Math.max(high - low, 1e-3)), longest = Math.max(...size);
   const layout = {
     font, paper_bgcolor: "#fff", height: 640, margin: { l: 0, r: 0, t: 30, b: 0 }, legend: { ...legend, y: 1, yanchor: "bottom" }, uirevision: `point ${shown.point}`,
     scene: {
@@ -138,6 +140,10 @@ function has_webgl() {
   return Boolean(canvas.getContext("webgl2") ?? canvas.getContext("webgl"));
 }
 
+/** The cell of the ground beside the rocks; the run warns where it does not fit. */
+const cell_note = ({ cell, p5, p50 }) => `The ground has cells of ${show(cell)} m (of a mesh: the median length of its edges), ${show(Number((cell / p50).toPrecision(2)))} times the median diameter of the rocks. ` +
+  `The diameters are ${show(p50)} m at p50 and ${show(p5)} m at p5 (of the sphere with the rock's volume). The ground has no bumps smaller than two cells; one to five diameters are usual.`;
+
 const has_space = () => summary.dimension === 3 && data.points.some((point) => point.section !== null);
 
 function space_section() {
@@ -146,15 +152,16 @@ function space_section() {
     return;
   }
   const node = element("div", { class: "plot space", role: "application", tabindex: "0", "aria-label": "The ground, the paths and where rocks ended, in 3D. Arrow keys turn the view, plus and minus zoom, Home goes back; the plan and the long section show the same" });
-  const note = paragraph("note", ""), drawn = typeof Plotly3D !== "undefined" && has_webgl();
+  const note = paragraph("note", ""), cells = paragraph("note", ""), drawn = typeof Plotly3D !== "undefined" && has_webgl();
   const missing = typeof Plotly3D === "undefined" ? "The 3D part of Plotly was not installed when this report was made (make deps)." : "This browser has no WebGL.";
   const terrain = data.drawn.terrain ? ["The terrain is drawn anew in each trial. The ground shown is that of trial 0: the paths of other trials need not touch it."] : [];
   section("Trajectories", note, node, caption("The ground where rocks were, the paths of their centres of mass coloured by mode of travel, and where they ended, all to the same scale.",
     "Drag to turn, scroll to zoom, drag with the right button to move. With the keyboard: arrows, + and -, Home. Click a name in the legend to hide it.",
-    ...(ends_at_landing ? [] : ["Flight: until the first landing; bounce: in the air after it; slide and roll: in contact (thick lines)."]), ...terrain));
+    ...(ends_at_landing ? [] : ["Flight: until the first landing; bounce: in the air after it; slide and roll: in contact (thick lines)."]), ...terrain), cells);
   if (drawn) turn_by_keys(node);
   redraw.push(() => {
     const page = data.points[shown.point], tracks = shown_tracks(), ground = ground_of_point();
+    cells.textContent = page.cell ? cell_note(page.cell) : "";
     if (page.section === null) {
       note.textContent = `Shown: ${shown_text()}.`;
       if (typeof Plotly3D !== "undefined") Plotly3D.purge(node);

@@ -1,0 +1,45 @@
+#include "report/azimuth_data.h"
+
+#include "report/json_object.h"
+
+namespace flyrock {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json interval_data(const Interval& interval) { return {number(interval.lower), number(interval.upper)}; }
+
+Json percentile_data(const AzimuthSector::Percentile& percentile) {
+  if (std::isnan(percentile.value.value)) return nullptr;
+  return {{"value", percentile.value.value},
+          {"lower_bound", percentile.value.censored},
+          {"interval", interval_data(percentile.interval)}};
+}
+
+}  // namespace
+
+Json azimuth_data(const PointResult& point) {
+  constexpr double width = 360.0 / azimuth_sectors;
+  Json list = Json::array();
+  for (const RunoutByAzimuth& azimuths : point.azimuths) {
+    Json sectors = Json::array();
+    for (std::size_t i = 0; i < azimuths.sectors.size(); ++i) {
+      const AzimuthSector& sector = azimuths.sectors[i];
+      if (sector.count == 0) continue;
+      sectors.push_back({{"from_deg", width * static_cast<double>(i)},
+                         {"to_deg", width * static_cast<double>(i + 1)},
+                         {"count", sector.count},
+                         {"share", sector.share.value},
+                         {"share_interval", interval_data(sector.share.interval)},
+                         {"greatest", sector.greatest.value},
+                         {"lower_bound", sector.greatest.censored},
+                         {"p50", percentile_data(sector.percentiles[0])},
+                         {"p95", percentile_data(sector.percentiles[1])}});
+    }
+    list.push_back({{"still", azimuths.still}, {"least", least_in_sector}, {"sectors", std::move(sectors)}});
+  }
+  return list;
+}
+
+}  // namespace flyrock
