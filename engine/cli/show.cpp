@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -16,6 +17,20 @@ void name_plugin_file(Value& resolved, const std::string& file) {
     plugins->list()->push_back({file, {}, false});
 }
 
+/// The origin that was found where the scenario gives none. Points of a sweep with origins of their own show
+/// none.
+void add_origin(const std::vector<Scenario>& points, Value& resolved) {
+  const Vec3& origin = points.front().terrain.origin;
+  Value* terrain = resolved.find("terrain");
+  if (origin == Vec3::Zero() || !terrain || !terrain->find("type") || terrain->find("origin")) return;
+  if (!std::all_of(points.begin(), points.end(),
+                   [&](const Scenario& s) { return s.terrain.origin == origin; }))
+    return;
+  List coordinates;
+  for (const double coordinate : origin) coordinates.push_back({coordinate, {}, false});
+  terrain->map()->push_back({"origin", {}, {std::move(coordinates), {}, false}});
+}
+
 }  // namespace
 
 int show(const Command& command, const Arguments& arguments) {
@@ -27,6 +42,7 @@ int show(const Command& command, const Arguments& arguments) {
   auto loaded = load(line.words[0], overrides_of(line), false);
   if (!loaded) return bad_input;
   Value& resolved = loaded->plan.resolved;
+  add_origin(loaded->plan.points, resolved);
   std::string text;
   if (loaded->defines_plugins) {
     const std::string file = std::filesystem::path(line.words[0]).filename().string();

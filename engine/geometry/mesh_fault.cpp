@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/mesh_edges.h"
+#include "geometry/place_text.h"
 
 namespace flyrock {
 
@@ -14,10 +15,6 @@ namespace {
 /// A triangle lower than this share of its longest side, or than this length [m], has no normal that can be
 /// trusted at 100 km from the origin, where a double resolves 1e-11 m.
 constexpr double least_share = 1e-6, least_height = 1e-6;
-
-std::string text(const Vec3& place) {
-  return fmt::format("({:.10g}, {:.10g}, {:.10g})", place.x(), place.y(), place.z());
-}
 
 class Checks {
  public:
@@ -38,8 +35,8 @@ class Checks {
 
   /// "the triangle (0, 0, 0), (1, 0, 0), (0, 1, 0) in line 7"
   std::string triangle_text(int t) const {
-    return fmt::format("the triangle {}, {}, {}{}", text(corner(t, 0)), text(corner(t, 1)),
-                       text(corner(t, 2)), line_text(t));
+    return fmt::format("the triangle {}, {}, {}{}", place_text(corner(t, 0)), place_text(corner(t, 1)),
+                       place_text(corner(t, 2)), line_text(t));
   }
   std::string line_text(int t) const { return lines_.empty() ? "" : fmt::format(" in line {}", lines_[t]); }
 
@@ -80,7 +77,8 @@ class Checks {
   }
 
   std::string edge_text(const MeshSide& side) const {
-    return fmt::format("from {} to {}", text(mesh_.vertices[side.low]), text(mesh_.vertices[side.high]));
+    return fmt::format("from {} to {}", place_text(mesh_.vertices[side.low]),
+                       place_text(mesh_.vertices[side.high]));
   }
 
   std::string crowded_edges() const {
@@ -206,7 +204,7 @@ class Checks {
     const std::string more = loops.size() == 2 ? "" : fmt::format(", and {} more", loops.size() - 2);
     return fmt::format(
         "the mesh has a hole of {} edges from {} to {}{}; expected ground without holes inside", hole.edges,
-        text(hole.low), text(hole.high), more);
+        place_text(hole.low), place_text(hole.high), more);
   }
 
   const Mesh& mesh_;

@@ -7,6 +7,8 @@
 #include <limits>
 #include <map>
 
+#include "geometry/place_text.h"
+
 namespace flyrock {
 
 namespace {
@@ -191,15 +193,13 @@ std::string polygon_fault(const std::vector<Vec2>& polygon) {
   double twice_area = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 &a = polygon[i], &b = polygon[(i + 1) % n];
-    if (a == b)
-      return fmt::format("a polygon has the corner ({:.10g}, {:.10g}) twice in a row", a.x(), a.y());
+    if (a == b) return fmt::format("a polygon has the corner {} twice in a row", place_text(a));
     twice_area += cross(Vec2(a - polygon[0]), Vec2(b - polygon[0]));
     for (std::size_t k = i + 2; k < n; ++k) {
       if (i == 0 && k + 1 == n) continue;  // neighbours
       if (crosses(a, b, polygon[k], polygon[(k + 1) % n]))
-        return fmt::format(
-            "the outline of a polygon crosses itself between ({:.10g}, {:.10g}) and ({:.10g}, {:.10g})",
-            a.x(), a.y(), polygon[k].x(), polygon[k].y());
+        return fmt::format("the outline of a polygon crosses itself between {} and {}", place_text(a),
+                           place_text(polygon[k]));
     }
   }
   return twice_area == 0 ? "a polygon has no area" : "";

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/mesh_fault.h"
+#include "geometry/place_text.h"
 
 namespace flyrock {
 
@@ -35,13 +36,13 @@ std::string fault(const HeightGrid& grid) {
     return fmt::format("a grid of {} x {} cells has {} heights", grid.columns, grid.rows,
                        grid.heights.size());
   if (!(grid.cell > 0 && std::isfinite(grid.cell)) || !grid.corner.allFinite())
-    return fmt::format("a grid has cells of {:.6g} m at ({:.10g}, {:.10g})", grid.cell, grid.corner.x(),
-                       grid.corner.y());
+    return fmt::format("a grid has cells of {:.6g} m at {}", grid.cell, place_text(grid.corner));
   for (std::size_t i = 0; i < cells; ++i)
     if (std::isinf(grid.heights[i]))
-      return fmt::format("the height at ({:.10g}, {:.10g}) of a grid is infinite",
-                         grid.corner.x() + grid.cell * static_cast<double>(i % grid.columns),
-                         grid.corner.y() + grid.cell * static_cast<double>(i / grid.columns));
+      return fmt::format(
+          "the height at {} of a grid is infinite",
+          place_text(Vec2(grid.corner + grid.cell * Vec2(static_cast<double>(i % grid.columns),
+                                                         static_cast<double>(i / grid.columns)))));
   if (!grid.part.empty() && grid.part.size() != cells)
     return fmt::format("a grid of {} cells names the parts of {}", cells, grid.part.size());
   for (const std::uint8_t part : grid.part)

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/place_text.h"
+
 namespace flyrock {
 
 namespace {
@@ -128,9 +130,8 @@ class Cut {
 
   [[noreturn]] void fail(const char* what, double distance) const {
     const Vec2 at = from_ + distance * along_;
-    throw SectionError(fmt::format(
-        "the terrain {} on the line of the section {:.6g} m from its begin, at ({:.10g}, {:.10g})", what,
-        distance, at.x(), at.y()));
+    throw SectionError(fmt::format("the terrain {} on the line of the section {:.6g} m from its begin, at {}",
+                                   what, distance, place_text(at)));
   }
 
   Vec2 from_;
@@ -200,11 +201,8 @@ std::string reach_fault(const TerrainShape3& shape, const Vec3& origin, double m
   const Extent extent = extent_of(shape);
   for (const Vec3& corner : {extent.low, extent.high})
     if (corner.cwiseAbs().maxCoeff() > most)
-      return fmt::format(
-          "reaches to ({:.10g}, {:.10g}, {:.10g}), more than {:.6g} km from the origin ({:.10g}, {:.10g}, "
-          "{:.10g})",
-          corner.x() + origin.x(), corner.y() + origin.y(), corner.z() + origin.z(), most / 1000, origin.x(),
-          origin.y(), origin.z());
+      return fmt::format("reaches to {}, more than {:.6g} km from the origin {}",
+                         place_text(Vec3(corner + origin)), most / 1000, place_text(origin));
   return {};
 }
 

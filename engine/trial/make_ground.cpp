@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/place_text.h"
 #include "geometry/plan_zone.h"
 #include "geometry/terrain_fault.h"
 #include "geometry/terrain_place.h"
@@ -43,9 +44,9 @@ Terrain2 profile_ground(Profile profile, const TerrainPlan& plan) {
         fmt::format("plugin {}: build() returned a poly-line that is no profile: {}", name, fault));
   for (const Vec2& point : profile.points)
     if (point.cwiseAbs().maxCoeff() > farthest_place)
-      throw PluginError(fmt::format(
-          "plugin {}: the point ({:.6g}, {:.6g}) of a profile is more than 100 km from the origin", name,
-          point.x(), point.y()));
+      throw PluginError(
+          fmt::format("plugin {}: the point {} of a profile is more than 100 km from the origin", name,
+                      place_text(point)));
   return Terrain2(with_faces(with_zones(std::move(profile), plan.zones), plan.faces));
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/place_text.h"
 #include "trial/blast_at.h"
 #include "trial/random_place.h"
 #include "trial/reach.h"
@@ -107,8 +108,8 @@ Place<2> place_rock(const Release& release, const Scenario& scenario, const Draw
     case ReleaseKind::above_ground: {
       const double x = number(release.x);
       if (x < profile.x_min() || x > profile.x_max())
-        throw StartError(fmt::format("x = {:.6g} m lies beyond the terrain, from {:.6g} to {:.6g} m", x,
-                                     profile.x_min(), profile.x_max()));
+        throw StartError(fmt::format("x = {} m lies beyond the terrain, from {} to {} m", coordinate_text(x),
+                                     coordinate_text(profile.x_min()), coordinate_text(profile.x_max())));
       place.position = {x, profile.height(x) + number(release.above_ground)};
       break;
     }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/place_text.h"
 #include "trial/blast_at.h"
 #include "trial/make_ground.h"
 #include "trial/place_rock.h"
@@ -109,14 +110,17 @@ class Placing {
 
   double ground_height(const Vec2& p) const {
     if (const auto height = terrain_.ground().height(p.x(), p.y())) return *height;
-    const Vec2 place = p + origin().head<2>();
-    throw StartError(fmt::format("there is no ground at ({:.10g}, {:.10g}) m", place.x(), place.y()));
+    throw StartError(fmt::format("there is no ground at {} m", place_text(in_scenario(p))));
   }
 
   Vec3 lowered(const Vec2& p) const {
-    ground_height(p);  // for the error in the coordinates of the scenario
-    return lowered_to_ground(rock_, terrain_, p.x(), p.y());
+    ground_height(p);  // throws where there is none
+    if (const auto position = lowered_to_ground(rock_, terrain_, p.x(), p.y())) return *position;
+    // The centre of mass is above ground, but the rock may reach over its end only.
+    throw StartError(fmt::format("the rock does not touch the ground at {} m", place_text(in_scenario(p))));
   }
+
+  Vec2 in_scenario(const Vec2& p) const { return p + origin().head<2>(); }
 
   // Places in plan, in the coordinates of the scenario.
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "flight/ground.h"
+#include "geometry/place_text.h"
 #include "geometry/volume_properties.h"
 
 namespace flyrock {
@@ -66,19 +67,16 @@ double slenderness(const Contactor3& contactor) {
   return std::sqrt(squares.maxCoeff() / std::max(0.0, squares.minCoeff()));
 }
 
-/// "(5, 12.1) m"
+/// Where a body starts, in the coordinates of the scenario: "(5, 12.1) m".
 template <int D>
-std::string place_text(const Vec<D>& place) {
-  if constexpr (D == 2)
-    return fmt::format("({:.6g}, {:.6g}) m", place.x(), place.y());
-  else
-    return fmt::format("({:.6g}, {:.6g}, {:.6g}) m", place.x(), place.y(), place.z());
+std::string start_text(const Body<D>& body, const Vec3& origin) {
+  return place_text(Vec<D>(body.x + origin.head<D>())) + " m";
 }
 
 template <int D>
 std::string far_text(const Body<D>& body, const Vec3& origin) {
   return fmt::format("`{}` starts at {}, more than 100 km from the origin", body.group,
-                     place_text<D>(body.x + origin.head<D>()));
+                     start_text(body, origin));
 }
 
 /// What is wrong with a place beyond the terrain, or an empty text.
@@ -87,9 +85,10 @@ std::string beyond_text(const Body<D>& body, const Domain<D>& domain, const Vec3
   constexpr const char* axes[] = {"x", "y"};
   for (int k = 0; k < D - 1; ++k)
     if (body.x[k] < domain.low[k] || body.x[k] > domain.high[k])
-      return fmt::format(
-          "`{}` starts at {} = {:.6g} m, beyond the terrain, which runs from {:.6g} to {:.6g} m", body.group,
-          axes[k], body.x[k] + origin[k], domain.low[k] + origin[k], domain.high[k] + origin[k]);
+      return fmt::format("`{}` starts at {} = {} m, beyond the terrain, which runs from {} to {} m",
+                         body.group, axes[k], coordinate_text(body.x[k] + origin[k]),
+                         coordinate_text(domain.low[k] + origin[k]),
+                         coordinate_text(domain.high[k] + origin[k]));
   return {};
 }
 
@@ -98,7 +97,7 @@ std::string inside_terrain(const Body<D>& body, double depth, const typename Geo
                            const Vec3& origin) {
   const double room = room_at(body.x, terrain, body.size);
   const std::string start = fmt::format("`{}` starts at {}, {:.3g} m inside the terrain", body.group,
-                                        place_text<D>(body.x + origin.head<D>()), depth);
+                                        start_text(body, origin), depth);
   if (room == 0) return start + ": its centre of mass is below the ground, where no radius fits";
   return start +
          fmt::format(": it reaches {:.3g} m from its centre of mass, a radius of at most {:.3g} m fits there",
@@ -154,7 +153,7 @@ std::optional<StartFault> start_fault(World<D>& world, const Vec3& origin) {
       return StartFault{i, beyond};
     if (!ground_height(world.terrain(), body.x))
       return StartFault{i, fmt::format("`{}` starts at {}, where there is no ground", body.group,
-                                       place_text<D>(body.x + origin.head<D>()))};
+                                       start_text(body, origin))};
     if (const double depth = buried(body, world.terrain()); depth > most_overlap * body.size)
       return StartFault{i, inside_terrain(body, depth, world.terrain(), origin)};
   }
@@ -169,7 +168,7 @@ std::optional<StartFault> start_fault(World<D>& world, const Vec3& origin) {
 
 std::string start_fault_of_point(const Body<3>& body, const Ground3& ground, const Vec3& origin) {
   if (!(body.x.cwiseAbs().maxCoeff() <= farthest_place)) return far_text(body, origin);
-  const std::string start = fmt::format("`{}` starts at {}, ", body.group, place_text<3>(body.x + origin));
+  const std::string start = fmt::format("`{}` starts at {}, ", body.group, start_text(body, origin));
   if (!ground.height(body.x.x(), body.x.y())) return start + "where there is no ground";
   const double depth = ground.depth(body.x);
   return depth > most_overlap * body.size ? start + fmt::format("{:.3g} m inside the terrain", depth) : "";
@@ -177,10 +176,10 @@ std::string start_fault_of_point(const Body<3>& body, const Ground3& ground, con
 
 std::string start_fault_of_point(const Body<2>& body, const Profile& profile, const Vec3& origin) {
   if (!(body.x.cwiseAbs().maxCoeff() <= farthest_place)) return far_text(body, origin);
-  const std::string start = fmt::format("`{}` starts at {}, ", body.group, place_text<2>(body.x));
+  const std::string start = fmt::format("`{}` starts at {}, ", body.group, start_text(body, origin));
   if (body.x.x() < profile.x_min() || body.x.x() > profile.x_max())
-    return start + fmt::format("beyond the terrain, which runs from {:.6g} to {:.6g} m", profile.x_min(),
-                               profile.x_max());
+    return start + fmt::format("beyond the terrain, which runs from {} to {} m",
+                               coordinate_text(profile.x_min()), coordinate_text(profile.x_max()));
   const double depth = profile.height(body.x.x()) - body.x.y();
   return depth > most_overlap * body.size ? start + fmt::format("{:.3g} m inside the terrain", depth) : "";
 }

@@ -1,12 +1,9 @@
 #include "trial/touch_ground.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "collision/time_of_contact.h"
-#include "plugin/params.h"
 
 namespace flyrock {
 
@@ -44,10 +41,10 @@ std::optional<double> distance_to_ground(const Body<D>& body, const typename Geo
   return first;
 }
 
-Vec3 lowered_to_ground(const Body<3>& body, const Terrain3& terrain, double x, double y) {
+std::optional<Vec3> lowered_to_ground(const Body<3>& body, const Terrain3& terrain, double x, double y) {
   const Ground3& ground = terrain.ground();
   const std::optional<double> below = ground.height(x, y);
-  if (!below) throw StartError(fmt::format("there is no ground at ({:.10g}, {:.10g})", x, y));
+  if (!below) return std::nullopt;
   double top = ground.extent().high.z(), bottom = ground.extent().low.z();
   if (!std::isfinite(top)) {  // a plane: what of it is within the size of the body
     const Vec3 normal = ground.facet(0).normal;
@@ -58,9 +55,7 @@ Vec3 lowered_to_ground(const Body<3>& body, const Terrain3& terrain, double x, d
   const Vec3 start(x, y, top + 2 * body.size);
   const auto fall =
       distance_to_ground<3>(body, terrain, start, -Vec3::UnitZ(), start.z() - bottom + 2 * body.size);
-  // The centre of mass is above ground, but the body may reach over its end only.
-  if (!fall) throw StartError(fmt::format("a body does not touch the ground at ({:.10g}, {:.10g})", x, y));
-  return start - *fall * Vec3::UnitZ();
+  return fall ? std::optional<Vec3>(start - *fall * Vec3::UnitZ()) : std::nullopt;
 }
 
 template std::optional<double> distance_to_ground<2>(const Body<2>&, const Terrain2&, const Vec2&,

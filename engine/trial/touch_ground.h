@@ -14,7 +14,7 @@ std::optional<double> distance_to_ground(const Body<D>& body, const typename Geo
                                          const Vec<D>& start, const Vec<D>& direction, double most);
 
 /// The place of the centre of mass at (x, y) in plan where a body of its attitude, lowered from above all
-/// ground, first touches it. Throws StartError where it meets no ground.
-Vec3 lowered_to_ground(const Body<3>& body, const Terrain3& terrain, double x, double y);
+/// ground, first touches it; nothing where it meets no ground.
+std::optional<Vec3> lowered_to_ground(const Body<3>& body, const Terrain3& terrain, double x, double y);
 
 }  // namespace flyrock

@@ -207,3 +207,20 @@ TEST_CASE("plugins lists what is registered, as text, Markdown and JSON") {
   for (const auto& plugin : list)
     for (const char* key : {"kind", "name", "doc", "source", "file", "params"}) CHECK(plugin.contains(key));
 }
+
+TEST_CASE(
+    "show says the origin that was found, and a message of a start has all digits of national coordinates") {
+  const Folder folder;
+  const std::string scenario = FLYROCK_SOURCE_DIR "/plugins/terrain/raster/example.yaml";
+  const Output shown = call(folder, "show --json " + scenario);
+  REQUIRE(shown.code == 0);
+  CHECK(shown.out.find("\"origin\": [\n      2600000,\n      1200000,\n      0\n    ]") != std::string::npos);
+  CHECK(call(folder, "show --json --set terrain.origin=\"[2600000, 1200000, 100]\" " + scenario)
+            .out.find("      100\n    ]") != std::string::npos);
+  const Output beyond = call(
+      folder, "check " + scenario + " --set rocks.0.release=\"{ position: [2600020.125, 1299000.5, 400] }\"");
+  CHECK(beyond.code == 2);
+  INFO(beyond.err);
+  CHECK(beyond.err.find("starts at y = 1299000.5 m, beyond the terrain, which runs from 12000") !=
+        std::string::npos);
+}
