@@ -45,7 +45,7 @@ void try_law(const std::unique_ptr<LawKind>& law, const std::optional<PluginUse>
 }
 
 /// Typical states of a contact: a slow, an oblique and a fast impact.
-std::array<ContactState, samples> typical_contacts() {
+std::array<ContactState, samples> typical_contacts(int dimension) {
   std::array<ContactState, samples> states;
   const double approach[] = {0.1, 3, 20}, slip[] = {0.5, 8, 1};
   for (std::size_t i = 0; i < samples; ++i) {
@@ -61,6 +61,7 @@ std::array<ContactState, samples> typical_contacts() {
     s.impact_number = 1;
     s.group_a = "rock";
     s.group_b = "terrain";
+    set_on_level_ground(s, dimension);
   }
   return states;
 }
@@ -69,7 +70,7 @@ void try_laws(const Scenario& scenario, const Instances& instances, TriedOut& tr
   for (std::size_t m = 0; m < scenario.materials.size(); ++m) {
     const Material& material = scenario.materials[m];
     const MaterialLaws& laws = instances.materials[m];
-    const auto states = typical_contacts();
+    const auto states = typical_contacts(scenario.dimension);
     for (std::uint64_t i = 0; i < samples; ++i) {
       ContactState state = states[i];
       state.material = material.name;

@@ -134,6 +134,7 @@ std::string full_text(const PluginSpec& spec) {
   std::string text = short_text(spec);
   if (!spec.source.empty()) text += fmt::format("  source: {}\n", spec.source);
   if (!spec.validity.empty()) text += wrapped("valid: " + spec.validity, "  ");
+  if (spec.dimension) text += fmt::format("  only in {}D\n", spec.dimension);
   if (!spec.form.empty()) text += fmt::format("  form: {}\n", spec.form);
   if (!spec.reads.empty()) text += fmt::format("  reads: {}\n", fmt::join(texts_of(spec.reads), ", "));
   if (!spec.history.empty()) text += fmt::format("  remembers: {}\n", memory_text(spec));
@@ -155,6 +156,7 @@ std::string markdown(const PluginSpec& spec) {
   std::string text = fmt::format("## {}/{}\n\n{}\n", name_of(spec.kind), spec.name, spec.doc);
   if (!spec.source.empty()) text += fmt::format("\nSource: {}\n", spec.source);
   if (!spec.validity.empty()) text += fmt::format("\nValid: {}\n", spec.validity);
+  if (spec.dimension) text += fmt::format("\nOnly in {}D.\n", spec.dimension);
   if (!spec.form.empty()) text += fmt::format("\nForm: `{}`\n", spec.form);
   if (!spec.reads.empty()) text += fmt::format("\nReads: `{}`\n", fmt::join(texts_of(spec.reads), "`, `"));
   if (!spec.history.empty()) text += fmt::format("\nRemembers: {}\n", memory_text(spec));
@@ -185,6 +187,7 @@ Json json_of(const PluginSpec& spec) {
   Json data = {{"kind", name_of(spec.kind)}, {"name", spec.name}, {"doc", spec.doc},
                {"source", spec.source},      {"file", spec.file}, {"native", !spec.native.empty()}};
   if (!spec.validity.empty()) data["validity"] = spec.validity;
+  if (spec.dimension) data["dimension"] = spec.dimension;
   if (!spec.form.empty()) data["form"] = spec.form;
   data["reads"] = texts_of(spec.reads);
   data["params"] = params;

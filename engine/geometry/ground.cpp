@@ -125,14 +125,19 @@ std::optional<Ground3::Crossing> Ground3::crossing(const Vec3& at, bool above) c
   for (const Facet& facet : under) {
     const std::optional<double> z = height_on(facet, at.head<2>());
     if (!z || (above ? *z < at.z() : *z > at.z())) continue;
-    if (!found || (above ? *z < found->z : *z > found->z)) found = Crossing{*z, facet.normal.z() > 0};
+    if (!found || (above ? *z < found->z : *z > found->z))
+      found = Crossing{*z, facet.normal.z() > 0, facet.id};
   }
   return found;
 }
 
+std::optional<Ground3::Crossing> Ground3::top(double x, double y) const {
+  return crossing(Vec3(x, y, infinite), false);
+}
+
 std::optional<double> Ground3::height(double x, double y) const {
-  const auto top = crossing(Vec3(x, y, infinite), false);
-  return top ? std::optional(top->z) : std::nullopt;
+  const auto found = top(x, y);
+  return found ? std::optional(found->z) : std::nullopt;
 }
 
 double Ground3::depth(const Vec3& at) const {

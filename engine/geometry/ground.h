@@ -43,10 +43,13 @@ class Ground3 {
   struct Crossing {
     double z;
     bool upward;
+    std::uint32_t facet;
   };
   /// The lowest crossing above or at `at` (above = true), or the highest one below or at it.
   std::optional<Crossing> crossing(const Vec3& at, bool above) const;
-  /// z of the ground at (x, y); the highest one under an overhang. Nothing where there is no ground.
+  /// The highest crossing at (x, y). Nothing where there is no ground.
+  std::optional<Crossing> top(double x, double y) const;
+  /// Its z.
   std::optional<double> height(double x, double y) const;
   /// How far `at` lies below the surface: a vertical line up from it meets a facet from behind. Negative or
   /// 0: it is free.

@@ -138,37 +138,46 @@ Numbers answer_of(const PluginSpec&, const ShapeModel& shape, Values values, int
   return answer;
 }
 
-void add(Numbers& answer, const RockPlan3& rock) {
-  if (!rock.contactors.empty()) check_contactors(rock.contactors);
-  add(answer, rock.contactors);
-  const Vec3 position = rock.position.value_or(Vec3::Zero());
-  if (!position.allFinite()) fail("a rock of the population has no finite position");
-  const Eigen::Vector4d turn = rock.orientation.value_or(Rotation3()).quaternion().coeffs();
-  answer.insert(answer.end(), position.begin(), position.end());
-  answer.insert(answer.end(), turn.begin(), turn.end());
+void add_orientation(Numbers& answer, double angle) { answer.push_back(angle); }
+void add_orientation(Numbers& answer, const Rotation3& turn) {
+  const Eigen::Vector4d parts = turn.quaternion().coeffs();
+  answer.insert(answer.end(), parts.begin(), parts.end());
 }
+void add_spin(Numbers& answer, double spin) { answer.push_back(spin); }
+void add_spin(Numbers& answer, const Vec3& spin) { answer.insert(answer.end(), spin.begin(), spin.end()); }
 
-void add(Numbers& answer, const RockPlan& rock) {
+template <int D>
+void add(Numbers& answer, const RockPlan<D>& rock) {
   if (!rock.contactors.empty()) check_contactors(rock.contactors);
   add(answer, rock.contactors);
-  const Vec2 position = rock.position.value_or(Vec2::Zero());
-  if (!position.allFinite()) fail("a rock of the population has no finite position");
-  answer.insert(answer.end(), {position.x(), position.y(), rock.angle.value_or(0)});
+  for (const auto& vector : {rock.position, rock.velocity}) {
+    if (!vector) continue;
+    if (!vector->allFinite()) fail("a rock of the population has a position or velocity that is not finite");
+    answer.insert(answer.end(), vector->begin(), vector->end());
+  }
+  if (rock.orientation) add_orientation(answer, *rock.orientation);
+  if (rock.spin) add_spin(answer, *rock.spin);
+  for (const auto& number : {rock.density, rock.mass}) {
+    if (!number) continue;
+    if (!(*number > 0 && std::isfinite(*number)))
+      fail("a rock of the population has no positive density or mass");
+    answer.push_back(*number);
+  }
 }
 
 Numbers answer_of(const PluginSpec& spec, const Population& population, Values values, int dimension,
                   const Patience& patience) {
   Numbers answer;
-  const auto level = make_ground(Plane{});
   for_each_stream(patience, [&](int i, RandomStream& rng) {
     const Blast blast = sampled_blast(i);
     asked_with(
         patience, [&] { return state_text(spec, blast); },
         [&] {
           if (dimension == 3)
-            for (const RockPlan3& rock : population.rocks_3d(values, *level, blast, rng)) add(answer, rock);
+            for (const auto& rock : population.rocks_3d(values, sampled_terrain(3), blast, rng))
+              add(answer, rock);
           else
-            for (const RockPlan& rock : population.rocks(values, level_ground(), blast, rng))
+            for (const auto& rock : population.rocks(values, sampled_terrain(2), blast, rng))
               add(answer, rock);
         });
   });
@@ -179,8 +188,7 @@ Numbers answer_of(const PluginSpec& spec, const VelocityModel& model, Values val
                   const Patience& patience) {
   Numbers answer;
   for_each_stream(patience, [&](int i, RandomStream& rng) {
-    RockView rock = sampled_rock(i);
-    rock.dimension = dimension;
+    const RockView rock = sampled_rock(i, dimension);
     const Blast blast = sampled_blast(i);
     asked_with(
         patience, [&] { return state_text(spec, rock, blast); },
@@ -262,11 +270,12 @@ Numbers numbers_of(const UnilateralLaw& law, Values values, const ContactState& 
 
 template <class SomeLaw>
 requires std::derived_from<SomeLaw, Law> Numbers answer_of(const PluginSpec& spec, const SomeLaw& law,
-                                                           Values values, int, const Patience& patience) {
+                                                           Values values, int dimension,
+                                                           const Patience& patience) {
   Numbers answer;
   std::array<double, most_history> history{};
   for (int i = 0; i < law_states; ++i) {
-    ContactState contact = sampled_contact(i);
+    ContactState contact = sampled_contact(i, dimension);
     if (i % 2 == 0) history.fill(0);  // test a new contact and a contact with memory
     const std::array<double, most_history> before = history;
     contact.history = history;

@@ -56,6 +56,12 @@ std::optional<NormalCondition> normal_condition(std::string_view name) {
   return find_name<NormalCondition>(condition_names, name);
 }
 
+void set_on_level_ground(ContactState& contact, int dimension) {
+  contact.dimension = dimension;
+  contact.normal = Vec3::Unit(dimension - 1);
+  contact.slip = contact.slip_speed * Vec3::UnitX();
+}
+
 const std::vector<ContactField>& contact_fields() {
   static const std::vector<ContactField> fields{
       {"approach_speed", &ContactState::approach_speed, {}},
@@ -75,6 +81,9 @@ const std::vector<ContactField>& contact_fields() {
       {"impact_number", &ContactState::impact_number, {}},
       {"time", &ContactState::time, {}},
       {"step", &ContactState::step, {}},
+      {"normal", {}, {}, &ContactState::normal},
+      {"place", {}, {}, &ContactState::place},
+      {"slip", {}, {}, &ContactState::slip},
       {"group_a", {}, &ContactState::group_a},
       {"group_b", {}, &ContactState::group_b},
       {"material", {}, &ContactState::material},

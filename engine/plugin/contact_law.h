@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "math/space.h"
 #include "plugin/params.h"
 
 namespace flyrock {
@@ -68,11 +69,15 @@ struct ContactState {
   double age = 0;             ///< s since the contact closed
   double pair_age =
       0;  ///< s since the pair has been in contact without interruption: the greatest age of its contacts
-  double was_sticking = 0;    ///< 1 if the contact stuck in the last step, otherwise 0
-  double impact_number = 0;   ///< impacts of the candidate so far, this one included; from 1
-  double time = 0;            ///< s
-  double step = 0;            ///< s, length of the current step; 0 for an impact
-  std::string_view group_a;   ///< candidate: name of its group or body
+  double was_sticking = 0;      ///< 1 if the contact stuck in the last step, otherwise 0
+  double impact_number = 0;     ///< impacts of the candidate so far, this one included; from 1
+  double time = 0;              ///< s
+  double step = 0;              ///< s, length of the current step; 0 for an impact
+  int dimension = 2;            ///< of the vectors; z is 0 in 2D
+  Vec3 normal = Vec3::UnitY();  ///< unit, towards the candidate
+  Vec3 place = Vec3::Zero();    ///< m, the contact point in the coordinates of the scenario
+  Vec3 slip = Vec3::Zero();     ///< m/s, v_t: the tangential velocity of the candidate
+  std::string_view group_a;     ///< candidate: name of its group or body
   std::string_view group_b;   ///< antagonist: name of its group or body, or terrain.<part>; terrain where the
                               ///< part has no name
   std::string_view material;  ///< name of the material of the contact
@@ -82,11 +87,15 @@ struct ContactState {
   std::span<double> history;
 };
 
-/// A field of a contact and its name. Exactly one of `number` and `text` is set.
+/// Puts a contact on level ground: an upright normal, and the slip of its slip_speed along x.
+void set_on_level_ground(ContactState& contact, int dimension);
+
+/// A field of a contact and its name. Exactly one of `number`, `text` and `vector` is set.
 struct ContactField {
   std::string_view name;
   double ContactState::*number = nullptr;
   std::string_view ContactState::*text = nullptr;
+  Vec3 ContactState::*vector = nullptr;
 };
 const std::vector<ContactField>& contact_fields();
 

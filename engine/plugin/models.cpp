@@ -15,10 +15,10 @@ std::vector<Contactor2> ShapeModel::build(Values, RandomStream&) const { refuse(
 std::vector<Contactor3> ShapeModel::build_3d(Values, RandomStream&) const { refuse("shape", 3); }
 Profile TerrainModel::build(Values, RandomStream&) const { refuse("terrain", 2); }
 TerrainShape3 TerrainModel::build_3d(Values, RandomStream&) const { refuse("terrain", 3); }
-std::vector<RockPlan> Population::rocks(Values, const Profile&, const Blast&, RandomStream&) const {
+std::vector<RockPlan<2>> Population::rocks(Values, const TerrainView&, const Blast&, RandomStream&) const {
   refuse("rocks", 2);
 }
-std::vector<RockPlan3> Population::rocks_3d(Values, const Ground3&, const Blast&, RandomStream&) const {
+std::vector<RockPlan<3>> Population::rocks_3d(Values, const TerrainView&, const Blast&, RandomStream&) const {
   refuse("rocks", 3);
 }
 

@@ -4,14 +4,14 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "blast/blast.h"
 #include "geometry/contactor.h"
 #include "geometry/contactor3.h"
-#include "geometry/ground.h"
-#include "geometry/profile.h"
 #include "plugin/params.h"
+#include "plugin/terrain_view.h"
 #include "random/stream.h"
 
 namespace flyrock {
@@ -46,6 +46,7 @@ struct RockView {
   Vec3 outward = Vec3::UnitX();
   double face_angle = 0;  ///< rad, angle of that face; 0 if there is none
   std::string_view group;
+  const TerrainView* terrain = nullptr;  ///< the ground of its trial; set in every run
 };
 
 struct Launch {
@@ -69,17 +70,18 @@ class VelocityModel {
   virtual Launch launch(Values values, const RockView& rock, const Blast& blast, RandomStream& rng) const = 0;
 };
 
-/// One rock of a population. Missing fields are taken from the group's `shape` and `release`.
+/// One rock of a population. Missing fields are taken from its group.
+template <int D>
 struct RockPlan {
-  std::vector<Contactor2> contactors;
-  std::optional<Vec2> position;  ///< of the centre of mass
-  std::optional<double> angle;   ///< rad
-};
-
-struct RockPlan3 {
-  std::vector<Contactor3> contactors;
-  std::optional<Vec3> position;          ///< of the centre of mass
-  std::optional<Rotation3> orientation;  ///< of the contactors as given
+  std::vector<std::conditional_t<D == 2, Contactor2, Contactor3>> contactors;
+  std::optional<Vec<D>> position;  ///< of the centre of mass, in the coordinates of the scenario [m]
+  /// Of the contactors as given: an angle [rad] in 2D.
+  std::optional<std::conditional_t<D == 2, double, Rotation3>> orientation;
+  std::optional<double> density;                ///< kg/m3; at most one of density and mass
+  std::optional<double> mass;                   ///< kg
+  std::optional<std::string> material;          ///< towards other rocks
+  std::optional<Vec<D>> velocity;               ///< m/s; takes the place of the group's launch
+  std::optional<typename Space<D>::Spin> spin;  ///< rad/s, world frame
 };
 
 /// `population`: the rocks of a group in one trial, in the dimensions that the model supports. Throws
@@ -87,10 +89,10 @@ struct RockPlan3 {
 class Population {
  public:
   virtual ~Population() = default;
-  virtual std::vector<RockPlan> rocks(Values values, const Profile& terrain, const Blast& blast,
-                                      RandomStream& rng) const;
-  virtual std::vector<RockPlan3> rocks_3d(Values values, const Ground3& terrain, const Blast& blast,
-                                          RandomStream& rng) const;
+  virtual std::vector<RockPlan<2>> rocks(Values values, const TerrainView& terrain, const Blast& blast,
+                                         RandomStream& rng) const;
+  virtual std::vector<RockPlan<3>> rocks_3d(Values values, const TerrainView& terrain, const Blast& blast,
+                                            RandomStream& rng) const;
 };
 
 }  // namespace flyrock

@@ -53,6 +53,7 @@ struct PluginUse {
 template <class Interface>
 std::unique_ptr<Interface> make_instance(const PluginUse& use, int dimension) {
   Params params(use.plugin->spec, use.values, dimension);
+  if (use.plugin->spec.dimension) params.require_dimension(use.plugin->spec.dimension);
   auto instance = std::get<FactoryOf<Interface>>(use.plugin->make)(params);
   if (auto unread = params.unread(); !unread.empty())
     throw PluginError("plugin " + use.plugin->spec.name + ": declares the parameter `" + unread.front() +

@@ -11,7 +11,24 @@ RandomStream sampled_stream(int number) {
   return {sample_seed, "conformance", {.trial = static_cast<std::uint64_t>(number)}};
 }
 
-ContactState sampled_contact(int number) {
+namespace {
+
+/// A normal that leans by up to 80 degrees, and a slip of its slip_speed along the surface.
+void turn_contact(ContactState& state, int dimension, RandomStream& rng) {
+  const double lean = rng.uniform(-1.4, 1.4), azimuth = dimension == 2 ? 0 : rng.uniform(0, pi);
+  const Vec3 up = Vec3::Unit(dimension - 1), side(std::cos(azimuth), std::sin(azimuth), 0);
+  state.dimension = dimension;
+  state.normal = std::cos(lean) * up + std::sin(lean) * side;
+  const Vec3 along = std::cos(lean) * side - std::sin(lean) * up;
+  const double turn = dimension == 2 ? pi * static_cast<double>(rng.integer(0, 1)) : rng.uniform(0, 2 * pi);
+  state.slip = state.slip_speed * (std::cos(turn) * along + std::sin(turn) * state.normal.cross(along));
+  if (dimension == 2) state.slip.z() = 0;  // of sin(pi)
+  for (int i = 0; i < dimension; ++i) state.place[i] = rng.uniform(-100, 100);
+}
+
+}  // namespace
+
+ContactState sampled_contact(int number, int dimension) {
   RandomStream rng = sampled_stream(number);
   ContactState state;
   state.approach_speed = std::pow(10, rng.uniform(-3, 2));
@@ -34,6 +51,7 @@ ContactState sampled_contact(int number) {
   state.group_a = "blocks";
   state.group_b = "terrain.face";
   state.material = "rock";
+  turn_contact(state, dimension, rng);
   return state;
 }
 
@@ -60,9 +78,11 @@ Blast sampled_blast(int number) {
   return blast;
 }
 
-RockView sampled_rock(int number) {
+RockView sampled_rock(int number, int dimension) {
   RandomStream rng = sampled_stream(number);
   RockView rock;
+  rock.dimension = dimension;
+  rock.terrain = &sampled_terrain(dimension);
   rock.density = rng.uniform(2400, 2900);
   rock.diameter = rng.uniform(0.1, 2);
   rock.volume = pi / 6 * std::pow(rock.diameter, 3);
@@ -73,12 +93,19 @@ RockView sampled_rock(int number) {
   return rock;
 }
 
-Profile level_ground() {
-  Profile profile;
-  profile.points = {{-100, 0}, {100, 0}};
-  profile.part = {0};
-  profile.parts = {""};
-  return profile;
+const TerrainView& sampled_terrain(int dimension) {
+  static const Profile profile{.points = {{-100, 20}, {100, -20}}, .part = {0}, .parts = {""}, .faces = {}};
+  static const auto ground = [] {
+    HeightGrid grid;
+    grid.columns = grid.rows = 2;
+    grid.cell = 200;
+    grid.corner = {-100, -100};
+    grid.heights = {30, -10, 10, -30};
+    return make_ground(grid);
+  }();
+  static const std::vector<Mesh::Face> no_faces;
+  static const TerrainView line(profile), area(*ground, no_faces, Vec3::Zero());
+  return dimension == 2 ? line : area;
 }
 
 namespace {
@@ -92,6 +119,11 @@ bool reads(const PluginSpec& spec, const std::string& field) {
 class StateText {
  public:
   void add(std::string_view name, double value) { texts_.push_back(fmt::format("{} = {:.6g}", name, value)); }
+  void add(std::string_view name, const Vec3& vector, int dimension) {
+    std::vector<std::string> numbers;
+    for (int i = 0; i < dimension; ++i) numbers.push_back(fmt::format("{:.6g}", vector[i]));
+    texts_.push_back(fmt::format("{} = {{ {} }}", name, fmt::join(numbers, ", ")));
+  }
   std::string text() const {
     return texts_.empty() ? "nothing of it" : fmt::format("{} (SI units)", fmt::join(texts_, ", "));
   }
@@ -111,8 +143,10 @@ void add(StateText& state, const PluginSpec& spec, const Blast& blast) {
 std::string state_text(const PluginSpec& spec, const ContactState& contact) {
   StateText state;
   for (const ContactField& field : contact_fields())
-    if (field.number && reads(spec, fmt::format("contact.{}", field.name)))
-      state.add(field.name, contact.*field.number);
+    if (reads(spec, fmt::format("contact.{}", field.name))) {
+      if (field.number) state.add(field.name, contact.*field.number);
+      if (field.vector) state.add(field.name, contact.*field.vector, contact.dimension);
+    }
   for (std::size_t i = 0; i < spec.history.size(); ++i)
     state.add("history." + spec.history[i], contact.history[i]);
   return state.text();

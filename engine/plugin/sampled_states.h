@@ -10,10 +10,13 @@ namespace flyrock {
 
 inline constexpr std::uint64_t sample_seed = 1;
 RandomStream sampled_stream(int number);
-ContactState sampled_contact(int number);
+ContactState sampled_contact(int number, int dimension);
 Blast sampled_blast(int number);
-RockView sampled_rock(int number);
-Profile level_ground();
+/// It stands above sampled_terrain(dimension).
+RockView sampled_rock(int number, int dimension);
+/// A slope that falls by 0.2 towards +x, in 3D also by 0.1 towards +y, through the origin; 200 m long and
+/// wide.
+const TerrainView& sampled_terrain(int dimension);
 
 /// The fields that a plugin declares to read (or all fields) as a text: "approach_speed = 3.1, slip_speed = 8
 /// (SI units)".

@@ -94,6 +94,7 @@ struct PluginSpec {
   std::string doc;
   std::string source;                ///< the publication that the model comes from
   std::string validity;              ///< where the model is valid; outside, its note says so
+  int dimension = 0;                 ///< 2 or 3: the only one it serves; 0: what its answers say
   std::string form;                  ///< restitution: "newton", "poisson", ...
   std::vector<std::string> history;  ///< names of the numbers that the law remembers
   bool history_of_contact = false;   ///< true: memory per contact; false: memory per pair of bodies

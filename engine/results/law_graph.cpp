@@ -48,6 +48,7 @@ ContactState ball_at(double approach, double slip) {
   state.radius = radius;
   state.kinetic_energy = 0.5 * mass * (approach * approach + slip * slip);
   state.area = state.length = 1;
+  set_on_level_ground(state, 2);
   state.impact_number = 1;
   state.group_a = "rock";
   state.group_b = "terrain";

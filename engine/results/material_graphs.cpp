@@ -62,7 +62,7 @@ MaterialGraph sample(MaterialGraph graph, ContactState contact, const Scenario& 
 }
 
 /// The first contact of a rock.
-ContactState contact_of(const Material& material, const LawSubject& subject) {
+ContactState contact_of(const Material& material, const LawSubject& subject, int dimension) {
   ContactState state;
   state.mass = state.effective_mass = subject.mass;
   state.radius = subject.radius;
@@ -70,6 +70,7 @@ ContactState contact_of(const Material& material, const LawSubject& subject) {
   state.group_a = "rock";
   state.group_b = "terrain";
   state.material = material.name;
+  set_on_level_ground(state, dimension);
   return state;
 }
 
@@ -77,6 +78,7 @@ ContactState impact(ContactState state, double approach, double angle) {
   state.approach_speed = approach;
   state.slip_speed = angle < pi / 2 ? approach / std::tan(angle) : 0;
   state.impact_angle = angle;
+  set_on_level_ground(state, state.dimension);
   state.kinetic_energy = 0.5 * state.mass * (approach * approach + state.slip_speed * state.slip_speed);
   return state;
 }
@@ -84,6 +86,7 @@ ContactState impact(ContactState state, double approach, double angle) {
 /// A contact that stays closed while its rock moves along the surface.
 ContactState moving(ContactState state, double slip, double spin, double speed) {
   state.slip_speed = slip;
+  set_on_level_ground(state, state.dimension);
   state.spin = spin;
   state.kinetic_energy = 0.5 * state.mass * speed * speed;
   return state;
@@ -91,7 +94,7 @@ ContactState moving(ContactState state, double slip, double spin, double speed) 
 
 void add_graphs(const Material& material, const Scenario& scenario, const LawSubject& subject,
                 std::vector<MaterialGraph>& graphs) {
-  const ContactState contact = contact_of(material, subject);
+  const ContactState contact = contact_of(material, subject, scenario.dimension);
   if (const auto& use = material.restitution) {
     const auto law = make_instance<RestitutionLaw>(*use, scenario.dimension);
     graphs.push_back(sample({.material = material.name,

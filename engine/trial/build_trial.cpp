@@ -18,12 +18,6 @@ namespace {
 // How often rocks that meet each other are placed again before the trial is refused.
 constexpr int most_places = 1000;
 
-/// The key that determines the mass of a rock or body.
-template <class Plan>
-std::string mass_key(const Plan& plan) {
-  return plan.mass ? "mass" : plan.thickness ? "thickness" : "shape";
-}
-
 std::string release_path(int group) { return fmt::format("rocks.{}.release", group); }
 
 bool is_random(const std::optional<Release>& release) {
@@ -99,21 +93,6 @@ Vec<D> TrialBuilder<D>::gravity(const DrawKey& key) const {
 }
 
 template <int D>
-Air<D> TrialBuilder<D>::air_of(const Body<D>& body, const DrawKey& key) const {
-  Air<D> air;
-  if (!scenario_.air) return air;
-  const AirPlan& plan = *scenario_.air;
-  air.drag = drag_constant(number(plan.density, key), number(plan.cd, key), body.mass, body.volume);
-  for (std::size_t i = 0; i < plan.wind.size(); ++i)
-    air.wind[static_cast<int>(i)] = number(plan.wind[i], key);
-  constexpr double most_wind = 1000;  // m/s
-  if (!(air.wind.norm() <= most_wind))
-    throw ScenarioError("air.wind",
-                        fmt::format("is {:.3g} m/s, expected at most {:g} m/s", air.wind.norm(), most_wind));
-  return air;
-}
-
-template <int D>
 void TrialBuilder<D>::connect(Trial<D>& trial, World<D>& world, std::vector<Partner> partners) {
   at_path("pairs",
           [&] { trial.surfaces.emplace_back(scenario_, instances_, std::move(partners)).connect(world); });
@@ -130,95 +109,20 @@ Trial<D> TrialBuilder<D>::build(std::uint64_t number_of_trial) {
   return trial;
 }
 
-/// Shape, mass, pose and launch of one rock.
 template <int D>
-template <class Plan>
-Body<D> TrialBuilder<D>::rock_body(const Plan& plan, TrialRock& rock, const Terrain& terrain,
-                                   RandomStream& where) {
-  const RockGroup& group = scenario_.rocks[rock.group];
-  const GroupModels& models = instances_.groups[rock.group];
-  const std::string stream = "rocks." + group.name, path = fmt::format("rocks.{}.", rock.group);
-  auto contactors = plan.contactors;
-  if (contactors.empty()) {
-    RandomStream rng(scenario_.seed, stream + ".shape", rock.key);
-    contactors = at_path(group.shape->path, [&] {
-      return contactors_of<D>(*models.shape, values_of(*group.shape, scenario_, rock.key), rng);
-    });
-  }
-  const double mass = group.mass ? number(*group.mass, rock.key) : 0;
-  const double density = group.mass ? 0 : number(group.density, rock.key);
-  RandomStream turn(scenario_.seed, stream + ".orientation", rock.key);
-  Body<D> body;
-  if constexpr (D == 2) {
-    body = make_body(std::move(contactors), density, mass,
-                     group.thickness ? number(*group.thickness, rock.key) : 0);
-    body.attitude = plan.angle          ? *plan.angle
-                    : group.orientation ? number(*group.orientation, rock.key)
-                                        : turn.uniform(0, 2 * pi);
-  } else {
-    body = at_path(path + "shape", [&] { return make_body(std::move(contactors), density, mass); });
-    const Rotation3 turned =
-        plan.orientation ? *plan.orientation
-        : group.turn
-            ? at_path(path + "orientation", [&] { return rotation_of(*group.turn, scenario_, rock.key); })
-            : random_rotation(turn);
-    body.attitude = turned * body.attitude.rotation;
-  }
-  body.group = group.name;
-  at_path(path + mass_key(group), [&] { refuse_extremes(body); });
-  at_path(path + "shape", [&] { refuse_slender(body); });
-  Place<D> place;
-  if (plan.position)
-    place.position = *plan.position - origin().template head<D>();
-  else if (group.release)
-    place = at_path(path + "release",
-                    [&] { return place_rock(*group.release, scenario_, rock.key, where, body, terrain); });
-  else
-    throw ScenarioError(path + "release", "neither the population nor `release` says where a rock starts");
-  body.x = place.position;
-  body.air = air_of(body, rock.key);
-  if (models.launch) at_path(group.launch->path, [&] { launch(rock, place, body); });
-  return body;
-}
-
-template <int D>
-void TrialBuilder<D>::launch(TrialRock& rock, const Place<D>& place, Body<D>& body) {
-  const RockGroup& group = scenario_.rocks[rock.group];
-  RockView view;
-  view.dimension = D;
-  view.mass = body.mass;
-  view.volume = body.volume;
-  view.density = body.mass / body.volume;
-  view.diameter = 2 * body.radius;
-  view.position.template head<D>() = body.x + origin().template head<D>();
-  view.outward = place.outward;
-  view.face_angle = place.face_angle;
-  view.group = group.name;
-  RandomStream rng(scenario_.seed, "rocks." + group.name + ".launch", rock.key);
-  const Launch launch = instances_.groups[rock.group].launch->launch(
-      values_of(*group.launch, scenario_, rock.key), view, blast_at(scenario_, rock.key), rng);
-  if (!launch.velocity.allFinite() || !launch.spin.allFinite())
-    throw PluginError(fmt::format("plugin {}: launch() returned a velocity or spin that is not finite",
-                                  group.launch->plugin->spec.name));
-  body.v = launch.velocity.head<D>();
-  if constexpr (D == 2)
-    body.w = launch.spin.z();
-  else
-    body.w = launch.spin;
-  refuse_speed(body);
-  rock.note = launch.note;
-  rock.greatest_throw = launch.greatest_throw;
-  rock.launch_speed = body.v.norm();
-  if (rock.launch_speed > 0) rock.launch_elevation = elevation_of(body.v, place.outward);
+World<D> TrialBuilder<D>::world_of(const Trial<D>& trial, const DrawKey& key) const {
+  World<D> world(*trial.terrain, gravity(key), world_settings());
+  world.origin = origin().template head<D>();
+  return world;
 }
 
 /// A rock in a world of its own.
 template <int D>
-template <class Plan>
-void TrialBuilder<D>::build_alone(Trial<D>& trial, const Plan& plan, TrialRock& rock, RandomStream& where) {
+void TrialBuilder<D>::build_alone(Trial<D>& trial, const RockPlan<D>& plan, Partner partner, TrialRock& rock,
+                                  RandomStream& where) {
   DrawKey of_trial;
   of_trial.trial = rock.key.trial;
-  World<D> world(*trial.terrain, gravity(of_trial), world_settings());
+  World<D> world = world_of(trial, of_trial);
   world.time = rock.start_time;
   rock.body = world.add(rock_body(plan, rock, *trial.terrain, where));
   const bool is_point = scenario_.method == Method::ballistic;
@@ -229,14 +133,13 @@ void TrialBuilder<D>::build_alone(Trial<D>& trial, const Plan& plan, TrialRock& 
     throw ScenarioError(release_path(rock.group), fault->text);
   }
   trial.worlds.push_back(std::move(world));
-  const RockGroup& group = scenario_.rocks[rock.group];
-  if (!is_point) connect(trial, trial.worlds.back(), {{group.name, group.material, rock.key}});
+  if (!is_point) connect(trial, trial.worlds.back(), {std::move(partner)});
 }
 
 /// A rock in a world with others. A rock with a random release is placed again until it touches none of them.
 template <int D>
-template <class Plan>
-void TrialBuilder<D>::add_apart(World<D>& world, const Plan& plan, TrialRock& rock, RandomStream& where) {
+void TrialBuilder<D>::add_apart(World<D>& world, const RockPlan<D>& plan, TrialRock& rock,
+                                RandomStream& where) {
   const bool random = is_random(scenario_.rocks[rock.group].release);
   rock.body = world.add(rock_body(plan, rock, world.terrain(), where));
   try {
@@ -260,16 +163,17 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
   of_trial.trial = number_of_trial;
   DrawKey first_hole = of_trial;
   first_hole.hole = 1;
-  if (scenario_.rock_contacts) trial.worlds.emplace_back(*trial.terrain, gravity(of_trial), world_settings());
+  if (scenario_.rock_contacts) trial.worlds.push_back(world_of(trial, of_trial));
 
+  const TerrainView ground = view_of(*trial.terrain, origin());
   std::vector<Partner> partners;
   std::uint64_t count = 0;
   for (int g = 0; g < static_cast<int>(scenario_.rocks.size()); ++g) {
     const RockGroup& group = scenario_.rocks[g];
     RandomStream rng(scenario_.seed, "rocks." + group.name + ".population", of_trial);
     const auto plans = at_path(group.population.path, [&] {
-      return rocks_of(*instances_.groups[g].population, values_of(group.population, scenario_, of_trial),
-                      *trial.terrain, blast_at(scenario_, first_hole), rng);
+      return rocks_of<D>(*instances_.groups[g].population, values_of(group.population, scenario_, of_trial),
+                         ground, blast_at(scenario_, first_hole), rng);
     });
     for (const auto& plan : plans) {
       TrialRock& rock = trial.rocks.emplace_back();
@@ -280,11 +184,15 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
       ++count;
       try {
         RandomStream where(scenario_.seed, "rocks." + group.name + ".release", rock.key);
+        Partner partner = partner_of(plan, rock);
         if (scenario_.rock_contacts) {
           add_apart(trial.worlds.front(), plan, rock, where);
-          partners.push_back({group.name, group.material, rock.key});
+          partners.push_back(std::move(partner));
         } else {
-          build_alone(trial, plan, rock, where);
+          build_alone(trial, plan, std::move(partner), rock, where);
+          if (plan.material && rock.note.empty())
+            rock.note = fmt::format(
+                "the `material` of the rocks of `{}` counts only with `rock_contacts: true`", group.name);
         }
         rock.world = static_cast<int>(trial.worlds.size()) - 1;
       } catch (const ScenarioError& error) {
@@ -309,7 +217,7 @@ template <int D>
 void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_trial) {
   DrawKey of_trial;
   of_trial.trial = number_of_trial;
-  World<D>& world = trial.worlds.emplace_back(*trial.terrain, gravity(of_trial), world_settings());
+  World<D>& world = trial.worlds.emplace_back(world_of(trial, of_trial));
   std::vector<Partner> partners;
   for (int i = 0; i < static_cast<int>(scenario_.bodies.size()); ++i) {
     const BodyPlan& plan = scenario_.bodies[i];

@@ -64,13 +64,15 @@ class TrialBuilder {
  private:
   void build_rocks(Trial<D>& trial, std::uint64_t number);
   void build_bodies(Trial<D>& trial, std::uint64_t number);
-  template <class Plan>
-  void build_alone(Trial<D>& trial, const Plan& plan, TrialRock& rock, RandomStream& where);
-  template <class Plan>
-  void add_apart(World<D>& world, const Plan& plan, TrialRock& rock, RandomStream& where);
-  template <class Plan>
-  Body<D> rock_body(const Plan& plan, TrialRock& rock, const Terrain& terrain, RandomStream& where);
-  void launch(TrialRock& rock, const Place<D>& place, Body<D>& body);
+  void build_alone(Trial<D>& trial, const RockPlan<D>& plan, Partner partner, TrialRock& rock,
+                   RandomStream& where);
+  void add_apart(World<D>& world, const RockPlan<D>& plan, TrialRock& rock, RandomStream& where);
+  Body<D> rock_body(const RockPlan<D>& plan, TrialRock& rock, const Terrain& terrain, RandomStream& where);
+  void launch(const RockPlan<D>& plan, TrialRock& rock, const Place<D>& place, const Terrain& terrain,
+              Body<D>& body);
+  void ask_launch(TrialRock& rock, const Place<D>& place, const Terrain& terrain, Body<D>& body);
+  Partner partner_of(const RockPlan<D>& plan, const TrialRock& rock) const;
+  World<D> world_of(const Trial<D>& trial, const DrawKey& key) const;
   Vec<D> gravity(const DrawKey& key) const;
   Air<D> air_of(const Body<D>& body, const DrawKey& key) const;
   void connect(Trial<D>& trial, World<D>& world, std::vector<Partner> partners);

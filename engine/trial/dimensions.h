@@ -52,13 +52,19 @@ inline std::size_t bytes_of(const Terrain3& terrain) { return terrain.bytes(); }
 inline const Profile& ground_of(const Terrain2& terrain) { return terrain.profile(); }
 inline const Ground3& ground_of(const Terrain3& terrain) { return terrain.ground(); }
 
-inline auto rocks_of(const Population& population, const std::vector<double>& values, const Terrain2& terrain,
-                     const Blast& blast, RandomStream& rng) {
-  return population.rocks(values, terrain.profile(), blast, rng);
+/// The ground as plugins see it; it counts from `origin`.
+inline TerrainView view_of(const Terrain2& terrain, const Vec3&) { return TerrainView(terrain.profile()); }
+inline TerrainView view_of(const Terrain3& terrain, const Vec3& origin) {
+  return {terrain.ground(), terrain.faces(), origin};
 }
-inline auto rocks_of(const Population& population, const std::vector<double>& values, const Terrain3& terrain,
-                     const Blast& blast, RandomStream& rng) {
-  return population.rocks_3d(values, terrain.ground(), blast, rng);
+
+template <int D>
+std::vector<RockPlan<D>> rocks_of(const Population& population, const std::vector<double>& values,
+                                  const TerrainView& terrain, const Blast& blast, RandomStream& rng) {
+  if constexpr (D == 2)
+    return population.rocks(values, terrain, blast, rng);
+  else
+    return population.rocks_3d(values, terrain, blast, rng);
 }
 
 /// The angle of v above the outward horizontal in 2D, where a launch may go back over the crest. In 3D the

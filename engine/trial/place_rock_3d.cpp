@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "geometry/place_text.h"
+#include "geometry/plan_zone.h"
 #include "trial/blast_at.h"
 #include "trial/make_ground.h"
 #include "trial/place_rock.h"
@@ -75,13 +76,13 @@ class Placing {
             Vec3(number(release_.position[0]), number(release_.position[1]), number(release_.position[2])) -
             origin());
       case ReleaseKind::above_ground:
-        return above({number(release_.x), number(release_.y)});
+        return above(Vec2(number(release_.x), number(release_.y)) - origin().head<2>());
       case ReleaseKind::along: {
-        const Vec3 drawn = random_along(release_.points, rng_);
-        return release_.in_plan ? above(drawn.head<2>()) : at(drawn - origin());
+        const Vec3 drawn = random_along(points_of_release(), rng_);
+        return release_.in_plan ? above(drawn.head<2>()) : at(drawn);
       }
       case ReleaseKind::inside:
-        if (!release_.in_plan) return at(random_inside(release_.points, rng_) - origin());
+        if (!release_.in_plan) return at(random_inside(points_of_release(), rng_));
         return above(random_in_polygon());
       case ReleaseKind::zone:
         return above(random_in(zone_named(release_.zone)));
@@ -101,9 +102,17 @@ class Placing {
     return place;
   }
 
-  /// Above a place in plan, in the coordinates of the scenario, or on the ground there.
-  Place<3> above(const Vec2& place) const {
-    const Vec2 p = place - origin().head<2>();
+  // Places are drawn in the coordinates of the engine, so that a scenario far from 0 draws the same ones.
+
+  std::vector<Vec3> points_of_release() const {
+    std::vector<Vec3> points = release_.points;
+    const Vec3 from(origin().x(), origin().y(), release_.in_plan ? 0 : origin().z());
+    for (Vec3& point : points) point -= from;
+    return points;
+  }
+
+  /// Above a place in plan, or on the ground there.
+  Place<3> above(const Vec2& p) const {
     if (release_.on_ground) return at(lowered(p));
     return at({p.x(), p.y(), ground_height(p) + number(release_.above_ground)});
   }
@@ -122,12 +131,21 @@ class Placing {
 
   Vec2 in_scenario(const Vec2& p) const { return p + origin().head<2>(); }
 
-  // Places in plan, in the coordinates of the scenario.
+  // Places in plan.
 
   Vec2 random_in_polygon() {
-    Zone zone;
-    for (const Vec3& corner : release_.points) zone.polygon.emplace_back(corner.x(), corner.y());
-    return random_in(zone);
+    std::vector<Vec2> polygon;
+    for (const Vec3& corner : points_of_release()) polygon.emplace_back(corner.x(), corner.y());
+    return random_in_polygon(polygon, "release");
+  }
+
+  Vec2 random_in_polygon(const std::vector<Vec2>& polygon, const std::string& name) {
+    Vec2 low = polygon[0], high = polygon[0];
+    for (const Vec2& corner : polygon) {
+      low = low.cwiseMin(corner);
+      high = high.cwiseMax(corner);
+    }
+    return random_where(low, high, name, [&](const Vec2& p) { return is_inside(polygon, p); });
   }
 
   const Zone& zone_named(const std::string& name) const {
@@ -135,42 +153,41 @@ class Placing {
     return *std::find_if(zones.begin(), zones.end(), [&](const Zone& zone) { return zone.name == name; });
   }
 
-  /// Uniform in plan: places in a box until one lies in the zone.
+  /// Uniform in plan.
   Vec2 random_in(const Zone& zone) {
-    const Box3& extent = terrain_.ground().extent();
-    Vec2 low = extent.low.head<2>() + origin().head<2>(), high = extent.high.head<2>() + origin().head<2>();
+    const Vec2 from = origin().head<2>();
+    if (!zone.polygon.empty()) {
+      std::vector<Vec2> polygon = zone.polygon;
+      for (Vec2& corner : polygon) corner -= from;
+      return random_in_polygon(polygon, zone.name);
+    }
     if (zone.raster) {
       const HeightGrid& grid = *zone.raster;
-      low = grid.corner - Vec2::Constant(grid.cell / 2);
-      high = low + grid.cell * Vec2(grid.columns, grid.rows);
+      const Vec2 low = grid.corner - from - Vec2::Constant(grid.cell / 2);
+      const Vec2 high = low + grid.cell * Vec2(grid.columns, grid.rows);
+      return random_where(low, high, zone.name, [&](const Vec2& p) { return covers(zone, p + from); });
     }
-    if (!zone.polygon.empty()) {
-      low = high = zone.polygon[0];
-      for (const Vec2& corner : zone.polygon) {
-        low = low.cwiseMin(corner);
-        high = high.cwiseMax(corner);
-      }
-    }
+    const Box3& extent = terrain_.ground().extent();
+    return random_where(extent.low.head<2>(), extent.high.head<2>(), zone.name,
+                        [&](const Vec2& p) { return is_of_part(zone.name, p); });
+  }
+
+  /// Places in a box until one lies in the zone.
+  template <class Lies>
+  Vec2 random_where(const Vec2& low, const Vec2& high, const std::string& name, Lies&& lies) {
     if (!low.allFinite() || !high.allFinite())
-      throw StartError(fmt::format("the zone `{}` has no ends", zone.name));
+      throw StartError(fmt::format("the zone `{}` has no end in plan, so no place in it can be drawn", name));
     for (int i = 0; i < most_draws; ++i) {
       const double x = rng_.uniform(low.x(), high.x()), y = rng_.uniform(low.y(), high.y());
-      if (zone.group.empty() ? covers(zone, {x, y}) : is_of_part(zone.name, {x, y})) return {x, y};
+      if (lies(Vec2(x, y))) return {x, y};
     }
-    throw StartError(fmt::format("no place of a million lies in the zone `{}`", zone.name));
+    throw StartError(fmt::format("of a million places drawn, none lies in the zone `{}`", name));
   }
 
   /// Whether the ground at a place is of a part.
-  bool is_of_part(const std::string& part, const Vec2& place) const {
-    const auto facet = facet_at(place - origin().head<2>());
-    return facet && terrain_.parts()[terrain_.ground().part(*facet)] == part;
-  }
-
-  std::optional<std::uint32_t> facet_at(const Vec2& p) const {
-    const auto height = terrain_.ground().height(p.x(), p.y());
-    if (!height) return std::nullopt;
-    const auto nearest = terrain_.ground().nearest({p.x(), p.y(), *height}, 1e-3);
-    return nearest ? std::optional(nearest->facet) : std::nullopt;
+  bool is_of_part(const std::string& part, const Vec2& p) const {
+    const auto top = terrain_.ground().top(p.x(), p.y());
+    return top && terrain_.parts()[terrain_.ground().part(top->facet)] == part;
   }
 
   /// Uniform over the cells above 0.
@@ -182,10 +199,10 @@ class Placing {
         cells[static_cast<std::size_t>(rng_.integer(0, static_cast<std::int64_t>(cells.size()) - 1))];
     const double column = static_cast<double>(cell % grid.columns) + rng_.uniform(-0.5, 0.5);
     const double row = static_cast<double>(cell / grid.columns) + rng_.uniform(-0.5, 0.5);
-    return grid.corner + grid.cell * Vec2(column, row);
+    return grid.corner - origin().head<2>() + grid.cell * Vec2(column, row);
   }
 
-  // Faces, in the coordinates of the engine.
+  // Faces.
 
   std::string face_text() const {
     return release_.face.empty() ? fmt::format("bench {}", release_.bench)
@@ -249,10 +266,9 @@ class Placing {
 
   /// On a face that is a zone: at a random place in plan, against the ground there.
   Place<3> on_zone_face(const Zone& zone) {
-    const Vec2 p = random_in(zone) - origin().head<2>();
+    const Vec2 p = random_in(zone);
     const double height = ground_height(p);
-    const auto facet = facet_at(p);
-    const Vec3 out = facet ? terrain_.ground().facet(*facet).normal : Vec3(Vec3::UnitZ());
+    const Vec3 out = terrain_.ground().facet(terrain_.ground().top(p.x(), p.y())->facet).normal;
     const Vec3 side = out.cross(Vec3::UnitZ());
     const Vec3 up = side.norm() > 0 ? Vec3(side.cross(out).normalized()) : Vec3(Vec3::UnitX());
     return touching(Vec3(p.x(), p.y(), height) - reach_of(rock_, out).low * out, out, up);

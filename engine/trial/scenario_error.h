@@ -31,4 +31,10 @@ decltype(auto) at_path(const std::string& path, Call&& call) {
   }
 }
 
+/// The key that determines the mass of a rock or body.
+template <class Plan>
+std::string mass_key(const Plan& plan) {
+  return plan.mass ? "mass" : plan.thickness ? "thickness" : "shape";
+}
+
 }  // namespace flyrock

@@ -49,6 +49,12 @@ ContactState World<D>::state_of(const Contact& contact, double h) {
   state.impact_number = contact.manifold >= 0 ? contact.impact_number : body.impacts;
   state.time = time;
   state.step = h;
+  state.dimension = D;
+  state.normal = Vec3::Zero();
+  state.normal.template head<D>() = contact.at.normal;
+  state.place.template head<D>() = contact.at.point + origin;
+  state.slip.template head<D>() =
+      contact_frame(contact.at.normal).template rightCols<D - 1>() * tangential(contact.before);
   state.group_a = body.group;
   if (contact.antagonist >= 0)
     state.group_b = bodies[contact.antagonist].group;

@@ -82,6 +82,8 @@ class World {
 
   double time = 0;
   std::vector<Body<D>> bodies;
+  /// From where the coordinates of the world count, in those of the scenario [m]. Laws see the latter.
+  Vec<D> origin = Vec<D>::Zero();
 
   const Terrain& terrain() const { return *terrain_; }
   const Vec<D>& gravity() const { return gravity_; }

@@ -42,6 +42,7 @@ class ManifestReader {
     spec_.doc = table_.required_text("doc");
     spec_.source = table_.text("source").value_or("");
     spec_.validity = table_.text("validity").value_or("");
+    read_dimension();
     read_native();
     const auto form = table_.text("form");
     if (kind_known) {
@@ -68,6 +69,14 @@ class ManifestReader {
     table_.error("kind", fmt::format("unknown kind `{}`{}", kind,
                                      hint.empty() ? ", expected " + choice_text(kind_names()) : hint));
     return false;
+  }
+
+  void read_dimension() {
+    const auto dimension = table_.number("dimension");
+    if (!dimension) return;
+    if (*dimension != 2 && *dimension != 3)
+      return table_.error("dimension", shortest(*dimension) + ", expected 2 or 3, or nothing for both");
+    spec_.dimension = static_cast<int>(*dimension);
   }
 
   /// Reads a file name in the folder of the manifest and never a path, because its code runs as soon as it is

@@ -16,8 +16,8 @@ std::vector<View> random_only(lua_State* lua, const PluginSpec&) { return {rando
 std::vector<View> terrain_blast_random(lua_State* lua, const PluginSpec& spec) {
   return {terrain_view(lua), blast_view(lua, spec), random_view(lua)};
 }
-std::vector<View> rock_blast_random(lua_State* lua, const PluginSpec& spec) {
-  return {rock_view(lua), blast_view(lua, spec), random_view(lua)};
+std::vector<View> rock_blast_random_terrain(lua_State* lua, const PluginSpec& spec) {
+  return {rock_view(lua), blast_view(lua, spec), random_view(lua), terrain_view(lua)};
 }
 
 /// Calls the function and returns its single answer as a tree.
@@ -59,12 +59,14 @@ class LuaTerrain : public TerrainModel {
 class LuaPopulation : public Population {
  public:
   LuaPopulation(std::shared_ptr<const LuaPlugin> plugin, Params& params)
-      : call_(std::move(plugin), params, terrain_blast_random, Budget::call_limit) {
-    params.require_dimension(2);
+      : call_(std::move(plugin), params, terrain_blast_random, Budget::call_limit) {}
+  std::vector<RockPlan<2>> rocks(Values values, const TerrainView& terrain, const Blast& blast,
+                                 RandomStream& rng) const override {
+    return read_rocks<2>(call_, ask(call_, values, {&terrain, &blast, &rng}));
   }
-  std::vector<RockPlan> rocks(Values values, const Profile& terrain, const Blast& blast,
-                              RandomStream& rng) const override {
-    return read_rocks(call_, ask(call_, values, {&terrain, &blast, &rng}));
+  std::vector<RockPlan<3>> rocks_3d(Values values, const TerrainView& terrain, const Blast& blast,
+                                    RandomStream& rng) const override {
+    return read_rocks<3>(call_, ask(call_, values, {&terrain, &blast, &rng}));
   }
 
  private:
@@ -74,9 +76,9 @@ class LuaPopulation : public Population {
 class LuaVelocity : public VelocityModel {
  public:
   LuaVelocity(std::shared_ptr<const LuaPlugin> plugin, Params& params)
-      : call_(std::move(plugin), params, rock_blast_random, Budget::call_limit) {}
+      : call_(std::move(plugin), params, rock_blast_random_terrain, Budget::call_limit) {}
   Launch launch(Values values, const RockView& rock, const Blast& blast, RandomStream& rng) const override {
-    return read_launch(call_, ask(call_, values, {&rock, &blast, &rng}), rock.dimension);
+    return read_launch(call_, ask(call_, values, {&rock, &blast, &rng, rock.terrain}), rock.dimension);
   }
 
  private:

@@ -12,40 +12,10 @@ namespace flyrock {
 
 namespace {
 
-/// Shapes, rocks and the parts of a profile.
-class PartReader : public AnswerReader {
+/// The parts of a profile.
+class ProfileReader : public AnswerReader {
  public:
   using AnswerReader::AnswerReader;
-
-  Contactor2 contactor(const Value& value, const std::string& path) const {
-    check_keys(value, path, {"radius", "centre", "vertices"});
-    const Value *radius = value.find("radius"), *vertices = value.find("vertices"),
-                *centre = value.find("centre");
-    if ((radius != nullptr) == (vertices != nullptr))
-      wrong(path, value, "either `radius` or `vertices` in it");
-    if (vertices) {
-      if (centre)
-        call_.fail(fmt::format("returned {}, which goes with a radius, not with vertices",
-                               join_path(path, "centre")));
-      auto corners = points(*vertices, join_path(path, "vertices"));
-      if (const std::string fault = make_convex(corners); !fault.empty())
-        call_.fail(fmt::format("returned {}: {}", join_path(path, "vertices"), fault));
-      return Contactor2::polygon(std::move(corners));
-    }
-    const double r = number(*radius, join_path(path, "radius"));
-    if (!(r > 0)) wrong(join_path(path, "radius"), *radius, "a number above 0");
-    return Contactor2::disk(r, centre ? point(*centre, join_path(path, "centre")) : Vec2::Zero());
-  }
-
-  std::vector<Contactor2> shape(const Value& value, const std::string& path) const {
-    if (value.map()) return {contactor(value, path)};
-    const List& items =
-        list(value, path, "a contactor { radius = ... } or { vertices = ... }, or a list of them");
-    if (items.empty()) wrong(path, value, "at least one contactor");
-    std::vector<Contactor2> result;
-    for (std::size_t i = 0; i < items.size(); ++i) result.push_back(contactor(items[i], join_path(path, i)));
-    return result;
-  }
 
   void parts(const Value& value, Profile& profile) const {
     const List& names = list(value, "parts", "a list with the name of each segment");
@@ -58,22 +28,6 @@ class PartReader : public AnswerReader {
       profile.part.push_back(static_cast<int>(known - profile.parts.begin()));
       if (known == profile.parts.end()) profile.parts.push_back(*names[i].text());
     }
-  }
-
-  RockPlan rock(const Value& value, const std::string& path) const {
-    check_keys(value, path, {"radius", "vertices", "shape", "position", "angle"});
-    RockPlan plan;
-    const Value *radius = value.find("radius"), *vertices = value.find("vertices"),
-                *own = value.find("shape");
-    if ((radius != nullptr) + (vertices != nullptr) + (own != nullptr) > 1)
-      wrong(path, value, "one of `radius`, `vertices` and `shape` in it");
-    if (own) plan.contactors = shape(*own, join_path(path, "shape"));
-    for (const auto& [key, part] : {std::pair{"radius", radius}, {"vertices", vertices}})
-      if (part) plan.contactors = {contactor(Value{Map{Entry{key, {}, *part}}, {}, false}, path)};
-    if (const Value* position = value.find("position"))
-      plan.position = point(*position, join_path(path, "position"));
-    if (const Value* angle = value.find("angle")) plan.angle = number(*angle, join_path(path, "angle"));
-    return plan;
   }
 };
 
@@ -88,12 +42,8 @@ Value answer_tree(const LuaCall& call, lua_State* lua) {
   call.fail(fmt::format("returned {}{}", first.path.empty() ? "" : first.path + " = ", first.text));
 }
 
-std::vector<Contactor2> read_shape(const LuaCall& call, const Value& answer) {
-  return PartReader(call).shape(answer, "");
-}
-
 Profile read_terrain(const LuaCall& call, const Value& answer) {
-  const PartReader reader(call);
+  const ProfileReader reader(call);
   refuse_dimension(call, answer, {"vertices", "heights"}, 3, "`points`");
   reader.check_keys(answer, "", {"points", "parts", "faces"});
   Profile profile;
@@ -126,15 +76,6 @@ void refuse_dimension(const LuaCall& call, const Value& answer, const std::vecto
       throw ParameterError(
           fmt::format("plugin {}: {}() returned `{}`, a terrain of dimension {}; dimension {} expects {}",
                       call.plugin().origin, call.plugin().entry, key, dimension, 5 - dimension, expected));
-}
-
-std::vector<RockPlan> read_rocks(const LuaCall& call, const Value& answer) {
-  const PartReader reader(call);
-  std::vector<RockPlan> rocks;
-  const List& items = reader.list(answer, "", "a list of rocks");
-  for (std::size_t i = 0; i < items.size(); ++i)
-    rocks.push_back(reader.rock(items[i], fmt::format("rock {}", i)));
-  return rocks;
 }
 
 Launch read_launch(const LuaCall& call, const Value& answer, int dimension) {

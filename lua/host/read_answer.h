@@ -29,9 +29,14 @@ TerrainShape3 read_terrain_3d(const LuaCall& call, const Value& answer);
 void refuse_dimension(const LuaCall& call, const Value& answer, const std::vector<std::string>& keys,
                       int dimension, const std::string& expected);
 
-/// Reads a list of { shape = as above [, position = { x, y }] [, angle = rad] }. radius or vertices may
-/// replace shape. The group provides what is left out.
-std::vector<RockPlan> read_rocks(const LuaCall& call, const Value& answer);
+/// Reads a list of rocks, whose fields may all be left out. In 2D { shape = as above, or radius or vertices
+/// in its place, position = { x, y }, angle = rad, velocity = { vx, vy }, spin = rad/s }. In 3D { shape = a
+/// contactor { radius = r [, centre =] } or { points = { { x, y, z }, ... } } or a list of these, or radius
+/// or points in its place, position, orientation = { axis =, angle = } or a quaternion { w, x, y, z },
+/// velocity, spin as vectors }. In both density or mass, material. Throws ParameterError for a field of the
+/// other dimension. Instantiated for D = 2, 3.
+template <int D>
+std::vector<RockPlan<D>> read_rocks(const LuaCall& call, const Value& answer);
 
 /// Reads { velocity = { vx, vy[, vz] } [, spin = w, a vector in 3D] [, note = text for the run's warnings] [,
 /// greatest_throw = m] }.

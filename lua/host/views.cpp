@@ -27,6 +27,8 @@ void push_contact(lua_State* lua, const void* object, int field) {
   const ContactField& info = contact_fields()[field];
   if (info.number)
     lua_pushnumber(lua, contact.*info.number);
+  else if (info.vector)
+    push_vector(lua, contact.*info.vector, contact.dimension);
   else
     push_text(lua, contact.*info.text);
 }
@@ -106,47 +108,116 @@ constexpr ViewType blast_type{"blast", push_blast};
 
 // terrain
 
-constexpr std::string_view terrain_names[] = {"x_min", "x_max", "points", "faces", "height"};
+constexpr std::string_view terrain_names[] = {"dimension", "x_min", "x_max",  "y_min", "y_max",
+                                              "points",    "faces", "height", "normal"};
 
 int height(lua_State* lua);
+int normal_of_ground(lua_State* lua);
+
+template <class Items, class Push>
+void push_list(lua_State* lua, const Items& items, Push&& push) {
+  lua_createtable(lua, static_cast<int>(items.size()), 0);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    push(items[i]);
+    lua_rawseti(lua, -2, static_cast<lua_Integer>(i + 1));
+  }
+}
+
+/// Refuses what only terrains of one dimension have.
+void require_dimension(lua_State* lua, const TerrainView& terrain, int dimension, const char* what) {
+  if (terrain.dimension() == dimension) return;
+  raise(lua, fmt::format("`terrain.{}` is there only in {}D: a plugin that serves one dimension says so, "
+                         "`dimension = {}` in its manifest",
+                         what, dimension, dimension));
+}
+
+/// One end of a face: a point in 2D, a line in 3D.
+void push_end(lua_State* lua, const std::vector<Vec3>& line, int dimension) {
+  if (dimension == 2) return push_vector(lua, line.front(), 2);
+  push_list(lua, line, [&](const Vec3& point) { push_vector(lua, point, 3); });
+}
+
+void push_faces(lua_State* lua, const TerrainView& terrain) {
+  push_list(lua, terrain.faces(), [&](const TerrainView::Face& face) {
+    lua_createtable(lua, 0, 3);
+    push_text(lua, face.name);
+    lua_setfield(lua, -2, "name");
+    push_end(lua, face.toe, terrain.dimension());
+    lua_setfield(lua, -2, "toe");
+    push_end(lua, face.crest, terrain.dimension());
+    lua_setfield(lua, -2, "crest");
+  });
+}
 
 void push_terrain(lua_State* lua, const void* object, int field) {
-  const auto& terrain = *static_cast<const Profile*>(object);
-  const auto push_list = [&](const auto& items, auto&& push) {
-    lua_createtable(lua, static_cast<int>(items.size()), 0);
-    for (std::size_t i = 0; i < items.size(); ++i) {
-      push(items[i]);
-      lua_rawseti(lua, -2, static_cast<lua_Integer>(i + 1));
-    }
-  };
+  const auto& terrain = *static_cast<const TerrainView*>(object);
   switch (field) {
     case 0:
-      return lua_pushnumber(lua, terrain.x_min());
+      return lua_pushinteger(lua, terrain.dimension());
     case 1:
-      return lua_pushnumber(lua, terrain.x_max());
+      return lua_pushnumber(lua, terrain.low().x());
     case 2:
-      return push_list(terrain.points, [&](const Vec2& point) { push_point(lua, point); });
+      return lua_pushnumber(lua, terrain.high().x());
     case 3:
-      return push_list(terrain.faces, [&](const Profile::Face& face) {
-        lua_createtable(lua, 0, 2);
-        push_point(lua, face.toe);
-        lua_setfield(lua, -2, "toe");
-        push_point(lua, face.crest);
-        lua_setfield(lua, -2, "crest");
-      });
-    default:
+      require_dimension(lua, terrain, 3, "y_min");
+      return lua_pushnumber(lua, terrain.low().y());
+    case 4:
+      require_dimension(lua, terrain, 3, "y_max");
+      return lua_pushnumber(lua, terrain.high().y());
+    case 5:
+      require_dimension(lua, terrain, 2, "points");
+      return push_list(lua, terrain.profile()->points, [&](const Vec2& point) { push_point(lua, point); });
+    case 6:
+      return push_faces(lua, terrain);
+    case 7:
       return lua_pushcfunction(lua, guarded<height>);
+    default:
+      return lua_pushcfunction(lua, guarded<normal_of_ground>);
   }
 }
 constexpr ViewType terrain_type{"terrain", push_terrain};
 
-int height(lua_State* lua) {
-  const auto& terrain = *static_cast<const Profile*>(viewed(lua, 1, terrain_type));
+/// The place (x [, y]) that a method of the terrain was asked for.
+struct AskedPlace {
+  const TerrainView& terrain;
+  double x, y;
+};
+
+AskedPlace asked_place(lua_State* lua, const char* method) {
+  const auto& terrain = *static_cast<const TerrainView*>(viewed(lua, 1, terrain_type));
   const double x = luaL_checknumber(lua, 2);
-  if (!(x >= terrain.x_min() && x <= terrain.x_max()))
-    raise(lua, fmt::format("terrain:height({:.6g}): expected x from {:.6g} to {:.6g}", x, terrain.x_min(),
-                           terrain.x_max()));
-  lua_pushnumber(lua, terrain.height(x));
+  if (terrain.dimension() == 2) {
+    if (!(x >= terrain.low().x() && x <= terrain.high().x()))
+      raise(lua, fmt::format("terrain:{}({:.6g}): expected x from {:.6g} to {:.6g}", method,
+                             std::isnan(x) ? std::abs(x) : x, terrain.low().x(), terrain.high().x()));
+    return {terrain, x, 0};
+  }
+  if (lua_isnoneornil(lua, 3))
+    raise(lua,
+          fmt::format("terrain:{0}(x) is for 2D, in 3D it is terrain:{0}(x, y): a plugin that serves one "
+                      "dimension says so, `dimension = 2` in its manifest",
+                      method));
+  const double y = luaL_checknumber(lua, 3);
+  if (!std::isfinite(x) || !std::isfinite(y))
+    raise(lua, fmt::format("terrain:{}(x, y): expected finite numbers", method));
+  return {terrain, x, y};
+}
+
+int height(lua_State* lua) {
+  const AskedPlace at = asked_place(lua, "height");
+  if (const auto found = at.terrain.height(at.x, at.y))
+    lua_pushnumber(lua, *found);
+  else
+    lua_pushnil(lua);
+  return 1;
+}
+
+int normal_of_ground(lua_State* lua) {
+  const AskedPlace at = asked_place(lua, "normal");
+  if (const auto found = at.terrain.normal(at.x, at.y))
+    push_vector(lua, *found, at.terrain.dimension());
+  else
+    lua_pushnil(lua);
   return 1;
 }
 

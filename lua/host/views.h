@@ -17,7 +17,8 @@ View history_view(lua_State* lua, const PluginSpec& spec);
 View rock_view(lua_State* lua);
 /// The fields that `reads` declares, by their Lua names: blast.hole_diameter.
 View blast_view(lua_State* lua, const PluginSpec& spec);
-/// x_min, x_max, points, faces; method terrain:height(x).
+/// The fields of a TerrainView: dimension, x_min, x_max, faces; points in 2D; y_min, y_max in 3D. Methods
+/// terrain:height(x [, y]) and terrain:normal(x [, y]).
 View terrain_view(lua_State* lua);
 /// Methods rng:uniform([low, high]), rng:normal(), rng:integer(low, high).
 View random_view(lua_State* lua);

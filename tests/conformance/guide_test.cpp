@@ -37,7 +37,7 @@ std::vector<std::string> lua_plugins(const std::string& page) {
 
 TEST_CASE("the plugins of the guide load and conform") {
   const auto blocks = lua_plugins(read(FLYROCK_SOURCE_DIR "/docs/writing-a-plugin.md"));
-  REQUIRE(blocks.size() == 3);
+  REQUIRE(blocks.size() == 4);
   LuaSession session(FLYROCK_SHARE_DIR);
   const std::string path = (std::filesystem::temp_directory_path() / "flyrock_guide_plugin.lua").string();
   for (const std::string& block : blocks) {
@@ -47,13 +47,16 @@ TEST_CASE("the plugins of the guide load and conform") {
     CHECK(diagnostics.to_text() == "");
   }
   std::filesystem::remove(path);
-  const Plugin* law = session.registry().find(PluginKind::restitution, "mass_law");
-  const Plugin* launch = session.registry().find(PluginKind::velocity, "scaled_burden");
-  const Plugin* remembering = session.registry().find(PluginKind::friction, "worn");
-  REQUIRE(law);
-  REQUIRE(launch);
-  REQUIRE(remembering);
-  CHECK(conformance_faults(*law) == std::vector<std::string>{});
-  CHECK(conformance_faults(*launch) == std::vector<std::string>{});
-  CHECK(conformance_faults(*remembering) == std::vector<std::string>{});
+  const std::pair<PluginKind, const char*> shown[] = {
+      {PluginKind::restitution, "mass_law"}, {PluginKind::velocity, "scaled_burden"},
+      {PluginKind::friction, "worn"},        {PluginKind::population, "loose_blocks"},
+      {PluginKind::velocity, "down_slope"},  {PluginKind::friction, "wet_gully"},
+      {PluginKind::terrain, "gully"},
+  };
+  for (const auto& [kind, name] : shown) {
+    INFO(name);
+    const Plugin* plugin = session.registry().find(kind, name);
+    REQUIRE(plugin);
+    CHECK(conformance_faults(*plugin) == std::vector<std::string>{});
+  }
 }

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "conformance/plugin_use.h"
+#include "plugin/sampled_states.h"
 
 using namespace flyrock;
 
@@ -49,9 +50,9 @@ TEST_CASE("independent asks for its number of rocks and leaves the rest to the g
   const auto population =
       make<Population>(session(), PluginKind::population, "independent", {{"per_trial", 3.0}});
   RandomStream rng(1, "rocks", {});
-  const auto rocks = population.model->rocks(population.values, {}, {}, rng);
+  const auto rocks = population.model->rocks(population.values, sampled_terrain(2), {}, rng);
   REQUIRE(rocks.size() == 3);
   CHECK(rocks[0].contactors.empty());
   CHECK_FALSE(rocks[0].position);
-  CHECK_FALSE(rocks[0].angle);
+  CHECK_FALSE(rocks[0].orientation);
 }

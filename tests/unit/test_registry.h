@@ -56,7 +56,7 @@ struct StubShape : ShapeModel {
   std::vector<Contactor2> build(Values, RandomStream&) const override { return {Contactor2::disk(1)}; }
 };
 struct StubPopulation : Population {
-  std::vector<RockPlan> rocks(Values, const Profile&, const Blast&, RandomStream&) const override {
+  std::vector<RockPlan<2>> rocks(Values, const TerrainView&, const Blast&, RandomStream&) const override {
     return {};
   }
 };

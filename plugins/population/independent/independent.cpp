@@ -12,11 +12,13 @@ class Independent : public Population {
  public:
   explicit Independent(Params& params) : per_trial_(params.slot("per_trial")) {}
 
-  std::vector<RockPlan> rocks(Values values, const Profile&, const Blast&, RandomStream&) const override {
-    return std::vector<RockPlan>(count(values));
+  std::vector<RockPlan<2>> rocks(Values values, const TerrainView&, const Blast&,
+                                 RandomStream&) const override {
+    return std::vector<RockPlan<2>>(count(values));
   }
-  std::vector<RockPlan3> rocks_3d(Values values, const Ground3&, const Blast&, RandomStream&) const override {
-    return std::vector<RockPlan3>(count(values));
+  std::vector<RockPlan<3>> rocks_3d(Values values, const TerrainView&, const Blast&,
+                                    RandomStream&) const override {
+    return std::vector<RockPlan<3>>(count(values));
   }
 
  private:

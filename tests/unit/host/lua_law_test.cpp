@@ -61,6 +61,10 @@ ContactState sampled_contact(RandomStream& rng) {
   ContactState contact;
   for (const ContactField& field : contact_fields())
     if (field.number) contact.*field.number = rng.uniform(0, 20);
+  contact.dimension = 3;
+  contact.normal = Vec3(0.48, 0.6, 0.64);
+  contact.place = Vec3(1, 2, 3);
+  contact.slip = Vec3(4, 5, 6);
   contact.group_a = "blocks";
   contact.group_b = "terrain.face";
   contact.material = "face_rock";
@@ -91,14 +95,18 @@ TEST_CASE("every field of a contact reaches Lua unchanged") {
     lua.write("f_" + name + ".lua",
               "local fr = require 'flyrock'\nreturn fr.plugin { kind = 'restitution', name = 'f_" + name +
                   "', doc = 'd', impact = function(p, contact) return " +
-                  (field.number ? "contact." + name : "#contact." + name) + " end }");
+                  (field.number   ? "contact." + name
+                   : field.vector ? "contact." + name + "[2] + #contact." + name
+                                  : "#contact." + name) +
+                  " end }");
     REQUIRE(lua.load("f_" + name + ".lua") == "");
     const auto use = use_of(lua.session, PluginKind::restitution, "f_" + name, {});
     const auto law = make_instance<RestitutionLaw>(use, 2);
     RandomStream rng(1, "test", {});
     const ContactState contact = sampled_contact(rng);
-    const double expected =
-        field.number ? contact.*field.number : static_cast<double>((contact.*field.text).size());
+    const double expected = field.number   ? contact.*field.number
+                            : field.vector ? (contact.*field.vector).y() + 3
+                                           : static_cast<double>((contact.*field.text).size());
     CHECK(law->impact({}, contact).e_n == expected);
   }
 }

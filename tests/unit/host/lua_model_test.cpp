@@ -165,11 +165,11 @@ TEST_CASE("a population in Lua places its rocks on the terrain") {
   profile.part = {0};
   profile.parts = {""};
   auto rng = stream();
-  const auto rocks = made.model->rocks({}, profile, Blast(), rng);
+  const auto rocks = made.model->rocks({}, TerrainView(profile), Blast(), rng);
   REQUIRE(rocks.size() == 3);
   CHECK(rocks[0].contactors.at(0).radius == 0.5);
   CHECK(rocks[0].position->y() == 2.5);
-  CHECK_FALSE(rocks[0].angle);
+  CHECK_FALSE(rocks[0].orientation);
   CHECK(rocks[1].contactors.empty());
   CHECK(rocks[2].contactors.size() == 2);
 }
@@ -178,9 +178,9 @@ TEST_CASE("rocks of a population may take all from their group") {
   OnePlugin lua("population", "rocks = function(p, terrain, blast, rng) return { {}, {} } end");
   auto rng = stream();
   const auto rocks = make<Population>(lua.session, PluginKind::population, "m", {})
-                         .model->rocks({}, Profile(), Blast(), rng);
+                         .model->rocks({}, TerrainView(Profile()), Blast(), rng);
   REQUIRE(rocks.size() == 2);
-  for (const RockPlan& rock : rocks) CHECK((rock.contactors.empty() && !rock.position && !rock.angle));
+  for (const auto& rock : rocks) CHECK((rock.contactors.empty() && !rock.position && !rock.orientation));
 }
 
 TEST_CASE("parameters of every type reach Lua") {

@@ -1,0 +1,165 @@
+// One rock of a trial: its shape, mass, place, velocity and material.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "document/wording.h"
+#include "trial/blast_at.h"
+#include "trial/build_trial.h"
+#include "trial/dimensions.h"
+#include "trial/scenario_error.h"
+#include "trial/start_checks.h"
+
+namespace flyrock {
+
+template <int D>
+Air<D> TrialBuilder<D>::air_of(const Body<D>& body, const DrawKey& key) const {
+  Air<D> air;
+  if (!scenario_.air) return air;
+  const AirPlan& plan = *scenario_.air;
+  air.drag = drag_constant(number(plan.density, key), number(plan.cd, key), body.mass, body.volume);
+  for (std::size_t i = 0; i < plan.wind.size(); ++i)
+    air.wind[static_cast<int>(i)] = number(plan.wind[i], key);
+  constexpr double most_wind = 1000;  // m/s
+  if (!(air.wind.norm() <= most_wind))
+    throw ScenarioError("air.wind",
+                        fmt::format("is {:.3g} m/s, expected at most {:g} m/s", air.wind.norm(), most_wind));
+  return air;
+}
+
+/// Shape, mass, pose and launch of one rock.
+template <int D>
+Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, const Terrain& terrain,
+                                   RandomStream& where) {
+  const RockGroup& group = scenario_.rocks[rock.group];
+  const GroupModels& models = instances_.groups[rock.group];
+  const std::string stream = "rocks." + group.name, path = fmt::format("rocks.{}.", rock.group);
+  auto contactors = plan.contactors;
+  if (contactors.empty()) {
+    RandomStream rng(scenario_.seed, stream + ".shape", rock.key);
+    contactors = at_path(group.shape->path, [&] {
+      return contactors_of<D>(*models.shape, values_of(*group.shape, scenario_, rock.key), rng);
+    });
+  }
+  double mass = 0, density = 0;  // the one that is given
+  if (plan.mass)
+    mass = *plan.mass;
+  else if (plan.density)
+    density = *plan.density;
+  else if (group.mass)
+    mass = number(*group.mass, rock.key);
+  else
+    density = number(group.density, rock.key);
+  const bool own_mass = plan.mass || plan.density;
+  RandomStream turn(scenario_.seed, stream + ".orientation", rock.key);
+  Body<D> body;
+  if constexpr (D == 2) {
+    body = make_body(std::move(contactors), density, mass,
+                     group.thickness ? number(*group.thickness, rock.key) : 0);
+    body.attitude = plan.orientation    ? *plan.orientation
+                    : group.orientation ? number(*group.orientation, rock.key)
+                                        : turn.uniform(0, 2 * pi);
+  } else {
+    body = at_path(path + "shape", [&] { return make_body(std::move(contactors), density, mass); });
+    const Rotation3 turned =
+        plan.orientation ? *plan.orientation
+        : group.turn
+            ? at_path(path + "orientation", [&] { return rotation_of(*group.turn, scenario_, rock.key); })
+            : random_rotation(turn);
+    body.attitude = turned * body.attitude.rotation;
+  }
+  body.group = group.name;
+  at_path(own_mass ? group.population.path : path + mass_key(group), [&] { refuse_extremes(body); });
+  at_path(path + "shape", [&] { refuse_slender(body); });
+  Place<D> place;
+  if (plan.position)
+    place.position = *plan.position - origin().template head<D>();
+  else if (group.release)
+    place = at_path(path + "release",
+                    [&] { return place_rock(*group.release, scenario_, rock.key, where, body, terrain); });
+  else
+    throw ScenarioError(path + "release", "neither the population nor `release` says where a rock starts");
+  body.x = place.position;
+  body.air = air_of(body, rock.key);
+  launch(plan, rock, place, terrain, body);
+  return body;
+}
+
+/// The velocity and spin of a rock: its own, or those of its group's launch.
+template <int D>
+void TrialBuilder<D>::launch(const RockPlan<D>& plan, TrialRock& rock, const Place<D>& place,
+                             const Terrain& terrain, Body<D>& body) {
+  const RockGroup& group = scenario_.rocks[rock.group];
+  if (plan.velocity)
+    body.v = *plan.velocity;
+  else if (instances_.groups[rock.group].launch)
+    at_path(group.launch->path, [&] { ask_launch(rock, place, terrain, body); });
+  if (plan.spin) body.w = *plan.spin;
+  if (plan.velocity || plan.spin) at_path(group.population.path, [&] { refuse_speed(body); });
+  rock.launch_speed = body.v.norm();
+  if (rock.launch_speed > 0) rock.launch_elevation = elevation_of(body.v, place.outward);
+}
+
+template <int D>
+void TrialBuilder<D>::ask_launch(TrialRock& rock, const Place<D>& place, const Terrain& terrain,
+                                 Body<D>& body) {
+  const RockGroup& group = scenario_.rocks[rock.group];
+  RockView view;
+  view.dimension = D;
+  view.mass = body.mass;
+  view.volume = body.volume;
+  view.density = body.mass / body.volume;
+  view.diameter = 2 * body.radius;
+  view.position.template head<D>() = body.x + origin().template head<D>();
+  view.outward = place.outward;
+  view.face_angle = place.face_angle;
+  view.group = group.name;
+  const TerrainView ground = view_of(terrain, origin());
+  view.terrain = &ground;
+  RandomStream rng(scenario_.seed, "rocks." + group.name + ".launch", rock.key);
+  const Launch launch = instances_.groups[rock.group].launch->launch(
+      values_of(*group.launch, scenario_, rock.key), view, blast_at(scenario_, rock.key), rng);
+  if (!launch.velocity.allFinite() || !launch.spin.allFinite())
+    throw PluginError(fmt::format("plugin {}: launch() returned a velocity or spin that is not finite",
+                                  group.launch->plugin->spec.name));
+  body.v = launch.velocity.head<D>();
+  if constexpr (D == 2)
+    body.w = launch.spin.z();
+  else
+    body.w = launch.spin;
+  refuse_speed(body);
+  rock.note = launch.note;
+  rock.greatest_throw = launch.greatest_throw;
+}
+
+/// How a rock meets others: by its own material, or by that of its group.
+template <int D>
+Partner TrialBuilder<D>::partner_of(const RockPlan<D>& plan, const TrialRock& rock) const {
+  const RockGroup& group = scenario_.rocks[rock.group];
+  Partner partner{group.name, group.material, rock.key};
+  if (!plan.material) return partner;
+  const auto& materials = scenario_.materials;
+  const auto found = std::find_if(materials.begin(), materials.end(),
+                                  [&](const Material& known) { return known.name == *plan.material; });
+  if (found == materials.end()) {
+    std::vector<std::string> names;
+    for (const Material& known : materials) names.push_back(known.name);
+    throw ScenarioError(group.population.path,
+                        fmt::format("a rock of the population has the material `{}`, expected {}",
+                                    *plan.material, choice_text(names)));
+  }
+  partner.material = static_cast<int>(found - materials.begin());
+  return partner;
+}
+
+#define FLYROCK_INSTANTIATE(D)                                                                \
+  template Air<D> TrialBuilder<D>::air_of(const Body<D>&, const DrawKey&) const;              \
+  template Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>&, TrialRock&, const Terrain&, \
+                                              RandomStream&);                                 \
+  template Partner TrialBuilder<D>::partner_of(const RockPlan<D>&, const TrialRock&) const
+FLYROCK_INSTANTIATE(2);
+FLYROCK_INSTANTIATE(3);
+#undef FLYROCK_INSTANTIATE
+
+}  // namespace flyrock

@@ -1,0 +1,40 @@
+// Lua in 3D in scenarios: rocks of a population with values of their own, and places that laws see.
+#include <catch2/catch.hpp>
+
+#include "load.h"
+#include "trial/build_trial.h"
+
+using namespace flyrock;
+
+TEST_CASE("rocks of a population in 3D bring mass, shape, attitude, velocity and spin of their own") {
+  const LoadedScenario scenario = loaded("tests/unit/trial/own_rocks.yaml");
+  const Scenario& point = scenario.plan.points.front();
+  const auto trial = TrialBuilder<3>(point).build(0);
+  REQUIRE(trial.worlds.size() == 4);
+  const auto rock = [&](int i) -> const Body<3>& { return trial.worlds[i].bodies.front(); };
+  const double sphere = pi / 6;
+  CHECK(rock(0).x == Vec3(10, 20, -5 + 3));
+  CHECK(rock(0).v == Vec3(1, 2, 3));
+  CHECK(rock(0).w == Vec3(4, 5, 6));
+  CHECK(rock(0).mass == Approx(2700 * sphere));
+  CHECK(trial.rocks[0].launch_speed == Approx(std::sqrt(14.0)));
+  CHECK(trial.rocks[0].note.find("rock_contacts") != std::string::npos);
+  CHECK((rock(1).v - Vec3(3, 0, 0)).norm() < 1e-9);  // launched by its group
+  CHECK(rock(1).w == Vec3(0, 0, 7));
+  CHECK(rock(1).mass == 100);
+  CHECK(rock(2).mass == Approx(8000 / 6.0));
+  CHECK(rock(2).contactors.front().points.size() == 4);
+  CHECK(rock(3).contactors.size() == 2);
+  CHECK(rock(3).volume == Approx(2 * sphere));
+}
+
+TEST_CASE("laws see the place of a contact in the coordinates of the scenario, its normal and its slip") {
+  const TrialRecords records = first_trial(loaded("tests/unit/trial/own_rocks.yaml"));
+  REQUIRE(records.rocks.size() == 4);
+  for (const RockRecord& rock : records.rocks) {
+    INFO(rock.fault);
+    CHECK(rock.reason != StopReason::plugin_error);
+    CHECK(rock.reason != StopReason::not_started);
+    CHECK(rock.impacts > 0);
+  }
+}
