@@ -1,6 +1,7 @@
 #pragma once
 // The columns of the tables of a run, described once: chunk files write and read them, rocks.csv and
-// results.db show them. Tables without records (points, sweep, parts, ...) have theirs in report/database.cpp.
+// results.db show them. Tables without records (points, sweep, parts, ...) have theirs in
+// report/database.cpp.
 //
 // visit_<table>(visit) calls visit(column, get) for each column in order. std::invoke(get, record) is a
 // reference to the value of the column, const for a const record.
