@@ -10,6 +10,7 @@
 #include "plugin/sampled_params.h"
 #include "plugin/sampled_states.h"
 #include "trial/build_trial.h"
+#include "trial/dimensions.h"
 #include "units/usual.h"
 
 namespace flyrock {
@@ -167,6 +168,22 @@ void find_fine_outlines(const Scenario& scenario, const Trial<D>& trial, TriedOu
   }
 }
 
+/// Finds gates and barriers in 3D that no rock can pass. In 2D the scenario refuses them earlier.
+void find_lost_places(const Scenario& scenario, const Trial<3>& trial, TriedOut& tried) {
+  const TerrainView terrain = view_of(*trial.terrain, scenario.terrain.origin);
+  const double low = terrain.low().x(), high = terrain.high().x();
+  const auto find = [&](const char* section, const auto& places) {
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (!(places[i].x > low && places[i].x < high))
+        add(tried.errors, fmt::format("{}.{}.x", section, i),
+            fmt::format("{:.10g} m is not on the terrain, which spans x from {:.10g} m to {:.10g} m",
+                        places[i].x, low, high));
+  };
+  find("gates", scenario.gates);
+  find("barriers", scenario.barriers);
+}
+void find_lost_places(const Scenario&, const Trial<2>&, TriedOut&) {}
+
 /// Tries shapes, populations, launches, starts and the terrain by making trials.
 template <int D>
 void try_trials(const Scenario& scenario, TrialBuilder<D>& builder, std::uint64_t trials, TriedOut& tried) {
@@ -178,6 +195,7 @@ void try_trials(const Scenario& scenario, TrialBuilder<D>& builder, std::uint64_
       find_hard_contacts(scenario, builder.instances(), trial, tried);
       find_free_rollers(scenario, trial, tried);
       find_fine_outlines(scenario, trial, tried);
+      find_lost_places(scenario, trial, tried);
       for (std::size_t i = 0; i < trial.rocks.size(); ++i) {
         const TrialRock& rock = trial.rocks[i];
         if (rock.launch_speed > usual::launch.greatest)

@@ -37,6 +37,8 @@ Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, con
   const std::string stream = "rocks." + group.name, path = fmt::format("rocks.{}.", rock.group);
   auto contactors = plan.contactors;
   if (contactors.empty()) {
+    if (!group.shape)
+      throw ScenarioError(path + "shape", "neither the population nor `shape` says what shape a rock has");
     RandomStream rng(scenario_.seed, stream + ".shape", rock.key);
     contactors = at_path(group.shape->path, [&] {
       return contactors_of<D>(*models.shape, values_of(*group.shape, scenario_, rock.key), rng);

@@ -9,6 +9,7 @@
 #include "geometry/plan_zone.h"
 #include "geometry/terrain_fault.h"
 #include "geometry/terrain_place.h"
+#include "trial/scenario_error.h"
 #include "trial/start_checks.h"
 
 namespace flyrock {
@@ -33,6 +34,25 @@ TerrainShape3 renamed(TerrainShape3 shape, const std::string& from, const std::s
       },
       shape);
   return shape;
+}
+
+/// Refuses a zone that has no part of a terrain after it was cut out of it.
+void refuse_if_empty(const std::vector<Zone>& zones, const Zone& zone, bool has_part) {
+  if (has_part) return;
+  throw ScenarioError(fmt::format("terrain.zones.{}", &zone - zones.data()),
+                      fmt::format("the zone `{}` covers nothing of the terrain: expected a region on it that "
+                                  "holds the middle of a segment, triangle or cell",
+                                  zone.name));
+}
+
+bool has_part(const Plane& plane, const std::string& name) { return plane.parts.front() == name; }
+template <class Shape>
+bool has_part(const Shape& shape, const std::string& name) {
+  for (std::size_t part = 0; part < shape.parts.size(); ++part)
+    if (shape.parts[part] == name &&
+        std::find(shape.part.begin(), shape.part.end(), static_cast<int>(part)) != shape.part.end())
+      return true;
+  return shape.part.empty() && shape.parts.front() == name;
 }
 
 }  // namespace
@@ -62,6 +82,8 @@ Terrain3 shaped_ground(TerrainShape3 shape, const TerrainPlan& plan) {
           with_zone(std::move(shape), zone.name, [&zone](const Vec2& place) { return covers(zone, place); });
     else
       shape = renamed(std::move(shape), zone.group, zone.name);
+    refuse_if_empty(plan.zones, zone,
+                    std::visit([&](const auto& terrain) { return has_part(terrain, zone.name); }, shape));
   }
   shape = counted_from(std::move(shape), plan.origin);
   if (const std::string far = reach_fault(shape, plan.origin, farthest_place); !far.empty())
@@ -86,6 +108,7 @@ Profile with_zones(Profile profile, const std::vector<Zone>& zones) {
       const double middle = 0.5 * (profile.points[i].x() + profile.points[i + 1].x());
       if (middle > zone.from && middle < zone.to) profile.part[i] = part;
     }
+    refuse_if_empty(zones, zone, has_part(profile, zone.name));
   }
   return profile;
 }

@@ -62,10 +62,21 @@ Place<2> on_face(const Release& release, const Body<2>& rock, const Terrain2& te
   return place;
 }
 
+/// How far [m] the ground between two x rises above its height at x.
+double rise_above(const Profile& profile, double x, double from, double to) {
+  from = std::max(from, profile.x_min());
+  to = std::min(to, profile.x_max());
+  double highest = std::max(profile.height(from), profile.height(to));
+  for (const Vec2& point : profile.points)
+    if (point.x() > from && point.x() < to) highest = std::max(highest, point.y());
+  return highest - profile.height(x);
+}
+
 /// A place at rest on the bench above a face: at the collar of the rock's hole, or anywhere up to the last
 /// row.
 Place<2> on_top(const Release& release, const Scenario& scenario, const DrawKey& key, RandomStream& rng,
-                const Body<2>& rock, const Profile& profile) {
+                const Body<2>& rock, const Terrain2& terrain) {
+  const Profile& profile = terrain.profile();
   const Profile::Face& face = face_of(release.bench, profile);
   const double back = depth_of_holes(release, scenario, key, blast_at(scenario, key));
   const double share = release.kind == ReleaseKind::collar ? 1 : rng.uniform();
@@ -74,7 +85,16 @@ Place<2> on_top(const Release& release, const Scenario& scenario, const DrawKey&
   if (x < profile.x_min() || x > profile.x_max())
     throw StartError(fmt::format("a hole {:.6g} m behind the crest lies beyond the terrain", back));
   Place<2> place;
-  place.position = {x, profile.height(x) - reach_of<2>(rock, Vec2::UnitY()).low};
+  const auto [low, high] = reach_of<2>(rock, Vec2::UnitY());
+  const auto [left, right] = reach_of<2>(rock, Vec2::UnitX());
+  place.position = {x, profile.height(x) - low};
+  // On a bench that is not level the rock is lowered until it touches. A wall beside it is no bench.
+  const double rise = rise_above(profile, x, x + left, x + right);
+  if (rise > 0 && rise < high - low) {
+    const Vec2 start = place.position + Vec2(0, rise);
+    if (const auto fall = distance_to_ground<2>(rock, terrain, start, -Vec2::UnitY(), rise + rock.size))
+      place.position = start - Vec2(0, *fall);
+  }
   place.outward = {out, 0, 0};
   return place;
 }
@@ -104,7 +124,7 @@ Place<2> place_rock(const Release& release, const Scenario& scenario, const Draw
       return on_face(release, rock, terrain, rng);
     case ReleaseKind::collar:
     case ReleaseKind::bench_top:
-      return on_top(release, scenario, key, rng, rock, profile);
+      return on_top(release, scenario, key, rng, rock, terrain);
     case ReleaseKind::above_ground: {
       const double x = number(release.x);
       if (x < profile.x_min() || x > profile.x_max())

@@ -1,8 +1,10 @@
-// Lua in 3D in scenarios: rocks of a population with values of their own, and places that laws see.
+// Lua in 3D in scenarios: rocks of a population with values of their own, places that laws see, and a slope
+// far from 0.
 #include <catch2/catch.hpp>
 
 #include "load.h"
 #include "trial/build_trial.h"
+#include "unit/lua_fixture.h"
 
 using namespace flyrock;
 
@@ -37,4 +39,26 @@ TEST_CASE("laws see the place of a contact in the coordinates of the scenario, i
     CHECK(rock.reason != StopReason::not_started);
     CHECK(rock.impacts > 0);
   }
+}
+
+TEST_CASE("a rock without a shape of its own, in a group without one, is refused") {
+  const LuaFixture folder;
+  folder.write("bare.lua",
+               "local fr = require 'flyrock'\nfr.plugin { kind = 'population', name = 'bare', doc = "
+               "'d', rocks = function(p) return { {} } end }");
+  folder.write("bare.yaml", R"(flyrock: 1
+dimension: 3
+method: nscd
+plugins: [bare.lua]
+terrain: { type: plane, material: rock }
+materials: { rock: { friction: { type: coulomb, mu: 0.5 } } }
+rocks: [{ name: r, type: bare, density: 2700, release: { position: [0, 0, 1] } }]
+stop: { time: 1 s }
+)");
+  Diagnostics diagnostics;
+  const auto scenario = load_scenario((folder.folder / "bare.yaml").string(), {}, diagnostics);
+  REQUIRE(scenario);
+  const auto trial = TrialBuilder<3>(scenario->plan.points.front()).build(0);
+  CHECK(trial.rocks.at(0).fault == "neither the population nor `shape` says what shape a rock has");
+  CHECK(trial.rocks[0].fault_path == "rocks.0.shape");
 }

@@ -1,10 +1,11 @@
-// Releases in 3D on benches: where rocks start, and that the origin changes nothing.
+// Releases on benches: where rocks start, and that the origin changes nothing.
 
 #include <catch2/catch.hpp>
 
 #include "load.h"
 #include "trial/build_trial.h"
 #include "trial/start_checks.h"
+#include "unit/lua_fixture.h"
 
 using namespace flyrock;
 
@@ -74,5 +75,43 @@ TEST_CASE("the origin of a terrain changes no result") {
     CHECK(far.rocks[i].stop_x == Approx(near.rocks[i].stop_x).margin(1e-6));
     CHECK(far.rocks[i].stop_y == Approx(near.rocks[i].stop_y).margin(1e-6));
     CHECK(far.rocks[i].stop_z == Approx(near.rocks[i].stop_z).margin(1e-6));
+  }
+}
+
+TEST_CASE("rocks stand on a bench in 2D that is not level, at collars and anywhere on its top") {
+  const LuaFixture folder;
+  folder.write("bench.yaml", R"(flyrock: 1
+dimension: 2
+method: nscd
+terrain:
+  type: profile
+  points: [[-30, 15], [-5, 12.5], [-4, 12.8], [0, 12], [4, 0], [60, 0]]
+  faces: [{ name: main, from: 0, to: 4 }]
+  material: rock
+materials: { rock: { friction: { type: coulomb, mu: 0.5 }, rolling: { type: rolling_resistance, mu_r: 0.1 m } } }
+blast: { burden: 3 m, spacing: 4 m, rows: { count: 3, distance: 3 m, holes: 2 } }
+rocks:
+  - { name: round, per_trial: 6, density: 2700, shape: { type: disk, radius: 0.4 }, release: { from: collar, face: main } }
+  - { name: square, per_trial: 6, density: 2700, shape: { type: polygon, sides: 4, diameter: 0.8 }, release: { from: bench_top, face: main } }
+stop: { time: 1 s }
+)");
+  Diagnostics diagnostics;
+  const auto scenario = load_scenario((folder.folder / "bench.yaml").string(), {}, diagnostics);
+  INFO(diagnostics.to_text());
+  REQUIRE(scenario);
+  TrialBuilder<2> builder(scenario->plan.points.front());
+  for (int k = 0; k < 50; ++k) {
+    auto trial = builder.build(k);
+    REQUIRE(trial.rocks.size() == 12);
+    for (const TrialRock& rock : trial.rocks) CHECK(rock.fault == "");
+    for (auto& world : trial.worlds) {
+      CHECK_FALSE(start_fault(world));
+      Body<2> lower = world.bodies[0];
+      lower.x.y() -= 1e-6;
+      World<2> below(world.terrain(), world.gravity(), world.settings());
+      below.add(std::move(lower));
+      if (world.bodies[0].x.x() < -0.5)  // nearer to the crest a corner may hang over it
+        CHECK(below.deepest_overlap().depth > 1e-7);
+    }
   }
 }
