@@ -9,7 +9,7 @@
 namespace flyrock {
 
 /// At most about so many triangles of all grounds of a run together: in the database, and in the page, where
-/// one takes some 25 bytes.
+/// one takes some 20 bytes.
 inline constexpr std::size_t most_stored_triangles = 250'000, most_page_triangles = 30'000;
 
 /// The ground of one point or of several that share it, over all places of their rocks, in the coordinates of

@@ -27,7 +27,7 @@ using Json = nlohmann::ordered_json;
 /// The greatest number of trajectory points in one page; each takes 15 bytes.
 constexpr std::size_t most_track_points = 150'000;
 
-/// The greatest number of ends of rocks in one page; each takes some 30 bytes.
+/// The greatest number of ends of rocks in one page; each takes some 40 bytes.
 constexpr std::size_t most_deposits = 20'000;
 
 Json terrain_data(const Profile& terrain) {

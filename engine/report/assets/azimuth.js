@@ -50,7 +50,7 @@ function azimuth_table(azimuths) {
 }
 
 function azimuth_section() {
-  if (data.points.every((point) => (point.azimuths ?? []).length === 0)) return;
+  if (data.points.every((point) => point.azimuths.every((group) => group.sectors.length === 0))) return;
   const node = plot_node("Runout by azimuth as a rose; the same numbers in the table below"), note = paragraph("note", ""), table_place = element("div");
   section(`${runout_title} by azimuth`, note, node, caption(`The ${runout_name} of the rocks of each sector of 10°, seen from their own releases. A sector without a wedge has no data: no rock went there.`,
     "Azimuths count from +x towards +y. Hover over the mark of the farthest rock of a sector for its numbers.",

@@ -14,7 +14,7 @@ function window_of(node, traces, tallest, ground = { x: [], y: [] }) {
 }
 
 function draw_plan(node, page, tracks, crossings) {
-  const paths = track_traces(lines_of(tracks), deposits_of(page.deposits), (p) => [p.x, p.across], ["x", "y"], false), s = page.section;
+  const paths = track_traces(lines_of(tracks), ends_in_space(page, tracks), (p) => [p.x, p.across], ["x", "y"], false), s = page.section;
   const cut = { x: [s.from, s.to].map((along) => s.x + along * s.dx), y: [s.from, s.to].map((along) => s.y + along * s.dy), mode: "lines", name: "long section", line: { color: "#5a6370", width: 1, dash: "dash" }, hoverinfo: "skip" };
   const window = window_of(node, paths, 700);
   plot(node, [cut, ...paths], {
@@ -28,7 +28,7 @@ function draw_plan(node, page, tracks, crossings) {
 /** Each path as it is seen from the side of the section, over the ground under the section. */
 function draw_section(node, page, tracks) {
   const s = page.section, along = (p) => [(p.x - s.x) * s.dx + (p.across - s.y) * s.dy, p.height];
-  const paths = track_traces(lines_of(tracks), deposits_of(page.deposits), along, ["distance", "z"], false);
+  const paths = track_traces(lines_of(tracks), ends_in_space(page, tracks), along, ["distance", "z"], false);
   const ground = { x: [], y: [], mode: "lines", name: "ground under the section", line: { color: "#3b3f45", width: 2 }, hoverinfo: "skip" };
   for (const line of s.lines) {
     ground.x.push(...sums(line.s), null);

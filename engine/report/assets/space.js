@@ -5,7 +5,7 @@ const near_zero = 10000;
 const offset_of = (values) => { const low = least(values); return Math.abs(low) > near_zero ? 100 * Math.floor(low / 100) : 0; };
 
 /** The ground of a sweep point: { x, y, z, triangles, part, parts, lattice, cell }, places in m. */
-const grounds = (data.grounds ?? []).map((ground) => {
+const grounds = data.grounds.map((ground) => {
   let vertex = 0;
   const corners = ground.triangles.map((d) => (vertex += d)), part = [];
   for (let i = 0; i < ground.part.length; i += 2) for (let n = 0; n < ground.part[i]; ++n) part.push(ground.part[i + 1]);
@@ -23,6 +23,13 @@ function deposits_of(deposits) {
     if (!ends.has(reason)) ends.set(reason, no_points());
     add_point(ends.get(reason), { x: x[i], across: y[i], height: z[i] }, [trial, deposits.rock[i], null, null, data.groups[deposits.group[i]]]);
   });
+  return ends;
+}
+
+/** The ends of all rocks, and of the paths of those that failed. */
+function ends_in_space(page, tracks) {
+  const ends = deposits_of(page.deposits);
+  for (const [reason, list] of ends_of_paths(tracks)) if (!ends.has(reason)) ends.set(reason, list);
   return ends;
 }
 
@@ -61,7 +68,8 @@ function ground_note(ground) {
 }
 
 // ---- the scene -------------------------------------------------------------------------------------------------
-const space_symbols = { stopped: "circle", left_domain: "x", timed_out: "diamond", caught: "square", diverged: "cross", plugin_error: "cross", not_started: "cross" };
+/** Plotly draws marks in 3D as letters: these are in every font. */
+const space_symbols = { stopped: "circle", left_domain: "diamond-open", timed_out: "diamond", caught: "square", diverged: "cross", plugin_error: "cross", not_started: "cross" };
 
 function path_traces_3d(lines, ends, offset) {
   const drawn = (list) => ({ type: "scatter3d", x: list.points.map((p) => (p ? p.x - offset.x : null)), y: list.points.map((p) => (p ? p.across - offset.y : null)), z: list.points.map((p) => (p ? p.height - offset.z : null)) });
@@ -100,7 +108,7 @@ function camera_of(section, tall) {
 }
 
 function draw_space(node, page, tracks) {
-  const lines = lines_of(tracks), ends = deposits_of(page.deposits), ground = ground_of_point();
+  const lines = lines_of(tracks), ends = ends_in_space(page, tracks), ground = ground_of_point();
   const points = [...lines, ...ends.values()].flatMap((list) => list.points).filter((p) => p);
   const all = (of_ground, of_points) => [...(ground ? of_ground(ground) : []), ...points.map(of_points)];
   const offset = { x: offset_of(all((g) => g.x, (p) => p.x)), y: offset_of(all((g) => g.y, (p) => p.across)), z: offset_of(all((g) => g.z, (p) => p.height)) };
@@ -155,7 +163,7 @@ function space_section() {
   const note = paragraph("note", ""), cells = paragraph("note", ""), drawn = typeof Plotly3D !== "undefined" && has_webgl();
   const missing = typeof Plotly3D === "undefined" ? "The 3D part of Plotly was not installed when this report was made (make deps)." : "This browser has no WebGL.";
   const terrain = data.drawn.terrain ? ["The terrain is drawn anew in each trial. The ground shown is that of trial 0: the paths of other trials need not touch it."] : [];
-  section("Trajectories", note, node, caption("The ground where rocks were, the paths of their centres of mass coloured by mode of travel, and where they ended, all to the same scale.",
+  section("Trajectories", note, paragraph("note on-paper", "The view in 3D is not printed: see the plan and the long section."), node, caption("The ground where rocks were, the paths of their centres of mass coloured by mode of travel, and where they ended, all to the same scale.",
     "Drag to turn, scroll to zoom, drag with the right button to move. With the keyboard: arrows, + and -, Home. Click a name in the legend to hide it.",
     ...(ends_at_landing ? [] : ["Flight: until the first landing; bounce: in the air after it; slide and roll: in contact (thick lines)."]), ...terrain), cells);
   if (drawn) turn_by_keys(node);
