@@ -9,7 +9,7 @@ using namespace flyrock;
 
 namespace {
 
-RockRecord rock(double azimuth_deg, double runout, double x = 2.6e6, double y = 1.2e6) {
+RockRecord rock_towards(double azimuth_deg, double runout, double x = 2.6e6, double y = 1.2e6) {
   RockRecord r;
   r.reason = StopReason::stopped;
   r.start_x = x;
@@ -41,9 +41,9 @@ TEST_CASE("Azimuths count from +x towards +y, and a sector does not hold its end
 
 TEST_CASE("Each sector has the percentiles of its rocks, seen from their own releases") {
   std::vector<RockRecord> rocks;
-  for (int i = 0; i <= 100; ++i) rocks.push_back(rock(25, 1 + i, 1000 * i, -500 * i));
-  for (int i = 0; i < 19; ++i) rocks.push_back(rock(-5, 10 + i));
-  rocks.push_back(rock(0, 0));
+  for (int i = 0; i <= 100; ++i) rocks.push_back(rock_towards(25, 1 + i, 1000 * i, -500 * i));
+  for (int i = 0; i < 19; ++i) rocks.push_back(rock_towards(-5, 10 + i));
+  rocks.push_back(rock_towards(0, 0));
   const RunoutByAzimuth summary = summary_of(rocks);
   REQUIRE(summary.sectors.size() == 36);
   CHECK(summary.still == 1);
@@ -64,7 +64,7 @@ TEST_CASE("Each sector has the percentiles of its rocks, seen from their own rel
 
 TEST_CASE("A censored rock makes the greatest runout of its sector a lower bound") {
   std::vector<RockRecord> rocks;
-  for (int i = 0; i < 30; ++i) rocks.push_back(rock(95, 10 + i));
+  for (int i = 0; i < 30; ++i) rocks.push_back(rock_towards(95, 10 + i));
   rocks[3].reason = StopReason::left_domain;
   rocks[3].censored = true;
   const AzimuthSector sector = summary_of(rocks).sectors[9];
