@@ -1,6 +1,8 @@
 // Lua in 3D in scenarios: rocks of a population with values of their own, places that laws see, and a slope
 // far from 0.
 #include <catch2/catch.hpp>
+#include <fstream>
+#include <sstream>
 
 #include "load.h"
 #include "trial/build_trial.h"
@@ -61,4 +63,36 @@ stop: { time: 1 s }
   const auto trial = TrialBuilder<3>(scenario->plan.points.front()).build(0);
   CHECK(trial.rocks.at(0).fault == "neither the population nor `shape` says what shape a rock has");
   CHECK(trial.rocks[0].fault_path == "rocks.0.shape");
+}
+
+TEST_CASE("the natural slope gives the same rocks in national coordinates and at (0, 0, 0), to 1e-6 m") {
+  std::ifstream file(FLYROCK_SOURCE_DIR "/scenarios/rockfall/natural_slope.lua");
+  std::ostringstream content;
+  content << file.rdbuf();
+  const std::string text = content.str(), place = "local east, north, level = 2600000, 1200000, 500";
+  REQUIRE(text.find(place) != std::string::npos);
+  const LuaFixture folder;
+  const auto rocks_at = [&](const std::string& name, const std::string& own_place) {
+    std::string moved = text;
+    folder.write(name, moved.replace(moved.find(place), place.size(), own_place));
+    Diagnostics diagnostics;
+    // The first 6 s: down the cliff and over the scree.
+    const auto scenario =
+        load_scenario((folder.folder / name).string(), {.set = {"stop.time=6s"}}, diagnostics);
+    INFO(diagnostics.to_text());
+    REQUIRE(scenario);
+    return first_trial(*scenario).rocks;
+  };
+  const auto far = rocks_at("far.lua", place);
+  const auto near = rocks_at("near.lua", "local east, north, level = 0, 0, 0");
+  REQUIRE((far.size() == 2 && near.size() == 2));
+  for (std::size_t i = 0; i < far.size(); ++i) {
+    CHECK(far[i].impacts > 10);
+    CHECK(far[i].impacts == near[i].impacts);
+    CHECK(std::abs(far[i].stop_x - 2600000 - near[i].stop_x) < 1e-6);
+    CHECK(std::abs(far[i].stop_y - 1200000 - near[i].stop_y) < 1e-6);
+    CHECK(std::abs(far[i].stop_z - 500 - near[i].stop_z) < 1e-6);
+    CHECK(std::abs(far[i].runout - near[i].runout) < 1e-6);
+    CHECK(std::abs(far[i].max_speed - near[i].max_speed) < 1e-6);
+  }
 }
