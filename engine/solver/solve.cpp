@@ -11,7 +11,11 @@ namespace flyrock {
 
 namespace {
 
-constexpr int sweeps_of_a_step = 10;  // cost of one factorisation, in sweeps
+/// The cost of a Newton step, in sweeps: measured as 2 for few contacts; a factorisation of many costs more.
+template <int D>
+int sweeps_of_a_step(const ContactProblem<D>& problem) {
+  return problem.size() <= few_contacts ? 2 : 10;
+}
 
 /// The residual divided by the wanted residual.
 template <int D>
@@ -101,7 +105,8 @@ SolveResult Solver<D>::solve_by_both(const ContactProblem<D>& problem, const Sol
   }
   if (result.converged || result.iterations >= settings.max_iterations) return result;
   if (!newton_) newton_ = std::make_unique<ProximalNewton<D>>();
-  const int steps = (settings.max_iterations - result.iterations + sweeps_of_a_step - 1) / sweeps_of_a_step;
+  const int price = sweeps_of_a_step(problem);
+  const int steps = (settings.max_iterations - result.iterations + price - 1) / price;
   return newton_->solve(problem, settings, nlgs_, steps, r);
 }
 

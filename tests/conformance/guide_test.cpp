@@ -1,5 +1,7 @@
 // The plugins that docs/writing-a-plugin.md shows are plugins.
 
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -39,7 +41,9 @@ TEST_CASE("the plugins of the guide load and conform") {
   const auto blocks = lua_plugins(read(FLYROCK_SOURCE_DIR "/docs/writing-a-plugin.md"));
   REQUIRE(blocks.size() == 4);
   LuaSession session(FLYROCK_SHARE_DIR);
-  const std::string path = (std::filesystem::temp_directory_path() / "flyrock_guide_plugin.lua").string();
+  const std::string path =
+      (std::filesystem::temp_directory_path() / ("flyrock_guide_" + std::to_string(::getpid()) + ".lua"))
+          .string();
   for (const std::string& block : blocks) {
     std::ofstream(path) << block;
     Diagnostics diagnostics;

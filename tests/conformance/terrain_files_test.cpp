@@ -1,5 +1,7 @@
 // Terrains in 3D from files: what they hold, and what is wrong with them.
 
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
@@ -21,7 +23,9 @@ const LuaSession& plugins() {
 struct TemporaryFile {
   std::string path;
   TemporaryFile(const std::string& name, const std::string& content)
-      : path((std::filesystem::temp_directory_path() / ("flyrock_terrain_files_" + name)).string()) {
+      : path((std::filesystem::temp_directory_path() /
+              ("flyrock_terrain_files_" + std::to_string(::getpid()) + name))
+                 .string()) {
     std::ofstream(path, std::ios::binary) << content;
   }
   ~TemporaryFile() { std::filesystem::remove(path); }

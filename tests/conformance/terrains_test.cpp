@@ -1,5 +1,7 @@
 // The native terrains: where their points, parts and faces lie, and what is wrong with a file.
 
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -23,7 +25,9 @@ Profile build(const std::string& name, const std::map<std::string, Given>& given
 
 /// A file of this text, gone at the end of the test.
 struct TextFile {
-  std::string path = (std::filesystem::temp_directory_path() / "flyrock_profile_test.txt").string();
+  std::string path =
+      (std::filesystem::temp_directory_path() / ("flyrock_profile_test_" + std::to_string(::getpid())))
+          .string();
   explicit TextFile(const std::string& text) { std::ofstream(path) << text; }
   ~TextFile() { std::filesystem::remove(path); }
 };

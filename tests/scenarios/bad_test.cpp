@@ -110,9 +110,11 @@ TEST_CASE("shipped scenarios load, and what they resolve to loads as the same pl
       INFO(diagnostics.to_text());
       REQUIRE(loaded);
       const std::string resolved = to_yaml(loaded->plan.resolved);
-      const fs::path copy = fs::temp_directory_path() / "flyrock_resolved.yaml";
+      const fs::path copy =
+          fs::temp_directory_path() / ("flyrock_resolved_" + std::to_string(::getpid()) + ".yaml");
       std::ofstream(copy) << resolved;
       const auto again = flyrock::load_scenario(copy.string(), {}, diagnostics);
+      fs::remove(copy);
       INFO(resolved << diagnostics.to_text());
       REQUIRE(again);
       CHECK(to_yaml(again->plan.resolved) == resolved);
