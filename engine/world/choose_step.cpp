@@ -34,9 +34,12 @@ double World<D>::longest_of_springs(double h) const {
 /// steps of a phase too.
 template <int D>
 std::span<const double> World<D>::doubt_of_friction(double h) {
-  constexpr double at_rest = 1e-6;  // of the speed at the start
+  constexpr double at_rest = 1e-6;  // of the speed of the contact or of its bodies
   constexpr double smooth = 0.5;    // rad
   doubt_.assign(bodies.size(), 0.0);
+  const auto speed_of = [&](int i) {
+    return i < 0 ? 0 : starts_[i].v.norm() + bodies[i].radius * spin_speed(starts_[i].w);
+  };
   for (std::size_t a = 0; a < contacts_.size(); ++a) {
     const Contact& contact = contacts_[a];
     if (contact.impulse[0] <= 0) continue;
@@ -46,21 +49,23 @@ std::span<const double> World<D>::doubt_of_friction(double h) {
       const double times = change.norm() < smooth ? std::max(1.0, 0.5 * usual_phase / h) : 1;
       half.segment(first, count) += 0.5 * times * impulse * change;
     };
-    const auto turn = [&](int first, int count) {
+    const auto turn = [&](int first, int count, double usual) {
       const auto from = contact.before.segment(first, count), to = after.segment(first, count);
-      const double slow = from.norm(), fast = to.norm();
-      if (fast <= at_rest * slow || slow <= at_rest * fast) return;
+      const double slow = from.norm(), fast = to.norm(), still = at_rest * std::max({slow, fast, usual});
+      if (fast <= still || slow <= still) return;
       doubt(first, count, contact.impulse.segment(first, count).norm(), (to / fast - from / slow).eval());
     };
-    turn(1, D - 1);
+    const double speed = std::max(speed_of(contact.candidate), speed_of(contact.antagonist));
+    const double spin = speed / bodies[contact.candidate].radius;
+    turn(1, D - 1, speed);
     const double slip = tangential(after).norm();
     if (contact.carried && slip > at_rest * tangential(contact.before).norm()) {
       const double bound = contact.mu() * contact.impulse[0] + h * contact.law.c_t;
       const double bound_before = contact.mu_before * contact.impulse[0] + h * contact.c_t_before;
       if (bound > 0) doubt(1, D - 1, bound, ((1 - bound_before / bound) / slip * tangential(after)).eval());
     }
-    if constexpr (D == 3) turn(D, 1);
-    turn(Problem::rows - (D - 1), D - 1);
+    if constexpr (D == 3) turn(D, 1, spin);
+    turn(Problem::rows - (D - 1), D - 1, spin);
     if (half.isZero(0)) continue;
     const auto add = [&](int i, const ContactColumns<D>& columns) {
       if (i < 0 || !bodies[i].moves()) return;
