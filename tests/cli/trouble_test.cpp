@@ -253,7 +253,7 @@ materials: { rock: {} }
 bodies:
   - { name: block, shape: &box { type: polygon, vertices: [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]] }, mass: 1, position: [0, 0.5], material: rock }
   - { name: press, shape: *box, mass: 1, position: [0, 1.6], material: rock, driven: { velocity: [0, -1] } }
-solver: { max_iterations: 200 }
+solver: { max_iterations: 110 }
 stop: { time: 0.2 s }
 )");
   const Output run = call(folder, "run press.yaml -o r");
