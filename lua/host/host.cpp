@@ -21,11 +21,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// The path after resolving symbolic links; the path itself where that fails (links in a circle, a name that
+/// is too long), because reading it fails then too.
+fs::path resolved(const fs::path& path) {
+  std::error_code failed;
+  // Absolute first, because a relative path that does not exist would not be resolved at all.
+  const fs::path whole = fs::absolute(path), real = fs::weakly_canonical(whole, failed);
+  return failed ? whole : real;
+}
+
 /// Whether a path is in a folder, also after resolving symbolic links.
 bool is_within(const fs::path& path, const fs::path& folder) {
-  // Absolute first, because a relative path that does not exist would not be resolved at all.
-  const fs::path real = fs::weakly_canonical(fs::absolute(path));
-  const fs::path around = fs::weakly_canonical(fs::absolute(folder.empty() ? "." : folder));
+  const fs::path real = resolved(path), around = resolved(folder.empty() ? "." : folder);
   return std::mismatch(around.begin(), around.end(), real.begin(), real.end()).first == around.end();
 }
 
@@ -232,8 +239,7 @@ std::optional<Factory> LuaSession::Host::native_factory(const PluginSpec& spec, 
     const fs::path named = fs::path(file.folder) / object;
     if (!is_within(named, file.folder))
       return refuse(fmt::format("`{}` leads out of the folder of {}", object, file.source->name));
-    const std::string path =
-        fs::weakly_canonical(fs::absolute(named)).string();  // loads exactly the file that was checked
+    const std::string path = resolved(named).string();  // loads exactly the file that was checked
     const auto bytes = read_bytes(path);
     if (!bytes) return refuse(fmt::format("no shared object `{}` beside the manifest", object));
     if (const std::string error = load_module(path, own); !error.empty()) return refuse(error);
