@@ -1,7 +1,5 @@
 // The plugins that docs/writing-a-plugin.md shows are plugins.
 
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -9,6 +7,7 @@
 
 #include "host/session.h"
 #include "plugin/conformance.h"
+#include "temporary_file.h"
 
 using namespace flyrock;
 
@@ -41,16 +40,12 @@ TEST_CASE("the plugins of the guide load and conform") {
   const auto blocks = lua_plugins(read(FLYROCK_SOURCE_DIR "/docs/writing-a-plugin.md"));
   REQUIRE(blocks.size() == 4);
   LuaSession session(FLYROCK_SHARE_DIR);
-  const std::string path =
-      (std::filesystem::temp_directory_path() / ("flyrock_guide_" + std::to_string(::getpid()) + ".lua"))
-          .string();
   for (const std::string& block : blocks) {
-    std::ofstream(path) << block;
+    const TemporaryFile file("guide.lua", block);
     Diagnostics diagnostics;
-    session.load_plugin(path, "guide.lua", {}, diagnostics);
+    session.load_plugin(file.path, "guide.lua", {}, diagnostics);
     CHECK(diagnostics.to_text() == "");
   }
-  std::filesystem::remove(path);
   const std::pair<PluginKind, const char*> shown[] = {
       {PluginKind::restitution, "mass_law"}, {PluginKind::velocity, "scaled_burden"},
       {PluginKind::friction, "worn"},        {PluginKind::population, "loose_blocks"},

@@ -1,7 +1,5 @@
 // Terrains in 3D from files: what they hold, and what is wrong with them.
 
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
@@ -9,6 +7,7 @@
 #include <fstream>
 
 #include "conformance/plugin_use.h"
+#include "temporary_file.h"
 
 using namespace flyrock;
 
@@ -18,18 +17,6 @@ const LuaSession& plugins() {
   static const LuaSession one(FLYROCK_SHARE_DIR);
   return one;
 }
-
-/// A file with this content, gone at the end of the test.
-struct TemporaryFile {
-  std::string path;
-  TemporaryFile(const std::string& name, const std::string& content)
-      : path((std::filesystem::temp_directory_path() /
-              ("flyrock_terrain_files_" + std::to_string(::getpid()) + name))
-                 .string()) {
-    std::ofstream(path, std::ios::binary) << content;
-  }
-  ~TemporaryFile() { std::filesystem::remove(path); }
-};
 
 TerrainShape3 build(const std::string& name, const std::map<std::string, Given>& given) {
   const auto made = make<TerrainModel>(plugins(), PluginKind::terrain, name, given, 3);

@@ -1,12 +1,11 @@
 // The native terrains: where their points, parts and faces lie, and what is wrong with a file.
 
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 
 #include "conformance/plugin_use.h"
+#include "temporary_file.h"
 
 using namespace flyrock;
 
@@ -22,15 +21,6 @@ Profile build(const std::string& name, const std::map<std::string, Given>& given
   RandomStream rng(1, "terrain", {});
   return made.model->build(made.values, rng);
 }
-
-/// A file of this text, gone at the end of the test.
-struct TextFile {
-  std::string path =
-      (std::filesystem::temp_directory_path() / ("flyrock_profile_test_" + std::to_string(::getpid())))
-          .string();
-  explicit TextFile(const std::string& text) { std::ofstream(path) << text; }
-  ~TextFile() { std::filesystem::remove(path); }
-};
 
 }  // namespace
 
@@ -63,7 +53,7 @@ TEST_CASE("benches may stand upright, or follow each other without a berm") {
 TEST_CASE("a profile comes from points or from a file") {
   const std::vector<std::vector<double>> points{{0, 1}, {5, 0.5}, {10, 0}};
   CHECK(build("profile", {{"points", points}}).points.size() == 3);
-  const TextFile file("# x y\n0, 1\n\n5 0.5   # a ledge\n  10,0\n");
+  const TemporaryFile file("profile.txt", "# x y\n0, 1\n\n5 0.5   # a ledge\n  10,0\n");
   const Profile read = build("profile", {{"file", file.path.c_str()}});
   CHECK(read.points == build("profile", {{"points", points}}).points);
   CHECK(read.parts == std::vector<std::string>{""});
@@ -74,7 +64,7 @@ TEST_CASE("a profile comes from points or from a file") {
 
 TEST_CASE("a profile's file is read strictly") {
   const auto fault = [](const std::string& text) {
-    const TextFile file(text);
+    const TemporaryFile file("profile.txt", text);
     try {
       build("profile", {{"file", file.path.c_str()}});
     } catch (const PluginError& error) {

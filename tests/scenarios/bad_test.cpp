@@ -10,6 +10,7 @@
 #include "batch/runners.h"
 #include "batch/safe_file.h"
 #include "scenarios/cases.h"
+#include "temporary_file.h"
 
 namespace fs = std::filesystem;
 
@@ -110,11 +111,8 @@ TEST_CASE("shipped scenarios load, and what they resolve to loads as the same pl
       INFO(diagnostics.to_text());
       REQUIRE(loaded);
       const std::string resolved = to_yaml(loaded->plan.resolved);
-      const fs::path copy =
-          fs::temp_directory_path() / ("flyrock_resolved_" + std::to_string(::getpid()) + ".yaml");
-      std::ofstream(copy) << resolved;
-      const auto again = flyrock::load_scenario(copy.string(), {}, diagnostics);
-      fs::remove(copy);
+      const TemporaryFile copy("resolved.yaml", resolved);
+      const auto again = flyrock::load_scenario(copy.path, {}, diagnostics);
       INFO(resolved << diagnostics.to_text());
       REQUIRE(again);
       CHECK(to_yaml(again->plan.resolved) == resolved);

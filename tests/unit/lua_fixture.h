@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -45,5 +46,15 @@ struct LuaFixture {
       text += fmt::format("{}:{}:{}: {}{}{}\n", one.at.source ? one.at.source->name : "", one.at.line,
                           one.at.column, one.path, one.path.empty() ? "" : ": ", one.text);
     return text;
+  }
+};
+
+/// A session with one plugin `m` of a kind, with the given fields of its manifest.
+struct OnePlugin : LuaFixture {
+  OnePlugin(const std::string& kind, const std::string& fields) {
+    write("m.lua", "local fr = require 'flyrock'\nreturn fr.plugin { kind = '" + kind +
+                       "', name = 'm', doc = 'd',\n" + fields + " }");
+    INFO(fields);
+    CHECK(load("m.lua") == "");
   }
 };

@@ -10,15 +10,6 @@ using namespace flyrock;
 
 namespace {
 
-struct OneModel : LuaFixture {
-  OneModel(const std::string& kind, const std::string& fields) {
-    write("m.lua", "local fr = require 'flyrock'\nreturn fr.plugin { kind = '" + kind +
-                       "', name = 'm', doc = 'd',\n" + fields + " }");
-    INFO(fields);
-    CHECK(load("m.lua") == "");
-  }
-};
-
 /// z = x + 2 y for x and y from 0 to 2, with a hole in the corner at (2, 2); from an origin.
 struct Slope {
   Vec3 origin;
@@ -35,7 +26,7 @@ struct Slope {
 };
 
 std::vector<RockPlan<3>> rocks_of(const std::string& body, const TerrainView& terrain) {
-  OneModel lua("population", "rocks = function(p, terrain, blast, rng) " + body + " end");
+  OnePlugin lua("population", "rocks = function(p, terrain, blast, rng) " + body + " end");
   RandomStream rng(1, "test", {});
   return make<Population>(lua.session, PluginKind::population, "m", {}, 3)
       .model->rocks_3d({}, terrain, Blast(), rng);
@@ -78,7 +69,7 @@ TEST_CASE("a terrain in 2D has points, heights and normals") {
   profile.points = {{0, 4}, {3, 0}, {5, 0}};
   profile.part = {0, 0};
   profile.parts = {""};
-  OneModel lua("population", R"(rocks = function(p, terrain)
+  OnePlugin lua("population", R"(rocks = function(p, terrain)
     assert(terrain.dimension == 2 and #terrain.points == 3 and terrain.x_max == 5)
     local n = terrain:normal(1)
     assert(#n == 2 and n[1] == 0.8 and n[2] == 0.6 and terrain:normal(3)[2] == 1 and terrain:normal(5)[2] == 1)
@@ -136,10 +127,10 @@ TEST_CASE("a terrain refuses what it is asked wrongly") {
 }
 
 TEST_CASE("a launch asks the ground of its rock") {
-  OneModel lua("velocity",
-               "launch = function(p, rock, blast, rng, terrain)\n"
-               "  local x, y, z = table.unpack(rock.position)\n"
-               "  return { velocity = { z - terrain:height(x, y), 0, 0 } } end");
+  OnePlugin lua("velocity",
+                "launch = function(p, rock, blast, rng, terrain)\n"
+                "  local x, y, z = table.unpack(rock.position)\n"
+                "  return { velocity = { z - terrain:height(x, y), 0, 0 } } end");
   const Slope slope;
   const TerrainView view = slope.view();
   RockView rock;
@@ -152,9 +143,9 @@ TEST_CASE("a launch asks the ground of its rock") {
 }
 
 TEST_CASE("a plugin of one dimension says so, and is refused in the other") {
-  OneModel lua("population",
-               "dimension = 3, rocks = function(p, terrain) return { { position = { 0, 0, "
-               "terrain:height(0, 0) } } } end");
+  OnePlugin lua("population",
+                "dimension = 3, rocks = function(p, terrain) return { { position = { 0, 0, "
+                "terrain:height(0, 0) } } } end");
   CHECK_THROWS_WITH(make<Population>(lua.session, PluginKind::population, "m", {}, 2),
                     "plugin m: the population `m` is of dimension 3, the scenario has dimension 2");
   const Plugin* plugin = lua.session.registry().find(PluginKind::population, "m");

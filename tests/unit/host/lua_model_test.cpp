@@ -9,16 +9,6 @@ using namespace flyrock;
 
 namespace {
 
-/// A session with one plugin whose entry function is given.
-struct OnePlugin : LuaFixture {
-  OnePlugin(const std::string& kind, const std::string& fields) {
-    write("m.lua", "local fr = require 'flyrock'\nreturn fr.plugin { kind = '" + kind +
-                       "', name = 'm', doc = 'd',\n" + fields + " }");
-    INFO(fields);
-    CHECK(load("m.lua") == "");
-  }
-};
-
 RandomStream stream() { return RandomStream(1, "test", {}); }
 
 std::vector<Contactor2> shape(const std::string& answer) {
