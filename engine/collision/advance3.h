@@ -29,30 +29,30 @@ struct MovingState {
   bool turns() const { return w_max > 0 || w_rate > 0; }
 };
 
-/// A test whether points of a moving body surely stay clear of a plane that does not turn, for some time. Gap
-/// and slope are linear in the point, and its lever is at most the bound of the contactor. Most points pass,
-/// and need no root.
-class PlaneClearance {
+/// The heights of a body's points along a direction that may turn, and their rates. Both are linear in the
+/// point, which is in the body's frame.
+class Heights {
  public:
-  /// The plane is normal . x = height and moves by `velocity`; `acceleration` is that of the body against it.
-  PlaneClearance(const Vec3& normal, double height, const Vec3& velocity, const Vec3& acceleration,
-                 const MovingState& body, double left, double bound, const TouchSearch& search)
-      : gap_(normal.dot(body.x) - height + search.slack - 1e-9 * search.size),
-        later_(left * normal.dot(body.v - velocity) -
-               0.5 * left * left * (std::max(0.0, -normal.dot(acceleration)) + body.bend(bound))),
-        now_(body.turn.rotation.inverse(normal)),
-        change_(left * body.turn.rotation.inverse(normal.cross(body.turn.spin))) {}
+  /// Measured from a point that is at `from` and moves with `velocity`; `turning` is the direction's rate.
+  Heights(const Vec3& direction, const Vec3& turning, const MovingState& body, const Vec3& from,
+          const Vec3& velocity)
+      : height_(direction.dot(body.x - from)),
+        rate_(turning.dot(body.x - from) + direction.dot(body.v - velocity)),
+        rise_(body.turn.rotation.inverse(direction)),
+        change_(body.turn.rotation.inverse(turning + direction.cross(body.turn.spin))) {}
 
-  /// For a point in the body's frame.
-  bool of(const Vec3& p) const {
-    const double here = gap_ + now_.dot(p);
-    return here > 0 && here + later_ + change_.dot(p) > 0;
-  }
+  double of(const Vec3& p) const { return height_ + rise_.dot(p); }
+  double rate(const Vec3& p) const { return rate_ + change_.dot(p); }
 
  private:
-  double gap_, later_;
-  Vec3 now_, change_;
+  double height_, rate_;
+  Vec3 rise_, change_;
 };
+
+/// Whether gap + rate t - bend t^2 / 2 is positive until `time`.
+inline bool stays_open(double gap, double rate, double bend, double time) {
+  return gap > 0 && gap + time * (rate - 0.5 * time * bend) > 0;
+}
 
 /// Advances a search from one safe time to the next until the contactors touch or the window ends.
 /// search.lasts(t) returns how long the contactors stay apart from t on. If the polynomial search.clearance()

@@ -63,23 +63,30 @@ class Search {
     Vec2 fixed = Vec2::Zero();  ///< kind 2: from b to a, constant in the world frame
   };
 
-  /// Returns a test whether a point p of `other`, in its body's frame, surely stays clear of a line that does
-  /// not turn, until the end of the search in `left` seconds. With |x| + |y| as a bound on the lever of p,
-  /// gap + slope t - M t^2 / 2 at the end is linear in p and this bound. Most points pass, so no roots are
-  /// needed for them.
-  auto points_that_stay_clear(const Vec2& normal, const Vec2& x, const Vec2& v, double offset,
-                              const Vec2& acceleration, const MovingHull& other, const State& so,
-                              double left) const {
-    const Vec2 now = so.r.inverse(normal), later = now + left * so.w * Vec2(now.y(), -now.x());
-    const double gap = normal.dot(so.x - x) - offset + search_.slack - 1e-9 * search_.size;
-    const double fall = std::max(0.0, -normal.dot(acceleration));
-    const double gap_later = gap + left * (normal.dot(so.v - v) - 0.5 * left * fall);
-    const double bend = 0.5 * left * left * (so.w_max * so.w_max + std::abs(other.motion.alpha));
-    return [=](const Vec2& p) {
-      return gap + now.dot(p) > 0 &&
-             gap_later + later.dot(p) - bend * (std::abs(p.x()) + std::abs(p.y())) > 0;
-    };
-  }
+  /// A test whether points of a hull surely stay clear of a line that does not turn, for some time. Gap and
+  /// slope are linear in the point p, and |x| + |y| bounds its lever. Most points pass, and need no root.
+  class Clearance {
+   public:
+    Clearance(const Vec2& normal, double gap, double slope, double fall, const MovingHull& hull,
+              const State& state)
+        : gap_(gap),
+          slope_(slope),
+          fall_(fall),
+          bend_(state.w_max * state.w_max + std::abs(hull.motion.alpha)),
+          rise_(state.r.inverse(normal)),
+          change_(state.w * rise_.y(), -state.w * rise_.x()) {}
+
+    bool of(const Vec2& p, double time) const {
+      const double gap = gap_ + rise_.dot(p);
+      if (gap <= 0) return false;
+      const double bend = fall_ + bend_ * (std::abs(p.x()) + std::abs(p.y()));
+      return gap + time * (slope_ + change_.dot(p) - 0.5 * time * bend) > 0;
+    }
+
+   private:
+    double gap_, slope_, fall_, bend_;
+    Vec2 rise_, change_;
+  };
 
   /// How long the edge `edge` of `reference` separates it from the points of `other` [s].
   double edge_lasts(const MovingHull& reference, const State& sr, const MovingHull& other, const State& so,
@@ -91,11 +98,12 @@ class Search {
     const Vec2 relative_acceleration = other.motion.a - reference.motion.a;
     const double left = end_ - t, closing = (so.v - sr.v).norm() + relative_acceleration.norm() * left;
     const bool turns = sr.w_max != 0 || reference.motion.alpha != 0;
-    const auto clear =
-        points_that_stay_clear(normal, sr.x, sr.v, offset, relative_acceleration, other, so, left);
+    const double fall = std::max(0.0, -normal.dot(relative_acceleration));
+    const Clearance clear(normal, normal.dot(so.x - sr.x) - offset + search_.slack - 1e-9 * search_.size,
+                          normal.dot(so.v - sr.v), fall, other, so);
     double least = forever;
     for (int j = 0; j < other.count && least > 0; ++j) {
-      if (!turns && clear(other.points[j])) continue;
+      if (!turns && clear.of(other.points[j], std::min(least, left))) continue;
       const FeatureId edge_id = reference.edge_id(reference.base, edge);
       const FeatureId point_id = other.point_id(other.base, j);
       const bool is_held =
@@ -112,7 +120,7 @@ class Search {
       double horizon = left;
       double bend = so.w_max * so.w_max * reach + std::abs(other.motion.alpha) * reach;
       if (!turns) {
-        bend += std::max(0.0, -normal.dot(relative_acceleration));
+        bend += fall;
       } else {
         const double lever = w.norm();
         if (speed > 0) horizon = std::min(horizon, (lever + search_.size) / speed);

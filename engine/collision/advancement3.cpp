@@ -73,6 +73,18 @@ class PairSearch {
     return known;
   }
 
+  /// Whether a contact holds the point i of a over another facet of the same plane. The point may then be
+  /// beside the facet b, and the plane still separates the other points from it.
+  bool held_over(FeatureId face, int i) const {
+    constexpr double same = 1e-10;  // rad, and m per m
+    return b_.facet && face == b_.facet->face_feature() &&
+           std::any_of(b_.held.begin(), b_.held.end(), [&](const HeldOnGround& h) {
+             return h.feature == vertex(a_, i) && kind_of(h.against) == FeatureKind::face &&
+                    (h.normal - b_.facet->normal).squaredNorm() <= same * same &&
+                    std::abs(b_.facet->distance(h.place)) <= same * search_.size;
+           });
+  }
+
   /// Whether a contact holds the point i of a and the corner j of the facet b apart along a direction: the
   /// features that touch contain them, and its normal is this direction. A face of a that lies on an edge of
   /// the ground touches it with several edges. Each of them gives a direction in which the ends of the others
@@ -111,38 +123,46 @@ class PairSearch {
   /// The safe time for one pair of points. `turn` and `turn_rate` are bounds on |n'| and |n''|.
   double point_lasts(double gap, double slope, double lever, double turn, double turn_rate, const Bounds& b,
                      bool opened, double t) const {
-    const double reach = lever + b.speed * b.horizon;
-    const double bend = turn_rate * reach + 2 * turn * b.speed + b.acceleration;
+    const double bend = bend_of(turn, turn_rate, lever, b);
     return within(b.horizon, end_ - t, safe_time(gap + search_.slack, slope, bend, scale_, opened));
   }
+
+  static double bend_of(double turn, double turn_rate, double lever, const Bounds& b) {
+    return turn_rate * (lever + b.speed * b.horizon) + 2 * turn * b.speed + b.acceleration;
+  }
+
+  /// Added to a gap for a test that rounding must not pass.
+  double margin() const { return search_.slack - 1e-9 * search_.size; }
 
   double face_lasts(const Direction& d, const MovingContactor& reference, const MovingState& sr,
                     const MovingContactor& other, const MovingState& so, double t) const {
     const Vec3 normal = sr.arm(d.local), normal_rate = sr.turn.spin.cross(normal);
     const Vec3 relative_a = other.motion.a - reference.motion.a;
-    const double offset = d.support + reference.shape.radius + other.shape.radius;
+    const double offset = d.support + reference.shape.radius + other.shape.radius, left = end_ - t;
+    const double turn = sr.w_max, turn_rate = turn * turn + sr.w_rate;
+    const double away = (so.x - sr.x).norm(), speed = (so.v - sr.v).norm() + relative_a.norm() * left;
+    // The horizon limits the growth of the lever of a turning normal.
+    const auto bounds_of = [&](double arm, double lever) {
+      Bounds b{left, speed + so.w_max * arm, so.bend(arm)};
+      if (sr.turns() && b.speed > 0) b.horizon = std::min(left, (lever + search_.size) / b.speed);
+      b.acceleration += sr.turns() ? relative_a.norm() : std::max(0.0, -normal.dot(relative_a));
+      return b;
+    };
+    const double greatest = other.shape.bound;
+    const Bounds of_all = bounds_of(greatest, std::max(0.0, away - greatest));
+    const double bend = bend_of(turn, turn_rate, away + greatest, of_all);
+    const Heights heights(normal, normal_rate, so, sr.x, sr.v);
     double least = forever;
-    const PlaneClearance clear(normal, normal.dot(sr.x) + offset, sr.v, relative_a, so, end_ - t,
-                               other.shape.bound, search_);
     for (int j = 0; j < static_cast<int>(other.shape.points.size()) && least > 0; ++j) {
-      if (reference.facet && clear.of(other.shape.points[j])) continue;
-      const bool is_held =
-          &reference == &a_ ? held(d.feature, vertex(other, j)) : held(vertex(other, j), d.feature);
+      const Vec3& p = other.shape.points[j];
+      const double gap = heights.of(p) - offset, slope = heights.rate(p), time = std::min(least, left);
+      if (time <= of_all.horizon && stays_open(gap + margin(), slope, bend, time)) continue;
+      const bool is_held = &reference == &a_ ? held(d.feature, vertex(other, j))
+                                             : held(vertex(other, j), d.feature) || held_over(d.feature, j);
       if (is_held && search_.held_are_solved) continue;
-      const Vec3 arm = so.arm(other.shape.points[j]), away = so.x + arm - sr.x;
-      const double lever = away.norm(), turn = sr.w_max, turn_rate = turn * turn + sr.w_rate;
-      Bounds bounds{end_ - t, (so.v - sr.v).norm() + relative_a.norm() * (end_ - t) + so.w_max * arm.norm(),
-                    so.bend(arm.norm())};
-      if (sr.turns()) {
-        // The horizon limits the growth of the lever of a turning normal.
-        if (bounds.speed > 0)
-          bounds.horizon = std::min(bounds.horizon, (lever + search_.size) / bounds.speed);
-        bounds.acceleration += relative_a.norm();
-      } else {
-        bounds.acceleration += std::max(0.0, -normal.dot(relative_a));
-      }
-      const double slope = normal_rate.dot(away) + normal.dot(so.velocity_at(arm) - sr.v);
-      least = std::min(least, point_lasts(normal.dot(away) - offset, slope, lever, turn, turn_rate, bounds,
+      const Vec3 arm = so.arm(p);
+      const double lever = (so.x + arm - sr.x).norm();
+      least = std::min(least, point_lasts(gap, slope, lever, turn, turn_rate, bounds_of(arm.norm(), lever),
                                           is_held && t == 0, t));
     }
     return least;
@@ -175,18 +195,34 @@ class PairSearch {
     if (w > 0) bounds.horizon = std::min(bounds.horizon, s / w);
     if (bounds.speed > 0)
       bounds.horizon = std::min(bounds.horizon, ((sa.x - sb.x).norm() + search_.size) / bounds.speed);
-    double least = forever;
-    for (int i = 0; i < static_cast<int>(a_.shape.points.size()); ++i) {
-      const Vec3 arm_a = sa.arm(a_.shape.points[i]), va = sa.velocity_at(arm_a);
-      for (int j = 0; j < static_cast<int>(b_.shape.points.size()) && least > 0; ++j) {
-        const bool on_edges = (i == ea.start || i == ea.end) && (j == eb.start || j == eb.end);
-        const bool point_is_held = b_.facet ? held_along(normal, i, j, sa) : on_edges && is_held;
-        if (point_is_held && search_.held_are_solved) continue;
-        const Vec3 arm_b = sb.arm(b_.shape.points[j]), away = sa.x + arm_a - sb.x - arm_b;
-        const double slope = normal_rate.dot(away) + normal.dot(va - sb.velocity_at(arm_b));
-        least = std::min(least, point_lasts(normal.dot(away), slope, away.norm(), turn, turn_rate, bounds,
-                                            point_is_held && t == 0, t));
-      }
+    const double bend = bend_of(turn, turn_rate, (sa.x - sb.x).norm() + size_a + size_b, bounds);
+    const Heights of_a(normal, normal_rate, sa, sb.x, sb.v), of_b(normal, normal_rate, sb, sb.x, sb.v);
+    double least = within(bounds.horizon, end_ - t, forever);
+    const auto try_pair = [&](int i, int j) {
+      const Vec3 &pa = a_.shape.points[i], &pb = b_.shape.points[j];
+      const double gap = of_a.of(pa) - of_b.of(pb), slope = of_a.rate(pa) - of_b.rate(pb);
+      if (stays_open(gap + margin(), slope, bend, std::min(least, end_ - t))) return;
+      const bool on_edges = (i == ea.start || i == ea.end) && (j == eb.start || j == eb.end);
+      const bool point_is_held = b_.facet ? held_along(normal, i, j, sa) : on_edges && is_held;
+      if (point_is_held && search_.held_are_solved) return;
+      const Vec3 away = sa.x + sa.arm(pa) - sb.x - sb.arm(pb);
+      least = std::min(
+          least, point_lasts(gap, slope, away.norm(), turn, turn_rate, bounds, point_is_held && t == 0, t));
+    };
+    // The ends of the two edges are nearest. After them, most points of a cannot shorten the time, whichever
+    // point of b they are compared with.
+    for (const int i : {ea.start, ea.end})
+      for (const int j : {eb.start, eb.end}) try_pair(i, j);
+    double top = -forever, fastest = -forever;  // of b
+    for (const Vec3& pb : b_.shape.points) {
+      top = std::max(top, of_b.of(pb));
+      fastest = std::max(fastest, of_b.rate(pb));
+    }
+    for (int i = 0; i < static_cast<int>(a_.shape.points.size()) && least > 0; ++i) {
+      const Vec3& pa = a_.shape.points[i];
+      const double gap = of_a.of(pa) - top + margin(), slope = of_a.rate(pa) - fastest;
+      if (stays_open(gap, slope, bend, std::min(least, end_ - t))) continue;
+      for (int j = 0; j < static_cast<int>(b_.shape.points.size()) && least > 0; ++j) try_pair(i, j);
     }
     return least;
   }
@@ -226,10 +262,16 @@ class PairSearch {
       try_direction(towards(b.point(0), a_, a, sa, Direction::Kind::of_a));
     } else {
       try_faces(b_, Direction::Kind::of_b);
+      if (!b_.facet) try_faces(a_, Direction::Kind::of_a);
       // A facet is mostly cleared by its own plane or by the face of the body that separates most. The others
       // are tried where these two soon fail.
-      if (b_.facet && best < enough) try_face(a_, Direction::Kind::of_a, most_separating_face(a, b));
-      if (!b_.facet || best <= 0) try_faces(a_, Direction::Kind::of_a);
+      if (b_.facet && best < enough) {
+        const OutsideFaces outside(a, b);
+        try_face(a_, Direction::Kind::of_a, outside.farthest());
+        for (int f = 0; f < a.faces() && best <= 0; ++f)
+          if (outside.of(f) + search_.slack >= -scale_.deep || touches(f))
+            try_face(a_, Direction::Kind::of_a, f);
+      }
       constexpr double soon = 0.1;  // of the time that is left
       const bool is_clear = b_.facet && best > soon * enough;
       if (b_.facet && !is_clear) try_held_edges(a, b, try_direction);
@@ -253,20 +295,38 @@ class PairSearch {
     }
   }
 
-  /// The face of a whose plane has the corners of the facet b farthest outside.
-  static int most_separating_face(const Placed3& a, const Placed3& b) {
-    std::array<Vec3, 3> corner;  // in the frame of a
-    for (int i = 0; i < 3; ++i) corner[i] = a.pose.r.inverse(b.point(i) - a.pose.x);
-    int best = 0;
-    double most = -forever;
-    for (int f = 0; f < a.faces(); ++f) {
-      const Contactor3::Face& face = a.shape.faces[f];
-      const double nearest =
-          std::min({face.normal.dot(corner[0]), face.normal.dot(corner[1]), face.normal.dot(corner[2])});
-      const double outside = nearest - face.normal.dot(a.shape.points[a.shape.vertex(face, 0)]);
-      if (outside > most) most = outside, best = f;
+  /// How far the corners of the facet b are outside the planes of a's faces.
+  class OutsideFaces {
+   public:
+    OutsideFaces(const Placed3& a, const Placed3& b) : shape_(a.shape) {
+      for (int i = 0; i < 3; ++i) corner_[i] = a.pose.r.inverse(b.point(i) - a.pose.x);
     }
-    return best;
+
+    double of(int f) const {
+      const Vec3& normal = shape_.faces[f].normal;
+      const double nearest =
+          std::min({normal.dot(corner_[0]), normal.dot(corner_[1]), normal.dot(corner_[2])});
+      return nearest - normal.dot(shape_.points[shape_.vertex(shape_.faces[f], 0)]);
+    }
+
+    int farthest() const {
+      int best = 0;
+      double most = -forever;
+      for (int f = 0; f < static_cast<int>(shape_.faces.size()); ++f)
+        if (const double distance = of(f); distance > most) most = distance, best = f;
+      return best;
+    }
+
+   private:
+    const Contactor3& shape_;
+    std::array<Vec3, 3> corner_;  // in the frame of a
+  };
+
+  /// Whether a's face holds a contact with the ground.
+  bool touches(int face) const {
+    const FeatureId feature = a_.id(FeatureKind::face, face);
+    return std::any_of(b_.held.begin(), b_.held.end(),
+                       [&](const HeldOnGround& h) { return h.feature == feature; });
   }
 
   static Direction across(const EdgeAxis& axis, const Placed3& a, const Placed3& b) {

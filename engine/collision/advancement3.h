@@ -19,6 +19,7 @@ struct HeldOnGround {
   std::array<std::uint64_t, 3> vertex{};
   int vertices = 0;
   Vec3 normal = Vec3::UnitZ();  ///< of a facet
+  Vec3 place = Vec3::Zero();    ///< of a facet: one of its corners
 
   bool contains(std::uint64_t of_ground) const {
     return std::find(vertex.begin(), vertex.begin() + vertices, of_ground) != vertex.begin() + vertices;

@@ -1,6 +1,7 @@
 #pragma once
 // The facets of the ground that a moving body may meet, piece by piece along its path.
 
+#include <algorithm>
 #include <vector>
 
 #include "collision/motion.h"
@@ -16,7 +17,12 @@ namespace flyrock {
 template <class See>
 std::optional<double> along_path(const Ground3& ground, const Path<3>& path, double r, double end, See see) {
   constexpr int few = 8;
-  thread_local std::vector<Facet> facets;  // keeps its memory between calls
+  struct Meeting {
+    TimeWindow window;
+    int facet;
+  };
+  thread_local std::vector<Facet> facets;  // keep their memory between calls
+  thread_local std::vector<Meeting> meetings;
   std::optional<double> first;
   const auto search = [&](const auto& self, double from, double to) -> void {
     if (first && *first <= from) return;
@@ -34,15 +40,24 @@ std::optional<double> along_path(const Ground3& ground, const Path<3>& path, dou
     }
     facets.clear();
     ground.facets(box, facets);
-    for (const Facet& facet : facets) {
+    meetings.clear();
+    for (int i = 0; i < static_cast<int>(facets.size()); ++i) {
       TimeWindow window{from, first ? std::min(*first, to) : to};
-      if (!facet.unbounded) {
+      if (const Facet& facet = facets[i]; !facet.unbounded) {
         const Box3 corners{facet.corner[0].cwiseMin(facet.corner[1]).cwiseMin(facet.corner[2]),
                            facet.corner[0].cwiseMax(facet.corner[1]).cwiseMax(facet.corner[2])};
         const TimeWindow meeting = meeting_window(path, r, corners, window.b);
         window = {std::max(window.a, meeting.a), std::min(window.b, meeting.b)};
       }
-      if (!window.empty()) see(facet, window, first);
+      if (!window.empty()) meetings.push_back({window, i});
+    }
+    std::sort(meetings.begin(), meetings.end(), [](const Meeting& a, const Meeting& b) {
+      return a.window.a != b.window.a ? a.window.a < b.window.a : a.facet < b.facet;
+    });
+    for (const Meeting& meeting : meetings) {
+      if (first && *first <= meeting.window.a) break;
+      see(facets[meeting.facet],
+          TimeWindow{meeting.window.a, first ? std::min(*first, meeting.window.b) : meeting.window.b}, first);
     }
   };
   search(search, 0.0, end);

@@ -149,7 +149,7 @@ const std::vector<HeldOnGround>& held_on(const Ground3& ground, std::span<const 
   thread_local std::vector<HeldOnGround> found;  // keeps its memory between calls
   found.clear();
   for (const HeldContact& contact : held) {
-    HeldOnGround on{contact.feature, contact.against, {}, 1, Vec3::UnitZ()};
+    HeldOnGround on{contact.feature, contact.against, {}, 1};
     if (kind_of(contact.against) == FeatureKind::vertex) {
       on.vertex[0] = ground_index(contact.against);
     } else {
@@ -158,6 +158,7 @@ const std::vector<HeldOnGround>& held_on(const Ground3& ground, std::span<const 
       on.vertex = facet.vertex;
       on.vertices = 3;
       on.normal = facet.normal;
+      on.place = facet.corner[0];
       if (kind_of(contact.against) == FeatureKind::edge) {
         on.vertex = {facet.vertex[rim], facet.vertex[Facet::next(rim)]};
         on.vertices = 2;
@@ -194,12 +195,14 @@ std::optional<double> near_start(const Ground3& ground, const MovingContactor& c
   ground.facets(box, facets);
   std::optional<double> first;
   for (const Facet& facet : facets) {
-    const PlaneClearance clear(facet.normal, facet.normal.dot(facet.corner[0]) + c.shape.radius, Vec3::Zero(),
-                               c.motion.a, start, first.value_or(end), c.shape.bound, search);
+    const Heights heights(facet.normal, Vec3::Zero(), start, facet.corner[0], Vec3::Zero());
+    const double bend = std::max(0.0, -facet.normal.dot(c.motion.a)) + start.bend(c.shape.bound);
+    const double room = search.slack - c.shape.radius - 1e-9 * search.size;
     const auto& points = c.shape.points;
-    if (facet.unbounded ||
-        !std::all_of(points.begin(), points.end(), [&](const Vec3& p) { return clear.of(p); }))
-      see(facet, {0, first.value_or(end)}, first);
+    const bool clear = std::all_of(points.begin(), points.end(), [&](const Vec3& p) {
+      return stays_open(heights.of(p) + room, heights.rate(p), bend, first.value_or(end));
+    });
+    if (facet.unbounded || !clear) see(facet, {0, first.value_or(end)}, first);
   }
   return first;
 }

@@ -86,17 +86,14 @@ FreeRotation::FreeRotation(const Vec3& moments, const Rotation3& rotation, const
   amplitude_.z() =
       std::copysign(std::sqrt(v.z() * v.z() + ib * (ib - ia) / (ic * (ic - ia)) * v.y() * v.y()), v.z());
   const double whole = std::abs(ib - ic) * ic * amplitude_.z() * amplitude_.z();
-  modulus_.m1 = std::max((weight(c) - weight(a)) / whole, least_complement);
-  modulus_.m = 1 - modulus_.m1;
+  Modulus modulus;
+  modulus.m1 = std::max((weight(c) - weight(a)) / whole, least_complement);
+  modulus.m = 1 - modulus.m1;
   lambda_ = (ic - ia) / ib * amplitude_.z() * amplitude_.x() / amplitude_.y();
-  n_ = ic * (ib - ia) / (ia * (ib - ic));
-  const EllipticIntegrals quarter = elliptic_integrals(modulus_, n_, 1, 0);
-  quarter_ = quarter.first;
-  third_kind_quarter_ = quarter.third;
-  const EllipticIntegrals start =
-      elliptic_integrals(modulus_, n_, v.y() / amplitude_.y(), v.x() / amplitude_.x());
-  u0_ = start.first;
-  third_kind_start_ = start.third;
+  const double n = ic * (ib - ia) / (ia * (ib - ic));  // negative
+  functions_ = EllipticFunctions(modulus, n);
+  u0_ = first_kind(modulus, v.y() / amplitude_.y(), v.x() / amplitude_.x());
+  third_kind_start_ = functions_.at(u0_).third_kind;
   precesses_ = false;
   const Vec3 momentum = moments_.cwiseProduct(v);
   momentum_ = momentum.norm();
@@ -119,23 +116,15 @@ void FreeRotation::set_bounds(double a, double b, double c) {
   greatest_spin_rate_ = Vec3((ib - ic) / ia * b * c, (ic - ia) / ib * c * a, (ia - ib) / ic * a * b).norm();
 }
 
-FreeRotation::Phase FreeRotation::phase(double u) const {
-  const double half_periods = std::round(u / (2 * quarter_));
-  const double sign = std::fmod(half_periods, 2) == 0 ? 1 : -1;
-  const Jacobi f = jacobi(modulus_, u - 2 * quarter_ * half_periods);
-  const double third = elliptic_integrals(modulus_, n_, f.sn, f.cn).third;
-  return {amplitude_.cwiseProduct(Vec3(sign * f.cn, sign * f.sn, f.dn)),
-          2 * half_periods * third_kind_quarter_ + third};
-}
-
 Turn FreeRotation::at(double t) const {
   if (precesses_) {
     const Rotation3 r = Rotation3::from_vector(t * p_) * start_ * Rotation3::from_vector(t * q_);
     return {r, p_ + r * q_};
   }
-  const auto [w, third_kind] = phase(lambda_ * t + u0_);
+  const EllipticFunctions::Values f = functions_.at(lambda_ * t + u0_);
+  const Vec3 w = amplitude_.cwiseProduct(Vec3(f.cn, f.sn, f.dn));
   const double phi = momentum_ * (t / moments_.z() + (1 / moments_.x() - 1 / moments_.z()) *
-                                                         (third_kind - third_kind_start_) / lambda_);
+                                                         (f.third_kind - third_kind_start_) / lambda_);
   const Eigen::Matrix3d from_axes = to_world_ * about_z(phi) * to_momentum_frame(moments_.cwiseProduct(w));
   return {Rotation3(Eigen::Matrix3d(from_axes * to_body_.transpose())), from_axes * w};
 }

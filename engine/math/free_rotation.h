@@ -35,12 +35,6 @@ class FreeRotation {
   double greatest_spin_rate() const { return greatest_spin_rate_; }
 
  private:
-  /// The spin at u in the frame (a, b, c), and the integral Pi(n; u).
-  struct Phase {
-    Vec3 spin;
-    double third_kind;
-  };
-  Phase phase(double u) const;
   void precess(const Vec3& p, const Vec3& q);
   void set_bounds(double a, double b, double c);
 
@@ -53,9 +47,8 @@ class FreeRotation {
   Eigen::Matrix3d to_world_ = Eigen::Matrix3d::Identity();  ///< from the frame whose z axis is L
   Vec3 moments_ = Vec3::Ones();
   Vec3 amplitude_ = Vec3::Zero();
-  double momentum_ = 0, lambda_ = 1, u0_ = 0, quarter_ = 0;
-  double n_ = 0, third_kind_quarter_ = 0, third_kind_start_ = 0;
-  Modulus modulus_;
+  double momentum_ = 0, lambda_ = 1, u0_ = 0, third_kind_start_ = 0;
+  EllipticFunctions functions_;
 };
 
 }  // namespace flyrock

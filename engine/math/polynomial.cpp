@@ -26,9 +26,15 @@ double bracketed_root(std::span<const double> c, double a, double b) {
     ((p > 0) == positive ? a : b) = t;
     double slope = 0;
     for (std::size_t k = c.size() - 1; k > 0; --k) slope = slope * t + static_cast<double>(k) * c[k];
-    const double newton = t - p / slope;
-    // A Newton step that lands on an end of the bracket would end the search there. Bisect instead.
-    t = newton > a && newton < b ? newton : 0.5 * (a + b);
+    const double newton = t - p / slope, resolution = 1e-16 * (std::abs(a) + std::abs(b));
+    if (std::abs(newton - t) <= resolution) {
+      // Converged from one side: a step across the root closes the bracket from the other.
+      const double across = a == t ? t + 2 * resolution : t - 2 * resolution;
+      t = across > a && across < b ? across : 0.5 * (a + b);
+    } else {
+      // A Newton step that lands on an end of the bracket would end the search there. Bisect instead.
+      t = newton > a && newton < b ? newton : 0.5 * (a + b);
+    }
     if (b - a <= 4e-16 * (std::abs(a) + std::abs(b))) break;
   }
   return a;

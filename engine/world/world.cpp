@@ -97,18 +97,8 @@ double World<D>::total_energy() const {
   return energy;
 }
 
-#define FLYROCK_INSTANTIATE(D)                                                   \
-  template World<D>::World(const Terrain&, const Vec<D>&, const WorldSettings&); \
-  template int World<D>::add(Body<D>);                                           \
-  template void World<D>::remove_last();                                         \
-  template void World<D>::set_terrain_surface(int, int, Surface*);               \
-  template Surface* World<D>::pair_surface(int, int);                            \
-  template void World<D>::know(Surface*);                                        \
-  template World<D>::Motion World<D>::flight_of(int) const;                      \
-  template void World<D>::fly(double);                                           \
-  template double World<D>::total_energy() const
-FLYROCK_INSTANTIATE(2);
-FLYROCK_INSTANTIATE(3);
-#undef FLYROCK_INSTANTIATE
+// With the functions that the header defines, which other files call
+template class World<2>;
+template class World<3>;
 
 }  // namespace flyrock

@@ -22,9 +22,20 @@ done
 
 "$1/flyrock_shots"
 
-# Steps in contact chosen by error and fixed ones, in turn; Box2D with the same scene and the same rest between them.
-if g++ -O3 "$here/box2d_s3.cpp" -lbox2d -o "$out/box2d_s3" 2> /dev/null; then peer=yes; else peer=; fi
-for scenario in "$here/../../scenarios/ninh_dan/benches_2d.yaml" "$here/s3.yaml"; do
+# Rocks to rest with steps chosen by error and fixed ones, in turn; between them the peer, where it is installed, with
+# the same scene and the same rest: Box2D in 2D, Bullet in 3D.
+compile() { g++ -O3 "$@" 2> /dev/null; }
+compile "$here/box2d_s3.cpp" -lbox2d -o "$out/box2d_s3" || true
+compile -DBT_USE_DOUBLE_PRECISION -I/usr/include/bullet "$here/bullet_s12.cpp" -lBulletDynamics-float64 \
+  -lBulletCollision-float64 -lLinearMath-float64 -o "$out/bullet_s12" || true
+peer() {
+  case $1 in
+    s3) [ ! -x "$out/box2d_s3" ] || "$out/box2d_s3" "$here/scenes/profile.txt" 60 0.001 ;;
+    s1) [ ! -x "$out/bullet_s12" ] || "$out/bullet_s12" sphere "$here/scenes/terrain.obj" 40 0.001 ;;
+    s2) [ ! -x "$out/bullet_s12" ] || "$out/bullet_s12" "$here/scenes/rock20.obj" "$here/scenes/terrain.obj" 20 0.001 ;;
+  esac
+}
+for scenario in "$here/../../scenarios/ninh_dan/benches_2d.yaml" "$here/s3.yaml" "$here/s1.yaml" "$here/s2.yaml"; do
   name=$(basename "$scenario" .yaml)
   for round in 1 2 3; do
     for step in auto "5 ms" "1 ms"; do
@@ -33,7 +44,7 @@ for scenario in "$here/../../scenarios/ninh_dan/benches_2d.yaml" "$here/s3.yaml"
       "$flyrock" run "$of.yaml" -o "$of" -j 1 --force --quiet > /dev/null 2>&1 || true
       sed -n 's/^rocks\/s *//p' "$of/run.log" >> "$of.rates"
     done
-    if [ -n "$peer" ] && [ "$name" = s3 ]; then "$out/box2d_s3" "$here/scenes/profile.txt" 60 0.001 >> "$out/box2d"; fi
+    peer "$name" >> "$out/$name.peer"
   done
   for step in auto 5ms 1ms; do
     of=$out/$name-$step
@@ -41,8 +52,8 @@ for scenario in "$here/../../scenarios/ninh_dan/benches_2d.yaml" "$here/s3.yaml"
       sort -n | awk '{ v[NR] = $1; s += $1; q += $1 * $1 } END { m = s / NR; printf "%.1f +- %.1f m, p95 %.1f m", m, 1.96 * sqrt((q / NR - m * m) / NR), v[int(0.95 * NR + 0.5)] }')
     printf '%-12s %-5s %8s rocks/s, runout %s\n' $name $step $(sort -n "$of.rates" | sed -n 2p) "$runout"
   done
+  sort "$out/$name.peer" | sed -n 2p
 done
-if [ -n "$peer" ]; then sort "$out/box2d" | sed -n 2p; else echo "Box2D: not installed (libbox2d-dev)"; fi
 
 # Memory does not grow with the number of rocks; 1000000 gives the same (about a minute). All threads, as an engineer runs it.
 for trials in 10000 100000; do
