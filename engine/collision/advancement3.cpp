@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "collision/advance3.h"
+#include "collision/held_pair3.h"
+#include "collision/outside_faces.h"
 #include "collision/round_contact.h"
 #include "collision/round_path.h"
 #include "collision/safe_time.h"
@@ -19,7 +21,7 @@ constexpr double forever = std::numeric_limits<double>::infinity();
 class PairSearch {
  public:
   PairSearch(const MovingContactor& a, const MovingContactor& b, double end, const TouchSearch& search)
-      : a_(a), b_(b), end_(end), search_(search), scale_(search.size) {}
+      : a_(a), b_(b), end_(end), search_(search), held_(a, b, search), scale_(search.size) {}
 
   /// How long the direction of the last call separates the pair [s]. If it no longer does, the best direction
   /// is used.
@@ -56,62 +58,6 @@ class PairSearch {
   };
 
   static FeatureId vertex(const MovingContactor& c, int i) { return c.id(FeatureKind::vertex, i); }
-
-  /// A sphere has only one contact with a convex contactor, so the feature does not matter.
-  bool held(FeatureId feature, FeatureId against) const {
-    if (!a_.shape.round() && !b_.shape.round()) return search_.holds(feature, against);
-    return std::any_of(search_.held.begin(), search_.held.end(), [&](const HeldContact& h) {
-      return contactor_of(h.feature) == a_.index && of_b(h.against);
-    });
-  }
-
-  bool of_b(FeatureId feature) const {
-    if (!b_.facet) return contactor_of(feature) == b_.index;
-    bool known = feature == b_.facet->face_feature();
-    for (int i = 0; i < 3; ++i)
-      known = known || feature == b_.facet->edge_feature(i) || feature == b_.facet->vertex_feature(i);
-    return known;
-  }
-
-  /// Whether a contact holds the point i of a over another facet of the same plane. The point may then be
-  /// beside the facet b, and the plane still separates the other points from it.
-  bool held_over(FeatureId face, int i) const {
-    constexpr double same = 1e-10;  // rad, and m per m
-    return b_.facet && face == b_.facet->face_feature() &&
-           std::any_of(b_.held.begin(), b_.held.end(), [&](const HeldOnGround& h) {
-             return h.feature == vertex(a_, i) && kind_of(h.against) == FeatureKind::face &&
-                    (h.normal - b_.facet->normal).squaredNorm() <= same * same &&
-                    std::abs(b_.facet->distance(h.place)) <= same * search_.size;
-           });
-  }
-
-  /// Whether a contact holds the point i of a and the corner j of the facet b apart along a direction: the
-  /// features that touch contain them, and its normal is this direction. A face of a that lies on an edge of
-  /// the ground touches it with several edges. Each of them gives a direction in which the ends of the others
-  /// have no gap.
-  bool held_along(const Vec3& direction, int i, int j, const MovingState& sa) const {
-    return std::any_of(b_.held.begin(), b_.held.end(), [&](const HeldOnGround& h) {
-      constexpr double same = 1 - 5e-7;  // cosine of 1e-3 rad
-      if (contactor_of(h.feature) != a_.index || !h.contains(b_.facet->vertex[j])) return false;
-      const int feature = index_of(h.feature);
-      if (kind_of(h.feature) == FeatureKind::vertex) return feature == i && direction.dot(h.normal) > same;
-      if (kind_of(h.feature) == FeatureKind::face) {
-        const Contactor3::Face& face = a_.shape.faces[feature];
-        const auto* loop = &a_.shape.loop[face.first];
-        return std::find(loop, loop + face.count, i) != loop + face.count &&
-               -direction.dot(sa.arm(face.normal)) > same;
-      }
-      const Contactor3::Edge& edge = a_.shape.edges[feature];
-      if (edge.start != i && edge.end != i) return false;
-      const Vec3 along = sa.arm(a_.shape.points[edge.end] - a_.shape.points[edge.start]);
-      for (int rim = 0; rim < 3; ++rim) {
-        if (h.against != b_.facet->edge_feature(rim)) continue;
-        const Vec3 normal = along.cross(b_.facet->along(rim));
-        return std::abs(direction.dot(normal)) > same * normal.norm();
-      }
-      return false;
-    });
-  }
 
   /// Bounds on the relative motion of two points while a normal turns.
   struct Bounds {
@@ -157,8 +103,9 @@ class PairSearch {
       const Vec3& p = other.shape.points[j];
       const double gap = heights.of(p) - offset, slope = heights.rate(p), time = std::min(least, left);
       if (time <= of_all.horizon && stays_open(gap + margin(), slope, bend, time)) continue;
-      const bool is_held = &reference == &a_ ? held(d.feature, vertex(other, j))
-                                             : held(vertex(other, j), d.feature) || held_over(d.feature, j);
+      const bool is_held = &reference == &a_
+                               ? held_.holds(d.feature, vertex(other, j))
+                               : held_.holds(vertex(other, j), d.feature) || held_.over(d.feature, j);
       if (is_held && search_.held_are_solved) continue;
       const Vec3 arm = so.arm(p);
       const double lever = (so.x + arm - sr.x).norm();
@@ -191,7 +138,7 @@ class PairSearch {
         end_ - t,
         (sa.v - sb.v).norm() + relative_a.norm() * (end_ - t) + sa.w_max * size_a + sb.w_max * size_b,
         sa.bend(size_a) + sb.bend(size_b) + relative_a.norm()};
-    const bool is_held = held(a_.id(FeatureKind::edge, d.edge_a), b_.id(FeatureKind::edge, d.edge_b));
+    const bool is_held = held_.holds(a_.id(FeatureKind::edge, d.edge_a), b_.id(FeatureKind::edge, d.edge_b));
     if (w > 0) bounds.horizon = std::min(bounds.horizon, s / w);
     if (bounds.speed > 0)
       bounds.horizon = std::min(bounds.horizon, ((sa.x - sb.x).norm() + search_.size) / bounds.speed);
@@ -203,7 +150,7 @@ class PairSearch {
       const double gap = of_a.of(pa) - of_b.of(pb), slope = of_a.rate(pa) - of_b.rate(pb);
       if (stays_open(gap + margin(), slope, bend, std::min(least, end_ - t))) return;
       const bool on_edges = (i == ea.start || i == ea.end) && (j == eb.start || j == eb.end);
-      const bool point_is_held = b_.facet ? held_along(normal, i, j, sa) : on_edges && is_held;
+      const bool point_is_held = b_.facet ? held_.along(normal, i, j, sa) : on_edges && is_held;
       if (point_is_held && search_.held_are_solved) return;
       const Vec3 away = sa.x + sa.arm(pa) - sb.x - sb.arm(pb);
       least = std::min(
@@ -269,7 +216,7 @@ class PairSearch {
         const OutsideFaces outside(a, b);
         try_face(a_, Direction::Kind::of_a, outside.farthest());
         for (int f = 0; f < a.faces() && best <= 0; ++f)
-          if (outside.of(f) + search_.slack >= -scale_.deep || touches(f))
+          if (outside.of(f) + search_.slack >= -scale_.deep || held_.touches(f))
             try_face(a_, Direction::Kind::of_a, f);
       }
       constexpr double soon = 0.1;  // of the time that is left
@@ -293,40 +240,6 @@ class PairSearch {
         try_direction(across({index_of(h.feature), i, -outward, 0}, a, b));
       }
     }
-  }
-
-  /// How far the corners of the facet b are outside the planes of a's faces.
-  class OutsideFaces {
-   public:
-    OutsideFaces(const Placed3& a, const Placed3& b) : shape_(a.shape) {
-      for (int i = 0; i < 3; ++i) corner_[i] = a.pose.r.inverse(b.point(i) - a.pose.x);
-    }
-
-    double of(int f) const {
-      const Vec3& normal = shape_.faces[f].normal;
-      const double nearest =
-          std::min({normal.dot(corner_[0]), normal.dot(corner_[1]), normal.dot(corner_[2])});
-      return nearest - normal.dot(shape_.points[shape_.vertex(shape_.faces[f], 0)]);
-    }
-
-    int farthest() const {
-      int best = 0;
-      double most = -forever;
-      for (int f = 0; f < static_cast<int>(shape_.faces.size()); ++f)
-        if (const double distance = of(f); distance > most) most = distance, best = f;
-      return best;
-    }
-
-   private:
-    const Contactor3& shape_;
-    std::array<Vec3, 3> corner_;  // in the frame of a
-  };
-
-  /// Whether a's face holds a contact with the ground.
-  bool touches(int face) const {
-    const FeatureId feature = a_.id(FeatureKind::face, face);
-    return std::any_of(b_.held.begin(), b_.held.end(),
-                       [&](const HeldOnGround& h) { return h.feature == feature; });
   }
 
   static Direction across(const EdgeAxis& axis, const Placed3& a, const Placed3& b) {
@@ -364,6 +277,7 @@ class PairSearch {
   const MovingContactor& b_;
   double end_;
   const TouchSearch& search_;
+  HeldPair held_;
   GapScale scale_;
   std::optional<MovingState> sb_;
   Direction direction_;

@@ -1,9 +1,11 @@
-// The common scenes S1 (a sphere, s1.yaml) and S2 (a polyhedron, s2.yaml) in Bullet: rocks per second to rest on one
-// core, and their runout. run.sh builds it where Debian's libbullet-dev (double precision) is installed:
+// The common scenes S1 (a sphere, s1.yaml) and S2 (a polyhedron, s2.yaml) in Bullet: rocks per second to rest
+// on one core, and their runout. run.sh builds it where Debian's libbullet-dev (double precision) is
+// installed:
 //   g++ -O3 -DBT_USE_DOUBLE_PRECISION -I/usr/include/bullet bullet_s12.cpp -lBulletDynamics-float64
-//   -lBulletCollision-float64 -lLinearMath-float64 -o bullet_s12 && ./bullet_s12 sphere|scenes/rock20.obj scenes/terrain.obj ROCKS STEP
-// Steps of STEP seconds with Bullet's own settings, sleeping off. A rock is at rest when |v| and |w| times the
-// radius of the sphere of equal volume stay below 0.05 m/s for 0.2 s, as in flyrock; 15 s at most.
+//   -lBulletCollision-float64 -lLinearMath-float64 -o bullet_s12 && ./bullet_s12 sphere|scenes/rock20.obj
+//   scenes/terrain.obj ROCKS STEP
+// Steps of STEP seconds with Bullet's own settings, sleeping off. A rock is at rest when |v| and |w| times
+// the radius of the sphere of equal volume stay below 0.05 m/s for 0.2 s, as in flyrock; 15 s at most.
 
 #include <btBulletDynamicsCommon.h>
 
@@ -90,9 +92,9 @@ double runout(btCollisionShape& shape, btCollisionShape& terrain, double step) {
 int main(int count, char** words) {
   if (count != 5) return 2;
   Obj mesh = read_obj(words[2]);
-  btTriangleIndexVertexArray triangles(
-      static_cast<int>(mesh.corners.size() / 3), mesh.corners.data(), 3 * sizeof(int),
-      static_cast<int>(mesh.points.size()), &mesh.points[0][0], sizeof(btVector3));
+  btTriangleIndexVertexArray triangles(static_cast<int>(mesh.corners.size() / 3), mesh.corners.data(),
+                                       3 * sizeof(int), static_cast<int>(mesh.points.size()),
+                                       &mesh.points[0][0], sizeof(btVector3));
   btBvhTriangleMeshShape terrain(&triangles, true);
   std::unique_ptr<btConvexShape> shape = std::make_unique<btSphereShape>(radius);
   if (std::string(words[1]) != "sphere") {

@@ -1,0 +1,40 @@
+#pragma once
+// Which contacts hold a pair of contactors apart when a search for their time of impact begins.
+
+#include "collision/advance3.h"
+
+namespace flyrock {
+
+/// The contacts of TouchSearch::held that concern the pair a, b. The solver holds their points apart, so that the
+/// search must not stop at them.
+class HeldPair {
+ public:
+  HeldPair(const MovingContactor& a, const MovingContactor& b, const TouchSearch& search)
+      : a_(a), b_(b), search_(search) {}
+
+  /// A contact of these two features. A sphere has only one contact with a convex contactor, so its feature does
+  /// not matter.
+  bool holds(FeatureId feature, FeatureId against) const;
+
+  /// A contact that holds the point i of a over another facet of the plane of the facet b. The point may then be
+  /// beside b, and the plane still separates the other points from it.
+  bool over(FeatureId face, int i) const;
+
+  /// A contact that holds the point i of a and the corner j of the facet b apart along a direction: the
+  /// features that touch contain them, and its normal is this direction. A face of a that lies on an edge of
+  /// the ground touches it with several edges. Each of them gives a direction in which the ends of the others
+  /// have no gap.
+  bool along(const Vec3& direction, int i, int j, const MovingState& state_of_a) const;
+
+  /// A contact of a's face with the ground.
+  bool touches(int face) const;
+
+ private:
+  bool of_b(FeatureId feature) const;
+
+  const MovingContactor& a_;
+  const MovingContactor& b_;
+  const TouchSearch& search_;
+};
+
+}  // namespace flyrock
