@@ -5,7 +5,7 @@
 #include <charconv>
 #include <iostream>
 
-#include "units/units.h"
+#include "document/wording.h"
 
 namespace flyrock::cli {
 
@@ -13,10 +13,10 @@ namespace po = boost::program_options;
 
 namespace {
 
-std::string nearest_option(const std::string& word, const po::options_description& options) {
+std::vector<std::string> option_names(const po::options_description& options) {
   std::vector<std::string> names;
   for (const auto& option : options.options()) names.push_back("--" + option->long_name());
-  return nearest_name(word, names);
+  return names;
 }
 
 }  // namespace
@@ -37,9 +37,8 @@ CommandLine parse(const Command& command, const po::options_description& options
               line.options);
     po::notify(line.options);
   } catch (const po::unknown_option& error) {
-    const std::string near = nearest_option(error.get_option_name(), visible);
-    throw UsageError(fmt::format("unknown option `{}`{}", error.get_option_name(),
-                                 near.empty() ? "" : fmt::format(", did you mean `{}`?", near)));
+    const std::string& name = error.get_option_name();
+    throw UsageError(fmt::format("unknown option `{}`{}", name, did_you_mean(name, option_names(visible))));
   } catch (const po::error& error) {
     throw UsageError(error.what());
   }

@@ -12,8 +12,8 @@
 
 #include "batch/safe_file.h"
 #include "document/printable.h"
+#include "document/wording.h"
 #include "solver/hdf5_file.h"
-#include "units/units.h"
 
 namespace flyrock::cli {
 
@@ -103,9 +103,7 @@ int call(const Arguments& arguments) {
       return usage_error(error.what(), fmt::format("flyrock {} --help", command.name));
     }
   }
-  const std::string near = nearest_name(word, names);
-  return usage_error(fmt::format("unknown command `{}`{}", word,
-                                 near.empty() ? "" : fmt::format(", did you mean `{}`?", near)),
+  return usage_error(fmt::format("unknown command `{}`{}", word, did_you_mean(word, names)),
                      "flyrock --help");
 }
 

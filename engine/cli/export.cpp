@@ -6,9 +6,9 @@
 #include <filesystem>
 
 #include "cli/result_folder.h"
+#include "document/wording.h"
 #include "report/export_csv.h"
 #include "report/export_vtk.h"
-#include "units/units.h"
 
 namespace flyrock::cli {
 
@@ -35,10 +35,7 @@ const Format& format_of(const std::string& name) {
     if (name == format.name) return format;
     names.emplace_back(format.name);
   }
-  const std::string near = nearest_name(name, names);
-  throw UsageError(fmt::format("--to: unknown format `{}`{}; there are {}", name,
-                               near.empty() ? "" : fmt::format(", did you mean `{}`?", near),
-                               fmt::join(names, ", ")));
+  throw UsageError(fmt::format("--to: unknown format `{}`{}", name, suggestion(name, names)));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "cli/command.h"
 #include "document/value.h"
+#include "document/wording.h"
 
 namespace flyrock::cli {
 
@@ -99,10 +100,7 @@ std::vector<const PluginSpec*> select_plugins(const Registry& registry, const st
   if (!wanted.empty() && !kind) {
     std::vector<std::string> kinds;
     for (int k = 0; k < plugin_kinds; ++k) kinds.emplace_back(name_of(static_cast<PluginKind>(k)));
-    const std::string near = nearest_name(kind_word, kinds);
-    throw UsageError(fmt::format("unknown kind `{}`, expected one of: {}{}", kind_word,
-                                 fmt::join(kinds, ", "),
-                                 near.empty() ? "" : fmt::format("; did you mean `{}`?", near)));
+    throw UsageError(fmt::format("unknown kind `{}`{}", kind_word, suggestion(kind_word, kinds)));
   }
   std::vector<const PluginSpec*> specs;
   for (int k = 0; k < plugin_kinds; ++k)
@@ -113,11 +111,8 @@ std::vector<const PluginSpec*> select_plugins(const Registry& registry, const st
 
   const std::string name = wanted.substr(slash + 1);
   if (const Plugin* plugin = registry.find(*kind, name)) return {&plugin->spec};
-  const std::vector<std::string> names = registry.names(*kind);
-  const std::string near = nearest_name(name, names);
-  throw UsageError(fmt::format("unknown {} `{}`, expected one of: {}{}", kind_word, name,
-                               fmt::join(names, ", "),
-                               near.empty() ? "" : fmt::format("; did you mean `{}`?", near)));
+  throw UsageError(
+      fmt::format("unknown {} `{}`{}", kind_word, name, suggestion(name, registry.names(*kind))));
 }
 
 std::string short_text(const PluginSpec& spec) {

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
+#include "document/wording.h"
 #include "solver/fclib.h"
 #include "solver/residual.h"
 #include "units/units.h"
@@ -24,9 +25,8 @@ namespace {
 
 SolverKind solver_option(const std::string& name) {
   if (const auto kind = solver_of_name(name)) return *kind;
-  const std::string near = nearest_name(name, {"auto", "nlgs", "proximal_newton"});
-  throw UsageError(fmt::format("unknown solver `{}`, expected auto, nlgs or proximal_newton{}", name,
-                               near.empty() ? "" : fmt::format("; did you mean `{}`?", near)));
+  throw UsageError(
+      fmt::format("unknown solver `{}`{}", name, suggestion(name, {"auto", "nlgs", "proximal_newton"})));
 }
 
 double tolerance_option(const std::string& text) {

@@ -35,20 +35,32 @@ enum class NormalCondition {
 std::string_view name_of(NormalCondition condition);
 std::optional<NormalCondition> normal_condition(std::string_view name);
 
-/// The complete contact law for the solver. It contains forces, not impulses; a step of length h multiplies
-/// them by h.
-struct ContactLaw {
+/// The answers of the laws. They contain forces, not impulses; a step of length h multiplies them by h.
+struct Restitution {
+  double e_n = 0;  ///< normal restitution of this impact
+  double e_t = 0;  ///< tangential restitution, forms `newton` and `velocity` only
   RestitutionForm form = RestitutionForm::newton;
-  NormalCondition condition = NormalCondition::signorini;
-  double e_n = 0;          ///< normal restitution of this impact
-  double e_t = 0;          ///< tangential restitution, forms `newton` and `velocity` only
   bool as_lmgc90 = false;  ///< form `newton`: as LMGC90's RST_CLB, see solver/restitution.h
-  double mu_s = 0;         ///< Coulomb coefficient while the contact sticks
-  double mu_d = 0;         ///< Coulomb coefficient while it slides
-  double c_n = 0;          ///< N; the pull that the contact bears: r_n >= -c_n
-  double c_t = 0;      ///< N; shear strength in addition to friction: |r_t| <= mu r_n + c_t, at least mu c_n
+};
+struct Friction {
+  double mu_s = 0;  ///< Coulomb coefficient while the contact sticks
+  double mu_d = 0;  ///< Coulomb coefficient while it slides
+  double c_n = 0;   ///< N; the pull that the contact bears: r_n >= -c_n
+  double c_t = 0;   ///< N; shear strength in addition to friction: |r_t| <= mu r_n + c_t, at least mu c_n
+};
+struct Rolling {
   double mu_r = 0;     ///< m; bound of the rolling torque: |m_r| <= mu_r (r_n + c_n)
   double mu_spin = 0;  ///< m; bound of the torque about the normal: |m_n| <= mu_spin (r_n + c_n); 3D only
+};
+struct Unilateral {
+  NormalCondition condition = NormalCondition::signorini;
+  double stiffness = 0;  ///< N/m, k of `penalty`
+  double pull = 0;       ///< N, of `cohesive`: adds to c_n, and mu_s times as much to c_t
+};
+
+/// The complete contact law for the solver: the answers of the laws, with a pull in c_n and c_t.
+struct ContactLaw : Restitution, Friction, Rolling {
+  NormalCondition condition = NormalCondition::signorini;
   double stiffness = 0;  ///< N/m; k of the condition `penalty`
 };
 
@@ -98,29 +110,6 @@ struct ContactField {
   Vec3 ContactState::*vector = nullptr;
 };
 const std::vector<ContactField>& contact_fields();
-
-/// The answers of the laws; fields as in ContactLaw.
-struct Restitution {
-  double e_n = 0;
-  double e_t = 0;
-  RestitutionForm form = RestitutionForm::newton;
-  bool as_lmgc90 = false;
-};
-struct Friction {
-  double mu_s = 0;
-  double mu_d = 0;
-  double c_n = 0;
-  double c_t = 0;
-};
-struct Rolling {
-  double mu_r = 0;
-  double mu_spin = 0;
-};
-struct Unilateral {
-  NormalCondition condition = NormalCondition::signorini;
-  double stiffness = 0;  ///< N/m, of `penalty`
-  double pull = 0;       ///< N, of `cohesive`: c_n, with c_t = mu c_n
-};
 
 /// The kinds of laws. Laws are immutable and shared by threads (a Lua law belongs to one worker). `values`
 /// are the parameters in the slots that the factory recorded. Laws throw PluginError. The caller checks the

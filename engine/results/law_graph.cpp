@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "results/sampled_law.h"
 #include "solver/law_terms.h"
-#include "world/surface.h"
 
 namespace flyrock {
 
@@ -13,45 +13,18 @@ namespace {
 
 constexpr double mass = 500, radius = 0.3, inertia = 0.4 * mass * radius * radius, g = 9.81, step = 1e-3;
 
-/// A single law with constant parameters, called in the same way as for a pair of bodies.
 template <class LawKind>
-class Asked {
- public:
-  Asked(const PluginUse& use, BoundLaw<LawKind> Surface::*kind)
-      : law_(make_instance<LawKind>(use, 2)), kind_(kind) {
-    BoundLaw<LawKind>& bound = surface_.*kind;
-    bound.law = law_.get();
-    for (const Number& slot : use.slots) bound.values.push_back(slot.constant);
-    bound.memory = use.plugin->spec.history.size();
-    forget();
-  }
-  void forget() { (surface_.*kind_).forget(); }
-  bool remembers() const { return (surface_.*kind_).memory > 0; }
-  ContactLaw operator()(ContactState state) {
-    ContactHistory of_contact{};  // memory of the pair
-    surface_.begin_instant();
-    return surface_.ask(state, std::is_same_v<LawKind, RestitutionLaw>, of_contact);
-  }
-
- private:
-  std::unique_ptr<LawKind> law_;
-  BoundLaw<LawKind> Surface::*kind_;
-  Surface surface_;
-};
+SampledLaw<LawKind> law_of(const PluginUse& use) {
+  SampledLaw<LawKind> law(use, 2);
+  std::vector<double> values;
+  for (const Number& slot : use.slots) values.push_back(slot.constant);
+  law.set(std::move(values));
+  return law;
+}
 
 ContactState ball_at(double approach, double slip) {
-  ContactState state;
-  state.approach_speed = approach;
-  state.slip_speed = slip;
-  state.impact_angle = std::atan2(approach, slip);
-  state.mass = state.effective_mass = mass;
-  state.radius = radius;
-  state.kinetic_energy = 0.5 * mass * (approach * approach + slip * slip);
+  ContactState state = first_contact({mass, radius}, 2, approach, slip);
   state.area = state.length = 1;
-  set_on_level_ground(state, 2);
-  state.impact_number = 1;
-  state.group_a = "rock";
-  state.group_b = "terrain";
   return state;
 }
 
@@ -80,7 +53,7 @@ Solved solve(const ContactLaw& law, bool sticking, double gap, double h, const E
   return {r[0], free + contact.w * r[0]};
 }
 
-std::vector<LawGraph> graphs_of(Asked<RestitutionLaw> asked) {
+std::vector<LawGraph> graphs_of(SampledLaw<RestitutionLaw> asked) {
   const auto shares_along = [&](std::string title, std::string x, auto&& point, int from, int to) {
     LawGraph graph{std::move(title),
                    std::move(x),
@@ -119,7 +92,7 @@ std::vector<LawGraph> graphs_of(Asked<RestitutionLaw> asked) {
               2, 89)};
 }
 
-std::vector<LawGraph> graphs_of(Asked<FrictionLaw> asked) {
+std::vector<LawGraph> graphs_of(SampledLaw<FrictionLaw> asked) {
   LawGraph graph{"pressed by its weight",
                  "slip velocity after the step [m/s]",
                  "r_t / (m g h)",
@@ -150,7 +123,7 @@ std::vector<LawGraph> graphs_of(Asked<FrictionLaw> asked) {
   return {graph, slide};
 }
 
-std::vector<LawGraph> graphs_of(Asked<RollingLaw> asked) {
+std::vector<LawGraph> graphs_of(SampledLaw<RollingLaw> asked) {
   LawGraph graph{
       "pressed by its weight", "rolling velocity after the step [rad/s]", "m_r / r_n [m]", {{"", {}, {}}}};
   for (int i = -100; i <= 100; ++i) {
@@ -166,7 +139,7 @@ std::vector<LawGraph> graphs_of(Asked<RollingLaw> asked) {
   return {graph};
 }
 
-std::vector<LawGraph> graphs_of(Asked<UnilateralLaw> asked) {
+std::vector<LawGraph> graphs_of(SampledLaw<UnilateralLaw> asked) {
   NormalCondition condition{};
   /// A contact with a gap. Without contact it would reach the end of the step with the speed `free`.
   const auto solved_at = [&](double gap, double free) {
@@ -217,13 +190,13 @@ std::vector<LawGraph> graphs_of(Asked<UnilateralLaw> asked) {
 std::vector<LawGraph> law_graphs(const PluginUse& use) {
   switch (use.plugin->spec.kind) {
     case PluginKind::restitution:
-      return graphs_of(Asked<RestitutionLaw>(use, &Surface::restitution));
+      return graphs_of(law_of<RestitutionLaw>(use));
     case PluginKind::friction:
-      return graphs_of(Asked<FrictionLaw>(use, &Surface::friction));
+      return graphs_of(law_of<FrictionLaw>(use));
     case PluginKind::rolling:
-      return graphs_of(Asked<RollingLaw>(use, &Surface::rolling));
+      return graphs_of(law_of<RollingLaw>(use));
     case PluginKind::unilateral:
-      return graphs_of(Asked<UnilateralLaw>(use, &Surface::unilateral));
+      return graphs_of(law_of<UnilateralLaw>(use));
     default:
       break;
   }

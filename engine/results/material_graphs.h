@@ -4,15 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "results/sampled_law.h"
 #include "scenario/scenario.h"
 
 namespace flyrock {
-
-/// The rock that touches the surface in a graph.
-struct LawSubject {
-  double mass = 0;    ///< kg
-  double radius = 0;  ///< m
-};
 
 /// One answer of a law against a speed. If its parameters are drawn, `low` and `high` enclose nine tenths of
 /// 50 draws and `middle` is their median; otherwise all three are the same. A curve ends where its law fails.

@@ -21,10 +21,7 @@ void set_law(const ContactLaw& law, bool sticking, double gap, double h,
   contact.mu_r = law.mu_r;
   contact.mu_spin = law.mu_spin;
   contact.normal = !spring;
-  rebound.form = law.form;
-  rebound.e_n = law.e_n;
-  rebound.e_t = law.e_t;
-  rebound.as_lmgc90 = law.as_lmgc90;
+  static_cast<Restitution&>(rebound) = law;
   rebound.given = spring ? h * law.stiffness * std::max(0.0, -gap) : -h * law.c_n;
   contact.bound_from(rebound.given, h * law.c_t);
   if (law.condition == NormalCondition::quasi_shock && h > 0) contact.q[0] += std::max(0.0, gap) / h;

@@ -10,14 +10,10 @@
 namespace flyrock {
 
 /// How one contact of an impact rebounds. A contact that closes too slowly to rebound, or that rests, keeps
-/// the defaults.
+/// the defaults. With `as_lmgc90`, a contact that separates before the impact must also satisfy
+/// v_n^+ >= -e_n v_n^-.
 template <int D>
-struct Rebound {
-  RestitutionForm form = RestitutionForm::newton;
-  double e_n = 0;
-  double e_t = 0;
-  /// Form newton: a contact that separates before the impact must also satisfy v_n^+ >= -e_n v_n^-
-  bool as_lmgc90 = false;
+struct Rebound : Restitution {
   double given = 0;  ///< N s, prescribed part of the normal impulse; negative: a pull that the contact bears
   typename ContactProblem<D>::Row before = ContactProblem<D>::Row::Zero();  ///< its velocity v^-
 };

@@ -77,24 +77,13 @@ ContactLaw Surface::ask(ContactState& state, bool impact, ContactHistory& histor
   const Unilateral normal =
       answer(unilateral, constant_unilateral_, use.unilateral, state, own(3),
              [](const auto& l, const auto& p, const auto& s) { return l.condition(p, s); });
-  ContactLaw law;
-  law.mu_s = friction_given.mu_s;
-  law.mu_d = friction_given.mu_d;
-  law.mu_r = rolling_given.mu_r;
-  law.mu_spin = rolling_given.mu_spin;
-  law.condition = normal.condition;
-  law.stiffness = normal.stiffness;
-  law.c_n = friction_given.c_n;
-  law.c_t = friction_given.c_t;
+  ContactLaw law{{}, friction_given, rolling_given, normal.condition, normal.stiffness};
   if (normal.condition == NormalCondition::cohesive) {  // a pull shifts the whole friction cone
     law.c_n += normal.pull;
     law.c_t += law.mu_s * normal.pull;
   }
   if (!varies(friction) && !varies(rolling) && !varies(unilateral)) known_ = law;
-  law.form = rebound.form;
-  law.as_lmgc90 = rebound.as_lmgc90;
-  law.e_n = rebound.e_n;
-  law.e_t = rebound.e_t;
+  static_cast<Restitution&>(law) = rebound;
   return law;
 }
 
