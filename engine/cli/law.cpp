@@ -14,6 +14,7 @@
 #include "report/line_plot.h"
 #include "results/law_graph.h"
 #include "scenario/decode_params.h"
+#include "scenario/normalise_params.h"
 
 namespace flyrock::cli {
 
@@ -34,8 +35,8 @@ std::optional<PluginUse> decode_use(const Registry& registry, const PluginSpec& 
   if (const auto value = read_yaml(text, "--set", diagnostics)) {
     const std::set<std::string> no_sweep;
     DecodeContext context{registry, ".", diagnostics, no_sweep};
-    Map resolved;
-    use = decode_plugin(context, Node::root(*value), spec.kind, {}, resolved);
+    const Value normalised = normalise_plugin(context, Node::root(*value), spec.kind, {});
+    use = decode_plugin(context, Node::root(normalised), spec.kind);
   }
   fmt::print(stderr, "{}", diagnostics.to_text());
   if (diagnostics.has_errors()) return std::nullopt;

@@ -6,6 +6,7 @@
 
 #include "scenario/decode_document.h"
 #include "scenario/decode_sections.h"
+#include "scenario/normalise.h"
 #include "scenario/sweep.h"
 
 namespace flyrock {
@@ -28,7 +29,7 @@ bool check_axes(const std::vector<SweptValue>& sweeps, Diagnostics& diagnostics)
   return true;
 }
 
-/// The value at a path of the resolved tree.
+/// The value at a path of the normalised tree.
 Value* find_path(Value& root, const std::string& path) {
   Value* place = &root;
   for (std::size_t begin = 0; place && begin <= path.size();) {
@@ -80,8 +81,8 @@ class PlanDecoder {
     for (std::size_t a = 0; a < sweeps_.size(); ++a) *sweeps_[a].slot = sweeps_[a].values[point[a]];
     DecodeContext context{registry_, folder_, diagnostics_, swept_, a_plugin_failed_};
     context.grounds = grounds_;
-    Map resolved;
-    Scenario scenario = decode_document(context, Node::root(tree_), resolved);
+    Value tree = normalise(context, Node::root(tree_));
+    Scenario scenario = decode_document(context, Node::root(tree));
     if (diagnostics_.has_errors()) return;
     std::vector<double> at;
     for (std::size_t a = 0; a < sweeps_.size(); ++a) {
@@ -94,7 +95,6 @@ class PlanDecoder {
       plan_.axes[a].unit = met->second.unit;
     }
     plan_.files.merge(context.files);
-    Value tree = map_value(std::move(resolved));
     for (std::size_t a = 0; a < sweeps_.size(); ++a)
       resolved_values_[a][point[a]] = *find_path(tree, sweeps_[a].path);
     if (plan_.points.empty()) plan_.resolved = std::move(tree);
@@ -156,7 +156,7 @@ class PlanDecoder {
     return {};
   }
 
-  Value tree_;  ///< the value of the current point stands in place of each sweep
+  Value tree_;  ///< as written; the value of the current point stands in place of each sweep
   const Registry& registry_;
   const std::string& folder_;
   Diagnostics& diagnostics_;

@@ -10,22 +10,14 @@ namespace flyrock {
 
 namespace {
 
-/// Rules for one field. The burden and the hole vary from hole to hole, the rest from trial to trial.
-NumberRules rules_of(std::string_view path) {
-  const bool is_of_hole = path.starts_with("hole.") || path.starts_with("burden");
-  return {.varies = true, .scope = is_of_hole ? Scope::hole : Scope::trial, .finest = Scope::rock};
-}
-
 /// Decodes the given fields of `section`: "" for the blast itself, "hole.", "explosive.".
 void decode_fields(DecodeContext& context, const Node& node, std::string_view section,
-                   std::string_view prefix, BlastPlan& plan, Map& resolved) {
-  for (const ParamSpec& spec : section_spec(section).keys) {
-    const std::string path = std::string(prefix) + spec.name;
-    const std::vector<ParamValue> values = decode_params(context, node, {spec}, rules_of(path), resolved);
-    if (!values[0].given) continue;
+                   std::string_view prefix, BlastPlan& plan) {
+  const Section fields = decode_section(context, node, section);
+  for (const ParamSpec& spec : section_spec(section).keys)
     for (const BlastFieldInfo& info : blast_fields())
-      if (info.path == path) plan.fields[info.field] = values[0].numbers[0];
-  }
+      if (info.path == std::string(prefix) + spec.name && fields.given(spec.name))
+        plan.fields[info.field] = fields.number(spec.name);
 }
 
 /// D/3 for a Gurney constant that is not given. The draw of D itself is scaled by 1/3, so that both vary
@@ -38,7 +30,7 @@ Number third_of(DecodeContext& context, const Number& velocity) {
   return {0, static_cast<int>(context.draws.size()) - 1};
 }
 
-void decode_explosive(DecodeContext& context, const Node& node, BlastPlan& plan, Map& resolved) {
+void decode_explosive(DecodeContext& context, const Node& node, BlastPlan& plan) {
   if (const std::string* name = node.value->text()) {
     std::vector<std::string> names;
     for (const Explosive& explosive : explosives()) {
@@ -48,7 +40,6 @@ void decode_explosive(DecodeContext& context, const Node& node, BlastPlan& plan,
       plan.fields[BlastField::detonation_velocity] = {explosive.detonation_velocity, -1};
       plan.fields[BlastField::gurney_constant] = {explosive.gurney_constant, -1};
       plan.is_anfo = explosive.is_anfo;
-      put(resolved, "explosive", text_value(*name));
       return;
     }
     return node.error(
@@ -56,14 +47,10 @@ void decode_explosive(DecodeContext& context, const Node& node, BlastPlan& plan,
         fmt::format("unknown explosive `{}`{}; or give a map with its density and detonation_velocity", *name,
                     suggestion(*name, names)));
   }
-  if (!node.expect_map(context.diagnostics)) return;
-  node.refuse_unknown_keys(section_spec("blast.explosive").key_names(), context.diagnostics);
-  Map map;
-  decode_fields(context, node, "blast.explosive", "explosive.", plan, map);
+  decode_fields(context, node, "blast.explosive", "explosive.", plan);
   const auto velocity = plan.fields.find(BlastField::detonation_velocity);
   plan.gurney_follows = velocity != plan.fields.end() && !plan.fields.contains(BlastField::gurney_constant);
   if (plan.gurney_follows) plan.fields[BlastField::gurney_constant] = third_of(context, velocity->second);
-  put(resolved, "explosive", map_value(std::move(map)));
 }
 
 struct Range {
@@ -154,37 +141,27 @@ void complete_plan(DecodeContext& context, const Node& node, BlastPlan& plan) {
 
 }  // namespace
 
-BlastPlan decode_blast(DecodeContext& context, const Node& node, Map& resolved) {
+BlastPlan decode_blast(DecodeContext& context, const Node& node) {
   BlastPlan plan;
   const std::size_t errors_before = context.diagnostics.errors_given();
-  const auto is_sound = [&] { return context.diagnostics.errors_given() == errors_before; };
-  if (!node.expect_map(context.diagnostics)) return plan;
-  node.refuse_unknown_keys(section_spec("blast").key_names(), context.diagnostics);
-  Map map;
-  if (const auto explosive = node.find("explosive")) decode_explosive(context, *explosive, plan, map);
-  if (const auto hole = node.find("hole"); hole && hole->expect_map(context.diagnostics)) {
-    hole->refuse_unknown_keys(section_spec("blast.hole").key_names(), context.diagnostics);
-    Map fields;
-    decode_fields(context, *hole, "blast.hole", "hole.", plan, fields);
-    put(map, "hole", map_value(std::move(fields)));
-  }
-  decode_fields(context, node, "blast", "", plan, map);
+  const auto is_sound = [&] {
+    return context.is_sound(node.path) && context.diagnostics.errors_given() == errors_before;
+  };
+  if (const auto explosive = node.find("explosive")) decode_explosive(context, *explosive, plan);
+  if (const auto hole = node.find("hole")) decode_fields(context, *hole, "blast.hole", "hole.", plan);
+  decode_fields(context, node, "blast", "", plan);
   if (const auto rows = node.find("rows")) {
-    Map fields;
-    const std::size_t before_rows = context.diagnostics.errors_given();
-    const Section section = decode_section(context, rows, "blast.rows", {}, fields);
+    const Section section = decode_section(context, *rows, "blast.rows");
     const double holes = section.constant("count") * section.constant("holes");
     constexpr double most_holes = 1e6;
     if (holes > most_holes)
       rows->error(context.diagnostics,
                   fmt::format("has {:.6g} holes, must be at most {:.6g}", holes, most_holes));
-    if (context.diagnostics.errors_given() == before_rows)
+    else if (context.is_sound(rows->path))
       plan.pattern = {section.integer("count"),       section.integer("holes"),
                       section.constant("distance"),   section.constant("delay_row"),
                       section.constant("delay_hole"), section.constant("delay_in_hole")};
-    put(map, "rows", map_value(std::move(fields)));
   }
-  put(resolved, "blast", map_value(std::move(map)));
   if (!is_sound()) return plan;  // checks of derived values would mislead
   for (const auto& [field, value] : plan.fields) plan.typical[field] = middle_of(context, value);
   plan.typical.is_anfo = plan.is_anfo;

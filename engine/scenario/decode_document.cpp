@@ -4,74 +4,57 @@
 
 #include <algorithm>
 
-#include "scenario/decode.h"
 #include "scenario/decode_sections.h"
 #include "scenario/measure.h"
+#include "scenario/normalise.h"
 
 namespace flyrock {
 
 namespace {
 
-constexpr NumberRules gravity_rules{.varies = true, .scope = Scope::trial, .finest = Scope::trial};
-
-/// The names of the elements of a list of groups or bodies, including elements with other errors.
-std::vector<std::string> element_names(const std::optional<Node>& list) {
-  std::vector<std::string> names;
-  if (!list) return names;
-  for (const Node& item : list->items())
-    if (const auto name = item.find("name"); name && name->value->text())
-      names.push_back(*name->value->text());
-  return names;
-}
-
 class DocumentDecoder {
  public:
-  DocumentDecoder(DecodeContext& context, const Node& root, Map& resolved)
-      : context_(context), root_(root), resolved_(resolved) {}
+  DocumentDecoder(DecodeContext& context, const Node& root) : context_(context), root_(root) {}
 
   Scenario decode() {
-    root_.refuse_unknown_keys(section_spec("").key_names(), context_.diagnostics);
     decode_keys();
-    decode_plugins();
-    if (const auto air = root_.find("air")) scenario_.air = decode_air(context_, *air, resolved_);
+    if (const auto air = root_.find("air")) scenario_.air = decode_air(context_, *air);
     check_method();
-    Map materials_map;
     const bool flies = scenario_.method == Method::ballistic;
-    scenario_.materials =
-        decode_materials(context_, flies ? root_.find("materials") : part("materials"), materials_map);
+    if (const auto materials = root_.find("materials"))
+      scenario_.materials = decode_materials(context_, *materials);
     DecodedTerrain terrain;
-    if (const auto node = part("terrain")) {
-      terrain = decode_terrain(context_, *node, scenario_.materials, !flies, scenario_.seed, resolved_);
+    if (const auto node = root_.find("terrain")) {
+      terrain = decode_terrain(context_, *node, scenario_.materials, !flies, scenario_.seed);
       scenario_.terrain = terrain.plan;
     }
-    for (Entry& entry : materials_map) resolved_.push_back(std::move(entry));
     if (const auto pairs = root_.find("pairs"))
-      scenario_.pairs =
-          decode_pairs(context_, *pairs, scenario_.materials, pair_names(terrain.parts), resolved_);
+      scenario_.pairs = decode_pairs(context_, *pairs, scenario_.materials, pair_names(terrain.parts));
     if (const auto blast = root_.find("blast")) {
       const std::size_t errors_before = context_.diagnostics.errors_given();
-      scenario_.blast = decode_blast(context_, *blast, resolved_);
-      blast_is_sound_ = context_.diagnostics.errors_given() == errors_before;
+      scenario_.blast = decode_blast(context_, *blast);
+      blast_is_sound_ =
+          context_.is_sound(blast->path) && context_.diagnostics.errors_given() == errors_before;
       if (blast_is_sound_) check_hole(context_, *blast, *scenario_.blast, scenario_.terrain);
     }
     decode_moving(terrain);
     if (const auto barriers = root_.find("barriers"))
-      scenario_.barriers = decode_barriers(context_, *barriers, terrain.profile, resolved_);
+      scenario_.barriers = decode_barriers(context_, *barriers, terrain.profile);
     if (const auto gates = root_.find("gates"))
-      scenario_.gates = decode_gates(context_, *gates, terrain.profile, resolved_);
+      scenario_.gates = decode_gates(context_, *gates, terrain.profile);
     if (const auto clearances = root_.find("clearance")) {
       if (!root_.find("rocks"))
         clearances->error(context_.diagnostics, "needs `rocks`, the scenario has none");
       std::vector<std::string> groups;
       for (const RockGroup& group : scenario_.rocks) groups.push_back(group.name);
-      scenario_.clearances = decode_clearances(context_, *clearances, groups, resolved_);
+      scenario_.clearances = decode_clearances(context_, *clearances, groups);
     }
-    scenario_.solver = decode_solver(context_, root_.find("solver"), resolved_);
-    if (const auto stop = part("stop")) scenario_.stop = decode_stop(context_, stop, resolved_);
-    scenario_.output = decode_output(context_, root_.find("output"), resolved_);
-    decode_sweep();
+    scenario_.solver = decode_solver(context_, *root_.find("solver"));
+    if (const auto stop = root_.find("stop")) scenario_.stop = decode_stop(context_, *stop);
+    scenario_.output = decode_output(context_, *root_.find("output"));
+    check_sweep();
     if (const auto expect = root_.find("expect"))
-      scenario_.expect = decode_expect(context_, *expect, measure_names(), resolved_);
+      scenario_.expect = decode_expect(*expect, measure_names(root_, scenario_.dimension));
     scenario_.draws = context_.draws;
     return std::move(scenario_);
   }
@@ -81,21 +64,8 @@ class DocumentDecoder {
     if (const auto node = root_.find(key)) node->error(context_.diagnostics, text);
   }
 
-  /// A required part of the document.
-  std::optional<Node> part(const char* key) {
-    const std::optional<Node> node = root_.find(key);
-    if (!node) context_.diagnostics.error(root_.key_at, "", fmt::format("`{}` is missing", key));
-    return node;
-  }
-
   void decode_keys() {
-    const std::vector<ParamSpec>& specs = section_spec("").keys;
-    std::vector<ParamValue> values;
-    for (const ParamSpec& spec : specs) {
-      const NumberRules rules = spec.name == "gravity" ? gravity_rules : NumberRules{};
-      values.push_back(decode_params(context_, root_, {spec}, rules, resolved_).front());
-    }
-    const Section section(specs, std::move(values));
+    const Section section = decode_section(context_, root_, "");
     if (section.given("flyrock") && section.constant("flyrock") != 1)
       error_at("flyrock", "this version reads format 1");
     if (section.text("method") == "lumped_mass")
@@ -118,40 +88,13 @@ class DocumentDecoder {
       error_at(key, "belongs to the method `nscd`; `ballistic` flies rocks to the first ground they meet");
   }
 
-  void decode_plugins() {
-    List list;
-    for (const auto& [name, at] : plugin_files(*root_.value, context_.diagnostics))
-      list.push_back(text_value(name));
-    put(resolved_, "plugins", list_value(std::move(list)));
-  }
-
-  void decode_sweep() {
+  void check_sweep() {
     const auto node = root_.find("sweep");
-    if (!node) return;
-    Map map;
-    const Section section = decode_section(context_, node, "sweep", {}, map);
-    if (section.text("design") == "latin_hypercube" || section.text("design") == "sobol")
-      node->find("design")->error(
-          context_.diagnostics,
-          fmt::format("this version has no design `{}`, expected `grid`", section.text("design")));
-    put(resolved_, "sweep", map_value(std::move(map)));
-  }
-
-  std::vector<std::string> names_with_factor() const {
-    std::vector<std::string> names;
-    for (const ClearancePlan& plan : scenario_.clearances)
-      if (plan.factor) names.push_back(plan.name);
-    return names;
-  }
-
-  MeasureNames measure_names() const {
-    return {.dimension = scenario_.dimension,
-            .bodies = element_names(root_.find("bodies")),
-            .groups = element_names(root_.find("rocks")),
-            .gates = element_names(root_.find("gates")),
-            .barriers = element_names(root_.find("barriers")),
-            .clearances = element_names(root_.find("clearance")),
-            .with_factor = names_with_factor()};
+    const auto design = node ? node->find("design") : std::nullopt;
+    const std::string* name = design ? design->value->text() : nullptr;
+    if (name && (*name == "latin_hypercube" || *name == "sobol"))
+      design->error(context_.diagnostics,
+                    fmt::format("this version has no design `{}`, expected `grid`", *name));
   }
 
   std::vector<std::string> pair_names(const std::vector<std::string>& parts) const {
@@ -166,19 +109,18 @@ class DocumentDecoder {
   /// Decodes rocks or bodies.
   void decode_moving(const DecodedTerrain& terrain) {
     const auto rocks = root_.find("rocks"), bodies = root_.find("bodies");
-    if (!rocks && !bodies) context_.diagnostics.error(root_.key_at, "", "`rocks` or `bodies` is missing");
     if (rocks && bodies)
       context_.diagnostics.error(bodies->key_at, bodies->path,
                                  "`bodies` and `rocks` cannot stand in one scenario");
     if (rocks) {
-      scenario_.rocks = decode_rocks(context_, *rocks, scenario_.materials, terrain, resolved_);
+      scenario_.rocks = decode_rocks(context_, *rocks, scenario_.materials, terrain);
       check_group_names(*rocks);
       check_reads(*rocks);
       check_materials(*rocks, scenario_.rocks, 0,
                       [&](const RockGroup&, const RockGroup&) { return scenario_.rock_contacts; });
     }
     if (bodies) {
-      scenario_.bodies = decode_bodies(context_, *bodies, scenario_.materials, resolved_);
+      scenario_.bodies = decode_bodies(context_, *bodies, scenario_.materials);
       auto is_free = [](const BodyPlan& body) { return !body.fixed && !body.driven; };
       check_materials(*bodies, scenario_.bodies, 1,
                       [&](const BodyPlan& a, const BodyPlan& b) { return is_free(a) || is_free(b); });
@@ -207,21 +149,19 @@ class DocumentDecoder {
       if (!plugin) continue;
       for (const FieldRead& read : plugin->spec.reads)
         if (const std::string missing = missing_field(read.field);
-            asks_for(read, plugin->spec, *launch->value) && !missing.empty())
+            asks_for(read, *launch->value) && !missing.empty())
           context_.diagnostics.error(
               launch->key_at, launch->path,
               fmt::format("{} reads `blast.{}`, which the scenario does not give", *type->text(), missing));
     }
   }
 
-  /// Whether the plugin reads the field when it is used as the scenario writes it. Its parameters may still
-  /// be wrong.
-  static bool asks_for(const FieldRead& read, const PluginSpec& spec, const Value& use) {
+  /// Whether the plugin reads the field when it is used like this. Its parameters may be wrong.
+  static bool asks_for(const FieldRead& read, const Value& use) {
     if (read.always()) return true;
-    const Value* written = use.find(read.param);
-    const std::string* text = written ? written->text() : nullptr;
-    const std::string chosen = text ? *text : spec.params[spec.find(read.param)].default_text.value_or("");
-    return std::find(read.choices.begin(), read.choices.end(), chosen) != read.choices.end();
+    const Value* chosen = use.find(read.param);
+    return chosen && chosen->text() &&
+           std::find(read.choices.begin(), read.choices.end(), *chosen->text()) != read.choices.end();
   }
 
   /// The path of a field that a manifest names and the scenario lacks; empty if there is none.
@@ -263,15 +203,14 @@ class DocumentDecoder {
 
   DecodeContext& context_;
   const Node& root_;
-  Map& resolved_;
   Scenario scenario_;
   bool blast_is_sound_ = true;
 };
 
 }  // namespace
 
-Scenario decode_document(DecodeContext& context, const Node& root, Map& resolved) {
-  return DocumentDecoder(context, root, resolved).decode();
+Scenario decode_document(DecodeContext& context, const Node& root) {
+  return DocumentDecoder(context, root).decode();
 }
 
 }  // namespace flyrock

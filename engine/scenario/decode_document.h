@@ -1,12 +1,12 @@
 #pragma once
-// Decodes one point of a sweep: a tree without sweeps becomes a typed scenario.
+// Decodes one point of a sweep: a normalised tree becomes a typed scenario.
 
-#include "scenario/decode_number.h"
+#include "scenario/decode_context.h"
 #include "scenario/scenario.h"
 
 namespace flyrock {
 
-/// Decodes all sections and reports what is wrong. Appends to `resolved` in schema order.
-Scenario decode_document(DecodeContext& context, const Node& root, Map& resolved);
+/// Decodes all sections of a normalised document, and reports what is wrong in what they mean together.
+Scenario decode_document(DecodeContext& context, const Node& root);
 
 }  // namespace flyrock

@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
 
-#include "scenario/decode_param.h"
+#include "scenario/normalise_number.h"
 #include "scenario/param_bounds.h"
 
 namespace flyrock {
@@ -13,6 +14,55 @@ namespace flyrock {
 namespace {
 
 bool is_number_type(ParamType type) { return type == ParamType::number || type == ParamType::integer; }
+
+Scope scope_named(const Value& per) {
+  for (const Scope scope : {Scope::run, Scope::trial, Scope::hole, Scope::rock, Scope::impact})
+    if (name_of(scope) == *per.text()) return scope;
+  throw std::logic_error("no scope " + *per.text());
+}
+
+std::vector<double> point_of(const Value& value) {
+  std::vector<double> point;
+  for (const Value& coordinate : *value.list()) point.push_back(si_of(coordinate));
+  return point;
+}
+
+/// The value of one parameter that the tree has. One that is wrong has no numbers.
+ParamValue decode_param(DecodeContext& context, const Node& node, const ParamSpec& spec) {
+  ParamValue value;
+  value.given = true;
+  if (node.value->is_null()) return value;
+  const std::string* text = node.value->text();
+  switch (spec.type) {
+    case ParamType::number:
+    case ParamType::integer:
+    case ParamType::spin:
+    case ParamType::vector:
+      if (text && std::find(spec.choices.begin(), spec.choices.end(), *text) != spec.choices.end())
+        value.text = *text;
+      else if (node.value->list())
+        for (const Node& item : node.items())
+          value.numbers.push_back(decode_number(context, item, spec.dimension));
+      else
+        value.numbers = {decode_number(context, node, spec.dimension)};
+      break;
+    case ParamType::boolean:
+      value.numbers = {{*node.value->boolean() ? 1.0 : 0.0, -1}};
+      break;
+    case ParamType::choice:
+    case ParamType::text:
+      value.text = *text;
+      break;
+    case ParamType::file:
+      value.text = (std::filesystem::path(context.folder) / *text).string();
+      break;
+    case ParamType::points:
+    case ParamType::plan_points:
+      for (const Value& point : *node.value->list()) value.points.push_back(point_of(point));
+      break;
+  }
+  return value;
+}
 
 /// Makes an instance and drops it, because a plugin refuses contradicting parameters only when it is made.
 void try_to_make(DecodeContext& context, const Node& node, const PluginUse& use) {
@@ -28,55 +78,30 @@ void try_to_make(DecodeContext& context, const Node& node, const PluginUse& use)
 
 }  // namespace
 
-namespace {
-
-/// The map of a group of parameters; nothing if it is not given, or is no map, which is reported at the first
-/// of its parameters.
-std::optional<Node> find_group(DecodeContext& context, const Node& map, const std::vector<ParamSpec>& specs,
-                               std::size_t i) {
-  const std::string_view group = specs[i].group();
-  std::optional<Node> node = map.find(group);
-  if (!node) return std::nullopt;
-  if (i > 0 && specs[i - 1].group() == group) return node->is_map() ? node : std::nullopt;
-  if (!node->expect_map(context.diagnostics)) return std::nullopt;
-  std::vector<std::string> names;
-  for (const ParamSpec& spec : specs)
-    if (spec.group() == group) names.emplace_back(spec.own_name());
-  node->refuse_unknown_keys(names, context.diagnostics);
-  return node;
+Number decode_number(DecodeContext& context, const Node& node, const Dimension& dimension) {
+  if (!node.value->map()) return {si_of(*node.value), -1};
+  context.draws.push_back({.path = node.path,
+                           .stream = node.stream,
+                           .distribution = read_distribution(*node.value),
+                           .scope = scope_named(*node.value->find("per")),
+                           .stream_hash = hash_name(node.stream),
+                           .factor = 1,
+                           .unit = si_unit(dimension),
+                           .group = context.group});
+  return {0, static_cast<int>(context.draws.size()) - 1};
 }
-
-/// The resolved map of a group, after the parameters before it.
-Map& resolved_group(Map& resolved, std::string_view group) {
-  if (resolved.empty() || resolved.back().key != group) put(resolved, group, map_value({}));
-  return std::get<Map>(resolved.back().value.data);
-}
-
-}  // namespace
 
 std::vector<ParamValue> decode_params(DecodeContext& context, const Node& map,
-                                      const std::vector<ParamSpec>& specs, const NumberRules& rules,
-                                      Map& resolved) {
+                                      const std::vector<ParamSpec>& specs) {
   std::vector<ParamValue> values(specs.size());
   std::vector<bool> decoded(specs.size(), false);
   for (std::size_t i = 0; i < specs.size(); ++i) {
     const ParamSpec& spec = specs[i];
-    const bool is_grouped = !spec.group().empty();
-    const std::optional<Node> parent = is_grouped ? find_group(context, map, specs, i) : map;
-    if (!parent) continue;
-    Value shown_value;
-    if (const std::optional<Node> node = parent->find(spec.own_name()))
-      decode_param(context, *node, spec, rules, values[i], shown_value);
-    else if (spec.required())
-      context.diagnostics.error(
-          parent->key_at, parent->path,
-          fmt::format("`{}` is missing, expected {}", spec.own_name(), expected_text(spec)));
-    else if (!take_default(spec, context.dimension, values[i], shown_value))
-      continue;
-    put(is_grouped ? resolved_group(resolved, spec.group()) : resolved, spec.own_name(),
-        std::move(shown_value));
+    const std::optional<Node> parent = spec.group().empty() ? map : map.find(spec.group());
+    const std::optional<Node> node = parent ? parent->find(spec.own_name()) : std::nullopt;
+    if (node) values[i] = decode_param(context, *node, spec);
     decoded[i] = !values[i].numbers.empty();
-    if (is_number_type(spec.type) && values[i].numbers.empty()) values[i].numbers = {Number{}};
+    if (node && is_number_type(spec.type) && values[i].numbers.empty()) values[i].numbers = {Number{}};
   }
   check_bounds(context, map, specs, values, decoded);
   return values;
@@ -104,92 +129,23 @@ std::vector<Vec3> Section::points(std::string_view name) const {
   return list;
 }
 
-Section decode_section(DecodeContext& context, const std::optional<Node>& node, std::string_view name,
-                       const NumberRules& rules, Map& resolved) {
-  static const Value nothing = map_value({});
-  const SectionSpec& spec = section_spec(name);
-  const Node map = node ? *node : Node{&nothing, {}, std::string(name), std::string(name), std::string(name)};
-  if (map.expect_map(context.diagnostics)) {
-    map.refuse_unknown_keys(spec.key_names(), context.diagnostics);
-    return {spec.keys, decode_params(context, map, spec.keys, rules, resolved)};
-  }
-  return {spec.keys, std::vector<ParamValue>(spec.keys.size())};
+Section decode_section(DecodeContext& context, const Node& node, std::string_view name) {
+  const std::vector<ParamSpec>& specs = section_spec(name).keys;
+  return {specs, decode_params(context, node, specs)};
 }
 
-std::optional<PluginUse> decode_plugin(DecodeContext& context, const Node& node, PluginKind kind,
-                                       const NumberRules& rules, Map& resolved,
-                                       const std::vector<std::string>& others,
-                                       std::string_view default_type) {
-  if (!node.expect_map(context.diagnostics)) return std::nullopt;
-  const std::vector<std::string> known = context.registry.names(kind);
-  std::string type(default_type);
-  if (const std::optional<Node> child = node.find("type")) {
-    const std::string* text = child->value->text();
-    if (!text) {
-      child->error(context.diagnostics,
-                   fmt::format("expected the name of a {}, found {}", name_of(kind), shown(*child->value)));
-      return std::nullopt;
-    }
-    type = *text;
-    if (!context.registry.find(kind, type)) {
-      if (!context.a_plugin_failed)
-        child->error(context.diagnostics,
-                     fmt::format("unknown {} `{}`{}", name_of(kind), type, suggestion(type, known)));
-      return std::nullopt;
-    }
-  } else if (type.empty()) {
-    context.diagnostics.error(node.key_at, node.path,
-                              fmt::format("`type` is missing, expected {}", choice_text(known)));
-    return std::nullopt;
-  }
-  const Plugin* plugin = context.registry.find(kind, type);
-  if (!plugin) {
-    node.error(context.diagnostics,
-               fmt::format("unknown {} `{}`{}", name_of(kind), type, suggestion(type, known)));
-    return std::nullopt;
-  }
-  std::vector<std::string> keys{"type"};
-  for (const ParamSpec& spec : plugin->spec.params)
-    keys.emplace_back(spec.group().empty() ? spec.own_name() : spec.group());
-  keys.insert(keys.end(), others.begin(), others.end());
-  node.refuse_unknown_keys(keys, context.diagnostics);
-
+std::optional<PluginUse> decode_plugin(DecodeContext& context, const Node& node, PluginKind kind) {
+  const std::optional<Node> type = node.find("type");
+  if (!type || !type->value->text()) return std::nullopt;
   PluginUse use;
-  use.plugin = plugin;
+  use.plugin = context.registry.find(kind, *type->value->text());
   use.path = node.path;
-  put(resolved, "type", text_value(type));
   const std::size_t errors = context.diagnostics.errors_given();
-  use.values = decode_params(context, node, plugin->spec.params, rules, resolved);
+  use.values = decode_params(context, node, use.plugin->spec.params);
   use.slots = dense_slots(use.values);
-  if (context.diagnostics.errors_given() == errors) try_to_make(context, node, use);
+  if (context.is_sound(node.path) && context.diagnostics.errors_given() == errors)
+    try_to_make(context, node, use);
   return use;
-}
-
-namespace {
-
-bool is_name(const std::string& text) {
-  return std::all_of(text.begin(), text.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-  });
-}
-
-constexpr const char* name_rule = "expected letters, digits, `_` and `-`";
-
-}  // namespace
-
-bool check_name(DecodeContext& context, const Node& node) {
-  const std::string* text = node.value->text();
-  if (!text) return false;  // already reported
-  if (is_name(*text)) return true;
-  node.error(context.diagnostics, fmt::format("{} is not a name, {}", shown(*node.value), name_rule));
-  return false;
-}
-
-bool check_key(DecodeContext& context, const Node& node) {
-  if (is_name(node.key)) return true;
-  context.diagnostics.error(node.key_at, node.path,
-                            fmt::format("`{}` is not a name, {}", node.key, name_rule));
-  return false;
 }
 
 }  // namespace flyrock

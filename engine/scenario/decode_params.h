@@ -1,24 +1,24 @@
 #pragma once
-// Decodes parameters by their specification. Plugins and the scenario's own sections use the same code.
+// Decodes the parameters of a normalised tree (decode_context.h).
 
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "scenario/decode_number.h"
+#include "scenario/decode_context.h"
 #include "scenario/schema.h"
 
 namespace flyrock {
 
-/// Decodes the keys of a map that `specs` name, in their order, fills in defaults, and reports missing keys.
-/// Appends to `resolved`. The caller handles keys that are not in `specs`.
-std::vector<ParamValue> decode_params(DecodeContext& context, const Node& map,
-                                      const std::vector<ParamSpec>& specs, const NumberRules& rules,
-                                      Map& resolved);
+/// A normalised number. A distribution is appended to the draws of the context.
+Number decode_number(DecodeContext& context, const Node& node, const Dimension& dimension);
 
-/// One decoded section. A value that was reported as wrong reads as 0, as empty text or as a constant 0, so
-/// that the rest of the scenario can still be checked before it is refused.
+/// The parameters of a map, in the order of `specs`. Reports those that contradict each other.
+std::vector<ParamValue> decode_params(DecodeContext& context, const Node& map,
+                                      const std::vector<ParamSpec>& specs);
+
+/// One decoded section.
 class Section {
  public:
   Section(const std::vector<ParamSpec>& specs, std::vector<ParamValue> values)
@@ -41,20 +41,10 @@ class Section {
   std::vector<ParamValue> values_;
 };
 
-/// Decodes a section of the schema. If there is no node, all keys take their defaults.
-Section decode_section(DecodeContext& context, const std::optional<Node>& node, std::string_view name,
-                       const NumberRules& rules, Map& resolved);
+/// A section of the schema.
+Section decode_section(DecodeContext& context, const Node& node, std::string_view name);
 
-/// Decodes the use of a plugin: `type` and its parameters. The map may also hold the keys `others`. `type`
-/// may be missing if there is a `default_type`.
-std::optional<PluginUse> decode_plugin(DecodeContext& context, const Node& node, PluginKind kind,
-                                       const NumberRules& rules, Map& resolved,
-                                       const std::vector<std::string>& others = {},
-                                       std::string_view default_type = {});
-
-/// Checks a text that becomes a step of paths and measures: only letters, digits, `_` and `-`.
-bool check_name(DecodeContext& context, const Node& node);
-/// The same check for the key of a node.
-bool check_key(DecodeContext& context, const Node& node);
+/// The use of a plugin. Tries to make an instance. Nothing if there is no such plugin.
+std::optional<PluginUse> decode_plugin(DecodeContext& context, const Node& node, PluginKind kind);
 
 }  // namespace flyrock

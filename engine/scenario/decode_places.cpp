@@ -55,9 +55,9 @@ void decode_sectors(DecodeContext& context, const Node& item, const Section& sec
 }  // namespace
 
 std::vector<BarrierPlan> decode_barriers(DecodeContext& context, const Node& node,
-                                         const std::optional<Profile>& profile, Map& resolved) {
-  return decode_list<BarrierPlan>(context, node, "barriers", resolved, [&](const Node& item, Map& map) {
-    const Section section = decode_section(context, item, "barriers", {}, map);
+                                         const std::optional<Profile>& profile) {
+  return decode_list<BarrierPlan>(node, [&](const Node& item) {
+    const Section section = decode_section(context, item, "barriers");
     check_place(context, item, section, profile);
     return BarrierPlan{.name = section.text("name"),
                        .x = section.constant("x"),
@@ -67,18 +67,18 @@ std::vector<BarrierPlan> decode_barriers(DecodeContext& context, const Node& nod
 }
 
 std::vector<GatePlan> decode_gates(DecodeContext& context, const Node& node,
-                                   const std::optional<Profile>& profile, Map& resolved) {
-  return decode_list<GatePlan>(context, node, "gates", resolved, [&](const Node& item, Map& map) {
-    const Section section = decode_section(context, item, "gates", {}, map);
+                                   const std::optional<Profile>& profile) {
+  return decode_list<GatePlan>(node, [&](const Node& item) {
+    const Section section = decode_section(context, item, "gates");
     check_place(context, item, section, profile);
     return GatePlan{.name = section.text("name"), .x = section.constant("x")};
   });
 }
 
 std::vector<ClearancePlan> decode_clearances(DecodeContext& context, const Node& node,
-                                             const std::vector<std::string>& groups, Map& resolved) {
-  return decode_list<ClearancePlan>(context, node, "clearance", resolved, [&](const Node& item, Map& map) {
-    const Section section = decode_section(context, item, "clearance", {}, map);
+                                             const std::vector<std::string>& groups) {
+  return decode_list<ClearancePlan>(node, [&](const Node& item) {
+    const Section section = decode_section(context, item, "clearance");
     ClearancePlan plan{.name = section.text("name"),
                        .group = decode_group(context, item, section, groups),
                        .probability = section.constant("probability"),

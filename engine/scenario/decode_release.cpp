@@ -3,41 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "scenario/decode_sections.h"
+#include "scenario/normalise.h"
 
 namespace flyrock {
 
 namespace {
 
-constexpr NumberRules release_rules{.varies = true, .scope = Scope::rock, .finest = Scope::rock};
-
-struct ReleaseKey {
-  std::string_view key;
-  ReleaseKind kind;
-  bool only_3d;
-};
-constexpr std::array<ReleaseKey, 7> release_kinds{{{"from", ReleaseKind::face, false},
-                                                   {"x", ReleaseKind::above_ground, false},
-                                                   {"position", ReleaseKind::position, false},
-                                                   {"along", ReleaseKind::along, false},
-                                                   {"inside", ReleaseKind::inside, false},
-                                                   {"zone", ReleaseKind::zone, true},
-                                                   {"raster", ReleaseKind::raster, true}}};
-
-/// Whether the points of `along` or `inside` are places in plan: [x, y] in 3D.
-bool is_in_plan(const Node& points) {
-  const std::vector<Node> items = points.is_list() ? points.items() : std::vector<Node>();
-  return !items.empty() && items.front().is_list() && items.front().items().size() == 2;
-}
-
-std::string section_name(const Node& node, const ReleaseKey& kind, bool space) {
-  const std::string name = fmt::format("rocks.release: {}", kind.key);
-  if (!space) return name;
-  if (kind.key == "along" || kind.key == "inside")
-    return is_in_plan(*node.find(kind.key)) ? name + " plan 3D" : name;
-  return kind.key == "x" || kind.only_3d ? name + " 3D" : name;
-}
+const std::map<std::string, ReleaseKind> release_kinds{
+    {"from", ReleaseKind::face},    {"x", ReleaseKind::above_ground}, {"position", ReleaseKind::position},
+    {"along", ReleaseKind::along},  {"inside", ReleaseKind::inside},  {"zone", ReleaseKind::zone},
+    {"raster", ReleaseKind::raster}};
 
 /// Listed once for all rocks, because a raster may have many cells.
 std::shared_ptr<const std::vector<std::size_t>> cells_above_zero(const HeightGrid& grid) {
@@ -56,8 +34,6 @@ void read_face(DecodeContext& context, const Node& node, const Section& section,
   release.face = section.text("face");
   const bool is_built = !terrain.parts.empty();
   if (!release.face.empty()) {
-    if (node.find("bench"))
-      node.error(context.diagnostics, "has both `bench` and `face`, expected one of them");
     const auto found = std::find(terrain.faces.begin(), terrain.faces.end(), release.face);
     if (is_built && found == terrain.faces.end())
       node.find("face")->error(context.diagnostics,
@@ -88,33 +64,20 @@ void read_height(DecodeContext& context, const Node& node, const Section& sectio
 
 }  // namespace
 
-std::optional<Release> decode_release(DecodeContext& context, const Node& node, const DecodedTerrain& terrain,
-                                      Map& resolved) {
-  if (!node.expect_map(context.diagnostics)) return std::nullopt;
+std::optional<Release> decode_release(DecodeContext& context, const Node& node,
+                                      const DecodedTerrain& terrain) {
+  const std::optional<Node> key = key_of_release(node, context.dimension);
+  if (!key) return std::nullopt;  // already reported
   const bool space = context.dimension == 3;
-  std::vector<std::string> names;
-  for (const ReleaseKey& kind : release_kinds)
-    if (space || !kind.only_3d) names.emplace_back(kind.key);
-  const auto chosen = std::find_if(release_kinds.begin(), release_kinds.end(), [&](const ReleaseKey& kind) {
-    return node.find(kind.key) && (space || !kind.only_3d);
-  });
-  if (chosen == release_kinds.end()) {
-    node.refuse_unknown_keys(names, context.diagnostics);
-    context.diagnostics.error(node.key_at, node.path, fmt::format("expected one of {}", choice_text(names)));
-    return std::nullopt;
-  }
   Release release;
-  release.kind = chosen->kind;
-  const std::string name = section_name(node, *chosen, space);
-  const Section section = decode_section(context, node, name, release_rules, resolved);
+  release.kind = release_kinds.at(key->key);
+  const std::string name = section_of_release(*key, context.dimension);
+  const Section section = decode_section(context, node, name);
   switch (release.kind) {
     case ReleaseKind::face:
     case ReleaseKind::collar:
     case ReleaseKind::bench_top:
       read_face(context, node, section, terrain, release);
-      // The face takes the place of the bench, whose default the section has.
-      if (!release.face.empty())
-        std::erase_if(resolved, [](const Entry& entry) { return entry.key == "bench"; });
       return release;
     case ReleaseKind::above_ground:
       release.x = section.number("x");

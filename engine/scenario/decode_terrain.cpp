@@ -3,26 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "geometry/terrain_place.h"
 #include "scenario/decode_sections.h"
 #include "scenario/ground_store.h"
+#include "scenario/normalise_number.h"
 
 namespace flyrock {
 
 namespace {
 
-constexpr NumberRules material_rules{.varies = true, .scope = Scope::rock, .finest = Scope::impact};
-constexpr NumberRules terrain_rules{.varies = true, .scope = Scope::trial, .finest = Scope::trial};
-
-std::optional<PluginUse> decode_law(DecodeContext& context, const Node& material, PluginKind kind,
-                                    Map& resolved) {
+std::optional<PluginUse> decode_law(DecodeContext& context, const Node& material, PluginKind kind) {
   const std::optional<Node> node = material.find(name_of(kind));
-  if (!node) return std::nullopt;
-  Map law;
-  std::optional<PluginUse> use = decode_plugin(context, *node, kind, material_rules, law);
-  put(resolved, name_of(kind), map_value(std::move(law)));
-  return use;
+  return node ? decode_plugin(context, *node, kind) : std::nullopt;
 }
 
 std::vector<std::string> names_of(const std::vector<Material>& materials) {
@@ -84,26 +78,14 @@ std::shared_ptr<TerrainShape3> try_to_build(DecodeContext& context, const Node& 
 }
 
 /// { type: section, of: { type, ... }, from, to }: a profile out of a terrain in 3D.
-std::optional<PluginUse> decode_section_terrain(DecodeContext& context, const Node& node, TerrainPlan& plan,
-                                                Map& resolved) {
-  const SectionSpec& spec = section_spec("terrain: section");
-  std::vector<std::string> keys = spec.key_names();
-  keys.insert(keys.end(), {"type", "material", "materials", "zones", "faces"});
-  node.refuse_unknown_keys(keys, context.diagnostics);
-  put(resolved, "type", text_value("section"));
-  const std::optional<Node> of = node.find("of");
-  if (!of)
-    context.diagnostics.error(node.key_at, node.path,
-                              "`of` is missing, expected a terrain in 3D: { type, ... }");
+std::optional<PluginUse> decode_section_terrain(DecodeContext& context, const Node& node, TerrainPlan& plan) {
   std::optional<PluginUse> use;
-  if (of) {
-    Map map;
+  if (const std::optional<Node> of = node.find("of")) {
     context.dimension = 3;
-    use = decode_plugin(context, *of, PluginKind::terrain, terrain_rules, map);
+    use = decode_plugin(context, *of, PluginKind::terrain);
     context.dimension = 2;
-    put(resolved, "of", map_value(std::move(map)));
   }
-  const Section section(spec.keys, decode_params(context, node, spec.keys, {}, resolved));
+  const Section section = decode_section(context, node, "terrain: section");
   const auto place = [&](const char* key) {
     const std::vector<Number>& numbers = section.vector(key);
     return numbers.size() == 2 ? Vec2(numbers[0].constant, numbers[1].constant) : Vec2(Vec2::Zero());
@@ -112,9 +94,19 @@ std::optional<PluginUse> decode_section_terrain(DecodeContext& context, const No
   return use;
 }
 
+/// The text of what is built of a terrain: without its zones, faces, origin and materials.
+std::string text_of_ground(const Node& node) {
+  Map ground;
+  for (const Entry& entry : *node.value->map()) {
+    constexpr std::array<std::string_view, 5> others{"zones", "faces", "origin", "material", "materials"};
+    if (std::find(others.begin(), others.end(), entry.key) == others.end()) ground.push_back(entry);
+  }
+  return to_json(map_value(std::move(ground)));
+}
+
 /// `material` applies to every part and zone that `materials` does not name.
 void decode_part_materials(DecodeContext& context, const Node& node, const std::vector<Material>& materials,
-                           const std::vector<std::string>& parts, TerrainPlan& plan, Map& resolved) {
+                           const std::vector<std::string>& parts, TerrainPlan& plan) {
   const std::optional<Node> rest = node.find("material");
   const std::optional<Node> named = node.find("materials");
   std::vector<std::string> names = parts;
@@ -122,10 +114,8 @@ void decode_part_materials(DecodeContext& context, const Node& node, const std::
   if (rest) {
     const int index = find_material(context, *rest, materials);
     for (const std::string& part : parts) plan.material_of_part[part] = index;
-    if (rest->value->text()) put(resolved, "material", *rest->value);
   }
-  if (named && named->expect_map(context.diagnostics)) {
-    Map map;
+  if (named) {
     for (const Node& entry : named->entries()) {
       if (std::find(names.begin(), names.end(), entry.key) == names.end())
         context.diagnostics.error(
@@ -135,9 +125,7 @@ void decode_part_materials(DecodeContext& context, const Node& node, const std::
                 names.empty() ? "" : suggestion(entry.key, names),
                 names.size() < parts.size() ? "; `material` applies to the parts without a name" : ""));
       plan.material_of_part[entry.key] = find_material(context, entry, materials);
-      if (entry.value->text()) put(map, entry.key, *entry.value);
     }
-    put(resolved, "materials", map_value(std::move(map)));
   }
   for (const std::string& part : parts)
     if (!plan.material_of_part.contains(part))
@@ -152,13 +140,7 @@ void decode_part_materials(DecodeContext& context, const Node& node, const std::
 
 int find_material(DecodeContext& context, const Node& node, const std::vector<Material>& materials) {
   const std::string* name = node.value->text();
-  if (!name) {
-    node.error(context.diagnostics,
-               node.value->is_null()
-                   ? "is empty, expected the name of a material"
-                   : fmt::format("expected the name of a material, found {}", shown(*node.value)));
-    return -1;
-  }
+  if (!name) return -1;  // already reported
   for (std::size_t i = 0; i < materials.size(); ++i)
     if (materials[i].name == *name) return static_cast<int>(i);
   node.error(context.diagnostics,
@@ -166,49 +148,33 @@ int find_material(DecodeContext& context, const Node& node, const std::vector<Ma
   return -1;
 }
 
-std::vector<Material> decode_materials(DecodeContext& context, const std::optional<Node>& node,
-                                       Map& resolved) {
+std::vector<Material> decode_materials(DecodeContext& context, const Node& node) {
   std::vector<Material> materials;
-  if (!node || !node->expect_map(context.diagnostics)) return materials;
-  Map all;
-  for (const Node& entry : node->entries()) {
-    check_key(context, entry);
-    Material material;
-    material.name = entry.key;
-    Map laws;
-    if (entry.expect_map(context.diagnostics)) {
-      entry.refuse_unknown_keys(section_spec("materials").key_names(), context.diagnostics);
-      material.restitution = decode_law(context, entry, PluginKind::restitution, laws);
-      material.friction = decode_law(context, entry, PluginKind::friction, laws);
-      material.rolling = decode_law(context, entry, PluginKind::rolling, laws);
-      material.unilateral = decode_law(context, entry, PluginKind::unilateral, laws);
-    }
-    put(all, material.name, map_value(std::move(laws)));
-    materials.push_back(std::move(material));
-  }
-  put(resolved, "materials", map_value(std::move(all)));
+  for (const Node& entry : node.entries())
+    materials.push_back({.name = entry.key,
+                         .restitution = decode_law(context, entry, PluginKind::restitution),
+                         .friction = decode_law(context, entry, PluginKind::friction),
+                         .rolling = decode_law(context, entry, PluginKind::rolling),
+                         .unilateral = decode_law(context, entry, PluginKind::unilateral)});
   return materials;
 }
 
 DecodedTerrain decode_terrain(DecodeContext& context, const Node& node,
                               const std::vector<Material>& materials, bool needs_materials,
-                              std::uint64_t seed, Map& resolved) {
+                              std::uint64_t seed) {
   DecodedTerrain terrain;
-  Map map;
+  if (node.value->is_null()) return terrain;  // already reported
   const std::size_t errors = context.diagnostics.errors_given();
-  const std::optional<Node> type = node.find("type");
-  const bool is_section =
-      context.dimension == 2 && type && type->value->text() && *type->value->text() == "section";
-  std::vector<std::string> others = {"material", "materials", "zones", "faces"};
-  if (context.dimension == 3) others.emplace_back("origin");
-  const auto use = is_section ? decode_section_terrain(context, node, terrain.plan, map)
-                              : decode_plugin(context, node, PluginKind::terrain, terrain_rules, map, others);
+  const std::string* type = node.find("type")->value->text();
+  const auto use = context.dimension == 2 && type && *type == "section"
+                       ? decode_section_terrain(context, node, terrain.plan)
+                       : decode_plugin(context, node, PluginKind::terrain);
   std::shared_ptr<TerrainShape3> shape;
-  if (use && context.diagnostics.errors_given() == errors) {
+  if (use && context.is_sound(node.path) && context.diagnostics.errors_given() == errors) {
     terrain.plan.model = *use;
-    shape = try_to_build(context, node, *use, seed, to_json(map_value(Map(map))), terrain);
+    shape = try_to_build(context, node, *use, seed, text_of_ground(node), terrain);
   }
-  decode_places_of_terrain(context, node, terrain, map);
+  decode_places_of_terrain(context, node, terrain);
   const bool names_materials = node.find("material") || node.find("materials");
   if (!terrain.parts.empty()) {
     for (const Zone& zone : terrain.plan.zones) {
@@ -217,52 +183,35 @@ DecodedTerrain decode_terrain(DecodeContext& context, const Node& node,
       terrain.parts.push_back(zone.name);
     }
     if (needs_materials || names_materials)
-      decode_part_materials(context, node, materials, terrain.parts, terrain.plan, map);
+      decode_part_materials(context, node, materials, terrain.parts, terrain.plan);
   }
-  Value whole = map_value(std::move(map));
-  terrain.plan.text = to_json(whole);
+  terrain.plan.text = to_json(*node.value);
   terrain.plan.grounds = context.grounds;
   if (shape) context.grounds->leave(terrain.plan.text, std::move(shape));
-  put(resolved, "terrain", std::move(whole));
   return terrain;
 }
 
 std::vector<PairPlan> decode_pairs(DecodeContext& context, const Node& node,
                                    const std::vector<Material>& materials,
-                                   const std::vector<std::string>& names, Map& resolved) {
+                                   const std::vector<std::string>& names) {
   std::vector<PairPlan> pairs;
-  List list;
-  if (!node.expect_list(context.diagnostics)) return pairs;
   for (const Node& item : node.items()) {
-    Map map;
-    const Section section = decode_section(context, item, "pairs", {}, map);
     PairPlan pair;
-    if (const auto material = item.find("material"); material && section.given("material"))
+    if (const auto material = item.find("material"))
       pair.material = find_material(context, *material, materials);
     const std::optional<Node> between = item.find("between");
     const std::vector<Node> ends = between ? between->items() : std::vector<Node>();
-    if (ends.size() != 2) {
-      (between ? *between : item)
-          .error(context.diagnostics,
-                 "expected `between` with the names of two bodies, groups or parts of the terrain");
-    } else {
-      for (const Node& end : ends) {
-        const std::string* name = end.value->text();
-        if (!name || std::find(names.begin(), names.end(), *name) == names.end())
-          end.error(context.diagnostics,
-                    fmt::format("{} is neither a body nor a group nor a part of the terrain{}",
-                                shown(*end.value), name ? suggestion(*name, names) : ""));
-        else
-          (&end == &ends.front() ? pair.a : pair.b) = *name;
-      }
-      Map entry;
-      put(entry, "between", *between->value);
-      for (Entry& rest : map) entry.push_back(std::move(rest));
-      list.push_back(map_value(std::move(entry)));
+    for (const Node& end : ends) {
+      const std::string* name = end.value->text();
+      if (!name || std::find(names.begin(), names.end(), *name) == names.end())
+        end.error(context.diagnostics,
+                  fmt::format("{} is neither a body nor a group nor a part of the terrain{}",
+                              shown(*end.value), name ? suggestion(*name, names) : ""));
+      else
+        (&end == &ends.front() ? pair.a : pair.b) = *name;
     }
     pairs.push_back(std::move(pair));
   }
-  put(resolved, "pairs", list_value(std::move(list)));
   return pairs;
 }
 

@@ -7,27 +7,11 @@
 
 #include "plugin/ascii_grid.h"
 #include "scenario/decode_sections.h"
+#include "scenario/normalise.h"
 
 namespace flyrock {
 
 namespace {
-
-/// The kind of a zone in 3D, by the key that it has; empty if it has none or several, which is reported.
-std::string kind_of_zone(DecodeContext& context, const Node& item) {
-  std::string kind;
-  for (const char* key : {"polygon", "raster", "group"}) {
-    if (!item.find(key)) continue;
-    if (!kind.empty()) {
-      item.error(context.diagnostics, fmt::format("has both `{}` and `{}`, expected one of them", kind, key));
-      return {};
-    }
-    kind = key;
-  }
-  if (kind.empty())
-    item.error(context.diagnostics,
-               "expected `polygon`, `raster` with `value`, or `group` in a zone of a terrain in 3D");
-  return kind;
-}
 
 void read_zone_3d(DecodeContext& context, const Node& item, const Section& section, const std::string& kind,
                   const std::vector<std::string>& parts, Zone& zone) {
@@ -48,24 +32,15 @@ void read_zone_3d(DecodeContext& context, const Node& item, const Section& secti
   }
 }
 
-std::vector<Zone> decode_zones(DecodeContext& context, const Node& node, std::vector<std::string> parts,
-                               Map& resolved) {
-  std::vector<Zone> zones;
-  List list;
-  if (!node.expect_list(context.diagnostics)) return zones;
+std::vector<Zone> decode_zones(DecodeContext& context, const Node& node, std::vector<std::string> parts) {
   const bool space = context.dimension == 3;
-  for (const Node& item : node.items()) {
-    if (space && !item.expect_map(context.diagnostics)) continue;
-    const std::string kind = space ? kind_of_zone(context, item) : "";
-    if (space && kind.empty()) continue;
-    Map map;
-    const Section section = decode_section(
-        context, item, space ? fmt::format("terrain.zones: {} 3D", kind) : "terrain.zones", {}, map);
+  const std::vector<Zone> zones = decode_list<Zone>(node, [&](const Node& item) {
+    const std::optional<Node> key = space ? key_of_zone(item) : std::nullopt;
+    const Section section = decode_section(context, item, section_of_zone(key));
     Zone zone;
     zone.name = section.text("name");
-    if (const auto name = item.find("name")) check_name(context, *name);
-    if (space) {
-      read_zone_3d(context, item, section, kind, parts, zone);
+    if (key) {
+      read_zone_3d(context, item, section, key->key, parts, zone);
     } else {
       zone.from = section.constant("from");
       zone.to = section.constant("to");
@@ -73,24 +48,19 @@ std::vector<Zone> decode_zones(DecodeContext& context, const Node& node, std::ve
         item.error(context.diagnostics, "`from` must be less than `to`");
     }
     parts.push_back(zone.name);
-    zones.push_back(std::move(zone));
-    list.push_back(map_value(std::move(map)));
-  }
+    return zone;
+  });
   constexpr std::size_t most_parts = 255;  // a cell of a grid keeps the number of its part in a byte
   if (space && parts.size() > most_parts)
     node.error(context.diagnostics,
                fmt::format("the terrain has {} parts, expected at most {}", parts.size(), most_parts));
-  refuse_duplicate_names(context, node);
-  put(resolved, "zones", list_value(std::move(list)));
   return zones;
 }
 
-std::vector<FacePlan> decode_faces(DecodeContext& context, const Node& node, const DecodedTerrain& terrain,
-                                   Map& resolved) {
+std::vector<FacePlan> decode_faces(DecodeContext& context, const Node& node, const DecodedTerrain& terrain) {
   const bool space = context.dimension == 3;
-  return decode_list<FacePlan>(context, node, "faces", resolved, [&](const Node& item, Map& map) {
-    const Section section =
-        decode_section(context, item, space ? "terrain.faces 3D" : "terrain.faces", {}, map);
+  return decode_list<FacePlan>(node, [&](const Node& item) {
+    const Section section = decode_section(context, item, space ? "terrain.faces 3D" : "terrain.faces");
     FacePlan face;
     face.name = section.text("name");
     if (std::find(terrain.faces.begin(), terrain.faces.end(), face.name) != terrain.faces.end())
@@ -122,9 +92,8 @@ std::vector<FacePlan> decode_faces(DecodeContext& context, const Node& node, con
   });
 }
 
-void decode_origin(DecodeContext& context, const Node& node, TerrainPlan& plan, Map& resolved) {
-  const SectionSpec& spec = section_spec("terrain 3D");
-  const Section section(spec.keys, decode_params(context, node, spec.keys, {}, resolved));
+void decode_origin(DecodeContext& context, const Node& node, TerrainPlan& plan) {
+  const Section section = decode_section(context, node, "terrain 3D");
   const std::vector<Number>& numbers = section.vector("origin");
   for (std::size_t k = 0; k < numbers.size() && k < 3; ++k) {
     plan.origin[static_cast<int>(k)] = numbers[k].constant;
@@ -147,17 +116,16 @@ std::shared_ptr<const HeightGrid> read_raster(DecodeContext& context, const Node
   }
 }
 
-void decode_places_of_terrain(DecodeContext& context, const Node& node, DecodedTerrain& terrain,
-                              Map& resolved) {
+void decode_places_of_terrain(DecodeContext& context, const Node& node, DecodedTerrain& terrain) {
   if (const auto zones = node.find("zones"))
-    terrain.plan.zones = decode_zones(context, *zones, terrain.parts, resolved);
+    terrain.plan.zones = decode_zones(context, *zones, terrain.parts);
   if (const auto faces = node.find("faces")) {
-    terrain.plan.faces = decode_faces(context, *faces, terrain, resolved);
+    terrain.plan.faces = decode_faces(context, *faces, terrain);
     for (const FacePlan& face : terrain.plan.faces) terrain.faces.push_back(face.name);
   }
   if (context.dimension == 3) {
     terrain.plan.origin = terrain.automatic_origin;
-    if (node.find("origin")) decode_origin(context, node, terrain.plan, resolved);
+    if (node.find("origin")) decode_origin(context, node, terrain.plan);
   }
 }
 

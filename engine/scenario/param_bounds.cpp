@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "scenario/normalise_number.h"
+
 namespace flyrock {
 
 namespace {
@@ -40,6 +44,14 @@ std::string text_of(const Range& range, const ParamSpec& spec) {
   return fmt::format("draws from {} to {}", with_unit(range.low, spec), with_unit(range.high, spec));
 }
 
+/// A parameter that the document gives.
+std::optional<Node> written(const Node& map, const ParamSpec& spec) {
+  const std::optional<Node> parent = spec.group().empty() ? map : map.find(spec.group());
+  std::optional<Node> node = parent ? parent->find(spec.own_name()) : std::nullopt;
+  if (node && node->value->assumed) node.reset();
+  return node;
+}
+
 }  // namespace
 
 void check_bounds(DecodeContext& context, const Node& map, const std::vector<ParamSpec>& specs,
@@ -56,12 +68,10 @@ void check_bounds(DecodeContext& context, const Node& map, const std::vector<Par
       if (!decoded[i] || !decoded[other] || keeps(range(i), bound.relation, range(other))) continue;
       // The message is about the parameter that the file gives. If only the other one is given, it states the
       // converse.
-      const std::optional<Node> group =
-          specs[i].group().empty() ? std::optional<Node>(map) : map.find(specs[i].group());
-      const bool itself = group && group->find(specs[i].own_name()).has_value();
+      const bool itself = written(map, specs[i]).has_value();
       const std::size_t subject = itself ? i : other, object = itself ? other : i;
-      const std::optional<Node> node = map.find(specs[subject].name);
-      const char* by_default = map.find(specs[object].name) ? "" : " by default";
+      const std::optional<Node> node = written(map, specs[subject]);
+      const char* by_default = written(map, specs[object]) ? "" : " by default";
       context.diagnostics.error(
           node ? node->key_at : map.key_at, node ? node->path : map.path,
           fmt::format("{}, must be {} `{}`, which {}{}", text_of(range(subject), specs[subject]),

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "scenario/decode_number.h"
+#include "scenario/decode_context.h"
 
 namespace flyrock {
 

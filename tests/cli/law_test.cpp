@@ -41,7 +41,8 @@ TEST_CASE("law says what is wrong with what it is given") {
   CHECK(error("friction/coulom").find("did you mean `coulomb`?") != std::string::npos);
   CHECK(error("friction/coulomb --set nu=0.5").find("nu") != std::string::npos);
   CHECK(error("friction/coulomb --set mu").find("expected PARAMETER=VALUE") != std::string::npos);
-  CHECK(error("friction/coulomb").find("expected either `mu` or `angle`") != std::string::npos);
+  CHECK(error("friction/coulomb").find("--set:1:1: error: plugin coulomb: expected either `mu` or `angle`") !=
+        std::string::npos);
   CHECK(error("restitution/newton --set en=0.5 --set form=poisson --set et=0.1")
             .find("`et` belongs to the form newton; the form poisson has none") != std::string::npos);
   CHECK(error("shape/disk --set radius=1").find("a shape has no graph") != std::string::npos);

@@ -1,6 +1,7 @@
 #include "scenario/decode.h"
 
 #include <catch2/catch.hpp>
+#include <map>
 
 #include "document/yaml_reader.h"
 #include "unit/test_registry.h"
@@ -262,6 +263,21 @@ TEST_CASE("a third of a whole number that is drawn is no list of all that it may
         Approx(s.blast->fields.at(BlastField::detonation_velocity).value(s.draws, 1, key)));
 }
 
+TEST_CASE("a draw knows the group that it belongs to") {
+  const std::string more = R"(  - name: loose
+    density: { uniform: [2600, 2800] }
+    shape: { type: disk, radius: 0.3 }
+    release: { from: face }
+)";
+  const Plan plan = decode_text(head + benches + blocks + more + "gravity: { uniform: [9.8, 9.82] }\n");
+  std::map<std::string, int> groups;
+  for (const Draw& draw : plan.points[0].draws) groups[draw.stream] = draw.group;
+  CHECK(groups == std::map<std::string, int>{{"gravity", -1},
+                                             {"rocks.blocks.launch.elevation", 0},
+                                             {"rocks.blocks.shape.radius", 0},
+                                             {"rocks.loose.density", 1}});
+}
+
 TEST_CASE("a hole against its bench") {
   auto with_hole = [](const std::string& hole) {
     return head + benches + blocks + "blast: { hole: { " + hole + " } }\n";
@@ -280,8 +296,8 @@ TEST_CASE("all errors are reported at once") {
   CHECK(refuse(head +
                "trials: 1.5\nstop: {}\nmaterials:\nterrain: { type: plain, material: rock }\nrocks: []\n") ==
         "trials: is `1.5`, must be a whole number\n"
-        "materials: is empty, expected a map\n"
         "terrain.type: unknown terrain `plain`, expected `benches` or `plane`\n"
+        "materials: is empty, expected a map\n"
         "rocks: is empty, expected at least one element\n"
         "stop: `time` is missing, expected a number in s\n");
 }

@@ -1,4 +1,4 @@
-#include "scenario/decode_number.h"
+#include "scenario/normalise_number.h"
 
 #include <fmt/format.h>
 
@@ -63,7 +63,7 @@ std::string scope_choices(Scope finest) {
   return choice_text(names);
 }
 
-std::optional<Scope> decode_scope(DecodeContext& context, const Node& node, const NumberRules& rules) {
+std::optional<Scope> scope_of(DecodeContext& context, const Node& node, const NumberRules& rules) {
   const std::optional<Node> per = node.find("per");
   if (!per) return rules.scope;
   const std::string* text = per->value->text();
@@ -103,44 +103,40 @@ void warn_of_unusual(DecodeContext& context, const Node& node, const ParamSpec& 
                   unit_hint(*node.value, spec.dimension, *spec.usual)));
 }
 
-std::optional<DecodedNumber> decode_draw(DecodeContext& context, const Node& node, const ParamSpec& spec,
-                                         const NumberRules& rules) {
+Value normalise_draw(DecodeContext& context, const Node& node, const ParamSpec& spec,
+                     const NumberRules& rules) {
   if (!rules.varies) {
     node.error(context.diagnostics, fmt::format("takes no distribution, expected {}", expected_text(spec)));
-    return std::nullopt;
+    return {};
   }
-  std::optional<DecodedDistribution> decoded = decode_distribution(context, node, spec, rules);
-  const std::optional<Scope> scope = decode_scope(context, node, rules);
-  if (!decoded || !scope) return std::nullopt;
-  const Distribution& distribution = decoded->distribution;
+  std::optional<Map> map = normalise_distribution(context, node, spec, rules);
+  const std::optional<Scope> scope = scope_of(context, node, rules);
+  if (!map || !scope) return {};
+  put(*map, "per", text_value(std::string(name_of(*scope))));
+  Value normalised = map_value(std::move(*map));
+  const Distribution distribution = read_distribution(normalised);
   const bool is_stepped =
       distribution.kind == DistributionKind::discrete || distribution.kind == DistributionKind::integer;
   if (spec.type == ParamType::integer && !is_stepped) {
     node.error(context.diagnostics, "takes whole numbers, expected `integer` or `discrete`");
-    return std::nullopt;
+    return {};
   }
   const double low = distribution.lowest(), high = distribution.highest();
   if (const std::string fault = limit_fault(spec, low, high, !is_stepped); !fault.empty()) {
     node.error(context.diagnostics, fmt::format("draws from {} to {}, {}: give it a `min` or `max`",
                                                 with_unit(low, spec), with_unit(high, spec), fault));
-    return std::nullopt;
+    return {};
   }
   constexpr double rare =
       1e-3;  // quantiles that count as the ends: one draw in a thousand may lie beyond each
   warn_of_unusual(context, node, spec, distribution.quantile(rare), distribution.quantile(1 - rare));
-  Draw draw{node.path, node.stream, distribution, *scope, hash_name(node.stream), 1, si_unit(spec.dimension)};
-  DecodedNumber result;
-  result.number.draw = static_cast<int>(context.draws.size());
-  context.draws.push_back(std::move(draw));
-  put(decoded->resolved, "per", text_value(std::string(name_of(*scope))));
-  result.resolved = map_value(std::move(decoded->resolved));
-  return result;
+  return normalised;
 }
 
 }  // namespace
 
-std::optional<double> decode_quantity(DecodeContext& context, const Node& node, const Dimension& dimension,
-                                      const NumberRules& rules, const std::string& expected) {
+std::optional<double> quantity_of(DecodeContext& context, const Node& node, const Dimension& dimension,
+                                  const NumberRules& rules, const std::string& expected) {
   const Value& value = *node.value;
   if (!rules.varies && context.swept.contains(node.path)) {
     // Reported at the key, because the value has another place at each sweep point.
@@ -176,19 +172,25 @@ std::optional<double> decode_quantity(DecodeContext& context, const Node& node, 
   return si;
 }
 
-std::optional<DecodedNumber> decode_number(DecodeContext& context, const Node& node, const ParamSpec& spec,
-                                           const NumberRules& rules) {
-  if (node.value->map()) return decode_draw(context, node, spec, rules);
-  const std::optional<double> si = decode_quantity(context, node, spec.dimension, rules, expected_text(spec));
-  if (!si) return std::nullopt;
+Value normalise_number(DecodeContext& context, const Node& node, const ParamSpec& spec,
+                       const NumberRules& rules) {
+  if (node.value->map()) return normalise_draw(context, node, spec, rules);
+  const std::optional<double> si = quantity_of(context, node, spec.dimension, rules, expected_text(spec));
+  if (!si) return {};
   std::string fault = limit_fault(spec, *si, *si);
   if (spec.type == ParamType::integer && !is_whole(*si)) fault = "must be a whole number";
   if (!fault.empty()) {
     node.error(context.diagnostics, fmt::format("is {}, {}", shown(*node.value), fault));
-    return std::nullopt;
+    return {};
   }
   warn_of_unusual(context, node, spec, *si, *si);
-  return DecodedNumber{{*si, -1}, number_value(*si, spec.dimension)};
+  return number_value(*si, spec.dimension);
+}
+
+double si_of(const Value& normalised) {
+  if (const double* number = normalised.number()) return *number;
+  const std::string* text = normalised.text();  // an angle
+  return text ? parse_quantity(*text).value_or(Quantity{}).si() : 0;
 }
 
 std::string expected_text(const ParamSpec& spec) {
@@ -265,6 +267,15 @@ Value map_value(Map map) {
 
 void put(Map& map, std::string_view key, Value value) {
   map.push_back({std::string(key), {}, std::move(value)});
+}
+
+void put(Map& map, const Node& from, Value value) {
+  value.at = from.value->at;
+  map.push_back({from.key, from.key_at, std::move(value)});
+}
+
+void put_all(Map& map, Map others) {
+  for (Entry& entry : others) map.push_back(std::move(entry));
 }
 
 }  // namespace flyrock

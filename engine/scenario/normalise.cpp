@@ -1,0 +1,184 @@
+#include "scenario/normalise.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "scenario/decode.h"
+#include "scenario/scenario.h"
+
+namespace flyrock {
+
+namespace {
+
+constexpr NumberRules gravity_rules{.varies = true, .scope = Scope::trial, .finest = Scope::trial};
+constexpr NumberRules air_rules{.varies = true, .scope = Scope::trial, .finest = Scope::rock};
+
+/// Rules for one field of the blast. The burden and the hole vary from hole to hole, the rest from trial to
+/// trial.
+NumberRules rules_of_field(std::string_view path) {
+  const bool is_of_hole = path.starts_with("hole.") || path.starts_with("burden");
+  return {.varies = true, .scope = is_of_hole ? Scope::hole : Scope::trial, .finest = Scope::rock};
+}
+
+class Normaliser {
+ public:
+  Normaliser(DecodeContext& context, const Node& root)
+      : context_(context), diagnostics_(context.diagnostics), root_(root) {}
+
+  Value normalise() {
+    root_.refuse_unknown_keys(section_spec("").key_names(), diagnostics_);
+    for (const ParamSpec& spec : section_spec("").keys) {
+      const NumberRules rules = spec.name == "gravity" ? gravity_rules : NumberRules{};
+      put_all(result_, normalise_params(context_, root_, {spec}, rules));
+    }
+    const Value keys = map_value(result_);
+    if (const Value* dimension = keys.find("dimension"); dimension && si_of(*dimension) == 3)
+      context_.dimension = 3;
+    const Value* method = keys.find("method");
+    const bool flies = method && method->text() && *method->text() == "ballistic";
+    plugins();
+    section("air", air_rules);
+    put_part("terrain", true, [&](const Node& node) { return normalise_terrain(context_, node); });
+    put_part("materials", !flies, [&](const Node& node) { return normalise_materials(context_, node); });
+    put_part("pairs", false, [&](const Node& node) { return normalise_pairs(context_, node); });
+    put_part("blast", false, [&](const Node& node) { return blast(node); });
+    put_part("rocks", false, [&](const Node& node) { return normalise_rocks(context_, node); });
+    put_part("bodies", false, [&](const Node& node) { return normalise_bodies(context_, node); });
+    if (!root_.find("rocks") && !root_.find("bodies"))
+      diagnostics_.error(root_.key_at, "", "`rocks` or `bodies` is missing");
+    for (const char* name : {"barriers", "gates", "clearance"})
+      put_part(name, false, [&](const Node& node) { return normalise_list_of(context_, node, name); });
+    put_part_or_default("solver",
+                        [&](const auto& node) { return normalise_section(context_, node, "solver", {}); });
+    put_part("stop", true, [&](const Node& node) { return normalise_section(context_, node, "stop", {}); });
+    put_part_or_default("output", [&](const auto& node) { return output(node); });
+    section("sweep", {});
+    put_part("expect", false, [&](const Node& node) {
+      return normalise_expectations(context_, node, measure_names(root_, context_.dimension));
+    });
+    Value tree = map_value(std::move(result_));
+    tree.at = root_.value->at;
+    return tree;
+  }
+
+ private:
+  template <class Part>
+  void put_part(const char* key, bool is_required, Part&& part) {
+    const std::optional<Node> node = root_.find(key);
+    if (node) put(result_, *node, part(*node));
+    if (!node && is_required) diagnostics_.error(root_.key_at, "", fmt::format("`{}` is missing", key));
+  }
+
+  /// A part that takes its defaults if it is not given.
+  template <class Part>
+  void put_part_or_default(const char* key, Part&& part) {
+    const std::optional<Node> node = root_.find(key);
+    Value value = part(node);
+    if (node) return put(result_, *node, std::move(value));
+    value.assumed = true;
+    put(result_, key, std::move(value));
+  }
+
+  void section(const char* name, const NumberRules& rules) {
+    put_part(name, false, [&](const Node& node) { return normalise_section(context_, node, name, rules); });
+  }
+
+  void plugins() {
+    List list;
+    for (const auto& [name, at] : plugin_files(*root_.value, diagnostics_)) list.push_back(text_value(name));
+    put(result_, "plugins", list_value(std::move(list)));
+  }
+
+  Value output(const std::optional<Node>& node) {
+    Value output = normalise_section(context_, node, "output", {});
+    const std::optional<Node> given = node ? node->find("trajectories") : std::nullopt;
+    Value trajectories = normalise_section(context_, given, "output.trajectories", {});
+    trajectories.assumed = !given;
+    if (output.map() && given) put(*output.map(), *given, std::move(trajectories));
+    if (output.map() && !given) put(*output.map(), "trajectories", std::move(trajectories));
+    return output;
+  }
+
+  Map fields(const Node& node, std::string_view section, std::string_view prefix) {
+    Map map;
+    for (const ParamSpec& spec : section_spec(section).keys)
+      put_all(map, normalise_params(context_, node, {spec}, rules_of_field(std::string(prefix) + spec.name)));
+    return map;
+  }
+
+  Value fields_of_part(const Node& node, std::string_view section, std::string_view prefix) {
+    if (!node.expect_map(diagnostics_)) return {};
+    node.refuse_unknown_keys(section_spec(section).key_names(), diagnostics_);
+    return map_value(fields(node, section, prefix));
+  }
+
+  Value blast(const Node& node) {
+    const SoundnessOf soundness(context_, node.path);
+    if (!node.expect_map(diagnostics_)) return {};
+    node.refuse_unknown_keys(section_spec("blast").key_names(), diagnostics_);
+    Map map;
+    if (const auto explosive = node.find("explosive"))
+      put(map, *explosive,
+          explosive->value->text() ? text_value(*explosive->value->text())
+                                   : fields_of_part(*explosive, "blast.explosive", "explosive."));
+    if (const auto hole = node.find("hole")) put(map, *hole, fields_of_part(*hole, "blast.hole", "hole."));
+    put_all(map, fields(node, "blast", ""));
+    if (const auto rows = node.find("rows"))
+      put(map, *rows, normalise_section(context_, *rows, "blast.rows", {}));
+    return map_value(std::move(map));
+  }
+
+  DecodeContext& context_;
+  Diagnostics& diagnostics_;
+  const Node& root_;
+  Map result_;
+};
+
+}  // namespace
+
+Value normalise(DecodeContext& context, const Node& root) { return Normaliser(context, root).normalise(); }
+
+Value normalise_list_of(DecodeContext& context, const Node& node, const std::string& section) {
+  return normalise_list(context, node,
+                        [&](const Node& item) { return normalise_section(context, item, section, {}); });
+}
+
+std::vector<std::string> element_names(const std::optional<Node>& list) {
+  std::vector<std::string> names;
+  if (!list) return names;
+  for (const Node& item : list->items())
+    if (const auto name = item.find("name"); name && name->value->text())
+      names.push_back(*name->value->text());
+  return names;
+}
+
+MeasureNames measure_names(const Node& root, int dimension) {
+  MeasureNames names{.dimension = dimension,
+                     .bodies = element_names(root.find("bodies")),
+                     .groups = element_names(root.find("rocks")),
+                     .gates = element_names(root.find("gates")),
+                     .barriers = element_names(root.find("barriers")),
+                     .clearances = element_names(root.find("clearance")),
+                     .with_factor = {}};
+  if (const auto clearances = root.find("clearance"))
+    for (const Node& item : clearances->items())
+      if (const auto name = item.find("name"); name && name->value->text() && item.find("factor"))
+        names.with_factor.push_back(*name->value->text());
+  return names;
+}
+
+void refuse_duplicate_names(DecodeContext& context, const Node& list) {
+  std::map<std::string, int> line_of;
+  for (const Node& item : list.items()) {
+    const std::optional<Node> name = item.find("name");
+    if (!name || !name->value->text()) continue;
+    const auto [first, is_new] = line_of.emplace(*name->value->text(), name->value->at.line);
+    if (is_new) continue;
+    const std::string place = first->second > 0 ? fmt::format(" (line {})", first->second) : "";
+    name->error(context.diagnostics,
+                fmt::format("the name `{}` is taken by an earlier element{}", first->first, place));
+  }
+}
+
+}  // namespace flyrock

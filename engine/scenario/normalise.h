@@ -1,0 +1,66 @@
+#pragma once
+// Normalises a document (decode_context.h).
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenario/measure.h"
+#include "scenario/normalise_params.h"
+
+namespace flyrock {
+
+/// The normalised document, in schema order, with the places of the document: what `show` prints.
+Value normalise(DecodeContext& context, const Node& root);
+
+/// Its parts.
+Value normalise_materials(DecodeContext& context, const Node& node);
+Value normalise_terrain(DecodeContext& context, const Node& node);
+Value normalise_pairs(DecodeContext& context, const Node& node);
+Value normalise_rocks(DecodeContext& context, const Node& list);
+Value normalise_bodies(DecodeContext& context, const Node& list);
+Value normalise_expectations(DecodeContext& context, const Node& node, const MeasureNames& names);
+
+/// The key of a release that says of which kind it is: "from", "x", "position", ...; nothing if it has none.
+std::optional<Node> key_of_release(const Node& release, int dimension);
+/// The section of the schema for a release of that kind.
+std::string section_of_release(const Node& key, int dimension);
+
+/// The key of a zone in 3D that says of which kind it is: "polygon", "raster" or "group".
+std::optional<Node> key_of_zone(const Node& zone);
+/// The section of the schema for a zone; `key` in 3D.
+std::string section_of_zone(const std::optional<Node>& key);
+
+/// What the measures of a document may name.
+MeasureNames measure_names(const Node& root, int dimension);
+
+/// The names of the elements of a list, including elements with other errors.
+std::vector<std::string> element_names(const std::optional<Node>& list);
+
+/// A list of maps, each normalised by normalise(element), which is a map as well. An element that is no map
+/// is null. Null if it is no list. Names of elements must be names, each only once.
+template <class Normalise>
+Value normalise_list(DecodeContext& context, const Node& node, Normalise&& normalise);
+/// The same where each element is a section of the schema.
+Value normalise_list_of(DecodeContext& context, const Node& node, const std::string& section);
+
+void refuse_duplicate_names(DecodeContext& context, const Node& list);
+
+template <class Normalise>
+Value normalise_list(DecodeContext& context, const Node& node, Normalise&& normalise) {
+  if (!node.expect_list(context.diagnostics)) return {};
+  List list;
+  for (const Node& item : node.items()) {
+    Value value;
+    if (item.expect_map(context.diagnostics)) {
+      value = normalise(item);
+      if (const auto name = item.find("name")) check_name(context, *name);
+    }
+    value.at = item.value->at;
+    list.push_back(std::move(value));
+  }
+  refuse_duplicate_names(context, node);
+  return list_value(std::move(list));
+}
+
+}  // namespace flyrock

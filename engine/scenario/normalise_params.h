@@ -1,0 +1,35 @@
+#pragma once
+// Normalises parameters by their specification. Plugins and the scenario's own sections use the same code.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scenario/normalise_number.h"
+#include "scenario/schema.h"
+
+namespace flyrock {
+
+/// The keys of a map that `specs` name, in their order, with defaults. Reports missing keys. The caller
+/// handles keys that are not in `specs`.
+Map normalise_params(DecodeContext& context, const Node& map, const std::vector<ParamSpec>& specs,
+                     const NumberRules& rules);
+
+/// A section of the schema without its parts; null if it is no map. If there is no node, all keys take their
+/// defaults.
+Value normalise_section(DecodeContext& context, const std::optional<Node>& node, std::string_view name,
+                        const NumberRules& rules);
+
+/// The use of a plugin: `type` and its parameters. The map may also hold the keys `others`, which are left
+/// out. `type` may be missing if there is a `default_type`; it is null if there is no such plugin. Null if it
+/// is no map.
+Value normalise_plugin(DecodeContext& context, const Node& node, PluginKind kind, const NumberRules& rules,
+                       const std::vector<std::string>& others = {}, std::string_view default_type = {});
+
+/// Checks a text that becomes a step of paths and measures: only letters, digits, `_` and `-`.
+void check_name(DecodeContext& context, const Node& node);
+/// The same check for the key of a node.
+void check_key(DecodeContext& context, const Node& node);
+
+}  // namespace flyrock

@@ -1,0 +1,154 @@
+// Groups of rocks and bodies.
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "scenario/normalise.h"
+
+namespace flyrock {
+
+namespace {
+
+constexpr NumberRules rock_rules{.varies = true, .scope = Scope::rock, .finest = Scope::rock};
+constexpr NumberRules population_rules{.varies = true, .scope = Scope::trial, .finest = Scope::trial};
+constexpr NumberRules body_rules{.varies = true, .scope = Scope::trial, .finest = Scope::trial};
+
+struct ReleaseKey {
+  std::string_view key;
+  bool only_3d;
+};
+constexpr std::array<ReleaseKey, 7> release_keys{{{"from", false},
+                                                  {"x", false},
+                                                  {"position", false},
+                                                  {"along", false},
+                                                  {"inside", false},
+                                                  {"zone", true},
+                                                  {"raster", true}}};
+
+/// Whether the points of `along` or `inside` are places in plan: [x, y] in 3D.
+bool is_in_plan(const Node& points) {
+  const std::vector<Node> items = points.is_list() ? points.items() : std::vector<Node>();
+  return !items.empty() && items.front().is_list() && items.front().items().size() == 2;
+}
+
+/// In 3D: { axis, angle } or a quaternion [w, x, y, z].
+Value normalise_turn(DecodeContext& context, const Node& node, const NumberRules& rules) {
+  if (node.value->map()) return normalise_section(context, node, "orientation 3D", rules);
+  const std::vector<Node> items = node.is_list() ? node.items() : std::vector<Node>();
+  if (items.size() != 4) {
+    node.error(context.diagnostics, "expected { axis: [x, y, z], angle } or a quaternion [w, x, y, z]");
+    return {};
+  }
+  ParamSpec component;
+  component.name = "orientation";
+  List list;
+  for (const Node& item : items) list.push_back(normalise_number(context, item, component, rules));
+  return list_value(std::move(list));
+}
+
+Value normalise_release(DecodeContext& context, const Node& node) {
+  if (!node.expect_map(context.diagnostics)) return {};
+  const std::optional<Node> key = key_of_release(node, context.dimension);
+  if (!key) {
+    std::vector<std::string> names;
+    for (const ReleaseKey& known : release_keys)
+      if (context.dimension == 3 || !known.only_3d) names.emplace_back(known.key);
+    node.refuse_unknown_keys(names, context.diagnostics);
+    context.diagnostics.error(node.key_at, node.path, fmt::format("expected one of {}", choice_text(names)));
+    return {};
+  }
+  Value release = normalise_section(context, node, section_of_release(*key, context.dimension), rock_rules);
+  if (const Value* face = release.find("face"); face && face->text() && !face->text()->empty()) {
+    if (node.find("bench"))
+      node.error(context.diagnostics, "has both `bench` and `face`, expected one of them");
+    // The face takes the place of the bench, which has a default.
+    std::erase_if(*release.map(), [](const Entry& entry) { return entry.key == "bench"; });
+  }
+  return release;
+}
+
+/// Requires exactly one of density and mass; none is fine if `is_optional`.
+void check_mass(DecodeContext& context, const Node& node, bool is_optional) {
+  const bool density = node.find("density").has_value(), mass = node.find("mass").has_value();
+  if (density && mass)
+    context.diagnostics.error(node.key_at, node.path, "has both `density` and `mass`, expected one of them");
+  if (!density && !mass && !is_optional)
+    context.diagnostics.error(node.key_at, node.path, "`density` or `mass` is missing");
+}
+
+void put_plugin(DecodeContext& context, Map& map, const Node& parent, std::string_view key, PluginKind kind,
+                const NumberRules& rules) {
+  if (const std::optional<Node> node = parent.find(key))
+    put(map, *node, normalise_plugin(context, *node, kind, rules));
+}
+
+void put_turn(DecodeContext& context, Map& map, const Node& parent, const NumberRules& rules) {
+  if (context.dimension != 3) return;
+  if (const std::optional<Node> node = parent.find("orientation"))
+    put(map, *node, normalise_turn(context, *node, rules));
+}
+
+Value normalise_group(DecodeContext& context, const Node& node) {
+  const SectionSpec& spec = section_spec(context.dimension == 2 ? "rocks" : "rocks 3D");
+  Map group = normalise_params(context, node, spec.keys, rock_rules);
+  const Value population = normalise_plugin(context, node, PluginKind::population, population_rules,
+                                            spec.key_names(), default_population);
+  put_all(group, *population.map());
+  check_mass(context, node, false);
+  put_turn(context, group, node, rock_rules);
+  put_plugin(context, group, node, "shape", PluginKind::shape, rock_rules);
+  if (const auto release = node.find("release")) put(group, *release, normalise_release(context, *release));
+  put_plugin(context, group, node, "launch", PluginKind::velocity, rock_rules);
+  const std::string* type = population.find("type")->text();
+  if (type && *type == default_population)
+    for (const char* key : {"shape", "release"})  // other populations may decide both
+      if (!node.find(key))
+        context.diagnostics.error(node.key_at, node.path, fmt::format("`{}` is missing", key));
+  return map_value(std::move(group));
+}
+
+Value normalise_body(DecodeContext& context, const Node& node) {
+  Value body = normalise_section(context, node, context.dimension == 2 ? "bodies" : "bodies 3D", body_rules);
+  const std::optional<Node> driven = node.find("driven");
+  if (driven) put(*body.map(), *driven, normalise_section(context, *driven, "bodies.driven", {}));
+  const bool* fixed = body.find("fixed")->boolean();
+  check_mass(context, node, driven || (fixed && *fixed));
+  put_turn(context, *body.map(), node, body_rules);
+  put_plugin(context, *body.map(), node, "shape", PluginKind::shape, body_rules);
+  if (!node.find("shape")) context.diagnostics.error(node.key_at, node.path, "`shape` is missing");
+  return body;
+}
+
+void refuse_empty(DecodeContext& context, const Node& list) {
+  if (list.value->list() && list.items().empty())
+    list.error(context.diagnostics, "is empty, expected at least one element");
+}
+
+}  // namespace
+
+std::optional<Node> key_of_release(const Node& release, int dimension) {
+  for (const ReleaseKey& known : release_keys)
+    if (dimension == 3 || !known.only_3d)
+      if (std::optional<Node> key = release.find(known.key)) return key;
+  return std::nullopt;
+}
+
+std::string section_of_release(const Node& key, int dimension) {
+  const std::string name = "rocks.release: " + key.key;
+  if (dimension == 2 || key.key == "from" || key.key == "position") return name;
+  if (key.key == "along" || key.key == "inside") return is_in_plan(key) ? name + " plan 3D" : name;
+  return name + " 3D";
+}
+
+Value normalise_rocks(DecodeContext& context, const Node& list) {
+  refuse_empty(context, list);
+  return normalise_list(context, list, [&](const Node& item) { return normalise_group(context, item); });
+}
+
+Value normalise_bodies(DecodeContext& context, const Node& list) {
+  refuse_empty(context, list);
+  return normalise_list(context, list, [&](const Node& item) { return normalise_body(context, item); });
+}
+
+}  // namespace flyrock
