@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "batch/inputs.h"
 #include "batch/record_columns.h"
 
 namespace flyrock {
@@ -110,9 +111,10 @@ std::string records_fault(const TrialRecords& records, const ChunkRange& range, 
   if (arrives_twice(records.gates, [](const GateRecord& row) { return row.passage.gate; }) ||
       arrives_twice(records.barriers, [](const BarrierRecord& row) { return row.hit.barrier; }))
     return "a rock that arrives twice at one gate or barrier";
+  const std::size_t inputs = inputs_of(scenario).size();
   for (const InputRecord& input : records.inputs)
-    if (!is_index(input.draw, scenario.draws.size()))
-      return fmt::format("input {}, the scenario draws {}", input.draw, scenario.draws.size());
+    if (!is_index(input.input, inputs))
+      return fmt::format("input {}, the scenario has {}", input.input, inputs);
   for (const TrajectoryRecord& row : records.trajectories)
     if (!is_value(row.point.mode, TravelMode::roll))
       return "a point of a trajectory of no known mode of travel";

@@ -73,7 +73,8 @@ void visit_rocks(Visit&& visit) {
 
 template <class Visit>
 void visit_inputs(Visit&& visit) {
-  visit(Column{.name = "draw"}, &InputRecord::draw);
+  visit(Column{.name = "input"}, &InputRecord::input);
+  visit(Column{.name = "impact"}, &InputRecord::impact);
   visit(Column{.name = "value"}, &InputRecord::value);
 }
 

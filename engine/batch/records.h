@@ -44,12 +44,12 @@ bool is_fault(StopReason reason);
 /// The names for RockRecord::group: the rock groups, or the bodies.
 std::vector<std::string> group_names(const Scenario& scenario);
 
-/// One drawn number of one rock. `draw` is the index into Scenario::draws. Draws `per: impact` are not
-/// stored.
+/// One drawn number of one rock. `input` is its index in the list of batch/inputs.h.
 struct InputRecord {
   std::uint64_t trial = 0;
   int rock = 0;
-  int draw = 0;
+  int input = 0;
+  int impact = 0;  ///< for which it was drawn, as in the rock's impacts; 0: for the rock
   double value = 0;
 };
 

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "batch/inputs.h"
 #include "batch/safe_file.h"
 #include "flight/ballistic_run.h"
 #include "flight/run.h"
@@ -97,11 +98,14 @@ class TrialRunner::Trials : public OfDimension {
   void record(std::uint64_t trial, int index, const TrialRock& rock, const World<D>* world,
               const BodyHistory& history, TrialRecords& out) const;
   void record_inputs(std::uint64_t trial, int index, const TrialRock& rock, TrialRecords& out) const;
+  void record_impact_draws(std::uint64_t trial, int index, const TrialRock& rock, const World<D>& world,
+                           const Surfaces& surfaces, const BodyHistory& history, TrialRecords& out) const;
 
   const Scenario& scenario_;
   TrialBuilder<D> builder_;
   std::vector<Gate> gates_;
   std::vector<Barrier> barriers_;
+  std::vector<std::vector<int>> impact_draws_;  ///< of each material, those `per: impact`
   double bin_width_ = 0;  ///< m, bin width of envelopes; 0 for `bodies` and on terrain without ends
 };
 
@@ -114,6 +118,14 @@ TrialRunner::TrialRunner(const Scenario& scenario) {
 
 template <int D>
 TrialRunner::Trials<D>::Trials(const Scenario& scenario) : scenario_(scenario), builder_(scenario) {
+  for (const Material& material : scenario.materials) {
+    std::vector<int>& draws = impact_draws_.emplace_back();
+    for (const auto* law :
+         {&material.restitution, &material.friction, &material.rolling, &material.unilateral})
+      for (const Number& slot : *law ? (*law)->slots : std::vector<Number>())
+        if (!slot.is_constant() && scenario.draws[slot.draw].scope == Scope::impact)
+          draws.push_back(slot.draw);
+  }
   for (const GatePlan& gate : scenario.gates) gates_.push_back({gate.x - scenario.terrain.origin.x()});
   for (const BarrierPlan& barrier : scenario.barriers)
     barriers_.push_back({barrier.x - scenario.terrain.origin.x(), barrier.height, barrier.capacity});
@@ -194,10 +206,16 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
     TrialRock& rock = trial.rocks[i];
     if (rock.world < 0) {
       record(number, static_cast<int>(i), rock, nullptr, {}, out);
+      record_inputs(number, static_cast<int>(i), rock, out);
     } else {
       if (faults[rock.world]) std::tie(rock.fault, rock.reason) = *faults[rock.world];
-      record(number, static_cast<int>(i), rock, &trial.worlds[rock.world], histories[rock.world][rock.body],
-             out);
+      const World<D>& world = trial.worlds[rock.world];
+      const BodyHistory& history = histories[rock.world][rock.body];
+      record(number, static_cast<int>(i), rock, &world, history, out);
+      record_inputs(number, static_cast<int>(i), rock, out);
+      if (!flies && scenario_.output.impacts)
+        record_impact_draws(number, static_cast<int>(i), rock, world, trial.surfaces[rock.world], history,
+                            out);
     }
     if (!rock.note.empty()) out.totals.add_note(rock.note);
   }
@@ -267,21 +285,41 @@ void TrialRunner::Trials<D>::record(std::uint64_t trial, int index, const TrialR
     for (const TrajectoryPoint& point : history.trajectory) out.trajectories.push_back({trial, index, point});
   }
   out.rocks.push_back(row);
-  record_inputs(trial, index, rock, out);
 }
 
-/// Records every draw of the rock, except draws of other groups and draws per impact.
+/// Records every draw of the rock, except draws of other groups and draws per impact, and the outcomes of
+/// what plugins drew for it.
 template <int D>
 void TrialRunner::Trials<D>::record_inputs(std::uint64_t trial, int index, const TrialRock& rock,
                                            TrialRecords& out) const {
-  const std::string own = scenario_.bodies.empty() ? "rocks." + scenario_.rocks[rock.group].name + "."
-                                                   : "bodies." + scenario_.bodies[rock.group].name + ".";
   for (std::size_t d = 0; d < scenario_.draws.size(); ++d) {
     const Draw& draw = scenario_.draws[d];
-    if (draw.scope == Scope::impact) continue;
-    const bool of_a_group = draw.stream.starts_with("rocks.") || draw.stream.starts_with("bodies.");
-    if (of_a_group && !draw.stream.starts_with(own)) continue;
-    out.inputs.push_back({trial, index, static_cast<int>(d), draw.value(scenario_.seed, rock.key)});
+    if (draw.scope == Scope::impact || (draw.group >= 0 && draw.group != rock.group)) continue;
+    out.inputs.push_back({trial, index, static_cast<int>(d), 0, draw.value(scenario_.seed, rock.key)});
+  }
+  for (std::size_t i = 0; i < outcome_infos.size(); ++i) {
+    const auto outcome = static_cast<Outcome>(i);
+    if (const double value = rock.outcomes[outcome]; !std::isnan(value))
+      out.inputs.push_back({trial, index, index_of(outcome, scenario_), 0, value});
+  }
+}
+
+/// Records what was drawn for each impact: the draws of the material between the two. Draws of a pair of
+/// bodies belong to the first of them.
+template <int D>
+void TrialRunner::Trials<D>::record_impact_draws(std::uint64_t trial, int index, const TrialRock& rock,
+                                                 const World<D>& world, const Surfaces& surfaces,
+                                                 const BodyHistory& history, TrialRecords& out) const {
+  for (const Impact& impact : history.impacts) {
+    if (impact.body != rock.body) continue;
+    const int material = impact.other < 0 ? surfaces.material_with_terrain(world, rock.body, impact.part)
+                                          : surfaces.material_between(rock.body, impact.other);
+    if (material < 0) continue;
+    DrawKey key = rock.key;
+    key.impact = static_cast<std::uint64_t>(impact.number);
+    for (const int draw : impact_draws_[static_cast<std::size_t>(material)])
+      out.inputs.push_back({trial, index, draw, impact.number,
+                            scenario_.draws[static_cast<std::size_t>(draw)].value(scenario_.seed, key)});
   }
 }
 

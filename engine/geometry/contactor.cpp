@@ -30,38 +30,60 @@ double signed_area(const std::vector<Vec2>& points) {
   return twice / 2;
 }
 
-/// Area and its first and polar second moments about one origin; sums of these are exact.
+/// Area and its first and second moments about one origin; sums of these are exact. The polar moment is
+/// summed apart from the tensor, with its own roundings.
 struct Moments {
   double area = 0;
   Vec2 first = Vec2::Zero();
   double polar = 0;
+  Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
 
-  /// Adds a piece with its area, and its first and polar moments about its own point `at`.
-  void add(double piece, const Vec2& piece_first, double piece_polar, const Vec2& at) {
+  /// Adds a piece with its area, and its first, polar and second moments about its own point `at`.
+  void add(double piece, const Vec2& piece_first, double piece_polar, const Eigen::Matrix2d& piece_second,
+           const Vec2& at) {
     area += piece;
     first += piece_first + piece * at;
     polar += piece_polar + 2 * at.dot(piece_first) + piece * at.squaredNorm();
+    second += piece_second + at * piece_first.transpose() + piece_first * at.transpose() +
+              piece * at * at.transpose();
   }
 };
+
+/// The second moments of a piece with the moment `along` its axis (a unit vector) and `across` it.
+Eigen::Matrix2d of_axis(double along, double across, const Vec2& axis) {
+  return across * Eigen::Matrix2d::Identity() + (along - across) * axis * axis.transpose();
+}
+
+Eigen::Matrix2d of_triangle(const Vec2& a, const Vec2& b) {
+  const Vec2 sum = a + b;
+  return cross(a, b) / 24 * (a * a.transpose() + b * b.transpose() + sum * sum.transpose());
+}
 
 /// A grown hull consists of its core, a rectangle on each edge and a sector at each corner (Steiner).
 void add_contactor(Moments& sum, const Contactor2& contactor, const Vec2& origin) {
   const auto& points = contactor.points;
   const std::size_t count = points.size();
   const double r = contactor.radius;
-  if (count == 1) return sum.add(pi * r * r, Vec2::Zero(), pi * std::pow(r, 4) / 2, points[0] - origin);
+  if (count == 1)
+    return sum.add(pi * r * r, Vec2::Zero(), pi * std::pow(r, 4) / 2,
+                   pi * std::pow(r, 4) / 4 * Eigen::Matrix2d::Identity(), points[0] - origin);
   for (std::size_t i = 0; i < count; ++i) {
     const Vec2 a = points[i] - origin, b = points[(i + 1) % count] - origin;
     const double twice = cross(a, b);  // core: the triangle (origin, a, b), with its sign
-    sum.add(twice / 2, twice / 6 * (a + b), twice / 12 * (a.dot(a) + a.dot(b) + b.dot(b)), Vec2::Zero());
+    sum.add(twice / 2, twice / 6 * (a + b), twice / 12 * (a.dot(a) + a.dot(b) + b.dot(b)), of_triangle(a, b),
+            Vec2::Zero());
     if (r <= 0) continue;
     const Vec2& before = contactor.normals[(i + count - 1) % count];
     const Vec2& normal = contactor.normals[i];
     const double length = (b - a).norm();
-    sum.add(length * r, Vec2::Zero(), length * r * (length * length + r * r) / 12, (a + b + r * normal) / 2);
+    sum.add(length * r, Vec2::Zero(), length * r * (length * length + r * r) / 12,
+            of_axis(length * r * r * r / 12, length * length * length * r / 12, normal),
+            (a + b + r * normal) / 2);
     const double turn = std::abs(std::atan2(cross(before, normal), before.dot(normal)));
+    const double half = turn * std::pow(r, 4) / 8, skew = std::sin(turn) * std::pow(r, 4) / 8;
+    const Vec2 middle = perpendicular(normal - before).normalized();
     sum.add(turn * r * r / 2, -std::pow(r, 3) / 3 * perpendicular(normal - before), turn * std::pow(r, 4) / 4,
-            a);
+            of_axis(half + skew, half - skew, middle), a);
   }
 }
 
@@ -124,7 +146,8 @@ AreaProperties area_properties(const std::vector<Contactor2>& contactors) {
   Moments sum;
   for (const Contactor2& contactor : contactors) add_contactor(sum, contactor, origin);
   const Vec2 centre = sum.first / sum.area;
-  return {sum.area, origin + centre, sum.polar - sum.area * centre.squaredNorm()};
+  return {sum.area, origin + centre, sum.polar - sum.area * centre.squaredNorm(),
+          sum.second - sum.area * centre * centre.transpose()};
 }
 
 double default_thickness(double area) { return 4.0 / 3.0 * std::sqrt(area / pi); }

@@ -32,12 +32,12 @@ struct Contactor2 {
 /// order.
 std::string make_convex(std::vector<Vec2>& vertices);
 
-/// Area [m2], centroid and polar second moment of area about the centroid [m4] of contactors that do not
-/// overlap.
+/// Area [m2], centroid and second moments of area about the centroid [m4] of contactors that do not overlap.
 struct AreaProperties {
   double area = 0;
   Vec2 centroid = Vec2::Zero();
   double polar_moment = 0;
+  Eigen::Matrix2d second_moments = Eigen::Matrix2d::Zero();  ///< integral of x x^T; its trace is polar_moment
 };
 AreaProperties area_properties(const std::vector<Contactor2>& contactors);
 

@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "batch/inputs.h"
 #include "batch/safe_file.h"
 #include "report/envelope_data.h"
 #include "report/rock_rows.h"
@@ -21,7 +22,7 @@ CREATE TABLE ground (point INTEGER, x_m REAL, y_m REAL, part INTEGER);
 CREATE TABLE grounds (ground INTEGER PRIMARY KEY, cell_m REAL, lattice_m REAL);
 CREATE TABLE ground_vertices (ground INTEGER, vertex INTEGER, x_m REAL, y_m REAL, z_m REAL);
 CREATE TABLE ground_triangles (ground INTEGER, a INTEGER, b INTEGER, c INTEGER, part INTEGER);
-CREATE TABLE draws (draw INTEGER PRIMARY KEY, path TEXT);
+CREATE TABLE input_paths (input INTEGER PRIMARY KEY, path TEXT);
 CREATE TABLE envelopes (point INTEGER, "group" TEXT, x_m REAL, width_m REAL, rocks INTEGER, height_p50_m REAL,
   height_p95_m REAL, height_max_m REAL, speed_p50_m_s REAL, speed_p95_m_s REAL, speed_max_m_s REAL, energy_p50_J REAL,
   energy_p95_J REAL, energy_max_J REAL);
@@ -75,7 +76,8 @@ std::vector<std::string> names_of(const Places& places) {
 }
 
 constexpr const char* inputs_view =
-    "CREATE VIEW inputs AS SELECT point, trial, rock, path, value FROM drawn JOIN draws USING (draw);";
+    "CREATE VIEW inputs AS SELECT point, trial, rock, path, nullif(impact, 0) AS impact, value FROM drawn "
+    "JOIN input_paths USING (input);";
 
 // Built after the rows, because an index that grows with the rows takes longer.
 constexpr const char* indices = R"(
@@ -161,9 +163,9 @@ ResultDatabase::ResultDatabase(const std::filesystem::path& path, const Plan& pl
 }
 
 void ResultDatabase::add_plan() {
-  Insertion draws(file_, "draws", 2);
-  const std::vector<Draw>& all = plan_.points.front().draws;
-  for (std::size_t d = 0; d < all.size(); ++d) draws.row(d, all[d].stream);
+  Insertion paths(file_, "input_paths", 2);
+  const std::vector<Input> inputs = inputs_of(plan_.points.front());
+  for (std::size_t i = 0; i < inputs.size(); ++i) paths.row(i, inputs[i].path);
   Insertion sweep(file_, "sweep", 3);
   for (std::size_t p = 0; p < plan_.points.size(); ++p)
     for (std::size_t axis = 0; axis < plan_.axes.size(); ++axis)

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "batch/inputs.h"
 #include "report/rounded.h"
 #include "results/rank_correlation.h"
 
@@ -53,10 +54,14 @@ Json curve_data(const std::vector<double>& values, double scale, const std::vect
 }  // namespace
 
 Sensitivity::Sensitivity(const Scenario& scenario)
-    : blast_(scenario.blast), inputs_(scenario), groups_(scenario.rocks.size()) {
-  for (const Draw& draw : scenario.draws) {
-    names_.push_back(draw.stream);
-    units_.push_back(readable_unit(draw.unit));
+    : blast_(scenario.blast),
+      inputs_(scenario),
+      draws_(static_cast<int>(scenario.draws.size())),
+      rank_outcomes_(scenario.output.rank_outcomes),
+      groups_(scenario.rocks.size()) {
+  for (const Input& input : inputs_of(scenario)) {
+    names_.push_back(input.path);
+    units_.push_back(readable_unit(input.unit));
   }
   names_.insert(names_.end(), {"blast: charge per hole", "blast: powder factor"});
   units_.insert(units_.end(), {{"kg", 1}, {"kg/m3", 1}});
@@ -65,6 +70,7 @@ Sensitivity::Sensitivity(const Scenario& scenario)
 bool Sensitivity::is_ranked(std::size_t group, int input) const {
   if (input >= first_derived())
     return inputs_.reads(group, static_cast<DerivedInput>(input - first_derived()));
+  if (input >= draws_) return rank_outcomes_;
   return inputs_.reads(group, input) && inputs_.was_asked(input);
 }
 
@@ -103,7 +109,8 @@ void Sensitivity::see(const TrialRecords& chunk) {
     if (group.runout.size() == most_rocks) continue;
     group.runout.push_back(rock.runout);
     std::map<int, double> drawn;
-    for (auto i = first; i != input; ++i) drawn[i->draw] = i->value;
+    for (auto i = first; i != input; ++i)
+      if (i->impact == 0) drawn[i->input] = i->value;  // the others have a value for each impact
     for (const auto& [draw, value] : drawn) group.inputs[draw].push_back(value);
     add_derived(drawn, group);
   }

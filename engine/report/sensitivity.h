@@ -21,7 +21,8 @@ namespace flyrock {
 ///
 /// Each number has a curve: the runout of the rocks in each tenth of the number's values, while all other
 /// numbers vary as drawn. Two numbers that follow from drawn ones are also ranked: the charge of a hole and
-/// its powder factor.
+/// its powder factor. Outcomes of what plugins draw (rock.volume) are ranked only with
+/// `output.rank_outcomes`.
 class Sensitivity {
  public:
   explicit Sensitivity(const Scenario& scenario);
@@ -38,7 +39,7 @@ class Sensitivity {
  private:
   struct Group {
     std::vector<double> runout;
-    std::map<int, std::vector<double>> inputs;  ///< for each draw, then for each derived number
+    std::map<int, std::vector<double>> inputs;  ///< by the index of batch/inputs.h, then the derived numbers
   };
   /// One ranked input.
   struct Line {
@@ -53,7 +54,9 @@ class Sensitivity {
 
   std::optional<BlastPlan> blast_;
   RankedInputs inputs_;
-  std::vector<std::string> names_;   ///< of the draws, then of the derived numbers
+  int draws_ = 0;  ///< number of inputs that are draws; the next ones are outcomes
+  bool rank_outcomes_ = false;
+  std::vector<std::string> names_;   ///< of the inputs, then of the derived numbers
   std::vector<ReadableUnit> units_;  ///< in the same order
   std::vector<Group> groups_;
 };

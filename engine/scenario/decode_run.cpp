@@ -37,7 +37,7 @@ OutputPlan decode_output(DecodeContext& context, const Node& node) {
   const Section section = decode_section(context, node, "output");
   const Section trajectories = decode_section(context, *points, "output.trajectories");
   return {trajectories.integer("first"), trajectories.constant("every"), section.constant("impacts") != 0,
-          section.constant("hard_problems") != 0};
+          section.constant("hard_problems") != 0, section.constant("rank_outcomes") != 0};
 }
 
 }  // namespace flyrock

@@ -218,6 +218,7 @@ struct OutputPlan {
   double trajectories_every = 0.02;  ///< s
   bool impacts = true;
   bool hard_problems = false;  ///< keep each step that did not converge as an FCLIB file
+  bool rank_outcomes = false;  ///< also rank outcomes of what plugins draw (batch/inputs.h)
 };
 
 enum class ExpectKind { equals, below, above, between };

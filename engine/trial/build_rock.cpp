@@ -36,6 +36,7 @@ Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, con
   const GroupModels& models = instances_.groups[rock.group];
   const std::string stream = "rocks." + group.name, path = fmt::format("rocks.{}.", rock.group);
   auto contactors = plan.contactors;
+  bool shape_is_drawn = rock.population_drew;
   if (contactors.empty()) {
     if (!group.shape)
       throw ScenarioError(path + "shape", "neither the population nor `shape` says what shape a rock has");
@@ -43,6 +44,7 @@ Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, con
     contactors = at_path(group.shape->path, [&] {
       return contactors_of<D>(*models.shape, values_of(*group.shape, scenario_, rock.key), rng);
     });
+    shape_is_drawn = rng.drawn();
   }
   double mass = 0, density = 0;  // the one that is given
   if (plan.mass)
@@ -55,6 +57,7 @@ Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, con
     density = number(group.density, rock.key);
   const bool own_mass = plan.mass || plan.density;
   RandomStream turn(scenario_.seed, stream + ".orientation", rock.key);
+  const auto turn_is_drawn = [&] { return plan.orientation ? rock.population_drew : turn.drawn(); };
   Body<D> body;
   if constexpr (D == 2) {
     body = make_body(std::move(contactors), density, mass,
@@ -62,6 +65,7 @@ Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, con
     body.attitude = plan.orientation    ? *plan.orientation
                     : group.orientation ? number(*group.orientation, rock.key)
                                         : turn.uniform(0, 2 * pi);
+    if (turn_is_drawn()) rock.outcomes[Outcome::orientation] = body.attitude.angle;
   } else {
     body = at_path(path + "shape", [&] { return make_body(std::move(contactors), density, mass); });
     const Rotation3 turned =
@@ -69,8 +73,10 @@ Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, con
         : group.turn
             ? at_path(path + "orientation", [&] { return rotation_of(*group.turn, scenario_, rock.key); })
             : random_rotation(turn);
+    if (turn_is_drawn()) rock.outcomes[Outcome::orientation] = turned.vector().norm();
     body.attitude = turned * body.attitude.rotation;
   }
+  if (shape_is_drawn) rock.outcomes.set_shape(body);
   body.group = group.name;
   at_path(own_mass ? group.population.path : path + mass_key(group), [&] { refuse_extremes(body); });
   at_path(path + "shape", [&] { refuse_slender(body); });
@@ -83,6 +89,8 @@ Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, con
   else
     throw ScenarioError(path + "release", "neither the population nor `release` says where a rock starts");
   body.x = place.position;
+  if (plan.position ? rock.population_drew : where.drawn())
+    rock.outcomes.template set_release<D>(place.position + origin().template head<D>());
   body.air = air_of(body, rock.key);
   launch(plan, rock, place, terrain, body);
   return body;

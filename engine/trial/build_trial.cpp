@@ -178,6 +178,7 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
     for (const auto& plan : plans) {
       TrialRock& rock = trial.rocks.emplace_back();
       rock.group = g;
+      rock.population_drew = rng.drawn();
       rock.key = {number_of_trial, 1 + count % holes, 1 + count, 0};
       if (scenario_.blast && !scenario_.rock_contacts)
         rock.start_time = scenario_.blast->pattern.time(hole_of(rock.key));
@@ -230,6 +231,7 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
     auto contactors = at_path(plan.shape.path, [&] {
       return contactors_of<D>(*instances_.bodies[i], values_of(plan.shape, scenario_, rock.key), rng);
     });
+    const bool shape_is_drawn = rng.drawn();
     const double density = plan.density ? value(*plan.density) : 0, mass = plan.mass ? value(*plan.mass) : 0;
     Body<D> body;
     if constexpr (D == 2) {
@@ -242,6 +244,7 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
             at_path(path + "orientation", [&] { return rotation_of(*plan.turn, scenario_, rock.key); }) *
             body.attitude.rotation;
     }
+    if (shape_is_drawn) rock.outcomes.set_shape(body);
     body.group = plan.name;
     if (!plan.fixed && !plan.driven) at_path(path + mass_key(plan), [&] { refuse_extremes(body); });
     at_path(path + "shape", [&] { refuse_slender(body); });

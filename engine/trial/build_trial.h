@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "trial/instances.h"
+#include "trial/outcomes.h"
 #include "trial/place_rock.h"
 #include "trial/surfaces.h"
 #include "world/world.h"
@@ -28,6 +29,8 @@ struct TrialRock {
   double launch_speed = 0;                      ///< m/s
   double launch_elevation = 0;                  ///< rad above the outward horizontal
   double greatest_throw = 0;                    ///< m, see Launch
+  bool population_drew = false;                 ///< its population used `rng`
+  Outcomes outcomes;                            ///< of what was drawn for it
   std::string note;                             ///< text from its velocity model
   std::string fault;                            ///< why it could not be built
   std::string fault_path;                       ///< key that caused the fault: "rocks.0.release"

@@ -36,7 +36,11 @@ TEST_CASE("The database holds what the other tables hold, and every drawn number
         std::vector<std::string>{"0|materials.rock.friction.mu|0.5", "1|materials.rock.friction.mu|0.7"});
   CHECK(query(db, "SELECT count(*) FROM rocks") == std::vector<std::string>{"8"});
   CHECK(query(db, "SELECT DISTINCT path FROM inputs ORDER BY path") ==
-        std::vector<std::string>{"rocks.blocks.launch.speed", "rocks.blocks.shape.sides"});
+        std::vector<std::string>{"rock.elongation", "rock.orientation", "rock.volume",
+                                 "rocks.blocks.launch.speed", "rocks.blocks.shape.sides"});
+  CHECK(query(db,
+              "SELECT count(*) FROM rocks JOIN inputs USING (point, trial, rock) WHERE path = "
+              "'rock.volume' AND value = volume_m3 AND impact IS NULL") == std::vector<std::string>{"8"});
   // The launch draws its speed: the input is the rock's.
   CHECK(query(db,
               "SELECT count(*) FROM rocks JOIN inputs USING (point, trial, rock) WHERE path = "

@@ -31,7 +31,7 @@ TrialRecords some_records() {
   records.rocks = {rock, RockRecord{}};
   records.gates = {{7, 1, {.gate = 2, .time = 1.5, .speed = 3, .kinetic_energy = 4, .height = -0.5}}};
   records.barriers = {{7, 1, {.barrier = 1, .outcome = BarrierOutcome::over_energy, .time = 2, .speed = 9}}};
-  records.inputs = {{7, 1, 4, 0.3}};
+  records.inputs = {{7, 1, 4, 2, 0.3}};
   ImpactRecord impact{7, 1, {}};
   impact.impact.other = -1;
   impact.impact.place = {1, 2, 3};
@@ -186,7 +186,7 @@ TEST_CASE("Records that a program other than flyrock has written are held agains
         "a rock that arrives twice at one gate or barrier");
   CHECK(fault_after([](TrialRecords& r) { r.barriers.push_back(r.barriers.back()); }) ==
         "a rock that arrives twice at one gate or barrier");
-  CHECK(fault_after([](TrialRecords& r) { r.inputs[0].draw = 5; }) == "input 5, the scenario draws 5");
+  CHECK(fault_after([](TrialRecords& r) { r.inputs[0].input = 12; }) == "input 12, the scenario has 12");
   CHECK(fault_after([](TrialRecords& r) { r.trajectories[0].point.mode = static_cast<TravelMode>(-1); }) ==
         "a point of a trajectory of no known mode of travel");
   CHECK(fault_after([](TrialRecords& r) { r.totals.bodies[0].reason = static_cast<StopReason>(9); }) ==

@@ -21,6 +21,7 @@ void check(const AreaProperties& computed, double area, const Vec2& centroid, do
   CHECK(computed.area == Approx(area).epsilon(1e-12));
   CHECK((computed.centroid - centroid).norm() <= 1e-13 * (1 + centroid.norm()));
   CHECK(computed.polar_moment == Approx(polar_moment).epsilon(1e-12));
+  CHECK(computed.second_moments.trace() == Approx(polar_moment).epsilon(1e-9));
 }
 
 }  // namespace
@@ -59,7 +60,12 @@ TEST_CASE("area properties of a wall with rounded ends") {
   const double area = 2 * r * length + pi * r * r;
   const double polar = 2 * r * length * (length * length + 4 * r * r) / 12 + pi * std::pow(r, 4) / 2 +
                        4.0 / 3 * length * std::pow(r, 3) + pi * r * r * length * length / 4;
-  check(area_properties({wall}), area, Vec2::Zero(), polar);
+  const AreaProperties computed = area_properties({wall});
+  check(computed, area, Vec2::Zero(), polar);
+  // Across its axis: a rectangle, and a disk in two halves.
+  const double across = 2 * r * length * 4 * r * r / 12 + pi * std::pow(r, 4) / 4;
+  CHECK(computed.second_moments(1, 1) == Approx(across).epsilon(1e-12));
+  CHECK(std::abs(computed.second_moments(0, 1)) < 1e-15);
 }
 
 TEST_CASE("area properties of several contactors add up about the common centroid") {

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "batch/inputs.h"
 #include "batch/load.h"
 #include "report/convergence.h"
 #include "report/rounded.h"
@@ -26,7 +27,7 @@ TrialRecords rocks_with_inputs(int count) {
     rock.runout = 10 * a * a - 2 * b;
     chunk.rocks.push_back(rock);
     for (const auto& [draw, value] : {std::pair(0, a), std::pair(1, b), std::pair(2, 4.0)})
-      chunk.inputs.push_back({trial, 0, draw, value});
+      chunk.inputs.push_back({trial, 0, draw, 0, value});
   }
   return chunk;
 }
@@ -86,7 +87,7 @@ TrialRecords rocks_of_chance(int sample, int count, int inputs) {
     rock.reason = StopReason::stopped;
     rock.runout = rng.uniform();
     chunk.rocks.push_back(rock);
-    for (int draw = 0; draw < inputs; ++draw) chunk.inputs.push_back({rock.trial, 0, draw, rng.uniform()});
+    for (int draw = 0; draw < inputs; ++draw) chunk.inputs.push_back({rock.trial, 0, draw, 0, rng.uniform()});
   }
   return chunk;
 }
@@ -164,6 +165,35 @@ TEST_CASE("The inputs of a law that no contact asked are not ranked") {
   };
   CHECK(ranked_after(0).size() == 1);
   CHECK(ranked_after(9).size() == 2);
+}
+
+TEST_CASE("Outcomes of what plugins draw are ranked only if the scenario asks, draws per impact never") {
+  Scenario scenario = with_draws();
+  const auto paths = [&] {
+    TrialRecords chunk = rocks_with_inputs(100);
+    std::vector<InputRecord> inputs;
+    for (const InputRecord& input : chunk.inputs) {
+      if (input.input == 1) {  // not drawn for the rock, but for its impacts
+        inputs.push_back({input.trial, 0, 1, 1, input.value});
+        inputs.push_back({input.trial, 0, 1, 2, 1 - input.value});
+      } else {
+        inputs.push_back(input);
+      }
+      if (input.input == 2)
+        inputs.push_back({input.trial, 0, index_of(Outcome::volume, scenario), 0,
+                          std::sqrt(chunk.rocks[input.trial].runout + 2)});
+    }
+    chunk.inputs = std::move(inputs);
+    Sensitivity sensitivity(scenario);
+    sensitivity.see(chunk);
+    std::vector<std::string> names;
+    const auto data = sensitivity.data();
+    for (const auto& line : data[0]["inputs"]) names.push_back(line["path"]);
+    return names;
+  };
+  CHECK(paths() == std::vector<std::string>{"input 0"});
+  scenario.output.rank_outcomes = true;
+  CHECK(paths() == std::vector<std::string>{"rock.volume", "input 0"});
 }
 
 TEST_CASE("Angles are read in degrees") {
