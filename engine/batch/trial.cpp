@@ -73,6 +73,15 @@ int part_under(const Terrain& terrain, const Body<D>& body) {
   return nearest.distance <= reach ? nearest.part : -1;
 }
 
+/// Where a gate or barrier stands, counted from `origin`.
+template <class Place>
+PlanLine line_of(const Place& place, const Vec3& origin) {
+  if (place.line.empty()) return {place.x - origin.x()};
+  std::vector<Vec2> points = place.line;
+  for (Vec2& point : points) point -= origin.head<2>();
+  return PlanLine(points);
+}
+
 TerrainPicture picture(const std::shared_ptr<const Terrain2>& terrain, const Vec3& origin) {
   return {terrain->profile().parts, terrain->profile(), nullptr, origin};
 }
@@ -126,9 +135,11 @@ TrialRunner::Trials<D>::Trials(const Scenario& scenario) : scenario_(scenario), 
         if (!slot.is_constant() && scenario.draws[slot.draw].scope == Scope::impact)
           draws.push_back(slot.draw);
   }
-  for (const GatePlan& gate : scenario.gates) gates_.push_back({gate.x - scenario.terrain.origin.x()});
+  const Vec3& origin = scenario.terrain.origin;
+  for (const GatePlan& gate : scenario.gates) gates_.push_back({line_of(gate, origin)});
   for (const BarrierPlan& barrier : scenario.barriers)
-    barriers_.push_back({barrier.x - scenario.terrain.origin.x(), barrier.height, barrier.capacity});
+    barriers_.push_back(
+        {line_of(barrier, origin), barrier.held_height(), barrier.held_energy(), barrier.height_factor});
   if (D == 2 && scenario.bodies.empty()) bin_width_ = envelope_width(picture_of(0).profile);
 }
 

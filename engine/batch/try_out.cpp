@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "batch/hard_contacts.h"
+#include "geometry/place_text.h"
 #include "plugin/sampled_params.h"
 #include "plugin/sampled_states.h"
 #include "trial/build_trial.h"
@@ -173,11 +174,20 @@ void find_lost_places(const Scenario& scenario, const Trial<3>& trial, TriedOut&
   const TerrainView terrain = view_of(*trial.terrain, scenario.terrain.origin);
   const double low = terrain.low().x(), high = terrain.high().x();
   const auto find = [&](const char* section, const auto& places) {
-    for (std::size_t i = 0; i < places.size(); ++i)
-      if (!(places[i].x > low && places[i].x < high))
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const auto& place = places[i];
+      if (place.line.empty() && !(place.x > low && place.x < high))
         add(tried.errors, fmt::format("{}.{}.x", section, i),
-            fmt::format("{:.10g} m is not on the terrain, which spans x from {:.10g} m to {:.10g} m",
-                        places[i].x, low, high));
+            fmt::format("{:.10g} m is not on the terrain, which spans x from {:.10g} m to {:.10g} m", place.x,
+                        low, high));
+      for (std::size_t k = 0; k < place.line.size(); ++k)
+        if (!terrain.height(place.line[k].x(), place.line[k].y()))
+          add(tried.errors, fmt::format("{}.{}.line", section, i),
+              fmt::format("its point {} {} is not on the terrain, which spans x from {:.10g} m to {:.10g} m "
+                          "and y from {:.10g} m to {:.10g} m",
+                          k + 1, place_text(place.line[k]), low, high, terrain.low().y(),
+                          terrain.high().y()));
+    }
   };
   find("gates", scenario.gates);
   find("barriers", scenario.barriers);

@@ -59,10 +59,12 @@ std::string reasons_line(const Scenario& scenario, const GroupSummary& group) {
   return fmt::format("  {}\n", fmt::join(parts, ", "));
 }
 
+std::string place_line(const std::string& place, double share, const char* bound, const Interval& interval) {
+  if (std::isnan(share)) return "";
+  return fmt::format("  {:<34}{:>12}{:>19}\n", place, bound + percent(share), range_text(interval));
+}
 std::string place_line(const std::string& place, const Share& share) {
-  if (std::isnan(share.value)) return "";
-  return fmt::format("  {:<34}{:>12}{:>19}\n", place, (share.censored ? ">= " : "") + percent(share.value),
-                     range_text(share.interval));
+  return place_line(place, share.value, share.censored ? ">= " : "", share.interval);
 }
 
 /// The number of rocks at the gates and barriers of a point, one line for each.
@@ -76,6 +78,9 @@ std::string places_text(const Scenario& scenario, const PointResult& point) {
     text += place_line(name + "reached", point.barriers[b].reached);
     for (std::size_t o = 0; o < point.barriers[b].shares.size(); ++o)
       text += place_line(name + name_of(static_cast<BarrierOutcome>(o)), point.barriers[b].shares[o]);
+    const Complement others = complement_of(point.barriers[b].reached);
+    text +=
+        place_line(name + "not_reached", others.value, others.is_upper_bound ? "<= " : "", others.interval);
   }
   return text;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "geometry/ground.h"
+#include "geometry/plan_line.h"
 #include "geometry/profile.h"
 #include "math/space.h"
 
@@ -41,6 +42,10 @@ struct Arc {
     std::array<double, 5> rate;
     for (int k = 1; k <= 5; ++k) rate[k - 1] = k * n.dot(c[k]);
     return rate;
+  }
+  /// The path in plan, as polynomials of s.
+  PlanPath in_plan() const {
+    return {along(Vec<D>::Unit(0)), D == 3 ? along(Vec<D>::Unit(1)) : decltype(PlanPath::y){}};
   }
   /// The part of the arc over [from, to] of s.
   Arc part(double from, double to) const;

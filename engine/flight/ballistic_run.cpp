@@ -17,7 +17,7 @@ class BarrierFlight {
         run_(run),
         body_(body),
         log_(body, ground, run),
-        sides_(sides_of(run.barriers, body.x.x())) {}
+        to_barriers_(approaches(run.barriers, in_plan(body.x))) {}
 
   BodyHistory fly() {
     Landing<D> now{false, false, run_.start_time, body_.x, body_.v};
@@ -40,13 +40,16 @@ class BarrierFlight {
   }
 
   /// The first barrier that the arc meets before its end; the arc then ends there. -1: none.
-  int first_barrier(const Arc<D>& arc, ArcEnd& end) const {
+  int first_barrier(const Arc<D>& arc, ArcEnd& end) {
     int first = -1;
-    for (std::size_t b = 0; b < sides_.size(); ++b) {
-      if (sides_[b] == 0) continue;
-      const auto s = first_arrival(arc, run_.barriers[b].x, sides_[b], end.s);
-      if (s && (first < 0 || *s < end.s)) end = {*s, false, false, true}, first = static_cast<int>(b);
+    for (std::size_t b = 0; b < to_barriers_.size(); ++b) {
+      const auto arrival = to_barriers_[b].arrival(arc.in_plan(), end.s);
+      if (!arrival || (first >= 0 && arrival->time >= end.s)) continue;
+      end = {arrival->time, false, false, true};
+      first = static_cast<int>(b);
+      place_ = arrival->place;
     }
+    for (Approach& to_barrier : to_barriers_) to_barrier.move_to(in_plan(arc.position(end.s)));
     return first;
   }
 
@@ -54,8 +57,8 @@ class BarrierFlight {
   /// barrier.
   bool catches(int barrier, Landing<D>& now) {
     const Barrier& fence = run_.barriers[barrier];
-    sides_[barrier] = 0;
-    const BarrierHit hit = meet(fence, barrier, log_.arrival(fence.x, now));
+    to_barriers_[barrier].arrive();
+    const BarrierHit hit = meet(fence, barrier, log_.arrival(place_, now), body_.volume);
     const double left = velocity_left(fence, hit);
     now.velocity *= left;
     log_.met(hit, left);
@@ -66,7 +69,8 @@ class BarrierFlight {
   const BallisticRun<D>& run_;
   const Body<D>& body_;
   FlightLog<D, Ground> log_;
-  Sides sides_;
+  std::vector<Approach> to_barriers_;
+  Vec2 place_ = Vec2::Zero();  ///< in plan, where the flight met the last barrier
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "flight/ground.h"
+#include "math/travel_time.h"
 
 namespace flyrock {
 
@@ -12,19 +13,16 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
+PlanPath in_plan(const Path<2>& path) { return {.x = {path.x.x(), path.v.x(), 0.5 * path.a.x()}}; }
+PlanPath in_plan(const Path<3>& path) {
+  return {.x = {path.x.x(), path.v.x(), 0.5 * path.a.x()}, .y = {path.x.y(), path.v.y(), 0.5 * path.a.y()}};
+}
+
 }  // namespace
 
-/// The first root of ahead = v t + a t^2 / 2, in the form that does not subtract. Without air, a is 0.
 template <int D>
 double arrival(const Path<D>& path, double x, int side, int axis) {
-  const double ahead = side * (x - path.x[axis]), speed = side * path.v[axis];
-  if (ahead <= 0) return 0;
-  if (ahead == never) return never;
-  const double push = side * path.a[axis], discriminant = speed * speed + 2 * push * ahead;
-  if (discriminant < 0) return never;
-  const double root = std::sqrt(discriminant);
-  if (speed < 0) return push > 0 ? (root - speed) / push : never;
-  return speed + root > 0 ? 2 * ahead / (speed + root) : never;
+  return travel_times(side * (x - path.x[axis]), side * path.v[axis], side * path.a[axis])[0];
 }
 
 template <int D>
@@ -32,55 +30,61 @@ Crossings<D>::Crossings(World<D>& world, std::span<const Gate> gates, std::span<
                         std::vector<BodyHistory>& histories)
     : world_(world), gates_(gates), barriers_(barriers), histories_(histories) {
   for (const Body<D>& body : world.bodies) {
-    gate_side_.push_back(sides_of(gates, body.x.x()));
-    barrier_side_.push_back(sides_of(barriers, body.x.x()));
+    to_gates_.push_back(approaches(gates, flyrock::in_plan(body.x)));
+    to_barriers_.push_back(approaches(barriers, flyrock::in_plan(body.x)));
   }
 }
 
 template <int D>
 double Crossings<D>::time_to_barrier(int body, const Path<D>& path) const {
   double first = never;
-  for (std::size_t b = 0; b < barriers_.size(); ++b)
-    if (const int side = barrier_side_[body][b]; side != 0)
-      first = std::min(first, arrival<D>(path, barriers_[b].x, side));
+  for (const Approach& approach : to_barriers_[body])
+    if (const auto arrival = approach.arrival(in_plan(path), first)) first = std::min(first, arrival->time);
   return first;
 }
 
 template <int D>
 bool Crossings<D>::moved(int body, const Motion& motion, double start, double dt) {
+  if (gates_.empty() && barriers_.empty()) return false;
   const Body<D>& b = world_.bodies[body];
+  const PlanPath path = in_plan(motion);
+  const Vec2 end = flyrock::in_plan(motion.position(dt));
   for (std::size_t g = 0; g < gates_.size(); ++g) {
-    if (gate_side_[body][g] == 0) continue;
-    const double t = arrival<D>(motion, gates_[g].x, gate_side_[body][g]);
-    if (t > dt) continue;
-    gate_side_[body][g] = 0;
+    Approach& to_gate = to_gates_[body][g];
+    const auto arrival = to_gate.arrival(path, dt);
+    to_gate.move_to(end);
+    if (!arrival) continue;
+    to_gate.arrive();
+    const double t = arrival->time;
     const Turned<D> turned = turn_at(motion, t);
     const double speed = motion.velocity(t).norm();
     const double energy = 0.5 * (b.mass * speed * speed + twice_spin_energy(b, turned.attitude, turned.spin));
     histories_[body].passages.push_back(
-        {static_cast<int>(g), start + t, speed, energy, height(motion.position(t), gates_[g].x)});
+        {static_cast<int>(g), start + t, speed, energy, height(motion.position(t), arrival->place)});
   }
   for (std::size_t k = 0; k < barriers_.size(); ++k) {
-    if (barrier_side_[body][k] == 0 || arrival<D>(motion, barriers_[k].x, barrier_side_[body][k]) > dt)
-      continue;
-    barrier_side_[body][k] = 0;
-    if (catches(static_cast<int>(k), body)) return true;
+    Approach& to_barrier = to_barriers_[body][k];
+    const auto arrival = to_barrier.arrival(path, dt);
+    to_barrier.move_to(end);
+    if (!arrival) continue;
+    to_barrier.arrive();
+    if (catches(static_cast<int>(k), body, arrival->place)) return true;
   }
   return false;
 }
 
 template <int D>
-double Crossings<D>::height(const Vec<D>& place, double x) const {
-  const auto ground = ground_height(world_.terrain(), at_x<D>(place, x));
-  return ground ? place[D - 1] - *ground : never;
+double Crossings<D>::height(const Vec<D>& position, const Vec2& at) const {
+  const auto ground = ground_height(world_.terrain(), moved_to<D>(position, at));
+  return ground ? position[D - 1] - *ground : never;
 }
 
 template <int D>
-bool Crossings<D>::catches(int barrier, int body) {
+bool Crossings<D>::catches(int barrier, int body, const Vec2& at) {
   const Barrier& fence = barriers_[barrier];
   Body<D>& b = world_.bodies[body];
   const BarrierHit hit =
-      meet(fence, barrier, {world_.time, b.v.norm(), b.kinetic_energy(), height(b.x, fence.x)});
+      meet(fence, barrier, {world_.time, b.v.norm(), b.kinetic_energy(), height(b.x, at)}, b.volume);
   const double left = velocity_left(fence, hit);
   b.v *= left;
   b.w *= left;

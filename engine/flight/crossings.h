@@ -14,7 +14,7 @@ namespace flyrock {
 /// (+1 towards greater x, -1 towards smaller). 0 if the path starts there or beyond, infinity if it never
 /// arrives.
 template <int D>
-double arrival(const Path<D>& path, double x, int side, int axis = 0);
+double arrival(const Path<D>& path, double x, int side, int axis);
 
 template <int D>
 class Crossings {
@@ -32,14 +32,15 @@ class Crossings {
   bool moved(int body, const Motion& motion, double start, double dt);
 
  private:
-  bool catches(int barrier, int body);
-  double height(const Vec<D>& place, double x) const;  ///< above the ground at x
+  bool catches(int barrier, int body, const Vec2& at);
+  /// Of a position that is moved in plan to a place of a line, above the ground there.
+  double height(const Vec<D>& position, const Vec2& at) const;
 
   World<D>& world_;
   std::span<const Gate> gates_;
   std::span<const Barrier> barriers_;
   std::vector<BodyHistory>& histories_;
-  std::vector<Sides> gate_side_, barrier_side_;  ///< [body]
+  std::vector<std::vector<Approach>> to_gates_, to_barriers_;  ///< [body][place]
 };
 
 }  // namespace flyrock

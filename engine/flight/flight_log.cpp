@@ -78,7 +78,7 @@ FlightLog<D, Ground>::FlightLog(const Body<D>& body, const Ground& ground, const
       spin_since_(run.start_time),
       twice_spin_energy_(twice_spin_energy(body, body.attitude, body.w)),
       next_sample_(run.start_time),
-      gates_(sides_of(run.gates, body.x.x())) {
+      to_gates_(approaches(run.gates, in_plan(body.x))) {
   if constexpr (D == 2) angle_ = body.attitude.angle;
   history_.begin(state(run.start_time, body.x, body.v));
   history_.bounce_height = height(body.x);
@@ -106,9 +106,9 @@ void FlightLog<D, Ground>::see(const Arc<D>& arc, double end) {
 }
 
 template <int D, class Ground>
-Arrival FlightLog<D, Ground>::arrival(double x, const Landing<D>& now) const {
+Arrival FlightLog<D, Ground>::arrival(const Vec2& place, const Landing<D>& now) const {
   return {now.time, now.velocity.norm(), energy(now.velocity.squaredNorm()),
-          height(at_x<D>(now.position, x))};
+          height(moved_to<D>(now.position, place))};
 }
 
 template <int D, class Ground>
@@ -166,15 +166,17 @@ double FlightLog<D, Ground>::height(const Vec<D>& p) const {
 
 template <int D, class Ground>
 void FlightLog<D, Ground>::pass_gates(const Arc<D>& arc, double end) {
-  for (std::size_t g = 0; g < gates_.size(); ++g) {
-    if (gates_[g] == 0) continue;
-    const double x = run_.gates[g].x;
-    const auto s = first_arrival(arc, x, gates_[g], end);
-    if (!s) continue;
-    gates_[g] = 0;
-    const Vec<D> velocity = arc.velocity(*s);
-    history_.passages.push_back({static_cast<int>(g), arc.start + *s * arc.length, velocity.norm(),
-                                 energy(velocity.squaredNorm()), height(at_x<D>(arc.position(*s), x))});
+  // Slightly beyond the end, because an arc that ends at a barrier may end before a gate there by rounding.
+  const double until = std::min(1.0, end + 1e-12);
+  for (std::size_t g = 0; g < to_gates_.size(); ++g) {
+    const auto arrival = to_gates_[g].arrival(arc.in_plan(), until);
+    to_gates_[g].move_to(in_plan(arc.position(end)));
+    if (!arrival) continue;
+    to_gates_[g].arrive();
+    const Vec<D> velocity = arc.velocity(arrival->time), position = arc.position(arrival->time);
+    history_.passages.push_back({static_cast<int>(g), arc.start + arrival->time * arc.length, velocity.norm(),
+                                 energy(velocity.squaredNorm()),
+                                 height(moved_to<D>(position, arrival->place))});
   }
 }
 

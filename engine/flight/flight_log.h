@@ -13,8 +13,8 @@ class FlightLog {
 
   /// Records that the flight followed `arc` to s = end in [0, 1].
   void see(const Arc<D>& arc, double end);
-  /// The state in which the flight arrives at a barrier at x.
-  Arrival arrival(double x, const Landing<D>& now) const;
+  /// The state in which the flight arrives at a barrier at a place in plan.
+  Arrival arrival(const Vec2& place, const Landing<D>& now) const;
   /// Records that a barrier has acted and scaled velocity and spin by `left`.
   void met(const BarrierHit& hit, double left);
   BodyHistory finish(const Landing<D>& end, StopReason reason);
@@ -39,7 +39,7 @@ class FlightLog {
   double spin_since_, angle_ = 0;  ///< the angle at that time: rad, 2D
   double twice_spin_energy_;       ///< J
   double next_sample_;
-  Sides gates_;
+  std::vector<Approach> to_gates_;
 };
 
 }  // namespace flyrock

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "geometry/place_text.h"
+#include "geometry/plan_line.h"
 
 namespace flyrock {
 
@@ -167,14 +168,6 @@ void cover(HeightGrid& grid, const std::string& name, const std::function<bool(c
         grid.part[static_cast<std::size_t>(row) * grid.columns + column] = part;
 }
 
-bool crosses(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  const double left = cross(Vec2(b - a), Vec2(c - a)), right = cross(Vec2(b - a), Vec2(d - a));
-  const double above = cross(Vec2(d - c), Vec2(a - c)), below = cross(Vec2(d - c), Vec2(b - c));
-  const Vec2 low = a.cwiseMin(b).cwiseMax(c.cwiseMin(d)), high = a.cwiseMax(b).cwiseMin(c.cwiseMax(d));
-  if ((low.array() > high.array()).any()) return false;
-  return left * right <= 0 && above * below <= 0;
-}
-
 }  // namespace
 
 bool is_inside(const std::vector<Vec2>& polygon, const Vec2& place) {
@@ -197,7 +190,7 @@ std::string polygon_fault(const std::vector<Vec2>& polygon) {
     twice_area += cross(Vec2(a - polygon[0]), Vec2(b - polygon[0]));
     for (std::size_t k = i + 2; k < n; ++k) {
       if (i == 0 && k + 1 == n) continue;  // neighbours
-      if (crosses(a, b, polygon[k], polygon[(k + 1) % n]))
+      if (stretches_meet(a, b, polygon[k], polygon[(k + 1) % n]))
         return fmt::format("the outline of a polygon crosses itself between {} and {}", place_text(a),
                            place_text(polygon[k]));
     }

@@ -28,8 +28,9 @@ std::string bundle(const std::filesystem::path& file, const std::string& then) {
 /// The scripts of the page, in one scope. Their order matters, because each uses the ones before it.
 std::string scripts(const std::filesystem::path& assets) {
   std::string joined = "\"use strict\";\n(() => {\n";
-  for (const char* name : {"page.js", "reach.js", "tracks.js", "space.js", "plan.js", "plots.js",
-                           "small_plots.js", "curves.js", "azimuth.js", "area.js", "tables.js", "report.js"})
+  for (const char* name :
+       {"page.js", "places.js", "reach.js", "tracks.js", "space.js", "plan.js", "plots.js",
+        "small_plots.js", "curves.js", "azimuth.js", "area.js", "tables.js", "report.js"})
     joined += read_file(assets / name);
   return joined + "})();\n";
 }
@@ -50,7 +51,8 @@ std::string report_html(const nlohmann::ordered_json& data, const std::filesyste
   if (const std::string faults = text("fault_line"); !faults.empty())
     page += fmt::format("<p class=\"alarm\">{}</p>\n", escaped(faults));
   page += fmt::format("<h1>{}</h1>\n<p class=\"answer\">{}</p>\n<p class=\"facts\">{}</p>\n", title,
-                      escaped(replace_all(text("answer"), ">= ", "≥ ")), escaped(text("assumptions")));
+                      escaped(replace_all(replace_all(text("answer"), ">= ", "≥ "), "<= ", "≤ ")),
+                      escaped(text("assumptions")));
   page +=
       "<noscript><p>Plots and tables need JavaScript; rocks.csv and summary.json hold the same "
       "numbers.</p></noscript>\n"

@@ -71,11 +71,25 @@ Json group_data(const GroupSummary& group) {
   return data;
 }
 
+/// Where a gate or barrier stands: at x, or along a line [[x, y], ...]; the other is null.
+template <class Place>
+Json x_of(const Place& place) {
+  return place.line.empty() ? Json(place.x) : Json(nullptr);
+}
+template <class Place>
+Json line_of(const Place& place) {
+  if (place.line.empty()) return nullptr;
+  Json line = Json::array();
+  for (const Vec2& point : place.line) line.push_back({point.x(), point.y()});
+  return line;
+}
+
 Json gates_data(const Scenario& scenario, const std::vector<GateSummary>& gates) {
   Json list = Json::array();
   for (std::size_t g = 0; g < gates.size(); ++g)
     list.push_back({{"gate", scenario.gates[g].name},
-                    {"x", scenario.gates[g].x},
+                    {"x", x_of(scenario.gates[g])},
+                    {"line", line_of(scenario.gates[g])},
                     {"rocks", gates[g].passed},
                     {"passed", number(gates[g].share.value)},
                     {"share_intervals", {{"passed", interval_data(gates[g].share.interval)}}},
@@ -92,17 +106,31 @@ Json barriers_data(const Scenario& scenario, const std::vector<BarrierSummary>& 
     const BarrierSummary& barrier = barriers[b];
     const BarrierPlan& plan = scenario.barriers[b];
     Json data = {{"barrier", plan.name},
-                 {"x", plan.x},
+                 {"x", x_of(plan)},
+                 {"line", line_of(plan)},
                  {"height_m", plan.height},
                  {"capacity_J", plan.capacity},
+                 {"inclination_deg", plan.inclination * 180 / pi},
+                 {"freeboard_m", plan.freeboard},
+                 {"level", plan.service_level ? "sel" : "mel"},
+                 {"energy_factor", plan.energy_factor},
+                 {"height_factor", plan.height_factor},
+                 {"held_height_m", plan.held_height()},
+                 {"held_energy_J", plan.held_energy()},
                  {"rocks", barrier.outcomes[0] + barrier.outcomes[1] + barrier.outcomes[2]},
                  {"reached", number(barrier.reached.value)}};
-    Json intervals = {{"reached", interval_data(barrier.reached.interval)}};
+    const Complement others = complement_of(barrier.reached);
+    Json counts = Json::object(), intervals = {{"reached", interval_data(barrier.reached.interval)}};
     for (std::size_t o = 0; o < barrier.shares.size(); ++o) {
       const char* name = name_of(static_cast<BarrierOutcome>(o));
       data[name] = number(barrier.shares[o].value);
       intervals[name] = interval_data(barrier.shares[o].interval);
+      counts[name] = barrier.outcomes[o];
     }
+    data["not_reached"] = number(others.value);
+    intervals["not_reached"] = interval_data(others.interval);
+    counts["not_reached"] = barrier.not_reached;
+    data["counts"] = counts;
     data["share_intervals"] = intervals;
     data["lower_bounds"] = barrier.reached.censored;
     data["energy"] = statistics_data(barrier.energy);

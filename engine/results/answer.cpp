@@ -180,9 +180,10 @@ std::string answer(const Plan& plan, const Results& results) {
   if (known == 0) {
     text = fmt::format("All {} rocks failed.", rocks);
   } else if (!plan.points.front().bodies.empty()) {
-    text = bodies_answer(plan, results);
+    text = barriers_answer(plan, results) + bodies_answer(plan, results);
   } else {
-    text = fmt::format(
+    text = barriers_answer(plan, results);
+    text += fmt::format(
         "The {} that 95 % of the rocks do not exceed is {}{}; that of 99 % is {}{}; the greatest is {}.",
         runout_name(plan.points.front()), range_of(results, Statistic::p95),
         by_group(results, Statistic::p95), range_of(results, Statistic::p99),
@@ -191,7 +192,6 @@ std::string answer(const Plan& plan, const Results& results) {
     if (results.points.size() > 1)
       text += fmt::format(" The ranges are over {} sweep points.", results.points.size());
     text += censored_answer(plan, results);
-    text += barriers_answer(plan, results);
   }
   if (known > 0 && known < rocks)
     text += fmt::format(" {} rocks failed and are in no statistic.", rocks - known);

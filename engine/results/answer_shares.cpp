@@ -50,7 +50,22 @@ std::string why_and_where(const Scenario& scenario, const PointResult& point, co
   return fmt::format("{} {} {}", place.rocks, why, place_text(scenario, point, place));
 }
 
-std::string barrier_answer(const Plan& plan, const Results& results, std::size_t b) {
+/// "75 % (95 % interval 68.4 to 80.8 %)", "<= 75 % (...)".
+std::string display(const Complement& share) {
+  return fmt::format("{}{} ({})", share.is_upper_bound ? "<= " : "", percent(share.value),
+                     interval_text(share.interval));
+}
+
+/// "Barrier fence catches 1 of 2 bodies; ... ": bodies are few, and shares of them say less than their count.
+std::string of_bodies(const std::string& name, const BarrierSummary& barrier) {
+  const auto& [caught, over_top, through] = barrier.outcomes;
+  const std::uint64_t all = caught + over_top + through + barrier.not_reached;
+  return fmt::format(
+      "Barrier {} catches {} of {} {}; {} over the top, {} through it, and {} did not reach it. ", name,
+      caught, all, all == 1 ? "body" : "bodies", over_top, through, barrier.not_reached);
+}
+
+std::string of_rocks(const std::string& name, const Results& results, std::size_t b) {
   const auto of = [&](auto share) {
     std::vector<Share> shares;
     for (const PointResult& point : results.points) shares.push_back(share(point.barriers.at(b)));
@@ -59,14 +74,18 @@ std::string barrier_answer(const Plan& plan, const Results& results, std::size_t
   const auto outcome = [&](BarrierOutcome o) {
     return of([&](const BarrierSummary& barrier) { return barrier.shares[static_cast<std::size_t>(o)]; });
   };
-  const std::string text =
-      fmt::format(" Barrier {}: {} of the rocks reach it", plan.points.front().barriers[b].name,
-                  of([](const BarrierSummary& barrier) { return barrier.reached; }));
-  const auto reached = [&](const PointResult& point) { return point.barriers.at(b).reached.value > 0; };
-  if (std::none_of(results.points.begin(), results.points.end(), reached)) return text + '.';
-  return fmt::format("{}; it catches {}, {} go over it, and {} go through it.", text,
+  const auto reached = [](const BarrierSummary& barrier) { return barrier.reached; };
+  const auto is_reached = [&](const PointResult& point) { return point.barriers.at(b).reached.value > 0; };
+  if (std::none_of(results.points.begin(), results.points.end(), is_reached))
+    return fmt::format("Barrier {}: {} of the rocks reach it. ", name, of(reached));
+  const std::string others =
+      results.points.size() == 1
+          ? fmt::format(", and {} do not reach it",
+                        display(complement_of(results.points.front().barriers.at(b).reached)))
+          : fmt::format("; {} reach it", of(reached));
+  return fmt::format("Barrier {} catches {} of the rocks; {} go over the top, {} go through it{}. ", name,
                      outcome(BarrierOutcome::caught), outcome(BarrierOutcome::over_top),
-                     outcome(BarrierOutcome::over_energy));
+                     outcome(BarrierOutcome::over_energy), others);
 }
 
 }  // namespace
@@ -134,7 +153,8 @@ std::string censored_answer(const Plan& plan, const Results& results) {
 }
 
 std::string barriers_answer(const Plan& plan, const Results& results) {
-  const std::size_t count = plan.points.front().barriers.size();
+  const Scenario& scenario = plan.points.front();
+  const std::size_t count = scenario.barriers.size();
   constexpr std::size_t most_named = 4;  // for more a table says more than a sentence
   if (count == 0) return "";
   std::string text;
@@ -145,12 +165,16 @@ std::string barriers_answer(const Plan& plan, const Results& results) {
         share_of(all.reasons[static_cast<std::size_t>(StopReason::caught)], all.count - all.faults));
   }
   if (count > most_named)
-    text = fmt::format(" The {} barriers catch {} of the rocks.", count, over_points(caught));
+    text = fmt::format("The {} barriers catch {} of the {}. ", count, over_points(caught),
+                       scenario.bodies.empty() ? "rocks" : "bodies");
   else
-    for (std::size_t b = 0; b < count; ++b) text += barrier_answer(plan, results, b);
+    for (std::size_t b = 0; b < count; ++b)
+      text += scenario.bodies.empty()
+                  ? of_rocks(scenario.barriers[b].name, results, b)
+                  : of_bodies(scenario.barriers[b].name, results.points.front().barriers.at(b));
   const auto any = [](const Share& share) { return share.value > 0; };
-  if (std::any_of(caught.begin(), caught.end(), any))
-    text += " These distances hold only while the barriers stand.";
+  if (scenario.bodies.empty() && std::any_of(caught.begin(), caught.end(), any))
+    text += "Distances hold only while the barriers stand. ";
   return text;
 }
 

@@ -22,8 +22,8 @@ std::string material_of(const Scenario& scenario, const PointResult& point, int 
 /// " No rock is censored (95 % interval up to 0.369 %).", or which share is censored, why and where.
 std::string censored_answer(const Plan& plan, const Results& results);
 
-/// " Barrier fence: 62 % of the rocks reach it (...); it catches 50 % (...), ..."; empty if there are no
-/// barriers.
+/// What the barriers do, which an answer says first: "Barrier fence catches 50 % (...) of the rocks; 3 %
+/// (...) go over the top, ... "; of `bodies`, how many. Ends with a space; empty if there are no barriers.
 std::string barriers_answer(const Plan& plan, const Results& results);
 
 }  // namespace flyrock

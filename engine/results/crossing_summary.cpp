@@ -79,6 +79,7 @@ std::vector<BarrierSummary> CrossingTally::barriers() const {
   for (const Arrivals& at : barriers_) {
     BarrierSummary summary;
     summary.outcomes = at.outcomes;
+    summary.not_reached = rocks_ - at.speed.size();
     summary.reached = share(at.speed.size(), at);
     for (std::size_t o = 0; o < at.outcomes.size(); ++o) summary.shares[o] = share(at.outcomes[o], at);
     summary.energy = bounded(at.energy, open(at) > 0);

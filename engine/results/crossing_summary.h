@@ -20,6 +20,7 @@ struct GateSummary {
 
 struct BarrierSummary {
   std::array<std::uint64_t, 3> outcomes{};  ///< rocks, indexed by BarrierOutcome
+  std::uint64_t not_reached = 0;            ///< rocks that did not arrive; with the outcomes, all rocks
   Share reached;                            ///< rocks that arrived, of all rocks
   std::array<Share, 3> shares{};            ///< of all rocks, indexed by BarrierOutcome
   Statistics energy{}, height{};            ///< of the rocks that arrived, before the barrier acts

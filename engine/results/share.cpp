@@ -22,4 +22,8 @@ Share share_of(std::uint64_t k, std::uint64_t n, std::uint64_t open) {
       {share_interval(k, n, stated_confidence).lower, share_interval(k + open, n, stated_confidence).upper}};
 }
 
+Complement complement_of(const Share& share) {
+  return {1 - share.value, share.censored, {1 - share.interval.upper, 1 - share.interval.lower}};
+}
+
 }  // namespace flyrock

@@ -23,4 +23,12 @@ struct Share : Bounded {
 /// the interval is that of k + open.
 Share share_of(std::uint64_t k, std::uint64_t n, std::uint64_t open = 0);
 
+/// The share of the other rocks. Where `share` is a lower bound, that of the others is an upper bound.
+struct Complement {
+  double value;
+  bool is_upper_bound;
+  Interval interval;
+};
+Complement complement_of(const Share& share);
+
 }  // namespace flyrock

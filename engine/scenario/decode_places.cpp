@@ -11,9 +11,21 @@ namespace flyrock {
 
 namespace {
 
-/// Checks that `x` of an element lies on the terrain of the first trial.
-void check_place(DecodeContext& context, const Node& item, const Section& section,
-                 const std::optional<Profile>& profile) {
+/// Reads where a gate or barrier stands into its plan. Checks that `x` lies on the terrain of the first
+/// trial. (In 3D that is checked when trials are tried out.)
+template <class Place>
+void read_place(DecodeContext& context, const Node& item, const Section& section,
+                const std::optional<Profile>& profile, Place& plan) {
+  if (context.dimension == 3) {
+    if (section.given("x") == section.given("line"))
+      return item.error(context.diagnostics, section.given("x")
+                                                 ? "has both `x` and `line`, expected one of them"
+                                                 : "expected `x` or `line`, which say where it stands");
+    for (const Vec3& point : section.points("line")) plan.line.emplace_back(point.x(), point.y());
+    if (section.given("x")) plan.x = section.constant("x");
+    return;
+  }
+  plan.x = section.constant("x");
   const auto x = item.find("x");
   if (!x || !section.given("x") || !profile) return;
   const double at = section.constant("x");
@@ -57,21 +69,32 @@ void decode_sectors(DecodeContext& context, const Node& item, const Section& sec
 std::vector<BarrierPlan> decode_barriers(DecodeContext& context, const Node& node,
                                          const std::optional<Profile>& profile) {
   return decode_list<BarrierPlan>(node, [&](const Node& item) {
-    const Section section = decode_section(context, item, "barriers");
-    check_place(context, item, section, profile);
-    return BarrierPlan{.name = section.text("name"),
-                       .x = section.constant("x"),
-                       .height = section.constant("height"),
-                       .capacity = section.constant("capacity")};
+    const Section section = decode_section(context, item, place_section("barriers", context.dimension));
+    BarrierPlan plan{.name = section.text("name"),
+                     .height = section.constant("height"),
+                     .capacity = section.constant("capacity"),
+                     .inclination = section.constant("inclination"),
+                     .freeboard = section.constant("freeboard"),
+                     .service_level = section.text("level") == "sel",
+                     .energy_factor = section.constant("energy_factor"),
+                     .height_factor = section.constant("height_factor")};
+    read_place(context, item, section, profile, plan);
+    if (section.given("height") && plan.height > 0 && plan.held_height() <= 0)
+      item.error(context.diagnostics,
+                 fmt::format("holds no rock: height x cos(inclination) is {:.4g} m, expected more than the "
+                             "freeboard of {:.4g} m",
+                             plan.held_height() + plan.freeboard, plan.freeboard));
+    return plan;
   });
 }
 
 std::vector<GatePlan> decode_gates(DecodeContext& context, const Node& node,
                                    const std::optional<Profile>& profile) {
   return decode_list<GatePlan>(node, [&](const Node& item) {
-    const Section section = decode_section(context, item, "gates");
-    check_place(context, item, section, profile);
-    return GatePlan{.name = section.text("name"), .x = section.constant("x")};
+    const Section section = decode_section(context, item, place_section("gates", context.dimension));
+    GatePlan plan{.name = section.text("name")};
+    read_place(context, item, section, profile, plan);
+    return plan;
   });
 }
 

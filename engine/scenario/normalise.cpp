@@ -47,8 +47,12 @@ class Normaliser {
     put_part("bodies", false, [&](const Node& node) { return normalise_bodies(context_, node); });
     if (!root_.find("rocks") && !root_.find("bodies"))
       diagnostics_.error(root_.key_at, "", "`rocks` or `bodies` is missing");
-    for (const char* name : {"barriers", "gates", "clearance"})
-      put_part(name, false, [&](const Node& node) { return normalise_list_of(context_, node, name); });
+    for (const char* name : {"barriers", "gates"})
+      put_part(name, false, [&](const Node& node) {
+        return normalise_list_of(context_, node, place_section(name, context_.dimension));
+      });
+    put_part("clearance", false,
+             [&](const Node& node) { return normalise_list_of(context_, node, "clearance"); });
     put_part_or_default("solver",
                         [&](const auto& node) { return normalise_section(context_, node, "solver", {}); });
     put_part("stop", true, [&](const Node& node) { return normalise_section(context_, node, "stop", {}); });

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "geometry/contactor.h"
+#include "geometry/plan_line.h"
 #include "geometry/plan_zone.h"
 
 namespace flyrock {
@@ -139,10 +140,10 @@ std::string outline_fault(const std::vector<std::vector<double>>& points, int di
 std::string points_fault(const std::vector<std::vector<double>>& points, const ParamSpec& spec,
                          int dimension) {
   if (spec.type == ParamType::plan_points) {
-    if (spec.name != "inside" && spec.name != "polygon") return {};
     std::vector<Vec2> corners;
     for (const std::vector<double>& point : points) corners.emplace_back(point[0], point[1]);
-    return polygon_fault(corners);
+    if (spec.name == "line") return line_fault(corners);
+    return spec.name == "inside" || spec.name == "polygon" ? polygon_fault(corners) : std::string();
   }
   const bool is_outline = spec.name == "inside" || (spec.name == "vertices" && dimension == 2);
   return is_outline ? outline_fault(points, dimension) : std::string();

@@ -2,6 +2,7 @@
 // The typed scenario: what a run needs, with every unit converted and every name resolved.
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -165,17 +166,28 @@ struct PairPlan {
   int material = -1;
 };
 
-/// A place where passing rocks are recorded.
+/// A place where passing rocks are recorded: at x, or in 3D along a line in plan.
 struct GatePlan {
   std::string name;
-  double x = 0;  ///< m
+  double x = 0;                 ///< m
+  std::vector<Vec2> line = {};  ///< m; empty: at x
 };
 
-/// A fence or berm. flight/crossings.h describes what it does.
+/// A fence or berm at x, or in 3D along a line in plan. world/places.h describes what it does.
 struct BarrierPlan {
   std::string name;
-  double x = 0, height = 0;  ///< m
-  double capacity = 0;       ///< J
+  double x = 0, height = 0;                     ///< m; height: along the barrier
+  double capacity = 0;                          ///< J, maximum energy level
+  std::vector<Vec2> line = {};                  ///< m; empty: at x
+  double inclination = 0;                       ///< rad, from the vertical
+  double freeboard = 0;                         ///< m, that stays above a rock
+  bool service_level = false;                   ///< holds a third of the capacity
+  double energy_factor = 1, height_factor = 1;  ///< partial factors on what rocks bring
+
+  /// The height above the ground that a rock may reach with its top [m].
+  double held_height() const { return height * std::cos(inclination) - freeboard; }
+  /// The greatest energy of a rock that is caught [J].
+  double held_energy() const { return (service_level ? capacity / 3 : capacity) / energy_factor; }
 };
 
 /// A clearance that a run must compute: the distance that a rock, or the farthest rock of a blast, exceeds

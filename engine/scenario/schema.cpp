@@ -153,6 +153,23 @@ std::vector<ParamSpec> heights() {
       boolean("on_ground", false, "lowered in its attitude until it touches the ground; or `above_ground`")};
 }
 
+/// Where a gate or barrier stands in 3D.
+std::vector<ParamSpec> lines(const std::string& what) {
+  return {text("name", "of the " + what), optional(number("x", "m", "where it stands, across x")),
+          optional(plan_points("line", "in plan, along which it stands; in place of `x`"))};
+}
+
+std::vector<ParamSpec> barrier_keys() {
+  return {above(number("height", "m", "from its foot to its top"), 0),
+          above(number("capacity", "J", "energy that it takes: the maximum energy level"), 0),
+          or_else(below(at_least(number("inclination", "rad", "from the vertical"), 0), pi / 2), 0.0),
+          or_else(at_least(number("freeboard", "m", "that must stay free above a rock"), 0), 0.0),
+          or_else(choice("level", {"mel", "sel"}, "maximum or service energy level: sel holds capacity/3"),
+                  "mel"),
+          or_else(above(number("energy_factor", "", "partial factor on the energy of rocks"), 0), 1.0),
+          or_else(above(number("height_factor", "", "partial factor on the height of rocks"), 0), 1.0)};
+}
+
 std::vector<SectionSpec> make_sections() {
   return {
       document(),
@@ -270,11 +287,11 @@ std::vector<SectionSpec> make_sections() {
        {vector("axis", "", "about which it is turned"), number("angle", "rad", "by which it is turned")},
        {}},
       {"barriers",
-       {text("name", "of the barrier"), number("x", "m", "where it stands"),
-        above(number("height", "m", "above the ground at x"), 0),
-        above(number("capacity", "J", "energy that it takes"), 0)},
+       joined({text("name", "of the barrier"), number("x", "m", "where it stands")}, barrier_keys()),
        {}},
+      {"barriers 3D", joined(lines("barrier"), barrier_keys()), {}},
       {"gates", {text("name", "of the gate"), number("x", "m", "where it stands")}, {}},
+      {"gates 3D", lines("gate"), {}},
       {"clearance",
        {text("name", "of the clearance"),
         optional(text("group", "the group of rocks that the clearance applies to; all groups by default")),
@@ -338,6 +355,10 @@ std::vector<std::string> SectionSpec::key_names() const {
   for (const ParamSpec& spec : keys) names.push_back(spec.name);
   names.insert(names.end(), parts.begin(), parts.end());
   return names;
+}
+
+std::string place_section(std::string_view name, int dimension) {
+  return std::string(name) + (dimension == 3 ? " 3D" : "");
 }
 
 const std::vector<SectionSpec>& section_specs() {

@@ -2,6 +2,7 @@
 // The keys of the scenario's own sections, described in the same way as plugins describe their parameters.
 // Decoding, the resolved scenario and the schema for editors use these tables.
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct SectionSpec {
 
 /// The section with that name. An unknown name is a bug of the program (std::logic_error).
 const SectionSpec& section_spec(std::string_view name);
+
+/// The section of an element of `gates` or `barriers`, which in 3D may stand along a line.
+std::string place_section(std::string_view name, int dimension);
 
 /// All sections, in the order of the document.
 const std::vector<SectionSpec>& section_specs();

@@ -5,15 +5,20 @@
 namespace flyrock {
 
 namespace {
-BarrierOutcome outcome_of(const Barrier& barrier, const Arrival& arrival) {
-  if (arrival.height >= barrier.height) return BarrierOutcome::over_top;
+BarrierOutcome outcome_of(const Barrier& barrier, const Arrival& arrival, double volume) {
+  const double radius = std::cbrt(0.75 * volume / pi);
+  if (barrier.height_factor * arrival.height + radius > barrier.height) return BarrierOutcome::over_top;
   return arrival.kinetic_energy <= barrier.capacity ? BarrierOutcome::caught : BarrierOutcome::over_energy;
 }
 }  // namespace
 
-BarrierHit meet(const Barrier& barrier, int index, const Arrival& arrival) {
-  return {index,         outcome_of(barrier, arrival), arrival.time,
-          arrival.speed, arrival.kinetic_energy,       arrival.height};
+BarrierHit meet(const Barrier& barrier, int index, const Arrival& arrival, double volume) {
+  return {index,
+          outcome_of(barrier, arrival, volume),
+          arrival.time,
+          arrival.speed,
+          arrival.kinetic_energy,
+          arrival.height};
 }
 
 double velocity_left(const Barrier& barrier, const BarrierHit& hit) {

@@ -1,29 +1,30 @@
 #pragma once
 // Gates, which record the bodies that pass them, and barriers, which stop or slow them.
 //
-// Both stand at a position x of the terrain (in 3D a vertical plane normal to x). They act once on each body:
-// when its centre of mass first arrives there from the side on which it started. A body that starts at x
-// arrives immediately.
+// Both stand on a line in plan (geometry/plan_line.h). They act once on each body: when its centre of mass
+// first arrives at the line. A body that starts on the line arrives immediately.
 
 #include <span>
 #include <vector>
 
+#include "geometry/plan_line.h"
 #include "world/observe.h"
 
 namespace flyrock {
 
 struct Gate {
-  double x = 0;  ///< m
+  PlanLine line;
 };
 
-/// A fence or berm. A body that arrives at `height` above the ground or higher passes over the top. A lower
-/// body is caught if its kinetic energy E (translation and rotation) is at most `capacity`. Otherwise it goes
-/// through, and its velocity and spin are scaled by sqrt(1 - capacity / E), so that it loses the energy
-/// `capacity`.
+/// A fence, wall or berm. A body with its centre h above the ground, the radius R (of the sphere of equal
+/// volume) and the kinetic energy E (translation and rotation) passes over the top if height_factor h + R >
+/// height. A lower body is caught if E <= capacity. Otherwise it goes through, and its velocity and spin are
+/// scaled by sqrt(1 - capacity / E), so that it loses the energy `capacity`.
 struct Barrier {
-  double x = 0;         ///< m
-  double height = 0;    ///< m above the ground at x
-  double capacity = 0;  ///< J
+  PlanLine line;
+  double height = 0;    ///< m above the ground at the line, without what its inclination and freeboard take
+  double capacity = 0;  ///< J, of its energy level, divided by the partial factor of energies
+  double height_factor = 1;
 };
 
 /// The state in which a body arrives at a gate or barrier.
@@ -34,28 +35,29 @@ struct Arrival {
   double height = 0;          ///< m above the ground there
 };
 
-/// The position of a body that arrives at x, with its x component set to x exactly. This removes the rounding
-/// error of the arrival time.
-template <int D>
-Vec<D> at_x(Vec<D> place, double x) {
-  place.x() = x;
-  return place;
-}
-
-/// What the barrier with this index does to a body with this arrival.
-BarrierHit meet(const Barrier& barrier, int index, const Arrival& arrival);
+/// What the barrier with this index does to a body of this volume [m3] with this arrival.
+BarrierHit meet(const Barrier& barrier, int index, const Arrival& arrival, double volume);
 
 /// The factor by which the barrier scales velocity and spin of the body: below 1 if the body went through.
 double velocity_left(const Barrier& barrier, const BarrierHit& hit);
 
-/// For each place, the side of a body on which it lies: +1 right, -1 left, 0 once the body has arrived.
-using Sides = std::vector<int>;
+/// A position in plan.
+inline Vec2 in_plan(const Vec2& place) { return {place.x(), 0}; }
+inline Vec2 in_plan(const Vec3& place) { return place.head<2>(); }
 
+/// A position moved in plan to a place of a line, which removes the rounding error of the arrival time.
+template <int D>
+Vec<D> moved_to(Vec<D> position, const Vec2& plan) {
+  position.template head<D - 1>() = plan.head<D - 1>();
+  return position;
+}
+
+/// The approaches of a body that starts at a position to the lines of gates or barriers, in their order.
 template <class Place>
-Sides sides_of(std::span<const Place> places, double start) {
-  Sides sides;
-  for (const Place& place : places) sides.push_back(place.x >= start ? 1 : -1);
-  return sides;
+std::vector<Approach> approaches(std::span<const Place> places, const Vec2& start) {
+  std::vector<Approach> list;
+  for (const Place& place : places) list.emplace_back(place.line, start);
+  return list;
 }
 
 }  // namespace flyrock

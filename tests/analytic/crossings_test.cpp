@@ -1,7 +1,7 @@
 // Gates and barriers against the parabola, and shares of modes of travel against closed forms.
 #include <catch2/catch.hpp>
 
-#include "analytic/lab.h"
+#include "analytic/lab_3d.h"
 
 using namespace flyrock;
 using namespace flyrock::lab;
@@ -59,8 +59,9 @@ TEST_CASE("a gate on the left sees what flies to the left") {
 TEST_CASE("a barrier catches, is passed over, or takes its capacity") {
   Flyer flyer;
   const double energy = 500 * speed_at_5 * speed_at_5 + 0.5 * flyer.inertia() * 4;
+  const double radius = std::cbrt(0.75 * flyer.bench.world.bodies[0].volume / pi);
   SECTION("caught where the capacity suffices") {
-    flyer.barriers = {{5, height_at_5 + 0.1, energy * (1 + 1e-9)}};
+    flyer.barriers = {{5, height_at_5 + radius + 0.001, energy * (1 + 1e-9)}};
     const BodyHistory& history = flyer.run();
     REQUIRE(history.barriers.size() == 1);
     CHECK(history.barriers[0].outcome == BarrierOutcome::caught);
@@ -69,8 +70,8 @@ TEST_CASE("a barrier catches, is passed over, or takes its capacity") {
     CHECK(history.last.time == Approx(0.5));
     CHECK(history.max_distance == Approx(5));
   }
-  SECTION("over the top at its height") {
-    flyer.barriers = {{5, height_at_5 - 0.1, 1e9}};
+  SECTION("over the top where the radius of the rock does not fit") {
+    flyer.barriers = {{5, height_at_5 + radius - 0.001, 1e9}};
     Flyer plain;
     const BodyHistory& history = flyer.run();
     REQUIRE(history.barriers.size() == 1);
@@ -91,6 +92,41 @@ TEST_CASE("a barrier catches, is passed over, or takes its capacity") {
     // It lands with 5 m/s and 1 rad/s, and comes to roll at (v - k R w) / (1 + k).
     CHECK(history.last.spin.z() == Approx(-(5 - 0.5 * 0.5 * 1) / 1.5 / 0.5).epsilon(1e-6));
   }
+}
+
+TEST_CASE(
+    "a fence along a line in 3D does to a sphere what the fence across x does, where the sphere crosses it") {
+  Material material(0.4, 0.5);
+  const Vec3 start(0, 0, 10), velocity(10, 4, 0);
+  const auto run = [&](const PlanLine& line, double height, double capacity) {
+    Bench3 bench(plane(), material);
+    bench.add(sphere(0.5, 1000, start, velocity, {1, 2, 3}));
+    const std::vector<Gate> gates = {{line}};
+    const std::vector<Barrier> barriers = {{line, height, capacity}};
+    bench.run_settings.gates = gates;
+    bench.run_settings.barriers = barriers;
+    return bench.run(30);
+  };
+  // At x = 5: after 0.5 s, at y = 2.
+  const PlanLine across(5), straight({{5, -1}, {5, 3}}), bent({{0, 7}, {5, 2}, {5, 1}}),
+      beside({{5, 2.1}, {5, 9}});
+  const double energy = run(across, 20, 1e9).barriers.at(0).kinetic_energy;
+  for (const double height : {height_at_5 + 0.499, height_at_5 + 0.501})
+    for (const double capacity : {0.75 * energy, 1.001 * energy}) {
+      const BodyHistory expected = run(across, height, capacity);
+      for (const PlanLine& line : {straight, bent}) {
+        const BodyHistory history = run(line, height, capacity);
+        REQUIRE(history.barriers.size() == 1);
+        CHECK(history.barriers[0].outcome == expected.barriers[0].outcome);
+        CHECK(history.barriers[0].outcome == (height < height_at_5 + 0.5 ? BarrierOutcome::over_top
+                                              : capacity < energy        ? BarrierOutcome::over_energy
+                                                                         : BarrierOutcome::caught));
+        CHECK(history.passages.at(0).time == Approx(0.5).epsilon(1e-12));
+        CHECK(history.passages[0].height == Approx(height_at_5).epsilon(1e-12));
+        CHECK((history.last.position - expected.last.position).norm() < 1e-6);
+      }
+    }
+  CHECK(run(beside, 20, 1e9).barriers.empty());
 }
 
 TEST_CASE("a barrier stops what slides or rolls, to a hundredth of a step") {
@@ -145,7 +181,7 @@ TEST_CASE("an arrival behind a turn keeps its digits") {
   Path<2> path;
   path.v.x() = -10;
   path.a.x() = 1;
-  CHECK(arrival<2>(path, 1e-10, 1) == Approx(20).epsilon(1e-11));
+  CHECK(arrival<2>(path, 1e-10, 1, 0) == Approx(20).epsilon(1e-11));
   path.a.x() = -1;
-  CHECK(arrival<2>(path, 1e-10, 1) == std::numeric_limits<double>::infinity());
+  CHECK(arrival<2>(path, 1e-10, 1, 0) == std::numeric_limits<double>::infinity());
 }

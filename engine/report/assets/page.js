@@ -172,13 +172,3 @@ const plot_node = (label) => element("div", { class: "plot", role: "img", "aria-
 /** The left and right end, or lowest and highest value, of a list without nulls. */
 const least = (list) => list.reduce((a, b) => Math.min(a, b), Infinity);
 const most = (list) => list.reduce((a, b) => Math.max(a, b), -Infinity);
-
-/** Gates and barriers as lines over the whole height of a plot, named at its top, a line of text apart. */
-function place_lines(point, height) {
-  const places = [...point.gates.map((g) => ({ x: g.x, name: g.gate, line: { color: colour.green, width: 1.5, dash: "dot" } })),
-    ...point.barriers.map((b) => ({ x: b.x, name: b.barrier, line: { color: colour.brick, width: 1.5, dash: "dash" } }))].sort((a, b) => a.x - b.x);
-  return {
-    shapes: places.map((p) => ({ type: "line", x0: p.x, x1: p.x, yref: "paper", y0: 0, y1: 1, line: p.line })),
-    annotations: places.map((p, i) => ({ x: p.x, y: 1 - ((i % 3) * 18) / height, yref: "paper", yanchor: "top", text: p.name, showarrow: false, xanchor: "left", bgcolor: "rgba(255,255,255,0.85)", font: { color: p.line.color } })),
-  };
-}

@@ -16,12 +16,13 @@ function window_of(node, traces, tallest, ground = { x: [], y: [] }) {
 function draw_plan(node, page, tracks, crossings) {
   const paths = track_traces(lines_of(tracks), ends_in_space(page, tracks), (p) => [p.x, p.across], ["x", "y"], false), s = page.section;
   const cut = { x: [s.from, s.to].map((along) => s.x + along * s.dx), y: [s.from, s.to].map((along) => s.y + along * s.dy), mode: "lines", name: "long section", line: { color: "#5a6370", width: 1, dash: "dash" }, hoverinfo: "skip" };
-  const window = window_of(node, paths, 700);
-  plot(node, [cut, ...paths], {
+  const lines = plan_lines(crossings), window = window_of(node, [...paths, ...lines], 700);
+  const places = place_lines(crossings, window.height);
+  plot(node, [cut, ...paths, ...lines], {
     height: window.height, hovermode: "closest", legend,
     xaxis: { ...place_axis("x in m"), range: window.x },
     yaxis: { ...place_axis("y in m"), range: window.y, scaleanchor: "x", scaleratio: 1 },
-    ...place_lines(crossings, window.height),
+    shapes: places.shapes, annotations: places.annotations,
   }, true);
 }
 

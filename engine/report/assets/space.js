@@ -107,12 +107,12 @@ function camera_of(section, tall) {
   return { eye: { x: far * Math.cos(angle), y: far * Math.sin(angle), z: 0.6 * far }, center: { x: 0, y: 0, z: -0.1 }, up: { x: 0, y: 0, z: 1 } };
 }
 
-function draw_space(node, page, tracks) {
+function draw_space(node, page, tracks, crossings) {
   const lines = lines_of(tracks), ends = ends_in_space(page, tracks), ground = ground_of_point();
   const points = [...lines, ...ends.values()].flatMap((list) => list.points).filter((p) => p);
   const all = (of_ground, of_points) => [...(ground ? of_ground(ground) : []), ...points.map(of_points)];
   const offset = { x: offset_of(all((g) => g.x, (p) => p.x)), y: offset_of(all((g) => g.y, (p) => p.across)), z: offset_of(all((g) => g.z, (p) => p.height)) };
-  const below = ground ? ground_traces(ground, offset, page.section) : [], paths = path_traces_3d(lines, ends, offset), traces = [...below, ...paths];
+  const below = ground ? ground_traces(ground, offset, page.section) : [], paths = path_traces_3d(lines, ends, offset), places = ground ? places_3d(crossings, ground, offset) : [], traces = [...below, ...paths, ...places];
   const box = box_of(paths, below), size = [box.x, box.y, box.z].map(([low, high]) => Math.max(high - low, 1e-3)), longest = Math.max(...size);
   const layout = {
     font, paper_bgcolor: "#fff", height: 640, margin: { l: 0, r: 0, t: 30, b: 0 }, legend: { ...legend, y: 1, yanchor: "bottom" }, uirevision: `point ${shown.point}`,
@@ -178,7 +178,7 @@ function space_section() {
       return;
     }
     note.textContent = `${shown_of_space(page, tracks)}${ground ? ` ${ground_note(ground)}` : ""}`;
-    if (drawn) return draw_space(node, page, tracks);
+    if (drawn) return draw_space(node, page, tracks, summary.points[shown.point]);
     node.className = "note";
     node.textContent = `${missing} The plan and the long section below show the same paths.`;
   });

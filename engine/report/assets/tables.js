@@ -5,19 +5,20 @@ function crossings_section() {
   if (gates.length + barriers.length === 0) return;
   const share = (place, value, interval) => right(value === null ? "–" : `${place.lower_bounds ? "≥ " : ""}${with_interval(value, interval)}`);
   const number = (place, quantity, name) => right(place[quantity][name] === null ? "–" : show(place[quantity][name] / (quantity === "energy" ? 1000 : 1)));
+  const missed = (b) => right(b.not_reached === null ? "–" : `${b.lower_bounds ? "≤ " : ""}${with_interval(b.not_reached, b.share_intervals.not_reached)}`);
   section_of_point("Gates and barriers", (point) => [
     point.gates.length === 0 ? "" : table("Gates: rocks at their first arrival",
-      ["gate", "x m", "rocks", "share (95 %)", "speed mean m/s", "p95", "energy mean kJ", "p95", "max", "height p95 m", "max"],
-      point.gates.map((g) => [g.gate, g.x, g.rocks, share(g, g.passed, g.share_intervals.passed), number(g, "speed", "mean"), number(g, "speed", "p95"),
+      ["gate", "where", "rocks", "share (95 %)", "speed mean m/s", "p95", "energy mean kJ", "p95", "max", "height p95 m", "max"],
+      point.gates.map((g) => [g.gate, where(g), g.rocks, share(g, g.passed, g.share_intervals.passed), number(g, "speed", "mean"), number(g, "speed", "p95"),
         number(g, "energy", "mean"), number(g, "energy", "p95"), number(g, "energy", "max"), number(g, "height", "p95"), number(g, "height", "max")])),
     point.barriers.length === 0 ? "" : table("Barriers: shares of all rocks, with their 95 % intervals",
-      ["barrier", "reached", "caught", "over the top", "over energy"],
-      point.barriers.map((b) => [b.barrier, ...["reached", "caught", "over_top", "over_energy"].map((what) => share(b, b[what], b.share_intervals[what]))])),
+      ["barrier", "caught", "over the top", "through", "not reached", "reached"],
+      point.barriers.map((b) => [b.barrier, ...["caught", "over_top", "over_energy"].map((what) => share(b, b[what], b.share_intervals[what])), missed(b), share(b, b.reached, b.share_intervals.reached)])),
     point.barriers.length === 0 ? "" : table("Barriers: what they are, and the rocks that reached them",
-      ["barrier", "x m", "height m", "capacity kJ", "rocks", "energy p95 kJ", "max", "height p95 m", "max"],
-      point.barriers.map((b) => [b.barrier, b.x, b.height_m, b.capacity_J / 1000, b.rocks, number(b, "energy", "p95"), number(b, "energy", "max"), number(b, "height", "p95"), number(b, "height", "max")])),
+      ["barrier", "where", "height m", "holds up to m", "capacity kJ", "holds kJ", "rocks", "energy p95 kJ", "max", "height p95 m", "max"],
+      point.barriers.map((b) => [b.barrier, where(b), b.height_m, b.held_height_m, b.capacity_J / 1000, b.held_energy_J / 1000, b.rocks, number(b, "energy", "p95"), number(b, "energy", "max"), number(b, "height", "p95"), number(b, "height", "max")])),
     caption("How many rocks arrive, how fast, with which energy, and how high their centre of mass is above the ground. ≥: rocks that left the domain or ran out of time had not arrived yet; the upper end of the interval counts them as if they had.",
-      "Over the top: at or above the height of the barrier; over energy: through it, and on with the energy that is left.",
+      "Caught, over the top, through and not reached are all rocks. Over the top: the top of the rock (centre times the partial factor of heights, and radius of the sphere of its volume) is above what the barrier holds: height x cos(inclination) less freeboard. Through: its energy is above what the barrier holds (its capacity, a third of it at the service level, over the partial factor of energies); it goes on with the energy that is left.",
       "Energy is kinetic, rotation included. A rock counts once, when it first arrives. Intervals are exact (Clopper and Pearson), for independent rocks."),
   ]);
 }

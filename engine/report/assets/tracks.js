@@ -99,7 +99,7 @@ function draw_tracks(node, point, crossings, tracks, shrouds) {
   const fences = crossings.barriers.map((fence) => {
     const foot = ground_at(point.terrain, fence.x);
     return {
-      x: [fence.x, fence.x], y: [foot, foot + fence.height_m], mode: "lines", name: `barrier ${fence.barrier}`, line: { color: colour.brick, width: 5 }, showlegend: false,
+      x: [fence.x, fence.x], y: [foot, foot + fence.height_m * Math.cos((fence.inclination_deg * Math.PI) / 180)], mode: "lines", name: `barrier ${fence.barrier}`, line: { color: colour.brick, width: 5 }, showlegend: false,
       hovertemplate: `${fence.barrier}: ${show(fence.height_m)} m, ${show(fence.capacity_J / 1000)} kJ at x = ${show(fence.x)} m<extra></extra>`,
     };
   });

@@ -130,11 +130,11 @@ TEST_CASE(
     run.barriers = fence;
     return run_ballistic(body, bench(), run);
   };
-  const BodyHistory caught = fenced(height(30) + 1, 1.01 * energy);
+  const BodyHistory caught = fenced(height(30) + 0.11, 1.01 * energy);
   CHECK(caught.reason == StopReason::caught);
   CHECK(caught.last.position.x() == Approx(30).epsilon(1e-12));
   CHECK(caught.last.time == Approx(1.5).epsilon(1e-12));
-  const BodyHistory over = fenced(height(30) - 1, 1e9);
+  const BodyHistory over = fenced(height(30) + 0.09, 1e9);
   CHECK(over.barriers.at(0).outcome == BarrierOutcome::over_top);
   CHECK(over.flight_range == Approx(range).epsilon(1e-12));
   const BodyHistory through = fenced(height(30) + 1, 0.36 * energy);
@@ -145,6 +145,48 @@ TEST_CASE(
             .epsilon(1e-12));
   // It has turned at 2 rad/s up to the fence, and at 0.8 of it behind.
   CHECK(through.last.angle == Approx(2 * (1.5 + 0.8 * (through.last.time - 1.5))).epsilon(1e-12));
+}
+
+TEST_CASE("in 3D a flight meets a fence along a line where it crosses it, with and without drag") {
+  Plane ground;
+  ground.normal = Vec3::UnitZ();
+  Body<3> body = make_body({Contactor3::sphere(0.1)}, 2700, 0);
+  body.x = {0, 0, 12};
+  body.v = {20, 10, 5};
+  for (const double drag : {0.0, 0.01}) {
+    const auto flown = [&](const PlanLine& line, double height) {
+      BallisticRun<3> run;
+      run.forces = {{0, 0, -g}, {drag, Vec3::Zero()}};
+      const std::vector<Gate> gates{{line}};
+      const std::vector<Barrier> barriers{{line, height, 1e9}};
+      run.gates = gates;
+      run.barriers = barriers;
+      return run_ballistic(body, *make_ground(ground), run);
+    };
+    const BodyHistory across = flown(PlanLine(18), 100);  // there y = 9
+    CHECK(across.reason == StopReason::caught);
+    CHECK((across.last.position.head<2>() - Vec2(18, 9)).norm() < 1e-9);
+    const double height = across.barriers.at(0).height;
+    const PlanLine bent({{-30, 5}, {10, 17}, {26, 1}, {26, -20}});
+    const BodyHistory caught = flown(bent, height + 0.11);
+    CHECK(caught.reason == StopReason::caught);
+    CHECK((caught.last.position - across.last.position).norm() < 1e-8);
+    REQUIRE(caught.passages.size() == 1);
+    CHECK(caught.passages[0].kinetic_energy == Approx(across.passages.at(0).kinetic_energy).epsilon(1e-9));
+    CHECK(flown(bent, height + 0.09).barriers.at(0).outcome == BarrierOutcome::over_top);
+    CHECK(flown(PlanLine({{10, 17}, {17, 10}}), 100).barriers.empty());
+  }
+}
+
+TEST_CASE("a partial factor on heights lowers what a fence holds, and the radius counts once") {
+  const Barrier fence{.line = 5, .height = 3, .capacity = 1000, .height_factor = 1.25};
+  const double volume = 4 * pi / 3 * 0.125;  // radius 0.5 m
+  const auto outcome = [&](double height, double energy) {
+    return meet(fence, 0, {.kinetic_energy = energy, .height = height}, volume).outcome;
+  };
+  CHECK(outcome(1.999, 1000) == BarrierOutcome::caught);
+  CHECK(outcome(2.001, 1000) == BarrierOutcome::over_top);
+  CHECK(outcome(1.999, 1001) == BarrierOutcome::over_energy);
 }
 
 TEST_CASE("in space a flight lands on its plane, and turns with the azimuth of the launch") {

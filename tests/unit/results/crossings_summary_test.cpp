@@ -61,6 +61,8 @@ TEST_CASE("Measures of gates and barriers are of the rocks that did not fail") {
   CHECK(value("barrier.fence.caught").value == Approx(1.0 / 3));
   CHECK(value("barrier.fence.over_top").value == Approx(1.0 / 3));
   CHECK(value("barrier.fence.over_energy").value == 0);
+  CHECK(point.barriers[0].not_reached == 1);  // with the outcomes, all three
+  CHECK(complement_of(point.barriers[0].reached).interval.upper == Approx(share_interval(1, 3, 0.95).upper));
   CHECK(Measure("gate.road.passed", s).of_rocks());
   CHECK(point.gates[0].share.interval.lower == share_interval(2, 3, 0.95).lower);
   CHECK(point.barriers[0].shares[2].interval.lower == 0);

@@ -1,0 +1,73 @@
+// Gates and barriers: where they stand, in the plots and in words.
+
+const place_lines_style = { gate: { color: colour.green, width: 1.5, dash: "dot" }, barrier: { color: colour.brick, width: 1.5, dash: "dash" } };
+
+/** The gates and barriers of a point: { name, x, line, of: the place in summary.json, style }. */
+const places_of = (point) => [...point.gates.map((g) => ({ name: g.gate, of: g, style: place_lines_style.gate })), ...point.barriers.map((b) => ({ name: b.barrier, of: b, style: place_lines_style.barrier }))]
+  .map((place) => ({ ...place, x: place.of.x, line: place.of.line }));
+
+const line_length = (line) => line.slice(1).reduce((sum, [x, y], i) => sum + Math.hypot(x - line[i][0], y - line[i][1]), 0);
+/** Where a gate or barrier stands, for a table. */
+const where = ({ x, line }) => (line === null ? `x = ${show(x)} m` : `line of ${show(line_length(line))} m`);
+
+/** Those across x as lines over the whole height of a plot, named at its top, a line of text apart. */
+function place_lines(point, height) {
+  const places = places_of(point).filter((p) => p.line === null).sort((a, b) => a.x - b.x);
+  return {
+    shapes: places.map((p) => ({ type: "line", x0: p.x, x1: p.x, yref: "paper", y0: 0, y1: 1, line: p.style })),
+    annotations: places.map((p, i) => ({ x: p.x, y: 1 - ((i % 3) * 18) / height, yref: "paper", yanchor: "top", text: p.name, showarrow: false, xanchor: "left", bgcolor: "rgba(255,255,255,0.85)", font: { color: p.style.color } })),
+  };
+}
+
+/** Those along a line, in plan. */
+const plan_lines = (point) => places_of(point).filter((p) => p.line !== null).map((p) => ({
+  x: p.line.map(([x]) => x), y: p.line.map(([, y]) => y), mode: "lines+text", name: p.name, showlegend: false, text: [p.name], textposition: "top right", textfont: { color: p.style.color },
+  line: { ...p.style, width: 3, dash: "solid" }, hovertemplate: `${p.name}<br>x %{x:.2f} m, y %{y:.2f} m<extra></extra>`,
+}));
+
+/** The height of the drawn ground at a place in plan, of the highest triangle; null where there is none. */
+function drawn_height(ground, x, y) {
+  let height = null;
+  for (let t = 0; t < ground.corners.length; t += 3) {
+    const a = ground.corners[t], b = ground.corners[t + 1], c = ground.corners[t + 2], x0 = ground.x[a], y0 = ground.y[a];
+    const ux = ground.x[b] - x0, uy = ground.y[b] - y0, vx = ground.x[c] - x0, vy = ground.y[c] - y0, area = ux * vy - uy * vx;
+    if (area === 0) continue;
+    const s = ((x - x0) * vy - (y - y0) * vx) / area, r = (ux * (y - y0) - uy * (x - x0)) / area;
+    if (s < -1e-9 || r < -1e-9 || s + r > 1 + 1e-9) continue;
+    const z = ground.z[a] + s * (ground.z[b] - ground.z[a]) + r * (ground.z[c] - ground.z[a]);
+    height = height === null ? z : Math.max(height, z);
+  }
+  return height;
+}
+
+/** The foot of a gate or barrier on the drawn ground: places at most a fiftieth of its length apart, null where there is no ground. */
+function foot_of(place, ground) {
+  const line = place.line ?? [[place.x, least(ground.y)], [place.x, most(ground.y)]], step = line_length(line) / 50, foot = [];
+  line.slice(1).forEach(([x1, y1], i) => {
+    const [x0, y0] = line[i], pieces = Math.max(1, Math.ceil(Math.hypot(x1 - x0, y1 - y0) / step));
+    for (let k = i === 0 ? 0 : 1; k <= pieces; ++k) {
+      const [x, y] = [x0 + ((x1 - x0) * k) / pieces, y0 + ((y1 - y0) * k) / pieces], z = drawn_height(ground, x, y);
+      foot.push(z === null ? null : { x, y, z });
+    }
+  });
+  return foot;
+}
+
+/** In 3D a gate is a line on the ground, a barrier a wall on it (upright, whatever its inclination). */
+const places_3d = (point, ground, offset) => places_of(point).map((place) => {
+  const foot = foot_of(place, ground), high = place.of.height_m ?? 0, x = [], y = [], z = [];
+  const add = (p, up) => { x.push(p ? p.x - offset.x : null); y.push(p ? p.y - offset.y : null); z.push(p ? p.z - offset.z + up : null); };
+  const common = { name: place.name, showlegend: true, hoverinfo: "name" };
+  if (high === 0) {
+    for (const p of foot) add(p, 0);
+    return { ...common, type: "scatter3d", mode: "lines", x, y, z, line: { color: place.style.color, width: 6 } };
+  }
+  const i = [], j = [], k = [];
+  foot.forEach((p, n) => {
+    if (!p) return;
+    add(p, 0);
+    add(p, high);
+    if (n > 0 && foot[n - 1]) { const at = x.length - 4; i.push(at, at + 1); j.push(at + 1, at + 2); k.push(at + 2, at + 3); }
+  });
+  return { ...common, type: "mesh3d", x, y, z, i, j, k, color: place.style.color, opacity: 0.8, flatshading: true };
+});
