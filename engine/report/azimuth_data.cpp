@@ -22,7 +22,9 @@ Json percentile_data(const AzimuthSector::Percentile& percentile) {
 Json azimuth_data(const PointResult& point) {
   constexpr double width = 360.0 / azimuth_sectors;
   Json list = Json::array();
-  for (const RunoutByAzimuth& azimuths : point.azimuths) {
+  for (std::size_t g = 0; g < point.azimuths.size(); ++g) {
+    const RunoutByAzimuth& azimuths = point.azimuths[g];
+    const std::string& group = point.groups.at(g).name;
     Json sectors = Json::array();
     for (std::size_t i = 0; i < azimuths.sectors.size(); ++i) {
       const AzimuthSector& sector = azimuths.sectors[i];
@@ -37,7 +39,10 @@ Json azimuth_data(const PointResult& point) {
                          {"p50", percentile_data(sector.percentiles[0])},
                          {"p95", percentile_data(sector.percentiles[1])}});
     }
-    list.push_back({{"still", azimuths.still}, {"least", least_in_sector}, {"sectors", std::move(sectors)}});
+    list.push_back({{"group", group.empty() ? Json(nullptr) : Json(group)},
+                    {"still", azimuths.still},
+                    {"least", least_in_sector},
+                    {"sectors", std::move(sectors)}});
   }
   return list;
 }

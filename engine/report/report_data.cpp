@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "math/sphere.h"
-#include "report/azimuth_data.h"
 #include "report/convergence.h"
 #include "report/envelope_data.h"
 #include "report/ground_data.h"
@@ -214,13 +213,13 @@ Json ReportData::finish(const Results& results, const GroundPictures& grounds,
       first_laws = laws;
     else if (laws == first_laws)
       laws = nullptr;
-    points.push_back(json_object(
-        "terrain", terrain_data(point.terrain.profile), "ground", grounds.of_point[p], "section",
-        section_data(point), "deposits", std::move(closed_[p].deposits), "tracks",
-        std::move(closed_[p].tracks), "cell", cell_data(point), "azimuths", azimuth_data(point), "runout",
-        runouts.distributions(), "convergence", runouts.convergence(), "envelopes", envelope_data(point),
-        "sensitivity", std::move(closed_[p].sensitivity), "shrouds", shroud_data(point.reaches), "laws",
-        std::move(laws), "bodies", bodies_data(plan.points[p], point.totals)));
+    points.push_back(
+        json_object("terrain", terrain_data(point.terrain.profile), "ground", grounds.of_point[p], "section",
+                    section_data(point), "deposits", std::move(closed_[p].deposits), "tracks",
+                    std::move(closed_[p].tracks), "cell", cell_data(point), "runout", runouts.distributions(),
+                    "convergence", runouts.convergence(), "envelopes", envelope_data(point), "sensitivity",
+                    std::move(closed_[p].sensitivity), "shrouds", shroud_data(point.reaches), "laws",
+                    std::move(laws), "bodies", bodies_data(plan.points[p], point.totals)));
   }
   return json_object("summary", summary_data(plan, results), "source", source_data(scenario_), "scenario",
                      scenario_text(plan.resolved), "groups", group_names(plan.points.front()), "units",

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "report/azimuth_data.h"
 #include "report/json_object.h"
 #include "report/reach_data.h"
 #include "results/answer.h"
@@ -291,6 +292,7 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
                       {"trials", point.trials},
                       {"rocks", groups},
                       {"censored", censored_data(plan.points[p], point)},
+                      {"runout_by_azimuth", azimuth_data(point)},
                       {"gates", gates_data(plan.points[p], point.gates)},
                       {"barriers", barriers_data(plan.points[p], point.barriers)},
                       {"clearance", clearances_data(plan.points[p], point.clearances)},

@@ -50,13 +50,13 @@ function azimuth_table(azimuths) {
 }
 
 function azimuth_section() {
-  if (data.points.every((point) => point.azimuths.every((group) => group.sectors.length === 0))) return;
+  if (summary.points.every((point) => point.runout_by_azimuth.every((group) => group.sectors.length === 0))) return;
   const node = plot_node("Runout by azimuth as a rose; the same numbers in the table below"), note = paragraph("note", ""), table_place = element("div");
   section(`${runout_title} by azimuth`, note, node, caption(`The ${runout_name} of the rocks of each sector of 10°, seen from their own releases. A sector without a wedge has no data: no rock went there.`,
     "Azimuths count from +x towards +y. Hover over the mark of the farthest rock of a sector for its numbers.",
     "Percentiles are of the rocks of the sector alone, and not of all rocks: the share says how many go there. Their intervals are those of the order statistics (binomial); –: the sample is too small for that end."), numbers(table_place));
   redraw.push(() => {
-    const azimuths = data.points[shown.point].azimuths[shown.group], rocks = azimuths.sectors.reduce((sum, s) => sum + s.count, 0), few = azimuths.sectors.filter((s) => s.p50 === null).length;
+    const azimuths = summary.points[shown.point].runout_by_azimuth[shown.group], rocks = azimuths.sectors.reduce((sum, s) => sum + s.count, 0), few = azimuths.sectors.filter((s) => s.p50 === null).length;
     note.textContent = `Shown: ${shown_text()}; ${counted(rocks, "rock", "rocks")} in ${counted(azimuths.sectors.length, "sector", "sectors")}.` +
       (few > 0 ? ` ${few} of them ${few === 1 ? "has" : "have"} fewer than ${azimuths.least} rocks: only the greatest ${runout_short} is given there.` : "") +
       (azimuths.still > 0 ? ` ${counted(azimuths.still, "rock", "rocks")} ended where they began and have no azimuth.` : "");
