@@ -72,7 +72,7 @@ class PlanDecoder {
     refuse_too_many_trials();
     write_sweeps();
     resolve_expectations();
-    plan_.not_used = find_not_used(Node::root(tree_), plan_.points.front());
+    plan_.not_used = find_not_used(Node::root(plan_.resolved), plan_.points.front());
     return diagnostics_.has_errors() ? std::nullopt : std::optional<Plan>(std::move(plan_));
   }
 

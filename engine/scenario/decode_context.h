@@ -9,8 +9,10 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "document/node.h"
@@ -18,6 +20,13 @@
 #include "scenario/ground_store.h"
 
 namespace flyrock {
+
+/// The value of a key of a normalised map, unless it is a default that the document does not give.
+inline std::optional<Node> find_given(const Node& map, std::string_view key) {
+  std::optional<Node> node = map.find(key);
+  if (node && node->value->assumed) node.reset();
+  return node;
+}
 
 /// For one point of a sweep.
 struct DecodeContext {

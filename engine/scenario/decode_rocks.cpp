@@ -51,7 +51,7 @@ std::optional<double> assumed_elevation(const Node& launch, const PluginSpec& sp
   const int elevation = spec.find("elevation");
   if (elevation < 0) return std::nullopt;
   for (const char* key : {"elevation", "velocity", "drill_angle"})
-    if (const auto node = launch.find(key); node && !node->value->assumed) return std::nullopt;
+    if (find_given(launch, key)) return std::nullopt;
   return spec.params[elevation].default_number.value_or(of_every_model);
 }
 

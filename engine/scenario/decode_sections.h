@@ -77,7 +77,7 @@ OutputPlan decode_output(DecodeContext& context, const Node& node);
 
 std::vector<Expectation> decode_expect(const Node& node, const MeasureNames& names);
 
-/// Known keys of the scenario that this run does not read.
+/// Keys that the document gives and this run does not read.
 std::vector<std::string> find_not_used(const Node& root, const Scenario& scenario);
 
 /// The elements of a list. decode(element) reads one.

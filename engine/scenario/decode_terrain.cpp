@@ -55,8 +55,7 @@ DecodedTerrain outline_of(DecodeContext& context, const PluginUse& use,
   return terrain;
 }
 
-/// Builds the terrain, or takes its outline from one who has built the same before. `text`: the terrain as
-/// far as it has been resolved.
+/// Builds the terrain, or takes its outline from one who has built the same before. `text`: text_of_ground.
 std::shared_ptr<TerrainShape3> try_to_build(DecodeContext& context, const Node& node, const PluginUse& use,
                                             std::uint64_t seed, const std::string& text,
                                             DecodedTerrain& terrain) {

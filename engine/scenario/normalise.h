@@ -37,15 +37,14 @@ MeasureNames measure_names(const Node& root, int dimension);
 /// The names of the elements of a list, including elements with other errors.
 std::vector<std::string> element_names(const std::optional<Node>& list);
 
-/// A list of maps, each normalised by normalise(element), which is a map as well. An element that is no map
-/// is null. Null if it is no list. Names of elements must be names, each only once.
-template <class Normalise>
-Value normalise_list(DecodeContext& context, const Node& node, Normalise&& normalise);
-/// The same where each element is a section of the schema.
+/// A list whose elements are sections of the schema with names.
 Value normalise_list_of(DecodeContext& context, const Node& node, const std::string& section);
 
+/// Reports an error at each element of a list whose `name` is already used by an earlier element.
 void refuse_duplicate_names(DecodeContext& context, const Node& list);
 
+/// A list of maps, each normalised by normalise(element), which gives a map. An element that is no map
+/// is null. Null if it is no list. Names of elements must be names, each only once.
 template <class Normalise>
 Value normalise_list(DecodeContext& context, const Node& node, Normalise&& normalise) {
   if (!node.expect_list(context.diagnostics)) return {};

@@ -40,15 +40,16 @@ void find_blast_keys(const Node& blast, const Scenario& scenario, std::vector<st
     const std::optional<Node> parent =
         dot == std::string_view::npos ? blast : blast.find(info.path.substr(0, dot));
     const std::string_view key = dot == std::string_view::npos ? info.path : info.path.substr(dot + 1);
-    if (!is_read && parent && parent->find(key)) list.push_back(fmt::format("blast.{} ({})", info.path, why));
+    if (!is_read && parent && find_given(*parent, key))
+      list.push_back(fmt::format("blast.{} ({})", info.path, why));
   }
   if (explosive_by_name && !explosive_is_read) list.push_back(fmt::format("blast.explosive ({})", why));
   const auto rows = blast.find("rows");
-  if (rows && rows->find("distance") && !any_is_placed_by_rows(scenario))
+  if (rows && find_given(*rows, "distance") && !any_is_placed_by_rows(scenario))
     list.push_back("blast.rows.distance (no rock is released at a collar or on the bench top)");
   if (rows && scenario.rock_contacts)
     for (const char* key : {"delay_row", "delay_hole", "delay_in_hole"})
-      if (rows->find(key))
+      if (find_given(*rows, key))
         list.push_back(fmt::format("blast.rows.{} (rocks that meet each other leave together)", key));
 }
 
@@ -71,7 +72,7 @@ void find_materials(const Scenario& scenario, std::vector<std::string>& list) {
 /// Keys about contacts between rocks, in a scenario where rocks do not meet each other.
 void find_rock_contacts(const Node& root, const Scenario& scenario, std::vector<std::string>& list) {
   if (scenario.rocks.empty()) {
-    if (root.find("rock_contacts")) list.emplace_back("rock_contacts (the scenario has no rocks)");
+    if (find_given(root, "rock_contacts")) list.emplace_back("rock_contacts (the scenario has no rocks)");
     return;
   }
   if (scenario.rock_contacts) return;
@@ -93,7 +94,7 @@ std::vector<std::string> find_not_used(const Node& root, const Scenario& scenari
   std::vector<std::string> list;
   if (const auto blast = root.find("blast")) find_blast_keys(*blast, scenario, list);
   find_materials(scenario, list);
-  if (scenario.method == Method::ballistic && root.find("solver"))
+  if (scenario.method == Method::ballistic && find_given(root, "solver"))
     list.emplace_back("solver (the method ballistic has no contacts)");
   find_rock_contacts(root, scenario, list);
   return list;

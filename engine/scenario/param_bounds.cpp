@@ -47,9 +47,7 @@ std::string text_of(const Range& range, const ParamSpec& spec) {
 /// A parameter that the document gives.
 std::optional<Node> written(const Node& map, const ParamSpec& spec) {
   const std::optional<Node> parent = spec.group().empty() ? map : map.find(spec.group());
-  std::optional<Node> node = parent ? parent->find(spec.own_name()) : std::nullopt;
-  if (node && node->value->assumed) node.reset();
-  return node;
+  return parent ? find_given(*parent, spec.own_name()) : std::nullopt;
 }
 
 }  // namespace

@@ -221,8 +221,12 @@ TEST_CASE("A browser with WebGL draws the ground and the paths of a 3D run, and 
     return;
   }
   const Folder folder;
-  REQUIRE(call(folder, "run " FLYROCK_SOURCE_DIR "/plugins/terrain/mesh/example.yaml --quiet -o r").code ==
-          0);
+  REQUIRE(call(folder,
+               "run " FLYROCK_SOURCE_DIR
+               "/plugins/terrain/mesh/example.yaml --quiet -o r --set barriers='[{ name: fence, line: "
+               "[[30, -9], [31, 0], [30, 9]], height: 1 m, capacity: 10 kJ }]' --set gates='[{ name: track, "
+               "line: [[33, -9], [33, 9]] }]'")
+              .code == 0);
   std::string page = read(folder.path() / "r/report.html");
   CHECK(page.size() < 5'000'000);
   page.insert(
@@ -239,7 +243,7 @@ TEST_CASE("A browser with WebGL draws the ground and the paths of a 3D run, and 
   const fs::path with_keys = folder.path() / folder.write("keys.html", page);
   const Opened drawn = open_page(folder, with_keys, "--use-angle=swiftshader --enable-unsafe-swiftshader");
   CHECK(drawn.console == "");
-  CHECK(drawn.page.find("data-turned=\"true true true true slopeface\"") != std::string::npos);
+  CHECK(drawn.page.find("data-turned=\"true true true true slopefacefence\"") != std::string::npos);
   CHECK(drawn.page.find("The ground is drawn with its own 12 triangles.") != std::string::npos);
   check_captions(drawn.page);
   // Without WebGL the plan and the long section stand.
@@ -247,4 +251,8 @@ TEST_CASE("A browser with WebGL draws the ground and the paths of a 3D run, and 
   CHECK(plain.console == "");
   CHECK(plain.page.find("This browser has no WebGL.") != std::string::npos);
   CHECK(count(plain.page, "<div class=\"plot js-plotly-plot\"") >= 3);
+  // The plan names the heights of its contours, and the lines of gates and barriers.
+  CHECK(plain.page.find(">height every ") != std::string::npos);
+  CHECK(std::regex_search(plain.page, std::regex("class=\"annotation-text\"[^>]*>[0-9.-]+ m<")));
+  for (const char* name : {">fence<", ">track<"}) CHECK(plain.page.find(name) != std::string::npos);
 }

@@ -135,7 +135,9 @@ TEST_CASE("several contacts under the energetic form keep their balance and gain
         contact.w = columns(x[a]).transpose() * inverse_mass * columns(x[a]);
         contact.q = columns(x[a]).transpose() * motion;
         contact.mu = mu;
-        rebounds[a] = {RestitutionForm::energy, 0.6, 0, false, 0, contact.q};
+        rebounds[a].form = RestitutionForm::energy;
+        rebounds[a].e_n = 0.6;
+        rebounds[a].before = contact.q;
         problem.contacts.push_back(contact);
         problem.first.push_back(problem.couplings());
         problem.couple(1 - a, columns(x[a]).transpose() * inverse_mass * columns(x[1 - a]));
