@@ -101,6 +101,9 @@ void walk_long(Io& io, Records& records) {
   io.rows(records.trajectories);
   io.columns(records.trajectories, &TrajectoryRecord::trial, &TrajectoryRecord::rock);
   visit_trajectories(columns_of(io, records.trajectories));
+  io.rows(records.shapes);
+  io.columns(records.shapes, &ShapeRecord::trial, &ShapeRecord::rock);
+  visit_shapes(columns_of(io, records.shapes));
   walk_envelopes(io, records.totals.envelopes);
 }
 
@@ -131,7 +134,8 @@ std::string header(const ChunkRange& range, const std::string& scenario_hash) {
 /// An estimate of the size of all tables of a chunk.
 std::size_t size_of(const TrialRecords& records) {
   const auto size = [](const auto& rows) { return rows.size() * sizeof(rows[0]); };
-  return size(records.rocks) + size(records.inputs) + size(records.impacts) + size(records.trajectories);
+  return size(records.rocks) + size(records.inputs) + size(records.impacts) + size(records.trajectories) +
+         size(records.shapes);
 }
 
 /// The section whose length is stored at `at`, with its checksum checked. Moves `at` past the checksum.

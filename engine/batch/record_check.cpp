@@ -102,8 +102,8 @@ std::string records_fault(const TrialRecords& records, const ChunkRange& range, 
   const auto& rocks = records.rocks;
   if (!in_order(rocks)) return "rocks out of order";
   if (!of_rocks(records.inputs, rocks) || !of_rocks(records.impacts, rocks) ||
-      !of_rocks(records.trajectories, rocks) || !of_rocks(records.gates, rocks) ||
-      !of_rocks(records.barriers, rocks))
+      !of_rocks(records.trajectories, rocks) || !of_rocks(records.shapes, rocks) ||
+      !of_rocks(records.gates, rocks) || !of_rocks(records.barriers, rocks))
     return "rows of a rock that it does not have";
   if (!are_arrivals(records, scenario))
     return "an arrival at a gate or barrier that the scenario does not have, or with numbers that are not "

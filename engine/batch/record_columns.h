@@ -149,6 +149,26 @@ void visit_trajectories(Visit&& visit) {
       visit, [](auto& r) -> auto& { return r.point.state; }));
   visit(
       Column{.name = "mode"}, [](auto& r) -> auto& { return r.point.mode; });
+  constexpr const char* quaternion[] = {"qw", "qx", "qy", "qz"};
+  for (std::size_t i = 0; i < std::size(quaternion); ++i)
+    visit(
+        Column{.name = quaternion[i], .in_space = true}, [i](auto& r) -> auto& { return r.point.turn[i]; });
+}
+
+template <class Visit>
+void visit_shapes(Visit&& visit) {
+  visit(
+      Column{.name = "contactor"}, [](auto& r) -> auto& { return r.corner.contactor; });
+  visit(
+      Column{.name = "face"}, [](auto& r) -> auto& { return r.corner.face; });
+  visit(
+      Column{.name = "x_m"}, [](auto& r) -> auto& { return r.corner.place[0]; });
+  visit(
+      Column{.name = "y_m"}, [](auto& r) -> auto& { return r.corner.place[1]; });
+  visit(
+      Column{.name = "z_m", .in_space = true}, [](auto& r) -> auto& { return r.corner.place[2]; });
+  visit(
+      Column{.name = "radius_m"}, [](auto& r) -> auto& { return r.corner.radius; });
 }
 
 /// The columns that a passage of a gate and an arrival at a barrier share.

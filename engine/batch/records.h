@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "batch/envelope.h"
+#include "batch/rock_surface.h"
 #include "sandbox/print_log.h"
 #include "scenario/scenario.h"
 #include "world/observe.h"
@@ -65,6 +66,13 @@ struct TrajectoryRecord {
   TrajectoryPoint point;
 };
 
+/// A corner of the surface of a rock with a stored trajectory.
+struct ShapeRecord {
+  std::uint64_t trial = 0;
+  int rock = 0;
+  SurfaceCorner corner;
+};
+
 struct GateRecord {
   std::uint64_t trial = 0;
   int rock = 0;
@@ -97,6 +105,7 @@ struct TrialRecords {
   std::vector<InputRecord> inputs;
   std::vector<ImpactRecord> impacts;
   std::vector<TrajectoryRecord> trajectories;
+  std::vector<ShapeRecord> shapes;
   std::vector<GateRecord> gates;
   std::vector<BarrierRecord> barriers;
   TrialTotals totals;

@@ -11,7 +11,7 @@ namespace flyrock {
 /// The part of each chunk that a pass reads.
 enum class Part {
   brief,  ///< rocks, gates, barriers, totals without envelopes; the other tables, which are long, are empty
-  whole   ///< also inputs, impacts, trajectories, envelopes
+  whole   ///< also inputs, impacts, trajectories, shapes, envelopes
 };
 
 using SeeRows = std::function<void(const TrialRecords& chunk)>;

@@ -294,6 +294,9 @@ void TrialRunner::Trials<D>::record(std::uint64_t trial, int index, const TrialR
     if (scenario_.output.impacts)
       for (const Impact& impact : history.impacts) out.impacts.push_back({trial, index, impact});
     for (const TrajectoryPoint& point : history.trajectory) out.trajectories.push_back({trial, index, point});
+    if (!history.trajectory.empty())
+      for (const SurfaceCorner& corner : surface_of(body.contactors))
+        out.shapes.push_back({trial, index, corner});
   }
   out.rocks.push_back(row);
 }

@@ -76,10 +76,10 @@ FlightLog<D, Ground>::FlightLog(const Body<D>& body, const Ground& ground, const
       run_(run),
       spin_(body.w),
       spin_since_(run.start_time),
+      attitude_(body.attitude),
       twice_spin_energy_(twice_spin_energy(body, body.attitude, body.w)),
       next_sample_(run.start_time),
       to_gates_(approaches(run.gates, in_plan(body.x))) {
-  if constexpr (D == 2) angle_ = body.attitude.angle;
   history_.begin(state(run.start_time, body.x, body.v));
   history_.bounce_height = height(body.x);
   history_.path = bins_over(ground, run.bin_width);
@@ -89,7 +89,7 @@ template <int D, class Ground>
 void FlightLog<D, Ground>::see(const Arc<D>& arc, double end) {
   for (double t = next_sample_; run_.trajectory_every > 0 && t < arc.start + end * arc.length;
        t = next_sample_) {
-    history_.trajectory.push_back({at(arc, (t - arc.start) / arc.length), TravelMode::flight});
+    store(at(arc, (t - arc.start) / arc.length));
     next_sample_ += run_.trajectory_every;
   }
   const Vec<D> up = Vec<D>::Unit(D - 1);
@@ -113,7 +113,7 @@ Arrival FlightLog<D, Ground>::arrival(const Vec2& place, const Landing<D>& now) 
 
 template <int D, class Ground>
 void FlightLog<D, Ground>::met(const BarrierHit& hit, double left) {
-  if constexpr (D == 2) angle_ += spin_ * (hit.time - spin_since_);
+  attitude_ = attitude(hit.time);
   spin_since_ = hit.time;
   spin_ *= left;
   twice_spin_energy_ *= left * left;
@@ -127,7 +127,7 @@ BodyHistory FlightLog<D, Ground>::finish(const Landing<D>& end, StopReason reaso
   history_.landed = reason == StopReason::stopped;
   if (history_.landed) history_.stop_time = end.time;
   history_.flight_range = horizontal(Vec<D>(end.position - body_.x));
-  if (run_.trajectory_every > 0) history_.trajectory.push_back({history_.last, TravelMode::flight});
+  if (run_.trajectory_every > 0) store(history_.last);
   return std::move(history_);
 }
 
@@ -139,7 +139,7 @@ BodyState FlightLog<D, Ground>::state(double time, const Vec<D>& position, const
   state.velocity.template head<D>() = velocity;
   if constexpr (D == 2) {
     state.spin.z() = spin_;
-    state.angle = angle_ + spin_ * (time - spin_since_);
+    state.angle = attitude_.angle + spin_ * (time - spin_since_);
   } else {
     state.spin = spin_;
   }
@@ -150,6 +150,11 @@ BodyState FlightLog<D, Ground>::state(double time, const Vec<D>& position, const
 template <int D, class Ground>
 BodyState FlightLog<D, Ground>::at(const Arc<D>& arc, double s) const {
   return state(arc.start + s * arc.length, arc.position(s), arc.velocity(s));
+}
+
+template <int D, class Ground>
+void FlightLog<D, Ground>::store(const BodyState& s) {
+  history_.trajectory.push_back({s, TravelMode::flight, quaternion_of(attitude(s.time))});
 }
 
 template <int D, class Ground>

@@ -22,6 +22,9 @@ class FlightLog {
  private:
   BodyState state(double time, const Vec<D>& position, const Vec<D>& velocity) const;
   BodyState at(const Arc<D>& arc, double s) const;
+  /// The attitude at a time since the last barrier.
+  Attitude<D> attitude(double time) const { return attitude_.turned(spin_ * (time - spin_since_)); }
+  void store(const BodyState& s);
   void widen(const BodyState& s);
   double energy(double squared_speed) const {
     return 0.5 * (body_.mass * squared_speed + twice_spin_energy_);
@@ -35,9 +38,10 @@ class FlightLog {
   const Ground& ground_;
   const BallisticRun<D>& run_;
   BodyHistory history_;
-  typename Space<D>::Spin spin_;   ///< since the time spin_since_, because barriers change it
-  double spin_since_, angle_ = 0;  ///< the angle at that time: rad, 2D
-  double twice_spin_energy_;       ///< J
+  typename Space<D>::Spin spin_;  ///< since the time spin_since_, because barriers change it
+  double spin_since_;             ///< s
+  Attitude<D> attitude_;          ///< at that time
+  double twice_spin_energy_;      ///< J
   double next_sample_;
   std::vector<Approach> to_gates_;
 };

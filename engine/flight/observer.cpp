@@ -30,7 +30,7 @@ Observer<D>::Observer(const World<D>& world, double every, bool keep_impacts, do
     const Motion now = world.flight_of(body);
     clearance(body, now, 0);
     speeds(body, now, 0);
-    store(body, history.first);
+    store(body, history.first, world.bodies[i].attitude);
   }
 }
 
@@ -76,14 +76,20 @@ void Observer<D>::extremes(int body, const BodyState& s) {
 }
 
 template <int D>
-void Observer<D>::store(int body, const BodyState& s) {
+void Observer<D>::store(int body, const BodyState& s, const Attitude<D>& attitude) {
   if (every_ <= 0) return;
   auto& points = histories_[body].trajectory;
   if (!points.empty() && points.back().state.time == s.time) {
     points.back().state = s;  // an impact changes the velocity, but not the mode in which the body arrived
   } else {
-    points.push_back({s, mode_[body]});
+    points.push_back({s, mode_[body], quaternion_of(attitude)});
   }
+}
+
+template <int D>
+void Observer<D>::store(int body, const Motion& motion, double t, double time) {
+  if (every_ <= 0) return;
+  store(body, along(body, motion, t, time), turn_at(motion, t).attitude);
 }
 
 template <int D>
@@ -116,7 +122,7 @@ template <int D>
 void Observer<D>::flew(int body, const Motion& motion, double start, double dt) {
   BodyHistory& h = histories_[body];
   if (dt > 0) has_flown_[body] = true;
-  store(body, along(body, motion, 0, start));
+  store(body, motion, 0, start);
   mode_[body] = h.landed ? TravelMode::bounce : TravelMode::flight;
   h.travel.add(mode_[body], dt, path_length<D>(motion, dt));
   const double apex = motion.a[up] < 0 ? motion.v[up] / -motion.a[up] : -1;
@@ -130,12 +136,11 @@ void Observer<D>::flew(int body, const Motion& motion, double start, double dt) 
   speeds(body, motion, dt);
   if (every_ > 0) {
     for (; next_sample_[body] < start + dt; next_sample_[body] += every_)
-      if (next_sample_[body] > start)
-        store(body, along(body, motion, next_sample_[body] - start, next_sample_[body]));
+      if (next_sample_[body] > start) store(body, motion, next_sample_[body] - start, next_sample_[body]);
   }
   const BodyState end = along(body, motion, dt, start + dt);
   extremes(body, end);
-  store(body, end);
+  store(body, end, turn_at(motion, dt).attitude);
 }
 
 template <int D>
@@ -150,7 +155,7 @@ void Observer<D>::stepped(int body, const Motion& motion, double dt, TravelMode 
     bin.energy = std::max(bin.energy, s.kinetic_energy);
   });
   if (every_ > 0 && world_.time >= next_sample_[body]) {
-    store(body, s);
+    store(body, s, world_.bodies[body].attitude);
     while (next_sample_[body] <= world_.time) next_sample_[body] += every_;
   }
 }
@@ -165,6 +170,7 @@ void Observer<D>::arrived() {
       if (!keep_impacts_) continue;
       h.impacts.push_back(impact);
       h.impacts.back().number = h.impact_count;
+      if (body == impact.other) h.impacts.back().other = impact.body;
     }
   }
   for (std::size_t i = 0; i < world_.bodies.size(); ++i)
@@ -186,7 +192,7 @@ void Observer<D>::ended(int body, StopReason reason) {
   if (reason != StopReason::diverged) h.last = present(body);
   if (has_flown_[body] && !h.landed)
     h.flight_range = horizontal(Vec<D>((h.last.position - h.first.position).template head<D>()));
-  store(body, h.last);
+  store(body, h.last, world_.bodies[body].attitude);
 }
 
 template class Observer<2>;

@@ -36,7 +36,8 @@ class Observer {
   BodyState along(int body, const Motion& motion, double t, double time) const;
   BodyState present(int body) const;
   void extremes(int body, const BodyState& state);
-  void store(int body, const BodyState& state);
+  void store(int body, const BodyState& state, const Attitude<D>& attitude);
+  void store(int body, const Motion& motion, double t, double time);
   void clearance(int body, const Path<D>& path, double dt);
   void speeds(int body, const Motion& motion, double dt);
 

@@ -146,10 +146,11 @@ void add_envelopes(const SqliteFile& file, const Results& results) {
 
 ResultDatabase::Insertions::Insertions(const SqliteFile& file, int dimension)
     : rocks(file, "rocks", 1 + static_cast<int>(rock_columns().size())),
-      rows_of_rock(file, "rows_of_rock", 6),
+      rows_of_rock(file, "rows_of_rock", 8),
       inputs(file, "input_rows", input_table().width(dimension)),
       impacts(file, "impact_rows", impact_table().width(dimension)),
       trajectories(file, "trajectory_rows", trajectory_table().width(dimension)),
+      shapes(file, "shape_rows", shape_table().width(dimension)),
       gates(file, "gates", 3 + static_cast<int>(gate_columns().size())),
       barriers(file, "barriers", 3 + static_cast<int>(barrier_columns().size())) {}
 
@@ -177,12 +178,14 @@ void ResultDatabase::add(int point, const TrialRecords& records) {
   RowsOfRocks inputs(records.inputs, written_.inputs);
   RowsOfRocks impacts(records.impacts, written_.impacts);
   RowsOfRocks trajectories(records.trajectories, written_.trajectories);
+  RowsOfRocks shapes(records.shapes, written_.shapes);
   insertions_->rocks.rows(records.rocks, [&](Statement& to, const RockRecord& r) {
     to.put(point);
     visit_rocks(put_into(to, r, groups_));
   });
   insertions_->rows_of_rock.rows(records.rocks, [&](Statement& to, const RockRecord& r) {
-    for (const auto& [first, last] : {inputs.of(r), impacts.of(r), trajectories.of(r)}) to.put(first, last);
+    for (const auto& [first, last] : {inputs.of(r), impacts.of(r), trajectories.of(r), shapes.of(r)})
+      to.put(first, last);
   });
   const std::vector<std::string> none, gates = names_of(scenario.gates),
                                        barriers = names_of(scenario.barriers);
@@ -199,6 +202,9 @@ void ResultDatabase::add(int point, const TrialRecords& records) {
   });
   insertions_->trajectories.rows(records.trajectories, [&](Statement& to, const TrajectoryRecord& r) {
     visit_trajectories(stored(put_into(to, r, none)));
+  });
+  insertions_->shapes.rows(records.shapes, [&](Statement& to, const ShapeRecord& r) {
+    visit_shapes(stored(put_into(to, r, none)));
   });
   insertions_->gates.rows(records.gates, [&](Statement& to, const GateRecord& r) {
     to.put(point, r.trial, r.rock);

@@ -32,7 +32,7 @@ class ResultDatabase {
  private:
   struct Insertions {
     Insertions(const SqliteFile& file, int dimension);
-    Insertion rocks, rows_of_rock, inputs, impacts, trajectories, gates, barriers;
+    Insertion rocks, rows_of_rock, inputs, impacts, trajectories, shapes, gates, barriers;
   };
 
   void add_plan();
@@ -42,7 +42,7 @@ class ResultDatabase {
   SqliteFile file_;
   std::unique_ptr<Insertions> insertions_;
   struct {
-    std::int64_t inputs = 0, impacts = 0, trajectories = 0;
+    std::int64_t inputs = 0, impacts = 0, trajectories = 0, shapes = 0;
   } written_;  ///< rows
 };
 

@@ -19,7 +19,7 @@ struct Table {
 };
 
 // The view returns the rows of a rock in the order in which they were written: report/rock_rows.h.
-constexpr std::array<Table, 15> tables = {{
+constexpr std::array<Table, 16> tables = {{
     {"points", "SELECT * FROM points ORDER BY rowid"},
     {"sweep", "SELECT * FROM sweep ORDER BY rowid"},
     {"parts", "SELECT * FROM parts ORDER BY rowid"},
@@ -31,6 +31,7 @@ constexpr std::array<Table, 15> tables = {{
     {"inputs", "SELECT * FROM inputs ORDER BY point, trial, rock"},
     {"impacts", "SELECT * FROM impacts ORDER BY point, trial, rock"},
     {"trajectories", "SELECT * FROM trajectories ORDER BY point, trial, rock"},
+    {"shapes", "SELECT * FROM shapes ORDER BY point, trial, rock"},
     {"gates", "SELECT * FROM gates ORDER BY rowid"},
     {"barriers", "SELECT * FROM barriers ORDER BY rowid"},
     {"envelopes", "SELECT * FROM envelopes ORDER BY rowid"},

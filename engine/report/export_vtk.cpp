@@ -8,8 +8,9 @@
 #include "batch/safe_file.h"
 #include "math/round_step.h"
 #include "report/sqlite.h"
+#include "report/stored_paths.h"
 #include "report/vtk_file.h"
-#include "world/observe.h"
+#include "report/vtk_shapes.h"
 
 namespace flyrock {
 
@@ -19,56 +20,10 @@ namespace fs = std::filesystem;
 
 constexpr double most_steps = 500;
 
-struct Moment {
-  double time, speed, energy, mode;
-  Vec3 place;
-};
-
-/// The stored path of one rock.
-struct Path {
-  std::int64_t point, trial, rock;
-  double runout, diameter;
-  std::vector<Moment> moments;
-};
-
-double mode_number(const std::string& name) {
-  const auto found = std::find(travel_mode_names.begin(), travel_mode_names.end(), name);
-  return static_cast<double>(found - travel_mode_names.begin());
-}
-
-/// The paths of the sweep point at whose first row `row` is. `more` tells whether a row follows them.
-std::vector<Path> read_point(Query& row, bool& more) {
-  std::vector<Path> paths;
-  for (; more && (paths.empty() || paths.back().point == row.whole(0)); more = row.next()) {
-    if (paths.empty() || paths.back().trial != row.whole(1) || paths.back().rock != row.whole(2))
-      paths.push_back(
-          {row.whole(0), row.whole(1), row.whole(2), row.real(3), std::cbrt(6 * row.real(4) / pi), {}});
-    const Vec3 velocity(row.real(9), row.real(10), row.real(11));
-    paths.back().moments.push_back({row.real(5),
-                                    velocity.norm(),
-                                    row.real(12),
-                                    mode_number(row.text(13)),
-                                    {row.real(6), row.real(7), row.real(8)}});
-  }
-  return paths;
-}
-
-/// Linear between the stored moments. The mode is the one in which the rock arrives at the later moment.
-Moment moment_at(const Path& path, double time) {
-  const auto later = std::lower_bound(path.moments.begin(), path.moments.end(), time,
-                                      [](const Moment& m, double t) { return m.time < t; });
-  if (later == path.moments.end()) return path.moments.back();
-  if (later == path.moments.begin()) return *later;
-  const Moment &a = *std::prev(later), &b = *later;
-  const double share = (time - a.time) / (b.time - a.time);
-  return {time, a.speed + share * (b.speed - a.speed), a.energy + share * (b.energy - a.energy), b.mode,
-          a.place + share * (b.place - a.place)};
-}
-
 /// Collects moments as VTK points with their data.
 class PointData {
  public:
-  void add(const Moment& m) {
+  void add(const StoredMoment& m) {
     data_.points.push_back(m.place);
     times_.values.push_back(m.time);
     speeds_.values.push_back(m.speed);
@@ -88,9 +43,9 @@ class PointData {
 };
 
 /// One cell for each path.
-std::vector<VtkArray> cell_data(const std::vector<Path>& paths) {
+std::vector<VtkArray> cell_data(const std::vector<StoredPath>& paths) {
   std::vector<VtkArray> arrays = {{"trial", {}}, {"rock", {}}, {"runout_m", {}}, {"diameter_m", {}}};
-  for (const Path& path : paths) {
+  for (const StoredPath& path : paths) {
     arrays[0].values.push_back(static_cast<double>(path.trial));
     arrays[1].values.push_back(static_cast<double>(path.rock));
     arrays[2].values.push_back(path.runout);
@@ -99,18 +54,18 @@ std::vector<VtkArray> cell_data(const std::vector<Path>& paths) {
   return arrays;
 }
 
-void write_lines(const fs::path& file, const std::vector<Path>& paths) {
+void write_lines(const fs::path& file, const std::vector<StoredPath>& paths) {
   PointData points;
-  for (const Path& path : paths) {
-    for (const Moment& moment : path.moments) points.add(moment);
+  for (const StoredPath& path : paths) {
+    for (const StoredMoment& moment : path.moments) points.add(moment);
     points.end_line();
   }
   write_vtp(file, std::move(points).with(cell_data(paths)));
 }
 
-void write_series(const fs::path& index, const std::vector<Path>& paths) {
+void write_series(const fs::path& index, const std::vector<StoredPath>& paths) {
   double end = 0;
-  for (const Path& path : paths) end = std::max(end, path.moments.back().time);
+  for (const StoredPath& path : paths) end = std::max(end, path.moments.back().time);
   const double step = round_step(end / most_steps);
   const auto steps = static_cast<int>(std::ceil(end / step));
   const fs::path folder = index.parent_path() / index.stem();
@@ -119,7 +74,7 @@ void write_series(const fs::path& index, const std::vector<Path>& paths) {
   for (int i = 0; i <= steps; ++i) {
     const double time = step * i;
     PointData points;
-    for (const Path& path : paths) points.add(moment_at(path, time));
+    for (const StoredPath& path : paths) points.add(path.at(time));
     const std::string name = fmt::format("{:04}.vtp", i);
     write_vtp(folder / name, std::move(points).with(cell_data(paths)));
     series.push_back({time, (index.stem() / name).generic_string()});
@@ -158,7 +113,8 @@ VtkPoints ground_triangles(const SqliteReader& database, std::int64_t ground) {
       database,
       fmt::format("SELECT a, b, c, part FROM ground_triangles WHERE ground = {} ORDER BY rowid", ground));
   while (triangle.next()) {
-    surface.triangles.push_back({triangle.whole(0), triangle.whole(1), triangle.whole(2)});
+    for (const int corner : {0, 1, 2}) surface.corners.push_back(triangle.whole(corner));
+    surface.polygon_ends.push_back(surface.corners.size());
     parts.values.push_back(triangle.real(3));
   }
   surface.of_cells = {std::move(parts)};
@@ -175,21 +131,17 @@ void write_ground(const fs::path& file, const SqliteReader& database, std::int64
 
 std::vector<fs::path> export_vtk(const fs::path& results, const fs::path& folder) {
   const SqliteReader database(results);
-  Query rows(database,
-             "SELECT t.point, t.trial, t.rock, runout_m, volume_m3, t.time_s, x_m, y_m, z_m, vx_m_s, vy_m_s, "
-             "vz_m_s, "
-             "kinetic_energy_J, mode FROM trajectories t JOIN rocks USING (point, trial, rock) ORDER BY "
-             "t.point, t.trial, t.rock");
+  StoredPaths stored(database);
   std::vector<fs::path> files;
-  bool more = rows.next();
-  if (more) make_folder(folder);
-  while (more) {
-    const std::vector<Path> paths = read_point(rows, more);
+  for (auto paths = stored.next_point(); !paths.empty(); paths = stored.next_point()) {
+    if (files.empty()) make_folder(folder);
     const std::int64_t point = paths.front().point;
     files.push_back(folder / fmt::format("trajectories-p{}.vtp", point));
     write_lines(files.back(), paths);
     files.push_back(folder / fmt::format("rocks-p{}.pvd", point));
     write_series(files.back(), paths);
+    files.push_back(folder / fmt::format("shapes-p{}.pvd", point));
+    write_shapes(files.back(), database, paths);
     files.push_back(folder / fmt::format("ground-p{}.vtp", point));
     write_ground(files.back(), database, point);
   }

@@ -16,6 +16,9 @@ namespace flyrock {
 ///                               from the files
 ///   rocks-p<point>/<step>.vtp   with the same data, linear between stored points; a rock that has ended
 ///                               stays
+///   shapes-p<point>.pvd         the surfaces of the rocks in their attitudes over time (vtk_shapes.h), from
+///   the
+///                               files shapes-p<point>/<step>.vtp
 /// `mode` is the index in travel_mode_names. Returns the files except those of the steps; none if no
 /// trajectory is stored. Throws FileError.
 std::vector<std::filesystem::path> export_vtk(const std::filesystem::path& results,

@@ -49,6 +49,12 @@ const RockTable& trajectory_table() {
   return table;
 }
 
+const RockTable& shape_table() {
+  static const RockTable table{"shape", "shapes",
+                               columns_of<ShapeRecord>([](auto visit) { visit_shapes(visit); })};
+  return table;
+}
+
 int RockTable::width(int dimension) const {
   return static_cast<int>(std::count_if(columns.begin(), columns.end(), [&](const StoredColumn& stored) {
     return is_stored(stored.column, dimension);
@@ -59,8 +65,8 @@ std::string rock_tables_schema(int dimension) {
   std::string schema =
       "CREATE TABLE rows_of_rock (first_input INTEGER, last_input INTEGER, first_impact INTEGER, last_impact "
       "INTEGER, "
-      "first_trajectory INTEGER, last_trajectory INTEGER);\n";
-  for (const RockTable* table : {&input_table(), &impact_table(), &trajectory_table()})
+      "first_trajectory INTEGER, last_trajectory INTEGER, first_shape INTEGER, last_shape INTEGER);\n";
+  for (const RockTable* table : {&input_table(), &impact_table(), &trajectory_table(), &shape_table()})
     schema += table_of(*table, dimension) + view_of(*table, dimension);
   return schema;
 }

@@ -33,7 +33,7 @@ std::vector<StoredColumn> columns_of(VisitTable visit_table) {
 
 /// A table <name>_rows and its view.
 struct RockTable {
-  const char* name;  ///< "input", "impact", "trajectory"
+  const char* name;  ///< "input", "impact", "trajectory", "shape"
   const char* view;
   std::vector<StoredColumn> columns;
 
@@ -49,8 +49,9 @@ inline bool is_stored(const Column& column, int dimension) {
 const RockTable& input_table();
 const RockTable& impact_table();
 const RockTable& trajectory_table();
+const RockTable& shape_table();
 
-/// CREATE TABLE and CREATE VIEW of the three tables, and of rows_of_rock.
+/// CREATE TABLE and CREATE VIEW of the four tables, and of rows_of_rock.
 std::string rock_tables_schema(int dimension);
 
 /// Finds the rows of each rock. They must come in the order of the rocks.

@@ -98,10 +98,11 @@ void Tracks::see(const TrialRecords& chunk) {
     if (full_) return;
     std::vector<Point> path;
     for (std::size_t i = begin; i < end; ++i) {
-      const auto& [state, mode] = chunk.trajectories[i].point;
+      const TrajectoryPoint& point = chunk.trajectories[i].point;
+      const BodyState& state = point.state;
       const Vec3& at = state.position;
       const Vec3 place = dimension_ == 3 ? Vec3(at.x(), at.z(), at.y()) : Vec3(at.x(), at.y(), 0);
-      path.push_back({place, state.time, state.velocity.norm(), mode});
+      path.push_back({place, state.time, state.velocity.norm(), point.mode});
     }
     tracks_.push_back({rock.trial, rock.rock, rock.group, rock.reason, thinned(path, tolerance(rock.group))});
     kept_ += tracks_.back().points.size();

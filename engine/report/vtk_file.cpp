@@ -19,14 +19,8 @@ struct Cells {
 };
 
 Cells cells_of(const VtkPoints& data) {
-  if (!data.triangles.empty()) {
-    Cells cells{"Polys", {}, {}};
-    for (const auto& triangle : data.triangles) {
-      cells.connectivity.insert(cells.connectivity.end(), triangle.begin(), triangle.end());
-      cells.ends.push_back(static_cast<std::int64_t>(cells.connectivity.size()));
-    }
-    return cells;
-  }
+  if (!data.polygon_ends.empty())
+    return {"Polys", data.corners, {data.polygon_ends.begin(), data.polygon_ends.end()}};
   Cells cells{data.line_ends.empty() ? "Verts" : "Lines", {}, {data.line_ends.begin(), data.line_ends.end()}};
   for (std::size_t i = 0; i < data.points.size(); ++i) {
     cells.connectivity.push_back(static_cast<std::int64_t>(i));

@@ -1,8 +1,7 @@
 #pragma once
-// Polylines, triangles and points as an XML file of VTK (.vtp), which ParaView opens. Source: VTK File
+// Polylines, polygons and points as an XML file of VTK (.vtp), which ParaView opens. Source: VTK File
 // Formats, "PolyData" (Kitware, VTK User's Guide).
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -23,7 +22,10 @@ struct VtkPoints {
   /// For each polyline, the index after its last point. If empty, there are no lines and every point is a
   /// cell.
   std::vector<std::size_t> line_ends;
-  std::vector<std::array<std::int64_t, 3>> triangles;  ///< indices of points; then there are no lines
+  /// Polygons, in place of lines: the points of all, one polygon after the other, and for each the index
+  /// after its last one.
+  std::vector<std::int64_t> corners;
+  std::vector<std::size_t> polygon_ends;
   std::vector<VtkArray> of_points, of_cells;
 };
 

@@ -43,6 +43,13 @@ struct Attitude<3> {
   }
 };
 
+/// An attitude as TrajectoryPoint::turn.
+inline std::array<double, 4> quaternion_of(const Attitude<2>&) { return {1, 0, 0, 0}; }
+inline std::array<double, 4> quaternion_of(const Attitude<3>& attitude) {
+  const Eigen::Quaterniond& q = attitude.rotation.quaternion();
+  return {q.w(), q.x(), q.y(), q.z()};
+}
+
 /// |w| of a spin in 2D or 3D.
 inline double spin_speed(double w) { return std::abs(w); }
 inline double spin_speed(const Vec3& w) { return w.norm(); }

@@ -91,6 +91,9 @@ struct Travel {
 struct TrajectoryPoint {
   BodyState state;
   TravelMode mode = TravelMode::flight;  ///< the mode in which the body arrived at this point
+  /// 3D: the attitude as a unit quaternion w, x, y, z that maps the body's frame to the world. In 2D the
+  /// angle of the state is the attitude.
+  std::array<double, 4> turn = {1, 0, 0, 0};
 };
 
 struct BodyHistory {

@@ -1,7 +1,10 @@
 // flyrock report and flyrock export: what is made of a result later.
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <iterator>
 #include <regex>
+#include <sstream>
 
 #include "program.h"
 #include "rows.h"
@@ -26,6 +29,79 @@ std::size_t count_of(const std::string& text, const std::string& what) {
   std::size_t count = 0;
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++count;
   return count;
+}
+
+/// A box, a tetrahedron and a ball that fly and turn, in 3D.
+const std::string thrown = R"(flyrock: 1
+dimension: 3
+method: nscd
+terrain: { type: plane, normal: [0.2, 0, 1], material: rock }
+materials: { rock: { restitution: { type: newton, en: 0.3 }, friction: { type: coulomb, mu: 0.5 } } }
+bodies:
+  - { name: box, density: 2700, material: rock, shape: { type: box, size: [0.6, 0.5, 0.4] }, position: [0, 0, 3], velocity: [3, 1, 1], spin: [4, 5, 6], orientation: { axis: [1, 2, 3], angle: 40 deg } }
+  - { name: tetrahedron, density: 2700, material: rock, shape: { type: polyhedron, points: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]] }, position: [0, 4, 3], velocity: [3, 1, 1], spin: [1, -5, 2] }
+  - { name: ball, density: 2700, material: rock, shape: { type: sphere, radius: 0.3 }, position: [0, 8, 3], velocity: [3, 1, 1] }
+stop: { time: 2 s }
+)";
+
+constexpr double pi = 3.14159265358979323846;
+
+std::vector<double> numbers_in(std::string text) {
+  std::replace(text.begin(), text.end(), '|', ' ');
+  std::istringstream in(text);
+  return {std::istream_iterator<double>(in), {}};
+}
+
+/// Time and file of each step of a .pvd.
+std::vector<std::pair<double, std::string>> series_of(const fs::path& index) {
+  const std::string text = read(index);
+  const std::regex entry("timestep=\"([^\"]+)\" part=\"0\" file=\"([^\"]+)\"");
+  std::vector<std::pair<double, std::string>> series;
+  for (std::sregex_iterator at(text.begin(), text.end(), entry); at != std::sregex_iterator(); ++at)
+    series.emplace_back(std::stod((*at)[1]), (*at)[2]);
+  return series;
+}
+
+/// The polygons of a .vtp.
+struct Surfaces {
+  std::vector<Eigen::Vector3d> points;
+  std::vector<std::vector<std::size_t>> faces;
+  std::vector<double> rock;  ///< of each face
+
+  double volume(int of) const {
+    double volume = 0;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      for (std::size_t i = 2; rock[f] == of && i < faces[f].size(); ++i)
+        volume += points[faces[f][0]].dot(points[faces[f][i - 1]].cross(points[faces[f][i]])) / 6;
+    return volume;
+  }
+  double distance_to_vertices(int of, const Eigen::Vector3d& place) const {
+    double least = 1e300;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      for (const std::size_t corner : faces[f])
+        if (rock[f] == of) least = std::min(least, (points[corner] - place).norm());
+    return least;
+  }
+};
+
+Surfaces read_surfaces(const fs::path& file) {
+  const std::string text = read(file);
+  const auto array = [&](const std::string& after) {
+    const std::size_t begin = text.find('>', text.find(after)) + 1;
+    return numbers_in(text.substr(begin, text.find('<', begin) - begin));
+  };
+  Surfaces surfaces;
+  const std::vector<double> places = array("NumberOfComponents=\"3\""), corners = array("\"connectivity\"");
+  for (std::size_t i = 0; i + 2 < places.size(); i += 3)
+    surfaces.points.emplace_back(places[i], places[i + 1], places[i + 2]);
+  std::size_t first = 0;
+  for (const double end : array("\"offsets\"")) {
+    surfaces.faces.emplace_back();
+    for (; first < static_cast<std::size_t>(end); ++first)
+      surfaces.faces.back().push_back(static_cast<std::size_t>(corners[first]));
+  }
+  surfaces.rock = array("Name=\"rock\"");
+  return surfaces;
 }
 
 }  // namespace
@@ -84,8 +160,8 @@ TEST_CASE("Trajectories are exported for ParaView") {
   INFO(vtk.err);
   REQUIRE(vtk.code == 0);
   CHECK(vtk.out ==
-        "r/vtk/trajectories-p0.vtp\nr/vtk/rocks-p0.pvd\nr/vtk/ground-p0.vtp\n"
-        "r/vtk/trajectories-p1.vtp\nr/vtk/rocks-p1.pvd\nr/vtk/ground-p1.vtp\n");
+        "r/vtk/trajectories-p0.vtp\nr/vtk/rocks-p0.pvd\nr/vtk/shapes-p0.pvd\nr/vtk/ground-p0.vtp\n"
+        "r/vtk/trajectories-p1.vtp\nr/vtk/rocks-p1.pvd\nr/vtk/shapes-p1.pvd\nr/vtk/ground-p1.vtp\n");
   const std::string ground = read(folder.path() / "r/vtk/ground-p1.vtp");
   CHECK(ground.find("NumberOfPoints=\"6\" NumberOfVerts=\"0\" NumberOfLines=\"3\"") != std::string::npos);
   CHECK(ground.find("-20 10 0\n0 10 0\n0 10 0\n3 0 0\n3 0 0\n300 0 0\n") != std::string::npos);
@@ -121,6 +197,65 @@ TEST_CASE("Trajectories are exported for ParaView") {
                                     "(SELECT max(time_s) FROM trajectories u WHERE (u.point, u.trial, "
                                     "u.rock) = (t.point, t.trial, t.rock))"))
     CHECK(end.find(x.substr(0, 8), at) != std::string::npos);
+}
+
+TEST_CASE("ParaView gets the surfaces of rocks, where they are and as they are turned at stored samples") {
+  const Folder folder;
+  folder.write("s.yaml", thrown);
+  REQUIRE(call(folder, "run s.yaml -o r --quiet").code == 0);
+  REQUIRE(call(folder, "export r --to vtk").code == 0);
+  const fs::path db = folder.path() / "r/results.db";
+  std::size_t compared = 0;
+  for (const auto& [time, file] : series_of(folder.path() / "r/vtk/shapes-p0.pvd")) {
+    const Surfaces surfaces = read_surfaces(folder.path() / "r/vtk" / file);
+    REQUIRE(surfaces.faces.size() == 6 + 4 + 128);
+    // Faces that close a body and are seen from outside give its volume.
+    CHECK(surfaces.volume(0) == Approx(0.6 * 0.5 * 0.4).epsilon(2e-3));
+    CHECK(surfaces.volume(1) == Approx(1.0 / 6).epsilon(2e-3));
+    CHECK(surfaces.volume(2) == Approx(4 * pi / 3 * 0.027).epsilon(0.1));
+    for (const int rock : {0, 1, 2}) {
+      const std::string of_rock = " WHERE trial = 0 AND rock = " + std::to_string(rock);
+      const auto sample = query(db, "SELECT x_m, y_m, z_m, qw, qx, qy, qz FROM trajectories" + of_rock +
+                                        " AND abs(time_s - " + std::to_string(time) + ") < 1e-9");
+      if (sample.empty()) continue;
+      const std::vector<double> at = numbers_in(sample.back());
+      const Eigen::Quaterniond turn(at[3], at[4], at[5], at[6]);
+      CHECK(turn.norm() == Approx(1).epsilon(1e-12));
+      for (const std::string& row : query(db, "SELECT x_m, y_m, z_m, radius_m FROM shapes" + of_rock)) {
+        const std::vector<double> corner = numbers_in(row);
+        const Eigen::Vector3d place =
+            Eigen::Vector3d(at[0], at[1], at[2]) + turn * Eigen::Vector3d(corner[0], corner[1], corner[2]);
+        CHECK(surfaces.distance_to_vertices(rock, place) == Approx(corner[3]).margin(2e-4));
+        ++compared;
+      }
+    }
+  }
+  CHECK(compared > 20 * (24 + 12 + 1));
+}
+
+TEST_CASE("In 2D ParaView gets polygons and disks, turned by their angle") {
+  const Folder folder;
+  folder.write("s.yaml", std::string(bench));
+  REQUIRE(call(folder, "run s.yaml -o r --quiet").code == 0);
+  REQUIRE(call(folder, "export r --to vtk").code == 0);
+  const fs::path db = folder.path() / "r/results.db";
+  const auto series = series_of(folder.path() / "r/vtk/shapes-p0.pvd");
+  const Surfaces end = read_surfaces(folder.path() / "r/vtk" / series.back().second);
+  const std::vector<double> at =
+      numbers_in(query(db,
+                       "SELECT x_m, y_m, angle_rad FROM trajectories WHERE trial = 0 AND rock = 0 "
+                       "ORDER BY time_s DESC LIMIT 1")[0]);
+  const Eigen::Rotation2Dd turn(at[2]);
+  int corners = 0;
+  for (const std::string& row :
+       query(db, "SELECT x_m, y_m, radius_m FROM shapes WHERE trial = 0 AND rock = 0")) {
+    const std::vector<double> corner = numbers_in(row);
+    const Eigen::Vector2d place =
+        Eigen::Vector2d(at[0], at[1]) + turn * Eigen::Vector2d(corner[0], corner[1]);
+    CHECK(end.distance_to_vertices(0, {place.x(), place.y(), 0}) == Approx(corner[2]).margin(2e-4));
+    ++corners;
+  }
+  CHECK(corners >= 1);
 }
 
 TEST_CASE("Without stored trajectories there is nothing for ParaView") {

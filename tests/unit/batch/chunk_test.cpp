@@ -41,7 +41,9 @@ TrialRecords some_records() {
   point.point.mode = TravelMode::slide;
   point.point.state.position = {4, 5, 6};
   point.point.state.kinetic_energy = 8;
+  point.point.turn = {0.5, -0.5, 0.5, -0.5};
   records.trajectories = {point, point};
+  records.shapes = {{7, 1, {.contactor = 1, .face = 2, .place = {3, 4, 5}, .radius = 6}}};
   records.totals.materials = {{1, 2, 3, 4, 5}};
   PathBins path(2, -10, 10);
   path.visit(-3, 1, 0, 4, [](PathBin& bin, double, double t) { bin = {t, 10 * t, 1e6}; });
@@ -79,6 +81,9 @@ TEST_CASE("A chunk reads back as it was written") {
   CHECK(read->barriers[0].hit.outcome == BarrierOutcome::over_energy);
   CHECK(read->barriers[0].hit.barrier == 1);
   CHECK(read->impacts[0].impact.other == -1);
+  CHECK(read->trajectories[1].point.turn[3] == -0.5);
+  CHECK(read->shapes[0].corner.place.z() == 5);
+  CHECK(read->shapes[0].corner.radius == 6);
   CHECK(read->totals.bodies[0].apexes[0].height == 2.25);
   CHECK(std::isnan(read->totals.bodies[0].stop_time));
 }
@@ -91,6 +96,7 @@ TEST_CASE("A reading of a part of a chunk has its tables and no others") {
   expected.impacts.clear();
   expected.totals.envelopes = {};
   expected.trajectories.clear();
+  expected.shapes.clear();
   const auto brief = decode_chunk(bytes, range, "hash", Part::brief, why);
   REQUIRE(brief);
   CHECK(encode_chunk(range, "hash", *brief) == encode_chunk(range, "hash", expected));

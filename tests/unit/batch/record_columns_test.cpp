@@ -20,6 +20,7 @@ TEST_CASE("docs/results.md names every column of every table") {
   visit_inputs(visit);
   visit_impacts(visit);
   visit_trajectories(visit);
+  visit_shapes(visit);
   visit_gates(visit);
   visit_barriers(visit);
   CHECK(columns > 60);

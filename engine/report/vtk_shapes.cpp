@@ -1,0 +1,177 @@
+#include "report/vtk_shapes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "batch/safe_file.h"
+#include "math/round_step.h"
+#include "report/vtk_file.h"
+
+namespace flyrock {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double most_steps = 500, least_steps = 50;  // wanted; a round number of seconds makes fewer
+constexpr double most_bytes = 100e6;                  // of all steps together, about
+
+/// A surface in the body's frame.
+struct RockShape {
+  std::vector<Vec3> vertices;
+  std::vector<std::vector<std::int64_t>> faces;
+
+  /// In the file of a step, about: a vertex has three coordinates, a face its corners and its data.
+  double bytes() const {
+    return 30 * static_cast<double>(vertices.size()) + 80 * static_cast<double>(faces.size());
+  }
+};
+
+/// Vertices of a surface, each once.
+class Vertices {
+ public:
+  explicit Vertices(RockShape& surface) : surface_(surface) {}
+  std::int64_t number_of(const Vec3& place) {
+    const auto [known, is_new] =
+        numbers_.try_emplace({place.x(), place.y(), place.z()}, surface_.vertices.size());
+    if (is_new) surface_.vertices.push_back(place);
+    return static_cast<std::int64_t>(known->second);
+  }
+
+ private:
+  RockShape& surface_;
+  std::map<std::array<double, 3>, std::size_t> numbers_;
+};
+
+/// A ball: the faces of an octahedron with each edge cut into pieces, moved out to the radius.
+void add_ball(RockShape& surface, const Vec3& centre, double radius) {
+  constexpr int pieces = 4;  // of an edge
+  Vertices vertices(surface);
+  for (const double sx : {1.0, -1.0})
+    for (const double sy : {1.0, -1.0})
+      for (const double sz : {1.0, -1.0}) {
+        const auto vertex = [&](int i, int k) {
+          return vertices.number_of(centre +
+                                    radius * Vec3(sx * i, sy * k, sz * (pieces - i - k)).normalized());
+        };
+        const auto add = [&](std::int64_t a, std::int64_t b, std::int64_t c) {
+          if (sx * sy * sz > 0)
+            surface.faces.push_back({a, b, c});
+          else
+            surface.faces.push_back({a, c, b});  // seen from outside
+        };
+        for (int i = 0; i < pieces; ++i)
+          for (int k = 0; i + k < pieces; ++k) {
+            add(vertex(i, k), vertex(i + 1, k), vertex(i, k + 1));
+            if (i + k + 2 <= pieces) add(vertex(i + 1, k), vertex(i + 1, k + 1), vertex(i, k + 1));
+          }
+      }
+}
+
+void add_disk(RockShape& surface, const Vec3& centre, double radius) {
+  constexpr int corners = 48;
+  std::vector<std::int64_t> face;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * pi * i / corners;
+    face.push_back(static_cast<std::int64_t>(surface.vertices.size()));
+    surface.vertices.push_back(centre + radius * Vec3(std::cos(angle), std::sin(angle), 0));
+  }
+  surface.faces.push_back(std::move(face));
+}
+
+/// The surface of a rock, from the table `shapes`.
+RockShape read_surface(const SqliteReader& database, const StoredPath& path, bool in_space) {
+  Query row(database, fmt::format("SELECT contactor, face, x_m, y_m, z_m, radius_m FROM shapes WHERE point = "
+                                  "{} AND trial = {} AND rock = {}",
+                                  path.point, path.trial, path.rock));
+  RockShape surface;
+  Vertices vertices(surface);
+  std::int64_t contactor = -1, face = -1;
+  while (row.next()) {
+    const Vec3 place(row.real(2), row.real(3), row.real(4));
+    const double radius = row.real(5);
+    if (radius > 0) {
+      if (in_space)
+        add_ball(surface, place, radius);
+      else
+        add_disk(surface, place, radius);
+      continue;
+    }
+    if (row.whole(0) != contactor || row.whole(1) != face) surface.faces.emplace_back();
+    contactor = row.whole(0);
+    face = row.whole(1);
+    surface.faces.back().push_back(vertices.number_of(place));
+  }
+  return surface;
+}
+
+/// All rocks of a step as one set of polygons.
+class Scene {
+ public:
+  void add(const StoredPath& path, const RockShape& surface, const StoredMoment& now, bool in_space) {
+    const Eigen::Matrix3d turn = in_space ? now.turn.toRotationMatrix()
+                                          : Eigen::AngleAxisd(now.angle, Vec3::UnitZ()).toRotationMatrix();
+    const auto first = static_cast<std::int64_t>(data_.points.size());
+    for (const Vec3& vertex : surface.vertices) data_.points.push_back(rounded(now.place + turn * vertex));
+    for (const std::vector<std::int64_t>& face : surface.faces) {
+      for (const std::int64_t corner : face) data_.corners.push_back(first + corner);
+      data_.polygon_ends.push_back(data_.corners.size());
+      const double values[] = {static_cast<double>(path.trial),
+                               static_cast<double>(path.rock),
+                               path.runout,
+                               now.speed,
+                               now.energy,
+                               now.mode};
+      for (std::size_t i = 0; i < of_faces_.size(); ++i) of_faces_[i].values.push_back(values[i]);
+    }
+  }
+  VtkPoints done() && {
+    data_.of_cells = std::move(of_faces_);
+    return std::move(data_);
+  }
+
+ private:
+  static Vec3 rounded(const Vec3& place) { return (place * 1e4).array().round().matrix() / 1e4; }
+
+  VtkPoints data_;
+  std::vector<VtkArray> of_faces_ = {{"trial", {}},     {"rock", {}},     {"runout_m", {}},
+                                     {"speed_m_s", {}}, {"energy_J", {}}, {"mode", {}}};
+};
+
+}  // namespace
+
+void write_shapes(const fs::path& index, const SqliteReader& database, const std::vector<StoredPath>& paths) {
+  const bool in_space = [&] {
+    Query dimension(database, "SELECT count(*) FROM pragma_table_info('trajectory_rows') WHERE name = 'z_m'");
+    return dimension.next() && dimension.whole(0) > 0;
+  }();
+  std::vector<RockShape> surfaces;
+  double bytes = 0, end = 0;
+  for (const StoredPath& path : paths) {
+    RockShape surface = read_surface(database, path, in_space);
+    if (!surfaces.empty() && least_steps * (bytes + surface.bytes()) > most_bytes) break;
+    bytes += surface.bytes();
+    surfaces.push_back(std::move(surface));
+    end = std::max(end, path.moments.back().time);
+  }
+  const double wanted = std::clamp(most_bytes / std::max(bytes, 1.0), least_steps, most_steps);
+  const double step = round_step(end / wanted);
+  const auto steps = static_cast<int>(std::ceil(end / step));
+  const fs::path folder = index.parent_path() / index.stem();
+  make_folder(folder);
+  std::vector<VtkMoment> series;
+  for (int i = 0; i <= steps; ++i) {
+    Scene scene;
+    for (std::size_t k = 0; k < surfaces.size(); ++k)
+      scene.add(paths[k], surfaces[k], paths[k].at(step * i), in_space);
+    const std::string name = fmt::format("{:04}.vtp", i);
+    write_vtp(folder / name, std::move(scene).done());
+    series.push_back({step * i, (index.stem() / name).generic_string()});
+  }
+  write_pvd(index, series);
+}
+
+}  // namespace flyrock
