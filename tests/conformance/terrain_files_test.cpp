@@ -221,6 +221,100 @@ TEST_CASE("the published release mask is refused with one clear error", "[data]"
         14927);
 }
 
+namespace {
+
+/// The bytes of a GeoTIFF of 32-bit heights, the northern row first, with square cells; -9999 is no data.
+/// `north_west`: corner of the first cell. Source: TIFF 6.0 (Adobe); OGC GeoTIFF 1.1.
+std::string geotiff(const std::vector<std::vector<float>>& rows, double cell, const Vec2& north_west) {
+  std::string bytes, values;
+  const auto put = [](std::string& to, auto value) {
+    to.append(reinterpret_cast<const char*>(&value), sizeof value);  // little-endian, as this machine
+  };
+  struct Tag {
+    std::uint16_t tag, type;  ///< type: 2 text, 3 short, 4 long, 12 double
+    std::uint32_t count;
+    std::string value;
+  };
+  const auto number = [&](std::uint16_t tag, std::uint32_t value) {
+    Tag t{tag, 4, 1, {}};
+    put(t.value, value);
+    return t;
+  };
+  const auto list = [&](std::uint16_t tag, std::uint16_t type, const auto& all) {
+    Tag t{tag, type, static_cast<std::uint32_t>(all.size()), {}};
+    for (const auto& value : all) put(t.value, value);
+    return t;
+  };
+  const auto height = static_cast<std::uint32_t>(rows.size()),
+             width = static_cast<std::uint32_t>(rows[0].size());
+  const std::uint32_t data_size = 4 * height * width;
+  constexpr std::uint32_t data_at = 8;
+  const std::vector<Tag> tags = {
+      number(256, width),
+      number(257, height),
+      number(258, 32),
+      number(259, 1),
+      number(262, 1),
+      number(273, data_at),
+      number(277, 1),
+      number(278, height),
+      number(279, data_size),
+      number(339, 3),
+      list(33550, 12, std::vector<double>{cell, cell, 0}),
+      list(33922, 12, std::vector<double>{0, 0, 0, north_west.x(), north_west.y(), 0}),
+      list(34735, 3, std::vector<std::uint16_t>{1, 1, 0, 1, 1024, 0, 1, 1}),  // projected
+      list(42113, 2, std::string("-9999\0", 6))};
+  const std::uint32_t directory_at = data_at + data_size,
+                      values_at = directory_at + 2 + 12 * static_cast<std::uint32_t>(tags.size()) + 4;
+  bytes = std::string("II*\0", 4);
+  put(bytes, directory_at);
+  for (const auto& row : rows)
+    for (const float z : row) put(bytes, z);
+  put(bytes, static_cast<std::uint16_t>(tags.size()));
+  for (const Tag& t : tags) {
+    put(bytes, t.tag);
+    put(bytes, t.type);
+    put(bytes, t.count);
+    if (t.value.size() <= 4) {
+      bytes += t.value + std::string(4 - t.value.size(), '\0');
+    } else {
+      put(bytes, values_at + static_cast<std::uint32_t>(values.size()));
+      values += t.value;
+    }
+  }
+  put(bytes, std::uint32_t{0});
+  return bytes + values;
+}
+
+}  // namespace
+
+TEST_CASE("a GeoTIFF is the same ground as its ESRI ASCII grid") {
+  if (!std::filesystem::exists(FLYROCK_SHARE_DIR "/flyrock_gdal.so")) {
+    WARN("SKIPPED: built without GDAL");
+    return;
+  }
+  const TemporaryFile tif("small.tif",
+                          geotiff({{1, 2, 3}, {4, 5, 6.5f}, {-9999, 8, 9}}, 2, {2600000, 1200000})),
+      asc("small.asc",
+          "ncols 3\nnrows 3\nxllcorner 2600000\nyllcorner 1199994\ncellsize 2\n1 2 3\n4 5 6.5\n-9999 8 9\n");
+  const HeightGrid grid = grid_of(tif.path), same = grid_of(asc.path);
+  CHECK(grid.columns == same.columns);
+  CHECK(grid.rows == same.rows);
+  CHECK(grid.cell == same.cell);
+  CHECK(grid.corner == same.corner);
+  REQUIRE(grid.heights.size() == same.heights.size());
+  for (std::size_t i = 0; i < grid.heights.size(); ++i)
+    CHECK(
+        (grid.heights[i] == same.heights[i] || (std::isnan(grid.heights[i]) && std::isnan(same.heights[i]))));
+  const TemporaryFile degrees("degrees.tif", [] {
+    std::string bytes = geotiff({{1, 2}, {3, 4}}, 0.001, {7, 46});
+    const std::string projected("\0\4\0\0\1\0\1\0", 8), geographic("\0\4\0\0\1\0\2\0", 8);
+    return bytes.replace(bytes.find(projected), 8, geographic);
+  }());
+  CHECK(error_of(degrees, [](const std::string& path) { grid_of(path); }).find("is in degrees") !=
+        std::string::npos);
+}
+
 TEST_CASE("a GeoTIFF is read by the module of GDAL, or its error names the package") {
   const TemporaryFile file("text.tif", "no image");
   const std::string error = error_of(file, [](const std::string& path) { grid_of(path); });
