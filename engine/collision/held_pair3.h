@@ -5,19 +5,19 @@
 
 namespace flyrock {
 
-/// The contacts of TouchSearch::held that concern the pair a, b. The solver holds their points apart, so that the
-/// search must not stop at them.
+/// The contacts of TouchSearch::held that concern the pair a, b. The solver holds their points apart, so that
+/// the search must not stop at them.
 class HeldPair {
  public:
   HeldPair(const MovingContactor& a, const MovingContactor& b, const TouchSearch& search)
       : a_(a), b_(b), search_(search) {}
 
-  /// A contact of these two features. A sphere has only one contact with a convex contactor, so its feature does
-  /// not matter.
+  /// A contact of these two features. A sphere has only one contact with a convex contactor, so its feature
+  /// does not matter.
   bool holds(FeatureId feature, FeatureId against) const;
 
-  /// A contact that holds the point i of a over another facet of the plane of the facet b. The point may then be
-  /// beside b, and the plane still separates the other points from it.
+  /// A contact that holds the point i of a over another facet of the plane of the facet b. The point may then
+  /// be beside b, and the plane still separates the other points from it.
   bool over(FeatureId face, int i) const;
 
   /// A contact that holds the point i of a and the corner j of the facet b apart along a direction: the

@@ -13,8 +13,7 @@ namespace flyrock {
 class OutsideFaces {
  public:
   OutsideFaces(const Placed3& polyhedron, const Placed3& facet) : shape_(polyhedron.shape) {
-    for (int i = 0; i < 3; ++i)
-      corner_[i] = polyhedron.pose.r.inverse(facet.point(i) - polyhedron.pose.x);
+    for (int i = 0; i < 3; ++i) corner_[i] = polyhedron.pose.r.inverse(facet.point(i) - polyhedron.pose.x);
   }
 
   /// The distance of the nearest corner outside the plane of a face [m].

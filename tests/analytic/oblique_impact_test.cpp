@@ -30,3 +30,15 @@ TEST_CASE("an oblique impact of a disk sticks or slips") {
   const double energy = body.kinetic_energy() - 6.5;
   CHECK(impact.energy_change == Approx(energy).epsilon(1e-10));
 }
+
+TEST_CASE("an impact of two bodies is a row of each, which names the other") {
+  Material material(1, 0);
+  Bench bench(ground(10), material, {}, Vec2::Zero());
+  bench.add(disk(0.5, 1, {-2, 3}, {1, 0}));
+  bench.add(disk(0.5, 1, {0, 3}, {0, 0}));
+  bench.run(1.5);
+  REQUIRE(bench.histories[0].impacts.size() == 1);
+  REQUIRE(bench.histories[1].impacts.size() == 1);
+  CHECK(bench.histories[0].impacts[0].other == 1);
+  CHECK(bench.histories[1].impacts[0].other == 0);
+}
