@@ -7,7 +7,7 @@
 
 namespace flyrock {
 
-/// Tolerance of the ends of edges and of the strips of vertices, as a share of a length.
+/// Relative tolerance of the tests of regions: beyond the ends of an edge, and beside the strip of a facet.
 inline constexpr double region_slack = 1e-9;
 
 /// Whether the strip over a facet, along its normal, contains p. At an open rim the strip has no side. At a

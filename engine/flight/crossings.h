@@ -33,7 +33,8 @@ class Crossings {
 
  private:
   bool catches(int barrier, int body, const Vec2& at);
-  /// Of a position that is moved in plan to a place of a line, above the ground there.
+  /// The height of `position` above the ground after it is moved in plan to `at`, where the body crosses a
+  /// gate or barrier [m]; infinity if there is no ground.
   double height(const Vec<D>& position, const Vec2& at) const;
 
   World<D>& world_;

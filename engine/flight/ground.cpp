@@ -64,7 +64,8 @@ TimeWindow over_facet(const Facet& f, const Path<3>& path, double dt) {
   const Vec2 rate = rate_in_plan(path, dt);
   const double facing = f.normal.z() < 0 ? -1 : 1;
   for (int i = 0; i < 3; ++i) {
-    // How far the path lies inside the line of the rim, times the length of the rim: from + t change >= 0.
+    // In plan: (distance of the path inside this side) x (length of the side) = from + t change [m2]. Over
+    // the facet all three are >= 0.
     const Vec2 along = f.along(i).head<2>();
     const double from = facing * cross(along, Vec2(path.x.head<2>() - f.corner[i].head<2>())),
                  change = facing * cross(along, rate);

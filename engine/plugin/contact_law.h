@@ -73,8 +73,8 @@ struct ContactState {
   double gap = 0;             ///< m
   double effective_mass = 0;  ///< kg, 1/W_nn
   double mass = 0;            ///< kg, of the candidate body
-  double radius = 0;          ///< m, of the disk (sphere) of equal area (volume)
-  double spin = 0;            ///< rad/s, of the candidate
+  double radius = 0;  ///< m, of the candidate: of the disk of its area, in 3D of the sphere of its volume
+  double spin = 0;    ///< rad/s, of the candidate
   double kinetic_energy = 0;  ///< J, of the candidate
   double length = 0;          ///< m, tributary length of this point in 2D; 0 for a single point and in 3D
   double area = 0;            ///< m2, tributary area; in 2D the length times the thickness of the candidate

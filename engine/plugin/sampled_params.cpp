@@ -126,7 +126,7 @@ ParamValue sample_param(const PluginSpec& plugin, std::size_t i, const std::vect
       else
         value.points = {{0, 0, 0}, {2, -rng.uniform(), 0}, {3, rng.uniform(), 0}, {1, 0, 1 + rng.uniform()}};
       break;
-    case ParamType::plan_points:  // long and nearly straight, so that lines beside it have the same corners
+    case ParamType::plan_points:  // long and nearly straight: lines beside it do not cross
       value.points = {{0, 0}, {1000, -rng.uniform()}, {3000, rng.uniform()}};
       break;
     case ParamType::text:

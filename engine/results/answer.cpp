@@ -133,7 +133,7 @@ std::string clearances_answer(const Plan& plan, const Results& results) {
 std::string bodies_answer(const Plan& plan, const Results& results) {
   const std::vector<std::string> names = group_names(plan.points.front());
   std::string text;
-  constexpr std::size_t most_named = 4;  // for more bodies a table says more than a sentence
+  constexpr std::size_t most_named = 4;  // more are too many for a sentence
   const std::vector<RockRecord>& bodies = results.points.front().first_trial;
   for (std::size_t b = 0; b < std::min(bodies.size(), most_named); ++b) {
     const RockRecord& body = bodies[b];
@@ -149,7 +149,7 @@ std::string bodies_answer(const Plan& plan, const Results& results) {
 /// " (blocks 217 m, loose 15.1 m)", because a percentile of all rocks together says little if groups differ.
 std::string by_group(const Results& results, Statistic statistic) {
   const std::vector<GroupSummary>& groups = results.points.front().groups;
-  constexpr std::size_t most_named = 4;  // for more a table says more than a sentence
+  constexpr std::size_t most_named = 4;  // more are too many for a sentence
   if (groups.size() < 2) return "";
   if (groups.size() > most_named + 1) {
     const auto shorter = [&](const GroupSummary& a, const GroupSummary& b) {

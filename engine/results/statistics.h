@@ -46,7 +46,7 @@ Bounded quantity_of(const RockRecord& rock, RockQuantity quantity);
 /// independent.
 using Intervals = std::array<Interval, statistic_names.size()>;
 
-/// The questions to a sample for its statistics and their intervals.
+/// The quantiles that a Sample must be asked for, so that statistics_of() and intervals_of() can read them.
 Questions stated_questions();
 Statistics statistics_of(const Sample& sample);
 Intervals intervals_of(const Sample& sample);

@@ -52,7 +52,7 @@ class PlanDecoder {
         registry_(registry),
         folder_(folder),
         diagnostics_(diagnostics),
-        a_plugin_failed_(diagnostics.has_errors()),
+        earlier_errors_(diagnostics.has_errors()),
         grounds_(std::move(grounds)) {}
 
   std::optional<Plan> decode() {
@@ -79,7 +79,7 @@ class PlanDecoder {
  private:
   void decode_point(const std::vector<std::size_t>& point) {
     for (std::size_t a = 0; a < sweeps_.size(); ++a) *sweeps_[a].slot = sweeps_[a].values[point[a]];
-    DecodeContext context{registry_, folder_, diagnostics_, swept_, a_plugin_failed_};
+    DecodeContext context{registry_, folder_, diagnostics_, swept_, earlier_errors_};
     context.grounds = grounds_;
     Value tree = normalise(context, Node::root(tree_));
     Scenario scenario = decode_document(context, Node::root(tree));
@@ -160,7 +160,7 @@ class PlanDecoder {
   const Registry& registry_;
   const std::string& folder_;
   Diagnostics& diagnostics_;
-  const bool a_plugin_failed_;  // or another step before this one
+  const bool earlier_errors_;  // or another step before this one
   std::vector<SweptValue> sweeps_;
   std::set<std::string> swept_;
   std::vector<List> resolved_values_;  ///< for each axis and step

@@ -34,7 +34,9 @@ struct DecodeContext {
   std::string folder;  ///< of the scenario; files that it names are relative to it
   Diagnostics& diagnostics;
   const std::set<std::string>& swept;  ///< paths of the axes of the sweep
-  bool a_plugin_failed = false;  ///< to load, which is already reported: unknown names are then not reported
+  /// An earlier step, as the loading of plugins, has reported errors. An unknown name is then not reported,
+  /// because its plugin may be the one that failed.
+  bool earlier_errors = false;
   int dimension = 2;
   std::vector<Draw> draws = {};
   int group = -1;  ///< the group of rocks (or body) that is decoded; -1: none
@@ -51,7 +53,7 @@ struct DecodeContext {
   bool is_sound(const std::string& path) const { return !unsound.contains(path); }
 };
 
-/// While it lives, errors make the path unsound.
+/// Marks `path` as unsound (DecodeContext::unsound) if an error is reported while this object lives.
 class SoundnessOf {
  public:
   SoundnessOf(DecodeContext& context, std::string path)

@@ -51,7 +51,7 @@ const Plugin* find_plugin(DecodeContext& context, const Node& node, PluginKind k
     return nullptr;
   }
   const Plugin* plugin = context.registry.find(kind, type);
-  if (!plugin && !(given && context.a_plugin_failed))
+  if (!plugin && !(given && context.earlier_errors))
     (given ? *given : node)
         .error(context.diagnostics,
                fmt::format("unknown {} `{}`{}", name_of(kind), type, suggestion(type, known)));

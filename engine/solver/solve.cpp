@@ -60,7 +60,7 @@ template <int D>
 SolveResult Solver<D>::refine(const ContactProblem<D>& problem, const SolveSettings& settings,
                               std::vector<Row>& r) {
   constexpr int plain = 16, turn = 32;  // sweeps
-  constexpr double least_gain = 0.5;    // required reduction of the residual in a turn
+  constexpr double least_gain = 0.5;    // another turn follows if the last one halved the residual
   SolveSettings finest = settings;
   finest.tolerance = std::numeric_limits<double>::epsilon();
   nlgs_.begin(problem, finest, r);

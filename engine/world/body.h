@@ -70,7 +70,7 @@ struct Body {
   typename Space<D>::Inertia inertia{};
   double volume = 0;
   double size = 0;    ///< radius of the circle (sphere) about the centre of mass that contains the body
-  double radius = 0;  ///< of the disk (sphere) of equal area (volume)
+  double radius = 0;  ///< of the disk of the body's area, in 3D of the sphere of its volume
 
   Vec<D> x = Vec<D>::Zero(), v = Vec<D>::Zero();
   Attitude<D> attitude;

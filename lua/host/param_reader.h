@@ -16,9 +16,9 @@ bool is_identifier(std::string_view name);
 
 inline constexpr std::size_t most_letters = 100;  ///< of the name of a plugin or of a parameter
 
-/// Reads an fr.number { ... } or the like under `params.NAME`, with its default and limits converted to SI;
-/// of an fr.group { params = { ... } } each of its parameters, as NAME.OTHER. Nothing if there are errors,
-/// which are reported.
+/// Reads one entry of `params`: fr.number { ... } or another type. Its default and limits are converted to
+/// SI. An fr.group { params = { ... } } gives one ParamSpec for each of its parameters, named NAME.OTHER.
+/// Errors are reported, and the answer is then nullopt.
 std::optional<std::vector<ParamSpec>> read_param(const Entry& entry, Diagnostics& diagnostics);
 
 /// Reports bounds that do not name another number of the same plugin with the same unit, and defaults that

@@ -18,7 +18,8 @@ void push_point(lua_State* lua, const Vec2& point) { push_vector(lua, {point.x()
 
 // contact
 
-/// The field `history` has this number minus the reference of its view.
+/// Fields of a contact are numbered from 0. Only `history` has the number history_field - r, where r is the
+/// Lua reference of the law's view of its memory.
 constexpr int history_field = -1;
 
 void push_contact(lua_State* lua, const void* object, int field) {
