@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "collision/advancement3.h"
+#include "collision/safe_time.h"
 #include "math/polynomial.h"
 
 namespace flyrock {
@@ -48,11 +49,6 @@ class Heights {
   double height_, rate_;
   Vec3 rise_, change_;
 };
-
-/// Whether gap + rate t - bend t^2 / 2 is positive until `time`.
-inline bool stays_open(double gap, double rate, double bend, double time) {
-  return gap > 0 && gap + time * (rate - 0.5 * time * bend) > 0;
-}
 
 /// Advances a search from one safe time to the next until the contactors touch or the window ends.
 /// search.lasts(t) returns how long the contactors stay apart from t on. If the polynomial search.clearance()

@@ -77,10 +77,8 @@ class Search {
           change_(state.w * rise_.y(), -state.w * rise_.x()) {}
 
     bool of(const Vec2& p, double time) const {
-      const double gap = gap_ + rise_.dot(p);
-      if (gap <= 0) return false;
       const double bend = fall_ + bend_ * (std::abs(p.x()) + std::abs(p.y()));
-      return gap + time * (slope_ + change_.dot(p) - 0.5 * time * bend) > 0;
+      return stays_open(gap_ + rise_.dot(p), slope_ + change_.dot(p), bend, time);
     }
 
    private:

@@ -28,6 +28,11 @@ inline double safe_time(double gap, double slope, double bend, const GapScale& s
   return slope >= 0 ? (slope + root) / bend : 2 * gap / (root - slope);
 }
 
+/// Whether gap + rate t - bend t^2 / 2 is positive until `time`.
+inline bool stays_open(double gap, double rate, double bend, double time) {
+  return gap > 0 && gap + time * (rate - 0.5 * time * bend) > 0;
+}
+
 /// Limits a safe time to the `horizon` for which its bounds hold. `left` is the time until the end of the
 /// search. The horizon ends the search only if it reaches that end.
 inline double within(double horizon, double left, double time) {

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <utility>
 
+#include "math/space.h"
+
 namespace flyrock {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 double arithmetic_geometric_mean(double a, double b) {
   while (std::abs(a - b) > 1e-8 * a) {  // the next mean is then exact to rounding

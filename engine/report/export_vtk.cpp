@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "batch/safe_file.h"
-#include "math/round_step.h"
 #include "report/sqlite.h"
 #include "report/stored_paths.h"
 #include "report/vtk_file.h"
@@ -17,8 +16,6 @@ namespace flyrock {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double most_steps = 500;
 
 /// Collects moments as VTK points with their data.
 class PointData {
@@ -66,20 +63,11 @@ void write_lines(const fs::path& file, const std::vector<StoredPath>& paths) {
 void write_series(const fs::path& index, const std::vector<StoredPath>& paths) {
   double end = 0;
   for (const StoredPath& path : paths) end = std::max(end, path.moments.back().time);
-  const double step = round_step(end / most_steps);
-  const auto steps = static_cast<int>(std::ceil(end / step));
-  const fs::path folder = index.parent_path() / index.stem();
-  make_folder(folder);
-  std::vector<VtkMoment> series;
-  for (int i = 0; i <= steps; ++i) {
-    const double time = step * i;
+  write_vtp_series(index, end, most_vtk_steps, [&](double time) {
     PointData points;
     for (const StoredPath& path : paths) points.add(path.at(time));
-    const std::string name = fmt::format("{:04}.vtp", i);
-    write_vtp(folder / name, std::move(points).with(cell_data(paths)));
-    series.push_back({time, (index.stem() / name).generic_string()});
-  }
-  write_pvd(index, series);
+    return std::move(points).with(cell_data(paths));
+  });
 }
 
 /// One line for each segment, because each segment has its own part.

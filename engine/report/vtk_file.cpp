@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "batch/safe_file.h"
 #include "document/value.h"
+#include "math/round_step.h"
 
 namespace flyrock {
 
@@ -79,13 +82,24 @@ class VtpWriter {
 
 void write_vtp(const std::filesystem::path& path, const VtkPoints& data) { VtpWriter(path).write(data); }
 
-void write_pvd(const std::filesystem::path& path, const std::vector<VtkMoment>& series) {
-  FileWriter file(path);
+void write_vtp_series(const std::filesystem::path& index, double end, double steps,
+                      const std::function<VtkPoints(double time)>& frame) {
+  const double step = round_step(end / steps);
+  const auto last = static_cast<int>(std::ceil(end / step));
+  const std::filesystem::path folder = index.parent_path() / index.stem();
+  make_folder(folder);
+  std::string series;
+  for (int i = 0; i <= last; ++i) {
+    const std::string name = fmt::format("{:04}.vtp", i);
+    write_vtp(folder / name, frame(step * i));
+    series += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", shortest(step * i),
+                          (index.stem() / name).generic_string());
+  }
+  FileWriter file(index);
   file.write(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "
       "byte_order=\"LittleEndian\">\n<Collection>\n");
-  for (const auto& [time, name] : series)
-    file.write(fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", shortest(time), name));
+  file.write(series);
   file.write("</Collection>\n</VTKFile>\n");
   file.commit();
 }

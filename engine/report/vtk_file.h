@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,12 +33,12 @@ struct VtkPoints {
 /// Throws FileError.
 void write_vtp(const std::filesystem::path& path, const VtkPoints& data);
 
-/// One file of a time series, as listed in the index file (.pvd).
-struct VtkMoment {
-  double time;  ///< s
-  std::string file;
-};
-/// Throws FileError.
-void write_pvd(const std::filesystem::path& path, const std::vector<VtkMoment>& series);
+inline constexpr double most_vtk_steps = 500;  ///< of a time series
+
+/// A time series: an index (.pvd) and, in a folder of its name beside it, one file for each step of a round
+/// number of seconds from 0 to `end` [s], about `steps` of them. frame(time) gives the data of a step. Throws
+/// FileError.
+void write_vtp_series(const std::filesystem::path& index, double end, double steps,
+                      const std::function<VtkPoints(double time)>& frame);
 
 }  // namespace flyrock

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <map>
 
-#include "batch/safe_file.h"
-#include "math/round_step.h"
 #include "report/vtk_file.h"
 
 namespace flyrock {
@@ -16,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double most_steps = 500, least_steps = 50;  // wanted; a round number of seconds makes fewer
-constexpr double most_bytes = 100e6;                  // of all steps together, about
+constexpr double least_steps = 50;    // of a series; a round number of seconds makes fewer
+constexpr double most_bytes = 100e6;  // of all steps together, about
 
 /// A surface in the body's frame.
 struct RockShape {
@@ -157,21 +155,13 @@ void write_shapes(const fs::path& index, const SqliteReader& database, const std
     surfaces.push_back(std::move(surface));
     end = std::max(end, path.moments.back().time);
   }
-  const double wanted = std::clamp(most_bytes / std::max(bytes, 1.0), least_steps, most_steps);
-  const double step = round_step(end / wanted);
-  const auto steps = static_cast<int>(std::ceil(end / step));
-  const fs::path folder = index.parent_path() / index.stem();
-  make_folder(folder);
-  std::vector<VtkMoment> series;
-  for (int i = 0; i <= steps; ++i) {
+  const double steps = std::clamp(most_bytes / std::max(bytes, 1.0), least_steps, most_vtk_steps);
+  write_vtp_series(index, end, steps, [&](double time) {
     Scene scene;
     for (std::size_t k = 0; k < surfaces.size(); ++k)
-      scene.add(paths[k], surfaces[k], paths[k].at(step * i), in_space);
-    const std::string name = fmt::format("{:04}.vtp", i);
-    write_vtp(folder / name, std::move(scene).done());
-    series.push_back({step * i, (index.stem() / name).generic_string()});
-  }
-  write_pvd(index, series);
+      scene.add(paths[k], surfaces[k], paths[k].at(time), in_space);
+    return std::move(scene).done();
+  });
 }
 
 }  // namespace flyrock
