@@ -18,7 +18,7 @@ Dictionary dictionary_of_plugins() { return make_dictionary(LuaSession(share_fol
 void check_and_run(const std::string& scenario, Calls& call) {
   if (call({"check", scenario}, ErrorForm::placed) != cli::done) return;
   call({"run", scenario, "-o", "out", "--force", "--quiet", "-j", "1", "--trials", "2", "--set",
-        "stop.time=0.5"},
+        "stop.time=0.2"},
        ErrorForm::placed);
 }
 
