@@ -199,14 +199,16 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
 
 /// Persistent contacts keep their gap only to second order in h. This stage closes the remaining gap by
 /// displacements M^-1 H_n lambda and does not change the velocities. A contact without impulse is only pushed
-/// out of penetration, never pulled closed. The deep penetrations of fixed time steps (`exact` false) are
-/// kept, as in LMGC90.
+/// out of penetration, never pulled closed. Where the gaps cannot all be closed, as of a sphere over several
+/// facets of a pit, the last passes only push, so that no contact is closed at the cost of another. The deep
+/// penetrations of fixed time steps (`exact` false) are kept, as in LMGC90.
 template <int D>
 void World<D>::project_drift(bool exact) {
   if (contacts_.empty()) return;
-  constexpr int passes = 3;
-  // Share of the size; a deeper penetration has another cause, and its projection would throw the body
-  constexpr double deepest = 1e-3;
+  constexpr int closing = 3, most_pushes = 20;  // passes
+  // Shares of the size. A deeper penetration than `deepest` has another cause, and its projection would throw
+  // the body; one less deep than `left` waits for the next step.
+  constexpr double deepest = 1e-3, left = 1e-6;
   drift_.assign(bodies.size(), Body<D>::Rows::Zero());
   gaps_.clear();
   for (const Contact& c : contacts_) {
@@ -217,17 +219,32 @@ void World<D>::project_drift(bool exact) {
         gap >= -(exact ? std::max(reach, deepest * contact_size(c.candidate, c.antagonist)) : reach);
     gaps_.push_back(near && c.law.condition != NormalCondition::penalty ? std::optional(gap) : std::nullopt);
   }
-  for (int pass = 0; pass < passes; ++pass) {
+  const auto gap_of = [&](std::size_t a) {
+    const Contact& c = contacts_[a];
+    double gap = *gaps_[a] + rows_[a].candidate.col(0).dot(drift_[c.candidate]);
+    if (c.antagonist >= 0) gap += rows_[a].antagonist.col(0).dot(drift_[c.antagonist]);
+    return gap;
+  };
+  const auto close = [&](std::size_t a, double gap) {
+    const Contact& c = contacts_[a];
+    const double lambda = -gap / problem_.contacts[a].w(0, 0);
+    drift_[c.candidate] += bodies[c.candidate].inverse_mass_times(lambda * rows_[a].candidate.col(0));
+    if (c.antagonist >= 0)
+      drift_[c.antagonist] += bodies[c.antagonist].inverse_mass_times(lambda * rows_[a].antagonist.col(0));
+  };
+  for (int pass = 0; pass < closing; ++pass)
+    for (std::size_t a = 0; a < contacts_.size(); ++a)
+      if (gaps_[a])
+        if (const double gap = gap_of(a); contacts_[a].impulse[0] > 0 || gap < 0) close(a, gap);
+  bool pushed = exact;
+  for (int pass = 0; pass < most_pushes && pushed; ++pass) {
+    pushed = false;
     for (std::size_t a = 0; a < contacts_.size(); ++a) {
       if (!gaps_[a]) continue;
-      const Contact& c = contacts_[a];
-      double gap = *gaps_[a] + rows_[a].candidate.col(0).dot(drift_[c.candidate]);
-      if (c.antagonist >= 0) gap += rows_[a].antagonist.col(0).dot(drift_[c.antagonist]);
-      if (c.impulse[0] <= 0 && gap >= 0) continue;
-      const double lambda = -gap / problem_.contacts[a].w(0, 0);
-      drift_[c.candidate] += bodies[c.candidate].inverse_mass_times(lambda * rows_[a].candidate.col(0));
-      if (c.antagonist >= 0)
-        drift_[c.antagonist] += bodies[c.antagonist].inverse_mass_times(lambda * rows_[a].antagonist.col(0));
+      const double gap = gap_of(a);
+      if (gap >= -left * contact_size(contacts_[a].candidate, contacts_[a].antagonist)) continue;
+      close(a, gap);
+      pushed = true;
     }
   }
   for (std::size_t i = 0; i < bodies.size(); ++i)
