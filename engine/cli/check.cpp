@@ -46,7 +46,7 @@ int check_scenario(const std::string& path, const Overrides& overrides, bool str
   constexpr std::uint64_t tried = 200;
   if (!try_runners(*loaded, tried)) return bad_input;
   fmt::print("{}", not_used_line(plan.not_used, "`flyrock check --strict` says why"));
-  if (const std::string elevations = assumed_elevations(plan.points.front()); !elevations.empty())
+  if (const std::string elevations = assumed_elevations(plan); !elevations.empty())
     fmt::print("{}\n", elevations);
   const std::uint64_t trials = plan.points.front().trials;
   const std::string each =

@@ -20,9 +20,12 @@ namespace {
 std::string point_title(const Plan& plan, std::size_t point) {
   std::vector<std::string> values;
   for (std::size_t axis = 0; axis < plan.axes.size(); ++axis) {
-    const ReadableUnit unit = readable_unit(plan.axes[axis].unit);
-    values.push_back(fmt::format("{} = {:.6g}{}{}", plan.axes[axis].path, unit.per_si * plan.at[point][axis],
-                                 unit.name.empty() ? "" : " ", unit.name));
+    const SweepAxis& of = plan.axes[axis];
+    const double value = plan.at[point][axis];
+    const ReadableUnit unit = readable_unit(of.unit);
+    values.push_back(of.is_choice() ? fmt::format("{} = {}", of.path, of.label(value))
+                                    : fmt::format("{} = {:.6g}{}{}", of.path, unit.per_si * value,
+                                                  unit.name.empty() ? "" : " ", unit.name));
   }
   return fmt::format("point {}: {}\n", point, fmt::join(values, ", "));
 }
@@ -123,7 +126,7 @@ std::string summary_text(const Plan& plan, const Results& results, const std::ve
   text += answer(plan, results) + "\n\n";
   if (plan.points.front().bodies.empty()) {
     const std::size_t width = name_width(results);
-    const char* what = plan.points.front().method == Method::ballistic ? "first landing, m" : "runout in m";
+    const char* what = plan.all_end_at_landing() ? "first landing, m" : "runout in m";
     text += fmt::format("  {:<{}}{:>8}{:>9}{:>19}{:>9}{:>9}{:>9}{:>9}{:>9}\n", what, width, "rocks",
                         "censored", "95 % interval", "p50", "p90", "p95", "p99", "max");
     for (std::size_t p = 0; p < results.points.size(); ++p) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* schema = R"(
 CREATE TABLE points (point INTEGER PRIMARY KEY, trials INTEGER, ground INTEGER);
-CREATE TABLE sweep (point INTEGER, path TEXT, value REAL);
+CREATE TABLE sweep (point INTEGER, path TEXT, value REAL, label TEXT);
 CREATE TABLE parts (point INTEGER, part INTEGER, name TEXT);
 CREATE TABLE ground (point INTEGER, x_m REAL, y_m REAL, part INTEGER);
 CREATE TABLE grounds (ground INTEGER PRIMARY KEY, cell_m REAL, lattice_m REAL);
@@ -164,13 +164,32 @@ ResultDatabase::ResultDatabase(const std::filesystem::path& path, const Plan& pl
 }
 
 void ResultDatabase::add_plan() {
-  Insertion paths(file_, "input_paths", 2);
-  const std::vector<Input> inputs = inputs_of(plan_.points.front());
-  for (std::size_t i = 0; i < inputs.size(); ++i) paths.row(i, inputs[i].path);
-  Insertion sweep(file_, "sweep", 3);
+  add_input_paths();
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  Insertion sweep(file_, "sweep", 4);
   for (std::size_t p = 0; p < plan_.points.size(); ++p)
-    for (std::size_t axis = 0; axis < plan_.axes.size(); ++axis)
-      sweep.row(p, plan_.axes[axis].path, plan_.at[p][axis]);
+    for (std::size_t a = 0; a < plan_.axes.size(); ++a) {
+      const SweepAxis& axis = plan_.axes[a];
+      const double value = plan_.at[p][a];
+      if (axis.is_choice())
+        sweep.row(p, axis.path, none, axis.label(value));
+      else
+        sweep.row(p, axis.path, value, none);
+    }
+}
+
+/// Points with other plugins have other inputs; inputs with one path are one.
+void ResultDatabase::add_input_paths() {
+  Insertion paths(file_, "input_paths", 2);
+  std::map<std::string, int> known;
+  for (const Scenario& point : plan_.points) {
+    input_ids_.emplace_back();
+    for (const Input& input : inputs_of(point)) {
+      const auto [entry, is_new] = known.emplace(input.path, static_cast<int>(known.size()));
+      if (is_new) paths.row(entry->second, input.path);
+      input_ids_.back().push_back(entry->second);
+    }
+  }
 }
 
 void ResultDatabase::add(int point, const TrialRecords& records) {
@@ -194,7 +213,9 @@ void ResultDatabase::add(int point, const TrialRecords& records) {
       if (is_stored(column, dimension)) put(column, get);
     };
   };
-  insertions_->inputs.rows(records.inputs, [&](Statement& to, const InputRecord& r) {
+  const std::vector<int>& ids = input_ids_[static_cast<std::size_t>(point)];
+  insertions_->inputs.rows(records.inputs, [&](Statement& to, InputRecord r) {
+    r.input = ids.at(static_cast<std::size_t>(r.input));
     visit_inputs(stored(put_into(to, r, none)));
   });
   insertions_->impacts.rows(records.impacts, [&](Statement& to, const ImpactRecord& r) {

@@ -36,9 +36,11 @@ class ResultDatabase {
   };
 
   void add_plan();
+  void add_input_paths();
 
   const Plan& plan_;
   std::vector<std::string> groups_;
+  std::vector<std::vector<int>> input_ids_;  ///< of each point and input, in the table `input_paths`
   SqliteFile file_;
   std::unique_ptr<Insertions> insertions_;
   struct {

@@ -17,8 +17,19 @@ using Json = nlohmann::ordered_json;
 
 Json at_point(const Plan& plan, std::size_t point) {
   Json at = Json::object();
-  for (std::size_t axis = 0; axis < plan.axes.size(); ++axis) at[plan.axes[axis].path] = plan.at[point][axis];
+  for (std::size_t a = 0; a < plan.axes.size(); ++a) {
+    const SweepAxis& axis = plan.axes[a];
+    const double value = plan.at[point][a];
+    at[axis.path] = axis.is_choice() ? Json(axis.label(value)) : Json(value);
+  }
   return at;
+}
+
+/// "nscd", or "nscd, ballistic" where the method is swept.
+std::string methods_text(const Plan& plan) {
+  std::string text;
+  for (const Method method : plan.methods()) (text += text.empty() ? "" : ", ") += name_of(method);
+  return text;
 }
 
 Json interval_data(const Interval& interval) { return {number(interval.lower), number(interval.upper)}; }
@@ -316,7 +327,7 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
                {"answer", answer(plan, results)},
                {"assumptions", assumptions(plan)},
                {"dimension", first.dimension},
-               {"method", name_of(first.method)},
+               {"method", methods_text(plan)},
                {"seed", first.seed},
                {"trials", first.trials},
                {"complete", results.ended_early.empty()}};

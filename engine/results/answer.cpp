@@ -11,10 +11,6 @@
 
 namespace flyrock {
 
-std::string_view runout_name(const Scenario& scenario) {
-  return scenario.method == Method::ballistic ? "distance of the first landing" : "runout";
-}
-
 std::string_view ended(StopReason reason, const Scenario& scenario) {
   return reason == StopReason::stopped && scenario.method == Method::ballistic ? "first landed"
                                                                                : name_of(reason);
@@ -185,9 +181,10 @@ std::string answer(const Plan& plan, const Results& results) {
     text = barriers_answer(plan, results);
     text += fmt::format(
         "The {} that 95 % of the rocks do not exceed is {}{}; that of 99 % is {}{}; the greatest is {}.",
-        runout_name(plan.points.front()), range_of(results, Statistic::p95),
-        by_group(results, Statistic::p95), range_of(results, Statistic::p99),
-        by_group(results, Statistic::p99), range_of(results, Statistic::max));
+        plan.all_end_at_landing() ? "distance of the first landing" : "runout",
+        range_of(results, Statistic::p95), by_group(results, Statistic::p95),
+        range_of(results, Statistic::p99), by_group(results, Statistic::p99),
+        range_of(results, Statistic::max));
     text += clearances_answer(plan, results);
     if (results.points.size() > 1)
       text += fmt::format(" The ranges are over {} sweep points.", results.points.size());
@@ -199,10 +196,14 @@ std::string answer(const Plan& plan, const Results& results) {
   return text;
 }
 
-std::string assumed_elevations(const Scenario& scenario) {
+std::string assumed_elevations(const Plan& plan) {
   std::map<double, std::vector<std::string>> groups;  // by elevation
-  for (const RockGroup& group : scenario.rocks)
-    if (group.assumed_elevation) groups[*group.assumed_elevation].push_back("`" + group.name + "`");
+  const auto add = [](std::vector<std::string>& names, const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
+  for (const Scenario& point : plan.points)
+    for (const RockGroup& group : point.rocks)
+      if (group.assumed_elevation) add(groups[*group.assumed_elevation], "`" + group.name + "`");
   std::string text;
   for (const auto& [elevation, names] : groups)
     text += fmt::format("{}The launch of {} gives no elevation, {:.4g} deg is assumed.",
@@ -214,7 +215,7 @@ std::string assumptions(const Plan& plan) {
   const Scenario& scenario = plan.points.front();
   std::string text =
       fmt::format("Assumed: {}, ", scenario.dimension == 2 ? "a vertical section (2D)" : "space (3D)");
-  if (scenario.method == Method::ballistic) {
+  if (plan.all_end_at_landing()) {
     text +=
         "each rock is a point whose path ends where it first meets the ground: what it does there is not "
         "computed; ";
@@ -229,9 +230,10 @@ std::string assumptions(const Plan& plan) {
     text += scenario.solver.flight == FlightMode::exact ? "flights exact between them."
                                                         : "flights in time steps.";
   }
+  if (plan.methods().size() > 1)
+    text += " At points with the method ballistic a path ends where it first meets the ground.";
   if (!scenario.bodies.empty()) return text;
-  if (const std::string elevations = assumed_elevations(scenario); !elevations.empty())
-    text += " " + elevations;
+  if (const std::string elevations = assumed_elevations(plan); !elevations.empty()) text += " " + elevations;
   return text +
          " Percentiles are those of this model and of the numbers given to it: whether it is the bench in "
          "question is not "

@@ -14,14 +14,11 @@ std::string answer(const Plan& plan, const Results& results);
 
 /// "The launch of `blocks` gives no elevation, 45 deg is assumed." for all groups for which this holds;
 /// otherwise empty.
-std::string assumed_elevations(const Scenario& scenario);
+std::string assumed_elevations(const Plan& plan);
 
 /// The assumptions of the answer: dimension, method, elevations, what is left out.
 std::string assumptions(const Plan& plan);
 
-/// The name of a runout in texts. With the method ballistic a path ends at its first landing, so the runout
-/// is the distance of this landing. Keys of files and measures keep their names.
-std::string_view runout_name(const Scenario& scenario);
 /// The name of a stop reason in texts. With the method ballistic nothing comes to rest.
 std::string_view ended(StopReason reason, const Scenario& scenario);
 

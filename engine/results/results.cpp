@@ -184,8 +184,7 @@ Results ResultTally::finish(const std::vector<Rows>& rows, const RunFacts& facts
   results_.warnings = solver_warnings(plan_, results_.points);
   for (const std::vector<std::string>& list : {facts.warnings, launch_notes(results_.points)})
     results_.warnings.insert(results_.warnings.end(), list.begin(), list.end());
-  if (plan_.points.front().method != Method::ballistic)
-    results_.not_asked = laws_never_asked(plan_, results_.points);
+  if (!plan_.all_end_at_landing()) results_.not_asked = laws_never_asked(plan_, results_.points);
   results_.ended_early = facts.ended_early;
   return std::move(results_);
 }

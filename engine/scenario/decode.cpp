@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "scenario/decode_document.h"
@@ -63,16 +64,17 @@ class PlanDecoder {
     for (const SweptValue& sweep : sweeps_) {
       swept_.insert(sweep.path);
       sizes.push_back(sweep.values.size());
-      plan_.axes.push_back({sweep.path, std::vector<double>(sweep.values.size()), ""});
+      steps_.emplace_back(sweep.values.size());
       resolved_values_.emplace_back(sweep.values.size());
     }
     for (const auto& [name, at] : plugin_files(tree_, diagnostics_)) plan_.plugin_files.push_back(name);
-    for (const auto& point : grid_points(sizes)) decode_point(point);
+    const std::vector<std::vector<std::size_t>> points = grid_points(sizes);
+    for (const auto& point : points) decode_point(point);
     if (diagnostics_.has_errors()) return std::nullopt;
     refuse_too_many_trials();
+    make_axes(points);
     write_sweeps();
     resolve_expectations();
-    plan_.not_used = find_not_used(Node::root(plan_.resolved), plan_.points.front());
     return diagnostics_.has_errors() ? std::nullopt : std::optional<Plan>(std::move(plan_));
   }
 
@@ -84,22 +86,81 @@ class PlanDecoder {
     Value tree = normalise(context, Node::root(tree_));
     Scenario scenario = decode_document(context, Node::root(tree));
     if (diagnostics_.has_errors()) return;
-    std::vector<double> at;
     for (std::size_t a = 0; a < sweeps_.size(); ++a) {
-      const auto met = context.swept_values.find(sweeps_[a].path);
-      if (met == context.swept_values.end())
-        return diagnostics_.error(sweeps_[a].at, sweeps_[a].path,
-                                  "takes no sweep, only numbers that may vary are swept");
-      at.push_back(met->second.si);
-      plan_.axes[a].values[point[a]] = met->second.si;
-      plan_.axes[a].unit = met->second.unit;
+      const Value* value = find_path(tree, sweeps_[a].path);
+      std::optional<Step> step;
+      if (value && may_be_swept(sweeps_[a].path)) step = step_of(context, sweeps_[a].path, *value);
+      if (!step)
+        return diagnostics_.error(
+            sweeps_[a].at, sweeps_[a].path,
+            "takes no sweep, only numbers, choices and sections with a `type` are swept");
+      steps_[a][point[a]] = std::move(*step);
+      resolved_values_[a][point[a]] = *value;
     }
     plan_.files.merge(context.files);
-    for (std::size_t a = 0; a < sweeps_.size(); ++a)
-      resolved_values_[a][point[a]] = *find_path(tree, sweeps_[a].path);
+    keep_not_used(find_not_used(Node::root(tree), scenario));
     if (plan_.points.empty()) plan_.resolved = std::move(tree);
     plan_.points.push_back(std::move(scenario));
-    plan_.at.push_back(std::move(at));
+  }
+
+  /// What one value of a sweep is, normalised: a number with its SI unit, or a choice with its text.
+  struct Step {
+    std::optional<DecodeContext::SweptNumber> number;
+    std::string label;
+  };
+
+  static std::string label_of(double si, const std::string& unit) {
+    return unit.empty() || unit == "1" ? shortest(si) : shortest(si) + " " + unit;
+  }
+
+  static std::optional<Step> step_of(const DecodeContext& context, const std::string& path,
+                                     const Value& value) {
+    const auto number = context.swept_values.find(path);
+    if (number != context.swept_values.end())
+      return Step{number->second, label_of(number->second.si, number->second.unit)};
+    const Value* type = value.find("type");
+    if (const std::string* text = type ? type->text() : value.text()) return Step{std::nullopt, *text};
+    if (const bool* flag = value.boolean()) return Step{std::nullopt, *flag ? "true" : "false"};
+    return std::nullopt;
+  }
+
+  /// The axes, and the place of each point on them.
+  void make_axes(const std::vector<std::vector<std::size_t>>& points) {
+    for (std::size_t a = 0; a < sweeps_.size(); ++a) {
+      SweepAxis axis{.path = sweeps_[a].path, .values = {}};
+      const bool all_numbers = std::all_of(steps_[a].begin(), steps_[a].end(),
+                                           [](const Step& step) { return step.number.has_value(); });
+      for (std::size_t i = 0; i < steps_[a].size(); ++i) {
+        const Step& step = steps_[a][i];
+        axis.values.push_back(all_numbers ? step.number->si : static_cast<double>(i));
+        if (all_numbers) axis.unit = step.number->unit;
+        if (!all_numbers) axis.labels.push_back(unique(step.label, axis.labels));
+      }
+      plan_.axes.push_back(std::move(axis));
+    }
+    for (const auto& point : points) {
+      plan_.at.emplace_back();
+      for (std::size_t a = 0; a < sweeps_.size(); ++a)
+        plan_.at.back().push_back(plan_.axes[a].values[point[a]]);
+    }
+  }
+
+  /// "newton", and "newton 2" for a second section of this type.
+  static std::string unique(const std::string& label, const std::vector<std::string>& before) {
+    std::string name = label;
+    for (int n = 2; std::find(before.begin(), before.end(), name) != before.end(); ++n)
+      name = fmt::format("{} {}", label, n);
+    return name;
+  }
+
+  /// A key is not used if no point reads it.
+  void keep_not_used(const std::vector<std::string>& of_point) {
+    if (plan_.points.empty())
+      plan_.not_used = of_point;
+    else
+      std::erase_if(plan_.not_used, [&](const std::string& key) {
+        return std::find(of_point.begin(), of_point.end(), key) == of_point.end();
+      });
   }
 
   void refuse_too_many_trials() {
@@ -140,20 +201,36 @@ class PlanDecoder {
   }
 
   std::pair<std::string, double> resolve_at(const Node& entry, double value) {
-    constexpr double rounding = 1e-12;  // 20 mm and 0.02 m may differ in the last digit
     std::vector<std::string> paths;
     for (std::size_t a = 0; a < sweeps_.size(); ++a) {
       paths.push_back(sweeps_[a].path);
       if (entry.key != sweeps_[a].path && entry.key != sweeps_[a].stream) continue;
-      for (const double step : plan_.axes[a].values)
-        if (std::abs(step - value) <= rounding * std::abs(step)) return {sweeps_[a].path, step};
+      const SweepAxis& axis = plan_.axes[a];
+      for (std::size_t i = 0; i < axis.values.size(); ++i)
+        if (is_at(entry, value, steps_[a][i]) || (axis.is_choice() && axis.labels[i] == text_at(entry)))
+          return {sweeps_[a].path, axis.values[i]};
       entry.error(diagnostics_,
-                  fmt::format("the sweep of `{}` has no value {}", entry.key, shown(*entry.value)));
+                  fmt::format("the sweep of `{}` has no value {}{}", entry.key, shown(*entry.value),
+                              axis.is_choice() ? suggestion(text_at(entry), axis.labels) : ""));
       return {};
     }
     diagnostics_.error(entry.key_at, entry.path,
                        fmt::format("nothing is swept at `{}`{}", entry.key, suggestion(entry.key, paths)));
     return {};
+  }
+
+  /// Whether `at` gives the number of a step; `value`: in SI units.
+  static bool is_at(const Node& entry, double value, const Step& step) {
+    constexpr double rounding = 1e-12;  // 20 mm and 0.02 m may differ in the last digit
+    const std::string* text = entry.value->text();
+    if (!step.number || !(entry.value->number() || (text && parse_quantity(*text)))) return false;
+    return std::abs(step.number->si - value) <= rounding * std::abs(step.number->si);
+  }
+
+  /// What `at` says of a choice.
+  static std::string text_at(const Node& entry) {
+    if (const bool* flag = entry.value->boolean()) return *flag ? "true" : "false";
+    return entry.value->text() ? *entry.value->text() : "";
   }
 
   Value tree_;  ///< as written; the value of the current point stands in place of each sweep
@@ -163,7 +240,8 @@ class PlanDecoder {
   const bool earlier_errors_;  // or another step before this one
   std::vector<SweptValue> sweeps_;
   std::set<std::string> swept_;
-  std::vector<List> resolved_values_;  ///< for each axis and step
+  std::vector<std::vector<Step>> steps_;  ///< of each axis
+  std::vector<List> resolved_values_;     ///< for each axis and step
   Plan plan_;
   const std::shared_ptr<GroundStore> grounds_;
 };

@@ -45,7 +45,7 @@ struct DecodeContext {
     std::string unit;  ///< SI
   };
   std::map<std::string, SweptNumber> swept_values =
-      {};                                         ///< by path; the axes found so far where a sweep is allowed
+      {};                                         ///< by path; the axes found so far whose value is a number
   std::map<std::string, std::string> files = {};  ///< that parameters name: name as written -> full path
   std::set<std::string> unsound = {};  ///< paths of plugins and sections in which an error was found
   std::shared_ptr<GroundStore> grounds = nullptr;  ///< of all points

@@ -51,14 +51,14 @@ void put_sweep_points(DecodeContext& context, const Node& item, Map& map) {
   if (!at || !at->expect_map(context.diagnostics)) return;
   Map points;
   for (const Node& entry : at->entries()) {
-    std::optional<double> value;
-    if (entry.value->number()) value = *entry.value->number();
-    if (entry.value->text())
-      if (const auto quantity = parse_quantity(*entry.value->text())) value = quantity->si();
-    if (!value)
+    const std::string* text = entry.value->text();
+    const std::optional<Quantity> quantity = text ? parse_quantity(*text) : std::nullopt;
+    const bool is_choice = (text && !quantity) || entry.value->boolean();
+    if (!text && !entry.value->number() && !is_choice)
       entry.error(context.diagnostics,
                   fmt::format("expected a value of the sweep, found {}", shown(*entry.value)));
-    put(points, entry, number_value(value.value_or(0), dimension::none));
+    const double number = quantity ? quantity->si() : entry.value->number() ? *entry.value->number() : 0;
+    put(points, entry, is_choice ? *entry.value : number_value(number, dimension::none));
   }
   put(map, *at, map_value(std::move(points)));
 }

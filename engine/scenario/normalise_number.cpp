@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "scenario/sweep.h"
+
 namespace flyrock {
 
 namespace {
@@ -138,7 +140,8 @@ Value normalise_draw(DecodeContext& context, const Node& node, const ParamSpec& 
 std::optional<double> quantity_of(DecodeContext& context, const Node& node, const Dimension& dimension,
                                   const NumberRules& rules, const std::string& expected) {
   const Value& value = *node.value;
-  if (!rules.varies && context.swept.contains(node.path)) {
+  const bool is_swept = context.swept.contains(node.path);
+  if (is_swept && !may_be_swept(node.path)) {
     // Reported at the key, because the value has another place at each sweep point.
     context.diagnostics.error(node.key_at, node.path, "takes no sweep, expected " + expected);
     return std::nullopt;
@@ -167,8 +170,7 @@ std::optional<double> quantity_of(DecodeContext& context, const Node& node, cons
                                         ? "is empty, expected " + expected
                                         : fmt::format("expected {}, found {}", expected, shown(value)));
   }
-  if (si && rules.varies && context.swept.contains(node.path))
-    context.swept_values[node.path] = {*si, si_unit(dimension)};
+  if (si && is_swept) context.swept_values[node.path] = {*si, si_unit(dimension)};
   return si;
 }
 

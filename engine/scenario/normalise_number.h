@@ -10,7 +10,7 @@ namespace flyrock {
 
 /// Which forms a number may have at its place.
 struct NumberRules {
-  bool varies = false;          ///< may be a distribution or swept
+  bool varies = false;          ///< may be a distribution
   Scope scope = Scope::trial;   ///< scope of a distribution without `per`
   Scope finest = Scope::trial;  ///< finest scope that `per` may ask for
   bool bare_angles = false;     ///< `expect`: angles without a unit are rad

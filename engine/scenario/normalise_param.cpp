@@ -201,6 +201,7 @@ Value normalise_param(DecodeContext& context, const Node& node, const ParamSpec&
 std::optional<Value> default_value(const ParamSpec& spec, int dimension) {
   if (spec.default_text) return text_value(*spec.default_text);
   if (spec.default_vector) {
+    if (static_cast<int>(spec.default_vector->size()) != dimension) return std::nullopt;  // of another one
     List list;
     for (double component : *spec.default_vector) list.push_back(number_value(component, spec.dimension));
     return list_value(std::move(list));

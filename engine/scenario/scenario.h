@@ -1,6 +1,7 @@
 #pragma once
 // The typed scenario: what a run needs, with every unit converted and every name resolved.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -239,11 +240,12 @@ inline constexpr std::array<std::string_view, 4> expect_kind_names = {"equals", 
 struct Expectation {
   std::string measure;
   ExpectKind kind = ExpectKind::equals;
-  double value = 0, high = 0;                      ///< for between: from value to high
-  double tolerance = 0;                            ///< for equals: absolute
-  std::optional<double> relative;                  ///< for equals: relative to the value
-  std::vector<std::pair<std::string, double>> at;  ///< sweep points at which it is judged; empty: all
-  std::string unit;                                ///< SI, of the measure
+  double value = 0, high = 0;      ///< for between: from value to high
+  double tolerance = 0;            ///< for equals: absolute
+  std::optional<double> relative;  ///< for equals: relative to the value
+  /// The values of axes (SI; of choices the index) at which it is judged; empty: at all points
+  std::vector<std::pair<std::string, double>> at;
+  std::string unit;  ///< SI, of the measure
 };
 
 /// The largest number of trials of all sweep points together.
@@ -276,11 +278,16 @@ struct Scenario {
   std::vector<Draw> draws;
 };
 
-/// One axis of a sweep and its values, as written.
+/// One axis of a sweep: numbers, or choices with their texts.
 struct SweepAxis {
   std::string path;
-  std::vector<double> values;  ///< SI
-  std::string unit;            ///< SI: "m", "rad", "1"
+  std::vector<double> values;            ///< SI; of choices 0, 1, ...
+  std::string unit = {};                 ///< SI: "m", "rad", "1"; of choices empty
+  std::vector<std::string> labels = {};  ///< of choices: the text, or the `type` of a section; unique
+
+  bool is_choice() const { return !labels.empty(); }
+  /// The text of a choice.
+  const std::string& label(double value) const { return labels[static_cast<std::size_t>(value)]; }
 };
 
 /// The result of decoding a scenario file.
@@ -292,6 +299,17 @@ struct Plan {
   std::vector<std::string> not_used;         ///< "blast.spacing (bench_fit does not read it)"
   std::vector<std::string> plugin_files;     ///< `plugins:` as written
   std::map<std::string, std::string> files;  ///< that parameters name: name as written -> full path
+
+  /// The methods of the points, each once.
+  std::vector<Method> methods() const {
+    std::vector<Method> list;
+    for (const Scenario& point : points)
+      if (std::find(list.begin(), list.end(), point.method) == list.end()) list.push_back(point.method);
+    return list;
+  }
+  /// Whether all paths end at their first landing. Texts then speak of this landing where they otherwise say
+  /// runout; keys of files and measures keep their names.
+  bool all_end_at_landing() const { return methods() == std::vector{Method::ballistic}; }
 };
 
 }  // namespace flyrock

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "document/node.h"
 #include "units/units.h"
@@ -54,16 +55,30 @@ std::vector<Value> even_steps(const Node& node, Diagnostics& diagnostics) {
   return values;
 }
 
+/// The first sweep inside a value of a sweep.
+std::optional<Node> inner_sweep(const Node& node) {
+  if (const auto inner = node.find("sweep")) return inner;
+  for (const std::vector<Node>& nodes : {node.entries(), node.items()})
+    for (const Node& below : nodes)
+      if (const auto inner = inner_sweep(below)) return inner;
+  return std::nullopt;
+}
+
 std::vector<Value> listed(const Node& node, Diagnostics& diagnostics) {
   std::vector<Value> values;
   for (const Node& item : node.items()) {
-    if (!item.value->number() && !item.value->text())
-      item.error(diagnostics, fmt::format("a sweep lists numbers, found {}", shown(*item.value)));
+    const Value& value = *item.value;
+    const bool is_section = value.map() && value.find("type");
+    if (!value.number() && !value.text() && !value.boolean() && !is_section)
+      item.error(
+          diagnostics,
+          fmt::format("a sweep lists numbers, choices or sections with a `type`, found {}", shown(value)));
+    else if (const auto inner = inner_sweep(item))
+      inner->error(diagnostics, "stands inside another sweep, expected a value");
     else
-      values.push_back(*item.value);
+      values.push_back(value);
   }
-  if (node.items().empty())
-    node.error(diagnostics, "expected a list of numbers, or `from`, `to` and `count`");
+  if (node.items().empty()) node.error(diagnostics, "expected a list, or `from`, `to` and `count`");
   return values;
 }
 
@@ -97,6 +112,14 @@ std::vector<SweptValue> find_sweeps(Value& root, Diagnostics& diagnostics) {
   std::sort(found.begin(), found.end(),
             [](const SweptValue& a, const SweptValue& b) { return a.path < b.path; });
   return found;
+}
+
+bool may_be_swept(std::string_view path) {
+  constexpr std::array<std::string_view, 13> parts{
+      "method", "rock_contacts", "gravity", "air",      "terrain", "materials", "pairs",
+      "blast",  "rocks",         "bodies",  "barriers", "gates",   "solver"};
+  const std::string_view part = path.substr(0, path.find('.'));
+  return std::find(parts.begin(), parts.end(), part) != parts.end() && !path.ends_with(".name");
 }
 
 std::vector<std::vector<std::size_t>> grid_points(const std::vector<std::size_t>& sizes) {

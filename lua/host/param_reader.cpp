@@ -144,14 +144,21 @@ class ParamReader {
         break;
       case ParamType::vector:
         spec_.default_vector = table_.numbers("default");
-        if (spec_.default_vector)
-          for (double& component : *spec_.default_vector) check_default(component = si(component));
+        if (spec_.default_vector) read_default_vector(*spec_.default_vector);
         break;
       case ParamType::points:
       case ParamType::plan_points:
       case ParamType::file:
         break;  // the scenario gives it or leaves it out
     }
+  }
+
+  void read_default_vector(std::vector<double>& components) {
+    if (components.size() != 2 && components.size() != 3)
+      return table_.error(
+          "default",
+          fmt::format("has {} components, expected 2 (a default in 2D) or 3 (in 3D)", components.size()));
+    for (double& component : components) check_default(component = si(component));
   }
 
   void read_choices() {

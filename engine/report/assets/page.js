@@ -71,13 +71,15 @@ function sums(differences) {
   return differences.map((d) => (sum += d) / 1000);
 }
 const group_name = (group) => group.group ?? (of_bodies ? "all bodies" : "all rocks");
-/** The value of an axis of the sweep at a point, in the unit that people read. */
-const at_axis = (axis, point) => point.at[axis.path] * axis.per_si;
+const is_choice = (axis) => typeof summary.points[0].at[axis.path] === "string";
+/** The value of an axis of the sweep at a point: a number in the unit that people read, or a choice. */
+const at_axis = (axis, point) => (is_choice(axis) ? point.at[axis.path] : point.at[axis.path] * axis.per_si);
 const with_unit = (text, unit) => (unit ? `${text} ${unit}` : text);
 /** "face_angle in deg": a name with the unit of its numbers. */
 const in_unit = (name, unit) => (unit ? `${name} in ${unit}` : name);
+const at_text = (axis, point) => (is_choice(axis) ? point.at[axis.path] : with_unit(show(at_axis(axis, point)), axis.unit));
 const point_name = (point) => {
-  const at = data.axes.map((axis) => `${axis.path} = ${with_unit(show(at_axis(axis, point)), axis.unit)}`).join(", ");
+  const at = data.axes.map((axis) => `${axis.path} = ${at_text(axis, point)}`).join(", ");
   return `point ${point.point}${at ? `: ${at}` : ""}`;
 };
 const shown_group = () => summary.points[shown.point].rocks[shown.group];

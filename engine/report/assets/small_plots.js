@@ -17,7 +17,7 @@ function draw_sweep(node, axis_of_sweep, group) {
   const traces = [["p50", "circle", colour.blue, "solid"], ["p95", "square", colour.vermillion, "dash"], ["p99", "diamond", colour.green, "dot"]].map(([name, symbol, line_colour, dash]) => {
     const s = summary.points.map((point) => point.rocks[group].runout), ends = s.map((q) => q.intervals[name]);
     return {
-      x, y: s.map((q) => q[name]), name, mode: "lines+markers", line: { color: line_colour, dash }, marker: { symbol, size: 8 },
+      x, y: s.map((q) => q[name]), name, mode: is_choice(axis_of_sweep) ? "markers" : "lines+markers", line: { color: line_colour, dash }, marker: { symbol, size: 8 },
       error_y: { type: "data", symmetric: false, array: s.map((q, i) => (ends[i][1] === null ? 0 : ends[i][1] - q[name])), arrayminus: s.map((q, i) => (ends[i][0] === null ? 0 : q[name] - ends[i][0])), color: line_colour, thickness: 1 },
       hovertemplate: `${title}: %{x}<br>${name} of the ${runout_name} %{y:.1f} m<extra></extra>`,
     };
@@ -37,8 +37,9 @@ function draw_points(node, points, group) {
     const place = cell_of(i, points.length, columns), r = runouts[i], p95 = point.rocks[group].runout.p95;
     layout[`xaxis${nth(i)}`] = { ...axis(""), domain: place.x, anchor: `y${nth(i)}`, range: [0, far], nticks: 5, title: i + columns >= points.length ? { text: `${runout_short} in m`, font: { size: 11 } } : undefined };
     layout[`yaxis${nth(i)}`] = { ...axis(""), domain: place.y, anchor: `x${nth(i)}`, range: [0, 1.05 * high], nticks: 4, showticklabels: i % columns === 0, title: i % columns === 0 ? { text: "% per m", font: { size: 11 } } : undefined };
+    const at = data.axes.map((a) => at_text(a, point)).join(", "), name = at.length > 32 ? "" : at;  // the select above has all of it
     layout.annotations.push({ x: place.x[0], y: place.y[1], xref: "paper", yref: "paper", xanchor: "left", yanchor: "bottom", showarrow: false, font: { size: 11 },
-      text: `<b>${point.point}</b> ${data.axes.map((a) => with_unit(show(at_axis(a, point)), a.unit)).join(", ")}${p95 === null ? "" : `; p95 ${point.rocks[group].runout.lower_bounds.includes("p95") ? "≥ " : ""}${show(p95)} m`}` });
+      text: `<b>${point.point}</b> ${name}${p95 === null ? "" : `; p95 ${point.rocks[group].runout.lower_bounds.includes("p95") ? "≥ " : ""}${show(p95)} m`}` });
     if (p95 !== null) layout.shapes.push({ type: "line", xref: `x${nth(i)}`, yref: `y${nth(i)} domain`, x0: p95, x1: p95, y0: 0, y1: 1, line: { color: colour.vermillion, width: 1.5, dash: "dash" } });
     return { type: "bar", x: shares[i].map((_, bin) => (bin + 0.5) * r.step), y: shares[i], width: r.step, xaxis: `x${nth(i)}`, yaxis: `y${nth(i)}`, marker: { color: colour.blue },
       hovertemplate: `${point_name(point)}<br>%{y:.3g} % per m at %{x:.1f} m<extra></extra>` };

@@ -69,6 +69,7 @@ return fr.plugin {
     mode = fr.choice { doc = "which" },
     raw = 5,
     x = fr.number { defualt = 1 },
+    way = fr.vector { default = { 1 }, doc = "where to" },
   },
 })");
   CHECK(lua.load("bad.lua") ==
@@ -81,7 +82,8 @@ return fr.plugin {
         "bad.lua:8:28: params.v.unit: unknown unit `sec`\n"
         "bad.lua:9:12: params.mode.choices: missing, expected a list of texts: choices = { \"a\", \"b\" }\n"
         "bad.lua:10:11: params.raw: a number, expected a table of named fields\n"
-        "bad.lua:11:21: params.x.defualt: unknown key, did you mean `default`?\n");
+        "bad.lua:11:21: params.x.defualt: unknown key, did you mean `default`?\n"
+        "bad.lua:12:33: params.way.default: has 1 components, expected 2 (a default in 2D) or 3 (in 3D)\n");
 }
 
 TEST_CASE("a limit may be another parameter of the same unit") {

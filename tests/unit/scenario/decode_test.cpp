@@ -194,13 +194,58 @@ TEST_CASE("a sweep inside a distribution keeps the stream") {
   CHECK(plan.axes[0].path == "rocks.0.shape.radius.uniform.1");
 }
 
+TEST_CASE("choices, sections with a type, barriers and the solver are swept") {
+  const Plan plan =
+      decode_text(head + ground + ball +
+                  "barriers: [{ name: fence, x: { sweep: [3 m, 4 m] }, height: 1 m, capacity: 1 kJ }]\n"
+                  "solver: { time_step: { sweep: [auto, 5 ms] }, flight: { sweep: [exact] } }\n"
+                  "gravity: { sweep: [9.81] }\n"
+                  "expect: [{ measure: body.ball.final.y, above: 0, at: { barriers.fence.x: 4 m, "
+                  "solver.time_step: 5 ms } }]\n");
+  REQUIRE(plan.axes.size() == 4);
+  CHECK(plan.axes[0].path == "barriers.0.x");
+  CHECK(plan.axes[0].values == std::vector<double>{3, 4});
+  CHECK(plan.axes[2].labels == std::vector<std::string>{"exact"});
+  CHECK(plan.axes[3].labels == std::vector<std::string>{"auto", "0.005 s"});
+  REQUIRE(plan.points.size() == 4);
+  CHECK(plan.points[3].barriers[0].x == 4);
+  CHECK(!plan.points[2].solver.time_step);
+  CHECK(plan.points[3].solver.time_step == 0.005);
+  CHECK(plan.points[0].expect[0].at[1] == std::pair<std::string, double>("solver.time_step", 1));
+  const std::string once = to_yaml(plan.resolved);
+  CHECK(to_yaml(decode_text(once).resolved) == once);
+}
+
+TEST_CASE("sections with one type have labels of their own") {
+  const Plan plan =
+      decode_text(head + ball +
+                  "stop: { time: 2 }\nterrain: { type: plane, material: rock }\nmaterials: { rock: { "
+                  "restitution: { sweep: [{ type: newton, en: 0.3 }, { type: newton, en: 0.4 }] } } }\n");
+  CHECK(plan.axes[0].labels == std::vector<std::string>{"newton", "newton 2"});
+  CHECK(plan.points[1].materials[0].restitution->values[0].numbers[0].constant == 0.4);
+}
+
 TEST_CASE("where nothing may vary") {
-  CHECK(refuse(head + ground + ball + "solver: { time_step: { sweep: [1 ms, 2 ms] } }\n") ==
-        "solver.time_step: takes no sweep, expected a number in s or `auto`\n");
+  const auto with_stop = [](const std::string& time) {
+    return head + "terrain: { type: plane, material: rock }\nmaterials: { rock: {} }\n" + ball +
+           "stop: { time: " + time + " }\n";
+  };
+  CHECK(refuse(with_stop("{ sweep: [1 s, 2 s] }")) == "stop.time: takes no sweep, expected a number in s\n");
+  CHECK(refuse(head + ground + ball + "title: { sweep: [one, two] }\n") ==
+        "title: takes no sweep, only numbers, choices and sections with a `type` are swept\n");
+  CHECK(refuse(head + ground + ball +
+               "barriers: [{ name: { sweep: [a, b] }, x: 1, height: 1, capacity: 1 }]\n") ==
+        "barriers.0.name: takes no sweep, only numbers, choices and sections with a `type` are swept\n");
+  CHECK(refuse(head + ground + ball + "gravity: { sweep: [[1]] }\n") ==
+        "gravity.sweep.0: a sweep lists numbers, choices or sections with a `type`, found a list\n");
+  CHECK(
+      refuse(
+          head + ball +
+          "stop: { time: 2 }\nterrain: { type: plane, material: rock }\nmaterials: { rock: { restitution: { "
+          "sweep: [{ type: newton, en: { sweep: [0.3, 0.4] } }] } } }\n") ==
+      "materials.rock.restitution.sweep.0.en.sweep: stands inside another sweep, expected a value\n");
   CHECK(refuse(head + ground + ball + "solver: { theta: { uniform: [0.5, 0.6] } }\n") ==
         "solver.theta: takes no distribution, expected a number\n");
-  CHECK(refuse(head + ground + ball + "solver: { time_step: 1 ms, flight: { sweep: [exact, stepped] } }\n") ==
-        "solver.flight: takes no sweep, only numbers that may vary are swept\n");
 }
 
 TEST_CASE("the resolved scenario decodes to itself") {
