@@ -58,10 +58,10 @@ bool of_rocks(const std::vector<Row>& rows, const std::vector<RockRecord>& rocks
 }
 
 /// Whether this is a valid arrival of a rock at a gate or barrier, of which there are `count`.
-template <class Arrival>
 bool is_arrival(const Arrival& arrival, int place, std::size_t count) {
   return is_index(place, count) && std::isfinite(arrival.time) && std::isfinite(arrival.speed) &&
-         std::isfinite(arrival.kinetic_energy) && std::isfinite(arrival.height);
+         std::isfinite(arrival.kinetic_energy) && std::isfinite(arrival.height) &&
+         std::isfinite(arrival.along);
 }
 
 bool are_arrivals(const TrialRecords& records, const Scenario& scenario) {

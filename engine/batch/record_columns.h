@@ -182,6 +182,8 @@ void visit_arrival(Visit&& visit) {
       Column{.name = "energy_J"}, [](auto& a) -> auto& { return a.kinetic_energy; });
   visit(
       Column{.name = "height_m"}, [](auto& a) -> auto& { return a.height; });
+  visit(
+      Column{.name = "along_m"}, [](auto& a) -> auto& { return a.along; });
 }
 
 template <class Visit>

@@ -47,7 +47,7 @@ class BarrierFlight {
       if (!arrival || (first >= 0 && arrival->time >= end.s)) continue;
       end = {arrival->time, false, false, true};
       first = static_cast<int>(b);
-      place_ = arrival->place;
+      at_ = *arrival;
     }
     for (Approach& to_barrier : to_barriers_) to_barrier.move_to(in_plan(arc.position(end.s)));
     return first;
@@ -58,7 +58,7 @@ class BarrierFlight {
   bool catches(int barrier, Landing<D>& now) {
     const Barrier& fence = run_.barriers[barrier];
     to_barriers_[barrier].arrive();
-    const BarrierHit hit = meet(fence, barrier, log_.arrival(place_, now), body_.volume);
+    const BarrierHit hit = meet(fence, barrier, log_.arrival(at_, now), body_.volume);
     const double left = velocity_left(fence, hit);
     now.velocity *= left;
     log_.met(hit, left);
@@ -70,7 +70,7 @@ class BarrierFlight {
   const Body<D>& body_;
   FlightLog<D, Ground> log_;
   std::vector<Approach> to_barriers_;
-  Vec2 place_ = Vec2::Zero();  ///< in plan, where the flight met the last barrier
+  Approach::Arrival at_;  ///< where the flight met the last barrier
 };
 
 }  // namespace

@@ -60,7 +60,8 @@ bool Crossings<D>::moved(int body, const Motion& motion, double start, double dt
     const double speed = motion.velocity(t).norm();
     const double energy = 0.5 * (b.mass * speed * speed + twice_spin_energy(b, turned.attitude, turned.spin));
     histories_[body].passages.push_back(
-        {static_cast<int>(g), start + t, speed, energy, height(motion.position(t), arrival->place)});
+        {{start + t, speed, energy, height(motion.position(t), arrival->place), arrival->along},
+         static_cast<int>(g)});
   }
   for (std::size_t k = 0; k < barriers_.size(); ++k) {
     Approach& to_barrier = to_barriers_[body][k];
@@ -68,7 +69,7 @@ bool Crossings<D>::moved(int body, const Motion& motion, double start, double dt
     to_barrier.move_to(end);
     if (!arrival) continue;
     to_barrier.arrive();
-    if (catches(static_cast<int>(k), body, arrival->place)) return true;
+    if (catches(static_cast<int>(k), body, *arrival)) return true;
   }
   return false;
 }
@@ -80,11 +81,12 @@ double Crossings<D>::height(const Vec<D>& position, const Vec2& at) const {
 }
 
 template <int D>
-bool Crossings<D>::catches(int barrier, int body, const Vec2& at) {
+bool Crossings<D>::catches(int barrier, int body, const Approach::Arrival& at) {
   const Barrier& fence = barriers_[barrier];
   Body<D>& b = world_.bodies[body];
   const BarrierHit hit =
-      meet(fence, barrier, {world_.time, b.v.norm(), b.kinetic_energy(), height(b.x, at)}, b.volume);
+      meet(fence, barrier, {world_.time, b.v.norm(), b.kinetic_energy(), height(b.x, at.place), at.along},
+           b.volume);
   const double left = velocity_left(fence, hit);
   b.v *= left;
   b.w *= left;

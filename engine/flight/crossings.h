@@ -32,7 +32,7 @@ class Crossings {
   bool moved(int body, const Motion& motion, double start, double dt);
 
  private:
-  bool catches(int barrier, int body, const Vec2& at);
+  bool catches(int barrier, int body, const Approach::Arrival& at);
   /// The height of `position` above the ground after it is moved in plan to `at`, where the body crosses a
   /// gate or barrier [m]; infinity if there is no ground.
   double height(const Vec<D>& position, const Vec2& at) const;

@@ -106,9 +106,9 @@ void FlightLog<D, Ground>::see(const Arc<D>& arc, double end) {
 }
 
 template <int D, class Ground>
-Arrival FlightLog<D, Ground>::arrival(const Vec2& place, const Landing<D>& now) const {
+Arrival FlightLog<D, Ground>::arrival(const Approach::Arrival& at, const Landing<D>& now) const {
   return {now.time, now.velocity.norm(), energy(now.velocity.squaredNorm()),
-          height(moved_to<D>(now.position, place))};
+          height(moved_to<D>(now.position, at.place)), at.along};
 }
 
 template <int D, class Ground>
@@ -179,9 +179,10 @@ void FlightLog<D, Ground>::pass_gates(const Arc<D>& arc, double end) {
     if (!arrival) continue;
     to_gates_[g].arrive();
     const Vec<D> velocity = arc.velocity(arrival->time), position = arc.position(arrival->time);
-    history_.passages.push_back({static_cast<int>(g), arc.start + arrival->time * arc.length, velocity.norm(),
-                                 energy(velocity.squaredNorm()),
-                                 height(moved_to<D>(position, arrival->place))});
+    history_.passages.push_back(
+        {{arc.start + arrival->time * arc.length, velocity.norm(), energy(velocity.squaredNorm()),
+          height(moved_to<D>(position, arrival->place)), arrival->along},
+         static_cast<int>(g)});
   }
 }
 

@@ -14,7 +14,7 @@ class FlightLog {
   /// Records that the flight followed `arc` to s = end in [0, 1].
   void see(const Arc<D>& arc, double end);
   /// The state in which the flight arrives at a barrier at a place in plan.
-  Arrival arrival(const Vec2& place, const Landing<D>& now) const;
+  Arrival arrival(const Approach::Arrival& at, const Landing<D>& now) const;
   /// Records that a barrier has acted and scaled velocity and spin by `left`.
   void met(const BarrierHit& hit, double left);
   BodyHistory finish(const Landing<D>& end, StopReason reason);

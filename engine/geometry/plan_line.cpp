@@ -81,9 +81,11 @@ bool PlanLine::Piece::reaches(const Vec2& place) const {
 PlanLine::PlanLine(double x) : pieces_{{Vec2(x, 0), Vec2::UnitY(), infinite}} {}
 
 PlanLine::PlanLine(const std::vector<Vec2>& points) {
+  double before = 0;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const Vec2 along = points[i + 1] - points[i];
-    pieces_.push_back({points[i], along.normalized(), along.norm()});
+    pieces_.push_back({points[i], along.normalized(), along.norm(), before});
+    before += along.norm();
   }
 }
 
@@ -133,7 +135,9 @@ std::optional<Approach::Arrival> Approach::arrival(const PlanPath& path, double 
   for (std::size_t i = 0; i < pieces_->size(); ++i) {
     const PlanLine::Piece& piece = (*pieces_)[i];
     const auto t = first_arrival(piece, side_[i], path, first ? first->time : end);
-    if (t && (!first || *t < first->time)) first = Arrival{*t, piece.nearest(path.position(*t))};
+    if (!t || (first && *t >= first->time)) continue;
+    const Vec2 place = piece.nearest(path.position(*t));
+    first = Arrival{*t, place, piece.before + piece.along.dot(place - piece.start)};
   }
   return first;
 }

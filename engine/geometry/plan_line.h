@@ -19,6 +19,7 @@ class PlanLine {
   struct Piece {
     Vec2 start, along;  ///< m; unit vector
     double length;      ///< m; infinite for a line across x
+    double before = 0;  ///< m, length of the line up to `start`
 
     double distance(const Vec2& place) const { return cross(along, Vec2(place - start)); }
     /// Whether a place at the distance 0 lies on the piece, to a nanometre, so that two neighbours leave no
@@ -63,6 +64,7 @@ class Approach {
   struct Arrival {
     double time = 0;
     Vec2 place = Vec2::Zero();  ///< on the line
+    double along = 0;           ///< m from the first point of the line; y for a line across x
   };
   /// The first time in [0, end] at which a path from where the point was last arrives at the line. Nothing if
   /// the path does not, or if the point has already arrived. Only a parabola may have no end. A path that

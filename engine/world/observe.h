@@ -47,26 +47,26 @@ enum class StopReason { stopped, left_domain, timed_out, caught, diverged, plugi
 inline constexpr std::size_t stop_reasons = 7;
 const char* name_of(StopReason reason);
 
-/// The arrival of a body's centre of mass at a gate; see flight/crossings.h.
-struct Passage {
-  int gate = 0;
+/// The arrival of a body's centre of mass at a gate or barrier; see flight/crossings.h.
+struct Arrival {
   double time = 0;
   double speed = 0;           ///< m/s
   double kinetic_energy = 0;  ///< J
-  double height = 0;          ///< m above the ground at the gate
+  double height = 0;          ///< m above the ground there
+  double along = 0;           ///< m along the line of the gate or barrier; y where it stands across x
+};
+
+struct Passage : Arrival {
+  int gate = 0;
 };
 
 enum class BarrierOutcome { caught, over_top, over_energy };
 const char* name_of(BarrierOutcome outcome);
 
-/// The arrival of a body's centre of mass at a barrier. Speed and energy are those before the barrier acts.
-struct BarrierHit {
+/// Speed and energy are those before the barrier acts.
+struct BarrierHit : Arrival {
   int barrier = 0;
   BarrierOutcome outcome = BarrierOutcome::caught;
-  double time = 0;
-  double speed = 0;           ///< m/s
-  double kinetic_energy = 0;  ///< J
-  double height = 0;          ///< m above the ground at the barrier
 };
 
 /// How a body travels.

@@ -13,12 +13,7 @@ BarrierOutcome outcome_of(const Barrier& barrier, const Arrival& arrival, double
 }  // namespace
 
 BarrierHit meet(const Barrier& barrier, int index, const Arrival& arrival, double volume) {
-  return {index,
-          outcome_of(barrier, arrival, volume),
-          arrival.time,
-          arrival.speed,
-          arrival.kinetic_energy,
-          arrival.height};
+  return {arrival, index, outcome_of(barrier, arrival, volume)};
 }
 
 double velocity_left(const Barrier& barrier, const BarrierHit& hit) {

@@ -27,14 +27,6 @@ struct Barrier {
   double height_factor = 1;
 };
 
-/// The state in which a body arrives at a gate or barrier.
-struct Arrival {
-  double time = 0;
-  double speed = 0;           ///< m/s
-  double kinetic_energy = 0;  ///< J
-  double height = 0;          ///< m above the ground there
-};
-
 /// What the barrier with this index does to a body of this volume [m3] with this arrival.
 BarrierHit meet(const Barrier& barrier, int index, const Arrival& arrival, double volume);
 

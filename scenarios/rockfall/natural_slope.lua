@@ -162,6 +162,8 @@ return fr.scenario {
       launch = { type = "fixed", speed = { uniform = { "0.5 m/s", "2 m/s" } }, elevation = "0 deg" },
     },
   },
+  -- A footpath along the upper edge of the meadow. Rocks pass it; the results say where, how fast and how high.
+  gates = { { name = "path", line = { at(98, 2), at(102, 20), at(100, 45), at(103, 68) } } },
   stop = { time = "60 s" },
   expect = {
     { measure = "rocks.censored", below = 0.05 },

@@ -39,7 +39,7 @@ TEST_CASE("the answer says what a barrier catches, what goes over it and what go
     const BarrierOutcome outcome = trial < 60   ? BarrierOutcome::caught
                                    : trial < 80 ? BarrierOutcome::over_top
                                                 : BarrierOutcome::over_energy;
-    records.barriers.push_back({trial, 0, {.barrier = 0, .outcome = outcome}});
+    records.barriers.push_back({trial, 0, {{}, 0, outcome}});
     if (outcome == BarrierOutcome::caught) records.rocks[2 * trial].reason = StopReason::caught;
   }
   const std::string text = answer_of(plan, records);
