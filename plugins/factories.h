@@ -11,6 +11,7 @@ namespace flyrock::plugins {
 std::unique_ptr<ShapeModel> make_disk(Params& params);
 std::unique_ptr<ShapeModel> make_polygon(Params& params);
 std::unique_ptr<ShapeModel> make_sphere(Params& params);
+std::unique_ptr<ShapeModel> make_pill(Params& params);
 std::unique_ptr<ShapeModel> make_box(Params& params);
 std::unique_ptr<ShapeModel> make_polyhedron(Params& params);
 std::unique_ptr<ShapeModel> make_random_polyhedron(Params& params);

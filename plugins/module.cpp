@@ -10,6 +10,7 @@ FLYROCK_MODULE(table) {
   table[{shape, "disk"}] = make_disk;
   table[{shape, "polygon"}] = make_polygon;
   table[{shape, "sphere"}] = make_sphere;
+  table[{shape, "pill"}] = make_pill;
   table[{shape, "box"}] = make_box;
   table[{shape, "polyhedron"}] = make_polyhedron;
   table[{shape, "random_polyhedron"}] = make_random_polyhedron;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -24,6 +25,15 @@ double greatest_w(const Body<2>& body) {
   return 1 / body.mass + lever * lever / body.inertia;
 }
 
+/// The greatest (p x n) I^-1 (p x n) over all normals n: a point that is grown by a radius is touched from
+/// all sides.
+double greatest_turned(const Vec3& point, const Body<3>& body) {
+  Eigen::Matrix3d crossed;  // crossed n = p x n
+  crossed << 0, -point.z(), point.y(), point.z(), 0, -point.x(), -point.y(), point.x(), 0;
+  const Eigen::Matrix3d form = crossed.transpose() * body.inertia.cwiseInverse().asDiagonal() * crossed;
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(form, Eigen::EigenvaluesOnly).eigenvalues()[2];
+}
+
 double greatest_w(const Body<3>& body) {
   if (!body.moves()) return 0;
   double turned = 0;
@@ -31,8 +41,8 @@ double greatest_w(const Body<3>& body) {
     turned = std::max(turned, arm.dot(arm.cwiseQuotient(body.inertia)));
   };
   for (const Contactor3& contactor : body.contactors) {
-    if (contactor.round())
-      turned = std::max(turned, contactor.points[0].squaredNorm() / body.inertia.minCoeff());
+    if (!contactor.has_faces())
+      for (const Vec3& point : contactor.points) turned = std::max(turned, greatest_turned(point, body));
     for (const Contactor3::Face& face : contactor.faces)
       for (int i = 0; i < face.count; ++i)
         add(contactor.points[contactor.vertex(face, i)].cross(face.normal));

@@ -14,7 +14,9 @@ std::vector<SurfaceCorner> surface_of(const std::vector<Contactor3>& contactors)
   std::vector<SurfaceCorner> corners;
   for (std::size_t c = 0; c < contactors.size(); ++c) {
     const Contactor3& contactor = contactors[c];
-    if (contactor.round()) corners.push_back({static_cast<int>(c), 0, contactor.points[0], contactor.radius});
+    if (!contactor.has_faces())
+      for (const Vec3& point : contactor.points)
+        corners.push_back({static_cast<int>(c), 0, point, contactor.radius});
     for (std::size_t f = 0; f < contactor.faces.size(); ++f)
       for (int i = 0; i < contactor.faces[f].count; ++i)
         corners.push_back({static_cast<int>(c), static_cast<int>(f),

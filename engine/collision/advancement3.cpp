@@ -7,10 +7,9 @@
 #include "collision/advance3.h"
 #include "collision/held_pair3.h"
 #include "collision/outside_faces.h"
-#include "collision/round_contact.h"
 #include "collision/round_path.h"
 #include "collision/safe_time.h"
-#include "collision/separating_axis.h"
+#include "collision/separating_direction.h"
 
 namespace flyrock {
 
@@ -21,7 +20,14 @@ constexpr double forever = std::numeric_limits<double>::infinity();
 class PairSearch {
  public:
   PairSearch(const MovingContactor& a, const MovingContactor& b, double end, const TouchSearch& search)
-      : a_(a), b_(b), end_(end), search_(search), held_(a, b, search), scale_(search.size) {}
+      : a_(a),
+        b_(b),
+        end_(end),
+        search_(search),
+        held_(a, b, search),
+        scale_(search.size),
+        by_pairs_(!a.shape.round() && !b.shape.round() && (!a.shape.has_faces() || !b.shape.has_faces()) &&
+                  !search.held.empty()) {}
 
   /// How long the direction of the last call separates the pair [s]. If it no longer does, the best direction
   /// is used.
@@ -46,16 +52,7 @@ class PairSearch {
   }
 
  private:
-  /// A separating direction: a normal that turns with a contactor (of_a, of_b), or the cross product of two
-  /// edges.
-  struct Direction {
-    enum class Kind { of_a, of_b, edges } kind = Kind::of_a;
-    Vec3 local = Vec3::UnitZ();  ///< of_a, of_b: in that body's frame, outward
-    double support = 0;     ///< of_a, of_b: how far the contactor reaches along it from the body's origin
-    FeatureId feature = 0;  ///< of_a, of_b: the feature to which the normal belongs
-    int edge_a = 0, edge_b = 0;  ///< edges
-    double sign = 1;             ///< edges: of the product that points from b to a
-  };
+  using Direction = SeparatingDirection;
 
   static FeatureId vertex(const MovingContactor& c, int i) { return c.id(FeatureKind::vertex, i); }
 
@@ -80,6 +77,23 @@ class PairSearch {
   /// Added to a gap for a test that rounding must not pass.
   double margin() const { return search_.slack - 1e-9 * search_.size; }
 
+  /// How far the points of the reference reach along a direction, apart for those whose pairs with the point
+  /// j of the other contactor are held.
+  struct Supports {
+    double free = -forever, held = -forever;
+  };
+  Supports supports_of(const Direction& d, const Vec3& normal, const MovingContactor& reference,
+                       const MovingState& sr, const MovingState& so, int j) const {
+    Supports supports;
+    for (int i = 0; i < static_cast<int>(reference.shape.points.size()); ++i) {
+      const bool is_held =
+          &reference == &a_ ? held_.between(-normal, i, j, sr, so) : held_.between(normal, j, i, so, sr);
+      double& support = is_held ? supports.held : supports.free;
+      support = std::max(support, d.local.dot(reference.shape.points[i]));
+    }
+    return supports;
+  }
+
   double face_lasts(const Direction& d, const MovingContactor& reference, const MovingState& sr,
                     const MovingContactor& other, const MovingState& so, double t) const {
     const Vec3 normal = sr.arm(d.local), normal_rate = sr.turn.spin.cross(normal);
@@ -103,6 +117,19 @@ class PairSearch {
       const Vec3& p = other.shape.points[j];
       const double gap = heights.of(p) - offset, slope = heights.rate(p), time = std::min(least, left);
       if (time <= of_all.horizon && stays_open(gap + margin(), slope, bend, time)) continue;
+      if (by_pairs_) {
+        const Supports supports = supports_of(d, normal, reference, sr, so, j);
+        const Vec3 arm = so.arm(p);
+        const double lever = (so.x + arm - sr.x).norm();
+        const auto see = [&](double support, bool opened) {
+          if (support == -forever || (opened && search_.held_are_solved)) return;
+          least = std::min(least, point_lasts(gap + d.support - support, slope, lever, turn, turn_rate,
+                                              bounds_of(arm.norm(), lever), opened && t == 0, t));
+        };
+        see(supports.free, false);
+        see(supports.held, true);
+        continue;
+      }
       const bool is_held = &reference == &a_
                                ? held_.holds(d.feature, vertex(other, j))
                                : held_.holds(vertex(other, j), d.feature) || held_.over(d.feature, j);
@@ -145,12 +172,15 @@ class PairSearch {
     const double bend = bend_of(turn, turn_rate, (sa.x - sb.x).norm() + size_a + size_b, bounds);
     const Heights of_a(normal, normal_rate, sa, sb.x, sb.v), of_b(normal, normal_rate, sb, sb.x, sb.v);
     double least = within(bounds.horizon, end_ - t, forever);
+    const double radii = a_.shape.radius + b_.shape.radius;
     const auto try_pair = [&](int i, int j) {
       const Vec3 &pa = a_.shape.points[i], &pb = b_.shape.points[j];
-      const double gap = of_a.of(pa) - of_b.of(pb), slope = of_a.rate(pa) - of_b.rate(pb);
+      const double gap = of_a.of(pa) - of_b.of(pb) - radii, slope = of_a.rate(pa) - of_b.rate(pb);
       if (stays_open(gap + margin(), slope, bend, std::min(least, end_ - t))) return;
       const bool on_edges = (i == ea.start || i == ea.end) && (j == eb.start || j == eb.end);
-      const bool point_is_held = b_.facet ? held_.along(normal, i, j, sa) : on_edges && is_held;
+      const bool point_is_held = by_pairs_  ? held_.between(normal, i, j, sa, sb)
+                                 : b_.facet ? held_.along(normal, i, j, sa)
+                                            : on_edges && is_held;
       if (point_is_held && search_.held_are_solved) return;
       const Vec3 away = sa.x + sa.arm(pa) - sb.x - sb.arm(pb);
       least = std::min(
@@ -167,7 +197,7 @@ class PairSearch {
     }
     for (int i = 0; i < static_cast<int>(a_.shape.points.size()) && least > 0; ++i) {
       const Vec3& pa = a_.shape.points[i];
-      const double gap = of_a.of(pa) - top + margin(), slope = of_a.rate(pa) - fastest;
+      const double gap = of_a.of(pa) - top - radii + margin(), slope = of_a.rate(pa) - fastest;
       if (stays_open(gap, slope, bend, std::min(least, end_ - t))) continue;
       for (int j = 0; j < static_cast<int>(b_.shape.points.size()) && least > 0; ++j) try_pair(i, j);
     }
@@ -195,18 +225,22 @@ class PairSearch {
       if (const double time = lasts(candidate, sa, sb, t); time > best) best = time, direction_ = candidate;
     };
     const auto try_face = [&](const MovingContactor& c, Direction::Kind kind, int f) {
-      const Contactor3::Face& face = c.shape.faces[f];
-      const double support = face.normal.dot(c.shape.points[c.shape.vertex(face, 0)]);
-      try_direction({kind, face.normal, support, c.id(FeatureKind::face, f), 0, 0, 1});
+      try_direction(face_direction(c, kind, f));
     };
     const auto try_faces = [&](const MovingContactor& c, Direction::Kind kind) {
       for (int f = 0; f < static_cast<int>(c.shape.faces.size()); ++f) try_face(c, kind, f);
     };
     const Placed3 a{a_.shape, {sa.x, sa.turn.rotation}}, b{b_.shape, {sb.x, sb.turn.rotation}};
-    if (a_.shape.round()) {
-      try_direction(towards(a.point(0), b_, b, sb, Direction::Kind::of_b));
-    } else if (b_.shape.round()) {
-      try_direction(towards(b.point(0), a_, a, sa, Direction::Kind::of_a));
+    if (!a_.shape.has_faces() || !b_.shape.has_faces()) {
+      if (b_.facet && !a_.shape.round()) try_faces(b_, Direction::Kind::of_b);
+      if (best < enough) try_nearest(a, sa, b, sb, try_direction);
+      if (by_pairs_ && best <= 0) {
+        if (b_.facet)
+          try_held_edges(a, b, try_direction);
+        else
+          try_faces(b_, Direction::Kind::of_b);
+        try_faces(a_, Direction::Kind::of_a);
+      }
     } else {
       try_faces(b_, Direction::Kind::of_b);
       if (!b_.facet) try_faces(a_, Direction::Kind::of_a);
@@ -223,7 +257,7 @@ class PairSearch {
       const bool is_clear = b_.facet && best > soon * enough;
       if (b_.facet && !is_clear) try_held_edges(a, b, try_direction);
       const EdgeAxis axis = is_clear || best >= enough ? EdgeAxis{} : best_edge_axis(a, b);
-      if (axis.of_a >= 0) try_direction(across(axis, a, b));
+      if (axis.of_a >= 0) try_direction(across_edges(axis, a, b));
     }
     chosen_ = true;
     return best;
@@ -237,40 +271,28 @@ class PairSearch {
       for (int i = 0; i < 3; ++i) {
         if (h.against != b_.facet->edge_feature(i)) continue;
         const Vec3 outward = b_.facet->normal + b_.facet->beyond[i];
-        try_direction(across({index_of(h.feature), i, -outward, 0}, a, b));
+        try_direction(across_edges({index_of(h.feature), i, -outward, 0}, a, b));
       }
     }
   }
 
-  static Direction across(const EdgeAxis& axis, const Placed3& a, const Placed3& b) {
-    const auto along = [](const Placed3& p, int e) {
-      return Vec3(p.point(p.shape.edges[e].end) - p.point(p.shape.edges[e].start));
-    };
-    Direction d;
-    d.kind = Direction::Kind::edges;
-    d.edge_a = axis.of_a;
-    d.edge_b = axis.of_b;
-    d.sign = along(a, axis.of_a).cross(along(b, axis.of_b)).dot(axis.normal) > 0 ? -1 : 1;
-    return d;
-  }
-
-  /// The direction from the nearest point of a contactor to the centre of a sphere.
-  static Direction towards(const Vec3& centre, const MovingContactor& moving, const Placed3& c,
-                           const MovingState& s, Direction::Kind kind) {
-    Direction d;
-    d.kind = kind;
-    if (c.shape.round()) {
-      const Vec3 away = centre - c.point(0);
-      d.local = s.turn.rotation.inverse(away.norm() > 0 ? Vec3(away.normalized()) : Vec3::UnitZ());
-      d.feature = moving.id(FeatureKind::vertex, 0);
-    } else {
-      const NearestPlace place = nearest_place(c, centre);
-      d.local = s.turn.rotation.inverse(place.normal);
-      d.feature = moving.id(place.kind, place.index);
-    }
-    d.support = -forever;
-    for (const Vec3& p : c.shape.points) d.support = std::max(d.support, d.local.dot(p));
-    return d;
+  /// The directions of the line between the nearest places of two cores. It turns with either contactor, or
+  /// with both where two edges are nearest. A sphere does not take it along.
+  template <class Try>
+  void try_nearest(const Placed3& a, const MovingState& sa, const Placed3& b, const MovingState& sb,
+                   const Try& try_direction) const {
+    const Closest nearest = closest(a, b);
+    if (a.shape.round() || !b.shape.round())
+      try_direction(attached_direction(b_, sb, Direction::Kind::of_b, nearest.normal, nearest.of_b));
+    if (!a.shape.round())
+      try_direction(attached_direction(a_, sa, Direction::Kind::of_a, -nearest.normal, nearest.of_a));
+    if (nearest.of_a.kind == FeatureKind::edge && nearest.of_b.kind == FeatureKind::edge)
+      try_direction(across_edges({nearest.of_a.index, nearest.of_b.index, -nearest.normal, 0}, a, b));
+    if (!b_.facet && by_pairs_)
+      for (const HeldContact& h : search_.held)
+        if (contactor_of(h.feature) == a_.index && contactor_of(h.against) == b_.index &&
+            kind_of(h.feature) == FeatureKind::edge && kind_of(h.against) == FeatureKind::edge)
+          try_direction(across_edges({index_of(h.feature), index_of(h.against), -nearest.normal, 0}, a, b));
   }
 
   const MovingContactor& a_;
@@ -282,6 +304,7 @@ class PairSearch {
   std::optional<MovingState> sb_;
   Direction direction_;
   bool chosen_ = false;
+  bool by_pairs_;  ///< a pill touches at the start: contacts hold pairs of points
 };
 
 }  // namespace

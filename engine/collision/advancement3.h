@@ -1,5 +1,5 @@
 #pragma once
-// Conservative advancement of spheres and convex polyhedra.
+// Conservative advancement of spheres, pills and convex polyhedra.
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,8 @@ struct HeldOnGround {
   std::array<std::uint64_t, 3> vertex{};
   int vertices = 0;
   Vec3 normal = Vec3::UnitZ();  ///< of a facet
-  Vec3 place = Vec3::Zero();    ///< of a facet: one of its corners
+  Vec3 place = Vec3::Zero();    ///< a corner of the facet, the start of the edge, or the peak
+  Vec3 along = Vec3::Zero();    ///< of an edge [m]
 
   bool contains(std::uint64_t of_ground) const {
     return std::find(vertex.begin(), vertex.begin() + vertices, of_ground) != vertex.begin() + vertices;
@@ -44,8 +45,7 @@ std::optional<double> advance_to_facet(const MovingContactor& contactor, const F
                                        std::span<const HeldOnGround> held, const TimeWindow& window,
                                        const TouchSearch& search);
 
-/// The same for two contactors. At least one of them is a polyhedron, or a sphere whose centre is not the
-/// centre of mass.
+/// The same for two contactors. They are not both spheres about their centres of mass.
 std::optional<double> advance_to_contact(const MovingContactor& a, const MovingContactor& b,
                                          const TimeWindow& window, const TouchSearch& search);
 

@@ -29,8 +29,8 @@ inline FeatureId corner_id(int corner) { return static_cast<FeatureId>(corner) <
 inline bool is_corner(FeatureId terrain_id) { return (terrain_id & 1) == 0; }
 inline int terrain_index(FeatureId terrain_id) { return static_cast<int>(terrain_id >> 1); }
 
-/// In 3D the feature of a body has an index below Contactor3::most_edges; a sphere has only vertex 0. The ids
-/// of the ground are in geometry/facet.h; a plane has only face 0.
+/// In 3D the feature of a body has an index below Contactor3::most_edges; a sphere has only vertex 0, a pill
+/// the vertices 0 and 1 and edge 0. The ids of the ground are in geometry/facet.h; a plane has only face 0.
 inline FeatureId feature_id(int contactor, FeatureKind kind, int index) {
   return static_cast<FeatureId>(contactor) << 16 | static_cast<FeatureId>(index) << 2 |
          static_cast<FeatureId>(kind);

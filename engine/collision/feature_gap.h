@@ -15,6 +15,7 @@ double feature_gap(const Placed2& contactor, FeatureId feature, const Terrain2& 
 /// The gap [m] between features of two contactors, with the feature ids of body_contacts.
 double feature_gap(const Placed2& candidate, FeatureId feature, const Placed2& antagonist, FeatureId against);
 
+/// The same in 3D. An edge of a pill has no faces: its gap to a vertex or an edge is a distance.
 double feature_gap(const Placed3& contactor, FeatureId feature, const Terrain3& terrain, FeatureId against);
 double feature_gap(const Placed3& candidate, FeatureId feature, const Placed3& antagonist, FeatureId against);
 

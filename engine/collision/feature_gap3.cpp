@@ -1,4 +1,4 @@
-#include <utility>
+#include <cmath>
 
 #include "collision/feature_gap.h"
 
@@ -15,13 +15,17 @@ Vec3 edge_outward(const Placed3& shape, int edge) {
   return shape.normal(shape.shape.edges[edge].left) + shape.normal(shape.shape.edges[edge].right);
 }
 
+/// The distance of two edges along the normal across both. The axis of a pill is never below another edge.
 double edge_edge(const Placed3& a, int ea, const Placed3& b, int eb) {
   const Vec3 da = edge_direction(a, ea), db = edge_direction(b, eb);
-  const Vec3 from_b_to_a = edge_outward(b, eb) - edge_outward(a, ea);
+  const Vec3 away = edge_start(a, ea) - edge_start(b, eb);
   Vec3 normal = da.cross(db);
+  if (!a.shape.has_faces() || !b.shape.has_faces())
+    return normal.norm() < 1e-9 ? da.cross(away).norm() : std::abs(normal.normalized().dot(away));
+  const Vec3 from_b_to_a = edge_outward(b, eb) - edge_outward(a, ea);
   if (normal.norm() < 1e-9) normal = from_b_to_a - da * da.dot(from_b_to_a);  // parallel
   if (normal.dot(from_b_to_a) < 0) normal = -normal;
-  return normal.normalized().dot(edge_start(a, ea) - edge_start(b, eb));
+  return normal.normalized().dot(away);
 }
 
 /// The distance of the vertex `v` of a from a feature of b.
@@ -49,18 +53,25 @@ double feature_gap(const Placed3& contactor, FeatureId feature, const Terrain3& 
       return f.distance(contactor.point(index_of(feature))) - radius;
     case FeatureKind::vertex: {
       const Vec3 top = terrain.ground().vertex(ground_index(against));
-      return contactor.shape.round() ? (contactor.point(0) - top).norm() - radius
-                                     : contactor.outside(index_of(feature), top);
+      if (kind_of(feature) == FeatureKind::vertex)
+        return (contactor.point(index_of(feature)) - top).norm() - radius;
+      if (kind_of(feature) == FeatureKind::edge)
+        return edge_direction(contactor, index_of(feature))
+                   .cross(top - edge_start(contactor, index_of(feature)))
+                   .norm() -
+               radius;
+      return contactor.outside(index_of(feature), top);
     }
     case FeatureKind::edge:
       break;
   }
   const int rim = static_cast<int>(ground_index(against) % 3);
   const Vec3 along = f.along(rim).normalized();
-  if (contactor.shape.round()) return along.cross(contactor.point(0) - f.corner[rim]).norm() - radius;
+  if (kind_of(feature) == FeatureKind::vertex)
+    return along.cross(contactor.point(index_of(feature)) - f.corner[rim]).norm() - radius;
   Vec3 normal = along.cross(edge_direction(contactor, index_of(feature)));
   if (normal.dot(f.normal + f.beyond[rim]) < 0) normal = -normal;
-  return normal.normalized().dot(edge_start(contactor, index_of(feature)) - f.corner[rim]);
+  return normal.normalized().dot(edge_start(contactor, index_of(feature)) - f.corner[rim]) - radius;
 }
 
 double feature_gap(const Placed3& candidate, FeatureId feature, const Placed3& antagonist,

@@ -5,6 +5,10 @@
 
 namespace flyrock {
 
+namespace {
+constexpr double same_direction = 1 - 5e-7;  // cosine of 1e-3 rad
+}
+
 bool HeldPair::holds(FeatureId feature, FeatureId against) const {
   if (!a_.shape.round() && !b_.shape.round()) return search_.holds(feature, against);
   return std::any_of(search_.held.begin(), search_.held.end(), [&](const HeldContact& h) {
@@ -20,28 +24,31 @@ bool HeldPair::of_b(FeatureId feature) const {
   return known;
 }
 
-bool HeldPair::over(FeatureId face, int i) const {
+bool HeldPair::in_plane(const HeldOnGround& h) const {
   constexpr double same = 1e-10;  // rad, and m per m
+  return (h.normal - b_.facet->normal).squaredNorm() <= same * same &&
+         std::abs(b_.facet->distance(h.place)) <= same * search_.size;
+}
+
+bool HeldPair::over(FeatureId face, int i) const {
   if (!b_.facet || face != b_.facet->face_feature()) return false;
   const FeatureId point = a_.id(FeatureKind::vertex, i);
   return std::any_of(b_.held.begin(), b_.held.end(), [&](const HeldOnGround& h) {
-    return h.feature == point && kind_of(h.against) == FeatureKind::face &&
-           (h.normal - b_.facet->normal).squaredNorm() <= same * same &&
-           std::abs(b_.facet->distance(h.place)) <= same * search_.size;
+    return h.feature == point && kind_of(h.against) == FeatureKind::face && in_plane(h);
   });
 }
 
 bool HeldPair::along(const Vec3& direction, int i, int j, const MovingState& state_of_a) const {
   return std::any_of(b_.held.begin(), b_.held.end(), [&](const HeldOnGround& h) {
-    constexpr double same = 1 - 5e-7;  // cosine of 1e-3 rad
     if (contactor_of(h.feature) != a_.index || !h.contains(b_.facet->vertex[j])) return false;
     const int feature = index_of(h.feature);
-    if (kind_of(h.feature) == FeatureKind::vertex) return feature == i && direction.dot(h.normal) > same;
+    if (kind_of(h.feature) == FeatureKind::vertex)
+      return feature == i && direction.dot(h.normal) > same_direction;
     if (kind_of(h.feature) == FeatureKind::face) {
       const Contactor3::Face& face = a_.shape.faces[feature];
       const auto* loop = &a_.shape.loop[face.first];
       return std::find(loop, loop + face.count, i) != loop + face.count &&
-             -direction.dot(state_of_a.arm(face.normal)) > same;
+             -direction.dot(state_of_a.arm(face.normal)) > same_direction;
     }
     const Contactor3::Edge& edge = a_.shape.edges[feature];
     if (edge.start != i && edge.end != i) return false;
@@ -49,9 +56,70 @@ bool HeldPair::along(const Vec3& direction, int i, int j, const MovingState& sta
     for (int rim = 0; rim < 3; ++rim) {
       if (h.against != b_.facet->edge_feature(rim)) continue;
       const Vec3 normal = along.cross(b_.facet->along(rim));
-      return std::abs(direction.dot(normal)) > same * normal.norm();
+      return std::abs(direction.dot(normal)) > same_direction * normal.norm();
     }
     return false;
+  });
+}
+
+HeldPair::Place HeldPair::place_of(const MovingContactor& c, FeatureId feature, const MovingState& s) {
+  const int i = index_of(feature);
+  Place place{kind_of(feature), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  int point = i;
+  if (place.kind == FeatureKind::edge) {
+    point = c.shape.edges[i].start;
+    place.along = s.arm(c.shape.points[c.shape.edges[i].end] - c.shape.points[point]);
+  } else if (place.kind == FeatureKind::face) {
+    point = c.shape.vertex(c.shape.faces[i], 0);
+    place.normal = s.arm(c.shape.faces[i].normal);
+  }
+  place.at = s.x + s.arm(c.shape.points[point]);
+  return place;
+}
+
+/// Unit, from b to a. A point or a line without an edge has the direction zero.
+Vec3 HeldPair::normal_of(const Place& a, const Place& b) {
+  if (b.kind == FeatureKind::face) return b.normal;
+  if (a.kind == FeatureKind::face) return -a.normal;
+  const Vec3 away = a.at - b.at, across = a.along.cross(b.along);
+  const double most = a.along.norm() * b.along.norm();
+  if (most > 0 && across.norm() > 1e-9 * most) return (across.dot(away) < 0 ? -1 : 1) * across.normalized();
+  const Vec3& along = a.kind == FeatureKind::edge ? a.along : b.along;
+  const double square = along.squaredNorm();
+  return (square > 0 ? Vec3(away - along.dot(away) / square * along) : away).normalized();
+}
+
+bool HeldPair::contains(const MovingContactor& c, FeatureId feature, int point) {
+  const int i = index_of(feature);
+  switch (kind_of(feature)) {
+    case FeatureKind::vertex:
+      return i == point;
+    case FeatureKind::edge:
+      return c.shape.edges[i].start == point || c.shape.edges[i].end == point;
+    case FeatureKind::face:
+      break;
+  }
+  const Contactor3::Face& face = c.shape.faces[i];
+  const auto* loop = &c.shape.loop[face.first];
+  return std::find(loop, loop + face.count, point) != loop + face.count;
+}
+
+bool HeldPair::between(const Vec3& direction, int i, int j, const MovingState& sa,
+                       const MovingState& sb) const {
+  const auto agrees = [&](const Place& a, const Place& b) {
+    return direction.dot(normal_of(a, b)) > same_direction;
+  };
+  if (b_.facet)
+    return std::any_of(b_.held.begin(), b_.held.end(), [&](const HeldOnGround& h) {
+      if (contactor_of(h.feature) != a_.index || !contains(a_, h.feature, i)) return false;
+      const FeatureKind kind = kind_of(h.against);
+      if (!h.contains(b_.facet->vertex[j]) && !(kind == FeatureKind::face && in_plane(h))) return false;
+      return agrees(place_of(a_, h.feature, sa), {kind, h.place, h.along, h.normal});
+    });
+  return std::any_of(search_.held.begin(), search_.held.end(), [&](const HeldContact& h) {
+    return contactor_of(h.feature) == a_.index && contactor_of(h.against) == b_.index &&
+           contains(a_, h.feature, i) && contains(b_, h.against, j) &&
+           agrees(place_of(a_, h.feature, sa), place_of(b_, h.against, sb));
   });
 }
 

@@ -26,11 +26,26 @@ class HeldPair {
   /// have no gap.
   bool along(const Vec3& direction, int i, int j, const MovingState& state_of_a) const;
 
+  /// A contact that holds the point i of a and the point j of b apart along a direction: its features contain
+  /// them, and its normal, from b to a, is this direction. For pairs in which a sphere or a pill touches.
+  bool between(const Vec3& direction, int i, int j, const MovingState& state_of_a,
+               const MovingState& state_of_b) const;
+
   /// A contact of a's face with the ground.
   bool touches(int face) const;
 
  private:
+  /// Where a feature is: on a face, on the line of an edge, or at a point. World frame, metres.
+  struct Place {
+    FeatureKind kind;
+    Vec3 at, along, normal;
+  };
+  static Place place_of(const MovingContactor& c, FeatureId feature, const MovingState& s);
+  static Vec3 normal_of(const Place& a, const Place& b);
+  static bool contains(const MovingContactor& c, FeatureId feature, int point);
   bool of_b(FeatureId feature) const;
+  /// Whether a contact with a facet is in the plane of the facet b.
+  bool in_plane(const HeldOnGround& h) const;
 
   const MovingContactor& a_;
   const MovingContactor& b_;

@@ -15,9 +15,10 @@ namespace flyrock {
 void body_contacts(const Placed2& candidate, int candidate_index, const Placed2& antagonist,
                    int antagonist_index, double reach, std::vector<ContactPoint<2>>& out);
 
-/// Appends the contacts of two spheres or convex polyhedra whose gap is at most `reach` [m].
-/// For a sphere and a polyhedron, the contact is at the nearest point of its faces, edges and vertices. For
-/// two polyhedra, the axis of greatest separation is found among the face normals of both and the cross
+/// Appends the contacts of two spheres, pills or convex polyhedra whose gap is at most `reach` [m].
+/// With a sphere or a pill, the contact is at the nearest vertices, edges and faces of the two cores
+/// (closest.h). A pill that lies flush on an edge or a face has two contacts, at the ends of the common line.
+/// For two polyhedra, the axis of greatest separation is found among the face normals of both and the cross
 /// products of two edges (separating axis theorem). If it is a face normal, the incident face of the other
 /// polyhedron is clipped to the sides of this reference face: at most four contact points. If it belongs to
 /// two edges: one contact point.

@@ -1,12 +1,12 @@
-// Contact points of spheres and convex polyhedra.
+// Contact points of two spheres and of two convex polyhedra.
 
 #include <algorithm>
 #include <boost/container/static_vector.hpp>
 #include <cmath>
 
 #include "collision/contact_patch.h"
+#include "collision/core_contact.h"
 #include "collision/narrow_phase.h"
-#include "collision/round_contact.h"
 #include "collision/separating_axis.h"
 
 namespace flyrock {
@@ -27,22 +27,6 @@ void sphere_sphere(const Placed3& a, int ia, const Placed3& b, int ib, double re
   const Vec3 normal = distance > 0 ? Vec3(away / distance) : Vec3::UnitZ();
   out.push_back({b.point(0) + (b.shape.radius + 0.5 * gap) * normal, normal, gap,
                  feature_id(ia, FeatureKind::vertex, 0), feature_id(ib, FeatureKind::vertex, 0)});
-}
-
-/// The contact as the sphere sees it: the normal points to the sphere.
-void sphere_polyhedron(const Placed3& sphere, int sphere_index, const Placed3& polyhedron,
-                       int polyhedron_index, bool sphere_is_candidate, double reach, Contacts& out) {
-  const Vec3 centre = sphere.point(0);
-  const NearestPlace place = nearest_place(polyhedron, centre);
-  const double radius = sphere.shape.radius, gap = place.distance - radius;
-  if (gap > reach) return;
-  const Vec3 point = centre - (radius + 0.5 * gap) * place.normal;
-  const FeatureId round = feature_id(sphere_index, FeatureKind::vertex, 0);
-  const FeatureId flat = feature_id(polyhedron_index, place.kind, place.index);
-  if (sphere_is_candidate)
-    out.push_back({point, place.normal, gap, round, flat});
-  else
-    out.push_back({point, -place.normal, gap, flat, round});
 }
 
 /// One contact, at the middle of the shortest line between the two edges.
@@ -172,10 +156,10 @@ void polyhedron_polyhedron(const Placed3& a, int ia, const Placed3& b, int ib, d
 
 void body_contacts(const Placed3& candidate, int ic, const Placed3& antagonist, int ia, double reach,
                    Contacts& out) {
-  const bool round_candidate = candidate.shape.round(), round_antagonist = antagonist.shape.round();
-  if (round_candidate && round_antagonist) return sphere_sphere(candidate, ic, antagonist, ia, reach, out);
-  if (round_candidate) return sphere_polyhedron(candidate, ic, antagonist, ia, true, reach, out);
-  if (round_antagonist) return sphere_polyhedron(antagonist, ia, candidate, ic, false, reach, out);
+  if (candidate.shape.round() && antagonist.shape.round())
+    return sphere_sphere(candidate, ic, antagonist, ia, reach, out);
+  if (!candidate.shape.has_faces() || !antagonist.shape.has_faces())
+    return core_contacts(candidate, ic, antagonist, ia, reach, out);
   polyhedron_polyhedron(candidate, ic, antagonist, ia, reach, out);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Contacts of the edges and faces of a polyhedron with the convex edges and peaks of the ground.
+// Contacts with the convex edges and peaks of the ground.
 
 #include <span>
 #include <vector>
@@ -15,5 +15,10 @@ namespace flyrock {
 /// concave edges of the ground are not features. `turn` [rad]: see terrain_contacts.
 void rim_contacts(const Placed3& polyhedron, int index, const Ground3& ground, std::span<const Facet> facets,
                   const Box3& box, double reach, double turn, std::vector<ContactPoint<3>>& out);
+
+/// The same for a sphere or a pill: its ends and its axis with convex edges and peaks, in whose cones of
+/// normals they lie. On the sides of these cones the facets give the contact of an end.
+void core_rim_contacts(const Placed3& core, int index, const Ground3& ground, std::span<const Facet> facets,
+                       double reach, double turn, std::vector<ContactPoint<3>>& out);
 
 }  // namespace flyrock

@@ -42,15 +42,16 @@ NearestPlace nearest_place(const Placed3& polyhedron, const Vec3& point) {
   const Vec3 local = polyhedron.pose.r.inverse(point - polyhedron.pose.x);
   NearestPlace inside{-std::numeric_limits<double>::infinity(), Vec3::UnitZ(), FeatureKind::face, 0};
   NearestPlace outside{std::numeric_limits<double>::infinity(), Vec3::UnitZ(), FeatureKind::face, 0};
+  const bool flat = polyhedron.faces() == 2;  // a facet of the ground has no inside
   for (int f = 0; f < polyhedron.faces(); ++f) {
     const double above = shape.faces[f].normal.dot(local - shape.points[shape.vertex(shape.faces[f], 0)]);
     if (above > inside.distance) inside = {above, shape.faces[f].normal, FeatureKind::face, f};
-    if (above <= 0) continue;
+    if (flat ? above < 0 : above <= 0) continue;
     // The nearest point lies on a face that is visible from the given point.
     const NearestPlace place = nearest_of_face(shape, f, above, local);
     if (place.distance < outside.distance) outside = place;
   }
-  NearestPlace& nearest = inside.distance > 0 ? outside : inside;
+  NearestPlace& nearest = flat || inside.distance > 0 ? outside : inside;
   nearest.normal = polyhedron.pose.r * nearest.normal;
   return nearest;
 }

@@ -23,8 +23,9 @@ void terrain_contacts(const Placed2& contactor, int contactor_index, const Terra
                       double turn, std::vector<ContactPoint<2>>& out);
 
 /// The same in 3D. A sphere meets each facet in whose strip its centre lies, and each convex edge and peak in
-/// whose cone of normals it lies. A polyhedron meets facets with its vertices, convex edges with its edges,
-/// and peaks with its faces. Of the contacts in one plane, at most four are kept (contact_patch.h).
+/// whose cone of normals it lies. The ends of a pill are spheres; its edge meets convex edges and peaks.
+/// A polyhedron meets facets with its vertices, convex edges with its edges, and peaks with its faces. Of the
+/// contacts in one plane, at most four are kept (contact_patch.h).
 void terrain_contacts(const Placed3& contactor, int contactor_index, const Terrain3& terrain, double reach,
                       double turn, std::vector<ContactPoint<3>>& out);
 

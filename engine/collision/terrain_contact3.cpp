@@ -1,4 +1,5 @@
-// Contacts of spheres and of the vertices of polyhedra with the ground, and the choice among all contacts.
+// Contacts of spheres, the ends of pills and the vertices of polyhedra with the ground, and the choice among
+// all contacts.
 
 #include <algorithm>
 #include <cmath>
@@ -45,41 +46,6 @@ void point_contacts(const Vec3& p, double radius, FeatureId feature, const Groun
   const Facet f = ground.facet(nearest->facet);
   const double gap = -nearest->distance - radius;
   out.push_back({p - (radius + 0.5 * gap) * f.normal, f.normal, gap, feature, f.face_feature()});
-}
-
-/// Contact points of a sphere with convex edges and peaks, whose cones of normals contain its centre. On the
-/// sides of these cones the facets give the contact.
-void round_contacts(const Vec3& centre, double radius, FeatureId feature, const Ground3& ground,
-                    std::span<const Facet> facets, double reach, Contacts& out) {
-  const auto touch = [&](const Vec3& place, const Vec3& away, FeatureId against) {
-    const double distance = away.norm(), gap = distance - radius;
-    if (gap > reach || !(distance > 0)) return;
-    const Vec3 normal = away / distance;
-    out.push_back({place + 0.5 * gap * normal, normal, gap, feature, against});
-  };
-  const double farthest = (radius + reach) * (radius + reach);
-  thread_local std::vector<Vec3> edges;          // keeps its memory between calls
-  thread_local std::vector<std::uint64_t> seen;  // peaks, each of which many facets share
-  seen.clear();
-  for (const Facet& f : facets)
-    for (int i = 0; i < 3; ++i) {
-      const Vec3 from_corner = centre - f.corner[i];
-      if (f.rim[i] == Rim::convex && f.names_edge(i)) {
-        const Vec3 along = f.along(i);
-        const double share = from_corner.dot(along) / along.squaredNorm();
-        const Vec3 away = from_corner - share * along;
-        if (share >= -region_slack && share <= 1 + region_slack && away.squaredNorm() <= farthest &&
-            rim_cone_contains(f, i, away, 0))
-          touch(f.corner[i] + share * along, away, f.edge_feature(i));
-      }
-      if (from_corner.squaredNorm() > farthest ||
-          std::find(seen.begin(), seen.end(), f.vertex[i]) != seen.end())
-        continue;
-      seen.push_back(f.vertex[i]);
-      edges.clear();
-      if (ground.peak(f.vertex[i], edges) && peak_cone_contains(edges, from_corner, 0))
-        touch(f.corner[i], from_corner, f.vertex_feature(i));
-    }
 }
 
 /// Drops contacts that an earlier one repeats: at the same place, or of the same vertex, with the same
@@ -138,7 +104,7 @@ void terrain_contacts(const Placed3& contactor, int contactor_index, const Terra
   thread_local std::vector<Facet> facets;  // keeps its memory between calls
   facets.clear();
   ground.facets(box, facets);
-  const double size = shape.round() ? shape.radius : shape.bound;
+  const double size = shape.has_faces() ? shape.bound : shape.radius;
   const std::size_t begin = out.size();
   for (int i = 0; i < contactor.count(); ++i) {
     const FeatureId vertex = feature_id(contactor_index, FeatureKind::vertex, i);
@@ -146,9 +112,8 @@ void terrain_contacts(const Placed3& contactor, int contactor_index, const Terra
                    out);
   }
   if (!facets.empty() && !facets.front().unbounded) {
-    if (shape.round())
-      round_contacts(contactor.point(0), shape.radius, feature_id(contactor_index, FeatureKind::vertex, 0),
-                     ground, facets, reach, out);
+    if (!shape.has_faces())
+      core_rim_contacts(contactor, contactor_index, ground, facets, reach, turn, out);
     else
       rim_contacts(contactor, contactor_index, ground, facets, box, reach, turn, out);
     drop_repeated(out, begin, size);

@@ -60,8 +60,8 @@ std::optional<double> time_of_contact(const Contactor2& a, int a_index, const Mo
 
 /// The same in 3D. For a sphere about the centre of mass it is the exact root: degree 2 with a plane, 4 with
 /// another such sphere. Other contactors use directed conservative advancement, as above. The directions are
-/// the face normals, the cross products of two edges, and the line from the nearest point of a contactor to
-/// the centre of a sphere, which turns with that contactor.
+/// the face normals, the cross products of two edges, and, with a sphere or a pill, the line between the
+/// nearest places of the two cores, which turns with either contactor.
 std::optional<double> time_of_contact(const Contactor3& contactor, int contactor_index, const Motion3& motion,
                                       const Terrain3& terrain, double t_max, const TouchSearch& search);
 std::optional<double> time_of_contact(const Contactor3& a, int a_index, const Motion3& a_motion,

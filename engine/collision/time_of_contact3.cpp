@@ -152,6 +152,7 @@ const std::vector<HeldOnGround>& held_on(const Ground3& ground, std::span<const 
     HeldOnGround on{contact.feature, contact.against, {}, 1};
     if (kind_of(contact.against) == FeatureKind::vertex) {
       on.vertex[0] = ground_index(contact.against);
+      on.place = ground.vertex(on.vertex[0]);
     } else {
       const Facet facet = ground.facet(ground.facet_of(contact.against));
       const int rim = static_cast<int>(ground_index(contact.against) % 3);
@@ -162,6 +163,8 @@ const std::vector<HeldOnGround>& held_on(const Ground3& ground, std::span<const 
       if (kind_of(contact.against) == FeatureKind::edge) {
         on.vertex = {facet.vertex[rim], facet.vertex[Facet::next(rim)]};
         on.vertices = 2;
+        on.place = facet.corner[rim];
+        on.along = facet.along(rim);
       }
     }
     found.push_back(on);

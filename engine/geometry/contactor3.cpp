@@ -77,6 +77,15 @@ Contactor3 Contactor3::sphere(double radius, const Vec3& centre) {
   return shape;
 }
 
+Contactor3 Contactor3::pill(const Vec3& start, const Vec3& end, double radius) {
+  Contactor3 shape;
+  shape.points = {start, end};
+  shape.edges = {{.start = 0, .end = 1, .left = -1, .right = -1}};
+  shape.radius = radius;
+  shape.bound = bound_of(shape.points, radius);
+  return shape;
+}
+
 Contactor3 Contactor3::box(const Vec3& size) {
   std::vector<Vec3> points;
   for (int i = 0; i < 8; ++i)

@@ -8,8 +8,9 @@
 
 namespace flyrock {
 
-/// A contactor in 3D: the convex hull of `points`, grown by `radius`. One point with a radius is a sphere.
-/// Points with faces, without a radius, are a convex polyhedron. Coordinates in the body's frame, metres.
+/// A contactor in 3D: the convex hull of `points`, grown by `radius`. One point with a radius is a sphere,
+/// two points with a radius are a pill, which has one edge and no face. Points with faces, without a radius,
+/// are a convex polyhedron. Coordinates in the body's frame, metres.
 struct Contactor3 {
   /// A plane face with `count` vertices loop[first], ..., loop[first + count - 1], counter-clockwise as seen
   /// from outside.
@@ -19,7 +20,7 @@ struct Contactor3 {
     int count = 0;
   };
   /// An edge from points[start] to points[end]. The loop of the face `left` passes it in this direction, the
-  /// loop of the face `right` in the opposite direction.
+  /// loop of the face `right` in the opposite direction. The edge of a pill has no faces (-1).
   struct Edge {
     int start = 0, end = 0;
     int left = 0, right = 0;
@@ -31,12 +32,14 @@ struct Contactor3 {
   std::vector<Vec3> points;
   std::vector<int> loop;       ///< indices into points, face after face
   std::vector<int> loop_edge;  ///< the edge from a loop's vertex to the next
-  std::vector<Face> faces;     ///< none for a sphere
+  std::vector<Face> faces;     ///< none for a sphere or a pill
   std::vector<Edge> edges;
   double radius = 0;
   double bound = 0;  ///< radius of the smallest sphere about the frame's origin that contains the contactor
 
   static Contactor3 sphere(double radius, const Vec3& centre = Vec3::Zero());
+  /// The segment from `start` to `end`, grown by a radius.
+  static Contactor3 pill(const Vec3& start, const Vec3& end, double radius);
   /// A box about the origin with sides along the axes.
   static Contactor3 box(const Vec3& size);
   /// A convex polyhedron given by its faces. Each face is a loop of indices into `points`, counter-clockwise
@@ -45,6 +48,7 @@ struct Contactor3 {
   static Contactor3 polyhedron(std::vector<Vec3> points, const std::vector<std::vector<int>>& faces);
 
   bool round() const { return points.size() == 1; }
+  bool has_faces() const { return !faces.empty(); }
   int vertex(const Face& face, int i) const { return loop[face.first + i]; }
   /// Expresses the contactor in another frame: p becomes r^-1 (p - origin).
   void change_frame(const Vec3& origin, const Rotation3& r);

@@ -20,6 +20,21 @@ void add_sphere(Moments& sum, double radius, const Vec3& centre) {
   sum.second += volume * (centre * centre.transpose() + radius * radius / 5 * Eigen::Matrix3d::Identity());
 }
 
+/// Adds a cylinder with a half-sphere on each end. The integral of |z| over a sphere is pi/2 r^4: half of it
+/// belongs to each of the two halves, which are length/2 away from the middle.
+void add_pill(Moments& sum, double radius, const Vec3& start, const Vec3& end) {
+  const Vec3 middle = 0.5 * (start + end), axis = (end - start).normalized();
+  const double length = (end - start).norm(), square = radius * radius;
+  const double tube = pi * square * length, caps = 4.0 / 3.0 * pi * square * radius;
+  const double along = tube * length * length / 12 + caps * (square / 5 + length * length / 4) +
+                       0.5 * pi * square * square * length;
+  const double across = tube * square / 4 + caps * square / 5;
+  sum.volume += tube + caps;
+  sum.first += (tube + caps) * middle;
+  sum.second += (tube + caps) * middle * middle.transpose() + across * Eigen::Matrix3d::Identity() +
+                (along - across) * axis * axis.transpose();
+}
+
 /// Adds the tetrahedron (origin, a, b, c) with its sign.
 void add_tetrahedron(Moments& sum, const Vec3& a, const Vec3& b, const Vec3& c) {
   const double det = a.dot(b.cross(c));
@@ -40,6 +55,10 @@ VolumeProperties volume_properties(const std::vector<Contactor3>& contactors) {
   for (const Contactor3& shape : contactors) {
     if (shape.round()) {
       add_sphere(sum, shape.radius, shape.points[0] - origin);
+      continue;
+    }
+    if (!shape.has_faces()) {
+      add_pill(sum, shape.radius, shape.points[0] - origin, shape.points[1] - origin);
       continue;
     }
     for (const Contactor3::Face& face : shape.faces)

@@ -44,16 +44,24 @@ class Vertices {
   std::map<std::array<double, 3>, std::size_t> numbers_;
 };
 
-/// A ball: the faces of an octahedron with each edge cut into pieces, moved out to the radius.
-void add_ball(RockShape& surface, const Vec3& centre, double radius) {
+/// The place of the hull of `points`, grown by a radius, that is farthest along a unit vector.
+Vec3 farthest(const std::vector<Vec3>& points, double radius, const Vec3& direction) {
+  Vec3 best = points.front();
+  for (const Vec3& point : points)
+    if (direction.dot(point - best) > 0) best = point;
+  return best + radius * direction;
+}
+
+/// A grown hull: the faces of an octahedron with each edge cut into pieces, moved out to the surface.
+void add_grown(RockShape& surface, const std::vector<Vec3>& points, double radius) {
   constexpr int pieces = 4;  // of an edge
   Vertices vertices(surface);
   for (const double sx : {1.0, -1.0})
     for (const double sy : {1.0, -1.0})
       for (const double sz : {1.0, -1.0}) {
         const auto vertex = [&](int i, int k) {
-          return vertices.number_of(centre +
-                                    radius * Vec3(sx * i, sy * k, sz * (pieces - i - k)).normalized());
+          const Vec3 direction = Vec3(sx * i, sy * k, sz * (pieces - i - k)).normalized();
+          return vertices.number_of(farthest(points, radius, direction));
         };
         const auto add = [&](std::int64_t a, std::int64_t b, std::int64_t c) {
           if (sx * sy * sz > 0)
@@ -69,13 +77,14 @@ void add_ball(RockShape& surface, const Vec3& centre, double radius) {
       }
 }
 
-void add_disk(RockShape& surface, const Vec3& centre, double radius) {
+/// The same in 2D: one polygon.
+void add_grown_outline(RockShape& surface, const std::vector<Vec3>& points, double radius) {
   constexpr int corners = 48;
   std::vector<std::int64_t> face;
   for (int i = 0; i < corners; ++i) {
     const double angle = 2 * pi * i / corners;
     face.push_back(static_cast<std::int64_t>(surface.vertices.size()));
-    surface.vertices.push_back(centre + radius * Vec3(std::cos(angle), std::sin(angle), 0));
+    surface.vertices.push_back(farthest(points, radius, Vec3(std::cos(angle), std::sin(angle), 0)));
   }
   surface.faces.push_back(std::move(face));
 }
@@ -88,21 +97,26 @@ RockShape read_surface(const SqliteReader& database, const StoredPath& path, boo
   RockShape surface;
   Vertices vertices(surface);
   std::int64_t contactor = -1, face = -1;
+  std::vector<Vec3> points;  // of a contactor that is grown by a radius
+  double radius = 0;
+  const auto add_points = [&] {
+    if (!points.empty()) (in_space ? add_grown : add_grown_outline)(surface, points, radius);
+    points.clear();
+  };
   while (row.next()) {
     const Vec3 place(row.real(2), row.real(3), row.real(4));
-    const double radius = row.real(5);
-    if (radius > 0) {
-      if (in_space)
-        add_ball(surface, place, radius);
-      else
-        add_disk(surface, place, radius);
-      continue;
-    }
-    if (row.whole(0) != contactor || row.whole(1) != face) surface.faces.emplace_back();
+    const bool is_new = row.whole(0) != contactor || row.whole(1) != face;
+    if (is_new) add_points();
+    radius = row.real(5);
+    if (is_new && !(radius > 0)) surface.faces.emplace_back();
     contactor = row.whole(0);
     face = row.whole(1);
-    surface.faces.back().push_back(vertices.number_of(place));
+    if (radius > 0)
+      points.push_back(place);
+    else
+      surface.faces.back().push_back(vertices.number_of(place));
   }
+  add_points();
   return surface;
 }
 

@@ -1,0 +1,130 @@
+// Contacts of spheres and pills with the convex edges and peaks of the ground.
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision/closest.h"
+#include "collision/core_contact.h"
+#include "collision/facet_region.h"
+#include "collision/rim_contact.h"
+
+namespace flyrock {
+
+namespace {
+
+/// An end of a pill, or the centre of a sphere, has the contacts whose normals lie in the cone of the edge or
+/// peak and in its own. The cone of an end ends where the axis has the contact.
+class CoreRimContacts {
+ public:
+  CoreRimContacts(const Placed3& core, int index, const Ground3& ground, double reach, double turn,
+                  std::vector<ContactPoint<3>>& out)
+      : core_(core),
+        ground_(ground),
+        index_(index),
+        reach_(reach),
+        slack_(flush_angle + turn),
+        start_(core.point(0)),
+        axis_(core.point(core.count() - 1) - start_),
+        length_(axis_.norm()),
+        out_(out) {
+    seen_.clear();
+  }
+
+  void rim(const Facet& f, int i) {
+    for (int end = 0; end < core_.count(); ++end) {
+      const Vec3 from_corner = core_.point(end) - f.corner[i], along = f.along(i);
+      const double share = from_corner.dot(along) / along.squaredNorm();
+      const Vec3 away = from_corner - share * along;
+      if (is_in(share) && near(away) && rim_cone_contains(f, i, away, 0) && end_contains(end, away, along))
+        touch(f.corner[i] + share * along, away, vertex(end), f.edge_feature(i));
+    }
+    if (core_.count() > 1) across(f, i);
+  }
+
+  void peak(const Facet& f, int i) {
+    if (std::find(seen_.begin(), seen_.end(), f.vertex[i]) != seen_.end()) return;
+    const Vec3& top = f.corner[i];
+    const double s = nearest_of_segments(start_, axis_, top, Vec3::Zero()).s;
+    const bool on_axis = core_.count() > 1 && s > 0 && s < 1;
+    const int end = core_.count() > 1 && s > 0;
+    const Vec3 away = (on_axis ? Vec3(start_ + s * axis_) : core_.point(end)) - top;
+    if (!near(away)) return;
+    seen_.push_back(f.vertex[i]);
+    edges_.clear();
+    if (ground_.peak(f.vertex[i], edges_) &&
+        peak_cone_contains(edges_, away, on_axis ? slack_ * away.norm() : 0))
+      touch(top, away, on_axis ? axis_feature() : vertex(end), f.vertex_feature(i));
+  }
+
+ private:
+  FeatureId vertex(int end) const { return feature_id(index_, FeatureKind::vertex, end); }
+  FeatureId axis_feature() const { return feature_id(index_, FeatureKind::edge, 0); }
+  static bool is_in(double share) { return share >= -region_slack && share <= 1 + region_slack; }
+  bool near(const Vec3& away) const {
+    const double farthest = core_.shape.radius + reach_;
+    return away.squaredNorm() <= farthest * farthest;
+  }
+
+  /// Whether the axis leads away from the ground at an end, or lies flush on the edge.
+  bool end_contains(int end, const Vec3& away, const Vec3& along) const {
+    if (core_.count() == 1) return true;
+    const double rise = (end ? Vec3(-axis_) : axis_).dot(away);
+    return rise >= (parallel(along) ? -flush_angle * length_ * away.norm() : 0);
+  }
+  bool parallel(const Vec3& along) const {
+    return axis_.cross(along).norm() <= flush_angle * along.norm() * length_;
+  }
+
+  /// The axis of a pill across an edge. If they are parallel, the ends have the contacts.
+  void across(const Facet& f, int i) {
+    const Vec3 along = f.along(i), away = start_ - f.corner[i];
+    Vec3 normal = axis_.cross(along);
+    const double length = normal.norm();
+    if (parallel(along)) return;
+    const double s = along.cross(away).dot(normal) / (length * length);
+    const double t = axis_.cross(away).dot(normal) / (length * length);
+    if (!is_in(s) || !is_in(t)) return;
+    normal /= normal.dot(f.normal + f.beyond[i]) < 0 ? -length : length;
+    const double distance = normal.dot(away);
+    if (distance <= 0 || distance - core_.shape.radius > reach_ || !rim_cone_contains(f, i, normal, slack_))
+      return;
+    touch(f.corner[i] + t * along, distance * normal, axis_feature(), f.edge_feature(i));
+  }
+
+  void touch(const Vec3& place, const Vec3& away, FeatureId feature, FeatureId against) {
+    const double distance = away.norm(), gap = distance - core_.shape.radius;
+    if (gap > reach_ || !(distance > 0)) return;
+    const Vec3 normal = away / distance;
+    out_.push_back({place + 0.5 * gap * normal, normal, gap, feature, against});
+  }
+
+  const Placed3& core_;
+  const Ground3& ground_;
+  int index_;
+  double reach_, slack_;
+  Vec3 start_, axis_;  ///< of a pill; a sphere has no axis
+  double length_;
+  std::vector<ContactPoint<3>>& out_;
+  std::vector<std::uint64_t>& seen_ = buffer<std::uint64_t>();  // peaks, each of which many facets share
+  std::vector<Vec3>& edges_ = buffer<Vec3>();
+
+  template <class Value>
+  static std::vector<Value>& buffer() {
+    thread_local std::vector<Value> values;  // keeps its memory between calls
+    return values;
+  }
+};
+
+}  // namespace
+
+void core_rim_contacts(const Placed3& core, int index, const Ground3& ground, std::span<const Facet> facets,
+                       double reach, double turn, std::vector<ContactPoint<3>>& out) {
+  CoreRimContacts contacts(core, index, ground, reach, turn, out);
+  for (const Facet& f : facets)
+    for (int i = 0; i < 3; ++i) {
+      if (f.rim[i] == Rim::convex && f.names_edge(i)) contacts.rim(f, i);
+      contacts.peak(f, i);
+    }
+}
+
+}  // namespace flyrock
