@@ -55,8 +55,8 @@ class Search {
   }
 
  private:
-  /// A separating direction: the normal of an edge of a (kind 0) or b (kind 1), or the line between the point
-  /// of a disk and the nearest point of the other hull (kind 2).
+  /// A separating direction: the normal of an edge of a (kind 0) or b (kind 1), or the line between the
+  /// nearest points of two hulls, of which one is grown by a radius (kind 2).
   struct Direction {
     int kind = 0;
     int edge = 0;
@@ -156,7 +156,7 @@ class Search {
     return fixed_lasts(direction.fixed, sa, sb, t);
   }
 
-  /// The unit vector from the nearest point of b to a, if one of them is a disk.
+  /// The unit vector between the nearest points, from b to a.
   Vec2 between_points(const State& sa, const State& sb) const {
     Vec2 best = Vec2::UnitY();
     double nearest = forever;
@@ -199,7 +199,7 @@ class Search {
     };
     if (b_.count > 1) try_direction(1, b_.count > 2 ? farthest_edge(b_, sb, a_, sa) : 0);
     if (a_.count > 1 && best < enough) try_direction(0, farthest_edge(a_, sa, b_, sb));
-    if ((a_.count == 1 || b_.count == 1) && best < enough) try_direction(2, 0, between_points(sa, sb));
+    if (a_.radius + b_.radius > 0 && best < enough) try_direction(2, 0, between_points(sa, sb));
     if (best > 0) return best;
     for (int e = 0; b_.count > 1 && e < b_.count && best < enough; ++e) try_direction(1, e);
     for (int e = 0; a_.count > 1 && e < a_.count && best < enough; ++e) try_direction(0, e);

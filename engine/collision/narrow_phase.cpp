@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace flyrock {
 
@@ -10,20 +11,20 @@ namespace {
 
 using Contacts = std::vector<ContactPoint<2>>;
 
-/// The edge of `polygon` that separates the points of `other` most, and its separation [m]. The search ends
-/// at an edge that separates by more than `reach`.
+/// The edge of `polygon` that separates `points`, at their pose, most, and its separation [m]. The search
+/// ends at an edge that separates by more than `reach`.
 struct Separation {
   int edge = 0;
   double distance = -1e300;
 };
-Separation separation(const Placed2& polygon, const Placed2& other, double reach) {
+Separation separation(const Placed2& polygon, const Pose2& pose, std::span<const Vec2> points, double reach) {
   Separation best;
-  const Vec2 away = polygon.pose.r.inverse(other.pose.x - polygon.pose.x);
+  const Vec2 away = polygon.pose.r.inverse(pose.x - polygon.pose.x);
   for (int e = 0; e < polygon.count() && best.distance <= reach; ++e) {
     const Vec2& normal = polygon.shape.normals[e];
-    const Vec2 turned = other.pose.r.inverse(polygon.pose.r * normal);  // the normal in the frame of `other`
+    const Vec2 turned = pose.r.inverse(polygon.pose.r * normal);  // the normal in the frame of the points
     double nearest = 1e300;
-    for (const Vec2& point : other.shape.points) nearest = std::min(nearest, turned.dot(point));
+    for (const Vec2& point : points) nearest = std::min(nearest, turned.dot(point));
     nearest += normal.dot(away - polygon.shape.points[e]);
     if (nearest > best.distance) best = {e, nearest};
   }
@@ -48,34 +49,148 @@ void disk_disk(const Placed2& a, int ia, const Placed2& b, int ib, double reach,
       {b.point(0) + (b.shape.radius + 0.5 * gap) * normal, normal, gap, vertex_id(ia, 0), vertex_id(ib, 0)});
 }
 
-/// The contact of a disk with a polygon. The normal points to the disk.
-bool disk_polygon(const Placed2& disk, const Placed2& polygon, double reach, ContactPoint<2>& contact,
-                  int& feature, bool& on_edge) {
-  const Vec2 centre = disk.point(0);
-  const double radius = disk.shape.radius;
-  const Separation face = separation(polygon, disk, reach + radius);
-  if (face.distance - radius > reach) return false;
-  const Vec2 p = polygon.point(face.edge), q = polygon.point((face.edge + 1) % polygon.count());
-  const Vec2 along = q - p;
-  const double s = (centre - p).dot(along) / along.squaredNorm();
-  on_edge = face.distance <= 0 || (s >= 0 && s <= 1);
-  feature = on_edge ? face.edge : s < 0 ? face.edge : (face.edge + 1) % polygon.count();
-  double distance = face.distance;
-  contact.normal = polygon.normal(face.edge);
-  if (!on_edge) {
-    const Vec2 away = centre - polygon.point(feature);
-    distance = away.norm();
-    contact.normal = away / distance;
-  }
-  contact.gap = distance - radius;
-  contact.point = centre - (radius + 0.5 * contact.gap) * contact.normal;
-  return contact.gap <= reach;
+/// The place of a polygon, or of the axis of a wall, that is nearest to a point.
+struct NearestPlace {
+  double distance = 1e300;      ///< m, negative inside
+  Vec2 normal = Vec2::UnitY();  ///< unit, towards the point
+  bool on_edge = false;
+  int feature = 0;  ///< the edge or the vertex
+};
+NearestPlace nearest_place(const Placed2& hull, const Placed2& other, int vertex, double reach) {
+  const Vec2 point = other.point(vertex);
+  const Separation face = separation(hull, other.pose, {&other.shape.points[vertex], 1}, reach);
+  if (face.distance > reach) return {};
+  const int next = (face.edge + 1) % hull.count();
+  const Vec2 p = hull.point(face.edge), q = hull.point(next), along = q - p;
+  const double s = (point - p).dot(along) / along.squaredNorm();
+  const bool inside = hull.count() > 2 && face.distance <= 0;
+  if (inside || (s >= 0 && s <= 1)) return {face.distance, hull.normal(face.edge), true, face.edge};
+  const int corner = s < 0 ? face.edge : next;
+  const Vec2 away = point - hull.point(corner);
+  const double distance = away.norm();
+  return {distance, away / distance, false, corner};
 }
 
+FeatureId feature_of(const NearestPlace& place, int contactor) {
+  return place.on_edge ? edge_id(contactor, place.feature) : vertex_id(contactor, place.feature);
+}
+
+void disk_hull(const Placed2& disk, int disk_index, const Placed2& hull, int hull_index,
+               bool disk_is_candidate, double reach, Contacts& out) {
+  const double radius = disk.shape.radius, grown = hull.shape.radius;
+  const NearestPlace place = nearest_place(hull, disk, 0, reach + radius + grown);
+  const double gap = place.distance - radius - grown;
+  if (gap > reach) return;
+  const Vec2 point = disk.point(0) - (radius + 0.5 * gap) * place.normal;
+  const FeatureId of_disk = vertex_id(disk_index, 0), of_hull = feature_of(place, hull_index);
+  if (disk_is_candidate)
+    out.push_back({point, place.normal, gap, of_disk, of_hull});
+  else
+    out.push_back({point, -place.normal, gap, of_hull, of_disk});
+}
+
+/// The contacts of a wall with a wall or a polygon. A vertex of one is nearest to the other; where it is
+/// nearest to an edge, and its own edge lies flush on that one, there is a second contact at the other end of
+/// what is common.
+class WallContacts {
+ public:
+  WallContacts(const Placed2& a, int ia, const Placed2& b, int ib, double reach, Contacts& out)
+      : a_(a), b_(b), ia_(ia), ib_(ib), reach_(reach), radii_(a.shape.radius + b.shape.radius), out_(out) {}
+
+  void find() {
+    if (cores_meet()) return;
+    NearestPlace nearest;
+    int vertex = 0;
+    bool of_a = true;
+    const auto try_vertices = [&](const Placed2& points, const Placed2& hull, bool are_of_a) {
+      for (int i = 0; i < points.count(); ++i) {
+        const NearestPlace place = nearest_place(hull, points, i, reach_ + radii_);
+        if (place.distance < nearest.distance) nearest = place, vertex = i, of_a = are_of_a;
+      }
+    };
+    try_vertices(a_, b_, true);
+    try_vertices(b_, a_, false);
+    if (nearest.distance - radii_ > reach_) return;
+    const Placed2 &own = of_a ? a_ : b_, &other = of_a ? b_ : a_;
+    emit(own.point(vertex), nearest.normal, nearest.distance, vertex_id(of_a ? ia_ : ib_, vertex),
+         feature_of(nearest, of_a ? ib_ : ia_), of_a);
+    if (nearest.on_edge && nearest.distance > 0) second(own, vertex, other, nearest.feature, of_a);
+  }
+
+ private:
+  // A wall is flush on an edge if the angle between them is less than this [rad].
+  static constexpr double flush = 1e-4;
+
+  /// Cores that overlap, which only fixed time steps produce, are pushed apart along the edge that separates
+  /// most.
+  bool cores_meet() {
+    if (a_.count() == 2 && b_.count() == 2) return false;
+    const double most = reach_ + radii_;
+    const Separation of_a = separation(a_, b_.pose, b_.shape.points, most);
+    const Separation of_b = separation(b_, a_.pose, a_.shape.points, most);
+    if (std::max(of_a.distance, of_b.distance) >= 0) return false;
+    const bool a_is_reference = of_a.distance > of_b.distance;
+    const Placed2 &reference = a_is_reference ? a_ : b_, &other = a_is_reference ? b_ : a_;
+    const Separation& by = a_is_reference ? of_a : of_b;
+    int deepest = 0;
+    for (int i = 1; i < other.count(); ++i)
+      if (reference.outside(by.edge, other.point(i)) < reference.outside(by.edge, other.point(deepest)))
+        deepest = i;
+    emit(other.point(deepest), reference.normal(by.edge), by.distance,
+         vertex_id(a_is_reference ? ib_ : ia_, deepest), edge_id(a_is_reference ? ia_ : ib_, by.edge),
+         !a_is_reference);
+    return true;
+  }
+
+  void second(const Placed2& own, int vertex, const Placed2& other, int edge, bool own_is_a) {
+    const Vec2 normal = other.normal(edge), start = other.point(edge);
+    const int facing = facing_edge(own, normal), next = (facing + 1) % own.count();
+    if (facing != vertex && next != vertex) return;
+    const int end = facing == vertex ? next : facing;
+    const Vec2 from = own.point(vertex), along = own.point(end) - from;
+    if (std::abs(normal.dot(along)) > flush * along.norm()) return;
+    const int last = (edge + 1) % other.count();
+    const Vec2 side = other.point(last) - start;
+    const double s = (from + along - start).dot(side) / side.squaredNorm();
+    const int own_index = own_is_a ? ia_ : ib_, other_index = own_is_a ? ib_ : ia_;
+    if (s >= 0 && s <= 1) {
+      emit(from + along, normal, normal.dot(from + along - start), vertex_id(own_index, end),
+           edge_id(other_index, edge), own_is_a);
+      return;
+    }
+    // The edge of the other one ends here.
+    const int corner = s < 0 ? edge : last;
+    const double t = (other.point(corner) - from).dot(along) / along.squaredNorm();
+    if (t < 1e-6) return;
+    const Vec2 place = from + t * along;
+    emit(place, normal, normal.dot(place - start), edge_id(own_index, facing), vertex_id(other_index, corner),
+         own_is_a);
+  }
+
+  /// A contact at a place of the core of a or b, at a distance from the other core; the normal points to this
+  /// core.
+  void emit(const Vec2& place, const Vec2& normal, double distance, FeatureId own, FeatureId others,
+            bool own_is_a) {
+    const double gap = distance - radii_;
+    if (gap > reach_) return;
+    const Vec2 point = place - ((own_is_a ? a_ : b_).shape.radius + 0.5 * gap) * normal;
+    if (own_is_a)
+      out_.push_back({point, normal, gap, own, others});
+    else
+      out_.push_back({point, -normal, gap, others, own});
+  }
+
+  const Placed2& a_;
+  const Placed2& b_;
+  int ia_, ib_;
+  double reach_, radii_;
+  Contacts& out_;
+};
+
 void polygon_polygon(const Placed2& a, int ia, const Placed2& b, int ib, double reach, Contacts& out) {
-  const Separation of_a = separation(a, b, reach);
+  const Separation of_a = separation(a, b.pose, b.shape.points, reach);
   if (of_a.distance > reach) return;
-  const Separation of_b = separation(b, a, reach);
+  const Separation of_b = separation(b, a.pose, a.shape.points, reach);
   if (of_b.distance > reach) return;
   // The preference for b keeps the reference edge from flickering when both separations are equal.
   const double slack = 1e-9 * a.shape.points[0].norm();
@@ -126,20 +241,11 @@ void body_contacts(const Placed2& candidate, int ic, const Placed2& antagonist, 
                    Contacts& out) {
   const bool round_candidate = candidate.count() == 1, round_antagonist = antagonist.count() == 1;
   if (round_candidate && round_antagonist) return disk_disk(candidate, ic, antagonist, ia, reach, out);
-  if (!round_candidate && !round_antagonist)
-    return polygon_polygon(candidate, ic, antagonist, ia, reach, out);
-  ContactPoint<2> contact;
-  int feature = 0;
-  bool on_edge = false;
-  const Placed2& disk = round_candidate ? candidate : antagonist;
-  const Placed2& polygon = round_candidate ? antagonist : candidate;
-  if (!disk_polygon(disk, polygon, reach, contact, feature, on_edge)) return;
-  const int polygon_index = round_candidate ? ia : ic;
-  const FeatureId polygon_id = on_edge ? edge_id(polygon_index, feature) : vertex_id(polygon_index, feature);
-  contact.feature = round_candidate ? vertex_id(ic, 0) : polygon_id;
-  contact.against = round_candidate ? polygon_id : vertex_id(ia, 0);
-  if (!round_candidate) contact.normal = -contact.normal;
-  out.push_back(contact);
+  if (round_candidate) return disk_hull(candidate, ic, antagonist, ia, true, reach, out);
+  if (round_antagonist) return disk_hull(antagonist, ia, candidate, ic, false, reach, out);
+  if (candidate.shape.radius + antagonist.shape.radius > 0)
+    return WallContacts(candidate, ic, antagonist, ia, reach, out).find();
+  polygon_polygon(candidate, ic, antagonist, ia, reach, out);
 }
 
 }  // namespace flyrock

@@ -8,10 +8,10 @@
 
 namespace flyrock {
 
-/// Appends the contacts of two disks or convex polygons whose gap is at most `reach` [m], at most two.
+/// Appends the contacts of two disks, walls or convex polygons whose gap is at most `reach` [m], at most two.
 /// For two polygons, the reference edge is the edge whose normal separates them most. The incident edge,
-/// which faces it, is clipped to the strip of the reference edge. For a disk and a polygon, the contact is at
-/// the nearest edge or vertex.
+/// which faces it, is clipped to the strip of the reference edge. A wall that lies flush on an edge does the
+/// same. In the other cases with a radius, the contact is at the nearest edge or vertex.
 void body_contacts(const Placed2& candidate, int candidate_index, const Placed2& antagonist,
                    int antagonist_index, double reach, std::vector<ContactPoint<2>>& out);
 

@@ -7,6 +7,8 @@ namespace flyrock {
 
 namespace {
 
+using Contacts = std::vector<ContactPoint<2>>;
+
 // A vertex that is less deep than this share of the size touches each segment that it lies below. A deeper
 // vertex, which only fixed time steps produce, is pushed out to the nearest point.
 constexpr double shallow_share = 1e-3;
@@ -53,8 +55,7 @@ ContactPoint<2> nearest_place(const Terrain2& terrain, const Vec2& p) {
 /// 0. A point below the line of a segment is either in the ground, or above another part of the polyline and
 /// free.
 void point_contacts(const Vec2& p, double radius, FeatureId feature, const Terrain2& terrain,
-                    const Terrain2::Run& run, double reach, double shallow,
-                    std::vector<ContactPoint<2>>& out) {
+                    const Terrain2::Run& run, double reach, double shallow, Contacts& out) {
   bool deep = false;
   for (int i = run.first; i <= run.last; ++i) {
     const double height = (p - terrain.start(i)).dot(terrain.normal(i));
@@ -75,39 +76,43 @@ void point_contacts(const Vec2& p, double radius, FeatureId feature, const Terra
   out.push_back(place);
 }
 
-void disk_contacts(const Placed2& disk, int index, const Terrain2& terrain, const Terrain2::Run& run,
-                   double reach, std::vector<ContactPoint<2>>& out) {
-  const Vec2 centre = disk.point(0);
-  const double radius = disk.shape.radius;
-  point_contacts(centre, radius, vertex_id(index, 0), terrain, run, reach, shallow_share * radius, out);
+/// Contact points of a disk, or of an end of a wall, with segments and convex corners. The cone of an end
+/// reaches to where the sides of the wall have the contact; `outward` leads out of the wall there, and is
+/// zero for a disk.
+void round_contacts(const Vec2& centre, double radius, const Vec2& outward, FeatureId feature,
+                    const Terrain2& terrain, const Terrain2::Run& run, double reach, Contacts& out) {
+  point_contacts(centre, radius, feature, terrain, run, reach, shallow_share * radius, out);
   for (int i = std::max(run.first, 1); i <= std::min(run.last + 1, terrain.segments() - 1); ++i) {
     if (terrain.corner(i) != Corner::convex) continue;
     const Vec2 away = centre - terrain.point(i);
     const double distance = away.norm(), gap = distance - radius;
     // Only strictly inside the cone, because on its sides the segments give the contact.
     if (gap > reach || away.dot(terrain.tangent(i - 1)) <= 1e-9 * terrain.length(i - 1) ||
-        away.dot(terrain.tangent(i)) >= -1e-9 * terrain.length(i))
+        away.dot(terrain.tangent(i)) >= -1e-9 * terrain.length(i) || outward.dot(away) > 0)
       continue;
     const Vec2 normal = away / distance;
-    out.push_back({terrain.point(i) + 0.5 * gap * normal, normal, gap, vertex_id(index, 0), corner_id(i)});
+    out.push_back({terrain.point(i) + 0.5 * gap * normal, normal, gap, feature, corner_id(i)});
   }
 }
 
-/// Contact points of the edges of a polygon with convex corners.
+/// Contact points of the edges of a polygon or a wall with convex corners.
 void edge_contacts(const Placed2& polygon, int index, const Terrain2& terrain, const Terrain2::Run& run,
-                   double reach, double cone_slack, std::vector<ContactPoint<2>>& out) {
+                   double reach, double cone_slack, Contacts& out) {
   const int n = polygon.count();
   for (int i = std::max(run.first, 1); i <= std::min(run.last + 1, terrain.segments() - 1); ++i) {
     if (terrain.corner(i) != Corner::convex) continue;
     const Vec2& corner = terrain.point(i);
     int edge = 0;
     double gap = -1e300;
-    for (int e = 0; e < n && gap <= reach; ++e)
+    const double farthest = reach + polygon.shape.radius;
+    for (int e = 0; e < n && gap <= farthest; ++e)
       if (const double outside = polygon.outside(e, corner); outside > gap) gap = outside, edge = e;
+    gap -= polygon.shape.radius;
     const Vec2 normal = -polygon.normal(edge);
     if (gap > reach || !in_cone(terrain, i, normal, cone_slack)) continue;
-    // If a vertex stands on the corner, the vertex gives the contact.
+    // If a vertex stands on the corner, or the end of a wall is over it, this gives the contact.
     const Vec2 a = polygon.point(edge), b = polygon.point((edge + 1) % n);
+    if (n == 2 && ((corner - a).dot(b - a) <= 0 || (corner - b).dot(a - b) <= 0)) continue;
     if (std::min((a - corner).norm(), (b - corner).norm()) <= 1e-7 * (b - a).norm()) continue;
     out.push_back({corner + 0.5 * gap * normal, normal, gap, edge_id(index, edge), corner_id(i)});
   }
@@ -125,12 +130,19 @@ void terrain_contacts(const Placed2& contactor, int contactor_index, const Terra
   const double grow = contactor.shape.radius + reach;
   const auto run = terrain.segments_between(low - grow, high + grow);
   if (contactor.count() == 1) {
-    disk_contacts(contactor, contactor_index, terrain, run, reach, out);
+    round_contacts(contactor.point(0), contactor.shape.radius, Vec2::Zero(), vertex_id(contactor_index, 0),
+                   terrain, run, reach, out);
     return;
   }
-  const double shallow = shallow_share * contactor.shape.bound;
-  for (int k = 0; k < contactor.count(); ++k)
-    point_contacts(contactor.point(k), 0, vertex_id(contactor_index, k), terrain, run, reach, shallow, out);
+  const double radius = contactor.shape.radius, shallow = shallow_share * contactor.shape.bound;
+  for (int k = 0; k < contactor.count(); ++k) {
+    const Vec2 point = contactor.point(k);
+    if (radius > 0)
+      round_contacts(point, radius, point - contactor.point(1 - k), vertex_id(contactor_index, k), terrain,
+                     run, reach, out);
+    else
+      point_contacts(point, 0, vertex_id(contactor_index, k), terrain, run, reach, shallow, out);
+  }
   // The corner at the end of a segment holds a polygon that lies flush on it, up to this angle [rad].
   constexpr double flush = 1e-4;
   edge_contacts(contactor, contactor_index, terrain, run, reach, flush + turn, out);

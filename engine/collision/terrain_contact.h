@@ -10,15 +10,15 @@
 
 namespace flyrock {
 
-/// Appends the contacts of a disk or convex polygon with the terrain whose gap is at most `reach` [m].
+/// Appends the contacts of a disk, wall or convex polygon with the terrain whose gap is at most `reach` [m].
 ///
 /// A disk meets each segment whose strip contains its centre, and each convex corner in whose cone of normals
-/// its centre lies. A polygon meets segments with its vertices, and convex corners with its edges. Flat and
-/// concave corners are not features, so that internal edges are not felt. A vertex deep below the ground,
-/// which only fixed time steps produce, is pushed out to the nearest point of the polyline. `contactor_index`
-/// is part of the feature ids. `turn` [rad] is the rotation of the body since a state without penetration,
-/// because contacts are detected in the middle of a step. An edge that has left a corner's cone by at most
-/// this angle is still held.
+/// its centre lies. A polygon meets segments with its vertices, and convex corners with its edges. The ends
+/// of a wall are disks, its sides edges of a polygon. Flat and concave corners are not features, so that
+/// internal edges are not felt. A vertex deep below the ground, which only fixed time steps produce, is
+/// pushed out to the nearest point of the polyline. `contactor_index` is part of the feature ids. `turn`
+/// [rad] is the rotation of the body since a state without penetration, because contacts are detected in the
+/// middle of a step. An edge that has left a corner's cone by at most this angle is still held.
 void terrain_contacts(const Placed2& contactor, int contactor_index, const Terrain2& terrain, double reach,
                       double turn, std::vector<ContactPoint<2>>& out);
 

@@ -93,6 +93,13 @@ Contactor2 Contactor2::disk(double radius, const Vec2& centre) {
   return {{centre}, {}, radius, centre.norm() + radius};
 }
 
+Contactor2 Contactor2::wall(const Vec2& start, const Vec2& end, double radius) {
+  std::vector<Vec2> points{start, end};
+  auto normals = edge_normals(points);
+  const double bound = bound_of(points, radius);
+  return {std::move(points), std::move(normals), radius, bound};
+}
+
 Contactor2 Contactor2::polygon(std::vector<Vec2> vertices) {
   auto normals = edge_normals(vertices);
   const double bound = bound_of(vertices, 0);

@@ -13,14 +13,16 @@ namespace flyrock {
 /// are a wall with rounded ends. Coordinates in the body's frame, metres.
 struct Contactor2 {
   std::vector<Vec2> points;
-  std::vector<Vec2>
-      normals;  ///< outward unit normal of the edge from points[i] to points[i + 1]; none for a disk
+  std::vector<Vec2> normals;  ///< outward unit normal of the edge from points[i] to points[i + 1]; none for a
+                              ///< disk, two for a wall
   double radius = 0;
   double bound = 0;  ///< radius of the smallest circle about the frame's origin that contains the contactor
 
   static constexpr std::size_t most_vertices = 1 << 15;  ///< limit of a feature id (collision/contact.h)
 
   static Contactor2 disk(double radius, const Vec2& centre = Vec2::Zero());
+  /// The segment from `start` to `end`, grown by a radius.
+  static Contactor2 wall(const Vec2& start, const Vec2& end, double radius);
   /// Counter-clockwise convex polygon; the normals are computed.
   static Contactor2 polygon(std::vector<Vec2> vertices);
 

@@ -52,10 +52,11 @@ double room_at(const Vec3& place, const Terrain3& terrain, double most) {
 
 /// The length of a contactor divided by its thickness, as if it were a rectangle or a box; exact for these.
 double slenderness(const Contactor2& contactor) {
-  if (contactor.points.size() < 3) return 1;
+  if (contactor.points.size() == 1) return 1;
   double length = 0;
   for (const Vec2& point : contactor.points)
     length = std::max(length, (point - contactor.points.front()).norm());
+  length += 2 * contactor.radius;
   return length * length / area_properties({contactor}).area;
 }
 

@@ -1,0 +1,254 @@
+// Walls against all shapes in 2D and the profile: contacts, gaps and times of impact against a search over
+// the axis.
+
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "collision/feature_gap.h"
+#include "collision/narrow_phase.h"
+#include "collision/terrain_contact.h"
+#include "collision/time_of_contact.h"
+
+using namespace flyrock;
+
+namespace {
+
+using Contacts = std::vector<ContactPoint<2>>;
+
+double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 along = b - a;
+  const double s =
+      along.squaredNorm() > 0 ? std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0) : 0;
+  return (p - a - s * along).norm();
+}
+
+double distance_of_segments(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  const bool cross_ab = cross(Vec2(b - a), Vec2(c - a)) * cross(Vec2(b - a), Vec2(d - a)) < 0;
+  const bool cross_cd = cross(Vec2(d - c), Vec2(a - c)) * cross(Vec2(d - c), Vec2(b - c)) < 0;
+  if (cross_ab && cross_cd) return 0;
+  return std::min({distance_to_segment(a, c, d), distance_to_segment(b, c, d), distance_to_segment(c, a, b),
+                   distance_to_segment(d, a, b)});
+}
+
+/// The distance of a place from the outline of a core.
+double distance_to(const Placed2& placed, const Vec2& p) {
+  double least = 1e300;
+  for (int i = 0; i < placed.count(); ++i)
+    least = std::min(least, distance_to_segment(p, placed.point(i), placed.point((i + 1) % placed.count())));
+  return least;
+}
+
+/// The gap of a wall with the outline of a core: the least of all pairs of segments.
+double searched_gap(const Placed2& wall, const Placed2& other) {
+  double least = 1e300;
+  for (int i = 0; i < other.count(); ++i)
+    least = std::min(least, distance_of_segments(wall.point(0), wall.point(1), other.point(i),
+                                                 other.point((i + 1) % other.count())));
+  return least - wall.shape.radius - other.shape.radius;
+}
+
+bool is_inside(const Placed2& polygon, const Vec2& p) {
+  if (polygon.count() < 3) return false;
+  for (int e = 0; e < polygon.count(); ++e)
+    if (polygon.outside(e, p) > 0) return false;
+  return true;
+}
+
+struct Dice {
+  std::mt19937 rng{7};
+  double operator()(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(rng);
+  }
+  Rotation2 rotation() { return Rotation2::from_angle((*this)(-pi, pi)); }
+  Vec2 direction() { return rotation() * Vec2::UnitX(); }
+};
+
+Contactor2 wall_of(double length, double radius) {
+  return Contactor2::wall({-length / 2, 0}, {length / 2, 0}, radius);
+}
+
+std::vector<Contactor2> others() {
+  return {Contactor2::disk(0.3), wall_of(1.1, 0.15),
+          Contactor2::polygon({{-0.4, -0.3}, {0.5, -0.2}, {0.1, 0.4}}),
+          Contactor2::polygon({{-0.4, -0.3}, {0.4, -0.3}, {0.4, 0.3}, {-0.4, 0.3}})};
+}
+
+const ContactPoint<2>& nearest_in(const Contacts& contacts) {
+  return *std::min_element(contacts.begin(), contacts.end(),
+                           [](const auto& a, const auto& b) { return a.gap < b.gap; });
+}
+
+}  // namespace
+
+TEST_CASE("walls and other shapes at 10,000 random placements have the gap, normal and places of a search") {
+  Dice dice;
+  const Contactor2 wall = wall_of(0.9, 0.2);
+  for (const Contactor2& other : others()) {
+    int wrong = 0;
+    for (int tested = 0; tested < 10000;) {
+      const Placed2 a{wall, {dice(0.1, 1.4) * dice.direction(), dice.rotation()}};
+      const Placed2 b{other, {Vec2::Zero(), dice.rotation()}};
+      const double gap = searched_gap(a, b);
+      if (gap <= 1e-6 - wall.radius - other.radius || is_inside(b, a.point(0))) continue;
+      const bool turned = ++tested % 2;
+      Contacts contacts;
+      if (turned)
+        body_contacts(b, 0, a, 1, 10, contacts);
+      else
+        body_contacts(a, 0, b, 1, 10, contacts);
+      REQUIRE_FALSE(contacts.empty());
+      const ContactPoint<2>& c = nearest_in(contacts);
+      const Vec2 on_a = c.point + (turned ? -0.5 : 0.5) * c.gap * c.normal, on_b = 2 * c.point - on_a;
+      const double known =
+          turned ? feature_gap(b, c.feature, a, c.against) : feature_gap(a, c.feature, b, c.against);
+      wrong += std::abs(c.gap - gap) > 1e-12 || std::abs(known - gap) > 1e-12 ||
+               std::abs(distance_to(a, on_a) - wall.radius) > 1e-12 ||
+               std::abs(distance_to(b, on_b) - other.radius) > 1e-12;
+    }
+    CHECK(wrong == 0);
+  }
+}
+
+TEST_CASE("a wall that lies flush on a wall or a polygon has two contacts, and one where they stand askew") {
+  const Contactor2 wall = wall_of(1, 0.2),
+                   box = Contactor2::polygon({{-0.5, -1}, {0.5, -1}, {0.5, 0.2}, {-0.5, 0.2}});
+  for (const Contactor2* below : {&wall, &box}) {
+    const double height = 0.4;
+    for (const double x : {0.0, 0.3}) {
+      Contacts contacts;
+      body_contacts({wall, {{x, height}, {}}}, 0, {*below, {}}, 1, 1e-6, contacts);
+      REQUIRE(contacts.size() == 2);
+      std::sort(contacts.begin(), contacts.end(),
+                [](const auto& a, const auto& b) { return a.point.x() < b.point.x(); });
+      CHECK((contacts[0].point - Vec2(x - 0.5, 0.2)).norm() < 1e-12);
+      CHECK((contacts[1].point - Vec2(0.5, 0.2)).norm() < 1e-12);
+      for (const auto& c : contacts) CHECK((c.normal - Vec2::UnitY()).norm() < 1e-12);
+    }
+    Contacts contacts;
+    body_contacts({wall, {{0, height + 0.5 * std::sin(0.1)}, Rotation2::from_angle(0.1)}}, 0, {*below, {}}, 1,
+                  1e-3, contacts);
+    REQUIRE(contacts.size() == 1);
+    CHECK(std::abs(contacts[0].gap) < 1e-12);
+  }
+  // End to end
+  Contacts contacts;
+  body_contacts({wall, {{1.5, 0}, {}}}, 0, {wall, {}}, 1, 1, contacts);
+  REQUIRE(contacts.size() == 1);
+  CHECK(contacts[0].gap == Approx(0.1).epsilon(1e-12));
+  CHECK((contacts[0].normal - Vec2::UnitX()).norm() < 1e-12);
+}
+
+namespace {
+
+Profile rugged() {
+  Profile profile;
+  profile.points = {{-9, 1},     {-4, 1},   {-1, 0},    {-0.6, 0.8}, {0, 0.9},
+                    {0.3, -0.5}, {1, -0.5}, {1.2, 0.1}, {4, -0.4},   {9, -0.4}};
+  profile.part.assign(profile.points.size() - 1, 0);
+  profile.parts = {""};
+  return profile;
+}
+
+/// The gap to the profile; the axis must be above it.
+double searched_gap(const Placed2& wall, const Terrain2& terrain) {
+  double least = 1e300;
+  for (int i = 0; i < terrain.segments(); ++i)
+    least =
+        std::min(least, distance_of_segments(wall.point(0), wall.point(1), terrain.start(i), terrain.end(i)));
+  return least - wall.shape.radius;
+}
+
+bool is_below(const Placed2& wall, const Terrain2& terrain) {
+  return searched_gap(wall, terrain) <= 1e-6 - wall.shape.radius ||
+         wall.point(0).y() < terrain.height(wall.point(0).x());
+}
+
+}  // namespace
+
+TEST_CASE("walls at 10,000 random places over a profile have the gap of a search") {
+  Dice dice;
+  const Contactor2 wall = wall_of(0.9, 0.2);
+  const Terrain2 terrain{rugged()};
+  int wrong = 0;
+  for (int tested = 0; tested < 10000;) {
+    const Placed2 placed{wall, {{dice(-5, 5), dice(-0.5, 2)}, dice.rotation()}};
+    if (is_below(placed, terrain)) continue;
+    const double gap = searched_gap(placed, terrain);
+    if (gap > 0.4) continue;
+    ++tested;
+    Contacts contacts;
+    terrain_contacts(placed, 0, terrain, 0.4, 0, contacts);
+    if (contacts.empty()) {
+      ++wrong;
+      continue;
+    }
+    const ContactPoint<2>& c = nearest_in(contacts);
+    const Vec2 on_wall = c.point + 0.5 * c.gap * c.normal;
+    wrong += std::abs(c.gap - gap) > 1e-12 ||
+             std::abs(feature_gap(placed, c.feature, terrain, c.against) - gap) > 1e-12 ||
+             std::abs(distance_to(placed, on_wall) - wall.radius) > 1e-12;
+  }
+  CHECK(wrong == 0);
+}
+
+namespace {
+
+/// Up to 300 m/s and 500 rad/s, towards the origin.
+Motion2 shot(Dice& dice) {
+  Motion2 motion;
+  motion.x = dice(1.5, 4) * dice.direction();
+  motion.v = dice(0, 300) * (dice(0, 0.8) * dice.direction() - motion.x).normalized();
+  motion.a = {0, -9.81};
+  motion.angle = dice(-pi, pi);
+  motion.w = dice(-500, 500);
+  return motion;
+}
+
+Placed2 at(const Contactor2& shape, const Motion2& motion, double t) {
+  return {shape, {motion.position(t), Rotation2::from_angle(motion.angle_at(t))}};
+}
+
+/// Whether the gap is open until a time of impact, or until `end`, and closed at it.
+template <class Gap>
+bool agrees(const std::optional<double>& touch, double end, const Gap& gap) {
+  constexpr int places = 100;
+  for (int i = 0; i < places; ++i)
+    if (gap(touch.value_or(end) * i / places) < -1e-10) return false;
+  return !touch || std::abs(gap(*touch)) < 1e-10;
+}
+
+}  // namespace
+
+TEST_CASE("no shot wall passes through another shape or the profile, and it touches at gap 0") {
+  Dice dice;
+  const Contactor2 wall = wall_of(0.9, 0.2);
+  constexpr double end = 0.03;
+  TouchSearch search;
+  search.size = wall.bound;
+  std::uint64_t iterations = 0;
+  search.iterations = &iterations;
+  int wrong = 0, touches = 0;
+  for (const Contactor2& other : others())
+    for (int i = 0; i < 300; ++i) {
+      const Motion2 motion = shot(dice);
+      Motion2 spinning;
+      spinning.w = dice(-500, 500);
+      if (i % 2) spinning.v = dice(0, 100) * dice.direction();
+      const auto touch = i % 3 ? time_of_contact(wall, 0, motion, other, 0, spinning, end, search)
+                               : time_of_contact(other, 0, spinning, wall, 0, motion, end, search);
+      touches += touch.has_value();
+      wrong += !agrees(touch, end,
+                       [&](double t) { return searched_gap(at(wall, motion, t), at(other, spinning, t)); });
+    }
+  const Terrain2 terrain{rugged()};
+  for (int i = 0; i < 1000; ++i) {
+    Motion2 motion = shot(dice);
+    motion.x.y() = std::abs(motion.x.y()) + 2;
+    const auto touch = time_of_contact(wall, 0, motion, terrain, end, search);
+    touches += touch.has_value();
+    wrong += !agrees(touch, end, [&](double t) { return searched_gap(at(wall, motion, t), terrain); });
+  }
+  CHECK(wrong == 0);
+  CHECK(touches > 500);
+  CHECK(iterations < 30 * 2200);
+}
