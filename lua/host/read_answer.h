@@ -11,8 +11,11 @@ namespace flyrock {
 /// The result at the top of the stack, as a tree.
 Value answer_tree(const LuaCall& call, lua_State* lua);
 
-/// Reads { radius = r [, centre = { x, y }] }, { vertices = { { x, y }, ... } }, or a list of these.
+/// Reads { radius = r [, centre = { x, y }] }, { vertices = { { x, y }, ... } }, { vertices = { p, q },
+/// radius = r } (a wall), or a list of these. In 3D with `points` in place of `vertices`; with two and a
+/// radius a pill.
 std::vector<Contactor2> read_shape(const LuaCall& call, const Value& answer);
+std::vector<Contactor3> read_shape_3d(const LuaCall& call, const Value& answer);
 
 /// Reads { points = { { x, y }, ... } [, parts = { name of each segment }] [, faces = { { toe = { x, y },
 /// crest = { x, y } }, ... }] }. Without parts, the terrain is one part without a name.

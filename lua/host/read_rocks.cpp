@@ -142,20 +142,31 @@ class RockReader : public AnswerReader {
     check_keys(value, path, {"radius", "centre", Names::corners});
     const Value *radius = value.find("radius"), *corners = value.find(Names::corners),
                 *centre = value.find("centre");
-    if ((radius != nullptr) == (corners != nullptr))
-      wrong(path, value, fmt::format("either `radius` or `{}` in it", Names::corners));
-    if (corners) {
-      if (centre)
-        call_.fail(fmt::format("returned {}, which goes with a radius, not with {}",
-                               join_path(path, "centre"), Names::corners));
-      return hull_of(*corners, join_path(path, Names::corners));
-    }
+    if (!radius && !corners) wrong(path, value, fmt::format("`radius` or `{}` in it", Names::corners));
+    if (corners && centre)
+      call_.fail(fmt::format("returned {}, which goes with a radius, not with {}", join_path(path, "centre"),
+                             Names::corners));
+    if (corners && !radius) return hull_of(*corners, join_path(path, Names::corners));
     const double r = positive(*radius, join_path(path, "radius"));
+    if (corners) return grown(*corners, r, join_path(path, Names::corners));
     const Vec<D> middle = centre ? place(*centre, join_path(path, "centre")) : Vec<D>(Vec<D>::Zero());
     if constexpr (D == 2)
       return Contactor2::disk(r, middle);
     else
       return Contactor3::sphere(r, middle);
+  }
+
+  /// Two points with a radius: a wall or a pill.
+  Contactor grown(const Value& value, double radius, const std::string& path) const {
+    const char* expected = "two different points with a radius";
+    const List& items = list(value, path, expected);
+    if (items.size() != 2) wrong(path, value, expected);
+    const Vec<D> start = place(items[0], join_path(path, 0)), end = place(items[1], join_path(path, 1));
+    if (start == end) wrong(path, value, expected);
+    if constexpr (D == 2)
+      return Contactor2::wall(start, end, radius);
+    else
+      return Contactor3::pill(start, end, radius);
   }
 
   Contactor hull_of(const Value& value, const std::string& path) const {
@@ -180,6 +191,10 @@ class RockReader : public AnswerReader {
 
 std::vector<Contactor2> read_shape(const LuaCall& call, const Value& answer) {
   return RockReader<2>(call).shape(answer, "");
+}
+
+std::vector<Contactor3> read_shape_3d(const LuaCall& call, const Value& answer) {
+  return RockReader<3>(call).shape(answer, "");
 }
 
 template <int D>

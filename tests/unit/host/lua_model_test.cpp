@@ -31,6 +31,11 @@ TEST_CASE("a shape in Lua is a disk, a polygon or several contactors") {
       shape("{ vertices = { {0, 0}, {0, 1}, {1, 1}, {1, 0} } }");  // clockwise is turned round
   CHECK(area_properties(square).area == Approx(1));
   CHECK(shape("{ { radius = 1, centre = { -2, 0 } }, { radius = 1, centre = { 2, 0 } } }").size() == 2);
+  const auto wall = shape("{ vertices = { {-1, 0}, {1, 0} }, radius = 0.5 }");
+  CHECK((wall.front().points.size() == 2 && wall.front().radius == 0.5));
+  CHECK_THROWS_WITH(
+      shape("{ vertices = { {0, 0}, {1, 0}, {1, 1} }, radius = 0.5 }"),
+      "plugin m, m.lua:3: build() returned vertices = a list, expected two different points with a radius");
   CHECK_THROWS_WITH(shape("{ radius = -1 }"),
                     "plugin m, m.lua:3: build() returned radius = -1, expected a number above 0");
   CHECK_THROWS_WITH(shape("{ vertices = { {0, 0}, {1} , {1, 1} } }"),
@@ -40,6 +45,25 @@ TEST_CASE("a shape in Lua is a disk, a polygon or several contactors") {
   CHECK_THROWS_WITH(shape("nil"), Catch::Contains("build() returned"));
   CHECK_THROWS_WITH(shape("{ vertices = { {0, 0}, {1, 0} , {2, 0} } }"),
                     Catch::StartsWith("plugin m, m.lua:3: build() returned vertices: "));
+}
+
+TEST_CASE("a shape in Lua is a sphere, a pill, a polyhedron or several contactors in 3D") {
+  const auto shape_3d = [](const std::string& answer) {
+    OnePlugin lua("shape",
+                  "build = function(p, rng, dimension) assert(dimension == 3) return " + answer + " end");
+    auto rng = stream();
+    return make<ShapeModel>(lua.session, PluginKind::shape, "m", {}, 3).model->build_3d({}, rng);
+  };
+  CHECK(shape_3d("{ radius = 0.5 }").front().round());
+  const auto pill = shape_3d("{ points = { {0, 0, -1}, {0, 0, 1} }, radius = 0.5 }");
+  CHECK((pill.front().points.size() == 2 && pill.front().edges.size() == 1 && pill.front().radius == 0.5));
+  CHECK(shape_3d("{ points = { {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1} } }").front().faces.size() == 4);
+  CHECK(shape_3d("{ { radius = 1, centre = { -2, 0, 0 } }, { radius = 1, centre = { 2, 0, 0 } } }").size() ==
+        2);
+  CHECK_THROWS_WITH(shape_3d("{ points = { {0, 0, 1}, {0, 0, 1} }, radius = 0.5 }"),
+                    Catch::EndsWith("returned points = a list, expected two different points with a radius"));
+  CHECK_THROWS_WITH(shape_3d("{ vertices = { {0, 0}, {1, 0}, {0, 1} } }"),
+                    Catch::Contains("as in 2D, expected `points` in 3D"));
 }
 
 TEST_CASE("a shape draws from the stream that it is passed") {

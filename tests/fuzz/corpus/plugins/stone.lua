@@ -2,6 +2,7 @@ local fr = require "flyrock"
 
 return fr.plugin {
   kind = "shape",
+  dimension = 2,
   name = "stone",
   doc = "A polygon with corners drawn on an ellipse.",
   params = {
