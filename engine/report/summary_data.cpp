@@ -139,6 +139,8 @@ Json barriers_data(const Scenario& scenario, const std::vector<BarrierSummary>& 
       intervals[name] = interval_data(barrier.shares[o].interval);
       counts[name] = barrier.outcomes[o];
     }
+    data["past"] = number(barrier.past.value);
+    intervals["past"] = interval_data(barrier.past.interval);
     data["not_reached"] = number(others.value);
     intervals["not_reached"] = interval_data(others.interval);
     counts["not_reached"] = barrier.not_reached;

@@ -82,6 +82,7 @@ std::vector<BarrierSummary> CrossingTally::barriers() const {
     summary.not_reached = rocks_ - at.speed.size();
     summary.reached = share(at.speed.size(), at);
     for (std::size_t o = 0; o < at.outcomes.size(); ++o) summary.shares[o] = share(at.outcomes[o], at);
+    summary.past = share(at.speed.size() - at.outcomes[static_cast<std::size_t>(BarrierOutcome::caught)], at);
     summary.energy = bounded(at.energy, open(at) > 0);
     summary.height = bounded(at.height, open(at) > 0);
     summaries.push_back(summary);

@@ -23,6 +23,7 @@ struct BarrierSummary {
   std::uint64_t not_reached = 0;            ///< rocks that did not arrive; with the outcomes, all rocks
   Share reached;                            ///< rocks that arrived, of all rocks
   std::array<Share, 3> shares{};            ///< of all rocks, indexed by BarrierOutcome
+  Share past;                               ///< over the top or through, of all rocks
   Statistics energy{}, height{};            ///< of the rocks that arrived, before the barrier acts
 };
 

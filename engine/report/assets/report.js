@@ -45,6 +45,7 @@ azimuth_section();
 clearance_section();
 area_section();
 crossings_section();
+barrier_design_section();
 envelopes_section();
 sensitivity_section();
 sweep_section();

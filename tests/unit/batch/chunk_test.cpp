@@ -29,8 +29,8 @@ TrialRecords some_records() {
   rock.travel.time = {1, 2, 3, 4};
   rock.travel.distance = {5, 6, 7, 8};
   records.rocks = {rock, RockRecord{}};
-  records.gates = {{7, 1, {.gate = 2, .time = 1.5, .speed = 3, .kinetic_energy = 4, .height = -0.5}}};
-  records.barriers = {{7, 1, {.barrier = 1, .outcome = BarrierOutcome::over_energy, .time = 2, .speed = 9}}};
+  records.gates = {{7, 1, {{.time = 1.5, .speed = 3, .kinetic_energy = 4, .height = -0.5, .along = 12}, 2}}};
+  records.barriers = {{7, 1, {{.time = 2, .speed = 9}, 1, BarrierOutcome::over_energy}}};
   records.inputs = {{7, 1, 4, 2, 0.3}};
   ImpactRecord impact{7, 1, {}};
   impact.impact.other = -1;
@@ -78,6 +78,7 @@ TEST_CASE("A chunk reads back as it was written") {
   CHECK(read->rocks[0].start_y == -0.25);
   CHECK(read->rocks[0].end_part == 5);
   CHECK(read->gates[0].passage.height == -0.5);
+  CHECK(read->gates[0].passage.along == 12);
   CHECK(read->barriers[0].hit.outcome == BarrierOutcome::over_energy);
   CHECK(read->barriers[0].hit.barrier == 1);
   CHECK(read->impacts[0].impact.other == -1);

@@ -33,6 +33,7 @@ TEST_CASE("a path arrives at a polyline where it crosses a piece, and not where 
   CHECK(time_to(line, path({0, 0}, {2, 0}), 4.9) == -1);
   const auto arrival = Approach(line, {0, 10}).arrival(path({0, 10}, {5, 0}), no_end);
   CHECK((arrival->place - Vec2(15, 10)).norm() < 1e-12);
+  CHECK(arrival->along == Approx(10 + std::sqrt(50)).epsilon(1e-14));
 }
 
 TEST_CASE("a path through a corner, an end or along a piece of a line arrives") {

@@ -20,11 +20,11 @@ TrialRecords records(bool lost_before_the_gate) {
   TrialRecords r;
   r.rocks = {rock(0, StopReason::stopped), rock(1, StopReason::caught), rock(2, StopReason::diverged),
              rock(3, lost_before_the_gate ? StopReason::timed_out : StopReason::stopped)};
-  r.gates = {{0, 0, {.gate = 0, .speed = 2, .kinetic_energy = 1000, .height = 0.5}},
-             {1, 0, {.gate = 0, .speed = 4, .kinetic_energy = 3000, .height = 1.5}},
-             {2, 0, {.gate = 0, .speed = 9, .kinetic_energy = 9000, .height = 9}}};
-  r.barriers = {{0, 0, {.barrier = 0, .outcome = BarrierOutcome::over_top, .kinetic_energy = 1000}},
-                {1, 0, {.barrier = 0, .outcome = BarrierOutcome::caught, .kinetic_energy = 3000}}};
+  r.gates = {{0, 0, {{.speed = 2, .kinetic_energy = 1000, .height = 0.5}, 0}},
+             {1, 0, {{.speed = 4, .kinetic_energy = 3000, .height = 1.5}, 0}},
+             {2, 0, {{.speed = 9, .kinetic_energy = 9000, .height = 9}, 0}}};
+  r.barriers = {{0, 0, {{.kinetic_energy = 1000}, 0, BarrierOutcome::over_top}},
+                {1, 0, {{.kinetic_energy = 3000}, 0, BarrierOutcome::caught}}};
   return r;
 }
 
@@ -77,6 +77,6 @@ TEST_CASE("A rock lost before it arrived makes the numbers of a gate lower bound
   CHECK(point.gates[0].share.interval.lower == share_interval(2, 3, 0.95).lower);
   CHECK(point.gates[0].share.interval.upper == 1);
   CHECK(point.barriers[0].reached.censored);
-  rows.gates.push_back({3, 0, {.gate = 0, .speed = 1, .kinetic_energy = 10, .height = 0}});
+  rows.gates.push_back({3, 0, {{.speed = 1, .kinetic_energy = 10, .height = 0}, 0}});
   CHECK_FALSE(result(rows).gates[0].share.censored);
 }

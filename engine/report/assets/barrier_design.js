@@ -1,0 +1,88 @@
+// Where numbers of a barrier are swept: which share of the rocks gets past it, and the smallest barriers that hold enough.
+
+const most_maps = 12;
+/** The axes of the sweep that are numbers of barrier b. */
+const axes_of_barrier = (b) => data.axes.filter((axis) => axis.path.startsWith(`barriers.${b}.`) && !is_choice(axis));
+/** A barrier with more of it holds at least as many rocks. */
+const is_strength = (axis) => axis.path.endsWith(".height") || axis.path.endsWith(".capacity");
+const last_step = (axis) => axis.path.split(".").pop();
+const different = (list) => [...new Set(list)];
+
+/** { key, points } for each combination of values of `axes`. */
+function points_by(axes) {
+  const groups = new Map();
+  for (const point of summary.points) {
+    const key = axes.map((axis) => `${last_step(axis)} ${at_text(axis, point)}`).join(", ");
+    groups.set(key, [...(groups.get(key) ?? []), point]);
+  }
+  return [...groups].map(([key, points]) => ({ key, points }));
+}
+
+/** Of barrier b: those among `points` that hold the share `held` with 95 % confidence, and of which no other one is weaker. */
+function smallest(b, points, held) {
+  const strengths = axes_of_barrier(b).filter(is_strength);
+  const holding = points.filter((point) => point.barriers[b].share_intervals.past[1] !== null && point.barriers[b].share_intervals.past[1] <= 1 - held);
+  const weaker = (p, q) => p !== q && strengths.every((axis) => at_axis(axis, p) <= at_axis(axis, q)) && strengths.some((axis) => at_axis(axis, p) < at_axis(axis, q));
+  return holding.filter((point) => !holding.some((other) => weaker(other, point)));
+}
+
+/** One map for each combination of the other axes: the share past barrier b over two of its numbers. */
+function draw_maps(node, b, [across, up], maps) {
+  const columns = Math.min(3, maps.length), rows = Math.ceil(maps.length / columns);
+  const layout = { height: 80 + 260 * rows, showlegend: false, margin: { l: 70, r: 20, t: 40, b: 60 }, annotations: [] };
+  const traces = maps.map(({ key, points }, i) => {
+    const place = cell_of(i, maps.length, columns);
+    const x = different(points.map((p) => at_axis(across, p))), y = different(points.map((p) => at_axis(up, p)));
+    const share = (xi, yi) => points.find((p) => at_axis(across, p) === xi && at_axis(up, p) === yi)?.barriers[b].past ?? null;
+    const z = y.map((yi) => x.map((xi) => share(xi, yi)));
+    layout[`xaxis${nth(i)}`] = { ...axis(in_unit(last_step(across), across.unit)), type: "category", domain: place.x, anchor: `y${nth(i)}` };
+    layout[`yaxis${nth(i)}`] = { ...axis(i % columns === 0 ? in_unit(last_step(up), up.unit) : ""), type: "category", domain: place.y, anchor: `x${nth(i)}` };
+    if (key) layout.annotations.push({ x: place.x[0], y: place.y[1], xref: "paper", yref: "paper", xanchor: "left", yanchor: "bottom", showarrow: false, font: { size: 12 }, text: `<b>${key}</b>` });
+    return {
+      type: "heatmap", x: x.map(show), y: y.map(show), z: z.map((row) => row.map((s) => (s === null ? null : 100 * s))), text: z.map((row) => row.map((s) => (s === null ? "" : percent(s)))), texttemplate: "%{text}",
+      xaxis: `x${nth(i)}`, yaxis: `y${nth(i)}`, zmin: 0, zmax: 100, showscale: false, colorscale: [[0, "#ffffff"], [0.05, "#fde3cf"], [0.3, "#f2a36b"], [1, "#a63a00"]], hovertemplate: "%{text} of all rocks get past<extra></extra>",
+    };
+  });
+  plot(node, traces, layout);
+}
+
+/** The points of each place: of the other axes' values. */
+const places_of_design = (b) => points_by(data.axes.filter((axis) => !(axes_of_barrier(b).includes(axis) && is_strength(axis))));
+
+function design_table(b, held) {
+  const axes = data.axes, chosen = places_of_design(b).flatMap(({ points }) => smallest(b, points, held));
+  const past = (point) => right(point.barriers[b].past === null ? "–" : with_interval(point.barriers[b].past, point.barriers[b].share_intervals.past));
+  return table("Share of all rocks that gets past, over the top or through, with its 95 % interval", ["point", ...axes.map((axis) => in_unit(axis.path, axis.unit)), "caught", "past (95 %)", "holds"],
+    summary.points.map((point) => {
+      const high = point.barriers[b].share_intervals.past[1];
+      return [point.point, ...axes.map((axis) => at_axis(axis, point)), right(point.barriers[b].caught === null ? "–" : percent(point.barriers[b].caught)), past(point),
+        high === null || high > 1 - held ? "not shown" : chosen.includes(point) ? { text: "✓ smallest", cls: "passed" } : "✓"];
+    }));
+}
+
+function barrier_design_section() {
+  summary.points[0].barriers.forEach((barrier, b) => {
+    const own = axes_of_barrier(b);
+    if (!many_points || own.length === 0) return;
+    const title = summary.points[0].barriers.length > 1 ? `Choice of a barrier: ${barrier.barrier}` : "Choice of a barrier";
+    const strengths = own.filter(is_strength), maps_of = (strengths.length === 2 ? strengths : own).slice(0, 2);
+    const maps = points_by(data.axes.filter((axis) => !maps_of.includes(axis)));
+    const node = maps_of.length === 2 ? plot_node(`The share of rocks that gets past ${barrier.barrier}; the same numbers in the table below`) : null;
+    const told = paragraph("", ""), place = element("div");
+    let held = 0.95;
+    const draw = () => {
+      const names = places_of_design(b).map(({ key, points }) => {
+        const list = smallest(b, points, held).map((point) => strengths.map((axis) => `${last_step(axis)} ${at_text(axis, point)}`).join(" and "));
+        return `${key ? `${key}: ` : ""}${list.length > 0 ? list.join("; or ") : "none of the sweep"}`;
+      });
+      told.textContent = strengths.length === 0 ? "" : `Smallest that hold ${percent(held)} of all rocks with 95 % confidence: ${names.slice(0, 10).join(". ")}.${names.length > 10 ? ` And ${names.length - 10} more places, in the table.` : ""}`;
+      place.replaceChildren(numbers(design_table(b, held)));
+      if (node) draw_maps(node, b, maps_of, maps.slice(0, most_maps));
+    };
+    const choose = chooser("Hold at least", [0.8, 0.9, 0.95, 0.99, 0.999].map((s) => [s, percent(s)]), held, (value) => { held = Number(value); draw(); });
+    section(title, element("p", {}, choose), told, node ?? "", maps.length > most_maps ? paragraph("note", `${most_maps} of ${maps.length} maps shown.`) : "", place,
+      caption("The share of all rocks that goes over the top of the barrier or through it. A barrier holds a share if the upper end of the 95 % interval of the rest is small enough: more trials make it narrower.",
+        "Smallest: no barrier of the sweep that also holds has less height or capacity without more of the other. A rock that does not reach the barrier counts as held. Each point has the same rocks."));
+    redraw.push(draw);
+  });
+}
