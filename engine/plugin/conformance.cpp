@@ -95,6 +95,22 @@ void check_contactors(const std::vector<Contactor3>& contactors) {
   if (!(properties.volume > 0 && properties.inertia.trace() > 0)) fail("a rock has no volume or no inertia");
 }
 
+void add(Numbers& answer, double inertia) { answer.push_back(inertia); }
+void add(Numbers& answer, const Eigen::Matrix3d& inertia) {
+  answer.insert(answer.end(), inertia.reshaped().begin(), inertia.reshaped().end());
+}
+
+template <int D>
+void add(Numbers& answer, const ShapeAnswer<D>& shape) {
+  check_contactors(shape.contactors);
+  add(answer, shape.contactors);
+  const OwnMass<D>& own = shape.own;
+  if (const std::string wrong = fault(own); !wrong.empty()) fail(wrong);
+  if (own.mass) answer.push_back(*own.mass);
+  if (own.centre) answer.insert(answer.end(), own.centre->begin(), own.centre->end());
+  if (own.inertia) add(answer, *own.inertia);
+}
+
 /// Calls the plugin, and adds the inputs of the call to the message of an error.
 template <class Ask, class State>
 void asked_with(const Patience& patience, State&& state, Ask&& ask) {
@@ -125,15 +141,11 @@ void for_each_stream(const Patience& patience, Ask&& ask) {
 Numbers answer_of(const PluginSpec&, const ShapeModel& shape, Values values, int dimension,
                   const Patience& patience) {
   Numbers answer;
-  const auto see = [&](const auto& contactors) {
-    check_contactors(contactors);
-    add(answer, contactors);
-  };
   for_each_stream(patience, [&](int, RandomStream& rng) {
     if (dimension == 2)
-      see(shape.build(values, rng));
+      add(answer, shape.shape(values, rng));
     else
-      see(shape.build_3d(values, rng));
+      add(answer, shape.shape_3d(values, rng));
   });
   return answer;
 }
@@ -148,8 +160,10 @@ void add_spin(Numbers& answer, const Vec3& spin) { answer.insert(answer.end(), s
 
 template <int D>
 void add(Numbers& answer, const RockPlan<D>& rock) {
-  if (!rock.contactors.empty()) check_contactors(rock.contactors);
-  add(answer, rock.contactors);
+  if (rock.shape.contactors.empty())
+    answer.push_back(0);
+  else
+    add(answer, rock.shape);
   for (const auto& vector : {rock.position, rock.velocity}) {
     if (!vector) continue;
     if (!vector->allFinite()) fail("a rock of the population has a position or velocity that is not finite");

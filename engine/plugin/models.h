@@ -10,20 +10,31 @@
 #include "blast/blast.h"
 #include "geometry/contactor.h"
 #include "geometry/contactor3.h"
+#include "geometry/own_mass.h"
 #include "plugin/params.h"
 #include "plugin/terrain_view.h"
 #include "random/stream.h"
 
 namespace flyrock {
 
-/// `shape`: the contactors of one rock, in any frame. The engine moves them to the centre of mass and
-/// computes mass and inertia. A model supports 2D, 3D or both; its factory refuses other dimensions
-/// (Params::require_dimension). Throws PluginError.
+/// The shape of one rock, in any frame. The engine moves it to the centre of mass.
+template <int D>
+struct ShapeAnswer {
+  std::vector<std::conditional_t<D == 2, Contactor2, Contactor3>> contactors;
+  OwnMass<D> own = {};  ///< in place of what follows from the contactors
+};
+
+/// `shape`: one rock. A model implements build() or build_3d(), and the engine computes mass, centre and
+/// inertia from the contactors. A model that knows these implements shape() or shape_3d(), which the engine
+/// calls. A model supports 2D, 3D or both; its factory refuses other dimensions (Params::require_dimension).
+/// Throws PluginError.
 class ShapeModel {
  public:
   virtual ~ShapeModel() = default;
   virtual std::vector<Contactor2> build(Values values, RandomStream& rng) const;
   virtual std::vector<Contactor3> build_3d(Values values, RandomStream& rng) const;
+  virtual ShapeAnswer<2> shape(Values values, RandomStream& rng) const { return {build(values, rng)}; }
+  virtual ShapeAnswer<3> shape_3d(Values values, RandomStream& rng) const { return {build_3d(values, rng)}; }
 };
 
 /// `terrain`: the static contactors, in the dimensions that the model supports. Throws PluginError.
@@ -73,11 +84,11 @@ class VelocityModel {
 /// One rock of a population. Missing fields are taken from its group.
 template <int D>
 struct RockPlan {
-  std::vector<std::conditional_t<D == 2, Contactor2, Contactor3>> contactors;
+  ShapeAnswer<D> shape;            ///< without contactors: the shape of its group
   std::optional<Vec<D>> position;  ///< of the centre of mass, in the coordinates of the scenario [m]
   /// Of the contactors as given: an angle [rad] in 2D.
   std::optional<std::conditional_t<D == 2, double, Rotation3>> orientation;
-  std::optional<double> density;                ///< kg/m3; at most one of density and mass
+  std::optional<double> density;                ///< kg/m3; at most one of density, mass and shape.own.mass
   std::optional<double> mass;                   ///< kg
   std::optional<std::string> material;          ///< towards other rocks
   std::optional<Vec<D>> velocity;               ///< m/s; takes the place of the group's launch

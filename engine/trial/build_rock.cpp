@@ -35,14 +35,14 @@ Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, con
   const RockGroup& group = scenario_.rocks[rock.group];
   const GroupModels& models = instances_.groups[rock.group];
   const std::string stream = "rocks." + group.name, path = fmt::format("rocks.{}.", rock.group);
-  auto contactors = plan.contactors;
+  ShapeAnswer<D> shape = plan.shape;
   bool shape_is_drawn = rock.population_drew;
-  if (contactors.empty()) {
+  if (shape.contactors.empty()) {
     if (!group.shape)
       throw ScenarioError(path + "shape", "neither the population nor `shape` says what shape a rock has");
     RandomStream rng(scenario_.seed, stream + ".shape", rock.key);
-    contactors = at_path(group.shape->path, [&] {
-      return contactors_of<D>(*models.shape, values_of(*group.shape, scenario_, rock.key), rng);
+    shape = at_path(group.shape->path, [&] {
+      return ask_shape<D>(*models.shape, values_of(*group.shape, scenario_, rock.key), rng);
     });
     shape_is_drawn = rng.drawn();
   }
@@ -60,14 +60,15 @@ Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, con
   const auto turn_is_drawn = [&] { return plan.orientation ? rock.population_drew : turn.drawn(); };
   Body<D> body;
   if constexpr (D == 2) {
-    body = make_body(std::move(contactors), density, mass,
-                     group.thickness ? number(*group.thickness, rock.key) : 0);
+    body = make_body(std::move(shape.contactors), density, mass,
+                     group.thickness ? number(*group.thickness, rock.key) : 0, shape.own);
     body.attitude = plan.orientation    ? *plan.orientation
                     : group.orientation ? number(*group.orientation, rock.key)
                                         : turn.uniform(0, 2 * pi);
     if (turn_is_drawn()) rock.outcomes[Outcome::orientation] = body.attitude.angle;
   } else {
-    body = at_path(path + "shape", [&] { return make_body(std::move(contactors), density, mass); });
+    body = at_path(path + "shape",
+                   [&] { return make_body(std::move(shape.contactors), density, mass, shape.own); });
     const Rotation3 turned =
         plan.orientation ? *plan.orientation
         : group.turn
@@ -76,9 +77,13 @@ Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, con
     if (turn_is_drawn()) rock.outcomes[Outcome::orientation] = turned.vector().norm();
     body.attitude = turned * body.attitude.rotation;
   }
+  rock.has_own_inertia = shape.own.inertia.has_value();
   if (shape_is_drawn) rock.outcomes.set_shape(body);
   body.group = group.name;
-  at_path(own_mass ? group.population.path : path + mass_key(group), [&] { refuse_extremes(body); });
+  const std::string mass_path = own_mass         ? group.population.path
+                                : shape.own.mass ? path + "shape"
+                                                 : path + mass_key(group);
+  at_path(mass_path, [&] { refuse_extremes(body); });
   at_path(path + "shape", [&] { refuse_slender(body); });
   Place<D> place;
   if (plan.position)

@@ -228,22 +228,25 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
     rock.key = {number_of_trial, 0, static_cast<std::uint64_t>(i) + 1, 0};
     const auto value = [&](const Number& n) { return number(n, rock.key); };
     RandomStream rng(scenario_.seed, "bodies." + plan.name + ".shape", rock.key);
-    auto contactors = at_path(plan.shape.path, [&] {
-      return contactors_of<D>(*instances_.bodies[i], values_of(plan.shape, scenario_, rock.key), rng);
+    ShapeAnswer<D> shape = at_path(plan.shape.path, [&] {
+      return ask_shape<D>(*instances_.bodies[i], values_of(plan.shape, scenario_, rock.key), rng);
     });
     const bool shape_is_drawn = rng.drawn();
     const double density = plan.density ? value(*plan.density) : 0, mass = plan.mass ? value(*plan.mass) : 0;
     Body<D> body;
     if constexpr (D == 2) {
-      body = make_body(std::move(contactors), density, mass, plan.thickness ? value(*plan.thickness) : 0);
+      body = make_body(std::move(shape.contactors), density, mass,
+                       plan.thickness ? value(*plan.thickness) : 0, shape.own);
       body.attitude = value(plan.orientation);
     } else {
-      body = at_path(path + "shape", [&] { return make_body(std::move(contactors), density, mass); });
+      body = at_path(path + "shape",
+                     [&] { return make_body(std::move(shape.contactors), density, mass, shape.own); });
       if (plan.turn)
         body.attitude =
             at_path(path + "orientation", [&] { return rotation_of(*plan.turn, scenario_, rock.key); }) *
             body.attitude.rotation;
     }
+    rock.has_own_inertia = shape.own.inertia.has_value();
     if (shape_is_drawn) rock.outcomes.set_shape(body);
     body.group = plan.name;
     if (!plan.fixed && !plan.driven) at_path(path + mass_key(plan), [&] { refuse_extremes(body); });

@@ -30,6 +30,7 @@ struct TrialRock {
   double launch_elevation = 0;                  ///< rad above the outward horizontal
   double greatest_throw = 0;                    ///< m, see Launch
   bool population_drew = false;                 ///< its population used `rng`
+  bool has_own_inertia = false;                 ///< its shape answered with it
   Outcomes outcomes;                            ///< of what was drawn for it
   std::string note;                             ///< text from its velocity model
   std::string fault;                            ///< why it could not be built

@@ -75,11 +75,15 @@ inline double elevation_of(const Vec2& v, const Vec3& outward) {
 inline double elevation_of(const Vec3& v, const Vec3&) { return std::atan2(v.z(), v.head<2>().norm()); }
 
 template <int D>
-auto contactors_of(const ShapeModel& shape, const std::vector<double>& values, RandomStream& rng) {
+ShapeAnswer<D> ask_shape(const ShapeModel& model, const std::vector<double>& values, RandomStream& rng) {
+  ShapeAnswer<D> shape;
   if constexpr (D == 2)
-    return shape.build(values, rng);
+    shape = model.shape(values, rng);
   else
-    return shape.build_3d(values, rng);
+    shape = model.shape_3d(values, rng);
+  if (const std::string wrong = fault(shape.own); !wrong.empty())
+    throw PluginError("the shape answered " + wrong);
+  return shape;
 }
 
 /// A spin from its components: one in 2D, three in 3D.

@@ -7,34 +7,46 @@
 
 namespace flyrock {
 
-Body<2> make_body(std::vector<Contactor2> contactors, double density, double mass, double thickness) {
+namespace {
+
+double mass_of(double volume, double density, double mass, const std::optional<double>& own) {
+  if (own) return *own;
+  return density > 0 ? density * volume : mass;
+}
+
+}  // namespace
+
+Body<2> make_body(std::vector<Contactor2> contactors, double density, double mass, double thickness,
+                  const OwnMass<2>& own) {
   const AreaProperties properties = area_properties(contactors);
+  const Vec2 centre = own.centre.value_or(properties.centroid);
   Body<2> body;
   for (Contactor2& contactor : contactors) {
-    contactor.translate(-properties.centroid);
+    contactor.translate(-centre);
     body.size = std::max(body.size, contactor.bound);
   }
   body.contactors = std::move(contactors);
   const double t = thickness > 0 ? thickness : default_thickness(properties.area);
   body.volume = properties.area * t;
-  body.mass = density > 0 ? density * body.volume : mass;
-  body.inertia = body.mass * properties.polar_moment / properties.area;
+  body.mass = mass_of(body.volume, density, mass, own.mass);
+  body.inertia = own.inertia.value_or(body.mass * properties.polar_moment / properties.area);
   body.radius = std::sqrt(properties.area / pi);
   return body;
 }
 
-Body<3> make_body(std::vector<Contactor3> contactors, double density, double mass) {
+Body<3> make_body(std::vector<Contactor3> contactors, double density, double mass, const OwnMass<3>& own) {
   const VolumeProperties properties = volume_properties(contactors);
-  const PrincipalFrame principal = principal_frame(properties.inertia);
+  const PrincipalFrame principal = principal_frame(own.inertia.value_or(properties.inertia));
+  const Vec3 centre = own.centre.value_or(properties.centroid);
   Body<3> body;
   for (Contactor3& contactor : contactors) {
-    contactor.change_frame(properties.centroid, principal.rotation);
+    contactor.change_frame(centre, principal.rotation);
     body.size = std::max(body.size, contactor.bound);
   }
   body.contactors = std::move(contactors);
   body.volume = properties.volume;
-  body.mass = density > 0 ? density * body.volume : mass;
-  body.inertia = body.mass / properties.volume * principal.moments;
+  body.mass = mass_of(body.volume, density, mass, own.mass);
+  body.inertia = own.inertia ? principal.moments : Vec3(body.mass / properties.volume * principal.moments);
   body.radius = std::cbrt(0.75 * properties.volume / pi);
   body.attitude = principal.rotation;
   return body;

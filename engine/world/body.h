@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "collision/geometry.h"
+#include "geometry/own_mass.h"
 #include "world/air.h"
 
 namespace flyrock {
@@ -175,13 +176,16 @@ double Body<D>::kinetic_energy() const {
                                    : 0.0;
 }
 
-/// Makes a dynamic body of contactors that do not overlap. Moves the contactors to the centre of mass and
-/// computes area, volume, mass and inertia exactly. `thickness` [m] <= 0 means default_thickness. Give a
-/// density [kg/m3], or a mass [kg] with density 0.
-Body<2> make_body(std::vector<Contactor2> contactors, double density, double mass, double thickness);
+/// Makes a dynamic body of contactors. Moves the contactors to the centre of mass and computes area, volume,
+/// mass and inertia exactly, as sums over the contactors: where two overlap, the overlap counts twice.
+/// `thickness` [m] <= 0 means default_thickness. Give a density [kg/m3], or a mass [kg] with density 0. `own`
+/// takes the place of what it gives; its mass that of both.
+Body<2> make_body(std::vector<Contactor2> contactors, double density, double mass, double thickness,
+                  const OwnMass<2>& own = {});
 
 /// The same in 3D. The body's frame becomes the principal frame, and the attitude maps it to the frame in
 /// which the contactors were given.
-Body<3> make_body(std::vector<Contactor3> contactors, double density, double mass);
+Body<3> make_body(std::vector<Contactor3> contactors, double density, double mass,
+                  const OwnMass<3>& own = {});
 
 }  // namespace flyrock

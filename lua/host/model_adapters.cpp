@@ -31,11 +31,11 @@ class LuaShape : public ShapeModel {
  public:
   LuaShape(std::shared_ptr<const LuaPlugin> plugin, Params& params)
       : call_(std::move(plugin), params, random_only, Budget::call_limit) {}
-  std::vector<Contactor2> build(Values values, RandomStream& rng) const override {
-    return read_shape(call_, ask(call_, values, {&rng}));
+  ShapeAnswer<2> shape(Values values, RandomStream& rng) const override {
+    return read_shape<2>(call_, ask(call_, values, {&rng}));
   }
-  std::vector<Contactor3> build_3d(Values values, RandomStream& rng) const override {
-    return read_shape_3d(call_, ask(call_, values, {&rng}));
+  ShapeAnswer<3> shape_3d(Values values, RandomStream& rng) const override {
+    return read_shape<3>(call_, ask(call_, values, {&rng}));
   }
 
  private:

@@ -11,11 +11,13 @@ namespace flyrock {
 /// The result at the top of the stack, as a tree.
 Value answer_tree(const LuaCall& call, lua_State* lua);
 
-/// Reads { radius = r [, centre = { x, y }] }, { vertices = { { x, y }, ... } }, { vertices = { p, q },
-/// radius = r } (a wall), or a list of these. In 3D with `points` in place of `vertices`; with two and a
-/// radius a pill.
-std::vector<Contactor2> read_shape(const LuaCall& call, const Value& answer);
-std::vector<Contactor3> read_shape_3d(const LuaCall& call, const Value& answer);
+/// Reads a contactor { radius = r [, centre = { x, y }] } or { vertices = { { x, y }, ... } }, in 3D
+/// { radius = r [, centre = { x, y, z }] } or { points = { { x, y, z }, ... } } (their hull); two vertices or
+/// points with a radius are a wall or a pill; a list of these, or { contactors = one or a list [, mass = kg]
+/// [, inertia = kg m2 (3D: a tensor in rows)] [, centre]
+/// }. Throws ParameterError for a field of the other dimension. Instantiated for D = 2, 3.
+template <int D>
+ShapeAnswer<D> read_shape(const LuaCall& call, const Value& answer);
 
 /// Reads { points = { { x, y }, ... } [, parts = { name of each segment }] [, faces = { { toe = { x, y },
 /// crest = { x, y } }, ... }] }. Without parts, the terrain is one part without a name.
@@ -33,11 +35,9 @@ void refuse_dimension(const LuaCall& call, const Value& answer, const std::vecto
                       int dimension, const std::string& expected);
 
 /// Reads a list of rocks, whose fields may all be left out. In 2D { shape = as above, or radius or vertices
-/// in its place, position = { x, y }, angle = rad, velocity = { vx, vy }, spin = rad/s }. In 3D { shape = a
-/// contactor { radius = r [, centre =] } or { points = { { x, y, z }, ... } } or a list of these, or radius
-/// or points in its place, position, orientation = { axis =, angle = } or a quaternion { w, x, y, z },
-/// velocity, spin as vectors }. In both density or mass, material. Throws ParameterError for a field of the
-/// other dimension. Instantiated for D = 2, 3.
+/// in its place, position = { x, y }, angle = rad, velocity = { vx, vy }, spin = rad/s }. In 3D { shape = as
+/// above, or radius or points in its place, position, orientation = { axis =, angle = } or a quaternion { w,
+/// x, y, z }, velocity, spin as vectors }. In both density or mass, material. Instantiated for D = 2, 3.
 template <int D>
 std::vector<RockPlan<D>> read_rocks(const LuaCall& call, const Value& answer);
 

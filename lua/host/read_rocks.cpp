@@ -30,15 +30,19 @@ class RockReader : public AnswerReader {
   using Others = FieldNames<5 - D>;
   using Contactor = std::conditional_t<D == 2, Contactor2, Contactor3>;
 
-  std::vector<Contactor> shape(const Value& value, const std::string& path) const {
-    if (value.map()) return {contactor(value, path)};
-    const List& items = list(
-        value, path,
-        fmt::format("a contactor {{ radius = ... }} or {{ {} = ... }}, or a list of them", Names::corners));
-    if (items.empty()) wrong(path, value, "at least one contactor");
-    std::vector<Contactor> result;
-    for (std::size_t i = 0; i < items.size(); ++i) result.push_back(contactor(items[i], join_path(path, i)));
-    return result;
+  ShapeAnswer<D> shape(const Value& value, const std::string& path) const {
+    const Value* inner = value.map() ? value.find("contactors") : nullptr;
+    if (!inner) return {contactors(value, path)};
+    check_keys(value, path, {"contactors", "mass", "centre", "inertia"});
+    ShapeAnswer<D> answer{contactors(*inner, join_path(path, "contactors"))};
+    if (const Value* mass = value.find("mass")) answer.own.mass = number(*mass, join_path(path, "mass"));
+    if (const Value* centre = value.find("centre"))
+      answer.own.centre = place(*centre, join_path(path, "centre"));
+    if (const Value* tensor = value.find("inertia"))
+      answer.own.inertia = inertia(*tensor, join_path(path, "inertia"));
+    if (const std::string fault = flyrock::fault(answer.own); !fault.empty())
+      call_.fail(fmt::format("returned {}{}", path.empty() ? "" : path + ": ", fault));
+    return answer;
   }
 
   RockPlan<D> rock(const Value& value, const std::string& path) const {
@@ -48,12 +52,14 @@ class RockReader : public AnswerReader {
                {"radius", Names::corners, "shape", "position", Names::orientation, "density", "mass",
                 "material", "velocity", "spin"});
     RockPlan<D> plan;
-    plan.contactors = contactors_of(value, path);
+    plan.shape = shape_of(value, path);
     if (const Value* position = value.find("position"))
       plan.position = place(*position, join_path(path, "position"));
     if (const Value* turn = value.find(Names::orientation))
       plan.orientation = orientation(*turn, join_path(path, Names::orientation));
     if (value.find("density") && value.find("mass")) wrong(path, value, "one of `density` and `mass` in it");
+    if (plan.shape.own.mass && (value.find("density") || value.find("mass")))
+      wrong(path, value, "no `density` or `mass` in it, because its `shape` has a mass of its own");
     if (const Value* density = value.find("density"))
       plan.density = positive(*density, join_path(path, "density"));
     if (const Value* mass = value.find("mass")) plan.mass = positive(*mass, join_path(path, "mass"));
@@ -70,10 +76,15 @@ class RockReader : public AnswerReader {
  private:
   /// Refuses what belongs to the other dimension.
   [[noreturn]] void refuse(const std::string& path, const std::string& expected) const {
-    call_.fail(
-        fmt::format("returned {} as in {}D, expected {} in {}D: a plugin that serves one dimension says "
-                    "so, `dimension = {}` in its manifest",
-                    path, 5 - D, expected, D, 5 - D));
+    const std::string text = fmt::format(
+        "returned {} as in {}D, expected {} in {}D: a plugin that serves one dimension says "
+        "so, `dimension = {}` in its manifest",
+        path, 5 - D, expected, D, 5 - D);
+    // A shape without `dimension` in its manifest may serve one dimension: it does not fail its check.
+    if (call_.plugin().spec.kind == PluginKind::shape)
+      throw ParameterError(
+          fmt::format("plugin {}: {}() {}", call_.plugin().origin, call_.plugin().entry, text));
+    call_.fail(text);
   }
 
   void refuse_field(const Value& value, const std::string& path, const char* other) const {
@@ -126,14 +137,39 @@ class RockReader : public AnswerReader {
       return vector(value, path, 3);
   }
 
-  std::vector<Contactor> contactors_of(const Value& rock, const std::string& path) const {
+  double inertia(const Value& value, const std::string& path) const requires(D == 2) {
+    return number(value, path);
+  }
+  /// A tensor in rows.
+  Eigen::Matrix3d inertia(const Value& value, const std::string& path) const requires(D == 3) {
+    const char* expected = "{ { xx, xy, xz }, { yx, yy, yz }, { zx, zy, zz } }";
+    const List& rows = list(value, path, expected);
+    if (rows.size() != 3) wrong(path, value, expected);
+    Eigen::Matrix3d tensor;
+    for (int i = 0; i < 3; ++i) tensor.row(i) = vector(rows[i], join_path(path, i), 3);
+    return tensor;
+  }
+
+  /// One contactor or a list of them.
+  std::vector<Contactor> contactors(const Value& value, const std::string& path) const {
+    if (value.map()) return {contactor(value, path)};
+    const List& items = list(
+        value, path,
+        fmt::format("a contactor {{ radius = ... }} or {{ {} = ... }}, or a list of them", Names::corners));
+    if (items.empty()) wrong(path, value, "at least one contactor");
+    std::vector<Contactor> result;
+    for (std::size_t i = 0; i < items.size(); ++i) result.push_back(contactor(items[i], join_path(path, i)));
+    return result;
+  }
+
+  ShapeAnswer<D> shape_of(const Value& rock, const std::string& path) const {
     int given = 0;
     for (const char* key : {"radius", Names::corners, "shape"}) given += rock.find(key) != nullptr;
     if (given > 1) wrong(path, rock, fmt::format("one of `radius`, `{}` and `shape` in it", Names::corners));
     if (const Value* own = rock.find("shape")) return shape(*own, join_path(path, "shape"));
     for (const char* key : {"radius", Names::corners})
       if (const Value* part = rock.find(key))
-        return {contactor(Value{Map{Entry{key, {}, *part}}, {}, false}, path)};
+        return {{contactor(Value{Map{Entry{key, {}, *part}}, {}, false}, path)}};
     return {};
   }
 
@@ -189,13 +225,13 @@ class RockReader : public AnswerReader {
 
 }  // namespace
 
-std::vector<Contactor2> read_shape(const LuaCall& call, const Value& answer) {
-  return RockReader<2>(call).shape(answer, "");
+template <int D>
+ShapeAnswer<D> read_shape(const LuaCall& call, const Value& answer) {
+  return RockReader<D>(call).shape(answer, "");
 }
 
-std::vector<Contactor3> read_shape_3d(const LuaCall& call, const Value& answer) {
-  return RockReader<3>(call).shape(answer, "");
-}
+template ShapeAnswer<2> read_shape(const LuaCall&, const Value&);
+template ShapeAnswer<3> read_shape(const LuaCall&, const Value&);
 
 template <int D>
 std::vector<RockPlan<D>> read_rocks(const LuaCall& call, const Value& answer) {

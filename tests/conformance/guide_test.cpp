@@ -38,7 +38,7 @@ std::vector<std::string> lua_plugins(const std::string& page) {
 
 TEST_CASE("the plugins of the guide load and conform") {
   const auto blocks = lua_plugins(read(FLYROCK_SOURCE_DIR "/docs/writing-a-plugin.md"));
-  REQUIRE(blocks.size() == 4);
+  REQUIRE(blocks.size() == 5);
   LuaSession session(FLYROCK_SHARE_DIR);
   for (const std::string& block : blocks) {
     const TemporaryFile file("guide.lua", block);

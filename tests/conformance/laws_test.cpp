@@ -52,7 +52,7 @@ TEST_CASE("independent asks for its number of rocks and leaves the rest to the g
   RandomStream rng(1, "rocks", {});
   const auto rocks = population.model->rocks(population.values, sampled_terrain(2), {}, rng);
   REQUIRE(rocks.size() == 3);
-  CHECK(rocks[0].contactors.empty());
+  CHECK(rocks[0].shape.contactors.empty());
   CHECK_FALSE(rocks[0].position);
   CHECK_FALSE(rocks[0].orientation);
 }

@@ -59,8 +59,8 @@ TEST_CASE("a population in 3D asks the terrain for heights, normals, ends and fa
     return { {}, { radius = 2, position = { 1001, 2001, 310 } } })",
                               slope.view());
   REQUIRE(rocks.size() == 2);
-  CHECK((rocks[0].contactors.empty() && !rocks[0].position && !rocks[0].orientation));
-  CHECK(rocks[1].contactors.at(0).radius == 2);
+  CHECK((rocks[0].shape.contactors.empty() && !rocks[0].position && !rocks[0].orientation));
+  CHECK(rocks[1].shape.contactors.at(0).radius == 2);
   CHECK(*rocks[1].position == Vec3(1001, 2001, 310));
 }
 

@@ -14,7 +14,7 @@ RandomStream stream() { return RandomStream(1, "test", {}); }
 std::vector<Contactor2> shape(const std::string& answer) {
   OnePlugin lua("shape", "build = function(p, rng) return " + answer + " end");
   auto rng = stream();
-  return make<ShapeModel>(lua.session, PluginKind::shape, "m", {}).model->build({}, rng);
+  return make<ShapeModel>(lua.session, PluginKind::shape, "m", {}).model->shape({}, rng).contactors;
 }
 
 Profile terrain(const std::string& answer) {
@@ -47,23 +47,75 @@ TEST_CASE("a shape in Lua is a disk, a polygon or several contactors") {
                     Catch::StartsWith("plugin m, m.lua:3: build() returned vertices: "));
 }
 
-TEST_CASE("a shape in Lua is a sphere, a pill, a polyhedron or several contactors in 3D") {
-  const auto shape_3d = [](const std::string& answer) {
-    OnePlugin lua("shape",
-                  "build = function(p, rng, dimension) assert(dimension == 3) return " + answer + " end");
+TEST_CASE(
+    "a shape in Lua is a sphere, a hull or several contactors in 3D, and one of the other dimension says "
+    "so") {
+  OnePlugin lua(
+      "shape",
+      R"(params = { kind = fr.choice { choices = { "ball", "cube", "both", "flat", "pill", "dot" } } },
+  build = function(p, rng, dimension)
+    if p.kind == "flat" then return { vertices = { {0, 0}, {1, 0}, {0, 1} } } end
+    if p.kind == "ball" then return { radius = 0.5 } end
+    if p.kind == "pill" then return { points = { {0, 0, -1}, {0, 0, 1} }, radius = 0.5 } end
+    if p.kind == "dot" then return { points = { {0, 0, 1}, {0, 0, 1} }, radius = 0.5 } end
+    local cube = {}
+    for i = 0, 7 do cube[i + 1] = { i & 1, i >> 1 & 1, i >> 2 } end
+    if p.kind == "cube" then return { points = cube } end
+    return { { points = cube }, { radius = 0.25, centre = { 2, 0, 0 } } }
+  end)");
+  const auto contactors = [&](const char* kind, int dimension) {
+    const auto made = make<ShapeModel>(lua.session, PluginKind::shape, "m", {{"kind", kind}}, dimension);
     auto rng = stream();
-    return make<ShapeModel>(lua.session, PluginKind::shape, "m", {}, 3).model->build_3d({}, rng);
+    return made.model->shape_3d({}, rng).contactors;
   };
-  CHECK(shape_3d("{ radius = 0.5 }").front().round());
-  const auto pill = shape_3d("{ points = { {0, 0, -1}, {0, 0, 1} }, radius = 0.5 }");
-  CHECK((pill.front().points.size() == 2 && pill.front().edges.size() == 1 && pill.front().radius == 0.5));
-  CHECK(shape_3d("{ points = { {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1} } }").front().faces.size() == 4);
-  CHECK(shape_3d("{ { radius = 1, centre = { -2, 0, 0 } }, { radius = 1, centre = { 2, 0, 0 } } }").size() ==
-        2);
-  CHECK_THROWS_WITH(shape_3d("{ points = { {0, 0, 1}, {0, 0, 1} }, radius = 0.5 }"),
+  CHECK(contactors("ball", 3).at(0).radius == 0.5);
+  CHECK(contactors("cube", 3).at(0).faces.size() == 6);
+  CHECK(contactors("both", 3).at(1).points[0] == Vec3(2, 0, 0));
+  const Contactor3 pill = contactors("pill", 3).at(0);
+  CHECK((pill.points.size() == 2 && pill.edges.size() == 1 && pill.radius == 0.5));
+  CHECK_THROWS_WITH(contactors("dot", 3),
                     Catch::EndsWith("returned points = a list, expected two different points with a radius"));
-  CHECK_THROWS_WITH(shape_3d("{ vertices = { {0, 0}, {1, 0}, {0, 1} } }"),
-                    Catch::Contains("as in 2D, expected `points` in 3D"));
+  CHECK_THROWS_WITH(
+      contactors("flat", 3),
+      Catch::Contains("returned vertices as in 2D, expected `points` in 3D: a plugin that serves "
+                      "one dimension says so, `dimension = 2` in its manifest"));
+}
+
+TEST_CASE("a shape in Lua may answer with its own mass, centre and inertia, which are checked") {
+  const auto own = [](const std::string& fields) {
+    OnePlugin lua("shape", "build = function() return { contactors = { radius = 1 }, " + fields + " } end");
+    auto rng = stream();
+    const auto made = make<ShapeModel>(lua.session, PluginKind::shape, "m", {}, 3);
+    return made.model->shape_3d({}, rng).own;
+  };
+  const auto wrong = [&](const std::string& fields) -> std::string {
+    try {
+      own(fields);
+    } catch (const PluginError& error) {
+      const std::string text = error.what(), prefix = "plugin m, m.lua:3: build() returned ";
+      return text.starts_with(prefix) ? text.substr(prefix.size()) : text;
+    }
+    return "";
+  };
+  CHECK_FALSE(own("").given());
+  const OwnMass<3> all =
+      own("mass = 5, centre = { 0.1, 0, 0 }, inertia = { { 2, 0.1, 0 }, { 0.1, 3, 0 }, { 0, 0, 4 } }");
+  CHECK(*all.mass == 5);
+  CHECK(*all.centre == Vec3(0.1, 0, 0));
+  CHECK((*all.inertia)(0, 1) == 0.1);
+  CHECK(wrong("mass = -1") == "mass = -1, expected a number above 0");
+  CHECK(wrong("mass = 1, centre = { 0, 0, 1 }") ==
+        "a centre without an inertia: expected both, because the inertia is about the centre");
+  CHECK(wrong("inertia = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }") ==
+        "an inertia without a mass, expected both");
+  CHECK(wrong("mass = 1, inertia = 3") ==
+        "inertia = 3, expected { { xx, xy, xz }, { yx, yy, yz }, { zx, zy, zz } }");
+  CHECK(wrong("mass = 1, inertia = { { 1, 0.5, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }") ==
+        "an inertia that is not symmetric");
+  CHECK(wrong("mass = 1, inertia = { { -1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }") ==
+        "an inertia with the principal moment -1, expected moments above 0");
+  CHECK(wrong("mass = 1, inertia = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 3 } }")
+            .starts_with("an inertia with the principal moments 1, 1 and 3, which no body has"));
 }
 
 TEST_CASE("a shape draws from the stream that it is passed") {
@@ -73,7 +125,7 @@ TEST_CASE("a shape draws from the stream that it is passed") {
   const auto made = make<ShapeModel>(lua.session, PluginKind::shape, "m", {});
   auto rng = stream(), same = stream();
   const double expected = same.uniform(1, 2) + static_cast<double>(same.integer(1, 3)) + same.normal() * 0;
-  CHECK(made.model->build({}, rng).front().radius == expected);
+  CHECK(made.model->shape({}, rng).contactors.front().radius == expected);
 }
 
 TEST_CASE("a terrain in Lua has points, parts and faces") {
@@ -181,11 +233,11 @@ TEST_CASE("a population in Lua places its rocks on the terrain") {
   auto rng = stream();
   const auto rocks = made.model->rocks({}, TerrainView(profile), Blast(), rng);
   REQUIRE(rocks.size() == 3);
-  CHECK(rocks[0].contactors.at(0).radius == 0.5);
+  CHECK(rocks[0].shape.contactors.at(0).radius == 0.5);
   CHECK(rocks[0].position->y() == 2.5);
   CHECK_FALSE(rocks[0].orientation);
-  CHECK(rocks[1].contactors.empty());
-  CHECK(rocks[2].contactors.size() == 2);
+  CHECK(rocks[1].shape.contactors.empty());
+  CHECK(rocks[2].shape.contactors.size() == 2);
 }
 
 TEST_CASE("rocks of a population may take all from their group") {
@@ -194,7 +246,8 @@ TEST_CASE("rocks of a population may take all from their group") {
   const auto rocks = make<Population>(lua.session, PluginKind::population, "m", {})
                          .model->rocks({}, TerrainView(Profile()), Blast(), rng);
   REQUIRE(rocks.size() == 2);
-  for (const auto& rock : rocks) CHECK((rock.contactors.empty() && !rock.position && !rock.orientation));
+  for (const auto& rock : rocks)
+    CHECK((rock.shape.contactors.empty() && !rock.position && !rock.orientation));
 }
 
 TEST_CASE("parameters of every type reach Lua") {
@@ -214,7 +267,7 @@ TEST_CASE("parameters of every type reach Lua") {
   const auto made = make<ShapeModel>(lua.session, PluginKind::shape, "m",
                                      {{"at", std::vector<double>{5, 6}}, {"corners", corners}});
   auto rng = stream();
-  CHECK(area_properties(made.model->build(made.values, rng)).area == Approx(0.5));
+  CHECK(area_properties(made.model->shape(made.values, rng).contactors).area == Approx(0.5));
 }
 
 TEST_CASE("points of space reach Lua with all their components") {
