@@ -18,6 +18,7 @@ std::unique_ptr<ShapeModel> make_polyhedron(Params& params);
 std::unique_ptr<ShapeModel> make_random_polyhedron(Params& params);
 std::unique_ptr<ShapeModel> make_eota111(Params& params);
 std::unique_ptr<ShapeModel> make_eota221(Params& params);
+std::unique_ptr<ShapeModel> make_compound(Params& params);
 std::unique_ptr<Population> make_independent(Params& params);
 std::unique_ptr<RestitutionLaw> make_newton(Params& params);
 std::unique_ptr<FrictionLaw> make_coulomb(Params& params);

@@ -17,6 +17,7 @@ FLYROCK_MODULE(table) {
   table[{shape, "random_polyhedron"}] = make_random_polyhedron;
   table[{shape, "eota111"}] = make_eota111;
   table[{shape, "eota221"}] = make_eota221;
+  table[{shape, "compound"}] = make_compound;
   table[{population, "independent"}] = make_independent;
   table[{restitution, "newton"}] = make_newton;
   table[{friction, "coulomb"}] = make_coulomb;

@@ -12,6 +12,7 @@
 #include "plugin/sampled_states.h"
 #include "trial/build_trial.h"
 #include "trial/dimensions.h"
+#include "trial/part_overlap.h"
 #include "units/usual.h"
 
 namespace flyrock {
@@ -169,6 +170,23 @@ void find_fine_outlines(const Scenario& scenario, const Trial<D>& trial, TriedOu
   }
 }
 
+/// Finds rocks of several contactors that overlap: what two of them share counts twice in the mass.
+template <int D>
+void find_overlapping_parts(const Scenario& scenario, const Trial<D>& trial, TriedOut& tried) {
+  for (const TrialRock& rock : trial.rocks) {
+    if (rock.world < 0 || rock.has_own_inertia) continue;
+    const Body<D>& body =
+        trial.worlds[static_cast<std::size_t>(rock.world)].bodies[static_cast<std::size_t>(rock.body)];
+    const std::optional<PartOverlap> overlap = deepest_overlap_of_parts(body);
+    if (!overlap) continue;
+    add(tried.warnings, fmt::format("{}.{}.shape", scenario.bodies.empty() ? "rocks" : "bodies", rock.group),
+        fmt::format(
+            "contactors {} and {} of `{}` overlap by {:.3g} m: mass, centre and inertia count what they "
+            "share twice; expected parts that at most touch, or a shape with an inertia of its own",
+            overlap->a, overlap->b, body.group, overlap->depth));
+  }
+}
+
 /// Finds gates and barriers in 3D that no rock can pass. In 2D the scenario refuses them earlier.
 void find_lost_places(const Scenario& scenario, const Trial<3>& trial, TriedOut& tried) {
   const TerrainView terrain = view_of(*trial.terrain, scenario.terrain.origin);
@@ -205,6 +223,7 @@ void try_trials(const Scenario& scenario, TrialBuilder<D>& builder, std::uint64_
       find_hard_contacts(scenario, builder.instances(), trial, tried);
       find_free_rollers(scenario, trial, tried);
       find_fine_outlines(scenario, trial, tried);
+      find_overlapping_parts(scenario, trial, tried);
       find_lost_places(scenario, trial, tried);
       for (std::size_t i = 0; i < trial.rocks.size(); ++i) {
         const TrialRock& rock = trial.rocks[i];

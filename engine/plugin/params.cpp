@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "plugin/registry.h"
+
 namespace flyrock {
 
 Params::Params(const PluginSpec& spec, const std::vector<ParamValue>& values, int dimension)
@@ -60,6 +62,13 @@ std::string Params::text(std::string_view name) {
 
 const std::vector<std::vector<double>>& Params::points(std::string_view name) {
   return values_[at(name, {ParamType::points, ParamType::plan_points})].points;
+}
+
+const std::vector<ShapePart>& Params::shapes(std::string_view name, int& first_slot) {
+  static const std::vector<ShapePart> none;
+  const int i = at(name, {ParamType::shapes});
+  first_slot = slots_[i];
+  return values_[i].parts ? *values_[i].parts : none;
 }
 
 std::vector<Vec2> Params::points2(std::string_view name) {

@@ -1,6 +1,7 @@
 #pragma once
 // The decoded parameters of one use of a plugin, and their interface for a factory.
 
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -36,12 +37,17 @@ struct ParameterError : PluginError {
   using PluginError::PluginError;
 };
 
+struct ShapePart;  // plugin/registry.h
+
 /// The decoded value of one declared parameter.
 struct ParamValue {
-  bool given = false;           ///< false only for an optional parameter that was left out
-  std::vector<Number> numbers;  ///< 1 for number, integer and boolean; one per component for vector
-  std::string text;             ///< choice, text, file (full path)
-  std::vector<std::vector<double>> points;  ///< points
+  bool given = false;  ///< false only for an optional parameter that was left out
+  /// 1 for number, integer and boolean; one per component for vector; for shapes those of all parts, one part
+  /// after the other (ShapePart)
+  std::vector<Number> numbers;
+  std::string text;                                     ///< choice, text, file (full path)
+  std::vector<std::vector<double>> points;              ///< points
+  std::shared_ptr<const std::vector<ShapePart>> parts;  ///< shapes; null for other types
 };
 
 /// The numbers of a parameter list at one time, with all draws made. A parameter that takes numbers has one
@@ -72,6 +78,8 @@ class Params {
   /// Points with as many components as the scenario has dimensions, points in plan with two; none if they
   /// were left out.
   const std::vector<std::vector<double>>& points(std::string_view name);
+  /// The parts of a parameter of type shapes; their first slot is `first_slot`.
+  const std::vector<ShapePart>& shapes(std::string_view name, int& first_slot);
   std::vector<Vec2> points2(std::string_view name);
   std::vector<Vec3> points3(std::string_view name);
 

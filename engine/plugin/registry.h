@@ -49,6 +49,18 @@ struct PluginUse {
   std::string path;           ///< in the scenario: "materials.haul_floor.restitution"
 };
 
+/// One element of a parameter of type shapes: a shape, and where it is in the frame of the whole,
+///   x = at + R(turn) x_of_the_shape.
+/// Its slots are: the components of `at` [m]; the turn, in 2D an angle [rad], in 3D a quaternion [w, x, y, z]
+/// or, if `about_axis`, an axis and an angle [rad] (plugin/turn.h); then those of the shape's parameters.
+struct ShapePart {
+  PluginUse shape;
+  bool about_axis = false;
+
+  /// The number of slots before those of the shape.
+  static constexpr std::size_t place_slots(int dimension) { return dimension == 2 ? 3 : 7; }
+};
+
 /// Makes an instance, and checks that it has read all parameters that its plugin declares.
 template <class Interface>
 std::unique_ptr<Interface> make_instance(const PluginUse& use, int dimension) {

@@ -90,7 +90,7 @@ std::string value_text(const ParamSpec& param, const ParamValue& value, Values n
 }  // namespace
 
 bool can_sample(const ParamSpec& spec) {
-  return spec.type != ParamType::text && spec.type != ParamType::file;
+  return spec.type != ParamType::text && spec.type != ParamType::file && spec.type != ParamType::shapes;
 }
 
 bool can_sample(const PluginSpec& spec) {
@@ -131,6 +131,7 @@ ParamValue sample_param(const PluginSpec& plugin, std::size_t i, const std::vect
       break;
     case ParamType::text:
     case ParamType::file:
+    case ParamType::shapes:
       value = {};
       break;
   }

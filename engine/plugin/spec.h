@@ -27,7 +27,8 @@ enum class ParamType {
   points,       ///< a list of points [[x, y], ...], constant
   plan_points,  ///< the same with two coordinates in 2D and 3D: places in plan
   file,         ///< a file name relative to the scenario's folder; the host gives its full path
-  spin          ///< about z in 2D: a number; in 3D a vector in the world frame. May be a distribution
+  spin,         ///< about z in 2D: a number; in 3D a vector in the world frame. May be a distribution
+  shapes        ///< a list of shapes, each a plugin with its parameters, its place and its turn
 };
 std::string_view name_of(ParamType type);
 std::optional<ParamType> param_type(std::string_view name);

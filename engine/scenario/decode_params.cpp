@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "scenario/decode_shapes.h"
 #include "scenario/normalise_number.h"
 #include "scenario/param_bounds.h"
 
@@ -60,6 +61,8 @@ ParamValue decode_param(DecodeContext& context, const Node& node, const ParamSpe
     case ParamType::plan_points:
       for (const Value& point : *node.value->list()) value.points.push_back(point_of(point));
       break;
+    case ParamType::shapes:
+      return decode_shapes(context, node);
   }
   return value;
 }

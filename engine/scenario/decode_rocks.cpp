@@ -1,8 +1,7 @@
 // Groups of rocks and bodies.
 
-#include <algorithm>
-
 #include "scenario/decode_sections.h"
+#include "scenario/decode_shapes.h"
 
 namespace flyrock {
 
@@ -13,29 +12,10 @@ int decode_material(DecodeContext& context, const Node& node, const std::vector<
   return material ? find_material(context, *material, materials) : -1;
 }
 
-/// In 3D: { axis, angle } or a quaternion [w, x, y, z].
-std::optional<TurnPlan> decode_turn(DecodeContext& context, const Node& parent) {
+std::optional<TurnPlan> decode_orientation(DecodeContext& context, const Node& parent) {
   const std::optional<Node> node = parent.find("orientation");
   if (!node || node->value->is_null()) return std::nullopt;
-  TurnPlan turn;
-  const auto vanishes = [](const std::vector<Number>& numbers) {
-    return std::all_of(numbers.begin(), numbers.end(),
-                       [](const Number& n) { return n.is_constant() && n.constant == 0; });
-  };
-  if (node->value->map()) {
-    const Section section = decode_section(context, *node, "orientation 3D");
-    turn.axis = section.vector("axis");
-    turn.angle = section.number("angle");
-    if (turn.axis.size() == 3 && vanishes(turn.axis))
-      node->error(context.diagnostics, "`axis` has no direction");
-    return turn;
-  }
-  for (const Node& item : node->items())
-    turn.quaternion.push_back(item.value->is_null() ? Number{1}
-                                                    : decode_number(context, item, dimension::none));
-  if (vanishes(turn.quaternion))
-    node->error(context.diagnostics, "the quaternion is zero, which is no rotation");
-  return turn;
+  return decode_turn(context, *node);
 }
 
 std::optional<PluginUse> decode_part(DecodeContext& context, const Node& node, PluginKind kind,
@@ -69,7 +49,7 @@ RockGroup decode_group(DecodeContext& context, const Node& node, const std::vect
     group.thickness = section.optional_number("thickness");
     group.orientation = section.optional_number("orientation");
   } else {
-    group.turn = decode_turn(context, node);
+    group.turn = decode_orientation(context, node);
   }
   group.material = decode_material(context, node, materials);
   group.shape = decode_part(context, node, PluginKind::shape, "shape");
@@ -103,7 +83,7 @@ BodyPlan decode_body(DecodeContext& context, const Node& node, const std::vector
     body.thickness = section.optional_number("thickness");
     body.orientation = section.number("orientation");
   } else {
-    body.turn = decode_turn(context, node);
+    body.turn = decode_orientation(context, node);
   }
   body.material = decode_material(context, node, materials);
   if (const auto shape = decode_part(context, node, PluginKind::shape, "shape")) body.shape = *shape;

@@ -220,6 +220,8 @@ std::string expected_text(const ParamSpec& spec) {
       return "the name of a file";
     case ParamType::spin:
       return "a spin in rad/s: a number in 2D, three in 3D";
+    case ParamType::shapes:
+      return "a list of shapes { type, ..., at, turn }";
   }
   return {};
 }

@@ -8,6 +8,7 @@
 #include "geometry/contactor.h"
 #include "geometry/plan_line.h"
 #include "geometry/plan_zone.h"
+#include "scenario/normalise_shapes.h"
 
 namespace flyrock {
 
@@ -194,6 +195,8 @@ Value normalise_param(DecodeContext& context, const Node& node, const ParamSpec&
     case ParamType::points:
     case ParamType::plan_points:
       return normalise_points(context, node, spec);
+    case ParamType::shapes:
+      return normalise_shapes(context, node, rules);
   }
   return {};
 }

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "scenario/normalise.h"
+#include "scenario/normalise_shapes.h"
 
 namespace flyrock {
 
@@ -30,21 +31,6 @@ constexpr std::array<ReleaseKey, 7> release_keys{{{"from", false},
 bool is_in_plan(const Node& points) {
   const std::vector<Node> items = points.is_list() ? points.items() : std::vector<Node>();
   return !items.empty() && items.front().is_list() && items.front().items().size() == 2;
-}
-
-/// In 3D: { axis, angle } or a quaternion [w, x, y, z].
-Value normalise_turn(DecodeContext& context, const Node& node, const NumberRules& rules) {
-  if (node.value->map()) return normalise_section(context, node, "orientation 3D", rules);
-  const std::vector<Node> items = node.is_list() ? node.items() : std::vector<Node>();
-  if (items.size() != 4) {
-    node.error(context.diagnostics, "expected { axis: [x, y, z], angle } or a quaternion [w, x, y, z]");
-    return {};
-  }
-  ParamSpec component;
-  component.name = "orientation";
-  List list;
-  for (const Node& item : items) list.push_back(normalise_number(context, item, component, rules));
-  return list_value(std::move(list));
 }
 
 Value normalise_release(DecodeContext& context, const Node& node) {

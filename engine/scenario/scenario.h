@@ -122,12 +122,10 @@ struct Release {
   bool on_ground = false;  ///< 3D: lowered in its attitude until it touches the ground
 };
 
-/// The orientation of a body in 3D: a rotation about an axis by an angle [rad], or a quaternion [w, x, y, z]
-/// that maps body to world.
+/// The orientation of a body in 3D, which maps body to world, by four numbers as in plugin/turn.h.
 struct TurnPlan {
-  std::vector<Number> axis;  ///< three components, or none
-  Number angle;
-  std::vector<Number> quaternion;  ///< four components, or none
+  std::array<Number, 4> numbers;
+  bool about_axis = false;
 };
 
 struct RockGroup {

@@ -65,6 +65,10 @@ ParamSpec or_else(ParamSpec spec, const char* value) {
   spec.default_text = value;
   return spec;
 }
+ParamSpec or_else(ParamSpec spec, std::vector<double> values) {
+  spec.default_vector = std::move(values);
+  return spec;
+}
 /// A number, or this word, which is the default.
 ParamSpec or_word(ParamSpec spec, const char* word) {
   spec.choices = {word};
@@ -283,6 +287,13 @@ std::vector<SectionSpec> make_sections() {
                optional(text("material", "shown to other bodies, where `pairs` is silent"))}),
        {"shape", "orientation", "driven"}},
       {"bodies.driven", {vector("velocity", "m/s", "that it keeps"), spin("that it keeps")}, {}},
+      {"rocks.shape.parts",
+       {or_else(vector("at", "m", "where the origin of the part is in the frame of the whole"), {0, 0}),
+        or_else(number("turn", "rad", "of the part about its origin, counter-clockwise"), 0.0)},
+       {"type"}},
+      {"rocks.shape.parts 3D",
+       {or_else(vector("at", "m", "where the origin of the part is in the frame of the whole"), {0, 0, 0})},
+       {"type", "turn"}},
       {"orientation 3D",
        {vector("axis", "", "about which it is turned"), number("angle", "rad", "by which it is turned")},
        {}},

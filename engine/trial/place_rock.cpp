@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "geometry/place_text.h"
+#include "plugin/turn.h"
 #include "trial/blast_at.h"
 #include "trial/random_place.h"
 #include "trial/reach.h"
@@ -150,20 +152,9 @@ Place<2> place_rock(const Release& release, const Scenario& scenario, const Draw
 }
 
 Rotation3 rotation_of(const TurnPlan& turn, const Scenario& scenario, const DrawKey& key) {
-  const auto number = [&](const Number& n) { return n.value(scenario.draws, scenario.seed, key); };
-  Eigen::Quaterniond q(1, 0, 0, 0);
-  double length = 0;
-  if (turn.axis.empty()) {
-    q = {number(turn.quaternion[0]), number(turn.quaternion[1]), number(turn.quaternion[2]),
-         number(turn.quaternion[3])};
-    length = q.norm();
-  } else {
-    const Vec3 axis(number(turn.axis[0]), number(turn.axis[1]), number(turn.axis[2]));
-    length = axis.norm();
-    if (length > 0) q = Eigen::AngleAxisd(number(turn.angle), axis / length);
-  }
-  if (!(length > 0)) throw StartError("its axis or quaternion was drawn as zero, which is no rotation");
-  return Rotation3(q);
+  std::array<double, 4> values{};
+  for (std::size_t k = 0; k < 4; ++k) values[k] = turn.numbers[k].value(scenario.draws, scenario.seed, key);
+  return turn_of(values, turn.about_axis);
 }
 
 /// Source: K. Shoemake, Uniform random rotations, Graphics Gems III, 1992.

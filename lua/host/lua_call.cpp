@@ -98,7 +98,10 @@ LuaParameters::LuaParameters(lua_State* lua, const PluginSpec& spec, Params& par
         }
         make_read_only(lua, "p." + param.name, true);
         lua_setfield(lua, table, name.c_str());
+        break;
       }
+      case ParamType::shapes:
+        break;  // of native plugins only (manifest.cpp)
     }
   }
   close_group();

@@ -224,6 +224,12 @@ class ManifestReader {
         spec_.params.push_back(std::move(param));
     }
     if (!params_failed_ && !check_bounds(*params->map(), spec_.params, diagnostics_)) params_failed_ = true;
+    for (const ParamSpec& param : spec_.params)
+      if (param.type == ParamType::shapes && spec_.native.empty())
+        table_.error("params",
+                     fmt::format("`{}` takes shapes, which only a native plugin can build: expected "
+                                 "`native`, or a parameter of another type",
+                                 param.name));
   }
 
   const Value& manifest_;

@@ -56,7 +56,7 @@ class ParamReader {
     table_.error(
         "",
         "expected a parameter: fr.number { ... }, fr.integer, fr.boolean, fr.choice, fr.text, fr.vector, "
-        "fr.points, fr.plan_points, fr.file, fr.spin or fr.group");
+        "fr.points, fr.plan_points, fr.file, fr.spin, fr.shapes or fr.group");
     return false;
   }
 
@@ -149,6 +149,7 @@ class ParamReader {
       case ParamType::points:
       case ParamType::plan_points:
       case ParamType::file:
+      case ParamType::shapes:
         break;  // the scenario gives it or leaves it out
     }
   }

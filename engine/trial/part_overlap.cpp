@@ -1,0 +1,50 @@
+#include "trial/part_overlap.h"
+
+#include "collision/broad_phase.h"
+#include "collision/narrow_phase.h"
+
+namespace flyrock {
+
+namespace {
+
+constexpr double least_share = 1e-6;
+
+template <int D>
+Box<D> box_of(const typename Geometry<D>::Contactor& contactor) {
+  Box<D> box{contactor.points[0], contactor.points[0]};
+  for (const Vec<D>& point : contactor.points) {
+    box.low = box.low.cwiseMin(point);
+    box.high = box.high.cwiseMax(point);
+  }
+  box.low.array() -= contactor.radius;
+  box.high.array() += contactor.radius;
+  return box;
+}
+
+}  // namespace
+
+template <int D>
+std::optional<PartOverlap> deepest_overlap_of_parts(const Body<D>& body) {
+  if (body.contactors.size() < 2) return std::nullopt;
+  std::vector<Box<D>> boxes;
+  for (const auto& contactor : body.contactors) boxes.push_back(box_of<D>(contactor));
+  const typename Geometry<D>::Pose own_frame;
+  std::vector<ContactPoint<D>> points;
+  PartOverlap deepest;
+  SortAndSweep sweep;
+  for (const auto& [a, b] : sweep.pairs<D>(boxes)) {
+    points.clear();
+    body_contacts(typename Geometry<D>::Placed{body.contactors[a], own_frame}, a,
+                  typename Geometry<D>::Placed{body.contactors[b], own_frame}, b, 0, points);
+    for (const ContactPoint<D>& point : points)
+      if (-point.gap > deepest.depth)
+        deepest = {static_cast<std::size_t>(a), static_cast<std::size_t>(b), -point.gap};
+  }
+  if (deepest.depth <= least_share * body.size) return std::nullopt;
+  return deepest;
+}
+
+template std::optional<PartOverlap> deepest_overlap_of_parts(const Body<2>&);
+template std::optional<PartOverlap> deepest_overlap_of_parts(const Body<3>&);
+
+}  // namespace flyrock
