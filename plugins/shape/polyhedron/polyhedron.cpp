@@ -1,22 +1,60 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
 #include <stdexcept>
 
+#include "geometry/convex_fault.h"
 #include "geometry/hull.h"
 #include "plugins/factories.h"
 #include "plugins/read_points.h"
+#include "plugins/terrain/mesh/mesh_file.h"
 
 namespace flyrock::plugins {
 
 namespace {
 
-std::vector<Vec3> points_of(Params& params) {
+bool has_ending(const std::string& path, std::string_view ending) {
+  std::string lower = path.substr(path.size() - std::min(path.size(), ending.size()));
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return lower == ending;
+}
+
+/// Whether a file is a surface; an OBJ file may list vertices only.
+bool has_faces(const std::string& path) {
+  if (has_ending(path, ".stl")) return true;
+  if (!has_ending(path, ".obj")) return false;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("f ")) return true;
+  return false;
+}
+
+/// The surface of a file is that of its hull.
+Contactor3 hull_of_surface(const std::string& path) {
+  const MeshFile file = read_mesh("polyhedron", path);
+  const Contactor3 hull = convex_hull(file.mesh.vertices);
+  if (const std::string wrong = convex_fault(file.mesh, hull, file.lines); !wrong.empty())
+    throw PluginError(
+        fmt::format("plugin polyhedron: {}: {}; expected a closed convex surface, a `compound` of convex "
+                    "parts, or a file "
+                    "without faces, of whose points the hull is taken",
+                    path, wrong));
+  return hull;
+}
+
+Contactor3 hull_of(Params& params) {
   std::vector<Vec3> points = params.points3("points");
   const std::string file = params.text("file");
   if (params.given("points") == params.given("file"))
     throw PluginError("plugin polyhedron: expected either `points` or a `file`");
-  if (params.given("file"))
+  if (params.given("file")) {
+    if (has_faces(file)) return hull_of_surface(file);
     for (const auto& point : read_points("polyhedron", file, 3))
       points.emplace_back(point[0], point[1], point[2]);
-  return points;
+  }
+  return convex_hull(points);
 }
 
 class Polyhedron : public ShapeModel {
@@ -24,7 +62,7 @@ class Polyhedron : public ShapeModel {
   explicit Polyhedron(Params& params) {
     params.require_dimension(3);
     try {
-      hull_ = convex_hull(points_of(params));
+      hull_ = hull_of(params);
     } catch (const std::invalid_argument& fault) {
       throw PluginError(std::string("plugin polyhedron: ") + fault.what());
     }

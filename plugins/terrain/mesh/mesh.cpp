@@ -16,7 +16,7 @@ class MeshTerrain : public TerrainModel {
   }
 
   TerrainShape3 build_3d(Values values, RandomStream&) const override {
-    MeshFile read = read_mesh(file_);
+    MeshFile read = read_mesh("mesh", file_);
     const double scale = values[scale_];
     if (!(scale > 0)) throw PluginError(fmt::format("plugin mesh: scale is {:.6g}, must be above 0", scale));
     for (Vec3& vertex : read.mesh.vertices) {

@@ -17,14 +17,14 @@ struct MeshFile {
 
 /// Reads an OBJ file: its vertices and faces; each group (`g`) and object (`o`) is a part of that name, in
 /// which a character other than a letter, digit, `_` or `-` becomes `_`. A convex face of more than three
-/// corners becomes a fan of triangles. Throws PluginError with the line.
-MeshFile read_obj(const std::string& path);
+/// corners becomes a fan of triangles. Throws PluginError in the name of the plugin `plugin`, with the line.
+MeshFile read_obj(const std::string& plugin, const std::string& path);
 
 /// Reads an STL file, text or binary, of one part without a name. Throws PluginError with the line, or with
 /// the number of the triangle.
-MeshFile read_stl(const std::string& path);
+MeshFile read_stl(const std::string& plugin, const std::string& path);
 
 /// Reads a file whose name ends in .obj or .stl.
-MeshFile read_mesh(const std::string& path);
+MeshFile read_mesh(const std::string& plugin, const std::string& path);
 
 }  // namespace flyrock::plugins

@@ -42,15 +42,16 @@ std::vector<std::string_view> words_of(std::string_view line) {
 /// in the next.
 class CheckedLines : public std::streambuf {
  public:
-  explicit CheckedLines(const std::string& path) : path_(path), file_(path) {
-    if (!file_) throw PluginError("plugin mesh: cannot read the file " + path);
+  CheckedLines(const std::string& plugin, const std::string& path)
+      : plugin_(plugin), path_(path), file_(path) {
+    if (!file_) throw PluginError(fmt::format("plugin {}: cannot read the file {}", plugin, path));
   }
 
   /// The line that was handed on last, from 1.
   int line() const { return line_; }
 
   [[noreturn]] void fail(const std::string& text) const {
-    throw PluginError(fmt::format("plugin mesh: {}:{}: {}", path_, line_, text));
+    throw PluginError(fmt::format("plugin {}: {}:{}: {}", plugin_, path_, line_, text));
   }
 
  protected:
@@ -103,7 +104,7 @@ class CheckedLines : public std::streambuf {
     }
   }
 
-  std::string path_, text_;
+  std::string plugin_, path_, text_;
   std::ifstream file_;
   int lines_read_ = 0, line_ = 0;
   int vertices_ = 0;
@@ -167,9 +168,9 @@ Reading& of(void* user) { return *static_cast<Reading*>(user); }
 
 }  // namespace
 
-MeshFile read_obj(const std::string& path) {
+MeshFile read_obj(const std::string& plugin, const std::string& path) {
   MeshFile file;
-  CheckedLines text(path);
+  CheckedLines text(plugin, path);
   Reading reading{text, file};
   tinyobj::callback_t callbacks;
   callbacks.vertex_cb = [](void* user, double x, double y, double z, double) {
@@ -188,7 +189,8 @@ MeshFile read_obj(const std::string& path) {
   if (!tinyobj::LoadObjWithCallback(stream, callbacks, &reading, nullptr, nullptr, &error) || !error.empty())
     text.fail(error.empty() ? "is no OBJ file" : error);
   if (file.mesh.triangles.empty())
-    throw PluginError(fmt::format("plugin mesh: {}: has no faces, expected lines that begin with `f`", path));
+    throw PluginError(
+        fmt::format("plugin {}: {}: has no faces, expected lines that begin with `f`", plugin, path));
   file.mesh = welded(std::move(file.mesh));
   return file;
 }

@@ -26,9 +26,9 @@ static_assert(std::endian::native == std::endian::little);
 
 /// The number of triangles of a binary file; nothing if the file is text. A binary file may begin with the
 /// word "solid" too: its size tells.
-std::int64_t binary_triangles(const std::string& path) {
+std::int64_t binary_triangles(const std::string& plugin, const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw PluginError("plugin mesh: cannot read the file " + path);
+  if (!file) throw PluginError(fmt::format("plugin {}: cannot read the file {}", plugin, path));
   std::array<char, header + 4> start{};
   file.read(start.data(), start.size());
   const bool is_solid = std::memcmp(start.data(), "solid", 5) == 0;
@@ -39,9 +39,9 @@ std::int64_t binary_triangles(const std::string& path) {
   if (file && size == expected) return count;
   if (is_solid) return -1;
   throw PluginError(
-      fmt::format("plugin mesh: {}: is neither STL as text (its first word is not `solid`) nor binary: {} "
+      fmt::format("plugin {}: {}: is neither STL as text (its first word is not `solid`) nor binary: {} "
                   "triangles need {} bytes, the file has {}",
-                  path, count, expected, size));
+                  plugin, path, count, expected, size));
 }
 
 void add_triangle(MeshFile& file, const std::array<Vec3, 3>& corners) {
@@ -51,21 +51,21 @@ void add_triangle(MeshFile& file, const std::array<Vec3, 3>& corners) {
   file.mesh.part.push_back(0);
 }
 
-void read_binary(const std::string& path, std::int64_t count, MeshFile& mesh) {
+void read_binary(const std::string& plugin, const std::string& path, std::int64_t count, MeshFile& mesh) {
   std::ifstream file(path, std::ios::binary);
   file.seekg(header + 4);
   std::array<char, record> bytes{};
   for (std::int64_t i = 0; i < count; ++i) {
     if (!file.read(bytes.data(), bytes.size()))
-      throw PluginError(fmt::format("plugin mesh: {}: ends at triangle {} of {}", path, i + 1, count));
+      throw PluginError(fmt::format("plugin {}: {}: ends at triangle {} of {}", plugin, path, i + 1, count));
     std::array<float, 12> numbers{};
     std::memcpy(numbers.data(), bytes.data(), sizeof numbers);
     std::array<Vec3, 3> corners;
     for (int k = 0; k < 3; ++k) {
       corners[k] = Vec3(numbers[3 + 3 * k], numbers[4 + 3 * k], numbers[5 + 3 * k]);
       if (!corners[k].allFinite())
-        throw PluginError(
-            fmt::format("plugin mesh: {}: a corner of triangle {} of {} is not finite", path, i + 1, count));
+        throw PluginError(fmt::format("plugin {}: {}: a corner of triangle {} of {} is not finite", plugin,
+                                      path, i + 1, count));
     }
     add_triangle(mesh, corners);
   }
@@ -95,8 +95,8 @@ void read_facet(Words& words, MeshFile& mesh) {
 }
 
 /// One or several solids; a name may follow `solid` and `endsolid`, on the same line.
-void read_text(const std::string& path, MeshFile& mesh) {
-  Words words("plugin mesh", path);
+void read_text(const std::string& plugin, const std::string& path, MeshFile& mesh) {
+  Words words("plugin " + plugin, path);
   expect(words, "solid");
   const auto skip_name = [&words] {
     const std::int64_t line = words.line();
@@ -121,25 +121,27 @@ void read_text(const std::string& path, MeshFile& mesh) {
 
 }  // namespace
 
-MeshFile read_stl(const std::string& path) {
+MeshFile read_stl(const std::string& plugin, const std::string& path) {
   MeshFile file;
   file.mesh.parts = {""};
-  const std::int64_t triangles = binary_triangles(path);
+  const std::int64_t triangles = binary_triangles(plugin, path);
   if (triangles >= 0)
-    read_binary(path, triangles, file);
+    read_binary(plugin, path, triangles, file);
   else
-    read_text(path, file);
-  if (file.mesh.triangles.empty()) throw PluginError(fmt::format("plugin mesh: {}: has no triangles", path));
+    read_text(plugin, path, file);
+  if (file.mesh.triangles.empty())
+    throw PluginError(fmt::format("plugin {}: {}: has no triangles", plugin, path));
   file.mesh = welded(std::move(file.mesh));
   return file;
 }
 
-MeshFile read_mesh(const std::string& path) {
+MeshFile read_mesh(const std::string& plugin, const std::string& path) {
   std::string ending = path.substr(std::min(path.rfind('.'), path.size()));
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (ending == ".obj") return read_obj(path);
-  if (ending == ".stl") return read_stl(path);
-  throw PluginError(fmt::format("plugin mesh: {}: expected a file whose name ends in .obj or .stl", path));
+  if (ending == ".obj") return read_obj(plugin, path);
+  if (ending == ".stl") return read_stl(plugin, path);
+  throw PluginError(
+      fmt::format("plugin {}: {}: expected a file whose name ends in .obj or .stl", plugin, path));
 }
 
 }  // namespace flyrock::plugins
