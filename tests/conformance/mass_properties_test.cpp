@@ -1,0 +1,163 @@
+// Mass, centre and inertia of every shape against a sum over cells, and against closed forms where they
+// exist.
+
+#include <catch2/catch.hpp>
+#include <limits>
+
+#include "conformance/plugin_use.h"
+#include "geometry/volume_properties.h"
+
+using namespace flyrock;
+
+namespace {
+
+/// Integrals of 1, x and x x^T over a shape; z = 0 in 2D.
+struct Integrals {
+  double volume = 0;
+  Vec3 first = Vec3::Zero();
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+
+  void add(double cell, const Vec3& at) {
+    volume += cell;
+    first += cell * at;
+    second += cell * at * at.transpose();
+  }
+  Vec3 centre() const { return first / volume; }
+  /// About the centre; its z z component is the polar moment.
+  Eigen::Matrix3d inertia() const {
+    const Eigen::Matrix3d about = second - volume * centre() * centre().transpose();
+    return about.trace() * Eigen::Matrix3d::Identity() - about;
+  }
+};
+
+bool contains(const Contactor2& contactor, const Vec2& place) {
+  if (contactor.points.size() == 1) return (place - contactor.points[0]).norm() <= contactor.radius;
+  for (std::size_t i = 0; i < contactor.points.size(); ++i)
+    if (contactor.normals[i].dot(place - contactor.points[i]) > 0) return false;
+  return true;
+}
+bool contains(const Contactor3& contactor, const Vec3& place) {
+  if (contactor.round()) return (place - contactor.points[0]).norm() <= contactor.radius;
+  for (const Contactor3::Face& face : contactor.faces)
+    if (face.normal.dot(place - contactor.points[contactor.vertex(face, 0)]) > 0) return false;
+  return true;
+}
+
+template <class Contactor, int D>
+Integrals cell_sum(const Contactor& contactor, const Vec<D>& low, const Vec<D>& high, int cells) {
+  Integrals sum;
+  const Vec<D> step = (high - low) / cells;
+  const int layers = D == 3 ? cells : 1;
+  for (int i = 0; i < cells; ++i)
+    for (int j = 0; j < cells; ++j)
+      for (int k = 0; k < layers; ++k) {
+        const Vec<D> place = low + step.cwiseProduct(Vec3(i + 0.5, j + 0.5, k + 0.5).template head<D>());
+        if (!contains(contactor, place)) continue;
+        Vec3 at = Vec3::Zero();
+        at.template head<D>() = place;
+        sum.add(step.prod(), at);
+      }
+  return sum;
+}
+
+template <class Contactor>
+Integrals cell_sum(const Contactor& contactor, int cells) {
+  auto low = contactor.points[0], high = low;
+  for (const auto& point : contactor.points) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  low.array() -= contactor.radius;
+  high.array() += contactor.radius;
+  return cell_sum(contactor, low, high, cells);
+}
+
+struct Row {
+  const char* shape;
+  int dimension;
+  std::map<std::string, Given> given;
+  double volume;   ///< closed form [m2 or m3]; NaN: none
+  double largest;  ///< greatest principal moment for a density of 1, closed form; NaN: none
+};
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+using Points = std::vector<std::vector<double>>;
+using Numbers = std::vector<double>;
+
+const std::vector<Row> rows{
+    {"disk", 2, {{"radius", 0.3}}, pi * 0.09, pi * 0.0081 / 2},
+    {"polygon", 2, {{"vertices", Points{{0, 0}, {3, 0}, {3, 2}, {0, 2}}}}, 6, 6 * 13.0 / 12},
+    {"polygon", 2, {{"vertices", Points{{5, 1}, {8, 1}, {5, 5}}}}, 6, 6 * 25.0 / 18},  // (a^2 + b^2)/18
+    {"polygon", 2, {{"sides", 7.0}, {"diameter", 1.0}, {"irregularity", 0.8}}, pi / 4, none},
+    {"sphere", 3, {{"radius", 0.3}}, 4 * pi / 3 * 0.027, 4 * pi / 3 * 0.027 * 0.4 * 0.09},
+    {"box", 3, {{"size", Numbers{1, 2, 3}}}, 6, 6 * 13.0 / 12},
+    {"polyhedron", 3, {{"points", Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}}, 1.0 / 6, 1.0 / 60},
+    {"polyhedron",
+     3,
+     {{"points", Points{{4, 0, 0}, {6, 0, 0}, {4, 2, 0}, {6, 2, 0}, {5, 1, 3}}}},
+     4,
+     4 * (4 / 20.0 + 3 * 9 / 80.0)},  // a pyramid: (a^2 / 20 + 3 h^2 / 80) across its axis
+    {"random_polyhedron",
+     3,
+     {{"diameter", 0.8}, {"flatness", 0.4}, {"elongation", 0.7}},
+     pi / 6 * 0.512,
+     none},
+    {"eota111", 3, {{"length", 1.2}}, 17.0 / 24 * 1.728, none},
+    {"eota221", 3, {{"length", 1.2}}, 17.0 / 48 * 1.728, none},
+};
+
+struct Properties {
+  double volume = 0;
+  Vec3 centre = Vec3::Zero();
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  double largest = 0;
+};
+
+}  // namespace
+
+TEST_CASE("volume, centre and inertia of every shape are those of a sum over cells, and of closed forms") {
+  const LuaSession session(FLYROCK_SHARE_DIR);
+  for (const Row& row : rows) {
+    INFO(row.shape << ", volume " << row.volume);
+    const auto made = make<ShapeModel>(session, PluginKind::shape, row.shape, row.given, row.dimension);
+    RandomStream rng(3, "shape", {});
+    Properties exact;
+    Integrals sum;
+    if (row.dimension == 2) {
+      const auto shape = made.model->shape(made.values, rng);
+      REQUIRE(shape.contactors.size() == 1);
+      const AreaProperties area = area_properties(shape.contactors);
+      exact.volume = area.area;
+      exact.centre.head<2>() = area.centroid;
+      exact.inertia(2, 2) = exact.largest = area.polar_moment;
+      sum = cell_sum(shape.contactors[0], 500);
+    } else {
+      const auto shape = made.model->shape_3d(made.values, rng);
+      REQUIRE(shape.contactors.size() == 1);
+      const VolumeProperties volume = volume_properties(shape.contactors);
+      exact = {volume.volume, volume.centroid, volume.inertia,
+               principal_frame(volume.inertia).moments.maxCoeff()};
+      sum = cell_sum(shape.contactors[0], 60);
+    }
+    if (!std::isnan(row.volume)) CHECK(exact.volume == Approx(row.volume).epsilon(1e-12));
+    if (!std::isnan(row.largest)) CHECK(exact.largest == Approx(row.largest).epsilon(1e-12));
+    const double size = std::pow(exact.volume, 1.0 / row.dimension);
+    constexpr double of_cells = 0.01;
+    CHECK(sum.volume == Approx(exact.volume).epsilon(of_cells));
+    CHECK((sum.centre() - exact.centre).norm() < of_cells * size);
+    const Eigen::Matrix3d inertia = sum.inertia();
+    if (row.dimension == 2)
+      CHECK(inertia(2, 2) == Approx(exact.inertia(2, 2)).epsilon(2 * of_cells));
+    else
+      CHECK((inertia - exact.inertia).norm() < 2 * of_cells * exact.inertia.norm());
+  }
+}
+
+TEST_CASE("every shape has a row in the table of mass properties") {
+  const LuaSession session(FLYROCK_SHARE_DIR);
+  for (const std::string& name : session.registry().names(PluginKind::shape)) {
+    if (name == "compound") continue;  // compound_test.cpp
+    INFO(name);
+    CHECK(std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return name == row.shape; }));
+  }
+}
