@@ -16,7 +16,7 @@ help:
 	@echo "make golden write tests/golden, the hashes of the results of all scenarios, anew"
 	@echo "make bench  rocks per second, the share of time by phase, and what a law in Lua costs"
 	@echo "make fuzz SECONDS=600 SEED=1   tries mutants of every kind of input, with sanitizers; what it finds is in out/fuzz"
-	@echo "make reference   write docs/reference from the manifests of the plugins"
+	@echo "make reference   write docs/reference from the manifests of the plugins and the examples of shapes"
 	@echo "make format lay out the sources as .clang-format says, which a test checks"
 	@echo "make deps   install what is missing: Debian packages and Plotly"
 	@echo "make deps-browser   Chromium too, for the tests that open the report"
@@ -84,6 +84,9 @@ KINDS := shape population terrain velocity restitution friction rolling unilater
 reference: build-bench
 	mkdir -p docs/reference
 	for kind in $(KINDS); do build/bench/bin/flyrock plugins $$kind --markdown > docs/reference/$$kind.md || exit 1; done
+	mkdir -p docs/reference/shapes
+	for shape in $(notdir $(wildcard plugins/shape/*)); do \
+	  build/bench/bin/flyrock plugins shape/$$shape --svg > docs/reference/shapes/$$shape.svg || exit 1; done
 
 drawings:
 	lua5.4 docs/drawings/breakout.lua > docs/images/breakout.svg

@@ -28,7 +28,7 @@ constexpr std::array<Command, 10> commands = {{
     {"check", "check FILE [--strict]", "validates a scenario, or tries a plugin on sampled states", check},
     {"show", "show SCENARIO [--json]", "prints the resolved scenario: units converted, defaults filled in",
      show},
-    {"plugins", "plugins [KIND[/NAME] | FILE] [--markdown | --json]",
+    {"plugins", "plugins [KIND[/NAME] | FILE] [--markdown | --json | --svg]",
      "lists what is registered, with its parameters", plugins},
     {"law", "law KIND/NAME|FILE [-o FILE] [--set PARAMETER=VALUE]...",
      "draws the graph of a contact law from solved contacts", law},

@@ -6,8 +6,10 @@
 #include <sstream>
 
 #include "cli/command.h"
+#include "cli/shape_pictures.h"
 #include "document/value.h"
 #include "document/wording.h"
+#include "host/share.h"
 
 namespace flyrock::cli {
 
@@ -149,6 +151,8 @@ std::string full_text(const PluginSpec& spec) {
 
 std::string markdown(const PluginSpec& spec) {
   std::string text = fmt::format("## {}/{}\n\n{}\n", name_of(spec.kind), spec.name, spec.doc);
+  if (spec.kind == PluginKind::shape && !example_of(spec, share_folder()).empty())
+    text += fmt::format("\n![The rocks of its example](shapes/{}.svg)\n", spec.name);
   if (!spec.source.empty()) text += fmt::format("\nSource: {}\n", spec.source);
   if (!spec.validity.empty()) text += fmt::format("\nValid: {}\n", spec.validity);
   if (spec.dimension) text += fmt::format("\nOnly in {}D.\n", spec.dimension);

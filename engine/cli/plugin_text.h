@@ -16,7 +16,7 @@ std::vector<const PluginSpec*> select_plugins(const Registry& registry, const st
 std::string short_text(const PluginSpec& spec);
 /// The whole manifest, for a terminal.
 std::string full_text(const PluginSpec& spec);
-/// A section with a table of parameters.
+/// A section with a table of parameters; for a shape of flyrock also its picture, shapes/NAME.svg.
 std::string markdown(const PluginSpec& spec);
 /// { kind, name, doc, source, file, params: [{ name, type, unit, default, doc, ... }] }
 nlohmann::ordered_json json_of(const PluginSpec& spec);

@@ -5,6 +5,7 @@
 #include "cli/command.h"
 #include "cli/plugin_file.h"
 #include "cli/plugin_text.h"
+#include "cli/shape_pictures.h"
 #include "host/session.h"
 #include "host/share.h"
 
@@ -12,10 +13,12 @@ namespace flyrock::cli {
 
 int plugins(const Command& command, const Arguments& arguments) {
   boost::program_options::options_description options("options");
-  options.add_options()("markdown", "pages for a reference")("json", "a list of objects");
+  options.add_options()("markdown", "pages for a reference")("json", "a list of objects")(
+      "svg", "a picture of a shape: the rocks of its example");
   const CommandLine line = parse(command, options, arguments, 0, 1);
   if (line.help) return done;
-  if (line.has("markdown") && line.has("json")) throw UsageError("expected one of --markdown and --json");
+  if (line.has("markdown") + line.has("json") + line.has("svg") > 1)
+    throw UsageError("expected one of --markdown, --json and --svg");
   const std::string wanted = line.words.empty() ? "" : line.words[0];
   LuaSession session(share_folder());
   std::vector<const PluginSpec*> specs;
@@ -32,6 +35,16 @@ int plugins(const Command& command, const Arguments& arguments) {
     for (const PluginSpec* spec : specs) list.push_back(json_of(*spec));
     fmt::print("{}\n", list.dump(2));
     return done;
+  }
+  if (line.has("svg")) {
+    const std::string folder = names_plugin_file(wanted) ? "" : share_folder();
+    const bool is_shape = specs.size() == 1 && specs[0]->kind == PluginKind::shape;
+    const std::string example = is_shape ? example_of(*specs[0], folder) : "";
+    if (example.empty())
+      throw UsageError("--svg draws one shape that has an example beside its manifest, as shape/box has");
+    const std::optional<std::string> picture = picture_of(specs[0]->name, example);
+    if (picture) fmt::print("{}", *picture);
+    return picture ? done : bad_input;
   }
   const bool single = wanted.find('/') != std::string::npos || names_plugin_file(wanted);
   for (const PluginSpec* spec : specs) {

@@ -220,7 +220,13 @@ TEST_CASE("The Ninh Dan page has the distances that the program computes", "[slo
 TEST_CASE("The reference is what the manifests say: make reference") {
   const Folder folder;
   int kinds = 0;
-  for (const auto& entry : fs::directory_iterator(FLYROCK_SOURCE_DIR "/docs/reference")) {
+  const fs::path reference = FLYROCK_SOURCE_DIR "/docs/reference";
+  for (const auto& entry : fs::directory_iterator(reference / "shapes"))
+    CHECK(call(folder, "plugins shape/" + entry.path().stem().string() + " --svg").out == read(entry.path()));
+  for (const auto& entry : fs::directory_iterator(FLYROCK_SOURCE_DIR "/plugins/shape"))
+    CHECK(fs::exists(reference / "shapes" / (entry.path().filename().string() + ".svg")));
+  for (const auto& entry : fs::directory_iterator(reference)) {
+    if (entry.is_directory()) continue;
     const std::string kind = entry.path().stem().string();
     CHECK(call(folder, "plugins " + kind + " --markdown").out == read(entry.path()));
     ++kinds;
