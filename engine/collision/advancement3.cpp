@@ -81,17 +81,26 @@ class PairSearch {
   /// j of the other contactor are held.
   struct Supports {
     double free = -forever, held = -forever;
+    bool drifts = false;  ///< the normals of held contacts drift from the direction
   };
   Supports supports_of(const Direction& d, const Vec3& normal, const MovingContactor& reference,
                        const MovingState& sr, const MovingState& so, int j) const {
     Supports supports;
     for (int i = 0; i < static_cast<int>(reference.shape.points.size()); ++i) {
-      const bool is_held =
-          &reference == &a_ ? held_.between(-normal, i, j, sr, so) : held_.between(normal, j, i, so, sr);
-      double& support = is_held ? supports.held : supports.free;
+      const HeldPair::Hold hold = &reference == &a_ ? held_.along_normal(-normal, d.feature, i, j, sr, so)
+                                                    : held_.along_normal(normal, d.feature, j, i, so, sr);
+      double& support = hold == HeldPair::Hold::no ? supports.free : supports.held;
       support = std::max(support, d.local.dot(reference.shape.points[i]));
+      supports.drifts = supports.drifts || hold == HeldPair::Hold::for_now;
     }
     return supports;
+  }
+
+  /// The time in which a direction and the normal of a held contact drift apart by a small angle.
+  double drift_time(const MovingState& sa, const MovingState& sb, double speed) const {
+    constexpr double small = 1e-3;  // rad
+    const double rate = sa.w_max + sb.w_max + speed / (a_.shape.radius + b_.shape.radius);
+    return rate > 0 ? small / rate : forever;
   }
 
   double face_lasts(const Direction& d, const MovingContactor& reference, const MovingState& sr,
@@ -121,13 +130,17 @@ class PairSearch {
         const Supports supports = supports_of(d, normal, reference, sr, so, j);
         const Vec3 arm = so.arm(p);
         const double lever = (so.x + arm - sr.x).norm();
+        const Bounds bounds = bounds_of(arm.norm(), lever);
         const auto see = [&](double support, bool opened) {
-          if (support == -forever || (opened && search_.held_are_solved)) return;
           least = std::min(least, point_lasts(gap + d.support - support, slope, lever, turn, turn_rate,
-                                              bounds_of(arm.norm(), lever), opened && t == 0, t));
+                                              bounds, opened && t == 0, t));
         };
-        see(supports.free, false);
-        see(supports.held, true);
+        if (supports.free > -forever) see(supports.free, false);
+        if (supports.held == -forever) continue;
+        if (!search_.held_are_solved)
+          see(supports.held, true);
+        else if (supports.drifts)
+          least = std::min(least, within(drift_time(sr, so, bounds.speed), left, forever));
         continue;
       }
       const bool is_held = &reference == &a_
@@ -165,7 +178,9 @@ class PairSearch {
         end_ - t,
         (sa.v - sb.v).norm() + relative_a.norm() * (end_ - t) + sa.w_max * size_a + sb.w_max * size_b,
         sa.bend(size_a) + sb.bend(size_b) + relative_a.norm()};
-    const bool is_held = held_.holds(a_.id(FeatureKind::edge, d.edge_a), b_.id(FeatureKind::edge, d.edge_b));
+    const FeatureId edge_of_a = a_.id(FeatureKind::edge, d.edge_a),
+                    edge_of_b = b_.id(FeatureKind::edge, d.edge_b);
+    const bool is_held = held_.holds(edge_of_a, edge_of_b);
     if (w > 0) bounds.horizon = std::min(bounds.horizon, s / w);
     if (bounds.speed > 0)
       bounds.horizon = std::min(bounds.horizon, ((sa.x - sb.x).norm() + search_.size) / bounds.speed);
@@ -178,10 +193,16 @@ class PairSearch {
       const double gap = of_a.of(pa) - of_b.of(pb) - radii, slope = of_a.rate(pa) - of_b.rate(pb);
       if (stays_open(gap + margin(), slope, bend, std::min(least, end_ - t))) return;
       const bool on_edges = (i == ea.start || i == ea.end) && (j == eb.start || j == eb.end);
-      const bool point_is_held = by_pairs_  ? held_.between(normal, i, j, sa, sb)
+      const auto hold =
+          by_pairs_ ? held_.along_edges(normal, edge_of_a, edge_of_b, i, j, sa, sb) : HeldPair::Hold::no;
+      const bool point_is_held = by_pairs_  ? hold != HeldPair::Hold::no
                                  : b_.facet ? held_.along(normal, i, j, sa)
                                             : on_edges && is_held;
-      if (point_is_held && search_.held_are_solved) return;
+      if (point_is_held && search_.held_are_solved) {
+        if (hold == HeldPair::Hold::for_now)
+          least = std::min(least, within(drift_time(sa, sb, bounds.speed), end_ - t, forever));
+        return;
+      }
       const Vec3 away = sa.x + sa.arm(pa) - sb.x - sb.arm(pb);
       least = std::min(
           least, point_lasts(gap, slope, away.norm(), turn, turn_rate, bounds, point_is_held && t == 0, t));

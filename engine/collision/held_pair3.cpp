@@ -104,23 +104,52 @@ bool HeldPair::contains(const MovingContactor& c, FeatureId feature, int point) 
   return std::find(loop, loop + face.count, point) != loop + face.count;
 }
 
-bool HeldPair::between(const Vec3& direction, int i, int j, const MovingState& sa,
-                       const MovingState& sb) const {
-  const auto agrees = [&](const Place& a, const Place& b) {
-    return direction.dot(normal_of(a, b)) > same_direction;
+bool HeldPair::agrees(const Vec3& direction, const Place& a, const Place& b) const {
+  return direction.dot(normal_of(a, b)) > same_direction;
+}
+
+HeldPair::Hold HeldPair::along_normal(const Vec3& direction, FeatureId feature, int i, int j,
+                                      const MovingState& sa, const MovingState& sb) const {
+  const FeatureId of_a = a_.id(FeatureKind::vertex, i), of_b = b_.id(FeatureKind::vertex, j);
+  if (search_.holds(of_a, feature) || search_.holds(feature, of_b) || over(feature, i)) return Hold::exactly;
+  return for_now(direction, i, j, sa, sb);
+}
+
+HeldPair::Hold HeldPair::along_edges(const Vec3& direction, FeatureId edge_a, FeatureId edge_b, int i, int j,
+                                     const MovingState& sa, const MovingState& sb) const {
+  const auto on_edge_b = [&] {
+    if (!b_.facet) return contains(b_, edge_b, j);
+    for (int rim = 0; rim < 3; ++rim)
+      if (b_.facet->edge_feature(rim) == edge_b) return j == rim || j == Facet::next(rim);
+    return false;
   };
-  if (b_.facet)
-    return std::any_of(b_.held.begin(), b_.held.end(), [&](const HeldOnGround& h) {
-      if (contactor_of(h.feature) != a_.index || !contains(a_, h.feature, i)) return false;
-      const FeatureKind kind = kind_of(h.against);
-      if (!h.contains(b_.facet->vertex[j]) && !(kind == FeatureKind::face && in_plane(h))) return false;
-      return agrees(place_of(a_, h.feature, sa), {kind, h.place, h.along, h.normal});
-    });
-  return std::any_of(search_.held.begin(), search_.held.end(), [&](const HeldContact& h) {
-    return contactor_of(h.feature) == a_.index && contactor_of(h.against) == b_.index &&
-           contains(a_, h.feature, i) && contains(b_, h.against, j) &&
-           agrees(place_of(a_, h.feature, sa), place_of(b_, h.against, sb));
-  });
+  if (search_.holds(edge_a, edge_b) && contains(a_, edge_a, i) && on_edge_b()) return Hold::exactly;
+  return for_now(direction, i, j, sa, sb);
+}
+
+HeldPair::Hold HeldPair::for_now(const Vec3& direction, int i, int j, const MovingState& sa,
+                                 const MovingState& sb) const {
+  const auto is_vertex = [](FeatureId feature) { return kind_of(feature) == FeatureKind::vertex; };
+  const auto on_ground = [&](const HeldOnGround& h) {
+    if (contactor_of(h.feature) != a_.index || !contains(a_, h.feature, i)) return false;
+    const bool of_facet = of_b(h.against);
+    if (!(is_vertex(h.feature) && of_facet) && !h.contains(b_.facet->vertex[j])) return false;
+    // Two edges have a normal of their own, which only their cross product follows.
+    if (!is_vertex(h.feature) && !is_vertex(h.against) && of_facet) return false;
+    return agrees(direction, place_of(a_, h.feature, sa), {kind_of(h.against), h.place, h.along, h.normal});
+  };
+  const auto on_body = [&](const HeldContact& h) {
+    if (contactor_of(h.feature) != a_.index || contactor_of(h.against) != b_.index) return false;
+    const bool end_of_a = !a_.shape.has_faces() && h.feature == a_.id(FeatureKind::vertex, i);
+    const bool end_of_b = !b_.shape.has_faces() && h.against == b_.id(FeatureKind::vertex, j);
+    const bool is_vertex_of_both = (is_vertex(h.feature) || is_vertex(h.against)) &&
+                                   contains(a_, h.feature, i) && contains(b_, h.against, j);
+    return (end_of_a || end_of_b || is_vertex_of_both) &&
+           agrees(direction, place_of(a_, h.feature, sa), place_of(b_, h.against, sb));
+  };
+  const bool is_held = b_.facet ? std::any_of(b_.held.begin(), b_.held.end(), on_ground)
+                                : std::any_of(search_.held.begin(), search_.held.end(), on_body);
+  return is_held ? Hold::for_now : Hold::no;
 }
 
 bool HeldPair::touches(int face) const {

@@ -26,10 +26,17 @@ class HeldPair {
   /// have no gap.
   bool along(const Vec3& direction, int i, int j, const MovingState& state_of_a) const;
 
-  /// A contact that holds the point i of a and the point j of b apart along a direction: its features contain
-  /// them, and its normal, from b to a, is this direction. For pairs in which a sphere or a pill touches.
-  bool between(const Vec3& direction, int i, int j, const MovingState& state_of_a,
-               const MovingState& state_of_b) const;
+  /// How a contact holds the point i of a and the point j of b apart along a direction. For pairs in which a
+  /// pill touches. `exactly`: the direction is the normal of the contact while the bodies move, because it
+  /// belongs to the same face or the same two edges. `for_now`: it is now, but it drifts from it. The end of
+  /// a pill has one contact with a convex contactor, as a sphere; so the feature there does not matter.
+  enum class Hold { no, for_now, exactly };
+  /// The direction is the normal of a face, or of another feature that turns with a contactor.
+  Hold along_normal(const Vec3& direction, FeatureId feature, int i, int j, const MovingState& state_of_a,
+                    const MovingState& state_of_b) const;
+  /// The direction is the cross product of these edges.
+  Hold along_edges(const Vec3& direction, FeatureId edge_a, FeatureId edge_b, int i, int j,
+                   const MovingState& state_of_a, const MovingState& state_of_b) const;
 
   /// A contact of a's face with the ground.
   bool touches(int face) const;
@@ -43,6 +50,8 @@ class HeldPair {
   static Place place_of(const MovingContactor& c, FeatureId feature, const MovingState& s);
   static Vec3 normal_of(const Place& a, const Place& b);
   static bool contains(const MovingContactor& c, FeatureId feature, int point);
+  bool agrees(const Vec3& direction, const Place& a, const Place& b) const;
+  Hold for_now(const Vec3& direction, int i, int j, const MovingState& sa, const MovingState& sb) const;
   bool of_b(FeatureId feature) const;
   /// Whether a contact with a facet is in the plane of the facet b.
   bool in_plane(const HeldOnGround& h) const;

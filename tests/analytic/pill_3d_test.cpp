@@ -98,7 +98,7 @@ TEST_CASE("pills thrown on rough ground come down without gain of energy, and st
   const Height rough = [](double x, double y) {
     return 0.15 * std::sin(2.1 * x + 1) * std::cos(1.7 * y) - 0.3 * x;
   };
-  for (unsigned seed = 1; seed <= 4; ++seed) {
+  for (unsigned seed = 1; seed <= 3; ++seed) {
     std::mt19937 rng(seed);
     std::uniform_real_distribution<double> random(-1, 1);
     Material material(0.4, 0.5, 0.02);
@@ -109,8 +109,10 @@ TEST_CASE("pills thrown on rough ground come down without gain of energy, and st
     body.v = {3 * random(rng), 3 * random(rng), 0};
     body.w = {9 * random(rng), 9 * random(rng), 9 * random(rng)};
     const double before = energy_of(body);
-    const BodyHistory& history = bench.run(3);
+    const BodyHistory& history = bench.run(2);
     CHECK(history.reason != StopReason::diverged);
+    // The end of a pill that rocks about an edge of the ground meets the facet beside it in time.
+    CHECK(bench.world.quality().max_penetration < 1e-5);
     CHECK(energy_of(bench.world.bodies[i]) < before);
     const Body<3>& last = bench.world.bodies[i];
     for (int k = 0; k <= 10; ++k) {

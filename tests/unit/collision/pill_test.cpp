@@ -258,13 +258,13 @@ std::vector<Mesh> grounds() {
            {{0, 1, 5}, {0, 5, 4}, {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}}));
   Mesh level;
   level.parts = {""};
-  for (int r = 0; r <= 12; ++r)
-    for (int c = 0; c <= 12; ++c) level.vertices.push_back({c - 6.0, r - 6.0, 0});
-  for (int r = 0; r < 12; ++r)
-    for (int c = 0; c < 12; ++c) {
-      const int sw = 13 * r + c;
-      level.triangles.push_back({sw, sw + 1, sw + 14});
-      level.triangles.push_back({sw, sw + 14, sw + 13});
+  for (int r = 0; r <= 6; ++r)
+    for (int c = 0; c <= 6; ++c) level.vertices.push_back({2 * c - 6.0, 2 * r - 6.0, 0});
+  for (int r = 0; r < 6; ++r)
+    for (int c = 0; c < 6; ++c) {
+      const int sw = 7 * r + c;
+      level.triangles.push_back({sw, sw + 1, sw + 8});
+      level.triangles.push_back({sw, sw + 8, sw + 7});
     }
   level.part.assign(level.triangles.size(), 0);
   all.push_back(level);
@@ -294,8 +294,8 @@ Triangles triangles_of(const Mesh& mesh) {
 }
 
 bool is_below(const Placed3& pill, const Ground3& ground) {
-  for (int i = 0; i <= 50; ++i)
-    if (ground.depth(pill.point(0) + i / 50.0 * (pill.point(1) - pill.point(0))) > 0) return true;
+  for (int i = 0; i <= 10; ++i)
+    if (ground.depth(pill.point(0) + i / 10.0 * (pill.point(1) - pill.point(0))) > 0) return true;
   return false;
 }
 
