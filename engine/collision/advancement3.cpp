@@ -96,6 +96,17 @@ class PairSearch {
     return supports;
   }
 
+  /// The same where a contact with a feature holds all of its points.
+  Supports common_support(const Direction& d, const MovingContactor& reference, const MovingContactor& other,
+                          int j) const {
+    const bool is_held = &reference == &a_
+                             ? held_.holds(d.feature, vertex(other, j))
+                             : held_.holds(vertex(other, j), d.feature) || held_.over(d.feature, j);
+    Supports supports;
+    (is_held ? supports.held : supports.free) = d.support;
+    return supports;
+  }
+
   /// The time in which a direction and the normal of a held contact drift apart by a small angle.
   double drift_time(const MovingState& sa, const MovingState& sb, double speed) const {
     constexpr double small = 1e-3;  // rad
@@ -126,31 +137,20 @@ class PairSearch {
       const Vec3& p = other.shape.points[j];
       const double gap = heights.of(p) - offset, slope = heights.rate(p), time = std::min(least, left);
       if (time <= of_all.horizon && stays_open(gap + margin(), slope, bend, time)) continue;
-      if (by_pairs_) {
-        const Supports supports = supports_of(d, normal, reference, sr, so, j);
-        const Vec3 arm = so.arm(p);
-        const double lever = (so.x + arm - sr.x).norm();
-        const Bounds bounds = bounds_of(arm.norm(), lever);
-        const auto see = [&](double support, bool opened) {
-          least = std::min(least, point_lasts(gap + d.support - support, slope, lever, turn, turn_rate,
-                                              bounds, opened && t == 0, t));
-        };
-        if (supports.free > -forever) see(supports.free, false);
-        if (supports.held == -forever) continue;
-        if (!search_.held_are_solved)
-          see(supports.held, true);
-        else if (supports.drifts)
-          least = std::min(least, within(drift_time(sr, so, bounds.speed), left, forever));
-        continue;
-      }
-      const bool is_held = &reference == &a_
-                               ? held_.holds(d.feature, vertex(other, j))
-                               : held_.holds(vertex(other, j), d.feature) || held_.over(d.feature, j);
-      if (is_held && search_.held_are_solved) continue;
+      const Supports supports =
+          by_pairs_ ? supports_of(d, normal, reference, sr, so, j) : common_support(d, reference, other, j);
+      if (supports.free == -forever && search_.held_are_solved && !supports.drifts) continue;
       const Vec3 arm = so.arm(p);
       const double lever = (so.x + arm - sr.x).norm();
-      least = std::min(least, point_lasts(gap, slope, lever, turn, turn_rate, bounds_of(arm.norm(), lever),
-                                          is_held && t == 0, t));
+      const Bounds bounds = bounds_of(arm.norm(), lever);
+      const auto see = [&](double support, bool opened) {
+        least = std::min(least, point_lasts(gap + (d.support - support), slope, lever, turn, turn_rate,
+                                            bounds, opened, t));
+      };
+      if (supports.free > -forever) see(supports.free, false);
+      if (supports.held > -forever && !search_.held_are_solved) see(supports.held, t == 0);
+      if (supports.drifts && search_.held_are_solved)
+        least = std::min(least, within(drift_time(sr, so, bounds.speed), left, forever));
     }
     return least;
   }

@@ -18,37 +18,39 @@ class CoreRimContacts {
  public:
   CoreRimContacts(const Placed3& core, int index, const Ground3& ground, double reach, double turn,
                   std::vector<ContactPoint<3>>& out)
-      : core_(core),
-        ground_(ground),
+      : ground_(ground),
         index_(index),
+        radius_(core.shape.radius),
         reach_(reach),
         slack_(flush_angle + turn),
-        start_(core.point(0)),
-        axis_(core.point(core.count() - 1) - start_),
-        length_(axis_.norm()),
+        is_pill_(core.count() > 1),
+        end_{core.point(0), Vec3::Zero()},
         out_(out) {
     seen_.clear();
+    if (!is_pill_) return;
+    end_[1] = core.point(1);
+    axis_ = end_[1] - end_[0];
+    length_ = axis_.norm();
   }
 
   void rim(const Facet& f, int i) {
-    for (int end = 0; end < core_.count(); ++end) {
-      const Vec3 from_corner = core_.point(end) - f.corner[i], along = f.along(i);
+    for (int end = 0; end <= is_pill_; ++end) {
+      const Vec3 from_corner = end_[end] - f.corner[i], along = f.along(i);
       const double share = from_corner.dot(along) / along.squaredNorm();
       const Vec3 away = from_corner - share * along;
       if (is_in(share) && near(away) && rim_cone_contains(f, i, away, 0) && end_contains(end, away, along))
         touch(f.corner[i] + share * along, away, vertex(end), f.edge_feature(i));
     }
-    if (core_.count() > 1) across(f, i);
+    if (is_pill_) across(f, i);
   }
 
   void peak(const Facet& f, int i) {
-    if (std::find(seen_.begin(), seen_.end(), f.vertex[i]) != seen_.end()) return;
     const Vec3& top = f.corner[i];
-    const double s = nearest_of_segments(start_, axis_, top, Vec3::Zero()).s;
-    const bool on_axis = core_.count() > 1 && s > 0 && s < 1;
-    const int end = core_.count() > 1 && s > 0;
-    const Vec3 away = (on_axis ? Vec3(start_ + s * axis_) : core_.point(end)) - top;
-    if (!near(away)) return;
+    const double s = is_pill_ ? nearest_of_segments(end_[0], axis_, top, Vec3::Zero()).s : 0;
+    const bool on_axis = s > 0 && s < 1;
+    const int end = s > 0;
+    const Vec3 away = (on_axis ? Vec3(end_[0] + s * axis_) : end_[end]) - top;
+    if (!near(away) || std::find(seen_.begin(), seen_.end(), f.vertex[i]) != seen_.end()) return;
     seen_.push_back(f.vertex[i]);
     edges_.clear();
     if (ground_.peak(f.vertex[i], edges_) &&
@@ -61,13 +63,13 @@ class CoreRimContacts {
   FeatureId axis_feature() const { return feature_id(index_, FeatureKind::edge, 0); }
   static bool is_in(double share) { return share >= -region_slack && share <= 1 + region_slack; }
   bool near(const Vec3& away) const {
-    const double farthest = core_.shape.radius + reach_;
+    const double farthest = radius_ + reach_;
     return away.squaredNorm() <= farthest * farthest;
   }
 
   /// Whether the axis leads away from the ground at an end, or lies flush on the edge.
   bool end_contains(int end, const Vec3& away, const Vec3& along) const {
-    if (core_.count() == 1) return true;
+    if (!is_pill_) return true;
     const double rise = (end ? Vec3(-axis_) : axis_).dot(away);
     return rise >= (parallel(along) ? -flush_angle * length_ * away.norm() : 0);
   }
@@ -77,7 +79,7 @@ class CoreRimContacts {
 
   /// The axis of a pill across an edge. If they are parallel, the ends have the contacts.
   void across(const Facet& f, int i) {
-    const Vec3 along = f.along(i), away = start_ - f.corner[i];
+    const Vec3 along = f.along(i), away = end_[0] - f.corner[i];
     Vec3 normal = axis_.cross(along);
     const double length = normal.norm();
     if (parallel(along)) return;
@@ -86,24 +88,23 @@ class CoreRimContacts {
     if (!is_in(s) || !is_in(t)) return;
     normal /= normal.dot(f.normal + f.beyond[i]) < 0 ? -length : length;
     const double distance = normal.dot(away);
-    if (distance <= 0 || distance - core_.shape.radius > reach_ || !rim_cone_contains(f, i, normal, slack_))
-      return;
+    if (distance <= 0 || distance - radius_ > reach_ || !rim_cone_contains(f, i, normal, slack_)) return;
     touch(f.corner[i] + t * along, distance * normal, axis_feature(), f.edge_feature(i));
   }
 
   void touch(const Vec3& place, const Vec3& away, FeatureId feature, FeatureId against) {
-    const double distance = away.norm(), gap = distance - core_.shape.radius;
+    const double distance = away.norm(), gap = distance - radius_;
     if (gap > reach_ || !(distance > 0)) return;
     const Vec3 normal = away / distance;
     out_.push_back({place + 0.5 * gap * normal, normal, gap, feature, against});
   }
 
-  const Placed3& core_;
   const Ground3& ground_;
   int index_;
-  double reach_, slack_;
-  Vec3 start_, axis_;  ///< of a pill; a sphere has no axis
-  double length_;
+  double radius_, reach_, slack_;
+  bool is_pill_;
+  Vec3 end_[2], axis_;  ///< of a pill; a sphere is one end
+  double length_ = 0;
   std::vector<ContactPoint<3>>& out_;
   std::vector<std::uint64_t>& seen_ = buffer<std::uint64_t>();  // peaks, each of which many facets share
   std::vector<Vec3>& edges_ = buffer<Vec3>();
