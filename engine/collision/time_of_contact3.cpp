@@ -4,6 +4,7 @@
 #include "collision/advance3.h"
 #include "collision/along_path.h"
 #include "collision/facet_region.h"
+#include "collision/feature_gap.h"
 #include "collision/round_path.h"
 #include "collision/time_of_contact.h"
 #include "math/polynomial.h"
@@ -11,6 +12,9 @@
 namespace flyrock {
 
 namespace {
+
+// A contact of a pill that has opened by more than this share of the size is not held any more.
+constexpr double opened_share = 1e-4;
 
 /// Whether the contactor is a sphere centred at the body's centre of mass.
 bool rolls(const Contactor3& contactor) { return contactor.round() && contactor.points[0].isZero(); }
@@ -226,9 +230,19 @@ std::optional<double> time_of_contact(const Contactor3& contactor, int contactor
                       });
   }
   const MovingContactor moving{contactor, motion, contactor_index};
-  const auto& held = held_on(ground, search.held);
+  // The axis of a pill may leave an edge and come back to it elsewhere: that is a new touch.
+  thread_local std::vector<HeldContact> closed;  // keeps its memory between calls
+  closed.clear();
+  const Placed3 start{contactor, {motion.x, motion.turn(0).rotation}};
+  for (const HeldContact& h : search.held)
+    if (contactor.has_faces() || contactor.round() || contactor_of(h.feature) != contactor_index ||
+        feature_gap(start, h.feature, terrain, h.against) <= opened_share * search.size)
+      closed.push_back(h);
+  const auto& held = held_on(ground, closed);
+  TouchSearch search_closed = search;
+  search_closed.held = closed;
   const auto see = [&](const Facet& facet, const TimeWindow& window, std::optional<double>& first) {
-    const auto t = advance_to_facet(moving, facet, held, window, search);
+    const auto t = advance_to_facet(moving, facet, held, window, search_closed);
     if (t && (!first || *t < *first)) first = t;
   };
   if (const double travel = greatest_travel(moving, t_max); travel < 0.25 * reach)
