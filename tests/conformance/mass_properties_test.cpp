@@ -30,14 +30,22 @@ struct Integrals {
   }
 };
 
+/// Whether a place is in a disk, wall, sphere or pill.
+template <class Point>
+bool is_near(const std::vector<Point>& core, double radius, const Point& place) {
+  const Point along = core.back() - core.front(), away = place - core.front();
+  const double square = along.squaredNorm();
+  const double share = square > 0 ? std::clamp(away.dot(along) / square, 0.0, 1.0) : 0;
+  return (away - share * along).norm() <= radius;
+}
 bool contains(const Contactor2& contactor, const Vec2& place) {
-  if (contactor.points.size() == 1) return (place - contactor.points[0]).norm() <= contactor.radius;
+  if (contactor.points.size() <= 2) return is_near(contactor.points, contactor.radius, place);
   for (std::size_t i = 0; i < contactor.points.size(); ++i)
     if (contactor.normals[i].dot(place - contactor.points[i]) > 0) return false;
   return true;
 }
 bool contains(const Contactor3& contactor, const Vec3& place) {
-  if (contactor.round()) return (place - contactor.points[0]).norm() <= contactor.radius;
+  if (contactor.points.size() <= 2) return is_near(contactor.points, contactor.radius, place);
   for (const Contactor3::Face& face : contactor.faces)
     if (face.normal.dot(place - contactor.points[contactor.vertex(face, 0)]) > 0) return false;
   return true;
@@ -86,10 +94,23 @@ using Numbers = std::vector<double>;
 
 const std::vector<Row> rows{
     {"disk", 2, {{"radius", 0.3}}, pi * 0.09, pi * 0.0081 / 2},
+    // A rectangle, and two half-disks whose centroids lie 4 r / (3 pi) beyond its ends
+    {"wall",
+     2,
+     {{"length", 1.2}, {"radius", 0.25}},
+     1.2 * 0.5 + pi * 0.0625,
+     1.2 * 0.5 * (1.44 + 0.25) / 12 + pi * 0.0625 * (0.0625 / 2 + 0.36 + 2 * 0.6 * 4 * 0.25 / (3 * pi))},
     {"polygon", 2, {{"vertices", Points{{0, 0}, {3, 0}, {3, 2}, {0, 2}}}}, 6, 6 * 13.0 / 12},
     {"polygon", 2, {{"vertices", Points{{5, 1}, {8, 1}, {5, 5}}}}, 6, 6 * 25.0 / 18},  // (a^2 + b^2)/18
     {"polygon", 2, {{"sides", 7.0}, {"diameter", 1.0}, {"irregularity", 0.8}}, pi / 4, none},
     {"sphere", 3, {{"radius", 0.3}}, 4 * pi / 3 * 0.027, 4 * pi / 3 * 0.027 * 0.4 * 0.09},
+    // A cylinder and two half-spheres, across the axis
+    {"pill",
+     3,
+     {{"length", 0.8}, {"radius", 0.25}},
+     pi * 0.0625 * 0.8 + 4 * pi / 3 * 0.015625,
+     pi * 0.0625 * 0.8 * (0.0625 / 4 + 0.64 / 12) +
+         4 * pi / 3 * 0.015625 * (0.4 * 0.0625 + 0.64 / 4 + 3 * 0.8 * 0.25 / 8)},
     {"box", 3, {{"size", Numbers{1, 2, 3}}}, 6, 6 * 13.0 / 12},
     {"polyhedron", 3, {{"points", Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}}, 1.0 / 6, 1.0 / 60},
     {"polyhedron",
