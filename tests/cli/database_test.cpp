@@ -33,7 +33,8 @@ TEST_CASE("The database holds what the other tables hold, and every drawn number
   const fs::path db = folder.path() / "r/results.db";
   CHECK(query(db, "SELECT * FROM points") == std::vector<std::string>{"0|4|NULL", "1|4|NULL"});
   CHECK(query(db, "SELECT * FROM sweep") ==
-        std::vector<std::string>{"0|materials.rock.friction.mu|0.5", "1|materials.rock.friction.mu|0.7"});
+        std::vector<std::string>{"0|materials.rock.friction.mu|0.5|NULL",
+                                 "1|materials.rock.friction.mu|0.7|NULL"});
   CHECK(query(db, "SELECT count(*) FROM rocks") == std::vector<std::string>{"8"});
   CHECK(query(db, "SELECT DISTINCT path FROM inputs ORDER BY path") ==
         std::vector<std::string>{"rock.elongation", "rock.orientation", "rock.volume",

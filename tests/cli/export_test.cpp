@@ -140,7 +140,7 @@ TEST_CASE("Every table of a result is exported as CSV") {
           query(db, "SELECT count(*) FROM " + table)[0]);
   }
   CHECK(read(folder.path() / "tables/sweep.csv") ==
-        "point,path,value\n0,materials.rock.friction.mu,0.5\n1,materials.rock.friction.mu,0.7\n");
+        "point,path,value,label\n0,materials.rock.friction.mu,0.5,\n1,materials.rock.friction.mu,0.7,\n");
   CHECK(read(folder.path() / "tables/gates.csv").find("0,0,0,road,") != std::string::npos);
   CHECK(read(folder.path() / "tables/expectations.csv").find("0,rocks.count,0,4,equals,4,,0,1,\n") !=
         std::string::npos);
