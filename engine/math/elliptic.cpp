@@ -99,7 +99,10 @@ EllipticFunctions::Values EllipticFunctions::at(double u) const {
     v = by_series(within);
   } else {
     const Jacobi f = jacobi(modulus_, within);
-    v = {f.sn, f.cn, f.dn, third_kind(modulus_, n_, f.sn, f.cn)};
+    // Near K both integrals rise by 1/dn times an error of the amplitude, which dn makes great close to m =
+    // 1; their difference Pi - F/(1 - n) does not. F itself is the argument.
+    const double error = within - first_kind(modulus_, f.sn, f.cn);
+    v = {f.sn, f.cn, f.dn, third_kind(modulus_, n_, f.sn, f.cn) + error / (1 - n_)};
   }
   if (std::fmod(half_periods, 2) != 0) v.sn = -v.sn, v.cn = -v.cn;
   v.third_kind += 2 * half_periods * third_kind_quarter_;
