@@ -5,6 +5,15 @@ namespace flyrock {
 namespace {
 bool is_edge(FeatureId feature) { return feature & 1; }
 int index_2d(FeatureId feature) { return static_cast<int>(feature >> 1 & 0x7fff); }
+
+/// The distance of p from the two segments at a convex corner. A disk that has rolled past the corner is over
+/// one of them.
+double from_corner(const Vec2& p, const Terrain2& terrain, int corner) {
+  const Vec2 away = p - terrain.point(corner);
+  if (away.dot(terrain.tangent(corner)) > 0) return away.dot(terrain.normal(corner));
+  if (away.dot(terrain.tangent(corner - 1)) < 0) return away.dot(terrain.normal(corner - 1));
+  return away.norm();
+}
 }  // namespace
 
 double feature_gap(const Placed2& contactor, FeatureId feature, const Terrain2& terrain, FeatureId against) {
@@ -12,7 +21,7 @@ double feature_gap(const Placed2& contactor, FeatureId feature, const Terrain2& 
   if (is_edge(feature)) return contactor.outside(k, terrain.point(i)) - contactor.shape.radius;
   const Vec2 p = contactor.point(k);
   const double distance =
-      is_corner(against) ? (p - terrain.point(i)).norm() : (p - terrain.start(i)).dot(terrain.normal(i));
+      is_corner(against) ? from_corner(p, terrain, i) : (p - terrain.start(i)).dot(terrain.normal(i));
   return distance - contactor.shape.radius;
 }
 

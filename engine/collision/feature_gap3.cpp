@@ -43,6 +43,15 @@ double from_vertex(const Placed3& a, int v, const Placed3& b, FeatureId feature)
   return (p - b.point(i)).norm();
 }
 
+/// The distance of p from the two facets at a convex rim. A sphere that has rolled past the rim is over one
+/// of them.
+double from_rim(const Facet& f, int rim, const Vec3& p) {
+  const Vec3 along = f.along(rim), away = p - f.corner[rim];
+  if (away.dot(f.normal.cross(along)) > 0) return away.dot(f.normal);
+  if (away.dot(along.cross(f.beyond[rim])) > 0) return away.dot(f.beyond[rim]);
+  return along.normalized().cross(away).norm();
+}
+
 }  // namespace
 
 double feature_gap(const Placed3& contactor, FeatureId feature, const Terrain3& terrain, FeatureId against) {
@@ -68,7 +77,7 @@ double feature_gap(const Placed3& contactor, FeatureId feature, const Terrain3& 
   const int rim = static_cast<int>(ground_index(against) % 3);
   const Vec3 along = f.along(rim).normalized();
   if (kind_of(feature) == FeatureKind::vertex)
-    return along.cross(contactor.point(index_of(feature)) - f.corner[rim]).norm() - radius;
+    return from_rim(f, rim, contactor.point(index_of(feature))) - radius;
   Vec3 normal = along.cross(edge_direction(contactor, index_of(feature)));
   if (normal.dot(f.normal + f.beyond[rim]) < 0) normal = -normal;
   return normal.normalized().dot(edge_start(contactor, index_of(feature)) - f.corner[rim]) - radius;

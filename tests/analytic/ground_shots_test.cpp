@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "analytic/lab_ground.h"
+#include "collision/feature_gap.h"
 
 using namespace flyrock;
 using namespace flyrock::lab;
@@ -99,6 +100,33 @@ void to_rest(const TerrainShape3& shape, int rocks, unsigned seed) {
 }
 
 }  // namespace
+
+TEST_CASE("a sphere past a convex rim has the gap to the facet that it is over") {
+  constexpr double radius = 0.5, fall = 0.1;
+  const auto height = [](double x, double) { return x > 0 ? -x * std::tan(fall) : 0.0; };
+  const Terrain3 terrain(mesh_of(height, 2, 4));
+  const Contactor3 sphere = Contactor3::sphere(radius);
+  std::vector<Facet> facets;
+  terrain.ground().facets({{-0.1, 0.4, -1}, {0.1, 0.6, 1}}, facets);
+  int rims = 0;
+  for (const Facet& f : facets)
+    for (int i = 0; i < 3; ++i) {
+      if (f.rim[i] != Rim::convex || !f.names_edge(i)) continue;
+      const double y = 0.5 * (f.corner[i] + f.corner[Facet::next(i)]).y();
+      const auto gap = [&](double x, double z) {
+        return feature_gap(Placed3{sphere, {{x, y, z}, {}}}, feature_id(0, FeatureKind::vertex, 0), terrain,
+                           f.edge_feature(i));
+      };
+      const double over = radius + 0.01, along = 0.2;  // the facet that falls
+      const Vec2 beyond(along * std::cos(fall) + over * std::sin(fall),
+                        over * std::cos(fall) - along * std::sin(fall));
+      CHECK(gap(-0.2, radius + 0.01) == Approx(0.01).epsilon(1e-12));
+      CHECK(gap(beyond.x(), beyond.y()) == Approx(0.01).epsilon(1e-12));
+      CHECK(gap(0, radius + 0.01) == Approx(0.01).epsilon(1e-12));
+      ++rims;
+    }
+  CHECK(rims > 0);
+}
 
 TEST_CASE("shots of 1 cm at 300 m/s do not pass a mesh, a grid or a plane") {
   shoot(mesh_of(rough(5, 0.8), 20, 80, 0.2), 300, 1);

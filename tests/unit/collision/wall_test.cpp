@@ -252,3 +252,30 @@ TEST_CASE("no shot wall passes through another shape or the profile, and it touc
   CHECK(touches > 500);
   CHECK(iterations < 30 * 2200);
 }
+
+namespace {
+
+/// A place at a height `over` ground that falls by `fall` [rad] beyond a corner at x = 0, `along` it from
+/// there.
+Vec2 over_fall(double fall, double over, double along) {
+  return {along * std::cos(fall) + over * std::sin(fall), -along * std::sin(fall) + over * std::cos(fall)};
+}
+
+}  // namespace
+
+TEST_CASE("a disk past a convex corner has the gap to the segment that it is over") {
+  constexpr double radius = 0.5, fall = 0.1;
+  Profile profile;
+  profile.points = {{-10, 0}, {0, 0}, {10, -10 * std::tan(fall)}};
+  profile.part = {0, 0};
+  profile.parts = {""};
+  const Terrain2 terrain(profile);
+  const Contactor2 disk = Contactor2::disk(radius);
+  const FeatureId corner = corner_id(2);  // the first point is the end of the level ground before the profile
+  const auto gap = [&](const Vec2& centre) {
+    return feature_gap(Placed2{disk, {centre, {}}}, vertex_id(0, 0), terrain, corner);
+  };
+  CHECK(gap({-0.2, radius + 0.01}) == Approx(0.01).epsilon(1e-12));
+  CHECK(gap(over_fall(fall, radius + 0.01, 0.2)) == Approx(0.01).epsilon(1e-12));
+  CHECK(gap((radius + 0.01) * Vec2(std::sin(fall / 2), std::cos(fall / 2))) == Approx(0.01).epsilon(1e-12));
+}
