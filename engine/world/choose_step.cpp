@@ -34,7 +34,7 @@ double World<D>::longest_of_springs(double h) const {
 /// steps of a phase too.
 template <int D>
 std::span<const double> World<D>::doubt_of_friction(double h) {
-  constexpr double at_rest = 1e-6;  // of the speed of the contact or of its bodies
+  constexpr double at_rest = 1e-6;  // of the speed of the contact or of its bodies, or of the speed of rest
   constexpr double smooth = 0.5;    // rad
   doubt_.assign(bodies.size(), 0.0);
   const auto speed_of = [&](int i) {
@@ -55,7 +55,8 @@ std::span<const double> World<D>::doubt_of_friction(double h) {
       if (fast <= still || slow <= still) return;
       doubt(first, count, contact.impulse.segment(first, count).norm(), (to / fast - from / slow).eval());
     };
-    const double speed = std::max(speed_of(contact.candidate), speed_of(contact.antagonist));
+    const double speed =
+        std::max({speed_of(contact.candidate), speed_of(contact.antagonist), settings_.rest_speed});
     const double spin = speed / bodies[contact.candidate].radius;
     turn(1, D - 1, speed);
     const double slip = tangential(after).norm();

@@ -40,6 +40,16 @@ TEST_CASE("a stack of ten boxes stands: every step converges, nothing sinks") {
   }
 }
 
+TEST_CASE("chosen steps of a stack at rest are long: what rounding moves is no sliding") {
+  Material material(0, 0.6);
+  Bench bench(ground(10), material, {.step_tolerance = 1e-3});
+  for (int i = 0; i < 10; ++i) bench.add(box(1, 1, 2700, {0.01 * (i % 3), 0.5 + i}));
+  bench.run_settings.stop_speed = 0;
+  bench.run(1);
+  CHECK(bench.world.quality().steps < 120);  // of 20 ms; before, of the least length
+  CHECK(bench.world.bodies[9].x.y() == Approx(9.5).epsilon(1e-9));
+}
+
 TEST_CASE("a wall of a hundred bricks stands and does not sink", "[slow]") {
   Material material(0, 0.6);
   WorldSettings settings;
