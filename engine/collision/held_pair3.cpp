@@ -40,18 +40,14 @@ bool HeldPair::over(FeatureId face, int i) const {
 
 bool HeldPair::along(const Vec3& direction, int i, int j, const MovingState& state_of_a) const {
   return std::any_of(b_.held.begin(), b_.held.end(), [&](const HeldOnGround& h) {
-    if (contactor_of(h.feature) != a_.index || !h.contains(b_.facet->vertex[j])) return false;
+    if (contactor_of(h.feature) != a_.index || !contains(a_, h.feature, i) ||
+        !h.contains(b_.facet->vertex[j]))
+      return false;
     const int feature = index_of(h.feature);
-    if (kind_of(h.feature) == FeatureKind::vertex)
-      return feature == i && direction.dot(h.normal) > same_direction;
-    if (kind_of(h.feature) == FeatureKind::face) {
-      const Contactor3::Face& face = a_.shape.faces[feature];
-      const auto* loop = &a_.shape.loop[face.first];
-      return std::find(loop, loop + face.count, i) != loop + face.count &&
-             -direction.dot(state_of_a.arm(face.normal)) > same_direction;
-    }
+    if (kind_of(h.feature) == FeatureKind::vertex) return direction.dot(h.normal) > same_direction;
+    if (kind_of(h.feature) == FeatureKind::face)
+      return -direction.dot(state_of_a.arm(a_.shape.faces[feature].normal)) > same_direction;
     const Contactor3::Edge& edge = a_.shape.edges[feature];
-    if (edge.start != i && edge.end != i) return false;
     const Vec3 along = state_of_a.arm(a_.shape.points[edge.end] - a_.shape.points[edge.start]);
     for (int rim = 0; rim < 3; ++rim) {
       if (h.against != b_.facet->edge_feature(rim)) continue;

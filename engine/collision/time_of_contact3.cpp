@@ -176,6 +176,21 @@ const std::vector<HeldOnGround>& held_on(const Ground3& ground, std::span<const 
   return found;
 }
 
+/// The contacts of a search without those of a pill that have opened: its axis may leave an edge and come
+/// back to it elsewhere, which is a new touch. Valid until the next call.
+std::span<const HeldContact> still_held(const MovingContactor& c, const Terrain3& terrain,
+                                        const TouchSearch& search) {
+  if (c.shape.has_faces() || c.shape.round()) return search.held;
+  thread_local std::vector<HeldContact> closed;  // keeps its memory between calls
+  closed.clear();
+  const Placed3 start{c.shape, {c.motion.x, c.motion.turn(0).rotation}};
+  for (const HeldContact& h : search.held)
+    if (contactor_of(h.feature) != c.index ||
+        feature_gap(start, h.feature, terrain, h.against) <= opened_share * search.size)
+      closed.push_back(h);
+  return closed;
+}
+
 /// A bound on the way that a point of a contactor moves within [0, end] [m].
 double greatest_travel(const MovingContactor& c, double end) {
   const double speed = c.motion.v.norm() + end * c.motion.a.norm();
@@ -230,23 +245,15 @@ std::optional<double> time_of_contact(const Contactor3& contactor, int contactor
                       });
   }
   const MovingContactor moving{contactor, motion, contactor_index};
-  // The axis of a pill may leave an edge and come back to it elsewhere: that is a new touch.
-  thread_local std::vector<HeldContact> closed;  // keeps its memory between calls
-  closed.clear();
-  const Placed3 start{contactor, {motion.x, motion.turn(0).rotation}};
-  for (const HeldContact& h : search.held)
-    if (contactor.has_faces() || contactor.round() || contactor_of(h.feature) != contactor_index ||
-        feature_gap(start, h.feature, terrain, h.against) <= opened_share * search.size)
-      closed.push_back(h);
-  const auto& held = held_on(ground, closed);
-  TouchSearch search_closed = search;
-  search_closed.held = closed;
+  TouchSearch of_this = search;
+  of_this.held = still_held(moving, terrain, search);
+  const auto& held = held_on(ground, of_this.held);
   const auto see = [&](const Facet& facet, const TimeWindow& window, std::optional<double>& first) {
-    const auto t = advance_to_facet(moving, facet, held, window, search_closed);
+    const auto t = advance_to_facet(moving, facet, held, window, of_this);
     if (t && (!first || *t < *first)) first = t;
   };
   if (const double travel = greatest_travel(moving, t_max); travel < 0.25 * reach)
-    return near_start(ground, moving, travel, t_max, search, see);
+    return near_start(ground, moving, travel, t_max, of_this, see);
   return along_path(ground, motion, reach, t_max, see);
 }
 

@@ -197,11 +197,10 @@ void World<D>::keep_closed(double share_of_size) {
 /// Keeps the contacts, detected in the middle of a step, whose features were closed at its start. A contact
 /// that closed since then is a touch at which the step must be cut. A contact whose features have changed,
 /// but not its position, was closed. A new feature pair that starts deeper than one step can push it was not
-/// touching before: drop it. Returns the largest drift into penetration since the start, divided by the drift
-/// that one step can cause. Springs are left out, because they penetrate by design.
+/// touching before: drop it. Springs are left out of the share, because they penetrate by design.
 template <int D>
-double World<D>::keep_closed_at_start() {
-  double share = 0;
+typename World<D>::Drift World<D>::keep_closed_at_start() {
+  Drift drift;
   std::erase_if(contacts_, [&](const Contact& c) {
     const double reach = carry_reach(c.candidate, c.antagonist),
                  closed = c.carried ? reach : 1e-12 + 1e-9 * contact_size(c.candidate, c.antagonist);
@@ -210,12 +209,12 @@ double World<D>::keep_closed_at_start() {
     if (c.at.gap > reach || gap > closed || (!c.carried && gap < -may_drift)) return true;
     // On the next segment of the terrain, the gap at the start is measured to the line beyond the end of the
     // segment. The larger of the two gaps is therefore the true one.
-    quality_.max_penetration = std::max(quality_.max_penetration, -std::max(gap, c.at.gap));
+    drift.penetration = std::max(drift.penetration, -std::max(gap, c.at.gap));
     if (c.law.condition != NormalCondition::penalty)
-      share = std::max(share, (std::min(gap, 0.0) - c.at.gap) / may_drift);
+      drift.share = std::max(drift.share, (std::min(gap, 0.0) - c.at.gap) / may_drift);
     return false;
   });
-  return share;
+  return drift;
 }
 
 /// The gap between the features of a contact, now or at the start of the step [m].
@@ -270,7 +269,7 @@ std::span<const HeldContact> World<D>::held(int body, int other) {
   template void World<D>::match_last();                                                            \
   template double World<D>::gap_of_solver(const Contact&) const;                                   \
   template void World<D>::keep_closed(double);                                                     \
-  template double World<D>::keep_closed_at_start();                                                \
+  template World<D>::Drift World<D>::keep_closed_at_start();                                       \
   template double World<D>::gap_at(const Contact&, bool) const;                                    \
   template World<D>::Overlap World<D>::deepest_overlap();                                          \
   template void World<D>::measure_penetration();                                                   \

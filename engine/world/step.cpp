@@ -60,19 +60,20 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
   if (chooses) reach_time_ = std::max(h, last_step_);
   bool new_touch = false;
   double error = 0;
+  Drift drifted;
   for (int cuts = 0, refinements = 0, refusals = 0;;) {
     drift((1 - theta) * h);
     detect((1 - theta) * h);
-    double share = 0;
+    drifted = {};
     if (cut)
-      share = keep_closed_at_start();
+      drifted = keep_closed_at_start();
     else
       keep_closed(0);
     // The drift of an edge that turns fast about a corner while it slides grows with h^2: repeat with a
     // shorter step.
-    if (share > 1 && refinements++ < most_refinements) {
+    if (drifted.share > 1 && refinements++ < most_refinements) {
       restore();
-      h *= std::max(0.1, 1 / std::sqrt(share));
+      h *= std::max(0.1, 1 / std::sqrt(drifted.share));
       new_touch = false;
       continue;
     }
@@ -113,6 +114,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
     }
   }
   quality_.max_spring_angle = std::max(quality_.max_spring_angle, spring_angle_);
+  quality_.max_penetration = std::max(quality_.max_penetration, drifted.penetration);
   if (chooses) control_.finished(bodies, starts_, h, error, longest_of_springs(h));
   measure_after(h);
   find_shocks(h);
@@ -146,6 +148,8 @@ typename World<D>::Outcome World<D>::impact() {
   if (approaching) {
     solve_and_apply();
     ++quality_.impact_problems;
+  } else {
+    for (Contact& c : contacts_) c.impulse.setZero();  // of the last step
   }
   measure_after(0);
   record_impacts();

@@ -171,6 +171,12 @@ class World {
     Vec<D - 1> vt_before = Vec<D - 1>::Zero(), vt_after = Vec<D - 1>::Zero(), pt = Vec<D - 1>::Zero();
   };
 
+  /// How far the contacts of a step drift into penetration by its middle.
+  struct Drift {
+    double share = 0;        ///< the largest drift since the start, divided by what one step can cause
+    double penetration = 0;  ///< the largest in the middle [m]
+  };
+
   void know(Surface* surface);
   Surface* pair_surface(int a, int b);
 
@@ -180,7 +186,7 @@ class World {
   const Contact* carried_on(const Contact& contact, std::span<const Contact> last,
                             std::span<const Contact> now) const;
   void keep_closed(double share_of_size);
-  double keep_closed_at_start();
+  Drift keep_closed_at_start();
   double gap_of_solver(const Contact& contact) const;
   double gap_at(const Contact& contact, bool at_start) const;
   const std::vector<std::pair<int, int>>& close_pairs();

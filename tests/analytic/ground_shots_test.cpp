@@ -99,7 +99,34 @@ void to_rest(const TerrainShape3& shape, int rocks, unsigned seed) {
   }
 }
 
+/// The greatest penetration of spheres that roll over shallow hills at 10 m/s, as a share of their radius.
+double deepest_rolling(int spheres) {
+  const Height hills = rough(4, 0.12);
+  const Terrain3 terrain(grid_of(hills, 25, 50));
+  Material material(0, 0.6, 0.05);
+  double deepest = 0;
+  for (int i = 0; i < spheres; ++i) {
+    Body<3> sphere = body_of_kind(0, 0.25, 1);
+    const double x = -20 + 0.031 * i, y = -20 + 0.27 * i;
+    sphere.x = {x, y, hills(x, y) + 0.5};
+    sphere.v = {10, 0.5, -2};
+    World<3> world(terrain, {0, 0, -9.81}, by_default());
+    run_alone(world, sphere, material, 3);
+    deepest = std::max(deepest, world.quality().max_penetration / sphere.size);
+  }
+  return deepest;
+}
+
 }  // namespace
+
+TEST_CASE("a sphere that rolls fast over shallow hills sinks by less than the tolerance of a step") {
+  CHECK(deepest_rolling(60) < 1e-3);
+}
+
+TEST_CASE("an edge that opens takes no impulse from the step before") {
+  // On its way the third body opens an edge contact at an impact of none.
+  to_rest(grid_of(rough(228, 0.5), 25, 100), 3, 28);
+}
 
 TEST_CASE("a sphere past a convex rim has the gap to the facet that it is over") {
   constexpr double radius = 0.5, fall = 0.1;
