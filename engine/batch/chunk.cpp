@@ -15,7 +15,7 @@ namespace flyrock {
 namespace {
 
 constexpr std::string_view magic = "flyrchnk";
-constexpr std::uint64_t format = 10;
+constexpr std::uint64_t format = 11;
 
 std::uint64_t crc(std::string_view bytes) {
   return ::crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
@@ -104,6 +104,12 @@ void walk_long(Io& io, Records& records) {
   io.rows(records.shapes);
   io.columns(records.shapes, &ShapeRecord::trial, &ShapeRecord::rock);
   visit_shapes(columns_of(io, records.shapes));
+  visit_series(records, [&io](const char*, auto& rows, auto visit_columns) {
+    using Row = typename std::decay_t<decltype(rows)>::value_type;
+    io.rows(rows);
+    io.columns(rows, &Row::trial);
+    visit_columns(columns_of(io, rows));
+  });
   walk_envelopes(io, records.totals.envelopes);
 }
 
@@ -135,7 +141,8 @@ std::string header(const ChunkRange& range, const std::string& scenario_hash) {
 std::size_t size_of(const TrialRecords& records) {
   const auto size = [](const auto& rows) { return rows.size() * sizeof(rows[0]); };
   return size(records.rocks) + size(records.inputs) + size(records.impacts) + size(records.trajectories) +
-         size(records.shapes);
+         size(records.shapes) + size(records.series_bodies) + size(records.series_contacts) +
+         size(records.series_solves);
 }
 
 /// The section whose length is stored at `at`, with its checksum checked. Moves `at` past the checksum.

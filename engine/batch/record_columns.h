@@ -143,16 +143,89 @@ void visit_impacts(Visit&& visit) {
   visit_impact(within(visit, &ImpactRecord::impact));
 }
 
+/// Columns of an attitude as a unit quaternion.
+template <class Visit>
+void visit_turn(Visit&& visit) {
+  constexpr const char* quaternion[] = {"qw", "qx", "qy", "qz"};
+  for (std::size_t i = 0; i < std::size(quaternion); ++i)
+    visit(
+        Column{.name = quaternion[i], .in_space = true}, [i](auto& turn) -> auto& { return turn[i]; });
+}
+
 template <class Visit>
 void visit_trajectories(Visit&& visit) {
   visit_state(within(
       visit, [](auto& r) -> auto& { return r.point.state; }));
   visit(
       Column{.name = "mode"}, [](auto& r) -> auto& { return r.point.mode; });
-  constexpr const char* quaternion[] = {"qw", "qx", "qy", "qz"};
-  for (std::size_t i = 0; i < std::size(quaternion); ++i)
+  visit_turn(within(
+      visit, [](auto& r) -> auto& { return r.point.turn; }));
+}
+
+// The series belong to a trial, which is stored separately.
+
+template <class Visit>
+void visit_series_bodies(Visit&& visit) {
+  visit(
+      Column{.name = "body"}, [](auto& r) -> auto& { return r.row.body; });
+  visit_state(within(
+      visit, [](auto& r) -> auto& { return r.row.state; }));
+  visit(
+      Column{.name = "potential_energy_J"}, [](auto& r) -> auto& { return r.row.potential_energy; });
+  visit_turn(within(
+      visit, [](auto& r) -> auto& { return r.row.turn; }));
+}
+
+template <class Visit>
+void visit_series_contacts(Visit&& visit) {
+  using C = SeriesContact;
+  const auto of_row = [&](const char* name, auto member) {
     visit(
-        Column{.name = quaternion[i], .in_space = true}, [i](auto& r) -> auto& { return r.point.turn[i]; });
+        Column{.name = name}, [member](auto& r) -> auto& { return std::invoke(member, r.row); });
+  };
+  of_row("time_s", &C::time);
+  of_row("a", &C::a);
+  of_row("b", &C::b);
+  of_row("number", &C::point);
+  of_row("step_s", &C::step);
+  of_row("gap_m", &C::gap);
+  of_row("un_m_s", &C::un);
+  of_row("ut_m_s", &C::ut);
+  of_row("pn_N_s", &C::pn);
+  of_row("pt_N_s", &C::pt);
+  of_row("rn_N", &C::rn);
+  of_row("rt_N", &C::rt);
+  of_row("state", &C::state);
+  constexpr const char* places[] = {"x_m", "y_m", "z_m"};
+  constexpr const char* normals[] = {"nx", "ny", "nz"};
+  for (int i = 0; i < 3; ++i)
+    visit(
+        Column{.name = places[i]}, [i](auto& r) -> auto& { return r.row.place[i]; });
+  for (int i = 0; i < 3; ++i)
+    visit(
+        Column{.name = normals[i]}, [i](auto& r) -> auto& { return r.row.normal[i]; });
+}
+
+template <class Visit>
+void visit_series_solves(Visit&& visit) {
+  using S = SeriesSolve;
+  const auto of_row = [&](const char* name, auto member) {
+    visit(
+        Column{.name = name}, [member](auto& r) -> auto& { return std::invoke(member, r.row); });
+  };
+  of_row("time_s", &S::time);
+  of_row("step_s", &S::step);
+  of_row("contacts", &S::contacts);
+  of_row("sweeps", &S::sweeps);
+  of_row("residual_m_s", &S::residual);
+}
+
+/// The tables of series: see(name, the rows of `records`, their visit).
+template <class Records, class See>
+void visit_series(Records& records, See&& see) {
+  see("series_bodies", records.series_bodies, [](auto&& visit) { visit_series_bodies(visit); });
+  see("series_contacts", records.series_contacts, [](auto&& visit) { visit_series_contacts(visit); });
+  see("series_solves", records.series_solves, [](auto&& visit) { visit_series_solves(visit); });
 }
 
 template <class Visit>

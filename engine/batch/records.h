@@ -11,6 +11,7 @@
 #include "scenario/scenario.h"
 #include "world/observe.h"
 #include "world/phase_clock.h"
+#include "world/series.h"
 #include "world/surface.h"
 
 namespace flyrock {
@@ -85,6 +86,13 @@ struct BarrierRecord {
   BarrierHit hit;
 };
 
+/// A row over time: SeriesBody, SeriesContact or SeriesSolve.
+template <class Row>
+struct SeriesRecord {
+  std::uint64_t trial = 0;
+  Row row;
+};
+
 /// Counts and sums over trials. They take no more memory for many trials than for one.
 struct TrialTotals {
   std::vector<MaterialUse> materials;  ///< in the order of Scenario::materials
@@ -108,6 +116,9 @@ struct TrialRecords {
   std::vector<ShapeRecord> shapes;
   std::vector<GateRecord> gates;
   std::vector<BarrierRecord> barriers;
+  std::vector<SeriesRecord<SeriesBody>> series_bodies;
+  std::vector<SeriesRecord<SeriesContact>> series_contacts;
+  std::vector<SeriesRecord<SeriesSolve>> series_solves;
   TrialTotals totals;
   PrintLog prints;  ///< from Lua code; only for the terminal, not in chunk files
 };

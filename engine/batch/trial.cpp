@@ -11,6 +11,7 @@
 
 #include "batch/inputs.h"
 #include "batch/safe_file.h"
+#include "batch/series_rows.h"
 #include "flight/ballistic_run.h"
 #include "flight/run.h"
 #include "solver/fclib.h"
@@ -194,11 +195,18 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
         write_fclib((hard_problems / name).string(), problem, start_of_solve,
                     fmt::format("{}, trial {}, {} s", scenario_.title, number, world.time));
       };
+    Series rows;
+    SeriesRequest series;
+    if (has_series(scenario_, number)) {
+      series = series_of(scenario_, trial, static_cast<int>(w), rows);
+      settings.series = &series;
+    }
     try {
       flyrock::run(world, settings, histories[w]);
     } catch (const TrialError& error) {
       faults[w] = {error.what(), reason_of(error)};
     }
+    add_series(number, std::move(rows), out);
     out.totals.quality.add(world.quality());
   }
   if (timed) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flight/body_state.h"
 #include "flight/ground.h"
 
 namespace flyrock {
@@ -35,34 +36,13 @@ Observer<D>::Observer(const World<D>& world, double every, bool keep_impacts, do
 }
 
 template <int D>
-BodyState Observer<D>::state(int body, double time, const Vec<D>& x, const Vec<D>& v,
-                             const Turned<D>& turned) const {
-  const Body<D>& b = world_.bodies[body];
-  BodyState state;
-  state.time = time;
-  state.position.template head<D>() = x;
-  state.velocity.template head<D>() = v;
-  if constexpr (D == 2) {
-    state.spin.z() = turned.spin;
-    state.angle = turned.attitude.angle;
-  } else {
-    state.spin = turned.spin;
-  }
-  if (b.kind == BodyKind::dynamic)
-    state.kinetic_energy =
-        0.5 * (b.mass * v.squaredNorm() + twice_spin_energy(b, turned.attitude, turned.spin));
-  return state;
-}
-
-template <int D>
 BodyState Observer<D>::along(int body, const Motion& motion, double t, double time) const {
-  return state(body, time, motion.position(t), motion.velocity(t), turn_at(motion, t));
+  return state_of(world_.bodies[body], time, motion.position(t), motion.velocity(t), turn_at(motion, t));
 }
 
 template <int D>
 BodyState Observer<D>::present(int body) const {
-  const Body<D>& b = world_.bodies[body];
-  return state(body, world_.time, b.x, b.v, {b.attitude, b.w});
+  return state_of(world_.bodies[body], world_.time);
 }
 
 template <int D>

@@ -32,7 +32,6 @@ class Observer {
  private:
   static constexpr int up = D - 1;  ///< the vertical axis
 
-  BodyState state(int body, double time, const Vec<D>& x, const Vec<D>& v, const Turned<D>& turned) const;
   BodyState along(int body, const Motion& motion, double t, double time) const;
   BodyState present(int body) const;
   void extremes(int body, const BodyState& state);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "flight/faults.h"
@@ -40,6 +41,7 @@ class Runner {
   }
 
   void run() {
+    if (settings_.series) series_.emplace(world_, *settings_.series);
     const double energy = world_.total_energy();
     bool in_contact = settings_.exact_flight && collide();
     while (anybody() && world_.time < settings_.stop_time) {
@@ -108,7 +110,9 @@ class Runner {
 
   /// Solves the impact problem of the contacts that are closed now. Returns whether contacts remain.
   bool collide() {
+    if (series_) series_->before_impact();
     const auto outcome = world_.impact();
+    if (series_ && outcome.new_touch) series_->after_impact();
     observer_.arrived();
     for (const auto& contact : world_.contacts()) land(contact);
     return outcome.in_contact;
@@ -180,6 +184,7 @@ class Runner {
       if (dt > world_.settings().time_step) rest_[i].moves();
     }
     world_.fly(dt);
+    if (series_) series_->flew(flights_, start, dt);
     cross(start, dt);
     if (touch) return collide();
     world_.measure_penetration();
@@ -231,6 +236,7 @@ class Runner {
         body.push = mean_acceleration(body.air, body.v, world_.gravity(), h);
     const bool cut = touches != Touches::none && settings_.exact_flight;
     const auto outcome = world_.step(h, cut, touches == Touches::of_new_pairs);
+    if (series_) series_->stepped(outcome.duration);
     touching_.assign(bodies(), false);
     slipping_.assign(bodies(), false);
     for (const auto& contact : world_.contacts()) {
@@ -333,6 +339,7 @@ class Runner {
   const RunSettings& settings_;
   std::vector<BodyHistory>& histories_;
   Observer<D> observer_;
+  std::optional<SeriesRecorder<D>> series_;
   Crossings<D> crossings_;
   Faults<D> faults_;
   std::vector<RestWatch> rest_;

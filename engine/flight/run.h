@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "flight/crossings.h"
+#include "flight/series_recorder.h"
 
 namespace flyrock {
 
@@ -14,6 +15,7 @@ struct RunSettings {
   double trajectory_every = 0;  ///< s between stored points; 0: none
   bool keep_impacts = true;
   double bin_width = 0;  ///< m, of BodyHistory::path; 0: no bins are kept; needs a terrain with ends
+  const SeriesRequest* series = nullptr;  ///< null: no rows over time
   std::span<const Gate> gates;
   std::span<const Barrier> barriers;
   bool (*interrupted)() = [] { return false; };  ///< called at each step and flight; true: throw Interrupted

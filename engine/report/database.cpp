@@ -51,12 +51,29 @@ std::string declared(const std::vector<StoredColumn>& columns) {
   return text;
 }
 
+/// The names and columns of the tables of series.
+const std::vector<std::pair<const char*, std::vector<StoredColumn>>>& series_tables() {
+  static const auto tables = [] {
+    std::vector<std::pair<const char*, std::vector<StoredColumn>>> list;
+    TrialRecords none;
+    visit_series(none, [&](const char* name, auto& rows, auto visit_columns) {
+      using Row = typename std::decay_t<decltype(rows)>::value_type;
+      list.emplace_back(name, columns_of<Row>(visit_columns));
+    });
+    return list;
+  }();
+  return tables;
+}
+
 std::string record_tables_schema() {
-  return fmt::format(
-      "CREATE TABLE rocks (point INTEGER{});\n"
-      "CREATE TABLE gates (point INTEGER, trial INTEGER, rock INTEGER{});\n"
-      "CREATE TABLE barriers (point INTEGER, trial INTEGER, rock INTEGER{});\n",
-      declared(rock_columns()), declared(gate_columns()), declared(barrier_columns()));
+  std::string series;
+  for (const auto& [name, columns] : series_tables())
+    series += fmt::format("CREATE TABLE {} (point INTEGER, trial INTEGER{});\n", name, declared(columns));
+  return series + fmt::format(
+                      "CREATE TABLE rocks (point INTEGER{});\n"
+                      "CREATE TABLE gates (point INTEGER, trial INTEGER, rock INTEGER{});\n"
+                      "CREATE TABLE barriers (point INTEGER, trial INTEGER, rock INTEGER{});\n",
+                      declared(rock_columns()), declared(gate_columns()), declared(barrier_columns()));
 }
 
 /// Puts what a table shows for a record. `names`: the names for its indices.
@@ -152,7 +169,10 @@ ResultDatabase::Insertions::Insertions(const SqliteFile& file, int dimension)
       trajectories(file, "trajectory_rows", trajectory_table().width(dimension)),
       shapes(file, "shape_rows", shape_table().width(dimension)),
       gates(file, "gates", 3 + static_cast<int>(gate_columns().size())),
-      barriers(file, "barriers", 3 + static_cast<int>(barrier_columns().size())) {}
+      barriers(file, "barriers", 3 + static_cast<int>(barrier_columns().size())) {
+  for (const auto& [name, columns] : series_tables())
+    series.emplace_back(file, name, 2 + static_cast<int>(columns.size()));
+}
 
 ResultDatabase::ResultDatabase(const std::filesystem::path& path, const Plan& plan)
     : plan_(plan), groups_(group_names(plan.points.front())), file_(path) {
@@ -234,6 +254,13 @@ void ResultDatabase::add(int point, const TrialRecords& records) {
   insertions_->barriers.rows(records.barriers, [&](Statement& to, const BarrierRecord& r) {
     to.put(point, r.trial, r.rock);
     visit_barriers(put_into(to, r, barriers));
+  });
+  auto table = insertions_->series.begin();
+  visit_series(records, [&](const char*, const auto& rows, auto visit_columns) {
+    (table++)->rows(rows, [&](Statement& to, const auto& r) {
+      to.put(point, r.trial);
+      visit_columns(put_into(to, r, none));
+    });
   });
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // results.db: all results of a run as SQLite tables. docs/results.md describes the schema.
 
+#include <deque>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -33,6 +34,7 @@ class ResultDatabase {
   struct Insertions {
     Insertions(const SqliteFile& file, int dimension);
     Insertion rocks, rows_of_rock, inputs, impacts, trajectories, shapes, gates, barriers;
+    std::deque<Insertion> series;  ///< in the order of visit_series
   };
 
   void add_plan();

@@ -7,20 +7,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "scenario/measure.h"
+
 namespace flyrock {
 
 namespace {
-
-std::vector<std::string> split(const std::string& text) {
-  std::vector<std::string> words(1);
-  for (char c : text) {
-    if (c == '.')
-      words.emplace_back();
-    else
-      words.back() += c;
-  }
-  return words;
-}
 
 template <class List>
 int index_of(const std::string& word, const List& names) {
@@ -39,8 +30,9 @@ std::vector<std::string> names_of(const std::vector<Plan>& plans) {
 constexpr std::array<std::string_view, 4> gate_fields = {"passed", "mean_energy", "p95_energy", "p95_height"};
 constexpr std::array<std::string_view, 4> barrier_fields = {"reached", "caught", "over_top", "over_energy"};
 constexpr std::array<std::string_view, 4> clearance_fields = {"distance", "lower", "upper", "with_factor"};
-constexpr std::array<std::string_view, 4> solver_fields = {"max_residual", "not_converged", "max_penetration",
-                                                           "energy_gains"};
+constexpr std::array<std::string_view, 6> solver_fields = {"max_residual",    "not_converged",
+                                                           "max_penetration", "energy_gains",
+                                                           "iterations",      "max_iterations_of_a_step"};
 constexpr std::array<std::string_view, 11> impact_fields = {
     "time", "x", "y", "z", "vn_before", "vn_after", "vt_before", "vt_after", "pn", "pt", "energy_change"};
 constexpr std::array<std::string_view, 13> state_fields = {
@@ -57,9 +49,11 @@ double impact_value(const Impact& impact, const std::string& field) {
 }  // namespace
 
 Measure::Measure(const std::string& name, const Scenario& scenario) : dimension_(scenario.dimension) {
-  const std::vector<std::string> words = split(name);
+  const std::vector<std::string> words = measure_steps(name);
   if (words[0] == "body") {
     read_body(words, scenario);
+  } else if (words[0] == "contact") {
+    read_contact(words);
   } else if (words[0] == "rocks") {
     read_rocks(words, scenario);
   } else if (words[0] == "gate") {
@@ -106,6 +100,12 @@ void Measure::read_body(const std::vector<std::string>& words, const Scenario& s
   if (words.size() > 3) field_ = words[3];
 }
 
+void Measure::read_contact(const std::vector<std::string>& words) {
+  kind_ = Kind::contact;
+  const std::optional<double> time = time_of_step(words[4]);
+  contact_ = {words[1], words[2], words[3], time ? "at" : words[4], time.value_or(0)};
+}
+
 Measured Measure::value(const PointResult& result) const {
   switch (kind_) {
     case Kind::count:
@@ -114,12 +114,11 @@ Measured Measure::value(const PointResult& result) const {
       return {result.groups.at(index_).censored_share(), false, {}};
     case Kind::energy:
       return {result.totals.quality.energy_relative_change, false, {}};
-    case Kind::solver: {
-      const SolverQuality& q = result.totals.quality;
-      const std::array<double, solver_fields.size()> values = {
-          q.max_residual, static_cast<double>(q.not_converged), q.max_penetration,
-          static_cast<double>(q.energy_gains)};
-      return {values[index_of(field_, solver_fields)], false, {}};
+    case Kind::solver:
+      return solver_value(result, field_);
+    case Kind::contact: {
+      const ContactMeasure::Answer answer = contact_.value(result.series.contacts);
+      return {answer.value, false, answer.fault};
     }
     case Kind::statistic: {
       const Bounded& number = result.groups.at(index_).at(quantity_, statistic_);
@@ -139,6 +138,19 @@ Measured Measure::value(const PointResult& result) const {
   const BodyHistory& body = result.totals.bodies[index_];
   if (is_fault(body.reason)) return {0, false, fmt::format("{}: {}", name_of(body.reason), body.fault)};
   return body_value(body);
+}
+
+Measured Measure::solver_value(const PointResult& result, const std::string& field) {
+  const SolverQuality& q = result.totals.quality;
+  int most = 0;
+  for (const SeriesSolve& solve : result.series.solves) most = std::max(most, solve.sweeps);
+  const std::array<double, solver_fields.size()> values = {q.max_residual,
+                                                           static_cast<double>(q.not_converged),
+                                                           q.max_penetration,
+                                                           static_cast<double>(q.energy_gains),
+                                                           static_cast<double>(q.iterations),
+                                                           static_cast<double>(most)};
+  return {values[index_of(field, solver_fields)], false, {}};
 }
 
 Measured Measure::gate_value(const GateSummary& gate, const std::string& field) {

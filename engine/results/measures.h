@@ -7,6 +7,7 @@
 #include "batch/terrain_picture.h"
 #include "results/censored.h"
 #include "results/clearance.h"
+#include "results/contact_measure.h"
 #include "results/crossing_summary.h"
 #include "results/plan_reach.h"
 #include "results/reach.h"
@@ -26,6 +27,7 @@ struct PointResult {
   Diameters diameters;                  ///< 3D, of rocks of all groups
   PlanReach reach;                      ///< 3D: where its rocks were
   std::vector<RockRecord> first_trial;  ///< rocks of the first trial of this run
+  Series series;                        ///< of the first trial of this run
   TrialTotals totals;
   std::vector<GroupSummary> groups;  ///< all rocks first, then the groups; see RockTally
   std::vector<GateSummary> gates;    ///< in the order of Scenario::gates
@@ -43,23 +45,27 @@ struct Measured {
 };
 
 /// One measure of a scenario, given by its name: body.<name>.final.x, body.<name>.impact[2].vn_after,
-/// energy.total.relative_change, solver.max_residual, rocks[.<group>].runout.p95, rocks[.<group>].count,
-/// gate.<name>.passed, barrier.<name>.caught, clearance.<name>.distance. scenario/measure.h holds the
-/// grammar; docs/results.md describes each measure.
+/// contact.<a>.<b>.rn.max, energy.total.relative_change, solver.max_residual, rocks[.<group>].runout.p95,
+/// rocks[.<group>].count, gate.<name>.passed, barrier.<name>.caught, clearance.<name>.distance.
+/// scenario/measure.h holds the grammar; docs/results.md describes each measure.
 class Measure {
  public:
   /// `name` must be a measure of `scenario`; the decoder has checked it.
   Measure(const std::string& name, const Scenario& scenario);
 
   /// Whether it needs the full number of trials, as statistics of rocks do.
-  bool of_rocks() const { return kind_ != Kind::body && kind_ != Kind::energy && kind_ != Kind::solver; }
+  bool of_rocks() const {
+    return kind_ != Kind::body && kind_ != Kind::contact && kind_ != Kind::energy && kind_ != Kind::solver;
+  }
   Measured value(const PointResult& result) const;
 
  private:
-  enum class Kind { statistic, count, censored, gate, barrier, clearance, body, energy, solver };
+  enum class Kind { statistic, count, censored, gate, barrier, clearance, body, contact, energy, solver };
 
   void read_rocks(const std::vector<std::string>& words, const Scenario& scenario);
   void read_body(const std::vector<std::string>& words, const Scenario& scenario);
+  void read_contact(const std::vector<std::string>& words);
+  static Measured solver_value(const PointResult& result, const std::string& field);
   static Measured gate_value(const GateSummary& gate, const std::string& field);
   static Measured barrier_value(const BarrierSummary& barrier, const std::string& field);
   static Measured clearance_value(const ClearanceSummary& clearance, const std::string& field);
@@ -72,6 +78,7 @@ class Measure {
   int dimension_ = 2;
   std::string table_;  ///< body: final, max, min, stop_time, contact_time, impact, apex
   std::string field_;  ///< x, vn_before, max_residual
+  ContactMeasure contact_;
   RockQuantity quantity_ = RockQuantity::runout;
   Statistic statistic_ = Statistic::mean;
 };

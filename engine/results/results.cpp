@@ -32,6 +32,7 @@ class PointTally {
   void see_first(const TrialRecords& chunk, Results& results) {
     result_.totals.add(chunk.totals);
     if (scenario_.dimension == 3) result_.reach.see(chunk);
+    keep_series(chunk);
     for (const RockRecord& rock : chunk.rocks) {
       if (result_.first_trial.empty() || rock.trial == result_.first_trial.front().trial)
         result_.first_trial.push_back(rock);
@@ -42,6 +43,17 @@ class PointTally {
         results.faults.push_back({point_, rock.trial, rock.rock, rock.reason, rock.fault});
     }
     see(chunk);
+  }
+
+  /// Keeps the series of the first trial, for measures.
+  void keep_series(const TrialRecords& chunk) {
+    for (const auto& [trial, row] : chunk.series_contacts)
+      if (trial == chunk.series_contacts.front().trial && !series_is_known_)
+        result_.series.contacts.push_back(row);
+    for (const auto& [trial, row] : chunk.series_solves)
+      if (trial == chunk.series_solves.front().trial && !series_is_known_)
+        result_.series.solves.push_back(row);
+    series_is_known_ = series_is_known_ || !chunk.series_solves.empty();
   }
 
   void see(const TrialRecords& chunk) {
@@ -84,6 +96,7 @@ class PointTally {
   const Scenario& scenario_;
   int point_;
   PointResult result_;
+  bool series_is_known_ = false;
   RockTally rocks_;
   CrossingTally crossings_;
   ClearanceTally clearances_;

@@ -51,7 +51,9 @@ class DocumentDecoder {
     }
     scenario_.solver = decode_solver(context_, *root_.find("solver"));
     if (const auto stop = root_.find("stop")) scenario_.stop = decode_stop(context_, *stop);
-    scenario_.output = decode_output(context_, *root_.find("output"));
+    scenario_.output =
+        decode_output(context_, *root_.find("output"),
+                      element_names(root_.find(scenario_.bodies.empty() ? "rocks" : "bodies")));
     check_sweep();
     if (const auto expect = root_.find("expect"))
       scenario_.expect = decode_expect(*expect, measure_names(root_, scenario_.dimension));

@@ -1,5 +1,9 @@
 // The air, and how a run is computed, ended and stored: solver, stop, output.
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "scenario/decode_sections.h"
 
 namespace flyrock {
@@ -31,13 +35,38 @@ StopPlan decode_stop(DecodeContext& context, const Node& node) {
   return {section.constant("time"), section.constant("speed")};
 }
 
-OutputPlan decode_output(DecodeContext& context, const Node& node) {
+/// `names`: of the bodies or of the groups of rocks.
+SeriesPlan decode_series(DecodeContext& context, const Node& node, const std::vector<std::string>& names) {
+  const Section section = decode_section(context, node, "output.series");
+  SeriesPlan plan;
+  if (const std::optional<Node> bodies = node.find("bodies"))
+    for (const Node& item : bodies->items()) {
+      const std::string* name = item.value->text();
+      if (!name || name->empty()) continue;  // already reported
+      if (std::find(names.begin(), names.end(), *name) == names.end())
+        item.error(context.diagnostics,
+                   fmt::format("there is no body or group `{}`{}", *name, suggestion(*name, names)));
+      plan.bodies.push_back(*name);
+    }
+  plan.contacts = section.constant("contacts") != 0;
+  plan.every = section.text("every") == "step" ? 0 : section.constant("every");
+  plan.first = section.integer("first");
+  return plan;
+}
+
+OutputPlan decode_output(DecodeContext& context, const Node& node, const std::vector<std::string>& names) {
   const std::optional<Node> points = node.find("trajectories");
   if (!points) return {};  // already reported
   const Section section = decode_section(context, node, "output");
   const Section trajectories = decode_section(context, *points, "output.trajectories");
-  return {trajectories.integer("first"), trajectories.constant("every"), section.constant("impacts") != 0,
-          section.constant("hard_problems") != 0, section.constant("rank_outcomes") != 0};
+  OutputPlan plan{.trajectories_first = trajectories.integer("first"),
+                  .trajectories_every = trajectories.constant("every"),
+                  .impacts = section.constant("impacts") != 0,
+                  .hard_problems = section.constant("hard_problems") != 0,
+                  .rank_outcomes = section.constant("rank_outcomes") != 0};
+  if (const std::optional<Node> series = node.find("series"))
+    plan.series = decode_series(context, *series, names);
+  return plan;
 }
 
 }  // namespace flyrock

@@ -54,10 +54,16 @@ const Table impact_quantities{{"time", dimension::time},
                               {"energy_change", dimension::energy}};
 const Table impact_quantities_3d = with(impact_quantities, {"z", dimension::length});
 const Table apex_quantities{{"time", dimension::time}, {"height", dimension::length}};
-const Table solver_quantities{{"max_residual", dimension::speed},
-                              {"not_converged", dimension::none},
-                              {"max_penetration", dimension::length},
-                              {"energy_gains", dimension::none}};
+const Table solver_quantities{
+    {"max_residual", dimension::speed},     {"not_converged", dimension::none},
+    {"max_penetration", dimension::length}, {"energy_gains", dimension::none},
+    {"iterations", dimension::none},        {"max_iterations_of_a_step", dimension::none}};
+constexpr Dimension force{1, 1, -2, 0};
+const Table contact_quantities{{"gap", dimension::length},
+                               {"un", dimension::speed},
+                               {"ut", dimension::speed},
+                               {"rn", force},
+                               {"rt", force}};
 const Table rock_distributions{{"runout", dimension::length},       {"max_distance", dimension::length},
                                {"flight_range", dimension::length}, {"bounce_height", dimension::length},
                                {"speed", dimension::speed},         {"energy", dimension::energy},
@@ -87,24 +93,23 @@ std::vector<std::string> names_of(const Table& table) {
 /// Reads a measure from left to right. The first step that does not fit becomes the fault.
 class MeasureParser {
  public:
-  MeasureParser(std::string_view measure, const MeasureNames& names) : measure_(measure), names_(names) {
-    for (std::size_t begin = 0; begin <= measure.size();) {
-      const std::size_t end = std::min(measure.find('.', begin), measure.size());
-      steps_.emplace_back(measure.substr(begin, end - begin));
-      begin = end + 1;
-    }
-  }
+  MeasureParser(std::string_view measure, const MeasureNames& names)
+      : measure_(measure), names_(names), steps_(measure_steps(measure)) {}
 
   MeasureInfo parse() {
-    static const std::vector<std::string> kinds{"body",      "rocks",  "gate",  "barrier",
-                                                "clearance", "energy", "solver"};
+    static const std::vector<std::string> kinds{"body",    "contact",   "rocks",  "gate",
+                                                "barrier", "clearance", "energy", "solver"};
     const std::string kind = next(kinds);
     if (kind == "body") parse_body();
+    if (kind == "contact") parse_contact();
     if (kind == "rocks") parse_rocks();
     if (kind == "gate") parse_named("gates", names_.gates, gate_quantities);
     if (kind == "barrier") parse_named("barriers", names_.barriers, barrier_quantities);
     if (kind == "clearance") parse_clearance();
-    if (kind == "solver") finish(solver_quantities);
+    if (kind == "solver") {
+      finish(solver_quantities);
+      if (steps_.size() > 1 && steps_[1] == "max_iterations_of_a_step") need_series();
+    }
     if (kind == "energy") {
       next({"total"});
       next({"relative_change"});
@@ -164,6 +169,22 @@ class MeasureParser {
     if (kind == "stop_time" || kind == "contact_time") info_.dimension = dimension::time;
   }
 
+  void need_series() {
+    if (!names_.series) fail("it needs `output.series`, which the scenario does not ask for");
+  }
+
+  void parse_contact() {
+    if (names_.bodies.empty()) return fail("the scenario has no bodies");
+    std::vector<std::string> others = names_.bodies;
+    others.emplace_back("terrain");
+    next(others);
+    next(others);
+    finish(contact_quantities);
+    if (at_ < steps_.size() && time_of_step(steps_[at_])) steps_[at_] = "at[time]";
+    next({"mean", "max", "min", "final", "at[time]"});
+    need_series();
+  }
+
   void parse_rocks() {
     if (names_.groups.empty()) return fail("the scenario has no rocks");
     std::vector<std::string> known = rock_quantities();
@@ -202,6 +223,26 @@ class MeasureParser {
 };
 
 }  // namespace
+
+std::vector<std::string> measure_steps(std::string_view measure) {
+  std::vector<std::string> steps(1);
+  int depth = 0;  // a point between brackets belongs to a number
+  for (const char c : measure) {
+    depth += c == '[' ? 1 : c == ']' ? -1 : 0;
+    if (c == '.' && depth <= 0)
+      steps.emplace_back();
+    else
+      steps.back() += c;
+  }
+  return steps;
+}
+
+std::optional<double> time_of_step(std::string_view step) {
+  if (!step.starts_with("at[") || !step.ends_with(']')) return std::nullopt;
+  const std::optional<Quantity> quantity = parse_quantity(step.substr(3, step.size() - 4));
+  if (!quantity || (quantity->has_unit && quantity->unit.dimension != dimension::time)) return std::nullopt;
+  return quantity->si();
+}
 
 std::vector<std::string> rock_quantities() {
   std::vector<std::string> names = names_of(rock_distributions);

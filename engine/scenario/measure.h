@@ -1,6 +1,7 @@
 #pragma once
 // The grammar of measures, which `expect` compares with values.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,7 @@ struct MeasureNames {
   std::vector<std::string> barriers;
   std::vector<std::string> clearances;
   std::vector<std::string> with_factor;  ///< clearances that have a factor
+  bool series = false;                   ///< the scenario asks for output.series
 };
 
 struct MeasureInfo {
@@ -28,12 +30,19 @@ struct MeasureInfo {
 /// Checks a measure. docs/results.md describes what each means. The grammar:
 ///   body.<name>.final|max|min.<component>, body.<name>.stop_time|contact_time,
 ///   body.<name>.impact[n].<quantity>, body.<name>.apex[n].time|height,
+///   contact.<a>.<b>.gap|un|ut|rn|rt.mean|max|min|final|at[time], a and b bodies, b also `terrain`,
 ///   energy.total.relative_change, solver.<quantity>,
 ///   rocks[.<group>].<quantity>.<statistic>, rocks[.<group>].count|censored,
 ///   gate.<name>.passed|mean_energy|p95_energy|p95_height,
 ///   barrier.<name>.reached|caught|over_top|over_energy,
 ///   clearance.<name>.distance|lower|upper|with_factor
 MeasureInfo check_measure(std::string_view measure, const MeasureNames& names);
+
+/// The steps of a measure: "contact", "ball", "terrain", "rn", "at[0.5 s]".
+std::vector<std::string> measure_steps(std::string_view measure);
+
+/// The time [s] of a step "at[0.5 s]"; nothing if it is none. A bare number is in seconds.
+std::optional<double> time_of_step(std::string_view step);
 
 /// Quantities of rocks. A group cannot have one of these names.
 std::vector<std::string> rock_quantities();

@@ -101,7 +101,23 @@ class Normaliser {
     trajectories.assumed = !given;
     if (output.map() && given) put(*output.map(), *given, std::move(trajectories));
     if (output.map() && !given) put(*output.map(), "trajectories", std::move(trajectories));
+    const std::optional<Node> over_time = node ? node->find("series") : std::nullopt;
+    if (output.map() && over_time) put(*output.map(), *over_time, series(*over_time));
     return output;
+  }
+
+  Value series(const Node& node) {
+    Value series = normalise_section(context_, node, "output.series", {});
+    const std::optional<Node> bodies = node.find("bodies");
+    if (!series.map() || !bodies || !bodies->expect_list(diagnostics_)) return series;
+    List names;
+    for (const Node& item : bodies->items()) {
+      if (!item.value->text())
+        item.error(diagnostics_, fmt::format("is {}, expected the name of a body", item.value->kind()));
+      names.push_back(text_value(item.value->text() ? *item.value->text() : ""));
+    }
+    put(*series.map(), *bodies, list_value(std::move(names)));
+    return series;
   }
 
   Map fields(const Node& node, std::string_view section, std::string_view prefix) {
@@ -165,6 +181,7 @@ MeasureNames measure_names(const Node& root, int dimension) {
                      .barriers = element_names(root.find("barriers")),
                      .clearances = element_names(root.find("clearance")),
                      .with_factor = {}};
+  if (const auto output = root.find("output")) names.series = output->find("series").has_value();
   if (const auto clearances = root.find("clearance"))
     for (const Node& item : clearances->items())
       if (const auto name = item.find("name"); name && name->value->text() && item.find("factor"))

@@ -224,12 +224,21 @@ struct StopPlan {
   double speed = 0.05;  ///< m/s
 };
 
+/// Rows over time (world/series.h).
+struct SeriesPlan {
+  std::vector<std::string> bodies;  ///< bodies or groups of rocks; empty: all
+  bool contacts = true;
+  double every = 0;  ///< s between rows; 0: each step
+  int first = 1;     ///< number of trials with series
+};
+
 struct OutputPlan {
   int trajectories_first = 100;      ///< number of trials with trajectories
   double trajectories_every = 0.02;  ///< s
   bool impacts = true;
-  bool hard_problems = false;  ///< keep each step that did not converge as an FCLIB file
-  bool rank_outcomes = false;  ///< also rank outcomes of what plugins draw (batch/inputs.h)
+  bool hard_problems = false;        ///< keep each step that did not converge as an FCLIB file
+  bool rank_outcomes = false;        ///< also rank outcomes of what plugins draw (batch/inputs.h)
+  std::optional<SeriesPlan> series;  ///< absent: none
 };
 
 enum class ExpectKind { equals, below, above, between };

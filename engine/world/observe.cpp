@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "world/series.h"
+
 namespace flyrock {
 
 const char* name_of(StopReason reason) {
@@ -14,6 +16,11 @@ const char* name_of(StopReason reason) {
 const char* name_of(BarrierOutcome outcome) {
   constexpr const char* names[] = {"caught", "over_top", "over_energy"};
   return names[static_cast<int>(outcome)];
+}
+
+const char* name_of(SeriesState state) {
+  constexpr const char* names[] = {"open", "sticking", "sliding", "before_impact", "after_impact"};
+  return names[static_cast<int>(state)];
 }
 
 void BodyHistory::begin(const BodyState& state) {

@@ -36,7 +36,7 @@ void World<D>::solve_and_apply() {
   wanted.to_rounding = static_cast<int>(contacts_.size()) <= few_contacts;
   wanted.max_iterations = settings_.max_iterations;
   wanted.solver = settings_.solver;
-  const SolveResult result = solver_.solve(problem_, rebounds_, wanted, impulses_);
+  const SolveResult result = last_solve_ = solver_.solve(problem_, rebounds_, wanted, impulses_);
   ++quality_.problems;
   quality_.iterations += result.iterations;
   if (!result.converged) {

@@ -88,6 +88,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
     begin_manifolds();
     ask_laws(h);
     assemble(h, true);
+    last_solve_ = {};
     if (!contacts_.empty()) solve_and_apply();
     drift(theta * h);
     if (chooses && refusals++ < most_refusals) {
@@ -136,6 +137,7 @@ typename World<D>::Outcome World<D>::impact() {
   // A cut step ends at the touch only up to second order in its length, so accept a small gap as closed.
   constexpr double event_share = 1e-7;
   impacts_.clear();
+  last_solve_ = {};
   forget_steps();
   detect(0);
   keep_closed(event_share);

@@ -89,6 +89,12 @@ class World {
   const Vec<D>& gravity() const { return gravity_; }
   const WorldSettings& settings() const { return settings_; }
   const std::vector<Contact>& contacts() const { return contacts_; }
+  /// The velocities of contacts() after the last step or impact.
+  const std::vector<Row>& velocities_after() const { return after_; }
+  /// The gap between the features of a contact now [m].
+  double gap_now(const Contact& contact) const { return gap_at(contact, false); }
+  /// How the problem of contacts() was solved; nothing was solved in an impact in which nothing approached.
+  const SolveResult& last_solve() const { return last_solve_; }
   const SolverQuality& quality() const { return quality_; }
   SolverQuality& quality() { return quality_; }
   /// Where the wall time of each phase is added; null: phases are not timed.
@@ -239,6 +245,7 @@ class World {
   double g_;  ///< |g|, m/s2
   WorldSettings settings_;
   SolverQuality quality_;
+  SolveResult last_solve_;
   StepControl<D> control_;
   double last_step_ = 0;     ///< s
   double reach_time_ = 0;    ///< s, the longer of this step and the last one; fixed steps: their length

@@ -44,6 +44,18 @@ TrialRecords some_records() {
   point.point.turn = {0.5, -0.5, 0.5, -0.5};
   records.trajectories = {point, point};
   records.shapes = {{7, 1, {.contactor = 1, .face = 2, .place = {3, 4, 5}, .radius = 6}}};
+  SeriesBody state;
+  state.body = "ball";
+  state.state.time = 0.25;
+  state.potential_energy = -3;
+  records.series_bodies = {{7, state}};
+  SeriesContact contact;
+  contact.a = "ball";
+  contact.b = "terrain.floor";
+  contact.rn = 12;
+  contact.state = SeriesState::sliding;
+  records.series_contacts = {{7, contact}, {7, contact}};
+  records.series_solves = {{7, {.time = 0.25, .step = 0.01, .contacts = 2, .sweeps = 5, .residual = 1e-9}}};
   records.totals.materials = {{1, 2, 3, 4, 5}};
   PathBins path(2, -10, 10);
   path.visit(-3, 1, 0, 4, [](PathBin& bin, double, double t) { bin = {t, 10 * t, 1e6}; });
@@ -95,6 +107,9 @@ TEST_CASE("A reading of a part of a chunk has its tables and no others") {
   const std::string bytes = encode_chunk(range, "hash", expected);
   expected.inputs.clear();
   expected.impacts.clear();
+  expected.series_bodies.clear();
+  expected.series_contacts.clear();
+  expected.series_solves.clear();
   expected.totals.envelopes = {};
   expected.trajectories.clear();
   expected.shapes.clear();

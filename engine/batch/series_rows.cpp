@@ -1,0 +1,42 @@
+#include "batch/series_rows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace flyrock {
+
+bool has_series(const Scenario& scenario, std::uint64_t trial) {
+  return scenario.output.series && trial < static_cast<std::uint64_t>(scenario.output.series->first);
+}
+
+template <int D>
+SeriesRequest series_of(const Scenario& scenario, const Trial<D>& trial, int world, Series& rows) {
+  const SeriesPlan& plan = *scenario.output.series;
+  SeriesRequest request{{}, parts_of(*trial.terrain), plan.contacts, plan.every, &rows};
+  const auto wanted = [&](const std::string& name) {
+    return plan.bodies.empty() ||
+           std::find(plan.bodies.begin(), plan.bodies.end(), name) != plan.bodies.end();
+  };
+  request.bodies.resize(trial.worlds[static_cast<std::size_t>(world)].bodies.size());
+  for (std::size_t i = 0; i < scenario.bodies.size(); ++i)
+    if (wanted(scenario.bodies[i].name)) request.bodies[i] = scenario.bodies[i].name;
+  for (std::size_t i = 0; scenario.bodies.empty() && i < trial.rocks.size(); ++i) {
+    const TrialRock& rock = trial.rocks[i];
+    const std::string& group = scenario.rocks[static_cast<std::size_t>(rock.group)].name;
+    if (rock.world == world && wanted(group))
+      request.bodies[static_cast<std::size_t>(rock.body)] = fmt::format("{} {}", group, i);
+  }
+  return request;
+}
+
+void add_series(std::uint64_t trial, Series rows, TrialRecords& out) {
+  for (SeriesBody& row : rows.bodies) out.series_bodies.push_back({trial, std::move(row)});
+  for (SeriesContact& row : rows.contacts) out.series_contacts.push_back({trial, std::move(row)});
+  for (const SeriesSolve& row : rows.solves) out.series_solves.push_back({trial, row});
+}
+
+template SeriesRequest series_of(const Scenario&, const Trial<2>&, int, Series&);
+template SeriesRequest series_of(const Scenario&, const Trial<3>&, int, Series&);
+
+}  // namespace flyrock

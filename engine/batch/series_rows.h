@@ -1,0 +1,20 @@
+#pragma once
+// The series (`output.series`) of a trial: what is asked of its worlds, and their rows as records.
+
+#include "batch/records.h"
+#include "flight/series_recorder.h"
+#include "trial/build_trial.h"
+
+namespace flyrock {
+
+/// Whether a trial has series.
+bool has_series(const Scenario& scenario, std::uint64_t trial);
+
+/// What a world of a trial records into `rows`. Rocks are called by their group and their number in the
+/// trial: "blocks 3". Instantiated for D = 2, 3.
+template <int D>
+SeriesRequest series_of(const Scenario& scenario, const Trial<D>& trial, int world, Series& rows);
+
+void add_series(std::uint64_t trial, Series rows, TrialRecords& out);
+
+}  // namespace flyrock

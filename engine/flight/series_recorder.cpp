@@ -1,0 +1,152 @@
+#include "flight/series_recorder.h"
+
+#include <cmath>
+#include <limits>
+
+#include "flight/body_state.h"
+#include "world/manifold.h"
+
+namespace flyrock {
+
+template <int D>
+SeriesRecorder<D>::SeriesRecorder(const World<D>& world, const SeriesRequest& request)
+    : world_(world),
+      request_(request),
+      rows_(*request.rows),
+      next_(world.time + request.every),
+      last_row_(world.bodies.size(), -1) {
+  put_bodies();
+}
+
+/// Whether the world has come to the time of the next row.
+template <int D>
+bool SeriesRecorder<D>::due() {
+  if (request_.every <= 0) return true;
+  if (world_.time < next_) return false;
+  while (next_ <= world_.time) next_ += request_.every;
+  return true;
+}
+
+template <int D>
+void SeriesRecorder<D>::flew(std::span<const typename Geometry<D>::Motion> motions, double start, double dt) {
+  for (; request_.every > 0 && next_ < start + dt; next_ += request_.every)
+    for (int i = 0; i < static_cast<int>(motions.size()); ++i) {
+      const Turned<D> turned = turn_at(motions[i], next_ - start);
+      put(i,
+          state_of(world_.bodies[i], next_, motions[i].position(next_ - start),
+                   motions[i].velocity(next_ - start), turned),
+          turned.attitude);
+    }
+  put_bodies();
+}
+
+template <int D>
+void SeriesRecorder<D>::stepped(double step) {
+  if (step <= 0 || !due()) return;
+  put_bodies();
+  put_contacts(step);
+  put_solve(step);
+}
+
+template <int D>
+void SeriesRecorder<D>::before_impact() {
+  put_bodies();
+}
+
+template <int D>
+void SeriesRecorder<D>::after_impact() {
+  put_bodies();
+  put_contacts(0);
+  put_solve(0);
+}
+
+template <int D>
+void SeriesRecorder<D>::put_bodies() {
+  for (int i = 0; i < static_cast<int>(world_.bodies.size()); ++i)
+    put(i, state_of(world_.bodies[i], world_.time), world_.bodies[i].attitude);
+}
+
+/// A state that the body has already at this time is not repeated. A fixed body has one row.
+template <int D>
+void SeriesRecorder<D>::put(int body, const BodyState& state, const Attitude<D>& attitude) {
+  const Body<D>& b = world_.bodies[body];
+  if (!wanted(body) || !b.present) return;
+  if (const int last = last_row_[body]; last >= 0) {
+    if (b.kind == BodyKind::fixed) return;
+    const BodyState& before = rows_.bodies[last].state;
+    if (before.time == state.time && before.velocity == state.velocity && before.spin == state.spin) return;
+  }
+  last_row_[body] = static_cast<int>(rows_.bodies.size());
+  const Vec<D> place = state.position.template head<D>() + world_.origin;
+  rows_.bodies.push_back({request_.bodies[body], state,
+                          b.kind == BodyKind::dynamic ? -b.mass * world_.gravity().dot(place) : 0,
+                          quaternion_of(attitude)});
+  rows_.bodies.back().state.position.template head<D>() = place;
+}
+
+template <int D>
+std::string SeriesRecorder<D>::name_of_antagonist(const WorldContact<D>& contact) const {
+  if (contact.antagonist >= 0) return request_.bodies[contact.antagonist];
+  const std::string& part = request_.parts[part_of(world_.terrain(), contact.at.against)];
+  return part.empty() ? "terrain" : "terrain." + part;
+}
+
+template <int D>
+void SeriesRecorder<D>::put_contacts(double step) {
+  if (!request_.contacts) return;
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  const auto tangential = [](const auto& row) {
+    if constexpr (D == 2) return row[1];
+    return row.template segment<D - 1>(1).norm();
+  };
+  const auto& contacts = world_.contacts();
+  int point = 0;
+  for (std::size_t a = 0; a < contacts.size(); ++a) {
+    const WorldContact<D>& contact = contacts[a];
+    const bool same_pair = a > 0 && contacts[a - 1].candidate == contact.candidate &&
+                           contacts[a - 1].antagonist == contact.antagonist;
+    point = same_pair ? point + 1 : 0;
+    if (!wanted(contact.candidate) && !wanted(contact.antagonist)) continue;
+    SeriesContact row;
+    row.time = world_.time;
+    row.a = request_.bodies[contact.candidate];
+    row.b = name_of_antagonist(contact);
+    row.point = point;
+    row.step = step;
+    row.gap = world_.gap_now(contact);
+    row.place.template head<D>() = contact.at.point + world_.origin;
+    row.normal.template head<D>() = contact.at.normal;
+    if (step == 0) {
+      row.rn = row.rt = unknown;
+      row.state = SeriesState::before_impact;
+      row.un = contact.before[0];
+      row.ut = tangential(contact.before);
+      rows_.contacts.push_back(row);
+      row.state = SeriesState::after_impact;
+    }
+    row.pn = contact.impulse[0];
+    row.pt = tangential(contact.impulse);
+    if (step > 0) {
+      row.rn = row.pn / step;
+      row.rt = row.pt / step;
+      row.state = row.pn == 0        ? SeriesState::open
+                  : contact.sticking ? SeriesState::sticking
+                                     : SeriesState::sliding;
+    }
+    row.un = world_.velocities_after()[a][0];
+    row.ut = tangential(world_.velocities_after()[a]);
+    rows_.contacts.push_back(row);
+  }
+}
+
+template <int D>
+void SeriesRecorder<D>::put_solve(double step) {
+  const SolveResult& solve = world_.last_solve();
+  rows_.solves.push_back(
+      {world_.time, step, static_cast<int>(world_.contacts().size()), solve.iterations, solve.residual});
+}
+
+template class SeriesRecorder<2>;
+template class SeriesRecorder<3>;
+
+}  // namespace flyrock

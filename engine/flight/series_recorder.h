@@ -1,0 +1,53 @@
+#pragma once
+// Records the series of a world while it runs. Instantiated for D = 2, 3.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "world/series.h"
+#include "world/world.h"
+
+namespace flyrock {
+
+/// What is recorded, and where the rows go.
+struct SeriesRequest {
+  std::vector<std::string> bodies;  ///< names of the bodies of the world; empty: this body has no rows
+  std::vector<std::string> parts;   ///< names of the parts of the terrain
+  bool contacts = true;
+  double every = 0;  ///< s between rows of steps and flights; 0: each step, and the ends of flights
+  Series* rows = nullptr;
+};
+
+/// A contact has rows if one of its bodies has. Rows at the start of the run, before and after an impact and
+/// at the end of a flight are always kept.
+template <int D>
+class SeriesRecorder {
+ public:
+  SeriesRecorder(const World<D>& world, const SeriesRequest& request);
+
+  /// All bodies flew along `motions` for `dt` from the time `start`; the world is at the end.
+  void flew(std::span<const typename Geometry<D>::Motion> motions, double start, double dt);
+  /// The world is at the end of a step of length `step` [s].
+  void stepped(double step);
+  /// The world may be at an impact; it is after one.
+  void before_impact();
+  void after_impact();
+
+ private:
+  bool due();
+  bool wanted(int body) const { return body >= 0 && !request_.bodies[body].empty(); }
+  void put_bodies();
+  void put(int body, const BodyState& state, const Attitude<D>& attitude);
+  void put_contacts(double step);
+  void put_solve(double step);
+  std::string name_of_antagonist(const WorldContact<D>& contact) const;
+
+  const World<D>& world_;
+  const SeriesRequest& request_;
+  Series& rows_;
+  double next_;                ///< s, of the next row of a step or flight
+  std::vector<int> last_row_;  ///< of each body; -1: none
+};
+
+}  // namespace flyrock

@@ -1,0 +1,53 @@
+#pragma once
+// What a run records over time (`output.series`): bodies, contacts and solves, in SI units.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "world/observe.h"
+
+namespace flyrock {
+
+/// A body at the end of a step, before or after an impact, or at an end of a flight.
+struct SeriesBody {
+  std::string body;
+  BodyState state;
+  double potential_energy = 0;                ///< J, above height 0 of the scenario
+  std::array<double, 4> turn = {1, 0, 0, 0};  ///< 3D: attitude, as in TrajectoryPoint
+};
+
+/// The state of a contact. `open`: within reach, but without a force in this step.
+enum class SeriesState { open, sticking, sliding, before_impact, after_impact };
+const char* name_of(SeriesState state);
+
+/// A contact at the end of a step, or before and after an impact.
+struct SeriesContact {
+  double time = 0;
+  std::string a, b;       ///< the bodies; the normal points from b to a; `terrain` or `terrain.<part>`
+  int point = 0;          ///< number among the contacts of the pair, from 0
+  double step = 0;        ///< s, length of the step; 0: an impact
+  double gap = 0;         ///< m
+  double un = 0, ut = 0;  ///< m/s, relative velocity; along t = (n_y, -n_x) in 2D, a length in 3D
+  double pn = 0, pt = 0;  ///< N s, impulse in the step or impact; 0 before an impact
+  double rn = 0, rt = 0;  ///< N, impulse / step; of an impact NaN, because its impulse has no duration
+  SeriesState state = SeriesState::open;
+  Vec3 place = Vec3::Zero(), normal = Vec3::Zero();
+};
+
+/// The solution of the contact problem of a step or an impact.
+struct SeriesSolve {
+  double time = 0;
+  double step = 0;  ///< s; 0: an impact
+  int contacts = 0;
+  int sweeps = 0;       ///< iterations of the solver
+  double residual = 0;  ///< m/s
+};
+
+struct Series {
+  std::vector<SeriesBody> bodies;
+  std::vector<SeriesContact> contacts;
+  std::vector<SeriesSolve> solves;
+};
+
+}  // namespace flyrock
