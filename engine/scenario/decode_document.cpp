@@ -51,9 +51,7 @@ class DocumentDecoder {
     }
     scenario_.solver = decode_solver(context_, *root_.find("solver"));
     if (const auto stop = root_.find("stop")) scenario_.stop = decode_stop(context_, *stop);
-    scenario_.output =
-        decode_output(context_, *root_.find("output"),
-                      element_names(root_.find(scenario_.bodies.empty() ? "rocks" : "bodies")));
+    scenario_.output = decode_output(context_, *root_.find("output"), names_for_series());
     check_sweep();
     if (const auto expect = root_.find("expect"))
       scenario_.expect = decode_expect(*expect, measure_names(root_, scenario_.dimension));
@@ -97,6 +95,13 @@ class DocumentDecoder {
     if (name && (*name == "latin_hypercube" || *name == "sobol"))
       design->error(context_.diagnostics,
                     fmt::format("this version has no design `{}`, expected `grid`", *name));
+  }
+
+  /// The names of bodies or groups; none if one of them has no name, which is an error.
+  std::vector<std::string> names_for_series() const {
+    const auto list = root_.find(root_.find("bodies") ? "bodies" : "rocks");
+    const std::vector<std::string> names = element_names(list);
+    return list && names.size() == list->items().size() ? names : std::vector<std::string>();
   }
 
   std::vector<std::string> pair_names(const std::vector<std::string>& parts) const {

@@ -35,7 +35,6 @@ StopPlan decode_stop(DecodeContext& context, const Node& node) {
   return {section.constant("time"), section.constant("speed")};
 }
 
-/// `names`: of the bodies or of the groups of rocks.
 SeriesPlan decode_series(DecodeContext& context, const Node& node, const std::vector<std::string>& names) {
   const Section section = decode_section(context, node, "output.series");
   SeriesPlan plan;
@@ -43,7 +42,7 @@ SeriesPlan decode_series(DecodeContext& context, const Node& node, const std::ve
     for (const Node& item : bodies->items()) {
       const std::string* name = item.value->text();
       if (!name || name->empty()) continue;  // already reported
-      if (std::find(names.begin(), names.end(), *name) == names.end())
+      if (!names.empty() && std::find(names.begin(), names.end(), *name) == names.end())
         item.error(context.diagnostics,
                    fmt::format("there is no body or group `{}`{}", *name, suggestion(*name, names)));
       plan.bodies.push_back(*name);
@@ -63,7 +62,8 @@ OutputPlan decode_output(DecodeContext& context, const Node& node, const std::ve
                   .trajectories_every = trajectories.constant("every"),
                   .impacts = section.constant("impacts") != 0,
                   .hard_problems = section.constant("hard_problems") != 0,
-                  .rank_outcomes = section.constant("rank_outcomes") != 0};
+                  .rank_outcomes = section.constant("rank_outcomes") != 0,
+                  .series = {}};
   if (const std::optional<Node> series = node.find("series"))
     plan.series = decode_series(context, *series, names);
   return plan;

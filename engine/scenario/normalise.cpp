@@ -114,7 +114,9 @@ class Normaliser {
     for (const Node& item : bodies->items()) {
       if (!item.value->text())
         item.error(diagnostics_, fmt::format("is {}, expected the name of a body", item.value->kind()));
-      names.push_back(text_value(item.value->text() ? *item.value->text() : ""));
+      Value name = text_value(item.value->text() ? *item.value->text() : "");
+      name.at = item.value->at;
+      names.push_back(std::move(name));
     }
     put(*series.map(), *bodies, list_value(std::move(names)));
     return series;

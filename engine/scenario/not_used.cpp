@@ -96,6 +96,9 @@ std::vector<std::string> find_not_used(const Node& root, const Scenario& scenari
   find_materials(scenario, list);
   if (scenario.method == Method::ballistic && find_given(root, "solver"))
     list.emplace_back("solver (the method ballistic has no contacts)");
+  const auto output = root.find("output");
+  if (scenario.method != Method::nscd && output && find_given(*output, "series"))
+    list.push_back(fmt::format("output.series (the method {} flies points)", name_of(scenario.method)));
   find_rock_contacts(root, scenario, list);
   return list;
 }
