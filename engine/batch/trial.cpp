@@ -12,7 +12,7 @@
 #include "batch/inputs.h"
 #include "batch/safe_file.h"
 #include "batch/series_rows.h"
-#include "flight/ballistic_run.h"
+#include "flight/point_run.h"
 #include "flight/run.h"
 #include "solver/fclib.h"
 #include "trial/dimensions.h"
@@ -67,9 +67,9 @@ NearestGround nearest_ground(const Terrain3& terrain, const Vec3& at, double rea
 /// decides and not the height above it: on a slope, a ball that touches the ground has more than its radius
 /// below its centre.
 template <int D, class Terrain>
-int part_under(const Terrain& terrain, const Body<D>& body) {
+int part_under(const Terrain& terrain, const Body<D>& body, Method method) {
   constexpr double rounding = 1e-3;  // share of the size; a body in contact is closer to the ground than this
-  const double reach = (1 + rounding) * body.size;
+  const double reach = method == Method::lumped_mass ? 1e-6 : (1 + rounding) * body.size;
   const NearestGround nearest = nearest_ground(terrain, body.x, reach);
   return nearest.distance <= reach ? nearest.part : -1;
 }
@@ -103,8 +103,10 @@ class TrialRunner::Trials : public OfDimension {
 
  private:
   void fail_trial(std::uint64_t trial, const ScenarioError& error, TrialRecords& out) const;
-  /// The rocks of a trial by the method ballistic: one history for each world.
-  std::vector<std::vector<BodyHistory>> fly(const Trial<D>& trial, const RunSettings& settings) const;
+  /// The rocks of a trial by the methods of points: for each world a history of each of its bodies.
+  std::vector<std::vector<BodyHistory>> run_points(Trial<D>& trial, const RunSettings& settings,
+                                                   std::vector<std::optional<TrialFault>>& faults) const;
+  std::vector<Roughness> roughness_of(const Surfaces& laws, const World<D>& world, int body) const;
   void record(std::uint64_t trial, int index, const TrialRock& rock, const World<D>* world,
               const BodyHistory& history, TrialRecords& out) const;
   void record_inputs(std::uint64_t trial, int index, const TrialRock& rock, TrialRecords& out) const;
@@ -182,9 +184,9 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
   std::vector<std::optional<TrialFault>> faults(trial.worlds.size());
   constexpr int most_hard_problems = 10;
   int kept = 0;
-  const bool flies = scenario_.method == Method::ballistic;
-  if (flies) histories = fly(trial, settings);
-  for (std::size_t w = 0; w < trial.worlds.size() && !flies; ++w) {
+  const bool points = scenario_.method != Method::nscd;
+  if (points) histories = run_points(trial, settings, faults);
+  for (std::size_t w = 0; w < trial.worlds.size() && !points; ++w) {
     World<D>& world = trial.worlds[w];
     if (timed) world.clock = &times;
     if (scenario_.output.hard_problems && !hard_problems.empty())
@@ -207,11 +209,11 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
       faults[w] = {error.what(), reason_of(error)};
     }
     add_series(number, std::move(rows), out);
-    out.totals.quality.add(world.quality());
   }
+  for (const World<D>& world : trial.worlds) out.totals.quality.add(world.quality());
   if (timed) {
     const std::int64_t all = (std::chrono::steady_clock::now() - start).count();
-    if (flies) times.flight = all;
+    if (points) times.flight = all;
     times.other = all - times.flight - times.detect - times.solve;
     out.totals.times.add(times);
   }
@@ -232,7 +234,7 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
       const BodyHistory& history = histories[rock.world][rock.body];
       record(number, static_cast<int>(i), rock, &world, history, out);
       record_inputs(number, static_cast<int>(i), rock, out);
-      if (!flies && scenario_.output.impacts)
+      if (scenario_.method != Method::ballistic && scenario_.output.impacts)
         record_impact_draws(number, static_cast<int>(i), rock, world, trial.surfaces[rock.world], history,
                             out);
     }
@@ -243,24 +245,66 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
 }
 
 template <int D>
-std::vector<std::vector<BodyHistory>> TrialRunner::Trials<D>::fly(const Trial<D>& trial,
-                                                                  const RunSettings& settings) const {
+std::vector<std::vector<BodyHistory>> TrialRunner::Trials<D>::run_points(
+    Trial<D>& trial, const RunSettings& settings, std::vector<std::optional<TrialFault>>& faults) const {
   std::vector<std::vector<BodyHistory>> histories(trial.worlds.size());
+  for (std::size_t w = 0; w < trial.worlds.size(); ++w) histories[w].resize(trial.worlds[w].bodies.size());
+  std::vector<Surface*> surfaces;
+  std::vector<Roughness> roughness;
   for (const TrialRock& rock : trial.rocks) {
     if (rock.world < 0) continue;
-    const World<D>& world = trial.worlds[rock.world];
-    const Body<D>& body = world.bodies[rock.body];
-    BallisticRun<D> flight;
-    flight.forces = {world.gravity(), body.air};
-    flight.start_time = rock.start_time;
-    flight.stop_time = settings.stop_time;
-    flight.trajectory_every = settings.trajectory_every;
-    flight.bin_width = settings.bin_width;
-    flight.gates = gates_;
-    flight.barriers = barriers_;
-    histories[rock.world].push_back(run_ballistic(body, ground_of(*trial.terrain), flight));
+    World<D>& world = trial.worlds[rock.world];
+    Body<D>& body = world.bodies[rock.body];
+    PointRun<D> run;
+    run.forces = {world.gravity(), body.air};
+    run.start_time = rock.start_time;
+    run.stop_time = settings.stop_time;
+    run.trajectory_every = settings.trajectory_every;
+    run.bin_width = settings.bin_width;
+    run.gates = gates_;
+    run.barriers = barriers_;
+    run.ends_at_touch = scenario_.method == Method::ballistic;
+    if (!run.ends_at_touch) {
+      run.stop_speed = settings.stop_speed;
+      run.rest_speed = world.settings().rest_speed;
+      run.keep_impacts = settings.keep_impacts;
+      run.origin = world.origin;
+      Surfaces& laws = trial.surfaces[rock.world];
+      surfaces = laws.of_point(world, rock.body);
+      run.surfaces = surfaces;
+      roughness = roughness_of(laws, world, rock.body);
+      run.roughness = roughness;
+      run.quality = &world.quality();
+      run.interrupted = interrupted;
+    }
+    try {
+      BodyHistory& history = histories[rock.world][rock.body];
+      history = run_point(body, *trial.terrain, run);
+      body.x = history.last.position.template head<D>();
+      for (Impact& impact : history.impacts) impact.body = rock.body;
+    } catch (const TrialError& error) {
+      faults[rock.world] = {error.what(), reason_of(error)};
+    }
   }
   return histories;
+}
+
+/// The roughness of each part of the terrain; empty if no part is rough.
+template <int D>
+std::vector<Roughness> TrialRunner::Trials<D>::roughness_of(const Surfaces& laws, const World<D>& world,
+                                                            int body) const {
+  std::vector<Roughness> of_part(parts_of(world.terrain()).size());
+  bool rough = false;
+  for (std::size_t part = 0; part < of_part.size(); ++part) {
+    const int material = laws.material_with_terrain(world, body, static_cast<int>(part));
+    if (material < 0) continue;
+    const auto& given = scenario_.materials[static_cast<std::size_t>(material)].roughness;
+    if (!given) continue;
+    rough = true;
+    of_part[part] = {given->constant, given->is_constant() ? nullptr : &scenario_.draws[given->draw]};
+  }
+  if (!rough) of_part.clear();
+  return of_part;
 }
 
 template <int D>
@@ -287,7 +331,8 @@ void TrialRunner::Trials<D>::record(std::uint64_t trial, int index, const TrialR
     row.stop_x = history.last.position.x();
     row.stop_y = history.last.position.y();
     row.stop_z = history.last.position.z();
-    if (row.reason == StopReason::timed_out) row.end_part = part_under(world->terrain(), body);
+    if (row.reason == StopReason::timed_out)
+      row.end_part = part_under(world->terrain(), body, scenario_.method);
     row.landed = history.landed;
     row.flight_range = history.flight_range;
     row.bounce_height = history.bounce_height;

@@ -129,7 +129,7 @@ bool is_round(const Contactor3& contactor) { return !contactor.has_faces(); }  /
 /// Finds round rocks on ground without rolling resistance: they roll until stop.time.
 template <int D>
 void find_free_rollers(const Scenario& scenario, const Trial<D>& trial, TriedOut& tried) {
-  if (!scenario.bodies.empty()) return;
+  if (!scenario.bodies.empty() || scenario.method != Method::nscd) return;  // points slide
   for (std::size_t w = 0; w < trial.surfaces.size(); ++w) {
     const World<D>& world = trial.worlds[w];
     for (int i = 0; i < static_cast<int>(world.bodies.size()); ++i) {

@@ -4,6 +4,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
+#include "flight/ground.h"
 #include "math/polynomial.h"
 
 namespace flyrock {
@@ -69,50 +70,103 @@ void visit_highest(const Arc<3>& arc, const Ground3& ground, double end, Look lo
 
 }  // namespace
 
-template <int D, class Ground>
-FlightLog<D, Ground>::FlightLog(const Body<D>& body, const Ground& ground, const BallisticRun<D>& run)
+template <int D>
+FlightLog<D>::FlightLog(const Body<D>& body, const Terrain& terrain, const PointRun<D>& run)
     : body_(body),
-      ground_(ground),
+      terrain_(terrain),
       run_(run),
-      spin_(body.w),
+      spin_(Body<D>::no_spin()),
       spin_since_(run.start_time),
       attitude_(body.attitude),
-      twice_spin_energy_(twice_spin_energy(body, body.attitude, body.w)),
+      twice_spin_energy_(0),
       next_sample_(run.start_time),
       to_gates_(approaches(run.gates, in_plan(body.x))) {
+  if (run.ends_at_touch) {
+    spin_ = body.w;
+    twice_spin_energy_ = twice_spin_energy(body, body.attitude, body.w);
+  }
   history_.begin(state(run.start_time, body.x, body.v));
   history_.bounce_height = height(body.x);
-  history_.path = bins_over(ground, run.bin_width);
+  history_.path = bins_over(ground_of(terrain), run.bin_width);
 }
 
-template <int D, class Ground>
-void FlightLog<D, Ground>::see(const Arc<D>& arc, double end) {
+template <int D>
+void FlightLog<D>::flew(const Arc<D>& arc, double end) {
+  if (end * arc.length > 0) has_flown_ = true;
+  see(arc, end, history_.landed ? TravelMode::bounce : TravelMode::flight);
+}
+
+template <int D>
+void FlightLog<D>::slid(const Arc<D>& arc, double end, TravelMode mode) {
+  history_.contact_time += end * arc.length;
+  see(arc, end, mode);
+}
+
+template <int D>
+void FlightLog<D>::see(const Arc<D>& arc, double end, TravelMode mode) {
+  mode_ = mode;
   for (double t = next_sample_; run_.trajectory_every > 0 && t < arc.start + end * arc.length;
        t = next_sample_) {
     store(at(arc, (t - arc.start) / arc.length));
     next_sample_ += run_.trajectory_every;
   }
+  if (!run_.ends_at_touch && arc.is_parabola()) {
+    // As for bodies: in closed form, over a straight line in plan.
+    const Path<D> path{arc.c[0], arc.c[1] / arc.length, 2 / (arc.length * arc.length) * arc.c[2]};
+    const double dt = end * arc.length;
+    const double apex = path.a[D - 1] < 0 ? path.v[D - 1] / -path.a[D - 1] : -1;
+    if (apex > 0 && apex <= dt) {
+      widen(at(arc, apex / arc.length));
+      if (run_.keep_impacts && history_.impact_count > 0 && mode == TravelMode::bounce)
+        history_.apexes.push_back({arc.start + apex, path.position(apex)[D - 1] - first_contact_height_});
+    }
+    widen(at(arc, end));
+    over_ground(path, dt);
+  } else {
+    turns(arc, end);
+    widen(at(arc, end));
+    highest(arc, end);
+    bins(arc, end);
+  }
+  pass_gates(arc, end);
+  history_.travel.add(mode, end * arc.length, path_length(arc, end));
+  if (run_.trajectory_every > 0 && !run_.ends_at_touch) store(at(arc, end));
+}
+
+template <int D>
+void FlightLog<D>::turns(const Arc<D>& arc, double end) {
   const Vec<D> up = Vec<D>::Unit(D - 1);
   if (const auto apex = first_fall(arc.rate_along(up), 0, end); apex && *apex > 0) widen(at(arc, *apex));
   for (int k = 0; k < D - 1; ++k)  // points at which wind reverses the rock
     for (const double side : {-1.0, 1.0})
       if (const auto turn = first_fall(arc.rate_along(side * Vec<D>::Unit(k)), 0, end); turn && *turn > 0)
         widen(at(arc, *turn));
-  widen(at(arc, end));
-  highest(arc, end);
-  bins(arc, end);
-  pass_gates(arc, end);
-  history_.travel.add(TravelMode::flight, end * arc.length, path_length(arc, end));
 }
 
-template <int D, class Ground>
-Arrival FlightLog<D, Ground>::arrival(const Approach::Arrival& at, const Landing<D>& now) const {
+template <int D>
+void FlightLog<D>::landed(const Landing<D>& now) {
+  if (history_.landed || !has_flown_) return;
+  history_.landed = true;
+  history_.flight_range = horizontal(Vec<D>(now.position - body_.x));
+}
+
+template <int D>
+void FlightLog<D>::struck(const Impact& impact, const Landing<D>& after) {
+  if (history_.impact_count++ == 0) first_contact_height_ = after.position[D - 1];
+  if (run_.keep_impacts) history_.impacts.push_back(impact);
+  const BodyState now = state(after.time, after.position, after.velocity);
+  history_.include(now);
+  if (run_.trajectory_every > 0) store(now);
+}
+
+template <int D>
+Arrival FlightLog<D>::arrival(const Approach::Arrival& at, const Landing<D>& now) const {
   return {now.time, now.velocity.norm(), energy(now.velocity.squaredNorm()),
           height(moved_to<D>(now.position, at.place)), at.along};
 }
 
-template <int D, class Ground>
-void FlightLog<D, Ground>::met(const BarrierHit& hit, double left) {
+template <int D>
+void FlightLog<D>::met(const BarrierHit& hit, double left) {
   attitude_ = attitude(hit.time);
   spin_since_ = hit.time;
   spin_ *= left;
@@ -120,19 +174,23 @@ void FlightLog<D, Ground>::met(const BarrierHit& hit, double left) {
   history_.barriers.push_back(hit);
 }
 
-template <int D, class Ground>
-BodyHistory FlightLog<D, Ground>::finish(const Landing<D>& end, StopReason reason) {
+template <int D>
+BodyHistory FlightLog<D>::finish(const Landing<D>& end, StopReason reason) {
   history_.reason = reason;
   history_.last = state(end.time, end.position, end.velocity);
-  history_.landed = reason == StopReason::stopped;
-  if (history_.landed) history_.stop_time = end.time;
-  history_.flight_range = horizontal(Vec<D>(end.position - body_.x));
+  if (run_.ends_at_touch && reason == StopReason::stopped) {
+    landed(end);
+    history_.landed = true;
+    history_.stop_time = end.time;
+  }
+  if (!history_.landed && (has_flown_ || run_.ends_at_touch))
+    history_.flight_range = horizontal(Vec<D>(end.position - body_.x));
   if (run_.trajectory_every > 0) store(history_.last);
   return std::move(history_);
 }
 
-template <int D, class Ground>
-BodyState FlightLog<D, Ground>::state(double time, const Vec<D>& position, const Vec<D>& velocity) const {
+template <int D>
+BodyState FlightLog<D>::state(double time, const Vec<D>& position, const Vec<D>& velocity) const {
   BodyState state;
   state.time = time;
   state.position.template head<D>() = position;
@@ -147,30 +205,34 @@ BodyState FlightLog<D, Ground>::state(double time, const Vec<D>& position, const
   return state;
 }
 
-template <int D, class Ground>
-BodyState FlightLog<D, Ground>::at(const Arc<D>& arc, double s) const {
+template <int D>
+BodyState FlightLog<D>::at(const Arc<D>& arc, double s) const {
   return state(arc.start + s * arc.length, arc.position(s), arc.velocity(s));
 }
 
-template <int D, class Ground>
-void FlightLog<D, Ground>::store(const BodyState& s) {
-  history_.trajectory.push_back({s, TravelMode::flight, quaternion_of(attitude(s.time))});
+template <int D>
+void FlightLog<D>::store(const BodyState& s) {
+  auto& points = history_.trajectory;
+  if (!run_.ends_at_touch && !points.empty() && points.back().state.time == s.time)
+    points.back().state = s;  // an impact changes the velocity, but not the mode in which the point arrived
+  else
+    points.push_back({s, mode_, quaternion_of(attitude(s.time))});
 }
 
-template <int D, class Ground>
-void FlightLog<D, Ground>::widen(const BodyState& s) {
+template <int D>
+void FlightLog<D>::widen(const BodyState& s) {
   history_.include(s);
   const Vec<D> away = s.position.template head<D>() - body_.x;
   history_.max_distance = std::max(history_.max_distance, horizontal(away));
 }
 
-template <int D, class Ground>
-double FlightLog<D, Ground>::height(const Vec<D>& p) const {
-  return p[D - 1] - ground_at(ground_, p);
+template <int D>
+double FlightLog<D>::height(const Vec<D>& p) const {
+  return p[D - 1] - ground_at(ground_of(terrain_), p);
 }
 
-template <int D, class Ground>
-void FlightLog<D, Ground>::pass_gates(const Arc<D>& arc, double end) {
+template <int D>
+void FlightLog<D>::pass_gates(const Arc<D>& arc, double end) {
   // Slightly beyond the end, because an arc that ends at a barrier may end before a gate there by rounding.
   const double until = std::min(1.0, end + 1e-12);
   for (std::size_t g = 0; g < to_gates_.size(); ++g) {
@@ -186,19 +248,19 @@ void FlightLog<D, Ground>::pass_gates(const Arc<D>& arc, double end) {
   }
 }
 
-template <int D, class Ground>
-void FlightLog<D, Ground>::highest(const Arc<D>& arc, double end) {
+template <int D>
+void FlightLog<D>::highest(const Arc<D>& arc, double end) {
   const auto look = [&](double s) {
     history_.bounce_height = std::max(history_.bounce_height, height(arc.position(s)));
   };
   look(end);
-  visit_highest(arc, ground_, end, look);
+  visit_highest(arc, ground_of(terrain_), end, look);
 }
 
 /// Fills the bins along x. Within a piece of an arc, x is taken as linear in time. Without wind the error is
 /// k v^2 t^2 / 8, a few centimetres.
-template <int D, class Ground>
-void FlightLog<D, Ground>::bins(const Arc<D>& arc, double end) {
+template <int D>
+void FlightLog<D>::bins(const Arc<D>& arc, double end) {
   if (run_.bin_width <= 0) return;
   const int pieces = arc.is_parabola() ? 1 : 4;
   for (int i = 0; i < pieces; ++i) {
@@ -216,7 +278,22 @@ void FlightLog<D, Ground>::bins(const Arc<D>& arc, double end) {
   }
 }
 
-template class FlightLog<2, Profile>;
-template class FlightLog<3, Ground3>;
+/// The greatest height above the ground, and the bins along x.
+template <int D>
+void FlightLog<D>::over_ground(const Path<D>& path, double dt) {
+  const double rate = rate_along_x(path, dt);
+  visit_heights(terrain_, path, dt, [&](double from, double to, const auto& highest) {
+    history_.bounce_height = std::max(history_.bounce_height, highest(from, to));
+    history_.path.visit(path.x.x(), rate, from, to, [&](PathBin& bin, double t0, double t1) {
+      bin.height = std::max(bin.height, highest(t0, t1));
+      const double squared = std::max(path.velocity(t0).squaredNorm(), path.velocity(t1).squaredNorm());
+      bin.speed = std::max(bin.speed, std::sqrt(squared));
+      bin.energy = std::max(bin.energy, energy(squared));
+    });
+  });
+}
+
+template class FlightLog<2>;
+template class FlightLog<3>;
 
 }  // namespace flyrock

@@ -1,25 +1,35 @@
 #pragma once
-// Writes the history of one ballistic flight, arc by arc.
+// Writes the history of one point, arc by arc.
 
-#include "flight/ballistic_run.h"
+#include "flight/point_run.h"
 
 namespace flyrock {
 
-template <int D, class Ground>
+template <int D>
 class FlightLog {
  public:
-  /// Body, ground and run outlive the log.
-  FlightLog(const Body<D>& body, const Ground& ground, const BallisticRun<D>& run);
+  using Terrain = typename Geometry<D>::Terrain;
 
-  /// Records that the flight followed `arc` to s = end in [0, 1].
-  void see(const Arc<D>& arc, double end);
+  /// Body, terrain and run outlive the log.
+  FlightLog(const Body<D>& body, const Terrain& terrain, const PointRun<D>& run);
+
+  /// Records that the point followed `arc` to s = end in [0, 1], in a mode: in the air (flight, before its
+  /// first landing or after it) or on the ground.
+  void flew(const Arc<D>& arc, double end);
+  void slid(const Arc<D>& arc, double end, TravelMode mode);
+  /// The point touches the ground now. This is a landing if it has flown.
+  void landed(const Landing<D>& now);
+  void struck(const Impact& impact, const Landing<D>& after);
   /// The state in which the flight arrives at a barrier at a place in plan.
   Arrival arrival(const Approach::Arrival& at, const Landing<D>& now) const;
   /// Records that a barrier has acted and scaled velocity and spin by `left`.
   void met(const BarrierHit& hit, double left);
   BodyHistory finish(const Landing<D>& end, StopReason reason);
 
+  BodyHistory& history() { return history_; }
+
  private:
+  void see(const Arc<D>& arc, double end, TravelMode mode);
   BodyState state(double time, const Vec<D>& position, const Vec<D>& velocity) const;
   BodyState at(const Arc<D>& arc, double s) const;
   /// The attitude at a time since the last barrier.
@@ -31,18 +41,23 @@ class FlightLog {
   }
   double height(const Vec<D>& p) const;
   void pass_gates(const Arc<D>& arc, double end);
+  void turns(const Arc<D>& arc, double end);
   void highest(const Arc<D>& arc, double end);
   void bins(const Arc<D>& arc, double end);
+  void over_ground(const Path<D>& path, double dt);
 
   const Body<D>& body_;
-  const Ground& ground_;
-  const BallisticRun<D>& run_;
+  const Terrain& terrain_;
+  const PointRun<D>& run_;
   BodyHistory history_;
   typename Space<D>::Spin spin_;  ///< since the time spin_since_, because barriers change it
   double spin_since_;             ///< s
   Attitude<D> attitude_;          ///< at that time
   double twice_spin_energy_;      ///< J
   double next_sample_;
+  TravelMode mode_ = TravelMode::flight;  ///< of the last arc
+  bool has_flown_ = false;
+  double first_contact_height_ = 0;  ///< m
   std::vector<Approach> to_gates_;
 };
 

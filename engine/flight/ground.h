@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string>
 
 #include "collision/geometry.h"
 
@@ -21,6 +22,21 @@ struct Domain {
 };
 Domain<2> domain_of(const Terrain2& terrain);
 Domain<3> domain_of(const Terrain3& terrain);
+
+inline const Profile& ground_of(const Terrain2& terrain) { return terrain.profile(); }
+inline const Ground3& ground_of(const Terrain3& terrain) { return terrain.ground(); }
+
+/// Which side of the terrain a place is beyond: the text of a fault. No place is named, because the engine
+/// counts from its own origin.
+template <int D>
+std::string left_text(const Domain<D>& domain, const Vec<D>& place) {
+  constexpr const char* axes[] = {"x", "y"};
+  for (int k = 0; k < D - 1; ++k)
+    if (place[k] <= domain.low[k] || place[k] >= domain.high[k])
+      return std::string("it passed the end of the terrain towards ") +
+             (place[k] <= domain.low[k] ? "-" : "+") + axes[k];
+  return "it has no ground below it";
+}
 
 /// The height of the ground at or below a position [m], along the vertical axis (y in 2D, z in 3D). Nothing
 /// where a terrain in 3D has no ground. Within an overhang, the ground below the position.

@@ -1,7 +1,5 @@
 #include "flight/run.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -323,16 +321,6 @@ class Runner {
     if (!all_at_rest) return;
     for (int i = 0; i < bodies(); ++i)
       if (running_[i]) end(i, StopReason::stopped);
-  }
-
-  /// Which side of the terrain a body has left. No place is named: the engine counts from its own origin.
-  static std::string left_text(const Domain<D>& domain, const Vec<D>& place) {
-    constexpr const char* axes[] = {"x", "y"};
-    for (int k = 0; k < D - 1; ++k)
-      if (place[k] < domain.low[k] || place[k] > domain.high[k])
-        return fmt::format("it passed the end of the terrain towards {}{}",
-                           place[k] < domain.low[k] ? "-" : "+", axes[k]);
-    return "it has no ground below it";
   }
 
   World<D>& world_;

@@ -220,6 +220,11 @@ std::string assumptions(const Plan& plan) {
         "each rock is a point whose path ends where it first meets the ground: what it does there is not "
         "computed; ";
     text += scenario.air ? "drag of the air as on a sphere of equal volume." : "no drag of the air.";
+  } else if (plan.methods() == std::vector{Method::lumped_mass}) {
+    text +=
+        "each rock is a point without extent and spin that rebounds from the ground and slides on it (lumped "
+        "mass): its mass and size matter only where a law, the air or a barrier reads them; ";
+    text += scenario.air ? "drag of the air as on a sphere of equal volume." : "no drag of the air.";
   } else {
     text += "rigid bodies, ";
     if (scenario.bodies.empty())
@@ -230,8 +235,17 @@ std::string assumptions(const Plan& plan) {
     text += scenario.solver.flight == FlightMode::exact ? "flights exact between them."
                                                         : "flights in time steps.";
   }
-  if (plan.methods().size() > 1)
+  const std::vector<Method> methods = plan.methods();
+  const auto also = [&](Method method) {
+    return methods.size() > 1 && std::find(methods.begin(), methods.end(), method) != methods.end();
+  };
+  if (also(Method::ballistic))
     text += " At points with the method ballistic a path ends where it first meets the ground.";
+  if (also(Method::lumped_mass))
+    text +=
+        " At points with the method lumped_mass a rock is a point without extent and spin, whose mass "
+        "matters "
+        "only where a law, the air or a barrier reads it.";
   if (!scenario.bodies.empty()) return text;
   if (const std::string elevations = assumed_elevations(plan); !elevations.empty()) text += " " + elevations;
   return text +

@@ -68,9 +68,8 @@ class DocumentDecoder {
     const Section section = decode_section(context_, root_, "");
     if (section.given("flyrock") && section.constant("flyrock") != 1)
       error_at("flyrock", "this version reads format 1");
-    if (section.text("method") == "lumped_mass")
-      error_at("method", "this version has no method `lumped_mass`, expected `nscd` or `ballistic`");
-    scenario_.method = section.text("method") == "ballistic" ? Method::ballistic : Method::nscd;
+    for (const Method method : {Method::lumped_mass, Method::ballistic})
+      if (section.text("method") == name_of(method)) scenario_.method = method;
     if (section.constant("dimension") == 3) scenario_.dimension = context_.dimension = 3;
     scenario_.title = section.text("title");
     scenario_.seed = static_cast<std::uint64_t>(section.constant("seed"));
@@ -83,9 +82,12 @@ class DocumentDecoder {
   void check_method() {
     if (scenario_.method == Method::nscd) return;
     if (scenario_.rock_contacts)
-      error_at("rock_contacts", "rocks of the method `ballistic` are points that never meet");
+      error_at("rock_contacts",
+               fmt::format("rocks of the method `{}` are points that never meet", name_of(scenario_.method)));
+    if (scenario_.method == Method::lumped_mass) return;
     for (const char* key : {"bodies", "pairs"})
-      error_at(key, "belongs to the method `nscd`; `ballistic` flies rocks to the first ground they meet");
+      error_at(key,
+               "belongs to `nscd` and `lumped_mass`; `ballistic` flies rocks to the first ground they meet");
   }
 
   void check_sweep() {
@@ -129,8 +131,9 @@ class DocumentDecoder {
     if (bodies) {
       scenario_.bodies = decode_bodies(context_, *bodies, scenario_.materials);
       auto is_free = [](const BodyPlan& body) { return !body.fixed && !body.driven; };
-      check_materials(*bodies, scenario_.bodies, 1,
-                      [&](const BodyPlan& a, const BodyPlan& b) { return is_free(a) || is_free(b); });
+      check_materials(*bodies, scenario_.bodies, 1, [&](const BodyPlan& a, const BodyPlan& b) {
+        return scenario_.method == Method::nscd && (is_free(a) || is_free(b));
+      });
     }
   }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "geometry/terrain_place.h"
 #include "scenario/decode_sections.h"
@@ -149,12 +150,20 @@ int find_material(DecodeContext& context, const Node& node, const std::vector<Ma
 
 std::vector<Material> decode_materials(DecodeContext& context, const Node& node) {
   std::vector<Material> materials;
-  for (const Node& entry : node.entries())
+  for (const Node& entry : node.entries()) {
     materials.push_back({.name = entry.key,
                          .restitution = decode_law(context, entry, PluginKind::restitution),
                          .friction = decode_law(context, entry, PluginKind::friction),
                          .rolling = decode_law(context, entry, PluginKind::rolling),
-                         .unilateral = decode_law(context, entry, PluginKind::unilateral)});
+                         .unilateral = decode_law(context, entry, PluginKind::unilateral),
+                         .roughness = {}});
+    const std::optional<Node> roughness = entry.find("roughness");
+    if (!roughness) continue;
+    const Number angle = decode_section(context, *roughness, "materials.roughness").number("angle");
+    if (angle.is_constant() && !(std::abs(angle.constant) < 0.5 * pi))
+      roughness->error(context.diagnostics, "tilts the ground by 90 degrees or more");
+    materials.back().roughness = angle;
+  }
   return materials;
 }
 

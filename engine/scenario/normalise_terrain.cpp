@@ -8,6 +8,7 @@ namespace flyrock {
 
 namespace {
 
+constexpr NumberRules roughness_rules{.varies = true, .scope = Scope::impact, .finest = Scope::impact};
 constexpr NumberRules material_rules{.varies = true, .scope = Scope::rock, .finest = Scope::impact};
 constexpr NumberRules terrain_rules{.varies = true, .scope = Scope::trial, .finest = Scope::trial};
 
@@ -84,6 +85,8 @@ Value normalise_materials(DecodeContext& context, const Node& node) {
            {PluginKind::restitution, PluginKind::friction, PluginKind::rolling, PluginKind::unilateral})
         if (const std::optional<Node> law = entry.find(name_of(kind)))
           put(laws, *law, normalise_plugin(context, *law, kind, material_rules));
+      if (const std::optional<Node> roughness = entry.find("roughness"))
+        put(laws, *roughness, normalise_section(context, *roughness, "materials.roughness", roughness_rules));
     }
     put(all, entry, is_map ? map_value(std::move(laws)) : Value{});
   }

@@ -59,6 +59,13 @@ void find_materials(const Scenario& scenario, std::vector<std::string>& list) {
       list.push_back(fmt::format("materials.{} (the method ballistic has no contacts)", material.name));
     return;
   }
+  for (const Material& material : scenario.materials) {
+    if (scenario.method == Method::lumped_mass && material.unilateral)
+      list.push_back(
+          fmt::format("materials.{}.unilateral (a lumped mass rebounds without duration)", material.name));
+    if (scenario.method != Method::lumped_mass && material.roughness)
+      list.push_back(fmt::format("materials.{}.roughness (the method lumped_mass reads it)", material.name));
+  }
   std::set<int> used;
   for (const auto& [part, material] : scenario.terrain.material_of_part) used.insert(material);
   for (const PairPlan& pair : scenario.pairs) used.insert(pair.material);
@@ -88,6 +95,32 @@ void find_rock_contacts(const Node& root, const Scenario& scenario, std::vector<
       list.push_back(fmt::format("rocks.{}.material (rock_contacts is off)", i));
 }
 
+/// Keys that a point without extent and spin has no use for.
+void find_keys_of_bodies(const Node& root, const Scenario& scenario, std::vector<std::string>& list) {
+  if (const auto solver = find_given(root, "solver"))
+    for (const char* key :
+         {"name", "time_step", "step_tolerance", "theta", "tolerance", "max_iterations", "flight"})
+      if (find_given(*solver, key))
+        list.push_back(fmt::format("solver.{} (a lumped mass has no contact scheme)", key));
+  const auto find_spin = [&](const std::optional<Node>& node) {
+    if (node && find_given(*node, "spin")) list.push_back(node->path + ".spin (a lumped mass has none)");
+  };
+  if (const auto rocks = root.find("rocks"))
+    for (const Node& item : rocks->items()) find_spin(item.find("launch"));
+  const auto is_body = [&](const std::string& name) {
+    return std::any_of(scenario.bodies.begin(), scenario.bodies.end(),
+                       [&](const BodyPlan& body) { return body.name == name; });
+  };
+  if (const auto bodies = root.find("bodies"))
+    for (const Node& item : bodies->items()) find_spin(item);
+  for (std::size_t i = 0; i < scenario.bodies.size(); ++i)
+    if (scenario.bodies[i].fixed || scenario.bodies[i].driven)
+      list.push_back(fmt::format("bodies.{} (a lumped mass meets the terrain only)", i));
+  for (std::size_t i = 0; i < scenario.pairs.size(); ++i)
+    if (is_body(scenario.pairs[i].a) && is_body(scenario.pairs[i].b))
+      list.push_back(fmt::format("pairs.{} (a lumped mass meets the terrain only)", i));
+}
+
 }  // namespace
 
 std::vector<std::string> find_not_used(const Node& root, const Scenario& scenario) {
@@ -99,6 +132,7 @@ std::vector<std::string> find_not_used(const Node& root, const Scenario& scenari
   const auto output = root.find("output");
   if (scenario.method != Method::nscd && output && find_given(*output, "series"))
     list.push_back(fmt::format("output.series (the method {} flies points)", name_of(scenario.method)));
+  if (scenario.method == Method::lumped_mass) find_keys_of_bodies(root, scenario, list);
   find_rock_contacts(root, scenario, list);
   return list;
 }

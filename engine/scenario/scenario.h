@@ -23,11 +23,15 @@ namespace flyrock {
 
 enum class Method {
   nscd,
-  ballistic  ///< each rock is a point that flies to the first ground it meets
+  lumped_mass,  ///< each rock is a point that rebounds from the ground and slides on it
+  ballistic     ///< each rock is a point that flies to the first ground it meets
 };
 
 /// The name as the scenario writes it.
-inline std::string_view name_of(Method method) { return method == Method::ballistic ? "ballistic" : "nscd"; }
+inline std::string_view name_of(Method method) {
+  constexpr std::array<std::string_view, 3> names = {"nscd", "lumped_mass", "ballistic"};
+  return names[static_cast<std::size_t>(method)];
+}
 
 /// The air that flying rocks pass through.
 struct AirPlan {
@@ -41,6 +45,7 @@ struct AirPlan {
 struct Material {
   std::string name;
   std::optional<PluginUse> restitution, friction, rolling, unilateral;
+  std::optional<Number> roughness;  ///< rad, tilt of a face at an impact of a lumped mass
 };
 
 /// A region of the terrain with a name of its own. In 2D a stretch from x = `from` to x = `to`; in 3D one of

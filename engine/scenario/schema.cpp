@@ -218,7 +218,13 @@ std::vector<SectionSpec> make_sections() {
       {"terrain.faces 3D",
        {text("name", "for `release: { from: face, face: NAME }`"), text("zone", "that is the face")},
        {}},
-      {"materials", {}, {"restitution", "friction", "rolling", "unilateral"}},
+      {"materials", {}, {"restitution", "friction", "rolling", "unilateral", "roughness"}},
+      {"materials.roughness",
+       {number(
+           "angle", "rad",
+           "added to the dip of the ground at each impact of a lumped mass, along its motion; in 3D another "
+           "draw across it")},
+       {}},
       {"pairs", {text("material", "in force between the two")}, {"between"}},
       {"blast", blast_keys(""), {"explosive", "hole", "rows"}},
       {"blast.explosive", blast_keys("explosive."), {}},

@@ -125,7 +125,7 @@ void TrialBuilder<D>::build_alone(Trial<D>& trial, const RockPlan<D>& plan, Part
   World<D> world = world_of(trial, of_trial);
   world.time = rock.start_time;
   rock.body = world.add(rock_body(plan, rock, *trial.terrain, where));
-  const bool is_point = scenario_.method == Method::ballistic;
+  const bool is_point = scenario_.method != Method::nscd;
   if (is_point) {
     const std::string fault = start_fault_of_point(world.bodies.back(), ground_of(*trial.terrain), origin());
     if (!fault.empty()) throw ScenarioError(release_path(rock.group), fault);
@@ -133,7 +133,10 @@ void TrialBuilder<D>::build_alone(Trial<D>& trial, const RockPlan<D>& plan, Part
     throw ScenarioError(release_path(rock.group), fault->text);
   }
   trial.worlds.push_back(std::move(world));
-  if (!is_point) connect(trial, trial.worlds.back(), {std::move(partner)});
+  if (scenario_.method == Method::lumped_mass)
+    trial.surfaces.emplace_back(scenario_, instances_, std::vector{std::move(partner)});
+  else if (!is_point)
+    connect(trial, trial.worlds.back(), {std::move(partner)});
 }
 
 /// A rock in a world with others. A rock with a random release is placed again until it touches none of them.
@@ -270,6 +273,15 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
     rock.body = world.add(std::move(body));
     partners.push_back({plan.name, plan.material, rock.key});
     if (world.bodies.back().kind == BodyKind::dynamic) trial.rocks.push_back(rock);
+  }
+  if (scenario_.method == Method::lumped_mass) {
+    trial.surfaces.emplace_back(scenario_, instances_, std::move(partners));
+    for (const TrialRock& rock : trial.rocks)
+      if (const std::string fault =
+              start_fault_of_point(world.bodies[rock.body], ground_of(*trial.terrain), origin());
+          !fault.empty())
+        throw ScenarioError(fmt::format("bodies.{}.position", rock.group), fault);
+    return;
   }
   connect(trial, world, std::move(partners));
   if (const auto fault = start_fault(world, origin()))

@@ -43,7 +43,7 @@ struct Trial {
   std::shared_ptr<const typename Geometry<D>::Terrain> terrain;
   std::deque<World<D>> worlds;  ///< one for each rock, or one for all if rocks meet each other
   std::vector<TrialRock> rocks;
-  std::deque<Surfaces> surfaces;  ///< one for each world; none for points, which have no contacts
+  std::deque<Surfaces> surfaces;  ///< one for each world; none for `ballistic`, which has no contacts
 };
 
 /// Builds trials of a scenario of D dimensions. A terrain that uses draws (from a distribution, or its plugin

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "flight/ground.h"
 #include "geometry/terrain_place.h"
 #include "scenario/ground_store.h"
 #include "trial/instances.h"
@@ -48,9 +49,6 @@ inline std::size_t bytes_of(const Terrain2& terrain) {
   return static_cast<std::size_t>(terrain.segments()) * 200;
 }
 inline std::size_t bytes_of(const Terrain3& terrain) { return terrain.bytes(); }
-
-inline const Profile& ground_of(const Terrain2& terrain) { return terrain.profile(); }
-inline const Ground3& ground_of(const Terrain3& terrain) { return terrain.ground(); }
 
 /// The ground as plugins see it; it counts from `origin`.
 inline TerrainView view_of(const Terrain2& terrain, const Vec3&) { return TerrainView(terrain.profile()); }

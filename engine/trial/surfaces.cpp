@@ -67,6 +67,16 @@ int Surfaces::material_of_part(const std::string& name, const std::string& part,
 }
 
 template <int D>
+std::vector<Surface*> Surfaces::of_point(const World<D>& world, int body) {
+  std::vector<Surface*> of_part;
+  for (std::size_t part = 0; part < parts_of(world.terrain()).size(); ++part) {
+    const int material = material_with_terrain(world, body, static_cast<int>(part));
+    of_part.push_back(material >= 0 ? make(material, partners_[body].key) : nullptr);
+  }
+  return of_part;
+}
+
+template <int D>
 void Surfaces::connect(World<D>& world) {
   const auto& parts = parts_of(world.terrain());
   const int bodies = static_cast<int>(world.bodies.size());
@@ -88,6 +98,8 @@ void Surfaces::add_use(std::vector<MaterialUse>& of_material) const {
   for (std::size_t s = 0; s < surfaces_.size(); ++s) of_material[material_[s]].add(surfaces_[s].use);
 }
 
+template std::vector<Surface*> Surfaces::of_point(const World<2>&, int);
+template std::vector<Surface*> Surfaces::of_point(const World<3>&, int);
 template void Surfaces::connect(World<2>&);
 template void Surfaces::connect(World<3>&);
 

@@ -34,6 +34,11 @@ class Surfaces {
   template <int D>
   void connect(World<D>& world);
 
+  /// The laws between a body, which is a point, and each part of the terrain; null where no material is
+  /// given.
+  template <int D>
+  std::vector<Surface*> of_point(const World<D>& world, int body);
+
   /// The index of the material between two bodies of the world. Throws PluginError if none is given.
   int material_between(int a, int b) const { return material_between(partners_[a], partners_[b]); }
   /// The same for a body and a part of the terrain, given by its index; -1 if none is given.

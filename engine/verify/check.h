@@ -41,6 +41,9 @@ void check_painleve_rod(Checks& checks);
 /// Random rod impacts: which forms gain energy, and how often.
 void check_random_impacts(Checks& checks);
 
+/// Bounces and slides of a lumped mass on inclines.
+void check_lumped_mass(Checks& checks);
+
 /// Launch speeds and ranges of blasts: Roth, the fit of bench blasts, Richards and Moore, McKenzie.
 void check_launch_formulas(Checks& checks);
 

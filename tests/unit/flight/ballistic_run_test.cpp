@@ -1,9 +1,8 @@
 // What the method ballistic keeps of a flight, against the parabola.
 
-#include "flight/ballistic_run.h"
-
 #include <catch2/catch.hpp>
 
+#include "flight/point_run.h"
 #include "flight/vacuum.h"
 
 using namespace flyrock;
@@ -12,12 +11,12 @@ namespace {
 
 constexpr double g = 9.81;
 
-Profile bench() {
+Terrain2 bench() {
   Profile ground;
   ground.points = {{-50, 12}, {0, 12}, {4, 0}, {600, 0}};
   ground.part = {0, 0, 0};
   ground.parts = {""};
-  return ground;
+  return Terrain2(ground);
 }
 
 Body<2> rock(const Vec2& position, const Vec2& velocity) {
@@ -28,8 +27,8 @@ Body<2> rock(const Vec2& position, const Vec2& velocity) {
   return body;
 }
 
-BallisticRun<2> without_air() {
-  BallisticRun<2> run;
+PointRun<2> without_air() {
+  PointRun<2> run;
   run.forces.gravity = {0, -g};
   return run;
 }
@@ -38,9 +37,9 @@ BallisticRun<2> without_air() {
 
 TEST_CASE("a flight over a bench keeps the numbers of its parabola") {
   const Body<2> body = rock({-2, 13}, {20, 10});
-  BallisticRun<2> run = without_air();
+  PointRun<2> run = without_air();
   run.trajectory_every = 0.1;
-  const BodyHistory h = run_ballistic(body, bench(), run);
+  const BodyHistory h = run_point(body, bench(), run);
   const double range = vacuum_range(std::hypot(20, 10), std::atan2(10, 20), 13, g);
   CHECK(h.reason == StopReason::stopped);
   CHECK(h.flight_range == Approx(range).epsilon(1e-12));
@@ -65,27 +64,27 @@ TEST_CASE("a flight over a bench keeps the numbers of its parabola") {
 
 TEST_CASE("the greatest height above the ground may be above a toe, or along a slope") {
   // Level above the floor after the toe and falling: highest above the toe itself.
-  const BodyHistory level = run_ballistic(rock({-1, 12.5}, {30, 0}), bench(), without_air());
+  const BodyHistory level = run_point(rock({-1, 12.5}, {30, 0}), bench(), without_air());
   const double t = 5 / 30.0;
   CHECK(level.bounce_height == Approx(12.5 - g * t * t / 2).epsilon(1e-9));
   Profile slope;  // down at 45 degrees: farthest from it in the vertical where the path is parallel to it
   slope.points = {{-10, 10}, {500, -500}};
   slope.part = {0};
   slope.parts = {""};
-  const BodyHistory down = run_ballistic(rock({0, 0.1}, {20, 0}), slope, without_air());
+  const BodyHistory down = run_point(rock({0, 0.1}, {20, 0}), Terrain2(slope), without_air());
   CHECK(down.bounce_height == Approx(0.1 + 20 * 20 / (2 * g)).epsilon(1e-9));
 }
 
 TEST_CASE("flights that leave or run out of time say so") {
-  CHECK(run_ballistic(rock({-20, 13}, {-30, 20}), bench(), without_air()).reason == StopReason::left_domain);
-  BallisticRun<2> run = without_air();
+  CHECK(run_point(rock({-20, 13}, {-30, 20}), bench(), without_air()).reason == StopReason::left_domain);
+  PointRun<2> run = without_air();
   run.stop_time = 1;
-  const BodyHistory timed = run_ballistic(rock({0, 13}, {1, 20}), bench(), run);
+  const BodyHistory timed = run_point(rock({0, 13}, {1, 20}), bench(), run);
   CHECK(timed.reason == StopReason::timed_out);
   CHECK(timed.last.time == 1);
   CHECK(std::isnan(timed.stop_time));
   run.start_time = 2;  // its hole goes off when the time is up
-  const BodyHistory never = run_ballistic(rock({0, 13}, {1, 20}), bench(), run);
+  const BodyHistory never = run_point(rock({0, 13}, {1, 20}), bench(), run);
   CHECK(never.reason == StopReason::timed_out);
   CHECK(never.last.time == 2);
   CHECK(never.last.position.y() == 13);
@@ -93,10 +92,10 @@ TEST_CASE("flights that leave or run out of time say so") {
 }
 
 TEST_CASE("the bins along x hold the heights and speeds of a flight with drag") {
-  BallisticRun<2> run = without_air();
+  PointRun<2> run = without_air();
   run.forces.air.drag = 0.0034;
   run.bin_width = 10;
-  const BodyHistory h = run_ballistic(rock({0, 12}, {42, 42}), bench(), run);
+  const BodyHistory h = run_point(rock({0, 12}, {42, 42}), bench(), run);
   double highest = 0, fastest = 0;
   for (const PathBin& bin : h.path.bins()) {
     highest = std::max(highest, bin.height);
@@ -113,10 +112,10 @@ TEST_CASE(
   const Body<2> body = rock({0, 12}, {20, 10});
   const double range = vacuum_range(std::hypot(20, 10), std::atan2(10, 20), 12, g);
   const auto height = [&](double x) { return 12 + x / 2 - g * x * x / 800; };
-  BallisticRun<2> run = without_air();
+  PointRun<2> run = without_air();
   const std::vector<Gate> gates{{30}, {range + 1}};
   run.gates = gates;
-  const BodyHistory free = run_ballistic(body, bench(), run);
+  const BodyHistory free = run_point(body, bench(), run);
   REQUIRE(free.passages.size() == 1);
   CHECK(free.passages[0].time == Approx(1.5).epsilon(1e-12));
   CHECK(free.passages[0].height == Approx(height(30)).epsilon(1e-12));
@@ -128,7 +127,7 @@ TEST_CASE(
   const auto fenced = [&](double high, double capacity) {
     const std::vector<Barrier> fence{{30, high, capacity}};
     run.barriers = fence;
-    return run_ballistic(body, bench(), run);
+    return run_point(body, bench(), run);
   };
   const BodyHistory caught = fenced(height(30) + 0.11, 1.01 * energy);
   CHECK(caught.reason == StopReason::caught);
@@ -155,13 +154,13 @@ TEST_CASE("in 3D a flight meets a fence along a line where it crosses it, with a
   body.v = {20, 10, 5};
   for (const double drag : {0.0, 0.01}) {
     const auto flown = [&](const PlanLine& line, double height) {
-      BallisticRun<3> run;
+      PointRun<3> run;
       run.forces = {{0, 0, -g}, {drag, Vec3::Zero()}};
       const std::vector<Gate> gates{{line}};
       const std::vector<Barrier> barriers{{line, height, 1e9}};
       run.gates = gates;
       run.barriers = barriers;
-      return run_ballistic(body, *make_ground(ground), run);
+      return run_point(body, Terrain3(ground), run);
     };
     const BodyHistory across = flown(PlanLine(18), 100);  // there y = 9
     CHECK(across.reason == StopReason::caught);
@@ -196,9 +195,9 @@ TEST_CASE("in space a flight lands on its plane, and turns with the azimuth of t
     Body<3> body = make_body({Contactor3::sphere(0.1)}, 2700, 0);
     body.x = {0, 0, 12};
     body.v = {20 * std::cos(azimuth), 20 * std::sin(azimuth), 15};
-    BallisticRun<3> run;
+    PointRun<3> run;
     run.forces = {{0, 0, -g}, {drag, Vec3::Zero()}};
-    return run_ballistic(body, *make_ground(ground), run);
+    return run_point(body, Terrain3(ground), run);
   };
   // On the plane the flight lasts until 12 + 15 t - g t^2/2 = (-0.1 vx + 0.2 vy) t.
   for (const double azimuth : {0.0, 1.0, 4.0}) {

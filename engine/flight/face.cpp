@@ -1,0 +1,236 @@
+#include "flight/face.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "flight/ground.h"
+#include "math/polynomial.h"
+
+namespace flyrock {
+
+namespace {
+
+constexpr double no_touch = std::numeric_limits<double>::infinity();
+
+/// When c0 + c1 s + c2 s^2 falls through 0 at s >= 0; infinity if it does not. If c0 < 0 it must rise first.
+/// `at_zero`: c0 is taken as 0, and a function that does not rise from there never falls back.
+double fall_of_parabola(double c0, double c1, double c2, bool at_zero) {
+  if (at_zero) return c1 > 0 && c2 < 0 ? -c1 / c2 : no_touch;
+  const double discriminant = c1 * c1 - 4 * c0 * c2;
+  if (discriminant < 0) return no_touch;
+  if (c1 < 0) return c0 >= 0 ? 2 * c0 / (std::sqrt(discriminant) - c1) : no_touch;
+  return c2 < 0 ? (c1 + std::sqrt(discriminant)) / (-2 * c2) : no_touch;
+}
+
+/// The same for a polynomial of degree 5, up to s = 1.
+double fall_of(std::array<double, 6> c, bool parabola, bool at_zero) {
+  if (parabola) return fall_of_parabola(c[0], c[1], c[2], at_zero);
+  if (at_zero) {
+    if (!(c[1] > 0)) return no_touch;
+    c[0] = 0;
+  }
+  std::array<double, 6> depth;
+  double from = 0;
+  if (c[0] < 0) {
+    for (int k = 0; k < 6; ++k) depth[k] = -c[k];
+    const auto rise = first_fall(depth, 0, 1);
+    if (!rise || *rise >= 1) return no_touch;
+    from = std::nextafter(*rise, 2);
+  }
+  return first_fall(c, from, 1).value_or(no_touch);
+}
+
+template <int D>
+std::array<double, 6> height_along(const Arc<D>& arc, const Face<D>& face) {
+  std::array<double, 6> height = arc.along(face.normal);
+  height[0] = face.height(arc.c[0]);
+  return height;
+}
+
+/// When the arc touches the face, at most at s = end; infinity if it does not.
+template <int D>
+double touch(const Arc<D>& arc, bool parabola, const Face<D>& face, double end) {
+  const std::array<double, 6> height = height_along(arc, face);
+  const bool at_zero = std::abs(height[0]) <= face_reach && face.is_over(arc.c[0], face_reach);
+  const double s = fall_of(height, parabola, at_zero);
+  return s <= end && face.is_over(arc.position(s), face_reach) ? s : no_touch;
+}
+
+Face<2> face_of(const Terrain2& terrain, int segment) {
+  const Vec2& tangent = terrain.tangent(segment);
+  Face<2> face;
+  face.id = segment;
+  face.part = terrain.part(segment);
+  face.normal = terrain.normal(segment);
+  face.rims = 2;
+  face.corner = {terrain.start(segment), terrain.end(segment)};
+  face.inward = {tangent, -tangent};
+  return face;
+}
+
+Face<3> face_of(const Terrain3& terrain, const Facet& facet) {
+  Face<3> face;
+  face.id = static_cast<int>(facet.id);
+  face.part = terrain.ground().part(facet.id);
+  face.normal = facet.normal;
+  face.corner = facet.corner;
+  face.rims = facet.unbounded ? 0 : 3;
+  for (int i = 0; i < face.rims; ++i) face.inward[i] = facet.normal.cross(facet.along(i)).normalized();
+  return face;
+}
+
+/// When an arc passes an end of the domain; infinity if it does not.
+template <int D>
+double exit_of(const Arc<D>& arc, bool parabola, const Domain<D>& domain) {
+  double first = no_touch;
+  for (int k = 0; k < D - 1; ++k)
+    for (const int side : {-1, 1}) {
+      const double end = side < 0 ? domain.low[k] : domain.high[k];
+      if (std::isinf(end)) continue;
+      const std::array<double, 6> ahead = arc.along(-side * Vec<D>::Unit(k), side * end);
+      const bool out = ahead[0] <= 0 && (ahead[1] < 0 || (ahead[1] == 0 && ahead[2] < 0));
+      first = std::min(first, out ? 0 : fall_of(ahead, parabola, ahead[0] <= 0));
+    }
+  return first <= 1 ? first : no_touch;
+}
+
+ArcEnd end_at(double touched, double left) {
+  if (touched <= 1 && touched <= left) return {touched, true};
+  if (left <= 1) return {left, false, true};
+  return {};
+}
+
+/// The first touch over the segments that a parabola without horizontal acceleration passes, in their order.
+double march(const Arc<2>& arc, const Terrain2& terrain, double end) {
+  const double x = arc.c[0].x(), to = x + arc.c[1].x() * end;
+  const int last = terrain.segments() - 2;  // the first and the last segment lie beyond the profile
+  const bool right = to >= x;
+  const auto run = right ? Terrain2::Run{terrain.first_segment(x - face_reach), last}
+                         : terrain.segments_between(x + face_reach, x + face_reach);
+  double first = no_touch;
+  double limit = to;
+  for (int i = std::clamp(right ? run.first : run.last, 1, last); i >= 1 && i <= last; i += right ? 1 : -1) {
+    if (right ? terrain.start(i).x() > limit + face_reach : terrain.end(i).x() < limit - face_reach) break;
+    const double s = touch(arc, true, face_of(terrain, i), std::min(end, first));
+    if (s < first) {
+      first = s;
+      limit = arc.position(s).x();
+    }
+  }
+  return first;
+}
+
+double first_of(const Arc<2>& arc, const Terrain2& terrain, double end) {
+  const Eigen::AlignedBox2d box = arc.part(0, end).box();
+  const auto run = terrain.segments_between(box.min().x() - face_reach, box.max().x() + face_reach);
+  double first = no_touch;
+  for (int i = std::max(1, run.first); i <= std::min(run.last, terrain.segments() - 2); ++i)
+    first = std::min(first, touch(arc, false, face_of(terrain, i), std::min(end, first)));
+  return first;
+}
+
+/// The first touch within [from, to] of s. The arc is halved until few facets are near a part of it.
+double first_of(const Arc<3>& arc, bool parabola, const Terrain3& terrain, double from, double to,
+                std::vector<Facet>& facets) {
+  constexpr int few = 16;
+  const Eigen::AlignedBox3d bounds = arc.part(from, to).box();
+  const Box3 box{bounds.min().array() - face_reach, bounds.max().array() + face_reach};
+  const int met = terrain.ground().count(box, few + 1);
+  if (met == 0) return no_touch;
+  if (met > few && to - from > 1e-6) {
+    const double middle = 0.5 * (from + to);
+    const double first = first_of(arc, parabola, terrain, from, middle, facets);
+    return first < no_touch ? first : first_of(arc, parabola, terrain, middle, to, facets);
+  }
+  facets.clear();
+  terrain.ground().facets(box, facets);
+  double first = no_touch;
+  for (const Facet& facet : facets)
+    first = std::min(first, touch(arc, parabola, face_of(terrain, facet), std::min(to, first)));
+  return first;
+}
+
+/// When a parabola is certainly below all ground: a later touch is impossible.
+double below_all(const Arc<3>& arc, const Ground3& ground) {
+  const double low = ground.extent().low.z();
+  if (std::isinf(low)) return 1;
+  const double s = fall_of_parabola(arc.c[0].z() - low + 1, arc.c[1].z(), arc.c[2].z(), false);
+  return std::min(s, 1.0);
+}
+
+}  // namespace
+
+void faces_at(const Terrain2& terrain, const Vec2& at, std::vector<Face<2>>& faces) {
+  faces.clear();
+  const int last = terrain.segments() - 2;
+  for (int i = std::max(1, terrain.first_segment(at.x() - face_reach));
+       i <= last && terrain.start(i).x() <= at.x() + face_reach; ++i) {
+    if (std::abs(terrain.normal(i).dot(at - terrain.start(i))) > 2 * face_reach) continue;
+    const Face<2> face = face_of(terrain, i);
+    if (face.is_over(at, 2 * face_reach)) faces.push_back(face);
+  }
+}
+
+void faces_at(const Terrain3& terrain, const Vec3& at, std::vector<Face<3>>& faces) {
+  faces.clear();
+  thread_local std::vector<Facet> facets;  // keeps its memory between calls
+  facets.clear();
+  const Vec3 reach = Vec3::Constant(2 * face_reach);
+  terrain.ground().facets({at - reach, at + reach}, facets);
+  for (const Facet& facet : facets) {
+    if (std::abs(facet.distance(at)) > 2 * face_reach) continue;
+    const Face<3> face = face_of(terrain, facet);
+    if (face.is_over(at, 2 * face_reach)) faces.push_back(face);
+  }
+}
+
+ArcEnd end_of(const Arc<2>& arc, const PointGround<2>& ground) {
+  const bool parabola = arc.is_parabola();
+  const double left = exit_of(arc, parabola, domain_of(ground.terrain)), end = std::min(left, 1.0);
+  const bool ordered = parabola && arc.c[2].x() == 0;
+  return end_at(ordered ? march(arc, ground.terrain, end) : first_of(arc, ground.terrain, end), left);
+}
+
+ArcEnd end_of(const Arc<3>& arc, const PointGround<3>& ground) {
+  thread_local std::vector<Facet> facets;  // keeps its memory between calls
+  const bool parabola = arc.is_parabola();
+  double left = exit_of(arc, parabola, domain_of(ground.terrain));
+  const double low = parabola ? below_all(arc, ground.terrain.ground()) : 1, end = std::min({left, low, 1.0});
+  double from = 0, touched = no_touch;
+  // Pieces grow from the length of a few facets, because most flights are short.
+  const double few_facets = 4 * ground.terrain.ground().cell();
+  const double rate = arc.c[1].norm() + arc.c[2].norm();
+  double piece = few_facets > 0 && rate > 0 ? std::min(few_facets / rate, end) : end;
+  while (from < end && touched == no_touch) {
+    const double to = end - from < 1.5 * piece ? end : from + piece;
+    touched = first_of(arc, parabola, ground.terrain, from, to, facets);
+    from = to;
+    piece *= 2;
+  }
+  if (!ground.terrain.ground().whole()) {  // straight in plan between its ends
+    const double until = std::min(touched, end) * arc.length;
+    if (until > 0) {
+      const Path<3> chord{arc.c[0], (arc.position(until / arc.length) - arc.c[0]) / until, Vec3::Zero()};
+      const double over = time_over_ground(ground.terrain, chord, until);
+      if (over < until) left = std::min(left, std::min(1.0, over / arc.length * (1 + 1e-9) + 1e-12));
+    }
+  }
+  return end_at(touched, left);
+}
+
+template <int D>
+std::optional<double> end_on(const Arc<D>& arc, const Face<D>& face) {
+  double first = no_touch;
+  const bool parabola = arc.is_parabola();
+  for (int i = 0; i < face.rims; ++i) {
+    std::array<double, 6> inside = arc.along(face.inward[i]);
+    inside[0] = face.inside(i, arc.c[0]);
+    first = std::min(first, fall_of(inside, parabola, inside[0] <= face_reach));
+  }
+  return first <= 1 ? std::optional(first) : std::nullopt;
+}
+
+template std::optional<double> end_on(const Arc<2>&, const Face<2>&);
+template std::optional<double> end_on(const Arc<3>&, const Face<3>&);
+
+}  // namespace flyrock

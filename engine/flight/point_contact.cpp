@@ -1,0 +1,159 @@
+#include "flight/point_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/point_impact.h"
+
+namespace flyrock {
+
+namespace {
+
+/// The n-th value of a draw at a key, from 0.
+double value_of(const Draw& draw, std::uint64_t seed, DrawKey key, int n) {
+  if (n == 0) return draw.value(seed, key);
+  if (draw.scope != Scope::impact) key.impact = 0;
+  key.hole = 0;
+  return draw.quantile(uniform_at(seed, draw.stream_hash, key, static_cast<std::uint64_t>(n)));
+}
+
+}  // namespace
+
+template <int D>
+ContactState PointContact<D>::state_of(const Face<D>& face, const Surface& surface, const Vec<D>& normal,
+                                       double time, const Vec<D>& at, const Vec<D>& v) const {
+  const double vn = normal.dot(v);
+  const Vec<D> slip = v - vn * normal;
+  ContactState state;
+  state.approach_speed = vn < 0 ? -vn : 0;
+  state.slip_speed = slip.norm();
+  state.impact_angle = std::atan2(state.approach_speed, state.slip_speed);
+  state.effective_mass = state.mass = body_.mass;
+  state.radius = body_.radius;
+  state.kinetic_energy = 0.5 * body_.mass * v.squaredNorm();
+  state.age = state.pair_age = age_;
+  state.impact_number = impacts_;
+  state.time = time;
+  state.dimension = D;
+  state.normal = Vec3::Zero();
+  state.normal.template head<D>() = normal;
+  state.place.template head<D>() = at + origin_;
+  state.slip.template head<D>() = slip;
+  state.group_a = body_.group;
+  state.group_b = terrain_.names()[face.part];
+  state.material = surface.material;
+  return state;
+}
+
+/// The normal of the face, tilted by the roughness of its material: the tilt is added to the dip along the
+/// motion, and in 3D a second one to the dip across it.
+template <int D>
+Vec<D> PointContact<D>::tilted(const Face<D>& face, const Vec<D>& v) const {
+  constexpr int most_draws = 100;
+  const Roughness& roughness = roughness_[face.part];
+  const Surface& surface = *surfaces_[face.part];
+  if (!roughness.draw && roughness.constant == 0) return face.normal;
+  const Vec<D> slip = v - face.normal.dot(v) * face.normal;
+  const Vec<D> along =
+      slip.squaredNorm() > 0 ? Vec<D>(slip.normalized()) : Vec<D>(contact_frame(face.normal).col(1));
+  DrawKey key = surface.key;
+  key.impact = static_cast<std::uint64_t>(impacts_);
+  for (int i = 0; i < most_draws; ++i) {
+    const auto angle = [&](int n) {
+      return roughness.draw ? value_of(*roughness.draw, surface.seed, key, n) : roughness.constant;
+    };
+    const double ahead = angle(2 * i);
+    if (!(std::abs(ahead) < 0.5 * pi)) continue;
+    Vec<D> normal = face.normal + std::tan(ahead) * along;
+    if constexpr (D == 3) {
+      const double aside = roughness.draw ? angle(2 * i + 1) : 0;
+      if (!(std::abs(aside) < 0.5 * pi)) continue;
+      normal += std::tan(aside) * face.normal.cross(along);
+    }
+    normal.normalize();
+    if (normal.dot(v) < 0) return normal;
+    if (!roughness.draw) break;
+  }
+  return face.normal;
+}
+
+template <int D>
+Impact PointContact<D>::impact(const Face<D>& face, double time, const Vec<D>& at, Vec<D>& v) {
+  Surface* surface = surfaces_[face.part];
+  ++impacts_;
+  age_ = 0;
+  since_ = time;
+  Vec<D> normal = face.normal;
+  ContactLaw law;
+  if (surface) {
+    if (!roughness_.empty()) normal = tilted(face, v);
+    memory_ = {};
+    memory_part_ = face.part;
+    ++surface->use.contacts;
+    surface->begin_instant();
+    surface->begin_impact(static_cast<std::uint64_t>(impacts_));
+    ContactState state = state_of(face, *surface, normal, time, at, v);
+    law = surface->ask(state, true, memory_);
+  }
+  const auto frame = contact_frame(normal);
+  const Vec<D> before = frame.transpose() * v;
+  const Vec<D> after = rebound_of_point<D>(before, law, law.mu_d);
+  v = frame * after;
+  // Signed in 2D, magnitudes in 3D, as the impacts of bodies.
+  const auto slip = [](const Vec<D>& row) { return D == 2 ? row[1] : row.template tail<D - 1>().norm(); };
+  Impact impact;
+  impact.part = face.part;
+  impact.number = impacts_;
+  impact.time = time;
+  impact.place.template head<D>() = at;
+  impact.vn_before = before[0];
+  impact.vn_after = after[0];
+  impact.vt_before = slip(before);
+  impact.vt_after = slip(after);
+  impact.pn = body_.mass * (after[0] - before[0]);
+  impact.pt = body_.mass * slip(after - before);
+  impact.energy_change = 0.5 * body_.mass * (after.squaredNorm() - before.squaredNorm());
+  return impact;
+}
+
+template <int D>
+typename PointContact<D>::Grip PointContact<D>::grip(const Face<D>& face, double time, const Vec<D>& at,
+                                                     const Vec<D>& v, double press) {
+  Surface* surface = surfaces_[face.part];
+  if (!surface) return {};
+  if (memory_part_ != face.part) {
+    memory_ = {};
+    memory_part_ = face.part;
+    since_ = time;
+  }
+  age_ = time - since_;
+  ++surface->use.contacts;
+  surface->begin_instant();
+  const ContactLaw* known = surface->known();
+  Grip grip;
+  ContactLaw law;
+  if (known) {
+    law = *known;
+  } else {
+    ContactState state = state_of(face, *surface, face.normal, time, at, v);
+    state.was_sticking = v.isZero(0);
+    law = surface->ask(state, false, memory_);
+    grip.constant = surface->known() != nullptr;
+  }
+  double slides = law.mu_d, holds = law.mu_s;
+  if (surface->rolling.law) {
+    const double rolls = law.mu_r / body_.radius;
+    grip.rolls = rolls < slides;
+    slides = std::min(slides, rolls);
+    holds = std::min(holds, rolls);
+  }
+  const double cohesion = law.c_t / body_.mass;
+  grip.slides = slides * press + cohesion;
+  grip.holds = holds * press + cohesion;
+  return grip;
+}
+
+template class PointContact<2>;
+template class PointContact<3>;
+
+}  // namespace flyrock

@@ -1,0 +1,59 @@
+#pragma once
+// The contacts of a point with the ground: the laws of the material are those of bodies.
+
+#include <span>
+
+#include "flight/face.h"
+#include "world/body.h"
+#include "world/observe.h"
+#include "world/surface.h"
+
+namespace flyrock {
+
+/// How a material tilts a face at an impact (`materials.X.roughness`).
+struct Roughness {
+  double constant = 0;         ///< rad
+  const Draw* draw = nullptr;  ///< rad; null: the constant
+};
+
+/// The contacts of one point. Surfaces and roughness are given for each part of the terrain; a part without a
+/// surface has neither restitution nor friction.
+template <int D>
+class PointContact {
+ public:
+  PointContact(const Body<D>& body, const typename Geometry<D>::Terrain& terrain, const Vec<D>& origin,
+               std::span<Surface* const> surfaces, std::span<const Roughness> roughness)
+      : body_(body), terrain_(terrain), origin_(origin), surfaces_(surfaces), roughness_(roughness) {}
+
+  /// The impact of the point at `at` with the velocity v [m/s], which the impact changes. Velocities and
+  /// impulses in the record are along the tilted normal, which the laws act on.
+  Impact impact(const Face<D>& face, double time, const Vec<D>& at, Vec<D>& v);
+
+  /// The friction of a point on a face [m/s2] that is pressed to it by `press` [m/s2]. Where the material
+  /// has a rolling law, mu is at most mu_r/R; `rolls` tells whether this is the smaller one.
+  struct Grip {
+    double slides = 0, holds = 0;
+    bool rolls = false;
+    bool constant = true;  ///< false: the laws may answer otherwise as the state changes
+  };
+  Grip grip(const Face<D>& face, double time, const Vec<D>& at, const Vec<D>& v, double press);
+
+  int impacts() const { return impacts_; }
+
+ private:
+  ContactState state_of(const Face<D>& face, const Surface& surface, const Vec<D>& normal, double time,
+                        const Vec<D>& at, const Vec<D>& v) const;
+  Vec<D> tilted(const Face<D>& face, const Vec<D>& v) const;
+
+  const Body<D>& body_;
+  const typename Geometry<D>::Terrain& terrain_;
+  Vec<D> origin_;
+  std::span<Surface* const> surfaces_;
+  std::span<const Roughness> roughness_;
+  ContactHistory memory_{};
+  int memory_part_ = -1;
+  int impacts_ = 0;
+  double age_ = 0, since_ = 0;  ///< s
+};
+
+}  // namespace flyrock

@@ -1,0 +1,52 @@
+#pragma once
+// One rock as a point at its centre of mass: the methods `ballistic` and `lumped_mass`.
+
+#include "flight/point_contact.h"
+#include "world/body.h"
+#include "world/places.h"
+
+namespace flyrock {
+
+/// A ballistic run is a lumped mass that ends at its first touch of the ground.
+template <int D>
+struct PointRun {
+  Forces<D> forces;
+  /// s; a flight whose start_time is later than its stop_time is timed out at its start
+  double start_time = 0, stop_time = 60;
+  double trajectory_every = 0;  ///< s between stored points; 0: none
+  double bin_width = 0;         ///< m, of BodyHistory::path; 0: no bins are kept; 2D only
+  std::span<const Gate> gates;
+  std::span<const Barrier> barriers;
+
+  bool ends_at_touch = true;  ///< all below is of a run that goes on
+  double stop_speed =
+      0.05;  ///< m/s; a point that is slower for `rest_time` on the ground is at rest; 0: never
+  double rest_speed = 0.02;  ///< m/s; an approach that is not faster has no restitution
+  bool keep_impacts = true;
+  Vec<D> origin = Vec<D>::Zero();        ///< from where the engine counts, for the laws [m]
+  std::span<Surface* const> surfaces;    ///< of each part of the terrain; null: no laws
+  std::span<const Roughness> roughness;  ///< of each part of the terrain
+  SolverQuality* quality = nullptr;      ///< where impacts and gains of energy are counted; may be null
+  bool (*interrupted)() = [] { return false; };  ///< true: throw Interrupted
+};
+
+/// Moves the body from its position with its velocity. Its spin counts only in a run that ends at the first
+/// touch, where the body turns freely; a lumped mass has none.
+///
+/// The run ends as `caught` at a barrier, as `left_domain` or as `timed_out`. With `ends_at_touch` it ends as
+/// `stopped` at the ground. Otherwise:
+///   - An approach to a face that is faster than rest_speed is an impact: of the face or of a tilted one
+///     (Roughness), by the restitution and friction of its material (solver/point_impact.h).
+///   - A slower approach ends on the face, with friction. The point then slides (flight/slide.h) while
+///   gravity
+///     and air press it to the face, over edges that are flat or concave. At a convex edge it leaves on its
+///     parabola. Where two faces hold it, it slides along their edge, in 2D it rests.
+///   - It stops as bodies do (flight/rest.h).
+///   - It ends as `diverged` if it is below the ground, has energy from nowhere, a state that is not finite,
+///     or 10,000 events without progress.
+/// Throws TrialError and Interrupted.
+template <int D>
+BodyHistory run_point(const Body<D>& body, const typename Geometry<D>::Terrain& terrain,
+                      const PointRun<D>& run);
+
+}  // namespace flyrock
