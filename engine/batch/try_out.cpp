@@ -98,6 +98,7 @@ void try_laws(const Scenario& scenario, const Instances& instances, TriedOut& tr
 template <int D>
 void find_hard_contacts(const Scenario& scenario, const Instances& instances, const Trial<D>& trial,
                         TriedOut& tried) {
+  if (scenario.method != Method::nscd) return;  // points have no contact scheme and do not meet
   for (std::size_t w = 0; w < trial.surfaces.size(); ++w)
     for (const SpringSwing& swing : spring_swings(scenario, instances, trial.worlds[w], trial.surfaces[w])) {
       if (swing.angle <= inaccurate_spring) continue;

@@ -17,6 +17,13 @@ double value_of(const Draw& draw, std::uint64_t seed, DrawKey key, int n) {
   return draw.quantile(uniform_at(seed, draw.stream_hash, key, static_cast<std::uint64_t>(n)));
 }
 
+/// Whether a law of the surface reads the state of the contact.
+bool reads_state(const Surface& surface) {
+  const auto reads = [](const auto& bound) { return bound.law && !bound.law->constant(); };
+  return reads(surface.restitution) || reads(surface.friction) || reads(surface.rolling) ||
+         reads(surface.unilateral);
+}
+
 }  // namespace
 
 template <int D>
@@ -92,7 +99,8 @@ Impact PointContact<D>::impact(const Face<D>& face, double time, const Vec<D>& a
     ++surface->use.contacts;
     surface->begin_instant();
     surface->begin_impact(static_cast<std::uint64_t>(impacts_));
-    ContactState state = state_of(face, *surface, normal, time, at, v);
+    ContactState state;
+    if (reads_state(*surface)) state = state_of(face, *surface, normal, time, at, v);
     law = surface->ask(state, true, memory_);
   }
   const auto frame = contact_frame(normal);

@@ -361,3 +361,56 @@ TEST_CASE("the impact of a point is that of the solver for one contact with W = 
       CHECK((found - expected).norm() < 1e-9);
     }
 }
+
+TEST_CASE("fences and gates act on a point in flight and on one that slides") {
+  lab::Material material(0.3, 0.5);
+  const Terrain2 terrain(lab::ground(100));
+  Surface* const surfaces[] = {&material.surface};
+  PointRun<2> run;
+  run.forces.gravity = {0, -g};
+  run.ends_at_touch = false;
+  run.surfaces = surfaces;
+  const Body<2> body = point<2>({0, 0}, {10, 0}, 0.5, 200);
+  const std::vector<Gate> gates{{3}, {50}};
+  run.gates = gates;
+  const BodyHistory free = run_point(body, terrain, run);
+  REQUIRE(free.passages.size() == 1);
+  const double speed = std::sqrt(100 - 2 * 0.5 * g * 3), energy = 100 * speed * speed;
+  CHECK(free.passages[0].speed == Approx(speed).epsilon(1e-12));
+  CHECK(free.passages[0].kinetic_energy == Approx(energy).epsilon(1e-12));
+  const auto fenced = [&](double capacity, const Body<2>& rock) {
+    const std::vector<Barrier> fence{{3, 2, capacity}};
+    run.barriers = fence;
+    return run_point(rock, terrain, run);
+  };
+  const BodyHistory caught = fenced(1.01 * energy, body);
+  CHECK(caught.reason == StopReason::caught);
+  CHECK(caught.last.position.x() == Approx(3).epsilon(1e-12));
+  const BodyHistory through = fenced(0.36 * energy, body);
+  CHECK(through.barriers.at(0).outcome == BarrierOutcome::over_energy);
+  CHECK(through.reason == StopReason::stopped);
+  CHECK(through.last.position.x() == Approx(3 + 0.64 * speed * speed / g).epsilon(1e-10));
+  const BodyHistory flown = fenced(1e9, point<2>({0, 1}, {10, 0}));
+  CHECK(flown.reason == StopReason::caught);
+  CHECK(flown.barriers.at(0).height == Approx(1 - 0.5 * g * 0.09).epsilon(1e-10));
+}
+
+TEST_CASE("points in air and wind on rough ground end, and air takes what it takes of a ballistic flight") {
+  RandomStream rng(13, "air", {});
+  for (int k = 0; k < 30; ++k) {
+    lab::Material material(rng.uniform(0, 0.8), rng.uniform(0, 0.9));
+    const Terrain2 terrain = profile_of(rough_points(500 + k, 80, 1, 0.8));
+    Surface* const surfaces[] = {&material.surface};
+    const Body<2> body = point<2>({rng.uniform(1, 5), 4}, {rng.uniform(-2, 9), rng.uniform(0, 5)});
+    PointRun<2> run;
+    run.forces = {{0, -g}, {rng.uniform(0.001, 0.2), {rng.uniform(-5, 5), 0}}};
+    const BodyHistory flight = run_point(body, terrain, run);
+    run.ends_at_touch = false;
+    run.surfaces = surfaces;
+    const BodyHistory h = run_point(body, terrain, run);
+    INFO(k << " " << name_of(h.reason) << " " << h.fault);
+    REQUIRE(is_sound(h));
+    CHECK(h.reason != StopReason::timed_out);
+    if (!h.impacts.empty()) CHECK((h.impacts[0].place - flight.last.position).norm() < 1e-9);
+  }
+}
