@@ -11,6 +11,7 @@ FLYROCK_MODULE(table) {
   table[{shape, "polygon"}] = make_polygon;
   table[{shape, "sphere"}] = make_sphere;
   table[{shape, "pill"}] = make_pill;
+  table[{shape, "cylinder"}] = make_cylinder;
   table[{shape, "wall"}] = make_wall;
   table[{shape, "box"}] = make_box;
   table[{shape, "polyhedron"}] = make_polyhedron;

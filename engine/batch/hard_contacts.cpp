@@ -43,6 +43,14 @@ double greatest_w(const Body<3>& body) {
   for (const Contactor3& contactor : body.contactors) {
     if (!contactor.has_faces())
       for (const Vec3& point : contactor.points) turned = std::max(turned, greatest_turned(point, body));
+    constexpr int places = 8;  // of a rim
+    for (const Contactor3::Circle& circle : contactor.circles)
+      for (int i = 0; i < places; ++i) {
+        const Vec3 across = circle.axis.unitOrthogonal();
+        const double angle = 2 * pi * i / places;
+        const Vec3 out = std::cos(angle) * across + std::sin(angle) * circle.axis.cross(across);
+        turned = std::max(turned, greatest_turned(circle.centre + circle.radius * out, body));
+      }
     for (const Contactor3::Face& face : contactor.faces)
       for (int i = 0; i < face.count; ++i)
         add(contactor.points[contactor.vertex(face, i)].cross(face.normal));

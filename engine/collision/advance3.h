@@ -44,6 +44,9 @@ class Heights {
 
   double of(const Vec3& p) const { return height_ + rise_.dot(p); }
   double rate(const Vec3& p) const { return rate_ + change_.dot(p); }
+  /// The direction and its rate, as the body sees them.
+  const Vec3& rise() const { return rise_; }
+  const Vec3& change() const { return change_; }
 
  private:
   double height_, rate_;

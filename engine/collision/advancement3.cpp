@@ -5,9 +5,10 @@
 #include <cmath>
 
 #include "collision/advance3.h"
+#include "collision/ball_clearance.h"
+#include "collision/circle_search.h"
 #include "collision/held_pair3.h"
 #include "collision/outside_faces.h"
-#include "collision/round_path.h"
 #include "collision/safe_time.h"
 #include "collision/separating_direction.h"
 
@@ -38,18 +39,7 @@ class PairSearch {
     return step > 0 ? step : longest(sa, *sb_, t);
   }
 
-  /// The gap between the bounding balls; for a facet, between the ball and its plane.
-  std::array<double, 5> clearance() const {
-    if (const Facet* f = b_.facet)
-      return {f->distance(a_.motion.x) - a_.shape.bound + search_.slack, f->normal.dot(a_.motion.v),
-              0.5 * f->normal.dot(a_.motion.a), 0, 0};
-    Path<3> relative = a_.motion;
-    relative.x -= b_.motion.x;
-    relative.v -= b_.motion.v;
-    relative.a -= b_.motion.a;
-    const double balls = a_.shape.bound + b_.shape.bound;
-    return ball_gap(relative, balls, relative.x.norm() - balls + search_.slack);
-  }
+  std::array<double, 5> clearance() const { return ball_clearance(a_, b_, search_); }
 
  private:
   using Direction = SeparatingDirection;
@@ -332,6 +322,7 @@ class PairSearch {
 
 std::optional<double> advance_to_contact(const MovingContactor& a, const MovingContactor& b,
                                          const TimeWindow& window, const TouchSearch& search) {
+  if (a.shape.has_circles() || b.shape.has_circles()) return advance_with_circles(a, b, window, search);
   return advance(PairSearch(a, b, window.b, search), window, search.iterations);
 }
 

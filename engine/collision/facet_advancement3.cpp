@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "collision/advance3.h"
+#include "collision/circle_search.h"
 #include "collision/safe_time.h"
 #include "geometry/bound.h"
 
@@ -99,6 +100,14 @@ FeatureId MovingContactor::id(FeatureKind kind, int i) const {
 std::optional<double> advance_to_facet(const MovingContactor& contactor, const Facet& facet,
                                        std::span<const HeldOnGround> held, const TimeWindow& window,
                                        const TouchSearch& search) {
+  if (facet.unbounded && contactor.shape.has_circles()) {
+    static const Contactor3 point = Contactor3::sphere(0);
+    Motion3 rest;
+    rest.x = facet.corner[0];
+    MovingContactor ground{point, rest, 0, &facet};
+    ground.held = held;
+    return advance_with_circles(contactor, ground, window, search);
+  }
   if (facet.unbounded)
     return advance(PlaneSearch(contactor, facet, window.b, search), window, search.iterations);
   thread_local FlatPolyhedron flat;  // keeps its memory between calls

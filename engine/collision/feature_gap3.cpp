@@ -1,6 +1,9 @@
 #include <cmath>
+#include <optional>
 
+#include "collision/facing.h"
 #include "collision/feature_gap.h"
+#include "collision/ground_piece.h"
 
 namespace flyrock {
 
@@ -52,11 +55,39 @@ double from_rim(const Facet& f, int rim, const Vec3& p) {
   return along.normalized().cross(away).norm();
 }
 
+/// The place of a vertex or of a rim that faces a direction, if the feature is one.
+std::optional<Vec3> place_of(const Placed3& shape, FeatureId feature, const Vec3& direction) {
+  const int i = index_of(feature);
+  if (kind_of(feature) == FeatureKind::vertex) return shape.point(i);
+  if (kind_of(feature) == FeatureKind::face || !shape.shape.has_circles() || place_of_rim(i) >= rim_places)
+    return std::nullopt;
+  return rim_place(shape, i, direction);
+}
+
+/// The gap of a pair one of which has circles, along the normal of the pair.
+double gap_with_circles(const Placed3& a, FeatureId feature, const Placed3& b, FeatureId against) {
+  const Vec3 normal = facing_pair(a, b).apart.normal;
+  const std::optional<Vec3> of_a = place_of(a, feature, -normal);
+  const std::optional<Vec3> of_b = of_a ? std::nullopt : place_of(b, against, normal);
+  return normal.dot(of_a.value_or(a.support(-normal)) - of_b.value_or(b.support(normal))) - a.shape.radius -
+         b.shape.radius;
+}
+
 }  // namespace
 
 double feature_gap(const Placed3& contactor, FeatureId feature, const Terrain3& terrain, FeatureId against) {
   const Facet f = terrain.ground().facet(terrain.ground().facet_of(against));
   const double radius = contactor.shape.radius;
+  if (contactor.shape.has_circles()) {
+    if (kind_of(against) == FeatureKind::face)
+      return f.distance(*place_of(contactor, feature, -f.normal)) - radius;
+    if (kind_of(against) == FeatureKind::vertex)
+      return gap_with_circles(contactor, feature,
+                              vertex_piece(terrain.ground().vertex(ground_index(against))),
+                              feature_id(0, FeatureKind::vertex, 0));
+    return gap_with_circles(contactor, feature, edge_piece(f, static_cast<int>(ground_index(against) % 3)),
+                            feature_id(0, FeatureKind::edge, 0));
+  }
   switch (kind_of(against)) {
     case FeatureKind::face:
       return f.distance(contactor.point(index_of(feature))) - radius;
@@ -85,6 +116,8 @@ double feature_gap(const Placed3& contactor, FeatureId feature, const Terrain3& 
 
 double feature_gap(const Placed3& candidate, FeatureId feature, const Placed3& antagonist,
                    FeatureId against) {
+  if (candidate.shape.has_circles() || antagonist.shape.has_circles())
+    return gap_with_circles(candidate, feature, antagonist, against);
   const FeatureKind of_candidate = kind_of(feature), of_antagonist = kind_of(against);
   const double radii = candidate.shape.radius + antagonist.shape.radius;
   if (of_candidate == FeatureKind::vertex)

@@ -1,6 +1,7 @@
 #pragma once
 // A contactor at its pose in the world.
 
+#include "geometry/box.h"
 #include "geometry/contactor.h"
 #include "geometry/contactor3.h"
 
@@ -42,6 +43,8 @@ struct Placed3 {
   int count() const { return static_cast<int>(shape.points.size()); }
   int faces() const { return static_cast<int>(shape.faces.size()); }
   Vec3 point(int i) const { return pose * shape.points[i]; }
+  /// The place of the core that is farthest along a direction.
+  Vec3 support(const Vec3& direction) const { return pose * shape.support(pose.r.inverse(direction)); }
   Vec3 normal(int face) const { return pose.r * shape.faces[face].normal; }
   /// A vertex of a face's loop.
   Vec3 corner(int face, int i) const { return point(shape.vertex(shape.faces[face], i)); }
@@ -51,5 +54,15 @@ struct Placed3 {
     return f.normal.dot(pose.r.inverse(world - pose.x) - shape.points[shape.vertex(f, 0)]);
   }
 };
+
+/// The box of the core, without its radius.
+inline Box3 core_box(const Placed3& placed) {
+  Box3 box;
+  for (int k = 0; k < 3; ++k) {
+    box.low[k] = placed.support(-Vec3::Unit(k))[k];
+    box.high[k] = placed.support(Vec3::Unit(k))[k];
+  }
+  return box;
+}
 
 }  // namespace flyrock

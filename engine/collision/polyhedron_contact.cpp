@@ -7,6 +7,7 @@
 #include "collision/contact_patch.h"
 #include "collision/core_contact.h"
 #include "collision/narrow_phase.h"
+#include "collision/patch_contact.h"
 #include "collision/separating_axis.h"
 
 namespace flyrock {
@@ -158,6 +159,8 @@ void body_contacts(const Placed3& candidate, int ic, const Placed3& antagonist, 
                    Contacts& out) {
   if (candidate.shape.round() && antagonist.shape.round())
     return sphere_sphere(candidate, ic, antagonist, ia, reach, out);
+  if (candidate.shape.has_circles() || antagonist.shape.has_circles())
+    return patch_contacts(candidate, ic, antagonist, ia, reach, out);
   if (!candidate.shape.has_faces() || !antagonist.shape.has_faces())
     return core_contacts(candidate, ic, antagonist, ia, reach, out);
   polyhedron_polyhedron(candidate, ic, antagonist, ia, reach, out);

@@ -21,4 +21,9 @@ void rim_contacts(const Placed3& polyhedron, int index, const Ground3& ground, s
 void core_rim_contacts(const Placed3& core, int index, const Ground3& ground, std::span<const Facet> facets,
                        double reach, double turn, std::vector<ContactPoint<3>>& out);
 
+/// The same for a contactor with circles: the part of it that faces an edge or a peak.
+void circle_rim_contacts(const Placed3& shape, int index, const Ground3& ground,
+                         std::span<const Facet> facets, double reach, double turn,
+                         std::vector<ContactPoint<3>>& out);
+
 }  // namespace flyrock

@@ -6,6 +6,7 @@
 
 #include "collision/contact_patch.h"
 #include "collision/facet_region.h"
+#include "collision/facing.h"
 #include "collision/rim_contact.h"
 #include "collision/terrain_contact.h"
 
@@ -89,30 +90,61 @@ void keep_four_of_each_plane(Contacts& contacts, std::size_t begin, double size)
 
 }  // namespace
 
-void terrain_contacts(const Placed3& contactor, int contactor_index, const Terrain3& terrain, double reach,
-                      double turn, std::vector<ContactPoint<3>>& out) {
-  const Ground3& ground = terrain.ground();
-  const Contactor3& shape = contactor.shape;
+namespace {
+
+Box3 box_of_core(const Placed3& contactor) {
+  if (contactor.shape.has_circles()) return core_box(contactor);
   Box3 box{contactor.point(0), contactor.point(0)};
   for (int i = 1; i < contactor.count(); ++i) {
     const Vec3 p = contactor.point(i);
     box = {box.low.cwiseMin(p), box.high.cwiseMax(p)};
   }
+  return box;
+}
+
+/// The places of the rims that are lowest over each facet, and turned from these: where a cap is level, all
+/// of them are near.
+void rim_contacts_with_facets(const Placed3& shape, int index, const Ground3& ground,
+                              std::span<const Facet> facets, double reach, double shallow, Contacts& out) {
+  for (const Facet& f : facets)
+    for (int k = 0; k < static_cast<int>(shape.shape.circles.size()); ++k)
+      for (int i = 0; i < rim_places; ++i) {
+        const Vec3 place = rim_place(shape, rim_index(k, i), -f.normal);
+        if (f.distance(place) - shape.shape.radius > reach) {
+          if (i == 0) break;  // the lowest one
+          continue;
+        }
+        point_contacts(place, shape.shape.radius, feature_id(index, FeatureKind::edge, rim_index(k, i)),
+                       ground, {&f, 1}, reach, shallow, out);
+      }
+}
+
+}  // namespace
+
+void terrain_contacts(const Placed3& contactor, int contactor_index, const Terrain3& terrain, double reach,
+                      double turn, std::vector<ContactPoint<3>>& out) {
+  const Ground3& ground = terrain.ground();
+  const Contactor3& shape = contactor.shape;
+  Box3 box = box_of_core(contactor);
   const double grow = shape.radius + reach;
   box.low.array() -= grow;
   box.high.array() += grow;
   thread_local std::vector<Facet> facets;  // keeps its memory between calls
   facets.clear();
   ground.facets(box, facets);
-  const double size = shape.has_faces() ? shape.bound : shape.radius;
+  const double size = shape.has_faces() || shape.has_circles() ? shape.bound : shape.radius;
   const std::size_t begin = out.size();
   for (int i = 0; i < contactor.count(); ++i) {
     const FeatureId vertex = feature_id(contactor_index, FeatureKind::vertex, i);
     point_contacts(contactor.point(i), shape.radius, vertex, ground, facets, reach, shallow_share * size,
                    out);
   }
+  if (shape.has_circles())
+    rim_contacts_with_facets(contactor, contactor_index, ground, facets, reach, shallow_share * size, out);
   if (!facets.empty() && !facets.front().unbounded) {
-    if (!shape.has_faces())
+    if (shape.has_circles())
+      circle_rim_contacts(contactor, contactor_index, ground, facets, reach, turn, out);
+    else if (!shape.has_faces())
       core_rim_contacts(contactor, contactor_index, ground, facets, reach, turn, out);
     else
       rim_contacts(contactor, contactor_index, ground, facets, box, reach, turn, out);

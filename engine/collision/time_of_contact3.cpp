@@ -5,6 +5,7 @@
 #include "collision/along_path.h"
 #include "collision/facet_region.h"
 #include "collision/feature_gap.h"
+#include "collision/piece_heights.h"
 #include "collision/round_path.h"
 #include "collision/time_of_contact.h"
 #include "math/polynomial.h"
@@ -209,12 +210,14 @@ std::optional<double> near_start(const Ground3& ground, const MovingContactor& c
     box = &point == &c.shape.points.front() ? Box3{place, place}
                                             : Box3{box.low.cwiseMin(place), box.high.cwiseMax(place)};
   }
+  if (c.shape.has_circles()) box = core_box({c.shape, {start.x, start.turn.rotation}});
   const double grow = c.shape.radius + travel + 1e-6 * c.shape.bound;
   box.low.array() -= grow;
   box.high.array() += grow;
   thread_local std::vector<Facet> facets;  // keeps its memory between calls
   facets.clear();
   ground.facets(box, facets);
+  thread_local std::vector<PieceHeight> pieces;
   std::optional<double> first;
   for (const Facet& facet : facets) {
     const Heights heights(facet.normal, Vec3::Zero(), start, facet.corner[0], Vec3::Zero());
@@ -224,7 +227,12 @@ std::optional<double> near_start(const Ground3& ground, const MovingContactor& c
     const bool clear = std::all_of(points.begin(), points.end(), [&](const Vec3& p) {
       return stays_open(heights.of(p) + room, heights.rate(p), bend, first.value_or(end));
     });
-    if (facet.unbounded || !clear) see(facet, {0, first.value_or(end)}, first);
+    const double until = first.value_or(end);
+    piece_heights(c.shape, heights, pieces);
+    const bool circles_clear = std::all_of(pieces.begin() + points.size(), pieces.end(), [&](const auto& p) {
+      return p.at(0) + room > 0 && p.at(until) + room - 0.5 * until * until * bend > 0;  // it is concave
+    });
+    if (facet.unbounded || !clear || !circles_clear) see(facet, {0, first.value_or(end)}, first);
   }
   return first;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -67,7 +68,47 @@ void add_edges(Contactor3& shape) {
                                             shape.edges.size(), Contactor3::most_edges));
 }
 
+/// The radius of the smallest sphere about the origin that contains a contactor.
+double extent_of(const Contactor3& shape) {
+  double bound = bound_of(shape.points, shape.radius);
+  for (const Contactor3::Circle& circle : shape.circles)
+    bound = std::max(bound, std::hypot(circle.axis.dot(circle.centre),
+                                       circle.across(circle.centre).norm() + circle.radius) +
+                                shape.radius);
+  return bound;
+}
+
 }  // namespace
+
+Vec3 Contactor3::Circle::towards(const Vec3& direction) const {
+  constexpr double level = 1e-9;  // sine of the angle between the axis and the direction
+  const Vec3 out = across(direction);
+  const double length = out.norm();
+  return length > level * direction.norm() ? Vec3(out / length) : axis.unitOrthogonal();
+}
+
+Vec3 Contactor3::support(const Vec3& direction) const {
+  double most = -std::numeric_limits<double>::infinity();
+  Vec3 best = Vec3::Zero();
+  const auto see = [&](const Vec3& place) {
+    if (const double along = direction.dot(place); along > most) most = along, best = place;
+  };
+  for (const Vec3& point : points) see(point);
+  for (const Circle& circle : circles) {
+    const Vec3 out = circle.across(direction);
+    const double length = out.norm();
+    see(length > 0 ? Vec3(circle.centre + circle.radius / length * out) : circle.centre);
+  }
+  return best;
+}
+
+Contactor3 Contactor3::cylinder(double radius, double height) {
+  Contactor3 shape;
+  for (const double side : {-1.0, 1.0})
+    shape.circles.push_back({{0, 0, 0.5 * side * height}, {0, 0, side}, radius});
+  shape.bound = extent_of(shape);
+  return shape;
+}
 
 Contactor3 Contactor3::sphere(double radius, const Vec3& centre) {
   Contactor3 shape;
@@ -112,7 +153,11 @@ Contactor3 Contactor3::polyhedron(std::vector<Vec3> points, const std::vector<st
 void Contactor3::change_frame(const Vec3& origin, const Rotation3& r) {
   for (Vec3& point : points) point = r.inverse(point - origin);
   for (Face& face : faces) face.normal = r.inverse(face.normal);
-  bound = bound_of(points, radius);
+  for (Circle& circle : circles) {
+    circle.centre = r.inverse(circle.centre - origin);
+    circle.axis = r.inverse(circle.axis);
+  }
+  bound = extent_of(*this);
 }
 
 void Contactor3::scale(double factor) {

@@ -8,10 +8,21 @@
 
 namespace flyrock {
 
-/// A contactor in 3D: the convex hull of `points`, grown by `radius`. One point with a radius is a sphere,
-/// two points with a radius are a pill, which has one edge and no face. Points with faces, without a radius,
-/// are a convex polyhedron. Coordinates in the body's frame, metres.
+/// A contactor in 3D: the convex hull of `points` and `circles`, grown by `radius`. One point with a radius
+/// is a sphere, two points with a radius are a pill, which has one edge and no face. Points with faces,
+/// without a radius, are a convex polyhedron. Two circles are a cylinder. Coordinates in the body's frame,
+/// metres.
 struct Contactor3 {
+  /// A circle about an axis. The disk in it is a flat cap of the contactor, which lies behind it.
+  struct Circle {
+    Vec3 centre = Vec3::Zero();
+    Vec3 axis = Vec3::UnitZ();  ///< unit, out of the cap
+    double radius = 0;          ///< m
+    /// The part of a vector across the axis.
+    Vec3 across(const Vec3& v) const { return v - axis.dot(v) * axis; }
+    /// Unit, towards the farthest place along a direction; a fixed one if the cap is level.
+    Vec3 towards(const Vec3& direction) const;
+  };
   /// A plane face with `count` vertices loop[first], ..., loop[first + count - 1], counter-clockwise as seen
   /// from outside.
   struct Face {
@@ -34,6 +45,7 @@ struct Contactor3 {
   std::vector<int> loop_edge;  ///< the edge from a loop's vertex to the next
   std::vector<Face> faces;     ///< none for a sphere or a pill
   std::vector<Edge> edges;
+  std::vector<Circle> circles;  ///< about one axis
   double radius = 0;
   double bound = 0;  ///< radius of the smallest sphere about the frame's origin that contains the contactor
 
@@ -42,14 +54,19 @@ struct Contactor3 {
   static Contactor3 pill(const Vec3& start, const Vec3& end, double radius);
   /// A box about the origin with sides along the axes.
   static Contactor3 box(const Vec3& size);
+  /// About the origin, with the axis z.
+  static Contactor3 cylinder(double radius, double height);
   /// A convex polyhedron given by its faces. Each face is a loop of indices into `points`, counter-clockwise
   /// as seen from outside. Throws std::invalid_argument if the faces do not form a closed convex surface or
   /// are too many.
   static Contactor3 polyhedron(std::vector<Vec3> points, const std::vector<std::vector<int>>& faces);
 
-  bool round() const { return points.size() == 1; }
+  bool round() const { return points.size() == 1 && circles.empty(); }
   bool has_faces() const { return !faces.empty(); }
   int vertex(const Face& face, int i) const { return loop[face.first + i]; }
+  bool has_circles() const { return !circles.empty(); }
+  /// The place of the core, the hull without its radius, that is farthest along a direction.
+  Vec3 support(const Vec3& direction) const;
   /// Expresses the contactor in another frame: p becomes r^-1 (p - origin).
   void change_frame(const Vec3& origin, const Rotation3& r);
   /// Scales a polyhedron by a factor about the origin.

@@ -35,6 +35,17 @@ void add_pill(Moments& sum, double radius, const Vec3& start, const Vec3& end) {
                 (along - across) * axis * axis.transpose();
 }
 
+/// Adds a cylinder.
+void add_cylinder(Moments& sum, double radius, const Vec3& start, const Vec3& end) {
+  const Vec3 middle = 0.5 * (start + end), along = end - start;
+  const double square = radius * radius, volume = pi * square * along.norm();
+  const Vec3 axis = along.normalized();
+  sum.volume += volume;
+  sum.first += volume * middle;
+  sum.second += volume * (middle * middle.transpose() + along * along.transpose() / 12 +
+                          square / 4 * (Eigen::Matrix3d::Identity() - axis * axis.transpose()));
+}
+
 /// Adds the tetrahedron (origin, a, b, c) with its sign.
 void add_tetrahedron(Moments& sum, const Vec3& a, const Vec3& b, const Vec3& c) {
   const double det = a.dot(b.cross(c));
@@ -50,9 +61,15 @@ void add_tetrahedron(Moments& sum, const Vec3& a, const Vec3& b, const Vec3& c) 
 VolumeProperties volume_properties(const std::vector<Contactor3>& contactors) {
   if (contactors.empty()) return {};
   // Use moments about a point of the body, so that a body drawn far from the frame's origin loses no digits.
-  const Vec3 origin = contactors.front().points.front();
+  const Contactor3& first = contactors.front();
+  const Vec3 origin = first.has_circles() ? first.circles.front().centre : first.points.front();
   Moments sum;
   for (const Contactor3& shape : contactors) {
+    if (shape.has_circles()) {
+      add_cylinder(sum, shape.circles[0].radius, shape.circles[0].centre - origin,
+                   shape.circles[1].centre - origin);
+      continue;
+    }
     if (shape.round()) {
       add_sphere(sum, shape.radius, shape.points[0] - origin);
       continue;

@@ -81,6 +81,11 @@ void add(Numbers& answer, const std::vector<Contactor3>& contactors) {
   for (const Contactor3& contactor : contactors) {
     answer.push_back(contactor.radius);
     for (const Vec3& point : contactor.points) answer.insert(answer.end(), point.begin(), point.end());
+    for (const Contactor3::Circle& circle : contactor.circles) {
+      answer.insert(answer.end(), circle.centre.begin(), circle.centre.end());
+      answer.insert(answer.end(), circle.axis.begin(), circle.axis.end());
+      answer.push_back(circle.radius);
+    }
   }
 }
 
@@ -89,7 +94,11 @@ void check_contactors(const std::vector<Contactor3>& contactors) {
   for (const Contactor3& contactor : contactors) {
     const bool finite = std::all_of(contactor.points.begin(), contactor.points.end(),
                                     [](const Vec3& point) { return point.allFinite(); });
-    if (!finite || !std::isfinite(contactor.radius)) fail("a contactor is not finite");
+    const bool circles_finite =
+        std::all_of(contactor.circles.begin(), contactor.circles.end(), [](const Contactor3::Circle& circle) {
+          return circle.centre.allFinite() && circle.axis.allFinite() && std::isfinite(circle.radius);
+        });
+    if (!finite || !circles_finite || !std::isfinite(contactor.radius)) fail("a contactor is not finite");
   }
   const VolumeProperties properties = volume_properties(contactors);
   if (!(properties.volume > 0 && properties.inertia.trace() > 0)) fail("a rock has no volume or no inertia");

@@ -11,6 +11,12 @@ constexpr double least_share = 1e-6;
 
 template <int D>
 Box<D> box_of(const typename Geometry<D>::Contactor& contactor) {
+  if constexpr (D == 3) {
+    Box3 box = core_box({contactor, {}});
+    box.low.array() -= contactor.radius;
+    box.high.array() += contactor.radius;
+    return box;
+  }
   Box<D> box{contactor.points[0], contactor.points[0]};
   for (const Vec<D>& point : contactor.points) {
     box.low = box.low.cwiseMin(point);

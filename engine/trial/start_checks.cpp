@@ -26,6 +26,9 @@ double buried(const Body<D>& body, const typename Geometry<D>::Terrain& terrain)
     Vec<D> middle = Vec<D>::Zero();
     for (const Vec<D>& point : contactor.points)
       middle += point / static_cast<double>(contactor.points.size());
+    if constexpr (D == 3)
+      for (const Contactor3::Circle& circle : contactor.circles)
+        middle += (circle.centre - middle) / static_cast<double>(contactor.circles.size());
     depth = std::max(depth, depth_below_ground(terrain, body.pose() * middle));
   }
   return depth;

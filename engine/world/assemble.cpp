@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "collision/facing.h"
 #include "world/world.h"
 
 namespace flyrock {
@@ -19,7 +20,8 @@ typename World<D>::Row World<D>::relative_velocity(const Contact& contact) const
 }
 
 /// The acceleration of the point of contact relative to the centre of a body that turns, w x (w x lever). A
-/// vertex or edge turns with its body; the rounding of a contactor does not.
+/// vertex or edge turns with its body; the rounding of a contactor does not, and the place of a rim that
+/// rolls walks around it.
 template <int D>
 typename World<D>::Row World<D>::turning_of(const Contact& contact) const {
   const auto of = [&](int i, FeatureId feature, double side) -> Vec<D> {
@@ -29,7 +31,8 @@ typename World<D>::Row World<D>::turning_of(const Contact& contact) const {
     if constexpr (D == 2)
       return -body.w * body.w * lever;
     else
-      return body.w.cross(body.w.cross(lever));
+      return body.w.cross(lever_rate(Placed{body.contactors[contactor_of(feature)], body.pose()}, feature,
+                                     -side * contact.at.normal, body.w, lever));
   };
   Vec<D> a = of(contact.candidate, contact.at.feature, 1);
   if (contact.antagonist >= 0) a -= of(contact.antagonist, contact.at.against, -1);

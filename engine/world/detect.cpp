@@ -52,12 +52,21 @@ const std::vector<std::pair<int, int>>& World<D>::close_pairs() {
     const auto pose = bodies[i].pose();
     const double reach = carry_reach(static_cast<int>(i), -1);
     auto& box = boxes_.emplace_back(typename Geometry<D>::Box{pose.x, pose.x});
-    for (const auto& contactor : bodies[i].contactors)
+    for (const auto& contactor : bodies[i].contactors) {
+      if constexpr (D == 3) {
+        if (contactor.has_circles()) {
+          const Box3 core = core_box({contactor, pose});
+          const double extent = contactor.radius + reach;
+          box.low = box.low.cwiseMin((core.low.array() - extent).matrix());
+          box.high = box.high.cwiseMax((core.high.array() + extent).matrix());
+        }
+      }
       for (const Vec<D>& local : contactor.points) {
         const Vec<D> point = pose * local, extent = Vec<D>::Constant(contactor.radius + reach);
         box.low = box.low.cwiseMin(point - extent);
         box.high = box.high.cwiseMax(point + extent);
       }
+    }
   }
   return broad_phase_.template pairs<D>(boxes_);
 }

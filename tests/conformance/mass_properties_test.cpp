@@ -45,6 +45,11 @@ bool contains(const Contactor2& contactor, const Vec2& place) {
   return true;
 }
 bool contains(const Contactor3& contactor, const Vec3& place) {
+  if (contactor.has_circles()) {
+    const Contactor3::Circle &base = contactor.circles.front(), &top = contactor.circles.back();
+    return base.axis.dot(place - base.centre) <= 0 && top.axis.dot(place - top.centre) <= 0 &&
+           base.across(place - base.centre).norm() <= base.radius;
+  }
   if (contactor.points.size() <= 2) return is_near(contactor.points, contactor.radius, place);
   for (const Contactor3::Face& face : contactor.faces)
     if (face.normal.dot(place - contactor.points[contactor.vertex(face, 0)]) > 0) return false;
@@ -68,13 +73,21 @@ Integrals cell_sum(const Contactor& contactor, const Vec<D>& low, const Vec<D>& 
   return sum;
 }
 
+Vec2 first_place(const Contactor2& contactor) { return contactor.points[0]; }
+Vec3 first_place(const Contactor3& contactor) { return contactor.support(Vec3::UnitX()); }
+
 template <class Contactor>
 Integrals cell_sum(const Contactor& contactor, int cells) {
-  auto low = contactor.points[0], high = low;
+  auto low = first_place(contactor), high = low;
   for (const auto& point : contactor.points) {
     low = low.cwiseMin(point);
     high = high.cwiseMax(point);
   }
+  if constexpr (std::is_same_v<Contactor, Contactor3>)
+    for (int k = 0; k < 3; ++k) {
+      low[k] = contactor.support(-Vec3::Unit(k))[k];
+      high[k] = contactor.support(Vec3::Unit(k))[k];
+    }
   low.array() -= contactor.radius;
   high.array() += contactor.radius;
   return cell_sum(contactor, low, high, cells);
@@ -111,6 +124,12 @@ const std::vector<Row> rows{
      pi * 0.0625 * 0.8 + 4 * pi / 3 * 0.015625,
      pi * 0.0625 * 0.8 * (0.0625 / 4 + 0.64 / 12) +
          4 * pi / 3 * 0.015625 * (0.4 * 0.0625 + 0.64 / 4 + 3 * 0.8 * 0.25 / 8)},
+    // Across the axis
+    {"cylinder",
+     3,
+     {{"radius", 0.4}, {"height", 1.1}},
+     pi * 0.16 * 1.1,
+     pi * 0.16 * 1.1 * (0.16 / 4 + 1.21 / 12)},
     {"box", 3, {{"size", Numbers{1, 2, 3}}}, 6, 6 * 13.0 / 12},
     {"polyhedron", 3, {{"points", Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}}, 1.0 / 6, 1.0 / 60},
     {"polyhedron",

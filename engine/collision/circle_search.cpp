@@ -1,0 +1,306 @@
+#include "collision/circle_search.h"
+
+#include <algorithm>
+
+#include "collision/ball_clearance.h"
+#include "collision/facing.h"
+#include "collision/piece_heights.h"
+
+namespace flyrock {
+
+namespace {
+
+constexpr double forever = std::numeric_limits<double>::infinity();
+
+/// A time until which a concave function stays positive, up to a millionth of it, or forever if that is
+/// beyond `end`. A chord is below the function, a line through two places before the root is above it after
+/// them.
+template <class Function>
+double safe_root(const Function& f, double slope, double end, const GapScale& scale, bool opened) {
+  const double start = f(0.0);
+  if (start < -scale.deep && !opened) return 0;
+  if (start <= scale.least && slope < 0) return 0;
+  const double base = std::min(start, 0.0);
+  const auto g = [&](double t) { return f(t) - (start <= scale.least ? start : base); };
+  if (g(end) >= 0) return forever;
+  double low = 0, at_low = g(0.0), high = end, at_high = g(end);
+  for (int i = 0; i < 60 && !(at_low > 0); ++i) {
+    const double t = 0.25 * high, value = g(t);
+    if (value > 0)
+      low = t, at_low = value;
+    else
+      high = t, at_high = value;
+  }
+  if (!(at_low > 0)) return 0;
+  for (int i = 0; i < 40 && high - low > 1e-6 * high; ++i) {
+    const double t = low + (high - low) * at_low / (at_low - at_high);
+    const double value = g(t);
+    if (!(t > low) || !(value > 0)) break;
+    const double fall = (at_low - value) / (t - low);
+    low = t;
+    at_low = value;
+    const double beyond = fall > 0 ? t + value / fall * (1 + 1e-9) : high;
+    if (beyond >= high) continue;
+    const double at_beyond = g(beyond);
+    if (at_beyond > 0)
+      low = beyond, at_low = at_beyond;
+    else
+      high = beyond, at_high = at_beyond;
+  }
+  return low;
+}
+
+class CircleSearch {
+ public:
+  CircleSearch(const MovingContactor& a, const MovingContactor& b, double end, const TouchSearch& search)
+      : a_(a),
+        b_(b),
+        end_(end),
+        search_(search),
+        scale_(search.size),
+        held_a_(pieces_of(a.shape), Held::no),
+        held_b_(pieces_of(b.shape), Held::no) {
+    find_held();
+  }
+
+  std::array<double, 5> clearance() const { return ball_clearance(a_, b_, search_); }
+
+  /// How long the direction that separates longest does so [s]; 0 if none separates the pair.
+  double lasts(double t) {
+    const MovingState sa(a_, t, end_), sb(b_, t, end_);
+    const double left = end_ - t;
+    double best = 0;
+    const auto attempt = [&](const Direction& d) {
+      if (best < left) best = std::max(best, separates(d, sa, sb, t));
+    };
+    if (b_.facet) attempt(with_b(b_.facet->normal, sb, true));
+    if (best >= left || (b_.facet && b_.facet->unbounded)) return best;
+    const Placed3 a{a_.shape, {sa.x, sa.turn.rotation}}, b{b_.shape, {sb.x, sb.turn.rotation}};
+    const FacingPair pair = facing_pair(a, b);
+    nearest_ = pair.apart.normal;
+    const Patch &of_a = pair.of_a, &of_b = pair.of_b;
+    if (of_b.normal.squaredNorm() > 0) attempt(with_b(of_b.normal, sb, true));
+    if (of_a.normal.squaredNorm() > 0) attempt(with_a(-of_a.normal, sa, true));
+    if (of_a.kind == Patch::Kind::segment && of_b.kind == Patch::Kind::segment)
+      attempt(across(of_a.places[1].at - of_a.places[0].at, sa, of_b.places[1].at - of_b.places[0].at, sb));
+    attempt(with_b(nearest_, sb, false));
+    attempt(with_a(nearest_, sa, false));
+    if (b_.facet)
+      for (const HeldOnGround& h : b_.held)
+        if (kind_of(h.against) == FeatureKind::face) attempt(with_b(h.normal, sb, false));
+    return best;
+  }
+
+ private:
+  /// Of a rim that is held in part, other places may still touch.
+  enum class Held { no, in_part, yes };
+
+  /// A normal from b to a and its rate, with bounds on |n'| and |n''| that hold for the time `horizon`.
+  struct Direction {
+    enum class Turns { with_a, with_b, with_both } turns;
+    Vec3 normal, rate;
+    double turn, turn_rate, horizon;
+    bool of_plane;  ///< the normal of a face or cap
+  };
+
+  /// A rim that is held at places all round is held whole: no half of it is without one.
+  static bool is_all_round(unsigned places) {
+    for (int start = 0; start < rim_places; ++start) {
+      bool any = false;
+      for (int i = 0; i < rim_places / 2; ++i) any = any || (places >> (start + i) % rim_places & 1);
+      if (!any) return false;
+    }
+    return true;
+  }
+
+  static void mark(std::vector<Held>& pieces, std::vector<unsigned>& places, const Contactor3& shape,
+                   const ShapeFeature& feature) {
+    places.resize(pieces.size());
+    for (int i = 0; i < static_cast<int>(pieces.size()); ++i) {
+      if (!contains_piece(shape, feature, i)) continue;
+      const bool of_rim = shape.has_circles() && feature.kind == FeatureKind::edge;
+      const int place = of_rim ? place_of_rim(feature.index) : 0;
+      if (of_rim && place < rim_places) places[i] |= 1u << place;
+      const bool whole = !of_rim || place >= rim_places || is_all_round(places[i]);
+      pieces[i] = std::max(pieces[i], whole ? Held::yes : Held::in_part);
+    }
+  }
+  static ShapeFeature feature_of(FeatureId id) { return {kind_of(id), index_of(id)}; }
+
+  void find_held() {
+    if (!b_.facet) {
+      for (const HeldContact& h : search_.held) {
+        if (contactor_of(h.feature) != a_.index || contactor_of(h.against) != b_.index) continue;
+        mark(held_a_, places_a_, a_.shape, feature_of(h.feature));
+        mark(held_b_, places_b_, b_.shape, feature_of(h.against));
+        holds_ = true;
+      }
+      return;
+    }
+    constexpr double same = 1e-10;  // rad, and m per m
+    const Facet& facet = *b_.facet;
+    for (const HeldOnGround& h : b_.held) {
+      if (contactor_of(h.feature) != a_.index) continue;
+      const bool in_plane = kind_of(h.against) == FeatureKind::face &&
+                            (h.normal - facet.normal).squaredNorm() <= same * same &&
+                            std::abs(facet.distance(h.place)) <= same * search_.size;
+      bool of_facet = in_plane;
+      for (int j = 0; j < static_cast<int>(held_b_.size()); ++j) {
+        if (!in_plane && !h.contains(facet.vertex[j])) continue;
+        held_b_[j] = Held::yes;
+        of_facet = true;
+      }
+      if (!of_facet) continue;
+      mark(held_a_, places_a_, a_.shape, feature_of(h.feature));
+      holds_ = true;
+      holds_plane_ = holds_plane_ || in_plane;
+    }
+  }
+
+  static Direction with(Direction::Turns turns, const Vec3& normal, const MovingState& s, bool of_plane) {
+    const double turn = s.w_max;
+    return {turns, normal, s.turn.spin.cross(normal), turn, turn * turn + s.w_rate, forever, of_plane};
+  }
+  static Direction with_a(const Vec3& normal, const MovingState& sa, bool of_plane) {
+    return with(Direction::Turns::with_a, normal, sa, of_plane);
+  }
+  static Direction with_b(const Vec3& normal, const MovingState& sb, bool of_plane) {
+    return with(Direction::Turns::with_b, normal, sb, of_plane);
+  }
+
+  /// The cross product of a line of each contactor; bounds as those of two edges in advancement3.cpp.
+  Direction across(const Vec3& line_a, const MovingState& sa, const Vec3& line_b,
+                   const MovingState& sb) const {
+    const Vec3 e = line_a.normalized(), f = line_b.normalized();
+    const Vec3 product = (e.cross(f).dot(nearest_) < 0 ? -1 : 1) * e.cross(f);
+    const double sine = product.norm(), sign = e.cross(f).dot(nearest_) < 0 ? -1 : 1;
+    const double w = sa.w_max + sb.w_max, least = 0.5 * sine, turn = w / least;
+    const Vec3 normal = product / sine;
+    const Vec3 rate = sign / sine * (sa.turn.spin.cross(e).cross(f) + e.cross(sb.turn.spin.cross(f)));
+    return {Direction::Turns::with_both,
+            normal,
+            rate - normal * normal.dot(rate),
+            turn,
+            (w * w + sa.w_rate + sb.w_rate) / least + 3 * turn * turn,
+            w > 0 ? least / w : forever,
+            false};
+  }
+
+  /// How long a direction separates the pair from t on [s].
+  double separates(const Direction& d, const MovingState& sa, const MovingState& sb, double t) {
+    const double left = end_ - t, turn = d.turn;
+    const bool a_moves = d.turns != Direction::Turns::with_a, b_moves = d.turns != Direction::Turns::with_b;
+    const double size_a = a_moves ? a_.shape.bound : 0, size_b = b_moves ? b_.shape.bound : 0;
+    const Vec3 pull = a_.motion.a - b_.motion.a;
+    // Of the difference of two places that the turning normal sees, and its rates
+    const double lever = (sa.x - sb.x).norm() + size_a + size_b;
+    const double speed = (sa.v - sb.v).norm() + pull.norm() * left + sa.w_max * size_a + sb.w_max * size_b;
+    const double acceleration =
+        sa.bend(size_a) + sb.bend(size_b) + (turn > 0 ? pull.norm() : std::max(0.0, -d.normal.dot(pull)));
+    double horizon = std::min(d.horizon, left);
+    if (turn > 0 && speed > 0) horizon = std::min(horizon, (lever + search_.size) / speed);
+    const double bend = d.turn_rate * (lever + speed * horizon) + 2 * turn * speed + acceleration;
+    const Heights heights_a(d.normal, d.rate, sa, sb.x, sb.v), heights_b(-d.normal, -d.rate, sb, sb.x, sb.v);
+    piece_heights(a_.shape, heights_a, of_a_);
+    piece_heights(b_.shape, heights_b, of_b_);
+    const double offset = search_.slack - a_.shape.radius - b_.shape.radius;
+    double least = within(horizon, left, forever);
+
+    /// The pairs of some pieces of a with some of b.
+    const auto see = [&](const auto& some_a, const auto& some_b, bool opened) {
+      if (least <= 0) return;
+      const auto lowest = [](const std::vector<PieceHeight>& pieces, const auto& some, double time) {
+        double low = forever;
+        for (int i = 0; i < static_cast<int>(pieces.size()); ++i)
+          if (some(i)) low = std::min(low, pieces[i].at(time));
+        return low;
+      };
+      const auto slope_of = [&](const std::vector<PieceHeight>& pieces, const auto& some) {
+        const double low = lowest(pieces, some, 0) + 1e-12 * search_.size;
+        double slope = forever;
+        for (int i = 0; i < static_cast<int>(pieces.size()); ++i)
+          if (some(i) && pieces[i].at(0) <= low) slope = std::min(slope, pieces[i].slope());
+        return slope;
+      };
+      const auto gap = [&](double time) {
+        return lowest(of_a_, some_a, time) + lowest(of_b_, some_b, time) + offset - 0.5 * bend * time * time;
+      };
+      if (gap(0) == forever) return;
+      const double time =
+          safe_root(gap, slope_of(of_a_, some_a) + slope_of(of_b_, some_b), horizon, scale_, opened);
+      least = std::min(least, within(horizon, left, time));
+    };
+    const auto all = [](int) { return true; };
+    if (!is_held_along(d)) {
+      see(all, all, false);
+      return least;
+    }
+    const auto held_a = [&](int i) { return held_a_[i] != Held::no; };
+    const auto held_b = [&](int i) { return held_b_[i] != Held::no; };
+    see([&](int i) { return !held_a(i); }, all, false);
+    see(
+        held_a, [&](int i) { return !held_b(i); }, false);
+    if (!search_.held_are_solved) {
+      see(held_a, held_b, t == 0);
+      return least;
+    }
+    if (!d.of_plane) {
+      constexpr double small = 1e-3;  // rad, by which the normal of the contact may drift from the direction
+      const double rate = sa.w_max + sb.w_max + speed / std::min(search_.size, a_.shape.bound);
+      if (rate > 0) least = std::min(least, within(small / rate, left, forever));
+    }
+    const double w = sa.w_max + sb.w_max + turn;
+    const double turning = w * w + sa.w_rate + sb.w_rate + d.turn_rate;
+    quarter_turns(held_a_, first_a_, a_.shape, heights_a, turning, horizon, left, least);
+    quarter_turns(held_b_, first_b_, b_.shape, heights_b, turning, horizon, left, least);
+    return least;
+  }
+
+  /// Limits a time to the one at which the lowest place of a rim that is held there only has walked a quarter
+  /// of a turn around it; then the cap is level, or nearly so, and another place touches. `turning` is a
+  /// bound on the second rate of the normal, as the contactor sees it.
+  void quarter_turns(const std::vector<Held>& held, std::vector<Vec3>& first, const Contactor3& shape,
+                     const Heights& heights, double turning, double horizon, double left,
+                     double& least) const {
+    constexpr double level = 1e-9;  // share of the size
+    for (std::size_t i = 0; i < shape.circles.size(); ++i) {
+      const Contactor3::Circle& circle = shape.circles[i];
+      if (held[shape.points.size() + i] != Held::in_part) continue;
+      if (first.size() <= i) first.resize(i + 1, Vec3::Zero());
+      if (first[i].isZero(0)) first[i] = circle.towards(heights.rise());
+      const Vec3 arm = circle.radius * first[i];
+      const double time = safe_time(arm.dot(heights.rise()) - level * search_.size, arm.dot(heights.change()),
+                                    circle.radius * turning, scale_, false);
+      least = std::min(least, within(horizon, left, time));
+    }
+  }
+
+  /// Whether the contacts of the pair have this normal.
+  bool is_held_along(const Direction& d) const {
+    constexpr double same_direction = 1 - 5e-7;  // cosine of 1e-3 rad
+    if (!holds_) return false;
+    if (b_.facet && d.of_plane && d.turns == Direction::Turns::with_b && holds_plane_) return true;
+    return d.normal.dot(nearest_) > same_direction;
+  }
+
+  const MovingContactor& a_;
+  const MovingContactor& b_;
+  double end_;
+  const TouchSearch& search_;
+  GapScale scale_;
+  std::vector<Held> held_a_, held_b_;          ///< of each piece
+  std::vector<unsigned> places_a_, places_b_;  ///< that hold each rim, as bits
+  bool holds_ = false, holds_plane_ = false;
+  Vec3 nearest_ = Vec3::Zero();           ///< the normal of the pair
+  std::vector<PieceHeight> of_a_, of_b_;  ///< along the direction at hand
+  std::vector<Vec3> first_a_, first_b_;   ///< towards the highest place of each rim at the start; unit
+};
+
+}  // namespace
+
+std::optional<double> advance_with_circles(const MovingContactor& a, const MovingContactor& b,
+                                           const TimeWindow& window, const TouchSearch& search) {
+  return advance(CircleSearch(a, b, window.b, search), window, search.iterations);
+}
+
+}  // namespace flyrock

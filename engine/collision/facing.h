@@ -1,0 +1,66 @@
+#pragma once
+// The part of a contactor that faces a direction, and the features of contactors with circles.
+
+#include <boost/container/static_vector.hpp>
+
+#include "collision/closest.h"
+#include "collision/gjk.h"
+
+namespace flyrock {
+
+/// The features of a contactor with circles. Edge 16 k + s is a place of the rim k: s = 0 is the farthest one
+/// along a direction, and walks around the rim as the contactor rolls; s = 1 to 7 are turned from it by s
+/// eighths of a turn; s = 8, 9 are where the rim crosses something. Face k is the cap k, face side_face the
+/// side between the circles or between circle and point.
+inline constexpr int rim_places = 8, side_face = 16;
+inline int rim_index(int circle, int place) { return 16 * circle + place; }
+inline int circle_of_rim(int index) { return index / 16; }
+inline int place_of_rim(int index) { return index % 16; }
+
+/// A place of a rim; see above. `direction` points out of the contactor, world frame.
+Vec3 rim_place(const Placed3& shape, int index, const Vec3& direction);
+
+/// The pieces of a core are its points, then its circles. Whether a feature contains a piece.
+bool contains_piece(const Contactor3& shape, const ShapeFeature& feature, int piece);
+inline int pieces_of(const Contactor3& shape) {
+  return static_cast<int>(shape.points.size() + shape.circles.size());
+}
+
+/// A place, a line, a plane polygon or a cap of a core, in the world.
+struct Patch {
+  enum class Kind { point, segment, polygon, disc } kind = Kind::point;
+  struct Place {
+    Vec3 at;
+    ShapeFeature feature;
+    ShapeFeature side;  ///< of the line to the next place
+  };
+  boost::container::static_vector<Place, Contactor3::most_face_vertices> places;  ///< of a disc: none
+  ShapeFeature feature;                                                           ///< of its inside
+  Vec3 normal = Vec3::Zero();  ///< unit, outward: of a polygon or disc
+  int circle = 0;              ///< of a disc
+  Vec3 centre = Vec3::Zero();
+  double radius = 0;  ///< of a disc; a polygon: of the contactor
+};
+
+/// The part of the core that faces a direction, up to `flush_angle`: a face or cap, an edge or the line of a
+/// side, a vertex or a place of a rim.
+Patch facing(const Placed3& shape, const Vec3& direction);
+
+/// The separation of two cores with the parts that face each other. Where one of them is plane, the normal is
+/// that of the plane, that of b first. Else the normal of separation() is made exact by Newton steps: a place
+/// of a rim of radius R moves by -R/s t (t . dn) if n changes by dn, t the tangent and s the sine of the
+/// angle between n and the axis, and n shall point along the line between the two nearest places. A line that
+/// touches stays across n.
+struct FacingPair {
+  Separation apart;
+  Patch of_a, of_b;
+};
+FacingPair facing_pair(const Placed3& a, const Placed3& b);
+
+/// The rate at which the lever of a contact changes [m/s]. `lever` leads from the centre of mass to the
+/// contact on the surface, `direction` out of the body. It turns with the body, but the place of a rim that
+/// is farthest along the direction walks around the rim.
+Vec3 lever_rate(const Placed3& shape, FeatureId feature, const Vec3& direction, const Vec3& spin,
+                const Vec3& lever);
+
+}  // namespace flyrock

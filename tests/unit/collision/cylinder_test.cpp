@@ -1,0 +1,303 @@
+// Cylinders against all shapes and the ground: contacts, gaps and times of impact against certificates.
+//
+// A certificate of a gap d >= 0 with the normal n: a place of each shape, d apart, bounds the distance from
+// above; the supports of both along n, d apart, bound it from below. Both are closed forms that are written
+// here once more.
+
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "collision/facing.h"
+#include "collision/feature_gap.h"
+#include "collision/gjk.h"
+#include "collision/narrow_phase.h"
+#include "collision/terrain_contact.h"
+#include "collision/time_of_contact.h"
+#include "geometry/hull.h"
+
+using namespace flyrock;
+
+namespace {
+
+using Contacts = std::vector<ContactPoint<3>>;
+
+struct Dice {
+  std::mt19937 rng{11};
+  double operator()(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(rng);
+  }
+  Vec3 direction() {
+    std::normal_distribution<double> normal;
+    return Vec3(normal(rng), normal(rng), normal(rng)).normalized();
+  }
+  /// A third of the attitudes is along the axes, so that faces, sides and edges lie flush.
+  Rotation3 rotation() {
+    const double kind = (*this)(0, 3);
+    if (kind < 0.5) return {};
+    if (kind < 1) return Rotation3::from_vector(0.5 * pi * Vec3::Unit(static_cast<int>((*this)(0, 2.999))));
+    return Rotation3::from_vector((*this)(0, pi) * direction());
+  }
+};
+
+/// The place of a core that is nearest to p, in its frame.
+Vec3 nearest_in(const Contactor3& shape, const Vec3& p) {
+  if (shape.has_circles()) {  // a cylinder about the origin
+    const double radius = shape.circles[0].radius, half = std::abs(shape.circles[0].centre.z());
+    const double out = p.head<2>().norm(), scale = out > radius ? radius / out : 1;
+    return {scale * p.x(), scale * p.y(), std::clamp(p.z(), -half, half)};
+  }
+  if (!shape.has_faces()) {
+    const Vec3 start = shape.points.front(), along = shape.points.back() - start;
+    const double square = along.squaredNorm();
+    return start + (square > 0 ? std::clamp((p - start).dot(along) / square, 0.0, 1.0) : 0) * along;
+  }
+  // Only whether p is inside, or how far it is above the planes, is needed.
+  Vec3 place = p;
+  for (const Contactor3::Face& face : shape.faces) {
+    const double above = face.normal.dot(place - shape.points[shape.vertex(face, 0)]);
+    if (above > 0) place -= above * face.normal;
+  }
+  return place;
+}
+
+/// How far a place is outside of the shape [m].
+double outside(const Placed3& placed, const Vec3& place) {
+  const Vec3 local = placed.pose.r.inverse(place - placed.pose.x);
+  return (local - nearest_in(placed.shape, local)).norm() - placed.shape.radius;
+}
+
+/// How far a shape reaches along a direction [m].
+double reach(const Placed3& placed, const Vec3& direction) {
+  const Vec3 local = placed.pose.r.inverse(direction);
+  double most = -1e300;
+  if (placed.shape.has_circles())
+    most = placed.shape.circles[0].radius * local.head<2>().norm() +
+           std::abs(placed.shape.circles[0].centre.z() * local.z());
+  for (const Vec3& point : placed.shape.points) most = std::max(most, local.dot(point));
+  return direction.dot(placed.pose.x) + most + placed.shape.radius;
+}
+
+double separation_along(const Placed3& a, const Placed3& b, const Vec3& normal) {
+  return -reach(a, -normal) - reach(b, normal);
+}
+
+Contactor3 rock(Dice& dice, int vertices) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < vertices; ++i) points.push_back(dice(0.3, 0.5) * dice.direction());
+  return convex_hull(points);
+}
+
+std::vector<Contactor3> others(Dice& dice) {
+  return {Contactor3::sphere(0.4), Contactor3::pill({0, 0, -0.6}, {0, 0, 0.6}, 0.15),
+          Contactor3::box({0.8, 0.5, 0.6}), rock(dice, 9), Contactor3::cylinder(0.25, 0.9)};
+}
+
+const ContactPoint<3>& nearest_of(const Contacts& contacts) {
+  return *std::min_element(contacts.begin(), contacts.end(),
+                           [](const auto& a, const auto& b) { return a.gap < b.gap; });
+}
+
+}  // namespace
+
+TEST_CASE("cylinders at 10,000 random placements have a gap, a normal and places that certify each other") {
+  Dice dice;
+  for (const Contactor3& cylinder : {Contactor3::cylinder(0.3, 0.7), Contactor3::cylinder(0.5, 0.04)})
+    for (const Contactor3& other : others(dice)) {
+      int wrong = 0, separate = 0, exact = 0;
+      for (int tested = 0; tested < 1000; ++tested) {
+        Placed3 a{cylinder, {dice(0.3, 1.4) * dice.direction(), dice.rotation()}};
+        const Placed3 b{other, {Vec3::Zero(), dice.rotation()}};
+        const bool turned = tested % 2;
+        const auto find = [&](Contacts& contacts) {
+          if (turned)
+            body_contacts(b, 0, a, 1, 10, contacts);
+          else
+            body_contacts(a, 0, b, 1, 10, contacts);
+        };
+        Contacts contacts;
+        find(contacts);
+        REQUIRE_FALSE(contacts.empty());
+        REQUIRE(contacts.size() <= 4);
+        ContactPoint<3> c = nearest_of(contacts);
+        const Vec3 n = turned ? -c.normal : c.normal;  // from b to a
+        const double apart = separation_along(a, b, n);
+        bool good = std::abs(n.norm() - 1) < 1e-12;
+        if (c.gap > 0) {
+          ++separate;
+          const Vec3 on_a = c.point + 0.5 * c.gap * n, on_b = c.point - 0.5 * c.gap * n;
+          const double error = std::max({std::abs(apart - c.gap), outside(a, on_a), outside(b, on_b)});
+          // A plane gives its normal to what is flush to 1e-4.
+          const double room = c.gap;
+          good = good && error < 1e-9 + 1e-4 * room;
+          const double known =
+              turned ? feature_gap(b, c.feature, a, c.against) : feature_gap(a, c.feature, b, c.against);
+          good = good && std::abs(known - c.gap) < 1e-9;
+          // As near, and as deep, as a solver may leave it.
+          const double depth = std::pow(10, dice(-11, -4)) * (tested % 4 < 2 ? 1 : -1);
+          a.pose.x -= (c.gap + depth) * n;
+          contacts.clear();
+          find(contacts);
+          c = nearest_of(contacts);
+          const Vec3 now = turned ? -c.normal : c.normal;
+          const Vec3 above = c.point + 0.5 * c.gap * now, below = c.point - 0.5 * c.gap * now;
+          // Where corners meet, all normals of their cones serve; none may show more room than there is.
+          good = good && c.gap < std::max(-depth, 0.0) + 1e-10 && c.gap > -depth - 1e-6 - 1e-4 * room &&
+                 std::abs(separation_along(a, b, now) - c.gap) < 1e-12 && outside(a, above) < 1e-6 &&
+                 outside(b, below) < 1e-6;
+          exact += std::abs(c.gap + depth) < 1e-10 && outside(a, above) < 1e-9 && outside(b, below) < 1e-9;
+        } else {
+          good = good && std::abs(apart - c.gap) < 1e-5;
+        }
+        wrong += !good;
+      }
+      CHECK(wrong == 0);
+      CHECK(separate > 200);
+      CHECK(exact > 0.8 * separate);
+    }
+}
+
+namespace {
+
+/// Up to 300 m/s and 500 rad/s, towards the origin.
+Motion3 shot(Dice& dice, const Vec3& moments) {
+  Motion3 motion;
+  motion.x = dice(1.5, 4) * dice.direction();
+  motion.v = dice(0, 300) * (dice(0, 0.8) * dice.direction() - motion.x).normalized();
+  motion.a = {0, 0, -9.81};
+  motion.rotation = FreeRotation(moments, dice.rotation(), dice(0, 500) * dice.direction());
+  return motion;
+}
+
+Placed3 at(const Contactor3& shape, const Motion3& motion, double t) {
+  return {shape, {motion.position(t), motion.turn(t).rotation}};
+}
+
+/// Whether a gap is open until a time of impact, or until `end`, and closed at it.
+template <class Gap>
+bool agrees(const std::optional<double>& touch, double end, const Gap& gap) {
+  constexpr int times = 60;
+  for (int i = 0; i < times; ++i)
+    if (gap(touch.value_or(end) * i / times) < -1e-9) return false;
+  return !touch || std::abs(gap(*touch)) < 1e-8;
+}
+
+/// How deep the lowest of many places of the rims is in the ground, times -1 [m]; 0 above it.
+double height_over(const Ground3& ground, const Placed3& placed) {
+  constexpr int places = 100;
+  double least = 1e300;
+  for (const Contactor3::Circle& circle : placed.shape.circles)
+    for (int i = 0; i < places; ++i) {
+      const Vec3 out = Vec3(std::cos(2 * pi * i / places), std::sin(2 * pi * i / places), 0);
+      const Vec3 p = placed.pose * (circle.centre + circle.radius * out);
+      least = std::min(least, -ground.depth(p));
+    }
+  return least;
+}
+
+Mesh ridge_with_peak() {
+  Mesh mesh;
+  mesh.parts = {""};
+  mesh.vertices = {{-9, -9, -6}, {9, -9, -6}, {-9, 0, 0}, {0.2, 0.1, 0}, {9, 0, 0}, {-9, 9, -3}, {9, 9, -3}};
+  mesh.triangles = {{0, 1, 3}, {0, 3, 2}, {1, 4, 3}, {2, 3, 5}, {3, 6, 5}, {3, 4, 6}};
+  mesh.part.assign(mesh.triangles.size(), 0);
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("no shot cylinder passes through another shape, and it touches at gap 0") {
+  Dice dice;
+  constexpr double end = 0.03;
+  TouchSearch search;
+  std::uint64_t iterations = 0;
+  search.iterations = &iterations;
+  for (const double scale : {0.01, 1.0, 5.0})
+    for (const Contactor3& other : others(dice)) {
+      const Contactor3 cylinder = Contactor3::cylinder(0.3 * scale, scale * dice(0.05, 0.9));
+      search.size = cylinder.bound;
+      int wrong = 0, touches = 0;
+      for (int i = 0; i < 60; ++i) {
+        Motion3 motion = shot(dice, {1, 1, 0.7}), others;
+        motion.x *= std::max(1.0, scale);
+        others.rotation = FreeRotation({1, 1.2, 1.5}, dice.rotation(), dice(0, 500) * dice.direction());
+        const auto touch = i % 3 ? time_of_contact(cylinder, 0, motion, other, 0, others, end, search)
+                                 : time_of_contact(other, 0, others, cylinder, 0, motion, end, search);
+        touches += touch.has_value();
+        wrong += !agrees(touch, end, [&](double t) {
+          const Placed3 a = at(cylinder, motion, t), b = at(other, others, t);
+          return separation_along(a, b, separation(a, b).normal);
+        });
+      }
+      CHECK(wrong == 0);
+      CHECK(touches > 0);
+    }
+  CHECK(iterations < 60 * 900);
+}
+
+TEST_CASE("no shot cylinder passes through the ground, and it touches at gap 0") {
+  Dice dice;
+  constexpr double end = 0.03;
+  TouchSearch search;
+  Plane level;
+  for (const TerrainShape3& shape : {TerrainShape3(level), TerrainShape3(ridge_with_peak())}) {
+    const Terrain3 terrain{shape};
+    int wrong = 0, touches = 0;
+    for (int i = 0; i < 300; ++i) {
+      const double scale = std::pow(10, dice(-2, 0));
+      const Contactor3 cylinder = Contactor3::cylinder(0.5 * scale, scale * dice(0.05, 0.9));
+      search.size = cylinder.bound;
+      Motion3 motion = shot(dice, {1, 1, 0.7});
+      if (motion.x.z() < 0) motion.x = -motion.x, motion.v = -motion.v;
+      motion.x.z() += 1.8;
+      const auto touch = time_of_contact(cylinder, 0, motion, terrain, end, search);
+      if (touch && motion.position(*touch).head<2>().norm() > 4) continue;  // near the border
+      touches += touch.has_value();
+      bool good = true;
+      for (int k = 0; k <= 60; ++k) {
+        const double t = touch.value_or(end) * k / 60;
+        if (motion.position(t).head<2>().norm() < 4)
+          good = good && height_over(terrain.ground(), at(cylinder, motion, t)) > -1e-9;
+      }
+      if (touch) {
+        Contacts contacts;
+        terrain_contacts(at(cylinder, motion, *touch), 0, terrain, 1e-8, 0, contacts);
+        good = good && !contacts.empty() && std::abs(nearest_of(contacts).gap) < 1e-8;
+      }
+      wrong += !good;
+    }
+    CHECK(wrong == 0);
+    CHECK(touches > 60);
+  }
+}
+
+TEST_CASE("cylinders at random places over a ridge with a peak have the gap of its nearest triangle") {
+  Dice dice;
+  const Mesh mesh = ridge_with_peak();
+  const Terrain3 terrain{TerrainShape3(mesh)};
+  std::vector<Contactor3> triangles;
+  for (const auto& t : mesh.triangles)
+    triangles.push_back(Contactor3::polyhedron(
+        {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]}, {{0, 1, 2}, {0, 2, 1}}));
+  const Contactor3 cylinder = Contactor3::cylinder(0.3, 0.7);
+  int wrong = 0;
+  for (int tested = 0; tested < 3000;) {
+    const Placed3 placed{cylinder, {{dice(-1.5, 1.5), dice(-1.5, 1.5), dice(-0.5, 1.2)}, dice.rotation()}};
+    if (height_over(terrain.ground(), placed) < 0) continue;
+    double gap = 1e300;
+    for (const Contactor3& triangle : triangles)
+      gap = std::min(gap, facing_pair(placed, {triangle, {}}).apart.distance);
+    if (gap > 0.4 || gap < 1e-3) continue;
+    ++tested;
+    Contacts contacts;
+    terrain_contacts(placed, 0, terrain, 0.5, 0, contacts);
+    bool good = !contacts.empty();
+    if (good) {
+      const ContactPoint<3>& c = nearest_of(contacts);
+      const double error = std::abs(c.gap - gap);
+      good = error < 1e-9 + 1e-4 * gap &&
+             std::abs(feature_gap(placed, c.feature, terrain, c.against) - c.gap) < 1e-9;
+    }
+    wrong += !good;
+  }
+  CHECK(wrong == 0);
+}
