@@ -14,10 +14,11 @@ return fr.plugin {
     rn = fr.number { min = 0, usual = { 0, 1 }, doc = "kept share of the normal velocity at a slow impact of a light rock" },
     rt = fr.number { min = 0, max = 1, doc = "kept share of the tangential velocity" },
     half_speed = fr.number { default = 9.144, above = 0, unit = "m/s", doc = "normal speed at which R_n is halved" },
-    half_mass = fr.number { default = 1e30, above = 0, unit = "kg", doc = "mass at which R_n is halved; by default no mass does it" },
+    half_mass = fr.number { optional = true, above = 0, unit = "kg", doc = "mass at which R_n is halved; not scaled where it is left out" },
   },
   impact = function(p, contact)
-    local v, m = contact.approach_speed / p.half_speed, contact.mass / p.half_mass
+    local v = contact.approach_speed / p.half_speed
+    local m = p.half_mass and contact.mass / p.half_mass or 0
     return p.rn / (1 + v * v) / (1 + m * m), p.rt
   end,
 }
