@@ -52,6 +52,10 @@ ShapeFeature place_feature(const Contactor3& shape, int piece) {
 
 }  // namespace
 
+Vec3 place_on(const Patch& patch) {
+  return patch.kind == Patch::Kind::disc ? patch.centre : patch.places.front().at;
+}
+
 Vec3 rim_place(const Placed3& shape, int index, const Vec3& direction) {
   const Contactor3::Circle& circle = shape.shape.circles[circle_of_rim(index)];
   const int place = place_of_rim(index);
@@ -123,10 +127,6 @@ Patch facing(const Placed3& placed, const Vec3& direction) {
 }
 
 namespace {
-
-Vec3 place_on(const Patch& patch) {
-  return patch.kind == Patch::Kind::disc ? patch.centre : patch.places.front().at;
-}
 
 /// How the farthest place of a core moves as the direction turns: R/s t t^T for a rim and a side.
 Eigen::Matrix3d give_of(const Placed3& shape, const Patch& patch, const Vec3& normal) {

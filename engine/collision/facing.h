@@ -46,6 +46,9 @@ struct Patch {
 /// side, a vertex or a place of a rim.
 Patch facing(const Placed3& shape, const Vec3& direction);
 
+/// A place on a patch: its first one, or the centre of a disc.
+Vec3 place_on(const Patch& patch);
+
 /// The separation of two cores with the parts that face each other. Where one of them is plane, the normal is
 /// that of the plane, that of b first. Else the normal of separation() is made exact by Newton steps: a place
 /// of a rim of radius R moves by -R/s t (t . dn) if n changes by dn, t the tangent and s the sine of the

@@ -66,11 +66,15 @@ std::optional<Vec3> place_of(const Placed3& shape, FeatureId feature, const Vec3
 
 /// The gap of a pair one of which has circles, along the normal of the pair.
 double gap_with_circles(const Placed3& a, FeatureId feature, const Placed3& b, FeatureId against) {
-  const Vec3 normal = facing_pair(a, b).apart.normal;
-  const std::optional<Vec3> of_a = place_of(a, feature, -normal);
-  const std::optional<Vec3> of_b = of_a ? std::nullopt : place_of(b, against, normal);
-  return normal.dot(of_a.value_or(a.support(-normal)) - of_b.value_or(b.support(normal))) - a.shape.radius -
-         b.shape.radius;
+  const FacingPair pair = facing_pair(a, b);
+  const Vec3& normal = pair.apart.normal;
+  const double radii = a.shape.radius + b.shape.radius;
+  if (const auto of_a = place_of(a, feature, -normal)) return normal.dot(*of_a - b.support(normal)) - radii;
+  const auto of_b = place_of(b, against, normal);
+  if (!of_b) return pair.apart.distance - radii;
+  if (pair.of_a.normal.squaredNorm() > 0)  // over a face or cap
+    return pair.of_a.normal.dot(*of_b - place_on(pair.of_a)) - radii;
+  return normal.dot(a.support(-normal) - *of_b) - radii;
 }
 
 }  // namespace
