@@ -13,6 +13,7 @@ std::unique_ptr<ShapeModel> make_polygon(Params& params);
 std::unique_ptr<ShapeModel> make_sphere(Params& params);
 std::unique_ptr<ShapeModel> make_pill(Params& params);
 std::unique_ptr<ShapeModel> make_cylinder(Params& params);
+std::unique_ptr<ShapeModel> make_cone(Params& params);
 std::unique_ptr<ShapeModel> make_wall(Params& params);
 std::unique_ptr<ShapeModel> make_box(Params& params);
 std::unique_ptr<ShapeModel> make_polyhedron(Params& params);

@@ -12,6 +12,7 @@ FLYROCK_MODULE(table) {
   table[{shape, "sphere"}] = make_sphere;
   table[{shape, "pill"}] = make_pill;
   table[{shape, "cylinder"}] = make_cylinder;
+  table[{shape, "cone"}] = make_cone;
   table[{shape, "wall"}] = make_wall;
   table[{shape, "box"}] = make_box;
   table[{shape, "polyhedron"}] = make_polyhedron;

@@ -30,9 +30,18 @@ void add_with_circles(const Contactor3& contactor, int index, std::vector<Surfac
     ++face;
   }
   const Contactor3::Circle &base = contactor.circles.front(), &top = contactor.circles.back();
-  for (int i = 0; i < sides; ++i, ++face)
-    for (const Vec3& corner : {place(base, i + 1), place(base, i), place(top, i), place(top, i + 1)})
-      corners.push_back({index, face, corner, 0});
+  const auto add = [&](const Vec3& corner) { corners.push_back({index, face, corner, 0}); };
+  for (int i = 0; i < sides; ++i, ++face) {
+    const bool is_cone = !contactor.points.empty();
+    add(place(base, i + 1));
+    add(place(base, i));
+    if (is_cone) {
+      add(contactor.points[0]);
+    } else {
+      add(place(top, i));
+      add(place(top, i + 1));
+    }
+  }
 }
 
 }  // namespace

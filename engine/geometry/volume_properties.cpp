@@ -46,6 +46,16 @@ void add_cylinder(Moments& sum, double radius, const Vec3& start, const Vec3& en
                           square / 4 * (Eigen::Matrix3d::Identity() - axis * axis.transpose()));
 }
 
+/// Adds a cone, whose centre of mass is a quarter of its height above the base.
+void add_cone(Moments& sum, double radius, const Vec3& base, const Vec3& point) {
+  const Vec3 along = point - base, centre = base + along / 4, axis = along.normalized();
+  const double square = radius * radius, volume = pi / 3 * square * along.norm();
+  sum.volume += volume;
+  sum.first += volume * centre;
+  sum.second += volume * (centre * centre.transpose() + 3.0 / 80 * along * along.transpose() +
+                          3.0 / 20 * square * (Eigen::Matrix3d::Identity() - axis * axis.transpose()));
+}
+
 /// Adds the tetrahedron (origin, a, b, c) with its sign.
 void add_tetrahedron(Moments& sum, const Vec3& a, const Vec3& b, const Vec3& c) {
   const double det = a.dot(b.cross(c));
@@ -66,8 +76,11 @@ VolumeProperties volume_properties(const std::vector<Contactor3>& contactors) {
   Moments sum;
   for (const Contactor3& shape : contactors) {
     if (shape.has_circles()) {
-      add_cylinder(sum, shape.circles[0].radius, shape.circles[0].centre - origin,
-                   shape.circles[1].centre - origin);
+      const Contactor3::Circle& base = shape.circles.front();
+      if (shape.circles.size() == 1)
+        add_cone(sum, base.radius, base.centre - origin, shape.points[0] - origin);
+      else
+        add_cylinder(sum, base.radius, base.centre - origin, shape.circles[1].centre - origin);
       continue;
     }
     if (shape.round()) {

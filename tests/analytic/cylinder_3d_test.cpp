@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "analytic/lab_ground.h"
+#include "geometry/cone.h"
 
 using namespace flyrock;
 using namespace flyrock::lab;
@@ -166,4 +167,23 @@ TEST_CASE("a cylinder comes to rest in the valley of two fixed cylinders, on a b
   CHECK((bench.world.bodies[on_box].x - Vec3(3, 0.1, 1.2)).norm() < 1e-5);
   CHECK((bench.world.bodies[carried].x - Vec3(6, 0, 0.6)).norm() < 1e-5);
   for (const int i : {0, on_box, carried}) CHECK(bench.histories[i].reason == StopReason::stopped);
+}
+
+TEST_CASE("a cone rolls around its point on a level plane, and is back after a turn") {
+  // It turns about the line on which it lies, with the spin Omega cot b; b is half the angle at the point.
+  const double radius = 0.2, height = 0.5, b = std::atan(radius / height), rate = 2;
+  Body<3> body = make_body({cone(radius, height)}, 2700, 0);
+  const Vec3 axis(-std::cos(b), 0, -std::sin(b));  // to the point, at the origin
+  body.x = -0.75 * height * axis;
+  body.attitude = Rotation3(Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis)) * body.attitude.rotation;
+  body.w = Vec3(-rate / std::tan(b), 0, 0);
+  body.v = body.w.cross(body.x);
+  Material material(0, 0.8);
+  Bench3 bench(plane(), material);
+  const int i = bench.add(body);
+  bench.run(2 * pi / rate);
+  const Body<3>& last = bench.world.bodies[i];
+  CHECK((last.x - body.x).norm() < 1e-3 * height);
+  CHECK(last.x.z() == Approx(body.x.z()).margin(1e-7));
+  CHECK(energy_of(last) == Approx(energy_of(body)).epsilon(1e-5));
 }

@@ -47,6 +47,11 @@ bool contains(const Contactor2& contactor, const Vec2& place) {
 bool contains(const Contactor3& contactor, const Vec3& place) {
   if (contactor.has_circles()) {
     const Contactor3::Circle &base = contactor.circles.front(), &top = contactor.circles.back();
+    if (contactor.circles.size() == 1) {
+      const Vec3 point = contactor.points[0] - base.centre;
+      const double share = point.dot(place - base.centre) / point.squaredNorm();  // of the height
+      return share >= 0 && base.across(place - base.centre).norm() <= base.radius * (1 - share);
+    }
     return base.axis.dot(place - base.centre) <= 0 && top.axis.dot(place - top.centre) <= 0 &&
            base.across(place - base.centre).norm() <= base.radius;
   }
@@ -130,6 +135,11 @@ const std::vector<Row> rows{
      {{"radius", 0.4}, {"height", 1.1}},
      pi * 0.16 * 1.1,
      pi * 0.16 * 1.1 * (0.16 / 4 + 1.21 / 12)},
+    {"cone",
+     3,
+     {{"radius", 0.4}, {"height", 0.9}},
+     pi / 3 * 0.16 * 0.9,
+     pi / 3 * 0.16 * 0.9 * (3.0 / 20 * 0.16 + 3.0 / 80 * 0.81)},
     {"box", 3, {{"size", Numbers{1, 2, 3}}}, 6, 6 * 13.0 / 12},
     {"polyhedron", 3, {{"points", Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}}, 1.0 / 6, 1.0 / 60},
     {"polyhedron",
