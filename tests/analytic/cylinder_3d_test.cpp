@@ -122,7 +122,7 @@ TEST_CASE("a disk rolls steadily on its rim about a centre at rest at the rate o
   CHECK(bench.world.quality().max_penetration < 1e-6);
 }
 
-TEST_CASE("cylinders thrown on rough ground come down without gain of energy, and stay above it") {
+TEST_CASE("cylinders thrown on rough ground come down without gain of energy, and stay above it", "[slow]") {
   const Height rough = [](double x, double y) {
     return 0.15 * std::sin(2.1 * x + 1) * std::cos(1.7 * y) - 0.3 * x;
   };

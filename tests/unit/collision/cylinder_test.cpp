@@ -117,7 +117,8 @@ const ContactPoint<3>& nearest_of(const Contacts& contacts) {
 
 }  // namespace
 
-TEST_CASE("cylinders at 10,000 random placements have a gap, a normal and places that certify each other") {
+TEST_CASE("cylinders at 10,000 random placements have a gap, a normal and places that certify each other",
+          "[slow]") {
   Dice dice;
   for (const Contactor3& cylinder : {Contactor3::cylinder(0.3, 0.7), Contactor3::cylinder(0.5, 0.04)})
     for (const Contactor3& other : others(dice)) {
@@ -255,7 +256,7 @@ TEST_CASE("no shot cylinder passes through another shape, and it touches at gap 
   CHECK(iterations < 60 * 900);
 }
 
-TEST_CASE("no shot cylinder passes through the ground, and it touches at gap 0") {
+TEST_CASE("no shot cylinder passes through the ground, and it touches at gap 0", "[slow]") {
   Dice dice;
   constexpr double end = 0.03;
   TouchSearch search;
