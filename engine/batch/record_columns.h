@@ -179,45 +179,41 @@ void visit_series_bodies(Visit&& visit) {
 template <class Visit>
 void visit_series_contacts(Visit&& visit) {
   using C = SeriesContact;
-  const auto of_row = [&](const char* name, auto member) {
-    visit(
-        Column{.name = name}, [member](auto& r) -> auto& { return std::invoke(member, r.row); });
-  };
-  of_row("time_s", &C::time);
-  of_row("a", &C::a);
-  of_row("b", &C::b);
-  of_row("number", &C::point);
-  of_row("step_s", &C::step);
-  of_row("gap_m", &C::gap);
-  of_row("un_m_s", &C::un);
-  of_row("ut_m_s", &C::ut);
-  of_row("pn_N_s", &C::pn);
-  of_row("pt_N_s", &C::pt);
-  of_row("rn_N", &C::rn);
-  of_row("rt_N", &C::rt);
-  of_row("state", &C::state);
+  const auto of_row = within(
+      visit, [](auto& r) -> auto& { return r.row; });
+  of_row(Column{.name = "time_s"}, &C::time);
+  of_row(Column{.name = "a"}, &C::a);
+  of_row(Column{.name = "b"}, &C::b);
+  of_row(Column{.name = "number"}, &C::point);
+  of_row(Column{.name = "step_s"}, &C::step);
+  of_row(Column{.name = "gap_m"}, &C::gap);
+  of_row(Column{.name = "un_m_s"}, &C::un);
+  of_row(Column{.name = "ut_m_s"}, &C::ut);
+  of_row(Column{.name = "pn_N_s"}, &C::pn);
+  of_row(Column{.name = "pt_N_s"}, &C::pt);
+  of_row(Column{.name = "rn_N"}, &C::rn);
+  of_row(Column{.name = "rt_N"}, &C::rt);
+  of_row(Column{.name = "state"}, &C::state);
   constexpr const char* places[] = {"x_m", "y_m", "z_m"};
   constexpr const char* normals[] = {"nx", "ny", "nz"};
   for (int i = 0; i < 3; ++i)
-    visit(
-        Column{.name = places[i]}, [i](auto& r) -> auto& { return r.row.place[i]; });
+    of_row(
+        Column{.name = places[i]}, [i](auto& row) -> auto& { return row.place[i]; });
   for (int i = 0; i < 3; ++i)
-    visit(
-        Column{.name = normals[i]}, [i](auto& r) -> auto& { return r.row.normal[i]; });
+    of_row(
+        Column{.name = normals[i]}, [i](auto& row) -> auto& { return row.normal[i]; });
 }
 
 template <class Visit>
 void visit_series_solves(Visit&& visit) {
   using S = SeriesSolve;
-  const auto of_row = [&](const char* name, auto member) {
-    visit(
-        Column{.name = name}, [member](auto& r) -> auto& { return std::invoke(member, r.row); });
-  };
-  of_row("time_s", &S::time);
-  of_row("step_s", &S::step);
-  of_row("contacts", &S::contacts);
-  of_row("sweeps", &S::sweeps);
-  of_row("residual_m_s", &S::residual);
+  const auto of_row = within(
+      visit, [](auto& r) -> auto& { return r.row; });
+  of_row(Column{.name = "time_s"}, &S::time);
+  of_row(Column{.name = "step_s"}, &S::step);
+  of_row(Column{.name = "contacts"}, &S::contacts);
+  of_row(Column{.name = "sweeps"}, &S::sweeps);
+  of_row(Column{.name = "residual_m_s"}, &S::residual);
 }
 
 /// The tables of series: see(name, the rows of `records`, their visit).
