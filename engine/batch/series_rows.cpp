@@ -1,8 +1,8 @@
 #include "batch/series_rows.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+
+#include "batch/body_names.h"
 
 namespace flyrock {
 
@@ -13,20 +13,22 @@ bool has_series(const Scenario& scenario, std::uint64_t trial) {
 template <int D>
 SeriesRequest series_of(const Scenario& scenario, const Trial<D>& trial, int world, Series& rows) {
   const SeriesPlan& plan = *scenario.output.series;
-  SeriesRequest request{{}, parts_of(*trial.terrain), plan.contacts, plan.every, &rows};
+  SeriesRequest request;
+  request.names = names_of(scenario, trial, world);
+  request.wanted.resize(request.names.bodies.size());
+  request.contacts = plan.contacts;
+  request.every = plan.every;
+  request.rows = &rows;
   const auto wanted = [&](const std::string& name) {
     return plan.bodies.empty() ||
            std::find(plan.bodies.begin(), plan.bodies.end(), name) != plan.bodies.end();
   };
-  request.bodies.resize(trial.worlds[static_cast<std::size_t>(world)].bodies.size());
   for (std::size_t i = 0; i < scenario.bodies.size(); ++i)
-    if (wanted(scenario.bodies[i].name)) request.bodies[i] = scenario.bodies[i].name;
-  for (std::size_t i = 0; scenario.bodies.empty() && i < trial.rocks.size(); ++i) {
-    const TrialRock& rock = trial.rocks[i];
-    const std::string& group = scenario.rocks[static_cast<std::size_t>(rock.group)].name;
-    if (rock.world == world && wanted(group))
-      request.bodies[static_cast<std::size_t>(rock.body)] = fmt::format("{} {}", group, i);
-  }
+    request.wanted[i] = wanted(scenario.bodies[i].name);
+  for (const TrialRock& rock : trial.rocks)
+    if (scenario.bodies.empty() && rock.world == world)
+      request.wanted[static_cast<std::size_t>(rock.body)] =
+          wanted(scenario.rocks[static_cast<std::size_t>(rock.group)].name);
   return request;
 }
 

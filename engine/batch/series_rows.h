@@ -10,8 +10,7 @@ namespace flyrock {
 /// Whether a trial has series.
 bool has_series(const Scenario& scenario, std::uint64_t trial);
 
-/// What a world of a trial records into `rows`. Rocks are called by their group and their number in the
-/// trial: "blocks 3". Instantiated for D = 2, 3.
+/// What a world of a trial records into `rows`. Instantiated for D = 2, 3.
 template <int D>
 SeriesRequest series_of(const Scenario& scenario, const Trial<D>& trial, int world, Series& rows);
 

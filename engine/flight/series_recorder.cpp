@@ -78,17 +78,10 @@ void SeriesRecorder<D>::put(int body, const BodyState& state, const Attitude<D>&
   }
   last_row_[body] = static_cast<int>(rows_.bodies.size());
   const Vec<D> place = state.position.template head<D>() + world_.origin;
-  rows_.bodies.push_back({request_.bodies[body], state,
+  rows_.bodies.push_back({request_.names.bodies[body], state,
                           b.kind == BodyKind::dynamic ? -b.mass * world_.gravity().dot(place) : 0,
                           quaternion_of(attitude)});
   rows_.bodies.back().state.position.template head<D>() = place;
-}
-
-template <int D>
-std::string SeriesRecorder<D>::name_of_antagonist(const WorldContact<D>& contact) const {
-  if (contact.antagonist >= 0) return request_.bodies[contact.antagonist];
-  const std::string& part = request_.parts[part_of(world_.terrain(), contact.at.against)];
-  return part.empty() ? "terrain" : "terrain." + part;
 }
 
 template <int D>
@@ -109,8 +102,8 @@ void SeriesRecorder<D>::put_contacts(double step) {
     if (!wanted(contact.candidate) && !wanted(contact.antagonist)) continue;
     SeriesContact row;
     row.time = world_.time;
-    row.a = request_.bodies[contact.candidate];
-    row.b = name_of_antagonist(contact);
+    row.a = request_.names.bodies[contact.candidate];
+    row.b = antagonist_of(request_.names, world_, contact);
     row.point = point;
     row.step = step;
     row.gap = world_.gap_now(contact);

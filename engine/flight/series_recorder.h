@@ -5,15 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "flight/world_names.h"
 #include "world/series.h"
-#include "world/world.h"
 
 namespace flyrock {
 
 /// What is recorded, and where the rows go.
 struct SeriesRequest {
-  std::vector<std::string> bodies;  ///< names of the bodies of the world; empty: this body has no rows
-  std::vector<std::string> parts;   ///< names of the parts of the terrain
+  WorldNames names;
+  std::vector<bool> wanted;  ///< which bodies have rows
   bool contacts = true;
   double every = 0;  ///< s between rows of steps and flights; 0: each step, and the ends of flights
   Series* rows = nullptr;
@@ -36,12 +36,11 @@ class SeriesRecorder {
 
  private:
   bool due();
-  bool wanted(int body) const { return body >= 0 && !request_.bodies[body].empty(); }
+  bool wanted(int body) const { return body >= 0 && request_.wanted[body]; }
   void put_bodies();
   void put(int body, const BodyState& state, const Attitude<D>& attitude);
   void put_contacts(double step);
   void put_solve(double step);
-  std::string name_of_antagonist(const WorldContact<D>& contact) const;
 
   const World<D>& world_;
   const SeriesRequest& request_;

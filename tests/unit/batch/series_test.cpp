@@ -74,6 +74,13 @@ TEST_CASE("only the bodies that are named have rows, and their contacts") {
   for (const auto& [trial, row] : records.series_bodies) CHECK(row.body == "disk");
   for (const SeriesContact& row : contacts_of(records)) CHECK((row.a == "disk" || row.b == "disk"));
   CHECK_FALSE(records.series_contacts.empty());
+  const TrialRecords upper = first_trial(
+      loaded("scenarios/course/gauss_seidel.yaml", {.set = {"output.series={ bodies: [box_4] }"}}));
+  for (const SeriesContact& row : contacts_of(upper)) {
+    CHECK(row.a == "box_3");  // named, though it has no rows of its own
+    CHECK(row.b == "box_4");
+  }
+  CHECK_FALSE(upper.series_contacts.empty());
 }
 
 TEST_CASE("measures of a contact over time") {
