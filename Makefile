@@ -17,6 +17,7 @@ help:
 	@echo "make bench  rocks per second, the share of time by phase, and what a law in Lua costs"
 	@echo "make fuzz SECONDS=600 SEED=1   tries mutants of every kind of input, with sanitizers; what it finds is in out/fuzz"
 	@echo "make reference   write docs/reference from the manifests of the plugins and the examples of shapes"
+	@echo "make course write the pictures of the course's pages"
 	@echo "make format lay out the sources as .clang-format says, which a test checks"
 	@echo "make deps   install what is missing: Debian packages and Plotly"
 	@echo "make deps-browser   Chromium too, for the tests that open the report"
@@ -88,10 +89,16 @@ reference: build-bench
 	for shape in $(notdir $(wildcard plugins/shape/*)); do \
 	  build/bench/bin/flyrock plugins shape/$$shape --svg > docs/reference/shapes/$$shape.svg || exit 1; done
 
+# The pictures of the course's pages
+course: build-bench
+	build/bench/bin/flyrock course -o out/course
+	for lab in $(basename $(notdir $(wildcard docs/course/images/*.svg))); do \
+	  build/bench/bin/flyrock animate out/course/$$lab -o docs/course/images/$$lab.svg || exit 1; done
+
 drawings:
 	lua5.4 docs/drawings/breakout.lua > docs/images/breakout.svg
 
 clean:
 	rm -rf build out
 
-.PHONY: help deps deps-browser deps-format format demo test test-heavy golden fuzz bench reference drawings clean
+.PHONY: help deps deps-browser deps-format format demo test test-heavy golden fuzz bench reference course drawings clean

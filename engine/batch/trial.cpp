@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "batch/body_names.h"
 #include "batch/inputs.h"
 #include "batch/safe_file.h"
 #include "batch/series_rows.h"
@@ -128,6 +129,13 @@ TrialRunner::TrialRunner(const Scenario& scenario) {
     of_dimension_ = std::make_unique<Trials<3>>(scenario);
 }
 
+void TrialRunner::explain(std::uint64_t trial, Explainer& explainer) {
+  TrialRecords unused;
+  of_dimension_->explainer = &explainer;
+  of_dimension_->run(trial, unused);
+  of_dimension_->explainer = nullptr;
+}
+
 template <int D>
 TrialRunner::Trials<D>::Trials(const Scenario& scenario) : scenario_(scenario), builder_(scenario) {
   for (const Material& material : scenario.materials) {
@@ -203,6 +211,7 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
       series = series_of(scenario_, trial, static_cast<int>(w), rows);
       settings.series = &series;
     }
+    if (explainer) explainer->watch(world, names_of(scenario_, trial, static_cast<int>(w)), settings);
     try {
       flyrock::run(world, settings, histories[w]);
     } catch (const TrialError& error) {

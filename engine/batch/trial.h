@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "batch/explain.h"
 #include "batch/records.h"
 #include "batch/terrain_picture.h"
 #include "flight/run.h"
@@ -27,6 +28,9 @@ class TrialRunner {
   /// each trial, as trial-<t>-<n>.hdf5. The folder is made when it is needed.
   void keep_hard_problems(const std::filesystem::path& folder) { of_dimension_->hard_problems = folder; }
 
+  /// Runs a trial for the explanation of one of its contact problems.
+  void explain(std::uint64_t trial, Explainer& explainer);
+
   /// The terrain of a trial for pictures.
   TerrainPicture picture_of(std::uint64_t trial) { return of_dimension_->picture_of(trial); }
 
@@ -34,6 +38,7 @@ class TrialRunner {
   struct OfDimension {
     std::filesystem::path hard_problems;  ///< empty: none are kept
     bool (*interrupted)() = [] { return false; };
+    Explainer* explainer = nullptr;
     virtual ~OfDimension() = default;
     virtual void run(std::uint64_t trial, TrialRecords& out) = 0;
     virtual TerrainPicture picture_of(std::uint64_t trial) = 0;

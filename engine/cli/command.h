@@ -41,6 +41,9 @@ int plugins(const Command&, const Arguments&);
 int law(const Command&, const Arguments&);
 int verify(const Command&, const Arguments&);
 int solve(const Command&, const Arguments&);
+int explain(const Command&, const Arguments&);
+int animate(const Command&, const Arguments&);
+int course(const Command&, const Arguments&);
 
 /// A parsed command line: options by name, and the words between them.
 struct CommandLine {

@@ -19,12 +19,14 @@ namespace flyrock::cli {
 
 namespace {
 
-constexpr std::array<Command, 10> commands = {{
+constexpr std::array<Command, 13> commands = {{
     {"run", "run SCENARIO [options]", "runs a scenario and writes its tables and report", run},
     {"merge", "merge DIR... -o DIR", "puts the shards of a run together", merge},
     {"report", "report DIR", "builds report.html of a result folder again", report},
     {"export", "export DIR --to csv|vtk [-o PATH]", "writes a result as CSV tables or for ParaView",
      export_result},
+    {"animate", "animate DIR [-o FILE.svg]",
+     "draws the motion of the stored rocks as an SVG picture that moves", animate},
     {"check", "check FILE [--strict]", "validates a scenario, or tries a plugin on sampled states", check},
     {"show", "show SCENARIO [--json]", "prints the resolved scenario: units converted, defaults filled in",
      show},
@@ -32,7 +34,10 @@ constexpr std::array<Command, 10> commands = {{
      "lists what is registered, with its parameters", plugins},
     {"law", "law KIND/NAME|FILE [-o FILE] [--set PARAMETER=VALUE]...",
      "draws the graph of a contact law from solved contacts", law},
+    {"course", "course [LAB | --list]", "runs the labs of the course on contact mechanics", course},
     {"verify", "verify [--data DIR] [--json]", "computes problems with known answers and compares", verify},
+    {"explain", "explain SCENARIO --impact N | --step N [options]",
+     "shows the contact problem of an impact or a step, and its solution sweep by sweep", explain},
     {"solve", "solve PROBLEM.hdf5 [options]", "solves a friction problem in the layout of FCLIB", solve},
 }};
 

@@ -111,6 +111,7 @@ class Runner {
     if (series_) series_->before_impact();
     const auto outcome = world_.impact();
     if (series_ && outcome.new_touch) series_->after_impact();
+    if (settings_.advanced && outcome.new_touch) settings_.advanced(0);
     observer_.arrived();
     for (const auto& contact : world_.contacts()) land(contact);
     return outcome.in_contact;
@@ -235,6 +236,7 @@ class Runner {
     const bool cut = touches != Touches::none && settings_.exact_flight;
     const auto outcome = world_.step(h, cut, touches == Touches::of_new_pairs);
     if (series_) series_->stepped(outcome.duration);
+    if (settings_.advanced && outcome.duration > 0) settings_.advanced(outcome.duration);
     touching_.assign(bodies(), false);
     slipping_.assign(bodies(), false);
     for (const auto& contact : world_.contacts()) {

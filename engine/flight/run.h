@@ -1,6 +1,7 @@
 #pragma once
 // Runs a world: free flight in closed form, impacts without duration, contact phases in steps.
 
+#include <functional>
 #include <vector>
 
 #include "flight/crossings.h"
@@ -16,6 +17,8 @@ struct RunSettings {
   bool keep_impacts = true;
   double bin_width = 0;  ///< m, of BodyHistory::path; 0: no bins are kept; needs a terrain with ends
   const SeriesRequest* series = nullptr;  ///< null: no rows over time
+  /// Called after each step with its length [s], and after each impact with 0. May be empty.
+  std::function<void(double step)> advanced;
   std::span<const Gate> gates;
   std::span<const Barrier> barriers;
   bool (*interrupted)() = [] { return false; };  ///< called at each step and flight; true: throw Interrupted

@@ -2,12 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-
 #include "math/round_step.h"
 #include "report/html.h"
+#include "report/rock_view.h"
 
 namespace flyrock {
 
@@ -15,78 +12,9 @@ namespace {
 
 constexpr double cell = 180, drawn = 130, foot = 44;  // pixels: of one rock, of its drawing, below it
 
-/// The directions of the picture: right, up, and towards the eye.
-struct View {
-  Vec3 right = Vec3::UnitX(), up = Vec3::UnitY(), near = Vec3::UnitZ();
-};
-
-View view_of(int dimension) {
-  if (dimension == 2) return {};
-  const double azimuth = -55 * pi / 180, elevation = 25 * pi / 180;  // of the eye
-  const double c = std::cos(azimuth), s = std::sin(azimuth);
-  const double ce = std::cos(elevation), se = std::sin(elevation);
-  return {{-s, c, 0}, {-se * c, -se * s, ce}, {ce * c, ce * s, se}};
-}
-
-/// One face, or a ball, in the picture.
-struct Piece {
-  std::vector<Vec2> outline;  ///< m; right and up
-  double radius = 0;          ///< m, by which the outline is grown
-  double part_depth = 0;      ///< of its contactor, m towards the eye
-  double light = 0;           ///< from 0 to 1
-};
-
-Vec3 middle_of(const std::vector<Vec3>& places) {
-  Vec3 sum = Vec3::Zero();
-  for (const Vec3& place : places) sum += place;
-  return sum / static_cast<double>(places.size());
-}
-
-/// Twice the area of a face times its normal; 0 for a ball.
-Vec3 area_of(const std::vector<Vec3>& places) {
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t i = 1; i + 1 < places.size(); ++i)
-    sum += (places[i] - places[0]).cross(places[i + 1] - places[0]);
-  return sum;
-}
-
-/// What can be seen, the farthest contactor first. The faces of a convex contactor that look towards the eye
-/// do not hide each other.
-std::vector<Piece> pieces_of(const PicturedRock& rock, const View& view) {
-  std::map<std::pair<int, int>, std::vector<Vec3>> faces;
-  std::map<std::pair<int, int>, double> radius;
-  std::map<int, std::vector<Vec3>> contactors;
-  for (const SurfaceCorner& corner : rock.corners) {
-    faces[{corner.contactor, corner.face}].push_back(corner.place);
-    radius[{corner.contactor, corner.face}] = corner.radius;
-    contactors[corner.contactor].push_back(corner.place);
-  }
-  std::vector<Piece> pieces;
-  for (const auto& [key, places] : faces) {
-    const Vec3 area = area_of(places);
-    Piece piece;
-    piece.radius = radius[key];
-    if (piece.radius <= 0 && area.dot(view.near) <= 0) continue;
-    for (const Vec3& place : places) piece.outline.emplace_back(view.right.dot(place), view.up.dot(place));
-    piece.part_depth = view.near.dot(middle_of(contactors[key.first]));
-    piece.light = piece.radius > 0 || area.isZero() ? 0.7 : 0.5 + 0.5 * area.normalized().z();
-    pieces.push_back(std::move(piece));
-  }
-  std::stable_sort(pieces.begin(), pieces.end(),
-                   [](const Piece& a, const Piece& b) { return a.part_depth < b.part_depth; });
-  return pieces;
-}
-
-std::string colour_of(double light) {
-  const auto mix = [&](int dark, int bright) {
-    return static_cast<int>(std::lround(dark + light * (bright - dark)));
-  };
-  return fmt::format("#{:02x}{:02x}{:02x}", mix(0x8a, 0xf2), mix(0x80, 0xee), mix(0x70, 0xe4));
-}
-
 /// A rock in the cell that begins at `left` [pixels].
 std::string drawing(const PicturedRock& rock, const View& view, double left) {
-  const std::vector<Piece> pieces = pieces_of(rock, view);
+  const std::vector<Piece> pieces = pieces_of(rock.corners, view);
   Vec2 low = Vec2::Constant(1e300), high = -low;
   for (const Piece& piece : pieces)
     for (const Vec2& place : piece.outline) {

@@ -61,7 +61,9 @@ SolveResult ImpactSolver<D>::solve(Problem& problem, const std::vector<Rebound<D
   alone_.assign(n, Row::Zero());
   factor_.assign(n, -1);
   bool given = false, phases = false;
+  if (trace) trace->mu.clear();
   for (int a = 0; a < n; ++a) {
+    if (trace) trace->mu.push_back(problem.contacts[a].mu);
     given_[a].setZero();
     given_[a][0] = rebounds[a].given;
     given = given || rebounds[a].given != 0;
@@ -87,7 +89,14 @@ SolveResult ImpactSolver<D>::solve(Problem& problem, const std::vector<Rebound<D
     }
   }
 
+  if (trace) {
+    trace->free = free_;
+    trace->alone = alone_;
+    trace->common = {problem, r, {}};
+    trace->restitution.reset();
+  }
   SolveResult result = solver_.solve(problem, settings, r);
+  if (trace) trace->common.r = r;
   if (phases) {
     for (int a = 0; a < n; ++a) turn_[a] = problem.outside_velocity(a, r) + problem.contacts[a].w * r[a];
     constexpr int most_adjustments = 100;
@@ -125,7 +134,9 @@ SolveResult ImpactSolver<D>::expand(Problem& problem, const SolveSettings& setti
     expansion_[a].setZero();
   }
   add_given(problem);
+  if (trace) trace->restitution = {problem, expansion_, {}};
   const SolveResult result = solver_.solve(problem, settings, expansion_);
+  if (trace) trace->restitution->r = expansion_;
   for (int a = 0; a < problem.size(); ++a) expansion_[a] += given_[a];
   return result;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // The impact problem: contacts with restitution, alone or several at once.
 
+#include <optional>
 #include <vector>
 
 #include "plugin/contact_law.h"
@@ -16,6 +17,26 @@ template <int D>
 struct Rebound : Restitution {
   double given = 0;  ///< N s, prescribed part of the normal impulse; negative: a pull that the contact bears
   typename ContactProblem<D>::Row before = ContactProblem<D>::Row::Zero();  ///< its velocity v^-
+};
+
+/// A friction problem with its start and its answer.
+template <int D>
+struct SolvedProblem {
+  ContactProblem<D> problem;
+  std::vector<typename ContactProblem<D>::Row> start, r;
+};
+
+/// The problems of one impact or step as they were solved: with the shifts of restitution in q, and with
+/// impulses that count from the given ones.
+template <int D>
+struct SolveTrace {
+  using Row = typename ContactProblem<D>::Row;
+
+  std::vector<double> mu;   ///< coefficient of friction of each contact
+  std::vector<Row> free;    ///< q without the shifts of restitution
+  std::vector<Row> alone;   ///< impulses of contacts that were solved apart; they are part of q of `common`
+  SolvedProblem<D> common;  ///< of two phases, compression
+  std::optional<SolvedProblem<D>> restitution;  ///< the second phase
 };
 
 /// Solves the friction problem of contacts that rebound. On entry `problem.q` is the free velocity;
@@ -44,6 +65,9 @@ class ImpactSolver {
 
   SolveResult solve(Problem& problem, const std::vector<Rebound<D>>& rebounds, const SolveSettings& settings,
                     std::vector<Row>& r);
+
+  /// Where each solve is kept, so that it can be explained; null: nowhere.
+  SolveTrace<D>* trace = nullptr;
 
  private:
   bool two_phase(int a, const Rebound<D>& rebound) const;

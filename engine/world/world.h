@@ -101,6 +101,8 @@ class World {
   PhaseTimes* clock = nullptr;
   /// Called with each problem that did not converge and its start impulses. May be empty.
   std::function<void(const Problem&, const std::vector<Row>&)> on_hard_problem;
+  /// Where each solve is kept, so that it can be explained; null: nowhere.
+  void trace_solves(SolveTrace<D>* trace) { solver_.trace = trace; }
 
   /// What a step or an impact returns.
   struct Outcome {

@@ -321,3 +321,25 @@ TEST_CASE("The ground of a raster in national coordinates is exported where its 
               "SELECT min(x_m) > 2599000, max(y_m) < 1201000, cell_m > 0, lattice_m = 0 FROM ground_vertices "
               "JOIN grounds USING (ground)") == std::vector<std::string>{"1|1|1|1"});
 }
+
+TEST_CASE("animate draws the stored motion without scripts") {
+  const Folder folder;
+  const std::string course = std::string(FLYROCK_SOURCE_DIR) + "/scenarios/course/";
+  for (const char* scenario : {"gauss_seidel.yaml", "rolling.yaml"}) {
+    REQUIRE(call(folder, "run " + course + scenario + " -o out --force --quiet").code == 0);
+    const Output output = call(folder, "animate out -o motion.svg");
+    INFO(output.err);
+    REQUIRE(output.code == 0);
+    CHECK(output.out == "motion.svg\n");
+    const std::string picture = read(folder.path() / "motion.svg");
+    CHECK(picture.starts_with("<svg xmlns="));
+    CHECK(picture.ends_with("</svg>\n"));
+    CHECK(picture.find("<animate") != std::string::npos);
+    CHECK(picture.find("nan") == std::string::npos);
+    CHECK(picture.find("<script") == std::string::npos);
+    // Eight contacts of the stack have an arrow each; nothing of the sphere's series is stored.
+    CHECK((picture.find("#c4531b") != std::string::npos) == (scenario == std::string("gauss_seidel.yaml")));
+  }
+  CHECK(call(folder, "animate out --point 9").code == 2);
+  CHECK(call(folder, "animate nowhere").code == 2);
+}

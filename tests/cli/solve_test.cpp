@@ -100,3 +100,40 @@ TEST_CASE("What is no problem is exit code 2") {
   CHECK(pipe.code == 2);
   CHECK(pipe.err == "error: pipe.hdf5: cannot be opened as an HDF5 file\n");
 }
+
+TEST_CASE("explain shows a contact problem, and solve solves the one that it saves") {
+  const Folder folder;
+  const std::string cradle = std::string(FLYROCK_SOURCE_DIR) + "/scenarios/course/cradle.yaml";
+  const Output shown = call(folder, "explain " + cradle + " --impact 1");
+  INFO(shown.err);
+  REQUIRE(shown.code == 0);
+  CHECK(shown.out.find("impact 1 of trial 0 of cradle.yaml, at 0.8 s: 3 contacts in 2D") == 0);
+  CHECK(shown.out.find("rank of W: 6 of 6") != std::string::npos);
+  CHECK(shown.out.find("energy: the contacts take 0.4375 J") != std::string::npos);
+  CHECK_FALSE(folder.has("out"));
+  const Output saved = call(folder, "explain " + cradle + " --impact 1 --point 1 --json --save p.hdf5");
+  REQUIRE(saved.code == 0);
+  const auto tree = nlohmann::json::parse(saved.out);
+  CHECK(tree["W"].size() == 6);
+  const auto solved = nlohmann::json::parse(call(folder, "solve p.hdf5 --json").out);
+  for (std::size_t i = 0; i < 6; ++i)
+    CHECK(solved["r"][i].get<double>() == Approx(tree["phases"][0]["r"][i].get<double>()).margin(1e-7));
+}
+
+TEST_CASE("explain says what is wrong with what it is asked") {
+  const Folder folder;
+  const std::string course = std::string(FLYROCK_SOURCE_DIR) + "/scenarios/course/";
+  const auto error = [&](const std::string& words) {
+    const Output output = call(folder, "explain " + course + words);
+    CHECK(output.code == 2);
+    return output.err;
+  };
+  CHECK(error("cradle.yaml").find("expected one of --impact N and --step N") != std::string::npos);
+  CHECK(error("cradle.yaml --impact 1 --step 1").find("expected one of") != std::string::npos);
+  CHECK(error("cradle.yaml --impact 0").find("not a whole number of at least 1") != std::string::npos);
+  CHECK(error("cradle.yaml --impact 9").find("--impact is 9, but trial 0 has 3 of them") !=
+        std::string::npos);
+  CHECK(error("cradle.yaml --impact 1 --point 2").find("--point is 2, expected 0 to 1") != std::string::npos);
+  CHECK(error("projectile.yaml --impact 1").find("only `nscd` solves them") != std::string::npos);
+  CHECK(error("none.yaml --impact 1").find("none.yaml") != std::string::npos);
+}

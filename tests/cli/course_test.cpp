@@ -1,0 +1,107 @@
+// flyrock course: every lab holds, and none of its expectations holds by chance.
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <vector>
+
+#include "program.h"
+
+using namespace flyrock::test;
+
+namespace {
+
+const fs::path course_pages = FLYROCK_SOURCE_DIR "/docs/course";
+
+std::vector<std::string> labs(const Folder& folder) {
+  std::istringstream list(call(folder, "course --list").out);
+  std::vector<std::string> names;
+  std::string week, name;
+  for (std::string line; std::getline(list, line);)
+    if (std::istringstream(line) >> week >> name) names.push_back(name);
+  return names;
+}
+
+fs::path scenario_of(const std::string& lab) {
+  const std::string stem = FLYROCK_SOURCE_DIR "/scenarios/course/" + lab;
+  return fs::exists(stem + ".lua") ? stem + ".lua" : stem + ".yaml";
+}
+
+/// `--set` options that move each expected number by 20 tolerances.
+std::string moved(const nlohmann::json& shown) {
+  std::string options;
+  int i = 0;
+  for (const auto& expectation : shown.at("expect")) {
+    const std::string path = " --set expect." + std::to_string(i++);
+    const auto add = [&](const char* key, double by) {
+      std::ostringstream number;
+      number.precision(17);
+      number << expectation.at(key).get<double>() + by;
+      options += path + "." + key + "=" + number.str();
+    };
+    if (expectation.contains("equals")) {
+      const double equals = expectation.at("equals");
+      const double tolerance = expectation.contains("tolerance")
+                                   ? expectation.at("tolerance").get<double>()
+                                   : expectation.value("relative", 0.0) * std::abs(equals);
+      add("equals", tolerance > 0 ? 20 * tolerance : 1);
+    } else if (expectation.contains("below")) {
+      add("below", -1e9);
+    } else if (expectation.contains("above")) {
+      add("above", 1e9);
+    } else {
+      options += path + ".between='[1e9, 2e9]'";
+    }
+  }
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("all labs of the course hold, and each has its page, picture and solutions") {
+  const Folder folder;
+  const std::vector<std::string> names = labs(folder);
+  CHECK(names.size() >= 14);
+  const Output all = call(folder, "course -o labs");
+  INFO(all.out << all.err);
+  CHECK(all.code == 0);
+  const std::string count = std::to_string(names.size());
+  CHECK(all.out.ends_with(count + " of " + count + "\n"));
+  for (const std::string& name : names) {
+    INFO(name);
+    CHECK(fs::exists(folder.path() / "labs" / name / "report.html"));
+    CHECK(read(course_pages / (name + ".md")).find("](images/" + name + ".svg)") != std::string::npos);
+    CHECK(read(course_pages / "images" / (name + ".svg")).find("<animate") != std::string::npos);
+    CHECK(fs::exists(course_pages / "solutions" / (name + ".md")));
+  }
+}
+
+TEST_CASE("a lab fails as soon as an expected number moves by 20 tolerances") {
+  const Folder folder;
+  for (const std::string& name : labs(folder)) {
+    INFO(name);
+    const std::string path = scenario_of(name).string();
+    const auto shown = nlohmann::json::parse(call(folder, "show --json " + path).out);
+    const Output output = call(folder, "run " + path + " -o out --force --quiet" + moved(shown));
+    INFO(output.err);
+    CHECK(output.code == 1);
+    const auto summary = nlohmann::json::parse(read(folder.path() / "out" / "summary.json"));
+    CHECK_FALSE(summary.at("expectations").empty());
+    for (const auto& expectation : summary.at("expectations")) {
+      INFO(expectation.dump());
+      CHECK_FALSE(expectation.at("passed").get<bool>());
+    }
+  }
+}
+
+TEST_CASE("course shows one lab with its page, question and verdict") {
+  const Folder folder;
+  const Output one = call(folder, "course bouncing_ball");
+  CHECK(one.code == 0);
+  CHECK(one.out.starts_with("# Zeno's ball\n"));
+  CHECK(one.out.find("verdict: 10 of 10 expectations hold\n") != std::string::npos);
+  const Output wrong = call(folder, "course bouncing_bal");
+  CHECK(wrong.code == 2);
+  CHECK(wrong.err.find("did you mean `bouncing_ball`?") != std::string::npos);
+}
