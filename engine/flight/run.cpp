@@ -132,7 +132,8 @@ class Runner {
     for (const Body<D>& body : world_.bodies)
       accelerations_.push_back(leg_accelerations(body.air, body.v, world_.gravity(), leg));
     for (const int half : {0, 1}) {
-      for (int i = 0; i < bodies(); ++i) world_.bodies[i].push = accelerations_[i][half];
+      for (int i = 0; i < bodies(); ++i)
+        if (world_.bodies[i].moves()) world_.bodies[i].push = accelerations_[i][half];
       const double begin = world_.time;
       if (jump(0.5 * leg)) return true;
       if (world_.time - begin < 0.499 * leg) break;  // the jump ended early
@@ -232,7 +233,7 @@ class Runner {
     const double h = std::min(wanted, time_left());
     if (in_air_)
       for (Body<D>& body : world_.bodies)
-        body.push = mean_acceleration(body.air, body.v, world_.gravity(), h);
+        if (body.moves()) body.push = mean_acceleration(body.air, body.v, world_.gravity(), h);
     const bool cut = touches != Touches::none && settings_.exact_flight;
     const auto outcome = world_.step(h, cut, touches == Touches::of_new_pairs);
     if (series_) series_->stepped(outcome.duration);
@@ -303,7 +304,8 @@ class Runner {
   void end_bodies() {
     const Domain<D> domain = domain_of(world_.terrain());
     bool all_at_rest = std::none_of(world_.bodies.begin(), world_.bodies.end(), [](const Body<D>& body) {
-      return body.kind == BodyKind::driven && (body.v.norm() > 0 || body.spin_speed() > 0);
+      return body.kind == BodyKind::driven &&
+             (body.v.norm() > 0 || body.spin_speed() > 0 || body.push.norm() > 0);
     });
     for (int i = 0; i < bodies(); ++i) {
       if (!running_[i]) continue;

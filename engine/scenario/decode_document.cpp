@@ -75,6 +75,7 @@ class DocumentDecoder {
     scenario_.seed = static_cast<std::uint64_t>(section.constant("seed"));
     scenario_.trials = static_cast<std::uint64_t>(section.constant("trials"));
     scenario_.rock_contacts = section.text("rock_contacts") == "on";
+    scenario_.body_contacts = section.text("body_contacts") == "on";
     scenario_.gravity = section.number("gravity");
   }
 
@@ -132,7 +133,7 @@ class DocumentDecoder {
       scenario_.bodies = decode_bodies(context_, *bodies, scenario_.materials);
       auto is_free = [](const BodyPlan& body) { return !body.fixed && !body.driven; };
       check_materials(*bodies, scenario_.bodies, 1, [&](const BodyPlan& a, const BodyPlan& b) {
-        return scenario_.method == Method::nscd && (is_free(a) || is_free(b));
+        return scenario_.method == Method::nscd && scenario_.body_contacts && (is_free(a) || is_free(b));
       });
     }
   }

@@ -71,6 +71,8 @@ BodyPlan decode_body(DecodeContext& context, const Node& node, const std::vector
     BodyPlan::Driven& kept = body.driven.emplace();
     for (const Number& component : motion.vector("velocity")) kept.velocity.push_back(component.constant);
     for (const Number& component : motion.vector("spin")) kept.spin.push_back(component.constant);
+    for (const Number& component : motion.vector("acceleration"))
+      kept.acceleration.push_back(component.constant);
     if (body.fixed) driven->error(context.diagnostics, "a body is either `fixed` or `driven`");
   }
   body.density = section.optional_number("density");

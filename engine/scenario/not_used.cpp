@@ -76,6 +76,28 @@ void find_materials(const Scenario& scenario, std::vector<std::string>& list) {
       list.push_back(fmt::format("materials.{} (nothing is made of it)", scenario.materials[i].name));
 }
 
+/// What says how bodies meet each other, where they do not: `why`.
+void find_meetings_of_bodies(const Scenario& scenario, const char* why, std::vector<std::string>& list) {
+  const auto is_body = [&](const std::string& name) {
+    return std::any_of(scenario.bodies.begin(), scenario.bodies.end(),
+                       [&](const BodyPlan& body) { return body.name == name; });
+  };
+  for (std::size_t i = 0; i < scenario.bodies.size(); ++i)
+    if (scenario.bodies[i].fixed || scenario.bodies[i].driven)
+      list.push_back(fmt::format("bodies.{} ({})", i, why));
+  for (std::size_t i = 0; i < scenario.pairs.size(); ++i)
+    if (is_body(scenario.pairs[i].a) && is_body(scenario.pairs[i].b))
+      list.push_back(fmt::format("pairs.{} ({})", i, why));
+}
+
+void find_body_contacts(const Node& root, const Scenario& scenario, std::vector<std::string>& list) {
+  if (scenario.bodies.empty()) {
+    if (find_given(root, "body_contacts")) list.emplace_back("body_contacts (the scenario has no bodies)");
+  } else if (scenario.method == Method::nscd && !scenario.body_contacts) {
+    find_meetings_of_bodies(scenario, "body_contacts is off", list);
+  }
+}
+
 /// Keys about contacts between rocks, in a scenario where rocks do not meet each other.
 void find_rock_contacts(const Node& root, const Scenario& scenario, std::vector<std::string>& list) {
   if (scenario.rocks.empty()) {
@@ -107,18 +129,9 @@ void find_keys_of_bodies(const Node& root, const Scenario& scenario, std::vector
   };
   if (const auto rocks = root.find("rocks"))
     for (const Node& item : rocks->items()) find_spin(item.find("launch"));
-  const auto is_body = [&](const std::string& name) {
-    return std::any_of(scenario.bodies.begin(), scenario.bodies.end(),
-                       [&](const BodyPlan& body) { return body.name == name; });
-  };
   if (const auto bodies = root.find("bodies"))
     for (const Node& item : bodies->items()) find_spin(item);
-  for (std::size_t i = 0; i < scenario.bodies.size(); ++i)
-    if (scenario.bodies[i].fixed || scenario.bodies[i].driven)
-      list.push_back(fmt::format("bodies.{} (a lumped mass meets the terrain only)", i));
-  for (std::size_t i = 0; i < scenario.pairs.size(); ++i)
-    if (is_body(scenario.pairs[i].a) && is_body(scenario.pairs[i].b))
-      list.push_back(fmt::format("pairs.{} (a lumped mass meets the terrain only)", i));
+  find_meetings_of_bodies(scenario, "a lumped mass meets the terrain only", list);
 }
 
 }  // namespace
@@ -134,6 +147,7 @@ std::vector<std::string> find_not_used(const Node& root, const Scenario& scenari
     list.push_back(fmt::format("output.series (the method {} flies points)", name_of(scenario.method)));
   if (scenario.method == Method::lumped_mass) find_keys_of_bodies(root, scenario, list);
   find_rock_contacts(root, scenario, list);
+  find_body_contacts(root, scenario, list);
   return list;
 }
 

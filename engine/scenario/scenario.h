@@ -158,7 +158,7 @@ struct BodyPlan {
   std::optional<TurnPlan> turn;  ///< 3D; absent: in the orientation of the shape's description
   bool fixed = false;
   struct Driven {
-    std::vector<double> velocity, spin;
+    std::vector<double> velocity, spin, acceleration;
   };
   std::optional<Driven> driven;
   int material = -1;
@@ -272,6 +272,7 @@ struct Scenario {
   std::uint64_t seed = 1;
   std::uint64_t trials = 1;
   bool rock_contacts = false;
+  bool body_contacts = true;
   Number gravity;
   std::optional<AirPlan> air;  ///< absent: none
   TerrainPlan terrain;

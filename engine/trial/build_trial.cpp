@@ -46,7 +46,8 @@ WorldSettings TrialBuilder<D>::world_settings() const {
                          .tolerance = solver.tolerance,
                          .max_iterations = solver.max_iterations,
                          .rest_speed = solver.rest_speed,
-                         .solver = solver_of_name(solver.name).value()};
+                         .solver = solver_of_name(solver.name).value(),
+                         .body_contacts = scenario_.body_contacts};
   if (solver.time_step)
     settings.time_step = *solver.time_step;
   else
@@ -258,6 +259,8 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
     if (plan.driven) {
       body.kind = BodyKind::driven;
       for (int k = 0; k < D; ++k) body.v[k] = plan.driven->velocity[k];
+      for (std::size_t k = 0; k < plan.driven->acceleration.size(); ++k)
+        body.push[static_cast<int>(k)] = plan.driven->acceleration[k];
       body.w = spin_of<D>([&](int k) { return plan.driven->spin[k]; });
     } else if (plan.fixed) {
       body.kind = BodyKind::fixed;

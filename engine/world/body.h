@@ -14,7 +14,7 @@ namespace flyrock {
 enum class BodyKind {
   dynamic,  ///< moved by forces and contacts
   fixed,    ///< does not move
-  driven    ///< moves at a given velocity
+  driven    ///< moves at a given velocity, which may grow at a given rate
 };
 
 /// The rotation of a body from its own frame to the world frame.
@@ -78,12 +78,18 @@ struct Body {
   Spin w = no_spin();  ///< rad/s, world frame
 
   Air<D> air;                    ///< the air around the body
-  Vec<D> push = Vec<D>::Zero();  ///< m/s2, acceleration by the air in the current flight or step
+  /// m/s2, acceleration by the air in the current flight or step; of a driven body the given one
+  Vec<D> push = Vec<D>::Zero();
 
   int impacts = 0;  ///< manifolds that closed faster than rest_speed
 
   static Spin no_spin();
   bool moves() const { return kind == BodyKind::dynamic && present; }
+  /// m/s2, without contacts.
+  Vec<D> acceleration(const Vec<D>& gravity) const {
+    if (moves()) return gravity + push;
+    return kind == BodyKind::driven ? push : Vec<D>::Zero();
+  }
   /// M^-1 h, the change of velocity caused by an impulse along h, a column of H^T. 0 for a body that contacts
   /// do not move.
   Rows inverse_mass_times(const Rows& h) const;

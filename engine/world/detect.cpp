@@ -36,11 +36,9 @@ double World<D>::carry_reach(int candidate, int antagonist) const {
 template <int D>
 const std::vector<std::pair<int, int>>& World<D>::near_pairs(double dt) {
   boxes_.clear();
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    boxes_.push_back(
-        swept_box<D>(Path<D>{bodies[i].x, bodies[i].v,
-                             bodies[i].moves() ? Vec<D>(gravity_ + bodies[i].push) : Vec<D>::Zero()},
-                     bodies[i].size * (1 + carry_share), dt));
+  for (std::size_t i = 0; i < bodies.size() && bodies_meet(); ++i)
+    boxes_.push_back(swept_box<D>(Path<D>{bodies[i].x, bodies[i].v, bodies[i].acceleration(gravity_)},
+                                  bodies[i].size * (1 + carry_share), dt));
   return broad_phase_.template pairs<D>(boxes_);
 }
 
@@ -90,7 +88,7 @@ void World<D>::detect(double ahead) {
   // Contacts are sorted by candidate, with the terrain first and then the antagonists in their order. NLGS
   // sweeps in this order, and match_last needs it.
   static const std::vector<std::pair<int, int>> none;
-  const auto& pairs = bodies.size() > 1 ? close_pairs() : none;
+  const auto& pairs = bodies_meet() ? close_pairs() : none;
   auto pair = pairs.begin();
   for (int i = 0; i < static_cast<int>(bodies.size()); ++i) {
     const Body<D>& body = bodies[i];

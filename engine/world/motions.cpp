@@ -3,7 +3,7 @@
 namespace flyrock {
 
 Motion2 free_motion(const Body<2>& body, const Moment<2>& start, const Vec2& gravity) {
-  return {{start.x, start.v, body.moves() ? Vec2(gravity + body.push) : Vec2::Zero()},
+  return {{start.x, start.v, body.acceleration(gravity)},
           start.attitude.angle,
           start.w,
           0};
@@ -11,8 +11,9 @@ Motion2 free_motion(const Body<2>& body, const Moment<2>& start, const Vec2& gra
 
 Motion3 free_motion(const Body<3>& body, const Moment<3>& start, const Vec3& gravity) {
   if (!body.moves())
-    return {{start.x, start.v, Vec3::Zero()}, GivenRotation{start.attitude.rotation, start.w, Vec3::Zero()}};
-  return {{start.x, start.v, gravity + body.push},
+    return {{start.x, start.v, body.acceleration(gravity)},
+            GivenRotation{start.attitude.rotation, start.w, Vec3::Zero()}};
+  return {{start.x, start.v, body.acceleration(gravity)},
           FreeRotation(body.inertia, start.attitude.rotation, start.w)};
 }
 

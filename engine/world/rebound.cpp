@@ -155,14 +155,16 @@ void World<D>::record_impacts() {
   }
 }
 
-/// The work of the driven bodies of contact a on the other bodies [J].
+/// The work of the driven bodies of contact a on the other bodies in a step of length h [J].
 template <int D>
-double World<D>::work_of_driven(int a) const {
+double World<D>::work_of_driven(int a, double h) const {
   const Contact& contact = contacts_[a];
   double work = 0;
   const auto add = [&](int body, const ContactColumns<D>& columns) {
-    if (body >= 0 && bodies[body].kind == BodyKind::driven)
-      work -= contact.impulse.dot(columns.transpose() * bodies[body].velocity());
+    if (body < 0 || bodies[body].kind != BodyKind::driven) return;
+    typename Body<D>::Rows mean = bodies[body].velocity();
+    mean.template head<D>() -= 0.5 * h * bodies[body].push;
+    work -= contact.impulse.dot(columns.transpose() * mean);
   };
   add(contact.candidate, rows_[a].candidate);
   add(contact.antagonist, rows_[a].antagonist);
@@ -177,7 +179,7 @@ void World<D>::audit_energy(double h) {
   constexpr double error_of_turning = 0.1;
   island_gain_.assign(bodies.size(), 0.0);
   for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) {
-    energy_given_ += work_of_driven(a);
+    energy_given_ += work_of_driven(a, h);
     energy_in_doubt_ += error_of_turning * h * contacts_[a].impulse.template head<D>().norm() *
                         contacts_[a].turning.template head<D>().norm();
     const Contact& contact = contacts_[a];
@@ -237,7 +239,7 @@ bool World<D>::stays_closed(int a, double duration) const {
   template double World<D>::energy_of(int) const;                     \
   template void World<D>::find_shocks(double);                        \
   template void World<D>::record_impacts();                           \
-  template double World<D>::work_of_driven(int) const;                \
+  template double World<D>::work_of_driven(int, double) const;        \
   template void World<D>::audit_energy(double);                       \
   template bool World<D>::stays_closed(int, double) const
 FLYROCK_INSTANTIATE(2);

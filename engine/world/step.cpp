@@ -80,8 +80,8 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
     measure_before(h);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       Body<D>& body = bodies[i];
+      body.v += h * body.acceleration(gravity_);
       if (!body.moves()) continue;
-      body.v += h * (gravity_ + body.push);
       body.w = free_spin(body, h, theta, h * by_contacts_[i]);
       free_spins_[i] = body.w;
     }
@@ -184,7 +184,7 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
       consider(time_of_contact(body.contactors[k], static_cast<int>(k), motions_[i], *terrain_,
                                first.value_or(h), search));
   }
-  if (bodies.size() < 2) return first;
+  if (!bodies_meet()) return first;
   boxes_.clear();
   for (std::size_t i = 0; i < bodies.size(); ++i)
     boxes_.push_back(swept_box<D>(motions_[i], bodies[i].size, h));

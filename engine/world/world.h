@@ -27,6 +27,7 @@ struct WorldSettings {
   int max_iterations = 1000;
   double rest_speed = 0.02;  ///< m/s; a slower approach has no restitution
   SolverKind solver = SolverKind::automatic;
+  bool body_contacts = true;  ///< false: bodies meet the terrain only
 };
 
 /// A contact of the world, with its law, its impulse and its memory.
@@ -188,6 +189,8 @@ class World {
   void know(Surface* surface);
   Surface* pair_surface(int a, int b);
 
+  bool bodies_meet() const { return settings_.body_contacts && bodies.size() > 1; }
+
   // detect.cpp: which contacts are active
   void detect(double ahead);
   void match_last();
@@ -225,7 +228,7 @@ class World {
   void find_shocks(double h);
   void record_impacts();
   void audit_energy(double h);
-  double work_of_driven(int a) const;
+  double work_of_driven(int a, double h) const;
   double energy_of(int a) const;
   bool stays_closed(int a, double duration) const;
 
