@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "collision/axis_state.h"
 #include "collision/ball_clearance.h"
 #include "collision/facing.h"
 #include "collision/piece_heights.h"
@@ -35,7 +36,12 @@ double safe_root(const Function& f, double slope, double end, const GapScale& sc
   for (int i = 0; i < 40 && high - low > 1e-6 * high; ++i) {
     const double t = low + (high - low) * at_low / (at_low - at_high);
     const double value = g(t);
-    if (!(t > low) || !(value > 0)) break;
+    if (!(value > 0)) {  // a straight line: the chord ends at the root, but for rounding
+      const double before = low + (1 - 1e-6) * (t - low);
+      if (g(before) > 0) low = before;
+      break;
+    }
+    if (!(t > low)) break;
     const double fall = (at_low - value) / (t - low);
     low = t;
     at_low = value;
@@ -58,6 +64,8 @@ class CircleSearch {
         end_(end),
         search_(search),
         scale_(search.size),
+        axis_a_(a),
+        axis_b_(b),
         held_a_(pieces_of(a.shape), Held::no),
         held_b_(pieces_of(b.shape), Held::no) {
     find_held();
@@ -67,11 +75,12 @@ class CircleSearch {
 
   /// How long the direction that separates longest does so [s]; 0 if none separates the pair.
   double lasts(double t) {
-    const MovingState sa(a_, t, end_), sb(b_, t, end_);
+    const MovingState body_a(a_, t, end_), body_b(b_, t, end_);
+    const MovingState sa = axis_a_.of(body_a, t, end_), sb = axis_b_.of(body_b, t, end_);
     const double left = end_ - t;
     double best = 0;
     const auto attempt = [&](const Direction& d) {
-      if (best < left) best = std::max(best, separates(d, sa, sb, t));
+      if (best < left) best = std::max(best, separates(d, sa, sb, body_a, body_b, t));
     };
     if (b_.facet) attempt(with_b(b_.facet->normal, sb, true));
     if (best >= left || (b_.facet && b_.facet->unbounded)) return best;
@@ -186,8 +195,9 @@ class CircleSearch {
             false};
   }
 
-  /// How long a direction separates the pair from t on [s].
-  double separates(const Direction& d, const MovingState& sa, const MovingState& sb, double t) {
+  /// How long a direction separates the pair from t on [s]. `sa`, `sb`: as AxisState gives them.
+  double separates(const Direction& d, const MovingState& sa, const MovingState& sb,
+                   const MovingState& body_a, const MovingState& body_b, double t) {
     const double left = end_ - t, turn = d.turn;
     const bool a_moves = d.turns != Direction::Turns::with_a, b_moves = d.turns != Direction::Turns::with_b;
     const double size_a = a_moves ? a_.shape.bound : 0, size_b = b_moves ? b_.shape.bound : 0;
@@ -249,10 +259,13 @@ class CircleSearch {
       const double rate = sa.w_max + sb.w_max + speed / std::min(search_.size, a_.shape.bound);
       if (rate > 0) least = std::min(least, within(small / rate, left, forever));
     }
-    const double w = sa.w_max + sb.w_max + turn;
-    const double turning = w * w + sa.w_rate + sb.w_rate + d.turn_rate;
-    quarter_turns(held_a_, first_a_, a_.shape, heights_a, turning, horizon, left, least);
-    quarter_turns(held_b_, first_b_, b_.shape, heights_b, turning, horizon, left, least);
+    // These follow places of the rims, which turn with the bodies.
+    const double w = body_a.w_max + body_b.w_max + turn;
+    const double turning = w * w + body_a.w_rate + body_b.w_rate + d.turn_rate;
+    const Heights rims_a(d.normal, d.rate, body_a, sb.x, sb.v),
+        rims_b(-d.normal, -d.rate, body_b, sb.x, sb.v);
+    quarter_turns(held_a_, first_a_, a_.shape, rims_a, turning, horizon, left, least);
+    quarter_turns(held_b_, first_b_, b_.shape, rims_b, turning, horizon, left, least);
     return least;
   }
 
@@ -288,6 +301,7 @@ class CircleSearch {
   double end_;
   const TouchSearch& search_;
   GapScale scale_;
+  AxisState axis_a_, axis_b_;
   std::vector<Held> held_a_, held_b_;          ///< of each piece
   std::vector<unsigned> places_a_, places_b_;  ///< that hold each rim, as bits
   bool holds_ = false, holds_plane_ = false;

@@ -150,6 +150,18 @@ Contactor3 Contactor3::polyhedron(std::vector<Vec3> points, const std::vector<st
   return shape;
 }
 
+std::optional<Vec3> Contactor3::axis_of_revolution() const {
+  if (circles.empty() || has_faces()) return std::nullopt;
+  constexpr double rounding = 1e-12;
+  const Vec3& axis = circles.front().axis;
+  const auto on_axis = [&](const Vec3& p) { return p.cross(axis).norm() <= rounding * bound; };
+  for (const Vec3& point : points)
+    if (!on_axis(point)) return std::nullopt;
+  for (const Circle& circle : circles)
+    if (!on_axis(circle.centre) || circle.axis.cross(axis).norm() > rounding) return std::nullopt;
+  return axis;
+}
+
 void Contactor3::change_frame(const Vec3& origin, const Rotation3& r) {
   for (Vec3& point : points) point = r.inverse(point - origin);
   for (Face& face : faces) face.normal = r.inverse(face.normal);

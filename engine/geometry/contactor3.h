@@ -1,6 +1,7 @@
 #pragma once
 // Contactors, the shapes that touch, in 3D.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,9 @@ struct Contactor3 {
   bool has_circles() const { return !circles.empty(); }
   /// The place of the core, the hull without its radius, that is farthest along a direction.
   Vec3 support(const Vec3& direction) const;
+  /// The axis (unit) of a contactor with circles about which it may turn without a change of its places: it
+  /// is one of revolution, and goes through the frame's origin.
+  std::optional<Vec3> axis_of_revolution() const;
   /// Expresses the contactor in another frame: p becomes r^-1 (p - origin).
   void change_frame(const Vec3& origin, const Rotation3& r);
   /// Scales a polyhedron by a factor about the origin.

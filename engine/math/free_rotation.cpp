@@ -116,6 +116,11 @@ void FreeRotation::set_bounds(double a, double b, double c) {
   greatest_spin_rate_ = Vec3((ib - ic) / ia * b * c, (ic - ia) / ib * c * a, (ia - ib) / ic * a * b).norm();
 }
 
+std::optional<double> FreeRotation::precession_of(const Vec3& axis) const {
+  if (!precesses_ || !q_.cross(axis).isZero(1e-12 * q_.norm() * axis.norm())) return std::nullopt;
+  return p_.norm();
+}
+
 Turn FreeRotation::at(double t) const {
   if (precesses_) {
     const Rotation3 r = Rotation3::from_vector(t * p_) * start_ * Rotation3::from_vector(t * q_);

@@ -1,6 +1,8 @@
 #pragma once
 // The torque-free rotation of a rigid body in closed form.
 
+#include <optional>
+
 #include "math/elliptic.h"
 #include "math/space.h"
 
@@ -33,6 +35,9 @@ class FreeRotation {
   /// Bounds on |w| [rad/s] and |w'| [rad/s2] at all times.
   double greatest_spin() const { return greatest_spin_; }
   double greatest_spin_rate() const { return greatest_spin_rate_; }
+  /// The rate |p| at which an axis of the body turns about the angular momentum, if the axis keeps its angle
+  /// to it: then the spin across the axis is constant [rad/s].
+  std::optional<double> precession_of(const Vec3& axis) const;
 
  private:
   void precess(const Vec3& p, const Vec3& q);

@@ -256,6 +256,44 @@ TEST_CASE("no shot cylinder passes through another shape, and it touches at gap 
   CHECK(iterations < 60 * 900);
 }
 
+TEST_CASE(
+    "a cylinder or cone that spins about its own axis touches when a still one does, after as many steps") {
+  Dice dice;
+  constexpr double end = 0.05;
+  const Terrain3 terrain{TerrainShape3(ridge_with_peak())};
+  const Motion3 rest;
+  for (const Contactor3& shape :
+       {Contactor3::cylinder(0.5, 0.3), Contactor3::cylinder(0.005, 1.5), cone(0.3, 0.7)})
+    for (const Contactor3& other : others(dice)) {
+      std::uint64_t steps[2] = {0, 0};
+      int touches = 0;
+      for (int i = 0; i < 20; ++i) {
+        const Rotation3 attitude = Rotation3::from_vector(dice(0, pi) * dice.direction());
+        std::optional<double> touch[2], lands[2];
+        for (const bool spins : {false, true}) {
+          Motion3 motion = shot(dice, {1, 1, 0.7});
+          motion.x = 2.0 * (attitude * Vec3::UnitX());
+          motion.v = -60 * motion.x.normalized() + Vec3(3, 1, 0);
+          motion.rotation =
+              FreeRotation({1, 1, 0.7}, attitude, (spins ? 500 : 0) * (attitude * Vec3::UnitZ()));
+          TouchSearch search;
+          search.size = shape.bound;
+          search.iterations = &steps[spins];
+          touch[spins] = time_of_contact(shape, 0, motion, other, 0, rest, end, search);
+          motion.x += Vec3(0, 0, 3);
+          lands[spins] = time_of_contact(shape, 0, motion, terrain, end, search);
+        }
+        REQUIRE(touch[0].has_value() == touch[1].has_value());
+        REQUIRE(lands[0].has_value() == lands[1].has_value());
+        if (touch[0]) CHECK(*touch[0] == Approx(*touch[1]).margin(1e-9));
+        if (lands[0]) CHECK(*lands[0] == Approx(*lands[1]).margin(1e-9));
+        touches += touch[0].has_value() + lands[0].has_value();
+      }
+      CHECK(touches > 5);
+      CHECK(steps[1] <= steps[0] * 1.1);
+    }
+}
+
 TEST_CASE("no shot cylinder passes through the ground, and it touches at gap 0", "[slow]") {
   Dice dice;
   constexpr double end = 0.03;
