@@ -14,6 +14,9 @@ FLYROCK_MODULE(table) {
   table[{shape, "cylinder"}] = make_cylinder;
   table[{shape, "cone"}] = make_cone;
   table[{shape, "wall"}] = make_wall;
+  table[{shape, "hollow_disk"}] = make_hollow_disk;
+  table[{shape, "hollow_cylinder"}] = make_hollow_cylinder;
+  table[{shape, "plane"}] = make_plane_body;
   table[{shape, "box"}] = make_box;
   table[{shape, "polyhedron"}] = make_polyhedron;
   table[{shape, "random_polyhedron"}] = make_random_polyhedron;

@@ -4,15 +4,59 @@
 
 namespace flyrock {
 
+namespace {
+
+constexpr int wall_pieces = 48;  // of the wall of a room, around its axis
+
+/// The wall of a hollow disk, in pieces.
+void add_ring(const Contactor2& contactor, int index, std::vector<SurfaceCorner>& corners) {
+  const auto place = [&](double radius, int i) {
+    const double angle = 2 * pi * i / wall_pieces;
+    return Vec3(radius * std::cos(angle), radius * std::sin(angle), 0);
+  };
+  const double inner = contactor.radius, outer = contactor.outer;
+  for (int i = 0; i < wall_pieces; ++i)
+    for (const Vec3& corner : {place(outer, i), place(outer, i + 1), place(inner, i + 1), place(inner, i)})
+      corners.push_back({index, i, corner, 0});
+}
+
+}  // namespace
+
 std::vector<SurfaceCorner> surface_of(const std::vector<Contactor2>& contactors) {
   std::vector<SurfaceCorner> corners;
-  for (std::size_t c = 0; c < contactors.size(); ++c)
+  for (std::size_t c = 0; c < contactors.size(); ++c) {
+    if (contactors[c].is_room()) {
+      add_ring(contactors[c], static_cast<int>(c), corners);
+      continue;
+    }
     for (const Vec2& point : contactors[c].points)
       corners.push_back({static_cast<int>(c), 0, {point.x(), point.y(), 0}, contactors[c].radius});
+  }
   return corners;
 }
 
 namespace {
+
+/// The wall of a hollow cylinder: its inside, its outside, and the ring at each end.
+void add_tube(const Contactor3& contactor, int index, std::vector<SurfaceCorner>& corners) {
+  const Contactor3::Circle &base = contactor.circles.front(), &top = contactor.circles.back();
+  const Vec3 first = top.axis.unitOrthogonal(), second = top.axis.cross(first);
+  const auto place = [&](const Contactor3::Circle& end, double radius, int i) -> Vec3 {
+    const double angle = 2 * pi * i / wall_pieces;
+    return end.centre + radius * (std::cos(angle) * first + std::sin(angle) * second);
+  };
+  const double inner = top.radius, outer = contactor.outer;
+  int face = 0;
+  const auto add = [&](const Contactor3::Circle& a, double ra, const Contactor3::Circle& b, double rb) {
+    for (int i = 0; i < wall_pieces; ++i, ++face)
+      for (const Vec3& corner : {place(a, ra, i), place(a, ra, i + 1), place(b, rb, i + 1), place(b, rb, i)})
+        corners.push_back({index, face, corner, 0});
+  };
+  add(top, inner, base, inner);
+  add(base, inner, base, outer);
+  add(base, outer, top, outer);
+  add(top, outer, top, inner);
+}
 
 /// A contactor with circles, drawn with polygons in their place: the caps, then the side.
 void add_with_circles(const Contactor3& contactor, int index, std::vector<SurfaceCorner>& corners) {
@@ -50,6 +94,15 @@ std::vector<SurfaceCorner> surface_of(const std::vector<Contactor3>& contactors)
   std::vector<SurfaceCorner> corners;
   for (std::size_t c = 0; c < contactors.size(); ++c) {
     const Contactor3& contactor = contactors[c];
+    if (contactor.is_half_space()) {  // a square of 1 m stands for it
+      for (const auto& [x, y] : {std::pair(-0.5, -0.5), {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}})
+        corners.push_back({static_cast<int>(c), 0, {x, y, 0}, 0});
+      continue;
+    }
+    if (contactor.is_room()) {
+      add_tube(contactor, static_cast<int>(c), corners);
+      continue;
+    }
     if (contactor.has_circles()) {
       add_with_circles(contactor, static_cast<int>(c), corners);
       continue;

@@ -171,6 +171,27 @@ void find_fine_outlines(const Scenario& scenario, const Trial<D>& trial, TriedOu
   }
 }
 
+/// Finds free hollow bodies that nothing can hold: only other bodies touch them, from inside.
+template <int D>
+void find_loose_rooms(const Scenario& scenario, const Trial<D>& trial, TriedOut& tried) {
+  const auto is_room = [](const Body<D>& body) {
+    return std::all_of(body.contactors.begin(), body.contactors.end(),
+                       [](const auto& contactor) { return contactor.is_room(); });
+  };
+  for (const TrialRock& rock : trial.rocks) {
+    if (rock.world < 0) continue;
+    const World<D>& world = trial.worlds[static_cast<std::size_t>(rock.world)];
+    const Body<D>& body = world.bodies[static_cast<std::size_t>(rock.body)];
+    if (!is_room(body) || world.gravity().isZero() ||
+        !std::all_of(world.bodies.begin(), world.bodies.end(), is_room))
+      continue;
+    add(tried.errors, fmt::format("{}.{}.shape", scenario.bodies.empty() ? "rocks" : "bodies", rock.group),
+        fmt::format("`{}` is hollow and falls for ever: only bodies inside of it touch it, not the ground; "
+                    "expected `fixed: true`, `driven`, or a body inside on which it hangs",
+                    body.group));
+  }
+}
+
 /// Finds rocks of several contactors that overlap: what two of them share counts twice in the mass.
 template <int D>
 void find_overlapping_parts(const Scenario& scenario, const Trial<D>& trial, TriedOut& tried) {
@@ -225,6 +246,7 @@ void try_trials(const Scenario& scenario, TrialBuilder<D>& builder, std::uint64_
       find_free_rollers(scenario, trial, tried);
       find_fine_outlines(scenario, trial, tried);
       find_overlapping_parts(scenario, trial, tried);
+      find_loose_rooms(scenario, trial, tried);
       find_lost_places(scenario, trial, tried);
       for (std::size_t i = 0; i < trial.rocks.size(); ++i) {
         const TrialRock& rock = trial.rocks[i];

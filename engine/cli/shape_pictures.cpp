@@ -22,17 +22,21 @@ Vec3 turned(const Attitude<2>& attitude, const Vec3& place) {
 }
 Vec3 turned(const Attitude<3>& attitude, const Vec3& place) { return attitude.rotation * place; }
 
+/// The rocks of trial 0, or of a scenario of bodies those of the shape `name`, in addition fixed ones.
 template <int D>
-std::vector<PicturedRock> first_rocks(const Scenario& scenario) {
+std::vector<PicturedRock> first_rocks(const Scenario& scenario, const std::string& name) {
   const Trial<D> trial = TrialBuilder<D>(scenario).build(0);
   std::vector<PicturedRock> rocks;
-  for (const TrialRock& rock : trial.rocks) {
-    if (rock.world < 0 || rocks.size() == most_rocks) continue;
-    const Body<D>& body =
-        trial.worlds[static_cast<std::size_t>(rock.world)].bodies[static_cast<std::size_t>(rock.body)];
+  const auto draw = [&](const Body<D>& body) {
+    if (rocks.size() == most_rocks) return;
     PicturedRock& picture = rocks.emplace_back(PicturedRock{body.group, surface_of(body.contactors)});
     for (SurfaceCorner& corner : picture.corners) corner.place = turned(body.attitude, corner.place);
-  }
+  };
+  for (std::size_t i = 0; i < scenario.bodies.size(); ++i)
+    if (scenario.bodies[i].shape.plugin->spec.name == name) draw(trial.worlds.front().bodies[i]);
+  for (const TrialRock& rock : trial.rocks)
+    if (rock.world >= 0 && scenario.bodies.empty())
+      draw(trial.worlds[static_cast<std::size_t>(rock.world)].bodies[static_cast<std::size_t>(rock.body)]);
   return rocks;
 }
 
@@ -50,7 +54,7 @@ std::optional<std::string> picture_of(const std::string& name, const std::string
   const Scenario& scenario = loaded->plan.points.front();
   try {
     const std::vector<PicturedRock> rocks =
-        scenario.dimension == 2 ? first_rocks<2>(scenario) : first_rocks<3>(scenario);
+        scenario.dimension == 2 ? first_rocks<2>(scenario, name) : first_rocks<3>(scenario, name);
     if (rocks.empty()) throw InputError(fmt::format("{}: no rock of trial 0 can start", example));
     return svg_of_rocks("shape/" + name, rocks, scenario.dimension);
   } catch (const ScenarioError& error) {

@@ -23,6 +23,8 @@ inline FeatureId vertex_id(int contactor, int vertex) {
 }
 inline FeatureId edge_id(int contactor, int edge) { return vertex_id(contactor, edge) | 1; }
 
+inline int index_2d(FeatureId feature) { return static_cast<int>(feature >> 1 & 0x7fff); }
+
 /// Feature ids of the terrain in 2D. Corner i lies between the segments i - 1 and i.
 inline FeatureId segment_id(int segment) { return static_cast<FeatureId>(segment) << 1 | 1; }
 inline FeatureId corner_id(int corner) { return static_cast<FeatureId>(corner) << 1; }

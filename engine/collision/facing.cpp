@@ -210,6 +210,11 @@ FacingPair facing_pair(const Placed3& a, const Placed3& b) {
 Vec3 lever_rate(const Placed3& shape, FeatureId feature, const Vec3& direction, const Vec3& spin,
                 const Vec3& lever) {
   const int index = index_of(feature);
+  if (shape.shape.is_room() && !shape.shape.is_half_space()) {
+    // The place on the wall follows the other body. Of the wall, only the place on its axis turns.
+    const Vec3 axis = shape.pose.r * shape.shape.circles[0].axis;
+    return spin.cross(axis.dot(lever) * axis);
+  }
   if (!shape.shape.has_circles() || kind_of(feature) != FeatureKind::edge || place_of_rim(index) > 0)
     return spin.cross(lever);
   const Contactor3::Circle& circle = shape.shape.circles[circle_of_rim(index)];

@@ -1,10 +1,11 @@
 #include "collision/feature_gap.h"
 
+#include "collision/room.h"
+
 namespace flyrock {
 
 namespace {
 bool is_edge(FeatureId feature) { return feature & 1; }
-int index_2d(FeatureId feature) { return static_cast<int>(feature >> 1 & 0x7fff); }
 
 /// The distance of p from the two segments at a convex corner. A disk that has rolled past the corner is over
 /// one of them.
@@ -27,6 +28,8 @@ double feature_gap(const Placed2& contactor, FeatureId feature, const Terrain2& 
 
 double feature_gap(const Placed2& candidate, FeatureId feature, const Placed2& antagonist,
                    FeatureId against) {
+  if (candidate.shape.is_room() || antagonist.shape.is_room())
+    return room_gap(candidate, feature, antagonist, against);
   const int k = index_2d(feature), j = index_2d(against);
   const double radii = candidate.shape.radius + antagonist.shape.radius;
   if (is_edge(feature)) return candidate.outside(k, antagonist.point(j)) - radii;

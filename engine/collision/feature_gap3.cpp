@@ -4,6 +4,7 @@
 #include "collision/facing.h"
 #include "collision/feature_gap.h"
 #include "collision/ground_piece.h"
+#include "collision/room.h"
 
 namespace flyrock {
 
@@ -120,6 +121,8 @@ double feature_gap(const Placed3& contactor, FeatureId feature, const Terrain3& 
 
 double feature_gap(const Placed3& candidate, FeatureId feature, const Placed3& antagonist,
                    FeatureId against) {
+  if (candidate.shape.is_room() || antagonist.shape.is_room())
+    return room_gap(candidate, feature, antagonist, against);
   if (candidate.shape.has_circles() || antagonist.shape.has_circles())
     return gap_with_circles(candidate, feature, antagonist, against);
   const FeatureKind of_candidate = kind_of(feature), of_antagonist = kind_of(against);

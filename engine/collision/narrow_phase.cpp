@@ -5,6 +5,8 @@
 #include <cmath>
 #include <span>
 
+#include "collision/room.h"
+
 namespace flyrock {
 
 namespace {
@@ -239,6 +241,8 @@ void polygon_polygon(const Placed2& a, int ia, const Placed2& b, int ib, double 
 
 void body_contacts(const Placed2& candidate, int ic, const Placed2& antagonist, int ia, double reach,
                    Contacts& out) {
+  if (candidate.shape.is_room() || antagonist.shape.is_room())
+    return room_contacts(candidate, ic, antagonist, ia, reach, out);
   const bool round_candidate = candidate.count() == 1, round_antagonist = antagonist.count() == 1;
   if (round_candidate && round_antagonist) return disk_disk(candidate, ic, antagonist, ia, reach, out);
   if (round_candidate) return disk_hull(candidate, ic, antagonist, ia, true, reach, out);

@@ -8,6 +8,7 @@
 #include "collision/core_contact.h"
 #include "collision/narrow_phase.h"
 #include "collision/patch_contact.h"
+#include "collision/room.h"
 #include "collision/separating_axis.h"
 
 namespace flyrock {
@@ -157,6 +158,8 @@ void polyhedron_polyhedron(const Placed3& a, int ia, const Placed3& b, int ib, d
 
 void body_contacts(const Placed3& candidate, int ic, const Placed3& antagonist, int ia, double reach,
                    Contacts& out) {
+  if (candidate.shape.is_room() || antagonist.shape.is_room())
+    return room_contacts(candidate, ic, antagonist, ia, reach, out);
   if (candidate.shape.round() && antagonist.shape.round())
     return sphere_sphere(candidate, ic, antagonist, ia, reach, out);
   if (candidate.shape.has_circles() || antagonist.shape.has_circles())

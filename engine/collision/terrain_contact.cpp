@@ -122,6 +122,7 @@ void edge_contacts(const Placed2& polygon, int index, const Terrain2& terrain, c
 
 void terrain_contacts(const Placed2& contactor, int contactor_index, const Terrain2& terrain, double reach,
                       double turn, std::vector<ContactPoint<2>>& out) {
+  if (contactor.shape.is_room()) return;
   double low = contactor.point(0).x(), high = low;
   for (int i = 1; i < contactor.count(); ++i) {
     low = std::min(low, contactor.point(i).x());

@@ -125,6 +125,7 @@ void terrain_contacts(const Placed3& contactor, int contactor_index, const Terra
                       double turn, std::vector<ContactPoint<3>>& out) {
   const Ground3& ground = terrain.ground();
   const Contactor3& shape = contactor.shape;
+  if (shape.is_room()) return;
   Box3 box = box_of_core(contactor);
   const double grow = shape.radius + reach;
   box.low.array() -= grow;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "collision/advancement.h"
+#include "collision/room_search.h"
 #include "collision/round_path.h"
 #include "math/polynomial.h"
 
@@ -90,6 +91,7 @@ double TouchSearch::start_gap(double gap, bool just_opened) const {
 
 std::optional<double> time_of_contact(const Contactor2& contactor, int contactor_index, const Motion2& motion,
                                       const Terrain2& terrain, double t_max, const TouchSearch& search) {
+  if (contactor.is_room()) return std::nullopt;
   const double reach = contactor.bound;
   const bool round = contactor.points.size() == 1 && contactor.points[0].isZero();
   const DiskSearch disk(contactor.radius, vertex_id(contactor_index, 0), motion, terrain, search);
@@ -130,6 +132,9 @@ std::optional<double> time_of_contact(const Contactor2& contactor, int contactor
 std::optional<double> time_of_contact(const Contactor2& a, int a_index, const Motion2& a_motion,
                                       const Contactor2& b, int b_index, const Motion2& b_motion, double t_max,
                                       const TouchSearch& search) {
+  if (a.is_room() || b.is_room())
+    return advance_in_room(MovingContactor2{a, a_motion, a_index}, MovingContactor2{b, b_motion, b_index},
+                           {0, t_max}, search);
   return advance_to_contact(hull_of(a, a_index, a_motion), hull_of(b, b_index, b_motion), {0, t_max}, search);
 }
 

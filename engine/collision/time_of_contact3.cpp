@@ -6,6 +6,7 @@
 #include "collision/facet_region.h"
 #include "collision/feature_gap.h"
 #include "collision/piece_heights.h"
+#include "collision/room_search.h"
 #include "collision/round_path.h"
 #include "collision/time_of_contact.h"
 #include "math/polynomial.h"
@@ -241,6 +242,7 @@ std::optional<double> near_start(const Ground3& ground, const MovingContactor& c
 
 std::optional<double> time_of_contact(const Contactor3& contactor, int contactor_index, const Motion3& motion,
                                       const Terrain3& terrain, double t_max, const TouchSearch& search) {
+  if (contactor.is_room()) return std::nullopt;
   const double reach =
       contactor.bound * (1 + 1e-6);  // rounding must not exclude a facet that is just touched
   const Ground3& ground = terrain.ground();
@@ -268,6 +270,9 @@ std::optional<double> time_of_contact(const Contactor3& contactor, int contactor
 std::optional<double> time_of_contact(const Contactor3& a, int a_index, const Motion3& a_motion,
                                       const Contactor3& b, int b_index, const Motion3& b_motion, double t_max,
                                       const TouchSearch& search) {
+  if (a.is_room() || b.is_room())
+    return advance_in_room(MovingContactor{a, a_motion, a_index}, MovingContactor{b, b_motion, b_index},
+                           {0, t_max}, search);
   if (!rolls(a) || !rolls(b))
     return advance_to_contact({a, a_motion, a_index}, {b, b_motion, b_index}, {0, t_max}, search);
   const bool held =

@@ -59,14 +59,21 @@ Eigen::Matrix2d of_triangle(const Vec2& a, const Vec2& b) {
   return cross(a, b) / 24 * (a * a.transpose() + b * b.transpose() + sum * sum.transpose());
 }
 
+/// `sign`: -1 takes the disk away.
+void add_disk(Moments& sum, double r, const Vec2& at, double sign) {
+  sum.add(sign * pi * r * r, Vec2::Zero(), sign * pi * std::pow(r, 4) / 2,
+          sign * pi * std::pow(r, 4) / 4 * Eigen::Matrix2d::Identity(), at);
+}
+
 /// A grown hull consists of its core, a rectangle on each edge and a sector at each corner (Steiner).
 void add_contactor(Moments& sum, const Contactor2& contactor, const Vec2& origin) {
   const auto& points = contactor.points;
   const std::size_t count = points.size();
   const double r = contactor.radius;
-  if (count == 1)
-    return sum.add(pi * r * r, Vec2::Zero(), pi * std::pow(r, 4) / 2,
-                   pi * std::pow(r, 4) / 4 * Eigen::Matrix2d::Identity(), points[0] - origin);
+  if (count == 1) {
+    if (contactor.is_room()) add_disk(sum, contactor.outer, points[0] - origin, 1);
+    return add_disk(sum, r, points[0] - origin, contactor.is_room() ? -1 : 1);
+  }
   for (std::size_t i = 0; i < count; ++i) {
     const Vec2 a = points[i] - origin, b = points[(i + 1) % count] - origin;
     const double twice = cross(a, b);  // core: the triangle (origin, a, b), with its sign
@@ -91,6 +98,10 @@ void add_contactor(Moments& sum, const Contactor2& contactor, const Vec2& origin
 
 Contactor2 Contactor2::disk(double radius, const Vec2& centre) {
   return {{centre}, {}, radius, centre.norm() + radius};
+}
+
+Contactor2 Contactor2::hollow_disk(double radius, double outer) {
+  return {.points = {Vec2::Zero()}, .normals = {}, .radius = radius, .bound = outer, .outer = outer};
 }
 
 Contactor2 Contactor2::wall(const Vec2& start, const Vec2& end, double radius) {

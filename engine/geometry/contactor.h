@@ -11,21 +11,29 @@ namespace flyrock {
 /// A contactor in 2D: the convex hull of `points`, grown by `radius`. One point with a radius is a disk.
 /// Three or more points, counter-clockwise, without a radius are a convex polygon. Two points with a radius
 /// are a wall with rounded ends. Coordinates in the body's frame, metres.
+///
+/// A hollow disk is solid outside of the circle of `radius` about the origin, up to the radius `outer`. It is
+/// a room (collision/room.h): other contactors touch it from inside only.
 struct Contactor2 {
   std::vector<Vec2> points;
   std::vector<Vec2> normals;  ///< outward unit normal of the edge from points[i] to points[i + 1]; none for a
                               ///< disk, two for a wall
   double radius = 0;
   double bound = 0;  ///< radius of the smallest circle about the frame's origin that contains the contactor
+  double outer = 0;  ///< m, of a hollow disk; 0 for others
 
   static constexpr std::size_t most_vertices = 1 << 15;  ///< limit of a feature id (collision/contact.h)
 
   static Contactor2 disk(double radius, const Vec2& centre = Vec2::Zero());
+  static Contactor2 hollow_disk(double radius, double outer);
   /// The segment from `start` to `end`, grown by a radius.
   static Contactor2 wall(const Vec2& start, const Vec2& end, double radius);
   /// Counter-clockwise convex polygon; the normals are computed.
   static Contactor2 polygon(std::vector<Vec2> vertices);
 
+  bool is_room() const { return outer > 0; }
+  /// How far the surface is beyond the core, along the normal out of the contactor [m].
+  double rounding() const { return is_room() ? -radius : radius; }
   void translate(const Vec2& by);
 };
 

@@ -110,6 +110,22 @@ Contactor3 Contactor3::cylinder(double radius, double height) {
   return shape;
 }
 
+Contactor3 Contactor3::hollow_cylinder(double radius, double outer, double height) {
+  Contactor3 shape = cylinder(radius, height);
+  shape.outer = outer;
+  shape.bound = std::hypot(outer, 0.5 * height);
+  return shape;
+}
+
+Contactor3 Contactor3::half_space() {
+  constexpr double beyond_all = 1e6;  // m; no place is farther than 100 km from the origin
+  Contactor3 shape;
+  shape.points = {Vec3::Zero()};
+  shape.bound = beyond_all;
+  shape.outer = std::numeric_limits<double>::infinity();
+  return shape;
+}
+
 Contactor3 Contactor3::sphere(double radius, const Vec3& centre) {
   Contactor3 shape;
   shape.points = {centre};
@@ -169,7 +185,7 @@ void Contactor3::change_frame(const Vec3& origin, const Rotation3& r) {
     circle.centre = r.inverse(circle.centre - origin);
     circle.axis = r.inverse(circle.axis);
   }
-  bound = extent_of(*this);
+  if (!is_room()) bound = extent_of(*this);  // a room stays about the origin
 }
 
 void Contactor3::scale(double factor) {

@@ -1,6 +1,7 @@
 #pragma once
 // Contactors, the shapes that touch, in 3D.
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,10 @@ namespace flyrock {
 /// is a sphere, two points with a radius are a pill, which has one edge and no face. Points with faces,
 /// without a radius, are a convex polyhedron. Two circles are a cylinder. Coordinates in the body's frame,
 /// metres.
+///
+/// A hollow cylinder has the two circles at the ends of its inside, and is solid outside up to the radius
+/// `outer`. A half space is solid below the plane z = 0. Both are rooms (collision/room.h): other contactors
+/// touch them from inside.
 struct Contactor3 {
   /// A circle about an axis. The disk in it is a flat cap of the contactor, which lies behind it.
   struct Circle {
@@ -49,6 +54,7 @@ struct Contactor3 {
   std::vector<Circle> circles;  ///< about one axis
   double radius = 0;
   double bound = 0;  ///< radius of the smallest sphere about the frame's origin that contains the contactor
+  double outer = 0;  ///< m, of a hollow cylinder; infinite for a half space; 0 for others
 
   static Contactor3 sphere(double radius, const Vec3& centre = Vec3::Zero());
   /// The segment from `start` to `end`, grown by a radius.
@@ -57,11 +63,17 @@ struct Contactor3 {
   static Contactor3 box(const Vec3& size);
   /// About the origin, with the axis z.
   static Contactor3 cylinder(double radius, double height);
+  /// About the origin, with the axis z.
+  static Contactor3 hollow_cylinder(double radius, double outer, double height);
+  static Contactor3 half_space();
   /// A convex polyhedron given by its faces. Each face is a loop of indices into `points`, counter-clockwise
   /// as seen from outside. Throws std::invalid_argument if the faces do not form a closed convex surface or
   /// are too many.
   static Contactor3 polyhedron(std::vector<Vec3> points, const std::vector<std::vector<int>>& faces);
 
+  bool is_room() const { return outer > 0; }
+  bool is_half_space() const { return std::isinf(outer); }
+  double rounding() const { return radius; }  ///< as in 2D
   bool round() const { return points.size() == 1 && circles.empty(); }
   bool has_faces() const { return !faces.empty(); }
   int vertex(const Face& face, int i) const { return loop[face.first + i]; }

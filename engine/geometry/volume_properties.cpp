@@ -35,10 +35,10 @@ void add_pill(Moments& sum, double radius, const Vec3& start, const Vec3& end) {
                 (along - across) * axis * axis.transpose();
 }
 
-/// Adds a cylinder.
-void add_cylinder(Moments& sum, double radius, const Vec3& start, const Vec3& end) {
+/// Adds a cylinder. `sign`: -1 takes it away.
+void add_cylinder(Moments& sum, double radius, const Vec3& start, const Vec3& end, double sign = 1) {
   const Vec3 middle = 0.5 * (start + end), along = end - start;
-  const double square = radius * radius, volume = pi * square * along.norm();
+  const double square = radius * radius, volume = sign * pi * square * along.norm();
   const Vec3 axis = along.normalized();
   sum.volume += volume;
   sum.first += volume * middle;
@@ -80,9 +80,13 @@ VolumeProperties volume_properties(const std::vector<Contactor3>& contactors) {
       if (shape.circles.size() == 1)
         add_cone(sum, base.radius, base.centre - origin, shape.points[0] - origin);
       else
-        add_cylinder(sum, base.radius, base.centre - origin, shape.circles[1].centre - origin);
+        add_cylinder(sum, base.radius, base.centre - origin, shape.circles[1].centre - origin,
+                     shape.is_room() ? -1 : 1);
+      if (shape.is_room())
+        add_cylinder(sum, shape.outer, base.centre - origin, shape.circles[1].centre - origin);
       continue;
     }
+    if (shape.is_half_space()) continue;
     if (shape.round()) {
       add_sphere(sum, shape.radius, shape.points[0] - origin);
       continue;
@@ -97,6 +101,7 @@ VolumeProperties volume_properties(const std::vector<Contactor3>& contactors) {
                         shape.points[shape.vertex(face, i)] - origin,
                         shape.points[shape.vertex(face, i + 1)] - origin);
   }
+  if (sum.volume == 0) return {0, origin, Eigen::Matrix3d::Zero()};
   const Vec3 centre = sum.first / sum.volume;
   const Eigen::Matrix3d second = sum.second - sum.volume * centre * centre.transpose();
   return {sum.volume, origin + centre, second.trace() * Eigen::Matrix3d::Identity() - second};

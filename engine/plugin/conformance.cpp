@@ -56,7 +56,7 @@ using Numbers = std::vector<double>;
 void add(Numbers& answer, const std::vector<Contactor2>& contactors) {
   answer.push_back(static_cast<double>(contactors.size()));
   for (const Contactor2& contactor : contactors) {
-    answer.push_back(contactor.radius);
+    answer.insert(answer.end(), {contactor.radius, contactor.outer});
     for (const Vec2& point : contactor.points) answer.insert(answer.end(), {point.x(), point.y()});
   }
 }
@@ -79,7 +79,7 @@ void check_contactors(const std::vector<Contactor2>& contactors) {
 void add(Numbers& answer, const std::vector<Contactor3>& contactors) {
   answer.push_back(static_cast<double>(contactors.size()));
   for (const Contactor3& contactor : contactors) {
-    answer.push_back(contactor.radius);
+    answer.insert(answer.end(), {contactor.radius, contactor.outer});
     for (const Vec3& point : contactor.points) answer.insert(answer.end(), point.begin(), point.end());
     for (const Contactor3::Circle& circle : contactor.circles) {
       answer.insert(answer.end(), circle.centre.begin(), circle.centre.end());
@@ -100,6 +100,8 @@ void check_contactors(const std::vector<Contactor3>& contactors) {
         });
     if (!finite || !circles_finite || !std::isfinite(contactor.radius)) fail("a contactor is not finite");
   }
+  const auto endless = [](const Contactor3& contactor) { return contactor.is_half_space(); };
+  if (std::all_of(contactors.begin(), contactors.end(), endless)) return;  // only of a fixed or driven body
   const VolumeProperties properties = volume_properties(contactors);
   if (!(properties.volume > 0 && properties.inertia.trace() > 0)) fail("a rock has no volume or no inertia");
 }

@@ -83,6 +83,7 @@ Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, con
   const std::string mass_path = own_mass         ? group.population.path
                                 : shape.own.mass ? path + "shape"
                                                  : path + mass_key(group);
+  at_path(path + "shape", [&] { refuse_endless(body); });
   at_path(mass_path, [&] { refuse_extremes(body); });
   at_path(path + "shape", [&] { refuse_slender(body); });
   Place<D> place;

@@ -253,7 +253,10 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
     rock.has_own_inertia = shape.own.inertia.has_value();
     if (shape_is_drawn) rock.outcomes.set_shape(body);
     body.group = plan.name;
-    if (!plan.fixed && !plan.driven) at_path(path + mass_key(plan), [&] { refuse_extremes(body); });
+    if (!plan.fixed && !plan.driven) {
+      at_path(path + "shape", [&] { refuse_endless(body); });
+      at_path(path + mass_key(plan), [&] { refuse_extremes(body); });
+    }
     at_path(path + "shape", [&] { refuse_slender(body); });
     for (int k = 0; k < D; ++k) body.x[k] = value(plan.position[k]) - origin()[k];
     if (plan.driven) {

@@ -23,6 +23,7 @@ double buried(const Body<D>& body, const typename Geometry<D>::Terrain& terrain)
   if (std::isinf(domain_of(terrain).low[0])) return 0;
   double depth = 0;
   for (const auto& contactor : body.contactors) {
+    if (contactor.is_room()) continue;  // the ground does not touch it
     Vec<D> middle = Vec<D>::Zero();
     for (const Vec<D>& point : contactor.points)
       middle += point / static_cast<double>(contactor.points.size());
@@ -55,7 +56,7 @@ double room_at(const Vec3& place, const Terrain3& terrain, double most) {
 
 /// The length of a contactor divided by its thickness, as if it were a rectangle or a box; exact for these.
 double slenderness(const Contactor2& contactor) {
-  if (contactor.points.size() == 1) return 1;
+  if (contactor.points.size() == 1) return 1;  // in addition a hollow disk
   double length = 0;
   for (const Vec2& point : contactor.points)
     length = std::max(length, (point - contactor.points.front()).norm());
@@ -64,7 +65,7 @@ double slenderness(const Contactor2& contactor) {
 }
 
 double slenderness(const Contactor3& contactor) {
-  if (contactor.round()) return 1;
+  if (contactor.round() || contactor.is_room()) return 1;
   const Vec3 moments = principal_frame(volume_properties({contactor}).inertia).moments;
   const Vec3 squares = Vec3::Constant(0.5 * moments.sum()) -
                        moments;  // integrals of x^2, y^2, z^2: proportional to a side squared
@@ -123,6 +124,16 @@ void refuse_extremes(const Body<D>& body) {
       "`{}` has a mass of {:.3g} kg and a moment of inertia of {:.3g} kg m2, expected a mass from "
       "{:.0e} to {:.0e} kg",
       body.group, body.mass, inertia, 1 / most, most));
+}
+
+template <int D>
+void refuse_endless(const Body<D>& body) {
+  if constexpr (D == 3)
+    for (const Contactor3& contactor : body.contactors)
+      if (contactor.is_half_space())
+        throw StartError(
+            fmt::format("`{}` is a plane without end, which has no mass: expected `fixed: true` or `driven`",
+                        body.group));
 }
 
 template <int D>
@@ -196,6 +207,8 @@ bool last_is_free(World<D>& world) {
 
 template void refuse_extremes(const Body<2>&);
 template void refuse_extremes(const Body<3>&);
+template void refuse_endless(const Body<2>&);
+template void refuse_endless(const Body<3>&);
 template void refuse_slender(const Body<2>&);
 template void refuse_slender(const Body<3>&);
 template void refuse_speed(const Body<2>&);

@@ -16,6 +16,10 @@ inline constexpr double farthest_place = 1e5;
 template <int D>
 void refuse_extremes(const Body<D>& body);
 
+/// Refuses a free body with a shape that has no end and so no mass. Throws StartError.
+template <int D>
+void refuse_endless(const Body<D>& body);
+
 /// Refuses a contactor that is much thinner than long. Contacts are found to a tolerance relative to its
 /// length; a contactor as thin as this tolerance passes through surfaces. Throws PluginError.
 template <int D>

@@ -26,7 +26,7 @@ template <int D>
 typename World<D>::Row World<D>::turning_of(const Contact& contact) const {
   const auto of = [&](int i, FeatureId feature, double side) -> Vec<D> {
     const Body<D>& body = bodies[i];
-    const double rounding = side * body.contactors[contactor_of(feature)].radius;
+    const double rounding = side * body.contactors[contactor_of(feature)].rounding();
     const Vec<D> lever = contact.at.point + rounding * contact.at.normal - body.x;
     if constexpr (D == 2)
       return -body.w * body.w * lever;

@@ -46,7 +46,10 @@ Body<3> make_body(std::vector<Contactor3> contactors, double density, double mas
   body.contactors = std::move(contactors);
   body.volume = properties.volume;
   body.mass = mass_of(body.volume, density, mass, own.mass);
-  body.inertia = own.inertia ? principal.moments : Vec3(body.mass / properties.volume * principal.moments);
+  if (own.inertia)
+    body.inertia = principal.moments;
+  else if (properties.volume > 0)
+    body.inertia = body.mass / properties.volume * principal.moments;
   body.radius = std::cbrt(0.75 * properties.volume / pi);
   body.attitude = principal.rotation;
   return body;

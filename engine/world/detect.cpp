@@ -52,6 +52,8 @@ const std::vector<std::pair<int, int>>& World<D>::close_pairs() {
     auto& box = boxes_.emplace_back(typename Geometry<D>::Box{pose.x, pose.x});
     for (const auto& contactor : bodies[i].contactors) {
       if constexpr (D == 3) {
+        if (contactor.is_half_space())
+          box = {Vec3::Constant(-contactor.bound), Vec3::Constant(contactor.bound)};
         if (contactor.has_circles()) {
           const Box3 core = core_box({contactor, pose});
           const double extent = contactor.radius + reach;

@@ -84,6 +84,10 @@ class Compound : public ShapeModel {
                         "volume gives mass, centre and inertia",
                         i, part.shape.plugin->spec.name));
       for (auto& contactor : shape.contactors) {
+        if (contactor.is_room())
+          throw PluginError(
+              fmt::format("plugin compound: parts.{} ({}) is touched from inside only, expected solid parts",
+                          i, part.shape.plugin->spec.name));
         move_to(contactor, pose);
         contactors.push_back(std::move(contactor));
       }

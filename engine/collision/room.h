@@ -1,0 +1,84 @@
+#pragma once
+// Rooms: contactors that are solid outside of a convex region, such as a drum. They touch from inside.
+
+#include <boost/container/static_vector.hpp>
+#include <vector>
+
+#include "collision/contact.h"
+#include "collision/placed.h"
+
+namespace flyrock {
+
+/// A circle of places centre + cos phi a + sin phi b. In the world, from the origin of the room's frame.
+struct Ring {
+  Vec3 centre, a, b;
+
+  Vec3 at(double angle) const { return centre + std::cos(angle) * a + std::sin(angle) * b; }
+};
+
+/// The wall of a hollow disk about the origin of its frame. `from` is a place, seen from the centre.
+class Room2 {
+ public:
+  explicit Room2(const Placed2& room) : radius_(room.shape.radius) {}
+
+  /// How far a place is from the wall [m]: R - rho. The region is convex, so the gap is a concave function of
+  /// the place, and over a hull it is least at one of its points.
+  double gap(const Vec2& from) const { return radius_ - from.norm(); }
+  /// Unit, out of the wall at the place of it that is nearest.
+  Vec2 normal(const Vec2& from) const;
+  /// Whether a contactor touches the room: its middle is inside.
+  bool holds(const Vec2& middle) const { return middle.norm() < radius_; }
+
+ private:
+  double radius_;
+};
+
+/// The wall of a hollow cylinder, whose axis goes through the origin of its frame, or the plane through the
+/// origin that bounds a half space. `axis`: of the cylinder, or the normal of the plane; unit, world frame.
+class Room3 {
+ public:
+  explicit Room3(const Placed3& room);
+
+  /// As in 2D; rho is the distance from the axis. Over a plane it is the height.
+  double gap(const Vec3& from) const;
+  Vec3 normal(const Vec3& from) const;
+  /// Where the gap over a ring is least locally, the least first: one or two angles.
+  boost::container::static_vector<double, 2> nearest(const Ring& ring) const;
+  double least_gap(const Ring& ring) const { return gap(ring.at(nearest(ring)[0])); }
+  /// The least gap over the arc between two angles.
+  double least_gap(const Ring& ring, double from, double to) const;
+  /// Whether a contactor touches the room: its middle is inside, between the ends of a hollow cylinder.
+  bool holds(const Vec3& middle) const;
+  const Vec3& axis() const { return axis_; }
+  bool is_plane() const { return plane_; }
+  /// Between the middle and each end of a hollow cylinder, along the axis; infinite for a plane [m].
+  double half_length() const { return half_; }
+  /// On the axis, where the gap has no slope; infinite for a plane [m].
+  double greatest_gap() const { return radius_; }
+
+ private:
+  bool plane_;
+  Vec3 axis_, first_, second_;  ///< a right-handed frame of unit vectors
+  double radius_, half_;
+};
+
+/// The mean of the points and circles of a core, in its frame.
+Vec2 middle_of(const Contactor2& shape);
+Vec3 middle_of(const Contactor3& shape);
+
+/// The rim of a contactor's circle, as a ring seen from `origin`.
+Ring ring_of(const Placed3& shape, const Contactor3::Circle& circle, const Vec3& origin);
+
+/// Appends the contacts of a room with what is inside, whose gaps are at most `reach` [m]: at each vertex of
+/// the other contactor, and at the one or two places of each of its rims that are nearest to the wall. Two
+/// rooms have none.
+void room_contacts(const Placed2& candidate, int candidate_index, const Placed2& antagonist,
+                   int antagonist_index, double reach, std::vector<ContactPoint<2>>& out);
+void room_contacts(const Placed3& candidate, int candidate_index, const Placed3& antagonist,
+                   int antagonist_index, double reach, std::vector<ContactPoint<3>>& out);
+
+/// The gap of a feature that room_contacts gave [m].
+double room_gap(const Placed2& candidate, FeatureId feature, const Placed2& antagonist, FeatureId against);
+double room_gap(const Placed3& candidate, FeatureId feature, const Placed3& antagonist, FeatureId against);
+
+}  // namespace flyrock
