@@ -96,7 +96,7 @@ std::vector<SpringSwing> spring_swings(const Scenario& scenario, const Instances
     const std::string name = "`" + world.bodies[i].group + "`";
     for (int part = 0; part < static_cast<int>(parts_of(world.terrain()).size()); ++part)
       consider(surfaces.material_with_terrain(world, i, part), i, w[i], name);
-    for (int j = i + 1; j < bodies; ++j)
+    for (int j = i + 1; j < bodies && world.settings().body_contacts; ++j)
       if (w[i] + w[j] > 0)
         consider(surfaces.material_between(i, j), i, w[i] + w[j],
                  name + " and `" + world.bodies[j].group + "`");
@@ -106,6 +106,7 @@ std::vector<SpringSwing> spring_swings(const Scenario& scenario, const Instances
 
 template <int D>
 MassRatio mass_ratio(const World<D>& world) {
+  if (!world.settings().body_contacts) return {};
   MassRatio found;
   for (int i = 0; i < static_cast<int>(world.bodies.size()); ++i) {
     const Body<D>& body = world.bodies[i];

@@ -9,6 +9,7 @@
 #include "host/share.h"
 #include "report/database.h"
 #include "report/html.h"
+#include "report/motion_data.h"
 
 namespace flyrock::cli {
 
@@ -17,7 +18,8 @@ namespace {
 /// The page for the data in the database. Throws UnreadableFile.
 std::string page_of(const std::filesystem::path& database) {
   try {
-    const auto data = nlohmann::ordered_json::parse(stored_report(database));
+    auto data = nlohmann::ordered_json::parse(stored_report(database));
+    add_motion(data, database);
     return report_html(data, std::filesystem::path(share_folder()) / "report");
   } catch (const nlohmann::json::exception&) {
     throw UnreadableFile(

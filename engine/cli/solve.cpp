@@ -42,7 +42,22 @@ struct Answer {
   double seconds = 0, processor_seconds = 0;
   int contacts = 0, dimension = 0;
   std::vector<double> r;
+  std::vector<double> residuals;  ///< |F|/|q| after each plain sweep of Gauss-Seidel, if asked for
 };
+
+/// The relative error after each of `sweeps` plain sweeps of Gauss-Seidel from the start.
+template <int D>
+std::vector<double> sweep_residuals(const StoredProblem<D>& stored, int sweeps) {
+  std::vector<double> residuals;
+  auto r = stored.start;
+  Nlgs<D> nlgs;
+  nlgs.begin(stored.problem, {}, r);
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    nlgs.sweep_once(r);
+    residuals.push_back(merit(stored.problem, r).relative());
+  }
+  return residuals;
+}
 
 template <int D>
 Answer solve_stored(const StoredProblem<D>& stored, const SolveSettings& settings) {
@@ -72,7 +87,8 @@ void print(const Answer& answer, bool json) {
         {"converged", result.converged},
         {"solver", name_of(result.solver)},
         {"merit", {{"rel", answer.merit.relative()}, {"fclib", answer.merit.fclib()}}},
-        {"r", answer.r}};
+        {"r", answer.r},
+        {"residuals", answer.residuals}};
     fmt::print("{}\n", tree.dump());
     return;
   }
@@ -81,6 +97,8 @@ void print(const Answer& answer, bool json) {
              result.solver == SolverKind::nlgs ? "sweeps" : "steps", name_of(result.solver), answer.seconds);
   fmt::print("relative error |F|/|q| {:.3g} (FCLIB's measure {:.3g}), greatest at contact {}\n",
              answer.merit.relative(), answer.merit.fclib(), answer.merit.worst_contact);
+  for (std::size_t sweep = 0; sweep < answer.residuals.size(); ++sweep)
+    fmt::print("sweep {:>6}  {:.4g}\n", sweep + 1, answer.residuals[sweep]);
 }
 
 }  // namespace
@@ -91,7 +109,9 @@ int solve(const Command& command, const Arguments& arguments) {
                         "auto, nlgs or proximal_newton")(
       "tolerance", po::value<std::string>()->default_value("1e-8")->value_name("T"), "on |F|/|q|")(
       "max-iterations", po::value<std::string>()->default_value("100000")->value_name("N"),
-      "sweeps, or steps of proximal_newton")("json", "as JSON, with the impulses r");
+      "sweeps, or steps of proximal_newton")(
+      "sweeps", po::value<std::string>()->default_value("0")->value_name("N"),
+      "the error after each of N plain sweeps of Gauss-Seidel too")("json", "as JSON, with the impulses r");
   const CommandLine line = parse(command, options, arguments, 1, 1);
   if (line.help) return done;
   SolveSettings settings;
@@ -107,8 +127,10 @@ int solve(const Command& command, const Arguments& arguments) {
     std::cerr << "error: " << error.what() << '\n';
     return bad_input;
   }
-  const Answer answer =
-      std::visit([&](const auto& stored) { return solve_stored(stored, settings); }, *problem);
+  const int sweeps = static_cast<int>(
+      std::min<std::uint64_t>(whole_number(line.text("sweeps"), "--sweeps", 0), 1'000'000));
+  Answer answer = std::visit([&](const auto& stored) { return solve_stored(stored, settings); }, *problem);
+  answer.residuals = std::visit([&](const auto& stored) { return sweep_residuals(stored, sweeps); }, *problem);
   print(answer, line.has("json"));
   return answer.result.converged ? done : expectation_failed;
 }

@@ -5,6 +5,7 @@
 
 #include "report/ground_pictures.h"
 #include "report/html.h"
+#include "report/motion_data.h"
 #include "report/tables.h"
 #include "results/cell_size.h"
 
@@ -39,13 +40,19 @@ Results ResultWriter::finish(const std::vector<Rows>& rows, const RunFacts& fact
   for (std::string& warning : cell_warnings(results.points)) results.warnings.push_back(std::move(warning));
   closed.get();
   const GroundPictures grounds = ground_pictures(results.points);
-  const nlohmann::ordered_json drawn = report_.finish(results, grounds, rows);
+  nlohmann::ordered_json drawn = report_.finish(results, grounds, rows);
+  const std::string stored = drawn.dump();
   // Runs in parallel, because the database is the largest file and writing it takes a while.
-  std::future<void> database = beside([&] { database_.finish(results, grounds, drawn.dump()); });
+  std::future<void> database = beside([&] { database_.finish(results, grounds, stored); });
   csv_.commit();
   write_file(folder_ / "summary.json", summary_json(plan_, results));
+  const bool of_bodies = !plan_.points.front().bodies.empty();
+  if (of_bodies) {
+    database.get();
+    add_motion(drawn, folder_ / "results.db");
+  }
   write_file(folder_ / "report.html", report_html(drawn, assets));
-  database.get();
+  if (!of_bodies) database.get();
   return results;
 }
 

@@ -85,7 +85,7 @@ void Surfaces::connect(World<D>& world) {
     for (std::size_t part = 0; part < parts.size(); ++part)
       if (const int material = material_with_terrain(world, i, static_cast<int>(part)); material >= 0)
         world.set_terrain_surface(i, static_cast<int>(part), make(material, partner.key));
-    for (int j = i + 1; j < bodies; ++j)
+    for (int j = i + 1; j < bodies && world.settings().body_contacts; ++j)
       if (world.bodies[i].moves() || world.bodies[j].moves())
         material_between(partner, partners_[j]);  // throws if there is none
   }

@@ -59,7 +59,7 @@ std::string moved(const nlohmann::json& shown) {
 
 }  // namespace
 
-TEST_CASE("all labs of the course hold, and each has its page, picture and solutions") {
+TEST_CASE("all labs of the course hold, and each has its page, picture and solutions", "[slow]") {
   const Folder folder;
   const std::vector<std::string> names = labs(folder);
   CHECK(names.size() >= 14);
@@ -77,7 +77,7 @@ TEST_CASE("all labs of the course hold, and each has its page, picture and solut
   }
 }
 
-TEST_CASE("a lab fails as soon as an expected number moves by 20 tolerances") {
+TEST_CASE("a lab fails as soon as an expected number moves by 20 tolerances", "[slow]") {
   const Folder folder;
   for (const std::string& name : labs(folder)) {
     INFO(name);

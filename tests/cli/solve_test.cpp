@@ -118,6 +118,11 @@ TEST_CASE("explain shows a contact problem, and solve solves the one that it sav
   const auto solved = nlohmann::json::parse(call(folder, "solve p.hdf5 --json").out);
   for (std::size_t i = 0; i < 6; ++i)
     CHECK(solved["r"][i].get<double>() == Approx(tree["phases"][0]["r"][i].get<double>()).margin(1e-7));
+  // Two contacts in a row: a sweep of Gauss-Seidel leaves a quarter of the error of the sweep before.
+  const auto residuals = nlohmann::json::parse(call(folder, "solve p.hdf5 --json --sweeps 6").out)["residuals"];
+  REQUIRE(residuals.size() == 6);
+  for (std::size_t i = 1; i < 6; ++i)
+    CHECK(residuals[i].get<double>() == Approx(residuals[i - 1].get<double>() / 4).epsilon(1e-6));
 }
 
 TEST_CASE("explain says what is wrong with what it is asked") {

@@ -38,6 +38,7 @@ function facts_section() {
 facts_section();
 reach_section();
 tracks_section();
+motion_section();
 space_section();
 plan_sections();
 runout_section();
