@@ -5,6 +5,7 @@
 #include "cli/command.h"
 #include "cli/plugin_file.h"
 #include "cli/plugin_text.h"
+#include "cli/shape_pairs.h"
 #include "cli/shape_pictures.h"
 #include "host/session.h"
 #include "host/share.h"
@@ -51,6 +52,8 @@ int plugins(const Command& command, const Arguments& arguments) {
     if (line.has("markdown") && spec != specs.front()) fmt::print("\n");
     fmt::print("{}", line.has("markdown") ? markdown(*spec) : single ? full_text(*spec) : short_text(*spec));
   }
+  if (line.has("markdown") && wanted == name_of(PluginKind::shape))
+    fmt::print("\n{}", shape_pairs(specs, share_folder()));
   return done;
 }
 

@@ -1,0 +1,114 @@
+#include "cli/shape_pairs.h"
+
+#include <fmt/format.h>
+
+#include "cli/loading.h"
+#include "cli/shape_pictures.h"
+#include "collision/narrow_phase.h"
+#include "collision/terrain_contact.h"
+#include "trial/build_trial.h"
+
+namespace flyrock::cli {
+
+namespace {
+
+constexpr double everything = 1e3;  // m, a reach that no example exceeds
+
+template <int D>
+struct NamedShape {
+  std::string name;
+  std::vector<typename Geometry<D>::Contactor> contactors;
+};
+
+/// The first body of the shape in the example.
+template <int D>
+NamedShape<D> shape_in(const Scenario& scenario, const std::string& name) {
+  const Trial<D> trial = TrialBuilder<D>(scenario).build(0);
+  for (std::size_t i = 0; i < scenario.bodies.size(); ++i)
+    if (scenario.bodies[i].shape.plugin->spec.name == name)
+      return {name, trial.worlds.front().bodies[i].contactors};
+  for (const TrialRock& rock : trial.rocks)
+    if (rock.world >= 0)
+      return {name, trial.worlds[static_cast<std::size_t>(rock.world)]
+                        .bodies[static_cast<std::size_t>(rock.body)]
+                        .contactors};
+  return {name, {}};
+}
+
+template <class Contactor>
+bool is_hollow(const std::vector<Contactor>& contactors) {
+  for (const Contactor& contactor : contactors)
+    if (contactor.is_room() && std::isfinite(contactor.outer)) return true;
+  return false;
+}
+
+template <int D>
+std::string pair_cell(const NamedShape<D>& a, const NamedShape<D>& b) {
+  using Placed = typename Geometry<D>::Placed;
+  std::vector<ContactPoint<D>> contacts;
+  for (const auto& of_a : a.contactors)
+    for (const auto& of_b : b.contactors)
+      body_contacts(Placed{of_a, {}}, 0, Placed{of_b, {}}, 1, everything, contacts);
+  if (contacts.empty()) return "no";
+  return is_hollow(a.contactors) || is_hollow(b.contactors) ? "inside" : "yes";
+}
+
+Terrain2 level_ground(Vec2) {
+  Profile level;
+  level.points = {{-everything, 0}, {everything, 0}};
+  level.part = {0};
+  level.parts = {""};
+  return Terrain2(level);
+}
+Terrain3 level_ground(Vec3) { return Terrain3(TerrainShape3(Plane{})); }
+
+template <int D>
+std::string ground_cell(const NamedShape<D>& shape) {
+  const auto ground = level_ground(Vec<D>());
+  std::vector<ContactPoint<D>> contacts;
+  for (const auto& contactor : shape.contactors)
+    terrain_contacts(typename Geometry<D>::Placed{contactor, {}}, 0, ground, everything, 0, contacts);
+  return contacts.empty() ? "no" : "yes";
+}
+
+template <int D>
+std::string table_of(const std::vector<NamedShape<D>>& shapes) {
+  std::string head = fmt::format("| in {}D |", D), rule = "|---|", rows;
+  for (const NamedShape<D>& shape : shapes) head += fmt::format(" {} |", shape.name), rule += "---|";
+  for (const NamedShape<D>& shape : shapes) {
+    rows += fmt::format("| {} |", shape.name);
+    for (const NamedShape<D>& other : shapes) rows += fmt::format(" {} |", pair_cell(shape, other));
+    rows += fmt::format(" {} |\n", ground_cell(shape));
+  }
+  return head + " the ground |\n" + rule + "---|\n" + rows;
+}
+
+}  // namespace
+
+std::string shape_pairs(const std::vector<const PluginSpec*>& shapes, const std::string& folder) {
+  std::vector<NamedShape<2>> in_plane;
+  std::vector<NamedShape<3>> in_space;
+  for (const PluginSpec* spec : shapes) {
+    const std::string example = example_of(*spec, folder);
+    const std::optional<LoadedScenario> loaded =
+        example.empty() ? std::nullopt : std::optional(load(example, {}, false));
+    if (!loaded) continue;
+    const Scenario& scenario = loaded->plan.points.front();
+    if (scenario.dimension == 2)
+      in_plane.push_back(shape_in<2>(scenario, spec->name));
+    else
+      in_space.push_back(shape_in<3>(scenario, spec->name));
+  }
+  return fmt::format(
+      "## Which shapes touch which\n\n"
+      "yes: they touch from all sides. inside: the hollow one holds the other one and touches it from inside "
+      "only. no: they have "
+      "no contacts. Hollow shapes and planes are solid outside, so none can be in another one, and the "
+      "ground is in none. The "
+      "parts of a compound, which serves 2D and 3D, touch as their shapes do; they are neither hollow nor "
+      "planes. The ground is a "
+      "profile, benches or a section in 2D, and a plane, a mesh, a raster or benches in 3D.\n\n{}\n{}",
+      table_of(in_plane), table_of(in_space));
+}
+
+}  // namespace flyrock::cli

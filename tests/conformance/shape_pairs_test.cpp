@@ -1,0 +1,221 @@
+// Every shape against every shape: contacts of the shapes of the examples at random placements, against
+// bounds of the distance that do not use the contact search.
+//
+// A gap g with the normal n: no direction separates two convex shapes by more than their distance, so the
+// supports of both along n, g apart, bound it from below; a place of each, g apart, bounds it from above.
+// Where they overlap, the supports along n overlap by -g, and no sampled direction overlaps by less. Two
+// polytopes are measured along a face or a pair of edges: a lower bound of the distance, exact where they
+// overlap.
+
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "collision/feature_gap.h"
+#include "collision/geometry.h"
+#include "collision/narrow_phase.h"
+#include "conformance/plugin_use.h"
+
+using namespace flyrock;
+
+namespace {
+
+struct PairDice {
+  std::mt19937 rng{5};
+  double operator()(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(rng);
+  }
+  template <int D>
+  Vec<D> direction() {
+    std::normal_distribution<double> normal;
+    Vec<D> v;
+    for (int k = 0; k < D; ++k) v[k] = normal(rng);
+    return v.normalized();
+  }
+  /// A third of the attitudes is along the axes, so that faces, sides and edges lie flush.
+  Rotation3 rotation(Vec3) {
+    const double kind = (*this)(0, 3);
+    if (kind < 0.5) return {};
+    if (kind < 1) return Rotation3::from_vector(0.5 * pi * Vec3::Unit(static_cast<int>((*this)(0, 2.999))));
+    return Rotation3::from_vector((*this)(0, pi) * direction<3>());
+  }
+  Rotation2 rotation(Vec2) {
+    const double kind = (*this)(0, 3);
+    return Rotation2::from_angle(kind < 1 ? 0.5 * pi * std::floor(4 * kind) : (*this)(0, 2 * pi));
+  }
+};
+
+/// How far a contactor reaches along a direction, in its frame [m].
+double reach(const Contactor2& shape, const Vec2& direction) {
+  double most = -1e300;
+  for (const Vec2& point : shape.points) most = std::max(most, direction.dot(point));
+  return most + shape.radius;
+}
+double reach(const Contactor3& shape, const Vec3& direction) {
+  double most = -1e300;
+  for (const Vec3& point : shape.points) most = std::max(most, direction.dot(point));
+  for (const Contactor3::Circle& circle : shape.circles)
+    most = std::max(most, direction.dot(circle.centre) + circle.radius * circle.across(direction).norm());
+  return most + shape.radius;
+}
+
+/// How far a place is out of a contactor along the directions that bound it: faces, caps, and for what is
+/// round the distance from the core. 0 or less on or in it [m].
+template <class Contactor, class Place>
+double out_of_core(const Contactor& shape, const Place& p) {
+  const Place along = shape.points.back() - shape.points.front(), away = p - shape.points.front();
+  const double square = along.squaredNorm();
+  return (away - (square > 0 ? std::clamp(away.dot(along) / square, 0.0, 1.0) : 0) * along).norm() -
+         shape.radius;
+}
+double outside(const Contactor2& shape, const Vec2& p) {
+  if (shape.points.size() <= 2) return out_of_core(shape, p);
+  double most = -1e300;
+  for (std::size_t i = 0; i < shape.points.size(); ++i)
+    most = std::max(most, shape.normals[i].dot(p - shape.points[i]));
+  return most;
+}
+double outside(const Contactor3& shape, const Vec3& p) {
+  if (shape.has_circles()) {
+    const Contactor3::Circle& base = shape.circles.front();
+    double most = base.axis.dot(p - base.centre);
+    if (shape.circles.size() == 2) {
+      most = std::max({most, shape.circles[1].axis.dot(p - shape.circles[1].centre),
+                       base.across(p - base.centre).norm() - base.radius});
+    } else {  // along the normal of the side of a cone
+      const Vec3 up = shape.points[0] - base.centre;
+      const double height = up.norm(), slant = std::hypot(height, base.radius);
+      most = std::max(most, (height * base.across(p - base.centre).norm() +
+                             base.radius * (up.dot(p - base.centre) / height - height)) /
+                                slant);
+    }
+    return most;
+  }
+  if (shape.points.size() <= 2) return out_of_core(shape, p);
+  double most = -1e300;
+  for (const Contactor3::Face& face : shape.faces)
+    most = std::max(most, face.normal.dot(p - shape.points[shape.vertex(face, 0)]));
+  return most;
+}
+
+bool is_polytope(const Contactor2& shape) { return shape.points.size() > 2; }
+bool is_polytope(const Contactor3& shape) { return shape.has_faces(); }
+
+template <int D>
+struct Named {
+  std::string name;
+  typename Geometry<D>::Contactor contactor;
+};
+
+/// The first contactor of the example of every solid shape, about 1 m large.
+template <int D>
+std::vector<Named<D>> solid_shapes() {
+  std::vector<Named<D>> shapes;
+  const LuaSession session(FLYROCK_SHARE_DIR);
+  const std::vector<std::pair<std::string, std::map<std::string, Given>>> of_plane{
+      {"disk", {{"radius", 0.4}}},
+      {"wall", {{"length", 0.8}, {"radius", 0.1}}},
+      {"polygon", {{"sides", 6.0}, {"diameter", 0.9}}}};
+  const std::vector<std::pair<std::string, std::map<std::string, Given>>> of_space{
+      {"sphere", {{"radius", 0.4}}},
+      {"pill", {{"length", 0.6}, {"radius", 0.2}}},
+      {"box", {{"size", std::vector<double>{0.8, 0.5, 0.6}}}},
+      {"random_polyhedron", {{"diameter", 0.9}}},
+      {"eota111", {{"length", 0.8}}},
+      {"eota221", {{"length", 0.8}}},
+      {"cylinder", {{"radius", 0.4}, {"height", 0.5}}},
+      {"cone", {{"radius", 0.4}, {"height", 0.7}}}};
+  for (const auto& [name, given] : D == 2 ? of_plane : of_space) {
+    const auto made = make<ShapeModel>(session, PluginKind::shape, name, given, D);
+    RandomStream rng(3, "shape", {});
+    if constexpr (D == 2)
+      shapes.push_back({name, made.model->shape(made.values, rng).contactors.front()});
+    else
+      shapes.push_back({name, made.model->shape_3d(made.values, rng).contactors.front()});
+  }
+  return shapes;
+}
+
+/// Whether the contacts of a placement are true; `tight`: their bounds meet to 1e-9.
+struct Verdict {
+  bool good = true, tight = true;
+};
+
+template <int D>
+Verdict judge(PairDice& dice, const typename Geometry<D>::Placed& a, const typename Geometry<D>::Placed& b) {
+  std::vector<ContactPoint<D>> contacts;
+  body_contacts(a, 1, b, 2, 10, contacts);
+  if (contacts.size() > 4) return {false, false};
+  const auto along = [&](const Vec<D>& n) {  // separation of b from a along n, from b to a
+    return n.dot(a.pose.x - b.pose.x) - reach(a.shape, a.pose.r.inverse(-n)) -
+           reach(b.shape, b.pose.r.inverse(n));
+  };
+  const bool polytopes = is_polytope(a.shape) && is_polytope(b.shape);
+  if (contacts
+          .empty()) {  // faces that look past each other have no contact, but then the polytopes are apart
+    bool apart = false;
+    for (int i = 0; i < 5000 && !apart; ++i) apart = along(dice.direction<D>()) > 0;
+    return {polytopes && apart, true};
+  }
+  const ContactPoint<D>& c = *std::min_element(contacts.begin(), contacts.end(),
+                                               [](const auto& p, const auto& q) { return p.gap < q.gap; });
+  constexpr double deepest = 0.02;  // m
+  constexpr double flush =
+      3e-4;  // 1 m x 1e-4 rad and more: a plane gives its normal to what is flush to this angle
+  Verdict verdict;
+  if (std::min(c.gap, along(c.normal)) < -deepest) {  // steps leave no such overlap: that there is one counts
+    for (int i = 0; i < 20; ++i) verdict.good = verdict.good && along(dice.direction<D>()) < flush;
+    return verdict;
+  }
+  verdict.good = std::abs(c.normal.norm() - 1) < 1e-12 && along(c.normal) < c.gap + 1e-9 &&
+                 (polytopes || along(c.normal) > c.gap - flush);
+  const double again = feature_gap(a, c.feature, b, c.against);
+  verdict.good = verdict.good && (polytopes || std::abs(again - c.gap) < flush);
+  // Two polytopes are measured along the face or edge pair that separates most: less than their distance.
+  for (int i = 0; i < 20 && (c.gap <= 0 || !polytopes); ++i)
+    verdict.good = verdict.good && along(dice.direction<D>()) <= c.gap + flush;
+  if (c.gap > 0 && !polytopes) {
+    const auto local = [](const auto& placed, const Vec<D>& at) {
+      return placed.pose.r.inverse(at - placed.pose.x);
+    };
+    const double error = std::max({std::abs(along(c.normal) - c.gap),
+                                   outside(a.shape, local(a, c.point + 0.5 * c.gap * c.normal)),
+                                   outside(b.shape, local(b, c.point - 0.5 * c.gap * c.normal))});
+    verdict.good = verdict.good && error < flush * std::max(1.0, c.gap);
+    verdict.tight = error < 1e-9;
+  }
+  return verdict;
+}
+
+template <int D>
+void try_pairs(int placements) {
+  PairDice dice;
+  const auto shapes = solid_shapes<D>();
+  for (const Named<D>& first : shapes)
+    for (const Named<D>& second : shapes) {
+      INFO(first.name << " against " << second.name);
+      int wrong = 0, tight = 0;
+      for (int i = 0; i < placements; ++i) {
+        const typename Geometry<D>::Placed a{first.contactor,
+                                             {dice(0.3, 1.6) * dice.direction<D>(), dice.rotation(Vec<D>())}};
+        const typename Geometry<D>::Placed b{second.contactor, {Vec<D>::Zero(), dice.rotation(Vec<D>())}};
+        const Verdict verdict = judge<D>(dice, a, b);
+        wrong += !verdict.good;
+        tight += verdict.tight;
+      }
+      CHECK(wrong == 0);
+      CHECK(tight >= 0.97 * placements);
+    }
+}
+
+}  // namespace
+
+TEST_CASE(
+    "every pair of solid shapes has the gap, the normal and the places that bounds of the distance allow") {
+  try_pairs<2>(40);
+  try_pairs<3>(25);
+}
+
+TEST_CASE("the same for 10,000 placements of each pair", "[heavy]") {
+  try_pairs<2>(10000);
+  try_pairs<3>(10000);
+}
