@@ -17,6 +17,7 @@ std::unique_ptr<ShapeModel> make_cone(Params& params);
 std::unique_ptr<ShapeModel> make_hollow_cylinder(Params& params);
 std::unique_ptr<ShapeModel> make_hollow_disk(Params& params);
 std::unique_ptr<ShapeModel> make_plane_body(Params& params);
+std::unique_ptr<ShapeModel> make_point(Params& params);
 std::unique_ptr<ShapeModel> make_wall(Params& params);
 std::unique_ptr<ShapeModel> make_box(Params& params);
 std::unique_ptr<ShapeModel> make_polyhedron(Params& params);

@@ -17,6 +17,7 @@ FLYROCK_MODULE(table) {
   table[{shape, "hollow_disk"}] = make_hollow_disk;
   table[{shape, "hollow_cylinder"}] = make_hollow_cylinder;
   table[{shape, "plane"}] = make_plane_body;
+  table[{shape, "point"}] = make_point;
   table[{shape, "box"}] = make_box;
   table[{shape, "polyhedron"}] = make_polyhedron;
   table[{shape, "random_polyhedron"}] = make_random_polyhedron;

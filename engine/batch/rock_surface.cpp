@@ -6,6 +6,12 @@ namespace flyrock {
 
 namespace {
 
+/// A point is drawn as a small ball. Polygons have no radius.
+template <class Contactor>
+double drawn_radius(const Contactor& contactor) {
+  return contactor.points.size() == 1 && contactor.radius == 0 ? contactor.bound : contactor.radius;
+}
+
 constexpr int wall_pieces = 48;  // of the wall of a room, around its axis
 
 /// The wall of a hollow disk, in pieces.
@@ -30,7 +36,7 @@ std::vector<SurfaceCorner> surface_of(const std::vector<Contactor2>& contactors)
       continue;
     }
     for (const Vec2& point : contactors[c].points)
-      corners.push_back({static_cast<int>(c), 0, {point.x(), point.y(), 0}, contactors[c].radius});
+      corners.push_back({static_cast<int>(c), 0, {point.x(), point.y(), 0}, drawn_radius(contactors[c])});
   }
   return corners;
 }
@@ -109,7 +115,7 @@ std::vector<SurfaceCorner> surface_of(const std::vector<Contactor3>& contactors)
     }
     if (!contactor.has_faces())
       for (const Vec3& point : contactor.points)
-        corners.push_back({static_cast<int>(c), 0, point, contactor.radius});
+        corners.push_back({static_cast<int>(c), 0, point, drawn_radius(contactor)});
     for (std::size_t f = 0; f < contactor.faces.size(); ++f)
       for (int i = 0; i < contactor.faces[f].count; ++i)
         corners.push_back({static_cast<int>(c), static_cast<int>(f),

@@ -124,8 +124,10 @@ void find_hard_contacts(const Scenario& scenario, const Instances& instances, co
   }
 }
 
-bool is_round(const Contactor2& contactor) { return contactor.points.size() == 1; }
-bool is_round(const Contactor3& contactor) { return !contactor.has_faces(); }  // a pill rolls about its axis
+bool is_round(const Contactor2& contactor) { return contactor.points.size() == 1 && contactor.radius > 0; }
+bool is_round(const Contactor3& contactor) {
+  return !contactor.has_faces() && (contactor.radius > 0 || contactor.has_circles());
+}  // a pill rolls about its axis
 
 /// Finds round rocks on ground without rolling resistance: they roll until stop.time.
 template <int D>

@@ -104,10 +104,12 @@ std::string shape_pairs(const std::vector<const PluginSpec*>& shapes, const std:
       "yes: they touch from all sides. inside: the hollow one holds the other one and touches it from inside "
       "only. no: they have "
       "no contacts. Hollow shapes and planes are solid outside, so none can be in another one, and the "
-      "ground is in none. The "
-      "parts of a compound, which serves 2D and 3D, touch as their shapes do; they are neither hollow nor "
-      "planes. The ground is a "
-      "profile, benches or a section in 2D, and a plane, a mesh, a raster or benches in 3D.\n\n{}\n{}",
+      "ground is in none. Two "
+      "points have no extent and pass each other. A compound and a point serve 2D and 3D; each has its row "
+      "in the table of its "
+      "example. The parts of a compound touch as their shapes do. The ground is a profile, benches or a "
+      "section in 2D, and a "
+      "plane, a mesh, a raster or benches in 3D.\n\n{}\n{}",
       table_of(in_plane), table_of(in_space));
 }
 

@@ -45,7 +45,7 @@ int facing_edge(const Placed2& polygon, const Vec2& direction) {
 void disk_disk(const Placed2& a, int ia, const Placed2& b, int ib, double reach, Contacts& out) {
   const Vec2 away = a.point(0) - b.point(0);
   const double distance = away.norm(), gap = distance - a.shape.radius - b.shape.radius;
-  if (gap > reach) return;
+  if (gap > reach || a.shape.radius + b.shape.radius == 0) return;  // two points do not meet
   const Vec2 normal = distance > 0 ? Vec2(away / distance) : Vec2::UnitY();
   out.push_back(
       {b.point(0) + (b.shape.radius + 0.5 * gap) * normal, normal, gap, vertex_id(ia, 0), vertex_id(ib, 0)});

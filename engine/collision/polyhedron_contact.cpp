@@ -25,7 +25,7 @@ constexpr double flush = 1e-4;
 void sphere_sphere(const Placed3& a, int ia, const Placed3& b, int ib, double reach, Contacts& out) {
   const Vec3 away = a.point(0) - b.point(0);
   const double distance = away.norm(), gap = distance - a.shape.radius - b.shape.radius;
-  if (gap > reach) return;
+  if (gap > reach || a.shape.radius + b.shape.radius == 0) return;  // two points do not meet
   const Vec3 normal = distance > 0 ? Vec3(away / distance) : Vec3::UnitZ();
   out.push_back({b.point(0) + (b.shape.radius + 0.5 * gap) * normal, normal, gap,
                  feature_id(ia, FeatureKind::vertex, 0), feature_id(ib, FeatureKind::vertex, 0)});

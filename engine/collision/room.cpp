@@ -80,7 +80,7 @@ double Room3::least_gap(const Ring& ring, double from, double to) const {
 }
 
 bool Room3::holds(const Vec3& middle) const {
-  return plane_ || (std::abs(axis_.dot(middle)) <= half_ && gap(middle) > 0);
+  return plane_ || (std::abs(axis_.dot(middle)) <= half_ && gap(middle) > -Room2::wall_share * radius_);
 }
 
 Vec2 middle_of(const Contactor2& shape) {

@@ -26,8 +26,10 @@ class Room2 {
   double gap(const Vec2& from) const { return radius_ - from.norm(); }
   /// Unit, out of the wall at the place of it that is nearest.
   Vec2 normal(const Vec2& from) const;
-  /// Whether a contactor touches the room: its middle is inside.
-  bool holds(const Vec2& middle) const { return middle.norm() < radius_; }
+  /// Whether a contactor touches the room: its middle is inside. That of a point may be on the wall, and in
+  /// it by what a step leaves.
+  bool holds(const Vec2& middle) const { return middle.norm() < radius_ * (1 + wall_share); }
+  static constexpr double wall_share = 1e-4;
 
  private:
   double radius_;

@@ -81,9 +81,10 @@ void point_contacts(const Vec2& p, double radius, FeatureId feature, const Terra
 /// zero for a disk.
 void round_contacts(const Vec2& centre, double radius, const Vec2& outward, FeatureId feature,
                     const Terrain2& terrain, const Terrain2::Run& run, double reach, Contacts& out) {
-  point_contacts(centre, radius, feature, terrain, run, reach, shallow_share * radius, out);
+  const double shallow = shallow_share * (radius > 0 ? radius : 1e-3);  // of a point 1 um
+  point_contacts(centre, radius, feature, terrain, run, reach, shallow, out);
   for (int i = std::max(run.first, 1); i <= std::min(run.last + 1, terrain.segments() - 1); ++i) {
-    if (terrain.corner(i) != Corner::convex) continue;
+    if (terrain.corner(i) != Corner::convex || radius == 0) continue;
     const Vec2 away = centre - terrain.point(i);
     const double distance = away.norm(), gap = distance - radius;
     // Only strictly inside the cone, because on its sides the segments give the contact.

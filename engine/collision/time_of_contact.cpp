@@ -38,7 +38,7 @@ class DiskSearch {
   }
 
   void corner(int i, const TimeWindow& window, std::optional<double>& best) const {
-    if (terrain_.corner(i) != Corner::convex) return;
+    if (terrain_.corner(i) != Corner::convex || radius_ == 0) return;  // a point meets a segment first
     const bool held = search_.holds(feature_, corner_id(i));
     if (held && search_.held_are_solved) return;
     const Path<2> relative{motion_.x - terrain_.point(i), motion_.v, motion_.a};
@@ -52,8 +52,9 @@ class DiskSearch {
   /// concave corner a disk may have sunk into the neighbour, if only by rounding. It then meets the line of
   /// this segment before it reaches the strip.
   double beyond_end(int segment, int corner, int neighbour) const {
-    if (terrain_.corner(corner) != Corner::concave) return 1e-9 * terrain_.length(segment);
-    return std::min(radius_, terrain_.length(neighbour));
+    const double least = 1e-9 * terrain_.length(segment);
+    if (terrain_.corner(corner) != Corner::concave) return least;
+    return std::max(least, std::min(radius_, terrain_.length(neighbour)));
   }
 
   double radius_;
@@ -132,6 +133,8 @@ std::optional<double> time_of_contact(const Contactor2& contactor, int contactor
 std::optional<double> time_of_contact(const Contactor2& a, int a_index, const Motion2& a_motion,
                                       const Contactor2& b, int b_index, const Motion2& b_motion, double t_max,
                                       const TouchSearch& search) {
+  if (a.points.size() == 1 && b.points.size() == 1 && a.radius + b.radius == 0)
+    return std::nullopt;  // two points
   if (a.is_room() || b.is_room())
     return advance_in_room(MovingContactor2{a, a_motion, a_index}, MovingContactor2{b, b_motion, b_index},
                            {0, t_max}, search);

@@ -33,7 +33,7 @@ class BallSearch {
   void facet(const Facet& f, const TimeWindow& window, std::optional<double>& first) const {
     if (search_.iterations) ++*search_.iterations;
     plane(f, window, first);
-    if (f.unbounded) return;
+    if (f.unbounded || radius_ == 0) return;  // a point meets a facet first
     for (int i = 0; i < 3; ++i) {
       if (f.rim[i] == Rim::convex && f.names_edge(i)) edge(f, i, window, first);
       peak(f, i, first);
@@ -280,6 +280,7 @@ std::optional<double> time_of_contact(const Contactor3& a, int a_index, const Mo
   if (held && search.held_are_solved) return std::nullopt;
   const Path<3> relative{a_motion.x - b_motion.x, a_motion.v - b_motion.v, a_motion.a - b_motion.a};
   const double radii = a.radius + b.radius;
+  if (radii == 0) return std::nullopt;  // two points
   const auto gap = ball_gap(relative, radii, search.start_gap(relative.x.norm() - radii, held));
   if (search.iterations) ++*search.iterations;
   return first_approach(gap, 0, t_max);

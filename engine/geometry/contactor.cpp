@@ -163,6 +163,7 @@ AreaProperties area_properties(const std::vector<Contactor2>& contactors) {
   const Vec2 origin = contactors.front().points.front();
   Moments sum;
   for (const Contactor2& contactor : contactors) add_contactor(sum, contactor, origin);
+  if (sum.area == 0) return {0, origin, 0, Eigen::Matrix2d::Zero()};
   const Vec2 centre = sum.first / sum.area;
   return {sum.area, origin + centre, sum.polar - sum.area * centre.squaredNorm(),
           sum.second - sum.area * centre * centre.transpose()};

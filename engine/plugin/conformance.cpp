@@ -72,6 +72,8 @@ void check_contactors(const std::vector<Contactor2>& contactors) {
     if (std::string fault = make_convex(vertices); !fault.empty()) fail(fault);
     if (vertices != contactor.points) fail("the vertices of a polygon run clockwise");
   }
+  if (contactors.size() == 1 && contactors[0].points.size() == 1 && contactors[0].radius == 0)
+    return;  // a point
   const AreaProperties area = area_properties(contactors);
   if (!(area.area > 0 && area.polar_moment > 0)) fail("a rock has no area or no inertia");
 }
@@ -102,6 +104,7 @@ void check_contactors(const std::vector<Contactor3>& contactors) {
   }
   const auto endless = [](const Contactor3& contactor) { return contactor.is_half_space(); };
   if (std::all_of(contactors.begin(), contactors.end(), endless)) return;  // only of a fixed or driven body
+  if (contactors.size() == 1 && contactors[0].round() && contactors[0].radius == 0) return;  // a point
   const VolumeProperties properties = volume_properties(contactors);
   if (!(properties.volume > 0 && properties.inertia.trace() > 0)) fail("a rock has no volume or no inertia");
 }

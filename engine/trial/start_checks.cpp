@@ -120,6 +120,8 @@ void refuse_extremes(const Body<D>& body) {
   else
     inertia = body.inertia.minCoeff();
   if (body.mass > 1 / most && body.mass < most && std::isnormal(inertia)) return;
+  if (body.mass == 0 && body.volume == 0)
+    throw StartError(fmt::format("`{}` has no volume: expected `mass` in place of `density`", body.group));
   throw StartError(fmt::format(
       "`{}` has a mass of {:.3g} kg and a moment of inertia of {:.3g} kg m2, expected a mass from "
       "{:.0e} to {:.0e} kg",

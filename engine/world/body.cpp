@@ -14,6 +14,25 @@ double mass_of(double volume, double density, double mass, const std::optional<d
   return density > 0 ? density * volume : mass;
 }
 
+/// A point has no extent. Its contacts have no lever, so nothing turns it and its moment is of no effect.
+/// What counts relative to the size of a body needs one.
+template <int D>
+void make_point(Body<D>& body) {
+  constexpr double point_size = 1e-3;  // m
+  for (auto& contactor : body.contactors) contactor.bound = point_size;
+  body.size = body.radius = point_size;
+  if constexpr (D == 2)
+    body.inertia = body.mass * point_size * point_size;
+  else
+    body.inertia = Vec3::Constant(body.mass * point_size * point_size);
+}
+
+template <int D>
+bool is_point(const Body<D>& body) {
+  return body.contactors.size() == 1 && body.contactors[0].points.size() == 1 &&
+         body.contactors[0].radius == 0 && !body.contactors[0].is_room();
+}
+
 }  // namespace
 
 Body<2> make_body(std::vector<Contactor2> contactors, double density, double mass, double thickness,
@@ -31,6 +50,7 @@ Body<2> make_body(std::vector<Contactor2> contactors, double density, double mas
   body.mass = mass_of(body.volume, density, mass, own.mass);
   body.inertia = own.inertia.value_or(body.mass * properties.polar_moment / properties.area);
   body.radius = std::sqrt(properties.area / pi);
+  if (is_point(body)) make_point(body);
   return body;
 }
 
@@ -52,6 +72,7 @@ Body<3> make_body(std::vector<Contactor3> contactors, double density, double mas
     body.inertia = body.mass / properties.volume * principal.moments;
   body.radius = std::cbrt(0.75 * properties.volume / pi);
   body.attitude = principal.rotation;
+  if (body.contactors[0].circles.empty() && is_point(body)) make_point(body);
   return body;
 }
 

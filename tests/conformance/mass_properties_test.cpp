@@ -219,7 +219,7 @@ TEST_CASE("volume, centre and inertia of every shape are those of a sum over cel
 TEST_CASE("every shape has a row in the table of mass properties") {
   const LuaSession session(FLYROCK_SHARE_DIR);
   for (const std::string& name : session.registry().names(PluginKind::shape)) {
-    if (name == "compound" || name == "plane") continue;  // compound_test.cpp; a plane has no mass
+    if (name == "compound" || name == "plane" || name == "point") continue;  // compound_test.cpp; no volume
     INFO(name);
     CHECK(std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return name == row.shape; }));
   }

@@ -17,9 +17,10 @@ class HollowCylinder : public ShapeModel {
     const double radius = values[radius_], outer = outer_ < 0 ? 1.05 * radius : values[outer_],
                  height = values[height_];
     if (!(radius > 0 && outer > radius && height > 0))
-      throw ParameterError(fmt::format("plugin hollow_cylinder: radius is {:.6g} m, outer {:.6g} m and height "
-                                    "{:.6g} m, expected 0 < radius < outer and a height above 0",
-                                    radius, outer, height));
+      throw ParameterError(
+          fmt::format("plugin hollow_cylinder: radius is {:.6g} m, outer {:.6g} m and height "
+                      "{:.6g} m, expected 0 < radius < outer and a height above 0",
+                      radius, outer, height));
     return {Contactor3::hollow_cylinder(radius, outer, height)};
   }
 

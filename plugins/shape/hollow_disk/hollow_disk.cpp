@@ -15,9 +15,10 @@ class HollowDisk : public ShapeModel {
   std::vector<Contactor2> build(Values values, RandomStream&) const override {
     const double radius = values[radius_], outer = outer_ < 0 ? 1.05 * radius : values[outer_];
     if (!(radius > 0 && outer > radius))
-      throw ParameterError(fmt::format("plugin hollow_disk: radius is {:.6g} m and outer {:.6g} m, expected "
-                                    "0 < radius < outer",
-                                    radius, outer));
+      throw ParameterError(
+          fmt::format("plugin hollow_disk: radius is {:.6g} m and outer {:.6g} m, expected "
+                      "0 < radius < outer",
+                      radius, outer));
     return {Contactor2::hollow_disk(radius, outer)};
   }
 
