@@ -15,7 +15,7 @@ namespace flyrock {
 namespace {
 
 constexpr std::string_view magic = "flyrchnk";
-constexpr std::uint64_t format = 11;
+constexpr std::uint64_t format = 12;
 
 std::uint64_t crc(std::string_view bytes) {
   return ::crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
@@ -49,6 +49,13 @@ void walk_envelopes(Io& io, E& envelopes) {
   std::string bytes = envelopes.bytes();
   io.value(bytes);
   if constexpr (!std::is_const_v<E>) envelopes = Envelopes::read(bytes);
+}
+
+template <class Io, class M>
+void walk_maps(Io& io, M& maps) {
+  std::string bytes = maps.bytes();
+  io.value(bytes);
+  if constexpr (!std::is_const_v<M>) maps = Maps::read(bytes);
 }
 
 template <class Io, class Quality>
@@ -111,6 +118,7 @@ void walk_long(Io& io, Records& records) {
     visit_columns(columns_of(io, rows));
   });
   walk_envelopes(io, records.totals.envelopes);
+  walk_maps(io, records.totals.maps);
 }
 
 constexpr std::size_t word_size = 8;

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "batch/code_counts.h"
 #include "geometry/profile.h"
 #include "world/path_bins.h"
 
@@ -25,15 +26,9 @@ inline constexpr std::array<std::string_view, 3> envelope_quantity_names = {"hei
 /// ten. It comes from the terrain of trial 0, so all chunks of a point have the same bins.
 double envelope_width(const Profile& terrain);
 
-/// The number of rocks with this code.
-struct CodeCount {
-  std::uint32_t code = 0, rocks = 0;
-};
-
 /// The rocks of one group that visited one bin.
 struct EnvelopeBin {
-  std::array<std::vector<CodeCount>, 3>
-      counts;  ///< [EnvelopeQuantity]; codes that occur, in increasing order
+  std::array<CodeCounts, 3> counts;  ///< [EnvelopeQuantity]; codes that occur, in increasing order
 
   /// The smallest value that at least a share p of the rocks does not exceed, to 1 %. The bin must not be
   /// empty.

@@ -14,6 +14,7 @@ void TrialTotals::add(const TrialTotals& later) {
   materials.resize(std::max(materials.size(), later.materials.size()));
   for (std::size_t i = 0; i < later.materials.size(); ++i) materials[i].add(later.materials[i]);
   envelopes.add(later.envelopes);
+  maps.add(later.maps);
   quality.add(later.quality);
   times.add(later.times);
   for (const std::string& note : later.notes) add_note(note);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "batch/envelope.h"
+#include "batch/maps.h"
 #include "batch/rock_surface.h"
 #include "sandbox/print_log.h"
 #include "scenario/scenario.h"
@@ -97,6 +98,7 @@ struct SeriesRecord {
 struct TrialTotals {
   std::vector<MaterialUse> materials;  ///< in the order of Scenario::materials
   Envelopes envelopes;                 ///< of rocks without faults
+  Maps maps;                           ///< 3D, of rocks without faults
   SolverQuality quality;
   PhaseTimes times;
   std::vector<std::string> notes;   ///< distinct notes of launches ("v0^2 < 0: ..."), at most 20

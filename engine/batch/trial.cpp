@@ -11,6 +11,7 @@
 
 #include "batch/body_names.h"
 #include "batch/inputs.h"
+#include "batch/map_cells.h"
 #include "batch/safe_file.h"
 #include "batch/series_rows.h"
 #include "flight/point_run.h"
@@ -103,13 +104,20 @@ class TrialRunner::Trials : public OfDimension {
   }
 
  private:
+  /// Whether inputs, impacts and paths of a trial are recorded. The first rocks lie in the first trials.
+  bool has_rows(std::uint64_t trial) const {
+    return scenario_.output.rocks || trial < static_cast<std::uint64_t>(scenario_.output.first);
+  }
   void fail_trial(std::uint64_t trial, const ScenarioError& error, TrialRecords& out) const;
   /// The rocks of a trial by the methods of points: for each world a history of each of its bodies.
   std::vector<std::vector<BodyHistory>> run_points(Trial<D>& trial, const RunSettings& settings,
-                                                   std::vector<std::optional<TrialFault>>& faults) const;
+                                                   std::vector<std::optional<TrialFault>>& faults,
+                                                   std::vector<std::vector<PlanCells>>& cells) const;
   std::vector<Roughness> roughness_of(const Surfaces& laws, const World<D>& world, int body) const;
   void record(std::uint64_t trial, int index, const TrialRock& rock, const World<D>* world,
               const BodyHistory& history, TrialRecords& out) const;
+  /// Adds a rock to the maps.
+  void map(const TrialRock& rock, const BodyHistory& history, PlanCells& cells, TrialRecords& out) const;
   void record_inputs(std::uint64_t trial, int index, const TrialRock& rock, TrialRecords& out) const;
   void record_impact_draws(std::uint64_t trial, int index, const TrialRock& rock, const World<D>& world,
                            const Surfaces& surfaces, const BodyHistory& history, TrialRecords& out) const;
@@ -119,6 +127,7 @@ class TrialRunner::Trials : public OfDimension {
   std::vector<Gate> gates_;
   std::vector<Barrier> barriers_;
   std::vector<std::vector<int>> impact_draws_;  ///< of each material, those `per: impact`
+  PlanGrid map_grid_;                           ///< of maps; empty: none are made
   double bin_width_ = 0;  ///< m, bin width of envelopes; 0 for `bodies` and on terrain without ends
 };
 
@@ -151,7 +160,9 @@ TrialRunner::Trials<D>::Trials(const Scenario& scenario) : scenario_(scenario), 
   for (const BarrierPlan& barrier : scenario.barriers)
     barriers_.push_back(
         {line_of(barrier, origin), barrier.held_height(), barrier.held_energy(), barrier.height_factor});
-  if (D == 2 && scenario.bodies.empty()) bin_width_ = envelope_width(picture_of(0).profile);
+  if (D == 2 && scenario.bodies.empty() && scenario.output.envelopes)
+    bin_width_ = envelope_width(picture_of(0).profile);
+  if (D == 3 && scenario.bodies.empty()) map_grid_ = checked_map_grid(scenario, *picture_of(0).ground);
 }
 
 template <int D>
@@ -173,7 +184,8 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
   } catch (const ScenarioError& error) {
     return fail_trial(number, error, out);
   }
-  const bool stores = number < static_cast<std::uint64_t>(scenario_.output.trajectories_first);
+  const bool stores =
+      has_rows(number) && number < static_cast<std::uint64_t>(scenario_.output.trajectories_first);
   RunSettings settings;
   settings.exact_flight = scenario_.solver.flight == FlightMode::exact;
   settings.stop_time = scenario_.stop.time;
@@ -183,7 +195,7 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
   settings.gates = gates_;
   settings.barriers = barriers_;
   settings.interrupted = interrupted;
-  settings.keep_impacts = scenario_.output.impacts || !scenario_.bodies.empty();
+  settings.keep_impacts = (scenario_.output.impacts && has_rows(number)) || !scenario_.bodies.empty();
 
   const bool timed = number % timed_every == 0;
   const auto start = std::chrono::steady_clock::now();
@@ -193,7 +205,11 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
   constexpr int most_hard_problems = 10;
   int kept = 0;
   const bool points = scenario_.method != Method::nscd;
-  if (points) histories = run_points(trial, settings, faults);
+  const PlanGrid grid = map_grid_.moved(-scenario_.terrain.origin.template head<2>());
+  std::vector<std::vector<PlanCells>> cells(trial.worlds.size());
+  for (std::size_t w = 0; w < trial.worlds.size() && !grid.empty(); ++w)
+    cells[w].assign(trial.worlds[w].bodies.size(), PlanCells(grid));
+  if (points) histories = run_points(trial, settings, faults, cells);
   for (std::size_t w = 0; w < trial.worlds.size() && !points; ++w) {
     World<D>& world = trial.worlds[w];
     if (timed) world.clock = &times;
@@ -205,6 +221,7 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
         write_fclib((hard_problems / name).string(), problem, start_of_solve,
                     fmt::format("{}, trial {}, {} s", scenario_.title, number, world.time));
       };
+    settings.cells = cells[w];
     Series rows;
     SeriesRequest series;
     if (has_series(scenario_, number)) {
@@ -242,8 +259,9 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
       const World<D>& world = trial.worlds[rock.world];
       const BodyHistory& history = histories[rock.world][rock.body];
       record(number, static_cast<int>(i), rock, &world, history, out);
+      if (!grid.empty()) map(rock, history, cells[rock.world][rock.body], out);
       record_inputs(number, static_cast<int>(i), rock, out);
-      if (scenario_.method != Method::ballistic && scenario_.output.impacts)
+      if (scenario_.method != Method::ballistic && settings.keep_impacts && scenario_.output.impacts)
         record_impact_draws(number, static_cast<int>(i), rock, world, trial.surfaces[rock.world], history,
                             out);
     }
@@ -255,7 +273,8 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
 
 template <int D>
 std::vector<std::vector<BodyHistory>> TrialRunner::Trials<D>::run_points(
-    Trial<D>& trial, const RunSettings& settings, std::vector<std::optional<TrialFault>>& faults) const {
+    Trial<D>& trial, const RunSettings& settings, std::vector<std::optional<TrialFault>>& faults,
+    std::vector<std::vector<PlanCells>>& cells) const {
   std::vector<std::vector<BodyHistory>> histories(trial.worlds.size());
   for (std::size_t w = 0; w < trial.worlds.size(); ++w) histories[w].resize(trial.worlds[w].bodies.size());
   std::vector<Surface*> surfaces;
@@ -270,6 +289,7 @@ std::vector<std::vector<BodyHistory>> TrialRunner::Trials<D>::run_points(
     run.stop_time = settings.stop_time;
     run.trajectory_every = settings.trajectory_every;
     run.bin_width = settings.bin_width;
+    if (!map_grid_.empty()) run.cells = &cells[rock.world][rock.body];
     run.gates = gates_;
     run.barriers = barriers_;
     run.ends_at_touch = scenario_.method == Method::ballistic;
@@ -353,7 +373,7 @@ void TrialRunner::Trials<D>::record(std::uint64_t trial, int index, const TrialR
     if (!is_fault(row.reason)) out.totals.envelopes.add(row.group, history.path);
     for (const Passage& passage : history.passages) out.gates.push_back({trial, index, passage});
     for (const BarrierHit& hit : history.barriers) out.barriers.push_back({trial, index, hit});
-    if (scenario_.output.impacts)
+    if (scenario_.output.impacts && has_rows(trial))
       for (const Impact& impact : history.impacts) out.impacts.push_back({trial, index, impact});
     for (const TrajectoryPoint& point : history.trajectory) out.trajectories.push_back({trial, index, point});
     if (!history.trajectory.empty())
@@ -363,11 +383,24 @@ void TrialRunner::Trials<D>::record(std::uint64_t trial, int index, const TrialR
   out.rocks.push_back(row);
 }
 
+template <int D>
+void TrialRunner::Trials<D>::map(const TrialRock& rock, const BodyHistory& history, PlanCells& cells,
+                                 TrialRecords& out) const {
+  Maps& maps = out.totals.maps;
+  if (maps.grid().empty()) maps = Maps(map_grid_);
+  const StopReason reason = rock.fault.empty() ? history.reason : rock.reason;
+  if (is_fault(reason)) return;
+  std::optional<std::uint32_t> stopped;
+  if (reason == StopReason::stopped) stopped = map_grid_.index(history.last.position.template head<2>());
+  maps.add(cells.cells(), stopped);
+}
+
 /// Records every draw of the rock, except draws of other groups and draws per impact, and the outcomes of
 /// what plugins drew for it.
 template <int D>
 void TrialRunner::Trials<D>::record_inputs(std::uint64_t trial, int index, const TrialRock& rock,
                                            TrialRecords& out) const {
+  if (!has_rows(trial)) return;
   for (std::size_t d = 0; d < scenario_.draws.size(); ++d) {
     const Draw& draw = scenario_.draws[d];
     if (draw.scope == Scope::impact || (draw.group >= 0 && draw.group != rock.group)) continue;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "batch/hard_contacts.h"
+#include "batch/map_cells.h"
 #include "geometry/place_text.h"
 #include "plugin/sampled_params.h"
 #include "plugin/sampled_states.h"
@@ -236,6 +237,16 @@ void find_lost_places(const Scenario& scenario, const Trial<3>& trial, TriedOut&
 }
 void find_lost_places(const Scenario&, const Trial<2>&, TriedOut&) {}
 
+/// Finds cells of maps that cannot be made.
+void find_map_cells(const Scenario& scenario, const Trial<3>& trial, TriedOut& tried) {
+  try {
+    checked_map_grid(scenario, *trial.terrain);
+  } catch (const ScenarioError& error) {
+    add(tried.errors, error.path, error.what());
+  }
+}
+void find_map_cells(const Scenario&, const Trial<2>&, TriedOut&) {}
+
 /// Tries shapes, populations, launches, starts and the terrain by making trials.
 template <int D>
 void try_trials(const Scenario& scenario, TrialBuilder<D>& builder, std::uint64_t trials, TriedOut& tried) {
@@ -250,6 +261,7 @@ void try_trials(const Scenario& scenario, TrialBuilder<D>& builder, std::uint64_
       find_overlapping_parts(scenario, trial, tried);
       find_loose_rooms(scenario, trial, tried);
       find_lost_places(scenario, trial, tried);
+      if (scenario.bodies.empty()) find_map_cells(scenario, trial, tried);
       for (std::size_t i = 0; i < trial.rocks.size(); ++i) {
         const TrialRock& rock = trial.rocks[i];
         if (rock.launch_speed > usual::launch.greatest)

@@ -7,6 +7,7 @@
 
 #include "cli/result_folder.h"
 #include "document/wording.h"
+#include "report/export_asc.h"
 #include "report/export_csv.h"
 #include "report/export_vtk.h"
 
@@ -24,12 +25,17 @@ struct Format {
   const char* nothing;  ///< message if no file is written
 };
 
-constexpr std::array<Format, 2> formats = {{
+constexpr std::array<Format, 3> formats = {{
+    {"asc", export_asc, "no maps are stored; they are of 3D runs, see output.maps of the scenario"},
     {"csv", export_csv, ""},
     {"vtk", export_vtk, "no trajectory is stored; output.trajectories of the scenario says how many are"},
 }};
 
 const Format& format_of(const std::string& name) {
+  if (name == "tif")
+    throw UsageError(
+        "--to tif: this flyrock cannot write GeoTIFF. Use --to asc and, of the package gdal-bin, "
+        "gdal_translate MAP.asc MAP.tif");
   std::vector<std::string> names;
   for (const Format& format : formats) {
     if (name == format.name) return format;
@@ -43,8 +49,9 @@ const Format& format_of(const std::string& name) {
 int export_result(const Command& command, const Arguments& arguments) {
   po::options_description options("options");
   options.add_options()("to", po::value<std::string>()->value_name("FORMAT"),
-                        "csv (every table) or vtk (trajectories, for ParaView); required")(
-      "output,o", po::value<std::string>()->value_name("PATH"), "folder of the files; default DIR/<format>");
+                        "csv (every table), vtk (trajectories, for ParaView), asc or tif (maps, for a GIS; "
+                        "tif needs GDAL); required")("output,o", po::value<std::string>()->value_name("PATH"),
+                                                     "folder of the files; default DIR/<format>");
   const CommandLine line = parse(command, options, arguments, 1, 1);
   if (line.help) return done;
   if (!line.has("to")) throw UsageError(fmt::format("expected --to FORMAT: flyrock {}", command.usage));

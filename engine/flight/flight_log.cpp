@@ -4,7 +4,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
-#include "flight/ground.h"
+#include "flight/over_cells.h"
 #include "math/polynomial.h"
 
 namespace flyrock {
@@ -122,11 +122,13 @@ void FlightLog<D>::see(const Arc<D>& arc, double end, TravelMode mode) {
     }
     widen(at(arc, end));
     over_ground(path, dt);
+    if (run_.cells) map(path, dt);
   } else {
     turns(arc, end);
     widen(at(arc, end));
     highest(arc, end);
     bins(arc, end);
+    if (run_.cells) map(arc, end);
   }
   pass_gates(arc, end);
   history_.travel.add(mode, end * arc.length, path_length(arc, end));
@@ -291,6 +293,29 @@ void FlightLog<D>::over_ground(const Path<D>& path, double dt) {
       bin.energy = std::max(bin.energy, energy(squared));
     });
   });
+}
+
+/// Records a path for maps.
+template <int D>
+void FlightLog<D>::map(const Path<D>& path, double dt) {
+  over_cells(
+      terrain_, path, dt, *run_.cells, [&](double t) { return path.velocity(t).squaredNorm(); },
+      [&](double squared) { return energy(squared); });
+}
+
+/// In air, a quarter of an arc is a parabola between its ends, straight in plan: an error of at most
+/// |a| dt^2 / 8, some centimetres.
+template <int D>
+void FlightLog<D>::map(const Arc<D>& arc, double end) {
+  const int pieces = arc.is_parabola() ? 1 : 4;
+  for (int i = 0; i < pieces; ++i) {
+    const double from = end * i / pieces, dt = end * (i + 1) / pieces * arc.length - from * arc.length;
+    if (!(dt > 0) && i > 0) return;
+    Path<D> path{arc.position(from), arc.velocity(from)};
+    const double half = 0.5 * dt * dt;
+    if (half > 0) path.a = (arc.position(end * (i + 1) / pieces) - path.x - dt * path.v) / half;
+    map(path, dt);
+  }
 }
 
 template class FlightLog<2>;

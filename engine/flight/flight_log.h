@@ -45,6 +45,8 @@ class FlightLog {
   void highest(const Arc<D>& arc, double end);
   void bins(const Arc<D>& arc, double end);
   void over_ground(const Path<D>& path, double dt);
+  void map(const Path<D>& path, double dt);
+  void map(const Arc<D>& arc, double end);
 
   const Body<D>& body_;
   const Terrain& terrain_;

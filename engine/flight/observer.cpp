@@ -5,15 +5,17 @@
 
 #include "flight/body_state.h"
 #include "flight/ground.h"
+#include "flight/over_cells.h"
 
 namespace flyrock {
 
 template <int D>
 Observer<D>::Observer(const World<D>& world, double every, bool keep_impacts, double bin_width,
-                      std::vector<BodyHistory>& histories)
+                      std::span<PlanCells> cells, std::vector<BodyHistory>& histories)
     : world_(world),
       every_(every),
       keep_impacts_(keep_impacts),
+      cells_(cells),
       histories_(histories),
       next_sample_(world.bodies.size(), world.time),
       first_contact_height_(world.bodies.size(), 0.0),
@@ -31,6 +33,7 @@ Observer<D>::Observer(const World<D>& world, double every, bool keep_impacts, do
     const Motion now = world.flight_of(body);
     clearance(body, now, 0);
     speeds(body, now, 0);
+    map(body, now, 0, [&](double) { return now.v.squaredNorm(); });
     store(body, history.first, world.bodies[i].attitude);
   }
 }
@@ -98,6 +101,17 @@ void Observer<D>::speeds(int body, const Motion& motion, double dt) {
                               });
 }
 
+/// Records a path for maps. Rotation keeps its energy in free flight.
+template <int D>
+template <class SquaredSpeed>
+void Observer<D>::map(int body, const Path<D>& path, double dt, SquaredSpeed squared_speed) {
+  if (cells_.empty()) return;
+  const Body<D>& b = world_.bodies[body];
+  const double twice_spin = twice_spin_energy(b, b.attitude, b.w);
+  over_cells(world_.terrain(), path, dt, cells_[body], squared_speed,
+             [&](double squared) { return 0.5 * (b.mass * squared + twice_spin); });
+}
+
 template <int D>
 void Observer<D>::flew(int body, const Motion& motion, double start, double dt) {
   BodyHistory& h = histories_[body];
@@ -114,6 +128,7 @@ void Observer<D>::flew(int body, const Motion& motion, double start, double dt) 
   }
   clearance(body, motion, dt);
   speeds(body, motion, dt);
+  map(body, motion, dt, [&](double t) { return motion.velocity(t).squaredNorm(); });
   if (every_ > 0) {
     for (; next_sample_[body] < start + dt; next_sample_[body] += every_)
       if (next_sample_[body] > start) store(body, motion, next_sample_[body] - start, next_sample_[body]);
@@ -134,6 +149,7 @@ void Observer<D>::stepped(int body, const Motion& motion, double dt, TravelMode 
     bin.speed = std::max(bin.speed, s.velocity.norm());
     bin.energy = std::max(bin.energy, s.kinetic_energy);
   });
+  map(body, motion, dt, [&](double) { return s.velocity.squaredNorm(); });
   if (every_ > 0 && world_.time >= next_sample_[body]) {
     store(body, s, world_.bodies[body].attitude);
     while (next_sample_[body] <= world_.time) next_sample_[body] += every_;

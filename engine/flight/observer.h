@@ -1,8 +1,10 @@
 #pragma once
 // Records the histories of the bodies of a world while it runs. Instantiated for D = 2, 3.
 
+#include <span>
 #include <vector>
 
+#include "world/plan_cells.h"
 #include "world/world.h"
 
 namespace flyrock {
@@ -13,9 +15,9 @@ class Observer {
   using Motion = typename Geometry<D>::Motion;
 
   /// `every`: seconds between stored trajectory points, 0 for none; the ends of each flight are stored as
-  /// well. `bin_width`: m, of BodyHistory::path.
+  /// well. `bin_width`: m, of BodyHistory::path. `cells`: of each body, for maps; empty: none.
   Observer(const World<D>& world, double every, bool keep_impacts, double bin_width,
-           std::vector<BodyHistory>& histories);
+           std::span<PlanCells> cells, std::vector<BodyHistory>& histories);
 
   /// Records that `body` moved along `motion` for dt without contact, in a flight or a step that began at
   /// time `start`.
@@ -39,10 +41,13 @@ class Observer {
   void store(int body, const Motion& motion, double t, double time);
   void clearance(int body, const Path<D>& path, double dt);
   void speeds(int body, const Motion& motion, double dt);
+  template <class SquaredSpeed>
+  void map(int body, const Path<D>& path, double dt, SquaredSpeed squared_speed);
 
   const World<D>& world_;
   double every_;
   bool keep_impacts_;
+  std::span<PlanCells> cells_;
   std::vector<BodyHistory>& histories_;
   std::vector<double> next_sample_;
   std::vector<double> first_contact_height_;

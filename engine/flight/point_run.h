@@ -4,6 +4,7 @@
 #include "flight/point_contact.h"
 #include "world/body.h"
 #include "world/places.h"
+#include "world/plan_cells.h"
 
 namespace flyrock {
 
@@ -15,6 +16,7 @@ struct PointRun {
   double start_time = 0, stop_time = 60;
   double trajectory_every = 0;  ///< s between stored points; 0: none
   double bin_width = 0;         ///< m, of BodyHistory::path; 0: no bins are kept; 2D only
+  PlanCells* cells = nullptr;   ///< where the path is recorded for maps; null: nowhere; 3D only
   std::span<const Gate> gates;
   std::span<const Barrier> barriers;
 

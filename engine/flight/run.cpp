@@ -28,7 +28,8 @@ class Runner {
       : world_(world),
         settings_(settings),
         histories_(histories),
-        observer_(world, settings.trajectory_every, settings.keep_impacts, settings.bin_width, histories),
+        observer_(world, settings.trajectory_every, settings.keep_impacts, settings.bin_width, settings.cells,
+                  histories),
         crossings_(world, settings.gates, settings.barriers, histories),
         faults_(world, settings.exact_flight),
         running_(world.bodies.size()) {

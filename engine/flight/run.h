@@ -6,6 +6,7 @@
 
 #include "flight/crossings.h"
 #include "flight/series_recorder.h"
+#include "world/plan_cells.h"
 
 namespace flyrock {
 
@@ -15,7 +16,8 @@ struct RunSettings {
   double stop_speed = 0.05;  ///< m/s; a body that is slower for `rest_time` in contact is at rest; 0: never
   double trajectory_every = 0;  ///< s between stored points; 0: none
   bool keep_impacts = true;
-  double bin_width = 0;  ///< m, of BodyHistory::path; 0: no bins are kept; needs a terrain with ends
+  double bin_width = 0;        ///< m, of BodyHistory::path; 0: no bins are kept; needs a terrain with ends
+  std::span<PlanCells> cells;  ///< of each body, where its path is recorded for maps; empty: for none
   const SeriesRequest* series = nullptr;  ///< null: no rows over time
   /// Called after each step with its length [s], and after each impact with 0. May be empty.
   std::function<void(double step)> advanced;

@@ -26,6 +26,7 @@ CREATE TABLE input_paths (input INTEGER PRIMARY KEY, path TEXT);
 CREATE TABLE envelopes (point INTEGER, "group" TEXT, x_m REAL, width_m REAL, rocks INTEGER, height_p50_m REAL,
   height_p95_m REAL, height_max_m REAL, speed_p50_m_s REAL, speed_p95_m_s REAL, speed_max_m_s REAL, energy_p50_J REAL,
   energy_p95_J REAL, energy_max_J REAL);
+CREATE TABLE map_grids (point INTEGER PRIMARY KEY, x_m REAL, y_m REAL, cell_m REAL, columns INTEGER, rows INTEGER);
 CREATE TABLE report (data TEXT);
 CREATE TABLE expectations (number INTEGER, measure TEXT, point INTEGER, computed REAL, kind TEXT, expected REAL,
   expected_high REAL, tolerance REAL, passed INTEGER, reason TEXT);
@@ -159,6 +160,32 @@ void add_envelopes(const SqliteFile& file, const Results& results) {
   }
 }
 
+std::string map_table_schema() {
+  std::string columns;
+  for (std::size_t m = 0; m < map_names.size(); ++m)
+    columns += fmt::format(", {} {}", map_names[m], is_count_map(m) ? "INTEGER" : "REAL");
+  return fmt::format("CREATE TABLE maps (point INTEGER, \"column\" INTEGER, \"row\" INTEGER{});\n", columns);
+}
+
+void add_maps(const SqliteFile& file, const Results& results) {
+  Insertion grids(file, "map_grids", 6), rows(file, "maps", 3 + static_cast<int>(map_names.size()));
+  for (std::size_t p = 0; p < results.points.size(); ++p) {
+    const PlanGrid& grid = results.points[p].maps.grid;
+    if (grid.empty()) continue;
+    grids.row(p, grid.low.x(), grid.low.y(), grid.cell, grid.columns, grid.rows);
+    const auto columns = static_cast<std::uint32_t>(grid.columns);
+    rows.rows(results.points[p].maps.cells, [&](Statement& to, const MapRasters::Cell& cell) {
+      to.put(p, cell.index % columns, cell.index / columns);
+      for (std::size_t m = 0; m < map_names.size(); ++m) {
+        if (is_count_map(m))
+          to.put(static_cast<std::int64_t>(cell.values[m]));
+        else
+          to.put(cell.values[m]);
+      }
+    });
+  }
+}
+
 }  // namespace
 
 ResultDatabase::Insertions::Insertions(const SqliteFile& file, int dimension)
@@ -177,8 +204,8 @@ ResultDatabase::Insertions::Insertions(const SqliteFile& file, int dimension)
 ResultDatabase::ResultDatabase(const std::filesystem::path& path, const Plan& plan)
     : plan_(plan), groups_(group_names(plan.points.front())), file_(path) {
   const int dimension = plan.points.front().dimension;
-  file_.execute(schema + record_tables_schema() + rock_tables_schema(dimension) + inputs_view +
-                fmt::format("PRAGMA user_version = {};", result_format));
+  file_.execute(schema + map_table_schema() + record_tables_schema() + rock_tables_schema(dimension) +
+                inputs_view + fmt::format("PRAGMA user_version = {};", result_format));
   insertions_ = std::make_unique<Insertions>(file_, dimension);
   add_plan();
 }
@@ -281,6 +308,7 @@ void ResultDatabase::finish(const Results& results, const GroundPictures& ground
     add_profiles(file_, results);
     add_grounds(file_, grounds.grounds);
     add_envelopes(file_, results);
+    add_maps(file_, results);
     add_expectations(file_, results);
   }
   insertions_.reset();  // because a statement keeps its file open

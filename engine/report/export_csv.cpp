@@ -19,7 +19,7 @@ struct Table {
 };
 
 // The view returns the rows of a rock in the order in which they were written: report/rock_rows.h.
-constexpr std::array<Table, 19> tables = {{
+constexpr std::array<Table, 21> tables = {{
     {"points", "SELECT * FROM points ORDER BY rowid"},
     {"sweep", "SELECT * FROM sweep ORDER BY rowid"},
     {"parts", "SELECT * FROM parts ORDER BY rowid"},
@@ -38,6 +38,8 @@ constexpr std::array<Table, 19> tables = {{
     {"series_contacts", "SELECT * FROM series_contacts ORDER BY rowid"},
     {"series_solves", "SELECT * FROM series_solves ORDER BY rowid"},
     {"envelopes", "SELECT * FROM envelopes ORDER BY rowid"},
+    {"map_grids", "SELECT * FROM map_grids ORDER BY rowid"},
+    {"maps", "SELECT * FROM maps ORDER BY rowid"},
     {"expectations", "SELECT * FROM expectations ORDER BY rowid"},
 }};
 

@@ -29,8 +29,8 @@ std::string bundle(const std::filesystem::path& file, const std::string& then) {
 std::string scripts(const std::filesystem::path& assets) {
   std::string joined = "\"use strict\";\n(() => {\n";
   for (const char* name : {"page.js", "places.js", "reach.js", "tracks.js", "space.js", "contours.js",
-                           "plan.js", "motion.js", "plots.js", "small_plots.js", "curves.js", "azimuth.js", "area.js",
-                           "tables.js", "barrier_design.js", "report.js"})
+                           "plan.js", "maps.js", "motion.js", "plots.js", "small_plots.js", "curves.js",
+                           "azimuth.js", "area.js", "tables.js", "barrier_design.js", "report.js"})
     joined += read_file(assets / name);
   return joined + "})();\n";
 }

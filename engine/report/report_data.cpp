@@ -10,6 +10,7 @@
 #include "report/hash_data.h"
 #include "report/json_object.h"
 #include "report/law_data.h"
+#include "report/map_data.h"
 #include "report/reach_data.h"
 #include "report/rounded.h"
 #include "report/runout_data.h"
@@ -188,10 +189,10 @@ void ReportData::close_point() {
   if (closed_.size() < scenario_.plan.points.size()) open_point();
 }
 
-void ReportData::see(int point, const TrialRecords& chunk) {
+void ReportData::see(int point, const TrialRecords& chunk, const TrialRecords& first) {
   while (closed_.size() < static_cast<std::size_t>(point)) close_point();
-  open_->tracks.see(chunk);
-  open_->sensitivity.see(chunk);
+  open_->tracks.see(first);
+  open_->sensitivity.see(first);
   open_->deposits.see(chunk);
 }
 
@@ -204,6 +205,7 @@ Json ReportData::finish(const Results& results, const GroundPictures& grounds,
   close();
   const Plan& plan = scenario_.plan;
   Json points = Json::array(), first_laws;
+  std::size_t map_room = most_page_cells;
   for (std::size_t p = 0; p < closed_.size(); ++p) {
     const PointResult& point = results.points[p];
     Runouts runouts(point.groups);
@@ -217,14 +219,16 @@ Json ReportData::finish(const Results& results, const GroundPictures& grounds,
         json_object("terrain", terrain_data(point.terrain.profile), "ground", grounds.of_point[p], "section",
                     section_data(point), "deposits", std::move(closed_[p].deposits), "tracks",
                     std::move(closed_[p].tracks), "cell", cell_data(point), "runout", runouts.distributions(),
-                    "convergence", runouts.convergence(), "envelopes", envelope_data(point), "sensitivity",
-                    std::move(closed_[p].sensitivity), "shrouds", shroud_data(point.reaches), "laws",
-                    std::move(laws), "bodies", bodies_data(plan.points[p], point.totals)));
+                    "convergence", runouts.convergence(), "envelopes", envelope_data(point), "map",
+                    map_data(point.maps, map_room), "sensitivity", std::move(closed_[p].sensitivity),
+                    "shrouds", shroud_data(point.reaches), "laws", std::move(laws), "bodies",
+                    bodies_data(plan.points[p], point.totals)));
   }
   return json_object("summary", summary_data(plan, results), "source", source_data(scenario_), "scenario",
                      scenario_text(plan.resolved), "groups", group_names(plan.points.front()), "units",
-                     quantity_units, "axes", axes_data(plan), "expectation_units", expectation_units(results),
-                     "drawn", drawn_data(plan.points.front()), "grounds", grounds_data(grounds), "points",
+                     quantity_units, "map_units", map_unit_data(), "axes", axes_data(plan),
+                     "expectation_units", expectation_units(results), "drawn",
+                     drawn_data(plan.points.front()), "grounds", grounds_data(grounds), "points",
                      std::move(points));
 }
 

@@ -1,5 +1,6 @@
 #include "report/result_writer.h"
 
+#include <algorithm>
 #include <future>
 #include <nlohmann/json.hpp>
 
@@ -19,13 +20,46 @@ ResultWriter::ResultWriter(const std::filesystem::path& folder, const LoadedScen
       tally_(plan_),
       report_(scenario) {
   csv_.write(rocks_csv_header(plan_));
+  for (const Scenario& each : plan_.points) rows_left_.push_back(static_cast<std::size_t>(each.output.first));
 }
 
 void ResultWriter::see(int point, const TrialRecords& chunk) {
-  csv_.write(rocks_csv_rows(plan_, point, chunk.rocks));
-  database_.add(point, chunk);
+  const bool all = plan_.points[static_cast<std::size_t>(point)].output.rocks;
+  const TrialRecords first = all ? TrialRecords() : first_rows(point, chunk);
+  const TrialRecords& shown = all ? chunk : first;
+  csv_.write(rocks_csv_rows(plan_, point, shown.rocks));
+  database_.add(point, shown);
   tally_.see(point, chunk);
-  report_.see(point, chunk);
+  report_.see(point, chunk, shown);
+}
+
+TrialRecords ResultWriter::first_rows(int point, const TrialRecords& chunk) {
+  std::size_t& left = rows_left_.at(static_cast<std::size_t>(point));
+  TrialRecords first;
+  first.totals.materials = chunk.totals.materials;
+  const std::size_t count = std::min(left, chunk.rocks.size());
+  left -= count;
+  if (count == 0) return first;
+  first.rocks.assign(chunk.rocks.begin(), chunk.rocks.begin() + static_cast<std::ptrdiff_t>(count));
+  const RockRecord& last = first.rocks.back();
+  const auto of_rocks = [&](const auto& rows, auto& kept) {
+    for (const auto& row : rows)
+      if (std::pair(row.trial, row.rock) <= std::pair(last.trial, last.rock)) kept.push_back(row);
+  };
+  of_rocks(chunk.inputs, first.inputs);
+  of_rocks(chunk.impacts, first.impacts);
+  of_rocks(chunk.trajectories, first.trajectories);
+  of_rocks(chunk.shapes, first.shapes);
+  of_rocks(chunk.gates, first.gates);
+  of_rocks(chunk.barriers, first.barriers);
+  const auto of_trials = [&](const auto& rows, auto& kept) {
+    for (const auto& row : rows)
+      if (row.trial <= last.trial) kept.push_back(row);
+  };
+  of_trials(chunk.series_bodies, first.series_bodies);
+  of_trials(chunk.series_contacts, first.series_contacts);
+  of_trials(chunk.series_solves, first.series_solves);
+  return first;
 }
 
 Results ResultWriter::finish(const std::vector<Rows>& rows, const RunFacts& facts,

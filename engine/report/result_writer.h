@@ -29,12 +29,16 @@ class ResultWriter {
                  const std::filesystem::path& assets);
 
  private:
+  /// Where `output.rocks` is false: the rows of the rocks of a chunk that are among the first of their point.
+  TrialRecords first_rows(int point, const TrialRecords& chunk);
+
   std::filesystem::path folder_;
   const Plan& plan_;
   FileWriter csv_;
   ResultDatabase database_;
   ResultTally tally_;
   ReportData report_;
+  std::vector<std::size_t> rows_left_;  ///< of each point: rocks that still get rows
 };
 
 }  // namespace flyrock

@@ -312,6 +312,12 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
                       {"reach", reach_data(plan.points[p], point.reaches)},
                       {"solver", quality_data(point.totals.quality)},
                       {"materials", materials_data(plan.points[p], point.totals.materials)}});
+    if (const OutputPlan& output = plan.points[p].output; !output.rocks) {
+      const std::uint64_t all = point.groups.front().count;
+      points.back()["rows"] =
+          std::to_string(std::min<std::uint64_t>(all, static_cast<std::uint64_t>(output.first))) + " of " +
+          std::to_string(all);
+    }
     if (plan.points[p].blast) points.back()["blast"] = blast_data(*plan.points[p].blast);
   }
   Json verdicts = Json::array();

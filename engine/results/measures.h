@@ -28,9 +28,10 @@ struct PointResult {
   PlanReach reach;                      ///< 3D: where its rocks were
   std::vector<RockRecord> first_trial;  ///< rocks of the first trial of this run
   Series series;                        ///< of the first trial of this run
-  TrialTotals totals;
-  std::vector<GroupSummary> groups;  ///< all rocks first, then the groups; see RockTally
-  std::vector<GateSummary> gates;    ///< in the order of Scenario::gates
+  TrialTotals totals;                   ///< without maps
+  MapRasters maps;                      ///< 3D
+  std::vector<GroupSummary> groups;     ///< all rocks first, then the groups; see RockTally
+  std::vector<GateSummary> gates;       ///< in the order of Scenario::gates
   std::vector<BarrierSummary> barriers;
   std::vector<ClearanceSummary> clearances;
   std::vector<Reach> reaches;             ///< only with the method ballistic

@@ -78,7 +78,15 @@ class PointTally {
     return more;
   }
 
+  /// The first pass has ended. Rasters take less memory than the histograms that they are made of.
+  void end_first() {
+    if (result_.totals.maps.grid().empty()) return;
+    result_.maps = rasters_of(result_.totals.maps);
+    result_.totals.maps = {};
+  }
+
   PointResult result() {
+    end_first();
     result_.groups = rocks_.summaries();
     result_.gates = crossings_.gates();
     result_.barriers = crossings_.barriers();
@@ -184,7 +192,9 @@ ResultTally::ResultTally(const Plan& plan) : plan_(plan) {
 ResultTally::~ResultTally() = default;
 
 void ResultTally::see(int point, const TrialRecords& chunk) {
-  tallies_.at(static_cast<std::size_t>(point)).see_first(chunk, results_);
+  const auto at = static_cast<std::size_t>(point);
+  if (at > 0) tallies_.at(at - 1).end_first();
+  tallies_.at(at).see_first(chunk, results_);
 }
 
 Results ResultTally::finish(const std::vector<Rows>& rows, const RunFacts& facts) {

@@ -53,6 +53,25 @@ SeriesPlan decode_series(DecodeContext& context, const Node& node, const std::ve
   return plan;
 }
 
+MapsPlan decode_maps(DecodeContext& context, const Node& node) {
+  MapsPlan plan;
+  if (const bool* wanted = node.value->boolean()) {
+    plan.wanted = *wanted;
+    return plan;
+  }
+  const Section section = decode_section(context, node, "output.maps");
+  if (section.given("cell")) plan.cell = section.constant("cell");
+  for (const Vec3& corner : section.points("region")) plan.region.emplace_back(corner.x(), corner.y());
+  if (!section.given("region")) return plan;
+  const bool corners = plan.region.size() == 2 && plan.region[0].x() != plan.region[1].x() &&
+                       plan.region[0].y() != plan.region[1].y();
+  if (!corners) {
+    node.find("region")->error(context.diagnostics, "expected two opposite corners of a rectangle");
+    plan.region.clear();
+  }
+  return plan;
+}
+
 OutputPlan decode_output(DecodeContext& context, const Node& node, const std::vector<std::string>& names) {
   const std::optional<Node> points = node.find("trajectories");
   if (!points) return {};  // already reported
@@ -62,10 +81,15 @@ OutputPlan decode_output(DecodeContext& context, const Node& node, const std::ve
                   .trajectories_every = trajectories.constant("every"),
                   .impacts = section.constant("impacts") != 0,
                   .hard_problems = section.constant("hard_problems") != 0,
+                  .rocks = section.constant("rocks") != 0,
+                  .first = section.integer("first"),
+                  .envelopes = section.constant("envelopes") != 0,
                   .rank_outcomes = section.constant("rank_outcomes") != 0,
-                  .series = {}};
+                  .series = {},
+                  .maps = {}};
   if (const std::optional<Node> series = node.find("series"))
     plan.series = decode_series(context, *series, names);
+  if (const std::optional<Node> maps = node.find("maps")) plan.maps = decode_maps(context, *maps);
   return plan;
 }
 

@@ -103,6 +103,10 @@ class Normaliser {
     if (output.map() && !given) put(*output.map(), "trajectories", std::move(trajectories));
     const std::optional<Node> over_time = node ? node->find("series") : std::nullopt;
     if (output.map() && over_time) put(*output.map(), *over_time, series(*over_time));
+    const std::optional<Node> maps = node ? node->find("maps") : std::nullopt;
+    if (output.map() && maps)
+      put(*output.map(), *maps,
+          maps->value->boolean() ? *maps->value : normalise_section(context_, *maps, "output.maps", {}));
     return output;
   }
 

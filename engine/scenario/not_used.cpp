@@ -145,6 +145,13 @@ std::vector<std::string> find_not_used(const Node& root, const Scenario& scenari
   const auto output = root.find("output");
   if (scenario.method != Method::nscd && output && find_given(*output, "series"))
     list.push_back(fmt::format("output.series (the method {} flies points)", name_of(scenario.method)));
+  if (output && find_given(*output, "first") && scenario.output.rocks)
+    list.emplace_back("output.first (every rock has its rows)");
+  if (output && find_given(*output, "maps") && scenario.output.maps.wanted) {
+    if (scenario.dimension == 2) list.emplace_back("output.maps (maps are made in 3D)");
+    if (scenario.dimension == 3 && !scenario.bodies.empty())
+      list.emplace_back("output.maps (maps are made of `rocks`)");
+  }
   if (scenario.method == Method::lumped_mass) find_keys_of_bodies(root, scenario, list);
   find_rock_contacts(root, scenario, list);
   find_body_contacts(root, scenario, list);

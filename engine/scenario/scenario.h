@@ -237,13 +237,24 @@ struct SeriesPlan {
   int first = 1;     ///< number of trials with series
 };
 
+/// The maps of a 3D run (batch/maps.h).
+struct MapsPlan {
+  bool wanted = true;
+  double cell = 0;           ///< m; 0: chosen from the ground
+  std::vector<Vec2> region;  ///< two opposite corners in plan; empty: the extent of the ground
+};
+
 struct OutputPlan {
   int trajectories_first = 100;      ///< number of trials with trajectories
   double trajectories_every = 0.02;  ///< s
   bool impacts = true;
   bool hard_problems = false;        ///< keep each step that did not converge as an FCLIB file
+  bool rocks = true;                 ///< whether each rock has a row; else only the first ones
+  int first = 1000;                  ///< rocks of a point with rows, where `rocks` is false
+  bool envelopes = true;             ///< 2D: whether envelopes are made
   bool rank_outcomes = false;        ///< also rank outcomes of what plugins draw (batch/inputs.h)
   std::optional<SeriesPlan> series;  ///< absent: none
+  MapsPlan maps;
 };
 
 enum class ExpectKind { equals, below, above, between };

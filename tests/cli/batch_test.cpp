@@ -169,3 +169,41 @@ TEST_CASE("Three shards merged are one run") {
   CHECK(call(folder, "run moved.yaml --shard 4/3").err.find("--shard: `4/3`, expected i from 1 to n") !=
         std::string::npos);
 }
+
+TEST_CASE("With rows off the results are those of all rocks, and rows are those of the first") {
+  const Folder folder;
+  const std::string run =
+      std::string("run '") + FLYROCK_SOURCE_DIR "/tests/unit/batch/mapped.yaml' --trials 300 --quiet ";
+  const std::string off = run + "--set output.rocks=false --set output.first=20 ";
+  REQUIRE(call(folder, run + "-o all").code == 0);
+  REQUIRE(call(folder, off + "-o one -j 1").code == 0);
+  REQUIRE(call(folder, off + "-o three -j 3").code == 0);
+  for (const std::string shard : {"1", "2"})
+    REQUIRE(call(folder, off + "--shard " + shard + "/2 -o shard" + shard).code == 0);
+  REQUIRE(call(folder, "merge shard1 shard2 -o merged").code == 0);
+  check_same(folder, "one", "three");
+  check_same(folder, "one", "merged");
+  const auto lines = [&](const std::string& file, const char* without) {
+    std::istringstream text(read(folder.path() / file));
+    std::vector<std::string> list;
+    for (std::string line; std::getline(text, line);) {
+      if (!line.empty() && line.back() == ',') line.pop_back();
+      if (*without == 0 || line.find(without) == std::string::npos) list.push_back(line);
+    }
+    return list;
+  };
+  CHECK(lines("one/summary.json", "\"rows\"") == lines("all/summary.json", "\"rows\""));
+  CHECK(read(folder.path() / "one/summary.json").find("\"rows\": \"20 of 300\"") != std::string::npos);
+  std::vector<std::string> first = lines("all/rocks.csv", "");
+  first.resize(21);
+  CHECK(lines("one/rocks.csv", "") == first);
+  const auto rows = [&](const std::string& result, const std::string& sql) {
+    return query(folder.path() / result / "results.db", sql);
+  };
+  for (const std::string table : {"inputs", "impacts", "trajectories"}) {
+    CHECK(rows("one", "SELECT * FROM " + table + " ORDER BY trial") ==
+          rows("all", "SELECT * FROM " + table + " WHERE trial < 20 ORDER BY trial"));
+  }
+  CHECK(rows("one", "SELECT max(trial) FROM inputs") == std::vector<std::string>{"19"});
+  CHECK(rows("one", "SELECT * FROM maps") == rows("all", "SELECT * FROM maps"));
+}

@@ -279,8 +279,8 @@ TEST_CASE("An export says which formats there are and which folders are results"
     CHECK(output.err.find(text) != std::string::npos);
   };
   refused("export r --to vtx", "--to: unknown format `vtx`, did you mean `vtk`?");
-  refused("export r --to geojson", "--to: unknown format `geojson`, expected `csv` or `vtk`");
-  refused("export r", "expected --to FORMAT: flyrock export DIR --to csv|vtk [-o PATH]");
+  refused("export r --to geojson", "--to: unknown format `geojson`, expected `asc`, `csv` or `vtk`");
+  refused("export r", "expected --to FORMAT: flyrock export DIR --to csv|vtk|asc|tif [-o PATH]");
   refused("export nowhere --to csv", "nowhere is no result folder: it has no manifest.json");
   refused("report s.yaml", "s.yaml is no result folder");
   CHECK(call(folder, "run s.yaml --shard 1/2 --quiet -o half").code == 0);
@@ -342,4 +342,71 @@ TEST_CASE("animate draws the stored motion without scripts") {
   }
   CHECK(call(folder, "animate out --point 9").code == 2);
   CHECK(call(folder, "animate nowhere").code == 2);
+}
+
+TEST_CASE("Maps are exported as ASCII grids with the values of the page") {
+  const Folder folder;
+  const std::string mapped = FLYROCK_SOURCE_DIR "/tests/unit/batch/mapped.yaml";
+  REQUIRE(call(folder, "run '" + mapped + "' --trials 12 --quiet -o r").code == 0);
+  const Output done = call(folder, "export r --to asc");
+  REQUIRE(done.code == 0);
+  CHECK(count_of(done.out, ".asc\n") == 10);
+  const fs::path db = folder.path() / "r/results.db";
+  const auto numbers_of = [&](const std::string& of) {
+    std::vector<double> list;
+    for (const std::string& row :
+         query(db, "SELECT value FROM report, json_each(data, '$.points[0].map." + of + "')"))
+      list.push_back(std::stod(row));
+    return list;
+  };
+  const std::vector<double> steps = numbers_of("index");
+  double deposited = 0;
+  for (const char* name : {"Nr_passages", "Reach_probability", "E_mean", "E_p95", "E_max", "Ph_mean",
+                           "Ph_p95", "Ph_max", "V_max", "Nr_deposited"}) {
+    INFO(name);
+    std::istringstream text(read(folder.path() / "r/asc" / (std::string(name) + "-p0.asc")));
+    std::vector<std::string> header(6);
+    for (std::string& line : header) std::getline(text, line);
+    CHECK(header == std::vector<std::string>{"ncols 40", "nrows 20", "xllcorner 0", "yllcorner -5",
+                                             "cellsize 1", "NODATA_value -9999"});
+    const std::vector<double> cells{std::istream_iterator<double>(text), {}};
+    REQUIRE(cells.size() == 800);
+    const std::vector<double> page = numbers_of(name);
+    REQUIRE(page.size() == steps.size());
+    std::size_t index = 0;
+    for (std::size_t i = 0; i < page.size(); ++i) {
+      index += static_cast<std::size_t>(steps[i]);
+      CHECK(cells[(19 - index / 40) * 40 + index % 40] == Approx(page[i]).epsilon(6e-4).margin(1e-12));
+    }
+    const auto empty = static_cast<std::size_t>(std::count(cells.begin(), cells.end(), -9999.0));
+    CHECK(empty == 800 - page.size());
+    if (std::string(name) == "Nr_deposited")
+      for (const double rocks : cells) deposited += std::max(0.0, rocks);
+  }
+  CHECK(deposited ==
+        std::stod(query(db,
+                        "SELECT count(*) FROM rocks WHERE stop_reason = 'stopped' AND stop_x_m >= 0 "
+                        "AND stop_x_m < 40 AND stop_y_m >= -5 AND stop_y_m < 15")
+                      .front()));
+  CHECK(deposited > 0);
+  const Output tif = call(folder, "export r --to tif");
+  CHECK(tif.code == 2);
+  CHECK(tif.err.find("gdal-bin") != std::string::npos);
+}
+
+TEST_CASE("Maps have the same bytes after a resume and by any number of threads") {
+  const Folder folder;
+  const std::string mapped = FLYROCK_SOURCE_DIR "/tests/unit/batch/mapped.yaml";
+  REQUIRE(call(folder, "run '" + mapped + "' --trials 300 --quiet -o one -j 1").code == 0);
+  REQUIRE(call(folder, "run '" + mapped + "' --trials 300 --quiet -o three -j 3").code == 0);
+  for (const char* part : {"1/2", "2/2"})
+    REQUIRE(call(folder, "run '" + mapped + "' --trials 300 --quiet -o shard" + part[0] + " --shard " + part)
+                .code == 0);
+  REQUIRE(call(folder, "merge shard1 shard2 -o merged").code == 0);
+  const auto maps = [&](const std::string& result) {
+    return query(folder.path() / result / "results.db", "SELECT * FROM maps ORDER BY rowid");
+  };
+  CHECK(maps("one").size() > 100);
+  CHECK(maps("one") == maps("three"));
+  CHECK(maps("one") == maps("merged"));
 }

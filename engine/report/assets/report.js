@@ -19,7 +19,8 @@ function facts_section() {
   const trials = summary.points.reduce((sum, point) => sum + point.trials, 0);
   root.append(paragraph("facts", `${of_bodies ? counted(rocks, "body", "bodies") : counted(rocks, "rock", "rocks")} in ${counted(trials, "trial", "trials")}` + (many_points ? ` of ${data.points.length} sweep points` : "") +
     `; ${summary.dimension}D, ${summary.method}, seed ${summary.seed}; flyrock ${summary.flyrock}.` +
-    (summary.dimension === 2 ? " Mass, inertia and energy are of the whole rock, never per metre." : "")));
+    (summary.dimension === 2 ? " Mass, inertia and energy are of the whole rock, never per metre." : "") +
+    (summary.points[0].rows ? ` Rows, paths and inputs are of the first rocks (${summary.points[0].rows}); statistics are of all.` : "")));
   const badges = element("p", {});
   const badge = (good, text) => badges.append(element("span", { class: `badge ${good ? "good" : "bad"}` }, `${good ? "✓" : "!"} ${text}`));
   const judged = summary.expectations.filter((e) => e.passed !== null);
@@ -47,6 +48,7 @@ clearance_section();
 area_section();
 crossings_section();
 barrier_design_section();
+maps_section();
 envelopes_section();
 sensitivity_section();
 sweep_section();

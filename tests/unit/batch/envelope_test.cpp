@@ -57,7 +57,7 @@ TEST_CASE("Envelopes that no rock has made are refused, and counts that do not a
   // One group 0 with one bin 0, whose quantities have 1, 0 and 0 codes; then 1, 1 and 1 codes with 3, 1 and 1
   // rocks.
   using namespace std::string_literals;
-  CHECK_THROWS_WITH(Envelopes::read("\1\0\1\0\1\0\3\0\0"s), "a bin of the envelopes has no rock");
+  CHECK_THROWS_WITH(Envelopes::read("\1\0\1\0\1\0\3\0\0"s), "a histogram has no rock");
   const Envelopes odd = Envelopes::read("\1\0\1\0\1\0\3\1\7\1\1\7\1"s);
   CHECK(odd.of_all().at(0).quantile(EnvelopeQuantity::energy, 1) > 0);
 }

@@ -21,7 +21,7 @@ Mesh mesh_of(std::vector<Vec3> vertices, std::vector<std::array<int, 3>> triangl
 }
 
 /// A level square of n x n cells of 1 m, two triangles each, without the cells that `left_out` names.
-Mesh level(int n, const std::vector<std::pair<int, int>>& left_out = {}) {
+Mesh level_mesh(int n, const std::vector<std::pair<int, int>>& left_out = {}) {
   Mesh mesh = mesh_of({}, {});
   for (int j = 0; j <= n; ++j)
     for (int i = 0; i <= n; ++i) mesh.vertices.emplace_back(i, j, 0);
@@ -44,7 +44,7 @@ Mesh pyramid() {
 }  // namespace
 
 TEST_CASE("a surface with one border, an overhang and a closed rock are ground") {
-  CHECK(fault(level(4)).empty());
+  CHECK(fault(level_mesh(4)).empty());
   CHECK(fault(pyramid()).empty());
   const Mesh overhang =
       mesh_of({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {-1, 0, 3}, {-1, 4, 3}, {-5, 0, 3}, {-5, 4, 3}},
@@ -65,7 +65,7 @@ TEST_CASE("a mesh that is no ground says what is wrong, and where") {
                       {{0, 1, 3}, {0, 3, 2}, {3, 0, 4}}),
               {1, 2, 3}) ==
         "the edge from (0, 0, 0) to (1, 1, 0) has 3 triangles (lines 1, 2, 3), expected one or two");
-  Mesh parts = level(1);
+  Mesh parts = level_mesh(1);
   parts.part = {0, 1};
   CHECK(fault(parts) == "a mesh of 1 parts has a triangle of part 1");
   parts.part = {0};
@@ -73,7 +73,7 @@ TEST_CASE("a mesh that is no ground says what is wrong, and where") {
 }
 
 TEST_CASE("a flipped neighbour is named by its edge") {
-  Mesh mesh = level(3);
+  Mesh mesh = level_mesh(3);
   std::swap(mesh.triangles[8][0], mesh.triangles[8][1]);
   std::vector<int> lines(mesh.triangles.size());
   for (std::size_t i = 0; i < lines.size(); ++i) lines[i] = 100 + static_cast<int>(i);
@@ -85,7 +85,7 @@ TEST_CASE("a flipped neighbour is named by its edge") {
 }
 
 TEST_CASE("a mesh that faces down is refused, and one that stands upright") {
-  Mesh down = level(2);
+  Mesh down = level_mesh(2);
   for (auto& triangle : down.triangles) std::swap(triangle[0], triangle[1]);
   CHECK(
       fault(down).find(
@@ -99,13 +99,13 @@ TEST_CASE("a mesh that faces down is refused, and one that stands upright") {
 }
 
 TEST_CASE("a hole inside is refused with its place, a bay at the border is not") {
-  CHECK(fault(level(5, {{2, 2}})) ==
+  CHECK(fault(level_mesh(5, {{2, 2}})) ==
         "the mesh has a hole of 4 edges from (2, 2, 0) to (3, 3, 0); expected ground without holes inside");
-  CHECK(fault(level(7, {{2, 2}, {4, 4}, {5, 4}})) ==
+  CHECK(fault(level_mesh(7, {{2, 2}, {4, 4}, {5, 4}})) ==
         "the mesh has a hole of 6 edges from (4, 4, 0) to (6, 5, 0), and 1 more; expected ground without "
         "holes inside");
-  CHECK(fault(level(5, {{4, 2}})).empty());
-  CHECK(fault(welded(level(5, {{4, 4}, {3, 3}})))
+  CHECK(fault(level_mesh(5, {{4, 2}})).empty());
+  CHECK(fault(welded(level_mesh(5, {{4, 4}, {3, 3}})))
             .empty());  // the two missing cells touch, and so open to the border
 }
 

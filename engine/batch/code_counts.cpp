@@ -1,0 +1,91 @@
+#include "batch/code_counts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "batch/whole_numbers.h"
+
+namespace flyrock {
+
+namespace {
+
+constexpr double least_coded = 1e-3;
+constexpr std::uint64_t most_codes = 4096;  // above the code of any finite energy
+
+}  // namespace
+
+std::uint32_t CodeScale::code(double value) const {
+  if (!(value >= least_coded)) return 0;
+  const double code = std::floor(std::log(value / least_coded) / std::log(ratio)) + 1;
+  return static_cast<std::uint32_t>(std::min(code, static_cast<double>(most_codes - 1)));
+}
+
+double CodeScale::value(std::uint32_t code) const {
+  return code == 0 ? 0 : least_coded * std::pow(ratio, static_cast<double>(code) - 0.5);
+}
+
+void add_code(CodeCounts& counts, std::uint32_t code) {
+  const auto at = std::lower_bound(counts.begin(), counts.end(), code,
+                                   [](const CodeCount& c, std::uint32_t wanted) { return c.code < wanted; });
+  if (at != counts.end() && at->code == code)
+    ++at->rocks;
+  else
+    counts.insert(at, {code, 1});
+}
+
+// Both are sorted by code. Merges in place from the end, because this runs for each bin of each chunk.
+void merge_counts(CodeCounts& counts, const CodeCounts& more) {
+  std::size_t from = counts.size(), to = from;
+  auto at = counts.begin();
+  for (const CodeCount& next : more) {
+    while (at != counts.end() && at->code < next.code) ++at;
+    to += at == counts.end() || at->code != next.code;
+  }
+  counts.resize(to);
+  for (auto next = more.rbegin(); next != more.rend(); ++next) {
+    while (from > 0 && counts[from - 1].code > next->code) counts[--to] = counts[--from];
+    const bool known = from > 0 && counts[from - 1].code == next->code;
+    counts[--to] = {next->code, next->rocks + (known ? counts[--from].rocks : 0)};
+  }
+}
+
+std::uint64_t rocks_in(const CodeCounts& counts) {
+  return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0},
+                         [](std::uint64_t sum, const CodeCount& c) { return sum + c.rocks; });
+}
+
+std::uint32_t quantile_code(const CodeCounts& counts, std::uint64_t all, double p) {
+  const double wanted = p * static_cast<double>(all);
+  std::uint64_t seen = 0;
+  auto at = counts.begin();
+  // Always stops at the last count: in a chunk that flyrock did not write, the counts may not agree.
+  while (static_cast<double>(seen += at->rocks) < wanted && at + 1 != counts.end()) ++at;
+  return at->code;
+}
+
+void put_counts(std::string& bytes, const CodeCounts& counts) {
+  put_whole(bytes, counts.size());
+  std::uint32_t before = 0;
+  for (const auto& [code, rocks] : counts) {
+    put_whole(bytes, code - before);
+    put_whole(bytes, rocks);
+    before = code;
+  }
+}
+
+CodeCounts take_counts(std::string_view& bytes) {
+  CodeCounts counts;
+  std::uint64_t code = 0;
+  for (std::uint64_t entries = take_whole(bytes); entries > 0; --entries) {
+    code += take_whole(bytes);
+    if (code >= most_codes) throw ColumnError("a code of a histogram is too great");
+    if (!counts.empty() && code <= counts.back().code)
+      throw ColumnError("the codes of a histogram are out of order");
+    counts.push_back({static_cast<std::uint32_t>(code), static_cast<std::uint32_t>(take_whole(bytes))});
+  }
+  if (counts.empty()) throw ColumnError("a histogram has no rock");
+  return counts;
+}
+
+}  // namespace flyrock

@@ -1,0 +1,37 @@
+#pragma once
+// Histograms of positive numbers over bins of equal ratio, as lists of the bins that occur. Counts are whole
+// numbers, so that the histograms of chunks have the same sum in any order.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace flyrock {
+
+/// Bins of a ratio r: code 0 is below 0.001, code k > 0 is from 0.001 r^(k-1) to 0.001 r^k.
+struct CodeScale {
+  double ratio;
+
+  std::uint32_t code(double value) const;
+  /// The middle of a code's values, on a logarithmic scale.
+  double value(std::uint32_t code) const;
+};
+
+struct CodeCount {
+  std::uint32_t code = 0, rocks = 0;
+};
+/// In increasing order of the codes.
+using CodeCounts = std::vector<CodeCount>;
+
+void add_code(CodeCounts& counts, std::uint32_t code);
+void merge_counts(CodeCounts& counts, const CodeCounts& more);
+std::uint64_t rocks_in(const CodeCounts& counts);
+/// The code of the smallest value that at least a share p of `all` does not exceed. There must be a count.
+std::uint32_t quantile_code(const CodeCounts& counts, std::uint64_t all, double p);
+
+/// As compact bytes for chunk files, and back. take_counts() throws ColumnError.
+void put_counts(std::string& bytes, const CodeCounts& counts);
+CodeCounts take_counts(std::string_view& bytes);
+
+}  // namespace flyrock

@@ -1,0 +1,95 @@
+#pragma once
+// Maps of a 3D run: which cells rocks pass, how high, how fast, with which energy, and where they stop.
+//
+// Memory is bounded by the number of cells: each cell keeps sums, extremes and two histograms of counts. The
+// maps of chunks are added in the order of the chunks, which gives the same bytes for any number of threads.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "batch/code_counts.h"
+#include "scenario/scenario.h"
+#include "world/plan_cells.h"
+
+namespace flyrock {
+
+class Ground3;
+
+/// The most cells of a map.
+inline constexpr std::uint64_t most_map_cells = 250'000;
+
+/// The cells of the maps of a point, in the coordinates of the scenario, over a ground that counts from
+/// `origin`. Cells: as the plan says; else those of a raster, in groups of n x n if there are too many; else
+/// a 200th of the longer side, rounded up to 1, 2 or 5 times a power of ten. Empty if the plan wants no maps,
+/// or if the ground has no ends and the plan no region. May have too many cells only where the plan gives
+/// `cell`.
+PlanGrid map_grid(const MapsPlan& plan, const Ground3& ground, const Vec2& origin);
+
+/// The rocks without faults that passed one cell, each with its greatest values there.
+struct MapCell {
+  std::uint32_t index = 0;  ///< of PlanGrid
+  std::uint64_t passages = 0, deposited = 0;
+  double energy_sum = 0, energy_max = 0;  ///< J
+  double height_sum = 0, height_max = 0;  ///< m
+  double speed_max = 0;                   ///< m/s
+  CodeCounts energies, heights;           ///< of energies in kJ and heights in m, see map_scale
+
+  void add(const MapCell& later);
+};
+
+/// Values of histograms are known to 5 %.
+inline constexpr CodeScale map_scale{1.1};
+
+class Maps {
+ public:
+  Maps() = default;
+  explicit Maps(const PlanGrid& grid) : grid_(grid) {}
+
+  const PlanGrid& grid() const { return grid_; }
+  std::uint64_t rocks() const { return rocks_; }
+  /// In the order of their indices.
+  std::vector<const MapCell*> cells() const;
+
+  /// Adds a rock without a fault; `stopped`: the cell in which it came to rest.
+  void add(const std::vector<PlanCell>& passed, std::optional<std::uint32_t> stopped);
+  void add(const Maps& later);
+
+  /// As compact bytes for chunk files, and back. Throws ColumnError if the bytes are no maps.
+  std::string bytes() const;
+  static Maps read(std::string_view bytes);
+
+ private:
+  MapCell& at(std::uint32_t index);
+
+  PlanGrid grid_;
+  std::uint64_t rocks_ = 0;
+  std::vector<MapCell> cells_;
+  std::vector<std::uint32_t> place_;  ///< by index of the grid: 1 + place in cells_, 0 if it is not there
+};
+
+/// The rasters of a map, in the order of their columns in tables and of their files.
+inline constexpr std::array<const char*, 10> map_names = {
+    "Nr_passages", "Reach_probability", "E_mean", "E_p95", "E_max", "Ph_mean", "Ph_p95", "Ph_max",
+    "V_max",       "Nr_deposited"};
+inline constexpr std::array<const char*, 10> map_units = {"",  "%", "kJ", "kJ",  "kJ",
+                                                          "m", "m", "m",  "m/s", ""};
+
+/// Whether a raster holds whole numbers of rocks.
+constexpr bool is_count_map(std::size_t raster) { return raster == 0 || raster + 1 == map_names.size(); }
+
+/// The rasters of the maps of a point; the other cells have no data.
+struct MapRasters {
+  PlanGrid grid;
+  struct Cell {
+    std::uint32_t index = 0;
+    std::array<double, map_names.size()> values{};  ///< [map_names], in map_units
+  };
+  std::vector<Cell> cells;  ///< in the order of their indices
+};
+MapRasters rasters_of(const Maps& maps);
+
+}  // namespace flyrock

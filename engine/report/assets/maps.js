@@ -1,0 +1,50 @@
+// Maps of a 3D run: its rasters in plan, one at a time.
+
+const map_titles = {
+  Nr_passages: "rocks that passed", Reach_probability: "share of all rocks that passed", E_mean: "mean energy", E_p95: "energy, p95", E_max: "greatest energy",
+  Ph_mean: "mean height above the ground", Ph_p95: "height above the ground, p95", Ph_max: "greatest height above the ground", V_max: "greatest speed", Nr_deposited: "rocks that stopped",
+};
+let raster = "Reach_probability";
+
+/** The values of a raster as rows of the part of the grid that has data, from the south; null where no rock passed. */
+function map_rows(map, name) {
+  let sum = 0;
+  const cells = map.index.map((step) => (sum += step)), columns = cells.map((i) => i % map.columns), rows = cells.map((i) => Math.floor(i / map.columns));
+  const west = least(columns), south = least(rows), z = Array.from({ length: most(rows) - south + 1 }, () => new Array(most(columns) - west + 1).fill(null));
+  cells.forEach((_, i) => { z[rows[i] - south][columns[i] - west] = map[name][i]; });
+  return { z, x: map.x + (west + 0.5) * map.cell, y: map.y + (south + 0.5) * map.cell };
+}
+
+function draw_map(node, map, name, page, crossings) {
+  const { z, x, y } = map_rows(map, name), unit = data.map_units[name], title = in_unit(map_titles[name], unit);
+  const centres = { x: z[0].map((_, i) => x + i * map.cell), y: z.map((_, i) => y + i * map.cell) }, lines = plan_lines(crossings);
+  const window = window_of(node, [centres, ...lines], 700), ground = ground_of_point();
+  const heights = ground ? contours(ground, window) : { traces: [], annotations: [] }, places = place_lines(crossings, window.height);
+  const cells = { type: "heatmap", ...centres, z, hoverongaps: false, colorscale: "Viridis", reversescale: true, zmin: 0, colorbar: { title: { text: unit || "rocks", side: "right" }, thickness: 14 },
+    hovertemplate: `x %{x:.6~f} m, y %{y:.6~f} m<br>${map_titles[name]} %{z}${unit ? ` ${unit}` : ""}<extra></extra>`, name: title, showlegend: false };
+  plot(node, [cells, ...heights.traces, ...lines], {
+    height: window.height, hovermode: "closest", legend,
+    xaxis: { ...place_axis("x in m"), range: window.x },
+    yaxis: { ...place_axis("y in m"), range: window.y, scaleanchor: "x", scaleratio: 1 },
+    shapes: places.shapes, annotations: [...heights.annotations, ...places.annotations],
+  }, true);
+}
+
+function maps_section() {
+  if (data.points.every((point) => !point.map)) return;
+  const node = plot_node("A raster of the run in plan; flyrock export --to asc writes all of them"), note = paragraph("note", "");
+  const update = () => {
+    const map = data.points[shown.point].map;
+    if (!map) {
+      note.textContent = `Shown: ${many_points ? point_name(summary.points[shown.point]) : "all rocks"}.`;
+      return no_plot(node, "No map here: no rock passed a cell, or the page has no room for its cells; results.db holds them.");
+    }
+    note.textContent = `Shown: ${map_titles[raster]}, rocks of all groups${many_points ? `, ${point_name(summary.points[shown.point])}` : ""}; cells of ${show(map.cell)} m, ${counted(map.index.length, "cell", "cells")} with rocks.`;
+    draw_map(node, map, raster, data.points[shown.point], summary.points[shown.point]);
+  };
+  section("Maps", chooser("Raster", Object.keys(data.map_units).map((name) => [name, `${name}: ${map_titles[name]}`]), raster, (name) => { raster = name; update(); }), note, node,
+    caption("Where rocks pass, how often, how high, how fast and with which energy. A rock counts once in a cell, with its greatest value there; cells that no rock passed stay white.",
+      "Every cell under a flight counts, however long the flight is. Heights are those of the centre of mass above the ground, energies are kinetic with rotation; p95 is known to 5 %.",
+      "flyrock export --to asc writes these rasters for a GIS."));
+  redraw.push(update);
+}

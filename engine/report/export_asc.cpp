@@ -1,0 +1,81 @@
+#include "report/export_asc.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <string>
+
+#include "batch/maps.h"
+#include "batch/safe_file.h"
+#include "document/value.h"
+#include "report/sqlite.h"
+
+namespace flyrock {
+
+namespace {
+
+constexpr double no_data = -9999;
+
+struct StoredGrid {
+  std::int64_t point = 0;
+  double x = 0, y = 0, cell = 0;
+  std::size_t columns = 0, rows = 0;
+};
+
+std::vector<StoredGrid> stored_grids(const SqliteReader& database) {
+  std::vector<StoredGrid> grids;
+  Query row(database, "SELECT point, x_m, y_m, cell_m, columns, rows FROM map_grids ORDER BY point");
+  while (row.next()) {
+    const std::int64_t columns = row.whole(4), rows = row.whole(5);
+    const auto most = static_cast<std::int64_t>(most_map_cells);
+    if (columns < 1 || rows < 1 || columns > most || rows > most || columns * rows > most)
+      throw UnreadableFile("results.db is damaged: the cells of its maps make no grid");
+    grids.push_back({row.whole(0), row.real(1), row.real(2), row.real(3), static_cast<std::size_t>(columns),
+                     static_cast<std::size_t>(rows)});
+  }
+  return grids;
+}
+
+/// The values of a raster in the order of their cells (PlanGrid).
+std::vector<double> stored_values(const SqliteReader& database, const StoredGrid& grid, const char* name) {
+  std::vector<double> values(grid.columns * grid.rows, no_data);
+  Query row(database,
+            fmt::format("SELECT \"column\", \"row\", {} FROM maps WHERE point = {}", name, grid.point));
+  while (row.next()) {
+    const auto column = static_cast<std::size_t>(row.whole(0)), at = static_cast<std::size_t>(row.whole(1));
+    if (column >= grid.columns || at >= grid.rows)
+      throw UnreadableFile("results.db is damaged: a cell outside of its map");
+    values[at * grid.columns + column] = row.real(2);
+  }
+  return values;
+}
+
+std::string grid_text(const StoredGrid& grid, const std::vector<double>& values) {
+  std::string text = fmt::format(
+      "ncols {}\nnrows {}\nxllcorner {}\nyllcorner {}\ncellsize {}\nNODATA_value {}\n", grid.columns,
+      grid.rows, shortest(grid.x), shortest(grid.y), shortest(grid.cell), shortest(no_data));
+  for (std::size_t r = grid.rows; r-- > 0;)
+    for (std::size_t c = 0; c < grid.columns; ++c) {
+      text += shortest(values[r * grid.columns + c]);
+      text += c + 1 < grid.columns ? ' ' : '\n';
+    }
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> export_asc(const std::filesystem::path& results,
+                                              const std::filesystem::path& folder) {
+  const SqliteReader database(results);
+  std::vector<std::filesystem::path> files;
+  for (const StoredGrid& grid : stored_grids(database)) {
+    make_folder(folder);
+    for (const char* name : map_names) {
+      files.push_back(folder / fmt::format("{}-p{}.asc", name, grid.point));
+      write_file(files.back(), grid_text(grid, stored_values(database, grid, name)));
+    }
+  }
+  return files;
+}
+
+}  // namespace flyrock
