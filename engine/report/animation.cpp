@@ -3,27 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 
-#include "math/round_step.h"
+#include "report/animated_rock.h"
 #include "report/html.h"
-#include "report/rock_view.h"
 #include "report/stored_contacts.h"
-#include "report/stored_paths.h"
 
 namespace flyrock {
 
 namespace {
 
-constexpr double most_wide = 760, most_high = 520, axis_high = 34, margin = 0.06;  // pixels; share
-constexpr double frames_a_second = 25;
-
-struct Actor {
-  StoredPath path;
-  std::vector<SurfaceCorner> corners;
-  double extent = 0;  ///< m, of the farthest place from the centre of mass
-};
+constexpr double axis_high = 34;  // pixels
 
 std::vector<SurfaceCorner> read_corners(const SqliteReader& database, const StoredPath& path) {
   Query row(database, fmt::format("SELECT contactor, face, x_m, y_m, z_m, radius_m FROM shapes WHERE point = "
@@ -51,216 +40,6 @@ std::vector<Actor> read_actors(const SqliteReader& database, std::int64_t point)
   }
   return actors;
 }
-
-/// The stage: times of the frames, and where places are in the picture.
-class Stage {
- public:
-  Stage(const std::vector<Actor>& actors, int dimension) : view(view_of(dimension)) {
-    double last = 0;
-    first_ = actors.front().path.moments.front().time;
-    Vec2 low = Vec2::Constant(1e300), high = -low;
-    for (const Actor& actor : actors)
-      for (const StoredMoment& moment : actor.path.moments) {
-        first_ = std::min(first_, moment.time);
-        last = std::max(last, moment.time);
-        low = low.cwiseMin((view(moment.place).array() - actor.extent).matrix());
-        high = high.cwiseMax((view(moment.place).array() + actor.extent).matrix());
-      }
-    length_ = std::max(last - first_, 1e-12);
-    shown = std::clamp(length_, 4.0, 12.0);
-    for (int i = 0, n = static_cast<int>(frames_a_second * shown); i <= n; ++i)
-      times.push_back(first_ + length_ * i / n);
-    const Vec2 room = (high - low) * margin + Vec2::Constant(1e-9);
-    low_ = low - room;
-    const Vec2 size = high - low + 2 * room;
-    scale = std::min(most_wide / size.x(), most_high / size.y());
-    width = std::max(240.0, scale * size.x());
-    height = std::max(80.0, scale * size.y());
-    low_.x() -= 0.5 * (width / scale - size.x());
-  }
-
-  Vec2 pixel(const Vec2& seen) const {
-    return {scale * (seen.x() - low_.x()), height - scale * (seen.y() - low_.y())};
-  }
-  Vec2 pixel(const Vec3& place) const { return pixel(view(place)); }
-
-  /// `<animate...>` with one value a frame; `discrete`: without values in between.
-  template <class Value>
-  std::string animate(const std::string& what, bool discrete, Value value) const {
-    std::string values, first;
-    bool still = true;
-    for (std::size_t i = 0; i < times.size(); ++i) {
-      const std::string text = value(times[i]);
-      if (i == 0) first = text;
-      still = still && text == first;
-      values += (i ? ";" : "") + text;
-    }
-    return fmt::format("<{} dur=\"{:g}s\" repeatCount=\"indefinite\"{} values=\"{}\"/>", what, shown,
-                       discrete ? " calcMode=\"discrete\"" : "", still ? first + ";" + first : values);
-  }
-
-  /// The axis of time with a mark that moves.
-  std::string axis() const {
-    const double left = 20, wide = width - 40, y = height + 12, step = round_step(length_ / 5);
-    const auto x = [&](double t) { return left + wide * (t - first_) / length_; };
-    std::string out = fmt::format("<path d=\"M{:.1f} {:.1f}h{:.1f}\" stroke=\"#777\"/>\n", left, y, wide);
-    for (double t = step * std::ceil(first_ / step - 1e-9); t <= first_ + length_ * (1 + 1e-9); t += step)
-      out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{:.6g} s</text>\n", x(t),
-                         y + 16, std::abs(t) < 1e-9 * step ? 0.0 : t);
-    out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"#1f5fa8\">", left, y);
-    return out +
-           animate("animate attributeName=\"cx\"", false,
-                   [&](double t) { return fmt::format("{:.1f}", x(t)); }) +
-           "</circle>\n";
-  }
-
-  View view;
-  std::vector<double> times;  ///< s, of the frames
-  double shown = 0;           ///< s, how long the picture takes
-  double scale = 1, width = 0, height = 0;
-
- private:
-  double first_ = 0, length_ = 0;
-  Vec2 low_ = Vec2::Zero();
-};
-
-std::string points_of(const std::vector<Vec2>& pixels) {
-  std::string text;
-  for (const Vec2& p : pixels) text += fmt::format("{}{:.1f},{:.1f}", text.empty() ? "" : " ", p.x(), p.y());
-  return text;
-}
-
-// ---- 2D: each rock is drawn once, and moves by transformations
-
-/// A contactor about the origin, in pixels.
-std::string still_contactor(const std::vector<Vec2>& outline, double radius) {
-  const std::string fill = colour_of(0.7);
-  if (outline.size() == 1)
-    return fmt::format(
-        "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"{2:.1f}\" fill=\"{3}\"/><path d=\"M{0:.1f} "
-        "{1:.1f}h{2:.1f}\"/>",
-        outline[0].x(), outline[0].y(), radius, fill);
-  if (radius <= 0) return fmt::format("<polygon points=\"{}\" fill=\"{}\"/>", points_of(outline), fill);
-  std::string out;
-  for (const bool edge : {true, false})
-    out += fmt::format(
-        "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{:.1f}\" "
-        "stroke-linecap=\"round\"/>",
-        points_of(outline), edge ? "#444" : fill, 2 * radius + (edge ? 1 : -1));
-  return out;
-}
-
-/// A rock that would be too small to see is a dot.
-std::string dot(const Actor& actor, const Stage& stage) {
-  std::string out = "<circle r=\"1.5\" fill=\"#444\" stroke=\"none\">";
-  for (const int axis : {0, 1})
-    out += stage.animate(
-        axis == 0 ? "animate attributeName=\"cx\"" : "animate attributeName=\"cy\"", false,
-        [&](double t) { return fmt::format("{:.1f}", stage.pixel(actor.path.at(t).place)[axis]); });
-  return out + "</circle>\n";
-}
-
-std::string in_plane(const Actor& actor, const Stage& stage) {
-  std::map<std::pair<int, int>, std::pair<std::vector<Vec2>, double>> contactors;
-  for (const SurfaceCorner& corner : actor.corners) {
-    auto& [outline, radius] = contactors[{corner.contactor, corner.face}];
-    outline.emplace_back(stage.scale * corner.place.x(), -stage.scale * corner.place.y());
-    radius = stage.scale * corner.radius;
-  }
-  std::string out = "<g>";
-  out +=
-      stage.animate("animateTransform attributeName=\"transform\" type=\"translate\"", false, [&](double t) {
-        const Vec2 at = stage.pixel(actor.path.at(t).place);
-        return fmt::format("{:.2f},{:.2f}", at.x(), at.y());
-      });
-  out += "<g>" +
-         stage.animate("animateTransform attributeName=\"transform\" type=\"rotate\"", false,
-                       [&](double t) { return fmt::format("{:.2f}", -actor.path.at(t).angle * 180 / pi); });
-  for (const auto& [key, contactor] : contactors) out += still_contactor(contactor.first, contactor.second);
-  return out + "</g></g>\n";
-}
-
-// ---- 3D: each face has its corners in each frame
-
-std::string face_in_space(const Actor& actor, const std::vector<Vec3>& face, const Stage& stage) {
-  const auto turned = [&](double t) {
-    const StoredMoment now = actor.path.at(t);
-    std::vector<Vec3> places;
-    for (const Vec3& corner : face) places.push_back(now.place + now.turn * corner);
-    return places;
-  };
-  std::string out = "<polygon>";
-  out += stage.animate("animate attributeName=\"points\"", true, [&](double t) {
-    const std::vector<Vec3> places = turned(t);
-    if (area_of(places).dot(stage.view.near) <= 0) return points_of({stage.pixel(places[0])});
-    std::vector<Vec2> pixels;
-    for (const Vec3& place : places) pixels.push_back(stage.pixel(place));
-    return points_of(pixels);
-  });
-  out += stage.animate("animate attributeName=\"fill\"", true,
-                       [&](double t) { return colour_of(light_of(area_of(turned(t)))); });
-  return out + "</polygon>\n";
-}
-
-/// A ball, with a dot where an axis of its body leaves it, so that its turning can be seen.
-std::string ball_in_space(const Actor& actor, const SurfaceCorner& ball, const Stage& stage) {
-  const auto place = [&](double t, const Vec3& from_centre) {
-    const StoredMoment now = actor.path.at(t);
-    return Vec3(now.place + now.turn * (ball.place + from_centre));
-  };
-  const auto circle = [&](const Vec3& from_centre, bool mark) {
-    std::string out =
-        mark ? "<circle fill=\"#1f5fa8\" stroke=\"none\">"
-             : fmt::format("<circle r=\"{:.1f}\" fill=\"{}\">", stage.scale * ball.radius, colour_of(0.7));
-    for (const int axis : {0, 1})
-      out += stage.animate(
-          fmt::format("animate attributeName=\"c{}\"", axis == 0 ? 'x' : 'y'), false,
-          [&](double t) { return fmt::format("{:.2f}", stage.pixel(place(t, from_centre))[axis]); });
-    if (mark)
-      out += stage.animate("animate attributeName=\"r\"", true, [&](double t) {
-        const bool front = (place(t, from_centre) - place(t, Vec3::Zero())).dot(stage.view.near) > 0;
-        return fmt::format("{:.1f}", front ? 0.12 * stage.scale * ball.radius : 0.0);
-      });
-    return out + "</circle>\n";
-  };
-  std::string out = circle(Vec3::Zero(), false);
-  for (const double side : {1.0, -1.0})
-    for (const Vec3& axis : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY())})
-      out += circle(side * ball.radius * axis, true);
-  return out;
-}
-
-std::string in_space(const Actor& actor, const Stage& stage) {
-  std::map<std::pair<int, int>, std::vector<SurfaceCorner>> faces;
-  for (const SurfaceCorner& corner : actor.corners) faces[{corner.contactor, corner.face}].push_back(corner);
-  std::string out = "<g>\n";
-  for (const auto& [key, corners] : faces) {
-    std::vector<Vec3> places;
-    for (const SurfaceCorner& corner : corners) places.push_back(corner.place);
-    if (corners.front().radius <= 0) {
-      out += face_in_space(actor, places, stage);
-    } else if (corners.size() == 1) {
-      out += ball_in_space(actor, corners.front(), stage);
-    } else {
-      const double width = 2 * stage.scale * corners.front().radius;
-      for (const bool edge : {true, false}) {
-        out += fmt::format(
-            "<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"{:.1f}\" stroke-linecap=\"round\">",
-            edge ? "#444" : colour_of(0.7), width + (edge ? 1 : -1));
-        out += stage.animate("animate attributeName=\"points\"", false, [&](double t) {
-          const StoredMoment now = actor.path.at(t);
-          std::vector<Vec2> pixels;
-          for (const Vec3& place : places) pixels.push_back(stage.pixel(Vec3(now.place + now.turn * place)));
-          return points_of(pixels);
-        });
-        out += "</polyline>\n";
-      }
-    }
-  }
-  return out + "</g>\n";
-}
-
-// ---- ground and forces
 
 std::string ground_in_plane(const SqliteReader& database, std::int64_t point, const Stage& stage) {
   Query row(database, fmt::format("SELECT x_m, y_m FROM ground WHERE point = {} ORDER BY rowid", point));
@@ -352,10 +131,7 @@ std::string animation_of(const SqliteReader& database, std::int64_t point, const
       "height=\"100%\" fill=\"#fff\"/>\n<svg width=\"{0:.0f}\" height=\"{3:.0f}\"><g stroke=\"#444\">\n",
       stage.width, stage.height + axis_high, escaped(title), stage.height);
   out += dimension == 2 ? ground_in_plane(database, point, stage) : ground_in_space(database, point, stage);
-  for (const Actor& actor : actors)
-    out += stage.scale * actor.extent < 1.5 ? dot(actor, stage)
-           : dimension == 2                 ? in_plane(actor, stage)
-                                            : in_space(actor, stage);
+  for (const Actor& actor : actors) out += animated_rock(actor, stage, dimension);
   out += forces(database, actors.front(), stage);
   return out + "</g></svg>\n" + stage.axis() + "</svg>\n";
 }
