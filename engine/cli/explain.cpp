@@ -2,12 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
+#include <utility>
 
+#include "batch/safe_file.h"
 #include "cli/explain_text.h"
 #include "cli/loading.h"
 #include "cli/runners.h"
+#include "report/line_plot.h"
 #include "solver/hdf5_file.h"
+#include "solver/routh.h"
 
 namespace flyrock::cli {
 
@@ -34,6 +40,56 @@ void save(const Explanation& explanation, const std::string& file, const std::st
              explanation.problem);
 }
 
+/// Routh's diagram of the first contact of an impact. Throws InputError where there is none.
+RouthDiagram routh_of(const Explanation& explanation) {
+  if (explanation.dimension != 2 || explanation.contacts.empty())
+    throw InputError("--routh draws a contact in 2D");
+  const ExplainedContact& contact = explanation.contacts.front();
+  const Eigen::Index n = explanation.w.rows() - explanation.rows;
+  if (explanation.step > 0 || contact.before[0] >= 0 ||
+      !explanation.w.topRightCorner(explanation.rows, n).isZero())
+    throw InputError("--routh draws an impact whose first contact approaches, and is coupled to no other");
+  return routh_diagram(explanation.w.topLeftCorner<2, 2>(), contact.before.head<2>(), contact.mu,
+                       contact.law.e_n);
+}
+
+/// As SVG, or as CSV by the name of the file: the path, then the ends of the three laws.
+void write_routh(const Explanation& explanation, const std::string& file, const std::string& title) {
+  const RouthDiagram diagram = routh_of(explanation);
+  const double mu = explanation.contacts.front().mu, end = diagram.path.back().impulse[0];
+  const std::array<std::pair<const char*, const RouthPoint*>, 5> marks = {
+      {{"end of slip", &diagram.slip_end},
+       {"end of compression", &diagram.compression_end},
+       {"newton", &diagram.newton},
+       {"poisson", &diagram.poisson},
+       {"energy", &diagram.energy}}};
+  if (std::filesystem::path(file).extension() == ".csv") {
+    std::string csv = "at,pn_N_s,pt_N_s,vn_m_s,vt_m_s\n";
+    const auto row = [&](const char* name, const RouthPoint& point) {
+      csv += fmt::format("{},{},{},{},{}\n", name, point.impulse[0], point.impulse[1], point.velocity[0],
+                         point.velocity[1]);
+    };
+    for (const RouthPoint& point : diagram.path) row("path", point);
+    for (const auto& [name, point] : marks) row(name, *point);
+    write_file(file, csv);
+    return;
+  }
+  Plot plot{"Routh's diagram", "P_n [N s]", "P_t [N s]", {}};
+  Curve path{"path", {}, {}};
+  for (const RouthPoint& point : diagram.path) {
+    path.x.push_back(point.impulse[0]);
+    path.y.push_back(point.impulse[1]);
+  }
+  plot.curves.push_back(path);
+  plot.curves.push_back({"bounds of friction", {end, 0, end}, {mu * end, 0, -mu * end}});
+  // A mark is a short upright line.
+  const double size = 0.04 * std::max(mu * end, 1e-3 * end);
+  for (const auto& [name, point] : marks)
+    plot.curves.push_back(
+        {name, {point->impulse[0], point->impulse[0]}, {point->impulse[1] - size, point->impulse[1] + size}});
+  write_file(file, svg_of(title, {plot}));
+}
+
 }  // namespace
 
 int explain(const Command& command, const Arguments& arguments) {
@@ -45,6 +101,8 @@ int explain(const Command& command, const Arguments& arguments) {
       "trial", po::value<std::string>()->default_value("0")->value_name("T"), "trial")(
       "json", "as JSON, with all sweeps")("save", po::value<std::string>()->value_name("FILE.hdf5"),
                                           "writes the problem in the layout of FCLIB, for `flyrock solve`");
+  options.add_options()("routh", po::value<std::string>()->value_name("FILE.svg|csv"),
+                        "draws the path of the impact in the plane of its impulses, or writes it as CSV");
   add_override_options(options);
   const CommandLine line = parse(command, options, arguments, 1, 1);
   if (line.help) return done;
@@ -71,6 +129,7 @@ int explain(const Command& command, const Arguments& arguments) {
   const std::string title = fmt::format("{} {} of trial {} of {}", kind, request.number, trial,
                                         std::filesystem::path(line.words[0]).filename().string());
   if (line.has("save")) save(*explainer.found(), line.text("save"), title);
+  if (line.has("routh")) write_routh(*explainer.found(), line.text("routh"), title);
   if (line.has("json"))
     fmt::print("{}\n", json_of(*explainer.found()).dump(1));
   else

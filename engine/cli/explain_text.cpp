@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <iterator>
 
@@ -84,6 +85,9 @@ void put_matrix(const Explanation& all, Out out) {
       fmt::format_to(out, "{:>14.6g}{:>14.6g}\n", all.free[i], all.phases[0].q[i]);
     }
   }
+  if (std::any_of(all.contacts.begin(), all.contacts.end(), [](const auto& c) { return c.alone; }))
+    fmt::format_to(out,
+                   "An impulse that was found by following the path of an isolated contact is part of q.\n");
   const Eigen::VectorXd& s = all.singular_values;
   const Eigen::Index missing = size - all.rank;
   fmt::format_to(out, "rank of W: {} of {} (singular values {:.4g} to {:.4g}): ", all.rank, size, s[0],

@@ -14,7 +14,8 @@ namespace flyrock {
 namespace {
 
 constexpr double width = 420, height = 340, left = 64, right = 14, top = 64, bottom = 48;
-constexpr std::array<const char*, 4> colours = {"#1f5fa8", "#c4531b", "#2f7d3b", "#7a3f92"};
+constexpr std::array<const char*, 8> colours = {"#1f5fa8", "#c4531b", "#2f7d3b", "#7a3f92",
+                                                "#8a6d00", "#00838f", "#333333", "#b3261e"};
 
 /// An axis from `low` to `high` with ticks at round numbers. If both are equal, the axis is widened.
 struct Axis {

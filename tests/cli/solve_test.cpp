@@ -119,10 +119,25 @@ TEST_CASE("explain shows a contact problem, and solve solves the one that it sav
   for (std::size_t i = 0; i < 6; ++i)
     CHECK(solved["r"][i].get<double>() == Approx(tree["phases"][0]["r"][i].get<double>()).margin(1e-7));
   // Two contacts in a row: a sweep of Gauss-Seidel leaves a quarter of the error of the sweep before.
-  const auto residuals = nlohmann::json::parse(call(folder, "solve p.hdf5 --json --sweeps 6").out)["residuals"];
+  const auto residuals =
+      nlohmann::json::parse(call(folder, "solve p.hdf5 --json --sweeps 6").out)["residuals"];
   REQUIRE(residuals.size() == 6);
   for (std::size_t i = 1; i < 6; ++i)
     CHECK(residuals[i].get<double>() == Approx(residuals[i - 1].get<double>() / 4).epsilon(1e-6));
+}
+
+TEST_CASE("explain draws the path of an impact in impulse space") {
+  const Folder folder;
+  const std::string course = std::string(FLYROCK_SOURCE_DIR) + "/scenarios/course/";
+  REQUIRE(call(folder, "explain " + course + "routh.yaml --impact 2 --routh path.svg").code == 0);
+  CHECK(read(folder.path() / "path.svg").starts_with("<svg xmlns="));
+  REQUIRE(call(folder, "explain " + course + "routh.yaml --impact 2 --routh path.csv").code == 0);
+  const std::string csv = read(folder.path() / "path.csv");
+  CHECK(csv.starts_with("at,pn_N_s,pt_N_s,vn_m_s,vt_m_s\npath,0,0,"));
+  CHECK(csv.find("\nend of slip,0.109") != std::string::npos);
+  CHECK(csv.find("\npoisson,0.4796") != std::string::npos);
+  CHECK(call(folder, "explain " + course + "cradle.yaml --impact 1 --routh x.svg").code == 2);
+  CHECK(call(folder, "explain " + course + "rolling.yaml --step 1 --routh x.svg").code == 2);
 }
 
 TEST_CASE("explain says what is wrong with what it is asked") {

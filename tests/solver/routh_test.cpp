@@ -1,0 +1,44 @@
+// Routh's diagram against closed forms of the legs.
+#include "solver/routh.h"
+
+#include <catch2/catch.hpp>
+
+using namespace flyrock;
+
+// A rod at 30 degrees, mu 0.3, e 0.5, v = (-1, -0.2): it slips back until P = 0.10965, then forward, and is
+// compressed until 0.31974.
+TEST_CASE("the path in impulse space has the corners and ends of the closed form") {
+  const double nt = 0.75 * std::sqrt(3.0);
+  const Eigen::Matrix2d w{{3.25, nt}, {nt, 1.75}};
+  const RouthDiagram diagram = routh_diagram(w, {-1, -0.2}, 0.3, 0.5);
+  REQUIRE(diagram.path.size() == 3);
+  const double slip_end = 0.2 / (nt + 0.3 * 1.75), first = 3.25 + 0.3 * nt, second = 3.25 - 0.3 * nt;
+  const double compression_end = slip_end + (1 - first * slip_end) / second;
+  CHECK(diagram.slip_end.impulse[0] == Approx(slip_end));
+  CHECK(diagram.slip_end.velocity[1] == Approx(0).margin(1e-15));
+  CHECK(diagram.compression_end.impulse[0] == Approx(compression_end));
+  CHECK(diagram.compression_end.velocity[0] == Approx(0).margin(1e-15));
+  CHECK(diagram.newton.velocity[0] == Approx(0.5));
+  CHECK(diagram.newton.impulse[0] == Approx(compression_end + 0.5 / second));
+  CHECK(diagram.poisson.impulse[0] == Approx(1.5 * compression_end));
+  // The work of restitution is a quarter of that of compression: v_n dP over both legs, then one.
+  const double turned = -1 + first * slip_end;
+  const double compression = -0.5 * (1 - turned * turned) / first - 0.5 * turned * turned / second;
+  CHECK(0.5 * std::pow(diagram.energy.velocity[0], 2) / second == Approx(-0.25 * compression));
+  for (const RouthPoint* end : {&diagram.newton, &diagram.poisson, &diagram.energy}) {
+    const double along = end->impulse[0] - slip_end;
+    CHECK(end->impulse[1] == Approx(0.3 * slip_end - 0.3 * along));
+  }
+}
+
+TEST_CASE("a contact that sticks, or slips throughout, has two legs or one") {
+  const Eigen::Matrix2d w{{2.5, 1.5}, {1.5, 2.5}};
+  const RouthDiagram sticks = routh_diagram(w, {-1, -0.6}, 1, 0.9);
+  REQUIRE(sticks.path.size() == 3);
+  CHECK(sticks.path[2].velocity[1] == Approx(0).margin(1e-15));
+  CHECK(sticks.slip_end.impulse[0] == Approx(0.15));
+  CHECK(sticks.compression_end.impulse[0] == Approx(0.4));
+  const RouthDiagram slips = routh_diagram(w, {-1, 5}, 0.1, 0.9);
+  REQUIRE(slips.path.size() == 2);
+  CHECK(slips.path[1].impulse[1] == Approx(-0.1 * slips.path[1].impulse[0]));
+}
