@@ -127,10 +127,11 @@ int solve(const Command& command, const Arguments& arguments) {
     std::cerr << "error: " << error.what() << '\n';
     return bad_input;
   }
-  const int sweeps = static_cast<int>(
-      std::min<std::uint64_t>(whole_number(line.text("sweeps"), "--sweeps", 0), 1'000'000));
+  const int sweeps =
+      static_cast<int>(std::min<std::uint64_t>(whole_number(line.text("sweeps"), "--sweeps", 0), 1'000'000));
   Answer answer = std::visit([&](const auto& stored) { return solve_stored(stored, settings); }, *problem);
-  answer.residuals = std::visit([&](const auto& stored) { return sweep_residuals(stored, sweeps); }, *problem);
+  answer.residuals =
+      std::visit([&](const auto& stored) { return sweep_residuals(stored, sweeps); }, *problem);
   print(answer, line.has("json"));
   return answer.result.converged ? done : expectation_failed;
 }

@@ -49,8 +49,9 @@ Json body_curves(const SqliteReader& database, const std::vector<StoredPath>& pa
   Json list = Json::array();
   for (const StoredPath& path : paths) {
     if (path.trial != paths.front().trial) break;
-    Query name(database, fmt::format("SELECT \"group\" FROM rocks WHERE point = {} AND trial = {} AND rock = {}",
-                                     path.point, path.trial, path.rock));
+    Query name(database,
+               fmt::format("SELECT \"group\" FROM rocks WHERE point = {} AND trial = {} AND rock = {}",
+                           path.point, path.trial, path.rock));
     name.next();
     Curves curves({"t", "height", "speed", "energy"});
     for (const StoredMoment& moment : path.moments)
@@ -63,10 +64,11 @@ Json body_curves(const SqliteReader& database, const std::vector<StoredPath>& pa
 }
 
 Json contact_curves(const SqliteReader& database, std::int64_t point) {
-  Query row(database, fmt::format("SELECT a, b, time_s, MIN(gap_m), SUM(rn_N), SUM(rt_N) FROM series_contacts "
-                                  "WHERE point = {} AND trial = 0 AND step_s > 0 GROUP BY a, b, time_s "
-                                  "ORDER BY a, b, time_s",
-                                  point));
+  Query row(database,
+            fmt::format("SELECT a, b, time_s, MIN(gap_m), SUM(rn_N), SUM(rt_N) FROM series_contacts "
+                        "WHERE point = {} AND trial = 0 AND step_s > 0 GROUP BY a, b, time_s "
+                        "ORDER BY a, b, time_s",
+                        point));
   Json list = Json::array();
   bool more = row.next();
   while (more) {
@@ -84,8 +86,10 @@ Json contact_curves(const SqliteReader& database, std::int64_t point) {
 /// Of the moments at which all moving bodies have a row.
 Json energy_curve(const SqliteReader& database, std::int64_t point) {
   const std::string rows = fmt::format(
-      "SELECT time_s AS t, COUNT(DISTINCT body) AS n, SUM(kinetic_energy_J) / COUNT(*) * COUNT(DISTINCT body) "
-      "AS k, SUM(potential_energy_J) / COUNT(*) * COUNT(DISTINCT body) AS p FROM series_bodies WHERE point = {} "
+      "SELECT time_s AS t, COUNT(DISTINCT body) AS n, SUM(kinetic_energy_J) / COUNT(*) * COUNT(DISTINCT "
+      "body) "
+      "AS k, SUM(potential_energy_J) / COUNT(*) * COUNT(DISTINCT body) AS p FROM series_bodies WHERE point = "
+      "{} "
       "AND trial = 0 GROUP BY time_s",
       point);
   Query row(database, fmt::format("SELECT t, k, p FROM ({0}) WHERE n = (SELECT n FROM ({0}) ORDER BY t DESC "

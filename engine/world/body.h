@@ -77,7 +77,7 @@ struct Body {
   Attitude<D> attitude;
   Spin w = no_spin();  ///< rad/s, world frame
 
-  Air<D> air;                    ///< the air around the body
+  Air<D> air;  ///< the air around the body
   /// m/s2, acceleration by the air in the current flight or step; of a driven body the given one
   Vec<D> push = Vec<D>::Zero();
 

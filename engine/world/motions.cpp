@@ -3,10 +3,7 @@
 namespace flyrock {
 
 Motion2 free_motion(const Body<2>& body, const Moment<2>& start, const Vec2& gravity) {
-  return {{start.x, start.v, body.acceleration(gravity)},
-          start.attitude.angle,
-          start.w,
-          0};
+  return {{start.x, start.v, body.acceleration(gravity)}, start.attitude.angle, start.w, 0};
 }
 
 Motion3 free_motion(const Body<3>& body, const Moment<3>& start, const Vec3& gravity) {
