@@ -24,8 +24,12 @@ int animate(const Command& command, const Arguments& arguments) {
   const fs::path result = finished_result(line.words[0]);
   const fs::path file = line.has("output") ? fs::path(line.text("output")) : result / "motion.svg";
   const SqliteReader database(result / "results.db");
-  const std::string picture = animation_of(database, static_cast<std::int64_t>(point),
-                                           fmt::format("{}, point {}", line.words[0], point));
+  StoredPaths stored(database);
+  std::vector<StoredPath> paths;
+  do paths = stored.next_point();
+  while (!paths.empty() && static_cast<std::uint64_t>(paths.front().point) != point);
+  const std::string picture =
+      animation_of(database, paths, fmt::format("{}, point {}", line.words[0], point));
   if (picture.empty())
     throw InputError(fmt::format(
         "no path of point {} is stored; output.trajectories of the scenario says how many are", point));

@@ -7,6 +7,7 @@
 #include "report/animated_rock.h"
 #include "report/html.h"
 #include "report/stored_contacts.h"
+#include "report/stored_scene.h"
 
 namespace flyrock {
 
@@ -14,27 +15,11 @@ namespace {
 
 constexpr double axis_high = 34;  // pixels
 
-std::vector<SurfaceCorner> read_corners(const SqliteReader& database, const StoredPath& path) {
-  Query row(database, fmt::format("SELECT contactor, face, x_m, y_m, z_m, radius_m FROM shapes WHERE point = "
-                                  "{} AND trial = {} AND rock = {} ORDER BY rowid",
-                                  path.point, path.trial, path.rock));
-  std::vector<SurfaceCorner> corners;
-  while (row.next())
-    corners.push_back({static_cast<int>(row.whole(0)), static_cast<int>(row.whole(1)),
-                       Vec3(row.real(2), row.real(3), row.real(4)), row.real(5)});
-  return corners;
-}
-
-std::vector<Actor> read_actors(const SqliteReader& database, std::int64_t point) {
-  StoredPaths stored(database);
-  std::vector<StoredPath> paths;
-  do paths = stored.next_point();
-  while (!paths.empty() && paths.front().point != point);
+std::vector<Actor> actors_of(const SqliteReader& database, const std::vector<StoredPath>& paths) {
   std::vector<Actor> actors;
-  for (StoredPath& path : paths) {
-    actors.push_back({std::move(path), {}, 0});
+  for (const StoredPath& path : paths) {
+    actors.push_back({path, stored_corners(database, path), 0});
     Actor& actor = actors.back();
-    actor.corners = read_corners(database, actor.path);
     for (const SurfaceCorner& corner : actor.corners)
       actor.extent = std::max(actor.extent, corner.place.norm() + corner.radius);
   }
@@ -115,11 +100,12 @@ std::string forces(const SqliteReader& database, const Actor& actor, const Stage
 
 }  // namespace
 
-std::string animation_of(const SqliteReader& database, std::int64_t point, const std::string& title) {
-  std::vector<Actor> actors = read_actors(database, point);
-  if (actors.empty()) return "";
-  Query ground(database, fmt::format("SELECT ground FROM points WHERE point = {}", point));
-  const int dimension = ground.next() && ground.type(0) != SQLITE_NULL ? 3 : 2;
+std::string animation_of(const SqliteReader& database, const std::vector<StoredPath>& paths,
+                         const std::string& title) {
+  if (paths.empty()) return "";
+  std::vector<Actor> actors = actors_of(database, paths);
+  const std::int64_t point = paths.front().point;
+  const int dimension = stored_ground(database, point) ? 3 : 2;
   const Stage stage(actors, dimension);
   std::stable_sort(actors.begin(), actors.end(), [&](const Actor& a, const Actor& b) {
     return stage.view.near.dot(a.path.moments.front().place) <

@@ -1,18 +1,19 @@
 #pragma once
 // The motion of rocks as a picture that moves.
 
-#include <cstdint>
 #include <string>
+#include <vector>
 
-#include "report/sqlite.h"
+#include "report/stored_paths.h"
 
 namespace flyrock {
 
-/// The stored paths of a sweep point as a self-contained SVG picture, animated without scripts (SMIL), so
+/// The stored `paths` of one sweep point as a self-contained SVG picture, animated without scripts (SMIL), so
 /// that it also moves in a page of documentation. It repeats, lasts 4 to 12 seconds, and its axis shows the
 /// true time. Forces of contacts are arrows where the results have series of contacts: in 2D normal and
 /// tangential force together, in 3D the normal force. Rocks that hide each other in 3D are drawn in the order
-/// of the first moment. Empty if no path is stored.
-std::string animation_of(const SqliteReader& database, std::int64_t point, const std::string& title);
+/// of the first moment. Empty if there are none.
+std::string animation_of(const SqliteReader& database, const std::vector<StoredPath>& paths,
+                         const std::string& title);
 
 }  // namespace flyrock

@@ -8,6 +8,7 @@
 #include "batch/safe_file.h"
 #include "report/sqlite.h"
 #include "report/stored_paths.h"
+#include "report/stored_scene.h"
 #include "report/vtk_file.h"
 #include "report/vtk_shapes.h"
 
@@ -110,9 +111,8 @@ VtkPoints ground_triangles(const SqliteReader& database, std::int64_t ground) {
 }
 
 void write_ground(const fs::path& file, const SqliteReader& database, std::int64_t point) {
-  Query ground(database, fmt::format("SELECT ground FROM points WHERE point = {}", point));
-  const bool in_space = ground.next() && ground.type(0) != SQLITE_NULL;
-  write_vtp(file, in_space ? ground_triangles(database, ground.whole(0)) : profile_lines(database, point));
+  const std::optional<std::int64_t> ground = stored_ground(database, point);
+  write_vtp(file, ground ? ground_triangles(database, *ground) : profile_lines(database, point));
 }
 
 }  // namespace

@@ -114,7 +114,7 @@ void add_motion(Json& data, const std::filesystem::path& file) {
        paths = stored.next_point()) {
     const std::int64_t point = paths.front().point;
     while (motion.size() < static_cast<std::size_t>(point)) motion.push_back(nullptr);
-    std::string picture = animation_of(database, point, fmt::format("motion, point {}", point));
+    std::string picture = animation_of(database, paths, fmt::format("motion, point {}", point));
     if (picture.size() > most_of_picture) picture.clear();
     motion.push_back({{"picture", picture},
                       {"bodies", body_curves(database, paths, data.at("summary").at("dimension") == 3)},

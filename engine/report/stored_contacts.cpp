@@ -6,6 +6,8 @@
 #include <string>
 #include <tuple>
 
+#include "report/stored_scene.h"
+
 namespace flyrock {
 
 const StoredForce* StoredContact::at(double time) const {
@@ -21,8 +23,7 @@ std::vector<StoredContact> stored_contacts(const SqliteReader& database, std::in
                         "FROM series_contacts WHERE point = {} AND trial = {} AND rn_N > 0 "
                         "ORDER BY a, b, number, time_s",
                         point, trial));
-  Query ground(database, fmt::format("SELECT ground FROM points WHERE point = {}", point));
-  const bool in_space = ground.next() && ground.type(0) != SQLITE_NULL;
+  const bool in_space = stored_ground(database, point).has_value();
   std::vector<StoredContact> contacts;
   std::tuple<std::string, std::string, std::int64_t> before;
   while (row.next()) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "report/stored_scene.h"
 #include "report/vtk_file.h"
 
 namespace flyrock {
@@ -91,30 +92,26 @@ void add_grown_outline(RockShape& surface, const std::vector<Vec3>& points, doub
 
 /// The surface of a rock, from the table `shapes`.
 RockShape read_surface(const SqliteReader& database, const StoredPath& path, bool in_space) {
-  Query row(database, fmt::format("SELECT contactor, face, x_m, y_m, z_m, radius_m FROM shapes WHERE point = "
-                                  "{} AND trial = {} AND rock = {}",
-                                  path.point, path.trial, path.rock));
   RockShape surface;
   Vertices vertices(surface);
-  std::int64_t contactor = -1, face = -1;
+  int contactor = -1, face = -1;
   std::vector<Vec3> points;  // of a contactor that is grown by a radius
   double radius = 0;
   const auto add_points = [&] {
     if (!points.empty()) (in_space ? add_grown : add_grown_outline)(surface, points, radius);
     points.clear();
   };
-  while (row.next()) {
-    const Vec3 place(row.real(2), row.real(3), row.real(4));
-    const bool is_new = row.whole(0) != contactor || row.whole(1) != face;
+  for (const SurfaceCorner& corner : stored_corners(database, path)) {
+    const bool is_new = corner.contactor != contactor || corner.face != face;
     if (is_new) add_points();
-    radius = row.real(5);
+    radius = corner.radius;
     if (is_new && !(radius > 0)) surface.faces.emplace_back();
-    contactor = row.whole(0);
-    face = row.whole(1);
+    contactor = corner.contactor;
+    face = corner.face;
     if (radius > 0)
-      points.push_back(place);
+      points.push_back(corner.place);
     else
-      surface.faces.back().push_back(vertices.number_of(place));
+      surface.faces.back().push_back(vertices.number_of(corner.place));
   }
   add_points();
   return surface;

@@ -1,0 +1,20 @@
+#pragma once
+// What results.db says of the ground of a sweep point and of the shapes of its rocks.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "batch/rock_surface.h"
+#include "report/sqlite.h"
+#include "report/stored_paths.h"
+
+namespace flyrock {
+
+/// The number of the ground of a point in `grounds`; none in 2D.
+std::optional<std::int64_t> stored_ground(const SqliteReader& database, std::int64_t point);
+
+/// The surface of a rock, in its own frame; empty if it is not stored.
+std::vector<SurfaceCorner> stored_corners(const SqliteReader& database, const StoredPath& path);
+
+}  // namespace flyrock
