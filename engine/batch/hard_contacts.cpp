@@ -58,13 +58,15 @@ double greatest_w(const Body<3>& body) {
   return 1 / body.mass + turned;
 }
 
-/// The stiffness of a material that is a spring [N/m]; 0 if it is none.
+/// The stiffness of a material that is a linear spring [N/m]; 0 if it is none. The run itself warns of
+/// others.
 double stiffness_of(int material, const DrawKey& key, const Scenario& scenario, const Instances& instances) {
   const UnilateralLaw* law = instances.materials[material].unilateral.get();
   if (!law || !law->constant()) return 0;  // a law that is not constant is checked during the run
   const Unilateral answer =
       law->condition(values_of(*scenario.materials[material].unilateral, scenario, key), {});
-  return answer.condition == NormalCondition::penalty ? answer.stiffness : 0;
+  const bool linear = answer.condition == NormalCondition::penalty && answer.spring.exponent == 1;
+  return linear ? answer.spring.stiffness : 0;
 }
 
 }  // namespace

@@ -35,6 +35,15 @@ std::string by_rows(const Eigen::VectorXd& values, const std::vector<std::string
   return text;
 }
 
+/// ", k = 1e+05 N/m, c = 20 N s/m"
+std::string spring_text(const Spring& spring) {
+  const std::string unit = spring.exponent == 1 ? "m" : fmt::format("m^{:.6g}", spring.exponent);
+  std::string text = fmt::format(", k = {:.6g} N/{}", spring.stiffness, unit);
+  if (spring.damping > 0) text += fmt::format(", c = {:.6g} N s/{}", spring.damping, unit);
+  if (spring.tangential_stiffness > 0) text += fmt::format(", k_t = {:.6g} N/m", spring.tangential_stiffness);
+  return text;
+}
+
 std::string law_text(const ExplainedContact& contact) {
   const ContactLaw& law = contact.law;
   std::string text;
@@ -42,7 +51,7 @@ std::string law_text(const ExplainedContact& contact) {
     text = fmt::format("restitution {}, e_n = {:.6g}{}; ", name_of(law.form), law.e_n,
                        law.e_t != 0 ? fmt::format(", e_t = {:.6g}", law.e_t) : "");
   text += fmt::format("{}, mu = {:.6g}", name_of(law.condition), contact.mu);
-  if (law.condition == NormalCondition::penalty) text += fmt::format(", k = {:.6g} N/m", law.stiffness);
+  if (law.condition == NormalCondition::penalty) text += spring_text(law.spring);
   if (law.c_n > 0 || law.c_t > 0) text += fmt::format(", c_n = {:.6g} N, c_t = {:.6g} N", law.c_n, law.c_t);
   if (law.mu_r > 0) text += fmt::format(", mu_r = {:.6g} m", law.mu_r);
   if (law.mu_spin > 0) text += fmt::format(", mu_spin = {:.6g} m", law.mu_spin);
@@ -175,7 +184,10 @@ nlohmann::ordered_json json_of(const ExplainedContact& contact, int dimension) {
           {"c_t_N", law.c_t},
           {"mu_r_m", law.mu_r},
           {"mu_spin_m", law.mu_spin},
-          {"stiffness_N_m", law.stiffness},
+          {"stiffness", law.spring.stiffness},
+          {"damping", law.spring.damping},
+          {"exponent", law.spring.exponent},
+          {"tangential_stiffness_N_m", law.spring.tangential_stiffness},
           {"solved_alone", contact.alone},
           {"before_m_s", list_of(contact.before)},
           {"after_m_s", list_of(contact.after)},

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <set>
 
 #include "batch/safe_file.h"
 #include "cli/command.h"
 #include "cli/plugin_file.h"
 #include "cli/plugin_text.h"
+#include "cli/run_program.h"
 #include "document/yaml_reader.h"
 #include "host/session.h"
 #include "host/share.h"
@@ -65,6 +67,44 @@ const PluginSpec* law_named(LuaSession& session, const std::string& word) {
   return &plugins->front()->spec;
 }
 
+/// The ball that --mass, --radius, --mu and --to describe.
+LawBall ball_of(const CommandLine& line) {
+  const auto quantity = [&](const char* option) {
+    const std::string text = line.text(option);
+    const std::optional<Quantity> read = parse_quantity(text);
+    if (!read) throw UsageError(fmt::format("--{} {}: expected a number with a unit", option, text));
+    return *read;
+  };
+  const auto positive = [&](const char* option, const Dimension& dimension) {
+    const Quantity read = quantity(option);
+    if (!(read.si() > 0) || (read.has_unit && read.unit.dimension != dimension))
+      throw UsageError(fmt::format("--{} {}: expected a positive number in {}", option, line.text(option),
+                                   si_unit(dimension)));
+    return read.si();
+  };
+  LawBall ball;
+  if (line.has("mass")) ball.mass = positive("mass", dimension::mass);
+  if (line.has("radius")) ball.radius = positive("radius", dimension::length);
+  if (line.has("mu")) ball.mu = positive("mu", dimension::none);
+  if (line.has("to")) ball.to = quantity("to");
+  return ball;
+}
+
+/// Writes a picture: an SVG, or by the name of the file a PNG, which the program rsvg-convert makes of it.
+void write_picture(const std::string& file, const std::string& svg) {
+  if (std::filesystem::path(file).extension() != ".png") {
+    write_file(file, svg);
+    return;
+  }
+  const std::string source = file + ".svg";
+  write_file(source, svg);
+  const bool made = run_program({"rsvg-convert", "--zoom", "2", "-o", file, source});
+  std::filesystem::remove(source);
+  if (!made)
+    throw InputError(fmt::format(
+        "{}: a PNG needs the program rsvg-convert (Debian: librsvg2-bin); an SVG does not", file));
+}
+
 /// Prints every tenth part of each curve.
 void print_table(const LawGraph& graph) {
   constexpr std::size_t rows = 10;
@@ -84,9 +124,15 @@ int law(const Command& command, const Arguments& arguments) {
   namespace po = boost::program_options;
   po::options_description options("options");
   options.add_options()("output,o", po::value<std::string>()->value_name("FILE"),
-                        "writes the graphs there, as SVG")(
+                        "writes the graphs there, as SVG, or as PNG by the name")(
       "set", po::value<std::vector<std::string>>()->composing()->value_name("PARAMETER=VALUE"),
       "a parameter of the law");
+  options.add_options()("mass", po::value<std::string>()->value_name("MASS"),
+                        "of the ball that is drawn (500 kg)")(
+      "radius", po::value<std::string>()->value_name("LENGTH"), "of the ball (0.3 m)")(
+      "mu", po::value<std::string>()->value_name("MU"), "of the impacts of a restitution law (0.5)")(
+      "to", po::value<std::string>()->value_name("VALUE"),
+      "where the axis of the first graph ends: a speed, slip, spin or overlap");
   const CommandLine line = parse(command, options, arguments, 1, 1);
   if (line.help) return done;
   LuaSession session(share_folder());
@@ -96,14 +142,16 @@ int law(const Command& command, const Arguments& arguments) {
       line.has("set") ? line.options["set"].as<std::vector<std::string>>() : std::vector<std::string>{};
   const std::optional<PluginUse> use = decode_use(session.registry(), *spec, settings);
   if (!use) return bad_input;
+  const LawBall ball = ball_of(line);
   std::vector<LawGraph> graphs;
   try {
-    graphs = law_graphs(*use);
+    graphs = law_graphs(*use, ball);
   } catch (const PluginError& error) {
     fmt::print(stderr, "error: {}\n", error.what());
     return bad_input;
   }
-  fmt::print("{}", short_text(*spec));
+  const std::string drawn = fmt::format("a ball of {:.6g} kg and {:.6g} m", ball.mass, ball.radius);
+  fmt::print("{}  drawn for {}\n", short_text(*spec), drawn);
   for (const LawGraph& graph : graphs) print_table(graph);
   if (!line.has("output")) return done;
   std::vector<Plot> plots;
@@ -112,7 +160,7 @@ int law(const Command& command, const Arguments& arguments) {
     for (const LawGraph::Case& curve : graph.cases)
       plots.back().curves.push_back({curve.name, curve.at, curve.value});
   }
-  write_file(line.text("output"), svg_of(line.words[0], plots));
+  write_picture(line.text("output"), svg_of(fmt::format("{}, {}", line.words[0], drawn), plots));
   return done;
 }
 

@@ -293,7 +293,12 @@ Numbers numbers_of(const RollingLaw& law, Values values, const ContactState& con
 Numbers numbers_of(const UnilateralLaw& law, Values values, const ContactState& contact) {
   const Unilateral answer = law.condition(values, contact);
   check_answer(law, answer);
-  return {static_cast<double>(answer.condition), answer.stiffness, answer.pull};
+  return {static_cast<double>(answer.condition),
+          answer.spring.stiffness,
+          answer.spring.damping,
+          answer.spring.exponent,
+          answer.spring.tangential_stiffness,
+          answer.pull};
 }
 
 template <class SomeLaw>

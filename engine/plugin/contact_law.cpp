@@ -124,9 +124,15 @@ void check_answer(const Law& law, const Rolling& answer) {
 
 void check_answer(const Law& law, const Unilateral& answer) {
   const Answer condition(law, "condition");
-  condition.not_negative("a stiffness", answer.stiffness);
-  if (answer.condition == NormalCondition::penalty)
-    condition.require(answer.stiffness > 0, "a stiffness", answer.stiffness, "above 0");
+  if (answer.condition == NormalCondition::penalty) {
+    const Spring& spring = answer.spring;
+    condition.not_negative("a stiffness", spring.stiffness);
+    condition.require(spring.stiffness > 0, "a stiffness", spring.stiffness, "above 0");
+    condition.not_negative("a damping", spring.damping);
+    condition.require(spring.exponent >= 1 && spring.exponent <= 1.5, "an exponent", spring.exponent,
+                      "from 1 to 1.5");
+    condition.not_negative("a tangential stiffness", spring.tangential_stiffness);
+  }
   condition.not_negative("a pull", answer.pull);
 }
 

@@ -30,7 +30,7 @@ enum class NormalCondition {
   signorini,    ///< for a closed contact, 0 <= U_n _|_ r_n >= 0
   quasi_shock,  ///< 0 <= max(0, g)/h + U_n _|_ r_n >= 0: the remaining gap may close
   cohesive,     ///< signorini on r_n + h c_n: the contact bears a pull up to c_n
-  penalty       ///< r_n = h k max(0, -g): a spring instead of a constraint, as in smooth DEM
+  penalty       ///< r_n = h F of a Spring instead of a constraint, as in smooth DEM
 };
 std::string_view name_of(NormalCondition condition);
 std::optional<NormalCondition> normal_condition(std::string_view name);
@@ -52,16 +52,26 @@ struct Rolling {
   double mu_r = 0;     ///< m; bound of the rolling torque: |m_r| <= mu_r (r_n + c_n)
   double mu_spin = 0;  ///< m; bound of the torque about the normal: |m_n| <= mu_spin (r_n + c_n); 3D only
 };
+/// The spring and damper of `penalty`. With the overlap d = max(0, -g) [m] and its rate d' [m/s],
+///   F = k d^n + c d^(n-1) d',  never below 0 (Kelvin and Voigt: n = 1; Hertz: n = 1.5).
+/// With k_t > 0 friction is a spring too (Cundall and Strack): its stretch s grows by the slip, and
+/// F_t = -k_t s, cut at mu F; otherwise it is Coulomb's law on the slip.
+struct Spring {
+  double stiffness = 0;             ///< k, N/m^n
+  double damping = 0;               ///< c, N s/m^n
+  double exponent = 1;              ///< n, from 1 to 1.5
+  double tangential_stiffness = 0;  ///< k_t, N/m
+};
 struct Unilateral {
   NormalCondition condition = NormalCondition::signorini;
-  double stiffness = 0;  ///< N/m, k of `penalty`
-  double pull = 0;       ///< N, of `cohesive`: adds to c_n, and mu_s times as much to c_t
+  Spring spring;    ///< of `penalty`
+  double pull = 0;  ///< N, of `cohesive`: adds to c_n, and mu_s times as much to c_t
 };
 
 /// The complete contact law for the solver: the answers of the laws, with a pull in c_n and c_t.
 struct ContactLaw : Restitution, Friction, Rolling {
   NormalCondition condition = NormalCondition::signorini;
-  double stiffness = 0;  ///< N/m; k of the condition `penalty`
+  Spring spring;  ///< of the condition `penalty`
 };
 
 /// The data of a contact that a law may read. SI units. Velocities are relative velocities at the contact
@@ -141,7 +151,8 @@ class UnilateralLaw : public Law {
 
 /// Throw PluginError "plugin NAME, FILE:LINE: impact() returned e_n = -0.2, must be at least 0" if an answer
 /// is not finite or out of range. Required: e_n >= 0; -1 <= e_t <= 1, and 0 for a form without e_t; mu >= 0;
-/// mu_d <= mu_s; c_n >= 0; c_t >= mu_s c_n; mu_r and mu_spin >= 0; stiffness > 0 if it is used; pull >= 0.
+/// mu_d <= mu_s; c_n >= 0; c_t >= mu_s c_n; mu_r and mu_spin >= 0; pull >= 0; of a spring stiffness > 0,
+/// damping >= 0, exponent from 1 to 1.5, tangential stiffness >= 0.
 void check_answer(const Law& law, const Restitution& answer);
 void check_answer(const Law& law, const Friction& answer);
 void check_answer(const Law& law, const Rolling& answer);

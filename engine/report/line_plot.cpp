@@ -13,11 +13,12 @@ namespace flyrock {
 
 namespace {
 
-constexpr double width = 420, height = 340, left = 64, right = 14, top = 64, bottom = 48;
+constexpr double width = 420, height = 358, left = 64, right = 14, top = 82, bottom = 48;
 constexpr std::array<const char*, 8> colours = {"#1f5fa8", "#c4531b", "#2f7d3b", "#7a3f92",
                                                 "#8a6d00", "#00838f", "#333333", "#b3261e"};
 
-/// An axis from `low` to `high` with ticks at round numbers. If both are equal, the axis is widened.
+/// An axis somewhat longer than its values, so that corners of curves are not on the frame, with ticks at
+/// round numbers. If all values are equal, the axis is widened.
 struct Axis {
   double low = std::numeric_limits<double>::infinity(), high = -low, step = 1;
 
@@ -28,17 +29,17 @@ struct Axis {
     const double size = std::max(std::abs(low), std::abs(high));
     if (high - low <= 1e-9 * size || size == 0)
       low -= 0.5 * size + (size == 0), high += 0.5 * size + (size == 0);
+    constexpr double margin = 0.06;
+    const double beyond = margin * (high - low);
+    low -= beyond, high += beyond;
     const double rough = (high - low) / 5, power = std::pow(10, std::floor(std::log10(rough)));
     step = (rough / power < 1.5 ? 1 : rough / power < 3.5 ? 2 : rough / power < 7.5 ? 5 : 10) * power;
-    low = step * std::floor(low / step + 1e-9);
-    high = step * std::ceil(high / step - 1e-9);
   }
   double share(double v) const { return (v - low) / (high - low); }
-  int ticks() const { return static_cast<int>(std::lround((high - low) / step)); }
-  std::string tick(int i) const {
-    const double v = low + i * step;
-    return fmt::format("{:.6g}", std::abs(v) < 1e-9 * step ? 0.0 : v);
-  }
+  double first() const { return step * std::ceil(low / step - 1e-9); }
+  int ticks() const { return static_cast<int>(std::floor((high - first()) / step + 1e-9)); }
+  double at(int i) const { return first() + i * step; }
+  std::string tick(int i) const { return fmt::format("{:.6g}", std::abs(at(i)) < 1e-9 * step ? 0.0 : at(i)); }
 };
 
 std::string text(double x, double y, const std::string& anchor, int size, const std::string& content) {
@@ -52,18 +53,18 @@ std::string panel(const Plot& plot, double offset) {
   ax.close(), ay.close();
   const auto px = [&](double x) { return offset + left + ax.share(x) * (width - left - right); };
   const auto py = [&](double y) { return height - bottom - ay.share(y) * (height - top - bottom); };
-  std::string out = text(offset + left, top - 12, "start", 13, plot.title);
+  std::string out = text(offset + left, top - 28, "start", 13, plot.title);
   const auto line = [&](double x1, double y1, double x2, double y2, const char* colour) {
     out += fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\"/>\n", x1,
                        y1, x2, y2, colour);
   };
   for (int i = 0; i <= ax.ticks(); ++i) {
-    const double x = px(ax.low + i * ax.step);
+    const double x = px(ax.at(i));
     line(x, top, x, height - bottom, "#e4e4e4");
     out += text(x, height - bottom + 15, "middle", 11, ax.tick(i));
   }
   for (int i = 0; i <= ay.ticks(); ++i) {
-    const double y = py(ay.low + i * ay.step);
+    const double y = py(ay.at(i));
     line(offset + left, y, offset + width - right, y, "#e4e4e4");
     out += text(offset + left - 6, y + 4, "end", 11, ay.tick(i));
   }
@@ -72,6 +73,7 @@ std::string panel(const Plot& plot, double offset) {
   out += text(offset + (left + width - right) / 2, height - 12, "middle", 12, plot.x_label);
   out += fmt::format("<g transform=\"translate({:.1f},{:.1f}) rotate(-90)\">{}</g>\n", offset + 14,
                      (top + height - bottom) / 2, text(0, 0, "middle", 12, plot.y_label));
+  double name_at = offset + left;  // the names of the curves stand in a row above the axes
   for (std::size_t c = 0; c < plot.curves.size(); ++c) {
     const Curve& curve = plot.curves[c];
     const char* colour = colours[c % colours.size()];
@@ -79,10 +81,10 @@ std::string panel(const Plot& plot, double offset) {
     for (std::size_t i = 0; i < curve.x.size(); ++i)
       out += fmt::format("{:.2f},{:.2f} ", px(curve.x[i]), py(curve.y[i]));
     out += "\"/>\n";
-    if (plot.curves.size() > 1)
-      out += fmt::format(
-          "<g fill=\"{}\">{}</g>", colour,
-          text(offset + width - right - 6, top + 16 + 15 * static_cast<double>(c), "end", 12, curve.name));
+    if (plot.curves.size() < 2) continue;
+    constexpr double letter = 6.4, between = 14;  // widths, about
+    out += fmt::format("<g fill=\"{}\">{}</g>", colour, text(name_at, top - 9, "start", 12, curve.name));
+    name_at += letter * static_cast<double>(curve.name.size()) + between;
   }
   return out;
 }

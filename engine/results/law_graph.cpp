@@ -2,16 +2,31 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "results/sampled_law.h"
 #include "solver/law_terms.h"
+#include "solver/spring.h"
 
 namespace flyrock {
 
 namespace {
 
-constexpr double mass = 500, radius = 0.3, inertia = 0.4 * mass * radius * radius, g = 9.81, step = 1e-3;
+constexpr double g = 9.81, step = 1e-3;
+constexpr int points = 100;  // on each side of 0
+constexpr double load = 10;  // the greatest, in weights of the ball
+
+/// Where the axis of the first graph ends, in SI units.
+double range(const LawBall& ball, const Dimension& dimension, double usual) {
+  if (!ball.to) return usual;
+  if (ball.to->has_unit && ball.to->unit.dimension != dimension)
+    throw PluginError(fmt::format("the axis of this graph has the unit {}, not {}", si_unit(dimension),
+                                  ball.to->unit_text));
+  if (!(ball.to->si() > 0))
+    throw PluginError(fmt::format("the axis of the graph ends at {:.6g}, must be above 0", ball.to->si()));
+  return ball.to->si();
+}
 
 template <class LawKind>
 SampledLaw<LawKind> law_of(const PluginUse& use) {
@@ -22,181 +37,265 @@ SampledLaw<LawKind> law_of(const PluginUse& use) {
   return law;
 }
 
-ContactState ball_at(double approach, double slip) {
-  ContactState state = first_contact({mass, radius}, 2, approach, slip);
+ContactState at_contact(const LawBall& ball, double approach, double slip) {
+  ContactState state = first_contact({ball.mass, ball.radius}, 2, approach, slip);
   state.area = state.length = 1;
   return state;
 }
+
+/// A contact of the ball: its law, and its motion before and without contact, rows (n, t, rolling).
+struct Posed {
+  ContactLaw law;
+  bool sticking = false;
+  double gap = 0, stretch = 0;  // m
+  double duration = step;       // s
+  Eigen::Vector3d before = Eigen::Vector3d::Zero(), free = Eigen::Vector3d::Zero();
+};
 
 /// One solved contact of the ball: impulse and velocity, rows (n, t, rolling).
 struct Solved {
   Eigen::Vector3d impulse, velocity;
 };
 
-Solved solve(const ContactLaw& law, bool sticking, double gap, double h, const Eigen::Vector3d& before,
-             const Eigen::Vector3d& free) {
+Solved solve(const LawBall& ball, const Posed& posed) {
+  const double inertia = 0.4 * ball.mass * ball.radius * ball.radius, lever = ball.radius / inertia;
+  Eigen::Matrix3d w;
+  w << 1 / ball.mass, 0, 0, 0, 1 / ball.mass + ball.radius * lever, lever, 0, lever, 1 / inertia;
   ContactProblem<2> problem;
   ContactProblem<2>::Contact contact;
-  contact.w << 1 / mass, 0, 0, 0, 1 / mass + radius * radius / inertia, radius / inertia, 0, radius / inertia,
-      1 / inertia;
-  contact.q = free;
-  contact.speed_scale = std::max(before.norm(), g * step);
+  contact.w = w;
+  contact.q = posed.free;
+  contact.speed_scale = std::max(posed.before.norm(), g * step);
   Rebound<2> rebound;
-  rebound.before = before;
-  set_law<2>(law, sticking, gap, h, contact, rebound);
+  rebound.before = posed.before;
+  set_law<2>(posed.law, posed.sticking, posed.gap, posed.duration, contact, rebound);
   problem.contacts.push_back(contact);
   problem.first = {0, 0};
+  if (posed.law.condition == NormalCondition::penalty)
+    set_spring<2>(posed.law.spring, -posed.gap, Eigen::Matrix<double, 1, 1>::Constant(posed.stretch),
+                  posed.duration, problem, 0, rebound);
   std::vector<Eigen::Vector3d> r(1, Eigen::Vector3d::Zero());
   SolveSettings settings;
   settings.tolerance = 1e-12;
   ImpactSolver<2>().solve(problem, {rebound}, settings, r);
-  return {r[0], free + contact.w * r[0]};
+  return {r[0], posed.free + w * r[0]};
 }
 
-std::vector<LawGraph> graphs_of(SampledLaw<RestitutionLaw> asked) {
-  const auto shares_along = [&](std::string title, std::string x, auto&& point, int from, int to) {
-    LawGraph graph{std::move(title),
-                   std::move(x),
-                   "share of speed that is left",
-                   {{"normal", {}, {}}, {"tangential", {}, {}}}};
-    for (int i = from; i <= to; ++i) {
-      const auto [at, approach, slip] = point(i);
-      asked.forget();
-      ContactLaw law = asked(ball_at(approach, slip));
-      law.mu_s = law.mu_d = 0.5;
-      const Eigen::Vector3d before(-approach, slip, 0);
-      const Solved solved = solve(law, false, 0, 0, before, before);
-      const double shares[] = {solved.velocity[0] / approach, solved.velocity[1] / slip};
-      for (int c = 0; c < 2; ++c) {
-        graph.cases[c].at.push_back(at);
-        graph.cases[c].value.push_back(shares[c]);
-      }
-    }
-    return graph;
-  };
-  struct Point {
-    double at, approach, slip;
-  };
-  return {shares_along(
-              "impact at 45 degrees, mu 0.5", "normal speed before [m/s]",
-              [](int i) {
-                return Point{0.3 * i, 0.3 * i, 0.3 * i};
-              },
-              1, 100),
-          shares_along(
-              "impact at 10 m/s, mu 0.5", "angle from the surface [deg]",
-              [](int i) {
-                const double angle = i * pi / 180;
-                return Point{static_cast<double>(i), 10 * std::sin(angle), 10 * std::cos(angle)};
-              },
-              2, 89)};
+void put(LawGraph::Case& to, double at, double value) {
+  to.at.push_back(at);
+  to.value.push_back(value);
 }
 
-std::vector<LawGraph> graphs_of(SampledLaw<FrictionLaw> asked) {
+std::vector<LawGraph> graphs_of(SampledLaw<RestitutionLaw> asked, const LawBall& ball) {
+  const double fastest = range(ball, dimension::speed, 30);
+  const auto add = [&](LawGraph& graph, double at, double approach, double slip) {
+    asked.forget();
+    Posed posed{.law = asked(at_contact(ball, approach, slip)), .duration = 0};
+    posed.law.mu_s = posed.law.mu_d = ball.mu;
+    posed.before = posed.free = {-approach, slip, 0};
+    const Solved solved = solve(ball, posed);
+    put(graph.cases[0], at, solved.velocity[0] / approach);
+    put(graph.cases[1], at, solved.velocity[1] / slip);
+  };
+  const auto shares = [&](const std::string& title, const char* x) {
+    return LawGraph{title, x, "share of speed that is left", {{"normal", {}, {}}, {"tangential", {}, {}}}};
+  };
+  LawGraph by_speed =
+      shares(fmt::format("impact at 45 degrees, mu {:.4g}", ball.mu), "normal speed before [m/s]");
+  for (int i = 1; i <= points; ++i) {
+    const double speed = fastest * i / points;
+    add(by_speed, speed, speed, speed);
+  }
+  const double speed = fastest / 3;
+  LawGraph by_angle =
+      shares(fmt::format("impact at {:.4g} m/s, mu {:.4g}", speed, ball.mu), "angle from the surface [deg]");
+  for (int i = 2; i <= 89; ++i) {
+    const double angle = i * pi / 180;
+    add(by_angle, i, speed * std::sin(angle), speed * std::cos(angle));
+  }
+  return {by_speed, by_angle};
+}
+
+/// r_t / r_n of a contact that the ball's weight presses.
+Solved slide(SampledLaw<FrictionLaw>& asked, const LawBall& ball, double slip, double way, bool sticking) {
+  ContactState state = at_contact(ball, 0, std::abs(slip));
+  state.was_sticking = sticking;
+  state.age = state.pair_age = way;
+  state.step = way > 0 ? 0.01 : step;
+  if (way == 0) state.age = state.pair_age = step;
+  Posed posed{.law = asked(state), .sticking = sticking};
+  posed.before = {0, slip, 0};
+  posed.free = {-g * step, slip, 0};
+  return solve(ball, posed);
+}
+
+/// The shortest of several ranges beyond which a function changes by less than a fiftieth of all its change.
+template <std::size_t n, class Function>
+double range_of_change(const std::array<double, n>& ranges, Function&& value) {
+  std::array<double, n> values;
+  for (std::size_t i = 0; i < n; ++i) values[i] = value(ranges[i]);
+  const double all = std::abs(value(0) - values.back());
+  for (std::size_t i = 0; i < n; ++i)
+    if (std::abs(values[i] - values.back()) <= 0.02 * all) return ranges[i];
+  return ranges.back();
+}
+
+std::vector<LawGraph> graphs_of(SampledLaw<FrictionLaw> asked, const LawBall& ball) {
+  const double weight = ball.mass * g * step;
+  const auto coefficient = [&](double slip) {
+    asked.forget();
+    return asked(at_contact(ball, 0, slip)).mu_d;
+  };
+  constexpr std::array slips{0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0};
+  const double fastest = range(ball, dimension::speed, range_of_change(slips, coefficient));
   LawGraph graph{"pressed by its weight",
                  "slip velocity after the step [m/s]",
                  "r_t / (m g h)",
                  {{"it stuck before", {}, {}}, {"it slid before", {}, {}}}};
   for (const bool sticking : {true, false})
-    for (int i = -100; i <= 100; ++i) {
+    for (int i = -points; i <= points; ++i) {
       asked.forget();
-      const double slip = 1e-3 * i;
-      ContactState state = ball_at(0, std::abs(slip));
-      state.was_sticking = sticking;
-      state.age = state.pair_age = state.step = step;
-      const Solved solved = solve(asked(state), sticking, 0, step, {0, slip, 0}, {-g * step, slip, 0});
-      LawGraph::Case& to = graph.cases[sticking ? 0 : 1];
-      to.at.push_back(solved.velocity[1]);
-      to.value.push_back(solved.impulse[1] / (mass * g * step));
+      const Solved solved = slide(asked, ball, fastest * i / points, 0, sticking);
+      put(graph.cases[sticking ? 0 : 1], solved.velocity[1], solved.impulse[1] / weight);
     }
   if (!asked.remembers()) return {graph};
-  asked.forget();
-  LawGraph slide{"along a slide at 1 m/s", "way [m]", "r_t / (m g h)", {{"", {}, {}}}};
-  for (int i = 0; i <= 200; ++i) {
-    ContactState state = ball_at(0, 1);
-    state.age = state.pair_age = i * 0.01;
-    state.step = 0.01;
-    const Solved solved = solve(asked(state), false, 0, step, {0, -1, 0}, {-g * step, -1, 0});
-    slide.cases[0].at.push_back(state.age);
-    slide.cases[0].value.push_back(solved.impulse[1] / (mass * g * step));
-  }
-  return {graph, slide};
+
+  LawGraph along{"along a slide at 1 m/s", "way [m]", "r_t / (m g h)", {{"", {}, {}}}};
+  const auto slide_to = [&](double end) {
+    asked.forget();
+    along.cases[0] = {};
+    for (int i = 0; i <= 100 * end; ++i)
+      put(along.cases[0], 0.01 * i, slide(asked, ball, -1, 0.01 * i, false).impulse[1] / weight);
+    return along.cases[0].value.back();
+  };
+  constexpr std::array ways{2.0, 5.0, 20.0, 50.0};
+  slide_to(range_of_change(ways, slide_to));
+  return {graph, along};
 }
 
-std::vector<LawGraph> graphs_of(SampledLaw<RollingLaw> asked) {
+std::vector<LawGraph> graphs_of(SampledLaw<RollingLaw> asked, const LawBall& ball) {
   LawGraph graph{
       "pressed by its weight", "rolling velocity after the step [rad/s]", "m_r / r_n [m]", {{"", {}, {}}}};
-  for (int i = -100; i <= 100; ++i) {
+  const double fastest = range(ball, dimension::spin, 5);
+  for (int i = -points; i <= points; ++i) {
     asked.forget();
-    const double spin = 0.05 * i;
-    ContactState state = ball_at(0, 0);
+    const double spin = fastest * i / points;
+    ContactState state = at_contact(ball, 0, 0);
     state.spin = std::abs(spin);
     state.step = step;
-    const Solved solved = solve(asked(state), false, 0, step, {0, 0, spin}, {-g * step, 0, spin});
-    graph.cases[0].at.push_back(solved.velocity[2]);
-    graph.cases[0].value.push_back(solved.impulse[2] / solved.impulse[0]);
+    Posed posed{.law = asked(state)};
+    posed.before = {0, 0, spin};
+    posed.free = {-g * step, 0, spin};
+    const Solved solved = solve(ball, posed);
+    put(graph.cases[0], solved.velocity[2], solved.impulse[2] / solved.impulse[0]);
   }
   return {graph};
 }
 
-std::vector<LawGraph> graphs_of(SampledLaw<UnilateralLaw> asked) {
-  NormalCondition condition{};
-  /// A contact with a gap. Without contact it would reach the end of the step with the speed `free`.
-  const auto solved_at = [&](double gap, double free) {
+/// A spring: its force at constant rates of the overlap, and of its tangential spring at constant overlap.
+std::vector<LawGraph> graphs_of_spring(const ContactLaw& law, const LawBall& ball) {
+  const Spring& spring = law.spring;
+  const double weight = ball.mass * g;
+  const double deepest =
+      range(ball, dimension::length, std::pow(load * weight / spring.stiffness, 1 / spring.exponent));
+  const auto force_at = [&](double overlap, double rate) {
+    Posed posed{.law = law, .gap = -overlap};
+    const double power = overlap_power(spring, overlap);
+    const double force = power * std::max(0.0, spring.stiffness * overlap + spring.damping * rate);
+    // A damper acts by the mean velocity of a step: half of what the force changes is on each side of the
+    // rate.
+    posed.before = posed.free = {-rate - 0.5 * step * force / ball.mass, 0, 0};
+    return solve(ball, posed).impulse[0] / step;
+  };
+  LawGraph by_overlap{"by overlap", "overlap [m]", "force r_n / h [N]", {}};
+  const double power = overlap_power(spring, deepest);
+  const double fast = deepest * std::sqrt(spring.stiffness * power / ball.mass);  // on the way to `deepest`
+  for (const double rate : {0.0, fast, -fast}) {
+    if (rate != 0 && spring.damping == 0) break;
+    LawGraph::Case curve{
+        rate == 0 ? "at rest" : fmt::format("{} at {:.3g} m/s", rate > 0 ? "closing" : "opening", fast),
+        {},
+        {}};
+    if (spring.damping == 0) curve.name.clear();
+    for (int i = -points / 4; i <= points; ++i) {
+      const double overlap = deepest * i / points;
+      put(curve, overlap, force_at(overlap, rate));
+    }
+    by_overlap.cases.push_back(std::move(curve));
+  }
+  if (spring.tangential_stiffness == 0) return {by_overlap};
+  LawGraph by_stretch{fmt::format("tangential, mu {:.4g}, pressed by the weight", ball.mu),
+                      "stretch [m]",
+                      "force r_t / h [N]",
+                      {{"", {}, {}}}};
+  Posed pressed{.law = law};
+  pressed.law.mu_s = pressed.law.mu_d = ball.mu;
+  pressed.law.spring.damping = 0;
+  pressed.gap = -std::pow(weight / spring.stiffness, 1 / spring.exponent);
+  const double longest = 2 * ball.mu * weight / spring.tangential_stiffness;
+  for (int i = -points; i <= points; ++i) {
+    pressed.stretch = longest * i / points;
+    put(by_stretch.cases[0], pressed.stretch, solve(ball, pressed).impulse[1] / step);
+  }
+  return {by_overlap, by_stretch};
+}
+
+std::vector<LawGraph> graphs_of(SampledLaw<UnilateralLaw> asked, const LawBall& ball) {
+  const auto law_at = [&](double gap) {
     asked.forget();
-    ContactState state = ball_at(0, 0);
+    ContactState state = at_contact(ball, 0, 0);
     state.gap = gap;
     state.step = step;
-    const ContactLaw law = asked(state);
-    condition = law.condition;
-    return solve(law, false, gap, step, {free, 0, 0}, {free, 0, 0});
+    return asked(state);
   };
-  const auto put = [](LawGraph::Case& to, double at, const Solved& solved) {
-    to.at.push_back(at);
-    to.value.push_back(solved.impulse[0] / step);
+  const NormalCondition condition = law_at(0).condition;
+  if (condition == NormalCondition::penalty) return graphs_of_spring(law_at(0), ball);
+  /// A contact with a gap. Without contact it would reach the end of the step with the speed `free`.
+  const auto solved_at = [&](double gap, double free) {
+    Posed posed{.law = law_at(gap), .gap = gap};
+    posed.before = posed.free = {free, 0, 0};
+    return solve(ball, posed);
   };
+  const double fastest = range(ball, dimension::speed, 2);
   LawGraph by_speed{"by velocity, h = 1 ms",
                     "normal velocity after the step [m/s]",
                     "force r_n / h [N]",
                     {{"closed", {}, {}}}};
-  for (int i = -100; i <= 100; ++i) {
-    const Solved solved = solved_at(0, 0.02 * i);
-    put(by_speed.cases[0], solved.velocity[0], solved);
-  }
+  const auto add_speeds = [&](LawGraph::Case& to, double gap) {
+    for (int i = -points; i <= points; ++i) {
+      const Solved solved = solved_at(gap, fastest * i / points);
+      put(to, solved.velocity[0], solved.impulse[0] / step);
+    }
+  };
+  add_speeds(by_speed.cases[0], 0);
   // The other laws do nothing at an open contact.
   if (condition == NormalCondition::quasi_shock) {
     by_speed.cases.push_back({"open by 1 mm", {}, {}});
-    for (int i = -100; i <= 100; ++i) {
-      const Solved solved = solved_at(1e-3, 0.02 * i);
-      put(by_speed.cases[1], solved.velocity[0], solved);
-    }
+    add_speeds(by_speed.cases[1], 1e-3);
   }
-  LawGraph by_gap{"by gap", "gap [m]", "force r_n / h [N]", {{"", {}, {}}}};
-  if (condition == NormalCondition::penalty) {
-    for (int i = -100; i <= 100; ++i) put(by_gap.cases[0], 2e-5 * i, solved_at(2e-5 * i, 0));
-  } else {
-    by_gap.title = "from a push of ten times the weight to a pull of ten times the weight, h = 1 ms";
-    by_gap.x = "gap that is left [m]";
-    for (int i = 100; i >= -100; --i) {
-      const Solved solved = solved_at(0, -0.1 * i * g * step);
-      put(by_gap.cases[0], step * solved.velocity[0], solved);
-    }
+  LawGraph by_gap{"from ten weights pushing to ten pulling, h = 1 ms",
+                  "gap that is left [m]",
+                  "force r_n / h [N]",
+                  {{"", {}, {}}}};
+  for (int i = points; i >= -points; --i) {
+    const Solved solved = solved_at(0, -load * i / points * g * step);
+    put(by_gap.cases[0], step * solved.velocity[0], solved.impulse[0] / step);
   }
   return {by_speed, by_gap};
 }
 
 }  // namespace
 
-std::vector<LawGraph> law_graphs(const PluginUse& use) {
+std::vector<LawGraph> law_graphs(const PluginUse& use, const LawBall& ball) {
   switch (use.plugin->spec.kind) {
     case PluginKind::restitution:
-      return graphs_of(law_of<RestitutionLaw>(use));
+      return graphs_of(law_of<RestitutionLaw>(use), ball);
     case PluginKind::friction:
-      return graphs_of(law_of<FrictionLaw>(use));
+      return graphs_of(law_of<FrictionLaw>(use), ball);
     case PluginKind::rolling:
-      return graphs_of(law_of<RollingLaw>(use));
+      return graphs_of(law_of<RollingLaw>(use), ball);
     case PluginKind::unilateral:
-      return graphs_of(law_of<UnilateralLaw>(use));
+      return graphs_of(law_of<UnilateralLaw>(use), ball);
     default:
       break;
   }

@@ -1,11 +1,13 @@
 #pragma once
 // The graph of a contact law, computed from solved contacts.
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "plugin/registry.h"
 #include "solver/contact_problem.h"
+#include "units/units.h"
 
 namespace flyrock {
 
@@ -19,17 +21,26 @@ struct LawGraph {
   std::vector<Case> cases;
 };
 
-/// The graphs of a law with constant parameters. Each point is one solved contact of a solid ball of 500 kg
-/// and 0.3 m (W_nn = 1/m, W_tt = 3.5/m) that had no contact before:
+/// The solid ball whose contact is drawn (W_nn = 1/m, W_tt = 3.5/m), and how far.
+struct LawBall {
+  double mass = 500;                ///< kg
+  double radius = 0.3;              ///< m
+  double mu = 0.5;                  ///< coefficient of friction at the impacts of a restitution law
+  std::optional<Quantity> to = {};  ///< where the axis of the first graph ends; none: where the law shows
+};
+
+/// The graphs of a law with constant parameters. Each point is one solved contact of the ball, which had no
+/// contact before:
 ///   - restitution: the share of the normal and of the tangential speed that remains after an impact, by
-///     speed and by angle, with mu = 0.5;
-///   - friction: r_t / r_n against the slip that remains; the ball's weight presses the contact over 1 ms.
-///     For a law with memory also along a slide at 1 m/s;
-///   - rolling: m_r / r_n against the rolling velocity that remains;
-///   - unilateral: the force r_n / h against the normal velocity that remains, and against the gap. A spring
-///     shows its force directly; for the others the load goes from ten times the ball's weight to an equally
-///     strong pull.
-/// Throws PluginError, also for a plugin that is not a contact law.
-std::vector<LawGraph> law_graphs(const PluginUse& use);
+///     speed (to 30 m/s) and by angle at a third of the greatest speed;
+///   - friction: r_t / r_n against the slip that remains, up to where the law no longer changes; the ball's
+///     weight presses the contact over 1 ms. For a law with memory also along a slide at 1 m/s;
+///   - rolling: m_r / r_n against the rolling velocity that remains (to 5 rad/s);
+///   - unilateral: the force r_n / h against the normal velocity that remains (to 2 m/s), and against the gap
+///     that is left: the load goes from ten times the ball's weight to an equally strong pull. A spring shows
+///     its force against the overlap, up to ten times the weight, with a damper also at the speeds at which
+///     the ball would come and go, and a tangential spring against its stretch.
+/// Throws PluginError, also for a plugin that is not a contact law and for a `to` in another unit.
+std::vector<LawGraph> law_graphs(const PluginUse& use, const LawBall& ball = {});
 
 }  // namespace flyrock

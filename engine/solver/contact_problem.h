@@ -98,6 +98,12 @@ struct ContactProblem {
     for (int column = 0; column < width_; ++column)
       for (int row = 0; row < width_; ++row) blocks_.push_back(w(row, column));
   }
+  /// Multiplies the couplings of contact `a` to others by a factor, in one row of `a`.
+  void scale_couplings(int a, int row, double factor) {
+    for (int k = first[a]; k < first[a + 1]; ++k)
+      for (int column = 0; column < width_; ++column)
+        blocks_[(static_cast<std::size_t>(k) * width_ + column) * width_ + row] *= factor;
+  }
   /// The block of coupling k; N = width().
   template <int N>
   Eigen::Map<const Eigen::Matrix<double, N, N>> block(int k) const {

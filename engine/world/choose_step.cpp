@@ -20,11 +20,11 @@ double World<D>::step_length() {
   return control_.length(bodies, touching_);
 }
 
-/// The longest step that gives the springs of a step of length h enough steps a period [s].
+/// The longest step that gives the springs and dampers of a step of length h enough steps a period [s].
 template <int D>
 double World<D>::longest_of_springs(double h) const {
-  return spring_angle_ > 0 ? h * (2 * pi / steps_a_period) / spring_angle_
-                           : std::numeric_limits<double>::infinity();
+  return spring_change_ > 0 ? h * (2 * pi / steps_a_period) / spring_change_
+                            : std::numeric_limits<double>::infinity();
 }
 
 /// What friction leaves in doubt: half of what friction and resistance to rolling would change of each body

@@ -174,6 +174,7 @@ void World<D>::match_last() {
       contact.mu_before = found->mu();
       contact.c_t_before = found->law.c_t;
       contact.history = found->history;
+      contact.stretch = found->stretch;
       contact.age = found->age;
       contact.carried = found->carried;
       contact.sticking = found->sticking;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "solver/law_terms.h"
+#include "solver/spring.h"
 #include "world/manifold.h"
 #include "world/world.h"
 
@@ -11,18 +12,40 @@ namespace flyrock {
 template <int D>
 void World<D>::apply_laws(double h) {
   rebounds_.resize(contacts_.size());
-  spring_angle_ = 0;
+  spring_angle_ = spring_change_ = 0;
   for (std::size_t a = 0; a < contacts_.size(); ++a) {
     const Contact& contact = contacts_[a];
     auto& row = problem_.contacts[a];
     rebounds_[a].before = contact.before;
     set_law<D>(contact.law, contact.sticking, contact.at.gap, h, row, rebounds_[a]);
-    if (contact.law.condition == NormalCondition::penalty)
-      spring_angle_ = std::max(spring_angle_, h * std::sqrt(contact.law.stiffness * row.w(0, 0)));
+    if (contact.law.condition == NormalCondition::penalty) apply_spring(static_cast<int>(a), h);
     if (row.w(D, D) <= 0)
       row.mu_r = row.mu_spin = row.c_r = row.c_spin =
           0;  // a body with negligible rotational inertia cannot roll
   }
+}
+
+/// Writes the spring of contact a into the problem, and measures how much it changes in the step: by the
+/// stiffness and the damping where the body turns round, because those of a spring of Hertz begin with 0.
+template <int D>
+void World<D>::apply_spring(int a, double h) {
+  Contact& contact = contacts_[a];
+  const Spring& spring = contact.law.spring;
+  const double w = problem_.contacts[a].w(0, 0), overlap = std::max(0.0, -contact.at.gap);
+  double turning = overlap;
+  if (spring.exponent != 1) turning = turning_overlap(spring, overlap, contact.before[0], w);
+  const double power = overlap_power(spring, turning), stiffness = spring.exponent * spring.stiffness * power;
+  const double stiffest =
+      spring.tangential_stiffness * problem_.contacts[a].w.diagonal().template segment<D - 1>(1).maxCoeff();
+  spring_angle_ = std::max(spring_angle_, h * std::sqrt(std::max(stiffness * w, stiffest)));
+  spring_change_ = std::max({spring_change_, spring_angle_, h * spring.damping * power * w});
+
+  // The stretch turns with the plane of the contact and grows by the slip until the middle of the step.
+  const auto tangents = contact_frame(contact.at.normal).template rightCols<D - 1>().eval();
+  Vec<D - 1> stretch = tangents.transpose() * contact.stretch;
+  if (stretch.norm() > 0) stretch *= contact.stretch.norm() / stretch.norm();
+  stretch += (1 - settings_.theta) * h * tangential(contact.before);
+  set_spring<D>(spring, overlap, stretch, h, problem_, a, rebounds_[a]);
 }
 
 /// Problems of a few contacts are solved to rounding. The residual of an impact would turn a body that should
@@ -186,13 +209,16 @@ void World<D>::audit_energy(double h) {
     if (contact.law.condition != NormalCondition::penalty) {
       island_gain_[island_of(contact)] += energy_of(a);
     } else {
-      const double w = problem_.contacts[a].w(0, 0), stiffness = contact.law.stiffness;
-      const double energy =
-          0.5 * (stiffness * contact.at.gap * contact.at.gap + contact.before[0] * contact.before[0] / w);
+      const Spring& spring = contact.law.spring;
+      const double overlap = std::max(0.0, -contact.at.gap), speed = contact.before.template head<D>().norm();
+      const double energy = elastic_energy(spring, overlap) +
+                            0.5 * speed * speed / problem_.contacts[a].w(0, 0) +
+                            0.5 * spring.tangential_stiffness * contact.stretch.squaredNorm();
       const double place = settings_.step_tolerance * 2 * bodies[contact.candidate].radius;
+      const double force = spring.stiffness * overlap_power(spring, overlap) * overlap +
+                           spring.tangential_stiffness * contact.stretch.norm();
       spring_energy_in_doubt_ =
-          std::max(spring_energy_in_doubt_,
-                   0.25 * h * h * stiffness * w * energy + stiffness * std::abs(contact.at.gap) * place);
+          std::max(spring_energy_in_doubt_, 0.25 * spring_angle_ * spring_angle_ * energy + force * place);
     }
   }
   for (double& gain : island_gain_) {
@@ -231,8 +257,24 @@ bool World<D>::stays_closed(int a, double duration) const {
   return speed <= std::max(within_tolerance, 0.5 * g_ * settings_.time_step);
 }
 
+/// The stretch of the tangential spring of contact a after a step of length `duration` [s]: in its middle the
+/// one whose force friction has let through, and from there on the slip at the end. An impact has no
+/// duration, and stretches nothing.
+template <int D>
+Vec<D> World<D>::stretch_after(int a, double duration) const {
+  const Contact& contact = contacts_[a];
+  const double stiffness =
+      contact.law.condition == NormalCondition::penalty ? contact.law.spring.tangential_stiffness : 0;
+  if (stiffness == 0) return Vec<D>::Zero();
+  if (duration == 0) return contact.stretch;
+  const Vec<D - 1> middle = -tangential(contact.impulse) / (duration * stiffness);
+  return contact_frame(contact.at.normal).template rightCols<D - 1>() *
+         (middle + settings_.theta * duration * tangential(after_[a]));
+}
+
 #define FLYROCK_INSTANTIATE(D)                                        \
   template void World<D>::apply_laws(double);                         \
+  template void World<D>::apply_spring(int, double);                  \
   template void World<D>::solve_and_apply();                          \
   template World<D>::Row World<D>::velocity_after(int, double) const; \
   template void World<D>::measure_after(double);                      \
@@ -241,7 +283,8 @@ bool World<D>::stays_closed(int a, double duration) const {
   template void World<D>::record_impacts();                           \
   template double World<D>::work_of_driven(int, double) const;        \
   template void World<D>::audit_energy(double);                       \
-  template bool World<D>::stays_closed(int, double) const
+  template bool World<D>::stays_closed(int, double) const;            \
+  template Vec<D> World<D>::stretch_after(int, double) const
 FLYROCK_INSTANTIATE(2);
 FLYROCK_INSTANTIATE(3);
 #undef FLYROCK_INSTANTIATE

@@ -269,6 +269,7 @@ typename World<D>::Outcome World<D>::keep(double duration, bool new_touch) {
     const double held = c.mu() * c.impulse[0] + duration * c.law.c_t;
     c.sticking = held > 0 && tangential(c.impulse).norm() < (1 - 1e-9) * held;
     c.age = closed ? c.age + duration : 0;
+    c.stretch = closed ? stretch_after(static_cast<int>(a), duration) : Vec<D>::Zero();
     outcome.in_contact = outcome.in_contact || c.carried;
   }
   last_ = contacts_;

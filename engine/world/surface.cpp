@@ -77,7 +77,7 @@ ContactLaw Surface::ask(ContactState& state, bool impact, ContactHistory& histor
   const Unilateral normal =
       answer(unilateral, constant_unilateral_, use.unilateral, state, own(3),
              [](const auto& l, const auto& p, const auto& s) { return l.condition(p, s); });
-  ContactLaw law{{}, friction_given, rolling_given, normal.condition, normal.stiffness};
+  ContactLaw law{{}, friction_given, rolling_given, normal.condition, normal.spring};
   if (normal.condition == NormalCondition::cohesive) {  // a pull shifts the whole friction cone
     law.c_n += normal.pull;
     law.c_t += law.mu_s * normal.pull;

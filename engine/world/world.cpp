@@ -2,6 +2,7 @@
 
 #include "world/world.h"
 
+#include "solver/spring.h"
 #include "world/manifold.h"
 
 namespace flyrock {
@@ -91,8 +92,8 @@ double World<D>::total_energy() const {
     if (body.moves()) energy += body.kinetic_energy() - body.mass * gravity_.dot(body.x);
   for (const Contact& c : last_) {
     if (c.law.condition != NormalCondition::penalty) continue;
-    const double pressed = std::min(0.0, gap_at(c, false));
-    energy += 0.5 * c.law.stiffness * pressed * pressed;
+    energy += elastic_energy(c.law.spring, -gap_at(c, false)) +
+              0.5 * c.law.spring.tangential_stiffness * c.stretch.squaredNorm();
   }
   return energy;
 }

@@ -46,8 +46,9 @@ struct WorldContact {
   Row turning = Row::Zero();  ///< acceleration by which the lever arms change the velocity as they turn
   double mu_before = 0;       ///< coefficient of friction in the last step, if the contact is carried on
   double c_t_before = 0;      ///< N, its tangential cohesion
-  double age = 0;             ///< s since the contact closed
-  bool carried = false;       ///< true if the contact did not open in the last step
+  Vec<D> stretch = Vec<D>::Zero();  ///< m, of the tangential spring of `penalty` at the end of the last step
+  double age = 0;                   ///< s since the contact closed
+  bool carried = false;             ///< true if the contact did not open in the last step
   bool sticking = false;
   int manifold = -1;      ///< index of the manifold among the impacts of this step; -1: no impact
   int impact_number = 0;  ///< impact number of the candidate, if this contact is part of an impact
@@ -222,6 +223,7 @@ class World {
 
   // rebound.cpp: its solution with restitution, applied to the bodies; records and energy audit
   void apply_laws(double h);
+  void apply_spring(int a, double h);
   void solve_and_apply();
   Row velocity_after(int a, double h) const;
   void measure_after(double h);
@@ -231,6 +233,7 @@ class World {
   double work_of_driven(int a, double h) const;
   double energy_of(int a) const;
   bool stays_closed(int a, double duration) const;
+  Vec<D> stretch_after(int a, double duration) const;
 
   // choose_step.cpp: the length of a step by its error
   bool chooses_steps() const { return settings_.step_tolerance > 0; }
@@ -252,10 +255,11 @@ class World {
   SolverQuality quality_;
   SolveResult last_solve_;
   StepControl<D> control_;
-  double last_step_ = 0;     ///< s
-  double reach_time_ = 0;    ///< s, the longer of this step and the last one; fixed steps: their length
-  double spring_angle_ = 0;  ///< rad, greatest h sqrt(k W_nn) of the springs in the step
-  double energy_given_ = 0;  ///< J
+  double last_step_ = 0;      ///< s
+  double reach_time_ = 0;     ///< s, the longer of this step and the last one; fixed steps: their length
+  double spring_angle_ = 0;   ///< rad, greatest h sqrt(k W) of the springs in the step
+  double spring_change_ = 0;  ///< the greatest of spring_angle_ and h c W of the dampers
+  double energy_given_ = 0;   ///< J
   double energy_in_doubt_ = 0, spring_energy_in_doubt_ = 0;  ///< J
   std::vector<std::vector<Surface*>> terrain_surface_;       ///< [body][part]
   /// [a][b], a < b; null before the bodies first come near each other

@@ -86,7 +86,7 @@ class LuaUnilateral : public LuaLaw<UnilateralLaw> {
   using LuaLaw::LuaLaw;
   Unilateral condition(Values values, const ContactState& contact) const override {
     Unilateral answer;
-    call_(values, {&contact}, 2, [&](lua_State* lua) {
+    call_(values, {&contact}, 5, [&](lua_State* lua) {
       const char* name = lua_type(lua, 1) == LUA_TSTRING ? lua_tostring(lua, 1) : nullptr;
       const auto condition = normal_condition(name ? name : "");
       if (!condition)
@@ -97,13 +97,22 @@ class LuaUnilateral : public LuaLaw<UnilateralLaw> {
                         name ? fmt::format("\"{}\"", printable(name)) : luaL_typename(lua, 1)));
       answer.condition = *condition;
       if (*condition == NormalCondition::penalty)
-        answer.stiffness = call_.number(lua, 2, "the stiffness");
+        read_spring(lua, answer.spring);
       else if (*condition == NormalCondition::cohesive)
         answer.pull = call_.number(lua, 2, "the pull");
       else if (!lua_isnil(lua, 2))
         call_.fail(fmt::format("returned a second value with \"{}\", which has none", name));
     });
     return answer;
+  }
+
+ private:
+  /// "penalty", stiffness, damping, exponent, tangential stiffness; those after the stiffness may be nil.
+  void read_spring(lua_State* lua, Spring& spring) const {
+    spring.stiffness = call_.number(lua, 2, "the stiffness");
+    if (!lua_isnil(lua, 3)) spring.damping = call_.number(lua, 3, "the damping");
+    if (!lua_isnil(lua, 4)) spring.exponent = call_.number(lua, 4, "the exponent");
+    if (!lua_isnil(lua, 5)) spring.tangential_stiffness = call_.number(lua, 5, "the tangential stiffness");
   }
 };
 

@@ -30,6 +30,50 @@ TEST_CASE("law draws a law's graph from solved contacts") {
   }
 }
 
+TEST_CASE("law draws another ball, and the first axis to where one asks") {
+  const Folder folder;
+  const std::string near =
+      call(folder, "law friction/coulomb --set mu=0.5 --to \"1 cm/s\" --mass \"2 t\"").out;
+  CHECK(near.find("drawn for a ball of 2000 kg and 0.3 m") != std::string::npos);
+  CHECK(near.find("-0.01 ") == std::string::npos);  // 7.2 cm/s of friction in 1 ms hold all of them
+  CHECK(call(folder, "law friction/coulomb --set mu=0.5 --to \"1 kg\"").err ==
+        "error: the axis of this graph has the unit m/s, not kg\n");
+  CHECK(call(folder, "law friction/coulomb --set mu=0.5 --mass 0")
+            .err.find("--mass 0: expected a positive number in kg") != std::string::npos);
+  // A law that goes on weakening for 3 m is drawn beyond that.
+  const std::string weakening =
+      "law friction/slip_weakening --set mu_s=0.6 --set mu_d=0.2 --set \"distance=3 m\"";
+  CHECK(call(folder, weakening).out.find("  5  0.2\n") != std::string::npos);
+}
+
+TEST_CASE("the graph of a spring shows its damper and its tangential spring") {
+  const Folder folder;
+  const std::string out =
+      call(folder,
+           "law unilateral/penalty --set \"stiffness=1e6 N/m\" --set \"damping=2 kN s/m\" "
+           "--set \"tangential_stiffness=1e5 N/m\" --to \"10 mm\"")
+          .out;
+  CHECK(out.find("  0.01  10000\n") != std::string::npos);
+  // The ball of 500 kg goes 10 mm deep at 0.01 sqrt(k / m) = 0.447 m/s.
+  CHECK(out.find("closing at 0.447 m/s") != std::string::npos);
+  CHECK(out.find("  0.01  10894\n") != std::string::npos);
+  CHECK(out.find("  0.01  9105.6\n") != std::string::npos);
+  CHECK(out.find("  0.04905  -2452.5\n") != std::string::npos);  // mu m g
+}
+
+TEST_CASE("law writes a PNG where a program draws it, and says which is missing") {
+  const Folder folder;
+  const Output output = call(folder, "law friction/coulomb --set mu=0.5 -o coulomb.png");
+  if (output.code == 0) {
+    CHECK(read(folder.path() / "coulomb.png").substr(1, 3) == "PNG");
+  } else {
+    CHECK(output.code == 2);
+    CHECK(output.err.find("coulomb.png: a PNG needs the program rsvg-convert (Debian: librsvg2-bin)") !=
+          std::string::npos);
+  }
+  CHECK_FALSE(folder.has("coulomb.png.svg"));
+}
+
 TEST_CASE("law says what is wrong with what it is given") {
   const Folder folder;
   const auto error = [&](const std::string& line) {

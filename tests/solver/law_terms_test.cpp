@@ -4,11 +4,14 @@
 
 #include <catch2/catch.hpp>
 
+#include "solver/spring.h"
+
 using namespace flyrock;
 
 namespace {
 
 using Row = Eigen::Vector3d;
+using Stretch = Eigen::Matrix<double, 1, 1>;
 
 constexpr double mass = 2, h = 1e-3;
 
@@ -17,7 +20,7 @@ struct Solved {
 };
 
 Solved solve(const ContactLaw& law, double gap, double duration, const Row& before, const Row& free,
-             bool sticking = false) {
+             bool sticking = false, double stretch = 0) {
   ContactProblem<2> problem;
   ContactProblem<2>::Contact contact;
   contact.w = Eigen::Vector3d(1 / mass, 1 / mass, 1).asDiagonal();
@@ -27,6 +30,8 @@ Solved solve(const ContactLaw& law, double gap, double duration, const Row& befo
   set_law<2>(law, sticking, gap, duration, contact, rebound);
   problem.contacts.push_back(contact);
   problem.first = {0, 0};
+  if (law.condition == NormalCondition::penalty)
+    set_spring<2>(law.spring, -gap, Stretch::Constant(stretch), duration, problem, 0, rebound);
   std::vector<Row> r(1, Row::Zero());
   ImpactSolver<2>().solve(problem, {rebound}, {}, r);
   return {r[0], free + contact.w * r[0]};
@@ -70,7 +75,7 @@ TEST_CASE("a quasi-shock lets the gap close within the step, Signorini's conditi
 TEST_CASE("a spring pushes with k times the overlap, and friction is bound by that") {
   ContactLaw law;
   law.condition = NormalCondition::penalty;
-  law.stiffness = 1e5;
+  law.spring.stiffness = 1e5;
   law.mu_s = law.mu_d = 0.3;
   const Solved pushed = solve(law, -2e-3, h, Row::Zero(), {-0.5, 1, 0});
   CHECK(pushed.impulse[0] == Approx(0.2));
@@ -78,6 +83,27 @@ TEST_CASE("a spring pushes with k times the overlap, and friction is bound by th
   CHECK(pushed.velocity[0] == Approx(-0.4));
   CHECK(solve(law, 1e-3, h, Row::Zero(), {-0.5, 1, 0}).impulse.norm() == 0);
   CHECK(solve(law, -2e-3, 0, {-0.5, 1, 0}, {-0.5, 1, 0}).impulse.norm() == 0);  // an impact has no duration
+}
+
+TEST_CASE("a damper acts by the mean of the velocities before and after, and never pulls") {
+  ContactLaw law;
+  law.condition = NormalCondition::penalty;
+  law.spring = {.stiffness = 1e5, .damping = 400, .exponent = 1.5};
+  const double d = 2e-3, c = 400 * std::sqrt(d), elastic = 1e5 * d * std::sqrt(d);
+  const Solved pressed = solve(law, -d, h, {-0.5, 0, 0}, {-0.51, 0, 0});
+  const double mean = 0.5 * (-0.5 + pressed.velocity[0]);
+  CHECK(pressed.impulse[0] == Approx(h * (elastic - c * mean)).epsilon(1e-12));
+  CHECK(solve(law, -d, h, {5, 0, 0}, {5, 0, 0}).impulse[0] == 0);  // elastic - c mean is a pull
+}
+
+TEST_CASE("a tangential spring holds by its stretch, up to the friction of the push") {
+  ContactLaw law;
+  law.condition = NormalCondition::penalty;
+  law.spring = {.stiffness = 1e5, .tangential_stiffness = 8e4};
+  law.mu_s = law.mu_d = 0.3;
+  CHECK(solve(law, -2e-3, h, Row::Zero(), {0, 1, 0}, true, 5e-4).impulse[1] == Approx(-h * 8e4 * 5e-4));
+  CHECK(solve(law, -2e-3, h, Row::Zero(), {0, 1, 0}, true, -2e-3).impulse[1] == Approx(h * 0.3 * 1e5 * 2e-3));
+  CHECK(solve(law, 1e-3, h, Row::Zero(), {0, 1, 0}, true, 1e-3).impulse.norm() == 0);
 }
 
 TEST_CASE("LMGC90's law lets a separating contact come back, Moreau's does not") {
@@ -164,7 +190,7 @@ TEST_CASE(
   ContactLaw law;
   law.mu_r = 0.1;
   law.condition = NormalCondition::penalty;
-  law.stiffness = 1e6;
+  law.spring.stiffness = 1e6;
   const Solved spring = solve(law, -1e-3, h, Row::Zero(), {0, 0, 5});
   CHECK(spring.impulse[0] == Approx(1));  // h k 1e-3
   CHECK(spring.impulse[2] == Approx(-0.1));
@@ -184,7 +210,7 @@ TEST_CASE("a spring in space resists rolling and spinning by its push") {
   law.mu_r = 0.1;
   law.mu_spin = 0.02;
   law.condition = NormalCondition::penalty;
-  law.stiffness = 1e6;
+  law.spring.stiffness = 1e6;
   ContactProblem<3> problem;
   ContactProblem<3>::Contact contact;
   contact.w =
@@ -194,6 +220,7 @@ TEST_CASE("a spring in space resists rolling and spinning by its push") {
   set_law<3>(law, false, -1e-3, h, contact, rebound);
   problem.contacts.push_back(contact);
   problem.first = {0, 0};
+  set_spring<3>(law.spring, 1e-3, Eigen::Vector2d::Zero(), h, problem, 0, rebound);
   std::vector<ContactProblem<3>::Row> r(1, ContactProblem<3>::Row::Zero());
   CHECK(ImpactSolver<3>().solve(problem, {rebound}, {}, r).converged);
   CHECK(r[0][0] == Approx(1));

@@ -6,16 +6,22 @@ namespace {
 
 class Penalty : public UnilateralLaw {
  public:
-  explicit Penalty(Params& params) : stiffness_(params.slot("stiffness")) {}
+  explicit Penalty(Params& params)
+      : stiffness_(params.slot("stiffness")),
+        damping_(params.slot("damping")),
+        exponent_(params.slot("exponent")),
+        tangential_stiffness_(params.slot("tangential_stiffness")) {}
 
   bool constant() const override { return true; }
   std::string origin() const override { return "penalty"; }
   Unilateral condition(Values values, const ContactState&) const override {
-    return {NormalCondition::penalty, values[stiffness_], 0};
+    const Spring spring{values[stiffness_], values[damping_], values[exponent_],
+                        values[tangential_stiffness_]};
+    return {NormalCondition::penalty, spring, 0};
   }
 
  private:
-  int stiffness_;
+  int stiffness_, damping_, exponent_, tangential_stiffness_;
 };
 
 }  // namespace

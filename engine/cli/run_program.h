@@ -1,0 +1,13 @@
+#pragma once
+// Programs of others that flyrock calls where they are installed.
+
+#include <string>
+#include <vector>
+
+namespace flyrock::cli {
+
+/// Runs a program found by PATH with its arguments and waits for it. False if there is no such program, or if
+/// it ends with another code than 0.
+bool run_program(const std::vector<std::string>& words);
+
+}  // namespace flyrock::cli
