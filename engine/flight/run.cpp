@@ -39,7 +39,10 @@ class Runner {
                           [](const Body<D>& b) { return b.air.drag > 0; });
   }
 
+  ~Runner() { world_.on_hit = nullptr; }
+
   void run() {
+    world_.on_hit = [this] { hit(); };
     if (settings_.series) series_.emplace(world_, *settings_.series);
     const double energy = world_.total_energy();
     bool in_contact = settings_.exact_flight && collide();
@@ -111,11 +114,20 @@ class Runner {
   bool collide() {
     if (series_) series_->before_impact();
     const auto outcome = world_.impact();
-    if (series_ && outcome.new_touch) series_->after_impact();
-    if (settings_.advanced && outcome.new_touch) settings_.advanced(0);
+    if (outcome.endless)
+      diverge(std::to_string(World<D>::most_hits) +
+              " impacts one by one at one instant do not end: their losses do not "
+              "stop these contacts");
+    if (outcome.new_touch) hit();
     observer_.arrived();
     for (const auto& contact : world_.contacts()) land(contact);
     return outcome.in_contact;
+  }
+
+  /// Keeps the impact that was solved now.
+  void hit() {
+    if (series_) series_->after_impact();
+    if (settings_.advanced) settings_.advanced(0);
   }
 
   void land(const typename World<D>::Contact& contact) {

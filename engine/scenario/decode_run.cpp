@@ -20,6 +20,10 @@ SolverPlan decode_solver(DecodeContext& context, const Node& node) {
   if (stepped && chosen)
     node.find("flight")->error(context.diagnostics,
                                "`stepped` asks for steps of one length, expected a number for `time_step`");
+  const bool one_by_one = section.text("impacts") == "one_by_one";
+  if (stepped && one_by_one)
+    node.find("impacts")->error(context.diagnostics,
+                                "`one_by_one` needs the exact instant of each impact: `flight: exact`");
   return {.name = section.text("name"),
           .time_step = chosen ? std::nullopt : std::optional(section.constant("time_step")),
           .step_tolerance = section.constant("step_tolerance"),
@@ -27,6 +31,7 @@ SolverPlan decode_solver(DecodeContext& context, const Node& node) {
           .tolerance = section.constant("tolerance"),
           .max_iterations = section.integer("max_iterations"),
           .flight = stepped ? FlightMode::stepped : FlightMode::exact,
+          .one_by_one = one_by_one,
           .rest_speed = section.constant("rest_speed")};
 }
 

@@ -221,6 +221,7 @@ struct SolverPlan {
   double tolerance = 1e-7;  ///< found by measurement, see default_tolerance
   int max_iterations = 1000;
   FlightMode flight = FlightMode::exact;
+  bool one_by_one = false;   ///< impacts at one instant, not together
   double rest_speed = 0.02;  ///< m/s
 };
 

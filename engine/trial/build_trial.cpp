@@ -47,7 +47,8 @@ WorldSettings TrialBuilder<D>::world_settings() const {
                          .max_iterations = solver.max_iterations,
                          .rest_speed = solver.rest_speed,
                          .solver = solver_of_name(solver.name).value(),
-                         .body_contacts = scenario_.bodies.empty() || scenario_.body_contacts};
+                         .body_contacts = scenario_.bodies.empty() || scenario_.body_contacts,
+                         .one_by_one = solver.one_by_one};
   if (solver.time_step)
     settings.time_step = *solver.time_step;
   else

@@ -131,14 +131,16 @@ void World<D>::find_shocks(double h) {
   }
 }
 
-/// Records one Impact per manifold.
+/// Appends one Impact per manifold.
 template <int D>
 void World<D>::record_impacts() {
   sums_.clear();
+  const std::size_t first = impacts_.size();
   for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) {
     const Contact& contact = contacts_[a];
     if (contact.manifold < 0) continue;
-    if (contact.manifold >= static_cast<int>(impacts_.size())) {
+    const std::size_t index = first + static_cast<std::size_t>(contact.manifold);
+    if (index >= impacts_.size()) {
       Impact impact;
       impact.body = contact.candidate;
       impact.other = contact.antagonist;
@@ -148,7 +150,7 @@ void World<D>::record_impacts() {
       impacts_.push_back(impact);
       sums_.emplace_back();
     }
-    Impact& impact = impacts_[contact.manifold];
+    Impact& impact = impacts_[index];
     ImpactSum& sum = sums_[contact.manifold];
     const double pn = contact.impulse[0];
     impact.pn += pn;
@@ -166,9 +168,9 @@ void World<D>::record_impacts() {
   }
   // Signed in 2D, magnitudes in 3D.
   const auto slip = [](const Vec<D - 1>& t) { return D == 2 ? t[0] : t.norm(); };
-  for (std::size_t i = 0; i < impacts_.size(); ++i) {
+  for (std::size_t i = first; i < impacts_.size(); ++i) {
     Impact& impact = impacts_[i];
-    const ImpactSum& sum = sums_[i];
+    const ImpactSum& sum = sums_[i - first];
     impact.place.template head<D>() = sum.place / sum.weight;
     impact.vn_before = sum.vn_before / sum.weight;
     impact.vn_after = sum.vn_after / sum.weight;

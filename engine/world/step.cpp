@@ -141,6 +141,7 @@ typename World<D>::Outcome World<D>::impact() {
   forget_steps();
   detect(0);
   keep_closed(event_share);
+  const bool endless = settings_.one_by_one && !collide_one_by_one();
   measure_before(0);
   begin_manifolds();
   ask_laws(0);
@@ -157,9 +158,55 @@ typename World<D>::Outcome World<D>::impact() {
   record_impacts();
   audit_energy(0);
   Outcome outcome = keep(0, false);
+  outcome.endless = endless;
   outcome.new_touch = approaching;
   for (Contact& c : last_) c.impulse.setZero();  // impulses of an impact are no warm start for the next step
   return outcome;
+}
+
+/// Whether a contact that may collide is a spring. The law is asked only if it can be one.
+template <int D>
+bool World<D>::is_spring(Contact& contact) {
+  if (!contact.surface || !contact.surface->unilateral.law) return false;
+  contact.before = relative_velocity(contact);
+  contact.manifold = -1;
+  ask_law(contact, 0);
+  return contact.law.condition == NormalCondition::penalty;
+}
+
+/// Lets the closed contacts collide one after the other, the fastest approach first, each by its law. Springs
+/// do nothing at an instant. False if that does not end.
+template <int D>
+bool World<D>::collide_one_by_one() {
+  closed_ = contacts_;
+  springs_.assign(closed_.size(), false);
+  for (std::size_t a = 0; a < closed_.size(); ++a) springs_[a] = is_spring(closed_[a]);
+  bool ends = true;
+  for (int hits = 0;; ++hits) {
+    std::size_t next = closed_.size();
+    double fastest = settings_.rest_speed;
+    for (std::size_t a = 0; a < closed_.size(); ++a) {
+      const double approach = springs_[a] ? 0 : -relative_velocity(closed_[a])[0];
+      if (approach > fastest) fastest = approach, next = a;
+    }
+    if (next == closed_.size()) break;
+    ends = hits < most_hits;
+    if (!ends) break;
+    contacts_.assign(1, closed_[next]);
+    measure_before(0);
+    begin_manifolds();
+    ask_laws(0);
+    assemble(0, false);
+    solve_and_apply();
+    ++quality_.impact_problems;
+    measure_after(0);
+    record_impacts();
+    audit_energy(0);
+    closed_[next].history = contacts_[0].history;
+    if (on_hit) on_hit();
+  }
+  contacts_ = closed_;
+  return ends;
 }
 
 /// The time of the first touch of features that are not in contact, along the path of the step [s]. With
@@ -289,6 +336,8 @@ bool World<D>::slips(const Contact& contact, int body) const {
   template void World<D>::forget_steps();                             \
   template World<D>::Outcome World<D>::step(double, bool, bool);      \
   template World<D>::Outcome World<D>::impact();                      \
+  template bool World<D>::collide_one_by_one();                       \
+  template bool World<D>::is_spring(Contact&);                        \
   template std::optional<double> World<D>::first_touch(double, bool); \
   template void World<D>::project_drift(bool);                        \
   template World<D>::Outcome World<D>::keep(double, bool);            \

@@ -28,6 +28,7 @@ struct WorldSettings {
   double rest_speed = 0.02;  ///< m/s; a slower approach has no restitution
   SolverKind solver = SolverKind::automatic;
   bool body_contacts = true;  ///< false: bodies meet the terrain only
+  bool one_by_one = false;    ///< contacts that close at one instant collide one after the other
 };
 
 /// A contact of the world, with its law, its impulse and its memory.
@@ -111,6 +112,7 @@ class World {
     double duration = 0;      ///< s
     bool new_touch = false;   ///< the step was cut because two features that were not in contact touch
     bool in_contact = false;  ///< at least one contact stays closed
+    bool endless = false;     ///< of impacts one by one: most_hits did not end them
   };
 
   /// One step of at most h [s]; the step is shortened if a contact would drift too far. With `cut`, the step
@@ -122,7 +124,12 @@ class World {
   double step_length();
 
   /// Solves the impact problem of all contacts that are closed now. Velocities jump; time does not advance.
+  /// With `one_by_one`, the contact that approaches fastest collides as if it were alone, then the next one,
+  /// until none is faster than rest_speed; the problem of all contacts then stops what still approaches.
   Outcome impact();
+  /// Called after each single collision of `one_by_one`, with contacts() the one that collides. May be empty.
+  std::function<void()> on_hit;
+  static constexpr int most_hits = 100'000;  ///< at one instant
 
   /// All bodies fly for dt without contacts.
   void fly(double dt);
@@ -228,6 +235,8 @@ class World {
   Row velocity_after(int a, double h) const;
   void measure_after(double h);
   void find_shocks(double h);
+  bool collide_one_by_one();
+  bool is_spring(Contact& contact);
   void record_impacts();
   void audit_energy(double h);
   double work_of_driven(int a, double h) const;
@@ -267,6 +276,8 @@ class World {
 
   std::vector<Contact> contacts_;  ///< active in the current step
   std::vector<Contact> last_;      ///< of the last completed step
+  std::vector<Contact> closed_;    ///< at an instant of impacts one by one
+  std::vector<bool> springs_;      ///< which of closed_ are springs
   std::vector<ContactPoint<D>> points_;
   std::vector<Vec<D>> patch_;  ///< the points of one manifold
   std::vector<ContactRows> rows_;

@@ -47,8 +47,13 @@ return fr.scenario {
   materials = { stone = { friction = { type = "coulomb", mu = 0.8 } } },
   bodies = bodies,
   stop = { time = "0.1 s", speed = 0 },
+  output = { series = { bodies = { "thick_1" } } },
   expect = {
     { measure = "body.thick_11.max.speed", below = "1e-6 m/s" },
+    -- The foot bears half the weight of 21 stones of 217.1 N. The lines of thrust that fit through the joints push it
+    -- outwards with 1786.36 to 1827.28 N: 0.613 to 0.627 of (weight per metre) x R; 0.6218 is Heyman's arch at its limit.
+    { measure = "contact.thick_1.terrain.rn.mean", equals = 4559.5733, tolerance = 1e-3 },
+    { measure = "contact.thick_1.terrain.rt.at[0.05 s]", between = { -1827.28, -1786.36 } },
     { measure = "body.thin_11.max.speed", above = "0.005 m/s" },
     { measure = "solver.not_converged", equals = 0, tolerance = 0 },
   },
