@@ -17,14 +17,14 @@ double World<D>::step_length() {
     for (const int body : {c.candidate, c.antagonist})
       if (body >= 0) touching_[body] = true;
   }
-  return control_.length(bodies, touching_);
+  return std::min(control_.length(bodies, touching_), longest_of_springs());
 }
 
-/// The longest step that gives the springs and dampers of a step of length h enough steps a period [s].
+/// The longest step that gives the springs and dampers of the last step or impact enough steps a period [s].
 template <int D>
-double World<D>::longest_of_springs(double h) const {
-  return spring_change_ > 0 ? h * (2 * pi / steps_a_period) / spring_change_
-                            : std::numeric_limits<double>::infinity();
+double World<D>::longest_of_springs() const {
+  return spring_or_damper_rate_ > 0 ? 2 * pi / steps_a_period / spring_or_damper_rate_
+                                    : std::numeric_limits<double>::infinity();
 }
 
 /// What friction leaves in doubt: half of what friction and resistance to rolling would change of each body
@@ -80,9 +80,9 @@ std::span<const double> World<D>::doubt_of_friction(double h) {
   return doubt_;
 }
 
-#define FLYROCK_INSTANTIATE(D)                                \
-  template double World<D>::step_length();                    \
-  template double World<D>::longest_of_springs(double) const; \
+#define FLYROCK_INSTANTIATE(D)                          \
+  template double World<D>::step_length();              \
+  template double World<D>::longest_of_springs() const; \
   template std::span<const double> World<D>::doubt_of_friction(double)
 FLYROCK_INSTANTIATE(2);
 FLYROCK_INSTANTIATE(3);

@@ -12,7 +12,7 @@ namespace flyrock {
 template <int D>
 void World<D>::apply_laws(double h) {
   rebounds_.resize(contacts_.size());
-  spring_angle_ = spring_change_ = 0;
+  spring_rate_ = spring_or_damper_rate_ = 0;
   for (std::size_t a = 0; a < contacts_.size(); ++a) {
     const Contact& contact = contacts_[a];
     auto& row = problem_.contacts[a];
@@ -25,7 +25,7 @@ void World<D>::apply_laws(double h) {
   }
 }
 
-/// Writes the spring of contact a into the problem, and measures how much it changes in the step: by the
+/// Writes the spring of contact a into the problem, and measures how fast it changes: by the
 /// stiffness and the damping where the body turns round, because those of a spring of Hertz begin with 0.
 template <int D>
 void World<D>::apply_spring(int a, double h) {
@@ -37,8 +37,8 @@ void World<D>::apply_spring(int a, double h) {
   const double power = overlap_power(spring, turning), stiffness = spring.exponent * spring.stiffness * power;
   const double stiffest =
       spring.tangential_stiffness * problem_.contacts[a].w.diagonal().template segment<D - 1>(1).maxCoeff();
-  spring_angle_ = std::max(spring_angle_, h * std::sqrt(std::max(stiffness * w, stiffest)));
-  spring_change_ = std::max({spring_change_, spring_angle_, h * spring.damping * power * w});
+  spring_rate_ = std::max(spring_rate_, std::sqrt(std::max(stiffness * w, stiffest)));
+  spring_or_damper_rate_ = std::max({spring_or_damper_rate_, spring_rate_, spring.damping * power * w});
 
   // The stretch turns with the plane of the contact and grows by the slip until the middle of the step.
   const auto tangents = contact_frame(contact.at.normal).template rightCols<D - 1>().eval();
@@ -217,10 +217,11 @@ void World<D>::audit_energy(double h) {
                             0.5 * speed * speed / problem_.contacts[a].w(0, 0) +
                             0.5 * spring.tangential_stiffness * contact.stretch.squaredNorm();
       const double place = settings_.step_tolerance * 2 * bodies[contact.candidate].radius;
+      const double angle = h * spring_rate_;
       const double force = spring.stiffness * overlap_power(spring, overlap) * overlap +
                            spring.tangential_stiffness * contact.stretch.norm();
       spring_energy_in_doubt_ =
-          std::max(spring_energy_in_doubt_, 0.25 * spring_angle_ * spring_angle_ * energy + force * place);
+          std::max(spring_energy_in_doubt_, 0.25 * angle * angle * energy + force * place);
     }
   }
   for (double& gain : island_gain_) {

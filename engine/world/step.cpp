@@ -93,7 +93,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
     drift(theta * h);
     if (chooses && refusals++ < most_refusals) {
       error = control_.error(bodies, starts_, doubt_of_friction(h), h);
-      const double of_springs = longest_of_springs(h);
+      const double of_springs = longest_of_springs();
       const double fits = error > 1 ? StepControl<D>::shorter(h, error) : h;
       if (std::min(fits, of_springs) < h) {
         restore();
@@ -114,9 +114,9 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
       return {0, true, true};
     }
   }
-  quality_.max_spring_angle = std::max(quality_.max_spring_angle, spring_angle_);
+  quality_.max_spring_angle = std::max(quality_.max_spring_angle, h * spring_rate_);
   quality_.max_penetration = std::max(quality_.max_penetration, drifted.penetration);
-  if (chooses) control_.finished(bodies, starts_, h, error, longest_of_springs(h));
+  if (chooses) control_.finished(bodies, starts_, h, error, longest_of_springs());
   measure_after(h);
   find_shocks(h);
   record_impacts();

@@ -246,7 +246,7 @@ class World {
 
   // choose_step.cpp: the length of a step by its error
   bool chooses_steps() const { return settings_.step_tolerance > 0; }
-  double longest_of_springs(double h) const;
+  double longest_of_springs() const;
   std::span<const double> doubt_of_friction(double h);
 
   // step.cpp: the scheme
@@ -264,11 +264,11 @@ class World {
   SolverQuality quality_;
   SolveResult last_solve_;
   StepControl<D> control_;
-  double last_step_ = 0;      ///< s
-  double reach_time_ = 0;     ///< s, the longer of this step and the last one; fixed steps: their length
-  double spring_angle_ = 0;   ///< rad, greatest h sqrt(k W) of the springs in the step
-  double spring_change_ = 0;  ///< the greatest of spring_angle_ and h c W of the dampers
-  double energy_given_ = 0;   ///< J
+  double last_step_ = 0;   ///< s
+  double reach_time_ = 0;  ///< s, the longer of this step and the last one; fixed steps: their length
+  /// rad/s, the greatest sqrt(k W) of the springs in the last step or impact, and with the c W of the dampers
+  double spring_rate_ = 0, spring_or_damper_rate_ = 0;
+  double energy_given_ = 0;                                  ///< J
   double energy_in_doubt_ = 0, spring_energy_in_doubt_ = 0;  ///< J
   std::vector<std::vector<Surface*>> terrain_surface_;       ///< [body][part]
   /// [a][b], a < b; null before the bodies first come near each other
