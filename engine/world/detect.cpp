@@ -268,6 +268,22 @@ std::span<const HeldContact> World<D>::held(int body, int other) {
   return held_;
 }
 
+/// The same for a step that began at starts_: without the contacts that the last impact opened and that the
+/// step does not hold. They may touch again within the step, while others hold the body.
+template <int D>
+std::span<const HeldContact> World<D>::held_in_step(int body, int other) {
+  constexpr double apart = 1e-8;  // of the size; nearer ones would be found at the start of the step
+  held_.clear();
+  for (const Contact& c : contacts_)
+    if (c.candidate == body && c.antagonist == other) held_.push_back({c.at.feature, c.at.against});
+  for (const Contact& c : last_) {
+    if (c.candidate != body || c.antagonist != other) continue;
+    const bool opened = !c.carried && gap_at(c, true) > apart * contact_size(body, other);
+    if (!opened) held_.push_back({c.at.feature, c.at.against});
+  }
+  return held_;
+}
+
 #define FLYROCK_INSTANTIATE(D)                                                                     \
   template double World<D>::contact_size(int, int) const;                                          \
   template double World<D>::carry_reach(int, int) const;                                           \
@@ -283,7 +299,8 @@ std::span<const HeldContact> World<D>::held(int body, int other) {
   template double World<D>::gap_at(const Contact&, bool) const;                                    \
   template World<D>::Overlap World<D>::deepest_overlap();                                          \
   template void World<D>::measure_penetration();                                                   \
-  template std::span<const HeldContact> World<D>::held(int, int)
+  template std::span<const HeldContact> World<D>::held(int, int);                                  \
+  template std::span<const HeldContact> World<D>::held_in_step(int, int)
 FLYROCK_INSTANTIATE(2);
 FLYROCK_INSTANTIATE(3);
 #undef FLYROCK_INSTANTIATE

@@ -224,7 +224,7 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
   for (int i = 0; i < static_cast<int>(bodies.size()); ++i) {
     const Body<D>& body = bodies[i];
     if (!body.moves()) continue;
-    const auto held_here = held(i, -1);
+    const auto held_here = held_in_step(i, -1);
     if (pass_held && !held_here.empty()) continue;
     const TouchSearch search{held_here, true, 0.5 * touch(i), body.size, &quality_.toc_iterations};
     for (std::size_t k = 0; k < body.contactors.size(); ++k)
@@ -238,7 +238,7 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
   for (const auto& [i, j] : broad_phase_.template pairs<D>(boxes_)) {
     const Body<D>&a = bodies[i], &b = bodies[j];
     if (!a.present || !b.present || (!a.moves() && !b.moves())) continue;
-    const auto held_here = held(i, j);
+    const auto held_here = held_in_step(i, j);
     if (pass_held && !held_here.empty()) continue;
     const double size = contact_size(i, j);
     const TouchSearch search{held_here, true, 0.5e-9 * size + 0.5e-12, size, &quality_.toc_iterations};

@@ -205,6 +205,7 @@ class World {
   const Contact* carried_on(const Contact& contact, std::span<const Contact> last,
                             std::span<const Contact> now) const;
   void keep_closed(double share_of_size);
+  std::span<const HeldContact> held_in_step(int body, int other);
   Drift keep_closed_at_start();
   double gap_of_solver(const Contact& contact) const;
   double gap_at(const Contact& contact, bool at_start) const;
