@@ -15,7 +15,7 @@ namespace flyrock {
 namespace {
 
 constexpr std::string_view magic = "flyrchnk";
-constexpr std::uint64_t format = 12;
+constexpr std::uint64_t format = 13;
 
 std::uint64_t crc(std::string_view bytes) {
   return ::crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
@@ -94,6 +94,9 @@ void walk_brief(Io& io, Records& records) {
   io.rows(records.barriers);
   io.columns(records.barriers, &BarrierRecord::trial, &BarrierRecord::rock);
   visit_barriers(columns_of(io, records.barriers));
+  io.rows(records.trees);
+  io.columns(records.trees, &TreeRecord::trial, &TreeRecord::rock);
+  visit_trees(columns_of(io, records.trees));
   walk_totals(io, records.totals);
 }
 
@@ -149,8 +152,8 @@ std::string header(const ChunkRange& range, const std::string& scenario_hash) {
 std::size_t size_of(const TrialRecords& records) {
   const auto size = [](const auto& rows) { return rows.size() * sizeof(rows[0]); };
   return size(records.rocks) + size(records.inputs) + size(records.impacts) + size(records.trajectories) +
-         size(records.shapes) + size(records.series_bodies) + size(records.series_contacts) +
-         size(records.series_solves);
+         size(records.shapes) + size(records.trees) + size(records.series_bodies) +
+         size(records.series_contacts) + size(records.series_solves);
 }
 
 /// The section whose length is stored at `at`, with its checksum checked. Moves `at` past the checksum.

@@ -76,6 +76,14 @@ bool are_arrivals(const TrialRecords& records, const Scenario& scenario) {
          std::all_of(records.barriers.begin(), records.barriers.end(), hits);
 }
 
+bool are_tree_hits(const std::vector<TreeRecord>& rows, const Scenario& scenario) {
+  return std::all_of(rows.begin(), rows.end(), [&](const TreeRecord& row) {
+    const TreeHit& hit = row.hit;
+    return scenario.forest && hit.tree >= 0 && std::isfinite(hit.time) && std::isfinite(hit.height) &&
+           hit.energy_after >= 0 && hit.energy_after <= hit.energy_before && std::isfinite(hit.energy_before);
+  });
+}
+
 /// Whether the rocks are sorted by trial and number, each once. Rows are looked up by this order.
 bool in_order(const std::vector<RockRecord>& rocks) {
   const auto not_later = [](const RockRecord& a, const RockRecord& b) {
@@ -103,7 +111,8 @@ std::string records_fault(const TrialRecords& records, const ChunkRange& range, 
   if (!in_order(rocks)) return "rocks out of order";
   if (!of_rocks(records.inputs, rocks) || !of_rocks(records.impacts, rocks) ||
       !of_rocks(records.trajectories, rocks) || !of_rocks(records.shapes, rocks) ||
-      !of_rocks(records.gates, rocks) || !of_rocks(records.barriers, rocks))
+      !of_rocks(records.gates, rocks) || !of_rocks(records.barriers, rocks) ||
+      !of_rocks(records.trees, rocks))
     return "rows of a rock that it does not have";
   if (!are_arrivals(records, scenario))
     return "an arrival at a gate or barrier that the scenario does not have, or with numbers that are not "
@@ -111,6 +120,10 @@ std::string records_fault(const TrialRecords& records, const ChunkRange& range, 
   if (arrives_twice(records.gates, [](const GateRecord& row) { return row.passage.gate; }) ||
       arrives_twice(records.barriers, [](const BarrierRecord& row) { return row.hit.barrier; }))
     return "a rock that arrives twice at one gate or barrier";
+  if (!are_tree_hits(records.trees, scenario))
+    return "a hit of a tree in a scenario without a forest, or with numbers that cannot be";
+  if (arrives_twice(records.trees, [](const TreeRecord& row) { return row.hit.tree; }))
+    return "a rock that hits one tree twice";
   const std::size_t inputs = inputs_of(scenario).size();
   for (const InputRecord& input : records.inputs)
     if (!is_index(input.input, inputs))

@@ -271,6 +271,20 @@ void visit_barriers(Visit&& visit) {
   visit_arrival(within(visit, &BarrierRecord::hit));
 }
 
+template <class Visit>
+void visit_trees(Visit&& visit) {
+  visit(
+      Column{.name = "tree"}, [](auto& r) -> auto& { return r.hit.tree; });
+  visit(
+      Column{.name = "time_s"}, [](auto& r) -> auto& { return r.hit.time; });
+  visit(
+      Column{.name = "energy_before_J"}, [](auto& r) -> auto& { return r.hit.energy_before; });
+  visit(
+      Column{.name = "energy_after_J"}, [](auto& r) -> auto& { return r.hit.energy_after; });
+  visit(
+      Column{.name = "height_m"}, [](auto& r) -> auto& { return r.hit.height; });
+}
+
 /// Calls `use` with what a table shows for `value`: a number, a text, or the name for an index. `names`: the
 /// names for `is_index`.
 template <class T>

@@ -87,6 +87,12 @@ struct BarrierRecord {
   BarrierHit hit;
 };
 
+struct TreeRecord {
+  std::uint64_t trial = 0;
+  int rock = 0;
+  TreeHit hit;
+};
+
 /// A row over time: SeriesBody, SeriesContact or SeriesSolve.
 template <class Row>
 struct SeriesRecord {
@@ -118,6 +124,7 @@ struct TrialRecords {
   std::vector<ShapeRecord> shapes;
   std::vector<GateRecord> gates;
   std::vector<BarrierRecord> barriers;
+  std::vector<TreeRecord> trees;
   std::vector<SeriesRecord<SeriesBody>> series_bodies;
   std::vector<SeriesRecord<SeriesContact>> series_contacts;
   std::vector<SeriesRecord<SeriesSolve>> series_solves;

@@ -18,6 +18,7 @@
 #include "flight/run.h"
 #include "solver/fclib.h"
 #include "trial/dimensions.h"
+#include "trial/make_forest.h"
 #include "trial/scenario_error.h"
 
 namespace flyrock {
@@ -85,6 +86,15 @@ PlanLine line_of(const Place& place, const Vec3& origin) {
   return PlanLine(points);
 }
 
+/// The keys of the draws of the bodies of a world.
+template <int D>
+std::vector<DrawKey> keys_of(const Trial<D>& trial, int world) {
+  std::vector<DrawKey> keys(trial.worlds[static_cast<std::size_t>(world)].bodies.size());
+  for (const TrialRock& rock : trial.rocks)
+    if (rock.world == world) keys[static_cast<std::size_t>(rock.body)] = rock.key;
+  return keys;
+}
+
 TerrainPicture picture(const std::shared_ptr<const Terrain2>& terrain, const Vec3& origin) {
   return {terrain->profile().parts, terrain->profile(), nullptr, origin};
 }
@@ -108,6 +118,7 @@ class TrialRunner::Trials : public OfDimension {
   bool has_rows(std::uint64_t trial) const {
     return scenario_.output.rocks || trial < static_cast<std::uint64_t>(scenario_.output.first);
   }
+  void plant(const ForestPlan& plan);
   void fail_trial(std::uint64_t trial, const ScenarioError& error, TrialRecords& out) const;
   /// The rocks of a trial by the methods of points: for each world a history of each of its bodies.
   std::vector<std::vector<BodyHistory>> run_points(Trial<D>& trial, const RunSettings& settings,
@@ -126,6 +137,8 @@ class TrialRunner::Trials : public OfDimension {
   TrialBuilder<D> builder_;
   std::vector<Gate> gates_;
   std::vector<Barrier> barriers_;
+  std::shared_ptr<const Forest> forest_;  ///< null: no trees
+  RunForest run_forest_;
   std::vector<std::vector<int>> impact_draws_;  ///< of each material, those `per: impact`
   PlanGrid map_grid_;                           ///< of maps; empty: none are made
   double bin_width_ = 0;  ///< m, bin width of envelopes; 0 for `bodies` and on terrain without ends
@@ -160,9 +173,22 @@ TrialRunner::Trials<D>::Trials(const Scenario& scenario) : scenario_(scenario), 
   for (const BarrierPlan& barrier : scenario.barriers)
     barriers_.push_back(
         {line_of(barrier, origin), barrier.held_height(), barrier.held_energy(), barrier.height_factor});
+  if (scenario.forest) plant(*scenario.forest);
   if (D == 2 && scenario.bodies.empty() && scenario.output.envelopes)
     bin_width_ = envelope_width(picture_of(0).profile);
   if (D == 3 && scenario.bodies.empty()) map_grid_ = checked_map_grid(scenario, *picture_of(0).ground);
+}
+
+template <int D>
+void TrialRunner::Trials<D>::plant(const ForestPlan& plan) {
+  forest_ = make_forest(scenario_, picture_of(0).ground->ground());
+  run_forest_.forest = forest_.get();
+  run_forest_.law = {.fixed = plan.is_fixed,
+                     .energy = plan.energy,
+                     .factor = plan.factor,
+                     .turn = plan.turn.constant,
+                     .turn_draw = plan.turn.is_constant() ? nullptr : &plan.draws.at(plan.turn.draw),
+                     .seed = scenario_.seed};
 }
 
 template <int D>
@@ -194,6 +220,7 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
   settings.bin_width = bin_width_;
   settings.gates = gates_;
   settings.barriers = barriers_;
+  settings.forest = run_forest_;
   settings.interrupted = interrupted;
   settings.keep_impacts = (scenario_.output.impacts && has_rows(number)) || !scenario_.bodies.empty();
 
@@ -222,6 +249,9 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
                     fmt::format("{}, trial {}, {} s", scenario_.title, number, world.time));
       };
     settings.cells = cells[w];
+    std::vector<DrawKey> keys;
+    if (forest_) keys = keys_of(trial, static_cast<int>(w));
+    settings.keys = keys;
     Series rows;
     SeriesRequest series;
     if (has_series(scenario_, number)) {
@@ -292,6 +322,8 @@ std::vector<std::vector<BodyHistory>> TrialRunner::Trials<D>::run_points(
     if (!map_grid_.empty()) run.cells = &cells[rock.world][rock.body];
     run.gates = gates_;
     run.barriers = barriers_;
+    run.forest = run_forest_;
+    run.key = rock.key;
     run.ends_at_touch = scenario_.method == Method::ballistic;
     if (!run.ends_at_touch) {
       run.stop_speed = settings.stop_speed;
@@ -373,6 +405,7 @@ void TrialRunner::Trials<D>::record(std::uint64_t trial, int index, const TrialR
     if (!is_fault(row.reason)) out.totals.envelopes.add(row.group, history.path);
     for (const Passage& passage : history.passages) out.gates.push_back({trial, index, passage});
     for (const BarrierHit& hit : history.barriers) out.barriers.push_back({trial, index, hit});
+    for (const TreeHit& hit : history.trees) out.trees.push_back({trial, index, hit});
     if (scenario_.output.impacts && has_rows(trial))
       for (const Impact& impact : history.impacts) out.impacts.push_back({trial, index, impact});
     for (const TrajectoryPoint& point : history.trajectory) out.trajectories.push_back({trial, index, point});

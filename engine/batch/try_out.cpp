@@ -13,6 +13,7 @@
 #include "plugin/sampled_states.h"
 #include "trial/build_trial.h"
 #include "trial/dimensions.h"
+#include "trial/make_forest.h"
 #include "trial/part_overlap.h"
 #include "units/usual.h"
 
@@ -247,6 +248,16 @@ void find_map_cells(const Scenario& scenario, const Trial<3>& trial, TriedOut& t
 }
 void find_map_cells(const Scenario&, const Trial<2>&, TriedOut&) {}
 
+/// Finds trees that cannot be drawn.
+void find_forest_faults(const Scenario& scenario, const Trial<3>& trial, TriedOut& tried) {
+  try {
+    make_forest(scenario, trial.terrain->ground());
+  } catch (const ScenarioError& error) {
+    add(tried.errors, error.path, error.what());
+  }
+}
+void find_forest_faults(const Scenario&, const Trial<2>&, TriedOut&) {}
+
 /// Tries shapes, populations, launches, starts and the terrain by making trials.
 template <int D>
 void try_trials(const Scenario& scenario, TrialBuilder<D>& builder, std::uint64_t trials, TriedOut& tried) {
@@ -261,6 +272,7 @@ void try_trials(const Scenario& scenario, TrialBuilder<D>& builder, std::uint64_
       find_overlapping_parts(scenario, trial, tried);
       find_loose_rooms(scenario, trial, tried);
       find_lost_places(scenario, trial, tried);
+      if (number == 0) find_forest_faults(scenario, trial, tried);
       if (scenario.bodies.empty()) find_map_cells(scenario, trial, tried);
       for (std::size_t i = 0; i < trial.rocks.size(); ++i) {
         const TrialRock& rock = trial.rocks[i];

@@ -48,6 +48,7 @@ int check_scenario(const std::string& path, const Overrides& overrides, bool str
   fmt::print("{}", not_used_line(plan.not_used, "`flyrock check --strict` says why"));
   if (const std::string elevations = assumed_elevations(plan); !elevations.empty())
     fmt::print("{}\n", elevations);
+  if (const std::string trees = assumed_trees(plan); !trees.empty()) fmt::print("{}\n", trees);
   const std::uint64_t trials = plan.points.front().trials;
   const std::string each =
       plan.axes.empty() ? "" : fmt::format(" at each of {} sweep points", plan.points.size());

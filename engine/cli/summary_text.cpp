@@ -72,7 +72,7 @@ std::string place_line(const std::string& place, const Share& share) {
 
 /// The number of rocks at the gates and barriers of a point, one line for each.
 std::string places_text(const Scenario& scenario, const PointResult& point) {
-  if (scenario.gates.empty() && scenario.barriers.empty()) return "";
+  if (scenario.gates.empty() && scenario.barriers.empty() && !point.trees) return "";
   std::string text = fmt::format("  {:<34}{:>12}{:>19}\n", "share of all rocks", "share", "95 % interval");
   for (std::size_t g = 0; g < point.gates.size(); ++g)
     text += place_line(fmt::format("gate {}: passed", scenario.gates[g].name), point.gates[g].share);
@@ -84,6 +84,10 @@ std::string places_text(const Scenario& scenario, const PointResult& point) {
     const Complement others = complement_of(point.barriers[b].reached);
     text +=
         place_line(name + "not_reached", others.value, others.is_upper_bound ? "<= " : "", others.interval);
+  }
+  if (point.trees) {
+    text += place_line("trees: hit at least one", point.trees->hit_share);
+    text += place_line("trees: stopped", point.trees->stopped_share);
   }
   return text;
 }

@@ -27,12 +27,16 @@ double arrival(const Path<D>& path, double x, int side, int axis) {
 
 template <int D>
 Crossings<D>::Crossings(World<D>& world, std::span<const Gate> gates, std::span<const Barrier> barriers,
+                        const RunForest& trees, std::span<const DrawKey> keys,
                         std::vector<BodyHistory>& histories)
     : world_(world), gates_(gates), barriers_(barriers), histories_(histories) {
   for (const Body<D>& body : world.bodies) {
     to_gates_.push_back(approaches(gates, flyrock::in_plan(body.x)));
     to_barriers_.push_back(approaches(barriers, flyrock::in_plan(body.x)));
   }
+  for (std::size_t i = 0; i < world.bodies.size() && trees.forest; ++i)
+    trees_.emplace_back(trees, world.terrain(), world.bodies[i].volume,
+                        i < keys.size() ? keys[i] : DrawKey());
 }
 
 template <int D>
@@ -44,9 +48,15 @@ double Crossings<D>::time_to_barrier(int body, const Path<D>& path) const {
 }
 
 template <int D>
+double Crossings<D>::time_to_tree(int body, const Path<D>& path, double longest) const {
+  if (trees_.empty() || trees_[body].passive()) return never;
+  const auto touch = trees_[body].first(path, longest);
+  return touch ? touch->time : never;
+}
+
+template <int D>
 bool Crossings<D>::moved(int body, const Motion& motion, double start, double dt) {
-  if (gates_.empty() && barriers_.empty()) return false;
-  const Body<D>& b = world_.bodies[body];
+  if (gates_.empty() && barriers_.empty() && trees_.empty()) return false;
   const PlanPath path = in_plan(motion);
   const Vec2 end = flyrock::in_plan(motion.position(dt));
   for (std::size_t g = 0; g < gates_.size(); ++g) {
@@ -56,12 +66,9 @@ bool Crossings<D>::moved(int body, const Motion& motion, double start, double dt
     if (!arrival) continue;
     to_gate.arrive();
     const double t = arrival->time;
-    const Turned<D> turned = turn_at(motion, t);
-    const double speed = motion.velocity(t).norm();
-    const double energy = 0.5 * (b.mass * speed * speed + twice_spin_energy(b, turned.attitude, turned.spin));
-    histories_[body].passages.push_back(
-        {{start + t, speed, energy, height(motion.position(t), arrival->place), arrival->along},
-         static_cast<int>(g)});
+    histories_[body].passages.push_back({{start + t, motion.velocity(t).norm(), energy_at(body, motion, t),
+                                          height(motion.position(t), arrival->place), arrival->along},
+                                         static_cast<int>(g)});
   }
   for (std::size_t k = 0; k < barriers_.size(); ++k) {
     Approach& to_barrier = to_barriers_[body][k];
@@ -71,7 +78,38 @@ bool Crossings<D>::moved(int body, const Motion& motion, double start, double dt
     to_barrier.arrive();
     if (catches(static_cast<int>(k), body, *arrival)) return true;
   }
-  return false;
+  return !trees_.empty() && caught_by_tree(body, motion, start, dt);
+}
+
+template <int D>
+double Crossings<D>::energy_at(int body, const Motion& motion, double t) const {
+  const Body<D>& b = world_.bodies[body];
+  const Turned<D> turned = turn_at(motion, t);
+  const double speed = motion.velocity(t).norm();
+  return 0.5 * (b.mass * speed * speed + twice_spin_energy(b, turned.attitude, turned.spin));
+}
+
+template <int D>
+bool Crossings<D>::caught_by_tree(int body, const Motion& motion, double start, double dt) {
+  TreeWatch<D>& trees = trees_[body];
+  std::vector<TreeHit>& hits = histories_[body].trees;
+  Body<D>& b = world_.bodies[body];
+  double left = 1;
+  if (trees.passive()) {
+    while (const auto touch = trees.first(motion, dt)) {
+      const double t = touch->time;
+      Vec<D> velocity = motion.velocity(t);
+      hits.push_back(
+          trees.hit(touch->tree, start + t, energy_at(body, motion, t), motion.position(t), velocity, left));
+    }
+    return false;
+  }
+  // Slightly beyond the end, because a flight that ends at a tree may end before it by rounding.
+  const auto touch = trees.first(motion, dt * (1 + 1e-12) + 1e-12);
+  if (!touch) return false;
+  hits.push_back(trees.hit(touch->tree, world_.time, b.kinetic_energy(), b.x, b.v, left));
+  b.w *= left;
+  return left == 0;
 }
 
 template <int D>

@@ -169,11 +169,23 @@ Arrival FlightLog<D>::arrival(const Approach::Arrival& at, const Landing<D>& now
 
 template <int D>
 void FlightLog<D>::met(const BarrierHit& hit, double left) {
-  attitude_ = attitude(hit.time);
-  spin_since_ = hit.time;
+  slow(hit.time, left);
+  history_.barriers.push_back(hit);
+}
+
+template <int D>
+void FlightLog<D>::met(const TreeHit& hit, double left) {
+  if (left != 1) slow(hit.time, left);
+  history_.trees.push_back(hit);
+}
+
+/// The spin is scaled.
+template <int D>
+void FlightLog<D>::slow(double time, double left) {
+  attitude_ = attitude(time);
+  spin_since_ = time;
   spin_ *= left;
   twice_spin_energy_ *= left * left;
-  history_.barriers.push_back(hit);
 }
 
 template <int D>

@@ -22,13 +22,19 @@ class FlightLog {
   void struck(const Impact& impact, const Landing<D>& after);
   /// The state in which the flight arrives at a barrier at a place in plan.
   Arrival arrival(const Approach::Arrival& at, const Landing<D>& now) const;
-  /// Records that a barrier has acted and scaled velocity and spin by `left`.
+  /// Records that a barrier or a tree has acted and scaled velocity and spin by `left`.
   void met(const BarrierHit& hit, double left);
+  void met(const TreeHit& hit, double left);
   BodyHistory finish(const Landing<D>& end, StopReason reason);
 
   BodyHistory& history() { return history_; }
+  /// The kinetic energy at a speed [J].
+  double energy(double squared_speed) const {
+    return 0.5 * (body_.mass * squared_speed + twice_spin_energy_);
+  }
 
  private:
+  void slow(double time, double left);
   void see(const Arc<D>& arc, double end, TravelMode mode);
   BodyState state(double time, const Vec<D>& position, const Vec<D>& velocity) const;
   BodyState at(const Arc<D>& arc, double s) const;
@@ -36,9 +42,6 @@ class FlightLog {
   Attitude<D> attitude(double time) const { return attitude_.turned(spin_ * (time - spin_since_)); }
   void store(const BodyState& s);
   void widen(const BodyState& s);
-  double energy(double squared_speed) const {
-    return 0.5 * (body_.mass * squared_speed + twice_spin_energy_);
-  }
   double height(const Vec<D>& p) const;
   void pass_gates(const Arc<D>& arc, double end);
   void turns(const Arc<D>& arc, double end);

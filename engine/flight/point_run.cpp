@@ -63,7 +63,8 @@ class PointRunner {
         contact_(body, terrain, run.origin, run.surfaces, run.roughness),
         audit_(body, run.forces.gravity),
         slow_(std::max(0.05 * run.rest_speed, 1e-9)),
-        to_barriers_(approaches(run.barriers, flyrock::in_plan(body.x))) {}
+        to_barriers_(approaches(run.barriers, flyrock::in_plan(body.x))),
+        trees_(run.forest, terrain, body.volume, run.key) {}
 
   BodyHistory run() {
     if (run_.ends_at_touch) return fly_to_touch();
@@ -99,16 +100,17 @@ class PointRunner {
     }
   }
 
-  /// Flies to the ground, an end or a barrier. Returns whether a barrier has caught the point.
+  /// Flies to the ground, an end, a barrier or a tree. Returns whether a barrier or a tree has caught the
+  /// point.
   template <class Ground>
   bool fly_over(const Ground& ground) {
-    int barrier = -1;
+    Obstacle obstacle;
     now_ = land(BallisticFlight<D>(run_.forces, now_.position, now_.velocity, now_.time), ground,
                 run_.stop_time, [&](const Arc<D>& arc, ArcEnd& end) {
-                  barrier = first_barrier(arc, end);
+                  obstacle = first_obstacle(arc, end);
                   log_.flew(arc, end.s);
                 });
-    return barrier >= 0 && catches(barrier);
+    return stops_at(obstacle);
   }
 
   bool fly() {
@@ -178,8 +180,8 @@ class PointRunner {
     return support_of(contact_, faces_, now_.time, now_.position, now_.velocity, force_, slow_);
   }
 
-  /// Slides until the point leaves the face, stops, or its friction may change. Returns whether a barrier has
-  /// caught the point.
+  /// Slides until the point leaves the face, stops, or its friction may change. Returns whether a barrier or
+  /// a tree has caught the point.
   bool slide_on(const Support<D>& support) {
     log_.landed(now_);
     const Sliding<D>& sliding = support.sliding;
@@ -203,7 +205,7 @@ class PointRunner {
       if (const auto exit = first_exit(arc, ground_of(terrain_)); exit && *exit <= end.s)
         end = {*exit, false, true};
     }
-    const int barrier = first_barrier(arc, end);
+    const Obstacle obstacle = first_obstacle(arc, end);
     const Travel before = log_.history().travel;
     log_.slid(arc, end.s, support.rolls ? TravelMode::roll : TravelMode::slide);
     const bool whole = end.s == 1;
@@ -214,7 +216,7 @@ class PointRunner {
     if (run_.forces.air.drag > 0)
       audit_.give(std::max(0.0, audit_.energy(now_.position, now_.velocity) - energy));
     rest_.rests(start, now_.time, speed, now_.velocity.norm(), before);
-    return barrier >= 0 && catches(barrier);
+    return stops_at(obstacle);
   }
 
   double time_to_rest() const {
@@ -254,6 +256,44 @@ class PointRunner {
     return log_.finish(now_, reason);
   }
 
+  /// What ends an arc before its end: a barrier, a tree, or nothing.
+  struct Obstacle {
+    int barrier = -1, tree = -1;
+  };
+  Obstacle first_obstacle(const Arc<D>& arc, ArcEnd& end) {
+    Obstacle first;
+    if (trees_.any() && !trees_.passive())
+      if (const auto touch = trees_.first(arc, end.s)) {
+        end = {touch->time, false, false, true};
+        first.tree = touch->tree;
+      }
+    first.barrier = first_barrier(arc, end);
+    if (first.barrier >= 0) first.tree = -1;
+    if (trees_.any() && trees_.passive()) count_trees(arc, end.s);
+    return first;
+  }
+  bool stops_at(const Obstacle& obstacle) {
+    if (obstacle.barrier >= 0) return catches(obstacle.barrier);
+    return obstacle.tree >= 0 && caught_by_tree(obstacle.tree);
+  }
+  bool caught_by_tree(int tree) {
+    double left = 1;
+    const double energy = log_.energy(now_.velocity.squaredNorm());
+    const TreeHit hit = trees_.hit(tree, now_.time, energy, now_.position, now_.velocity, left);
+    log_.met(hit, left);
+    return left == 0;
+  }
+  /// Trees that change nothing: the path goes on through them.
+  void count_trees(const Arc<D>& arc, double end) {
+    while (const auto touch = trees_.first(arc, end)) {
+      Vec<D> velocity = arc.velocity(touch->time);
+      double left = 1;
+      log_.met(trees_.hit(touch->tree, arc.start + touch->time * arc.length,
+                          log_.energy(velocity.squaredNorm()), arc.position(touch->time), velocity, left),
+               left);
+    }
+  }
+
   /// The first barrier that the arc meets before its end; the arc then ends there. -1: none.
   int first_barrier(const Arc<D>& arc, ArcEnd& end) {
     int first = -1;
@@ -289,6 +329,7 @@ class PointRunner {
   EnergyAudit<D> audit_;
   double slow_;  ///< m/s
   std::vector<Approach> to_barriers_;
+  TreeWatch<D> trees_;
   Approach::Arrival at_;           ///< where the path met the last barrier
   std::vector<Face<D>> faces_;     ///< on which the point is
   Vec<D> force_ = Vec<D>::Zero();  ///< m/s2, gravity and the push of the air in the next leg

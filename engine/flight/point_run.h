@@ -2,6 +2,7 @@
 // One rock as a point at its centre of mass: the methods `ballistic` and `lumped_mass`.
 
 #include "flight/point_contact.h"
+#include "flight/tree_watch.h"
 #include "world/body.h"
 #include "world/places.h"
 #include "world/plan_cells.h"
@@ -19,6 +20,8 @@ struct PointRun {
   PlanCells* cells = nullptr;   ///< where the path is recorded for maps; null: nowhere; 3D only
   std::span<const Gate> gates;
   std::span<const Barrier> barriers;
+  RunForest forest;
+  DrawKey key;  ///< of the draws of the rock, for trees
 
   bool ends_at_touch = true;  ///< all below is of a run that goes on
   double stop_speed =
@@ -35,8 +38,8 @@ struct PointRun {
 /// Moves the body from its position with its velocity. Its spin counts only in a run that ends at the first
 /// touch, where the body turns freely; a lumped mass has none.
 ///
-/// The run ends as `caught` at a barrier, as `left_domain` or as `timed_out`. With `ends_at_touch` it ends as
-/// `stopped` at the ground. Otherwise:
+/// The run ends as `caught` at a barrier or a tree, as `left_domain` or as `timed_out`. With `ends_at_touch`
+/// it ends as `stopped` at the ground. Otherwise:
 ///   - An approach to a face that is faster than rest_speed is an impact: of the face or of a tilted one
 ///     (Roughness), by the restitution and friction of its material (solver/point_impact.h).
 ///   - A slower approach ends on the face, with friction. The point then slides (flight/slide.h) while

@@ -30,7 +30,7 @@ class Runner {
         histories_(histories),
         observer_(world, settings.trajectory_every, settings.keep_impacts, settings.bin_width, settings.cells,
                   histories),
-        crossings_(world, settings.gates, settings.barriers, histories),
+        crossings_(world, settings.gates, settings.barriers, settings.forest, settings.keys, histories),
         faults_(world, settings.exact_flight),
         running_(world.bodies.size()) {
     for (std::size_t i = 0; i < running_.size(); ++i) running_[i] = world.bodies[i].kind == BodyKind::dynamic;
@@ -174,6 +174,10 @@ class Runner {
         }
       }
     }
+    for (int i = 0; i < bodies(); ++i)
+      if (running_[i] && world_.bodies[i].moves())
+        if (const double tree = crossings_.time_to_tree(i, world_.flight_of(i), dt); tree < dt)
+          dt = tree, touch = false;
     for (int i = 0; i < bodies(); ++i) {
       if (!running_[i] || !world_.bodies[i].moves()) continue;
       if (const double end = time_over_ground(world_.terrain(), world_.flight_of(i), dt); end < dt)
@@ -286,9 +290,9 @@ class Runner {
     return outcome.new_touch ? collide() : outcome.in_contact;
   }
 
-  /// The step length, cut at the time at which a barrier is expected. Contact forces bend the path within a
-  /// step, so a step is at least a hundredth of the full length. Otherwise the body would approach the
-  /// barrier in ever shorter steps.
+  /// The step length, cut at the time at which a barrier or a tree is expected. Contact forces bend the path
+  /// within a step, so a step is at least a hundredth of the full length. Otherwise the body would approach
+  /// the barrier in ever shorter steps.
   double step_length() {
     const double chosen = world_.step_length();
     double h = chosen;
@@ -296,10 +300,13 @@ class Runner {
       for (const RestWatch& rest : rest_)
         if (const double left = rest.time_to_rest(world_.time); left > 1e-9)
           h = std::min(h, left * (1 + 1e-12));
-    for (int i = 0; i < bodies(); ++i)
-      if (running_[i])
-        h = std::min(h, std::max(crossings_.time_to_barrier(i, {world_.bodies[i].x, world_.bodies[i].v}),
-                                 0.01 * chosen));
+    for (int i = 0; i < bodies(); ++i) {
+      if (!running_[i]) continue;
+      const Path<D> ahead{world_.bodies[i].x, world_.bodies[i].v};
+      const double meets =
+          std::min(crossings_.time_to_barrier(i, ahead), crossings_.time_to_tree(i, ahead, h));
+      h = std::min(h, std::max(meets, 0.01 * chosen));
+    }
     return h;
   }
 

@@ -23,6 +23,8 @@ struct RunSettings {
   std::function<void(double step)> advanced;
   std::span<const Gate> gates;
   std::span<const Barrier> barriers;
+  RunForest forest;
+  std::span<const DrawKey> keys;                 ///< of the draws of each body, for trees
   bool (*interrupted)() = [] { return false; };  ///< called at each step and flight; true: throw Interrupted
 };
 
@@ -36,7 +38,7 @@ struct Interrupted {};
 ///   - At a touch, the impact problem of all closed contacts is solved. If all separate, the flight goes on.
 ///   - Otherwise steps of the scheme follow. Each step is cut at the first touch of a pair that is not in
 ///     contact.
-/// A flight ends at a barrier as at a touch. A step is also cut there, to a hundredth of a step.
+/// A flight ends at a barrier or a tree as at a touch. A step is also cut there, to a hundredth of a step.
 /// A body whose state is not finite ends as `diverged`. All bodies end as `diverged` if 10,000 steps advance
 /// time by less than one step length, because their contacts cannot all hold at once. Throws TrialError and
 /// Interrupted. Instantiated for D = 2, 3.

@@ -8,7 +8,7 @@ namespace flyrock {
 
 namespace {
 
-constexpr int max_degree = 5;
+constexpr int max_degree = 10;
 
 struct Roots {
   std::array<double, max_degree> at;

@@ -28,6 +28,7 @@ CREATE TABLE envelopes (point INTEGER, "group" TEXT, x_m REAL, width_m REAL, roc
   energy_p95_J REAL, energy_max_J REAL);
 CREATE TABLE map_grids (point INTEGER PRIMARY KEY, x_m REAL, y_m REAL, cell_m REAL, columns INTEGER, rows INTEGER);
 CREATE TABLE report (data TEXT);
+CREATE TABLE stems (point INTEGER, tree INTEGER, x_m REAL, y_m REAL, diameter_m REAL, height_m REAL, strength REAL);
 CREATE TABLE expectations (number INTEGER, measure TEXT, point INTEGER, computed REAL, kind TEXT, expected REAL,
   expected_high REAL, tolerance REAL, passed INTEGER, reason TEXT);
 )";
@@ -42,6 +43,11 @@ const std::vector<StoredColumn>& gate_columns() {
 }
 const std::vector<StoredColumn>& barrier_columns() {
   static const auto columns = columns_of<BarrierRecord>([](auto visit) { visit_barriers(visit); });
+  return columns;
+}
+
+const std::vector<StoredColumn>& tree_columns() {
+  static const auto columns = columns_of<TreeRecord>([](auto visit) { visit_trees(visit); });
   return columns;
 }
 
@@ -73,8 +79,10 @@ std::string record_tables_schema() {
   return series + fmt::format(
                       "CREATE TABLE rocks (point INTEGER{});\n"
                       "CREATE TABLE gates (point INTEGER, trial INTEGER, rock INTEGER{});\n"
-                      "CREATE TABLE barriers (point INTEGER, trial INTEGER, rock INTEGER{});\n",
-                      declared(rock_columns()), declared(gate_columns()), declared(barrier_columns()));
+                      "CREATE TABLE barriers (point INTEGER, trial INTEGER, rock INTEGER{});\n"
+                      "CREATE TABLE trees (point INTEGER, trial INTEGER, rock INTEGER{});\n",
+                      declared(rock_columns()), declared(gate_columns()), declared(barrier_columns()),
+                      declared(tree_columns()));
 }
 
 /// Puts what a table shows for a record. `names`: the names for its indices.
@@ -93,6 +101,18 @@ std::vector<std::string> names_of(const Places& places) {
   return names;
 }
 
+void add_stems(const SqliteFile& file, const Results& results) {
+  Insertion rows(file, "stems", 7);
+  for (std::size_t p = 0; p < results.points.size(); ++p) {
+    const PointResult& point = results.points[p];
+    if (!point.forest) continue;
+    int tree = 0;
+    for (const Stem& stem : point.forest->stems())
+      rows.row(p, tree++, stem.place.x() + point.terrain.origin.x(),
+               stem.place.y() + point.terrain.origin.y(), 2 * stem.radius, stem.height, stem.strength);
+  }
+}
+
 constexpr const char* inputs_view =
     "CREATE VIEW inputs AS SELECT point, trial, rock, path, nullif(impact, 0) AS impact, value FROM drawn "
     "JOIN input_paths USING (input);";
@@ -102,6 +122,7 @@ constexpr const char* indices = R"(
 CREATE UNIQUE INDEX rocks_by_rock ON rocks (point, trial, rock);
 CREATE INDEX gates_by_rock ON gates (point, trial, rock);
 CREATE INDEX barriers_by_rock ON barriers (point, trial, rock);
+CREATE INDEX trees_by_rock ON trees (point, trial, rock);
 )";
 
 void add_expectations(const SqliteFile& file, const Results& results) {
@@ -196,7 +217,8 @@ ResultDatabase::Insertions::Insertions(const SqliteFile& file, int dimension)
       trajectories(file, "trajectory_rows", trajectory_table().width(dimension)),
       shapes(file, "shape_rows", shape_table().width(dimension)),
       gates(file, "gates", 3 + static_cast<int>(gate_columns().size())),
-      barriers(file, "barriers", 3 + static_cast<int>(barrier_columns().size())) {
+      barriers(file, "barriers", 3 + static_cast<int>(barrier_columns().size())),
+      trees(file, "trees", 3 + static_cast<int>(tree_columns().size())) {
   for (const auto& [name, columns] : series_tables())
     series.emplace_back(file, name, 2 + static_cast<int>(columns.size()));
 }
@@ -282,6 +304,10 @@ void ResultDatabase::add(int point, const TrialRecords& records) {
     to.put(point, r.trial, r.rock);
     visit_barriers(put_into(to, r, barriers));
   });
+  insertions_->trees.rows(records.trees, [&](Statement& to, const TreeRecord& r) {
+    to.put(point, r.trial, r.rock);
+    visit_trees(put_into(to, r, none));
+  });
   auto table = insertions_->series.begin();
   visit_series(records, [&](const char*, const auto& rows, auto visit_columns) {
     (table++)->rows(rows, [&](Statement& to, const auto& r) {
@@ -309,6 +335,7 @@ void ResultDatabase::finish(const Results& results, const GroundPictures& ground
     add_grounds(file_, grounds.grounds);
     add_envelopes(file_, results);
     add_maps(file_, results);
+    add_stems(file_, results);
     add_expectations(file_, results);
   }
   insertions_.reset();  // because a statement keeps its file open

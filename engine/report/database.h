@@ -33,7 +33,7 @@ class ResultDatabase {
  private:
   struct Insertions {
     Insertions(const SqliteFile& file, int dimension);
-    Insertion rocks, rows_of_rock, inputs, impacts, trajectories, shapes, gates, barriers;
+    Insertion rocks, rows_of_rock, inputs, impacts, trajectories, shapes, gates, barriers, trees;
     std::deque<Insertion> series;  ///< in the order of visit_series
   };
 

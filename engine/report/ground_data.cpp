@@ -55,6 +55,25 @@ Json grounds_data(const GroundPictures& pictures) {
   return list;
 }
 
+Json stems_data(const PointResult& point, std::size_t most) {
+  if (!point.forest) return nullptr;
+  const std::vector<Stem>& stems = point.forest->stems();
+  const Vec3& origin = point.terrain.origin;
+  std::vector<double> x, y, foot, height, diameter;
+  for (std::size_t i = 0; i < std::min(most, stems.size()); ++i) {
+    const Vec2& place = stems[i].place;
+    const auto ground = point.terrain.ground->ground().height(place.x(), place.y());
+    if (!ground) continue;
+    x.push_back(place.x() + origin.x());
+    y.push_back(place.y() + origin.y());
+    foot.push_back(*ground + origin.z());
+    height.push_back(stems[i].height);
+    diameter.push_back(2 * stems[i].radius);
+  }
+  return json_object("x", differences(x), "y", differences(y), "foot", differences(foot), "height",
+                     differences(height), "diameter", differences(diameter), "count", stems.size());
+}
+
 Json section_data(const PointResult& point) {
   if (point.reach.empty()) return nullptr;
   const PlanReach::Line line = point.reach.mean_line();

@@ -17,4 +17,8 @@ nlohmann::ordered_json grounds_data(const GroundPictures& pictures);
 /// it, thinned; s and z are differences in thousandths. null in 2D and without rocks.
 nlohmann::ordered_json section_data(const PointResult& point);
 
+/// { x, y, foot, height, diameter, count }: the first trees of a point in the coordinates of the scenario, as
+/// differences in thousandths, and how many there are. null without a forest.
+nlohmann::ordered_json stems_data(const PointResult& point, std::size_t most);
+
 }  // namespace flyrock

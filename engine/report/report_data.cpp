@@ -28,6 +28,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t most_track_points = 150'000;
 
 /// The greatest number of ends of rocks in one page; each takes some 40 bytes.
+constexpr std::size_t most_stems = 20'000;  // of all points
 constexpr std::size_t most_deposits = 20'000;
 
 Json terrain_data(const Profile& terrain) {
@@ -223,6 +224,7 @@ Json ReportData::finish(const Results& results, const GroundPictures& grounds,
                     map_data(point.maps, map_room), "sensitivity", std::move(closed_[p].sensitivity),
                     "shrouds", shroud_data(point.reaches), "laws", std::move(laws), "bodies",
                     bodies_data(plan.points[p], point.totals)));
+    if (point.forest) points.back()["stems"] = stems_data(point, most_stems / closed_.size());
   }
   return json_object("summary", summary_data(plan, results), "source", source_data(scenario_), "scenario",
                      scenario_text(plan.resolved), "groups", group_names(plan.points.front()), "units",

@@ -9,6 +9,7 @@
 #include "report/motion_data.h"
 #include "report/tables.h"
 #include "results/cell_size.h"
+#include "trial/make_forest.h"
 
 namespace flyrock {
 
@@ -52,6 +53,7 @@ TrialRecords ResultWriter::first_rows(int point, const TrialRecords& chunk) {
   of_rocks(chunk.shapes, first.shapes);
   of_rocks(chunk.gates, first.gates);
   of_rocks(chunk.barriers, first.barriers);
+  of_rocks(chunk.trees, first.trees);
   const auto of_trials = [&](const auto& rows, auto& kept) {
     for (const auto& row : rows)
       if (row.trial <= last.trial) kept.push_back(row);
@@ -71,6 +73,9 @@ Results ResultWriter::finish(const std::vector<Rows>& rows, const RunFacts& fact
   });
   Results results = tally_.finish(rows, facts);
   for (std::size_t p = 0; p < terrains.size(); ++p) results.points[p].terrain = std::move(terrains[p]);
+  for (std::size_t p = 0; p < plan_.points.size(); ++p)
+    if (const TerrainPicture& terrain = results.points[p].terrain; plan_.points[p].forest && terrain.ground)
+      results.points[p].forest = make_forest(plan_.points[p], terrain.ground->ground());
   for (std::string& warning : cell_warnings(results.points)) results.warnings.push_back(std::move(warning));
   closed.get();
   const GroundPictures grounds = ground_pictures(results.points);

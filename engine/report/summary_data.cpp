@@ -154,6 +154,19 @@ Json barriers_data(const Scenario& scenario, const std::vector<BarrierSummary>& 
   return list;
 }
 
+/// { hits, mean_hits, hit, hit_interval, stopped, stopped_interval, counts: { hit, stopped }, lower_bounds }:
+/// shares of all rocks.
+Json trees_data(const TreeSummary& trees) {
+  return {{"hits", trees.hits},
+          {"mean_hits", number(trees.mean_hits)},
+          {"hit", number(trees.hit_share.value)},
+          {"hit_interval", interval_data(trees.hit_share.interval)},
+          {"stopped", number(trees.stopped_share.value)},
+          {"stopped_interval", interval_data(trees.stopped_share.interval)},
+          {"counts", {{"hit", trees.hit}, {"stopped", trees.stopped}}},
+          {"lower_bounds", trees.stopped_share.censored}};
+}
+
 /// The distance by azimuth about (x, y), from a hull: { x, y, hull: [[x, y], ...], sectors: [{ azimuth_deg,
 /// count, share, share_interval, greatest, distance, lower, upper, lower_bound, with_factor }] }. If no rock
 /// ended in a sector, everything but its count is null: no data.
@@ -312,6 +325,7 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
                       {"reach", reach_data(plan.points[p], point.reaches)},
                       {"solver", quality_data(point.totals.quality)},
                       {"materials", materials_data(plan.points[p], point.totals.materials)}});
+    if (point.trees) points.back()["trees"] = trees_data(*point.trees);
     if (const OutputPlan& output = plan.points[p].output; !output.rocks) {
       const std::uint64_t all = point.groups.front().count;
       points.back()["rows"] =

@@ -176,9 +176,9 @@ std::string answer(const Plan& plan, const Results& results) {
   if (known == 0) {
     text = fmt::format("All {} rocks failed.", rocks);
   } else if (!plan.points.front().bodies.empty()) {
-    text = barriers_answer(plan, results) + bodies_answer(plan, results);
+    text = trees_answer(plan, results) + barriers_answer(plan, results) + bodies_answer(plan, results);
   } else {
-    text = barriers_answer(plan, results);
+    text = trees_answer(plan, results) + barriers_answer(plan, results);
     text += fmt::format(
         "The {} that 95 % of the rocks do not exceed is {}{}; that of 99 % is {}{}; the greatest is {}.",
         plan.all_end_at_landing() ? "distance of the first landing" : "runout",
@@ -209,6 +209,18 @@ std::string assumed_elevations(const Plan& plan) {
     text += fmt::format("{}The launch of {} gives no elevation, {:.4g} deg is assumed.",
                         text.empty() ? "" : " ", fmt::join(names, ", "), elevation * 180 / pi);
   return text;
+}
+
+std::string assumed_trees(const Plan& plan) {
+  const auto any = [&](bool fixed) {
+    return std::any_of(plan.points.begin(), plan.points.end(), [&](const Scenario& point) {
+      return point.forest && point.forest->is_fixed == fixed;
+    });
+  };
+  if (any(false))
+    return "Trees are upright cylinders that take energy by the law dorren_berger, which is unverified: its "
+           "source was not read.";
+  return any(true) ? "Trees are upright cylinders that all take the same energy at most." : "";
 }
 
 std::string assumptions(const Plan& plan) {
@@ -246,6 +258,7 @@ std::string assumptions(const Plan& plan) {
         " At points with the method lumped_mass a rock is a point without extent and spin, whose mass "
         "matters "
         "only where a law, the air or a barrier reads it.";
+  if (const std::string trees = assumed_trees(plan); !trees.empty()) text += " " + trees;
   if (!scenario.bodies.empty()) return text;
   if (const std::string elevations = assumed_elevations(plan); !elevations.empty()) text += " " + elevations;
   return text +

@@ -15,6 +15,8 @@ std::string answer(const Plan& plan, const Results& results);
 /// "The launch of `blocks` gives no elevation, 45 deg is assumed." for all groups for which this holds;
 /// otherwise empty.
 std::string assumed_elevations(const Plan& plan);
+/// What is assumed of trees, and that their law is unverified; empty without a forest.
+std::string assumed_trees(const Plan& plan);
 
 /// The assumptions of the answer: dimension, method, elevations, what is left out.
 std::string assumptions(const Plan& plan);

@@ -152,6 +152,18 @@ std::string censored_answer(const Plan& plan, const Results& results) {
                      interval, fmt::join(where, "; "));
 }
 
+std::string trees_answer(const Plan& plan, const Results& results) {
+  std::vector<Share> hit, stopped;
+  for (const PointResult& point : results.points) {
+    if (!point.trees) continue;
+    hit.push_back(point.trees->hit_share);
+    stopped.push_back(point.trees->stopped_share);
+  }
+  if (hit.empty()) return "";
+  return fmt::format("Trees stop {} of the {}; {} hit at least one. ", over_points(stopped),
+                     plan.points.front().bodies.empty() ? "rocks" : "bodies", over_points(hit));
+}
+
 std::string barriers_answer(const Plan& plan, const Results& results) {
   const Scenario& scenario = plan.points.front();
   const std::size_t count = scenario.barriers.size();
@@ -161,8 +173,9 @@ std::string barriers_answer(const Plan& plan, const Results& results) {
   std::vector<Share> caught;
   for (const PointResult& point : results.points) {
     const GroupSummary& all = point.groups.front();
-    caught.push_back(
-        share_of(all.reasons[static_cast<std::size_t>(StopReason::caught)], all.count - all.faults));
+    const std::uint64_t by_trees = point.trees ? point.trees->stopped : 0;
+    caught.push_back(share_of(all.reasons[static_cast<std::size_t>(StopReason::caught)] - by_trees,
+                              all.count - all.faults));
   }
   if (count > most_named)
     text = fmt::format("The {} barriers catch {} of the {}. ", count, over_points(caught),

@@ -24,6 +24,33 @@ Statistics bounded(const Sample& sample, bool open) {
 
 }  // namespace
 
+void TreeTally::see(const TrialRecords& chunk) {
+  auto row = chunk.trees.begin();  // sorted as the rocks are
+  for (const RockRecord& rock : chunk.rocks) {
+    std::uint64_t hits = 0;
+    bool stopped = false;
+    for (; row != chunk.trees.end() && row->trial == rock.trial && row->rock == rock.rock; ++row) {
+      ++hits;
+      stopped = rock.reason == StopReason::caught && row->hit.energy_after == 0;
+    }
+    if (is_fault(rock.reason)) continue;
+    ++rocks_;
+    counts_.hits += hits;
+    counts_.hit += hits > 0;
+    counts_.stopped += stopped;
+    not_hit_ += rock.censored && hits == 0;
+    not_stopped_ += rock.censored && !stopped;
+  }
+}
+
+TreeSummary TreeTally::summary() const {
+  TreeSummary summary = counts_;
+  summary.hit_share = share_of(summary.hit, rocks_, not_hit_);
+  summary.stopped_share = share_of(summary.stopped, rocks_, not_stopped_);
+  summary.mean_hits = static_cast<double>(summary.hits) / static_cast<double>(rocks_);
+  return summary;
+}
+
 CrossingTally::CrossingTally(std::size_t gates, std::size_t barriers) : gates_(gates), barriers_(barriers) {}
 
 void CrossingTally::see(const TrialRecords& chunk) {

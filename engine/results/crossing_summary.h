@@ -27,6 +27,27 @@ struct BarrierSummary {
   Statistics energy{}, height{};            ///< of the rocks that arrived, before the barrier acts
 };
 
+/// The rocks without faults of one sweep point and the trees.
+struct TreeSummary {
+  std::uint64_t hits = 0;     ///< of all rocks
+  std::uint64_t hit = 0;      ///< rocks that hit at least one
+  std::uint64_t stopped = 0;  ///< rocks that a tree stopped
+  Share hit_share, stopped_share;
+  double mean_hits = 0;  ///< of a rock; a lower bound if there are censored rocks
+};
+
+/// Counts the hits of trees, in one pass.
+class TreeTally {
+ public:
+  void see(const TrialRecords& chunk);
+  TreeSummary summary() const;
+
+ private:
+  std::uint64_t rocks_ = 0;
+  std::uint64_t not_hit_ = 0, not_stopped_ = 0;  ///< censored rocks that were not: they might be later
+  TreeSummary counts_;
+};
+
 /// Summarises the arrivals at gates and barriers, shown in passes; see read_in_passes().
 class CrossingTally {
  public:

@@ -29,6 +29,7 @@ std::vector<std::string> names_of(const std::vector<Plan>& plans) {
 
 constexpr std::array<std::string_view, 4> gate_fields = {"passed", "mean_energy", "p95_energy", "p95_height"};
 constexpr std::array<std::string_view, 4> barrier_fields = {"reached", "caught", "over_top", "over_energy"};
+constexpr std::array<std::string_view, 3> tree_fields = {"hit", "stopped", "hits"};
 constexpr std::array<std::string_view, 4> clearance_fields = {"distance", "lower", "upper", "with_factor"};
 constexpr std::array<std::string_view, 6> solver_fields = {"max_residual",    "not_converged",
                                                            "max_penetration", "energy_gains",
@@ -64,6 +65,9 @@ Measure::Measure(const std::string& name, const Scenario& scenario) : dimension_
     kind_ = Kind::barrier;
     index_ = index_of(words[1], names_of(scenario.barriers));
     field_ = words[2];
+  } else if (words[0] == "trees") {
+    kind_ = Kind::trees;
+    field_ = words[1];
   } else if (words[0] == "clearance") {
     kind_ = Kind::clearance;
     index_ = index_of(words[1], names_of(scenario.clearances));
@@ -128,6 +132,8 @@ Measured Measure::value(const PointResult& result) const {
       return gate_value(result.gates.at(index_), field_);
     case Kind::barrier:
       return barrier_value(result.barriers.at(index_), field_);
+    case Kind::trees:
+      return trees_value(result.trees.value(), field_);
     case Kind::clearance:
       return clearance_value(result.clearances.at(index_), field_);
     case Kind::body:
@@ -165,6 +171,13 @@ Measured Measure::barrier_value(const BarrierSummary& barrier, const std::string
   const std::array<Bounded, barrier_fields.size()> values = {barrier.reached, barrier.shares[0],
                                                              barrier.shares[1], barrier.shares[2]};
   const Bounded& number = values[index_of(field, barrier_fields)];
+  return {number.value, number.censored, std::isnan(number.value) ? "too few rocks" : ""};
+}
+
+Measured Measure::trees_value(const TreeSummary& trees, const std::string& field) {
+  const std::array<Bounded, tree_fields.size()> values = {
+      Bounded(trees.hit_share), trees.stopped_share, {trees.mean_hits, trees.stopped_share.censored}};
+  const Bounded& number = values[index_of(field, tree_fields)];
   return {number.value, number.censored, std::isnan(number.value) ? "too few rocks" : ""};
 }
 

@@ -33,6 +33,8 @@ struct PointResult {
   std::vector<GroupSummary> groups;     ///< all rocks first, then the groups; see RockTally
   std::vector<GateSummary> gates;       ///< in the order of Scenario::gates
   std::vector<BarrierSummary> barriers;
+  std::optional<TreeSummary> trees;      ///< with a forest
+  std::shared_ptr<const Forest> forest;  ///< its stems, counted from the origin; null: none
   std::vector<ClearanceSummary> clearances;
   std::vector<Reach> reaches;             ///< only with the method ballistic
   std::vector<RunoutByAzimuth> azimuths;  ///< 3D, of rocks: in the order of `groups`
@@ -47,8 +49,8 @@ struct Measured {
 
 /// One measure of a scenario, given by its name: body.<name>.final.x, body.<name>.impact[2].vn_after,
 /// contact.<a>.<b>.rn.max, energy.total.relative_change, solver.max_residual, rocks[.<group>].runout.p95,
-/// rocks[.<group>].count, gate.<name>.passed, barrier.<name>.caught, clearance.<name>.distance.
-/// scenario/measure.h holds the grammar; docs/results.md describes each measure.
+/// rocks[.<group>].count, gate.<name>.passed, barrier.<name>.caught, trees.stopped,
+/// clearance.<name>.distance. scenario/measure.h holds the grammar; docs/results.md describes each measure.
 class Measure {
  public:
   /// `name` must be a measure of `scenario`; the decoder has checked it.
@@ -61,7 +63,19 @@ class Measure {
   Measured value(const PointResult& result) const;
 
  private:
-  enum class Kind { statistic, count, censored, gate, barrier, clearance, body, contact, energy, solver };
+  enum class Kind {
+    statistic,
+    count,
+    censored,
+    gate,
+    barrier,
+    trees,
+    clearance,
+    body,
+    contact,
+    energy,
+    solver
+  };
 
   void read_rocks(const std::vector<std::string>& words, const Scenario& scenario);
   void read_body(const std::vector<std::string>& words, const Scenario& scenario);
@@ -69,6 +83,7 @@ class Measure {
   static Measured solver_value(const PointResult& result, const std::string& field);
   static Measured gate_value(const GateSummary& gate, const std::string& field);
   static Measured barrier_value(const BarrierSummary& barrier, const std::string& field);
+  static Measured trees_value(const TreeSummary& trees, const std::string& field);
   static Measured clearance_value(const ClearanceSummary& clearance, const std::string& field);
   Measured body_value(const BodyHistory& body) const;
   double state_value(const BodyHistory& body) const;

@@ -32,6 +32,7 @@ class PointTally {
   void see_first(const TrialRecords& chunk, Results& results) {
     result_.totals.add(chunk.totals);
     if (scenario_.dimension == 3) result_.reach.see(chunk);
+    if (scenario_.forest) trees_.see(chunk);
     keep_series(chunk);
     for (const RockRecord& rock : chunk.rocks) {
       if (result_.first_trial.empty() || rock.trial == result_.first_trial.front().trial)
@@ -90,6 +91,7 @@ class PointTally {
     result_.groups = rocks_.summaries();
     result_.gates = crossings_.gates();
     result_.barriers = crossings_.barriers();
+    if (scenario_.forest) result_.trees = trees_.summary();
     result_.clearances = clearances_.summaries();
     result_.censored = censored_.places();
     if (diameters_.size() > 0)
@@ -107,6 +109,7 @@ class PointTally {
   bool series_is_known_ = false;
   RockTally rocks_;
   CrossingTally crossings_;
+  TreeTally trees_;
   ClearanceTally clearances_;
   Sample diameters_{Questions{{0.05, 0.5}, {}}};
   std::vector<AzimuthTally> azimuths_;  ///< of all rocks, then of each group

@@ -42,6 +42,8 @@ class DocumentDecoder {
       scenario_.barriers = decode_barriers(context_, *barriers, terrain.profile);
     if (const auto gates = root_.find("gates"))
       scenario_.gates = decode_gates(context_, *gates, terrain.profile);
+    if (const auto forest = root_.find("forest"))
+      scenario_.forest = decode_forest(context_, *forest, terrain);
     if (const auto clearances = root_.find("clearance")) {
       if (!root_.find("rocks"))
         clearances->error(context_.diagnostics, "needs `rocks`, the scenario has none");

@@ -65,6 +65,10 @@ std::vector<BarrierPlan> decode_barriers(DecodeContext& context, const Node& nod
 std::vector<GatePlan> decode_gates(DecodeContext& context, const Node& node,
                                    const std::optional<Profile>& profile);
 
+/// Nothing if it cannot be decoded, which is reported.
+std::optional<ForestPlan> decode_forest(DecodeContext& context, const Node& node,
+                                        const DecodedTerrain& terrain);
+
 /// `groups`: the names of all groups of rocks.
 std::vector<ClearancePlan> decode_clearances(DecodeContext& context, const Node& node,
                                              const std::vector<std::string>& groups);

@@ -78,6 +78,8 @@ const Table barrier_quantities{{"reached", dimension::none},
                                {"caught", dimension::none},
                                {"over_top", dimension::none},
                                {"over_energy", dimension::none}};
+const Table tree_quantities{
+    {"hit", dimension::none}, {"stopped", dimension::none}, {"hits", dimension::none}};
 const Table clearance_quantities{{"distance", dimension::length},
                                  {"lower", dimension::length},
                                  {"upper", dimension::length},
@@ -97,14 +99,18 @@ class MeasureParser {
       : measure_(measure), names_(names), steps_(measure_steps(measure)) {}
 
   MeasureInfo parse() {
-    static const std::vector<std::string> kinds{"body",    "contact",   "rocks",  "gate",
-                                                "barrier", "clearance", "energy", "solver"};
+    static const std::vector<std::string> kinds{"body",  "contact",   "rocks",  "gate",  "barrier",
+                                                "trees", "clearance", "energy", "solver"};
     const std::string kind = next(kinds);
     if (kind == "body") parse_body();
     if (kind == "contact") parse_contact();
     if (kind == "rocks") parse_rocks();
     if (kind == "gate") parse_named("gates", names_.gates, gate_quantities);
     if (kind == "barrier") parse_named("barriers", names_.barriers, barrier_quantities);
+    if (kind == "trees") {
+      if (!names_.forest) fail("the scenario has no forest");
+      finish(tree_quantities);
+    }
     if (kind == "clearance") parse_clearance();
     if (kind == "solver") {
       finish(solver_quantities);

@@ -19,6 +19,7 @@ struct MeasureNames {
   std::vector<std::string> barriers;
   std::vector<std::string> clearances;
   std::vector<std::string> with_factor;  ///< clearances that have a factor
+  bool forest = false;                   ///< the scenario has trees
   bool series = false;                   ///< the scenario asks for output.series
 };
 
@@ -35,6 +36,7 @@ struct MeasureInfo {
 ///   rocks[.<group>].<quantity>.<statistic>, rocks[.<group>].count|censored,
 ///   gate.<name>.passed|mean_energy|p95_energy|p95_height,
 ///   barrier.<name>.reached|caught|over_top|over_energy,
+///   trees.hit|stopped|hits,
 ///   clearance.<name>.distance|lower|upper|with_factor
 MeasureInfo check_measure(std::string_view measure, const MeasureNames& names);
 

@@ -51,6 +51,7 @@ class Normaliser {
       put_part(name, false, [&](const Node& node) {
         return normalise_list_of(context_, node, place_section(name, context_.dimension));
       });
+    put_part("forest", false, [&](const Node& node) { return normalise_forest(context_, node); });
     put_part("clearance", false,
              [&](const Node& node) { return normalise_list_of(context_, node, "clearance"); });
     put_part_or_default("solver",
@@ -186,7 +187,8 @@ MeasureNames measure_names(const Node& root, int dimension) {
                      .gates = element_names(root.find("gates")),
                      .barriers = element_names(root.find("barriers")),
                      .clearances = element_names(root.find("clearance")),
-                     .with_factor = {}};
+                     .with_factor = {},
+                     .forest = root.find("forest").has_value()};
   if (const auto output = root.find("output")) names.series = output->find("series").has_value();
   if (const auto clearances = root.find("clearance"))
     for (const Node& item : clearances->items())

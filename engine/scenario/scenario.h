@@ -14,6 +14,7 @@
 
 #include "blast/design.h"
 #include "document/value.h"
+#include "geometry/forest.h"
 #include "geometry/height_grid.h"
 #include "math/space.h"
 #include "plugin/registry.h"
@@ -194,6 +195,21 @@ struct BarrierPlan {
   double held_energy() const { return (service_level ? capacity / 3 : capacity) / energy_factor; }
 };
 
+/// Trees in 3D: of a file or drawn, once a run. world/tree_law.h describes what they do.
+struct ForestPlan {
+  std::vector<Stem> stems;  ///< of the file, in its coordinates
+  bool is_drawn = false;
+  double density = 0;       ///< of drawn trees, stems a m2
+  Number diameter, height;  ///< of drawn trees [m]; their draws are those of this plan
+  std::string zone;         ///< part of the terrain where trees are drawn; empty: all of it
+  bool is_fixed = false;    ///< the law: each tree takes the same energy
+  double energy = 0;        ///< J, of that law
+  double factor = 1;        ///< on the energy of each tree
+  Number turn;              ///< rad, at each hit
+  std::vector<Draw> draws;
+  std::string text;  ///< of all of it, resolved: equal texts over equal grounds make equal trees
+};
+
 /// A clearance that a run must compute: the distance that a rock, or the farthest rock of a blast, exceeds
 /// with `probability`.
 struct ClearancePlan {
@@ -295,6 +311,7 @@ struct Scenario {
   std::vector<BodyPlan> bodies;
   std::vector<BarrierPlan> barriers;
   std::vector<GatePlan> gates;
+  std::optional<ForestPlan> forest;
   std::vector<ClearancePlan> clearances;
   SolverPlan solver;
   StopPlan stop;

@@ -109,7 +109,7 @@ SectionSpec document() {
            or_else(choice("body_contacts", {"on", "off"}, "off: bodies meet the terrain only"), "on"),
            or_else(at_most(at_least(number("gravity", "m/s2", "along -y in 2D, -z in 3D"), 0), 1000), 9.81)},
           {"plugins", "air", "terrain", "materials", "pairs", "blast", "rocks", "bodies", "barriers", "gates",
-           "clearance", "solver", "stop", "output", "sweep", "expect"}};
+           "forest", "clearance", "solver", "stop", "output", "sweep", "expect"}};
 }
 
 /// The fields of the blast below `prefix` ("" or "hole."), from the table that velocity models also use.
@@ -173,6 +173,20 @@ std::vector<ParamSpec> barrier_keys() {
                   "mel"),
           or_else(above(number("energy_factor", "", "partial factor on the energy of rocks"), 0), 1.0),
           or_else(above(number("height_factor", "", "partial factor on the height of rocks"), 0), 1.0)};
+}
+
+/// What a tree does to a rock (world/tree_law.h).
+std::vector<ParamSpec> tree_law_keys() {
+  return {
+      or_else(choice("law", {"dorren_berger", "fixed"},
+                     "the energy that a tree takes: by its diameter and the eccentricity of the hit "
+                     "(unverified), or the same for each tree"),
+              "dorren_berger"),
+      at_least(optional(number("energy", "J", "that a tree takes at most, with `law: fixed`")), 0),
+      or_else(at_least(number("energy_factor", "", "on the energy that each tree takes"), 0), 1.0),
+      or_else(
+          at_most(at_least(number("turn", "rad", "of the direction at a hit, away from the stem"), -pi), pi),
+          0.0)};
 }
 
 std::vector<SectionSpec> make_sections() {
@@ -313,6 +327,23 @@ std::vector<SectionSpec> make_sections() {
       {"barriers 3D", joined(lines("barrier"), barrier_keys()), {}},
       {"gates", {text("name", "of the gate"), number("x", "m", "where it stands")}, {}},
       {"gates 3D", lines("gate"), {}},
+      {"forest: file 3D",
+       joined({file("file", "trees: CSV with the header x,y,dbh_cm,height_m,species")}, tree_law_keys()),
+       {"species"}},
+      {"forest: density 3D",
+       joined({at_most(at_least(number("density", "", "stems a m2"), 0), 10),
+               at_most(above(number("diameter", "m", "at breast height; a distribution gives one a tree"), 0),
+                       10),
+               or_else(at_most(above(number("height", "m", "of a stem; a distribution gives one a tree"), 0),
+                               200),
+                       20.0),
+               optional(text("zone", "part or zone of the terrain; all of it by default"))},
+              tree_law_keys()),
+       {}},
+      {"forest.species 3D",
+       {text("name", "as in the file"),
+        at_least(number("factor", "", "on the energy that trees of the species take"), 0)},
+       {}},
       {"clearance",
        {text("name", "of the clearance"),
         optional(text("group", "the group of rocks that the clearance applies to; all groups by default")),

@@ -69,6 +69,14 @@ struct BarrierHit : Arrival {
   BarrierOutcome outcome = BarrierOutcome::caught;
 };
 
+/// A body hits a tree (world/tree_law.h).
+struct TreeHit {
+  int tree = 0;  ///< index of the stem
+  double time = 0;
+  double energy_before = 0, energy_after = 0;  ///< kinetic, J
+  double height = 0;                           ///< m, of the centre of mass above the foot of the stem
+};
+
 /// How a body travels.
 ///  - flight: in the air until it first lands on the terrain. A contact at its release does not count as
 ///    landing, and neither does a contact with another body.
@@ -114,6 +122,7 @@ struct BodyHistory {
   PathBins path;                     ///< greatest height, speed and energy along x
   std::vector<Passage> passages;     ///< of gates, each gate at most once
   std::vector<BarrierHit> barriers;  ///< barriers that the body reached, each at most once
+  std::vector<TreeHit> trees;        ///< each tree at most once
   std::vector<Impact> impacts;
   std::vector<Apex> apexes;  ///< after the first impact
   std::vector<TrajectoryPoint> trajectory;

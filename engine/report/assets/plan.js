@@ -18,7 +18,7 @@ function draw_plan(node, page, tracks, crossings) {
   const cut = { x: [s.from, s.to].map((along) => s.x + along * s.dx), y: [s.from, s.to].map((along) => s.y + along * s.dy), mode: "lines", name: "long section", line: { color: "#5a6370", width: 1, dash: "dash" }, hoverinfo: "skip" };
   const lines = plan_lines(crossings), window = window_of(node, [...paths, ...lines], 700), ground = ground_of_point();
   const heights = ground ? contours(ground, window) : { traces: [], annotations: [] }, places = place_lines(crossings, window.height);
-  plot(node, [...heights.traces, cut, ...paths, ...lines], {
+  plot(node, [...heights.traces, ...stems_in_plan(page, window), cut, ...paths, ...lines], {
     height: window.height, hovermode: "closest", legend,
     xaxis: { ...place_axis("x in m"), range: window.x },
     yaxis: { ...place_axis("y in m"), range: window.y, scaleanchor: "x", scaleratio: 1 },

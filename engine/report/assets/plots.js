@@ -54,7 +54,7 @@ function runout_section() {
     const group = shown_group(), runout = data.points[shown.point].runout[shown.group], count = group.count - group.faults;
     note.textContent = `Shown: ${shown_text()}; ${counted(count, "rock", "rocks")}. ` + (group.censored === 0 ? `None is censored: every ${runout_name} is known.`
       : `${percent(group.censored)} are censored (left the domain or ran out of time): their distance is a lower bound, and so is every number marked ≥.`) +
-      (group.stop_reasons.caught > 0 ? ` ${percent(group.stop_reasons.caught / count)} were caught by barriers: their distance holds only while these stand.` : "");
+      (group.stop_reasons.caught > 0 ? ` ${percent(group.stop_reasons.caught / count)} were caught by barriers${data.points[shown.point].stems ? " or trees" : ""}: their distance holds only while these stand.` : "");
     draw_runout(node, runout, group);
     table_place.replaceChildren(exceedance_table(runout, count));
   });

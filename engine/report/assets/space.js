@@ -113,7 +113,9 @@ function draw_space(node, page, tracks, crossings) {
   const all = (of_ground, of_points) => [...(ground ? of_ground(ground) : []), ...points.map(of_points)];
   const offset = { x: offset_of(all((g) => g.x, (p) => p.x)), y: offset_of(all((g) => g.y, (p) => p.across)), z: offset_of(all((g) => g.z, (p) => p.height)) };
   const below = ground ? ground_traces(ground, offset, page.section) : [], paths = path_traces_3d(lines, ends, offset), places = ground ? places_3d(crossings, ground, offset) : [], traces = [...below, ...paths, ...places];
-  const box = box_of(paths, below), size = [box.x, box.y, box.z].map(([low, high]) => Math.max(high - low, 1e-3)), longest = Math.max(...size);
+  const box = box_of(paths, below);
+  traces.push(...stems_3d(page, box, offset));
+  const size = [box.x, box.y, box.z].map(([low, high]) => Math.max(high - low, 1e-3)), longest = Math.max(...size);
   const layout = {
     font, paper_bgcolor: "#fff", height: 640, margin: { l: 0, r: 0, t: 30, b: 0 }, legend: { ...legend, y: 1, yanchor: "bottom" }, uirevision: `point ${shown.point}`,
     scene: {
