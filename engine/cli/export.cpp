@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "cli/result_folder.h"
+#include "cli/run_program.h"
 #include "document/wording.h"
 #include "report/export_asc.h"
 #include "report/export_csv.h"
@@ -18,6 +19,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Maps as GeoTIFF with numbers of 64 bits: the ASCII grids, as the program gdal_translate reads them.
+std::vector<fs::path> export_tif(const fs::path& results, const fs::path& folder) {
+  std::vector<fs::path> files = export_asc(results, folder);
+  for (fs::path& file : files) {
+    const fs::path grid = file;
+    file.replace_extension(".tif");
+    const bool made = run_program(
+        {"gdal_translate", "-q", "-of", "GTiff", "-oo", "DATATYPE=Float64", grid.string(), file.string()});
+    fs::remove(grid);
+    if (!made) throw InputError(fmt::format("{}: GDAL's gdal_translate cannot write it", file.string()));
+  }
+  return files;
+}
+
 struct Format {
   const char* name;
   /// Writes the database into a folder and returns the files.
@@ -25,17 +40,18 @@ struct Format {
   const char* nothing;  ///< message if no file is written
 };
 
-constexpr std::array<Format, 3> formats = {{
+constexpr std::array<Format, 4> formats = {{
     {"asc", export_asc, "no maps are stored; they are of 3D runs, see output.maps of the scenario"},
     {"csv", export_csv, ""},
+    {"tif", export_tif, "no maps are stored; they are of 3D runs, see output.maps of the scenario"},
     {"vtk", export_vtk, "no trajectory is stored; output.trajectories of the scenario says how many are"},
 }};
 
 const Format& format_of(const std::string& name) {
-  if (name == "tif")
+  if (name == "tif" && !has_program("gdal_translate"))
     throw UsageError(
-        "--to tif: this flyrock cannot write GeoTIFF. Use --to asc and, of the package gdal-bin, "
-        "gdal_translate MAP.asc MAP.tif");
+        "--to tif needs the program gdal_translate (Debian: gdal-bin); --to asc writes the same maps without "
+        "it");
   std::vector<std::string> names;
   for (const Format& format : formats) {
     if (name == format.name) return format;

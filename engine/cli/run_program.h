@@ -10,4 +10,7 @@ namespace flyrock::cli {
 /// it ends with another code than 0.
 bool run_program(const std::vector<std::string>& words);
 
+/// Whether PATH leads to a program of this name.
+bool has_program(const std::string& name);
+
 }  // namespace flyrock::cli
