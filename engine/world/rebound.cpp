@@ -32,9 +32,13 @@ void World<D>::apply_spring(int a, double h) {
   Contact& contact = contacts_[a];
   const Spring& spring = contact.law.spring;
   const double w = problem_.contacts[a].w(0, 0), overlap = std::max(0.0, -contact.at.gap);
-  double turning = overlap;
-  if (spring.exponent != 1) turning = turning_overlap(spring, overlap, contact.before[0], w);
-  const double power = overlap_power(spring, turning), stiffness = spring.exponent * spring.stiffness * power;
+  double power = 1;
+  if (spring.exponent != 1) {
+    constexpr double soon = 1e-3;  // s, in which its weight speeds up a body that lies on the spring
+    const double speed = std::abs(contact.before[0]) + g_ * std::max(h, soon);
+    power = overlap_power(spring, turning_overlap(spring, overlap, speed, w));
+  }
+  const double stiffness = spring.exponent * spring.stiffness * power;
   const double stiffest =
       spring.tangential_stiffness * problem_.contacts[a].w.diagonal().template segment<D - 1>(1).maxCoeff();
   spring_rate_ = std::max(spring_rate_, std::sqrt(std::max(stiffness * w, stiffest)));
