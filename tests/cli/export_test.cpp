@@ -279,7 +279,7 @@ TEST_CASE("An export says which formats there are and which folders are results"
     CHECK(output.err.find(text) != std::string::npos);
   };
   refused("export r --to vtx", "--to: unknown format `vtx`, did you mean `vtk`?");
-  refused("export r --to geojson", "--to: unknown format `geojson`, expected `asc`, `csv` or `vtk`");
+  refused("export r --to geojson", "--to: unknown format `geojson`, expected `asc`, `csv`, `tif` or `vtk`");
   refused("export r", "expected --to FORMAT: flyrock export DIR --to csv|vtk|asc|tif [-o PATH]");
   refused("export nowhere --to csv", "nowhere is no result folder: it has no manifest.json");
   refused("report s.yaml", "s.yaml is no result folder");
