@@ -57,11 +57,11 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
   impacts_.clear();
   save();
   const bool chooses = chooses_steps() && cut;
+  if (chooses) reach_time_ = std::max(h, last_step_);
   bool new_touch = false;
   double error = 0;
   Drift drifted;
   for (int cuts = 0, refinements = 0, refusals = 0;;) {
-    if (chooses) reach_time_ = std::max(h, last_step_);
     drift((1 - theta) * h);
     detect((1 - theta) * h);
     drifted = {};
