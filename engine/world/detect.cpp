@@ -119,9 +119,10 @@ void World<D>::detect(double ahead) {
 }
 
 /// The contact of the last step that this contact continues: the one with the same features; otherwise the
-/// one of the same vertex on the next segment of the terrain; otherwise the nearest old contact whose
-/// features are no longer in contact. The last rule is for surfaces that lie flush with their corners on each
-/// other, because rounding then decides which features are found.
+/// one of the same vertex or edge on the next segment of the terrain; otherwise the nearest. The last two are
+/// taken only if their own features are no longer in contact: an edge that rests on one edge of the terrain
+/// passes its memory to none of the neighbours that it is near. The last rule is for surfaces that lie flush
+/// with their corners on each other, because rounding then decides which features are found.
 template <int D>
 const typename World<D>::Contact* World<D>::carried_on(const Contact& contact, std::span<const Contact> last,
                                                        std::span<const Contact> now) const {
@@ -129,20 +130,22 @@ const typename World<D>::Contact* World<D>::carried_on(const Contact& contact, s
   const auto same_features = [](const ContactPoint<D>& a, const ContactPoint<D>& b) {
     return a.feature == b.feature && a.against == b.against;
   };
+  const auto still_found = [&](const Contact& old) {
+    return std::any_of(now.begin(), now.end(), [&](const Contact& c) { return same_features(c.at, old.at); });
+  };
   const Contact* found = nullptr;
   for (const Contact& old : last) {
     if (same_features(old.at, contact.at)) return &old;
     if (contact.antagonist < 0 && old.at.feature == contact.at.feature &&
         same_direction<D>(old.at.normal, contact.at.normal) &&
-        next_to(*terrain_, old.at.against, contact.at.against))
+        next_to(*terrain_, old.at.against, contact.at.against) && !still_found(old))
       found = &old;
   }
   if (found) return found;
   double nearest = same_place * contact_size(contact.candidate, contact.antagonist);
   for (const Contact& old : last) {
     const double distance = (old.at.point - contact.at.point).norm();
-    if (distance > nearest || !same_direction<D>(old.at.normal, contact.at.normal)) continue;
-    if (std::any_of(now.begin(), now.end(), [&](const Contact& c) { return same_features(c.at, old.at); }))
+    if (distance > nearest || !same_direction<D>(old.at.normal, contact.at.normal) || still_found(old))
       continue;
     nearest = distance;
     found = &old;
