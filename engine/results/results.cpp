@@ -141,14 +141,14 @@ std::vector<std::string> solver_warnings(const Plan& plan, const std::vector<Poi
                     quality.not_converged, quality.problems, quality.not_converged_residual,
                     plan.points.front().solver.tolerance));
   if (quality.energy_gains > 0)
-    warnings.push_back(fmt::format("solver: {} impacts or steps gained energy, {:.3g} J together",
-                                   quality.energy_gains, quality.energy_gained));
+    warnings.push_back(fmt::format("solver: {} impact{} or step{} gained energy, {:.3g} J together",
+                                   quality.energy_gains, quality.energy_gains == 1 ? "" : "s",
+                                   quality.energy_gains == 1 ? "" : "s", quality.energy_gained));
   if (quality.shocks > 0)
     warnings.push_back(
-        fmt::format("solver: {} shocks without collision: a sliding contact jammed and its velocity jumped "
-                    "within one step "
-                    "(Painlevé's paradox); each has a row among the impacts",
-                    quality.shocks));
+        fmt::format("solver: {} shock{} without collision: a sliding contact jammed and its velocity jumped "
+                    "within one step (Painlevé's paradox); each has a row among the impacts",
+                    quality.shocks, quality.shocks == 1 ? "" : "s"));
   if (const double size = least_size(points); quality.max_penetration > most_sunk * size)
     warnings.push_back(
         fmt::format("solver: a rock sank {:.3g} m into the ground or into another rock; the smallest rock is "
@@ -158,8 +158,7 @@ std::vector<std::string> solver_warnings(const Plan& plan, const std::vector<Poi
   if (quality.max_spring_angle > inaccurate_spring)
     warnings.push_back(fmt::format(
         "solver: a spring (`penalty`) swings by {:.4g} deg in a step: bounces are inaccurate above {:.3g} "
-        "and "
-        "gain energy above {:.3g}. Use a shorter solver.time_step or a softer spring",
+        "and gain energy above {:.3g}. Use a shorter solver.time_step or a softer spring",
         quality.max_spring_angle * 180 / pi, inaccurate_spring * 180 / pi, unstable_spring * 180 / pi));
   return warnings;
 }
