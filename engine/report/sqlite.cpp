@@ -65,7 +65,7 @@ SqliteFile::SqliteFile(std::filesystem::path path)
     fail_to_write(path_, database_);
   }
   execute(
-      "PRAGMA page_size = 16384; PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; PRAGMA locking_mode = "
+      "PRAGMA page_size = 8192; PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; PRAGMA locking_mode = "
       "EXCLUSIVE; BEGIN");
 }
 
