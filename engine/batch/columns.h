@@ -9,6 +9,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -117,10 +118,8 @@ class ColumnReader {
   void value(T& v) {
     if constexpr (std::is_same_v<T, std::string>) {
       v = std::string(take(word()));
-    } else if constexpr (std::is_same_v<T, double>) {
-      v = std::bit_cast<double>(word());
     } else {
-      v = static_cast<T>(word());
+      v = number_of<T>(word());
     }
   }
 
@@ -146,20 +145,35 @@ class ColumnReader {
     } else {
       const char same = take(1).front();
       if (same != 0 && same != 1) throw ColumnError("a column that is neither one number nor many");
-      T number{};
-      for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (i == 0 || same == 0) value(number);
-        std::invoke(get, rows[i]) = number;
+      const std::size_t count = same ? std::min<std::size_t>(rows.size(), 1) : rows.size();
+      const std::string_view words = take(count * sizeof(std::uint64_t));
+      const std::size_t stride = same ? 0 : sizeof(std::uint64_t);
+      const char* at = words.data();
+      for (Row& row : rows) {
+        std::invoke(get, row) = number_of<T>(word_at(at));
+        at += stride;
       }
     }
   }
 
-  std::uint64_t word() {
-    std::uint64_t w = 0;
-    const std::string_view bytes = take(8);
-    for (int i = 7; i >= 0; --i) w = w << 8 | static_cast<unsigned char>(bytes[i]);
-    return w;
+  template <class T>
+  static T number_of(std::uint64_t word) {
+    if constexpr (std::is_same_v<T, double>)
+      return std::bit_cast<double>(word);
+    else
+      return static_cast<T>(word);
   }
+
+  /// The little-endian word at `bytes`.
+  static std::uint64_t word_at(const char* bytes) {
+    std::uint64_t word = 0;
+    if constexpr (std::endian::native == std::endian::little)
+      std::memcpy(&word, bytes, sizeof(word));
+    else
+      for (int i = 7; i >= 0; --i) word = word << 8 | static_cast<unsigned char>(bytes[i]);
+    return word;
+  }
+  std::uint64_t word() { return word_at(take(sizeof(std::uint64_t)).data()); }
 
   std::string_view take(std::uint64_t count) {
     if (count > rest_.size()) throw ColumnError("cut short");

@@ -112,7 +112,7 @@ double hypot(double x, double y) {
   if (std::isinf(x) || std::isinf(y)) return infinity;
   if (std::isnan(x) || std::isnan(y)) return x + y;
   const Wide a = widen(x), b = widen(y);
-  return narrow(root(a * a + b * b));
+  return narrow_root(a * a + b * b);
 }
 
 double sin(double x) {
@@ -137,6 +137,8 @@ void sincos(double x, double* s, double* c) {
 
 double tan(double x) {
   if (is_special(x)) return x == 0 ? x : no_number;
+  if (is_quick(x))
+    if (const double tangent = sure_tangent(quick_angle(x)); tangent != 0) return tangent;
   const Angle angle = reduce(widen(x));
   return narrow(sine(angle) / cosine(angle));
 }
@@ -191,8 +193,10 @@ double tanh(double x) {
 
 double asinh(double x) {
   if (is_special(x)) return x;
-  const Wide a = magnitude(widen(x)), square = a * a;
-  return narrow(with_sign_of(log1p(a + square / (integer(1) + root(integer(1) + square))), x));
+  const Wide a = magnitude(widen(x)), square = a * a, across = root(integer(1) + square);
+  // Of small a the sum a + across would lose bits.
+  const Wide size = a.exponent >= -4 ? log2(a + across) * ln2 : log1p(a + square / (integer(1) + across));
+  return narrow(with_sign_of(size, x));
 }
 
 double acosh(double x) {

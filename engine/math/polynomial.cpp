@@ -63,12 +63,12 @@ Roots roots_between(std::span<const double> c, double low, double high) {
   return roots;
 }
 
-/// Whether the coefficients alone show that p > 0 on [0, high].
-bool stays_positive(std::span<const double> c, double high) {
-  double least = c[0], power = 1;
+/// Whether the coefficients alone show that sign * p > 0 on [0, high].
+bool keeps_sign(std::span<const double> c, double high, double sign) {
+  double least = sign * c[0], power = 1;
   for (std::size_t k = 1; k < c.size(); ++k) {
     power *= high;
-    least += std::min(c[k], 0.0) * power;
+    least += std::min(sign * c[k], 0.0) * power;
   }
   return least > 0;
 }
@@ -91,7 +91,7 @@ std::optional<double> first_approach(std::span<const double> c, double low, doub
 }
 
 std::optional<double> first_fall(std::span<const double> c, double low, double high) {
-  if (low == 0 && stays_positive(c, high)) return std::nullopt;
+  if (low == 0 && keeps_sign(c, high, 1)) return std::nullopt;
   if (evaluate(c, low) <= 0) {
     // The first non-zero derivative at low decides whether p falls or rises from there.
     std::array<double, max_degree + 1> d{};
@@ -104,6 +104,7 @@ std::optional<double> first_fall(std::span<const double> c, double low, double h
       if (slope > 0) break;
     }
   }
+  if (low == 0 && keeps_sign(c, high, -1)) return std::nullopt;
   const Roots roots = roots_between(c, low, high);
   double before = low;
   for (int i = 0; i < roots.count; ++i) {

@@ -1,6 +1,6 @@
 #pragma once
-// sin and cos with 64 bits instead of 128. This is twice as fast, and determines the nearest double in 19 of
-// 20 cases. wide_angle.h computes the others.
+// sin, cos and tan with 64 bits instead of 128. This is twice as fast, and determines the nearest double in
+// 19 of 20 cases. wide_angle.h computes the others.
 
 #include "math/wide_angle.h"
 
@@ -52,6 +52,23 @@ inline double sure(u64 size, bool negative) {
   const bool known = zeros < 8 && (n & 0x7ff) - 0x400 + error > 2 * error;
   const u64 bits = (static_cast<u64>(1022 - zeros) << 52) + (n >> 11) + (n >> 10 & 1);
   return known ? std::bit_cast<double>(bits | static_cast<u64>(negative) << 63) : 0;
+}
+
+/// The double nearest to the tangent, if the errors cannot change it; otherwise 0.
+inline double sure_tangent(const QuickAngle& angle) {
+  const int sine_zeros = std::countl_zero(angle.sine | 1), cosine_zeros = std::countl_zero(angle.cosine | 1);
+  if (sine_zeros > 8 || cosine_zeros > 8) return 0;
+  const u64 sine = angle.sine << sine_zeros, cosine = angle.cosine << cosine_zeros;
+  const u64 quotient = static_cast<u64>((static_cast<u128>(sine) << 63) / cosine);  // 2^62 to 2^64
+  const int zeros = std::countl_zero(quotient);
+  // |d(s/c)| <= (ds + s/c dc) / c, where s/c < 2
+  const double bound = 4 * (0x1p63 / static_cast<double>(cosine)) * ((1 << sine_zeros) + (2 << cosine_zeros));
+  const u64 n = quotient << zeros, error = (static_cast<u64>(bound) + 4) << zeros;
+  if ((n & 0x7ff) - 0x400 + error <= 2 * error) return 0;
+  const auto exponent = static_cast<u64>(1022 - zeros + cosine_zeros - sine_zeros);
+  const u64 bits = (exponent << 52) + (n >> 11) + (n >> 10 & 1);
+  const bool negative = angle.sine_negative != angle.cosine_negative;
+  return std::bit_cast<double>(bits | static_cast<u64>(negative) << 63);
 }
 
 }  // namespace flyrock::wide

@@ -140,6 +140,21 @@ inline Wide root(const Wide& a) {
   return scaled(wide_guess + (unit - wide_guess * wide_guess) * widen(0.5 / guess), half);
 }
 
+/// The double nearest to that root. In most cases it is the root as a double: then a lies between the squares
+/// of the middles to its neighbours, which are exact in integers.
+inline double narrow_root(const Wide& a) {
+  constexpr u128 margin = 1024;  // the squares are within 2^-96 of a tie: root() decides
+  const int half = a.exponent >> 1;
+  if (a.mantissa == 0 || half < -1000 || half > 1000) return narrow(root(a));
+  const Wide unit = scaled(a, -2 * half);                     // 1 to 4
+  const u128 square = unit.mantissa >> (21 - unit.exponent);  // 106 fractional bits
+  const double guess = std::sqrt(narrow(unit));
+  const u64 twice = static_cast<u64>(guess * 0x1p53);
+  const u128 low = full_product(twice - 1, twice - 1), high = full_product(twice + 1, twice + 1);
+  if (square < low + margin || square + margin > high) return narrow(root(a));
+  return guess * std::bit_cast<double>(static_cast<u64>(1023 + half) << 52);
+}
+
 /// The fractional bits of a / 2^-shift, for 0 <= a < 2^-shift, as a fixed-point number.
 constexpr u128 fraction(const Wide& a, int shift) {
   const int cut = -1 - shift - a.exponent;

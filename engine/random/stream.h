@@ -27,7 +27,9 @@ double uniform_at(std::uint64_t seed, std::uint64_t name_hash, const DrawKey& ke
 class RandomStream {
  public:
   RandomStream(std::uint64_t seed, std::string_view name, const DrawKey& key)
-      : seed_(seed), name_(hash_name(name)), key_(key) {}
+      : RandomStream(seed, hash_name(name), key) {}
+  RandomStream(std::uint64_t seed, std::uint64_t name_hash, const DrawKey& key)
+      : seed_(seed), name_(name_hash), key_(key) {}
 
   double uniform() { return uniform_at(seed_, name_, key_, next_++); }
   double uniform(double low, double high) { return low + (high - low) * uniform(); }

@@ -179,7 +179,7 @@ void ReportData::open_point() {
   const std::vector<Scenario>& points = scenario_.plan.points;
   const Scenario& next = points[closed_.size()];
   open_.emplace(Tracks(most_track_points / points.size(), next.dimension), Sensitivity(next),
-                Deposits(most_deposits / points.size()));
+                Deposits(next.dimension == 3 ? most_deposits / points.size() : 0));
 }
 
 void ReportData::close_point() {

@@ -9,8 +9,9 @@
 
 namespace flyrock {
 
+/// So that a later solve, which may be the first that is accelerated, does not allocate.
 template <int D>
-Nlgs<D>::Nlgs() {
+void Nlgs<D>::reserve() {
   const std::size_t rows = few_contacts * Problem::rows;
   for (auto* buffer : {&scale_, &from_, &to_}) buffer->reserve(rows);
   anderson_.begin(std::vector<double>(rows, 1.0));
@@ -18,6 +19,7 @@ Nlgs<D>::Nlgs() {
 
 template <int D>
 void Nlgs<D>::begin(const Problem& problem, const SolveSettings& settings, std::vector<Row>& r) {
+  if (!problem_) reserve();
   problem_ = &problem;
   settings_ = settings;
   result_ = {};

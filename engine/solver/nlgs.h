@@ -12,16 +12,13 @@ namespace flyrock {
 
 /// A sweep visits the contacts in their order and solves each local problem exactly, with the impulses of all
 /// others fixed (local_2d.h, local_3d.h). In problems of more than a few contacts the sweeps are accelerated
-/// (anderson.h). A solve does not allocate once the buffers have grown. Instantiated for D = 2, 3.
+/// (anderson.h). The first solve reserves buffers for accelerated sweeps of a few contacts; a later one does
+/// not allocate once the buffers have grown. Instantiated for D = 2, 3.
 template <int D>
 class Nlgs {
  public:
   using Problem = ContactProblem<D>;
   using Row = typename Problem::Row;
-
-  /// Reserves buffers for accelerated sweeps of a few contacts, so that the first step that needs them does
-  /// not allocate.
-  Nlgs();
 
   /// `r` holds the start (zero, or the warm start from the last step) and the answer. The solve ends when
   /// judge (residual.h) reports convergence, or after settings.max_iterations sweeps; the answer is then the
@@ -39,6 +36,7 @@ class Nlgs {
   void sweep_once(std::vector<Row>& r) { sweep(r); }
 
  private:
+  void reserve();
   double sweep(std::vector<Row>& r) const;
   template <int N>
   double sweep_rows(std::vector<Row>& r) const;

@@ -34,13 +34,16 @@ Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, con
                                    RandomStream& where) {
   const RockGroup& group = scenario_.rocks[rock.group];
   const GroupModels& models = instances_.groups[rock.group];
-  const std::string stream = "rocks." + group.name, path = fmt::format("rocks.{}.", rock.group);
+  const GroupStreams& streams = streams_[rock.group];
+  const auto key_of = [&](std::string_view key) {
+    return [&rock, key] { return fmt::format("rocks.{}.{}", rock.group, key); };
+  };
   ShapeAnswer<D> shape = plan.shape;
   bool shape_is_drawn = rock.population_drew;
   if (shape.contactors.empty()) {
     if (!group.shape)
-      throw ScenarioError(path + "shape", "neither the population nor `shape` says what shape a rock has");
-    RandomStream rng(scenario_.seed, stream + ".shape", rock.key);
+      throw ScenarioError(key_of("shape")(), "neither the population nor `shape` says what shape a rock has");
+    RandomStream rng(scenario_.seed, streams.shape, rock.key);
     shape = at_path(group.shape->path, [&] {
       return ask_shape<D>(*models.shape, values_of(*group.shape, scenario_, rock.key), rng);
     });
@@ -56,7 +59,7 @@ Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, con
   else
     density = number(group.density, rock.key);
   const bool own_mass = plan.mass || plan.density;
-  RandomStream turn(scenario_.seed, stream + ".orientation", rock.key);
+  RandomStream turn(scenario_.seed, streams.orientation, rock.key);
   const auto turn_is_drawn = [&] { return plan.orientation ? rock.population_drew : turn.drawn(); };
   Body<D> body;
   if constexpr (D == 2) {
@@ -67,12 +70,12 @@ Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, con
                                         : turn.uniform(0, 2 * pi);
     if (turn_is_drawn()) rock.outcomes[Outcome::orientation] = body.attitude.angle;
   } else {
-    body = at_path(path + "shape",
+    body = at_path(key_of("shape"),
                    [&] { return make_body(std::move(shape.contactors), density, mass, shape.own); });
     const Rotation3 turned =
         plan.orientation ? *plan.orientation
         : group.turn
-            ? at_path(path + "orientation", [&] { return rotation_of(*group.turn, scenario_, rock.key); })
+            ? at_path(key_of("orientation"), [&] { return rotation_of(*group.turn, scenario_, rock.key); })
             : random_rotation(turn);
     if (turn_is_drawn()) rock.outcomes[Outcome::orientation] = turned.vector().norm();
     body.attitude = turned * body.attitude.rotation;
@@ -80,20 +83,21 @@ Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, con
   rock.has_own_inertia = shape.own.inertia.has_value();
   if (shape_is_drawn) rock.outcomes.set_shape(body);
   body.group = group.name;
-  const std::string mass_path = own_mass         ? group.population.path
-                                : shape.own.mass ? path + "shape"
-                                                 : path + mass_key(group);
-  at_path(path + "shape", [&] { refuse_endless(body); });
+  const auto mass_path = [&] {
+    if (own_mass) return group.population.path;
+    return key_of(shape.own.mass ? "shape" : mass_key(group))();
+  };
+  at_path(key_of("shape"), [&] { refuse_endless(body); });
   at_path(mass_path, [&] { refuse_extremes(body); });
-  at_path(path + "shape", [&] { refuse_slender(body); });
+  at_path(key_of("shape"), [&] { refuse_slender(body); });
   Place<D> place;
   if (plan.position)
     place.position = *plan.position - origin().template head<D>();
   else if (group.release)
-    place = at_path(path + "release",
+    place = at_path(key_of("release"),
                     [&] { return place_rock(*group.release, scenario_, rock.key, where, body, terrain); });
   else
-    throw ScenarioError(path + "release", "neither the population nor `release` says where a rock starts");
+    throw ScenarioError(key_of("release")(), "neither the population nor `release` says where a rock starts");
   body.x = place.position;
   if (plan.position ? rock.population_drew : where.drawn())
     rock.outcomes.template set_release<D>(place.position + origin().template head<D>());
@@ -133,7 +137,7 @@ void TrialBuilder<D>::ask_launch(TrialRock& rock, const Place<D>& place, const T
   view.group = group.name;
   const TerrainView ground = view_of(terrain, origin());
   view.terrain = &ground;
-  RandomStream rng(scenario_.seed, "rocks." + group.name + ".launch", rock.key);
+  RandomStream rng(scenario_.seed, streams_[rock.group].launch, rock.key);
   const Launch launch = instances_.groups[rock.group].launch->launch(
       values_of(*group.launch, scenario_, rock.key), view, blast_at(scenario_, rock.key), rng);
   if (!launch.velocity.allFinite() || !launch.spin.allFinite())

@@ -36,8 +36,17 @@ StopReason reason_of(const TrialError& error) {
   return StopReason::diverged;
 }
 
+GroupStreams::GroupStreams(const std::string& group)
+    : population(hash_name("rocks." + group + ".population")),
+      release(hash_name("rocks." + group + ".release")),
+      shape(hash_name("rocks." + group + ".shape")),
+      orientation(hash_name("rocks." + group + ".orientation")),
+      launch(hash_name("rocks." + group + ".launch")) {}
+
 template <int D>
-TrialBuilder<D>::TrialBuilder(const Scenario& scenario) : scenario_(scenario), instances_(scenario) {}
+TrialBuilder<D>::TrialBuilder(const Scenario& scenario) : scenario_(scenario), instances_(scenario) {
+  for (const RockGroup& group : scenario.rocks) streams_.emplace_back(group.name);
+}
 
 template <int D>
 WorldSettings TrialBuilder<D>::world_settings() const {
@@ -175,7 +184,7 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
   std::uint64_t count = 0;
   for (int g = 0; g < static_cast<int>(scenario_.rocks.size()); ++g) {
     const RockGroup& group = scenario_.rocks[g];
-    RandomStream rng(scenario_.seed, "rocks." + group.name + ".population", of_trial);
+    RandomStream rng(scenario_.seed, streams_[g].population, of_trial);
     const auto plans = at_path(group.population.path, [&] {
       return rocks_of<D>(*instances_.groups[g].population, values_of(group.population, scenario_, of_trial),
                          ground, blast_at(scenario_, first_hole), rng);
@@ -189,7 +198,7 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
         rock.start_time = scenario_.blast->pattern.time(hole_of(rock.key));
       ++count;
       try {
-        RandomStream where(scenario_.seed, "rocks." + group.name + ".release", rock.key);
+        RandomStream where(scenario_.seed, streams_[g].release, rock.key);
         Partner partner = partner_of(plan, rock);
         if (scenario_.rock_contacts) {
           add_apart(trial.worlds.front(), plan, rock, where);

@@ -41,9 +41,16 @@ struct TrialRock {
 template <int D>
 struct Trial {
   std::shared_ptr<const typename Geometry<D>::Terrain> terrain;
-  std::deque<World<D>> worlds;  ///< one for each rock, or one for all if rocks meet each other
+  std::vector<World<D>> worlds;  ///< one for each rock, or one for all if rocks meet each other
   std::vector<TrialRock> rocks;
   std::deque<Surfaces> surfaces;  ///< one for each world; none for `ballistic`, which has no contacts
+};
+
+/// The streams that a group's plugins and places draw from, as hashes of their names: made once, because each
+/// rock needs them.
+struct GroupStreams {
+  explicit GroupStreams(const std::string& group);
+  std::uint64_t population, release, shape, orientation, launch;
 };
 
 /// Builds trials of a scenario of D dimensions. A terrain that uses draws (from a distribution, or its plugin
@@ -89,6 +96,7 @@ class TrialBuilder {
 
   const Scenario& scenario_;
   Instances instances_;
+  std::vector<GroupStreams> streams_;  ///< of Scenario::rocks
   std::shared_ptr<const Terrain>
       kept_terrain_;  ///< terrain of all trials, once it is known that they share it
 };

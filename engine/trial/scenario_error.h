@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "plugin/params.h"
@@ -17,17 +18,24 @@ struct ScenarioError : TrialError {
   bool of_plugin;  ///< a plugin failed; otherwise the scenario asks for something impossible
 };
 
-/// The result of `call`. An error in it that does not know its key gets `path`.
-template <class Call>
-decltype(auto) at_path(const std::string& path, Call&& call) {
+/// The result of `call`. An error in it that does not know its key gets `path`: a text, or a function that
+/// makes it, because a rock that starts needs none.
+template <class Path, class Call>
+decltype(auto) at_path(const Path& path, Call&& call) {
+  const auto text = [&]() -> std::string {
+    if constexpr (std::is_invocable_v<const Path&>)
+      return path();
+    else
+      return path;
+  };
   try {
     return std::forward<Call>(call)();
   } catch (const ScenarioError&) {
     throw;
   } catch (const TrialError& error) {
-    throw ScenarioError(path, error.what(), dynamic_cast<const PluginError*>(&error) != nullptr);
+    throw ScenarioError(text(), error.what(), dynamic_cast<const PluginError*>(&error) != nullptr);
   } catch (const std::invalid_argument& error) {  // from a shape whose faces underflow
-    throw ScenarioError(path, error.what());
+    throw ScenarioError(text(), error.what());
   }
 }
 

@@ -78,6 +78,19 @@ std::string start_text(const Body<D>& body, const Vec3& origin) {
   return place_text(Vec<D>(body.x + origin.head<D>())) + " m";
 }
 
+/// "`rock` starts at (5, 12.1) m, "
+template <int D>
+std::string starts_text(const Body<D>& body, const Vec3& origin) {
+  return fmt::format("`{}` starts at {}, ", body.group, start_text(body, origin));
+}
+
+/// What is wrong with a point this deep below the ground, or an empty text.
+template <int D>
+std::string buried_text(const Body<D>& body, double depth, const Vec3& origin) {
+  if (!(depth > most_overlap * body.size)) return {};
+  return starts_text(body, origin) + fmt::format("{:.3g} m inside the terrain", depth);
+}
+
 template <int D>
 std::string far_text(const Body<D>& body, const Vec3& origin) {
   return fmt::format("`{}` starts at {}, more than 100 km from the origin", body.group,
@@ -185,20 +198,17 @@ std::optional<StartFault> start_fault(World<D>& world, const Vec3& origin) {
 
 std::string start_fault_of_point(const Body<3>& body, const Ground3& ground, const Vec3& origin) {
   if (!(body.x.cwiseAbs().maxCoeff() <= farthest_place)) return far_text(body, origin);
-  const std::string start = fmt::format("`{}` starts at {}, ", body.group, start_text(body, origin));
-  if (!ground.height(body.x.x(), body.x.y())) return start + "where there is no ground";
-  const double depth = ground.depth(body.x);
-  return depth > most_overlap * body.size ? start + fmt::format("{:.3g} m inside the terrain", depth) : "";
+  if (!ground.height(body.x.x(), body.x.y())) return starts_text(body, origin) + "where there is no ground";
+  return buried_text(body, ground.depth(body.x), origin);
 }
 
 std::string start_fault_of_point(const Body<2>& body, const Profile& profile, const Vec3& origin) {
   if (!(body.x.cwiseAbs().maxCoeff() <= farthest_place)) return far_text(body, origin);
-  const std::string start = fmt::format("`{}` starts at {}, ", body.group, start_text(body, origin));
   if (body.x.x() < profile.x_min() || body.x.x() > profile.x_max())
-    return start + fmt::format("beyond the terrain, which runs from {} to {} m",
-                               coordinate_text(profile.x_min()), coordinate_text(profile.x_max()));
-  const double depth = profile.height(body.x.x()) - body.x.y();
-  return depth > most_overlap * body.size ? start + fmt::format("{:.3g} m inside the terrain", depth) : "";
+    return starts_text(body, origin) + fmt::format("beyond the terrain, which runs from {} to {} m",
+                                                   coordinate_text(profile.x_min()),
+                                                   coordinate_text(profile.x_max()));
+  return buried_text(body, profile.height(body.x.x()) - body.x.y(), origin);
 }
 
 template <int D>

@@ -1,14 +1,14 @@
 #!/bin/sh
-# make bench: rocks per second to rest on one core and the share of time by phase, median of five runs each; then the
-# time of the Ninh Dan run with its restitution in Lua over that with the same law native, and with one thread over that
-# with two, in pairs of runs.
+# make bench: rocks per second to rest on one core and the share of time by phase, median of five runs each; ballistic
+# flights alone, and lumped masses beside a plain loop; then the time of the Ninh Dan run with its restitution in Lua over
+# that with the same law native, and with one thread over that with two, in pairs of runs.
 set -eu
 flyrock=$1/flyrock
 here=$(cd "$(dirname "$0")" && pwd)
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
-for scenario in "$here/../../scenarios/ninh_dan/benches_2d.yaml" "$here/../../scenarios/ninh_dan/rockfall_2d.yaml" "$here/s3.yaml" "$here/shots.yaml"; do
+for scenario in "$here/../../scenarios/ninh_dan/benches_2d.yaml" "$here/../../scenarios/ninh_dan/rockfall_2d.yaml" "$here/s3.yaml" "$here/shots.yaml" "$here/points.yaml"; do
   name=$(basename "$scenario" .yaml)
   for run in 1 2 3 4 5; do
     "$flyrock" run "$scenario" -o "$out/$name" -j 1 --force --quiet > /dev/null 2>&1 || true
@@ -21,6 +21,7 @@ for scenario in "$here/../../scenarios/ninh_dan/benches_2d.yaml" "$here/../../sc
 done
 
 "$1/flyrock_shots"
+"$1/flyrock_points" "$here/points.yaml"
 
 # Rocks to rest with steps chosen by error and fixed ones, in turn; between them the peer, where it is installed, with
 # the same scene and the same rest: Box2D in 2D, Bullet in 3D.
