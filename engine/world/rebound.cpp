@@ -13,6 +13,10 @@ template <int D>
 void World<D>::apply_laws(double h) {
   rebounds_.resize(contacts_.size());
   spring_angle_ = spring_change_ = 0;
+  for (const Body<D>& body : bodies)
+    if (h > 0 && body.breathes())
+      spring_angle_ = spring_change_ =
+          std::max(spring_angle_, h * body.breathing.frequency(body.spin_speed()));
   for (std::size_t a = 0; a < contacts_.size(); ++a) {
     const Contact& contact = contacts_[a];
     auto& row = problem_.contacts[a];
@@ -76,6 +80,8 @@ void World<D>::solve_and_apply() {
     const auto apply = [&](int i, const auto& rows) {
       if (i < 0) return;
       bodies[i].add_velocity(bodies[i].inverse_mass_times(rows * contact.impulse));
+      if (bodies[i].breathes())
+        bodies[i].breathing.now.rate += mobility_of_shape(i) * bodies[i].breathing.side * contact.impulse[0];
       unsolved_[i] = {result.residual, time};
     };
     apply(contact.candidate, rows_[a].candidate);
@@ -89,6 +95,7 @@ typename World<D>::Row World<D>::velocity_after(int a, double h) const {
   const Contact& contact = contacts_[a];
   Row u = rows_[a].candidate.transpose() * bodies[contact.candidate].velocity();
   if (contact.antagonist >= 0) u += rows_[a].antagonist.transpose() * bodies[contact.antagonist].velocity();
+  if (const double opens = shape_speed(contact); opens != 0) u[0] += opens;
   if (h > 0) u += settings_.theta * h * contact.turning;
   return u;
 }
@@ -223,6 +230,13 @@ void World<D>::audit_energy(double h) {
           std::max(spring_energy_in_doubt_, 0.25 * spring_angle_ * spring_angle_ * energy + force * place);
     }
   }
+  // The gas and the spring of a shape give back what they took to the same order.
+  double of_shapes = 0;
+  for (const Body<D>& body : bodies)
+    if (body.breathes())
+      of_shapes += body.breathing.kinetic_energy() + std::abs(body.breathing.potential_energy());
+  spring_energy_in_doubt_ =
+      std::max(spring_energy_in_doubt_, 0.25 * spring_angle_ * spring_angle_ * of_shapes);
   for (double& gain : island_gain_) {
     if (h == 0) energy_given_ += std::max(0.0, gain);
     gain = 0;

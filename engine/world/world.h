@@ -218,6 +218,8 @@ class World {
   void ask_laws(double h);
 
   // assemble.cpp: the friction problem
+  double shape_speed(const Contact& contact) const;
+  double mobility_of_shape(int body) const;
   Row relative_velocity(const Contact& contact) const;
   Row turning_of(const Contact& contact) const;
   void measure_before(double h);
@@ -266,6 +268,7 @@ class World {
   StepControl<D> control_;
   double last_step_ = 0;      ///< s
   double reach_time_ = 0;     ///< s, the longer of this step and the last one; fixed steps: their length
+  double theta_h_ = 0;        ///< s, theta times the step that is solved; 0 in an impact
   double spring_angle_ = 0;   ///< rad, greatest h sqrt(k W) of the springs in the step
   double spring_change_ = 0;  ///< the greatest of spring_angle_ and h c W of the dampers
   double energy_given_ = 0;   ///< J
@@ -314,6 +317,7 @@ class World {
   std::vector<Surface*> surfaces_;   ///< those with memory of a pair, each once
   std::vector<double> memory_;       ///< memory of the surfaces at the start of the step
   std::vector<typename Body<D>::Rows> drift_;
+  std::vector<double> swell_;                ///< m, of the radii of pneumatic disks, as drift_
   std::vector<std::optional<double>> gaps_;  ///< gaps of the contacts whose drift is projected out
 };
 
