@@ -7,6 +7,7 @@
 
 #include "batch/safe_file.h"
 #include "report/sqlite.h"
+#include "report/stored_contacts.h"
 #include "report/stored_paths.h"
 #include "report/stored_scene.h"
 #include "report/vtk_file.h"
@@ -61,10 +62,28 @@ void write_lines(const fs::path& file, const std::vector<StoredPath>& paths) {
   write_vtp(file, std::move(points).with(cell_data(paths)));
 }
 
-void write_series(const fs::path& index, const std::vector<StoredPath>& paths) {
+double end_of(const std::vector<StoredPath>& paths) {
   double end = 0;
   for (const StoredPath& path : paths) end = std::max(end, path.moments.back().time);
+  return end;
+}
+
+void write_contacts(const fs::path& index, double end, const std::vector<StoredContact>& contacts) {
   write_vtp_series(index, end, most_vtk_steps, [&](double time) {
+    VtkPoints now;
+    VtkArray forces{"force_N", {}, 3};
+    for (const StoredContact& contact : contacts)
+      if (const StoredForce* force = contact.at(time)) {
+        now.points.push_back(force->place);
+        forces.values.insert(forces.values.end(), force->force.begin(), force->force.end());
+      }
+    now.of_points = {std::move(forces)};
+    return now;
+  });
+}
+
+void write_series(const fs::path& index, const std::vector<StoredPath>& paths) {
+  write_vtp_series(index, end_of(paths), most_vtk_steps, [&](double time) {
     PointData points;
     for (const StoredPath& path : paths) points.add(path.at(time));
     return std::move(points).with(cell_data(paths));
@@ -130,6 +149,10 @@ std::vector<fs::path> export_vtk(const fs::path& results, const fs::path& folder
     write_series(files.back(), paths);
     files.push_back(folder / fmt::format("shapes-p{}.pvd", point));
     write_shapes(files.back(), database, paths);
+    if (const auto contacts = stored_contacts(database, point, 0); !contacts.empty()) {
+      files.push_back(folder / fmt::format("contacts-p{}.pvd", point));
+      write_contacts(files.back(), end_of(paths), contacts);
+    }
     files.push_back(folder / fmt::format("ground-p{}.vtp", point));
     write_ground(files.back(), database, point);
   }

@@ -19,6 +19,10 @@ namespace flyrock {
 ///   shapes-p<point>.pvd         the surfaces of the rocks in their attitudes over time (vtk_shapes.h), from
 ///   the
 ///                               files shapes-p<point>/<step>.vtp
+///   contacts-p<point>.pvd       where the first trial has a series: the contacts that carry a force, as
+///   points
+///                               with the vector force_N on the first body of the pair (in 3D without its
+///                               tangential part), in the step that contains the time
 /// `mode` is the index in travel_mode_names. Returns the files except those of the steps; none if no
 /// trajectory is stored. Throws FileError.
 std::vector<std::filesystem::path> export_vtk(const std::filesystem::path& results,

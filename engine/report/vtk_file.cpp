@@ -59,7 +59,9 @@ class VtpWriter {
   void arrays(const char* section, const std::vector<VtkArray>& list) {
     file_.write(fmt::format("<{}>\n", section));
     for (const VtkArray& array : list) {
-      file_.write(fmt::format("<DataArray type=\"Float64\" Name=\"{}\" format=\"ascii\">\n", array.name));
+      file_.write(
+          fmt::format("<DataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n",
+                      array.name, array.components));
       for (const double value : array.values) file_.write(shortest(value) + '\n');
       file_.write("</DataArray>\n");
     }

@@ -12,10 +12,11 @@
 
 namespace flyrock {
 
-/// Numbers for the points or cells, one each.
+/// Numbers for the points or cells, one each, or three each of vectors.
 struct VtkArray {
   std::string name;
   std::vector<double> values;
+  int components = 1;
 };
 
 struct VtkPoints {

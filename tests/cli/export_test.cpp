@@ -233,6 +233,38 @@ TEST_CASE("ParaView gets the surfaces of rocks, where they are and as they are t
   CHECK(compared > 20 * (24 + 12 + 1));
 }
 
+TEST_CASE("ParaView gets the contacts that carry forces, as the series has them") {
+  const Folder folder;
+  folder.write("s.yaml", R"(
+flyrock: 1
+title: a box at rest on an incline
+dimension: 2
+method: nscd
+terrain: { type: profile, points: [[-5, 1], [5, -1]], material: rock }
+materials: { rock: { friction: { type: coulomb, mu: 0.6 } } }
+bodies:
+  - { name: box, shape: { type: box, size: [1, 0.5] }, mass: 3 kg, position: [0.049029034, 0.24514517], orientation: -0.19739555985 rad }
+stop: { time: 1 s, speed: 0 }
+output: { series: {} }
+)");
+  REQUIRE(call(folder, "run s.yaml -o r --quiet").code == 0);
+  REQUIRE(call(folder, "export r --to vtk").code == 0);
+  const auto series = series_of(folder.path() / "r/vtk/contacts-p0.pvd");
+  REQUIRE(series.size() > 10);
+  const std::string end = read(folder.path() / "r/vtk" / series.back().second);
+  CHECK(end.find("NumberOfPoints=\"2\" NumberOfVerts=\"2\"") != std::string::npos);
+  const std::string array = "Name=\"force_N\" NumberOfComponents=\"3\" format=\"ascii\">";
+  const std::size_t at = end.find(array);
+  REQUIRE(at != std::string::npos);
+  std::istringstream numbers(end.substr(at + array.size()));
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero(), force;
+  for (int i = 0; i < 2; ++i) {
+    numbers >> force.x() >> force.y() >> force.z();
+    sum += force;
+  }
+  CHECK((sum - Eigen::Vector3d(0, 3 * 9.81, 0)).norm() < 1e-6);  // together they carry the weight
+}
+
 TEST_CASE("In 2D ParaView gets polygons and disks, turned by their angle") {
   const Folder folder;
   folder.write("s.yaml", std::string(bench));
