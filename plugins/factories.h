@@ -16,6 +16,8 @@ std::unique_ptr<ShapeModel> make_cylinder(Params& params);
 std::unique_ptr<ShapeModel> make_cone(Params& params);
 std::unique_ptr<ShapeModel> make_hollow_cylinder(Params& params);
 std::unique_ptr<ShapeModel> make_hollow_disk(Params& params);
+std::unique_ptr<ShapeModel> make_pneumatic_disk(Params& params);
+std::unique_ptr<ShapeModel> make_pneumatic_hollow_disk(Params& params);
 std::unique_ptr<ShapeModel> make_plane_body(Params& params);
 std::unique_ptr<ShapeModel> make_point(Params& params);
 std::unique_ptr<ShapeModel> make_wall(Params& params);

@@ -15,6 +15,8 @@ FLYROCK_MODULE(table) {
   table[{shape, "cone"}] = make_cone;
   table[{shape, "wall"}] = make_wall;
   table[{shape, "hollow_disk"}] = make_hollow_disk;
+  table[{shape, "pneumatic_disk"}] = make_pneumatic_disk;
+  table[{shape, "pneumatic_hollow_disk"}] = make_pneumatic_hollow_disk;
   table[{shape, "hollow_cylinder"}] = make_hollow_cylinder;
   table[{shape, "plane"}] = make_plane_body;
   table[{shape, "point"}] = make_point;

@@ -174,6 +174,8 @@ void visit_series_bodies(Visit&& visit) {
       Column{.name = "potential_energy_J"}, [](auto& r) -> auto& { return r.row.potential_energy; });
   visit_turn(within(
       visit, [](auto& r) -> auto& { return r.row.turn; }));
+  visit(
+      Column{.name = "radius_m"}, [](auto& r) -> auto& { return r.row.radius; });
 }
 
 template <class Visit>

@@ -18,13 +18,16 @@ struct State {
   Rotation2 r;
   Vec2 x, v;
   double w;
-  double w_max;  ///< greatest spin until the end
+  double w_max;           ///< greatest spin until the end
+  double radius, swells;  ///< m and m/s, now
   explicit State(const MovingHull& hull, double t, double end)
       : r(hull.rests ? Rotation2() : Rotation2::from_angle(hull.motion.angle_at(t))),
         x(hull.motion.position(t)),
         v(hull.motion.velocity(t)),
         w(hull.motion.spin(t)),
-        w_max(std::max(std::abs(w), std::abs(hull.motion.spin(end)))) {}
+        w_max(std::max(std::abs(w), std::abs(hull.motion.spin(end)))),
+        radius(hull.radius + hull.motion.swell.at(t)),
+        swells(hull.motion.swell.rate_at(t)) {}
 };
 
 class Search {
@@ -91,14 +94,15 @@ class Search {
                     int edge, bool reference_is_a, double t) const {
     const Vec2 normal = sr.r * reference.normals[edge];
     const Vec2 turn = perpendicular(normal);
-    const double offset =
-        reference.normals[edge].dot(reference.points[edge]) + reference.radius + other.radius;
+    const double offset = reference.normals[edge].dot(reference.points[edge]) + sr.radius + so.radius;
     const Vec2 relative_acceleration = other.motion.a - reference.motion.a;
     const double left = end_ - t, closing = (so.v - sr.v).norm() + relative_acceleration.norm() * left;
     const bool turns = sr.w_max != 0 || reference.motion.alpha != 0;
-    const double fall = std::max(0.0, -normal.dot(relative_acceleration));
+    const double swells = sr.swells + so.swells;  // the growth of the radii closes the gap
+    const double growth = reference.motion.swell.growth + other.motion.swell.growth;
+    const double fall = std::max(0.0, growth - normal.dot(relative_acceleration));
     const Clearance clear(normal, normal.dot(so.x - sr.x) - offset + search_.slack - 1e-9 * search_.size,
-                          normal.dot(so.v - sr.v), fall, other, so);
+                          normal.dot(so.v - sr.v) - swells, fall, other, so);
     double least = forever;
     for (int j = 0; j < other.count && least > 0; ++j) {
       if (!turns && clear.of(other.points[j], std::min(least, left))) continue;
@@ -111,7 +115,7 @@ class Search {
       const Vec2 w = so.x + arm - sr.x;
       const Vec2 velocity = so.v + cross(so.w, arm) - sr.v;
       const double gap = normal.dot(w) - offset + search_.slack;
-      const double slope = sr.w * turn.dot(w) + normal.dot(velocity);
+      const double slope = sr.w * turn.dot(w) + normal.dot(velocity) - swells;
       // M >= -gap'' until the end of the search. The horizon limits the growth of the lever |w| of a turning
       // normal.
       const double reach = arm.norm(), speed = closing + so.w_max * reach;
@@ -122,7 +126,7 @@ class Search {
       } else {
         const double lever = w.norm();
         if (speed > 0) horizon = std::min(horizon, (lever + search_.size) / speed);
-        bend += relative_acceleration.norm() + 2 * sr.w_max * speed +
+        bend += std::max(0.0, growth) + relative_acceleration.norm() + 2 * sr.w_max * speed +
                 (sr.w_max * sr.w_max + std::abs(reference.motion.alpha)) * (lever + speed * horizon);
       }
       least = std::min(least, within(horizon, left, safe_time(gap, slope, bend, scale_, is_held && t == 0)));
@@ -132,7 +136,9 @@ class Search {
 
   /// How long the fixed direction d separates all points of a from those of b [s].
   double fixed_lasts(const Vec2& d, const State& sa, const State& sb, double t) const {
-    const double along = std::max(0.0, d.dot(b_.motion.a - a_.motion.a));
+    const double swells = sa.swells + sb.swells;
+    const double along =
+        std::max(0.0, a_.motion.swell.growth + b_.motion.swell.growth + d.dot(b_.motion.a - a_.motion.a));
     double least = forever;
     for (int i = 0; i < a_.count; ++i) {
       for (int j = 0; j < b_.count && least > 0; ++j) {
@@ -140,8 +146,8 @@ class Search {
         const bool is_held = search_.holds(feature, against);
         if (is_held && search_.held_are_solved) continue;
         const Vec2 ra = sa.r * a_.points[i], rb = sb.r * b_.points[j];
-        const double gap = d.dot(sa.x + ra - sb.x - rb) - a_.radius - b_.radius + search_.slack;
-        const double slope = d.dot(sa.v + cross(sa.w, ra) - sb.v - cross(sb.w, rb));
+        const double gap = d.dot(sa.x + ra - sb.x - rb) - sa.radius - sb.radius + search_.slack;
+        const double slope = d.dot(sa.v + cross(sa.w, ra) - sb.v - cross(sb.w, rb)) - swells;
         const double bend = along + (sa.w_max * sa.w_max + std::abs(a_.motion.alpha)) * ra.norm() +
                             (sb.w_max * sb.w_max + std::abs(b_.motion.alpha)) * rb.norm();
         least = std::min(least, safe_time(gap, slope, bend, scale_, is_held && t == 0));

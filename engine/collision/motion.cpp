@@ -6,6 +6,10 @@
 
 namespace flyrock {
 
+double Swell::greatest(double t) const {
+  return by + t * (std::max(0.0, rate) + 0.5 * t * std::max(0.0, growth));
+}
+
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();

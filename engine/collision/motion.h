@@ -19,10 +19,21 @@ struct Path {
   Vec<D> velocity(double t) const { return v + t * a; }
 };
 
+/// By how much a round contactor is larger than given, over time: by + rate t + growth t^2 / 2 [m].
+struct Swell {
+  double by = 0, rate = 0, growth = 0;
+
+  double at(double t) const { return by + t * (rate + 0.5 * t * growth); }
+  double rate_at(double t) const { return rate + t * growth; }
+  /// A bound of at() over [0, t] from above.
+  double greatest(double t) const;
+};
+
 /// angle(t) = angle + w t + alpha t^2 / 2. In free flight alpha is 0. In a contact step it is the mean
 /// angular acceleration of the step.
 struct Motion2 : Path<2> {
   double angle = 0, w = 0, alpha = 0;
+  Swell swell = {};  ///< of a pneumatic disk
 
   double angle_at(double t) const { return angle + t * (w + 0.5 * t * alpha); }
   double spin(double t) const { return w + t * alpha; }

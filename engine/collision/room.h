@@ -19,7 +19,8 @@ struct Ring {
 /// The wall of a hollow disk about the origin of its frame. `from` is a place, seen from the centre.
 class Room2 {
  public:
-  explicit Room2(const Placed2& room) : radius_(room.shape.radius) {}
+  /// `swell` [m]: by how much its radius is larger than given.
+  explicit Room2(const Placed2& room, double swell = 0) : radius_(room.shape.radius + swell) {}
 
   /// How far a place is from the wall [m]: R - rho. The region is convex, so the gap is a concave function of
   /// the place, and over a hull it is least at one of its points.

@@ -48,7 +48,11 @@ class RoomSearch2 {
   std::array<double, 5> clearance() const { return {-1, 0, 0, 0, 0}; }
 
   double lasts(double t) const {
-    const Room2 wall({room_.shape, {}});
+    const Swell &of_room = room_.motion.swell, &of_other = other_.motion.swell;
+    const Room2 wall({room_.shape, {}}, of_room.at(t));
+    // What the radii change of the gap
+    const double opens = of_room.rate_at(t) - of_other.rate_at(t);
+    const double closing = std::max(0.0, of_other.growth - of_room.growth);
     const Rotation2 r = Rotation2::from_angle(other_.motion.angle_at(t));
     const double w = other_.motion.spin(t), left = end_ - t;
     const double w_max = std::max(std::abs(w), std::abs(other_.motion.spin(end_)));
@@ -56,24 +60,26 @@ class RoomSearch2 {
     const Vec2 velocity = other_.motion.velocity(t) - room_.motion.velocity(t);
     const double pull = (other_.motion.a - room_.motion.a).norm();
     const Vec2 middle = middle_of(other_.shape);
+    const double fastest = std::abs(opens) + std::abs(of_room.growth - of_other.growth) * left;
     if (const Vec2 at = away + r * middle; !wall.holds(at))
-      return outside_for(-wall.gap(at), velocity.norm() + pull * left + w_max * middle.norm(), search_.size,
-                         left);
+      return outside_for(-wall.gap(at), velocity.norm() + pull * left + w_max * middle.norm() + fastest,
+                         search_.size, left);
     double least = forever;
     for (std::size_t i = 0; i < other_.shape.points.size(); ++i) {
       if (held_[i] && search_.held_are_solved) continue;
       const Vec2 arm = r * other_.shape.points[i], place = away + arm, rate = velocity + cross(w, arm);
-      const double bend = pull + (w_max * w_max + std::abs(other_.motion.alpha)) * arm.norm();
+      const double bend = closing + pull + (w_max * w_max + std::abs(other_.motion.alpha)) * arm.norm();
       const auto gap = [&](double time) {
-        return wall.gap(place + time * rate) - other_.shape.radius + search_.slack - 0.5 * time * time * bend;
+        return wall.gap(place + time * rate) - (other_.shape.radius + of_other.at(t)) + time * opens +
+               search_.slack - 0.5 * time * time * bend;
       };
       const bool opened = held_[i] && t == 0;
       if (!opened && gap(0.0) < -scale_.deep) {
-        const double fast = velocity.norm() + pull * left + w_max * arm.norm();
+        const double fast = velocity.norm() + pull * left + w_max * arm.norm() + fastest;
         least = std::min(least, outside_for(-gap(0.0), fast, search_.size, left));
         continue;
       }
-      const double slope = place.norm() > 0 ? wall.normal(place).dot(rate) : -rate.norm();
+      const double slope = (place.norm() > 0 ? wall.normal(place).dot(rate) : -rate.norm()) + opens;
       least = std::min(least, within(left, left, safe_root(gap, slope, left, scale_, opened)));
     }
     return least;

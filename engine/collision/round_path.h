@@ -18,4 +18,16 @@ std::array<double, 5> ball_gap(const Path<D>& relative, double r, double gap) {
           v.dot(a) * scale, 0.25 * a.squaredNorm() * scale};
 }
 
+/// The same where the sum of the radii is r + swell' t + swell'' t^2 / 2, in (|x(t)|^2 - r(t)^2) / (2 r).
+template <int D>
+std::array<double, 5> ball_gap(const Path<D>& relative, double r, const Swell& swell, double gap) {
+  std::array<double, 5> square = ball_gap(relative, r, gap);
+  const double r1 = swell.rate, r2 = 0.5 * swell.growth, scale = 0.5 / r;
+  square[1] -= 2 * r * r1 * scale;
+  square[2] -= (r1 * r1 + 2 * r * r2) * scale;
+  square[3] -= 2 * r1 * r2 * scale;
+  square[4] -= r2 * r2 * scale;
+  return square;
+}
+
 }  // namespace flyrock

@@ -26,8 +26,10 @@ class DiskSearch {
     const bool held = search_.holds(feature_, segment_id(i));
     if (held && search_.held_are_solved) return;
     const Vec2& n = terrain_.normal(i);
-    const std::array<double, 3> gap{search_.start_gap(n.dot(motion_.x - terrain_.start(i)) - radius_, held),
-                                    n.dot(motion_.v), 0.5 * n.dot(motion_.a)};
+    const Swell& swell = motion_.swell;
+    const std::array<double, 3> gap{
+        search_.start_gap(n.dot(motion_.x - terrain_.start(i)) - (radius_ + swell.by), held),
+        n.dot(motion_.v) - swell.rate, 0.5 * (n.dot(motion_.a) - swell.growth)};
     const auto t = first_approach(gap, window.a, window.b);
     if (!t || (best && *t >= *best)) return;
     const Vec2 from_start = motion_.position(*t) - terrain_.start(i);
@@ -42,7 +44,9 @@ class DiskSearch {
     const bool held = search_.holds(feature_, corner_id(i));
     if (held && search_.held_are_solved) return;
     const Path<2> relative{motion_.x - terrain_.point(i), motion_.v, motion_.a};
-    const auto square = ball_gap(relative, radius_, search_.start_gap(relative.x.norm() - radius_, held));
+    const double start = radius_ + motion_.swell.by;
+    const auto square =
+        ball_gap(relative, start, motion_.swell, search_.start_gap(relative.x.norm() - start, held));
     const auto t = first_approach(square, window.a, window.b);
     if (t && (!best || *t < *best)) best = t;
   }
@@ -93,7 +97,7 @@ double TouchSearch::start_gap(double gap, bool just_opened) const {
 std::optional<double> time_of_contact(const Contactor2& contactor, int contactor_index, const Motion2& motion,
                                       const Terrain2& terrain, double t_max, const TouchSearch& search) {
   if (contactor.is_room()) return std::nullopt;
-  const double reach = contactor.bound;
+  const double reach = contactor.bound + motion.swell.greatest(t_max);
   const bool round = contactor.points.size() == 1 && contactor.points[0].isZero();
   const DiskSearch disk(contactor.radius, vertex_id(contactor_index, 0), motion, terrain, search);
   const MovingHull hull = hull_of(contactor, contactor_index, motion);

@@ -19,7 +19,9 @@ Faults<D>::Faults(const World<D>& world, bool exact_flight) : world_(world), exa
 
 template <int D>
 double Faults<D>::energy_of(const Body<D>& body) const {
-  return body.moves() ? body.kinetic_energy() - body.mass * world_.gravity().dot(body.x) : 0;
+  if (!body.moves()) return 0;
+  const double rigid = body.kinetic_energy() - body.mass * world_.gravity().dot(body.x);
+  return body.breathes() ? rigid + body.breathing.potential_energy() : rigid;
 }
 
 template <int D>

@@ -35,6 +35,8 @@ class Runner {
         running_(world.bodies.size()) {
     for (std::size_t i = 0; i < running_.size(); ++i) running_[i] = world.bodies[i].kind == BodyKind::dynamic;
     for (BodyHistory& history : histories) rest_.emplace_back(settings.stop_speed, history);
+    breathes_ = std::any_of(world.bodies.begin(), world.bodies.end(),
+                            [](const Body<D>& b) { return b.breathing.moves(); });
     in_air_ = std::any_of(world.bodies.begin(), world.bodies.end(),
                           [](const Body<D>& b) { return b.air.drag > 0; });
   }
@@ -54,7 +56,7 @@ class Runner {
         break;
       }
       const double before = world_.time;
-      in_contact = settings_.exact_flight && !in_contact ? fly() : step();
+      in_contact = settings_.exact_flight && !in_contact && !breathes_ ? fly() : step();
       end_bodies();
       // Bodies in contact touch again and again and time does not advance: advance by one short step that
       // ignores new impacts of pairs in contact; if time still does not advance, ignore all impacts.
@@ -333,6 +335,9 @@ class Runner {
       Body<D>& body = world_.bodies[i];
       if (!body.is_finite() || body.v.norm() > fastest) {
         take_out(i, "its state is not finite, or it is faster than 100 km/s");
+      } else if (body.breathing.collapsed()) {
+        take_out(
+            i, "its radius fell below 5 % of the one at rest: its gas and spring are too soft for this load");
       } else if (!domain.contains(body.x) || !is_over_ground(world_.terrain(), body.x)) {
         histories_[i].fault = left_text(domain, body.x);
         end(i, StopReason::left_domain);
@@ -360,6 +365,7 @@ class Runner {
   std::vector<bool> touching_, slipping_;
   std::vector<Moment<D>> starts_;
   std::vector<Motion> flights_;  ///< of the last flight or step, from its start
+  bool breathes_ = false;        ///< the radius of a body changes in the air too: flights are made of steps
   bool in_air_ = false;
   std::vector<std::array<Vec<D>, 2>> accelerations_;  ///< accelerations by the air in the current leg
   int stalled_ = 0;

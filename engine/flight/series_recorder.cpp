@@ -82,6 +82,9 @@ void SeriesRecorder<D>::put(int body, const BodyState& state, const Attitude<D>&
                           b.kind == BodyKind::dynamic ? -b.mass * world_.gravity().dot(place) : 0,
                           quaternion_of(attitude)});
   rows_.bodies.back().state.position.template head<D>() = place;
+  if (!b.breathes()) return;
+  rows_.bodies.back().potential_energy += b.breathing.potential_energy();
+  rows_.bodies.back().radius = b.breathing.now.radius;
 }
 
 template <int D>

@@ -11,6 +11,7 @@
 #include "geometry/contactor.h"
 #include "geometry/contactor3.h"
 #include "geometry/own_mass.h"
+#include "geometry/pneumatic.h"
 #include "plugin/params.h"
 #include "plugin/terrain_view.h"
 #include "random/stream.h"
@@ -21,7 +22,8 @@ namespace flyrock {
 template <int D>
 struct ShapeAnswer {
   std::vector<std::conditional_t<D == 2, Contactor2, Contactor3>> contactors;
-  OwnMass<D> own = {};  ///< in place of what follows from the contactors
+  OwnMass<D> own = {};                      ///< in place of what follows from the contactors
+  std::optional<Pneumatic> pneumatic = {};  ///< in 2D: the only contactor is a ring whose radius moves
 };
 
 /// `shape`: one rock. A model implements build() or build_3d(), and the engine computes mass, centre and

@@ -65,6 +65,7 @@ Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, con
   if constexpr (D == 2) {
     body = make_body(std::move(shape.contactors), density, mass,
                      group.thickness ? number(*group.thickness, rock.key) : 0, shape.own);
+    if (shape.pneumatic) make_pneumatic(body, *shape.pneumatic);
     body.attitude = plan.orientation    ? *plan.orientation
                     : group.orientation ? number(*group.orientation, rock.key)
                                         : turn.uniform(0, 2 * pi);

@@ -251,6 +251,7 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
     if constexpr (D == 2) {
       body = make_body(std::move(shape.contactors), density, mass,
                        plan.thickness ? value(*plan.thickness) : 0, shape.own);
+      if (shape.pneumatic) make_pneumatic(body, *shape.pneumatic);
       body.attitude = value(plan.orientation);
     } else {
       body = at_path(path + "shape",

@@ -7,6 +7,21 @@
 
 namespace flyrock {
 
+/// By how fast the radii of the bodies of a contact open its gap [m/s].
+template <int D>
+double World<D>::shape_speed(const Contact& contact) const {
+  double speed = 0;
+  for (const int i : {contact.candidate, contact.antagonist})
+    if (i >= 0 && bodies[i].breathes()) speed += bodies[i].breathing.side * bodies[i].breathing.now.rate;
+  return speed;
+}
+
+/// The part of M^-1 of the shape: dR' of a body for an impulse along its radius; 0 for a rigid body.
+template <int D>
+double World<D>::mobility_of_shape(int body) const {
+  return bodies[body].breathes() ? bodies[body].breathing.inverse_mass(theta_h_) : 0.0;
+}
+
 template <int D>
 typename World<D>::Row World<D>::relative_velocity(const Contact& contact) const {
   const Body<D>& a = bodies[contact.candidate];
@@ -16,7 +31,9 @@ typename World<D>::Row World<D>::relative_velocity(const Contact& contact) const
     v -= bodies[contact.antagonist].velocity_at(contact.at.point);
     spin -= bodies[contact.antagonist].w;
   }
-  return contact_velocity<D>(contact.at.normal, v, spin);
+  Row u = contact_velocity<D>(contact.at.normal, v, spin);
+  if (const double opens = shape_speed(contact); opens != 0) u[0] += opens;
+  return u;
 }
 
 /// The acceleration of the point of contact relative to the centre of a body that turns, w x (w x lever). A
@@ -67,6 +84,7 @@ template <int D>
 void World<D>::assemble(double h, bool warm) {
   const auto turns = [](const Contact& c) { return c.law.mu_r > 0 || c.law.mu_spin > 0; };
   problem_.clear(std::any_of(contacts_.begin(), contacts_.end(), turns) ? Problem::rows : D);
+  theta_h_ = settings_.theta * h;
   rows_.clear();
   impulses_.clear();
   for (auto& list : contacts_of_) list.clear();
@@ -114,11 +132,14 @@ void World<D>::couple() {
       for (int k = 0; k < Problem::rows; ++k)
         mobility.col(k) = bodies[body].inverse_mass_times(of(a, body).col(k));
       problem_.contacts[a].w.noalias() += mobility.transpose() * of(a, body);
+      const double of_shape = mobility_of_shape(body);  // side^2 = 1
+      if (of_shape > 0) problem_.contacts[a].w(0, 0) += of_shape;
       for (const int b : contacts_of_[body]) {
         if (b == a) continue;
         typename Problem::Block w = Problem::Block::Zero();
         w.template topLeftCorner<N, N>().noalias() =
             mobility.template leftCols<N>().transpose() * of(b, body).template leftCols<N>();
+        if (of_shape > 0) w(0, 0) += of_shape;
         problem_.couple(b, w);
       }
     }
@@ -160,6 +181,8 @@ void World<D>::scale_by_island(double h) {
 }
 
 #define FLYROCK_INSTANTIATE(D)                                              \
+  template double World<D>::shape_speed(const Contact&) const;              \
+  template double World<D>::mobility_of_shape(int) const;                   \
   template World<D>::Row World<D>::relative_velocity(const Contact&) const; \
   template World<D>::Row World<D>::turning_of(const Contact&) const;        \
   template void World<D>::measure_before(double);                           \

@@ -54,6 +54,23 @@ Body<2> make_body(std::vector<Contactor2> contactors, double density, double mas
   return body;
 }
 
+void make_pneumatic(Body<2>& body, const Pneumatic& filling) {
+  const Contactor2& ring = body.contactors.front();
+  const double share = ring.is_room() ? 1 : 0.5;
+  body.inertia = share * body.mass * ring.radius * ring.radius;
+  body.breathing = {.now = {ring.radius, 0},
+                    .mass = filling.radial_mass.value_or(share * body.mass),
+                    .rest_radius = ring.radius,
+                    .moment = body.inertia,
+                    .thickness = body.volume / area_properties(body.contactors).area,
+                    .pressure = filling.pressure,
+                    .outside = filling.outside,
+                    .gamma = filling.gamma,
+                    .stiffness = filling.stiffness,
+                    .damping = filling.damping,
+                    .side = ring.is_room() ? 1.0 : -1.0};
+}
+
 Body<3> make_body(std::vector<Contactor3> contactors, double density, double mass, const OwnMass<3>& own) {
   const VolumeProperties properties = volume_properties(contactors);
   const PrincipalFrame principal = principal_frame(own.inertia.value_or(properties.inertia));
@@ -74,6 +91,24 @@ Body<3> make_body(std::vector<Contactor3> contactors, double density, double mas
   body.attitude = principal.rotation;
   if (body.contactors[0].circles.empty() && is_point(body)) make_point(body);
   return body;
+}
+
+template <>
+void Body<2>::set_shape(const Breathing::State& wanted) {
+  if (!breathing.moves()) return;
+  Breathing::State state = wanted;
+  state.radius = std::max(state.radius, breathing.least_radius());  // where the ring counts as collapsed
+  if (state.radius != breathing.now.radius) {
+    Contactor2& ring = contactors.front();
+    const double moment = breathing.moment_at(state.radius);
+    w *= inertia / moment;
+    inertia = moment;
+    if (ring.is_room()) ring.outer *= state.radius / ring.radius;
+    ring.radius = state.radius;
+    ring.bound = size = ring.is_room() ? ring.outer : ring.radius;
+    radius = ring.is_room() ? std::sqrt(ring.outer * ring.outer - ring.radius * ring.radius) : ring.radius;
+  }
+  breathing.now = state;
 }
 
 Vec3 free_spin(const Body<3>& body, double h, double theta, const Vec3& by_contacts) {

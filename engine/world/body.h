@@ -7,7 +7,9 @@
 
 #include "collision/geometry.h"
 #include "geometry/own_mass.h"
+#include "geometry/pneumatic.h"
 #include "world/air.h"
+#include "world/breathing.h"
 
 namespace flyrock {
 
@@ -77,6 +79,8 @@ struct Body {
   Attitude<D> attitude;
   Spin w = no_spin();  ///< rad/s, world frame
 
+  Breathing breathing;  ///< of a pneumatic disk; of a rigid body mass 0
+
   Air<D> air;  ///< the air around the body
   /// m/s2, acceleration by the air in the current flight or step; of a driven body the given one
   Vec<D> push = Vec<D>::Zero();
@@ -98,10 +102,15 @@ struct Body {
   void add_velocity(const Rows& dv);
   /// Moves the body by the small displacement (dx, turn).
   void displace(const Rows& by);
+  /// Gives the shape this state: its contactor, the moment of inertia, and the bounds. The spin keeps J w.
+  void set_shape(const Breathing::State& state);
+  /// Lets the radius of a pneumatic disk grow [m].
+  void swell(double by) { set_shape({breathing.now.radius + by, breathing.now.rate}); }
+  bool breathes() const { return breathing.moves() && moves(); }
   void move_to(const Vec<D>& position, const Attitude<D>& turned) { x = position, attitude = turned; }
   typename Geometry<D>::Pose pose() const { return {x, attitude.rotation}; }
   double spin_speed() const { return flyrock::spin_speed(w); }  ///< |w|, rad/s
-  /// 1/2 (m v.v + w.I w) [J]; 0 for a body that is not dynamic.
+  /// 1/2 (m v.v + w.I w + m_R R'^2) [J]; 0 for a body that is not dynamic.
   double kinetic_energy() const;
   Vec<D> velocity_at(const Vec<D>& point) const {
     const Vec<D> lever = point - x;
@@ -178,9 +187,16 @@ inline double twice_spin_energy(const Body<3>& body, const Attitude<3>& attitude
 }
 template <int D>
 double Body<D>::kinetic_energy() const {
-  return kind == BodyKind::dynamic ? 0.5 * (mass * v.squaredNorm() + twice_spin_energy(*this, attitude, w))
-                                   : 0.0;
+  if (kind != BodyKind::dynamic) return 0;
+  const double rigid = 0.5 * (mass * v.squaredNorm() + twice_spin_energy(*this, attitude, w));
+  return breathing.moves() ? rigid + breathing.kinetic_energy() : rigid;
 }
+
+template <>
+void Body<2>::set_shape(const Breathing::State& state);
+/// In 3D all bodies are rigid.
+template <>
+inline void Body<3>::set_shape(const Breathing::State&) {}
 
 /// Makes a dynamic body of contactors. Moves the contactors to the centre of mass and computes area, volume,
 /// mass and inertia exactly, as sums over the contactors: where two overlap, the overlap counts twice.
@@ -188,6 +204,10 @@ double Body<D>::kinetic_energy() const {
 /// takes the place of what it gives; its mass that of both.
 Body<2> make_body(std::vector<Contactor2> contactors, double density, double mass, double thickness,
                   const OwnMass<2>& own = {});
+
+/// Gives a body of one disk or hollow disk a radius that moves (world/breathing.h). Its mass is in the ring:
+/// the moment of inertia is m R^2/2 of a disk and m R^2 of a hollow disk. Its thickness is that of make_body.
+void make_pneumatic(Body<2>& body, const Pneumatic& filling);
 
 /// The same in 3D. The body's frame becomes the principal frame, and the attitude maps it to the frame in
 /// which the contactors were given.

@@ -20,11 +20,21 @@ double World<D>::step_length() {
   return std::min(control_.length(bodies, touching_), longest_of_springs());
 }
 
-/// The longest step that gives the springs and dampers of the last step or impact enough steps a period [s].
+/// The greatest angular frequency of the radii that move [rad/s]; 0 if all bodies are rigid.
+template <int D>
+double World<D>::fastest_breath() const {
+  double fastest = 0;
+  for (const Body<D>& body : bodies)
+    if (body.breathes()) fastest = std::max(fastest, body.breathing.frequency(body.spin_speed()));
+  return fastest;
+}
+
+/// The longest step that gives the springs and dampers of the last step or impact, and the radii that move,
+/// enough steps a period [s].
 template <int D>
 double World<D>::longest_of_springs() const {
-  return spring_or_damper_rate_ > 0 ? 2 * pi / steps_a_period / spring_or_damper_rate_
-                                    : std::numeric_limits<double>::infinity();
+  const double fastest = std::max(spring_or_damper_rate_, fastest_breath());
+  return fastest > 0 ? 2 * pi / steps_a_period / fastest : std::numeric_limits<double>::infinity();
 }
 
 /// What friction leaves in doubt: half of what friction and resistance to rolling would change of each body
@@ -82,6 +92,7 @@ std::span<const double> World<D>::doubt_of_friction(double h) {
 
 #define FLYROCK_INSTANTIATE(D)                          \
   template double World<D>::step_length();              \
+  template double World<D>::fastest_breath() const;     \
   template double World<D>::longest_of_springs() const; \
   template std::span<const double> World<D>::doubt_of_friction(double)
 FLYROCK_INSTANTIATE(2);

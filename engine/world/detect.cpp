@@ -239,9 +239,14 @@ double World<D>::gap_at(const Contact& c, bool at_start) const {
     const typename Geometry<D>::Pose pose{start.x, start.attitude.rotation};
     return Placed{bodies[body].contactors[contactor_of(feature)], pose};
   };
+  // What the radii have opened of it since the start
+  double opened = 0;
+  for (const int i : {c.candidate, c.antagonist})
+    if (at_start && i >= 0 && bodies[i].breathes())
+      opened += bodies[i].breathing.side * (bodies[i].breathing.now.radius - starts_[i].shape.radius);
   const Placed candidate = placed(c.candidate, c.at.feature);
-  if (c.antagonist < 0) return feature_gap(candidate, c.at.feature, *terrain_, c.at.against);
-  return feature_gap(candidate, c.at.feature, placed(c.antagonist, c.at.against), c.at.against);
+  if (c.antagonist < 0) return feature_gap(candidate, c.at.feature, *terrain_, c.at.against) - opened;
+  return feature_gap(candidate, c.at.feature, placed(c.antagonist, c.at.against), c.at.against) - opened;
 }
 
 template <int D>

@@ -16,7 +16,12 @@ Motion3 free_motion(const Body<3>& body, const Moment<3>& start, const Vec3& gra
 
 Motion2 step_motion(const Moment<2>& start, const Body<2>& b, double h, double theta) {
   const double rate = 2 * theta / h;
-  return {{start.x, start.v, rate * (b.v - start.v)}, start.attitude.angle, start.w, rate * (b.w - start.w)};
+  Motion2 motion{
+      {start.x, start.v, rate * (b.v - start.v)}, start.attitude.angle, start.w, rate * (b.w - start.w)};
+  if (b.breathes())
+    motion.swell = {start.shape.radius - b.breathing.now.radius, start.shape.rate,
+                    rate * (b.breathing.now.rate - start.shape.rate)};
+  return motion;
 }
 
 Motion3 step_motion(const Moment<3>& start, const Body<3>& b, double h, double theta) {

@@ -23,10 +23,11 @@ struct Moment {
   Vec<D> x, v;
   Attitude<D> attitude;
   typename Space<D>::Spin w;
+  Breathing::State shape;
 };
 template <int D>
 Moment<D> moment_of(const Body<D>& body) {
-  return {body.x, body.v, body.attitude, body.w};
+  return {body.x, body.v, body.attitude, body.w, body.breathing.now};
 }
 
 /// The motion from `start` under gravity and the acceleration by the air, without torque. A body that forces
@@ -43,5 +44,11 @@ Motion3 step_motion(const Moment<3>& start, const Body<3>& body, double h, doubl
 /// The same with the constant mean velocities of the step.
 Motion2 mean_motion(const Moment<2>& start, const Body<2>& body, double h);
 Motion3 mean_motion(const Moment<3>& start, const Body<3>& body, double h);
+
+/// By how much the shape grows at most along a motion of length h [m].
+inline double greatest_swell(const Motion2& motion, double h) {
+  return std::max(0.0, motion.swell.greatest(h));
+}
+inline double greatest_swell(const Motion3&, double) { return 0; }
 
 }  // namespace flyrock

@@ -80,6 +80,8 @@ void World<D>::solve_and_apply() {
     const auto apply = [&](int i, const auto& rows) {
       if (i < 0) return;
       bodies[i].add_velocity(bodies[i].inverse_mass_times(rows * contact.impulse));
+      if (bodies[i].breathes())
+        bodies[i].breathing.now.rate += mobility_of_shape(i) * bodies[i].breathing.side * contact.impulse[0];
       unsolved_[i] = {result.residual, time};
     };
     apply(contact.candidate, rows_[a].candidate);
@@ -93,6 +95,7 @@ typename World<D>::Row World<D>::velocity_after(int a, double h) const {
   const Contact& contact = contacts_[a];
   Row u = rows_[a].candidate.transpose() * bodies[contact.candidate].velocity();
   if (contact.antagonist >= 0) u += rows_[a].antagonist.transpose() * bodies[contact.antagonist].velocity();
+  if (const double opens = shape_speed(contact); opens != 0) u[0] += opens;
   if (h > 0) u += settings_.theta * h * contact.turning;
   return u;
 }
@@ -227,6 +230,14 @@ void World<D>::audit_energy(double h) {
       spring_energy_in_doubt_ =
           std::max(spring_energy_in_doubt_, 0.25 * angle * angle * energy + force * place);
     }
+  }
+  // The gas and the spring of a shape give back what they took to the same order.
+  if (const double angle = h * fastest_breath(); angle > 0) {
+    double of_shapes = 0;
+    for (const Body<D>& body : bodies)
+      if (body.breathes())
+        of_shapes += body.breathing.kinetic_energy() + std::abs(body.breathing.potential_energy());
+    spring_energy_in_doubt_ = std::max(spring_energy_in_doubt_, 0.25 * angle * angle * of_shapes);
   }
   for (double& gain : island_gain_) {
     if (h == 0) energy_given_ += std::max(0.0, gain);

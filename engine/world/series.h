@@ -2,6 +2,7 @@
 // What a run records over time (`output.series`): bodies, contacts and solves, in SI units.
 
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct SeriesBody {
   BodyState state;
   double potential_energy = 0;                ///< J, above height 0 of the scenario
   std::array<double, 4> turn = {1, 0, 0, 0};  ///< 3D: attitude, as in TrajectoryPoint
+  double radius = std::numeric_limits<double>::quiet_NaN();  ///< m, of a pneumatic disk; NaN: a rigid body
 };
 
 /// The state of a contact. `open`: within reach, but without a force in this step.

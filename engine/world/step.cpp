@@ -24,6 +24,7 @@ void World<D>::restore() {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Moment<D>& start = starts_[i];
     bodies[i].move_to(start.x, start.attitude);
+    bodies[i].set_shape(start.shape);
     bodies[i].v = start.v;
     bodies[i].w = start.w;
     bodies[i].impacts = impacts_before_[i];
@@ -52,7 +53,10 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
   free_spins_.resize(bodies.size());
   const auto drift = [&](double dt) {
     for (Body<D>& body : bodies)
-      if (body.present && body.kind != BodyKind::fixed) body.displace(dt * body.velocity());
+      if (body.present && body.kind != BodyKind::fixed) {
+        body.displace(dt * body.velocity());
+        if (body.breathes()) body.swell(dt * body.breathing.now.rate);
+      }
   };
   impacts_.clear();
   save();
@@ -84,6 +88,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
       if (!body.moves()) continue;
       body.w = free_spin(body, h, theta, h * by_contacts_[i]);
       free_spins_[i] = body.w;
+      if (body.breathes()) body.breathing.now.rate = body.breathing.free_rate(body.spin_speed(), h, theta);
     }
     begin_manifolds();
     ask_laws(h);
@@ -114,7 +119,8 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
       return {0, true, true};
     }
   }
-  quality_.max_spring_angle = std::max(quality_.max_spring_angle, h * spring_rate_);
+  quality_.max_spring_angle =
+      std::max(quality_.max_spring_angle, h * std::max(spring_rate_, fastest_breath()));
   quality_.max_penetration = std::max(quality_.max_penetration, drifted.penetration);
   if (chooses) control_.finished(bodies, starts_, h, error, longest_of_springs());
   measure_after(h);
@@ -234,7 +240,7 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
   if (!bodies_meet()) return first;
   boxes_.clear();
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    boxes_.push_back(swept_box<D>(motions_[i], bodies[i].size, h));
+    boxes_.push_back(swept_box<D>(motions_[i], bodies[i].size + greatest_swell(motions_[i], h), h));
   for (const auto& [i, j] : broad_phase_.template pairs<D>(boxes_)) {
     const Body<D>&a = bodies[i], &b = bodies[j];
     if (!a.present || !b.present || (!a.moves() && !b.moves())) continue;
@@ -263,6 +269,7 @@ void World<D>::project_drift(bool exact) {
   // the body; one less deep than `left` waits for the next step.
   constexpr double deepest = 1e-3, left = 1e-6;
   drift_.assign(bodies.size(), Body<D>::Rows::Zero());
+  swell_.assign(bodies.size(), 0.0);
   gaps_.clear();
   for (const Contact& c : contacts_) {
     const double gap = gap_at(c, false);
@@ -276,6 +283,8 @@ void World<D>::project_drift(bool exact) {
     const Contact& c = contacts_[a];
     double gap = *gaps_[a] + rows_[a].candidate.col(0).dot(drift_[c.candidate]);
     if (c.antagonist >= 0) gap += rows_[a].antagonist.col(0).dot(drift_[c.antagonist]);
+    for (const int i : {c.candidate, c.antagonist})
+      if (i >= 0 && bodies[i].breathes()) gap += bodies[i].breathing.side * swell_[i];
     return gap;
   };
   const auto close = [&](std::size_t a, double gap) {
@@ -284,6 +293,9 @@ void World<D>::project_drift(bool exact) {
     drift_[c.candidate] += bodies[c.candidate].inverse_mass_times(lambda * rows_[a].candidate.col(0));
     if (c.antagonist >= 0)
       drift_[c.antagonist] += bodies[c.antagonist].inverse_mass_times(lambda * rows_[a].antagonist.col(0));
+    for (const int i : {c.candidate, c.antagonist})
+      if (i >= 0 && bodies[i].breathes())
+        swell_[i] += mobility_of_shape(i) * bodies[i].breathing.side * lambda;
   };
   for (int pass = 0; pass < closing; ++pass)
     for (std::size_t a = 0; a < contacts_.size(); ++a)
@@ -301,7 +313,10 @@ void World<D>::project_drift(bool exact) {
     }
   }
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (bodies[i].moves()) bodies[i].displace(drift_[i]);
+    if (bodies[i].moves()) {
+      bodies[i].displace(drift_[i]);
+      if (bodies[i].breathes()) bodies[i].swell(swell_[i]);
+    }
 }
 
 /// Keeps the contacts for the next step, and reports whether any of them stays closed.

@@ -90,6 +90,8 @@ double World<D>::total_energy() const {
   double energy = 0;
   for (const Body<D>& body : bodies)
     if (body.moves()) energy += body.kinetic_energy() - body.mass * gravity_.dot(body.x);
+  for (const Body<D>& body : bodies)
+    if (body.breathes()) energy += body.breathing.potential_energy();
   for (const Contact& c : last_) {
     if (c.law.condition != NormalCondition::penalty) continue;
     energy += elastic_energy(c.law.spring, -gap_at(c, false)) +

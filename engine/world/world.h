@@ -219,6 +219,8 @@ class World {
   void ask_laws(double h);
 
   // assemble.cpp: the friction problem
+  double shape_speed(const Contact& contact) const;
+  double mobility_of_shape(int body) const;
   Row relative_velocity(const Contact& contact) const;
   Row turning_of(const Contact& contact) const;
   void measure_before(double h);
@@ -247,6 +249,7 @@ class World {
 
   // choose_step.cpp: the length of a step by its error
   bool chooses_steps() const { return settings_.step_tolerance > 0; }
+  double fastest_breath() const;
   double longest_of_springs() const;
   std::span<const double> doubt_of_friction(double h);
 
@@ -267,6 +270,7 @@ class World {
   StepControl<D> control_;
   double last_step_ = 0;   ///< s
   double reach_time_ = 0;  ///< s, the longer of this step and the last one; fixed steps: their length
+  double theta_h_ = 0;     ///< s, theta times the step that is solved; 0 in an impact
   /// rad/s, the greatest sqrt(k W) of the springs in the last step or impact, and with the c W of the dampers
   double spring_rate_ = 0, spring_or_damper_rate_ = 0;
   double energy_given_ = 0;                                  ///< J
@@ -315,6 +319,7 @@ class World {
   std::vector<Surface*> surfaces_;   ///< those with memory of a pair, each once
   std::vector<double> memory_;       ///< memory of the surfaces at the start of the step
   std::vector<typename Body<D>::Rows> drift_;
+  std::vector<double> swell_;                ///< m, of the radii of pneumatic disks, as drift_
   std::vector<std::optional<double>> gaps_;  ///< gaps of the contacts whose drift is projected out
 };
 

@@ -119,6 +119,8 @@ using Numbers = std::vector<double>;
 const std::vector<Row> rows{
     {"disk", 2, {{"radius", 0.3}}, pi * 0.09, pi * 0.0081 / 2},
     {"hollow_disk", 2, {{"radius", 0.3}, {"outer", 0.5}}, pi * 0.16, pi*(0.0625 - 0.0081) / 2},
+    {"pneumatic_disk", 2, {{"radius", 0.3}, {"pressure", 2e5}}, pi * 0.09, pi * 0.0081 / 2},
+    {"pneumatic_hollow_disk", 2, {{"radius", 0.3}, {"pressure", 2e5}}, none, none},
     // A rectangle, and two half-disks whose centroids lie 4 r / (3 pi) beyond its ends
     {"wall",
      2,

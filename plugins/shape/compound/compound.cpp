@@ -83,6 +83,10 @@ class Compound : public ShapeModel {
             fmt::format("plugin compound: parts.{} ({}) answers with a mass of its own, expected parts whose "
                         "volume gives mass, centre and inertia",
                         i, part.shape.plugin->spec.name));
+      if (shape.pneumatic)
+        throw PluginError(
+            fmt::format("plugin compound: parts.{} ({}) changes its radius, expected rigid parts", i,
+                        part.shape.plugin->spec.name));
       for (auto& contactor : shape.contactors) {
         if (contactor.is_room())
           throw PluginError(
