@@ -123,6 +123,16 @@ void add(Numbers& answer, const ShapeAnswer<D>& shape) {
   if (own.mass) answer.push_back(*own.mass);
   if (own.centre) answer.insert(answer.end(), own.centre->begin(), own.centre->end());
   if (own.inertia) add(answer, *own.inertia);
+  if (!shape.pneumatic) return;
+  const Pneumatic& ring = *shape.pneumatic;
+  for (const double number : {ring.pressure, ring.outside, ring.gamma, ring.stiffness, ring.damping}) {
+    if (!(std::isfinite(number) && number >= 0))
+      fail("a parameter of a pneumatic ring is negative or not finite");
+    answer.push_back(number);
+  }
+  if (ring.radial_mass && !(*ring.radial_mass > 0))
+    fail("the radial mass of a pneumatic ring is not positive");
+  if (ring.radial_mass) answer.push_back(*ring.radial_mass);
 }
 
 /// Calls the plugin, and adds the inputs of the call to the message of an error.

@@ -41,6 +41,12 @@ double Breathing::potential_energy() const {
   return of_gas + of_air + 0.5 * stiffness * stretch * stretch;
 }
 
+double Breathing::exchanged_energy(double w) const {
+  const double moment_now = moment_at(now.radius);
+  const double of_spin = 0.5 * moment_now * w * w * (1 - moment_now / moment);  // J w is kept
+  return kinetic_energy() + std::abs(potential_energy()) + std::abs(of_spin);
+}
+
 double Breathing::free_rate(double w, double h, double theta) const {
   return now.rate + h * inverse_mass(theta * h) * (force(w) - damping * now.rate);
 }

@@ -39,6 +39,8 @@ struct Breathing {
   /// The energy of the gas, of the air outside and of the spring [J]; 0 at R_0.
   double potential_energy() const;
   double kinetic_energy() const { return 0.5 * mass * now.rate * now.rate; }
+  /// The energy that the radius holds, and what it has taken from the spin w [rad/s] or given to it [J].
+  double exchanged_energy(double w) const;
   /// dR' for an impulse [N s] along the radius. In a step of length h the damping acts on the rate
   /// (1 - theta) R' + theta R'+, so it resists the impulse too.
   double inverse_mass(double theta_h) const { return 1 / (mass + theta_h * damping); }

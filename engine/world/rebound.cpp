@@ -235,8 +235,7 @@ void World<D>::audit_energy(double h) {
   if (const double angle = h * fastest_breath(); angle > 0) {
     double of_shapes = 0;
     for (const Body<D>& body : bodies)
-      if (body.breathes())
-        of_shapes += body.breathing.kinetic_energy() + std::abs(body.breathing.potential_energy());
+      if (body.breathes()) of_shapes += body.breathing.exchanged_energy(body.spin_speed());
     spring_energy_in_doubt_ = std::max(spring_energy_in_doubt_, 0.25 * angle * angle * of_shapes);
   }
   for (double& gain : island_gain_) {

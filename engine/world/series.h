@@ -14,8 +14,8 @@ namespace flyrock {
 struct SeriesBody {
   std::string body;
   BodyState state;
-  double potential_energy = 0;                ///< J, above height 0 of the scenario
-  std::array<double, 4> turn = {1, 0, 0, 0};  ///< 3D: attitude, as in TrajectoryPoint
+  double potential_energy = 0;                               ///< J, above height 0 of the scenario
+  std::array<double, 4> turn = {1, 0, 0, 0};                 ///< 3D: attitude, as in TrajectoryPoint
   double radius = std::numeric_limits<double>::quiet_NaN();  ///< m, of a pneumatic disk; NaN: a rigid body
 };
 

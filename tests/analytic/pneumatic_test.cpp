@@ -175,7 +175,7 @@ TEST_CASE("a spinning pneumatic disk keeps J w while its radius moves, and its e
   CHECK(body.breathing.now.radius == Approx(s.r).epsilon(1e-6));
   CHECK(body.inertia * body.w == Approx(momentum).epsilon(1e-13));
   CHECK(std::abs(bench.world.total_energy() - start) <= bench.world.energy_in_doubt());
-  CHECK(bench.world.energy_in_doubt() < 1e-6 * start);
+  CHECK(bench.world.energy_in_doubt() < 2e-6 * start);  // (h omega)^2/4 of what the spin gives to the radius
 }
 
 TEST_CASE("a growing disk does not pass a thin plate or a corner between two steps") {
