@@ -17,6 +17,7 @@ namespace flyrock {
 namespace {
 
 constexpr double forever = std::numeric_limits<double>::infinity();
+constexpr double most_sinking = 5e-5;  // of the size: of a point that another contact holds for now
 
 class PairSearch {
  public:
@@ -188,14 +189,16 @@ class PairSearch {
       const bool point_is_held = by_pairs_  ? hold != HeldPair::Hold::no
                                  : b_.facet ? held_.along(normal, i, j, sa)
                                             : on_edges && is_held;
-      if (point_is_held && search_.held_are_solved) {
+      // A contact of other features has this normal only now, so its point may sink along it by so much.
+      const bool may_sink = point_is_held && search_.held_are_solved && !by_pairs_ && !(is_held && on_edges);
+      if (point_is_held && search_.held_are_solved && !may_sink) {
         if (hold == HeldPair::Hold::for_now)
           least = std::min(least, within(drift_time(sa, sb, bounds.speed), end_ - t, forever));
         return;
       }
       const Vec3 away = sa.x + sa.arm(pa) - sb.x - sb.arm(pb);
-      least = std::min(
-          least, point_lasts(gap, slope, away.norm(), turn, turn_rate, bounds, point_is_held && t == 0, t));
+      least = std::min(least, point_lasts(gap + (may_sink ? most_sinking * search_.size : 0), slope,
+                                          away.norm(), turn, turn_rate, bounds, point_is_held && t == 0, t));
     };
     // The ends of the two edges are nearest. After them, most points of a cannot shorten the time, whichever
     // point of b they are compared with.

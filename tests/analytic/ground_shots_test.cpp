@@ -144,6 +144,10 @@ TEST_CASE("an edge that rests on an edge of the ground is not drawn to the edges
   to_rest(rough_mesh(2), 227, 228, 2);
 }
 
+TEST_CASE("an edge that lies on an edge of the ground does not hold the ends of the edges beside it") {
+  to_rest(rough_mesh(94), 209, 210, 94);
+}
+
 TEST_CASE("a sphere past a convex rim has the gap to the facet that it is over") {
   constexpr double radius = 0.5, fall = 0.1;
   const auto height = [](double x, double) { return x > 0 ? -x * std::tan(fall) : 0.0; };
