@@ -52,10 +52,10 @@ std::pair<std::size_t, std::size_t> judged(const fs::path& folder) {
   return {held, all};
 }
 
-int run_lab(const Lab& lab, const fs::path& folder, bool quiet) {
+int run_lab(const Lab& lab, const fs::path& folder, const Arguments& more) {
   static const Command command = {"run", "run SCENARIO [options]", "", run};
   Arguments words = {lab.scenario().string(), "-o", folder.string(), "--force"};
-  if (quiet) words.push_back("--quiet");
+  words.insert(words.end(), more.begin(), more.end());
   return run(command, words);
 }
 
@@ -64,7 +64,7 @@ int run_all(const std::vector<Lab>& list, const fs::path& folder) {
   std::size_t passed = 0;
   for (const Lab& lab : list) {
     const auto begin = std::chrono::steady_clock::now();
-    const int code = run_lab(lab, folder / lab.name, true);
+    const int code = run_lab(lab, folder / lab.name, {"--quiet"});
     if (code == bad_input || code == interrupted) return code;
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     const auto [held, all] = judged(folder / lab.name);
@@ -78,12 +78,14 @@ int run_all(const std::vector<Lab>& list, const fs::path& folder) {
   return passed == list.size() ? done : expectation_failed;
 }
 
-/// Shows the page of a lab, runs it, and says whether its expectations hold.
-int run_one(const Lab& lab, const fs::path& folder) {
+/// Shows the page of a lab, runs it with `changes` (path=value), and says whether its expectations hold.
+int run_one(const Lab& lab, const fs::path& folder, const Arguments& changes) {
   fmt::print("{}\n", read_file(lab.page()));
   fmt::print("--- {}\n", lab.scenario().filename().string());
   std::fflush(stdout);
-  const int code = run_lab(lab, folder / lab.name, false);
+  Arguments sets;
+  for (const std::string& change : changes) sets.insert(sets.end(), {"--set", change});
+  const int code = run_lab(lab, folder / lab.name, sets);
   if (code == bad_input || code == interrupted) return code;
   const auto [held, all] = judged(folder / lab.name);
   fmt::print("question: {}\nverdict: {} of {} expectations hold\n", lab.question, held, all);
@@ -96,7 +98,9 @@ int course(const Command& command, const Arguments& arguments) {
   po::options_description options("options");
   options.add_options()("list", "lists the labs with their questions")(
       "output,o", po::value<std::string>()->default_value("out/course")->value_name("DIR"),
-      "folder of the results, a folder for each lab; existing results are replaced");
+      "folder of the results, a folder for each lab; existing results are replaced")(
+      "set", po::value<Arguments>()->composing()->value_name("path=value"),
+      "sets a value of the lab's scenario; may be given several times");
   const CommandLine line = parse(command, options, arguments, 0, 1);
   if (line.help) return done;
   const std::vector<Lab> list = labs();
@@ -105,10 +109,15 @@ int course(const Command& command, const Arguments& arguments) {
     return done;
   }
   const fs::path folder = line.text("output");
-  if (line.words.empty()) return run_all(list, folder);
+  const Arguments changes = line.has("set") ? line.options["set"].as<Arguments>() : Arguments{};
+  if (line.words.empty()) {
+    if (!changes.empty())
+      throw UsageError("`--set` needs the name of a lab: flyrock course LAB --set path=value");
+    return run_all(list, folder);
+  }
   std::vector<std::string> names;
   for (const Lab& lab : list) {
-    if (lab.name == line.words[0]) return run_one(lab, folder);
+    if (lab.name == line.words[0]) return run_one(lab, folder, changes);
     names.push_back(lab.name);
   }
   throw UsageError(fmt::format("unknown lab `{}`{}", line.words[0], suggestion(line.words[0], names)));

@@ -161,6 +161,7 @@ int law(const Command& command, const Arguments& arguments) {
       plots.back().curves.push_back({curve.name, curve.at, curve.value});
   }
   write_picture(line.text("output"), svg_of(fmt::format("{}, {}", line.words[0], drawn), plots));
+  fmt::print("\n{}\n", line.text("output"));
   return done;
 }
 

@@ -101,6 +101,10 @@ TEST_CASE("course shows one lab with its page, question and verdict") {
   CHECK(one.code == 0);
   CHECK(one.out.starts_with("# Zeno's ball\n"));
   CHECK(one.out.find("verdict: 10 of 10 expectations hold\n") != std::string::npos);
+  const Output changed = call(folder, "course bouncing_ball --set materials.floor.restitution.en=0.9");
+  CHECK(changed.code == 1);
+  CHECK(changed.out.find("impact[1].vn_after = 12.60642693") != std::string::npos);
+  CHECK(call(folder, "course --set stop.time=1s").code == 2);
   const Output wrong = call(folder, "course bouncing_bal");
   CHECK(wrong.code == 2);
   CHECK(wrong.err.find("did you mean `bouncing_ball`?") != std::string::npos);
