@@ -93,7 +93,8 @@ reference: build-bench
 course: build-bench
 	build/bench/bin/flyrock course -o out/course
 	for lab in $(basename $(notdir $(wildcard docs/course/images/*.svg))); do \
-	  build/bench/bin/flyrock animate out/course/$$lab -o docs/course/images/$$lab.svg || exit 1; done
+	  case $$lab in dzhanibekov) until="--until 12s";; *) until="";; esac; \
+	  build/bench/bin/flyrock animate out/course/$$lab $$until -o docs/course/images/$$lab.svg || exit 1; done
 
 drawings:
 	lua5.4 docs/drawings/breakout.lua > docs/images/breakout.svg

@@ -2,22 +2,54 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "batch/safe_file.h"
 #include "cli/result_folder.h"
 #include "report/animation.h"
+#include "units/units.h"
 
 namespace flyrock::cli {
 
 namespace po = boost::program_options;
 namespace fs = std::filesystem;
 
+namespace {
+
+/// The title of the scenario of a result.
+std::string title_of(const fs::path& result) {
+  return nlohmann::json::parse(read_file(result / "summary.json")).at("title").get<std::string>();
+}
+
+double time_of(const std::string& text) {
+  const std::optional<Quantity> read = parse_quantity(text);
+  if (!read || !(read->si() > 0) || (read->has_unit && read->unit.dimension != dimension::time))
+    throw UsageError(fmt::format("--until {}: expected a positive time, as `12 s`", text));
+  return read->si();
+}
+
+/// Cuts the paths at a time [s]. A path that begins later ends where it begins.
+void end_at(std::vector<StoredPath>& paths, double time) {
+  for (StoredPath& path : paths) {
+    if (path.moments.back().time <= time) continue;
+    StoredMoment last = path.at(time);
+    last.time = std::max(time, path.moments.front().time);
+    std::erase_if(path.moments, [&](const StoredMoment& moment) { return moment.time >= last.time; });
+    path.moments.push_back(last);
+  }
+}
+
+}  // namespace
+
 int animate(const Command& command, const Arguments& arguments) {
   po::options_description options("options");
   options.add_options()("output,o", po::value<std::string>()->value_name("FILE.svg"),
                         "the picture; default DIR/motion.svg")(
-      "point", po::value<std::string>()->default_value("0")->value_name("P"), "sweep point");
+      "point", po::value<std::string>()->default_value("0")->value_name("P"), "sweep point")(
+      "until", po::value<std::string>()->value_name("TIME"),
+      "where the motion ends, as `12 s`; default: all");
   const CommandLine line = parse(command, options, arguments, 1, 1);
   if (line.help) return done;
   const std::uint64_t point = whole_number(line.text("point"), "--point", 0);
@@ -28,8 +60,9 @@ int animate(const Command& command, const Arguments& arguments) {
   std::vector<StoredPath> paths;
   do paths = stored.next_point();
   while (!paths.empty() && static_cast<std::uint64_t>(paths.front().point) != point);
+  if (line.has("until")) end_at(paths, time_of(line.text("until")));
   const std::string picture =
-      animation_of(database, paths, fmt::format("{}, point {}", line.words[0], point));
+      animation_of(database, paths, fmt::format("{}, point {}", title_of(result), point));
   if (picture.empty())
     throw InputError(fmt::format(
         "no path of point {} is stored; output.trajectories of the scenario says how many are", point));

@@ -75,18 +75,20 @@ void write_routh(const Explanation& explanation, const std::string& file, const 
     return;
   }
   Plot plot{"Routh's diagram", "P_n [N s]", "P_t [N s]", {}};
-  Curve path{"path", {}, {}};
+  Curve path{"path", {}, {}, false};
   for (const RouthPoint& point : diagram.path) {
     path.x.push_back(point.impulse[0]);
     path.y.push_back(point.impulse[1]);
   }
   plot.curves.push_back(path);
-  plot.curves.push_back({"bounds of friction", {end, 0, end}, {mu * end, 0, -mu * end}});
+  plot.curves.push_back({"bounds of friction", {end, 0, end}, {mu * end, 0, -mu * end}, true});
   // A mark is a short upright line.
   const double size = 0.04 * std::max(mu * end, 1e-3 * end);
   for (const auto& [name, point] : marks)
-    plot.curves.push_back(
-        {name, {point->impulse[0], point->impulse[0]}, {point->impulse[1] - size, point->impulse[1] + size}});
+    plot.curves.push_back({name,
+                           {point->impulse[0], point->impulse[0]},
+                           {point->impulse[1] - size, point->impulse[1] + size},
+                           false});
   write_file(file, svg_of(title, {plot}));
 }
 

@@ -31,7 +31,8 @@ std::string join(const Vec3& v, int dimension) {
 std::string by_rows(const Eigen::VectorXd& values, const std::vector<std::string>& names) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i)
-    text += fmt::format("{}{} {:.6g}", i ? ", " : "", names[i], values[static_cast<Eigen::Index>(i)]);
+    text += fmt::format("{}{} {:.6g}", i ? ", " : "", names[i],
+                        values[static_cast<Eigen::Index>(i)] + 0.0);  // + 0.0: no -0
   return text;
 }
 
@@ -102,7 +103,7 @@ void put_matrix(const Explanation& all, Out out) {
   fmt::format_to(out, "rank of W: {} of {} (singular values {:.4g} to {:.4g}): ", all.rank, size, s[0],
                  s[size - 1]);
   if (missing == 0)
-    fmt::format_to(out, "no impulses but zero leave all bodies as they are\n");
+    fmt::format_to(out, "every impulse moves a body, so the impulses are unique\n");
   else
     fmt::format_to(out, "{} combination{} of impulses move{} no body, so the impulses may not be unique\n",
                    missing, missing == 1 ? "" : "s", missing == 1 ? "s" : "");
@@ -139,8 +140,20 @@ void put_phase(const Explanation& all, const ExplainedPhase& phase, Out out) {
                  phase.warm ? ", which began with the impulses of the step before," : "", phase.residual);
   fmt::format_to(out, "{:>8}{:>14}{:>14}{:>14}\n", "", "r", "u = q + W r", "u r");
   for (Eigen::Index i = 0; i < phase.r.size(); ++i)
-    fmt::format_to(out, "{:>8}{:>14.6g}{:>14.6g}{:>14.3g}\n", column_name(all, i), phase.r[i], phase.u[i],
-                   phase.u[i] * phase.r[i]);
+    fmt::format_to(out, "{:>8}{:>14.6g}{:>14.6g}{:>14.3g}\n", column_name(all, i), phase.r[i] + 0.0,
+                   phase.u[i] + 0.0, phase.u[i] * phase.r[i] + 0.0);
+}
+
+/// "slips; ", if one problem was solved: an impulse on the cone of friction slips, one inside of it sticks.
+/// Without friction the contact is closed.
+std::string state_of(const Explanation& all, const ExplainedContact& contact) {
+  if (contact.alone || all.phases.size() != 1) return "";
+  const Eigen::VectorXd& r = contact.impulse;
+  if (r.isZero(0)) return "open; ";
+  const double cohesion = all.step > 0 ? contact.law.c_t * all.step : 0;
+  const double bound = contact.mu * r[0] + cohesion;
+  if (bound <= 0) return "closed; ";
+  return r.segment(1, all.dimension - 1).norm() < (1 - 1e-9) * bound ? "sticks; " : "slips; ";
 }
 
 void put_result(const Explanation& all, Out out) {
@@ -148,8 +161,8 @@ void put_result(const Explanation& all, Out out) {
   fmt::format_to(out, "\nresult\n");
   for (std::size_t i = 0; i < all.contacts.size(); ++i) {
     const ExplainedContact& contact = all.contacts[i];
-    fmt::format_to(out, "{:>4}  impulse [N s]: {}{}\n      velocity after [m/s]: {}; work {:.6g} J\n", i + 1,
-                   by_rows(contact.impulse, names),
+    fmt::format_to(out, "{:>4}  {}impulse [N s]: {}{}\n      velocity after [m/s]: {}; work {:.6g} J\n",
+                   i + 1, state_of(all, contact), by_rows(contact.impulse, names),
                    contact.alone ? " (alone: followed along its path in impulse space)" : "",
                    by_rows(contact.after, names), contact.energy);
     if (all.step > 0)

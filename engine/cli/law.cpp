@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <set>
 
@@ -105,15 +107,19 @@ void write_picture(const std::string& file, const std::string& svg) {
         "{}: a PNG needs the program rsvg-convert (Debian: librsvg2-bin); an SVG does not", file));
 }
 
-/// Prints every tenth part of each curve.
+/// Prints every tenth part of each curve. What rounding left of 0 is 0.
 void print_table(const LawGraph& graph) {
   constexpr std::size_t rows = 10;
   fmt::print("\n{}\n", graph.title);
   for (const LawGraph::Case& curve : graph.cases) {
+    const auto rounded = [](const std::vector<double>& values, std::size_t k) {
+      const auto [low, high] = std::minmax_element(values.begin(), values.end());
+      return std::abs(values[k]) < 1e-12 * std::max(-*low, *high) ? 0 : values[k];
+    };
     fmt::print("  {:>36}  {}{}\n", graph.x, graph.y, curve.name.empty() ? "" : ", " + curve.name);
     for (std::size_t i = 0; i <= rows; ++i) {
       const std::size_t k = i * (curve.at.size() - 1) / rows;
-      fmt::print("  {:>36.5g}  {:.5g}\n", curve.at[k], curve.value[k]);
+      fmt::print("  {:>36.5g}  {:.5g}\n", rounded(curve.at, k), rounded(curve.value, k));
     }
   }
 }
@@ -150,7 +156,7 @@ int law(const Command& command, const Arguments& arguments) {
     fmt::print(stderr, "error: {}\n", error.what());
     return bad_input;
   }
-  const std::string drawn = fmt::format("a ball of {:.6g} kg and {:.6g} m", ball.mass, ball.radius);
+  const std::string drawn = fmt::format("a ball of {:.6g} kg and {:.6g} m radius", ball.mass, ball.radius);
   fmt::print("{}  drawn for {}\n", short_text(*spec), drawn);
   for (const LawGraph& graph : graphs) print_table(graph);
   if (!line.has("output")) return done;
@@ -158,7 +164,7 @@ int law(const Command& command, const Arguments& arguments) {
   for (const LawGraph& graph : graphs) {
     plots.push_back({graph.title, graph.x, graph.y, {}});
     for (const LawGraph::Case& curve : graph.cases)
-      plots.back().curves.push_back({curve.name, curve.at, curve.value});
+      plots.back().curves.push_back({curve.name, curve.at, curve.value, plots.back().curves.size() % 2 == 1});
   }
   write_picture(line.text("output"), svg_of(fmt::format("{}, {}", line.words[0], drawn), plots));
   fmt::print("\n{}\n", line.text("output"));

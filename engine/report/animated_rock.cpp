@@ -28,12 +28,12 @@ std::string still_contactor(const std::vector<Vec2>& outline, double radius) {
 
 /// A rock that would be too small to see is a dot.
 std::string dot(const Actor& actor, const Stage& stage) {
-  std::string out = "<circle r=\"1.5\" fill=\"#444\" stroke=\"none\">";
-  for (const int axis : {0, 1})
-    out += stage.animate(
-        axis == 0 ? "animate attributeName=\"cx\"" : "animate attributeName=\"cy\"", false,
-        [&](double t) { return fmt::format("{:.1f}", stage.pixel(actor.path.at(t).place)[axis]); });
-  return out + "</circle>\n";
+  const auto along = [&](int axis) {
+    return stage.animate(axis == 0 ? "cx" : "cy", Stage::Pace::smooth, [&](double t) {
+      return fmt::format("{:.1f}", stage.pixel(actor.path.at(t).place)[axis]);
+    });
+  };
+  return element("circle r=\"1.5\" fill=\"#444\" stroke=\"none\"", {along(0), along(1)}) + "\n";
 }
 
 std::string in_plane(const Actor& actor, const Stage& stage) {
@@ -43,17 +43,16 @@ std::string in_plane(const Actor& actor, const Stage& stage) {
     outline.emplace_back(stage.scale * corner.place.x(), -stage.scale * corner.place.y());
     radius = stage.scale * corner.radius;
   }
-  std::string out = "<g>";
-  out +=
-      stage.animate("animateTransform attributeName=\"transform\" type=\"translate\"", false, [&](double t) {
-        const Vec2 at = stage.pixel(actor.path.at(t).place);
-        return fmt::format("{:.2f},{:.2f}", at.x(), at.y());
-      });
-  out += "<g>" +
-         stage.animate("animateTransform attributeName=\"transform\" type=\"rotate\"", false,
-                       [&](double t) { return fmt::format("{:.2f}", -actor.path.at(t).angle * 180 / pi); });
-  for (const auto& [key, contactor] : contactors) out += still_contactor(contactor.first, contactor.second);
-  return out + "</g></g>\n";
+  const Animated moves = stage.animate_transform("translate", [&](double t) {
+    const Vec2 at = stage.pixel(actor.path.at(t).place);
+    return fmt::format("{:.2f},{:.2f}", at.x(), at.y());
+  });
+  const Animated turns = stage.animate_transform(
+      "rotate", [&](double t) { return fmt::format("{:.2f}", 0.0 - actor.path.at(t).angle * 180 / pi); });
+  std::string outlines;
+  for (const auto& [key, contactor] : contactors)
+    outlines += still_contactor(contactor.first, contactor.second);
+  return element("g", {moves}, element("g", {turns}, outlines)) + "\n";
 }
 
 // ---- 3D: each face has its corners in each frame
@@ -65,17 +64,18 @@ std::string face_in_space(const Actor& actor, const std::vector<Vec3>& face, con
     for (const Vec3& corner : face) places.push_back(now.place + now.turn * corner);
     return places;
   };
-  std::string out = "<polygon>";
-  out += stage.animate("animate attributeName=\"points\"", true, [&](double t) {
+  const Animated outline = stage.animate("points", Stage::Pace::discrete, [&](double t) {
     const std::vector<Vec3> places = turned(t);
-    if (area_of(places).dot(stage.view.near) <= 0) return points_of({stage.pixel(places[0])});
+    // A hidden face is a point, but with as many corners: some browsers mix lists of different lengths.
+    if (area_of(places).dot(stage.view.near) <= 0)
+      return points_of(std::vector<Vec2>(places.size(), stage.pixel(places[0])));
     std::vector<Vec2> pixels;
     for (const Vec3& place : places) pixels.push_back(stage.pixel(place));
     return points_of(pixels);
   });
-  out += stage.animate("animate attributeName=\"fill\"", true,
-                       [&](double t) { return colour_of(light_of(area_of(turned(t)))); });
-  return out + "</polygon>\n";
+  const Animated fill = stage.animate("fill", Stage::Pace::discrete,
+                                      [&](double t) { return colour_of(light_of(area_of(turned(t)))); });
+  return element("polygon", {outline, fill}) + "\n";
 }
 
 /// A ball, with a dot where an axis of its body leaves it, so that its turning can be seen.
@@ -84,25 +84,29 @@ std::string ball_in_space(const Actor& actor, const SurfaceCorner& ball, const S
     const StoredMoment now = actor.path.at(t);
     return Vec3(now.place + now.turn * (ball.place + from_centre));
   };
-  const auto circle = [&](const Vec3& from_centre, bool mark) {
-    std::string out =
-        mark ? "<circle fill=\"#1f5fa8\" stroke=\"none\">"
-             : fmt::format("<circle r=\"{:.1f}\" fill=\"{}\">", stage.scale * ball.radius, colour_of(0.7));
-    for (const int axis : {0, 1})
-      out += stage.animate(
-          fmt::format("animate attributeName=\"c{}\"", axis == 0 ? 'x' : 'y'), false,
-          [&](double t) { return fmt::format("{:.2f}", stage.pixel(place(t, from_centre))[axis]); });
-    if (mark)
-      out += stage.animate("animate attributeName=\"r\"", true, [&](double t) {
-        const bool front = (place(t, from_centre) - place(t, Vec3::Zero())).dot(stage.view.near) > 0;
-        return fmt::format("{:.1f}", front ? 0.12 * stage.scale * ball.radius : 0.0);
-      });
-    return out + "</circle>\n";
+  const auto along = [&](const Vec3& from_centre, int axis) {
+    return stage.animate(axis == 0 ? "cx" : "cy", Stage::Pace::smooth, [&](double t) {
+      return fmt::format("{:.2f}", stage.pixel(place(t, from_centre))[axis]);
+    });
   };
-  std::string out = circle(Vec3::Zero(), false);
+  const auto size_of_mark = [&](const Vec3& from_centre) {
+    return stage.animate("r", Stage::Pace::discrete, [&](double t) {
+      const bool front = (place(t, from_centre) - place(t, Vec3::Zero())).dot(stage.view.near) > 0;
+      return fmt::format("{:.1f}", front ? 0.12 * stage.scale * ball.radius : 0.0);
+    });
+  };
+  const Vec3 centre = Vec3::Zero();
+  std::string out =
+      element(fmt::format("circle r=\"{:.1f}\" fill=\"{}\"", stage.scale * ball.radius, colour_of(0.7)),
+              {along(centre, 0), along(centre, 1)}) +
+      "\n";
   for (const double side : {1.0, -1.0})
-    for (const Vec3& axis : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY())})
-      out += circle(side * ball.radius * axis, true);
+    for (const Vec3& axis : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY())}) {
+      const Vec3 mark = side * ball.radius * axis;
+      out += element("circle fill=\"#1f5fa8\" stroke=\"none\"",
+                     {along(mark, 0), along(mark, 1), size_of_mark(mark)}) +
+             "\n";
+    }
   return out;
 }
 
@@ -120,16 +124,17 @@ std::string in_space(const Actor& actor, const Stage& stage) {
     } else {
       const double width = 2 * stage.scale * corners.front().radius;
       for (const bool edge : {true, false}) {
-        out += fmt::format(
-            "<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"{:.1f}\" stroke-linecap=\"round\">",
-            edge ? "#444" : colour_of(0.7), width + (edge ? 1 : -1));
-        out += stage.animate("animate attributeName=\"points\"", false, [&](double t) {
+        const Animated line = stage.animate("points", Stage::Pace::smooth, [&](double t) {
           const StoredMoment now = actor.path.at(t);
           std::vector<Vec2> pixels;
           for (const Vec3& place : places) pixels.push_back(stage.pixel(Vec3(now.place + now.turn * place)));
           return points_of(pixels);
         });
-        out += "</polyline>\n";
+        out += element(fmt::format("polyline fill=\"none\" stroke=\"{}\" stroke-width=\"{:.1f}\" "
+                                   "stroke-linecap=\"round\"",
+                                   edge ? "#444" : colour_of(0.7), width + (edge ? 1 : -1)),
+                       {line}) +
+               "\n";
       }
     }
   }

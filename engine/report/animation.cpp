@@ -13,7 +13,9 @@ namespace flyrock {
 
 namespace {
 
-constexpr double axis_high = 34;  // pixels
+constexpr double legend_high = 52;    // pixels: axis of time, then the ruler
+constexpr double longest_arrow = 70;  // pixels
+constexpr const char* arrow_colour = "#c4531b";
 
 std::vector<Actor> actors_of(const SqliteReader& database, const std::vector<StoredPath>& paths) {
   std::vector<Actor> actors;
@@ -59,7 +61,7 @@ std::string ground_in_space(const SqliteReader& database, std::int64_t point, co
       pixels.push_back(stage.pixel(places.back()));
     }
     const double depth = stage.view.near.dot(places[0] + places[1] + places[2]);
-    const int grey = 200 + static_cast<int>(50 * light_of(area_of(places)));
+    const int grey = 178 + static_cast<int>(50 * light_of(area_of(places)));
     drawn.emplace_back(depth, fmt::format("<polygon points=\"{0}\" fill=\"rgb({1},{1},{2})\"/>\n",
                                           points_of(pixels), grey, grey - 8));
   }
@@ -78,24 +80,40 @@ std::string arrow(const Vec2& tail, const Vec2& tip) {
   return points_of({tail, tip, Vec2(back + 0.5 * head * across), tip, Vec2(back - 0.5 * head * across)});
 }
 
-std::string forces(const SqliteReader& database, const Actor& actor, const Stage& stage) {
-  const std::vector<StoredContact> contacts = stored_contacts(database, actor.path.point, actor.path.trial);
+/// The force of the longest arrow [N]; 0 without forces.
+double greatest_force(const std::vector<StoredContact>& contacts) {
   double greatest = 0;
   for (const StoredContact& contact : contacts)
     for (const StoredForce& force : contact.forces) greatest = std::max(greatest, force.force.norm());
+  return greatest;
+}
+
+std::string forces(const std::vector<StoredContact>& contacts, double greatest, const Stage& stage) {
   if (greatest == 0) return "";
-  constexpr double longest = 70;  // pixels
-  std::string out = "<g fill=\"none\" stroke=\"#c4531b\" stroke-width=\"2\">\n";
-  for (const StoredContact& contact : contacts) {
-    out += "<polyline>" + stage.animate("animate attributeName=\"points\"", true, [&](double t) {
-      const StoredForce* force = contact.at(t);
-      if (!force) return std::string("-9,-9");
-      const Vec2 foot = stage.pixel(force->place);
-      const Vec2 seen = stage.view(force->force) * (longest / greatest);
-      return arrow(foot, foot + Vec2(seen.x(), -seen.y()));
-    }) + "</polyline>\n";
-  }
+  std::string out = fmt::format("<g fill=\"none\" stroke=\"{}\" stroke-width=\"2\">\n", arrow_colour);
+  for (const StoredContact& contact : contacts)
+    out += element("polyline", {stage.animate("points", Stage::Pace::discrete,
+                                              [&](double t) {
+                                                const StoredForce* force = contact.at(t);
+                                                if (!force) return arrow(Vec2(-9, -9), Vec2(-9, -9));
+                                                const Vec2 foot = stage.pixel(force->place);
+                                                const Vec2 seen =
+                                                    stage.view(force->force) * (longest_arrow / greatest);
+                                                return arrow(foot, foot + Vec2(seen.x(), -seen.y()));
+                                              })}) +
+           "\n";
   return out + "</g>\n";
+}
+
+/// What a length in the picture is, and the length of an arrow.
+std::string legend(const Stage& stage, double greatest) {
+  double end = 0;
+  std::string out = stage.ruler(end);
+  if (greatest > 0)
+    out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\">longest arrow {:.3g} {}</text>\n",
+                       end + 12, stage.height + 42, arrow_colour, greatest < 1e3 ? greatest : greatest / 1e3,
+                       greatest < 1e3 ? "N" : "kN");
+  return out;
 }
 
 }  // namespace
@@ -115,11 +133,13 @@ std::string animation_of(const SqliteReader& database, const std::vector<StoredP
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
       "{1:.0f}\" font-family=\"sans-serif\" font-size=\"11\">\n<title>{2}</title>\n<rect width=\"100%\" "
       "height=\"100%\" fill=\"#fff\"/>\n<svg width=\"{0:.0f}\" height=\"{3:.0f}\"><g stroke=\"#444\">\n",
-      stage.width, stage.height + axis_high, escaped(title), stage.height);
+      stage.width, stage.height + legend_high, escaped(title), stage.height);
   out += dimension == 2 ? ground_in_plane(database, point, stage) : ground_in_space(database, point, stage);
   for (const Actor& actor : actors) out += animated_rock(actor, stage, dimension);
-  out += forces(database, actors.front(), stage);
-  return out + "</g></svg>\n" + stage.axis() + "</svg>\n";
+  const std::vector<StoredContact> contacts = stored_contacts(database, point, actors.front().path.trial);
+  const double greatest = greatest_force(contacts);
+  out += forces(contacts, greatest, stage);
+  return out + "</g></svg>\n" + stage.axis() + legend(stage, greatest) + "</svg>\n";
 }
 
 }  // namespace flyrock

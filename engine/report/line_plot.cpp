@@ -13,7 +13,7 @@ namespace flyrock {
 
 namespace {
 
-constexpr double width = 420, height = 358, left = 64, right = 14, top = 82, bottom = 48;
+constexpr double width = 420, least_height = 358, left = 76, right = 14, first_top = 82, bottom = 48;
 constexpr std::array<const char*, 8> colours = {"#1f5fa8", "#c4531b", "#2f7d3b", "#7a3f92",
                                                 "#8a6d00", "#00838f", "#333333", "#b3261e"};
 
@@ -47,13 +47,45 @@ std::string text(double x, double y, const std::string& anchor, int size, const 
                      anchor, size, escaped(content));
 }
 
-std::string panel(const Plot& plot, double offset) {
+/// Where the names of the curves stand: from the left end of the axes, and in which row above them.
+struct NamePlace {
+  double x = 0;
+  int row = 0;
+};
+
+/// Names in rows no wider than the axes.
+std::vector<NamePlace> name_places(const Plot& plot) {
+  constexpr double letter = 6.4, between = 14;  // widths, about
+  std::vector<NamePlace> places;
+  if (plot.curves.size() < 2) return places;
+  NamePlace next;
+  for (const Curve& curve : plot.curves) {
+    const double wide = letter * static_cast<double>(curve.name.size());
+    if (next.x > 0 && next.x + wide > width - left - right) next = {0, next.row + 1};
+    places.push_back(next);
+    next.x += wide + between;
+  }
+  return places;
+}
+
+constexpr double row_high = 16;
+
+/// By how much the axes are lower, because names need more rows than one.
+double height_of_names(const std::vector<Plot>& plots) {
+  int rows = 0;
+  for (const Plot& plot : plots)
+    for (const NamePlace& place : name_places(plot)) rows = std::max(rows, place.row);
+  return rows * row_high;
+}
+
+std::string panel(const Plot& plot, double offset, double lower) {
+  const double top = first_top + lower, height = least_height + lower;
   Axis ax, ay;
   for (const Curve& curve : plot.curves) ax.include(curve.x), ay.include(curve.y);
   ax.close(), ay.close();
   const auto px = [&](double x) { return offset + left + ax.share(x) * (width - left - right); };
   const auto py = [&](double y) { return height - bottom - ay.share(y) * (height - top - bottom); };
-  std::string out = text(offset + left, top - 28, "start", 13, plot.title);
+  std::string out = text(offset + left, first_top - 28, "start", 13, plot.title);
   const auto line = [&](double x1, double y1, double x2, double y2, const char* colour) {
     out += fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\"/>\n", x1,
                        y1, x2, y2, colour);
@@ -73,18 +105,20 @@ std::string panel(const Plot& plot, double offset) {
   out += text(offset + (left + width - right) / 2, height - 12, "middle", 12, plot.x_label);
   out += fmt::format("<g transform=\"translate({:.1f},{:.1f}) rotate(-90)\">{}</g>\n", offset + 14,
                      (top + height - bottom) / 2, text(0, 0, "middle", 12, plot.y_label));
-  double name_at = offset + left;  // the names of the curves stand in a row above the axes
+  const std::vector<NamePlace> names = name_places(plot);
   for (std::size_t c = 0; c < plot.curves.size(); ++c) {
     const Curve& curve = plot.curves[c];
     const char* colour = colours[c % colours.size()];
-    out += fmt::format("<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"2\" points=\"", colour);
+    out += fmt::format(
+        "<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"2\" stroke-dasharray=\"{}\" points=\"", colour,
+        curve.dashed ? "8 6" : "none");
     for (std::size_t i = 0; i < curve.x.size(); ++i)
       out += fmt::format("{:.2f},{:.2f} ", px(curve.x[i]), py(curve.y[i]));
     out += "\"/>\n";
-    if (plot.curves.size() < 2) continue;
-    constexpr double letter = 6.4, between = 14;  // widths, about
-    out += fmt::format("<g fill=\"{}\">{}</g>", colour, text(name_at, top - 9, "start", 12, curve.name));
-    name_at += letter * static_cast<double>(curve.name.size()) + between;
+    if (names.empty()) continue;
+    out += fmt::format(
+        "<g fill=\"{}\">{}</g>", colour,
+        text(offset + left + names[c].x, first_top - 9 + names[c].row * row_high, "start", 12, curve.name));
   }
   return out;
 }
@@ -92,14 +126,17 @@ std::string panel(const Plot& plot, double offset) {
 }  // namespace
 
 std::string svg_of(const std::string& heading, const std::vector<Plot>& plots) {
-  const double all = width * static_cast<double>(plots.size());
+  const double all = width * static_cast<double>(plots.size()), lower = height_of_names(plots);
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
       "height=\"{1:.0f}\" "
       "font-family=\"sans-serif\" fill=\"#222\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
-      all, height);
-  out += text(left, 24, "start", 16, heading);
-  for (std::size_t i = 0; i < plots.size(); ++i) out += panel(plots[i], width * static_cast<double>(i));
+      all, least_height + lower);
+  constexpr double margin = 14, letter = 0.61;  // pixels; width of a letter by its size
+  const double fitting = (all - 2 * margin) / (letter * static_cast<double>(heading.size()));
+  out += text(margin, 24, "start", std::clamp(static_cast<int>(fitting), 10, 16), heading);
+  for (std::size_t i = 0; i < plots.size(); ++i)
+    out += panel(plots[i], width * static_cast<double>(i), lower);
   return out + "</svg>\n";
 }
 

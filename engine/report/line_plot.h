@@ -9,6 +9,7 @@ namespace flyrock {
 struct Curve {
   std::string name;
   std::vector<double> x, y;  ///< same length, finite
+  bool dashed = false;       ///< a curve that coincides with it shows through the gaps
 };
 
 /// One pair of axes.

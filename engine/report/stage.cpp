@@ -39,17 +39,41 @@ Stage::Stage(const std::vector<Actor>& actors, int dimension) : view(view_of(dim
 }
 
 std::string Stage::axis() const {
-  const double left = 20, wide = width - 40, y = height + 12, step = round_step(length_ / 5);
+  const double left = 24, wide = width - 2 * left, y = height + 12, step = round_step(length_ / 5);
+  const double per_second = length_ < 5e-6 ? 1e6 : length_ < 5e-3 ? 1e3 : 1;
+  const char* unit = per_second == 1 ? "s" : per_second == 1e3 ? "ms" : "us";
   const auto x = [&](double t) { return left + wide * (t - first_) / length_; };
   std::string out = fmt::format("<path d=\"M{:.1f} {:.1f}h{:.1f}\" stroke=\"#777\"/>\n", left, y, wide);
   for (double t = step * std::ceil(first_ / step - 1e-9); t <= first_ + length_ * (1 + 1e-9); t += step)
-    out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{:.6g} s</text>\n", x(t),
-                       y + 16, std::abs(t) < 1e-9 * step ? 0.0 : t);
-  out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"#1f5fa8\">", left, y);
+    out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{:.6g} {}</text>\n", x(t),
+                       y + 16, std::abs(t) < 1e-9 * step ? 0.0 : t * per_second, unit);
   return out +
-         animate("animate attributeName=\"cx\"", false,
-                 [&](double t) { return fmt::format("{:.1f}", x(t)); }) +
-         "</circle>\n";
+         element(fmt::format("circle cy=\"{:.1f}\" r=\"4\" fill=\"#1f5fa8\"", y),
+                 {animate("cx", Pace::smooth, [&](double t) { return fmt::format("{:.1f}", x(t)); })}) +
+         "\n";
+}
+
+std::string Stage::ruler(double& end) const {
+  const double left = 24, y = height + 42, longest = 0.25 * width / scale;  // m
+  const double length = round_step(longest / 2.5);                          // at most `longest`
+  const double right = left + scale * length;
+  const bool small = length < 0.01;
+  const std::string label = fmt::format("{:.6g} {}", small ? 1e3 * length : length, small ? "mm" : "m");
+  end = right + 6 + 6.5 * static_cast<double>(label.size());
+  return fmt::format(
+      "<path d=\"M{0:.1f} {2:.1f}v6m0 -3H{1:.1f}m0 -3v6\" fill=\"none\" stroke=\"#444\"/>\n"
+      "<text x=\"{3:.1f}\" y=\"{4:.1f}\">{5}</text>\n",
+      left, right, y - 7, right + 6, y, label);
+}
+
+std::string element(const std::string& tag, const std::vector<Animated>& changes,
+                    const std::string& content) {
+  std::string attributes, frames;
+  for (const Animated& change : changes) {
+    attributes += fmt::format(" {}=\"{}\"", change.attribute, change.first);
+    frames += change.frames;
+  }
+  return fmt::format("<{}{}>{}{}</{}>", tag, attributes, frames, content, tag.substr(0, tag.find(' ')));
 }
 
 std::string points_of(const std::vector<Vec2>& pixels) {

@@ -18,6 +18,16 @@ struct Actor {
   double extent = 0;  ///< m, of the farthest place from the centre of mass
 };
 
+/// An attribute that changes: `first`, its value in programs that do not animate pictures, and the element
+/// with its values frame by frame.
+struct Animated {
+  std::string attribute, first, frames;
+};
+
+/// `<tag ...>` with attributes that change, and its content.
+std::string element(const std::string& tag, const std::vector<Animated>& changes,
+                    const std::string& content = "");
+
 /// The stage: times of the frames, and where places are in the picture.
 class Stage {
  public:
@@ -28,9 +38,36 @@ class Stage {
   }
   Vec2 pixel(const Vec3& place) const { return pixel(view(place)); }
 
-  /// `<animate...>` with one value a frame; `discrete`: without values in between.
+  /// How a value of an attribute changes from frame to frame.
+  enum class Pace { smooth, discrete };
+
+  /// An attribute of an element, with one value a frame.
   template <class Value>
-  std::string animate(const std::string& what, bool discrete, Value value) const {
+  Animated animate(const std::string& attribute, Pace pace, Value value) const {
+    return animated("animate", attribute, pace, value);
+  }
+  /// The attribute `transform` of an element: `type` is "translate" or "rotate".
+  template <class Value>
+  Animated animate_transform(const std::string& type, Value value) const {
+    Animated change =
+        animated(fmt::format("animateTransform type=\"{}\"", type), "transform", Pace::smooth, value);
+    change.first = fmt::format("{}({})", type, change.first);
+    return change;
+  }
+
+  /// The axis of time with a mark that moves, below the stage.
+  std::string axis() const;
+  /// A line of round length with that length, 42 pixels below the stage; `end`: where it ends in the picture.
+  std::string ruler(double& end) const;
+
+  View view;
+  std::vector<double> times;  ///< s, of the frames
+  double shown = 0;           ///< s, how long the picture takes
+  double scale = 1, width = 0, height = 0;
+
+ private:
+  template <class Value>
+  Animated animated(const std::string& tag, const std::string& attribute, Pace pace, Value value) const {
     std::string values, first;
     bool still = true;
     for (std::size_t i = 0; i < times.size(); ++i) {
@@ -39,19 +76,12 @@ class Stage {
       still = still && text == first;
       values += (i ? ";" : "") + text;
     }
-    return fmt::format("<{} dur=\"{:g}s\" repeatCount=\"indefinite\"{} values=\"{}\"/>", what, shown,
-                       discrete ? " calcMode=\"discrete\"" : "", still ? first + ";" + first : values);
+    return {attribute, first,
+            fmt::format("<{} attributeName=\"{}\" dur=\"{:g}s\" repeatCount=\"indefinite\"{} values=\"{}\"/>",
+                        tag, attribute, shown, pace == Pace::discrete ? " calcMode=\"discrete\"" : "",
+                        still ? first + ";" + first : values)};
   }
 
-  /// The axis of time with a mark that moves.
-  std::string axis() const;
-
-  View view;
-  std::vector<double> times;  ///< s, of the frames
-  double shown = 0;           ///< s, how long the picture takes
-  double scale = 1, width = 0, height = 0;
-
- private:
   double first_ = 0, length_ = 0;
   Vec2 low_ = Vec2::Zero();
 };

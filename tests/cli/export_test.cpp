@@ -369,11 +369,35 @@ TEST_CASE("animate draws the stored motion without scripts") {
     CHECK(picture.find("<animate") != std::string::npos);
     CHECK(picture.find("nan") == std::string::npos);
     CHECK(picture.find("<script") == std::string::npos);
+    // Its title is that of the scenario, and it has a length as a scale.
+    CHECK(picture.find(scenario == std::string("gauss_seidel.yaml")
+                           ? "<title>Gauss-Seidel: a stack of boxes, point 0"
+                           : "<title>Dzhanibekov") != std::string::npos);
+    CHECK(picture.find(scenario == std::string("gauss_seidel.yaml") ? ">0.2 m</text>" : ">1 m</text>") !=
+          std::string::npos);
     // The contacts of the stack have an arrow each; of a body in free flight no series is stored.
     CHECK((picture.find("#c4531b") != std::string::npos) == (scenario == std::string("gauss_seidel.yaml")));
   }
   CHECK(call(folder, "animate out --point 9").code == 2);
+  REQUIRE(call(folder, "animate out -o motion.svg --until 12s").code == 0);
+  const std::string cut = read(folder.path() / "motion.svg");
+  CHECK(cut.find(">10 s</text>") != std::string::npos);
+  CHECK(cut.find(">20 s</text>") == std::string::npos);
+  CHECK(call(folder, "animate out --until 3kg").err.find("--until 3kg: expected a positive time") !=
+        std::string::npos);
   CHECK(call(folder, "animate nowhere").code == 2);
+}
+
+TEST_CASE("a picture that moves shows its first moment in programs that do not animate it") {
+  const Folder folder;
+  const std::string scenario = std::string(FLYROCK_SOURCE_DIR) + "/scenarios/course/oblique_impact.yaml";
+  REQUIRE(call(folder, "run " + scenario + " -o out --quiet").code == 0);
+  REQUIRE(call(folder, "animate out -o motion.svg").code == 0);
+  const std::string picture = read(folder.path() / "motion.svg");
+  const std::string values = "values=\"";
+  const std::size_t at = picture.find(values, picture.find("type=\"translate\"")) + values.size();
+  const std::string first = picture.substr(at, picture.find(';', at) - at);
+  CHECK(picture.find("<g transform=\"translate(" + first + ")\">") != std::string::npos);
 }
 
 TEST_CASE("Maps are exported as ASCII grids with the values of the page") {

@@ -28,10 +28,11 @@ function player(picture) {
 function time_graph(title, list, value, unit) {
   const shown_list = list.slice(0, most_on_graph), node = plot_node(`${title} over time`);
   const dashes = ["solid", "dash", "dot", "dashdot"], colours = [colour.blue, colour.vermillion, colour.green, colour.purple, colour.orange, colour.sky, colour.ink, colour.brick];
+  const apart = (text) => ({ ...axis(text), title: { text, standoff: 8 } });  // the title from the numbers
   const draw = () => plot(node, shown_list.map((item, i) => ({
     x: item.t, y: value(item), name: item.name, mode: "lines", line: { color: colours[i % colours.length], dash: dashes[i % dashes.length], width: 1.5 },
     hovertemplate: `${item.name}: %{y:.5g} ${unit} at %{x:.5g} s<extra></extra>`,
-  })), { height: 300, xaxis: axis("time in s"), yaxis: { ...axis(`${title} in ${unit}`), exponentformat: "power" }, legend, showlegend: shown_list.length > 1 });
+  })), { height: 300, xaxis: apart("time in s"), yaxis: { ...apart(`${title} in ${unit}`), exponentformat: "power" }, legend, showlegend: shown_list.length > 1 });
   return { node, draw };
 }
 
@@ -55,7 +56,7 @@ function motion_section() {
     }
     const hidden = Math.max(motion.bodies.length, motion.contacts.length) - most_on_graph;
     const parts = [paragraph("note", many_points ? `Shown: all bodies of ${point_name(summary.points[shown.point])}.` : "Shown: all bodies."), ...(motion.picture ? player(motion.picture) : []),
-      caption(`The axis has the true time.${motion.contacts.length > 0 ? " Arrows are the forces of contacts at the end of each step." : " With output.series the picture shows the forces of contacts too, and their graphs follow."}`,
+      caption(`The axis has the true time.${motion.contacts.length > 0 ? " Arrows are the forces of contacts at the end of each step: at the ground on the body, between two bodies on the first one." : " With output.series the picture shows the forces of contacts too, and their graphs follow."}`,
         "Heights are of the centre of mass. Forces are those of all contacts of a pair together; an impact has an impulse but no duration, so it has no force here." +
           (hidden > 0 ? ` Graphs show the first ${most_on_graph} bodies or pairs; results.db has all.` : "")),
       ...graphs.map((graph) => graph.node)];

@@ -146,8 +146,8 @@ const log_axis = (title, values) => {
   for (let decade = Math.floor(Math.log10(low)); decade <= Math.log10(high); ++decade) ticks.push(...[1, 2, 5].map((digit) => digit * 10 ** decade));
   return { ...axis(title), type: "log", tickvals: ticks, ticktext: ticks.map(show) };
 };
-/** Above a plot that moves: its buttons, above its legend. */
-const movable_top = 64;
+/** Above a plot that moves: its buttons, above a legend of two rows. */
+const movable_top = 84;
 /** A bin, a count and a share cannot be dragged to a better place: only the trajectories and the plan move and zoom. */
 function plot(node, traces, layout, movable = false) {
   if (typeof Plotly === "undefined") return no_plot(node, "Plotly was not installed when this report was made (make deps): no picture.");
