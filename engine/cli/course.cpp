@@ -89,8 +89,7 @@ int run_one(const Lab& lab, const fs::path& folder, const Arguments& changes) {
   if (code == bad_input || code == interrupted) return code;
   const auto [held, all] = judged(folder / lab.name);
   fmt::print("question: {}\nverdict: {} of {} expectations hold\n", lab.question, held, all);
-  fmt::print("to change it: flyrock run {} -o out/mine --force --set KEY=VALUE\n",
-             fs::path(lab.scenario()).lexically_proximate(fs::current_path()).string());
+  fmt::print("to change it: flyrock course {} --set KEY=VALUE\n", lab.name);
   return code;
 }
 

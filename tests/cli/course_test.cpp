@@ -108,7 +108,7 @@ TEST_CASE("course shows one lab with its page, question and verdict") {
   CHECK(changed.code == 1);
   CHECK(changed.out.find("impact[1].vn_after = 12.60642693") != std::string::npos);
   CHECK(call(folder, "course --set stop.time=1s").code == 2);
-  CHECK(one.out.find("to change it: flyrock run ") != std::string::npos);
+  CHECK(one.out.find("to change it: flyrock course bouncing_ball --set ") != std::string::npos);
   const Output wrong = call(folder, "course bouncing_bal");
   CHECK(wrong.code == 2);
   CHECK(wrong.err.find("did you mean `bouncing_ball`?") != std::string::npos);
