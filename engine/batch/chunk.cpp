@@ -15,7 +15,7 @@ namespace flyrock {
 namespace {
 
 constexpr std::string_view magic = "flyrchnk";
-constexpr std::uint64_t format = 14;
+constexpr std::uint64_t format = 15;
 
 std::uint64_t crc(std::string_view bytes) {
   return ::crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
@@ -114,7 +114,7 @@ void walk_long(Io& io, Records& records) {
   io.rows(records.shapes);
   io.columns(records.shapes, &ShapeRecord::trial, &ShapeRecord::rock);
   visit_shapes(columns_of(io, records.shapes));
-  visit_series(records, [&io](const char*, auto& rows, auto visit_columns) {
+  visit_trial_tables(records, [&io](const char*, auto& rows, auto visit_columns) {
     using Row = typename std::decay_t<decltype(rows)>::value_type;
     io.rows(rows);
     io.columns(rows, &Row::trial);
@@ -152,8 +152,8 @@ std::string header(const ChunkRange& range, const std::string& scenario_hash) {
 std::size_t size_of(const TrialRecords& records) {
   const auto size = [](const auto& rows) { return rows.size() * sizeof(rows[0]); };
   return size(records.rocks) + size(records.inputs) + size(records.impacts) + size(records.trajectories) +
-         size(records.shapes) + size(records.trees) + size(records.series_bodies) +
-         size(records.series_contacts) + size(records.series_solves);
+         size(records.shapes) + size(records.trees) + size(records.fixtures) + size(records.fixture_shapes) +
+         size(records.series_bodies) + size(records.series_contacts) + size(records.series_solves);
 }
 
 /// The section whose length is stored at `at`, with its checksum checked. Moves `at` past the checksum.

@@ -131,7 +131,7 @@ std::string records_fault(const TrialRecords& records, const ChunkRange& range, 
   for (const TrajectoryRecord& row : records.trajectories)
     if (!is_value(row.point.mode, TravelMode::roll))
       return "a point of a trajectory of no known mode of travel";
-  for (const SeriesRecord<SeriesContact>& contact : records.series_contacts)
+  for (const TrialRow<SeriesContact>& contact : records.series_contacts)
     if (!is_value(contact.row.state, SeriesState::after_impact))
       return "a contact of a series in no known state";
   for (const BodyHistory& body : records.totals.bodies)

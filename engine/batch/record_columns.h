@@ -162,7 +162,51 @@ void visit_trajectories(Visit&& visit) {
       visit, [](auto& r) -> auto& { return r.point.turn; }));
 }
 
-// The series belong to a trial, which is stored separately.
+/// Columns of a SurfaceCorner.
+template <class Visit>
+void visit_corner(Visit&& visit) {
+  using C = SurfaceCorner;
+  visit(Column{.name = "contactor"}, &C::contactor);
+  visit(Column{.name = "face"}, &C::face);
+  visit(
+      Column{.name = "x_m"}, [](auto& c) -> auto& { return c.place[0]; });
+  visit(
+      Column{.name = "y_m"}, [](auto& c) -> auto& { return c.place[1]; });
+  visit(
+      Column{.name = "z_m", .in_space = true}, [](auto& c) -> auto& { return c.place[2]; });
+  visit(Column{.name = "radius_m"}, &C::radius);
+}
+
+template <class Visit>
+void visit_shapes(Visit&& visit) {
+  visit_corner(within(visit, &ShapeRecord::corner));
+}
+
+// The following rows belong to a trial, which is stored separately.
+
+template <class Visit>
+void visit_fixtures(Visit&& visit) {
+  visit(
+      Column{.name = "body"}, [](auto& r) -> auto& { return r.row.body; });
+  visit_state(within(
+      visit, [](auto& r) -> auto& { return r.row.start; }));
+  visit_turn(within(
+      visit, [](auto& r) -> auto& { return r.row.turn; }));
+  constexpr const char* accelerations[] = {"ax_m_s2", "ay_m_s2", "az_m_s2"};
+  for (int i = 0; i < 3; ++i)
+    visit(
+        Column{.name = accelerations[i], .in_space = i == 2}, [i](auto& r) -> auto& {
+          return r.row.acceleration[i];
+        });
+}
+
+template <class Visit>
+void visit_fixture_shapes(Visit&& visit) {
+  visit(
+      Column{.name = "body"}, [](auto& r) -> auto& { return r.row.body; });
+  visit_corner(within(
+      visit, [](auto& r) -> auto& { return r.row.corner; }));
+}
 
 template <class Visit>
 void visit_series_bodies(Visit&& visit) {
@@ -218,28 +262,14 @@ void visit_series_solves(Visit&& visit) {
   of_row(Column{.name = "residual_m_s"}, &S::residual);
 }
 
-/// The tables of series: see(name, the rows of `records`, their visit).
+/// The tables of rows of trials: see(name, the rows of `records`, their visit).
 template <class Records, class See>
-void visit_series(Records& records, See&& see) {
+void visit_trial_tables(Records& records, See&& see) {
+  see("fixtures", records.fixtures, [](auto&& visit) { visit_fixtures(visit); });
+  see("fixture_shapes", records.fixture_shapes, [](auto&& visit) { visit_fixture_shapes(visit); });
   see("series_bodies", records.series_bodies, [](auto&& visit) { visit_series_bodies(visit); });
   see("series_contacts", records.series_contacts, [](auto&& visit) { visit_series_contacts(visit); });
   see("series_solves", records.series_solves, [](auto&& visit) { visit_series_solves(visit); });
-}
-
-template <class Visit>
-void visit_shapes(Visit&& visit) {
-  visit(
-      Column{.name = "contactor"}, [](auto& r) -> auto& { return r.corner.contactor; });
-  visit(
-      Column{.name = "face"}, [](auto& r) -> auto& { return r.corner.face; });
-  visit(
-      Column{.name = "x_m"}, [](auto& r) -> auto& { return r.corner.place[0]; });
-  visit(
-      Column{.name = "y_m"}, [](auto& r) -> auto& { return r.corner.place[1]; });
-  visit(
-      Column{.name = "z_m", .in_space = true}, [](auto& r) -> auto& { return r.corner.place[2]; });
-  visit(
-      Column{.name = "radius_m"}, [](auto& r) -> auto& { return r.corner.radius; });
 }
 
 /// The columns that a passage of a gate and an arrival at a barrier share.

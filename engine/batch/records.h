@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "batch/envelope.h"
+#include "batch/fixture.h"
 #include "batch/maps.h"
 #include "batch/rock_surface.h"
 #include "sandbox/print_log.h"
@@ -93,9 +94,9 @@ struct TreeRecord {
   TreeHit hit;
 };
 
-/// A row over time: SeriesBody, SeriesContact or SeriesSolve.
+/// A row of a trial: Fixture, FixtureCorner, SeriesBody, SeriesContact or SeriesSolve.
 template <class Row>
-struct SeriesRecord {
+struct TrialRow {
   std::uint64_t trial = 0;
   Row row;
 };
@@ -125,9 +126,11 @@ struct TrialRecords {
   std::vector<GateRecord> gates;
   std::vector<BarrierRecord> barriers;
   std::vector<TreeRecord> trees;
-  std::vector<SeriesRecord<SeriesBody>> series_bodies;
-  std::vector<SeriesRecord<SeriesContact>> series_contacts;
-  std::vector<SeriesRecord<SeriesSolve>> series_solves;
+  std::vector<TrialRow<Fixture>> fixtures;
+  std::vector<TrialRow<FixtureCorner>> fixture_shapes;
+  std::vector<TrialRow<SeriesBody>> series_bodies;
+  std::vector<TrialRow<SeriesContact>> series_contacts;
+  std::vector<TrialRow<SeriesSolve>> series_solves;
   TrialTotals totals;
   PrintLog prints;  ///< from Lua code; only for the terminal, not in chunk files
 };

@@ -201,6 +201,21 @@ void TrialRunner::Trials<D>::fail_trial(std::uint64_t trial, const ScenarioError
   out.rocks.push_back(row);
 }
 
+namespace {
+
+/// The bodies of a world that are not dynamic, before it runs.
+template <int D>
+void add_fixtures(std::uint64_t trial, const World<D>& world, TrialRecords& out) {
+  for (const Body<D>& body : world.bodies) {
+    if (body.kind == BodyKind::dynamic) continue;
+    out.fixtures.push_back({trial, fixture_of(world, body)});
+    for (const SurfaceCorner& corner : surface_of(body.contactors))
+      out.fixture_shapes.push_back({trial, {body.group, corner}});
+  }
+}
+
+}  // namespace
+
 template <int D>
 void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
   out.totals.materials.resize(scenario_.materials.size());
@@ -258,6 +273,7 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
       series = series_of(scenario_, trial, static_cast<int>(w), rows);
       settings.series = &series;
     }
+    if (stores) add_fixtures(number, world, out);
     if (explainer) explainer->watch(world, names_of(scenario_, trial, static_cast<int>(w)), settings);
     try {
       flyrock::run(world, settings, histories[w]);

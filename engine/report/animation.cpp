@@ -19,12 +19,12 @@ constexpr const char* arrow_colour = "#c4531b";
 
 std::vector<Actor> actors_of(const SqliteReader& database, const std::vector<StoredPath>& paths) {
   std::vector<Actor> actors;
-  for (const StoredPath& path : paths) {
-    actors.push_back({path, stored_corners(database, path), 0});
-    Actor& actor = actors.back();
+  for (const StoredPath& path : paths) actors.push_back({path, stored_corners(database, path), 0});
+  for (const StoredFixture& fixture : stored_fixtures(database, paths))
+    actors.push_back({fixture.path, fixture.corners, 0});
+  for (Actor& actor : actors)
     for (const SurfaceCorner& corner : actor.corners)
       actor.extent = std::max(actor.extent, corner.place.norm() + corner.radius);
-  }
   return actors;
 }
 
@@ -136,7 +136,7 @@ std::string animation_of(const SqliteReader& database, const std::vector<StoredP
       stage.width, stage.height + legend_high, escaped(title), stage.height);
   out += dimension == 2 ? ground_in_plane(database, point, stage) : ground_in_space(database, point, stage);
   for (const Actor& actor : actors) out += animated_rock(actor, stage, dimension);
-  const std::vector<StoredContact> contacts = stored_contacts(database, point, actors.front().path.trial);
+  const std::vector<StoredContact> contacts = stored_contacts(database, point, paths.front().trial);
   const double greatest = greatest_force(contacts);
   out += forces(contacts, greatest, stage);
   return out + "</g></svg>\n" + stage.axis() + legend(stage, greatest) + "</svg>\n";

@@ -58,12 +58,12 @@ std::string declared(const std::vector<StoredColumn>& columns) {
   return text;
 }
 
-/// The names and columns of the tables of series.
-const std::vector<std::pair<const char*, std::vector<StoredColumn>>>& series_tables() {
+/// The names and columns of the tables of rows of trials.
+const std::vector<std::pair<const char*, std::vector<StoredColumn>>>& trial_tables() {
   static const auto tables = [] {
     std::vector<std::pair<const char*, std::vector<StoredColumn>>> list;
     TrialRecords none;
-    visit_series(none, [&](const char* name, auto& rows, auto visit_columns) {
+    visit_trial_tables(none, [&](const char* name, auto& rows, auto visit_columns) {
       using Row = typename std::decay_t<decltype(rows)>::value_type;
       list.emplace_back(name, columns_of<Row>(visit_columns));
     });
@@ -73,16 +73,16 @@ const std::vector<std::pair<const char*, std::vector<StoredColumn>>>& series_tab
 }
 
 std::string record_tables_schema() {
-  std::string series;
-  for (const auto& [name, columns] : series_tables())
-    series += fmt::format("CREATE TABLE {} (point INTEGER, trial INTEGER{});\n", name, declared(columns));
-  return series + fmt::format(
-                      "CREATE TABLE rocks (point INTEGER{});\n"
-                      "CREATE TABLE gates (point INTEGER, trial INTEGER, rock INTEGER{});\n"
-                      "CREATE TABLE barriers (point INTEGER, trial INTEGER, rock INTEGER{});\n"
-                      "CREATE TABLE trees (point INTEGER, trial INTEGER, rock INTEGER{});\n",
-                      declared(rock_columns()), declared(gate_columns()), declared(barrier_columns()),
-                      declared(tree_columns()));
+  std::string of_trials;
+  for (const auto& [name, columns] : trial_tables())
+    of_trials += fmt::format("CREATE TABLE {} (point INTEGER, trial INTEGER{});\n", name, declared(columns));
+  return of_trials + fmt::format(
+                         "CREATE TABLE rocks (point INTEGER{});\n"
+                         "CREATE TABLE gates (point INTEGER, trial INTEGER, rock INTEGER{});\n"
+                         "CREATE TABLE barriers (point INTEGER, trial INTEGER, rock INTEGER{});\n"
+                         "CREATE TABLE trees (point INTEGER, trial INTEGER, rock INTEGER{});\n",
+                         declared(rock_columns()), declared(gate_columns()), declared(barrier_columns()),
+                         declared(tree_columns()));
 }
 
 /// Puts what a table shows for a record. `names`: the names for its indices.
@@ -219,8 +219,8 @@ ResultDatabase::Insertions::Insertions(const SqliteFile& file, int dimension)
       gates(file, "gates", 3 + static_cast<int>(gate_columns().size())),
       barriers(file, "barriers", 3 + static_cast<int>(barrier_columns().size())),
       trees(file, "trees", 3 + static_cast<int>(tree_columns().size())) {
-  for (const auto& [name, columns] : series_tables())
-    series.emplace_back(file, name, 2 + static_cast<int>(columns.size()));
+  for (const auto& [name, columns] : trial_tables())
+    of_trials.emplace_back(file, name, 2 + static_cast<int>(columns.size()));
 }
 
 ResultDatabase::ResultDatabase(const std::filesystem::path& path, const Plan& plan)
@@ -308,8 +308,8 @@ void ResultDatabase::add(int point, const TrialRecords& records) {
     to.put(point, r.trial, r.rock);
     visit_trees(put_into(to, r, none));
   });
-  auto table = insertions_->series.begin();
-  visit_series(records, [&](const char*, const auto& rows, auto visit_columns) {
+  auto table = insertions_->of_trials.begin();
+  visit_trial_tables(records, [&](const char*, const auto& rows, auto visit_columns) {
     (table++)->rows(rows, [&](Statement& to, const auto& r) {
       to.put(point, r.trial);
       visit_columns(put_into(to, r, none));

@@ -34,7 +34,7 @@ class ResultDatabase {
   struct Insertions {
     Insertions(const SqliteFile& file, int dimension);
     Insertion rocks, rows_of_rock, inputs, impacts, trajectories, shapes, gates, barriers, trees;
-    std::deque<Insertion> series;  ///< in the order of visit_series
+    std::deque<Insertion> of_trials;  ///< in the order of visit_trial_tables
   };
 
   void add_plan();

@@ -19,7 +19,7 @@ struct Table {
 };
 
 // The view returns the rows of a rock in the order in which they were written: report/rock_rows.h.
-constexpr std::array<Table, 23> tables = {{
+constexpr std::array<Table, 25> tables = {{
     {"points", "SELECT * FROM points ORDER BY rowid"},
     {"sweep", "SELECT * FROM sweep ORDER BY rowid"},
     {"parts", "SELECT * FROM parts ORDER BY rowid"},
@@ -36,6 +36,8 @@ constexpr std::array<Table, 23> tables = {{
     {"barriers", "SELECT * FROM barriers ORDER BY rowid"},
     {"trees", "SELECT * FROM trees ORDER BY rowid"},
     {"stems", "SELECT * FROM stems ORDER BY rowid"},
+    {"fixtures", "SELECT * FROM fixtures ORDER BY rowid"},
+    {"fixture_shapes", "SELECT * FROM fixture_shapes ORDER BY rowid"},
     {"series_bodies", "SELECT * FROM series_bodies ORDER BY rowid"},
     {"series_contacts", "SELECT * FROM series_contacts ORDER BY rowid"},
     {"series_solves", "SELECT * FROM series_solves ORDER BY rowid"},

@@ -58,6 +58,8 @@ TrialRecords ResultWriter::first_rows(int point, const TrialRecords& chunk) {
     for (const auto& row : rows)
       if (row.trial <= last.trial) kept.push_back(row);
   };
+  of_trials(chunk.fixtures, first.fixtures);
+  of_trials(chunk.fixture_shapes, first.fixture_shapes);
   of_trials(chunk.series_bodies, first.series_bodies);
   of_trials(chunk.series_contacts, first.series_contacts);
   of_trials(chunk.series_solves, first.series_solves);

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
+#include <string>
+
 namespace flyrock {
 
 std::optional<std::int64_t> stored_ground(const SqliteReader& database, std::int64_t point) {
@@ -10,15 +14,82 @@ std::optional<std::int64_t> stored_ground(const SqliteReader& database, std::int
   return row.whole(0);
 }
 
+namespace {
+
+constexpr const char* corner_columns = "contactor, face, x_m, y_m, z_m, radius_m";
+
+SurfaceCorner corner_of(const Query& row, int first) {
+  return {static_cast<int>(row.whole(first)), static_cast<int>(row.whole(first + 1)),
+          Vec3(row.real(first + 2), row.real(first + 3), row.real(first + 4)), row.real(first + 5)};
+}
+
+/// The start of a driven body, or of a fixed one, and how it moves on.
+struct PrescribedMotion {
+  Vec3 place, velocity, acceleration, spin;
+  double time, angle;
+  Eigen::Quaterniond turn;
+
+  bool moves() const { return !velocity.isZero(0) || !acceleration.isZero(0) || !spin.isZero(0); }
+  StoredMoment at(double moment) const {
+    const double t = moment - time, turned = spin.norm() * t;
+    const Vec3 speed = velocity + t * acceleration;
+    const Eigen::AngleAxisd rotation(turned, spin.isZero(0) ? Vec3::UnitZ() : Vec3(spin.normalized()));
+    return {.time = moment,
+            .speed = speed.norm(),
+            .energy = 0,
+            .mode = 0,
+            .place = place + t * velocity + 0.5 * t * t * acceleration,
+            .angle = angle + spin.z() * t,
+            .turn = rotation * turn};
+  }
+};
+
+}  // namespace
+
 std::vector<SurfaceCorner> stored_corners(const SqliteReader& database, const StoredPath& path) {
-  Query row(database, fmt::format("SELECT contactor, face, x_m, y_m, z_m, radius_m FROM shapes WHERE point = "
-                                  "{} AND trial = {} AND rock = {}",
-                                  path.point, path.trial, path.rock));
+  Query row(database, fmt::format("SELECT {} FROM shapes WHERE point = {} AND trial = {} AND rock = {}",
+                                  corner_columns, path.point, path.trial, path.rock));
   std::vector<SurfaceCorner> corners;
-  while (row.next())
-    corners.push_back({static_cast<int>(row.whole(0)), static_cast<int>(row.whole(1)),
-                       Vec3(row.real(2), row.real(3), row.real(4)), row.real(5)});
+  while (row.next()) corners.push_back(corner_of(row, 0));
   return corners;
+}
+
+std::vector<StoredFixture> stored_fixtures(const SqliteReader& database,
+                                           const std::vector<StoredPath>& paths) {
+  constexpr int pieces = 250;  // of the path of a driven body
+  std::vector<StoredFixture> fixtures;
+  if (paths.empty()) return fixtures;
+  const StoredPath& first = paths.front();
+  double end = 0;
+  for (const StoredPath& path : paths) end = std::max(end, path.moments.back().time);
+  const std::string here = fmt::format("WHERE point = {} AND trial = {}", first.point, first.trial);
+  std::map<std::string, std::vector<SurfaceCorner>> corners;
+  Query corner(database,
+               fmt::format("SELECT body, {} FROM fixture_shapes {} ORDER BY rowid", corner_columns, here));
+  while (corner.next()) corners[corner.text(0)].push_back(corner_of(corner, 1));
+  Query row(database,
+            "SELECT body, time_s, x_m, y_m, z_m, vx_m_s, vy_m_s, vz_m_s, ax_m_s2, ay_m_s2, az_m_s2, "
+            "spin_x_rad_s, spin_y_rad_s, spin_z_rad_s, angle_rad, qw, qx, qy, qz FROM fixtures " +
+                here + " ORDER BY rowid");
+  const auto vector = [&](int column) {
+    return Vec3(row.real(column), row.real(column + 1), row.real(column + 2));
+  };
+  while (row.next()) {
+    const PrescribedMotion motion{.place = vector(2),
+                                  .velocity = vector(5),
+                                  .acceleration = vector(8),
+                                  .spin = vector(11),
+                                  .time = row.real(1),
+                                  .angle = row.real(14),
+                                  .turn = {row.real(15), row.real(16), row.real(17), row.real(18)}};
+    StoredFixture fixture{{first.point, first.trial, -1, 0, 0, {}}, {}};
+    const int count = motion.moves() && end > motion.time ? pieces : 0;
+    for (int i = 0; i <= count; ++i)
+      fixture.path.moments.push_back(motion.at(motion.time + (end - motion.time) * i / std::max(count, 1)));
+    fixture.corners = corners[row.text(0)];
+    fixtures.push_back(std::move(fixture));
+  }
+  return fixtures;
 }
 
 }  // namespace flyrock

@@ -1,5 +1,5 @@
 #pragma once
-// What results.db says of the ground of a sweep point and of the shapes of its rocks.
+// What results.db says of the ground of a sweep point, of the shapes of its rocks and of its fixtures.
 
 #include <cstdint>
 #include <optional>
@@ -16,5 +16,15 @@ std::optional<std::int64_t> stored_ground(const SqliteReader& database, std::int
 
 /// The surface of a rock, in its own frame; empty if it is not stored.
 std::vector<SurfaceCorner> stored_corners(const SqliteReader& database, const StoredPath& path);
+
+/// A fixed or driven body (batch/fixture.h).
+struct StoredFixture {
+  StoredPath path;  ///< one moment if the body does not move; the rock is -1
+  std::vector<SurfaceCorner> corners;
+};
+
+/// The fixtures of the trial of the first of these paths, moved until the paths end.
+std::vector<StoredFixture> stored_fixtures(const SqliteReader& database,
+                                           const std::vector<StoredPath>& paths);
 
 }  // namespace flyrock

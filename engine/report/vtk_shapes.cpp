@@ -90,8 +90,8 @@ void add_grown_outline(RockShape& surface, const std::vector<Vec3>& points, doub
   surface.faces.push_back(std::move(face));
 }
 
-/// The surface of a rock, from the table `shapes`.
-RockShape read_surface(const SqliteReader& database, const StoredPath& path, bool in_space) {
+/// The surface with these corners.
+RockShape surface_with(const std::vector<SurfaceCorner>& corners, bool in_space) {
   RockShape surface;
   Vertices vertices(surface);
   int contactor = -1, face = -1;
@@ -101,7 +101,7 @@ RockShape read_surface(const SqliteReader& database, const StoredPath& path, boo
     if (!points.empty()) (in_space ? add_grown : add_grown_outline)(surface, points, radius);
     points.clear();
   };
-  for (const SurfaceCorner& corner : stored_corners(database, path)) {
+  for (const SurfaceCorner& corner : corners) {
     const bool is_new = corner.contactor != contactor || corner.face != face;
     if (is_new) add_points();
     radius = corner.radius;
@@ -117,7 +117,7 @@ RockShape read_surface(const SqliteReader& database, const StoredPath& path, boo
   return surface;
 }
 
-/// All rocks of a step as one set of polygons.
+/// All rocks and fixtures of a step as one set of polygons.
 class Scene {
  public:
   void add(const StoredPath& path, const RockShape& surface, const StoredMoment& now, bool in_space) {
@@ -160,17 +160,23 @@ void write_shapes(const fs::path& index, const SqliteReader& database, const std
   std::vector<RockShape> surfaces;
   double bytes = 0, end = 0;
   for (const StoredPath& path : paths) {
-    RockShape surface = read_surface(database, path, in_space);
+    RockShape surface = surface_with(stored_corners(database, path), in_space);
     if (!surfaces.empty() && least_steps * (bytes + surface.bytes()) > most_bytes) break;
     bytes += surface.bytes();
     surfaces.push_back(std::move(surface));
     end = std::max(end, path.moments.back().time);
   }
+  std::vector<StoredPath> shown(paths.begin(), paths.begin() + static_cast<std::ptrdiff_t>(surfaces.size()));
+  for (StoredFixture& fixture : stored_fixtures(database, shown)) {
+    surfaces.push_back(surface_with(fixture.corners, in_space));
+    bytes += surfaces.back().bytes();
+    shown.push_back(std::move(fixture.path));
+  }
   const double steps = std::clamp(most_bytes / std::max(bytes, 1.0), least_steps, most_vtk_steps);
   write_vtp_series(index, end, steps, [&](double time) {
     Scene scene;
     for (std::size_t k = 0; k < surfaces.size(); ++k)
-      scene.add(paths[k], surfaces[k], paths[k].at(time), in_space);
+      scene.add(shown[k], surfaces[k], shown[k].at(time), in_space);
     return std::move(scene).done();
   });
 }

@@ -388,6 +388,45 @@ TEST_CASE("animate draws the stored motion without scripts") {
   CHECK(call(folder, "animate nowhere").code == 2);
 }
 
+TEST_CASE("fixed and driven bodies are in pictures and in VTK, and move as they are driven") {
+  const Folder folder;
+  folder.write("plate.yaml", R"(flyrock: 1
+dimension: 2
+method: nscd
+terrain: { type: profile, points: [[-20, -5], [20, -5]], material: rock }
+materials: { rock: { friction: { type: coulomb, mu: 0.6 } } }
+bodies:
+  - { name: box, shape: { type: polygon, vertices: [[-0.2, -0.2], [0.2, -0.2], [0.2, 0.2], [-0.2, 0.2]] }, mass: 3 kg, position: [0, 0.3], velocity: [1, 0], material: rock }
+  - { name: plate, shape: { type: polygon, vertices: [[-1, -0.1], [1, -0.1], [1, 0.1], [-1, 0.1]] }, position: [0, 0], driven: { velocity: [1, 0], acceleration: [2, 0] }, material: rock }
+  - { name: anvil, shape: { type: polygon, vertices: [[-1, -0.1], [1, -0.1], [1, 0.1], [-1, 0.1]] }, position: [-3, 0], fixed: true, material: rock }
+stop: { time: 1 s, speed: 0 }
+)");
+  const Output ran = call(folder, "run plate.yaml -o r --quiet");
+  INFO(ran.err);
+  REQUIRE(ran.code == 0);
+  CHECK(query(folder.path() / "r/results.db",
+              "SELECT body, x_m, vx_m_s, ax_m_s2, (SELECT count(*) FROM fixture_shapes s WHERE s.body = "
+              "f.body) FROM fixtures f") ==
+        std::vector<std::string>{"plate|0.0|1.0|2.0|4", "anvil|-3.0|0.0|0.0|4"});
+  REQUIRE(call(folder, "animate r -o motion.svg").code == 0);
+  // The box stays on the plate: the lists of their places end as far from where they begin.
+  const std::string picture = read(folder.path() / "motion.svg");
+  std::vector<double> moved;
+  const std::string mark = "type=\"translate\"", values = "values=\"";
+  for (std::size_t at = picture.find(mark); at != std::string::npos; at = picture.find(mark, at + 1)) {
+    const std::size_t begin = picture.find(values, at) + values.size(), end = picture.find('"', begin);
+    const std::string list = picture.substr(begin, end - begin);
+    moved.push_back(std::stod(list.substr(list.rfind(';') + 1)) - std::stod(list));
+  }
+  REQUIRE(moved.size() >= 2);
+  const double pixels_a_metre = moved[0] / 2;  // 1 m/s for 1 s, and 2 m/s2
+  CHECK(pixels_a_metre > 50);
+  CHECK(moved[1] == Approx(moved[0]).margin(1e-3 * pixels_a_metre));
+  CHECK(count_of(picture, "<polygon points=") == 4);  // the ground, the box, the plate, the anvil
+  REQUIRE(call(folder, "export r --to vtk").code == 0);
+  CHECK(fs::exists(folder.path() / "r/vtk/shapes-p0.pvd"));
+}
+
 TEST_CASE("a picture that moves shows its first moment in programs that do not animate it") {
   const Folder folder;
   const std::string scenario = std::string(FLYROCK_SOURCE_DIR) + "/scenarios/course/oblique_impact.yaml";
