@@ -133,9 +133,11 @@ std::string bodies_answer(const Plan& plan, const Results& results) {
   const std::vector<RockRecord>& bodies = results.points.front().first_trial;
   for (std::size_t b = 0; b < std::min(bodies.size(), most_named); ++b) {
     const RockRecord& body = bodies[b];
+    constexpr double rounding = 1e-9;  // m
     text += fmt::format("{}{} {} after {:.4g} s, {:.4g} m from where it began, with {} impact{}.",
                         b > 0 ? " " : "", names.at(static_cast<std::size_t>(body.group)), ending(body.reason),
-                        body.time, body.runout, body.impacts, body.impacts == 1 ? "" : "s");
+                        body.time, body.runout < rounding ? 0 : body.runout, body.impacts,
+                        body.impacts == 1 ? "" : "s");
   }
   if (bodies.size() > most_named) text += fmt::format(" In all {} bodies moved.", bodies.size());
   if (results.points.size() > 1) text += fmt::format(" (Point 0 of {}.)", results.points.size());
