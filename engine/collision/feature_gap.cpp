@@ -9,20 +9,20 @@ bool is_edge(FeatureId feature) { return feature & 1; }
 
 /// The distance of p from the two segments at a convex corner. A disk that has rolled past the corner is over
 /// one of them.
-double from_corner(const Vec2& p, const Terrain2& terrain, int corner) {
-  const Vec2 away = p - terrain.point(corner);
-  if (away.dot(terrain.tangent(corner)) > 0) return away.dot(terrain.normal(corner));
-  if (away.dot(terrain.tangent(corner - 1)) < 0) return away.dot(terrain.normal(corner - 1));
+double from_corner(const Vec2& p, const Ground2& ground, int corner) {
+  const Vec2 away = p - ground.point(corner);
+  if (away.dot(ground.tangent(corner)) > 0) return away.dot(ground.normal(corner));
+  if (away.dot(ground.tangent(corner - 1)) < 0) return away.dot(ground.normal(corner - 1));
   return away.norm();
 }
 }  // namespace
 
-double feature_gap(const Placed2& contactor, FeatureId feature, const Terrain2& terrain, FeatureId against) {
+double feature_gap(const Placed2& contactor, FeatureId feature, const Ground2& ground, FeatureId against) {
   const int i = terrain_index(against), k = index_2d(feature);
-  if (is_edge(feature)) return contactor.outside(k, terrain.point(i)) - contactor.shape.radius;
+  if (is_edge(feature)) return contactor.outside(k, ground.point(i)) - contactor.shape.radius;
   const Vec2 p = contactor.point(k);
   const double distance =
-      is_corner(against) ? from_corner(p, terrain, i) : (p - terrain.start(i)).dot(terrain.normal(i));
+      is_corner(against) ? from_corner(p, ground, i) : (p - ground.start(i)).dot(ground.normal(i));
   return distance - contactor.shape.radius;
 }
 

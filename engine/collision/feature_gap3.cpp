@@ -80,15 +80,14 @@ double gap_with_circles(const Placed3& a, FeatureId feature, const Placed3& b, F
 
 }  // namespace
 
-double feature_gap(const Placed3& contactor, FeatureId feature, const Terrain3& terrain, FeatureId against) {
-  const Facet f = terrain.ground().facet(terrain.ground().facet_of(against));
+double feature_gap(const Placed3& contactor, FeatureId feature, const Ground3& ground, FeatureId against) {
+  const Facet f = ground.facet(ground.facet_of(against));
   const double radius = contactor.shape.radius;
   if (contactor.shape.has_circles()) {
     if (kind_of(against) == FeatureKind::face)
       return f.distance(*place_of(contactor, feature, -f.normal)) - radius;
     if (kind_of(against) == FeatureKind::vertex)
-      return gap_with_circles(contactor, feature,
-                              vertex_piece(terrain.ground().vertex(ground_index(against))),
+      return gap_with_circles(contactor, feature, vertex_piece(ground.vertex(ground_index(against))),
                               feature_id(0, FeatureKind::vertex, 0));
     return gap_with_circles(contactor, feature, edge_piece(f, static_cast<int>(ground_index(against) % 3)),
                             feature_id(0, FeatureKind::edge, 0));
@@ -97,7 +96,7 @@ double feature_gap(const Placed3& contactor, FeatureId feature, const Terrain3& 
     case FeatureKind::face:
       return f.distance(contactor.point(index_of(feature))) - radius;
     case FeatureKind::vertex: {
-      const Vec3 top = terrain.ground().vertex(ground_index(against));
+      const Vec3 top = ground.vertex(ground_index(against));
       if (kind_of(feature) == FeatureKind::vertex)
         return (contactor.point(index_of(feature)) - top).norm() - radius;
       if (kind_of(feature) == FeatureKind::edge)

@@ -19,6 +19,7 @@ class Terrain3 {
         names_(terrain_names(ground_->parts())) {}
 
   const Ground3& ground() const { return *ground_; }
+  operator const Ground3&() const { return *ground_; }  ///< as Terrain2 is a Ground2
   const std::vector<std::string>& parts() const { return ground_->parts(); }
   /// The name of each part, as laws use it.
   const std::vector<std::string>& names() const { return names_; }

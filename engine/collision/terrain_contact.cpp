@@ -13,38 +13,36 @@ using Contacts = std::vector<ContactPoint<2>>;
 // vertex, which only fixed time steps produce, is pushed out to the nearest point.
 constexpr double shallow_share = 1e-3;
 
-bool in_cone(const Terrain2& terrain, int corner, const Vec2& direction, double slack) {
-  return direction.dot(terrain.tangent(corner - 1)) >= -slack &&
-         direction.dot(terrain.tangent(corner)) <= slack;
+bool in_cone(const Ground2& ground, int corner, const Vec2& direction, double slack) {
+  return direction.dot(ground.tangent(corner - 1)) >= -slack &&
+         direction.dot(ground.tangent(corner)) <= slack;
 }
 
 /// Whether the strip of the segment contains p. At a flat or convex corner only the right segment owns the
 /// point. At a concave corner both segments own it, and the strip is longer by `shallow`, because the point
 /// may have sunk into the other segment.
-bool owns(const Terrain2& terrain, int segment, const Vec2& p, double shallow) {
-  const double length = terrain.length(segment), slack = 1e-9 * length;
-  const double s = (p - terrain.start(segment)).dot(terrain.tangent(segment));
+bool owns(const Ground2& ground, int segment, const Vec2& p, double shallow) {
+  const double length = ground.length(segment), slack = 1e-9 * length;
+  const double s = (p - ground.start(segment)).dot(ground.tangent(segment));
   const int next = segment + 1;
-  const bool concave_start = terrain.corner(segment) == Corner::concave,
-             concave_end = terrain.corner(next) == Corner::concave;
+  const bool concave_start = ground.corner(segment) == Corner::concave,
+             concave_end = ground.corner(next) == Corner::concave;
   if (s < -(concave_start ? shallow : slack) || s > length + (concave_end ? shallow : slack)) return false;
-  if (s <= length - slack || next >= terrain.segments() || concave_end) return true;
-  return (p - terrain.start(next)).dot(terrain.tangent(next)) < -slack;
+  if (s <= length - slack || next >= ground.segments() || concave_end) return true;
+  return (p - ground.start(next)).dot(ground.tangent(next)) < -slack;
 }
 
 /// The point of the polyline that is nearest to a point in the ground.
-ContactPoint<2> nearest_place(const Terrain2& terrain, const Vec2& p) {
-  const int above = terrain.first_segment(p.x());
-  const double depth = std::max({terrain.start(above).y(), terrain.end(above).y(), p.y()}) - p.y();
-  const auto run = terrain.segments_between(p.x() - depth, p.x() + depth);
+ContactPoint<2> nearest_place(const Ground2& ground, const Vec2& p) {
+  const Ground2::Run run = ground.near_inside(p);
   ContactPoint<2> nearest;
   nearest.gap = -1e300;
   for (int i = run.first; i <= run.last; ++i) {
-    const double s = std::clamp((p - terrain.start(i)).dot(terrain.tangent(i)), 0.0, terrain.length(i));
-    const double gap = -(terrain.start(i) + s * terrain.tangent(i) - p).norm();
+    const double s = std::clamp((p - ground.start(i)).dot(ground.tangent(i)), 0.0, ground.length(i));
+    const double gap = -(ground.start(i) + s * ground.tangent(i) - p).norm();
     if (gap > nearest.gap) {
       nearest.gap = gap;
-      nearest.normal = terrain.normal(i);
+      nearest.normal = ground.normal(i);
       nearest.against = segment_id(i);
     }
   }
@@ -54,22 +52,22 @@ ContactPoint<2> nearest_place(const Terrain2& terrain, const Vec2& p) {
 /// Contact points with segments, for a point grown by a radius: the centre of a disk, or a vertex with radius
 /// 0. A point below the line of a segment is either in the ground, or above another part of the polyline and
 /// free.
-void point_contacts(const Vec2& p, double radius, FeatureId feature, const Terrain2& terrain,
-                    const Terrain2::Run& run, double reach, double shallow, Contacts& out) {
+void point_contacts(const Vec2& p, double radius, FeatureId feature, const Ground2& ground,
+                    const Ground2::Run& run, double reach, double shallow, Contacts& out) {
   bool deep = false;
   for (int i = run.first; i <= run.last; ++i) {
-    const double height = (p - terrain.start(i)).dot(terrain.normal(i));
+    const double height = (p - ground.start(i)).dot(ground.normal(i));
     const double gap = height - radius;
-    if (gap > reach || !owns(terrain, i, p, shallow)) continue;
-    if (height < -reach && p.y() >= terrain.height(p.x())) continue;
+    if (gap > reach || !owns(ground, i, p, shallow)) continue;
+    if (height < -reach && !ground.is_inside(p)) continue;
     if (height < -shallow)
       deep = true;
     else
       out.push_back(
-          {p - (radius + 0.5 * gap) * terrain.normal(i), terrain.normal(i), gap, feature, segment_id(i)});
+          {p - (radius + 0.5 * gap) * ground.normal(i), ground.normal(i), gap, feature, segment_id(i)});
   }
   if (!deep) return;
-  ContactPoint<2> place = nearest_place(terrain, p);
+  ContactPoint<2> place = nearest_place(ground, p);
   place.gap -= radius;
   place.point = p - (radius + 0.5 * place.gap) * place.normal;
   place.feature = feature;
@@ -80,29 +78,29 @@ void point_contacts(const Vec2& p, double radius, FeatureId feature, const Terra
 /// reaches to where the sides of the wall have the contact; `outward` leads out of the wall there, and is
 /// zero for a disk.
 void round_contacts(const Vec2& centre, double radius, const Vec2& outward, FeatureId feature,
-                    const Terrain2& terrain, const Terrain2::Run& run, double reach, Contacts& out) {
+                    const Ground2& ground, const Ground2::Run& run, double reach, Contacts& out) {
   const double shallow = shallow_share * (radius > 0 ? radius : 1e-3);  // of a point 1 um
-  point_contacts(centre, radius, feature, terrain, run, reach, shallow, out);
-  for (int i = std::max(run.first, 1); i <= std::min(run.last + 1, terrain.segments() - 1); ++i) {
-    if (terrain.corner(i) != Corner::convex || radius == 0) continue;
-    const Vec2 away = centre - terrain.point(i);
+  point_contacts(centre, radius, feature, ground, run, reach, shallow, out);
+  for (int i = std::max(run.first, 1); i <= std::min(run.last + 1, ground.segments() - 1); ++i) {
+    if (ground.corner(i) != Corner::convex || radius == 0) continue;
+    const Vec2 away = centre - ground.point(i);
     const double distance = away.norm(), gap = distance - radius;
     // Only strictly inside the cone, because on its sides the segments give the contact.
-    if (gap > reach || away.dot(terrain.tangent(i - 1)) <= 1e-9 * terrain.length(i - 1) ||
-        away.dot(terrain.tangent(i)) >= -1e-9 * terrain.length(i) || outward.dot(away) > 0)
+    if (gap > reach || away.dot(ground.tangent(i - 1)) <= 1e-9 * ground.length(i - 1) ||
+        away.dot(ground.tangent(i)) >= -1e-9 * ground.length(i) || outward.dot(away) > 0)
       continue;
     const Vec2 normal = away / distance;
-    out.push_back({terrain.point(i) + 0.5 * gap * normal, normal, gap, feature, corner_id(i)});
+    out.push_back({ground.point(i) + 0.5 * gap * normal, normal, gap, feature, corner_id(i)});
   }
 }
 
 /// Contact points of the edges of a polygon or a wall with convex corners.
-void edge_contacts(const Placed2& polygon, int index, const Terrain2& terrain, const Terrain2::Run& run,
+void edge_contacts(const Placed2& polygon, int index, const Ground2& ground, const Ground2::Run& run,
                    double reach, double cone_slack, Contacts& out) {
   const int n = polygon.count();
-  for (int i = std::max(run.first, 1); i <= std::min(run.last + 1, terrain.segments() - 1); ++i) {
-    if (terrain.corner(i) != Corner::convex) continue;
-    const Vec2& corner = terrain.point(i);
+  for (int i = std::max(run.first, 1); i <= std::min(run.last + 1, ground.segments() - 1); ++i) {
+    if (ground.corner(i) != Corner::convex) continue;
+    const Vec2& corner = ground.point(i);
     int edge = 0;
     double gap = -1e300;
     const double farthest = reach + polygon.shape.radius;
@@ -110,7 +108,7 @@ void edge_contacts(const Placed2& polygon, int index, const Terrain2& terrain, c
       if (const double outside = polygon.outside(e, corner); outside > gap) gap = outside, edge = e;
     gap -= polygon.shape.radius;
     const Vec2 normal = -polygon.normal(edge);
-    if (gap > reach || !in_cone(terrain, i, normal, cone_slack)) continue;
+    if (gap > reach || !in_cone(ground, i, normal, cone_slack)) continue;
     // If a vertex stands on the corner, or the end of a wall is over it, this gives the contact.
     const Vec2 a = polygon.point(edge), b = polygon.point((edge + 1) % n);
     if (n == 2 && ((corner - a).dot(b - a) <= 0 || (corner - b).dot(a - b) <= 0)) continue;
@@ -121,7 +119,7 @@ void edge_contacts(const Placed2& polygon, int index, const Terrain2& terrain, c
 
 }  // namespace
 
-void terrain_contacts(const Placed2& contactor, int contactor_index, const Terrain2& terrain, double reach,
+void terrain_contacts(const Placed2& contactor, int contactor_index, const Ground2& ground, double reach,
                       double turn, std::vector<ContactPoint<2>>& out) {
   if (contactor.shape.is_room()) return;
   double low = contactor.point(0).x(), high = low;
@@ -130,24 +128,24 @@ void terrain_contacts(const Placed2& contactor, int contactor_index, const Terra
     high = std::max(high, contactor.point(i).x());
   }
   const double grow = contactor.shape.radius + reach;
-  const auto run = terrain.segments_between(low - grow, high + grow);
+  const auto run = ground.segments_between(low - grow, high + grow);
   if (contactor.count() == 1) {
     round_contacts(contactor.point(0), contactor.shape.radius, Vec2::Zero(), vertex_id(contactor_index, 0),
-                   terrain, run, reach, out);
+                   ground, run, reach, out);
     return;
   }
   const double radius = contactor.shape.radius, shallow = shallow_share * contactor.shape.bound;
   for (int k = 0; k < contactor.count(); ++k) {
     const Vec2 point = contactor.point(k);
     if (radius > 0)
-      round_contacts(point, radius, point - contactor.point(1 - k), vertex_id(contactor_index, k), terrain,
+      round_contacts(point, radius, point - contactor.point(1 - k), vertex_id(contactor_index, k), ground,
                      run, reach, out);
     else
-      point_contacts(point, 0, vertex_id(contactor_index, k), terrain, run, reach, shallow, out);
+      point_contacts(point, 0, vertex_id(contactor_index, k), ground, run, reach, shallow, out);
   }
   // The corner at the end of a segment holds a polygon that lies flush on it, up to this angle [rad].
   constexpr double flush = 1e-4;
-  edge_contacts(contactor, contactor_index, terrain, run, reach, flush + turn, out);
+  edge_contacts(contactor, contactor_index, ground, run, reach, flush + turn, out);
 }
 
 }  // namespace flyrock

@@ -5,8 +5,8 @@
 
 #include "collision/contact.h"
 #include "collision/placed.h"
-#include "collision/terrain.h"
-#include "collision/terrain3.h"
+#include "geometry/ground.h"
+#include "geometry/ground2.h"
 
 namespace flyrock {
 
@@ -19,14 +19,14 @@ namespace flyrock {
 /// pushed out to the nearest point of the polyline. `contactor_index` is part of the feature ids. `turn`
 /// [rad] is the rotation of the body since a state without penetration, because contacts are detected in the
 /// middle of a step. An edge that has left a corner's cone by at most this angle is still held.
-void terrain_contacts(const Placed2& contactor, int contactor_index, const Terrain2& terrain, double reach,
+void terrain_contacts(const Placed2& contactor, int contactor_index, const Ground2& ground, double reach,
                       double turn, std::vector<ContactPoint<2>>& out);
 
 /// The same in 3D. A sphere meets each facet in whose strip its centre lies, and each convex edge and peak in
 /// whose cone of normals it lies. The ends of a pill are spheres; its edge meets convex edges and peaks.
 /// A polyhedron meets facets with its vertices, convex edges with its edges, and peaks with its faces. Of the
 /// contacts in one plane, at most four are kept (contact_patch.h).
-void terrain_contacts(const Placed3& contactor, int contactor_index, const Terrain3& terrain, double reach,
+void terrain_contacts(const Placed3& contactor, int contactor_index, const Ground3& ground, double reach,
                       double turn, std::vector<ContactPoint<3>>& out);
 
 }  // namespace flyrock

@@ -121,9 +121,8 @@ void rim_contacts_with_facets(const Placed3& shape, int index, const Ground3& gr
 
 }  // namespace
 
-void terrain_contacts(const Placed3& contactor, int contactor_index, const Terrain3& terrain, double reach,
+void terrain_contacts(const Placed3& contactor, int contactor_index, const Ground3& ground, double reach,
                       double turn, std::vector<ContactPoint<3>>& out) {
-  const Ground3& ground = terrain.ground();
   const Contactor3& shape = contactor.shape;
   if (shape.is_room()) return;
   Box3 box = box_of_core(contactor);

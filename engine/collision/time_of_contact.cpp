@@ -13,37 +13,37 @@ namespace flyrock {
 
 namespace {
 
-FeatureId terrain_point(int base, int i) { return corner_id(base + i); }
-FeatureId terrain_edge(int base, int) { return segment_id(base); }
+FeatureId corner_of_ground(int base, int i) { return corner_id(base + i); }
+FeatureId segment_of_ground(int base, int) { return segment_id(base); }
 
 class DiskSearch {
  public:
-  DiskSearch(double radius, FeatureId feature, const Motion2& motion, const Terrain2& terrain,
+  DiskSearch(double radius, FeatureId feature, const Motion2& motion, const Ground2& ground,
              const TouchSearch& search)
-      : radius_(radius), feature_(feature), motion_(motion), terrain_(terrain), search_(search) {}
+      : radius_(radius), feature_(feature), motion_(motion), ground_(ground), search_(search) {}
 
   void segment(int i, const TimeWindow& window, std::optional<double>& best) const {
     const bool held = search_.holds(feature_, segment_id(i));
     if (held && search_.held_are_solved) return;
-    const Vec2& n = terrain_.normal(i);
+    const Vec2& n = ground_.normal(i);
     const Swell& swell = motion_.swell;
     const std::array<double, 3> gap{
-        search_.start_gap(n.dot(motion_.x - terrain_.start(i)) - (radius_ + swell.by), held),
+        search_.start_gap(n.dot(motion_.x - ground_.start(i)) - (radius_ + swell.by), held),
         n.dot(motion_.v) - swell.rate, 0.5 * (n.dot(motion_.a) - swell.growth)};
     const auto t = first_approach(gap, window.a, window.b);
     if (!t || (best && *t >= *best)) return;
-    const Vec2 from_start = motion_.position(*t) - terrain_.start(i);
-    const double s = from_start.dot(terrain_.tangent(i));
-    const bool beside = s < -beyond_end(i, i, i - 1) || s > terrain_.length(i) + beyond_end(i, i + 1, i + 1);
+    const Vec2 from_start = motion_.position(*t) - ground_.start(i);
+    const double s = from_start.dot(ground_.tangent(i));
+    const bool beside = s < -beyond_end(i, i, i - 1) || s > ground_.length(i) + beyond_end(i, i + 1, i + 1);
     const bool behind = n.dot(from_start) < -1e-6 * search_.size;  // free, above another part of the polyline
     if (!beside && !behind) best = t;
   }
 
   void corner(int i, const TimeWindow& window, std::optional<double>& best) const {
-    if (terrain_.corner(i) != Corner::convex || radius_ == 0) return;  // a point meets a segment first
+    if (ground_.corner(i) != Corner::convex || radius_ == 0) return;  // a point meets a segment first
     const bool held = search_.holds(feature_, corner_id(i));
     if (held && search_.held_are_solved) return;
-    const Path<2> relative{motion_.x - terrain_.point(i), motion_.v, motion_.a};
+    const Path<2> relative{motion_.x - ground_.point(i), motion_.v, motion_.a};
     const double start = radius_ + motion_.swell.by;
     const auto square =
         ball_gap(relative, start, motion_.swell, search_.start_gap(relative.x.norm() - start, held));
@@ -56,24 +56,24 @@ class DiskSearch {
   /// concave corner a disk may have sunk into the neighbour, if only by rounding. It then meets the line of
   /// this segment before it reaches the strip.
   double beyond_end(int segment, int corner, int neighbour) const {
-    const double least = 1e-9 * terrain_.length(segment);
-    if (terrain_.corner(corner) != Corner::concave) return least;
-    return std::max(least, std::min(radius_, terrain_.length(neighbour)));
+    const double least = 1e-9 * ground_.length(segment);
+    if (ground_.corner(corner) != Corner::concave) return least;
+    return std::max(least, std::min(radius_, ground_.length(neighbour)));
   }
 
   double radius_;
   FeatureId feature_;
   const Motion2& motion_;
-  const Terrain2& terrain_;
+  const Ground2& ground_;
   const TouchSearch& search_;
 };
 
 /// A time window in [0, t_max]. Outside it, a circle of radius r about the moving point does not meet the
 /// segment. In the frame of the segment its box is flat: the box of a steep face in the world is mostly air.
-TimeWindow segment_window(const Path<2>& path, double r, const Terrain2& terrain, int i, double t_max) {
-  const auto local = [&](const Vec2& v) { return Vec2(v.dot(terrain.tangent(i)), v.dot(terrain.normal(i))); };
-  const Box2 flat{Vec2::Zero(), {terrain.length(i), 0}};
-  return meeting_window(Path<2>{local(path.x - terrain.start(i)), local(path.v), local(path.a)}, r, flat,
+TimeWindow segment_window(const Path<2>& path, double r, const Ground2& ground, int i, double t_max) {
+  const auto local = [&](const Vec2& v) { return Vec2(v.dot(ground.tangent(i)), v.dot(ground.normal(i))); };
+  const Box2 flat{Vec2::Zero(), {ground.length(i), 0}};
+  return meeting_window(Path<2>{local(path.x - ground.start(i)), local(path.v), local(path.a)}, r, flat,
                         t_max);
 }
 
@@ -95,39 +95,39 @@ double TouchSearch::start_gap(double gap, bool just_opened) const {
 }
 
 std::optional<double> time_of_contact(const Contactor2& contactor, int contactor_index, const Motion2& motion,
-                                      const Terrain2& terrain, double t_max, const TouchSearch& search) {
+                                      const Ground2& ground, double t_max, const TouchSearch& search) {
   if (contactor.is_room()) return std::nullopt;
   const double reach = contactor.bound + motion.swell.greatest(t_max);
   const bool round = contactor.points.size() == 1 && contactor.points[0].isZero();
-  const DiskSearch disk(contactor.radius, vertex_id(contactor_index, 0), motion, terrain, search);
+  const DiskSearch disk(contactor.radius, vertex_id(contactor_index, 0), motion, ground, search);
   const MovingHull hull = hull_of(contactor, contactor_index, motion);
 
   // Visit the segments in the order in which the body passes over them. Segments that it reaches after the
   // best time cannot matter.
   const Box2 swept = swept_box(motion, reach, t_max);
-  const auto run = terrain.segments_between(swept.low.x(), swept.high.x());
+  const auto run = ground.segments_between(swept.low.x(), swept.high.x());
   const bool leftwards = motion.v.x() < 0;
   std::optional<double> best;
   for (int k = 0; k <= run.last - run.first; ++k) {
     const int i = leftwards ? run.last - k : run.first + k;
     const double limit = best ? *best : t_max;
-    if (best && motion.a.x() == 0) {
+    if (best && motion.a.x() == 0 && !ground.closed()) {
       const double ahead =
-          leftwards ? motion.x.x() - reach - terrain.end(i).x() : terrain.start(i).x() - motion.x.x() - reach;
+          leftwards ? motion.x.x() - reach - ground.end(i).x() : ground.start(i).x() - motion.x.x() - reach;
       if (ahead > std::abs(motion.v.x()) * limit) break;
     }
-    const TimeWindow window = round ? meeting_window(motion, reach, terrain.box(i), limit)
-                                    : segment_window(motion, reach, terrain, i, limit);
+    const TimeWindow window = round ? meeting_window(motion, reach, ground.box(i), limit)
+                                    : segment_window(motion, reach, ground, i, limit);
     if (window.empty()) continue;
     if (round) {
       if (search.iterations) ++*search.iterations;
       disk.segment(i, window, best);
       disk.corner(i, window, best);
     } else {
-      const Vec2 ends[2] = {terrain.start(i), terrain.end(i)};
-      const Vec2 normals[2] = {terrain.normal(i), -terrain.normal(i)};
-      const MovingHull ground{ends, normals, 2, 0, {}, terrain_point, terrain_edge, i, true};
-      const auto t = advance_to_contact(hull, ground, window, search);
+      const Vec2 ends[2] = {ground.start(i), ground.end(i)};
+      const Vec2 normals[2] = {ground.normal(i), -ground.normal(i)};
+      const MovingHull segment{ends, normals, 2, 0, {}, corner_of_ground, segment_of_ground, i, true};
+      const auto t = advance_to_contact(hull, segment, window, search);
       if (t && (!best || *t < *best)) best = t;
     }
   }

@@ -6,10 +6,10 @@
 
 #include "collision/contact.h"
 #include "collision/motion.h"
-#include "collision/terrain.h"
-#include "collision/terrain3.h"
 #include "geometry/contactor.h"
 #include "geometry/contactor3.h"
+#include "geometry/ground.h"
+#include "geometry/ground2.h"
 
 namespace flyrock {
 
@@ -51,7 +51,7 @@ struct TouchSearch {
 /// separates longest. Near contact this is Newton's method from the safe side. A pair that has just separated
 /// (gap 0, gap' > 0) advances by 2 gap' / M.
 std::optional<double> time_of_contact(const Contactor2& contactor, int contactor_index, const Motion2& motion,
-                                      const Terrain2& terrain, double t_max, const TouchSearch& search);
+                                      const Ground2& ground, double t_max, const TouchSearch& search);
 
 /// The same for two moving contactors.
 std::optional<double> time_of_contact(const Contactor2& a, int a_index, const Motion2& a_motion,
@@ -63,7 +63,7 @@ std::optional<double> time_of_contact(const Contactor2& a, int a_index, const Mo
 /// the face normals, the cross products of two edges, and, with a sphere or a pill, the line between the
 /// nearest places of the two cores, which turns with either contactor.
 std::optional<double> time_of_contact(const Contactor3& contactor, int contactor_index, const Motion3& motion,
-                                      const Terrain3& terrain, double t_max, const TouchSearch& search);
+                                      const Ground3& ground, double t_max, const TouchSearch& search);
 std::optional<double> time_of_contact(const Contactor3& a, int a_index, const Motion3& a_motion,
                                       const Contactor3& b, int b_index, const Motion3& b_motion, double t_max,
                                       const TouchSearch& search);

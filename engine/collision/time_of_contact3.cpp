@@ -180,7 +180,7 @@ const std::vector<HeldOnGround>& held_on(const Ground3& ground, std::span<const 
 
 /// The contacts of a search without those of a pill that have opened: its axis may leave an edge and come
 /// back to it elsewhere, which is a new touch. Valid until the next call.
-std::span<const HeldContact> still_held(const MovingContactor& c, const Terrain3& terrain,
+std::span<const HeldContact> still_held(const MovingContactor& c, const Ground3& ground,
                                         const TouchSearch& search) {
   if (c.shape.has_faces() || c.shape.round()) return search.held;
   thread_local std::vector<HeldContact> closed;  // keeps its memory between calls
@@ -188,7 +188,7 @@ std::span<const HeldContact> still_held(const MovingContactor& c, const Terrain3
   const Placed3 start{c.shape, {c.motion.x, c.motion.turn(0).rotation}};
   for (const HeldContact& h : search.held)
     if (contactor_of(h.feature) != c.index ||
-        feature_gap(start, h.feature, terrain, h.against) <= opened_share * search.size)
+        feature_gap(start, h.feature, ground, h.against) <= opened_share * search.size)
       closed.push_back(h);
   return closed;
 }
@@ -241,11 +241,10 @@ std::optional<double> near_start(const Ground3& ground, const MovingContactor& c
 }  // namespace
 
 std::optional<double> time_of_contact(const Contactor3& contactor, int contactor_index, const Motion3& motion,
-                                      const Terrain3& terrain, double t_max, const TouchSearch& search) {
+                                      const Ground3& ground, double t_max, const TouchSearch& search) {
   if (contactor.is_room()) return std::nullopt;
   const double reach =
       contactor.bound * (1 + 1e-6);  // rounding must not exclude a facet that is just touched
-  const Ground3& ground = terrain.ground();
   if (rolls(contactor)) {
     const BallSearch ball(contactor.radius, feature_id(contactor_index, FeatureKind::vertex, 0), motion,
                           ground, t_max, search);
@@ -256,7 +255,7 @@ std::optional<double> time_of_contact(const Contactor3& contactor, int contactor
   }
   const MovingContactor moving{contactor, motion, contactor_index};
   TouchSearch of_this = search;
-  of_this.held = still_held(moving, terrain, search);
+  of_this.held = still_held(moving, ground, search);
   const auto& held = held_on(ground, of_this.held);
   const auto see = [&](const Facet& facet, const TimeWindow& window, std::optional<double>& first) {
     const auto t = advance_to_facet(moving, facet, held, window, of_this);

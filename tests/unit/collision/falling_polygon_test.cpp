@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "collision/terrain.h"
 #include "collision/time_of_contact.h"
 
 using namespace flyrock;

@@ -5,6 +5,7 @@
 
 #include "collision/feature_gap.h"
 #include "collision/narrow_phase.h"
+#include "collision/terrain3.h"
 #include "collision/terrain_contact.h"
 #include "collision/time_of_contact.h"
 #include "geometry/hull.h"

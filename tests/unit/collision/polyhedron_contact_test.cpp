@@ -6,6 +6,7 @@
 #include "collision/contact_patch.h"
 #include "collision/feature_gap.h"
 #include "collision/narrow_phase.h"
+#include "collision/terrain3.h"
 #include "collision/terrain_contact.h"
 #include "geometry/hull.h"
 

@@ -3,6 +3,7 @@
 
 #include "collision/narrow_phase.h"
 #include "collision/separating_axis.h"
+#include "collision/terrain3.h"
 #include "collision/time_of_contact.h"
 #include "geometry/hull.h"
 

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "collision/terrain.h"
 #include "math/space.h"
 
 using namespace flyrock;

@@ -1,0 +1,116 @@
+#include "geometry/ground2.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flyrock {
+
+namespace {
+// If the directions of two segments differ by less than this angle [rad], the point between them is flat and
+// no feature. A body then does not feel the internal edge.
+constexpr double flat_angle = 1e-9;
+
+double doubled_area(const std::vector<Vec2>& points) {
+  double sum = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    sum += cross(points[i] - points[0], points[(i + 1) % points.size()] - points[0]);
+  return sum;
+}
+}  // namespace
+
+Ground2::Ground2(std::vector<Vec2> points, std::vector<int> part)
+    : points_(std::move(points)), part_(std::move(part)) {
+  measure();
+  // The ends may be long and level; the grid covers what is between them.
+  const int n = segments();
+  const double low = end(0).x(), high = start(n - 1).x();
+  cell_ = std::max((high - low) / n, 1e-300);
+  int segment = 0;
+  for (int k = 0; k < n; ++k) {
+    while (segment < n - 1 && end(segment).x() < low + k * cell_) ++segment;
+    grid_.push_back(segment);
+  }
+}
+
+Ground2 Ground2::outline(const std::vector<Vec2>& points) {
+  Ground2 line(true);
+  // It begins in the middle of a segment, so that all corners lie between two segments.
+  const Vec2 middle = 0.5 * (points.front() + points.back());
+  line.points_.push_back(middle);
+  line.points_.insert(line.points_.end(), points.begin(), points.end());
+  line.points_.push_back(middle);
+  line.part_.assign(points.size() + 1, 0);
+  line.solid_outside_ = doubled_area(points) > 0;
+  line.measure();
+  return line;
+}
+
+void Ground2::measure() {
+  const int n = segments();
+  for (int i = 0; i < n; ++i) {
+    const Vec2 along = end(i) - start(i);
+    length_.push_back(along.norm());
+    tangent_.push_back(along / length_.back());
+    normal_.push_back(perpendicular(tangent_.back()));
+  }
+  corner_.assign(n + 1, Corner::flat);
+  for (int i = 1; i < n; ++i) {
+    const double bend = cross(tangent_[i - 1], tangent_[i]);
+    if (bend < -flat_angle) corner_[i] = Corner::convex;
+    if (bend > flat_angle) corner_[i] = Corner::concave;
+  }
+  extent_ = {points_[0], points_[0]};
+  for (const Vec2& p : points_) extent_ = {extent_.low.cwiseMin(p), extent_.high.cwiseMax(p)};
+}
+
+double Ground2::top(double x) const {
+  const auto from = std::lower_bound(points_.begin(), points_.end(), x,
+                                     [](const Vec2& point, double value) { return point.x() < value; });
+  if (from == points_.end()) return points_.back().y();
+  if (from->x() > x) {
+    if (from == points_.begin()) return from->y();
+    const Vec2& left = *(from - 1);
+    return left.y() + (x - left.x()) / (from->x() - left.x()) * (from->y() - left.y());
+  }
+  double highest = from->y();
+  for (auto point = from; point != points_.end() && point->x() == x; ++point)
+    highest = std::max(highest, point->y());
+  return highest;
+}
+
+bool Ground2::is_inside(const Vec2& p) const {
+  if (!closed_) return p.y() < top(p.x());
+  bool enclosed = false;  // a line from p towards +x passes the outline an odd number of times
+  for (int i = 0; i < segments(); ++i) {
+    const Vec2 &a = start(i), &b = end(i);
+    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
+    if (p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) enclosed = !enclosed;
+  }
+  return enclosed != solid_outside_;
+}
+
+int Ground2::first_segment(double x) const {
+  const double cell = (x - end(0).x()) / cell_;
+  int i = grid_[static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(grid_.size() - 1)))];
+  while (i > 0 && end(i - 1).x() >= x) --i;
+  while (i < segments() - 1 && end(i).x() < x) ++i;
+  return i;
+}
+
+Ground2::Run Ground2::segments_between(double x_low, double x_high) const {
+  if (x_high < extent_.low.x() || x_low > extent_.high.x()) return {0, -1};
+  if (closed_) return {0, segments() - 1};
+  Run run{first_segment(x_low), 0};
+  run.last = run.first;
+  while (run.last + 1 < segments() && start(run.last + 1).x() <= x_high) ++run.last;
+  return run;
+}
+
+Ground2::Run Ground2::near_inside(const Vec2& p) const {
+  if (closed_) return {0, segments() - 1};
+  const int above = first_segment(p.x());
+  const double depth = std::max({start(above).y(), end(above).y(), p.y()}) - p.y();
+  return segments_between(p.x() - depth, p.x() + depth);
+}
+
+}  // namespace flyrock
