@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "geometry/ground.h"
+
 namespace flyrock {
 
 namespace {
@@ -35,6 +37,12 @@ std::vector<SurfaceCorner> surface_of(const std::vector<Contactor2>& contactors)
       add_ring(contactors[c], static_cast<int>(c), corners);
       continue;
     }
+    if (contactors[c].is_surface()) {
+      const Ground2& line = *contactors[c].surface;  // its first point is in the middle of a segment
+      for (int i = 1; i < line.segments(); ++i)
+        corners.push_back({static_cast<int>(c), 0, {line.point(i).x(), line.point(i).y(), 0}, 0});
+      continue;
+    }
     for (const Vec2& point : contactors[c].points)
       corners.push_back({static_cast<int>(c), 0, {point.x(), point.y(), 0}, drawn_radius(contactors[c])});
   }
@@ -42,6 +50,13 @@ std::vector<SurfaceCorner> surface_of(const std::vector<Contactor2>& contactors)
 }
 
 namespace {
+
+void add_triangles(const Ground3& ground, int index, std::vector<SurfaceCorner>& corners) {
+  std::vector<Facet> facets;
+  ground.facets(ground.extent(), facets);
+  for (std::size_t f = 0; f < facets.size(); ++f)
+    for (const Vec3& corner : facets[f].corner) corners.push_back({index, static_cast<int>(f), corner, 0});
+}
 
 /// The wall of a hollow cylinder: its inside, its outside, and the ring at each end.
 void add_tube(const Contactor3& contactor, int index, std::vector<SurfaceCorner>& corners) {
@@ -103,6 +118,17 @@ std::vector<SurfaceCorner> surface_of(const std::vector<Contactor3>& contactors)
     if (contactor.is_half_space()) {  // a square of 1 m stands for it
       for (const auto& [x, y] : {std::pair(-0.5, -0.5), {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}})
         corners.push_back({static_cast<int>(c), 0, {x, y, 0}, 0});
+      continue;
+    }
+    if (contactor.is_surface()) {
+      add_triangles(*contactor.surface, static_cast<int>(c), corners);
+      continue;
+    }
+    if (contactor.is_cloud()) {
+      for (std::size_t f = 0; f < contactor.skin.size(); ++f)
+        for (const int i : contactor.skin[f])
+          corners.push_back(
+              {static_cast<int>(c), static_cast<int>(f), contactor.points[static_cast<std::size_t>(i)], 0});
       continue;
     }
     if (contactor.is_room()) {

@@ -8,6 +8,7 @@
 #include "collision/piece_heights.h"
 #include "collision/room_search.h"
 #include "collision/round_path.h"
+#include "collision/surface.h"
 #include "collision/time_of_contact.h"
 #include "math/polynomial.h"
 
@@ -193,6 +194,28 @@ std::span<const HeldContact> still_held(const MovingContactor& c, const Ground3&
   return closed;
 }
 
+/// The first touch of a cloud's points with a facet, each as a point of its own, whose contacts are those of
+/// its vertex 0.
+void cloud_touch(const MovingContactor& cloud, const Ground3& ground, const Facet& facet,
+                 const TimeWindow& window, const TouchSearch& search, std::optional<double>& first) {
+  thread_local Contactor3 point = Contactor3::sphere(0);  // these keep their memory between calls
+  thread_local std::vector<HeldContact> held;
+  for (int i = 0; i < static_cast<int>(cloud.shape.points.size()); ++i) {
+    point.points[0] = cloud.shape.points[static_cast<std::size_t>(i)];
+    point.bound = point.points[0].norm();
+    held.clear();
+    for (const HeldContact& h : search.held)
+      if (h.feature == feature_id(cloud.index, FeatureKind::vertex, i))
+        held.push_back({feature_id(cloud.index, FeatureKind::vertex, 0), h.against});
+    TouchSearch of_point = search;
+    of_point.held = held;
+    const TimeWindow left{window.a, first ? std::min(*first, window.b) : window.b};
+    const auto t = advance_to_facet({point, cloud.motion, cloud.index}, facet, held_on(ground, held), left,
+                                    of_point);
+    if (t && (!first || *t < *first)) first = t;
+  }
+}
+
 /// A bound on the way that a point of a contactor moves within [0, end] [m].
 double greatest_travel(const MovingContactor& c, double end) {
   const double speed = c.motion.v.norm() + end * c.motion.a.norm();
@@ -254,21 +277,30 @@ std::optional<double> time_of_contact(const Contactor3& contactor, int contactor
                       });
   }
   const MovingContactor moving{contactor, motion, contactor_index};
+  const auto first_touch = [&](const auto& see) {
+    if (const double travel = greatest_travel(moving, t_max); travel < 0.25 * reach)
+      return near_start(ground, moving, travel, t_max, search, see);
+    return along_path(ground, motion, reach, t_max, see);
+  };
+  if (contactor.is_cloud())
+    return first_touch([&](const Facet& facet, const TimeWindow& window, std::optional<double>& first) {
+      cloud_touch(moving, ground, facet, window, search, first);
+    });
   TouchSearch of_this = search;
   of_this.held = still_held(moving, ground, search);
   const auto& held = held_on(ground, of_this.held);
-  const auto see = [&](const Facet& facet, const TimeWindow& window, std::optional<double>& first) {
+  return first_touch([&](const Facet& facet, const TimeWindow& window, std::optional<double>& first) {
     const auto t = advance_to_facet(moving, facet, held, window, of_this);
     if (t && (!first || *t < *first)) first = t;
-  };
-  if (const double travel = greatest_travel(moving, t_max); travel < 0.25 * reach)
-    return near_start(ground, moving, travel, t_max, of_this, see);
-  return along_path(ground, motion, reach, t_max, see);
+  });
 }
 
 std::optional<double> time_of_contact(const Contactor3& a, int a_index, const Motion3& a_motion,
                                       const Contactor3& b, int b_index, const Motion3& b_motion, double t_max,
                                       const TouchSearch& search) {
+  if (a.is_surface() || b.is_surface())
+    return surface_touch<3>(a, a_index, a_motion, b, b_index, b_motion, t_max, search);
+  if (!a.meets(b)) return std::nullopt;
   if (a.is_room() || b.is_room())
     return advance_in_room(MovingContactor{a, a_motion, a_index}, MovingContactor{b, b_motion, b_index},
                            {0, t_max}, search);

@@ -43,12 +43,14 @@ template <int D>
 typename World<D>::Row World<D>::turning_of(const Contact& contact) const {
   const auto of = [&](int i, FeatureId feature, double side) -> Vec<D> {
     const Body<D>& body = bodies[i];
-    const double rounding = side * body.contactors[contactor_of(feature)].rounding();
+    if (body.is_surface()) return Vec<D>::Zero();  // it does not turn
+    const auto& contactor = body.contactor_with(feature);
+    const double rounding = side * contactor.rounding();
     const Vec<D> lever = contact.at.point + rounding * contact.at.normal - body.x;
     if constexpr (D == 2)
       return -body.w * body.w * lever;
     else
-      return body.w.cross(lever_rate(Placed{body.contactors[contactor_of(feature)], body.pose()}, feature,
+      return body.w.cross(lever_rate(Placed{contactor, body.pose()}, feature,
                                      -side * contact.at.normal, body.w, lever));
   };
   Vec<D> a = of(contact.candidate, contact.at.feature, 1);
