@@ -246,7 +246,7 @@ class PairSearch {
     };
     const Placed3 a{a_.shape, {sa.x, sa.turn.rotation}}, b{b_.shape, {sb.x, sb.turn.rotation}};
     if (!a_.shape.has_faces() || !b_.shape.has_faces()) {
-      if (b_.facet && (!a_.shape.round() || a_.shape.radius == 0)) try_faces(b_, Direction::Kind::of_b);
+      if (b_.facet && !a_.shape.round()) try_faces(b_, Direction::Kind::of_b);
       if (best < enough) try_nearest(a, sa, b, sb, try_direction);
       if (by_pairs_ && best <= 0) {
         if (b_.facet)

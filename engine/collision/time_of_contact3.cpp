@@ -3,6 +3,7 @@
 
 #include "collision/advance3.h"
 #include "collision/along_path.h"
+#include "collision/cloud_touch.h"
 #include "collision/facet_region.h"
 #include "collision/feature_gap.h"
 #include "collision/piece_heights.h"
@@ -194,28 +195,6 @@ std::span<const HeldContact> still_held(const MovingContactor& c, const Ground3&
   return closed;
 }
 
-/// The first touch of a cloud's points with a facet, each as a point of its own, whose contacts are those of
-/// its vertex 0.
-void cloud_touch(const MovingContactor& cloud, const Ground3& ground, const Facet& facet,
-                 const TimeWindow& window, const TouchSearch& search, std::optional<double>& first) {
-  thread_local Contactor3 point = Contactor3::sphere(0);  // these keep their memory between calls
-  thread_local std::vector<HeldContact> held;
-  for (int i = 0; i < static_cast<int>(cloud.shape.points.size()); ++i) {
-    point.points[0] = cloud.shape.points[static_cast<std::size_t>(i)];
-    point.bound = point.points[0].norm();
-    held.clear();
-    for (const HeldContact& h : search.held)
-      if (h.feature == feature_id(cloud.index, FeatureKind::vertex, i))
-        held.push_back({feature_id(cloud.index, FeatureKind::vertex, 0), h.against});
-    TouchSearch of_point = search;
-    of_point.held = held;
-    const TimeWindow left{window.a, first ? std::min(*first, window.b) : window.b};
-    const auto t = advance_to_facet({point, cloud.motion, cloud.index}, facet, held_on(ground, held), left,
-                                    of_point);
-    if (t && (!first || *t < *first)) first = t;
-  }
-}
-
 /// A bound on the way that a point of a contactor moves within [0, end] [m].
 double greatest_travel(const MovingContactor& c, double end) {
   const double speed = c.motion.v.norm() + end * c.motion.a.norm();
@@ -284,7 +263,8 @@ std::optional<double> time_of_contact(const Contactor3& contactor, int contactor
   };
   if (contactor.is_cloud())
     return first_touch([&](const Facet& facet, const TimeWindow& window, std::optional<double>& first) {
-      cloud_touch(moving, ground, facet, window, search, first);
+      const auto t = advance_cloud_to_facet(moving, facet, window, search);
+      if (t && (!first || *t < *first)) first = t;
     });
   TouchSearch of_this = search;
   of_this.held = still_held(moving, ground, search);

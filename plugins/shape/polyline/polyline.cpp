@@ -51,7 +51,8 @@ class Polyline : public ShapeModel {
     if (is_closed_) points_.pop_back();
     if (is_closed_ && thickness_ >= 0)
       throw PluginError(
-          "plugin polyline: `thickness` with a line that ends where it begins, expected a line with two ends");
+          "plugin polyline: `thickness` with a line that ends where it begins, expected a line with two "
+          "ends");
   }
 
   std::vector<Contactor2> build(Values values, RandomStream&) const override {
@@ -66,17 +67,19 @@ class Polyline : public ShapeModel {
         throw PluginError(fmt::format("plugin polyline: thickness is {:.6g} m, must be above 0", thickness));
       const Chain outline = strip(points_, thickness);
       if (outline.empty())
-        throw PluginError(fmt::format(
-            "plugin polyline: thickness is {:.6g} m, more than fits behind the bends of the line", thickness));
+        throw PluginError(
+            fmt::format("plugin polyline: thickness is {:.6g} m, more than fits behind the bends of the line",
+                        thickness));
       return outline;
     }
-    Chain outline;
-    for (double thickness = usual_thickness * diagonal_of(points_); outline.empty(); thickness /= 2)
-      outline = strip(points_, thickness);
-    return outline;
+    double thickness = usual_thickness * diagonal_of(points_);
+    for (int i = 0; i < most_tries; ++i, thickness /= 2)
+      if (Chain outline = strip(points_, thickness); !outline.empty()) return outline;
+    throw PluginError("plugin polyline: the line turns back on itself");
   }
 
   static constexpr double usual_thickness = 0.05;  // of the diagonal of the line's box
+  static constexpr int most_tries = 20;
 
   Chain points_;
   int thickness_;
