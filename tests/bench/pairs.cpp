@@ -4,8 +4,9 @@
 // that only makes the engine faster keeps these sums, up to rounding.
 //
 // Not in the table, because they add no other question: compound (each of its parts is a shape of the table),
-// pneumatic_disk and pneumatic_hollow_disk (a disk and a hollow disk), and two points or two hollow shapes,
-// which do not touch.
+// pneumatic_disk and pneumatic_hollow_disk (a disk and a hollow disk), polyline and mesh_patch (a ground in a
+// frame of its own), mesh_point (its vertices are points), and two points or two hollow shapes, which do not
+// touch.
 
 #include <fmt/format.h>
 
