@@ -28,6 +28,28 @@ void add_ring(const Contactor2& contactor, int index, std::vector<SurfaceCorner>
       corners.push_back({index, i, corner, 0});
 }
 
+/// The solid in an outline. One that is solid outside is drawn as a frame about its box, cut open at a
+/// corner.
+std::vector<Vec2> counter_clockwise(const Ground2& outline) {
+  constexpr double frame = 0.1;  // of the diagonal of the box
+  std::vector<Vec2> points;
+  for (int i = outline.segments() - 1; i > 0; --i)  // point 0 is in the middle of a segment
+    points.push_back(outline.point(i));
+  Vec2 low = points.front(), high = low;
+  double twice_area = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec2& next = points[(i + 1) % points.size()];
+    low = low.cwiseMin(next), high = high.cwiseMax(next);
+    twice_area += points[i].x() * next.y() - points[i].y() * next.x();
+  }
+  if (twice_area > 0) return points;
+  const Vec2 grow = Vec2::Constant(frame * (high - low).norm());
+  low -= grow, high += grow;
+  points.push_back(points.front());
+  points.insert(points.end(), {low, {high.x(), low.y()}, high, {low.x(), high.y()}, low});
+  return points;
+}
+
 }  // namespace
 
 std::vector<SurfaceCorner> surface_of(const std::vector<Contactor2>& contactors) {
@@ -38,9 +60,8 @@ std::vector<SurfaceCorner> surface_of(const std::vector<Contactor2>& contactors)
       continue;
     }
     if (contactors[c].is_surface()) {
-      const Ground2& line = *contactors[c].surface;  // its first point is in the middle of a segment
-      for (int i = 1; i < line.segments(); ++i)
-        corners.push_back({static_cast<int>(c), 0, {line.point(i).x(), line.point(i).y(), 0}, 0});
+      for (const Vec2& point : counter_clockwise(*contactors[c].surface))
+        corners.push_back({static_cast<int>(c), 0, {point.x(), point.y(), 0}, 0});
       continue;
     }
     for (const Vec2& point : contactors[c].points)
