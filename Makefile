@@ -14,7 +14,7 @@ help:
 	@echo "make test   build and run the tests: fast (release and sanitizers) and full"
 	@echo "make test-heavy  the tests of over a minute; the golden bytes by -O0, -O3 and with the thread sanitizer"
 	@echo "make golden write tests/golden, the hashes of the results of all scenarios, anew"
-	@echo "make bench  rocks per second, the share of time by phase, and what a law in Lua costs"
+	@echo "make bench  rocks per second, the share of time by phase, the cost of each pair of shapes and of a law in Lua"
 	@echo "make fuzz SECONDS=600 SEED=1   tries mutants of every kind of input, with sanitizers; what it finds is in out/fuzz"
 	@echo "make reference   write docs/reference from the manifests of the plugins and the examples of shapes"
 	@echo "make course write the pictures of the course's pages"

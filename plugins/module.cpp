@@ -20,6 +20,9 @@ FLYROCK_MODULE(table) {
   table[{shape, "hollow_cylinder"}] = make_hollow_cylinder;
   table[{shape, "plane"}] = make_plane_body;
   table[{shape, "point"}] = make_point;
+  table[{shape, "polyline"}] = make_polyline;
+  table[{shape, "mesh_patch"}] = make_mesh_patch;
+  table[{shape, "mesh_point"}] = make_mesh_point;
   table[{shape, "box"}] = make_box;
   table[{shape, "polyhedron"}] = make_polyhedron;
   table[{shape, "random_polyhedron"}] = make_random_polyhedron;

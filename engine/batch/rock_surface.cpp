@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "geometry/ground.h"
+
 namespace flyrock {
 
 namespace {
@@ -26,6 +28,28 @@ void add_ring(const Contactor2& contactor, int index, std::vector<SurfaceCorner>
       corners.push_back({index, i, corner, 0});
 }
 
+/// The solid in an outline. One that is solid outside is drawn as a frame about its box, cut open at a
+/// corner.
+std::vector<Vec2> counter_clockwise(const Ground2& outline) {
+  constexpr double frame = 0.1;  // of the diagonal of the box
+  std::vector<Vec2> points;
+  for (int i = outline.segments() - 1; i > 0; --i)  // point 0 is in the middle of a segment
+    points.push_back(outline.point(i));
+  Vec2 low = points.front(), high = low;
+  double twice_area = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec2& next = points[(i + 1) % points.size()];
+    low = low.cwiseMin(next), high = high.cwiseMax(next);
+    twice_area += points[i].x() * next.y() - points[i].y() * next.x();
+  }
+  if (twice_area > 0) return points;
+  const Vec2 grow = Vec2::Constant(frame * (high - low).norm());
+  low -= grow, high += grow;
+  points.push_back(points.front());
+  points.insert(points.end(), {low, {high.x(), low.y()}, high, {low.x(), high.y()}, low});
+  return points;
+}
+
 }  // namespace
 
 std::vector<SurfaceCorner> surface_of(const std::vector<Contactor2>& contactors) {
@@ -35,6 +59,11 @@ std::vector<SurfaceCorner> surface_of(const std::vector<Contactor2>& contactors)
       add_ring(contactors[c], static_cast<int>(c), corners);
       continue;
     }
+    if (contactors[c].is_surface()) {
+      for (const Vec2& point : counter_clockwise(*contactors[c].surface))
+        corners.push_back({static_cast<int>(c), 0, {point.x(), point.y(), 0}, 0});
+      continue;
+    }
     for (const Vec2& point : contactors[c].points)
       corners.push_back({static_cast<int>(c), 0, {point.x(), point.y(), 0}, drawn_radius(contactors[c])});
   }
@@ -42,6 +71,13 @@ std::vector<SurfaceCorner> surface_of(const std::vector<Contactor2>& contactors)
 }
 
 namespace {
+
+void add_triangles(const Ground3& ground, int index, std::vector<SurfaceCorner>& corners) {
+  std::vector<Facet> facets;
+  ground.facets(ground.extent(), facets);
+  for (std::size_t f = 0; f < facets.size(); ++f)
+    for (const Vec3& corner : facets[f].corner) corners.push_back({index, static_cast<int>(f), corner, 0});
+}
 
 /// The wall of a hollow cylinder: its inside, its outside, and the ring at each end.
 void add_tube(const Contactor3& contactor, int index, std::vector<SurfaceCorner>& corners) {
@@ -103,6 +139,17 @@ std::vector<SurfaceCorner> surface_of(const std::vector<Contactor3>& contactors)
     if (contactor.is_half_space()) {  // a square of 1 m stands for it
       for (const auto& [x, y] : {std::pair(-0.5, -0.5), {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}})
         corners.push_back({static_cast<int>(c), 0, {x, y, 0}, 0});
+      continue;
+    }
+    if (contactor.is_surface()) {
+      add_triangles(*contactor.surface, static_cast<int>(c), corners);
+      continue;
+    }
+    if (contactor.is_cloud()) {
+      for (std::size_t f = 0; f < contactor.skin.size(); ++f)
+        for (const int i : contactor.skin[f])
+          corners.push_back(
+              {static_cast<int>(c), static_cast<int>(f), contactor.points[static_cast<std::size_t>(i)], 0});
       continue;
     }
     if (contactor.is_room()) {

@@ -154,6 +154,26 @@ void find_free_rollers(const Scenario& scenario, const Trial<D>& trial, TriedOut
   }
 }
 
+/// Finds bodies that pass through each other, because one of them touches with points only.
+template <int D>
+void find_passing_bodies(const Scenario& scenario, const Trial<D>& trial, TriedOut& tried) {
+  if constexpr (D == 3)
+    for (const World<3>& world : trial.worlds)
+      for (std::size_t i = 0; i < world.bodies.size(); ++i)
+        for (std::size_t j = 0; j < i && scenario.body_contacts; ++j) {
+          const Body<3>&a = world.bodies[i], &b = world.bodies[j];
+          if ((!a.moves() && !b.moves()) || a.contactors.front().meets(b.contactors.front())) continue;
+          const bool is_a = a.contactors.front().is_cloud();
+          add(tried.warnings,
+              scenario.bodies.empty() ? "rock_contacts" : fmt::format("bodies.{}", is_a ? i : j),
+              fmt::format(
+                  "`{}` and `{}` pass through each other: a mesh_point touches the ground, planes and "
+                  "mesh_patch only",
+                  a.group, b.group));
+          return;
+        }
+}
+
 /// Finds rocks with many vertices or contactors. Each impact looks at all of them, and each vertex makes
 /// impacts of its own.
 template <int D>
@@ -268,6 +288,7 @@ void try_trials(const Scenario& scenario, TrialBuilder<D>& builder, std::uint64_
       rocks += trial.rocks.size();
       find_hard_contacts(scenario, builder.instances(), trial, tried);
       find_free_rollers(scenario, trial, tried);
+      find_passing_bodies(scenario, trial, tried);
       find_fine_outlines(scenario, trial, tried);
       find_overlapping_parts(scenario, trial, tried);
       find_loose_rooms(scenario, trial, tried);

@@ -64,6 +64,7 @@ Terrain3 level_ground(Vec3) { return Terrain3(TerrainShape3(Plane{})); }
 
 template <int D>
 std::string ground_cell(const NamedShape<D>& shape) {
+  if (!shape.contactors.empty() && shape.contactors.front().is_surface()) return "no";
   const auto ground = level_ground(Vec<D>());
   std::vector<ContactPoint<D>> contacts;
   for (const auto& contactor : shape.contactors)
@@ -102,14 +103,16 @@ std::string shape_pairs(const std::vector<const PluginSpec*>& shapes, const std:
   return fmt::format(
       "## Which shapes touch which\n\n"
       "yes: they touch from all sides. inside: the hollow one holds the other one and touches it from inside "
-      "only. no: they have "
-      "no contacts. Hollow shapes and planes are solid outside, so none can be in another one, and the "
-      "ground is in none. Two "
-      "points have no extent and pass each other. A compound and a point serve 2D and 3D; each has its row "
-      "in the table of its "
-      "example. The parts of a compound touch as their shapes do. The ground is a profile, benches or a "
-      "section in 2D, and a "
-      "plane, a mesh, a raster or benches in 3D.\n\n{}\n{}",
+      "only. no: they have no contacts. Hollow shapes and planes are solid outside, so none can be in "
+      "another "
+      "one, and the ground is in none. Surfaces (`mesh_patch`, `polyline`) are fixed or driven, and do not "
+      "touch each other or the ground. A `mesh_point` touches with its vertices only: the ground, planes and "
+      "surfaces, which have faces. Two points have no extent and pass each other. A compound and a point "
+      "serve "
+      "2D and 3D; each has its row in the table of its example. The parts of a compound touch as their "
+      "shapes "
+      "do. The ground is a profile, benches or a section in 2D, and a plane, a mesh, a raster or benches in "
+      "3D.\n\n{}\n{}",
       table_of(in_plane), table_of(in_space));
 }
 

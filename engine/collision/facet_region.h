@@ -10,29 +10,34 @@ namespace flyrock {
 /// Relative tolerance of the tests of regions: beyond the ends of an edge, and beside the strip of a facet.
 inline constexpr double region_slack = 1e-9;
 
-/// Whether the strip over a facet, along its normal, contains p. At an open rim the strip has no side. At a
-/// concave rim it is wider by `sunk` [m], because p may have sunk into the neighbour. At a flat rim it
-/// overlaps the strip of the neighbour, because the two normals may differ by what still counts as flat. At a
-/// convex rim it is wider by `slack` times the length of the rim.
-inline bool strip_contains(const Facet& f, const Vec3& p, double sunk, double slack) {
+/// By how much the strip over a facet is wider than the facet at its rim i [m]. At a concave rim it is `sunk`
+/// [m], because a place may have sunk into the neighbour. At a flat rim the strip overlaps that of the
+/// neighbour, because the two normals may differ by what still counts as flat. At a convex rim it is `slack`
+/// times the length of the rim.
+inline double strip_margin(const Facet& f, int i, const Vec3& p, double sunk, double slack = region_slack) {
   constexpr double overlap = 1e-6;
+  if (f.rim[i] == Rim::concave) return sunk;
+  return f.rim[i] == Rim::flat ? overlap * (p - f.corner[i]).norm() : slack * f.along(i).norm();
+}
+
+/// Whether the strip over a facet, along its normal, contains p. At an open rim the strip has no side.
+inline bool strip_contains(const Facet& f, const Vec3& p, double sunk, double slack) {
   for (int i = 0; i < 3; ++i) {
     if (f.rim[i] == Rim::open) continue;
-    const Vec3 along = f.along(i), away = p - f.corner[i];
-    const double length = along.norm();
-    const double wider = f.rim[i] == Rim::concave ? sunk
-                         : f.rim[i] == Rim::flat  ? overlap * away.norm()
-                                                  : slack * length;
-    if (f.normal.cross(along).dot(away) < -wider * length) return false;
+    const Vec3 along = f.along(i);
+    if (f.normal.cross(along).dot(p - f.corner[i]) < -strip_margin(f, i, p, sunk, slack) * along.norm())
+      return false;
   }
   return true;
 }
 
 /// Whether p, below the plane of the facet, is nearer to the facet beyond a convex rim, or in the air behind
-/// it. The contact is then the neighbour's, or none.
+/// it. The contact is then the neighbour's, or none. On the rim itself, up to rounding, p has both.
 inline bool nearer_beyond(const Facet& f, const Vec3& p, double distance) {
   for (int i = 0; i < 3; ++i)
-    if (f.rim[i] == Rim::convex && f.beyond[i].dot(p - f.corner[i]) > distance) return true;
+    if (f.rim[i] == Rim::convex &&
+        f.beyond[i].dot(p - f.corner[i]) > distance + region_slack * f.along(i).norm())
+      return true;
   return false;
 }
 

@@ -207,8 +207,24 @@ FacingPair facing_pair(const Placed3& a, const Placed3& b) {
   return pair;
 }
 
+std::optional<Vec3> touching_line(const Placed3& shape, FeatureId feature, const Vec3& normal) {
+  if (kind_of(feature) == FeatureKind::face) return std::nullopt;
+  if (kind_of(feature) == FeatureKind::vertex) return Vec3::Zero();
+  const int index = index_of(feature);
+  if (shape.shape.has_circles())
+    return (shape.pose.r * shape.shape.circles[circle_of_rim(index)].axis).cross(normal);
+  const Contactor3::Edge& edge = shape.shape.edges[index];
+  return shape.pose.r * (shape.shape.points[edge.end] - shape.shape.points[edge.start]);
+}
+
+std::optional<Vec3> touching_line(const Ground3& ground, FeatureId feature) {
+  if (kind_of(feature) == FeatureKind::face) return std::nullopt;
+  if (kind_of(feature) == FeatureKind::vertex) return Vec3::Zero();
+  return ground.facet(ground.facet_of(feature)).along(static_cast<int>(ground_index(feature) % 3));
+}
+
 Vec3 lever_rate(const Placed3& shape, FeatureId feature, const Vec3& direction, const Vec3& spin,
-                const Vec3& lever) {
+                const Vec3& lever, const std::optional<Vec3>& other) {
   const int index = index_of(feature);
   if (shape.shape.is_room() && !shape.shape.is_half_space()) {
     // The place on the wall follows the other body. Of the wall, only the place on its axis turns.
@@ -224,6 +240,9 @@ Vec3 lever_rate(const Placed3& shape, FeatureId feature, const Vec3& direction, 
   const double length = out.norm();
   if (length < flush_angle) return spin.cross(lever);
   const Vec3 towards = out / length;
+  // Where the axis is nearly along the direction, the farthest place is far from where a line crosses the
+  // rim.
+  if (other && axis.cross(towards).cross(*other).norm() >= length * other->norm()) return spin.cross(lever);
   const Vec3 rate = -direction.dot(axis_rate) * axis - direction.dot(axis) * axis_rate;
   return spin.cross(shape.pose.r * circle.centre) +
          circle.radius / length * (rate - towards.dot(rate) * towards);

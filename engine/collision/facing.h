@@ -2,9 +2,11 @@
 // The part of a contactor that faces a direction, and the features of contactors with circles.
 
 #include <boost/container/static_vector.hpp>
+#include <optional>
 
 #include "collision/closest.h"
 #include "collision/gjk.h"
+#include "geometry/ground.h"
 
 namespace flyrock {
 
@@ -60,10 +62,16 @@ struct FacingPair {
 };
 FacingPair facing_pair(const Placed3& a, const Placed3& b);
 
+/// The line with which a feature touches: an edge, or the tangent of a rim. A vertex gives the zero vector, a
+/// face none. Of any length, world frame; `normal` is that of the contact.
+std::optional<Vec3> touching_line(const Placed3& shape, FeatureId feature, const Vec3& normal);
+std::optional<Vec3> touching_line(const Ground3& ground, FeatureId feature);
+
 /// The rate at which the lever of a contact changes [m/s]. `lever` leads from the centre of mass to the
-/// contact on the surface, `direction` out of the body. It turns with the body, but the place of a rim that
-/// is farthest along the direction walks around the rim.
+/// contact on the surface, `direction` out of the body. It turns with the body, but on a face, or along an
+/// edge, the place of a rim that is farthest along the direction walks around the rim. `other` is the line
+/// with which the other body touches; where a rim crosses it, the place does not walk.
 Vec3 lever_rate(const Placed3& shape, FeatureId feature, const Vec3& direction, const Vec3& spin,
-                const Vec3& lever);
+                const Vec3& lever, const std::optional<Vec3>& other);
 
 }  // namespace flyrock

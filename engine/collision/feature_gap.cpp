@@ -1,6 +1,7 @@
 #include "collision/feature_gap.h"
 
 #include "collision/room.h"
+#include "collision/surface.h"
 
 namespace flyrock {
 
@@ -28,6 +29,8 @@ double feature_gap(const Placed2& contactor, FeatureId feature, const Ground2& g
 
 double feature_gap(const Placed2& candidate, FeatureId feature, const Placed2& antagonist,
                    FeatureId against) {
+  if (candidate.shape.is_surface() || antagonist.shape.is_surface())
+    return surface_gap<2>(candidate, feature, antagonist, against);
   if (candidate.shape.is_room() || antagonist.shape.is_room())
     return room_gap(candidate, feature, antagonist, against);
   const int k = index_2d(feature), j = index_2d(against);

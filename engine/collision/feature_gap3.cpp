@@ -5,6 +5,7 @@
 #include "collision/feature_gap.h"
 #include "collision/ground_piece.h"
 #include "collision/room.h"
+#include "collision/surface.h"
 
 namespace flyrock {
 
@@ -120,6 +121,8 @@ double feature_gap(const Placed3& contactor, FeatureId feature, const Ground3& g
 
 double feature_gap(const Placed3& candidate, FeatureId feature, const Placed3& antagonist,
                    FeatureId against) {
+  if (candidate.shape.is_surface() || antagonist.shape.is_surface())
+    return surface_gap<3>(candidate, feature, antagonist, against);
   if (candidate.shape.is_room() || antagonist.shape.is_room())
     return room_gap(candidate, feature, antagonist, against);
   if (candidate.shape.has_circles() || antagonist.shape.has_circles())

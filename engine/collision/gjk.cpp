@@ -32,7 +32,7 @@ class Simplex {
     double least = std::numeric_limits<double>::infinity();
     int best = all;
     std::array<double, 4> best_shares{};
-    for (int some = 1; some <= all; ++some) {
+    for (int some = 1 << (count_ - 1); some <= all; ++some) {  // the sets with the new point
       std::array<double, 4> shares{};
       Vec3 place = Vec3::Zero();
       if (!spans(some, shares, place) || place.squaredNorm() >= least) continue;

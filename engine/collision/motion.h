@@ -47,6 +47,10 @@ struct GivenRotation {
   /// The rotation that begins at `start` with spin w and reaches `end` after h.
   static GivenRotation between(const Rotation3& start, const Vec3& w, const Rotation3& end, double h);
   Turn at(double t) const;
+  /// The same rotation in a frame at rest that is turned by `frame`.
+  GivenRotation seen_from(const Rotation3& frame) const {
+    return {frame.inverse() * start, frame.inverse(w), frame.inverse(alpha)};
+  }
   /// Bounds on |w| [rad/s] and |w'| [rad/s2] over [0, t].
   double greatest_spin(double t) const;
   double greatest_spin_rate(double t) const;

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "collision/room.h"
+#include "collision/surface.h"
 
 namespace flyrock {
 
@@ -240,7 +241,9 @@ void polygon_polygon(const Placed2& a, int ia, const Placed2& b, int ib, double 
 }  // namespace
 
 void body_contacts(const Placed2& candidate, int ic, const Placed2& antagonist, int ia, double reach,
-                   Contacts& out) {
+                   Contacts& out, double turn) {
+  if (candidate.shape.is_surface() || antagonist.shape.is_surface())
+    return surface_contacts<2>(candidate, ic, antagonist, ia, reach, turn, out);
   if (candidate.shape.is_room() || antagonist.shape.is_room())
     return room_contacts(candidate, ic, antagonist, ia, reach, out);
   const bool round_candidate = candidate.count() == 1, round_antagonist = antagonist.count() == 1;

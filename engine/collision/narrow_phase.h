@@ -11,9 +11,11 @@ namespace flyrock {
 /// Appends the contacts of two disks, walls or convex polygons whose gap is at most `reach` [m], at most two.
 /// For two polygons, the reference edge is the edge whose normal separates them most. The incident edge,
 /// which faces it, is clipped to the strip of the reference edge. A wall that lies flush on an edge does the
-/// same. In the other cases with a radius, the contact is at the nearest edge or vertex.
+/// same. In the other cases with a radius, the contact is at the nearest edge or vertex. Rooms and surfaces
+/// have rules of their own (room.h, surface.h). `turn` [rad]: the rotation of the bodies since a state
+/// without penetration, as in terrain_contacts.
 void body_contacts(const Placed2& candidate, int candidate_index, const Placed2& antagonist,
-                   int antagonist_index, double reach, std::vector<ContactPoint<2>>& out);
+                   int antagonist_index, double reach, std::vector<ContactPoint<2>>& out, double turn = 0);
 
 /// Appends the contacts of two spheres, pills or convex polyhedra whose gap is at most `reach` [m].
 /// With a sphere or a pill, the contact is at the nearest vertices, edges and faces of the two cores
@@ -23,6 +25,6 @@ void body_contacts(const Placed2& candidate, int candidate_index, const Placed2&
 /// polyhedron is clipped to the sides of this reference face: at most four contact points. If it belongs to
 /// two edges: one contact point.
 void body_contacts(const Placed3& candidate, int candidate_index, const Placed3& antagonist,
-                   int antagonist_index, double reach, std::vector<ContactPoint<3>>& out);
+                   int antagonist_index, double reach, std::vector<ContactPoint<3>>& out, double turn = 0);
 
 }  // namespace flyrock

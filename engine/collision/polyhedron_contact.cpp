@@ -10,6 +10,7 @@
 #include "collision/patch_contact.h"
 #include "collision/room.h"
 #include "collision/separating_axis.h"
+#include "collision/surface.h"
 
 namespace flyrock {
 
@@ -157,7 +158,10 @@ void polyhedron_polyhedron(const Placed3& a, int ia, const Placed3& b, int ib, d
 }  // namespace
 
 void body_contacts(const Placed3& candidate, int ic, const Placed3& antagonist, int ia, double reach,
-                   Contacts& out) {
+                   Contacts& out, double turn) {
+  if (candidate.shape.is_surface() || antagonist.shape.is_surface())
+    return surface_contacts<3>(candidate, ic, antagonist, ia, reach, turn, out);
+  if (!candidate.shape.meets(antagonist.shape)) return;
   if (candidate.shape.is_room() || antagonist.shape.is_room())
     return room_contacts(candidate, ic, antagonist, ia, reach, out);
   if (candidate.shape.round() && antagonist.shape.round())

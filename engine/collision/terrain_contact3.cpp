@@ -132,8 +132,8 @@ void terrain_contacts(const Placed3& contactor, int contactor_index, const Groun
   thread_local std::vector<Facet> facets;  // keeps its memory between calls
   facets.clear();
   ground.facets(box, facets);
-  const bool is_point = shape.round() && shape.radius == 0;
-  const double size = shape.has_faces() || shape.has_circles() || is_point ? shape.bound : shape.radius;
+  const bool only_points = shape.only_points();
+  const double size = shape.has_faces() || shape.has_circles() || only_points ? shape.bound : shape.radius;
   const std::size_t begin = out.size();
   for (int i = 0; i < contactor.count(); ++i) {
     const FeatureId vertex = feature_id(contactor_index, FeatureKind::vertex, i);
@@ -145,9 +145,9 @@ void terrain_contacts(const Placed3& contactor, int contactor_index, const Groun
   if (!facets.empty() && !facets.front().unbounded) {
     if (shape.has_circles())
       circle_rim_contacts(contactor, contactor_index, ground, facets, reach, turn, out);
-    else if (!shape.has_faces() && !is_point)
+    else if (!shape.has_faces() && !only_points)
       core_rim_contacts(contactor, contactor_index, ground, facets, reach, turn, out);
-    else if (!is_point)
+    else if (!only_points)
       rim_contacts(contactor, contactor_index, ground, facets, box, reach, turn, out);
     drop_repeated(out, begin, size);
   }

@@ -7,6 +7,7 @@
 #include "collision/advancement.h"
 #include "collision/room_search.h"
 #include "collision/round_path.h"
+#include "collision/surface.h"
 #include "math/polynomial.h"
 
 namespace flyrock {
@@ -137,6 +138,8 @@ std::optional<double> time_of_contact(const Contactor2& contactor, int contactor
 std::optional<double> time_of_contact(const Contactor2& a, int a_index, const Motion2& a_motion,
                                       const Contactor2& b, int b_index, const Motion2& b_motion, double t_max,
                                       const TouchSearch& search) {
+  if (a.is_surface() || b.is_surface())
+    return surface_touch<2>(a, a_index, a_motion, b, b_index, b_motion, t_max, search);
   if (a.points.size() == 1 && b.points.size() == 1 && a.radius + b.radius == 0)
     return std::nullopt;  // two points
   if (a.is_room() || b.is_room())

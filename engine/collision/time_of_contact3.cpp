@@ -3,11 +3,13 @@
 
 #include "collision/advance3.h"
 #include "collision/along_path.h"
+#include "collision/cloud_touch.h"
 #include "collision/facet_region.h"
 #include "collision/feature_gap.h"
 #include "collision/piece_heights.h"
 #include "collision/room_search.h"
 #include "collision/round_path.h"
+#include "collision/surface.h"
 #include "collision/time_of_contact.h"
 #include "math/polynomial.h"
 
@@ -254,21 +256,31 @@ std::optional<double> time_of_contact(const Contactor3& contactor, int contactor
                       });
   }
   const MovingContactor moving{contactor, motion, contactor_index};
+  const auto first_touch = [&](const auto& see) {
+    if (const double travel = greatest_travel(moving, t_max); travel < 0.25 * reach)
+      return near_start(ground, moving, travel, t_max, search, see);
+    return along_path(ground, motion, reach, t_max, see);
+  };
+  if (contactor.is_cloud())
+    return first_touch([&](const Facet& facet, const TimeWindow& window, std::optional<double>& first) {
+      const auto t = advance_cloud_to_facet(moving, facet, window, search);
+      if (t && (!first || *t < *first)) first = t;
+    });
   TouchSearch of_this = search;
   of_this.held = still_held(moving, ground, search);
   const auto& held = held_on(ground, of_this.held);
-  const auto see = [&](const Facet& facet, const TimeWindow& window, std::optional<double>& first) {
+  return first_touch([&](const Facet& facet, const TimeWindow& window, std::optional<double>& first) {
     const auto t = advance_to_facet(moving, facet, held, window, of_this);
     if (t && (!first || *t < *first)) first = t;
-  };
-  if (const double travel = greatest_travel(moving, t_max); travel < 0.25 * reach)
-    return near_start(ground, moving, travel, t_max, of_this, see);
-  return along_path(ground, motion, reach, t_max, see);
+  });
 }
 
 std::optional<double> time_of_contact(const Contactor3& a, int a_index, const Motion3& a_motion,
                                       const Contactor3& b, int b_index, const Motion3& b_motion, double t_max,
                                       const TouchSearch& search) {
+  if (a.is_surface() || b.is_surface())
+    return surface_touch<3>(a, a_index, a_motion, b, b_index, b_motion, t_max, search);
+  if (!a.meets(b)) return std::nullopt;
   if (a.is_room() || b.is_room())
     return advance_in_room(MovingContactor{a, a_motion, a_index}, MovingContactor{b, b_motion, b_index},
                            {0, t_max}, search);

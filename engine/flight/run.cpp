@@ -39,6 +39,8 @@ class Runner {
                             [](const Body<D>& b) { return b.breathing.moves(); });
     in_air_ = std::any_of(world.bodies.begin(), world.bodies.end(),
                           [](const Body<D>& b) { return b.air.drag > 0; });
+    has_surfaces_ = std::any_of(world.bodies.begin(), world.bodies.end(),
+                                [](const Body<D>& body) { return body.is_surface(); });
   }
 
   ~Runner() { world_.on_hit = nullptr; }
@@ -185,8 +187,9 @@ class Runner {
       if (const double end = time_over_ground(world_.terrain(), world_.flight_of(i), dt); end < dt)
         dt = end * (1 + 1e-9) + 1e-9, touch = false;  // slightly beyond, so that end_bodies finds it there
     }
-    // If the swept boxes of two bodies overlap, the bodies might meet: try a shorter jump, and finally a
-    // step.
+    if (const auto t = touch_of_surfaces(dt)) dt = *t, touch = true;
+    // If the swept boxes of two other bodies overlap, the bodies might meet: try a shorter jump, and finally
+    // a step.
     if (bodies() > 1) {
       const double whole = dt, h = world_.settings().time_step;
       while (dt > h && may_meet(dt)) dt *= 0.5;
@@ -213,9 +216,31 @@ class Runner {
   bool may_meet(double dt) {
     for (const auto& [i, j] : world_.near_pairs(dt)) {
       const Body<D>&a = world_.bodies[i], &b = world_.bodies[j];
-      if (a.present && b.present && (a.moves() || b.moves())) return true;
+      const bool is_searched = a.is_surface() || b.is_surface();
+      if (a.present && b.present && (a.moves() || b.moves()) && !is_searched) return true;
     }
     return false;
+  }
+
+  /// The first touch of a body with a surface within dt [s]. The box of a surface is full of air, so bodies
+  /// in it fly.
+  std::optional<double> touch_of_surfaces(double dt) {
+    std::optional<double> first;
+    if (!has_surfaces_) return first;
+    const PhaseTimer timer(world_.clock, &PhaseTimes::flight);
+    for (const auto& [i, j] : world_.near_pairs(dt)) {
+      const Body<D>&a = world_.bodies[i], &b = world_.bodies[j];
+      if (a.is_surface() == b.is_surface() || !a.present || !b.present || !(a.moves() || b.moves())) continue;
+      const double size = a.is_surface() ? b.size : a.size;
+      const TouchSearch search{world_.held(i, j), false, 0, size, &world_.quality().toc_iterations};
+      const Motion of_a = world_.flight_of(i), of_b = world_.flight_of(j);
+      for (std::size_t k = 0; k < a.contactors.size(); ++k)
+        for (std::size_t l = 0; l < b.contactors.size(); ++l)
+          if (const auto t = time_of_contact(a.contactors[k], static_cast<int>(k), of_a, b.contactors[l],
+                                             static_cast<int>(l), of_b, first.value_or(dt), search))
+            first = t;
+    }
+    return first;
   }
 
   /// The time at which a path passes the end x of the domain [s]. One that starts at the end and does not
@@ -367,6 +392,7 @@ class Runner {
   std::vector<Motion> flights_;  ///< of the last flight or step, from its start
   bool breathes_ = false;        ///< the radius of a body changes in the air too: flights are made of steps
   bool in_air_ = false;
+  bool has_surfaces_ = false;
   std::vector<std::array<Vec<D>, 2>> accelerations_;  ///< accelerations by the air in the current leg
   int stalled_ = 0;
   int steps_ = 0;  ///< since marked_time_

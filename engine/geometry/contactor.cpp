@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "geometry/bound.h"
 
@@ -104,6 +105,15 @@ Contactor2 Contactor2::hollow_disk(double radius, double outer) {
   return {.points = {Vec2::Zero()}, .normals = {}, .radius = radius, .bound = outer, .outer = outer};
 }
 
+Contactor2 Contactor2::outline(const std::vector<Vec2>& points) {
+  Vec2 low = points.front(), high = low;
+  for (const Vec2& point : points) low = low.cwiseMin(point), high = high.cwiseMax(point);
+  return {.points = {low, {high.x(), low.y()}, high, {low.x(), high.y()}},
+          .normals = {},
+          .bound = bound_of(points, 0),
+          .surface = std::make_shared<const Ground2>(Ground2::outline(points))};
+}
+
 Contactor2 Contactor2::wall(const Vec2& start, const Vec2& end, double radius) {
   std::vector<Vec2> points{start, end};
   auto normals = edge_normals(points);
@@ -118,6 +128,7 @@ Contactor2 Contactor2::polygon(std::vector<Vec2> vertices) {
 }
 
 void Contactor2::translate(const Vec2& by) {
+  if (is_surface()) throw std::logic_error("a surface keeps its frame");
   for (Vec2& point : points) point += by;
   bound = bound_of(points, radius);
 }
@@ -158,7 +169,7 @@ std::string make_convex(std::vector<Vec2>& vertices) {
 }
 
 AreaProperties area_properties(const std::vector<Contactor2>& contactors) {
-  if (contactors.empty()) return {};
+  if (contactors.empty() || contactors.front().is_surface()) return {};
   // Use moments about a point of the body, so that a body drawn far from the frame's origin loses no digits.
   const Vec2 origin = contactors.front().points.front();
   Moments sum;

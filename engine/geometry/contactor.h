@@ -1,9 +1,11 @@
 #pragma once
 // Contactors, the shapes that touch, in 2D.
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "geometry/ground2.h"
 #include "math/space.h"
 
 namespace flyrock {
@@ -14,6 +16,9 @@ namespace flyrock {
 ///
 /// A hollow disk is solid outside of the circle of `radius` about the origin, up to the radius `outer`. It is
 /// a room (collision/room.h): other contactors touch it from inside only.
+///
+/// A contactor with a `surface` is an outline of segments, in general not convex (collision/surface.h). It is
+/// the only one of its body, which does not move freely; `points` are the corners of its box.
 struct Contactor2 {
   std::vector<Vec2> points;
   std::vector<Vec2> normals;  ///< outward unit normal of the edge from points[i] to points[i + 1]; none for a
@@ -21,6 +26,7 @@ struct Contactor2 {
   double radius = 0;
   double bound = 0;  ///< radius of the smallest circle about the frame's origin that contains the contactor
   double outer = 0;  ///< m, of a hollow disk; 0 for others
+  std::shared_ptr<const Ground2> surface = nullptr;  ///< closed
 
   static constexpr std::size_t most_vertices = 1 << 15;  ///< limit of a feature id (collision/contact.h)
 
@@ -30,8 +36,11 @@ struct Contactor2 {
   static Contactor2 wall(const Vec2& start, const Vec2& end, double radius);
   /// Counter-clockwise convex polygon; the normals are computed.
   static Contactor2 polygon(std::vector<Vec2> vertices);
+  /// The closed line through the points: clockwise it is solid inside, counter-clockwise outside.
+  static Contactor2 outline(const std::vector<Vec2>& points);
 
   bool is_room() const { return outer > 0; }
+  bool is_surface() const { return surface != nullptr; }
   /// How far the surface is beyond the core, along the normal out of the contactor [m].
   double rounding() const { return is_room() ? -radius : radius; }
   void translate(const Vec2& by);
@@ -42,7 +51,8 @@ struct Contactor2 {
 /// order.
 std::string make_convex(std::vector<Vec2>& vertices);
 
-/// Area [m2], centroid and second moments of area about the centroid [m4] of contactors that do not overlap.
+/// Area [m2], centroid and second moments of area about the centroid [m4] of contactors that do not overlap;
+/// 0 for a surface, which does not move freely.
 struct AreaProperties {
   double area = 0;
   Vec2 centroid = Vec2::Zero();

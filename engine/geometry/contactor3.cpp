@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "geometry/bound.h"
+#include "geometry/ground.h"
 
 namespace flyrock {
 
@@ -126,6 +127,28 @@ Contactor3 Contactor3::half_space() {
   return shape;
 }
 
+Contactor3 Contactor3::solid(Mesh mesh) {
+  Contactor3 shape;
+  shape.bound = bound_of(mesh.vertices, 0);
+  shape.surface = make_ground(std::move(mesh));
+  const Box3& box = shape.surface->extent();
+  for (int i = 0; i < 8; ++i)
+    shape.points.emplace_back((i & 1 ? box.high : box.low).x(), (i & 2 ? box.high : box.low).y(),
+                              (i & 4 ? box.high : box.low).z());
+  return shape;
+}
+
+Contactor3 Contactor3::cloud(const Mesh& mesh) {
+  if (mesh.vertices.size() > most_edges)
+    throw std::invalid_argument(
+        fmt::format("{} vertices, at most {} are possible", mesh.vertices.size(), most_edges));
+  Contactor3 shape;
+  shape.points = mesh.vertices;
+  shape.skin = mesh.triangles;
+  shape.bound = bound_of(shape.points, 0);
+  return shape;
+}
+
 Contactor3 Contactor3::sphere(double radius, const Vec3& centre) {
   Contactor3 shape;
   shape.points = {centre};
@@ -179,6 +202,7 @@ std::optional<Vec3> Contactor3::axis_of_revolution() const {
 }
 
 void Contactor3::change_frame(const Vec3& origin, const Rotation3& r) {
+  if (is_surface()) throw std::logic_error("a surface keeps its frame");
   for (Vec3& point : points) point = r.inverse(point - origin);
   for (Face& face : faces) face.normal = r.inverse(face.normal);
   for (Circle& circle : circles) {

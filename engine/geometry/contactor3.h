@@ -1,7 +1,9 @@
 #pragma once
 // Contactors, the shapes that touch, in 3D.
 
+#include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +11,9 @@
 #include "math/space.h"
 
 namespace flyrock {
+
+class Ground3;
+struct Mesh;
 
 /// A contactor in 3D: the convex hull of `points` and `circles`, grown by `radius`. One point with a radius
 /// is a sphere, two points with a radius are a pill, which has one edge and no face. Points with faces,
@@ -18,6 +23,10 @@ namespace flyrock {
 /// A hollow cylinder has the two circles at the ends of its inside, and is solid outside up to the radius
 /// `outer`. A half space is solid below the plane z = 0. Both are rooms (collision/room.h): other contactors
 /// touch them from inside.
+///
+/// Two kinds are not convex. A contactor with a `surface` is a solid bounded by triangles, as in 2D. A cloud
+/// touches with its points only, which are the vertices of a closed surface (`skin`); it meets the ground,
+/// surfaces and half spaces.
 struct Contactor3 {
   /// A circle about an axis. The disk in it is a flat cap of the contactor, which lies behind it.
   struct Circle {
@@ -55,6 +64,9 @@ struct Contactor3 {
   double radius = 0;
   double bound = 0;  ///< radius of the smallest sphere about the frame's origin that contains the contactor
   double outer = 0;  ///< m, of a hollow cylinder; infinite for a half space; 0 for others
+  std::shared_ptr<const Ground3> surface = nullptr;  ///< closed
+  std::vector<std::array<int, 3>> skin = {};  ///< of a cloud: triangles, indices into points, seen from outside
+
 
   static Contactor3 sphere(double radius, const Vec3& centre = Vec3::Zero());
   /// The segment from `start` to `end`, grown by a radius.
@@ -66,6 +78,10 @@ struct Contactor3 {
   /// About the origin, with the axis z.
   static Contactor3 hollow_cylinder(double radius, double outer, double height);
   static Contactor3 half_space();
+  /// The solid in a closed mesh without faults (geometry/mesh_fault.h).
+  static Contactor3 solid(Mesh mesh);
+  /// The vertices of such a mesh, as a cloud. Throws std::invalid_argument if they are too many.
+  static Contactor3 cloud(const Mesh& mesh);
   /// A convex polyhedron given by its faces. Each face is a loop of indices into `points`, counter-clockwise
   /// as seen from outside. Throws std::invalid_argument if the faces do not form a closed convex surface or
   /// are too many.
@@ -73,6 +89,17 @@ struct Contactor3 {
 
   bool is_room() const { return outer > 0; }
   bool is_half_space() const { return std::isinf(outer); }
+  bool is_surface() const { return surface != nullptr; }
+  bool is_cloud() const { return !skin.empty(); }
+  /// Whether two contactors can touch: a cloud touches surfaces and half spaces only.
+  bool meets(const Contactor3& other) const {
+    const auto serves = [](const Contactor3& cloud, const Contactor3& c) {
+      return !cloud.is_cloud() || c.is_surface() || c.is_half_space();
+    };
+    return serves(*this, other) && serves(other, *this);
+  }
+  /// Points without extent: no edge and no face touches.
+  bool only_points() const { return radius == 0 && edges.empty() && circles.empty() && !is_room(); }
   double rounding() const { return radius; }  ///< as in 2D
   bool round() const { return points.size() == 1 && circles.empty(); }
   bool has_faces() const { return !faces.empty(); }

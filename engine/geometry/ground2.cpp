@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/plan_zone.h"
+
 namespace flyrock {
 
 namespace {
@@ -80,13 +82,7 @@ double Ground2::top(double x) const {
 
 bool Ground2::is_inside(const Vec2& p) const {
   if (!closed_) return p.y() < top(p.x());
-  bool enclosed = false;  // a line from p towards +x passes the outline an odd number of times
-  for (int i = 0; i < segments(); ++i) {
-    const Vec2 &a = start(i), &b = end(i);
-    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
-    if (p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) enclosed = !enclosed;
-  }
-  return enclosed != solid_outside_;
+  return flyrock::is_inside(points_, p) != solid_outside_;
 }
 
 int Ground2::first_segment(double x) const {

@@ -69,7 +69,7 @@ void add_tetrahedron(Moments& sum, const Vec3& a, const Vec3& b, const Vec3& c) 
 }  // namespace
 
 VolumeProperties volume_properties(const std::vector<Contactor3>& contactors) {
-  if (contactors.empty()) return {};
+  if (contactors.empty() || contactors.front().is_surface()) return {};
   // Use moments about a point of the body, so that a body drawn far from the frame's origin loses no digits.
   const Contactor3& first = contactors.front();
   const Vec3 origin = first.has_circles() ? first.circles.front().centre : first.points.front();
@@ -91,6 +91,9 @@ VolumeProperties volume_properties(const std::vector<Contactor3>& contactors) {
       add_sphere(sum, shape.radius, shape.points[0] - origin);
       continue;
     }
+    for (const auto& [a, b, c] : shape.skin)
+      add_tetrahedron(sum, shape.points[a] - origin, shape.points[b] - origin, shape.points[c] - origin);
+    if (shape.is_cloud()) continue;
     if (!shape.has_faces()) {
       add_pill(sum, shape.radius, shape.points[0] - origin, shape.points[1] - origin);
       continue;

@@ -14,8 +14,9 @@ struct VolumeProperties {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< integral of (r.r 1 - r r^T) about the centroid [m5]
 };
 
-/// The properties of contactors that do not overlap. They are exact: a pill is a cylinder and two
-/// half-spheres, and a polyhedron is a sum of tetrahedra over its faces (divergence theorem):
+/// The properties of contactors that do not overlap; 0 for a surface, which does not move freely. They are
+/// exact: a pill is a cylinder and two half-spheres, and a polyhedron, convex or not, is a sum of tetrahedra
+/// over its faces (divergence theorem):
 ///   integral of r r^T over (0, a, b, c) = det(a, b, c)/120 (a a^T + b b^T + c c^T + (a+b+c)(a+b+c)^T).
 VolumeProperties volume_properties(const std::vector<Contactor3>& contactors);
 

@@ -121,6 +121,14 @@ std::optional<double> FreeRotation::precession_of(const Vec3& axis) const {
   return p_.norm();
 }
 
+FreeRotation FreeRotation::seen_from(const Rotation3& frame) const {
+  FreeRotation seen = *this;
+  seen.start_ = frame.inverse() * start_;
+  seen.p_ = frame.inverse(p_);
+  seen.to_world_ = frame.matrix().transpose() * to_world_;
+  return seen;
+}
+
 Turn FreeRotation::at(double t) const {
   if (precesses_) {
     const Rotation3 r = Rotation3::from_vector(t * p_) * start_ * Rotation3::from_vector(t * q_);

@@ -32,6 +32,8 @@ class FreeRotation {
   FreeRotation(const Vec3& moments, const Rotation3& rotation, const Vec3& spin);
 
   Turn at(double t) const;
+  /// The same rotation in a frame at rest that is turned by `frame`.
+  FreeRotation seen_from(const Rotation3& frame) const;
   /// Bounds on |w| [rad/s] and |w'| [rad/s2] at all times.
   double greatest_spin() const { return greatest_spin_; }
   double greatest_spin_rate() const { return greatest_spin_rate_; }

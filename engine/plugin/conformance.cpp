@@ -64,6 +64,10 @@ void add(Numbers& answer, const std::vector<Contactor2>& contactors) {
 void check_contactors(const std::vector<Contactor2>& contactors) {
   if (contactors.empty()) fail("a rock has no contactor");
   for (const Contactor2& contactor : contactors) {
+    if (contactor.is_surface()) {
+      if (contactors.size() > 1) fail("a surface is one contactor of several, expected it alone");
+      return;  // only of a fixed or driven body
+    }
     const bool finite = std::all_of(contactor.points.begin(), contactor.points.end(),
                                     [](const Vec2& point) { return point.allFinite(); });
     if (!finite || !std::isfinite(contactor.radius)) fail("a contactor is not finite");
@@ -94,6 +98,8 @@ void add(Numbers& answer, const std::vector<Contactor3>& contactors) {
 void check_contactors(const std::vector<Contactor3>& contactors) {
   if (contactors.empty()) fail("a rock has no contactor");
   for (const Contactor3& contactor : contactors) {
+    if (contactor.is_surface() && contactors.size() > 1)
+      fail("a surface is one contactor of several, expected it alone");
     const bool finite = std::all_of(contactor.points.begin(), contactor.points.end(),
                                     [](const Vec3& point) { return point.allFinite(); });
     const bool circles_finite =
@@ -102,8 +108,8 @@ void check_contactors(const std::vector<Contactor3>& contactors) {
         });
     if (!finite || !circles_finite || !std::isfinite(contactor.radius)) fail("a contactor is not finite");
   }
-  const auto endless = [](const Contactor3& contactor) { return contactor.is_half_space(); };
-  if (std::all_of(contactors.begin(), contactors.end(), endless)) return;  // only of a fixed or driven body
+  const auto massless = [](const Contactor3& c) { return c.is_half_space() || c.is_surface(); };
+  if (std::all_of(contactors.begin(), contactors.end(), massless)) return;  // only of a fixed or driven body
   if (contactors.size() == 1 && contactors[0].round() && contactors[0].radius == 0) return;  // a point
   const VolumeProperties properties = volume_properties(contactors);
   if (!(properties.volume > 0 && properties.inertia.trace() > 0)) fail("a rock has no volume or no inertia");

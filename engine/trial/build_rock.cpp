@@ -88,7 +88,7 @@ Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, con
     if (own_mass) return group.population.path;
     return key_of(shape.own.mass ? "shape" : mass_key(group))();
   };
-  at_path(key_of("shape"), [&] { refuse_endless(body); });
+  at_path(key_of("shape"), [&] { refuse_massless(body); });
   at_path(mass_path, [&] { refuse_extremes(body); });
   at_path(key_of("shape"), [&] { refuse_slender(body); });
   Place<D> place;

@@ -265,7 +265,7 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
     if (shape_is_drawn) rock.outcomes.set_shape(body);
     body.group = plan.name;
     if (!plan.fixed && !plan.driven) {
-      at_path(path + "shape", [&] { refuse_endless(body); });
+      at_path(path + "shape", [&] { refuse_massless(body); });
       at_path(path + mass_key(plan), [&] { refuse_extremes(body); });
     }
     at_path(path + "shape", [&] { refuse_slender(body); });
@@ -276,6 +276,7 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
       for (std::size_t k = 0; k < plan.driven->acceleration.size(); ++k)
         body.push[static_cast<int>(k)] = plan.driven->acceleration[k];
       body.w = spin_of<D>([&](int k) { return plan.driven->spin[k]; });
+      at_path(path + "driven.spin", [&] { refuse_turning(body); });
     } else if (plan.fixed) {
       body.kind = BodyKind::fixed;
     } else {

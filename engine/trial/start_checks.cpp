@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision/room.h"
+#include "collision/surface.h"
 #include "flight/ground.h"
 #include "geometry/place_text.h"
 #include "geometry/volume_properties.h"
@@ -22,17 +24,31 @@ template <int D>
 double buried(const Body<D>& body, const typename Geometry<D>::Terrain& terrain) {
   if (std::isinf(domain_of(terrain).low[0])) return 0;
   double depth = 0;
-  for (const auto& contactor : body.contactors) {
-    if (contactor.is_room()) continue;  // the ground does not touch it
-    Vec<D> middle = Vec<D>::Zero();
-    for (const Vec<D>& point : contactor.points)
-      middle += point / static_cast<double>(contactor.points.size());
-    if constexpr (D == 3)
-      for (const Contactor3::Circle& circle : contactor.circles)
-        middle += (circle.centre - middle) / static_cast<double>(contactor.circles.size());
-    depth = std::max(depth, depth_below_ground(terrain, body.pose() * middle));
-  }
+  for (const auto& contactor : body.contactors)
+    if (!contactor.is_room())  // the ground does not touch it
+      depth = std::max(depth, depth_below_ground(terrain, body.pose() * middle_of(contactor)));
   return depth;
+}
+
+/// The surface in which the middle of a contactor lies, and how deep. Contacts do not find it, as above.
+template <int D>
+struct InSurface {
+  double depth = 0;
+  const Body<D>* surface = nullptr;
+};
+template <int D>
+InSurface<D> in_surface(const Body<D>& body, const std::vector<Body<D>>& bodies) {
+  InSurface<D> deepest;
+  for (const Body<D>& other : bodies) {
+    if (!other.is_surface()) continue;
+    for (const auto& contactor : body.contactors) {
+      if (contactor.is_room()) continue;
+      const double depth =
+          depth_in_surface({other.contactors.front(), other.pose()}, body.pose() * middle_of(contactor));
+      if (depth > deepest.depth) deepest = {depth, &other};
+    }
+  }
+  return deepest;
 }
 
 /// The distance from a place above the ground to the ground [m]; 0 below it. In 3D at most `most`.
@@ -56,7 +72,7 @@ double room_at(const Vec3& place, const Terrain3& terrain, double most) {
 
 /// The length of a contactor divided by its thickness, as if it were a rectangle or a box; exact for these.
 double slenderness(const Contactor2& contactor) {
-  if (contactor.points.size() == 1) return 1;  // in addition a hollow disk
+  if (contactor.points.size() == 1 || contactor.is_surface()) return 1;  // in addition a hollow disk
   double length = 0;
   for (const Vec2& point : contactor.points)
     length = std::max(length, (point - contactor.points.front()).norm());
@@ -65,7 +81,7 @@ double slenderness(const Contactor2& contactor) {
 }
 
 double slenderness(const Contactor3& contactor) {
-  if (contactor.round() || contactor.is_room()) return 1;
+  if (contactor.round() || contactor.is_room() || contactor.is_surface()) return 1;
   const Vec3 moments = principal_frame(volume_properties({contactor}).inertia).moments;
   const Vec3 squares = Vec3::Constant(0.5 * moments.sum()) -
                        moments;  // integrals of x^2, y^2, z^2: proportional to a side squared
@@ -122,6 +138,11 @@ std::string inside_terrain(const Body<D>& body, double depth, const typename Geo
                      body.size, room);
 }
 
+template <int D>
+std::string inside_text(const Body<D>& body, double depth, const Body<D>& other) {
+  return fmt::format("`{}` starts {:.3g} m inside `{}`", body.group, depth, other.group);
+}
+
 }  // namespace
 
 template <int D>
@@ -142,13 +163,23 @@ void refuse_extremes(const Body<D>& body) {
 }
 
 template <int D>
-void refuse_endless(const Body<D>& body) {
+void refuse_massless(const Body<D>& body) {
+  if (body.is_surface())
+    throw StartError(fmt::format(
+        "`{}` is a surface, which other bodies do not move: expected `fixed: true` or `driven`", body.group));
   if constexpr (D == 3)
     for (const Contactor3& contactor : body.contactors)
       if (contactor.is_half_space())
         throw StartError(
             fmt::format("`{}` is a plane without end, which has no mass: expected `fixed: true` or `driven`",
                         body.group));
+}
+
+template <int D>
+void refuse_turning(const Body<D>& body) {
+  if (body.is_surface() && body.spin_speed() > 0)
+    throw StartError(
+        fmt::format("`{}` is a surface, which moves without turning: expected a spin of 0", body.group));
 }
 
 template <int D>
@@ -186,14 +217,15 @@ std::optional<StartFault> start_fault(World<D>& world, const Vec3& origin) {
                                        start_text(body, origin))};
     if (const double depth = buried(body, world.terrain()); depth > most_overlap * body.size)
       return StartFault{i, inside_terrain(body, depth, world.terrain(), origin)};
+    if (const auto in = in_surface(body, world.bodies); in.depth > most_overlap * body.size)
+      return StartFault{i, inside_text(body, in.depth, *in.surface)};
   }
   const auto overlap = world.deepest_overlap();
   if (overlap.depth <= most_overlap * size) return std::nullopt;
   const Body<D>& body = world.bodies[overlap.body];
   if (overlap.other < 0)
     return StartFault{overlap.body, inside_terrain(body, overlap.depth, world.terrain(), origin)};
-  return StartFault{overlap.body, fmt::format("`{}` starts {:.3g} m inside `{}`", body.group, overlap.depth,
-                                              world.bodies[overlap.other].group)};
+  return StartFault{overlap.body, inside_text(body, overlap.depth, world.bodies[overlap.other])};
 }
 
 std::string start_fault_of_point(const Body<3>& body, const Ground3& ground, const Vec3& origin) {
@@ -214,13 +246,16 @@ std::string start_fault_of_point(const Body<2>& body, const Profile& profile, co
 template <int D>
 bool last_is_free(World<D>& world) {
   const Body<D>& last = world.bodies.back();
-  return std::max(world.deepest_overlap().depth, buried(last, world.terrain())) <= most_overlap * last.size;
+  const double depth = std::max(buried(last, world.terrain()), in_surface(last, world.bodies).depth);
+  return std::max(world.deepest_overlap().depth, depth) <= most_overlap * last.size;
 }
 
 template void refuse_extremes(const Body<2>&);
 template void refuse_extremes(const Body<3>&);
-template void refuse_endless(const Body<2>&);
-template void refuse_endless(const Body<3>&);
+template void refuse_massless(const Body<2>&);
+template void refuse_massless(const Body<3>&);
+template void refuse_turning(const Body<2>&);
+template void refuse_turning(const Body<3>&);
 template void refuse_slender(const Body<2>&);
 template void refuse_slender(const Body<3>&);
 template void refuse_speed(const Body<2>&);

@@ -16,9 +16,13 @@ inline constexpr double farthest_place = 1e5;
 template <int D>
 void refuse_extremes(const Body<D>& body);
 
-/// Refuses a free body with a shape that has no end and so no mass. Throws StartError.
+/// Refuses a free body with a shape that has no mass: a half space or a surface. Throws StartError.
 template <int D>
-void refuse_endless(const Body<D>& body);
+void refuse_massless(const Body<D>& body);
+
+/// Refuses a surface that turns; its time of impact is that of a ground, which does not. Throws StartError.
+template <int D>
+void refuse_turning(const Body<D>& body);
 
 /// Refuses a contactor that is much thinner than long. Contacts are found to a tolerance relative to its
 /// length; a contactor as thin as this tolerance passes through surfaces. Throws PluginError.

@@ -7,6 +7,20 @@
 
 namespace flyrock {
 
+namespace {
+
+/// The line with which a body, or the terrain where it is null, touches; see touching_line.
+std::optional<Vec3> line_of(const Body<3>* body, const Terrain3& terrain, FeatureId feature,
+                            const Vec3& normal) {
+  if (!body) return touching_line(terrain, feature);
+  const Contactor3& contactor = body->contactor_with(feature);
+  if (!contactor.is_surface()) return touching_line(Placed3{contactor, body->pose()}, feature, normal);
+  const auto line = touching_line(*contactor.surface, feature);
+  return line ? std::optional<Vec3>(body->pose().r * *line) : line;
+}
+
+}  // namespace
+
 /// By how fast the radii of the bodies of a contact open its gap [m/s].
 template <int D>
 double World<D>::shape_speed(const Contact& contact) const {
@@ -41,18 +55,22 @@ typename World<D>::Row World<D>::relative_velocity(const Contact& contact) const
 /// rolls walks around it.
 template <int D>
 typename World<D>::Row World<D>::turning_of(const Contact& contact) const {
-  const auto of = [&](int i, FeatureId feature, double side) -> Vec<D> {
+  const auto of = [&](int i, FeatureId feature, int other, FeatureId against, double side) -> Vec<D> {
     const Body<D>& body = bodies[i];
-    const double rounding = side * body.contactors[contactor_of(feature)].rounding();
+    if (body.is_surface()) return Vec<D>::Zero();  // it does not turn
+    const auto& contactor = body.contactor_with(feature);
+    const double rounding = side * contactor.rounding();
     const Vec<D> lever = contact.at.point + rounding * contact.at.normal - body.x;
     if constexpr (D == 2)
       return -body.w * body.w * lever;
     else
-      return body.w.cross(lever_rate(Placed{body.contactors[contactor_of(feature)], body.pose()}, feature,
-                                     -side * contact.at.normal, body.w, lever));
+      return body.w.cross(
+          lever_rate(Placed{contactor, body.pose()}, feature, -side * contact.at.normal, body.w, lever,
+                     line_of(other < 0 ? nullptr : &bodies[other], *terrain_, against, contact.at.normal)));
   };
-  Vec<D> a = of(contact.candidate, contact.at.feature, 1);
-  if (contact.antagonist >= 0) a -= of(contact.antagonist, contact.at.against, -1);
+  Vec<D> a = of(contact.candidate, contact.at.feature, contact.antagonist, contact.at.against, 1);
+  if (contact.antagonist >= 0)
+    a -= of(contact.antagonist, contact.at.against, contact.candidate, contact.at.feature, -1);
   return contact_velocity<D>(contact.at.normal, a, Body<D>::no_spin());
 }
 

@@ -41,14 +41,17 @@ Body<2> make_body(std::vector<Contactor2> contactors, double density, double mas
   const Vec2 centre = own.centre.value_or(properties.centroid);
   Body<2> body;
   for (Contactor2& contactor : contactors) {
-    contactor.translate(-centre);
+    if (!contactor.is_surface()) contactor.translate(-centre);
     body.size = std::max(body.size, contactor.bound);
   }
   body.contactors = std::move(contactors);
   const double t = thickness > 0 ? thickness : default_thickness(properties.area);
   body.volume = properties.area * t;
   body.mass = mass_of(body.volume, density, mass, own.mass);
-  body.inertia = own.inertia.value_or(body.mass * properties.polar_moment / properties.area);
+  if (own.inertia)
+    body.inertia = *own.inertia;
+  else if (properties.area > 0)
+    body.inertia = body.mass * properties.polar_moment / properties.area;
   body.radius = std::sqrt(properties.area / pi);
   if (is_point(body)) make_point(body);
   return body;
@@ -77,7 +80,7 @@ Body<3> make_body(std::vector<Contactor3> contactors, double density, double mas
   const Vec3 centre = own.centre.value_or(properties.centroid);
   Body<3> body;
   for (Contactor3& contactor : contactors) {
-    contactor.change_frame(centre, principal.rotation);
+    if (!contactor.is_surface()) contactor.change_frame(centre, principal.rotation);
     body.size = std::max(body.size, contactor.bound);
   }
   body.contactors = std::move(contactors);

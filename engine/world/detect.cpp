@@ -111,7 +111,8 @@ void World<D>::detect(double ahead) {
       for (std::size_t k = 0; k < body.contactors.size(); ++k)
         for (std::size_t j = 0; j < other.contactors.size(); ++j)
           body_contacts(Placed{body.contactors[k], body.pose()}, static_cast<int>(k),
-                        Placed{other.contactors[j], other.pose()}, static_cast<int>(j), reach, points_);
+                        Placed{other.contactors[j], other.pose()}, static_cast<int>(j), reach, points_,
+                        (body.spin_speed() + other.spin_speed()) * ahead);
       append(i, pair->second);
     }
   }
@@ -119,7 +120,7 @@ void World<D>::detect(double ahead) {
 }
 
 /// The contact of the last step that this contact continues: the one with the same features; otherwise the
-/// one of the same vertex or edge on the next segment of the terrain; otherwise the nearest. The last two are
+/// one of the same vertex or edge on the next segment of the terrain or of a surface; otherwise the nearest. The last two are
 /// taken only if their own features are no longer in contact: an edge that rests on one edge of the terrain
 /// passes its memory to none of the neighbours that it is near. The last rule is for surfaces that lie flush
 /// with their corners on each other, because rounding then decides which features are found.
@@ -130,15 +131,22 @@ const typename World<D>::Contact* World<D>::carried_on(const Contact& contact, s
   const auto same_features = [](const ContactPoint<D>& a, const ContactPoint<D>& b) {
     return a.feature == b.feature && a.against == b.against;
   };
+  const auto passed_on = [&](const ContactPoint<D>& old, const ContactPoint<D>& now) {
+    if (contact.antagonist < 0) return old.feature == now.feature && next_to(*terrain_, old.against, now.against);
+    const Body<D>&a = bodies[contact.candidate], &b = bodies[contact.antagonist];
+    if (b.is_surface())
+      return old.feature == now.feature && next_to(*b.contactors[0].surface, old.against, now.against);
+    return a.is_surface() && old.against == now.against &&
+           next_to(*a.contactors[0].surface, old.feature, now.feature);
+  };
   const auto still_found = [&](const Contact& old) {
     return std::any_of(now.begin(), now.end(), [&](const Contact& c) { return same_features(c.at, old.at); });
   };
   const Contact* found = nullptr;
   for (const Contact& old : last) {
     if (same_features(old.at, contact.at)) return &old;
-    if (contact.antagonist < 0 && old.at.feature == contact.at.feature &&
-        same_direction<D>(old.at.normal, contact.at.normal) &&
-        next_to(*terrain_, old.at.against, contact.at.against) && !still_found(old))
+    if (same_direction<D>(old.at.normal, contact.at.normal) && passed_on(old.at, contact.at) &&
+        !still_found(old))
       found = &old;
   }
   if (found) return found;
@@ -234,10 +242,10 @@ typename World<D>::Drift World<D>::keep_closed_at_start() {
 template <int D>
 double World<D>::gap_at(const Contact& c, bool at_start) const {
   const auto placed = [&](int body, FeatureId feature) {
-    if (!at_start) return Placed{bodies[body].contactors[contactor_of(feature)], bodies[body].pose()};
+    if (!at_start) return Placed{bodies[body].contactor_with(feature), bodies[body].pose()};
     const Moment<D>& start = starts_[body];
     const typename Geometry<D>::Pose pose{start.x, start.attitude.rotation};
-    return Placed{bodies[body].contactors[contactor_of(feature)], pose};
+    return Placed{bodies[body].contactor_with(feature), pose};
   };
   // What the radii have opened of it since the start
   double opened = 0;

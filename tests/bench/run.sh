@@ -1,7 +1,8 @@
 #!/bin/sh
 # make bench: rocks per second to rest on one core and the share of time by phase, median of five runs each; ballistic
-# flights alone, and lumped masses beside a plain loop; then the time of the Ninh Dan run with its restitution in Lua over
-# that with the same law native, and with one thread over that with two, in pairs of runs.
+# flights alone, and lumped masses beside a plain loop; the time of contacts, gap and time of impact for each pair of
+# shapes; then the time of the Ninh Dan run with its restitution in Lua over that with the same law native, and with one
+# thread over that with two, in pairs of runs.
 set -eu
 flyrock=$1/flyrock
 here=$(cd "$(dirname "$0")" && pwd)
@@ -22,6 +23,7 @@ done
 
 "$1/flyrock_shots"
 "$1/flyrock_points" "$here/points.yaml"
+"$1/flyrock_pairs"
 
 # Rocks to rest with steps chosen by error and fixed ones, in turn; between them the peer, where it is installed, with
 # the same scene and the same rest: Box2D in 2D, Bullet in 3D.

@@ -1,8 +1,10 @@
 // Mass, centre and inertia of every shape against a sum over cells, and against closed forms where they
 // exist.
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <limits>
+#include <set>
 
 #include "conformance/plugin_use.h"
 #include "geometry/volume_properties.h"
@@ -221,8 +223,35 @@ TEST_CASE("volume, centre and inertia of every shape are those of a sum over cel
 TEST_CASE("every shape has a row in the table of mass properties") {
   const LuaSession session(FLYROCK_SHARE_DIR);
   for (const std::string& name : session.registry().names(PluginKind::shape)) {
-    if (name == "compound" || name == "plane" || name == "point") continue;  // compound_test.cpp; no volume
+    // compound_test.cpp and below; the others have no volume.
+    static const std::set<std::string> apart{"compound", "mesh_point", "plane",
+                                             "point",    "polyline",   "mesh_patch"};
+    if (apart.contains(name)) continue;
     INFO(name);
     CHECK(std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return name == row.shape; }));
   }
+}
+
+TEST_CASE("mesh_point has the volume, centre and inertia of the solid: a beam on two legs") {
+  const LuaSession session(FLYROCK_SHARE_DIR);
+  const auto made = make<ShapeModel>(session, PluginKind::shape, "mesh_point",
+                                     {{"file", FLYROCK_SHARE_DIR "/plugins/shape/mesh_point/staple.obj"}}, 3);
+  RandomStream rng(3, "shape", {});
+  const VolumeProperties found = volume_properties(made.model->shape_3d(made.values, rng).contactors);
+  const std::array<std::pair<Vec3, Vec3>, 3> boxes{
+      {{{0, 0, 0.4}, {1, 0.4, 0.2}}, {{-0.4, 0, 0.15}, {0.2, 0.4, 0.3}}, {{0.4, 0, 0.15}, {0.2, 0.4, 0.3}}}};
+  double volume = 0;
+  Vec3 centre = Vec3::Zero();
+  for (const auto& [middle, size] : boxes) volume += size.prod(), centre += size.prod() * middle;
+  centre /= volume;
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  for (const auto& [middle, size] : boxes) {
+    const Vec3 squares = size.cwiseProduct(size), away = middle - centre;
+    inertia += size.prod() * ((Vec3::Constant(squares.sum()) - squares) / 12).asDiagonal().toDenseMatrix();
+    inertia += size.prod() * (away.squaredNorm() * Eigen::Matrix3d::Identity() - away * away.transpose());
+  }
+  CHECK(found.volume == Approx(0.128).epsilon(1e-12));
+  CHECK(found.volume == Approx(volume).epsilon(1e-12));
+  CHECK((found.centroid - centre).norm() < 1e-12);
+  CHECK((found.inertia - inertia).norm() < 1e-12);
 }

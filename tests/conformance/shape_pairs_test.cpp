@@ -8,41 +8,14 @@
 // overlap.
 
 #include <catch2/catch.hpp>
-#include <random>
 
 #include "collision/feature_gap.h"
-#include "collision/geometry.h"
 #include "collision/narrow_phase.h"
-#include "conformance/plugin_use.h"
+#include "placed_shapes.h"
 
 using namespace flyrock;
 
 namespace {
-
-struct PairDice {
-  std::mt19937 rng{5};
-  double operator()(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(rng);
-  }
-  template <int D>
-  Vec<D> direction() {
-    std::normal_distribution<double> normal;
-    Vec<D> v;
-    for (int k = 0; k < D; ++k) v[k] = normal(rng);
-    return v.normalized();
-  }
-  /// A third of the attitudes is along the axes, so that faces, sides and edges lie flush.
-  Rotation3 rotation(Vec3) {
-    const double kind = (*this)(0, 3);
-    if (kind < 0.5) return {};
-    if (kind < 1) return Rotation3::from_vector(0.5 * pi * Vec3::Unit(static_cast<int>((*this)(0, 2.999))));
-    return Rotation3::from_vector((*this)(0, pi) * direction<3>());
-  }
-  Rotation2 rotation(Vec2) {
-    const double kind = (*this)(0, 3);
-    return Rotation2::from_angle(kind < 1 ? 0.5 * pi * std::floor(4 * kind) : (*this)(0, 2 * pi));
-  }
-};
 
 /// How far a contactor reaches along a direction, in its frame [m].
 double reach(const Contactor2& shape, const Vec2& direction) {
@@ -100,48 +73,14 @@ double outside(const Contactor3& shape, const Vec3& p) {
 bool is_polytope(const Contactor2& shape) { return shape.points.size() > 2; }
 bool is_polytope(const Contactor3& shape) { return shape.has_faces(); }
 
-template <int D>
-struct Named {
-  std::string name;
-  typename Geometry<D>::Contactor contactor;
-};
-
-/// The first contactor of the example of every solid shape, about 1 m large.
-template <int D>
-std::vector<Named<D>> solid_shapes() {
-  std::vector<Named<D>> shapes;
-  const LuaSession session(FLYROCK_SHARE_DIR);
-  const std::vector<std::pair<std::string, std::map<std::string, Given>>> of_plane{
-      {"disk", {{"radius", 0.4}}},
-      {"wall", {{"length", 0.8}, {"radius", 0.1}}},
-      {"polygon", {{"sides", 6.0}, {"diameter", 0.9}}}};
-  const std::vector<std::pair<std::string, std::map<std::string, Given>>> of_space{
-      {"sphere", {{"radius", 0.4}}},
-      {"pill", {{"length", 0.6}, {"radius", 0.2}}},
-      {"box", {{"size", std::vector<double>{0.8, 0.5, 0.6}}}},
-      {"random_polyhedron", {{"diameter", 0.9}}},
-      {"eota111", {{"length", 0.8}}},
-      {"eota221", {{"length", 0.8}}},
-      {"cylinder", {{"radius", 0.4}, {"height", 0.5}}},
-      {"cone", {{"radius", 0.4}, {"height", 0.7}}}};
-  for (const auto& [name, given] : D == 2 ? of_plane : of_space) {
-    const auto made = make<ShapeModel>(session, PluginKind::shape, name, given, D);
-    RandomStream rng(3, "shape", {});
-    if constexpr (D == 2)
-      shapes.push_back({name, made.model->shape(made.values, rng).contactors.front()});
-    else
-      shapes.push_back({name, made.model->shape_3d(made.values, rng).contactors.front()});
-  }
-  return shapes;
-}
-
 /// Whether the contacts of a placement are true; `tight`: their bounds meet to 1e-9.
 struct Verdict {
   bool good = true, tight = true;
 };
 
 template <int D>
-Verdict judge(PairDice& dice, const typename Geometry<D>::Placed& a, const typename Geometry<D>::Placed& b) {
+Verdict judge(PlacementDice& dice, const typename Geometry<D>::Placed& a,
+              const typename Geometry<D>::Placed& b) {
   std::vector<ContactPoint<D>> contacts;
   body_contacts(a, 1, b, 2, 10, contacts);
   if (contacts.size() > 4) return {false, false};
@@ -190,8 +129,9 @@ Verdict judge(PairDice& dice, const typename Geometry<D>::Placed& a, const typen
 
 template <int D>
 void try_pairs(int placements) {
-  PairDice dice;
-  const auto shapes = solid_shapes<D>();
+  PlacementDice dice;
+  const LuaSession session(FLYROCK_SHARE_DIR);
+  const auto shapes = solid_shapes<D>(session);
   for (const Named<D>& first : shapes)
     for (const Named<D>& second : shapes) {
       INFO(first.name << " against " << second.name);

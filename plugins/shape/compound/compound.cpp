@@ -92,6 +92,10 @@ class Compound : public ShapeModel {
           throw PluginError(
               fmt::format("plugin compound: parts.{} ({}) is touched from inside only, expected solid parts",
                           i, part.shape.plugin->spec.name));
+        if (contactor.is_surface())
+          throw PluginError(
+              fmt::format("plugin compound: parts.{} ({}) is a surface, expected a body of its own for it", i,
+                          part.shape.plugin->spec.name));
         move_to(contactor, pose);
         contactors.push_back(std::move(contactor));
       }

@@ -17,15 +17,10 @@ class MeshTerrain : public TerrainModel {
 
   TerrainShape3 build_3d(Values values, RandomStream&) const override {
     MeshFile read = read_mesh("mesh", file_);
-    const double scale = values[scale_];
-    if (!(scale > 0)) throw PluginError(fmt::format("plugin mesh: scale is {:.6g}, must be above 0", scale));
-    for (Vec3& vertex : read.mesh.vertices) {
-      if (y_is_up_) vertex = Vec3(vertex.x(), -vertex.z(), vertex.y());
-      vertex *= scale;
-    }
-    if (const std::string wrong = fault(read.mesh, read.lines); !wrong.empty())
+    Mesh mesh = to_metres("mesh", std::move(read.mesh), values[scale_], y_is_up_);
+    if (const std::string wrong = fault(mesh, read.lines); !wrong.empty())
       throw PluginError(fmt::format("plugin mesh: {}: {}", file_, wrong));
-    return std::move(read.mesh);
+    return mesh;
   }
 
  private:
@@ -35,6 +30,16 @@ class MeshTerrain : public TerrainModel {
 };
 
 }  // namespace
+
+Mesh to_metres(const std::string& plugin, Mesh mesh, double scale, bool y_is_up) {
+  if (!(scale > 0))
+    throw PluginError(fmt::format("plugin {}: scale is {:.6g}, must be above 0", plugin, scale));
+  for (Vec3& vertex : mesh.vertices) {
+    if (y_is_up) vertex = Vec3(vertex.x(), -vertex.z(), vertex.y());
+    vertex *= scale;
+  }
+  return mesh;
+}
 
 std::unique_ptr<TerrainModel> make_mesh(Params& params) { return std::make_unique<MeshTerrain>(params); }
 

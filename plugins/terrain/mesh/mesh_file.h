@@ -27,4 +27,8 @@ MeshFile read_stl(const std::string& plugin, const std::string& path);
 /// Reads a file whose name ends in .obj or .stl.
 MeshFile read_mesh(const std::string& plugin, const std::string& path);
 
+/// A mesh in metres with z up, of one in units of `scale` m whose y or z axis points up. Throws PluginError
+/// for a scale of 0 or less.
+Mesh to_metres(const std::string& plugin, Mesh mesh, double scale, bool y_is_up);
+
 }  // namespace flyrock::plugins

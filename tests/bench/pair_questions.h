@@ -1,0 +1,90 @@
+#pragma once
+// What the engine asks about a contactor and its opponent, which is another contactor or the ground:
+//   contacts    the contact points whose gap is at most `reach`
+//   gap         the gap of one known contact
+//   touch       the time of impact
+// The two opponents have the same three functions, so that the benchmark needs only one loop.
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "collision/feature_gap.h"
+#include "collision/geometry.h"
+#include "collision/narrow_phase.h"
+#include "collision/terrain_contact.h"
+#include "collision/time_of_contact.h"
+
+namespace flyrock {
+
+/// A contactor near its opponent, how both move from there, and the deepest contact. The ground has no pose
+/// and no motion.
+template <int D>
+struct Placement {
+  typename Geometry<D>::Pose pose, pose_of_opponent;
+  typename Geometry<D>::Motion motion, motion_of_opponent;
+  ContactPoint<D> contact;
+};
+
+template <int D>
+class OpponentBody {
+ public:
+  using Contactor = typename Geometry<D>::Contactor;
+  using Placed = typename Geometry<D>::Placed;
+
+  explicit OpponentBody(Contactor contactor) : contactor_(std::move(contactor)) {}
+
+  /// Whether the other contactor touches this one from inside.
+  bool is_room() const { return contactor_.is_room(); }
+  /// The size of the smaller body that moves [m]. The time of impact is exact up to a gap of 1e-12 of it.
+  double size(const Contactor& of) const {
+    return is_room() ? of.bound : std::min(of.bound, contactor_.bound);
+  }
+
+  void contacts(const Contactor& of, const Placement<D>& at, double reach,
+                std::vector<ContactPoint<D>>& out) const {
+    body_contacts(Placed{of, at.pose}, 0, Placed{contactor_, at.pose_of_opponent}, 0, reach, out);
+  }
+  double gap(const Contactor& of, const Placement<D>& at) const {
+    return feature_gap(Placed{of, at.pose}, at.contact.feature, Placed{contactor_, at.pose_of_opponent},
+                       at.contact.against);
+  }
+  std::optional<double> touch(const Contactor& of, const Placement<D>& at, double end,
+                              const TouchSearch& search) const {
+    return time_of_contact(of, 0, at.motion, contactor_, 0, at.motion_of_opponent, end, search);
+  }
+
+ private:
+  Contactor contactor_;
+};
+
+template <int D>
+class OpponentGround {
+ public:
+  using Contactor = typename Geometry<D>::Contactor;
+  using Placed = typename Geometry<D>::Placed;
+  using Terrain = typename Geometry<D>::Terrain;
+
+  explicit OpponentGround(Terrain terrain) : terrain_(std::move(terrain)) {}
+
+  bool is_room() const { return false; }
+  double size(const Contactor& of) const { return of.bound; }
+
+  void contacts(const Contactor& of, const Placement<D>& at, double reach,
+                std::vector<ContactPoint<D>>& out) const {
+    constexpr double no_turn = 0;
+    terrain_contacts(Placed{of, at.pose}, 0, terrain_, reach, no_turn, out);
+  }
+  double gap(const Contactor& of, const Placement<D>& at) const {
+    return feature_gap(Placed{of, at.pose}, at.contact.feature, terrain_, at.contact.against);
+  }
+  std::optional<double> touch(const Contactor& of, const Placement<D>& at, double end,
+                              const TouchSearch& search) const {
+    return time_of_contact(of, 0, at.motion, terrain_, end, search);
+  }
+
+ private:
+  Terrain terrain_;
+};
+
+}  // namespace flyrock

@@ -1,0 +1,76 @@
+#pragma once
+// Shapes of about 1 m and random numbers that place them, for the test and the benchmark of pairs.
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "collision/geometry.h"
+#include "conformance/plugin_use.h"
+
+namespace flyrock {
+
+/// Random numbers for placements. They are the same in each run.
+struct PlacementDice {
+  std::mt19937 rng{5};
+  double operator()(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(rng);
+  }
+  template <int D>
+  Vec<D> direction() {
+    std::normal_distribution<double> normal;
+    Vec<D> v;
+    for (int k = 0; k < D; ++k) v[k] = normal(rng);
+    return v.normalized();
+  }
+  /// A third of the attitudes is along the axes, so that faces, sides and edges lie flush.
+  Rotation3 rotation(Vec3) {
+    const double kind = (*this)(0, 3);
+    if (kind < 0.5) return {};
+    if (kind < 1) return Rotation3::from_vector(0.5 * pi * Vec3::Unit(static_cast<int>((*this)(0, 2.999))));
+    return Rotation3::from_vector((*this)(0, pi) * direction<3>());
+  }
+  Rotation2 rotation(Vec2) {
+    const double kind = (*this)(0, 3);
+    return Rotation2::from_angle(kind < 1 ? 0.5 * pi * std::floor(4 * kind) : (*this)(0, 2 * pi));
+  }
+};
+
+template <int D>
+struct Named {
+  std::string name;
+  typename Geometry<D>::Contactor contactor;
+};
+
+/// The first contactor of a registered shape with these parameters.
+template <int D>
+Named<D> named_shape(const LuaSession& session, const std::string& name,
+                     const std::map<std::string, Given>& given) {
+  const auto made = make<ShapeModel>(session, PluginKind::shape, name, given, D);
+  RandomStream rng(3, "shape", {});
+  if constexpr (D == 2)
+    return {name, made.model->shape(made.values, rng).contactors.front()};
+  else
+    return {name, made.model->shape_3d(made.values, rng).contactors.front()};
+}
+
+/// Every solid shape that has a size, about 1 m large.
+template <int D>
+std::vector<Named<D>> solid_shapes(const LuaSession& session) {
+  if constexpr (D == 2)
+    return {named_shape<2>(session, "disk", {{"radius", 0.4}}),
+            named_shape<2>(session, "wall", {{"length", 0.8}, {"radius", 0.1}}),
+            named_shape<2>(session, "polygon", {{"sides", 6.0}, {"diameter", 0.9}})};
+  else
+    return {named_shape<3>(session, "sphere", {{"radius", 0.4}}),
+            named_shape<3>(session, "pill", {{"length", 0.6}, {"radius", 0.2}}),
+            named_shape<3>(session, "box", {{"size", std::vector<double>{0.8, 0.5, 0.6}}}),
+            named_shape<3>(session, "random_polyhedron", {{"diameter", 0.9}}),
+            named_shape<3>(session, "eota111", {{"length", 0.8}}),
+            named_shape<3>(session, "eota221", {{"length", 0.8}}),
+            named_shape<3>(session, "cylinder", {{"radius", 0.4}, {"height", 0.5}}),
+            named_shape<3>(session, "cone", {{"radius", 0.4}, {"height", 0.7}})};
+}
+
+}  // namespace flyrock
