@@ -17,7 +17,7 @@ const quantity_name = (quantity) => (quantity === "runout" ? runout_short : quan
 const end_name = (reason) => (reason === "stopped" && ends_at_landing ? "first landed" : reason);
 
 /** What is shown: a sweep point, and a group of rocks (0: all of them). */
-const shown = { point: 0, group: summary.points[0].rocks.length > 1 ? 1 : 0 };
+const shown = { point: 0, group: summary.points[0].rocks.length > 1 && !of_bodies ? 1 : 0 };
 const redraw = [];  // each draws one part for what is shown
 
 // ---- elements --------------------------------------------------------------------------------------------------

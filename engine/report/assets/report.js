@@ -3,10 +3,12 @@
 /** What is shown: it follows the reader down the page. */
 function choosers() {
   const groups = summary.points[0].rocks, text = paragraph("shown", "");
+  const all = [0, group_name(groups[0])], each = groups.map((group, i) => [i, group_name(group)]).slice(1);
+  const choices = of_bodies ? [all, ...each.filter(([i]) => groups[i].count > 0)] : [...each, all];  // fixed and driven bodies have no paths
   const set = (what) => (value) => { shown[what] = Number(value); draw_all(); };
   const bar = element("div", { class: "choosers", role: "group", "aria-label": "What is shown" },
     many_points ? chooser("Sweep point", summary.points.map((point) => [point.point, point_name(point)]), shown.point, set("point")) : null,
-    groups.length > 1 ? chooser("Rocks", [...groups.slice(1).map((group, i) => [i + 1, group_name(group)]), [0, group_name(groups[0])]], shown.group, set("group")) : null, text);
+    groups.length > 1 ? chooser(of_bodies ? "Bodies" : "Rocks", choices, shown.group, set("group")) : null, text);
   redraw.push(() => { text.textContent = `Shown: ${shown_text()}.`; });
   return many_points || groups.length > 1 ? bar : "";
 }
