@@ -37,6 +37,20 @@ struct PlacementDice {
   }
 };
 
+/// How far a contactor reaches along a direction, in its frame [m].
+inline double reach(const Contactor2& shape, const Vec2& direction) {
+  double most = -1e300;
+  for (const Vec2& point : shape.points) most = std::max(most, direction.dot(point));
+  return most + shape.radius;
+}
+inline double reach(const Contactor3& shape, const Vec3& direction) {
+  double most = -1e300;
+  for (const Vec3& point : shape.points) most = std::max(most, direction.dot(point));
+  for (const Contactor3::Circle& circle : shape.circles)
+    most = std::max(most, direction.dot(circle.centre) + circle.radius * circle.across(direction).norm());
+  return most + shape.radius;
+}
+
 template <int D>
 struct Named {
   std::string name;

@@ -92,6 +92,29 @@ inline Height rough(unsigned seed, double amplitude, double fall = 0.3) {
   };
 }
 
+/// A closed block, 12 m x 12 m, with the hilly top of mesh_of and a flat bottom.
+inline Mesh hilly_block() {
+  constexpr double half = 6, bottom = -8;
+  Mesh mesh = mesh_of(rough(5, 0.5, 0.2), half, 12, 0.2);
+  const int n = 12, top = static_cast<int>(mesh.vertices.size());
+  std::vector<int> rim;  // counter-clockwise as seen from above
+  for (int i = 0; i < n; ++i) rim.push_back(i);
+  for (int i = 0; i < n; ++i) rim.push_back(i * (n + 1) + n);
+  for (int i = n; i > 0; --i) rim.push_back(n * (n + 1) + i);
+  for (int i = n; i > 0; --i) rim.push_back(i * (n + 1));
+  for (const int i : rim) mesh.vertices.emplace_back(mesh.vertices[i].x(), mesh.vertices[i].y(), bottom);
+  const int count = static_cast<int>(rim.size()), middle = top + count;
+  mesh.vertices.emplace_back(0, 0, bottom);
+  for (int i = 0; i < count; ++i) {
+    const int j = (i + 1) % count;
+    mesh.triangles.push_back({rim[j], rim[i], top + i});
+    mesh.triangles.push_back({rim[j], top + i, top + j});
+    mesh.triangles.push_back({top + j, top + i, middle});
+  }
+  mesh.part.assign(mesh.triangles.size(), 0);
+  return mesh;
+}
+
 inline Mesh turned_about_z(Mesh mesh, double angle) {
   const Rotation3 turn = Rotation3::from_vector({0, 0, angle});
   for (Vec3& v : mesh.vertices) v = turn * v;

@@ -17,20 +17,6 @@ using namespace flyrock;
 
 namespace {
 
-/// How far a contactor reaches along a direction, in its frame [m].
-double reach(const Contactor2& shape, const Vec2& direction) {
-  double most = -1e300;
-  for (const Vec2& point : shape.points) most = std::max(most, direction.dot(point));
-  return most + shape.radius;
-}
-double reach(const Contactor3& shape, const Vec3& direction) {
-  double most = -1e300;
-  for (const Vec3& point : shape.points) most = std::max(most, direction.dot(point));
-  for (const Contactor3::Circle& circle : shape.circles)
-    most = std::max(most, direction.dot(circle.centre) + circle.radius * circle.across(direction).norm());
-  return most + shape.radius;
-}
-
 /// How far a place is out of a contactor along the directions that bound it: faces, caps, and for what is
 /// round the distance from the core. 0 or less on or in it [m].
 template <class Contactor, class Place>
