@@ -120,10 +120,10 @@ void World<D>::detect(double ahead) {
 }
 
 /// The contact of the last step that this contact continues: the one with the same features; otherwise the
-/// one of the same vertex or edge on the next segment of the terrain or of a surface; otherwise the nearest. The last two are
-/// taken only if their own features are no longer in contact: an edge that rests on one edge of the terrain
-/// passes its memory to none of the neighbours that it is near. The last rule is for surfaces that lie flush
-/// with their corners on each other, because rounding then decides which features are found.
+/// one of the same vertex or edge on the next segment of the terrain or of a surface; otherwise the nearest.
+/// The last two are taken only if their own features are no longer in contact: an edge that rests on one edge
+/// of the terrain passes its memory to none of the neighbours that it is near. The last rule is for surfaces
+/// that lie flush with their corners on each other, because rounding then decides which features are found.
 template <int D>
 const typename World<D>::Contact* World<D>::carried_on(const Contact& contact, std::span<const Contact> last,
                                                        std::span<const Contact> now) const {
@@ -131,13 +131,14 @@ const typename World<D>::Contact* World<D>::carried_on(const Contact& contact, s
   const auto same_features = [](const ContactPoint<D>& a, const ContactPoint<D>& b) {
     return a.feature == b.feature && a.against == b.against;
   };
-  const auto passed_on = [&](const ContactPoint<D>& old, const ContactPoint<D>& now) {
-    if (contact.antagonist < 0) return old.feature == now.feature && next_to(*terrain_, old.against, now.against);
+  const auto passed_on = [&](const ContactPoint<D>& from, const ContactPoint<D>& to) {
+    if (contact.antagonist < 0)
+      return from.feature == to.feature && next_to(*terrain_, from.against, to.against);
     const Body<D>&a = bodies[contact.candidate], &b = bodies[contact.antagonist];
     if (b.is_surface())
-      return old.feature == now.feature && next_to(*b.contactors[0].surface, old.against, now.against);
-    return a.is_surface() && old.against == now.against &&
-           next_to(*a.contactors[0].surface, old.feature, now.feature);
+      return from.feature == to.feature && next_to(*b.contactors[0].surface, from.against, to.against);
+    return a.is_surface() && from.against == to.against &&
+           next_to(*a.contactors[0].surface, from.feature, to.feature);
   };
   const auto still_found = [&](const Contact& old) {
     return std::any_of(now.begin(), now.end(), [&](const Contact& c) { return same_features(c.at, old.at); });
