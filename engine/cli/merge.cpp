@@ -28,7 +28,7 @@ std::string common_hash(const std::vector<std::string>& shards) {
       throw UsageError(
           fmt::format("{} is no result folder: it has no manifest.json, or a damaged one", shard));
     if (!fs::is_directory(fs::path(shard) / "chunks"))
-      throw UsageError(fmt::format("{} has no chunks: it is no shard, its results stand", shard));
+      throw UsageError(fmt::format("{} has no chunks: it is not a shard but a finished result", shard));
     if (!common.empty() && hash != common)
       throw UsageError(
           fmt::format("{} and {} are of different scenarios, seeds, numbers of trials or versions of flyrock",
@@ -137,7 +137,7 @@ po::options_description merge_options() {
   po::options_description options("options");
   options.add_options()("output,o", po::value<std::string>()->value_name("DIR"), "result folder; required")(
       "scenario", po::value<std::string>()->value_name("FILE"),
-      "the scenario, where it is not where the shards found it")(
+      "the scenario file, if it has moved since the shards ran")(
       "force", "replaces the results in an existing folder")("quiet", "no summary");
   return options;
 }

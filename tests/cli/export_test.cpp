@@ -427,7 +427,7 @@ stop: { time: 1 s, speed: 0 }
   CHECK(fs::exists(folder.path() / "r/vtk/shapes-p0.pvd"));
 }
 
-TEST_CASE("a picture that moves shows its first moment in programs that do not animate it") {
+TEST_CASE("an animated picture shows its first moment in programs that do not animate it") {
   const Folder folder;
   const std::string scenario = std::string(FLYROCK_SOURCE_DIR) + "/scenarios/course/oblique_impact.yaml";
   REQUIRE(call(folder, "run " + scenario + " -o out --quiet").code == 0);
