@@ -34,7 +34,7 @@ class StepControl {
   /// The length of the next step [s]. `touching[i]`: whether body i has contacts.
   double length(const std::vector<Body<D>>& bodies, const std::vector<bool>& touching) const;
   /// The error of a step of length h from `starts` to the present state of the bodies, as a multiple of what
-  /// is allowed. `of_friction` [m/s]: of each body, what friction leaves in doubt. Without a last step,
+  /// is allowed. `of_friction` [m/s]: the velocity error of each body due to friction. Without a last step,
   /// accelerations are taken as constant.
   double error(const std::vector<Body<D>>& bodies, std::span<const Moment<D>> starts,
                std::span<const double> of_friction, double h) const;
