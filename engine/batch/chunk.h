@@ -31,9 +31,9 @@ struct ChunkRange {
   std::string file_name() const;
 };
 
-/// The number of trials in a chunk: a hundredth of the trials of a point, but at least 1 and at most 250,
-/// which bounds the memory of a chunk. It depends on nothing else, so chunks of any two runs of a scenario
-/// fit together.
+/// The number of trials in a chunk: a hundredth of the trials of a point, rounded up, but at most 250, which
+/// bounds the memory of a chunk. It depends on nothing else, so chunks of any two runs of a scenario fit
+/// together.
 std::uint64_t chunk_size(std::uint64_t trials);
 
 /// All chunks of a run, in the order of merging.

@@ -1,6 +1,6 @@
 #pragma once
-// Warns if a launch model that was fitted to distances (Launch::greatest_throw) is flown under conditions in
-// which it does not reach them.
+// Warns if a launch model was fitted to distances (Launch::greatest_throw), and drag or the launch angle of
+// the scenario make its rocks land short of them.
 
 #include "document/node.h"
 #include "scenario/scenario.h"

@@ -3,6 +3,8 @@
 // results.db show them. Tables without records (points, sweep, parts, ...) have theirs in
 // report/database.cpp.
 //
+// Each writer adds the column `point` itself, and in tables other than rocks also `trial` and `rock`.
+//
 // visit_<table>(visit) calls visit(column, get) for each column in order. std::invoke(get, record) is a
 // reference to the value of the column, const for a const record.
 

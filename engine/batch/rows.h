@@ -10,9 +10,9 @@ namespace flyrock {
 
 /// The part of each chunk that a pass reads.
 enum class Part {
-  brief,  ///< rocks, gates, barriers, totals without envelopes and maps; the other tables, which are long,
-          ///< are empty
-  whole   ///< also inputs, impacts, trajectories, shapes, envelopes, maps
+  brief,  ///< rocks, gates, barriers, trees, totals without envelopes and maps; the other tables, which are
+          ///< long, are empty
+  whole   ///< also inputs, impacts, trajectories, shapes, fixtures, series, envelopes, maps
 };
 
 using SeeRows = std::function<void(const TrialRecords& chunk)>;

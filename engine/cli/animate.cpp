@@ -1,4 +1,4 @@
-// flyrock animate: the motion of the stored rocks as a picture that moves.
+// flyrock animate: the motion of the stored rocks as an animated picture.
 
 #include <fmt/format.h>
 

@@ -71,7 +71,7 @@ bool is_plugin(const std::string& path) {
 int check(const Command& command, const Arguments& arguments) {
   boost::program_options::options_description options("options");
   add_override_options(options);
-  options.add_options()("strict", "keys that nothing reads and values outside of what is usual are errors");
+  options.add_options()("strict", "treats unused keys and unusual values as errors");
   const CommandLine line = parse(command, options, arguments, 1, 1);
   if (line.help) return done;
   const std::string& path = line.words[0];

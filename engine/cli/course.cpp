@@ -41,7 +41,7 @@ std::vector<Lab> labs() {
   return list;
 }
 
-/// The number of expectations of a result that hold, and of all.
+/// How many expectations of a result passed, and how many it has.
 std::pair<std::size_t, std::size_t> judged(const fs::path& folder) {
   const auto summary = nlohmann::json::parse(read_file(folder / "summary.json"));
   std::size_t held = 0, all = 0;

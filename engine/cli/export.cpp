@@ -40,10 +40,13 @@ struct Format {
   const char* nothing;  ///< message if no file is written
 };
 
+constexpr const char* no_maps =
+    "this result has no maps (only runs in 3D make maps; see output.maps of the scenario)";
+
 constexpr std::array<Format, 4> formats = {{
-    {"asc", export_asc, "no maps are stored; they are of 3D runs, see output.maps of the scenario"},
+    {"asc", export_asc, no_maps},
     {"csv", export_csv, ""},
-    {"tif", export_tif, "no maps are stored; they are of 3D runs, see output.maps of the scenario"},
+    {"tif", export_tif, no_maps},
     {"vtk", export_vtk, "no trajectory is stored; output.trajectories of the scenario says how many are"},
 }};
 

@@ -134,11 +134,12 @@ int law(const Command& command, const Arguments& arguments) {
       "set", po::value<std::vector<std::string>>()->composing()->value_name("PARAMETER=VALUE"),
       "a parameter of the law");
   options.add_options()("mass", po::value<std::string>()->value_name("MASS"),
-                        "of the ball that is drawn (500 kg)")(
-      "radius", po::value<std::string>()->value_name("LENGTH"), "of the ball (0.3 m)")(
-      "mu", po::value<std::string>()->value_name("MU"), "of the impacts of a restitution law (0.5)")(
+                        "mass of the ball for which the law is drawn; default 500 kg")(
+      "radius", po::value<std::string>()->value_name("LENGTH"), "radius of the ball; default 0.3 m")(
+      "mu", po::value<std::string>()->value_name("MU"),
+      "coefficient of friction in the graphs of a restitution law; default 0.5")(
       "to", po::value<std::string>()->value_name("VALUE"),
-      "where the axis of the first graph ends: a speed, slip, spin or overlap");
+      "end of the axis of the first graph: a speed, slip, spin or overlap; default depends on the law");
   const CommandLine line = parse(command, options, arguments, 1, 1);
   if (line.help) return done;
   LuaSession session(share_folder());

@@ -26,9 +26,9 @@ std::string common_hash(const std::vector<std::string>& shards) {
     const std::string hash = scenario_hash_in(shard);
     if (hash.empty())
       throw UsageError(
-          fmt::format("{} is no result folder: it has no manifest.json, or a damaged one", shard));
+          fmt::format("{} is not a result folder: it has no manifest.json, or a damaged one", shard));
     if (!fs::is_directory(fs::path(shard) / "chunks"))
-      throw UsageError(fmt::format("{} has no chunks: it is no shard, its results stand", shard));
+      throw UsageError(fmt::format("{} has no chunks: it is not a shard but a finished result", shard));
     if (!common.empty() && hash != common)
       throw UsageError(
           fmt::format("{} and {} are of different scenarios, seeds, numbers of trials or versions of flyrock",
@@ -70,10 +70,10 @@ std::vector<ChunkFile> find_chunks(const std::vector<ChunkRange>& chunks, std::v
         throw UsageError(fmt::format("{} and {} both hold {}: a shard given twice", holder->name, piece.name,
                                      chunks[c].file_name()));
       if (!wanted)
-        throw InputError(
-            fmt::format("{} holds {}, which is no chunk of shard {} of {}: it, or its request.json, is not "
-                        "what a run wrote",
-                        piece.name, chunks[c].file_name(), piece.shard.number, piece.shard.of));
+        throw InputError(fmt::format(
+            "{} holds {}, which is not a chunk of shard {} of {}: it, or its request.json, is not "
+            "what a run wrote",
+            piece.name, chunks[c].file_name(), piece.shard.number, piece.shard.of));
       holder = &piece;
       files.push_back(file);
     }
@@ -137,7 +137,7 @@ po::options_description merge_options() {
   po::options_description options("options");
   options.add_options()("output,o", po::value<std::string>()->value_name("DIR"), "result folder; required")(
       "scenario", po::value<std::string>()->value_name("FILE"),
-      "the scenario, where it is not where the shards found it")(
+      "the scenario file, if it has moved since the shards ran")(
       "force", "replaces the results in an existing folder")("quiet", "no summary");
   return options;
 }

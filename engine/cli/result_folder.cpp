@@ -74,7 +74,7 @@ fs::path finished_result(const std::string& folder) {
   const fs::path path(folder);
   if (scenario_hash_in(path).empty())
     throw InputError(
-        fmt::format("{} is no result folder: it has no manifest.json, or a damaged one", folder));
+        fmt::format("{} is not a result folder: it has no manifest.json, or a damaged one", folder));
   if (!stands(path))
     throw InputError(
         fmt::format("{} has no results yet: `flyrock run --resume` goes on with a run that was interrupted, "

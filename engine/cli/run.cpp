@@ -148,12 +148,12 @@ po::options_description run_options() {
   options.add_options()("only", po::value<std::string>()->value_name("point=P,trial=T"),
                         "replays one trial and shows its rocks")(
       "jobs,j", po::value<std::string>()->value_name("N"), "threads; default all cores")(
-      "shard", po::value<std::string>()->value_name("i/n"), "runs the i-th of n parts, for `flyrock merge`")(
-      "resume", "goes on with a run that was interrupted or killed")(
+      "shard", po::value<std::string>()->value_name("i/n"), "runs shard i of n, for `flyrock merge`")(
+      "resume", "continues a run that was interrupted or killed")(
       "force", "replaces the results in an existing folder")("quiet", "no progress and no summary")(
       "strict",
-      "keys that nothing reads and values outside of what is usual are errors; ends at the first fault or "
-      "step that did not converge");
+      "treats unused keys and unusual values as errors, and stops the run at the first rock that fails or "
+      "step that does not converge");
   return options;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Programs of others that flyrock calls where they are installed.
+// Calls external programs, if they are installed.
 
 #include <string>
 #include <vector>

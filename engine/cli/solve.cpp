@@ -107,11 +107,13 @@ int solve(const Command& command, const Arguments& arguments) {
   po::options_description options("options");
   options.add_options()("solver", po::value<std::string>()->default_value("auto")->value_name("S"),
                         "auto, nlgs or proximal_newton")(
-      "tolerance", po::value<std::string>()->default_value("1e-8")->value_name("T"), "on |F|/|q|")(
+      "tolerance", po::value<std::string>()->default_value("1e-8")->value_name("T"),
+      "greatest |F|/|q| that counts as converged")(
       "max-iterations", po::value<std::string>()->default_value("100000")->value_name("N"),
       "sweeps, or steps of proximal_newton")(
       "sweeps", po::value<std::string>()->default_value("0")->value_name("N"),
-      "the error after each of N plain sweeps of Gauss-Seidel too")("json", "as JSON, with the impulses r");
+      "also prints the error after each of N Gauss-Seidel sweeps without acceleration")(
+      "json", "as JSON, with the impulses r");
   const CommandLine line = parse(command, options, arguments, 1, 1);
   if (line.help) return done;
   SolveSettings settings;

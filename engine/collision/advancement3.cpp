@@ -147,9 +147,9 @@ class PairSearch {
   }
 
   /// How long the cross product of two edges separates the pair [s]. The normal is n = N/|N| with N = E x F.
-  /// With s = |N| and the sum W of the spins, |N'| <= W and |N''| <= W^2 + the spin rates. Therefore |n'| <=
-  /// W/s and
-  /// n''| <= |N''|/s + 3 W^2/s^2. These bounds, taken with s/2, hold for a time s/(2 W).
+  /// With s = |N| and the sum W of the spins, |N'| <= W and |N''| <= W^2 + the spin rates. Therefore
+  ///   |n'| <= W/s,  |n''| <= |N''|/s + 3 W^2/s^2.
+  /// These bounds, taken with s/2, are valid for a time s/(2 W).
   double edges_last(const Direction& d, const MovingState& sa, const MovingState& sb, double t) const {
     const Contactor3::Edge &ea = a_.shape.edges[d.edge_a], &eb = b_.shape.edges[d.edge_b];
     const auto along = [](const MovingContactor& c, const MovingState& s, const Contactor3::Edge& e) {

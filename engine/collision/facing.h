@@ -51,11 +51,12 @@ Patch facing(const Placed3& shape, const Vec3& direction);
 /// A place on a patch: its first one, or the centre of a disc.
 Vec3 place_on(const Patch& patch);
 
-/// The separation of two cores with the parts that face each other. Where one of them is plane, the normal is
-/// that of the plane, that of b first. Else the normal of separation() is made exact by Newton steps: a place
-/// of a rim of radius R moves by -R/s t (t . dn) if n changes by dn, t the tangent and s the sine of the
-/// angle between n and the axis, and n shall point along the line between the two nearest places. A line that
-/// touches stays across n.
+/// The separation of two cores with the parts that face each other. If one of the parts is plane, the normal
+/// is that of the plane; if both are, that of b. Otherwise Newton's method makes the normal n of separation()
+/// exact: n must point along the line between the two nearest places. A place of a rim of radius R moves by
+///   -R/s t (t . dn)
+/// if n changes by dn, with the tangent t of the rim and the sine s of the angle between n and the axis. A
+/// line that touches stays perpendicular to n.
 struct FacingPair {
   Separation apart;
   Patch of_a, of_b;

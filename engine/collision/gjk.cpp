@@ -81,7 +81,8 @@ class Simplex {
     if (n == 3) {
       const Vec3 first = w(1) - w(0), second = w(2) - w(0), normal = first.cross(second);
       const double square = normal.squaredNorm();
-      // Of a sliver, as of places next to each other on a rim, rounding decides where the normal points.
+      // The normal of a very thin triangle is rounding noise. Neighbouring places of a rim form such
+      // triangles.
       if (!(square > thin * thin * first.squaredNorm() * second.squaredNorm())) return false;
       place = normal * (normal.dot(w(0)) / square);
       for (int i = 0; i < 3; ++i) {

@@ -9,8 +9,10 @@
 namespace flyrock {
 
 /// A time until which a concave function stays positive, up to a millionth of it, or forever if that is
-/// beyond `end`. A chord is below the function, a line through two places before the root is above it after
-/// them. `slope`: of the function at 0. `opened`: a contact that has just opened; see safe_time.
+/// beyond `end`. A chord of the function lies below it. The line through two of its points lies above it
+/// beyond these points. So the root of the chord is a safe time, and the root of the line is a time beyond
+/// the root of the function. `slope`: of the function at 0. `opened`: a contact that has just opened; see
+/// safe_time.
 template <class Function>
 double safe_root(const Function& f, double slope, double end, const GapScale& scale, bool opened) {
   constexpr double forever = std::numeric_limits<double>::infinity();

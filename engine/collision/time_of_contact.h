@@ -58,10 +58,13 @@ std::optional<double> time_of_contact(const Contactor2& a, int a_index, const Mo
                                       const Contactor2& b, int b_index, const Motion2& b_motion, double t_max,
                                       const TouchSearch& search);
 
-/// The same in 3D. For a sphere about the centre of mass it is the exact root: degree 2 with a plane, 4 with
-/// another such sphere. Other contactors use directed conservative advancement, as above. The directions are
-/// the face normals, the cross products of two edges, and, with a sphere or a pill, the line between the
-/// nearest places of the two cores, which turns with either contactor.
+/// The same in 3D. For a sphere about the centre of mass it is the exact root of a polynomial: of degree 2
+/// with a plane, of degree 4 with another such sphere. Other contactors use directed conservative
+/// advancement, as above. The directions that may separate are:
+///   - the face normals of both contactors;
+///   - the cross products of an edge of one and an edge of the other;
+///   - with a sphere or a pill, the line between the nearest places of the two cores. It turns with one of
+///     the contactors.
 std::optional<double> time_of_contact(const Contactor3& contactor, int contactor_index, const Motion3& motion,
                                       const Ground3& ground, double t_max, const TouchSearch& search);
 std::optional<double> time_of_contact(const Contactor3& a, int a_index, const Motion3& a_motion,

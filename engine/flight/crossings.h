@@ -23,8 +23,9 @@ class Crossings {
  public:
   using Motion = typename Geometry<D>::Motion;
 
-  /// Gates, barriers and trees must outlive the object. Passages and hits are appended to the histories.
-  /// `keys`: of the draws of each body; may be empty if there are no trees.
+  /// Gates, barriers and trees must outlive the object. It appends passages of gates and hits of barriers and
+  /// trees to the histories. `keys`: one per body, for its random numbers at trees; may be empty if there are
+  /// no trees.
   Crossings(World<D>& world, std::span<const Gate> gates, std::span<const Barrier> barriers,
             const RunForest& trees, std::span<const DrawKey> keys, std::vector<BodyHistory>& histories);
 

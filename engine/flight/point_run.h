@@ -42,10 +42,9 @@ struct PointRun {
 /// it ends as `stopped` at the ground. Otherwise:
 ///   - An approach to a face that is faster than rest_speed is an impact: of the face or of a tilted one
 ///     (Roughness), by the restitution and friction of its material (solver/point_impact.h).
-///   - A slower approach ends on the face, with friction. The point then slides (flight/slide.h) while
-///   gravity
-///     and air press it to the face, over edges that are flat or concave. At a convex edge it leaves on its
-///     parabola. Where two faces hold it, it slides along their edge, in 2D it rests.
+///   - A slower approach puts the point on the face, with friction. It then slides (flight/slide.h) while
+///     gravity and air press it to the face, over flat and concave edges. At a convex edge it leaves on its
+///     parabola. If two faces carry it, it slides along their common edge; in 2D it rests.
 ///   - It stops as bodies do (flight/rest.h).
 ///   - It ends as `diverged` if it is below the ground, has energy from nowhere, a state that is not finite,
 ///     or 10,000 events without progress.

@@ -33,7 +33,7 @@ class TreeWatch {
       : trees_(trees), terrain_(terrain), radius_(sphere_radius(volume)), key_(key) {}
 
   bool any() const { return trees_.forest != nullptr; }
-  /// Whether the trees only count who passes.
+  /// Whether the trees only count the rocks that touch them, and change nothing.
   bool passive() const { return trees_.law.is_passive(); }
 
   /// The first tree that the body touches along a path (or arc) within [0, end], of those that it has not

@@ -14,7 +14,8 @@ namespace flyrock {
 
 namespace {
 
-/// A corner or line this near to a vertex or an edge [m] counts as on it: pieces of triangles keep a height.
+/// A corner or line this close to a vertex or an edge counts as on it [m], because a cut there would leave a
+/// triangle thinner than this.
 constexpr double on_it = 1e-3;
 
 /// Cuts a mesh along lines in plan. Each cut splits all triangles at an edge alike, so that no triangle ends

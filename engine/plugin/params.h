@@ -42,8 +42,8 @@ struct ShapePart;  // plugin/registry.h
 /// The decoded value of one declared parameter.
 struct ParamValue {
   bool given = false;  ///< false only for an optional parameter that was left out
-  /// 1 for number, integer and boolean; one per component for vector; for shapes those of all parts, one part
-  /// after the other (ShapePart)
+  /// One number for number, integer and boolean; one per component for vector; for shapes the numbers of all
+  /// parts, part by part (ShapePart)
   std::vector<Number> numbers;
   std::string text;                                     ///< choice, text, file (full path)
   std::vector<std::vector<double>> points;              ///< points

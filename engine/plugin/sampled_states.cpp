@@ -13,7 +13,7 @@ RandomStream sampled_stream(int number) {
 
 namespace {
 
-/// A normal that leans by up to 80 degrees, and a slip of its slip_speed along the surface.
+/// Draws a normal at most 80 degrees from the vertical, and a slip of magnitude slip_speed along the surface.
 void turn_contact(ContactState& state, int dimension, RandomStream& rng) {
   const double lean = rng.uniform(-1.4, 1.4), azimuth = dimension == 2 ? 0 : rng.uniform(0, pi);
   const Vec3 up = Vec3::Unit(dimension - 1), side(std::cos(azimuth), std::sin(azimuth), 0);

@@ -15,7 +15,7 @@ Rotation3 turn_of(std::span<const double, 4> numbers, bool about_axis) {
     q = {numbers[0], numbers[1], numbers[2], numbers[3]};
     length = q.norm();
   }
-  if (!(length > 0)) throw StartError("its axis or quaternion was drawn as zero, which is no rotation");
+  if (!(length > 0)) throw StartError("its axis or quaternion was drawn as zero, which is not a rotation");
   return Rotation3(q);
 }
 

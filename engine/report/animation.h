@@ -1,5 +1,5 @@
 #pragma once
-// The motion of rocks as a picture that moves.
+// The motion of rocks as an animated picture.
 
 #include <string>
 #include <vector>

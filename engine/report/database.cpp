@@ -247,7 +247,8 @@ void ResultDatabase::add_plan() {
     }
 }
 
-/// Points with other plugins have other inputs; inputs with one path are one.
+/// Stores each path once. Sweep points with different plugins have different inputs; inputs with the same
+/// path share its number.
 void ResultDatabase::add_input_paths() {
   Insertion paths(file_, "input_paths", 2);
   std::map<std::string, int> known;

@@ -12,17 +12,14 @@ namespace flyrock {
 ///                               rock's volume)
 ///   ground-p<point>.vtp         the ground of trial 0 with its part: in 2D a line for each segment, in 3D
 ///                               the triangles where rocks were (report/ground_pictures.h)
-///   rocks-p<point>.pvd          the rocks over time, in at most 500 steps of a round number of seconds,
-///                               from the files
-///   rocks-p<point>/<step>.vtp   with the same data, linear between stored points; a rock that has ended
-///                               stays
-///   shapes-p<point>.pvd         the surfaces of the rocks in their attitudes over time (vtk_shapes.h), from
-///   the
-///                               files shapes-p<point>/<step>.vtp
-///   contacts-p<point>.pvd       where the first trial has a series: the contacts that carry a force, as
-///   points
-///                               with the vector force_N on the first body of the pair (in 3D without its
-///                               tangential part), in the step that contains the time
+///   rocks-p<point>.pvd          the rocks over time with the same data, linear between stored points, in
+///                               at most 500 steps of a round number of seconds, one file
+///                               rocks-p<point>/<step>.vtp per step; a rock that has ended stays
+///   shapes-p<point>.pvd         the surfaces of the rocks in their orientations over time (vtk_shapes.h),
+///                               one file shapes-p<point>/<step>.vtp per step
+///   contacts-p<point>.pvd       if the first trial has a series: the contacts that carry a force, as
+///                               points with the vector force_N on the first body of the pair (in 3D
+///                               without its tangential part), in the step that contains the time
 /// `mode` is the index in travel_mode_names. Returns the files except those of the steps; none if no
 /// trajectory is stored. Throws FileError.
 std::vector<std::filesystem::path> export_vtk(const std::filesystem::path& results,

@@ -48,7 +48,8 @@ class TreeTally {
   TreeSummary counts_;
 };
 
-/// Summarises the arrivals at gates and barriers, shown in passes; see read_in_passes().
+/// Summarises the arrivals at gates and barriers. It sees all chunks once per pass (read_in_passes), and
+/// again() says whether it needs another pass.
 class CrossingTally {
  public:
   CrossingTally(std::size_t gates, std::size_t barriers);

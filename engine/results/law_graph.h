@@ -21,12 +21,12 @@ struct LawGraph {
   std::vector<Case> cases;
 };
 
-/// The solid ball whose contact is drawn (W_nn = 1/m, W_tt = 3.5/m), and how far.
+/// The solid ball whose contact is plotted (W_nn = 1/m, W_tt = 3.5/m), and the range of the plot.
 struct LawBall {
   double mass = 500;                ///< kg
   double radius = 0.3;              ///< m
   double mu = 0.5;                  ///< coefficient of friction at the impacts of a restitution law
-  std::optional<Quantity> to = {};  ///< where the axis of the first graph ends; none: where the law shows
+  std::optional<Quantity> to = {};  ///< end of the axis of the first graph; empty: chosen from the law
 };
 
 /// The graphs of a law with constant parameters. Each point is one solved contact of the ball, which had no

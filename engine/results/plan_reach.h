@@ -15,7 +15,7 @@ class PlanReach {
   bool empty() const { return count_ == 0; }
   /// The rectangle in plan that holds the places, with a margin of a tenth of their greatest extent [m].
   Eigen::AlignedBox2d window() const;
-  /// A line in plan through the mean release, in the direction from there to the mean end, along all places.
+  /// The line in plan through the mean release towards the mean end. It is long enough for all places.
   struct Line {
     Vec2 release;     ///< mean
     Vec2 direction;   ///< unit; +x if the rocks ended where they began

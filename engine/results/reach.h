@@ -9,9 +9,9 @@
 
 namespace flyrock {
 
-/// How a group of rocks is launched, and how far its speeds reach over level ground at their best angle,
-/// upwards and towards +x. Paths start where its first rock of trial 0 starts and pass the same air as this
-/// rock.
+/// How a group of rocks is launched, and how far rocks with its launch speeds fly over level ground if they
+/// are launched towards +x at the elevation of the greatest distance. The paths start where the first rock of
+/// the group in trial 0 starts, and have the same drag.
 struct Reach {
   struct OfSpeed {
     Statistic statistic;  ///< which statistic of the launch speeds of the group

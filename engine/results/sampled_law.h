@@ -42,7 +42,7 @@ class SampledLaw {
   SampledLaw(const PluginUse& use, int dimension)
       : law_(make_instance<LawKind>(use, dimension)), memory_(use.plugin->spec.history.size()) {}
 
-  /// Takes other values of its parameters, and forgets.
+  /// Replaces the values of the parameters and clears the law's memory.
   void set(std::vector<double> values) {
     surface_ = {};  // its answers of a constant law hold for the old values
     bound().law = law_.get();

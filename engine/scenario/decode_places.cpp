@@ -43,7 +43,7 @@ int decode_group(DecodeContext& context, const Node& item, const Section& sectio
   const auto found = std::find(groups.begin(), groups.end(), name);
   if (found != groups.end()) return static_cast<int>(found - groups.begin());
   item.find("group")->error(context.diagnostics,
-                            fmt::format("`{}` is no group of `rocks`{}", name, suggestion(name, groups)));
+                            fmt::format("`{}` is not a group of `rocks`{}", name, suggestion(name, groups)));
   return -1;
 }
 

@@ -69,7 +69,8 @@ TurnPlan decode_turn(DecodeContext& context, const Node& node) {
   for (std::size_t k = 0; k < turn.numbers.size(); ++k)
     turn.numbers[k] =
         items[k].value->is_null() ? Number{1} : decode_number(context, items[k], dimension::none);
-  if (vanishes(turn.numbers)) node.error(context.diagnostics, "the quaternion is zero, which is no rotation");
+  if (vanishes(turn.numbers))
+    node.error(context.diagnostics, "the quaternion is zero, which is not a rotation");
   return turn;
 }
 

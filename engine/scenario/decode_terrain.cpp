@@ -132,7 +132,7 @@ void decode_part_materials(DecodeContext& context, const Node& node, const std::
       context.diagnostics.error(node.key_at, node.path,
                                 part.empty()
                                     ? fmt::format("`material` is missing, expected the name of a material{}",
-                                                  names.empty() ? "" : " for what is no zone")
+                                                  names.empty() ? "" : " for what is not a zone")
                                     : fmt::format("`materials` gives none for the part `{}`", part));
 }
 

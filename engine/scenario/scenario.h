@@ -50,8 +50,8 @@ struct Material {
 };
 
 /// A region of the terrain with a name of its own. In 2D a stretch from x = `from` to x = `to`; in 3D one of
-/// a polygon in plan, the cells of a raster with a value, or a part of the terrain that has another name so
-/// far.
+/// a polygon in plan, the cells of a raster with a value, or an existing part of the terrain, which gets a
+/// new name.
 struct Zone {
   std::string name;
   double from = 0, to = 0;

@@ -103,7 +103,7 @@ class TreeFile {
     if (known == strengths_.end()) {
       std::vector<std::string> names;
       for (const auto& [name, strength] : strengths_) names.push_back(name);
-      fail(species.column, fmt::format("`{}` is no species of `forest.species`{}", printable(species.text),
+      fail(species.column, fmt::format("`{}` is not a species of `forest.species`{}", printable(species.text),
                                        suggestion(std::string(species.text), names)));
     }
     stem.strength = known->second;

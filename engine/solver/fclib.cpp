@@ -27,7 +27,8 @@ constexpr int compressed_columns = -1, compressed_rows = -2;
 int count_of(const Hdf5File& file, const std::string& path) {
   constexpr std::int64_t most = 100'000'000;
   const std::int64_t count = file.integer(path);
-  if (count < 0 || count > most) refuse(file, path, fmt::format("{} is no sensible number of rows", count));
+  if (count < 0 || count > most)
+    refuse(file, path, fmt::format("{} is not a sensible number of rows", count));
   return static_cast<int>(count);
 }
 

@@ -68,7 +68,8 @@ class NormalMotion {
 
   /// Follows a leg with dv_n/dP = b for at most `length` of P. Returns the length it covered.
   double along(double b, double length) {
-    // b is positive in exact arithmetic, so an unlimited leg reaches the end
+    // In exact arithmetic b > 0 on a leg without a limit, so that v_n rises until the impact ends. Rounding
+    // must not change that.
     if (length == infinity) b = std::max(b, eps);
     double gone = 0;
     while (!ended_) {

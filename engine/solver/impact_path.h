@@ -19,10 +19,10 @@ enum class ImpactEnd {
 /// that slip can keep. Compression lasts until v_n = 0, restitution until the condition `end`. If the
 /// direction of slip does not turn (always in 2D), the path is straight and every leg has a closed form. If
 /// it turns, an ordinary differential equation for the angle of slip is integrated to a relative error of
-/// 1e-12. A jam (W_nn - mu e.w_tn <= 0, Painleve) ends when its slip ends, and also gives an impulse. `w`:
-/// symmetric positive definite, 1/kg; `v`: m/s. The answer is 0 if v_n >= 0. Source: E. J. Routh 1860; J. B.
-/// Keller, Impact with friction, 1986; W. J. Stronge, Rigid body collisions with friction, 1990; V. Bhatt and
-/// J. Koechling 1995 for the turning slip.
+/// 1e-13 per step. A jam (W_nn - mu e.w_tn <= 0, Painleve) ends when its slip ends, and also gives an
+/// impulse. `w`: symmetric positive definite, 1/kg; `v`: m/s. The answer is 0 if v_n >= 0. Source: E. J.
+/// Routh 1860; J. B. Keller, Impact with friction, 1986; W. J. Stronge, Rigid body collisions with friction,
+/// 1990; V. Bhatt and J. Koechling 1995 for the turning slip.
 Eigen::Vector3d impact_path(const Eigen::Matrix3d& w, const Eigen::Vector3d& v, double mu, ImpactEnd end,
                             double e);
 

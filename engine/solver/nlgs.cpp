@@ -25,7 +25,7 @@ void Nlgs<D>::begin(const Problem& problem, const SolveSettings& settings, std::
   result_ = {};
   wanted_ = settings.tolerance;
   if (settings.measure == ErrorMeasure::merit) wanted_ *= merit(problem, r).q;
-  foretold_ = 1;
+  expected_ratio_ = 1;
   next_judgement_ = 1;
   best_ = r;  // the answer if no residual is a number
   best_residual_ = std::numeric_limits<double>::infinity();
@@ -117,13 +117,13 @@ const SolveResult& Nlgs<D>::run(int sweeps, std::vector<Row>& r) {
         for (int row = 0; row < problem.width(); ++row) from_[k++] = r[a][row];
     const double met = sweep(r);
     const int k = ++result_.iterations;
-    if (!accelerated_ || k >= next_judgement_ || met * foretold_ <= wanted_ || k == end) {
+    if (!accelerated_ || k >= next_judgement_ || met * expected_ratio_ <= wanted_ || k == end) {
       judge(problem, settings_, r, result_);
       if (result_.converged) return result_;
       const double scale = settings_.measure == ErrorMeasure::merit
                                ? settings_.tolerance / wanted_
                                : problem.contacts[result_.worst_contact].speed_scale;
-      if (met > 0 && scale > 0) foretold_ = std::min(1.0, result_.residual / (met * scale));
+      if (met > 0 && scale > 0) expected_ratio_ = std::min(1.0, result_.residual / (met * scale));
       next_judgement_ = k + std::min(k, longest_wait);
       if (result_.residual < best_residual_) best_ = r, best_residual_ = result_.residual;
     }

@@ -46,8 +46,8 @@ class Nlgs {
   const Problem* problem_ = nullptr;
   SolveSettings settings_;
   SolveResult result_;
-  double wanted_ = 0;    ///< wanted size of the error seen during a sweep
-  double foretold_ = 1;  ///< error after a sweep / error during the sweep, from the last check
+  double wanted_ = 0;          ///< wanted size of the error seen during a sweep
+  double expected_ratio_ = 1;  ///< error after a sweep / error during the sweep, from the last check
   int next_judgement_ = 1;
   bool accelerated_ = false;
   std::vector<FrictionContact3> friction_;  ///< of each contact, in 3D

@@ -61,7 +61,7 @@ Terrain2 profile_ground(Profile profile, const TerrainPlan& plan) {
   const std::string& name = plan.model.plugin->spec.name;
   if (const std::string fault = profile.fault(); !fault.empty())
     throw PluginError(
-        fmt::format("plugin {}: build() returned a poly-line that is no profile: {}", name, fault));
+        fmt::format("plugin {}: build() returned a poly-line that is not a profile: {}", name, fault));
   for (const Vec2& point : profile.points)
     if (point.cwiseAbs().maxCoeff() > farthest_place)
       throw PluginError(

@@ -74,8 +74,10 @@ typename World<D>::Row World<D>::turning_of(const Contact& contact) const {
   return contact_velocity<D>(contact.at.normal, a, Body<D>::no_spin());
 }
 
-/// The frames of the contacts are those of the middle of the step. At its start the velocity in them still
-/// lacks what they turn by until then. A body that collides in the step is left out, because its spin jumps.
+/// Measures the velocities of the contacts at the start of the step. The contact frames are those of the
+/// middle of the step. The velocity is therefore corrected by the turn of the lever arms up to the middle:
+///   u^- = H^T v - (1 - theta) h a
+/// (docs/numerics.md). A body that collides in the step is left out, because its spin jumps.
 template <int D>
 void World<D>::measure_before(double h) {
   touching_.assign(bodies.size(), false);  // those that collide
@@ -94,10 +96,10 @@ void World<D>::measure_before(double h) {
   }
 }
 
-/// Assembles W = sum over bodies of H^T M^-1 H, q = u_free and the laws. The laws hold for the velocity at
-/// the end of the step, when the lever arms have turned on; without this, a body that pivots about a corner
-/// would leave it by w^2 h^2 / 2 times the lever in each step. `warm`: start from the forces of the last
-/// step (warm start). Of loads that are not determined, the solver finds those next to its start.
+/// Assembles W = sum over bodies of H^T M^-1 H, q = u_free and the laws. The laws apply to the velocity at
+/// the end of the step, when the lever arms have turned further; without this, a body that pivots about a
+/// corner would leave it by w^2 h^2 / 2 times the lever in each step. `warm`: start from the forces of the
+/// last step (warm start). If the loads are not unique, the solver finds the solution nearest to its start.
 template <int D>
 void World<D>::assemble(double h, bool warm) {
   const auto turns = [](const Contact& c) { return c.law.mu_r > 0 || c.law.mu_spin > 0; };
@@ -186,7 +188,8 @@ void World<D>::scale_by_island(double h) {
   for (const Contact& c : contacts_)
     if (c.antagonist >= 0 && bodies[c.candidate].moves() && bodies[c.antagonist].moves())
       island_[island_of(c.candidate)] = island_of(c.antagonist);
-  // A long chosen step asks for no less than a short one: what a residual moves in a second is its speed.
+  // A long step must be as accurate as a short one, because a residual is a velocity error that acts for the
+  // whole step. Therefore a chosen step longer than settings_.time_step counts as that long.
   double spell = h > 0 ? h : settings_.time_step;
   if (chooses_steps()) spell = std::min(spell, settings_.time_step);
   island_speed_.assign(bodies.size(), g_ * spell);

@@ -37,11 +37,11 @@ double World<D>::longest_of_springs() const {
   return fastest > 0 ? 2 * pi / steps_a_period / fastest : std::numeric_limits<double>::infinity();
 }
 
-/// What friction leaves in doubt: half of what friction and resistance to rolling would change of each body
-/// if they had the direction of the start of the step in place of its end, or the coefficients of the last
-/// step [m/s]; with the change of the spin times the radius. A contact that ends at rest leaves no doubt,
-/// because the solver finds the impulse that stops it. A direction that turns smoothly does so in the other
-/// steps of a phase too.
+/// The velocity error of each body due to friction [m/s]: half of the change of its velocity (plus that of
+/// its spin times the radius) if friction and rolling resistance had the direction of the start of the step
+/// instead of its end, or the coefficients of the last step. A contact that ends at rest causes no error,
+/// because the solver finds the impulse that stops it. If the direction turns smoothly, the error is
+/// multiplied by the number of steps in half a phase, because it recurs in the other steps of the phase.
 template <int D>
 std::span<const double> World<D>::doubt_of_friction(double h) {
   constexpr double at_rest = 1e-6;  // of the speed of the contact or of its bodies, or of the speed of rest

@@ -17,13 +17,14 @@ inline constexpr double steps_a_period = 40;
 inline constexpr double usual_phase = 0.2;
 
 /// The error of a phase in contact, estimated from its last step. A step of length h errs by
-///   v_e = h^2/12 |da/dt| + (friction),  da/dt = (a - a_last) / ((h + h_last) / 2)
+///   v_e = 6 h^2/12 |da/dt| + (friction),  da/dt = (a - a_last) / ((h + h_last) / 2)
 /// in the mean velocity. The first term is that of the trapezoidal rule: a and a_last are the mean
-/// accelerations of this step and the last one, contacts included, and the same of the spin, times the radius
-/// of the sphere (disk) of equal volume (area). The second one: friction has one direction in the whole step,
-/// that of its end; half of the change since its start is in doubt. After the usual duration of a phase the
-/// place errs by v_e times that duration. A step is kept if this is below the tolerance for each body; the
-/// next one is as long as it allows.
+/// accelerations of this step and the last one, contacts included. The same term of the spin, times the
+/// radius of the sphere (disk) of equal volume (area), is added. The factor 6 allows for a body that pivots:
+/// its error can grow by that factor in the rest of the phase. The second term: friction has one direction in
+/// the whole step, that of its end; half of the change since its start counts as error. After the usual
+/// duration of a phase the error in place is v_e times that duration. A step is kept if this error is below
+/// the tolerance for each body; the next step is as long as the tolerance allows.
 template <int D>
 class StepControl {
  public:
@@ -33,7 +34,7 @@ class StepControl {
   /// The length of the next step [s]. `touching[i]`: whether body i has contacts.
   double length(const std::vector<Body<D>>& bodies, const std::vector<bool>& touching) const;
   /// The error of a step of length h from `starts` to the present state of the bodies, as a multiple of what
-  /// is allowed. `of_friction` [m/s]: of each body, what friction leaves in doubt. Without a last step,
+  /// is allowed. `of_friction` [m/s]: the velocity error of each body due to friction. Without a last step,
   /// accelerations are taken as constant.
   double error(const std::vector<Body<D>>& bodies, std::span<const Moment<D>> starts,
                std::span<const double> of_friction, double h) const;

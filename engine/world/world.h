@@ -231,7 +231,8 @@ class World {
   int island_of(int body);
   int island_of(const Contact& contact);
 
-  // rebound.cpp: its solution with restitution, applied to the bodies; records and energy audit
+  // rebound.cpp: solves the friction problem with restitution and applies the impulses to the bodies; records
+  // impacts and audits the energy
   void apply_laws(double h);
   void apply_spring(int a, double h);
   void solve_and_apply();

@@ -269,7 +269,7 @@ void LuaSession::Host::require_file(lua_State* lua, const std::string& name) {
   constexpr const char* allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.";
   if (name.find_first_not_of(allowed) != name.npos || name.find("..") != name.npos || name.starts_with("."))
     throw std::runtime_error(fmt::format(
-        "require: `{}` is no module, expected letters, digits and _, with dots for folders", name));
+        "require: `{}` is not a module, expected letters, digits and _, with dots for folders", name));
   std::string relative = name;
   std::replace(relative.begin(), relative.end(), '.', '/');
   const std::string path = (fs::path(main_->folder) / (relative + ".lua")).string();

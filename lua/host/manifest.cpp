@@ -166,12 +166,12 @@ class ManifestReader {
     const int param = spec_.find(read.param);
     if (param < 0 || spec_.params[param].type != ParamType::choice)
       return table_.error(
-          "reads",
-          fmt::format("`{}` is no parameter with choices, expected `FIELD if PARAM is CHOICE`", read.param));
+          "reads", fmt::format("`{}` is not a parameter with choices, expected `FIELD if PARAM is CHOICE`",
+                               read.param));
     const std::vector<std::string>& known = spec_.params[param].choices;
     for (const std::string& choice : read.choices)
       if (std::find(known.begin(), known.end(), choice) == known.end())
-        table_.error("reads", fmt::format("`{}` is no choice of `{}`, expected {}", choice, read.param,
+        table_.error("reads", fmt::format("`{}` is not a choice of `{}`, expected {}", choice, read.param,
                                           choice_text(known)));
     if (read.choices.empty())
       table_.error("reads",

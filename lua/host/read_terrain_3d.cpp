@@ -130,7 +130,7 @@ TerrainShape3 read_terrain_3d(const LuaCall& call, const Value& answer) {
   const TerrainShape3 shape =
       answer.find("heights") ? TerrainShape3(reader.grid(answer)) : TerrainShape3(reader.mesh(answer));
   if (const std::string wrong = fault(shape); !wrong.empty())
-    call.fail("returned a terrain that is no ground: " + wrong);
+    call.fail("returned a terrain that is not a ground: " + wrong);
   return shape;
 }
 

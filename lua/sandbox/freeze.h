@@ -1,6 +1,7 @@
 #pragma once
-// Keeps plugins without memory. Everything outside of a Lua function that it can reach is frozen before its
-// first call. Its answer then depends only on its arguments and not on earlier calls in the same thread.
+// Keeps plugin code without state of its own. Everything outside of a Lua function that it can reach is
+// frozen before its first call. Its answer then depends only on its arguments and not on earlier calls in the
+// same thread.
 //
 // Tables become read-only in place, metatables and closures are followed, coroutines are refused. Lua cannot
 // protect local variables outside of functions, so they are compared after each call and restored.

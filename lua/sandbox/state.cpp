@@ -34,7 +34,7 @@ std::string error_text(lua_State* lua) {
     const char* text = lua_tolstring(lua, -1, &length);
     return budget_of(lua).wording.printable({text, length});
   }
-  return fmt::format("raised an error that is no text but a {}", luaL_typename(lua, -1));
+  return fmt::format("raised an error that is not a text but a {}", luaL_typename(lua, -1));
 }
 
 /// The message handler: adds the place if a message has none. (Memory errors do not reach it.)

@@ -154,9 +154,9 @@ TEST_CASE("Three shards merged are one run") {
   const Output foreign = call(folder, "merge " + one + "foreign -o f");
   CHECK(foreign.code == 2);
   CHECK(foreign.err.find("out/s-shard-1-of-3 and foreign are of different scenarios") != std::string::npos);
-  CHECK(call(folder, "merge whole -o f").err.find("whole has no chunks: it is no shard, its results stand") !=
-        std::string::npos);
-  CHECK(call(folder, "merge nowhere -o f").err.find("nowhere is no result folder") != std::string::npos);
+  CHECK(call(folder, "merge whole -o f")
+            .err.find("whole has no chunks: it is not a shard but a finished result") != std::string::npos);
+  CHECK(call(folder, "merge nowhere -o f").err.find("nowhere is not a result folder") != std::string::npos);
   CHECK(call(folder, "merge " + one + "-o " + one).err.find("needs a folder of its own") !=
         std::string::npos);
   CHECK_FALSE(folder.has("f"));

@@ -195,7 +195,7 @@ end }
   CHECK(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < 60);
 }
 
-TEST_CASE("plugins lists what is registered, as text, Markdown and JSON") {
+TEST_CASE("plugins lists the plugins and their parameters, as text, Markdown and JSON") {
   const Folder folder;
   CHECK(call(folder, "plugins").out.find("restitution/newton") != std::string::npos);
   CHECK(call(folder, "plugins friction").out.find("restitution/") == std::string::npos);

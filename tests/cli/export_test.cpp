@@ -313,8 +313,8 @@ TEST_CASE("An export says which formats there are and which folders are results"
   refused("export r --to vtx", "--to: unknown format `vtx`, did you mean `vtk`?");
   refused("export r --to geojson", "--to: unknown format `geojson`, expected `asc`, `csv`, `tif` or `vtk`");
   refused("export r", "expected --to FORMAT: flyrock export DIR --to csv|vtk|asc|tif [-o PATH]");
-  refused("export nowhere --to csv", "nowhere is no result folder: it has no manifest.json");
-  refused("report s.yaml", "s.yaml is no result folder");
+  refused("export nowhere --to csv", "nowhere is not a result folder: it has no manifest.json");
+  refused("report s.yaml", "s.yaml is not a result folder");
   CHECK(call(folder, "run s.yaml --shard 1/2 --quiet -o half").code == 0);
   refused("report half",
           "half has no results yet: `flyrock run --resume` goes on with a run that was interrupted");
@@ -427,7 +427,7 @@ stop: { time: 1 s, speed: 0 }
   CHECK(fs::exists(folder.path() / "r/vtk/shapes-p0.pvd"));
 }
 
-TEST_CASE("a picture that moves shows its first moment in programs that do not animate it") {
+TEST_CASE("an animated picture shows its first moment in programs that do not animate it") {
   const Folder folder;
   const std::string scenario = std::string(FLYROCK_SOURCE_DIR) + "/scenarios/course/oblique_impact.yaml";
   REQUIRE(call(folder, "run " + scenario + " -o out --quiet").code == 0);

@@ -136,7 +136,7 @@ TEST_CASE("a malformed file of trees is refused with line and column") {
   CHECK(says(header + "1,2,-30,20,beech\n") ==
         "t.csv:2:5: `dbh_cm` is -30, expected a number from 0.1 to 1000");
   CHECK(says(header + "1,2,30,20,baech\n") ==
-        "t.csv:2:11: `baech` is no species of `forest.species`, did you mean `beech`?");
+        "t.csv:2:11: `baech` is not a species of `forest.species`, did you mean `beech`?");
   folder.write("t.csv", "\xef\xbb\xbfx,y,dbh_cm,height_m\r\n5,0,30,20\r\n");
   CHECK(call(folder, "check s.yaml").code == 0);
 }

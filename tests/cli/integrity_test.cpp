@@ -164,5 +164,5 @@ TEST_CASE("A merge of shards of which one has lost a chunk is made, says so and 
   fs::rename(folder.path() / "s1/chunks/p0-c2.chunk", folder.path() / "s2/chunks/p0-c2.chunk");
   const Output moved = call(folder, "merge s1 s2 -o n --quiet");
   CHECK(moved.code == 2);
-  CHECK(moved.err.find("s2 holds p0-c2.chunk, which is no chunk of shard 2 of 2") != std::string::npos);
+  CHECK(moved.err.find("s2 holds p0-c2.chunk, which is not a chunk of shard 2 of 2") != std::string::npos);
 }

@@ -76,9 +76,9 @@ TEST_CASE("A folder that cannot be written is told before anything runs") {
 
 TEST_CASE("A name that is too long for a folder is bad input") {
   const Folder folder;
-  check_refused(folder, "merge " + std::string(300, 'x') + " -o merged", "is no result folder");
-  check_refused(folder, "merge shard -o " + std::string(300, 'x'), "is no result folder");
-  check_refused(folder, "export " + std::string(300, 'x') + " --to csv", "is no result folder");
+  check_refused(folder, "merge " + std::string(300, 'x') + " -o merged", "is not a result folder");
+  check_refused(folder, "merge shard -o " + std::string(300, 'x'), "is not a result folder");
+  check_refused(folder, "export " + std::string(300, 'x') + " --to csv", "is not a result folder");
 }
 
 TEST_CASE("A result of an older format is neither read nor gone on with") {

@@ -161,7 +161,7 @@ TEST_CASE("a broken file gives one line that says what is wrong") {
   CHECK(error_with([](Parts& p) { p.i[2] = 6; }) ==
         "/fclib_local/W: entry 2 stands at row 6, column 2 of a 6 by 6 matrix");
   CHECK(error_with([](Parts& p) { p.m = {7}; }) == "/fclib_local/W: is 7 by 6, expected a square");
-  CHECK(error_with([](Parts& p) { p.m = {-1}; }) == "/fclib_local/W/m: -1 is no sensible number of rows");
+  CHECK(error_with([](Parts& p) { p.m = {-1}; }) == "/fclib_local/W/m: -1 is not a sensible number of rows");
   CHECK(error_with([](Parts& p) { p.m = {6, 6}; }) == "/fclib_local/W/m: expected one integer, found 2");
   CHECK(error_with([](Parts& p) { p.nz = {-7}; }) ==
         "/fclib_local/W/nz: -7 names no storage, expected -1, -2 or a number of triplets");

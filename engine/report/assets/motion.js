@@ -1,4 +1,4 @@
-// The motion of bodies: a picture that moves, and graphs over time.
+// The motion of bodies: an animated picture, and graphs over time.
 
 const most_on_graph = 8;
 

@@ -53,7 +53,7 @@ return fr.plugin {
       },
     },
     roughness = fr.group {
-      doc = "random heights of faces and berms along their normal, drawn once a trial, with the spectrum "
+      doc = "random heights of faces and berms along their normal, drawn once per trial, with the spectrum "
         .. "(1 + (k length)^2)^-(hurst + (D-1)/2)",
       params = {
         sd = fr.number { min = 0, unit = "m", doc = "standard deviation" },

@@ -192,7 +192,7 @@ TEST_CASE("errors while a law runs name the line") {
   CHECK(failure("function(p, c)\n    p.en = 1\n    return 1\n  end") ==
         "plugin my_law, my_law.lua:6: `p` cannot be changed");
   CHECK(failure("function(p, c) error({}) end") ==
-        "plugin my_law, my_law.lua:5: raised an error that is no text but a table");
+        "plugin my_law, my_law.lua:5: raised an error that is not a text but a table");
   CHECK(failure("function(p, c)\n    counter = 1\n  end") ==
         "plugin my_law, my_law.lua:6: globals are frozen after loading: `counter` cannot be set, use a local "
         "variable");

@@ -216,7 +216,8 @@ return fr.plugin { kind = "rolling", name = "mine", doc = "d", rolling = functio
         "long.lua:1:1: require: cannot read `" + longest + ".lua`, expected a module beside the file\n");
   lua.write("out.lua", "local x = require '../x'");
   CHECK(lua.load("out.lua") ==
-        "out.lua:1:1: require: `../x` is no module, expected letters, digits and _, with dots for folders\n");
+        "out.lua:1:1: require: `../x` is not a module, expected letters, digits and _, with dots for "
+        "folders\n");
 }
 
 TEST_CASE("require stays in the folder, and files have a size") {
