@@ -115,8 +115,10 @@ struct Nearest {
   Vec3 on_a = Vec3::Zero();
 };
 
-/// The place of A - B + shift that is nearest to the origin.
-Nearest nearest_place(const Placed3& a, const Placed3& b, const Vec3& shift, const Vec3& first) {
+/// The place of A - B + shift that is nearest to the origin. If the distance is below `enough` [m], a place
+/// that is not farther than that is enough.
+Nearest nearest_place(const Placed3& a, const Placed3& b, const Vec3& shift, const Vec3& first,
+                      double enough = 0) {
   constexpr int most_iterations = 100;
   constexpr double exact = 1e-14;  // share of the square of the distance
   const auto support = [&](const Vec3& towards) -> SupportPoint {
@@ -128,6 +130,7 @@ Nearest nearest_place(const Placed3& a, const Placed3& b, const Vec3& shift, con
   for (int i = 0; i < most_iterations; ++i) {
     const Vec3 v = simplex.nearest();
     const double square = v.squaredNorm();
+    if (square < enough * enough) break;
     const SupportPoint point = support(-v);
     if (!(square > 0) || square - v.dot(point.w) <= exact * square || simplex.has(point.w)) break;
     Simplex next = simplex;
@@ -208,7 +211,8 @@ Separation separation(const Placed3& a, const Placed3& b) {
   const Vec3 between = a.pose.x - b.pose.x;
   const double small = std::min(a.shape.bound, b.shape.bound);
   const double back = share * (small > 0 ? small : std::max(a.shape.bound, b.shape.bound));
-  const Nearest nearest = nearest_place(a, b, Vec3::Zero(), between.norm() > 0 ? between : Vec3::UnitZ());
+  const Nearest nearest =
+      nearest_place(a, b, Vec3::Zero(), between.norm() > 0 ? between : Vec3::UnitZ(), back);
   const double length = nearest.place.norm();
   if (length > back) {
     const Vec3 normal = nearest.place / length;

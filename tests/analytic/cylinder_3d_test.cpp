@@ -194,7 +194,7 @@ TEST_CASE("the place where an edge crosses a rim stays there, however flat the c
   std::mt19937 rng(7);
   const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(rng); };
   const Height ridge = [](double, double y) { return -0.6 * std::abs(y); };
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < 10; ++i) {
     CAPTURE(i);
     Material material(0.5, 0.6);
     Bench3 bench(mesh_of(ridge, 4, 8), material);
@@ -206,7 +206,7 @@ TEST_CASE("the place where an edge crosses a rim stays there, however flat the c
     bench.add(body);
     double most = -1e300;
     bench.run_settings.advanced = [&](double) { most = std::max(most, energy_of(bench.world.bodies[0])); };
-    bench.run(1);
+    bench.run(0.6);
     CHECK(most < start * (1 + 1e-6));
     CHECK(bench.world.quality().energy_gains == 0);
   }

@@ -40,7 +40,7 @@ TEST_CASE("A full disk is one line, and --resume goes on with what was done") {
   REQUIRE(call(folder, "run s.yaml --quiet -o whole").code == 0);
   // Files may not grow beyond so many blocks of 512 bytes: too few for a chunk, then too few for the
   // database.
-  for (const int blocks : {20, 300}) {
+  for (const int blocks : {40, 300}) {
     const Output full = shell(folder, "ulimit -f " + std::to_string(blocks) +
                                           "; '" FLYROCK_BINARY "' run s.yaml --quiet -o full --resume");
     INFO(full.err);
