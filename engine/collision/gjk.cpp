@@ -207,12 +207,12 @@ Separation improved(const Placed3& a, const Placed3& b, const Vec3& guess, doubl
 }  // namespace
 
 Separation separation(const Placed3& a, const Placed3& b) {
-  constexpr double share = 1e-3;
+  constexpr double share = 1e-3, touching = 1e-3;
   const Vec3 between = a.pose.x - b.pose.x;
   const double small = std::min(a.shape.bound, b.shape.bound);
   const double back = share * (small > 0 ? small : std::max(a.shape.bound, b.shape.bound));
   const Nearest nearest =
-      nearest_place(a, b, Vec3::Zero(), between.norm() > 0 ? between : Vec3::UnitZ(), back);
+      nearest_place(a, b, Vec3::Zero(), between.norm() > 0 ? between : Vec3::UnitZ(), touching * back);
   const double length = nearest.place.norm();
   if (length > back) {
     const Vec3 normal = nearest.place / length;
@@ -220,7 +220,7 @@ Separation separation(const Placed3& a, const Placed3& b) {
   }
   Separation best;
   best.distance = -std::numeric_limits<double>::infinity();
-  if (length > 1e-3 * back) best = improved(a, b, nearest.place / length, back);
+  if (length > touching * back) best = improved(a, b, nearest.place / length, back);
   const Guesses guesses(a, b);
   for (int i = 0; i < Guesses::count && best.distance < -1e-3 * back; ++i) {
     const Separation next = improved(a, b, guesses.normal(i), back);

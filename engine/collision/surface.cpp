@@ -108,14 +108,14 @@ double depth_in_surface(const Placed3& surface, const Vec3& place) {
   return depth_in(*surface.shape.surface, surface.pose.r.inverse(place - surface.pose.x));
 }
 
-#define FLYROCK_INSTANTIATE(D)                                                                             \
-  template void surface_contacts<D>(const Geometry<D>::Placed&, int, const Geometry<D>::Placed&, int,      \
-                                    double, double, std::vector<ContactPoint<D>>&);                        \
-  template double surface_gap<D>(const Geometry<D>::Placed&, FeatureId, const Geometry<D>::Placed&,        \
-                                 FeatureId);                                                               \
-  template std::optional<double> surface_touch<D>(const Geometry<D>::Contactor&, int,                      \
-                                                  const Geometry<D>::Motion&, const Geometry<D>::Contactor&, \
-                                                  int, const Geometry<D>::Motion&, double, const TouchSearch&)
+#define FLYROCK_INSTANTIATE(D)                                                                            \
+  template void surface_contacts<D>(const Geometry<D>::Placed&, int, const Geometry<D>::Placed&, int,     \
+                                    double, double, std::vector<ContactPoint<D>>&);                       \
+  template double surface_gap<D>(const Geometry<D>::Placed&, FeatureId, const Geometry<D>::Placed&,       \
+                                 FeatureId);                                                              \
+  template std::optional<double> surface_touch<D>(                                                        \
+      const Geometry<D>::Contactor&, int, const Geometry<D>::Motion&, const Geometry<D>::Contactor&, int, \
+      const Geometry<D>::Motion&, double, const TouchSearch&)
 FLYROCK_INSTANTIATE(2);
 FLYROCK_INSTANTIATE(3);
 #undef FLYROCK_INSTANTIATE

@@ -65,8 +65,8 @@ struct Contactor3 {
   double bound = 0;  ///< radius of the smallest sphere about the frame's origin that contains the contactor
   double outer = 0;  ///< m, of a hollow cylinder; infinite for a half space; 0 for others
   std::shared_ptr<const Ground3> surface = nullptr;  ///< closed
-  std::vector<std::array<int, 3>> skin = {};  ///< of a cloud: triangles, indices into points, seen from outside
-
+  std::vector<std::array<int, 3>> skin =
+      {};  ///< of a cloud: triangles, indices into points, seen from outside
 
   static Contactor3 sphere(double radius, const Vec3& centre = Vec3::Zero());
   /// The segment from `start` to `end`, grown by a radius.

@@ -26,8 +26,8 @@ inline int part_of(const Terrain3& terrain, FeatureId against) { return terrain.
 inline const std::vector<std::string>& parts_of(const Terrain2& terrain) { return terrain.profile().parts; }
 inline const std::vector<std::string>& parts_of(const Terrain3& terrain) { return terrain.parts(); }
 
-/// Whether two features of the terrain, or of a surface, are neighbours: a segment and a corner at its end, or two segments
-/// that share a corner.
+/// Whether two features of the terrain, or of a surface, are neighbours: a segment and a corner at its end,
+/// or two segments that share a corner.
 inline bool next_to(const Ground2&, FeatureId a, FeatureId b) {
   // Counted in half segments, because corner i lies half-way between the segments i - 1 and i.
   const auto place = [](FeatureId id) { return 2 * terrain_index(id) + (is_corner(id) ? -1 : 0); };
