@@ -13,6 +13,7 @@ namespace flyrock {
 namespace {
 
 constexpr double forever = std::numeric_limits<double>::infinity();
+constexpr double closed = 1e-6;  // of the size: greater gaps are of no contact that exists
 
 class CircleSearch {
  public:
@@ -45,6 +46,7 @@ class CircleSearch {
     const Placed3 a{a_.shape, {sa.x, sa.turn.rotation}}, b{b_.shape, {sb.x, sb.turn.rotation}};
     const FacingPair pair = facing_pair(a, b);
     nearest_ = pair.apart.normal;
+    touches_ = pair.apart.distance - a_.shape.radius - b_.shape.radius < closed * search_.size;
     const Patch &of_a = pair.of_a, &of_b = pair.of_b;
     if (of_b.normal.squaredNorm() > 0) attempt(with_b(of_b.normal, sb, true));
     if (of_a.normal.squaredNorm() > 0) attempt(with_a(-of_a.normal, sa, true));
@@ -246,12 +248,14 @@ class CircleSearch {
     }
   }
 
-  /// Whether the contacts of the pair have this normal.
+  /// Whether the contacts of the pair have this normal. A contact with an edge or a vertex holds the facets
+  /// about it. One of these may be nearest to another place of the contactor: then they are apart, and the
+  /// contact has another normal.
   bool is_held_along(const Direction& d) const {
     constexpr double same_direction = 1 - 5e-7;  // cosine of 1e-3 rad
     if (!holds_) return false;
     if (b_.facet && d.of_plane && d.turns == Direction::Turns::with_b && holds_plane_) return true;
-    return d.normal.dot(nearest_) > same_direction;
+    return (touches_ || holds_plane_) && d.normal.dot(nearest_) > same_direction;
   }
 
   const MovingContactor& a_;
@@ -264,6 +268,7 @@ class CircleSearch {
   std::vector<unsigned> places_a_, places_b_;  ///< that hold each rim, as bits
   bool holds_ = false, holds_plane_ = false;
   Vec3 nearest_ = Vec3::Zero();           ///< the normal of the pair
+  bool touches_ = false;                  ///< along it
   std::vector<PieceHeight> of_a_, of_b_;  ///< along the direction at hand
   std::vector<Vec3> first_a_, first_b_;   ///< towards the highest place of each rim at the start; unit
 };
