@@ -61,12 +61,15 @@ typename World<D>::Row World<D>::turning_of(const Contact& contact) const {
     const auto& contactor = body.contactor_with(feature);
     const double rounding = side * contactor.rounding();
     const Vec<D> lever = contact.at.point + rounding * contact.at.normal - body.x;
-    if constexpr (D == 2)
+    if constexpr (D == 2) {
       return -body.w * body.w * lever;
-    else
-      return body.w.cross(
-          lever_rate(Placed{contactor, body.pose()}, feature, -side * contact.at.normal, body.w, lever,
-                     line_of(other < 0 ? nullptr : &bodies[other], *terrain_, against, contact.at.normal)));
+    } else {
+      std::optional<Vec3> line;  // only rims ask for it
+      if (contactor.has_circles())
+        line = line_of(other < 0 ? nullptr : &bodies[other], *terrain_, against, contact.at.normal);
+      return body.w.cross(lever_rate(Placed{contactor, body.pose()}, feature, -side * contact.at.normal,
+                                     body.w, lever, line));
+    }
   };
   Vec<D> a = of(contact.candidate, contact.at.feature, contact.antagonist, contact.at.against, 1);
   if (contact.antagonist >= 0)
