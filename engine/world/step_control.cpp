@@ -11,6 +11,9 @@ constexpr double unstable = 6;          // by which errors of a body that pivots
 constexpr double longest_first = 5e-3;  // s, of the step after an impact, where friction may be about to turn
 constexpr double most_growth = 2;       // from step to step
 constexpr double caution = 0.9;
+// Share of the tolerance that the estimate may use. With 1, 94.8 % of 500 random phases ended within a
+// tolerance of 1e-4, and not 95 %.
+constexpr double used = 0.9;
 
 /// The length, as a multiple of the last one, for which an error that grows with h^2 becomes 1.
 double growth(double error, double most) {
@@ -26,7 +29,7 @@ typename StepControl<D>::Mean StepControl<D>::mean(const Body<D>& body, const Mo
 
 template <int D>
 double StepControl<D>::allowed(const Body<D>& body) const {
-  return tolerance_ * 2 * body.radius / usual_phase;
+  return used * tolerance_ * 2 * body.radius / usual_phase;
 }
 
 /// A step ends where the last acceleration lets a body stop, because friction turns there. Of the first step,
