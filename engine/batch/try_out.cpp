@@ -174,7 +174,7 @@ void find_passing_bodies(const Scenario& scenario, const Trial<D>& trial, TriedO
         }
 }
 
-/// Finds rocks with many vertices or contactors. Each impact looks at all of them, and each vertex makes
+/// Finds rocks of which one part has many vertices. Each impact looks at all of them, and each vertex makes
 /// impacts of its own.
 template <int D>
 void find_fine_outlines(const Scenario& scenario, const Trial<D>& trial, TriedOut& tried) {
@@ -184,13 +184,13 @@ void find_fine_outlines(const Scenario& scenario, const Trial<D>& trial, TriedOu
     const Body<D>& body =
         trial.worlds[static_cast<std::size_t>(rock.world)].bodies[static_cast<std::size_t>(rock.body)];
     std::size_t count = 0;
-    for (const auto& contactor : body.contactors) count += contactor.points.size();
+    for (const auto& contactor : body.contactors) count = std::max(count, contactor.points.size());
     if (count <= most) continue;
     const std::string path = scenario.bodies.empty() ? fmt::format("rocks.{}.shape", rock.group)
                                                      : fmt::format("bodies.{}", rock.group);
     add(tried.warnings, path,
-        fmt::format("`{}` has {} vertices and centres: above {} a trial takes many seconds; expected a "
-                    "coarser outline",
+        fmt::format("`{}` has a part of {} vertices: above {} a trial takes many seconds; expected a coarser "
+                    "outline",
                     body.group, count, most));
   }
 }

@@ -1,6 +1,8 @@
 #pragma once
 // The motion of one body over a time interval.
 
+#include <algorithm>
+#include <cmath>
 #include <variant>
 
 #include "geometry/box.h"
@@ -37,6 +39,7 @@ struct Motion2 : Path<2> {
 
   double angle_at(double t) const { return angle + t * (w + 0.5 * t * alpha); }
   double spin(double t) const { return w + t * alpha; }
+  double greatest_spin(double t) const { return std::max(std::abs(w), std::abs(spin(t))); }  ///< over [0, t]
 };
 
 /// A prescribed rotation: R(t) = exp(t w + t^2 alpha / 2) R(0), world frame. At rest by default.
@@ -64,6 +67,13 @@ struct Motion3 : Path<3> {
   double greatest_spin(double t) const;       ///< rad/s over [0, t]
   double greatest_spin_rate(double t) const;  ///< rad/s2 over [0, t]
 };
+
+/// A bound on the way of a place at most `bound` [m] from the centre, over [0, t] [m].
+template <class Motion>
+double greatest_travel(const Motion& motion, double bound, double t) {
+  const double speed = motion.v.norm() + t * motion.a.norm();
+  return t * (speed + motion.greatest_spin(t) * bound);
+}
 
 /// A time interval a <= b [s]; empty if a > b.
 struct TimeWindow {

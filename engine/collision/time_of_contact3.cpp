@@ -195,12 +195,6 @@ std::span<const HeldContact> still_held(const MovingContactor& c, const Ground3&
   return closed;
 }
 
-/// A bound on the way that a point of a contactor moves within [0, end] [m].
-double greatest_travel(const MovingContactor& c, double end) {
-  const double speed = c.motion.v.norm() + end * c.motion.a.norm();
-  return end * (speed + c.motion.greatest_spin(end) * c.shape.bound);
-}
-
 /// The first touch of a contactor that moves by `travel` at most, a small part of its size. Only the facets
 /// in its box matter, and of these the ones whose planes it does not surely stay above.
 template <class See>
@@ -257,7 +251,7 @@ std::optional<double> time_of_contact(const Contactor3& contactor, int contactor
   }
   const MovingContactor moving{contactor, motion, contactor_index};
   const auto first_touch = [&](const auto& see) {
-    if (const double travel = greatest_travel(moving, t_max); travel < 0.25 * reach)
+    if (const double travel = greatest_travel(motion, contactor.bound, t_max); travel < 0.25 * reach)
       return near_start(ground, moving, travel, t_max, search, see);
     return along_path(ground, motion, reach, t_max, see);
   };

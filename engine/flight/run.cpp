@@ -171,11 +171,10 @@ class Runner {
         const Motion flight = world_.flight_of(i);
         dt = std::min({dt, time_in_domain(flight), running_[i] ? crossings_.time_to_barrier(i, flight) : dt});
         const TouchSearch search{world_.held(i, -1), false, 0, body.size, &world_.quality().toc_iterations};
-        for (std::size_t k = 0; k < body.contactors.size(); ++k) {
-          const auto t =
-              time_of_contact(body.contactors[k], static_cast<int>(k), flight, world_.terrain(), dt, search);
-          if (t) dt = *t, touch = true;
-        }
+        near_parts(body.parts, body.pose(), world_.terrain(), greatest_travel(flight, body.size, dt), parts_);
+        for (const int k : parts_)
+          if (const auto t = time_of_contact(body.contactors[k], k, flight, world_.terrain(), dt, search))
+            dt = *t, touch = true;
       }
     }
     for (int i = 0; i < bodies(); ++i)
@@ -234,10 +233,10 @@ class Runner {
       const double size = a.is_surface() ? b.size : a.size;
       const TouchSearch search{world_.held(i, j), false, 0, size, &world_.quality().toc_iterations};
       const Motion of_a = world_.flight_of(i), of_b = world_.flight_of(j);
-      for (std::size_t k = 0; k < a.contactors.size(); ++k)
-        for (std::size_t l = 0; l < b.contactors.size(); ++l)
-          if (const auto t = time_of_contact(a.contactors[k], static_cast<int>(k), of_a, b.contactors[l],
-                                             static_cast<int>(l), of_b, first.value_or(dt), search))
+      for (int k = 0; k < static_cast<int>(a.contactors.size()); ++k)
+        for (int l = 0; l < static_cast<int>(b.contactors.size()); ++l)
+          if (const auto t = time_of_contact(a.contactors[k], k, of_a, b.contactors[l], l, of_b,
+                                             first.value_or(dt), search))
             first = t;
     }
     return first;
@@ -394,6 +393,7 @@ class Runner {
   bool in_air_ = false;
   bool has_surfaces_ = false;
   std::vector<std::array<Vec<D>, 2>> accelerations_;  ///< accelerations by the air in the current leg
+  std::vector<int> parts_;                            ///< of one body near the ground
   int stalled_ = 0;
   int steps_ = 0;  ///< since marked_time_
   double marked_time_ = 0;

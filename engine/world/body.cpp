@@ -44,6 +44,7 @@ Body<2> make_body(std::vector<Contactor2> contactors, double density, double mas
     if (!contactor.is_surface()) contactor.translate(-centre);
     body.size = std::max(body.size, contactor.bound);
   }
+  body.parts = PartTree<2>(contactors);
   body.contactors = std::move(contactors);
   const double t = thickness > 0 ? thickness : default_thickness(properties.area);
   body.volume = properties.area * t;
@@ -83,6 +84,7 @@ Body<3> make_body(std::vector<Contactor3> contactors, double density, double mas
     if (!contactor.is_surface()) contactor.change_frame(centre, principal.rotation);
     body.size = std::max(body.size, contactor.bound);
   }
+  body.parts = PartTree<3>(contactors);
   body.contactors = std::move(contactors);
   body.volume = properties.volume;
   body.mass = mass_of(body.volume, density, mass, own.mass);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "collision/geometry.h"
+#include "collision/part_tree.h"
 #include "geometry/own_mass.h"
 #include "geometry/pneumatic.h"
 #include "world/air.h"
@@ -69,6 +70,7 @@ struct Body {
   BodyKind kind = BodyKind::dynamic;
   bool present = true;  ///< false once it has left the run; it then has no contacts
   std::vector<Contactor> contactors;
+  PartTree<D> parts;  ///< of the contactors
   double mass = 0;
   typename Space<D>::Inertia inertia{};
   double volume = 0;

@@ -97,10 +97,10 @@ void World<D>::detect(double ahead) {
     if (body.moves()) {
       points_.clear();
       const double reach = carry_reach(i, -1);
-      for (int k = 0; k < static_cast<int>(body.contactors.size()); ++k) {
-        const Placed contactor{body.contactors[k], body.pose()};
-        terrain_contacts(contactor, k, *terrain_, reach, body.spin_speed() * ahead, points_);
-      }
+      near_parts(body.parts, body.pose(), *terrain_, reach, parts_);
+      for (const int k : parts_)
+        terrain_contacts(Placed{body.contactors[k], body.pose()}, k, *terrain_, reach,
+                         body.spin_speed() * ahead, points_);
       append(i, -1);
     }
     for (; pair != pairs.end() && pair->first == i; ++pair) {
@@ -108,11 +108,10 @@ void World<D>::detect(double ahead) {
       if (!body.present || !other.present || (!body.moves() && !other.moves())) continue;
       points_.clear();
       const double reach = carry_reach(i, pair->second);
-      for (std::size_t k = 0; k < body.contactors.size(); ++k)
-        for (std::size_t j = 0; j < other.contactors.size(); ++j)
-          body_contacts(Placed{body.contactors[k], body.pose()}, static_cast<int>(k),
-                        Placed{other.contactors[j], other.pose()}, static_cast<int>(j), reach, points_,
-                        (body.spin_speed() + other.spin_speed()) * ahead);
+      near_parts(body.parts, body.pose(), other.parts, other.pose(), reach, part_pairs_);
+      for (const auto& [k, l] : part_pairs_)
+        body_contacts(Placed{body.contactors[k], body.pose()}, k, Placed{other.contactors[l], other.pose()},
+                      l, reach, points_, (body.spin_speed() + other.spin_speed()) * ahead);
       append(i, pair->second);
     }
   }

@@ -24,6 +24,8 @@ struct Moment {
   Attitude<D> attitude;
   typename Space<D>::Spin w;
   Breathing::State shape;
+
+  typename Geometry<D>::Pose pose() const { return {x, attitude.rotation}; }
 };
 template <int D>
 Moment<D> moment_of(const Body<D>& body) {

@@ -233,9 +233,9 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
     const auto held_here = held_in_step(i, -1);
     if (pass_held && !held_here.empty()) continue;
     const TouchSearch search{held_here, true, 0.5 * touch(i), body.size, &quality_.toc_iterations};
-    for (std::size_t k = 0; k < body.contactors.size(); ++k)
-      consider(time_of_contact(body.contactors[k], static_cast<int>(k), motions_[i], *terrain_,
-                               first.value_or(h), search));
+    near_parts(body.parts, starts_[i].pose(), *terrain_, greatest_travel(motions_[i], body.size, h), parts_);
+    for (const int k : parts_)
+      consider(time_of_contact(body.contactors[k], k, motions_[i], *terrain_, first.value_or(h), search));
   }
   if (!bodies_meet()) return first;
   boxes_.clear();
@@ -248,10 +248,11 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
     if (pass_held && !held_here.empty()) continue;
     const double size = contact_size(i, j);
     const TouchSearch search{held_here, true, 0.5e-9 * size + 0.5e-12, size, &quality_.toc_iterations};
-    for (std::size_t k = 0; k < a.contactors.size(); ++k)
-      for (std::size_t l = 0; l < b.contactors.size(); ++l)
-        consider(time_of_contact(a.contactors[k], static_cast<int>(k), motions_[i], b.contactors[l],
-                                 static_cast<int>(l), motions_[j], first.value_or(h), search));
+    const double travel = greatest_travel(motions_[i], a.size, h) + greatest_travel(motions_[j], b.size, h);
+    near_parts(a.parts, starts_[i].pose(), b.parts, starts_[j].pose(), travel, part_pairs_);
+    for (const auto& [k, l] : part_pairs_)
+      consider(time_of_contact(a.contactors[k], k, motions_[i], b.contactors[l], l, motions_[j],
+                               first.value_or(h), search));
   }
   return first;
 }

@@ -285,7 +285,9 @@ class World {
   std::vector<Contact> closed_;    ///< at an instant of impacts one by one
   std::vector<bool> springs_;      ///< which of closed_ are springs
   std::vector<ContactPoint<D>> points_;
-  std::vector<Vec<D>> patch_;  ///< the points of one manifold
+  std::vector<int> parts_;                       ///< of one body near the ground
+  std::vector<std::pair<int, int>> part_pairs_;  ///< of two bodies near each other
+  std::vector<Vec<D>> patch_;                    ///< the points of one manifold
   std::vector<ContactRows> rows_;
   std::vector<Impact> impacts_;
   std::vector<ImpactSum> sums_;

@@ -162,7 +162,7 @@ end }
   const Output output = call(folder, "check fine.yaml");
   INFO(output.err);
   CHECK(output.code == 0);
-  CHECK(output.err.find("has 3000 vertices and centres: above 500 a trial takes many seconds") !=
+  CHECK(output.err.find("has a part of 3000 vertices: above 500 a trial takes many seconds") !=
         std::string::npos);
 }
 
