@@ -453,8 +453,8 @@ void TrialRunner::Trials<D>::record_inputs(std::uint64_t trial, int index, const
   }
 }
 
-/// Records what was drawn for each impact: the draws of the material between the two. Draws of a pair of
-/// bodies belong to the first of them.
+/// Records what was drawn for each impact: the draws of the material between the two, and of roughness the
+/// tilt that was used. Draws of a pair of bodies belong to the first of them.
 template <int D>
 void TrialRunner::Trials<D>::record_impact_draws(std::uint64_t trial, int index, const TrialRock& rock,
                                                  const World<D>& world, const Surfaces& surfaces,
@@ -469,6 +469,11 @@ void TrialRunner::Trials<D>::record_impact_draws(std::uint64_t trial, int index,
     for (const int draw : impact_draws_[static_cast<std::size_t>(material)])
       out.inputs.push_back({trial, index, draw, impact.number,
                             scenario_.draws[static_cast<std::size_t>(draw)].value(scenario_.seed, key)});
+    const auto& roughness = scenario_.materials[static_cast<std::size_t>(material)].roughness;
+    if (scenario_.method == Method::lumped_mass && roughness && is_drawn_per_impact(*roughness))
+      for (int axis = 0; axis < D - 1; ++axis)
+        out.inputs.push_back(
+            {trial, index, roughness->draw, impact.number, impact.tilt[static_cast<std::size_t>(axis)]});
   }
 }
 
