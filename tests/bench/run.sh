@@ -1,8 +1,8 @@
 #!/bin/sh
 # make bench: rocks per second to rest on one core and the share of time by phase, median of five runs each; ballistic
-# flights alone, and lumped masses beside a plain loop, with rows and envelopes, and with the restitution in Lua; the time of contacts, gap and time of impact for each pair of
-# shapes; then the time of the Ninh Dan run with its restitution in Lua over that with the same law native, and with one
-# thread over that with two, in pairs of runs.
+# flights alone, and lumped masses beside a plain loop, with rows and envelopes, and with the restitution in Lua; the
+# time of contacts, gap and time of impact for each pair of shapes; then the time of the Ninh Dan run with its
+# restitution in Lua over that with the same law native, and with one thread over that with two, in pairs of runs.
 set -eu
 flyrock=$1/flyrock
 here=$(cd "$(dirname "$0")" && pwd)
