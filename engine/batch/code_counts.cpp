@@ -17,7 +17,7 @@ constexpr std::uint64_t most_codes = 4096;  // above the code of any finite ener
 
 std::uint32_t CodeScale::code(double value) const {
   if (!(value >= least_coded)) return 0;
-  const double code = std::floor(std::log(value / least_coded) / std::log(ratio)) + 1;
+  const double code = std::floor(std::log(value / least_coded) / log_ratio) + 1;
   return static_cast<std::uint32_t>(std::min(code, static_cast<double>(most_codes - 1)));
 }
 

@@ -2,6 +2,7 @@
 // Histograms of positive numbers over bins of equal ratio, as lists of the bins that occur. Counts are whole
 // numbers, so that the histograms of chunks have the same sum in any order.
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@ namespace flyrock {
 /// Bins of a ratio r: code 0 is below 0.001, code k > 0 is from 0.001 r^(k-1) to 0.001 r^k.
 struct CodeScale {
   double ratio;
+  double log_ratio = std::log(ratio);
 
   std::uint32_t code(double value) const;
   /// The middle of a code's values, on a logarithmic scale.

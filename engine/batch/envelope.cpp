@@ -7,7 +7,7 @@ namespace flyrock {
 
 namespace {
 
-constexpr CodeScale one_percent{1.02};
+const CodeScale one_percent{1.02};
 
 /// A single walk, because the bins of both are sorted.
 void add_bins(std::map<std::int64_t, EnvelopeBin>& bins, const std::map<std::int64_t, EnvelopeBin>& more) {

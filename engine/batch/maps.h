@@ -42,7 +42,7 @@ struct MapCell {
 };
 
 /// Values of histograms are known to 5 %.
-inline constexpr CodeScale map_scale{1.1};
+inline const CodeScale map_scale{1.1};
 
 class Maps {
  public:

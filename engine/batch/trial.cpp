@@ -114,17 +114,32 @@ class TrialRunner::Trials : public OfDimension {
   }
 
  private:
+  /// What a trial leaves of each world.
+  struct Course {
+    std::vector<std::vector<BodyHistory>> histories;  ///< of each body
+    std::vector<std::optional<TrialFault>> faults;
+    std::vector<std::vector<PlanCells>> cells;  ///< of each body, for maps; empty: none
+
+    void begin(std::size_t worlds) {
+      for (auto& of_world : histories) of_world.clear();
+      for (auto& of_world : cells) of_world.clear();
+      histories.resize(worlds);
+      faults.assign(worlds, std::nullopt);
+      cells.resize(worlds);
+    }
+  };
+
   /// Whether inputs, impacts and paths of a trial are recorded. The first rocks lie in the first trials.
   bool has_rows(std::uint64_t trial) const {
     return scenario_.output.rocks || trial < static_cast<std::uint64_t>(scenario_.output.first);
   }
+  bool is_drawn_per_impact(const Number& number) const {
+    return !number.is_constant() && scenario_.draws[number.draw].scope == Scope::impact;
+  }
   void plant(const ForestPlan& plan);
   void fail_trial(std::uint64_t trial, const ScenarioError& error, TrialRecords& out) const;
-  /// The rocks of a trial by the methods of points: for each world a history of each of its bodies.
-  std::vector<std::vector<BodyHistory>> run_points(Trial<D>& trial, const RunSettings& settings,
-                                                   std::vector<std::optional<TrialFault>>& faults,
-                                                   std::vector<std::vector<PlanCells>>& cells) const;
-  std::vector<Roughness> roughness_of(const Surfaces& laws, const World<D>& world, int body) const;
+  /// The rocks of a trial by the methods of points.
+  void run_points(Trial<D>& trial, const RunSettings& settings);
   void record(std::uint64_t trial, int index, const TrialRock& rock, const World<D>* world,
               const BodyHistory& history, TrialRecords& out) const;
   /// Adds a rock to the maps.
@@ -135,6 +150,9 @@ class TrialRunner::Trials : public OfDimension {
 
   const Scenario& scenario_;
   TrialBuilder<D> builder_;
+  // Of the last trial; the next one uses their memory.
+  Trial<D> trial_;
+  Course course_;
   std::vector<Gate> gates_;
   std::vector<Barrier> barriers_;
   std::shared_ptr<const Forest> forest_;  ///< null: no trees
@@ -165,8 +183,7 @@ TrialRunner::Trials<D>::Trials(const Scenario& scenario) : scenario_(scenario), 
     for (const auto* law :
          {&material.restitution, &material.friction, &material.rolling, &material.unilateral})
       for (const Number& slot : *law ? (*law)->slots : std::vector<Number>())
-        if (!slot.is_constant() && scenario.draws[slot.draw].scope == Scope::impact)
-          draws.push_back(slot.draw);
+        if (is_drawn_per_impact(slot)) draws.push_back(slot.draw);
   }
   const Vec3& origin = scenario.terrain.origin;
   for (const GatePlan& gate : scenario.gates) gates_.push_back({line_of(gate, origin)});
@@ -219,9 +236,9 @@ void add_fixtures(std::uint64_t trial, const World<D>& world, TrialRecords& out)
 template <int D>
 void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
   out.totals.materials.resize(scenario_.materials.size());
-  Trial<D> trial;
+  Trial<D>& trial = trial_;
   try {
-    trial = builder_.build(number);
+    builder_.build(number, trial);
   } catch (const ScenarioError& error) {
     return fail_trial(number, error, out);
   }
@@ -242,16 +259,15 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
   const bool timed = number % timed_every == 0;
   const auto start = std::chrono::steady_clock::now();
   PhaseTimes times;
-  std::vector<std::vector<BodyHistory>> histories(trial.worlds.size());
-  std::vector<std::optional<TrialFault>> faults(trial.worlds.size());
+  auto& [histories, faults, cells] = course_;
+  course_.begin(trial.worlds.size());
   constexpr int most_hard_problems = 10;
   int kept = 0;
   const bool points = scenario_.method != Method::nscd;
   const PlanGrid grid = map_grid_.moved(-scenario_.terrain.origin.template head<2>());
-  std::vector<std::vector<PlanCells>> cells(trial.worlds.size());
   for (std::size_t w = 0; w < trial.worlds.size() && !grid.empty(); ++w)
     cells[w].assign(trial.worlds[w].bodies.size(), PlanCells(grid));
-  if (points) histories = run_points(trial, settings, faults, cells);
+  if (points) run_points(trial, settings);
   for (std::size_t w = 0; w < trial.worlds.size() && !points; ++w) {
     World<D>& world = trial.worlds[w];
     if (timed) world.clock = &times;
@@ -318,13 +334,9 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
 }
 
 template <int D>
-std::vector<std::vector<BodyHistory>> TrialRunner::Trials<D>::run_points(
-    Trial<D>& trial, const RunSettings& settings, std::vector<std::optional<TrialFault>>& faults,
-    std::vector<std::vector<PlanCells>>& cells) const {
-  std::vector<std::vector<BodyHistory>> histories(trial.worlds.size());
+void TrialRunner::Trials<D>::run_points(Trial<D>& trial, const RunSettings& settings) {
+  auto& [histories, faults, cells] = course_;
   for (std::size_t w = 0; w < trial.worlds.size(); ++w) histories[w].resize(trial.worlds[w].bodies.size());
-  std::vector<Surface*> surfaces;
-  std::vector<Roughness> roughness;
   for (const TrialRock& rock : trial.rocks) {
     if (rock.world < 0) continue;
     World<D>& world = trial.worlds[rock.world];
@@ -345,12 +357,10 @@ std::vector<std::vector<BodyHistory>> TrialRunner::Trials<D>::run_points(
       run.stop_speed = settings.stop_speed;
       run.rest_speed = world.settings().rest_speed;
       run.keep_impacts = settings.keep_impacts;
+      run.keep_extremes = !scenario_.bodies.empty();
       run.origin = world.origin;
       Surfaces& laws = trial.surfaces[rock.world];
-      surfaces = laws.of_point(world, rock.body);
-      run.surfaces = surfaces;
-      roughness = roughness_of(laws, world, rock.body);
-      run.roughness = roughness;
+      run.surfaces = laws.of_point(world, rock.body);
       run.quality = &world.quality();
       run.interrupted = interrupted;
     }
@@ -363,25 +373,6 @@ std::vector<std::vector<BodyHistory>> TrialRunner::Trials<D>::run_points(
       faults[rock.world] = {error.what(), reason_of(error)};
     }
   }
-  return histories;
-}
-
-/// The roughness of each part of the terrain; empty if no part is rough.
-template <int D>
-std::vector<Roughness> TrialRunner::Trials<D>::roughness_of(const Surfaces& laws, const World<D>& world,
-                                                            int body) const {
-  std::vector<Roughness> of_part(parts_of(world.terrain()).size());
-  bool rough = false;
-  for (std::size_t part = 0; part < of_part.size(); ++part) {
-    const int material = laws.material_with_terrain(world, body, static_cast<int>(part));
-    if (material < 0) continue;
-    const auto& given = scenario_.materials[static_cast<std::size_t>(material)].roughness;
-    if (!given) continue;
-    rough = true;
-    of_part[part] = {given->constant, given->is_constant() ? nullptr : &scenario_.draws[given->draw]};
-  }
-  if (!rough) of_part.clear();
-  return of_part;
 }
 
 template <int D>
@@ -462,8 +453,8 @@ void TrialRunner::Trials<D>::record_inputs(std::uint64_t trial, int index, const
   }
 }
 
-/// Records what was drawn for each impact: the draws of the material between the two. Draws of a pair of
-/// bodies belong to the first of them.
+/// Records what was drawn for each impact: the draws of the material between the two, and of roughness the
+/// tilt that was used. Draws of a pair of bodies belong to the first of them.
 template <int D>
 void TrialRunner::Trials<D>::record_impact_draws(std::uint64_t trial, int index, const TrialRock& rock,
                                                  const World<D>& world, const Surfaces& surfaces,
@@ -478,6 +469,11 @@ void TrialRunner::Trials<D>::record_impact_draws(std::uint64_t trial, int index,
     for (const int draw : impact_draws_[static_cast<std::size_t>(material)])
       out.inputs.push_back({trial, index, draw, impact.number,
                             scenario_.draws[static_cast<std::size_t>(draw)].value(scenario_.seed, key)});
+    const auto& roughness = scenario_.materials[static_cast<std::size_t>(material)].roughness;
+    if (scenario_.method == Method::lumped_mass && roughness && is_drawn_per_impact(*roughness))
+      for (int axis = 0; axis < D - 1; ++axis)
+        out.inputs.push_back(
+            {trial, index, roughness->draw, impact.number, impact.tilt[static_cast<std::size_t>(axis)]});
   }
 }
 

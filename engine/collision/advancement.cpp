@@ -21,7 +21,7 @@ struct State {
   double w_max;           ///< greatest spin until the end
   double radius, swells;  ///< m and m/s, now
   explicit State(const MovingHull& hull, double t, double end)
-      : r(hull.rests ? Rotation2() : Rotation2::from_angle(hull.motion.angle_at(t))),
+      : r(hull.rests || t == 0 ? hull.start : Rotation2::from_angle(hull.motion.angle_at(t))),
         x(hull.motion.position(t)),
         v(hull.motion.velocity(t)),
         w(hull.motion.spin(t)),
@@ -64,53 +64,92 @@ class Search {
     int kind = 0;
     int edge = 0;
     Vec2 fixed = Vec2::Zero();  ///< kind 2: from b to a, constant in the world frame
+    std::uint64_t clear = 0;    ///< of the edge, which points stay clear of it until the end: a bit for each
   };
 
-  /// A test whether points of a hull surely stay clear of a line that does not turn, for some time. Gap and
-  /// slope are linear in the point p, and |x| + |y| bounds its lever. Most points pass, and need no root.
-  class Clearance {
-   public:
-    Clearance(const Vec2& normal, double gap, double slope, double fall, const MovingHull& hull,
-              const State& state)
-        : gap_(gap),
-          slope_(slope),
-          fall_(fall),
-          bend_(state.w_max * state.w_max + std::abs(hull.motion.alpha)),
-          rise_(state.r.inverse(normal)),
-          change_(state.w * rise_.y(), -state.w * rise_.x()) {}
+  static constexpr int most_marks = 64;
+  static bool is_marked(std::uint64_t marks, int i) { return i < most_marks && (marks >> i & 1) != 0; }
+  static void mark(std::uint64_t& marks, int i) {
+    if (i < most_marks) marks |= std::uint64_t{1} << i;
+  }
 
-    bool of(const Vec2& p, double time) const {
-      const double bend = fall_ + bend_ * (std::abs(p.x()) + std::abs(p.y()));
-      return stays_open(gap_ + rise_.dot(p), slope_ + change_.dot(p), bend, time);
+  /// An edge of one hull with the points of the other, which it may separate.
+  struct Pair {
+    const MovingHull& reference;
+    const State& sr;
+    const MovingHull& other;
+    const State& so;
+    int edge;
+    bool reference_is_a;
+    Vec2 normal = sr.r * reference.normals[edge];
+    double offset = reference.normals[edge].dot(reference.points[edge]) + sr.radius + so.radius;
+    Vec2 acceleration = other.motion.a - reference.motion.a;
+    double swells = sr.swells + so.swells;  ///< m/s; the growth of the radii closes the gap
+    double growth = reference.motion.swell.growth + other.motion.swell.growth;  ///< m/s2
+  };
+
+  bool is_held(const Pair& pair, int point) const {
+    const FeatureId of_edge = pair.reference.edge_id(pair.reference.base, pair.edge);
+    const FeatureId of_point = pair.other.point_id(pair.other.base, point);
+    return pair.reference_is_a ? search_.holds(of_edge, of_point) : search_.holds(of_point, of_edge);
+  }
+
+  /// Notes a point that has closed on the edge itself, between its ends: then no direction separates. Close
+  /// to an end, the next edge may.
+  void note_touch(const Pair& pair, double gap, int point) {
+    if (touches_ || gap < -scale_.deep) return;
+    const MovingHull& hull = pair.reference;
+    const Vec2 start = hull.points[pair.edge], along = hull.points[(pair.edge + 1) % hull.count] - start;
+    const Vec2 place = pair.so.x + pair.so.r * pair.other.points[point] - pair.sr.x;
+    const double length = along.norm(), foot = along.dot(pair.sr.r.inverse(place) - start) / length;
+    touches_ = foot > scale_.deep && foot < length - scale_.deep;
+  }
+
+  /// How long the edge separates the points of the other hull [s].
+  double edge_lasts(const Pair& pair, double t, std::uint64_t& clear) {
+    const bool turns = pair.sr.w_max != 0 || pair.reference.motion.alpha != 0;
+    return turns ? turning_edge_lasts(pair, t) : steady_edge_lasts(pair, t, clear);
+  }
+
+  /// The same for an edge that does not turn. Gap and slope are then linear in the point p. Points that stay
+  /// clear until the end of the search are added to `clear`, and those in it are passed over.
+  double steady_edge_lasts(const Pair& pair, double t, std::uint64_t& clear) {
+    const State& so = pair.so;
+    const double left = end_ - t;
+    const double gap0 = pair.normal.dot(so.x - pair.sr.x) - pair.offset + search_.slack;
+    const double slope0 = pair.normal.dot(so.v - pair.sr.v) - pair.swells;
+    const double fall = std::max(0.0, pair.growth - pair.normal.dot(pair.acceleration));
+    const double turning = so.w_max * so.w_max + std::abs(pair.other.motion.alpha);
+    const Vec2 rise = so.r.inverse(pair.normal), change(so.w * rise.y(), -so.w * rise.x());
+    double least = forever;
+    for (int j = 0; j < pair.other.count && least > 0; ++j) {
+      if (is_marked(clear, j)) continue;
+      const Vec2& p = pair.other.points[j];
+      const double gap = gap0 + rise.dot(p), slope = slope0 + change.dot(p);
+      const double bend = fall + turning * p.norm();  // M >= -gap'' until the end of the search
+      if (stays_open(gap, slope, bend, std::min(least, left))) {
+        if (least >= left) mark(clear, j);
+        continue;
+      }
+      const bool held = is_held(pair, j);
+      if (held && search_.held_are_solved) continue;
+      const double time = within(left, left, safe_time(gap, slope, bend, scale_, held && t == 0));
+      if (time <= 0 && slope < 0) note_touch(pair, gap, j);
+      least = std::min(least, time);
     }
+    return least;
+  }
 
-   private:
-    double gap_, slope_, fall_, bend_;
-    Vec2 rise_, change_;
-  };
-
-  /// How long the edge `edge` of `reference` separates it from the points of `other` [s].
-  double edge_lasts(const MovingHull& reference, const State& sr, const MovingHull& other, const State& so,
-                    int edge, bool reference_is_a, double t) const {
-    const Vec2 normal = sr.r * reference.normals[edge];
+  /// The same for an edge that turns.
+  double turning_edge_lasts(const Pair& pair, double t) {
+    const auto& [reference, sr, other, so, edge, reference_is_a, normal, offset, acceleration, swells,
+                 growth] = pair;
     const Vec2 turn = perpendicular(normal);
-    const double offset = reference.normals[edge].dot(reference.points[edge]) + sr.radius + so.radius;
-    const Vec2 relative_acceleration = other.motion.a - reference.motion.a;
-    const double left = end_ - t, closing = (so.v - sr.v).norm() + relative_acceleration.norm() * left;
-    const bool turns = sr.w_max != 0 || reference.motion.alpha != 0;
-    const double swells = sr.swells + so.swells;  // the growth of the radii closes the gap
-    const double growth = reference.motion.swell.growth + other.motion.swell.growth;
-    const double fall = std::max(0.0, growth - normal.dot(relative_acceleration));
-    const Clearance clear(normal, normal.dot(so.x - sr.x) - offset + search_.slack - 1e-9 * search_.size,
-                          normal.dot(so.v - sr.v) - swells, fall, other, so);
+    const double left = end_ - t, closing = (so.v - sr.v).norm() + acceleration.norm() * left;
     double least = forever;
     for (int j = 0; j < other.count && least > 0; ++j) {
-      if (!turns && clear.of(other.points[j], std::min(least, left))) continue;
-      const FeatureId edge_id = reference.edge_id(reference.base, edge);
-      const FeatureId point_id = other.point_id(other.base, j);
-      const bool is_held =
-          reference_is_a ? search_.holds(edge_id, point_id) : search_.holds(point_id, edge_id);
-      if (is_held && search_.held_are_solved) continue;
+      const bool held = is_held(pair, j);
+      if (held && search_.held_are_solved) continue;
       const Vec2 arm = so.r * other.points[j];
       const Vec2 w = so.x + arm - sr.x;
       const Vec2 velocity = so.v + cross(so.w, arm) - sr.v;
@@ -118,18 +157,15 @@ class Search {
       const double slope = sr.w * turn.dot(w) + normal.dot(velocity) - swells;
       // M >= -gap'' until the end of the search. The horizon limits the growth of the lever |w| of a turning
       // normal.
-      const double reach = arm.norm(), speed = closing + so.w_max * reach;
-      double horizon = left;
-      double bend = so.w_max * so.w_max * reach + std::abs(other.motion.alpha) * reach;
-      if (!turns) {
-        bend += fall;
-      } else {
-        const double lever = w.norm();
-        if (speed > 0) horizon = std::min(horizon, (lever + search_.size) / speed);
-        bend += std::max(0.0, growth) + relative_acceleration.norm() + 2 * sr.w_max * speed +
-                (sr.w_max * sr.w_max + std::abs(reference.motion.alpha)) * (lever + speed * horizon);
-      }
-      least = std::min(least, within(horizon, left, safe_time(gap, slope, bend, scale_, is_held && t == 0)));
+      const double reach = arm.norm(), lever = w.norm(), speed = closing + so.w_max * reach;
+      const double horizon = speed > 0 ? std::min(left, (lever + search_.size) / speed) : left;
+      const double bend =
+          (so.w_max * so.w_max + std::abs(other.motion.alpha)) * reach + std::max(0.0, growth) +
+          acceleration.norm() + 2 * sr.w_max * speed +
+          (sr.w_max * sr.w_max + std::abs(reference.motion.alpha)) * (lever + speed * horizon);
+      const double time = within(horizon, left, safe_time(gap, slope, bend, scale_, held && t == 0));
+      if (time <= 0 && slope < 0) note_touch(pair, gap, j);
+      least = std::min(least, time);
     }
     return least;
   }
@@ -156,9 +192,9 @@ class Search {
     return least;
   }
 
-  double lasts(const Direction& direction, const State& sa, const State& sb, double t) const {
-    if (direction.kind == 0) return edge_lasts(a_, sa, b_, sb, direction.edge, true, t);
-    if (direction.kind == 1) return edge_lasts(b_, sb, a_, sa, direction.edge, false, t);
+  double lasts(Direction& direction, const State& sa, const State& sb, double t) {
+    if (direction.kind == 0) return edge_lasts({a_, sa, b_, sb, direction.edge, true}, t, direction.clear);
+    if (direction.kind == 1) return edge_lasts({b_, sb, a_, sa, direction.edge, false}, t, direction.clear);
     return fixed_lasts(direction.fixed, sa, sb, t);
   }
 
@@ -196,17 +232,18 @@ class Search {
 
   /// Finds a direction that separates for long. Returns for how long [s]; 0 if no direction separates. The
   /// edges that are farthest now mostly last; all others are tried only if these do not separate.
-  double longest(const State& sa, const State& sb, double t, Direction& direction) const {
+  double longest(const State& sa, const State& sb, double t, Direction& direction) {
     double best = 0;
     const double enough = end_ - t;
+    touches_ = false;
     const auto try_direction = [&](int kind, int edge, const Vec2& fixed = Vec2::Zero()) {
-      const Direction candidate{kind, edge, fixed};
+      Direction candidate{kind, edge, fixed};
       if (const double time = lasts(candidate, sa, sb, t); time > best) best = time, direction = candidate;
     };
     if (b_.count > 1) try_direction(1, b_.count > 2 ? farthest_edge(b_, sb, a_, sa) : 0);
-    if (a_.count > 1 && best < enough) try_direction(0, farthest_edge(a_, sa, b_, sb));
-    if (a_.radius + b_.radius > 0 && best < enough) try_direction(2, 0, between_points(sa, sb));
-    if (best > 0) return best;
+    if (a_.count > 1 && best < enough && !touches_) try_direction(0, farthest_edge(a_, sa, b_, sb));
+    if (a_.radius + b_.radius > 0 && best < enough && !touches_) try_direction(2, 0, between_points(sa, sb));
+    if (best > 0 || touches_) return best;
     for (int e = 0; b_.count > 1 && e < b_.count && best < enough; ++e) try_direction(1, e);
     for (int e = 0; a_.count > 1 && e < a_.count && best < enough; ++e) try_direction(0, e);
     return best;
@@ -217,6 +254,7 @@ class Search {
   double end_;
   const TouchSearch& search_;
   GapScale scale_;
+  bool touches_ = false;  ///< a vertex has closed on an edge, between its ends: no direction separates
 };
 
 }  // namespace

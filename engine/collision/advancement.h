@@ -22,6 +22,7 @@ struct MovingHull {
   FeatureId (*edge_id)(int base, int i) = nullptr;
   int base = 0;
   bool rests = false;  ///< as the ground does, in the frame of the world: `motion` is zero
+  Rotation2 start = rests ? Rotation2() : Rotation2::from_angle(motion.angle);  ///< at t = 0
 };
 
 /// The first time in [window.a, window.b] at which the hulls touch and approach; see time_of_contact. In held

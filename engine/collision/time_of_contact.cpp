@@ -89,6 +89,19 @@ MovingHull hull_of(const Contactor2& contactor, int index, const Motion2& motion
           index};
 }
 
+/// Whether a hull stays above the line of segment i while its places move by `travel` at most [m]. Contacts
+/// that the solver holds do not count.
+bool stays_above(const MovingHull& hull, const Ground2& ground, int i, double travel,
+                 const TouchSearch& search) {
+  const Vec2 up = hull.start.inverse(ground.normal(i));  // in the frame of the hull
+  const double enough = travel + hull.radius - ground.normal(i).dot(hull.motion.x - ground.start(i));
+  for (int k = 0; k < hull.count; ++k) {
+    if (up.dot(hull.points[k]) > enough) continue;
+    if (!search.held_are_solved || !search.holds(hull.point_id(hull.base, k), segment_id(i))) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 double TouchSearch::start_gap(double gap, bool just_opened) const {
@@ -102,6 +115,9 @@ std::optional<double> time_of_contact(const Contactor2& contactor, int contactor
   const bool round = contactor.points.size() == 1 && contactor.points[0].isZero();
   const DiskSearch disk(contactor.radius, vertex_id(contactor_index, 0), motion, ground, search);
   const MovingHull hull = hull_of(contactor, contactor_index, motion);
+  // In most steps a body moves by a small part of its size, and stays above nearly all segments.
+  const double travel = greatest_travel(motion, contactor.bound, t_max);
+  const bool is_slow = !round && travel < 0.25 * contactor.bound;
 
   // Visit the segments in the order in which the body passes over them. Segments that it reaches after the
   // best time cannot matter.
@@ -117,6 +133,7 @@ std::optional<double> time_of_contact(const Contactor2& contactor, int contactor
           leftwards ? motion.x.x() - reach - ground.end(i).x() : ground.start(i).x() - motion.x.x() - reach;
       if (ahead > std::abs(motion.v.x()) * limit) break;
     }
+    if (is_slow && stays_above(hull, ground, i, travel, search)) continue;
     const TimeWindow window = round ? meeting_window(motion, reach, ground.box(i), limit)
                                     : segment_window(motion, reach, ground, i, limit);
     if (window.empty()) continue;

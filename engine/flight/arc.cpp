@@ -102,6 +102,7 @@ Arc<D> arc_between(double start, double length, const FlightState<D>& from, cons
   arc.c[3] = 10 * place - 4 * speed + half_bend;
   arc.c[4] = -15 * place + 7 * speed - 2 * half_bend;
   arc.c[5] = 6 * place - 3 * speed + half_bend;
+  arc.is_parabola = arc.c[3].isZero(0) && arc.c[4].isZero(0) && arc.c[5].isZero(0);
   return arc;
 }
 
@@ -112,6 +113,7 @@ Arc<D> parabola(double start, double length, const FlightState<D>& from) {
   arc.length = length;
   arc.c = {from.position,  length * from.velocity, 0.5 * length * length * from.acceleration,
            Vec<D>::Zero(), Vec<D>::Zero(),         Vec<D>::Zero()};
+  arc.is_parabola = true;
   return arc;
 }
 

@@ -18,35 +18,38 @@ template <int D>
 struct Arc {
   double start = 0, length = 0;  ///< s
   std::array<Vec<D>, 6> c;
+  bool is_parabola = false;  ///< c3, c4 and c5 are 0
 
   Vec<D> position(double s) const {
+    if (is_parabola) return (c[2] * s + c[1]) * s + c[0];
     Vec<D> p = c[5];
     for (int k = 4; k >= 0; --k) p = p * s + c[k];
     return p;
   }
   Vec<D> velocity(double s) const {  ///< m/s
+    if (is_parabola) return (2 * c[2] * s + c[1]) / length;
     Vec<D> v = 5 * c[5];
     for (int k = 4; k >= 1; --k) v = v * s + k * c[k];
     return v / length;
   }
-  bool is_parabola() const { return c[3].isZero(0) && c[4].isZero(0) && c[5].isZero(0); }
   /// The coefficients of n . p(s) + offset.
   std::array<double, 6> along(const Vec<D>& n, double offset = 0) const {
-    std::array<double, 6> of;
-    for (int k = 0; k < 6; ++k) of[k] = n.dot(c[k]);
+    std::array<double, 6> of{};
+    for (int k = 0; k < terms(); ++k) of[k] = n.dot(c[k]);
     of[0] += offset;
     return of;
   }
   /// The coefficients of n . dp/ds.
   std::array<double, 5> rate_along(const Vec<D>& n) const {
-    std::array<double, 5> rate;
-    for (int k = 1; k <= 5; ++k) rate[k - 1] = k * n.dot(c[k]);
+    std::array<double, 5> rate{};
+    for (int k = 1; k < terms(); ++k) rate[k - 1] = k * n.dot(c[k]);
     return rate;
   }
   /// The path in plan, as polynomials of s.
   PlanPath in_plan() const {
     return {along(Vec<D>::Unit(0)), D == 3 ? along(Vec<D>::Unit(1)) : decltype(PlanPath::y){}};
   }
+  int terms() const { return is_parabola ? 3 : 6; }
   /// The part of the arc over [from, to] of s.
   Arc part(double from, double to) const;
   /// A box with sides along the axes that contains the whole arc (the box of its control points as a Bezier

@@ -46,6 +46,7 @@ class BallisticFlight {
 struct ArcEnd {
   double s = 1;
   bool on_ground = false, left = false, held = false;
+  int segment = -1;  ///< of the ground in 2D that it touches; -1: not known
 };
 template <int D, class Ground>
 ArcEnd end_of(const Arc<D>& arc, const Ground& ground) {

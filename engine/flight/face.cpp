@@ -23,8 +23,7 @@ double fall_of_parabola(double c0, double c1, double c2, bool at_zero) {
 }
 
 /// The same for a polynomial of degree 5, up to s = 1.
-double fall_of(std::array<double, 6> c, bool parabola, bool at_zero) {
-  if (parabola) return fall_of_parabola(c[0], c[1], c[2], at_zero);
+double fall_of(std::array<double, 6> c, bool at_zero) {
   if (at_zero) {
     if (!(c[1] > 0)) return no_touch;
     c[0] = 0;
@@ -40,23 +39,25 @@ double fall_of(std::array<double, 6> c, bool parabola, bool at_zero) {
   return first_fall(c, from, 1).value_or(no_touch);
 }
 
+/// When the distance of the arc from a place along n, `from` at its start, falls through 0.
 template <int D>
-std::array<double, 6> height_along(const Arc<D>& arc, const Face<D>& face) {
-  std::array<double, 6> height = arc.along(face.normal);
-  height[0] = face.height(arc.c[0]);
-  return height;
+double fall_along(const Arc<D>& arc, const Vec<D>& n, double from, bool at_zero) {
+  if (arc.is_parabola) return fall_of_parabola(from, n.dot(arc.c[1]), n.dot(arc.c[2]), at_zero);
+  std::array<double, 6> distance = arc.along(n);
+  distance[0] = from;
+  return fall_of(distance, at_zero);
 }
 
 /// When the arc touches the face, at most at s = end; infinity if it does not.
 template <int D>
-double touch(const Arc<D>& arc, bool parabola, const Face<D>& face, double end) {
-  const std::array<double, 6> height = height_along(arc, face);
-  const bool at_zero = std::abs(height[0]) <= face_reach && face.is_over(arc.c[0], face_reach);
-  const double s = fall_of(height, parabola, at_zero);
+double touch(const Arc<D>& arc, const Face<D>& face, double end) {
+  const double height = face.height(arc.c[0]);
+  const bool at_zero = std::abs(height) <= face_reach && face.is_over(arc.c[0], face_reach);
+  const double s = fall_along(arc, face.normal, height, at_zero);
   return s <= end && face.is_over(arc.position(s), face_reach) ? s : no_touch;
 }
 
-Face<2> face_of(const Terrain2& terrain, int segment) {
+inline Face<2> face_of(const Terrain2& terrain, int segment) {
   const Vec2& tangent = terrain.tangent(segment);
   Face<2> face;
   face.id = segment;
@@ -81,56 +82,64 @@ Face<3> face_of(const Terrain3& terrain, const Facet& facet) {
 
 /// When an arc passes an end of the domain; infinity if it does not.
 template <int D>
-double exit_of(const Arc<D>& arc, bool parabola, const Domain<D>& domain) {
+double exit_of(const Arc<D>& arc, const Domain<D>& domain) {
   double first = no_touch;
   for (int k = 0; k < D - 1; ++k)
     for (const int side : {-1, 1}) {
       const double end = side < 0 ? domain.low[k] : domain.high[k];
       if (std::isinf(end)) continue;
-      const std::array<double, 6> ahead = arc.along(-side * Vec<D>::Unit(k), side * end);
-      const bool out = ahead[0] <= 0 && (ahead[1] < 0 || (ahead[1] == 0 && ahead[2] < 0));
-      first = std::min(first, out ? 0 : fall_of(ahead, parabola, ahead[0] <= 0));
+      const double ahead = -side * arc.c[0][k] + side * end;
+      const double rate = -side * arc.c[1][k], bend = -side * arc.c[2][k];
+      const bool out = ahead <= 0 && (rate < 0 || (rate == 0 && bend < 0));
+      const Vec<D> inward = -side * Vec<D>::Unit(k);
+      first = std::min(first, out ? 0 : fall_along(arc, inward, ahead, ahead <= 0));
     }
   return first <= 1 ? first : no_touch;
 }
 
-ArcEnd end_at(double touched, double left) {
-  if (touched <= 1 && touched <= left) return {touched, true};
+ArcEnd end_at(double touched, double left, int segment = -1) {
+  if (touched <= 1 && touched <= left) return {touched, true, false, false, segment};
   if (left <= 1) return {left, false, true};
   return {};
 }
 
+struct Touch {
+  double s = no_touch;
+  int segment = -1;
+};
+
 /// The first touch over the segments that a parabola without horizontal acceleration passes, in their order.
-double march(const Arc<2>& arc, const Terrain2& terrain, double end) {
+Touch march(const Arc<2>& arc, const PointGround<2>& ground, double end) {
+  const Terrain2& terrain = ground.terrain;
   const double x = arc.c[0].x(), to = x + arc.c[1].x() * end;
   const int last = terrain.segments() - 2;  // the first and the last segment lie beyond the profile
   const bool right = to >= x;
-  const auto run = right ? Terrain2::Run{terrain.first_segment(x - face_reach), last}
-                         : terrain.segments_between(x + face_reach, x + face_reach);
-  double first = no_touch;
+  const auto run = right ? Terrain2::Run{terrain.first_segment(x - face_reach, ground.near), last}
+                         : terrain.segments_between(x + face_reach, x + face_reach, ground.near);
+  Touch first;
   double limit = to;
   for (int i = std::clamp(right ? run.first : run.last, 1, last); i >= 1 && i <= last; i += right ? 1 : -1) {
     if (right ? terrain.start(i).x() > limit + face_reach : terrain.end(i).x() < limit - face_reach) break;
-    const double s = touch(arc, true, face_of(terrain, i), std::min(end, first));
-    if (s < first) {
-      first = s;
+    const double s = touch(arc, face_of(terrain, i), std::min(end, first.s));
+    if (s < first.s) {
+      first = {s, i};
       limit = arc.position(s).x();
     }
   }
   return first;
 }
 
-double first_of(const Arc<2>& arc, const Terrain2& terrain, double end) {
+Touch first_of(const Arc<2>& arc, const Terrain2& terrain, double end) {
   const Eigen::AlignedBox2d box = arc.part(0, end).box();
   const auto run = terrain.segments_between(box.min().x() - face_reach, box.max().x() + face_reach);
-  double first = no_touch;
+  Touch first;
   for (int i = std::max(1, run.first); i <= std::min(run.last, terrain.segments() - 2); ++i)
-    first = std::min(first, touch(arc, false, face_of(terrain, i), std::min(end, first)));
+    if (const double s = touch(arc, face_of(terrain, i), std::min(end, first.s)); s < first.s) first = {s, i};
   return first;
 }
 
 /// The first touch within [from, to] of s. The arc is halved until few facets are near a part of it.
-double first_of(const Arc<3>& arc, bool parabola, const Terrain3& terrain, double from, double to,
+double first_of(const Arc<3>& arc, const Terrain3& terrain, double from, double to,
                 std::vector<Facet>& facets) {
   constexpr int few = 16;
   const Eigen::AlignedBox3d bounds = arc.part(from, to).box();
@@ -139,14 +148,14 @@ double first_of(const Arc<3>& arc, bool parabola, const Terrain3& terrain, doubl
   if (met == 0) return no_touch;
   if (met > few && to - from > 1e-6) {
     const double middle = 0.5 * (from + to);
-    const double first = first_of(arc, parabola, terrain, from, middle, facets);
-    return first < no_touch ? first : first_of(arc, parabola, terrain, middle, to, facets);
+    const double first = first_of(arc, terrain, from, middle, facets);
+    return first < no_touch ? first : first_of(arc, terrain, middle, to, facets);
   }
   facets.clear();
   terrain.ground().facets(box, facets);
   double first = no_touch;
   for (const Facet& facet : facets)
-    first = std::min(first, touch(arc, parabola, face_of(terrain, facet), std::min(to, first)));
+    first = std::min(first, touch(arc, face_of(terrain, facet), std::min(to, first)));
   return first;
 }
 
@@ -160,10 +169,10 @@ double below_all(const Arc<3>& arc, const Ground3& ground) {
 
 }  // namespace
 
-void faces_at(const Terrain2& terrain, const Vec2& at, std::vector<Face<2>>& faces) {
+void faces_at(const Terrain2& terrain, const Vec2& at, int near, std::vector<Face<2>>& faces) {
   faces.clear();
   const int last = terrain.segments() - 2;
-  for (int i = std::max(1, terrain.first_segment(at.x() - face_reach));
+  for (int i = std::max(1, terrain.first_segment(at.x() - face_reach, near));
        i <= last && terrain.start(i).x() <= at.x() + face_reach; ++i) {
     if (std::abs(terrain.normal(i).dot(at - terrain.start(i))) > 2 * face_reach) continue;
     const Face<2> face = face_of(terrain, i);
@@ -171,7 +180,7 @@ void faces_at(const Terrain2& terrain, const Vec2& at, std::vector<Face<2>>& fac
   }
 }
 
-void faces_at(const Terrain3& terrain, const Vec3& at, std::vector<Face<3>>& faces) {
+void faces_at(const Terrain3& terrain, const Vec3& at, int, std::vector<Face<3>>& faces) {
   faces.clear();
   thread_local std::vector<Facet> facets;  // keeps its memory between calls
   facets.clear();
@@ -185,17 +194,17 @@ void faces_at(const Terrain3& terrain, const Vec3& at, std::vector<Face<3>>& fac
 }
 
 ArcEnd end_of(const Arc<2>& arc, const PointGround<2>& ground) {
-  const bool parabola = arc.is_parabola();
-  const double left = exit_of(arc, parabola, domain_of(ground.terrain)), end = std::min(left, 1.0);
-  const bool ordered = parabola && arc.c[2].x() == 0;
-  return end_at(ordered ? march(arc, ground.terrain, end) : first_of(arc, ground.terrain, end), left);
+  const double left = exit_of(arc, domain_of(ground.terrain)), end = std::min(left, 1.0);
+  const bool ordered = arc.is_parabola && arc.c[2].x() == 0;
+  const Touch first = ordered ? march(arc, ground, end) : first_of(arc, ground.terrain, end);
+  return end_at(first.s, left, first.segment);
 }
 
 ArcEnd end_of(const Arc<3>& arc, const PointGround<3>& ground) {
   thread_local std::vector<Facet> facets;  // keeps its memory between calls
-  const bool parabola = arc.is_parabola();
-  double left = exit_of(arc, parabola, domain_of(ground.terrain));
-  const double low = parabola ? below_all(arc, ground.terrain.ground()) : 1, end = std::min({left, low, 1.0});
+  double left = exit_of(arc, domain_of(ground.terrain));
+  const double low = arc.is_parabola ? below_all(arc, ground.terrain.ground()) : 1,
+               end = std::min({left, low, 1.0});
   double from = 0, touched = no_touch;
   // Pieces grow from the length of a few facets, because most flights are short.
   const double few_facets = 4 * ground.terrain.ground().cell();
@@ -203,7 +212,7 @@ ArcEnd end_of(const Arc<3>& arc, const PointGround<3>& ground) {
   double piece = few_facets > 0 && rate > 0 ? std::min(few_facets / rate, end) : end;
   while (from < end && touched == no_touch) {
     const double to = end - from < 1.5 * piece ? end : from + piece;
-    touched = first_of(arc, parabola, ground.terrain, from, to, facets);
+    touched = first_of(arc, ground.terrain, from, to, facets);
     from = to;
     piece *= 2;
   }
@@ -221,11 +230,9 @@ ArcEnd end_of(const Arc<3>& arc, const PointGround<3>& ground) {
 template <int D>
 std::optional<double> end_on(const Arc<D>& arc, const Face<D>& face) {
   double first = no_touch;
-  const bool parabola = arc.is_parabola();
   for (int i = 0; i < face.rims; ++i) {
-    std::array<double, 6> inside = arc.along(face.inward[i]);
-    inside[0] = face.inside(i, arc.c[0]);
-    first = std::min(first, fall_of(inside, parabola, inside[0] <= face_reach));
+    const double inside = face.inside(i, arc.c[0]);
+    first = std::min(first, fall_along(arc, face.inward[i], inside, inside <= face_reach));
   }
   return first <= 1 ? std::optional(first) : std::nullopt;
 }

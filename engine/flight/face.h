@@ -38,15 +38,17 @@ struct Face {
   }
 };
 
-/// The faces on which a point lies, by their ids; at most one unless it is on a rim.
-void faces_at(const Terrain2& terrain, const Vec2& at, std::vector<Face<2>>& faces);
-void faces_at(const Terrain3& terrain, const Vec3& at, std::vector<Face<3>>& faces);
+/// The faces on which a point lies, by their ids; at most one unless it is on a rim. `near`: a segment close
+/// to it in 2D (-1: not known).
+void faces_at(const Terrain2& terrain, const Vec2& at, int near, std::vector<Face<2>>& faces);
+void faces_at(const Terrain3& terrain, const Vec3& at, int near, std::vector<Face<3>>& faces);
 
 /// The ground of a point that goes on after a touch. A point that starts on a face is taken to be exactly on
 /// it: it touches this face again only after it has risen from it.
 template <int D>
 struct PointGround {
   const typename Geometry<D>::Terrain& terrain;
+  int near = -1;  ///< a segment close to the start, in 2D; -1: not known
 };
 
 /// Where the arc first touches the ground, passes an end of the terrain, or comes to a place without ground.

@@ -32,7 +32,7 @@ PathBins bins_over(const Ground3& ground, double width) {
 /// The length of the path [m].
 template <int D>
 double path_length(const Arc<D>& arc, double end) {
-  if (arc.is_parabola()) {
+  if (arc.is_parabola) {
     const Path<D> path{arc.c[0], arc.velocity(0), 2 / (arc.length * arc.length) * arc.c[2]};
     return flyrock::path_length(path, end * arc.length);
   }
@@ -110,22 +110,22 @@ void FlightLog<D>::see(const Arc<D>& arc, double end, TravelMode mode) {
     store(at(arc, (t - arc.start) / arc.length));
     next_sample_ += run_.trajectory_every;
   }
-  if (!run_.ends_at_touch && arc.is_parabola()) {
+  if (!run_.ends_at_touch && arc.is_parabola) {
     // As for bodies: in closed form, over a straight line in plan.
     const Path<D> path{arc.c[0], arc.c[1] / arc.length, 2 / (arc.length * arc.length) * arc.c[2]};
     const double dt = end * arc.length;
     const double apex = path.a[D - 1] < 0 ? path.v[D - 1] / -path.a[D - 1] : -1;
     if (apex > 0 && apex <= dt) {
-      widen(at(arc, apex / arc.length));
+      widen(arc, apex / arc.length);
       if (run_.keep_impacts && history_.impact_count > 0 && mode == TravelMode::bounce)
         history_.apexes.push_back({arc.start + apex, path.position(apex)[D - 1] - first_contact_height_});
     }
-    widen(at(arc, end));
+    widen(arc, end);
     over_ground(path, dt);
     if (run_.cells) map(path, dt);
   } else {
     turns(arc, end);
-    widen(at(arc, end));
+    widen(arc, end);
     highest(arc, end);
     bins(arc, end);
     if (run_.cells) map(arc, end);
@@ -138,11 +138,11 @@ void FlightLog<D>::see(const Arc<D>& arc, double end, TravelMode mode) {
 template <int D>
 void FlightLog<D>::turns(const Arc<D>& arc, double end) {
   const Vec<D> up = Vec<D>::Unit(D - 1);
-  if (const auto apex = first_fall(arc.rate_along(up), 0, end); apex && *apex > 0) widen(at(arc, *apex));
+  if (const auto apex = first_fall(arc.rate_along(up), 0, end); apex && *apex > 0) widen(arc, *apex);
   for (int k = 0; k < D - 1; ++k)  // points at which wind reverses the rock
     for (const double side : {-1.0, 1.0})
       if (const auto turn = first_fall(arc.rate_along(side * Vec<D>::Unit(k)), 0, end); turn && *turn > 0)
-        widen(at(arc, *turn));
+        widen(arc, *turn);
 }
 
 template <int D>
@@ -156,9 +156,8 @@ template <int D>
 void FlightLog<D>::struck(const Impact& impact, const Landing<D>& after) {
   if (history_.impact_count++ == 0) first_contact_height_ = after.position[D - 1];
   if (run_.keep_impacts) history_.impacts.push_back(impact);
-  const BodyState now = state(after.time, after.position, after.velocity);
-  history_.include(now);
-  if (run_.trajectory_every > 0) store(now);
+  include(after.time, after.position, after.velocity);
+  if (run_.trajectory_every > 0) store(state(after.time, after.position, after.velocity));
 }
 
 template <int D>
@@ -234,10 +233,18 @@ void FlightLog<D>::store(const BodyState& s) {
 }
 
 template <int D>
-void FlightLog<D>::widen(const BodyState& s) {
-  history_.include(s);
-  const Vec<D> away = s.position.template head<D>() - body_.x;
-  history_.max_distance = std::max(history_.max_distance, horizontal(away));
+void FlightLog<D>::widen(const Arc<D>& arc, double s) {
+  const Vec<D> position = arc.position(s);
+  include(arc.start + s * arc.length, position, arc.velocity(s));
+  history_.max_distance = std::max(history_.max_distance, horizontal(Vec<D>(position - body_.x)));
+}
+
+template <int D>
+void FlightLog<D>::include(double time, const Vec<D>& position, const Vec<D>& velocity) {
+  if (run_.keep_extremes) return history_.include(state(time, position, velocity));
+  const double squared = velocity.squaredNorm();
+  history_.max_speed = std::max(history_.max_speed, std::sqrt(squared));
+  history_.max.kinetic_energy = std::max(history_.max.kinetic_energy, energy(squared));
 }
 
 template <int D>
@@ -276,7 +283,7 @@ void FlightLog<D>::highest(const Arc<D>& arc, double end) {
 template <int D>
 void FlightLog<D>::bins(const Arc<D>& arc, double end) {
   if (run_.bin_width <= 0) return;
-  const int pieces = arc.is_parabola() ? 1 : 4;
+  const int pieces = arc.is_parabola ? 1 : 4;
   for (int i = 0; i < pieces; ++i) {
     const double from = end * i / pieces, to = end * (i + 1) / pieces;
     const double x = arc.position(from).x(), rate = (arc.position(to).x() - x) / (to - from);
@@ -296,7 +303,7 @@ void FlightLog<D>::bins(const Arc<D>& arc, double end) {
 template <int D>
 void FlightLog<D>::over_ground(const Path<D>& path, double dt) {
   const double rate = rate_along_x(path, dt);
-  visit_heights(terrain_, path, dt, [&](double from, double to, const auto& highest) {
+  const auto see = [&](double from, double to, const auto& highest) {
     history_.bounce_height = std::max(history_.bounce_height, highest(from, to));
     history_.path.visit(path.x.x(), rate, from, to, [&](PathBin& bin, double t0, double t1) {
       bin.height = std::max(bin.height, highest(t0, t1));
@@ -304,7 +311,8 @@ void FlightLog<D>::over_ground(const Path<D>& path, double dt) {
       bin.speed = std::max(bin.speed, std::sqrt(squared));
       bin.energy = std::max(bin.energy, energy(squared));
     });
-  });
+  };
+  visit_heights(terrain_, path, dt, see, near_);
 }
 
 /// Records a path for maps.
@@ -319,7 +327,7 @@ void FlightLog<D>::map(const Path<D>& path, double dt) {
 /// |a| dt^2 / 8, some centimetres.
 template <int D>
 void FlightLog<D>::map(const Arc<D>& arc, double end) {
-  const int pieces = arc.is_parabola() ? 1 : 4;
+  const int pieces = arc.is_parabola ? 1 : 4;
   for (int i = 0; i < pieces; ++i) {
     const double from = end * i / pieces, dt = end * (i + 1) / pieces * arc.length - from * arc.length;
     if (!(dt > 0) && i > 0) return;

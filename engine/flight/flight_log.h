@@ -41,7 +41,8 @@ class FlightLog {
   /// The attitude at a time since the last barrier.
   Attitude<D> attitude(double time) const { return attitude_.turned(spin_ * (time - spin_since_)); }
   void store(const BodyState& s);
-  void widen(const BodyState& s);
+  void widen(const Arc<D>& arc, double s);
+  void include(double time, const Vec<D>& position, const Vec<D>& velocity);
   double height(const Vec<D>& p) const;
   void pass_gates(const Arc<D>& arc, double end);
   void turns(const Arc<D>& arc, double end);
@@ -62,6 +63,7 @@ class FlightLog {
   double next_sample_;
   TravelMode mode_ = TravelMode::flight;  ///< of the last arc
   bool has_flown_ = false;
+  int near_ = -1;                    ///< the segment below the end of the last arc, in 2D; -1: not known
   double first_contact_height_ = 0;  ///< m
   std::vector<Approach> to_gates_;
 };

@@ -33,11 +33,11 @@ std::optional<double> ground_height(const Terrain3& terrain, const Vec3& at) {
   return below ? std::optional(below->z) : terrain.ground().height(at.x(), at.y());
 }
 
-double depth_below_ground(const Terrain2& terrain, const Vec2& at) {
-  return terrain.profile().height(at.x()) - at.y();
+double depth_below_ground(const Terrain2& terrain, const Vec2& at, int near) {
+  return terrain.top(at.x(), near) - at.y();
 }
 
-double depth_below_ground(const Terrain3& terrain, const Vec3& at) { return terrain.ground().depth(at); }
+double depth_below_ground(const Terrain3& terrain, const Vec3& at, int) { return terrain.ground().depth(at); }
 
 double time_over_ground(const Terrain2&, const Path<2>&, double) { return infinite; }
 

@@ -50,9 +50,9 @@ inline bool is_over_ground(const Terrain3& terrain, const Vec3& at) {
 }
 
 /// How deep a position lies below the ground [m]: a vertical line up from it meets the surface from behind.
-/// Not positive if it is free.
-double depth_below_ground(const Terrain2& terrain, const Vec2& at);
-double depth_below_ground(const Terrain3& terrain, const Vec3& at);
+/// Not positive if it is free. `near`: a segment close to it in 2D (-1: not known).
+double depth_below_ground(const Terrain2& terrain, const Vec2& at, int near = -1);
+double depth_below_ground(const Terrain3& terrain, const Vec3& at, int near = -1);
 
 /// The time at which a path comes to a place without ground below, within the domain [s]; infinity if it does
 /// not. Only a terrain in 3D has such places.
@@ -68,12 +68,14 @@ double rate_along_x(const Path<D>& path, double dt) {
 
 /// Calls visit(from, to, highest) for each part of [0, dt] in which the height of the path above the ground
 /// is one quadratic function of time. highest(t0, t1) returns the greatest height [m] between t0 and t1 of
-/// this part. In 2D each segment gives one part.
+/// this part. In 2D each segment gives one part. `near` is a segment close to the path (-1: not known), and
+/// then the one at its end.
 template <class Visit>
-void visit_heights(const Terrain2& terrain, const Path<2>& path, double dt, Visit visit) {
-  const Vec2 end = path.position(dt);
+void visit_heights(const Terrain2& terrain, const Path<2>& path, double dt, Visit visit, int& near) {
+  const double from_x = path.x.x(), to_x = path.position(dt).x();
   const double rate = rate_along_x(path, dt);
-  const auto run = terrain.segments_between(std::min(path.x.x(), end.x()), std::max(path.x.x(), end.x()));
+  const auto run = terrain.segments_between(std::min(from_x, to_x), std::max(from_x, to_x), near);
+  near = to_x < from_x ? run.first : run.last;
   for (int i = run.first; i <= run.last; ++i) {
     const Vec2 &a = terrain.start(i), &b = terrain.end(i);
     if (b.x() <= a.x()) continue;  // vertical; its top belongs to a neighbour
@@ -104,6 +106,12 @@ TimeWindow over_facet(const Facet& facet, const Path<3>& path, double dt);
 /// The facets that a path may pass over within [0, dt]. Valid until the next call on this thread.
 const std::vector<Facet>& facets_below(const Terrain3& terrain, const Path<3>& path, double dt);
 
+template <class Visit>
+void visit_heights(const Terrain2& terrain, const Path<2>& path, double dt, Visit visit) {
+  int near = -1;
+  visit_heights(terrain, path, dt, visit, near);
+}
+
 /// In 3D each facet below the path gives one part. Over a facet of normal n the height is (x - p).n / n_z.
 template <class Visit>
 void visit_heights(const Terrain3& terrain, const Path<3>& path, double dt, Visit visit) {
@@ -123,6 +131,11 @@ void visit_heights(const Terrain3& terrain, const Path<3>& path, double dt, Visi
       return std::max({above(t0), above(std::clamp(top, t0, t1)), above(t1)});
     });
   }
+}
+
+template <class Visit>
+void visit_heights(const Terrain3& terrain, const Path<3>& path, double dt, Visit visit, int&) {
+  visit_heights(terrain, path, dt, visit);
 }
 
 }  // namespace flyrock

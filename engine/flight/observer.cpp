@@ -88,15 +88,17 @@ void Observer<D>::clearance(int body, const Path<D>& path, double dt) {
 }
 
 /// Finds the greatest speed and energy in each bin. They occur at an end, because squares of speeds are
-/// convex in time.
+/// convex in time. Rotation keeps its energy.
 template <int D>
 void Observer<D>::speeds(int body, const Motion& motion, double dt) {
+  const Body<D>& b = world_.bodies[body];
+  const double twice_spin = twice_spin_energy(b, b.attitude, b.w);
   histories_[body].path.visit(motion.x.x(), rate_along_x<D>(motion, dt), 0, dt,
                               [&](PathBin& bin, double t0, double t1) {
                                 for (const double t : {t0, t1}) {
-                                  const BodyState s = along(body, motion, t, 0);
-                                  bin.speed = std::max(bin.speed, s.velocity.norm());
-                                  bin.energy = std::max(bin.energy, s.kinetic_energy);
+                                  const double squared = motion.velocity(t).squaredNorm();
+                                  bin.speed = std::max(bin.speed, std::sqrt(squared));
+                                  bin.energy = std::max(bin.energy, 0.5 * (b.mass * squared + twice_spin));
                                 }
                               });
 }

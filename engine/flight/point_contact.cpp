@@ -55,11 +55,10 @@ ContactState PointContact<D>::state_of(const Face<D>& face, const Surface& surfa
 /// The normal of the face, tilted by the roughness of its material: the tilt is added to the dip along the
 /// motion, and in 3D a second one to the dip across it.
 template <int D>
-Vec<D> PointContact<D>::tilted(const Face<D>& face, const Vec<D>& v) const {
+typename PointContact<D>::Tilted PointContact<D>::tilted(const Face<D>& face, const Surface& surface,
+                                                         const Vec<D>& v) const {
   constexpr int most_draws = 100;
-  const Roughness& roughness = roughness_[face.part];
-  const Surface& surface = *surfaces_[face.part];
-  if (!roughness.draw && roughness.constant == 0) return face.normal;
+  const Roughness& roughness = surface.roughness;
   const Vec<D> slip = v - face.normal.dot(v) * face.normal;
   const Vec<D> along =
       slip.squaredNorm() > 0 ? Vec<D>(slip.normalized()) : Vec<D>(contact_frame(face.normal).col(1));
@@ -71,17 +70,18 @@ Vec<D> PointContact<D>::tilted(const Face<D>& face, const Vec<D>& v) const {
     };
     const double ahead = angle(2 * i);
     if (!(std::abs(ahead) < 0.5 * pi)) continue;
+    double aside = 0;
     Vec<D> normal = face.normal + std::tan(ahead) * along;
     if constexpr (D == 3) {
-      const double aside = roughness.draw ? angle(2 * i + 1) : 0;
+      if (roughness.draw) aside = angle(2 * i + 1);
       if (!(std::abs(aside) < 0.5 * pi)) continue;
       normal += std::tan(aside) * face.normal.cross(along);
     }
     normal.normalize();
-    if (normal.dot(v) < 0) return normal;
+    if (normal.dot(v) < 0) return {normal, {ahead, aside}};
     if (!roughness.draw) break;
   }
-  return face.normal;
+  return {face.normal};
 }
 
 template <int D>
@@ -90,20 +90,20 @@ Impact PointContact<D>::impact(const Face<D>& face, double time, const Vec<D>& a
   ++impacts_;
   age_ = 0;
   since_ = time;
-  Vec<D> normal = face.normal;
+  Tilted tilt{face.normal};
   ContactLaw law;
   if (surface) {
-    if (!roughness_.empty()) normal = tilted(face, v);
+    if (surface->roughness.any()) tilt = tilted(face, *surface, v);
     memory_ = {};
     memory_part_ = face.part;
     ++surface->use.contacts;
     surface->begin_instant();
     surface->begin_impact(static_cast<std::uint64_t>(impacts_));
     ContactState state;
-    if (reads_state(*surface)) state = state_of(face, *surface, normal, time, at, v);
+    if (reads_state(*surface)) state = state_of(face, *surface, tilt.normal, time, at, v);
     law = surface->ask(state, true, memory_);
   }
-  const auto frame = contact_frame(normal);
+  const auto frame = contact_frame(tilt.normal);
   const Vec<D> before = frame.transpose() * v;
   const Vec<D> after = rebound_of_point<D>(before, law, law.mu_d);
   v = frame * after;
@@ -120,6 +120,7 @@ Impact PointContact<D>::impact(const Face<D>& face, double time, const Vec<D>& a
   impact.vt_after = slip(after);
   impact.pn = body_.mass * (after[0] - before[0]);
   impact.pt = body_.mass * slip(after - before);
+  impact.tilt = tilt.angle;
   impact.energy_change = 0.5 * body_.mass * (after.squaredNorm() - before.squaredNorm());
   return impact;
 }

@@ -10,20 +10,14 @@
 
 namespace flyrock {
 
-/// How a material tilts a face at an impact (`materials.X.roughness`).
-struct Roughness {
-  double constant = 0;         ///< rad
-  const Draw* draw = nullptr;  ///< rad; null: the constant
-};
-
-/// The contacts of one point. Surfaces and roughness are given for each part of the terrain; a part without a
-/// surface has neither restitution nor friction.
+/// The contacts of one point. Surfaces are given for each part of the terrain; a part without one has neither
+/// restitution nor friction.
 template <int D>
 class PointContact {
  public:
   PointContact(const Body<D>& body, const typename Geometry<D>::Terrain& terrain, const Vec<D>& origin,
-               std::span<Surface* const> surfaces, std::span<const Roughness> roughness)
-      : body_(body), terrain_(terrain), origin_(origin), surfaces_(surfaces), roughness_(roughness) {}
+               std::span<Surface* const> surfaces)
+      : body_(body), terrain_(terrain), origin_(origin), surfaces_(surfaces) {}
 
   /// The impact of the point at `at` with the velocity v [m/s], which the impact changes. Velocities and
   /// impulses in the record are along the tilted normal, which the laws act on.
@@ -43,13 +37,16 @@ class PointContact {
  private:
   ContactState state_of(const Face<D>& face, const Surface& surface, const Vec<D>& normal, double time,
                         const Vec<D>& at, const Vec<D>& v) const;
-  Vec<D> tilted(const Face<D>& face, const Vec<D>& v) const;
+  struct Tilted {
+    Vec<D> normal;
+    std::array<double, 2> angle = {};  ///< rad, as Impact::tilt
+  };
+  Tilted tilted(const Face<D>& face, const Surface& surface, const Vec<D>& v) const;
 
   const Body<D>& body_;
   const typename Geometry<D>::Terrain& terrain_;
   Vec<D> origin_;
   std::span<Surface* const> surfaces_;
-  std::span<const Roughness> roughness_;
   ContactHistory memory_{};
   int memory_part_ = -1;
   int impacts_ = 0;

@@ -25,7 +25,7 @@ template <int D>
 class EnergyAudit {
  public:
   EnergyAudit(const Body<D>& body, const Vec<D>& gravity)
-      : mass_(body.mass), gravity_(gravity), start_(body.x), size_(body.size) {
+      : mass_(body.mass), gravity_(gravity), g_(gravity.norm()), start_(body.x), size_(body.size) {
     allowed_ = energy(body.x, body.v);
   }
   double energy(const Vec<D>& x, const Vec<D>& v) const {
@@ -34,7 +34,7 @@ class EnergyAudit {
   /// Energy came from outside: the work of the air, a gain of an impact.
   void give(double energy) { allowed_ += energy; }
   std::optional<std::string> fault(const Vec<D>& x, const Vec<D>& v) {
-    const double scale = mass_ * (0.5 * v.squaredNorm() + gravity_.norm() * ((x - start_).norm() + size_));
+    const double scale = mass_ * (0.5 * v.squaredNorm() + g_ * ((x - start_).norm() + size_));
     greatest_ = std::max(greatest_, scale);
     const double excess = energy(x, v) - allowed_;
     if (!(excess > 1e-6 * greatest_)) return std::nullopt;
@@ -43,10 +43,20 @@ class EnergyAudit {
 
  private:
   double mass_;
-  Vec<D> gravity_, start_;
+  Vec<D> gravity_;
+  double g_;  ///< m/s2
+  Vec<D> start_;
   double size_;
   double allowed_ = 0, greatest_ = 0;
 };
+
+/// Keeps its memory between rocks.
+template <int D>
+std::vector<Face<D>>& kept_faces() {
+  thread_local std::vector<Face<D>> faces;
+  faces.clear();
+  return faces;
+}
 
 template <int D>
 class PointRunner {
@@ -60,7 +70,7 @@ class PointRunner {
         now_{false, false, run.start_time, body.x, body.v},
         log_(body, terrain, run),
         rest_(run.stop_speed, log_.history()),
-        contact_(body, terrain, run.origin, run.surfaces, run.roughness),
+        contact_(body, terrain, run.origin, run.surfaces),
         audit_(body, run.forces.gravity),
         slow_(std::max(0.05 * run.rest_speed, 1e-9)),
         to_barriers_(approaches(run.barriers, flyrock::in_plan(body.x))),
@@ -80,7 +90,7 @@ class PointRunner {
       }
       settle();
       const Support<D> support = find_support();
-      const bool caught = support.faces > 0 ? slide_on(support) : fly();
+      const bool caught = support.face ? slide_on(support) : fly();
       if (caught) return end(StopReason::caught);
       if (const auto fault = find_fault()) return diverged(*fault);
       if (now_.left) return left();
@@ -108,6 +118,7 @@ class PointRunner {
     now_ = land(BallisticFlight<D>(run_.forces, now_.position, now_.velocity, now_.time), ground,
                 run_.stop_time, [&](const Arc<D>& arc, ArcEnd& end) {
                   obstacle = first_obstacle(arc, end);
+                  near_ = end.segment;
                   log_.flew(arc, end.s);
                 });
     return stops_at(obstacle);
@@ -117,7 +128,7 @@ class PointRunner {
     const double start = now_.time;
     const double energy = run_.forces.air.drag > 0 ? audit_.energy(now_.position, now_.velocity) : 0;
     if (run_.quality) ++run_.quality->flights;
-    const bool caught = fly_over(PointGround<D>{terrain_});
+    const bool caught = fly_over(PointGround<D>{terrain_, near_});
     if (run_.forces.air.drag > 0) audit_.give(audit_.energy(now_.position, now_.velocity) - energy);
     // a resting point may lose contact for a shorter time
     if (now_.time - start > idle_time) rest_.moves();
@@ -133,7 +144,7 @@ class PointRunner {
   /// Solves the impacts at this place, the greatest approach first, until the point approaches no face.
   void settle() {
     constexpr int most_impacts = 100;  // at one place, before restitution and roughness end
-    faces_at(terrain_, now_.position, faces_);
+    faces_at(terrain_, now_.position, near_, faces_);
     Vec<D>& v = now_.velocity;
     for (int i = 0; !faces_.empty(); ++i) {
       const Face<D>* first = nullptr;
@@ -199,9 +210,9 @@ class PointRunner {
     }
     ArcEnd end;
     if (!support.stays) {
-      if (const auto rim = end_on(arc, support.face)) end.s = *rim;
-      if (support.faces > 1)
-        if (const auto rim = end_on(arc, support.other); rim && *rim < end.s) end.s = *rim;
+      if (const auto rim = end_on(arc, *support.face)) end.s = *rim;
+      if (support.other)
+        if (const auto rim = end_on(arc, *support.other); rim && *rim < end.s) end.s = *rim;
       if (const auto exit = first_exit(arc, ground_of(terrain_)); exit && *exit <= end.s)
         end = {*exit, false, true};
     }
@@ -229,9 +240,10 @@ class PointRunner {
     if (!now_.position.allFinite() || !(now_.velocity.norm() <= fastest))
       return "its state is not finite, or it is faster than 100 km/s";
     if (now_.left) return std::nullopt;
-    const double depth = depth_below_ground(terrain_, now_.position);
+    const double depth = depth_below_ground(terrain_, now_.position, near_);
     if (depth > 1e-6) {
-      faces_at(terrain_, now_.position, faces_);  // an upright face has its top above each of its points
+      faces_at(terrain_, now_.position, near_,
+               faces_);  // an upright face has its top above each of its points
       if (faces_.empty()) return fmt::format("its centre of mass lies {:.2g} m below the ground", depth);
     }
     return audit_.fault(now_.position, now_.velocity);
@@ -330,10 +342,11 @@ class PointRunner {
   double slow_;  ///< m/s
   std::vector<Approach> to_barriers_;
   TreeWatch<D> trees_;
-  Approach::Arrival at_;           ///< where the path met the last barrier
-  std::vector<Face<D>> faces_;     ///< on which the point is
-  Vec<D> force_ = Vec<D>::Zero();  ///< m/s2, gravity and the push of the air in the next leg
-  double leg_ = 0;                 ///< s, its longest duration in air
+  Approach::Arrival at_;                           ///< where the path met the last barrier
+  std::vector<Face<D>>& faces_ = kept_faces<D>();  ///< on which the point is
+  int near_ = -1;                                  ///< the segment of its last touch, in 2D; -1: not known
+  Vec<D> force_ = Vec<D>::Zero();                  ///< m/s2, gravity and the push of the air in the next leg
+  double leg_ = 0;                                 ///< s, its longest duration in air
 };
 
 }  // namespace

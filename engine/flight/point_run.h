@@ -28,10 +28,10 @@ struct PointRun {
       0.05;  ///< m/s; a point that is slower for `rest_time` on the ground is at rest; 0: never
   double rest_speed = 0.02;  ///< m/s; an approach that is not faster has no restitution
   bool keep_impacts = true;
-  Vec<D> origin = Vec<D>::Zero();        ///< from where the engine counts, for the laws [m]
-  std::span<Surface* const> surfaces;    ///< of each part of the terrain; null: no laws
-  std::span<const Roughness> roughness;  ///< of each part of the terrain
-  SolverQuality* quality = nullptr;      ///< where impacts and gains of energy are counted; may be null
+  bool keep_extremes = true;           ///< of each component of the state, BodyHistory::min and max
+  Vec<D> origin = Vec<D>::Zero();      ///< from where the engine counts, for the laws [m]
+  std::span<Surface* const> surfaces;  ///< of each part of the terrain; null: no laws
+  SolverQuality* quality = nullptr;    ///< where impacts and gains of energy are counted; may be null
   bool (*interrupted)() = [] { return false; };  ///< true: throw Interrupted
 };
 

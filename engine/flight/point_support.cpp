@@ -59,7 +59,7 @@ bool holds_between(PointContact<D>& contact, const Face<D>& a, const Face<D>& b,
   sliding.friction = grip_a.slides + grip_b.slides;
   sliding.holds = grip_a.holds + grip_b.holds;
   support = {
-      2, a, b, sliding, grip_a.rolls && grip_b.rolls, grip_a.constant && grip_b.constant, sliding.at_rest()};
+      &a, &b, sliding, grip_a.rolls && grip_b.rolls, grip_a.constant && grip_b.constant, sliding.at_rest()};
   return true;
 }
 
@@ -86,7 +86,7 @@ Support<D> support_of(PointContact<D>& contact, const std::vector<Face<D>>& face
       blocked = true;
       continue;
     }
-    return {1, face, face, sliding, grip.rolls, grip.constant, rests};
+    return {&face, nullptr, sliding, grip.rolls, grip.constant, rests};
   }
   if (!blocked) return support;
   for (std::size_t i = 0; i < faces.size(); ++i)
@@ -105,8 +105,7 @@ Support<D> support_of(PointContact<D>& contact, const std::vector<Face<D>>& face
   const bool all_carry = std::all_of(faces.begin(), faces.end(),
                                      [&](const Face<D>& face) { return force.dot(face.normal) < 0; });
   if (v.norm() <= 10 * slow && all_carry) {
-    support.faces = 1;
-    support.face = support.other = faces.front();
+    support.face = &faces.front();
     support.stays = true;
   }
   return support;

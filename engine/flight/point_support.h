@@ -11,8 +11,7 @@ namespace flyrock {
 /// bottom.
 template <int D>
 struct Support {
-  int faces = 0;  ///< how many; 0: it flies
-  Face<D> face, other;
+  const Face<D>*face = nullptr, *other = nullptr;  ///< null: none
   Sliding<D> sliding;
   bool rolls = false;    ///< its friction is rolling resistance
   bool constant = true;  ///< its friction stays the same along its way

@@ -30,7 +30,7 @@ class TreeWatch {
 
   /// Forest and terrain outlive the object. `key` is that of the draws of the body.
   TreeWatch(const RunForest& trees, const Terrain& terrain, double volume, const DrawKey& key)
-      : trees_(trees), terrain_(terrain), radius_(sphere_radius(volume)), key_(key) {}
+      : trees_(trees), terrain_(terrain), radius_(any() ? sphere_radius(volume) : 0), key_(key) {}
 
   bool any() const { return trees_.forest != nullptr; }
   /// Whether the trees only count the rocks that touch them, and change nothing.

@@ -65,18 +65,13 @@ void Ground2::measure() {
   for (const Vec2& p : points_) extent_ = {extent_.low.cwiseMin(p), extent_.high.cwiseMax(p)};
 }
 
-double Ground2::top(double x) const {
-  const auto from = std::lower_bound(points_.begin(), points_.end(), x,
-                                     [](const Vec2& point, double value) { return point.x() < value; });
-  if (from == points_.end()) return points_.back().y();
-  if (from->x() > x) {
-    if (from == points_.begin()) return from->y();
-    const Vec2& left = *(from - 1);
-    return left.y() + (x - left.x()) / (from->x() - left.x()) * (from->y() - left.y());
-  }
-  double highest = from->y();
-  for (auto point = from; point != points_.end() && point->x() == x; ++point)
-    highest = std::max(highest, point->y());
+double Ground2::top(double x, int near) const {
+  int i = first_segment(x, near);
+  const Vec2 &left = start(i), &right = end(i);
+  if (left.x() > x) return left.y();
+  if (right.x() > x) return left.y() + (x - left.x()) / (right.x() - left.x()) * (right.y() - left.y());
+  double highest = right.y();
+  for (++i; i < segments() && end(i).x() == x; ++i) highest = std::max(highest, end(i).y());
   return highest;
 }
 
@@ -85,18 +80,21 @@ bool Ground2::is_inside(const Vec2& p) const {
   return flyrock::is_inside(points_, p) != solid_outside_;
 }
 
-int Ground2::first_segment(double x) const {
-  const double cell = (x - end(0).x()) / cell_;
-  int i = grid_[static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(grid_.size() - 1)))];
+int Ground2::first_segment(double x, int near) const {
+  int i = near;
+  if (i < 0) {
+    const double cell = (x - end(0).x()) / cell_;
+    i = grid_[static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(grid_.size() - 1)))];
+  }
   while (i > 0 && end(i - 1).x() >= x) --i;
   while (i < segments() - 1 && end(i).x() < x) ++i;
   return i;
 }
 
-Ground2::Run Ground2::segments_between(double x_low, double x_high) const {
+Ground2::Run Ground2::segments_between(double x_low, double x_high, int near) const {
   if (x_high < extent_.low.x() || x_low > extent_.high.x()) return {0, -1};
   if (closed_) return {0, segments() - 1};
-  Run run{first_segment(x_low), 0};
+  Run run{first_segment(x_low, near), 0};
   run.last = run.first;
   while (run.last + 1 < segments() && start(run.last + 1).x() <= x_high) ++run.last;
   return run;

@@ -42,9 +42,12 @@ class Ground2 {
   struct Run {
     int first, last;
   };
-  Run segments_between(double x_low, double x_high) const;
-  /// The first segment of an open line whose right end is at or right of x.
-  int first_segment(double x) const;
+  Run segments_between(double x_low, double x_high, int near = -1) const;
+  /// The first segment of an open line whose right end is at or right of x. The search is short if it starts
+  /// `near` it (-1: nothing is known).
+  int first_segment(double x, int near = -1) const;
+  /// The highest y of an open line at x; that of its ends beyond them.
+  double top(double x, int near = -1) const;
   /// Whether a place lies in the solid and not on its surface.
   bool is_inside(const Vec2& p) const;
   /// A run with the segment that is nearest to a place in the solid.
@@ -53,8 +56,6 @@ class Ground2 {
  private:
   explicit Ground2(bool closed) : closed_(closed) {}
   void measure();
-  /// The highest y of an open line at x; that of its ends beyond them.
-  double top(double x) const;
 
   std::vector<Vec2> points_;
   std::vector<int> part_;

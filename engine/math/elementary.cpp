@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "math/quick_angle.h"
+#include "math/quick_log.h"
 #include "math/wide_exp_log.h"
 #include "math/wide_gamma.h"
 
@@ -88,7 +89,11 @@ double expm1(double x) {
 }
 
 double log2(double x) { return logarithm(x, integer(1)); }
-double log(double x) { return logarithm(x, ln2); }
+double log(double x) {
+  if (x >= 0x1p-1000 && x < infinity)
+    if (const double sure = quick_log(x); sure != 0) return sure;
+  return logarithm(x, ln2);
+}
 double log10(double x) { return logarithm(x, log10_2); }
 
 double log1p(double x) {
@@ -111,6 +116,10 @@ double cbrt(double x) {
 double hypot(double x, double y) {
   if (std::isinf(x) || std::isinf(y)) return infinity;
   if (std::isnan(x) || std::isnan(y)) return x + y;
+  const double a_size = std::fabs(x), b_size = std::fabs(y);
+  const double longer = a_size < b_size ? b_size : a_size, shorter = a_size < b_size ? a_size : b_size;
+  if (shorter > 0x1p-500 && longer < 0x1p500)
+    if (const double length = quick_hypot(longer, shorter); length != 0) return length;
   const Wide a = widen(x), b = widen(y);
   return narrow_root(a * a + b * b);
 }
@@ -193,6 +202,8 @@ double tanh(double x) {
 
 double asinh(double x) {
   if (is_special(x)) return x;
+  if (std::fabs(x) >= 0x1p-4 && std::fabs(x) < 0x1p11)
+    if (const double size = quick_asinh(std::fabs(x)); size != 0) return std::copysign(size, x);
   const Wide a = magnitude(widen(x)), square = a * a, across = root(integer(1) + square);
   // Of small a the sum a + across would lose bits.
   const Wide size = a.exponent >= -4 ? log2(a + across) * ln2 : log1p(a + square / (integer(1) + across));

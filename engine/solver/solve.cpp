@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/pair_2d.h"
 #include "solver/proximal_newton.h"
 #include "solver/residual.h"
 
@@ -23,6 +24,13 @@ double excess(const ContactProblem<D>& problem, const SolveSettings& settings, c
   const double scale =
       settings.measure == ErrorMeasure::merit ? 1 : problem.contacts[result.worst_contact].speed_scale;
   return result.residual / (settings.tolerance * scale);
+}
+
+/// Whether solve_pair serves.
+template <int D>
+bool is_plain_pair(const ContactProblem<D>& problem) {
+  return D == 2 && problem.size() == 2 && problem.couplings() == 2 && problem.contacts[0].is_plain() &&
+         problem.contacts[1].is_plain();
 }
 
 }  // namespace
@@ -54,18 +62,42 @@ SolveResult Solver<D>::solve(const ContactProblem<D>& problem, const SolveSettin
   return solve_by_both(problem, settings, r);
 }
 
-/// Sweeps until only rounding is left: plain sweeps first, then accelerated ones as long as they help.
-/// Convergence is finally checked against the tolerance.
+/// Solves a pair by its states. r is kept if none of these leads to rounding.
+template <int D>
+bool Solver<D>::solve_by_states(const ContactProblem<D>& problem, const SolveSettings& finest,
+                                std::vector<Row>& r, SolveResult& result) {
+  if constexpr (D == 2) {
+    start_ = r;
+    SolveResult found = result;
+    for (const auto& states : pair_states(problem, start_)) {
+      if (!solve_pair(problem, states, r)) continue;
+      judge(problem, finest, r, found);
+      ++found.iterations;
+      if (found.converged) {
+        result = found;
+        return true;
+      }
+      r = start_;
+    }
+  }
+  return false;
+}
+
+/// Sweeps until only rounding is left: plain sweeps first, then accelerated ones as long as they help. Two
+/// contacts in 2D are solved exactly if a few sweeps do not suffice. Convergence is finally checked against
+/// the tolerance.
 template <int D>
 SolveResult Solver<D>::refine(const ContactProblem<D>& problem, const SolveSettings& settings,
                               std::vector<Row>& r) {
-  constexpr int plain = 16, turn = 32;  // sweeps
-  constexpr double least_gain = 0.5;    // another turn follows if the last one halved the residual
+  constexpr int few = 4, plain = 16, turn = 32;  // sweeps
+  constexpr double least_gain = 0.5;             // another turn follows if the last one halved the residual
   SolveSettings finest = settings;
   finest.tolerance = std::numeric_limits<double>::epsilon();
+  const bool by_states = settings.solver == SolverKind::automatic && is_plain_pair(problem);
   nlgs_.begin(problem, finest, r);
-  SolveResult result = nlgs_.run(plain, r);
+  SolveResult result = nlgs_.run(by_states ? few : plain, r);
   if (result.converged || problem.size() == 0) return result;
+  if (by_states && solve_by_states(problem, finest, r, result)) return result;
   nlgs_.begin_accelerated(problem, finest, r);
   for (double before = std::numeric_limits<double>::infinity(); result.residual <= least_gain * before;) {
     before = result.residual;
@@ -73,7 +105,7 @@ SolveResult Solver<D>::refine(const ContactProblem<D>& problem, const SolveSetti
     if (result.converged) break;
     if (result.iterations >= settings.max_iterations) break;
   }
-  result.iterations += plain;
+  result.iterations += by_states ? few : plain;
   if (!result.converged) judge(problem, settings, r, result);
   return result;
 }

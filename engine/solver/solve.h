@@ -30,6 +30,8 @@ class Solver {
   SolveResult solve(const ContactProblem<D>& problem, const SolveSettings& settings, std::vector<Row>& r);
 
  private:
+  bool solve_by_states(const ContactProblem<D>& problem, const SolveSettings& finest, std::vector<Row>& r,
+                       SolveResult& result);
   SolveResult refine(const ContactProblem<D>& problem, const SolveSettings& settings, std::vector<Row>& r);
   SolveResult solve_by_newton(const ContactProblem<D>& problem, const SolveSettings& settings,
                               std::vector<Row>& r);
@@ -38,6 +40,7 @@ class Solver {
 
   Nlgs<D> nlgs_;
   std::unique_ptr<ProximalNewton<D>> newton_;  ///< created when first needed
+  std::vector<Row> start_;
 };
 
 /// The same for a single problem.

@@ -28,51 +28,86 @@ Air<D> TrialBuilder<D>::air_of(const Body<D>& body, const DrawKey& key) const {
   return air;
 }
 
+namespace {
+
+auto key_path(const TrialRock& rock, std::string_view key) {
+  return [&rock, key] { return fmt::format("rocks.{}.{}", rock.group, key); };
+}
+
+/// Whether neither a shape nor its parts are in Lua. One in Lua is asked for each rock, because it may print.
+bool is_native(const PluginUse& shape) {
+  if (shape.plugin->spec.native.empty()) return false;
+  for (const ParamValue& value : shape.values)
+    if (value.parts && !std::all_of(value.parts->begin(), value.parts->end(),
+                                    [](const ShapePart& part) { return is_native(part.shape); }))
+      return false;
+  return true;
+}
+
+}  // namespace
+
+/// The body of a rock before it is placed: its own shape, or that of its group.
+template <int D>
+const MadeBody<D>& TrialBuilder<D>::made_body(const RockPlan<D>& plan, const TrialRock& rock) {
+  const RockGroup& group = scenario_.rocks[rock.group];
+  MadeBody<D>& last = made_[static_cast<std::size_t>(rock.group)];
+  MadeBody<D> made;
+  if (plan.mass)
+    made.mass = *plan.mass;
+  else if (plan.density)
+    made.density = *plan.density;
+  else if (group.mass)
+    made.mass = number(*group.mass, rock.key);
+  else
+    made.density = number(group.density, rock.key);
+  if (D == 2 && group.thickness) made.thickness = number(*group.thickness, rock.key);
+
+  ShapeAnswer<D> shape;
+  if (!plan.shape.contactors.empty()) {
+    shape = plan.shape;
+    made.is_drawn = rock.population_drew;
+  } else {
+    if (!group.shape)
+      throw ScenarioError(key_path(rock, "shape")(),
+                          "neither the population nor `shape` says what shape a rock has");
+    made.shape = values_of(*group.shape, scenario_, rock.key);
+    if (last.serves(made)) return last;
+    RandomStream rng(scenario_.seed, streams_[rock.group].shape, rock.key);
+    shape = at_path(group.shape->path,
+                    [&] { return ask_shape<D>(*instances_.groups[rock.group].shape, made.shape, rng); });
+    made.is_drawn = rng.drawn();
+    made.is_kept = !made.is_drawn && is_native(*group.shape);
+  }
+  made.has_own_mass = shape.own.mass.has_value();
+  made.has_own_inertia = shape.own.inertia.has_value();
+  if constexpr (D == 2) {
+    made.body = make_body(std::move(shape.contactors), made.density, made.mass, made.thickness, shape.own);
+    if (shape.pneumatic) make_pneumatic(made.body, *shape.pneumatic);
+  } else {
+    made.body = at_path(key_path(rock, "shape"), [&] {
+      return make_body(std::move(shape.contactors), made.density, made.mass, shape.own);
+    });
+  }
+  made.body.group = group.name;
+  return last = std::move(made);
+}
+
 /// Shape, mass, pose and launch of one rock.
 template <int D>
 Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, const Terrain& terrain,
                                    RandomStream& where) {
   const RockGroup& group = scenario_.rocks[rock.group];
-  const GroupModels& models = instances_.groups[rock.group];
-  const GroupStreams& streams = streams_[rock.group];
-  const auto key_of = [&](std::string_view key) {
-    return [&rock, key] { return fmt::format("rocks.{}.{}", rock.group, key); };
-  };
-  ShapeAnswer<D> shape = plan.shape;
-  bool shape_is_drawn = rock.population_drew;
-  if (shape.contactors.empty()) {
-    if (!group.shape)
-      throw ScenarioError(key_of("shape")(), "neither the population nor `shape` says what shape a rock has");
-    RandomStream rng(scenario_.seed, streams.shape, rock.key);
-    shape = at_path(group.shape->path, [&] {
-      return ask_shape<D>(*models.shape, values_of(*group.shape, scenario_, rock.key), rng);
-    });
-    shape_is_drawn = rng.drawn();
-  }
-  double mass = 0, density = 0;  // the one that is given
-  if (plan.mass)
-    mass = *plan.mass;
-  else if (plan.density)
-    density = *plan.density;
-  else if (group.mass)
-    mass = number(*group.mass, rock.key);
-  else
-    density = number(group.density, rock.key);
-  const bool own_mass = plan.mass || plan.density;
-  RandomStream turn(scenario_.seed, streams.orientation, rock.key);
+  const auto key_of = [&](std::string_view key) { return key_path(rock, key); };
+  const MadeBody<D>& made = made_body(plan, rock);
+  Body<D> body = made.body;
+  RandomStream turn(scenario_.seed, streams_[rock.group].orientation, rock.key);
   const auto turn_is_drawn = [&] { return plan.orientation ? rock.population_drew : turn.drawn(); };
-  Body<D> body;
   if constexpr (D == 2) {
-    body = make_body(std::move(shape.contactors), density, mass,
-                     group.thickness ? number(*group.thickness, rock.key) : 0, shape.own);
-    if (shape.pneumatic) make_pneumatic(body, *shape.pneumatic);
     body.attitude = plan.orientation    ? *plan.orientation
                     : group.orientation ? number(*group.orientation, rock.key)
                                         : turn.uniform(0, 2 * pi);
     if (turn_is_drawn()) rock.outcomes[Outcome::orientation] = body.attitude.angle;
   } else {
-    body = at_path(key_of("shape"),
-                   [&] { return make_body(std::move(shape.contactors), density, mass, shape.own); });
     const Rotation3 turned =
         plan.orientation ? *plan.orientation
         : group.turn
@@ -81,12 +116,11 @@ Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, con
     if (turn_is_drawn()) rock.outcomes[Outcome::orientation] = turned.vector().norm();
     body.attitude = turned * body.attitude.rotation;
   }
-  rock.has_own_inertia = shape.own.inertia.has_value();
-  if (shape_is_drawn) rock.outcomes.set_shape(body);
-  body.group = group.name;
+  rock.has_own_inertia = made.has_own_inertia;
+  if (made.is_drawn) rock.outcomes.set_shape(body);
   const auto mass_path = [&] {
-    if (own_mass) return group.population.path;
-    return key_of(shape.own.mass ? "shape" : mass_key(group))();
+    if (plan.mass || plan.density) return group.population.path;
+    return key_of(made.has_own_mass ? "shape" : mass_key(group))();
   };
   at_path(key_of("shape"), [&] { refuse_massless(body); });
   at_path(mass_path, [&] { refuse_extremes(body); });
@@ -174,10 +208,11 @@ Partner TrialBuilder<D>::partner_of(const RockPlan<D>& plan, const TrialRock& ro
   return partner;
 }
 
-#define FLYROCK_INSTANTIATE(D)                                                                \
-  template Air<D> TrialBuilder<D>::air_of(const Body<D>&, const DrawKey&) const;              \
-  template Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>&, TrialRock&, const Terrain&, \
-                                              RandomStream&);                                 \
+#define FLYROCK_INSTANTIATE(D)                                                                  \
+  template Air<D> TrialBuilder<D>::air_of(const Body<D>&, const DrawKey&) const;                \
+  template const MadeBody<D>& TrialBuilder<D>::made_body(const RockPlan<D>&, const TrialRock&); \
+  template Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>&, TrialRock&, const Terrain&,   \
+                                              RandomStream&);                                   \
   template Partner TrialBuilder<D>::partner_of(const RockPlan<D>&, const TrialRock&) const
 FLYROCK_INSTANTIATE(2);
 FLYROCK_INSTANTIATE(3);

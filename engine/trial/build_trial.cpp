@@ -20,6 +20,11 @@ constexpr int most_places = 1000;
 
 std::string release_path(int group) { return fmt::format("rocks.{}.release", group); }
 
+/// Surfaces cannot move, and a deque that shrinks leaves the others where they are.
+void shorten(std::deque<Surfaces>& surfaces, std::size_t size) {
+  while (surfaces.size() > size) surfaces.pop_back();
+}
+
 bool is_random(const std::optional<Release>& release) {
   return release && (release->kind == ReleaseKind::face || release->kind == ReleaseKind::bench_top ||
                      release->kind == ReleaseKind::along || release->kind == ReleaseKind::inside ||
@@ -46,6 +51,7 @@ GroupStreams::GroupStreams(const std::string& group)
 template <int D>
 TrialBuilder<D>::TrialBuilder(const Scenario& scenario) : scenario_(scenario), instances_(scenario) {
   for (const RockGroup& group : scenario.rocks) streams_.emplace_back(group.name);
+  made_.resize(scenario.rocks.size());
 }
 
 template <int D>
@@ -110,19 +116,23 @@ void TrialBuilder<D>::connect(Trial<D>& trial, World<D>& world, std::vector<Part
 }
 
 template <int D>
-Trial<D> TrialBuilder<D>::build(std::uint64_t number_of_trial) {
-  Trial<D> trial;
-  trial.terrain = terrain_of(number_of_trial);
+void TrialBuilder<D>::build(std::uint64_t number_of_trial, Trial<D>& trial) {
+  trial.worlds.clear();
+  trial.rocks.clear();
+  auto terrain = terrain_of(number_of_trial);
+  // Points that are alone on the same ground use the surfaces of the trial before.
+  const bool alone = scenario_.bodies.empty() && !scenario_.rock_contacts;
+  if (scenario_.method != Method::lumped_mass || !alone || terrain != trial.terrain) trial.surfaces.clear();
+  trial.terrain = std::move(terrain);
   if (scenario_.bodies.empty())
     build_rocks(trial, number_of_trial);
   else
     build_bodies(trial, number_of_trial);
-  return trial;
 }
 
 template <int D>
-World<D> TrialBuilder<D>::world_of(const Trial<D>& trial, const DrawKey& key) const {
-  World<D> world(*trial.terrain, gravity(key), world_settings());
+World<D>& TrialBuilder<D>::add_world(Trial<D>& trial, const DrawKey& key) const {
+  World<D>& world = trial.worlds.emplace_back(*trial.terrain, gravity(key), world_settings());
   world.origin = origin().template head<D>();
   return world;
 }
@@ -133,21 +143,37 @@ void TrialBuilder<D>::build_alone(Trial<D>& trial, const RockPlan<D>& plan, Part
                                   RandomStream& where) {
   DrawKey of_trial;
   of_trial.trial = rock.key.trial;
-  World<D> world = world_of(trial, of_trial);
-  world.time = rock.start_time;
-  rock.body = world.add(rock_body(plan, rock, *trial.terrain, where));
   const bool is_point = scenario_.method != Method::nscd;
-  if (is_point) {
-    const std::string fault = start_fault_of_point(world.bodies.back(), ground_of(*trial.terrain), origin());
-    if (!fault.empty()) throw ScenarioError(release_path(rock.group), fault);
-  } else if (const auto fault = start_fault(world, origin())) {
-    throw ScenarioError(release_path(rock.group), fault->text);
+  World<D>& world = add_world(trial, of_trial);
+  try {
+    world.time = rock.start_time;
+    rock.body = world.add(rock_body(plan, rock, *trial.terrain, where));
+    if (is_point) {
+      const std::string fault =
+          start_fault_of_point(world.bodies.back(), ground_of(*trial.terrain), origin());
+      if (!fault.empty()) throw ScenarioError(release_path(rock.group), fault);
+    } else if (const auto fault = start_fault(world, origin())) {
+      throw ScenarioError(release_path(rock.group), fault->text);
+    }
+  } catch (...) {
+    trial.worlds.pop_back();
+    throw;
   }
-  trial.worlds.push_back(std::move(world));
   if (scenario_.method == Method::lumped_mass)
-    trial.surfaces.emplace_back(scenario_, instances_, std::vector{std::move(partner)});
+    give_surfaces(trial, std::move(partner));
   else if (!is_point)
-    connect(trial, trial.worlds.back(), {std::move(partner)});
+    connect(trial, world, {std::move(partner)});
+}
+
+/// The surfaces of the last world, which is that of one point.
+template <int D>
+void TrialBuilder<D>::give_surfaces(Trial<D>& trial, Partner partner) const {
+  const std::size_t earlier = trial.worlds.size() - 1;
+  if (trial.surfaces.size() > earlier) {  // of the trial before
+    if (trial.surfaces[earlier].serve(partner)) return;
+    shorten(trial.surfaces, earlier);
+  }
+  trial.surfaces.emplace_back(scenario_, instances_, std::vector{std::move(partner)});
 }
 
 /// A rock in a world with others. A rock with a random release is placed again until it touches none of them.
@@ -177,7 +203,7 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
   of_trial.trial = number_of_trial;
   DrawKey first_hole = of_trial;
   first_hole.hole = 1;
-  if (scenario_.rock_contacts) trial.worlds.push_back(world_of(trial, of_trial));
+  if (scenario_.rock_contacts) add_world(trial, of_trial);
 
   const TerrainView ground = view_of(*trial.terrain, origin());
   std::vector<Partner> partners;
@@ -221,7 +247,10 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
       }
     }
   }
-  if (!scenario_.rock_contacts) return;
+  if (!scenario_.rock_contacts) {
+    shorten(trial.surfaces, trial.worlds.size());
+    return;
+  }
   if (partners.empty())
     trial.worlds.clear();
   else
@@ -232,7 +261,7 @@ template <int D>
 void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_trial) {
   DrawKey of_trial;
   of_trial.trial = number_of_trial;
-  World<D>& world = trial.worlds.emplace_back(world_of(trial, of_trial));
+  World<D>& world = add_world(trial, of_trial);
   std::vector<Partner> partners;
   for (int i = 0; i < static_cast<int>(scenario_.bodies.size()); ++i) {
     const BodyPlan& plan = scenario_.bodies[i];

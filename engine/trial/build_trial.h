@@ -46,6 +46,23 @@ struct Trial {
   std::deque<Surfaces> surfaces;  ///< one for each world; none for `ballistic`, which has no contacts
 };
 
+/// A body before it is placed, and what it was made from.
+template <int D>
+struct MadeBody {
+  std::vector<double> shape;                    ///< the parameters of the shape of its group
+  double density = 0, mass = 0, thickness = 0;  ///< of density and mass the one that is given
+  bool is_kept = false;                         ///< another rock of its group may have it
+  bool is_drawn = false;                        ///< its shape used `rng`
+  bool has_own_mass = false, has_own_inertia = false;
+  Body<D> body;
+
+  /// Whether the rock for which `other` is to be made has this body.
+  bool serves(const MadeBody& other) const {
+    return is_kept && shape == other.shape && density == other.density && mass == other.mass &&
+           thickness == other.thickness;
+  }
+};
+
 /// The streams that a group's plugins and places draw from, as hashes of their names: made once, because each
 /// rock needs them.
 struct GroupStreams {
@@ -65,7 +82,13 @@ class TrialBuilder {
 
   /// Builds one trial. A rock that cannot be built becomes a TrialRock with `fault`. Throws ScenarioError if
   /// the terrain, a population or one of `bodies` fails.
-  Trial<D> build(std::uint64_t trial);
+  Trial<D> build(std::uint64_t number) {
+    Trial<D> trial;
+    build(number, trial);
+    return trial;
+  }
+  /// The same in place of an earlier trial, whose memory it uses.
+  void build(std::uint64_t number, Trial<D>& trial);
 
   /// The terrain of a trial.
   std::shared_ptr<const Terrain> terrain_of(std::uint64_t trial);
@@ -79,11 +102,13 @@ class TrialBuilder {
                    RandomStream& where);
   void add_apart(World<D>& world, const RockPlan<D>& plan, TrialRock& rock, RandomStream& where);
   Body<D> rock_body(const RockPlan<D>& plan, TrialRock& rock, const Terrain& terrain, RandomStream& where);
+  const MadeBody<D>& made_body(const RockPlan<D>& plan, const TrialRock& rock);
   void launch(const RockPlan<D>& plan, TrialRock& rock, const Place<D>& place, const Terrain& terrain,
               Body<D>& body);
   void ask_launch(TrialRock& rock, const Place<D>& place, const Terrain& terrain, Body<D>& body);
   Partner partner_of(const RockPlan<D>& plan, const TrialRock& rock) const;
-  World<D> world_of(const Trial<D>& trial, const DrawKey& key) const;
+  World<D>& add_world(Trial<D>& trial, const DrawKey& key) const;
+  void give_surfaces(Trial<D>& trial, Partner partner) const;
   Vec<D> gravity(const DrawKey& key) const;
   Air<D> air_of(const Body<D>& body, const DrawKey& key) const;
   void connect(Trial<D>& trial, World<D>& world, std::vector<Partner> partners);
@@ -97,6 +122,7 @@ class TrialBuilder {
   const Scenario& scenario_;
   Instances instances_;
   std::vector<GroupStreams> streams_;  ///< of Scenario::rocks
+  std::vector<MadeBody<D>> made_;      ///< of Scenario::rocks, the last one: the next rock may be alike
   std::shared_ptr<const Terrain>
       kept_terrain_;  ///< terrain of all trials, once it is known that they share it
 };

@@ -17,8 +17,10 @@ void bind(BoundLaw<LawKind>& bound, const std::unique_ptr<LawKind>& law, const s
   bound.forget();
   for (std::size_t slot = 0; slot < use->slots.size(); ++slot) {
     const Number& number = use->slots[slot];
-    if (!number.is_constant() && scenario.draws[number.draw].scope == Scope::impact)
-      bound.per_impact.push_back({static_cast<int>(slot), &scenario.draws[number.draw]});
+    if (number.is_constant()) continue;
+    const Draw& draw = scenario.draws[number.draw];
+    bound.drawn.push_back({static_cast<int>(slot), &draw});
+    if (draw.scope == Scope::impact) bound.per_impact.push_back(bound.drawn.back());
   }
 }
 
@@ -39,6 +41,9 @@ Surface* Surfaces::make(int material, const DrawKey& key) {
   bind(surface.friction, laws.friction, plan.friction, scenario_, key);
   bind(surface.rolling, laws.rolling, plan.rolling, scenario_, key);
   bind(surface.unilateral, laws.unilateral, plan.unilateral, scenario_, key);
+  if (plan.roughness)
+    surface.roughness = {plan.roughness->constant,
+                         plan.roughness->is_constant() ? nullptr : &scenario_.draws[plan.roughness->draw]};
   return &surface;
 }
 
@@ -67,13 +72,23 @@ int Surfaces::material_of_part(const std::string& name, const std::string& part,
 }
 
 template <int D>
-std::vector<Surface*> Surfaces::of_point(const World<D>& world, int body) {
-  std::vector<Surface*> of_part;
+const std::vector<Surface*>& Surfaces::of_point(const World<D>& world, int body) {
+  of_point_.resize(partners_.size());
+  std::vector<Surface*>& of_part = of_point_[static_cast<std::size_t>(body)];
+  if (!of_part.empty()) return of_part;
   for (std::size_t part = 0; part < parts_of(world.terrain()).size(); ++part) {
     const int material = material_with_terrain(world, body, static_cast<int>(part));
     of_part.push_back(material >= 0 ? make(material, partners_[body].key) : nullptr);
   }
   return of_part;
+}
+
+bool Surfaces::serve(const Partner& next) {
+  Partner& known = partners_.front();
+  if (partners_.size() != 1 || next.name != known.name || next.material != known.material) return false;
+  known.key = next.key;
+  for (Surface& surface : surfaces_) surface.begin_pair(next.key);
+  return true;
 }
 
 template <int D>
@@ -98,8 +113,8 @@ void Surfaces::add_use(std::vector<MaterialUse>& of_material) const {
   for (std::size_t s = 0; s < surfaces_.size(); ++s) of_material[material_[s]].add(surfaces_[s].use);
 }
 
-template std::vector<Surface*> Surfaces::of_point(const World<2>&, int);
-template std::vector<Surface*> Surfaces::of_point(const World<3>&, int);
+template const std::vector<Surface*>& Surfaces::of_point(const World<2>&, int);
+template const std::vector<Surface*>& Surfaces::of_point(const World<3>&, int);
 template void Surfaces::connect(World<2>&);
 template void Surfaces::connect(World<3>&);
 

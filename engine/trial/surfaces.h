@@ -35,9 +35,12 @@ class Surfaces {
   void connect(World<D>& world);
 
   /// The laws between a body, which is a point, and each part of the terrain; null where no material is
-  /// given.
+  /// given. Made at the first call.
   template <int D>
-  std::vector<Surface*> of_point(const World<D>& world, int body);
+  const std::vector<Surface*>& of_point(const World<D>& world, int body);
+  /// The surfaces of one point may serve the next one on the same terrain, if it meets the same materials; it
+  /// returns whether it does. They are then as if they had been made for it.
+  bool serve(const Partner& next);
 
   /// The index of the material between two bodies of the world. Throws PluginError if none is given.
   int material_between(int a, int b) const { return material_between(partners_[a], partners_[b]); }
@@ -61,7 +64,8 @@ class Surfaces {
   const Instances& instances_;
   std::vector<Partner> partners_;
   std::deque<Surface> surfaces_;
-  std::vector<int> material_;  ///< for each surface
+  std::vector<std::vector<Surface*>> of_point_;  ///< [body][part]; empty before the first call
+  std::vector<int> material_;                    ///< for each surface
 };
 
 }  // namespace flyrock

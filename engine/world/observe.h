@@ -36,6 +36,8 @@ struct Impact {
   double vt_before = 0, vt_after = 0;  ///< signed in 2D: t = (n_y, -n_x)
   double pn = 0, pt = 0;               ///< N s
   double energy_change = 0;            ///< J
+  /// rad, of a point on rough ground: of its face along the motion, and in 3D across it (Roughness)
+  std::array<double, 2> tilt = {};
 };
 
 struct Apex {

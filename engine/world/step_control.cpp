@@ -80,7 +80,9 @@ double StepControl<D>::shorter(double h, double error) {
 template <int D>
 void StepControl<D>::finished(const std::vector<Body<D>>& bodies, std::span<const Moment<D>> starts, double h,
                               double error, double longest) {
-  next_ = std::min(std::clamp(h * growth(error, most_growth), least_step, greatest_step), longest);
+  // A step that a stop cut short says nothing against the length that was wanted.
+  const double wanted = last_.size() == bodies.size() ? std::max(h, next_) : h;
+  next_ = std::min(std::clamp(h * growth(error, most_growth * wanted / h), least_step, greatest_step), longest);
   last_.resize(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) last_[i] = mean(bodies[i], starts[i], h);
   last_h_ = h;

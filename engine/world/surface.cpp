@@ -26,9 +26,9 @@ Answer answer(BoundLaw<LawKind>& bound, std::optional<Answer>& kept, std::uint64
   return given;
 }
 
-template <class LawKind>
-void draw_again(BoundLaw<LawKind>& bound, std::uint64_t seed, const DrawKey& key) {
-  for (const auto& [slot, draw] : bound.per_impact) bound.values[slot] = draw->value(seed, key);
+template <class Slots>
+void draw(const Slots& slots, std::vector<double>& values, std::uint64_t seed, const DrawKey& key) {
+  for (const auto& [slot, draw] : slots) values[slot] = draw->value(seed, key);
 }
 
 template <class LawKind>
@@ -46,18 +46,34 @@ void MaterialUse::add(const MaterialUse& other) {
   unilateral += other.unilateral;
 }
 
+void Surface::begin_pair(const DrawKey& of_pair) {
+  key = of_pair;
+  use = {};
+  known_.reset();
+  const auto begin = [&](auto& bound, auto& kept) {
+    draw(bound.drawn, bound.values, seed, key);
+    bound.forget();
+    kept.reset();  // not kept for all rocks, because a law in Lua may print
+  };
+  begin(restitution, constant_restitution_);
+  begin(friction, constant_friction_);
+  begin(rolling, constant_rolling_);
+  begin(unilateral, constant_unilateral_);
+}
+
 void Surface::begin_instant() {
-  const auto remember = [](auto& bound) { bound.before = bound.history; };
+  const auto remember = [](auto& bound) {
+    if (!bound.history.empty()) bound.before = bound.history;
+  };
   remember(restitution), remember(friction), remember(rolling), remember(unilateral);
 }
 
 void Surface::begin_impact(std::uint64_t impact_number) {
   key.impact = impact_number;
-  known_.reset();
-  draw_again(restitution, seed, key);
-  draw_again(friction, seed, key);
-  draw_again(rolling, seed, key);
-  draw_again(unilateral, seed, key);
+  const auto is_drawn = [](const auto& bound) { return !bound.per_impact.empty(); };
+  if (is_drawn(friction) || is_drawn(rolling) || is_drawn(unilateral)) known_.reset();
+  const auto draw_again = [this](auto& bound) { draw(bound.per_impact, bound.values, seed, key); };
+  draw_again(restitution), draw_again(friction), draw_again(rolling), draw_again(unilateral);
 }
 
 ContactLaw Surface::ask(ContactState& state, bool impact, ContactHistory& history) {
@@ -68,6 +84,7 @@ ContactLaw Surface::ask(ContactState& state, bool impact, ContactHistory& histor
   if (impact)
     rebound = answer(restitution, constant_restitution_, use.restitution, state, own(0),
                      [](const auto& l, const auto& p, const auto& s) { return l.impact(p, s); });
+  if (const ContactLaw* law = known()) return {rebound, *law, *law, law->condition, law->spring};
   const Friction friction_given =
       answer(friction, constant_friction_, use.friction, state, own(1),
              [](const auto& l, const auto& p, const auto& s) { return l.friction(p, s); });

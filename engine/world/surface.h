@@ -26,23 +26,33 @@ template <class LawKind>
 struct BoundLaw {
   const LawKind* law = nullptr;
   std::vector<double> values;
-  /// A parameter that is drawn anew at every impact.
-  struct ImpactDraw {
+  struct DrawnSlot {
     int slot;
     const Draw* draw;
   };
-  std::vector<ImpactDraw> per_impact;
-  std::size_t memory = 0;       ///< how many numbers the law remembers
-  bool per_contact = false;     ///< true: memory per contact; false: memory per pair
-  std::vector<double> history;  ///< memory of the pair
+  std::vector<DrawnSlot> drawn;       ///< the parameters that are drawn
+  std::vector<DrawnSlot> per_impact;  ///< those of them that are drawn anew at every impact
+  std::size_t memory = 0;             ///< how many numbers the law remembers
+  bool per_contact = false;           ///< true: memory per contact; false: memory per pair
+  std::vector<double> history;        ///< memory of the pair
   /// memory of the pair before this instant; every contact of the instant reads this
   std::vector<double> before;
   std::vector<double> scratch;  ///< copy of the memory that one contact reads and writes
   /// Resets the memory to `memory` zeros.
-  void forget() { before = scratch = history = std::vector<double>(per_contact ? 0 : memory, 0.0); }
+  void forget() {
+    history.assign(per_contact ? 0 : memory, 0.0);
+    before = scratch = history;
+  }
 
   /// Whether the law gives the same answer during the whole run.
   bool constant() const { return law->constant() && per_impact.empty(); }
+};
+
+/// How a material tilts a face at an impact of a point (`materials.X.roughness`).
+struct Roughness {
+  double constant = 0;         ///< rad
+  const Draw* draw = nullptr;  ///< rad; null: the constant
+  bool any() const { return draw || constant != 0; }
 };
 
 /// Calls the laws and checks their answers. A constant law is called once.
@@ -53,10 +63,14 @@ class Surface {
   BoundLaw<FrictionLaw> friction;
   BoundLaw<RollingLaw> rolling;
   BoundLaw<UnilateralLaw> unilateral;
+  Roughness roughness;
   std::uint64_t seed = 1;
   DrawKey key;  ///< trial and rock, for draws per impact
   MaterialUse use;
 
+  /// Becomes the surface of another pair of the same kind, as if it had been made for it: draws the
+  /// parameters at its key, and forgets answers, memory and counts.
+  void begin_pair(const DrawKey& of_pair);
   /// Begins an instant (a step or an impact). All its contacts read the pair's memory from before the
   /// instant. A number that a contact changes is kept. If several contacts change the same number, the last
   /// one in the order of contacts wins.
@@ -67,8 +81,8 @@ class Surface {
   /// The law of a contact in this state. The restitution law is called only for an `impact`. `history` is the
   /// memory of this contact.
   ContactLaw ask(ContactState& state, bool impact, ContactHistory& history);
-  /// The law of a contact without impact, if no call is needed: no law of the step reads the state, and all
-  /// have been called since the last impact. Null otherwise.
+  /// The law of a contact without impact (its restitution does not count), if no call is needed: no law of
+  /// the step reads the state, and all have been called since they were last drawn. Null otherwise.
   const ContactLaw* known();
   /// Whether a law keeps memory of the pair.
   bool remembers() const;

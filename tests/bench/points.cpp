@@ -1,13 +1,18 @@
-// The lumped mass beside a plain loop of the same algorithm: points points.yaml. Both draw from the same
-// streams and call the same functions. Prints whether they agree rock by rock, their ratio, and what an
-// impact costs. Exit code 1 if they do not agree.
+// The lumped mass beside a plain loop of the same algorithm: points points.yaml [ROCKS]. Both draw from the
+// same streams and call the same functions. Prints whether they agree rock by rock, their ratio, and what an
+// impact costs; then the same with rows and envelopes, and with the restitution in Lua. Exit code 1 if they
+// do not agree.
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <cstdlib>
+#include <ctime>
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "batch/load.h"
 #include "batch/trial.h"
@@ -225,61 +230,92 @@ class PlainLoop {
   int impacts_ = 0;
 };
 
-constexpr std::uint64_t chunk = 250;
+/// Processor time [s], because others use the machine too.
+double seconds_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
+/// The engine on the scenario with some keys changed.
+class Engine {
+ public:
+  Engine(const char* path, std::vector<std::string> set)
+      : loaded_(load(path, std::move(set))), runner_(scenario()) {}
+
+  const Scenario& scenario() const { return loaded_.plan.points.front(); }
+  TrialRunner& runner() { return runner_; }
+
+  /// Runs the trials in chunks, as a program does. Keeps the least time of all calls [s].
+  void run(std::uint64_t trials) {
+    constexpr std::uint64_t chunk = 250;
+    const double start = seconds_now();
+    for (std::uint64_t first = 0; first < trials; first += chunk) {
+      TrialRecords records;
+      for (std::uint64_t trial = first; trial < std::min(first + chunk, trials); ++trial)
+        runner_.run(trial, records);
+    }
+    seconds = std::min(seconds, seconds_now() - start);
+  }
+
+  double seconds = infinity;
+
+ private:
+  static LoadedScenario load(const char* path, std::vector<std::string> set) {
+    Diagnostics diagnostics;
+    std::optional<LoadedScenario> loaded = load_scenario(path, {.set = std::move(set)}, diagnostics);
+    if (loaded) return std::move(*loaded);
+    fmt::print(stderr, "{}", diagnostics.to_text());
+    std::exit(2);
+  }
+
+  LoadedScenario loaded_;
+  TrialRunner runner_;
+};
 
 }  // namespace
 
 int main(int count, char** words) {
-  if (count != 2) return 2;
-  Diagnostics diagnostics;
-  const std::optional<LoadedScenario> loaded = load_scenario(words[1], {}, diagnostics);
-  if (!loaded) {
-    fmt::print(stderr, "{}", diagnostics.to_text());
-    return 2;
-  }
-  const Scenario& scenario = loaded->plan.points.front();
-  TrialRunner runner(scenario);
-  PlainLoop plain(runner.picture_of(0).profile, scenario);
+  if (count != 2 && count != 3) return 2;
+  const std::uint64_t trials = count == 3 ? std::strtoull(words[2], nullptr, 10) : 20'000;
+  Engine engine(words[1], {});
+  Engine with_rows(words[1], {"output.rocks=true", "output.envelopes=true"});
+  Engine in_lua(words[1], {"plugins=[newton_in_lua.lua]", "materials.rock.restitution.type=newton_in_lua"});
+  PlainLoop plain(engine.runner().picture_of(0).profile, engine.scenario());
 
-  constexpr std::uint64_t compared = 20'000;
   double worst = 0;
   std::uint64_t impacts = 0, different = 0;
-  for (std::uint64_t trial = 0; trial < compared; ++trial) {
-    TrialRecords records;
-    runner.run(trial, records);
+  for (std::uint64_t trial = 0; trial < trials; ++trial) {
+    TrialRecords records, records_of_lua;
+    engine.runner().run(trial, records);
+    in_lua.runner().run(trial, records_of_lua);
     const RockRecord& rock = records.rocks.front();
     const Answer answer = plain.run(trial);
     const double distance = std::hypot(answer.x - rock.stop_x, answer.y - rock.stop_y);
-    const bool same = answer.impacts == rock.impacts && distance < 1e-6;
+    const bool same = answer.impacts == rock.impacts && distance < 1e-6 &&
+                      records_of_lua.rocks.front().stop_x == rock.stop_x;
     different += !same;
     if (same) worst = std::max(worst, distance);
     impacts += static_cast<std::uint64_t>(rock.impacts);
   }
-  const double each = static_cast<double>(impacts) / compared;
 
-  // In turn, because others use the machine too; the fastest of each.
-  double engine = infinity, loop = infinity, sum = 0;
+  // In turn; the fastest of each.
+  double loop = infinity, sum = 0;
   for (int round = 0; round < 5; ++round) {
-    auto start = std::chrono::steady_clock::now();
-    for (std::uint64_t first = 0; first < compared; first += chunk) {
-      TrialRecords records;
-      for (std::uint64_t trial = first; trial < first + chunk; ++trial) runner.run(trial, records);
-      sum += records.rocks.back().stop_x;
-    }
-    engine = std::min(engine, seconds_since(start));
-    start = std::chrono::steady_clock::now();
-    for (std::uint64_t trial = 0; trial < compared; ++trial) sum += plain.run(trial).x;
-    loop = std::min(loop, seconds_since(start));
+    for (Engine* each : {&engine, &with_rows, &in_lua}) each->run(trials);
+    const double start = seconds_now();
+    for (std::uint64_t trial = 0; trial < trials; ++trial) sum += plain.run(trial).x;
+    loop = std::min(loop, seconds_now() - start);
   }
+  const auto cost = [&](double seconds) {
+    return fmt::format("{:.2f} us a rock, {:.0f} ns an impact", 1e6 * seconds / static_cast<double>(trials),
+                       1e9 * seconds / static_cast<double>(impacts));
+  };
   fmt::print(
-      "points: {} of {} rocks as in a plain loop (to {:.1g} m, {:.1f} impacts each); {:.2f} us a rock, "
-      "{:.0f} ns an "
-      "impact, in the plain loop {:.2f} us and {:.0f} ns: {:.2f} of its speed\n",
-      compared - different, compared, worst, each, 1e6 * engine / compared, 1e9 * engine / compared / each,
-      1e6 * loop / compared, 1e9 * loop / compared / each, loop / engine);
+      "points: {} of {} rocks as in a plain loop (to {:.1g} m, {:.1f} impacts each); {}, in the plain loop "
+      "{}: {:.2f} of its speed\n",
+      trials - different, trials, worst, static_cast<double>(impacts) / static_cast<double>(trials),
+      cost(engine.seconds), cost(loop), loop / engine.seconds);
+  fmt::print("points with rows and envelopes: {}: {:.2f} of the plain loop\n", cost(with_rows.seconds),
+             loop / with_rows.seconds);
+  fmt::print("points with the restitution in Lua: {}: {:.2f} of the native run, {:.0f} ns more an impact\n",
+             cost(in_lua.seconds), engine.seconds / in_lua.seconds,
+             1e9 * (in_lua.seconds - engine.seconds) / static_cast<double>(impacts));
   return different == 0 && std::isfinite(sum) ? 0 : 1;
 }

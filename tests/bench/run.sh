@@ -1,15 +1,21 @@
 #!/bin/sh
 # make bench: rocks per second to rest on one core and the share of time by phase, median of five runs each; ballistic
-# flights alone, and lumped masses beside a plain loop; the time of contacts, gap and time of impact for each pair of
-# shapes; then the time of the Ninh Dan run with its restitution in Lua over that with the same law native, and with one
-# thread over that with two, in pairs of runs.
+# flights alone, and lumped masses beside a plain loop, with rows and envelopes, and with the restitution in Lua; the
+# time of contacts, gap and time of impact for each pair of shapes; then the time of the Ninh Dan run with its
+# restitution in Lua over that with the same law native, and with one thread over that with two, in pairs of runs.
 set -eu
 flyrock=$1/flyrock
 here=$(cd "$(dirname "$0")" && pwd)
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
-for scenario in "$here/../../scenarios/ninh_dan/benches_2d.yaml" "$here/../../scenarios/ninh_dan/rockfall_2d.yaml" "$here/s3.yaml" "$here/shots.yaml" "$here/points.yaml"; do
+awk 'BEGIN {
+  print "ncols 1000\nnrows 1000\nxllcenter 0\nyllcenter 0\ncellsize 1"
+  for (r = 999; r >= 0; --r)
+    for (c = 0; c < 1000; ++c) printf "%.3f%s", 400 * exp(-c / 300) + 0.3 * sin(c / 3) * sin(r / 4), c < 999 ? " " : "\n"
+}' > "$out/raster1000.asc"
+cp "$here/points_raster.yaml" "$out"
+for scenario in "$here/../../scenarios/ninh_dan/benches_2d.yaml" "$here/../../scenarios/ninh_dan/rockfall_2d.yaml" "$here/s3.yaml" "$here/shots.yaml" "$here/points.yaml" "$out/points_raster.yaml"; do
   name=$(basename "$scenario" .yaml)
   for run in 1 2 3 4 5; do
     "$flyrock" run "$scenario" -o "$out/$name" -j 1 --force --quiet > /dev/null 2>&1 || true

@@ -1,7 +1,10 @@
 #include "batch/inputs.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <map>
+#include <string>
+#include <vector>
 
 #include "load.h"
 #include "trial/build_trial.h"
@@ -57,6 +60,52 @@ TEST_CASE("a rock has the draws of its own group, and of what plugins draw the o
   for (const char* path : {"rock.volume", "rock.elongation"}) CHECK_FALSE(ball.contains(path));
   for (const char* path : {"release.x", "release.y", "release.z", "rock.orientation"})
     CHECK_FALSE(other.contains(path));
+}
+
+TEST_CASE("the tilt of rough ground at each impact of a lumped mass is among the inputs") {
+  const LoadedScenario scenario =
+      loaded("tests/unit/batch/drawn_2d.yaml",
+             {.set = {"method=lumped_mass",
+                      "materials.ground.roughness={ angle: { normal: { mean: 0 deg, sd: 10 deg } } }"}});
+  const TrialRecords records = first_trial(scenario);
+  const auto tilts =
+      inputs_of_rock(records, scenario.plan.points.front(), 0).at("materials.ground.roughness.angle");
+  CHECK_FALSE(tilts.contains(0));
+  int impacts = 0;
+  for (const ImpactRecord& row : records.impacts) {
+    if (row.rock != 0) continue;
+    REQUIRE(tilts.contains(row.impact.number));
+    if (++impacts > 1) continue;
+    // It falls straight down on level ground: the angle of its velocity is the tilt.
+    CHECK(std::atan2(row.impact.vt_before, -row.impact.vn_before) == Approx(tilts.at(1)));
+    CHECK(tilts.at(1) != 0);
+  }
+  CHECK(impacts >= 3);
+  CHECK(tilts.size() == static_cast<std::size_t>(impacts));
+}
+
+TEST_CASE("in 3D rough ground tilts along the motion and across it, both among the inputs") {
+  const LoadedScenario scenario =
+      loaded("tests/unit/batch/mapped.yaml",
+             {.set = {"materials.ground.roughness={ angle: { normal: { mean: 0 deg, sd: 5 deg } } }"}});
+  const Scenario& point = scenario.plan.points.front();
+  const TrialRecords records = first_trial(scenario);
+  std::vector<double> tilts;  // of the first impact
+  for (const InputRecord& row : records.inputs)
+    if (row.impact == 1) tilts.push_back(row.value);
+  REQUIRE(tilts.size() == 2);
+  CHECK(tilts[0] != tilts[1]);
+  const Draw& draw = point.draws.at(static_cast<std::size_t>(point.materials.front().roughness->draw));
+  CHECK(tilts[0] == draw.value(point.seed, {.trial = 0, .hole = 1, .rock = 1, .impact = 1}));
+}
+
+TEST_CASE("constant roughness, and draws of another scope, are not inputs of impacts") {
+  for (const char* angle : {"4 deg", "{ normal: { mean: 0 deg, sd: 5 deg }, per: trial }"}) {
+    const LoadedScenario scenario =
+        loaded("tests/unit/batch/mapped.yaml",
+               {.set = {"materials.ground.roughness={ angle: " + std::string(angle) + " }"}});
+    for (const InputRecord& row : first_trial(scenario).inputs) CHECK(row.impact == 0);
+  }
 }
 
 TEST_CASE("without impacts among the results there are no draws of impacts") {

@@ -119,7 +119,7 @@ TEST_CASE("The tree of parts finds all contacts of two bodies") {
 
 TEST_CASE("The tree of parts finds all contacts with the ground") {
   const std::vector<Vec2> line{{-10, 0.5}, {-1, 0}, {0.2, 0.6}, {0.3, -0.4}, {3, 0}, {10, 1}};
-  compare_ground<2>(Terrain2(Profile{line, {0, 0, 0, 0, 0}, {"line"}}), 300);
+  compare_ground<2>(Terrain2(Profile{line, {0, 0, 0, 0, 0}, {"line"}, {}}), 300);
   compare_ground<3>(Terrain3(Plane{Vec3::Zero(), Vec3(0.1, 0, 1).normalized()}), 100);
   Mesh hills;
   for (int i = 0; i <= 20; ++i)

@@ -1,6 +1,7 @@
 // Each pair has its own surface: what one pair meets does not change the draws and the memory of another.
 #include <catch2/catch.hpp>
 
+#include "batch/trial.h"
 #include "load.h"
 #include "trial/build_trial.h"
 #include "unit/lua_fixture.h"
@@ -214,4 +215,51 @@ bodies:
         "`c` starts at (5, 0.25) m, 0.25 m inside the terrain: it reaches 0.5 m from its centre of mass, a "
         "radius of at "
         "most 0.25 m fits there");
+}
+
+TEST_CASE("a trial does not depend on the trials before it, whose bodies, surfaces and memory it uses") {
+  // The restitution falls with each impact of a pair, by its memory; other numbers are drawn for each rock.
+  const std::string law = R"(
+return require("flyrock").plugin { kind = "restitution", name = "tired", form = "newton", doc = "d", reads = {}, history = { "impacts" },
+  params = { en = require("flyrock").number { doc = "d" } },
+  impact = function(p, contact)
+    contact.history.impacts = contact.history.impacts + 1
+    return p.en / contact.history.impacts, 0
+  end }
+)";
+  for (const char* method : {"lumped_mass", "ballistic", "nscd"}) {
+    const Written written(R"(
+plugins: [tired.lua]
+terrain: { type: profile, points: [[-50, 20], [0, 0], [50, 0]], material: rock }
+materials:
+  rock: { restitution: { type: tired, en: { uniform: [0.3, 0.9], per: rock } }, friction: { type: coulomb, mu: { uniform: [0.3, 0.8], per: rock } }, rolling: { type: rolling_resistance, mu_r: 0.1 m } }
+rocks:
+  - { name: alike, per_trial: 2, density: 2700, shape: { type: disk, radius: 0.5 m }, release: { along: [[-40, 25], [-10, 25]] }, launch: { type: fixed, velocity: [2, 0] } }
+  - { name: others, density: 2700, shape: { type: disk, radius: { uniform: [0.2 m, 0.6 m] } }, release: { position: [-20, 25] }, launch: { type: at_rest } }
+)",
+                          {{"tired.lua", law}});
+    Scenario scenario = written.loaded->plan.points.front();
+    scenario.method = *method == 'l'   ? Method::lumped_mass
+                      : *method == 'b' ? Method::ballistic
+                                       : Method::nscd;
+    INFO(method);
+    TrialRunner runner(scenario);
+    for (std::uint64_t number = 0; number < 4; ++number) {
+      TrialRecords later, alone;
+      runner.run(number, later);
+      TrialRunner(scenario).run(number, alone);
+      REQUIRE(later.rocks.size() == 3);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const RockRecord &a = later.rocks[i], &b = alone.rocks[i];
+        CHECK(a.fault == b.fault);
+        CHECK(a.mass == b.mass);
+        CHECK(a.stop_x == b.stop_x);
+        CHECK(a.time == b.time);
+        CHECK(a.impacts == b.impacts);
+        CHECK(a.travel.distance == b.travel.distance);
+      }
+      CHECK(later.totals.materials[0].restitution == alone.totals.materials[0].restitution);
+      CHECK(later.totals.materials[0].friction == alone.totals.materials[0].friction);
+    }
+  }
 }
