@@ -6,6 +6,8 @@
 using namespace flyrock;
 using namespace flyrock::lab;
 
+namespace box_3d_test {
+
 namespace {
 const double g = 9.81;
 }
@@ -149,3 +151,5 @@ TEST_CASE("the energy of a box that tumbles and slides never grows") {
   }
   CHECK(bench.world.quality().not_converged == 0);
 }
+
+}  // namespace box_3d_test

@@ -6,6 +6,8 @@
 using namespace flyrock;
 using namespace flyrock::lab;
 
+namespace crossings_test {
+
 namespace {
 
 const double g = 9.81;
@@ -185,3 +187,5 @@ TEST_CASE("an arrival behind a turn keeps its digits") {
   path.a.x() = -1;
   CHECK(arrival<2>(path, 1e-10, 1, 0) == std::numeric_limits<double>::infinity());
 }
+
+}  // namespace crossings_test

@@ -8,6 +8,8 @@
 using namespace flyrock;
 using namespace flyrock::lab;
 
+namespace cylinder_3d_test {
+
 namespace {
 
 constexpr double gravity = 9.81;
@@ -211,3 +213,5 @@ TEST_CASE("the place where an edge crosses a rim stays there, however flat the c
     CHECK(bench.world.quality().energy_gains == 0);
   }
 }
+
+}  // namespace cylinder_3d_test

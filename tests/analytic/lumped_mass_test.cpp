@@ -9,6 +9,8 @@
 
 using namespace flyrock;
 
+namespace lumped_mass_test {
+
 namespace {
 
 constexpr double g = 9.81;
@@ -414,3 +416,5 @@ TEST_CASE("points in air and wind on rough ground end, and air takes what it tak
     if (!h.impacts.empty()) CHECK((h.impacts[0].place - flight.last.position).norm() < 1e-9);
   }
 }
+
+}  // namespace lumped_mass_test

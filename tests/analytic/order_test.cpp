@@ -12,6 +12,8 @@
 using namespace flyrock;
 using namespace flyrock::lab;
 
+namespace order_test {
+
 namespace {
 
 constexpr double g = 9.81;
@@ -180,3 +182,5 @@ TEST_CASE(
   if (const char* folder = std::getenv("FLYROCK_PICTURES"))
     draw(lines, std::string(folder) + "/order_of_accuracy.svg");
 }
+
+}  // namespace order_test

@@ -7,6 +7,8 @@
 using namespace flyrock;
 using namespace flyrock::lab;
 
+namespace pill_3d_test {
+
 namespace {
 
 constexpr double gravity = 9.81;
@@ -140,3 +142,5 @@ TEST_CASE("a pill comes to rest in the valley of two fixed pills, and across two
     CHECK(history.reason == StopReason::stopped);
   }
 }
+
+}  // namespace pill_3d_test

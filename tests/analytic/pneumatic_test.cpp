@@ -7,6 +7,8 @@
 using namespace flyrock;
 using namespace flyrock::lab;
 
+namespace pneumatic_test {
+
 namespace {
 
 constexpr double gravity = 9.81, air = 101325, r0 = 0.3, mass = 3, thickness = 0.2;
@@ -314,3 +316,5 @@ TEST_CASE("a pneumatic disk at 300 m/s that breathes passes neither a thin plate
   }
   CHECK(passed == 0);
 }
+
+}  // namespace pneumatic_test

@@ -8,6 +8,8 @@
 using namespace flyrock;
 using namespace flyrock::lab;
 
+namespace point_test {
+
 namespace {
 
 constexpr double gravity = 9.81;
@@ -129,3 +131,5 @@ TEST_CASE("a point lands on each shape, and two points pass each other") {
   bench.run(0.5);
   CHECK(bench.world.bodies[above].x.y() == Approx(1 - 5 - 0.125 * gravity));
 }
+
+}  // namespace point_test

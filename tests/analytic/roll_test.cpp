@@ -6,6 +6,8 @@
 using namespace flyrock;
 using namespace flyrock::lab;
 
+namespace roll_test {
+
 namespace {
 const double g = 9.81;
 }
@@ -78,3 +80,5 @@ TEST_CASE("the place where a sliding disk comes to roll has an error of second o
   for (const double h : {8e-3, 4e-3, 2e-3, 1e-3}) CHECK(error(h) <= 3 * 0.3 * g * h * h / 8);
   CHECK(error(1e-3) < 2e-6);
 }
+
+}  // namespace roll_test

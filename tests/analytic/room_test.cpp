@@ -7,6 +7,8 @@
 using namespace flyrock;
 using namespace flyrock::lab;
 
+namespace room_test {
+
 namespace {
 
 constexpr double gravity = 9.81, inner = 1, outer = 1.05;
@@ -233,3 +235,5 @@ TEST_CASE(
   CHECK(bench.world.bodies[pushed].x.y() == Approx(from.y() - 0.5 * rate).margin(1e-6));
   CHECK(bench.world.quality().max_penetration < 1e-7);
 }
+
+}  // namespace room_test

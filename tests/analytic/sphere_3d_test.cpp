@@ -6,6 +6,8 @@
 using namespace flyrock;
 using namespace flyrock::lab;
 
+namespace sphere_3d_test {
+
 namespace {
 const double g = 9.81;
 }
@@ -166,3 +168,5 @@ TEST_CASE("spinning resistance stops a sphere on its place after 2 R^2 w / (5 mu
   CHECK(rest.spin.norm() < 1e-9);
   CHECK(rest.position.head<2>().norm() < 1e-12);
 }
+
+}  // namespace sphere_3d_test

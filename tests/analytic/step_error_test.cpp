@@ -8,6 +8,8 @@
 using namespace flyrock;
 using namespace flyrock::lab;
 
+namespace step_error_test {
+
 namespace {
 
 struct Uniform {
@@ -185,3 +187,5 @@ TEST_CASE("Random phases in contact end within the tolerance of chosen steps", "
 TEST_CASE("500 random phases in contact end within the tolerance of chosen steps", "[heavy]") {
   compare(500, 1e-6);
 }
+
+}  // namespace step_error_test

@@ -9,6 +9,8 @@
 using namespace flyrock;
 using namespace flyrock::lab;
 
+namespace wall_test {
+
 namespace {
 
 constexpr double gravity = 9.81;
@@ -98,3 +100,5 @@ TEST_CASE("thrown walls lose energy on a rugged profile and stay above it") {
       CHECK(placed.point(end).y() > bench.terrain.height(placed.point(end).x()));
   }
 }
+
+}  // namespace wall_test

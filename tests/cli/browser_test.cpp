@@ -1,10 +1,14 @@
 // The report in a browser. Needs Chromium (make deps-browser) and Plotly (make deps); says SKIPPED without
 // them.
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <regex>
+#include <sstream>
+#include <tuple>
 
 #include "program.h"
+#include "rows.h"
 
 using namespace flyrock::test;
 
@@ -255,4 +259,94 @@ TEST_CASE("A browser with WebGL draws the ground and the paths of a 3D run, and 
   CHECK(plain.page.find(">height every ") != std::string::npos);
   CHECK(std::regex_search(plain.page, std::regex("class=\"annotation-text\"[^>]*>[0-9.-]+ m<")));
   for (const char* name : {">fence<", ">track<"}) CHECK(plain.page.find(name) != std::string::npos);
+}
+
+namespace {
+
+/// A cell of a map: the middle, and the value.
+struct MapCell {
+  double x, y, value;
+};
+
+std::vector<MapCell> map_cells(const std::vector<std::string>& lines) {
+  std::vector<MapCell> cells;
+  for (const std::string& line : lines) {
+    MapCell cell{};
+    REQUIRE(std::sscanf(line.c_str(), "%lf|%lf|%lf", &cell.x, &cell.y, &cell.value) == 3);
+    cells.push_back(cell);
+  }
+  std::sort(cells.begin(), cells.end(),
+            [](const MapCell& a, const MapCell& b) { return std::tie(a.y, a.x) < std::tie(b.y, b.x); });
+  return cells;
+}
+
+/// Chooses maps one after the other. The page then ends with what each shows: the cells of its plot.
+const char* const choose_maps = R"(<script>{
+const maps = document.getElementById("maps"), pictures = new Set();
+const choose = (select, value) => { select.value = value; select.dispatchEvent(new Event("change")); };
+for (const [point, raster] of [[0, "Nr_passages"], [0, "E_max"], [1, "E_max"], [1, "Ph_p95"]]) {
+  choose(document.querySelector('[aria-label="Sweep point"]'), point);
+  choose(maps.querySelector('[aria-label="Raster"]'), raster);
+  const map = maps.querySelector(".plot").data.find((trace) => trace.type === "heatmap");
+  const lines = map.z.flatMap((row, i) => row.flatMap((value, j) =>
+    (value === null ? [] : [`${map.x0 + j * map.dx}|${map.y0 + i * map.dy}|${value}`])));
+  pictures.add(maps.querySelector(".heatmaplayer image").href.baseVal);
+  const told = document.createElement("pre");
+  told.textContent = `map ${raster} of ${point}: ${maps.querySelector(".note").textContent}\n${lines.join("\n")}\n`;
+  document.body.append(told);
+}
+document.body.dataset.pictures = pictures.size;
+}</script>
+)";
+
+}  // namespace
+
+TEST_CASE("A browser draws the maps of a 3D run, each with the numbers of results.db", "[slow]") {
+  if (!can_draw()) {
+    WARN("SKIPPED: no Chromium or no Plotly");
+    return;
+  }
+  const Folder folder;
+  REQUIRE(
+      call(folder,
+           "run " FLYROCK_SOURCE_DIR
+           "/plugins/terrain/mesh/example.yaml --quiet -o r --trials 20 --set output.maps='{ cell: 1 m }' "
+           "--set materials.soil.friction.mu='{ sweep: [0.5, 0.8] }'")
+          .code == 0);
+  std::string page = read(folder.path() / "r/report.html");
+  page.insert(page.rfind("</body>"), choose_maps);
+  const Opened drawn = open_page(folder, folder.path() / folder.write("choices.html", page));
+  CHECK(drawn.console == "");
+  CHECK(drawn.page.find("data-pictures=\"4\"") != std::string::npos);  // each choice is another picture
+  for (const auto& [raster, point] :
+       {std::pair{"Nr_passages", 0}, {"E_max", 0}, {"E_max", 1}, {"Ph_p95", 1}}) {
+    const std::string number = std::to_string(point);
+    const std::string head = "<pre>map " + (raster + (" of " + number)) + ": Shown: ";
+    INFO(head);
+    const std::size_t start = drawn.page.find(head);
+    REQUIRE(start != std::string::npos);
+    std::istringstream told(drawn.page.substr(start, drawn.page.find("</pre>", start) - start));
+    std::string note;
+    std::getline(told, note);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(told, line);) lines.push_back(line);
+    const std::vector<MapCell> shown = map_cells(lines);
+    const std::vector<MapCell> stored = map_cells(query(
+        folder.path() / "r/results.db",
+        std::string("SELECT x_m + (maps.\"column\" + 0.5) * cell_m, y_m + (maps.\"row\" + 0.5) * cell_m, ") +
+            raster + " FROM maps JOIN map_grids USING (point) WHERE point = " + number));
+    CHECK(note.find("point " + number + ": materials.soil.friction.mu = ") != std::string::npos);
+    CHECK(note.find("; cells of 1 m, " + std::to_string(stored.size()) + " cells with rocks.") !=
+          std::string::npos);
+    REQUIRE(shown.size() == stored.size());
+    REQUIRE(shown.size() > 100);
+    std::size_t equal = 0;
+    for (std::size_t i = 0; i < shown.size(); ++i)
+      equal += shown[i].x == stored[i].x && shown[i].y == stored[i].y &&
+               shown[i].value == Approx(stored[i].value).epsilon(6e-4);  // the page has four digits
+    CHECK(equal == shown.size());
+  }
+  // The triangles of this ground are larger than the map; their contours stand, and are named.
+  const std::string section = drawn.page.substr(drawn.page.find("<section id=\"maps\""));
+  CHECK(std::regex_search(section, std::regex("class=\"annotation-text\"[^>]*>10 m<")));
 }

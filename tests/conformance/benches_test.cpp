@@ -8,6 +8,8 @@
 
 using namespace flyrock;
 
+namespace benches_test {
+
 namespace {
 
 using Numbers = std::map<std::string, Given>;
@@ -208,3 +210,5 @@ TEST_CASE("keys of 3D are refused in 2D") {
       surface(numbers({{"azimuth", 0.1}, {"line", std::vector<std::vector<double>>{{0, 0}, {1, 0}}}})),
       Catch::Contains("`line` says where the crest runs, expected it without `azimuth`"));
 }
+
+}  // namespace benches_test

@@ -11,6 +11,8 @@
 
 using namespace flyrock;
 
+namespace mass_properties_test {
+
 namespace {
 
 /// Integrals of 1, x and x x^T over a shape; z = 0 in 2D.
@@ -255,3 +257,5 @@ TEST_CASE("mesh_point has the volume, centre and inertia of the solid: a beam on
   CHECK((found.centroid - centre).norm() < 1e-12);
   CHECK((found.inertia - inertia).norm() < 1e-12);
 }
+
+}  // namespace mass_properties_test

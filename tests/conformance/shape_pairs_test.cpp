@@ -15,6 +15,8 @@
 
 using namespace flyrock;
 
+namespace shape_pairs_test {
+
 namespace {
 
 /// How far a place is out of a contactor along the directions that bound it: faces, caps, and for what is
@@ -147,3 +149,5 @@ TEST_CASE("the same for 10,000 placements of each pair", "[heavy]") {
   try_pairs<2>(10000);
   try_pairs<3>(10000);
 }
+
+}  // namespace shape_pairs_test

@@ -6,6 +6,8 @@
 
 using namespace flyrock;
 
+namespace shapes_test {
+
 namespace {
 
 const LuaSession& session() {
@@ -80,3 +82,5 @@ TEST_CASE("a disk is a disk") {
   CHECK(contactors[0].points.size() == 1);
   CHECK(contactors[0].radius == 0.25);
 }
+
+}  // namespace shapes_test

@@ -11,6 +11,8 @@
 
 using namespace flyrock;
 
+namespace terrain_files_test {
+
 namespace {
 
 const LuaSession& plugins() {
@@ -325,3 +327,5 @@ TEST_CASE("a GeoTIFF is read by the module of GDAL, or its error names the packa
               " reading this format needs GDAL, which this build does not have: install the Debian package "
               "libgdal-dev") == 0);
 }
+
+}  // namespace terrain_files_test

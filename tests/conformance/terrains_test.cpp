@@ -9,6 +9,8 @@
 
 using namespace flyrock;
 
+namespace terrains_test {
+
 namespace {
 
 const LuaSession& session() {
@@ -83,3 +85,5 @@ TEST_CASE("a profile's file is read strictly") {
   CHECK(fault("1 0\n0 0\n") ==
         "plugin profile: x decreases from (1, 0) to (0, 0); a profile goes from left to right");
 }
+
+}  // namespace terrains_test

@@ -9,6 +9,8 @@
 
 using namespace flyrock;
 
+namespace velocities_test {
+
 namespace {
 
 const LuaSession& session() {
@@ -274,3 +276,5 @@ TEST_CASE("every velocity model reads the fields of the blast that it declares, 
     }
   }
 }
+
+}  // namespace velocities_test

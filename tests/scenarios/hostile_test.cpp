@@ -12,6 +12,8 @@
 
 using namespace flyrock::test;
 
+namespace hostile_test {
+
 namespace {
 
 const fs::path folder_of_laws = fs::path(FLYROCK_SOURCE_DIR) / "tests/scenarios/hostile";
@@ -114,3 +116,5 @@ end })");
         2);  // the rocks of the first trial
   CHECK(count(strict.err, "tired.lua:3: tired") >= 1);
 }
+
+}  // namespace hostile_test

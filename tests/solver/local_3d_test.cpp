@@ -10,6 +10,8 @@
 
 using namespace flyrock;
 
+namespace local_3d_test {
+
 namespace {
 
 using Problem = ContactProblem<3>;
@@ -184,3 +186,5 @@ TEST_CASE("more friction never makes a contact slip faster where the rows are no
     }
   }
 }
+
+}  // namespace local_3d_test

@@ -8,6 +8,8 @@
 
 using namespace flyrock;
 
+namespace nlgs_test {
+
 namespace {
 
 using Problem = ContactProblem<2>;
@@ -127,3 +129,5 @@ TEST_CASE("two contacts of a resting block share its weight, whatever the start"
   CHECK(r[0][0] + r[1][0] == Approx(gh).epsilon(1e-10));
   CHECK(r[0][1] + r[1][1] == Approx(0).margin(1e-12));
 }
+
+}  // namespace nlgs_test

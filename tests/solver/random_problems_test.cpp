@@ -10,6 +10,8 @@
 
 using namespace flyrock;
 
+namespace random_problems_test {
+
 namespace {
 
 struct Random {
@@ -141,3 +143,5 @@ TEST_CASE("ten thousand random problems: no NaN, no hang, converged or reported,
             << converged[0] << " of " << tried[0] << " others\n";
   CHECK(converged[1] > 0.85 * tried[1]);
 }
+
+}  // namespace random_problems_test

@@ -5,6 +5,8 @@
 
 using namespace flyrock;
 
+namespace routh_test {
+
 // A rod at 30 degrees, mu 0.3, e 0.5, v = (-1, -0.2): it slips back until P = 0.10965, then forward, and is
 // compressed until 0.31974.
 TEST_CASE("the path in impulse space has the corners and ends of the closed form") {
@@ -42,3 +44,5 @@ TEST_CASE("a contact that sticks, or slips throughout, has two legs or one") {
   REQUIRE(slips.path.size() == 2);
   CHECK(slips.path[1].impulse[1] == Approx(-0.1 * slips.path[1].impulse[0]));
 }
+
+}  // namespace routh_test

@@ -36,10 +36,29 @@ function lines_at(ground, height) {
   return lines;
 }
 
+/** The heights of the corners of the triangles that reach into a window: a triangle may be larger than it. */
+function heights_in(ground, window) {
+  const meets = (places, [low, high]) => Math.min(...places) <= high && Math.max(...places) >= low, heights = [];
+  for (let t = 0; t < ground.corners.length; t += 3) {
+    const corners = ground.corners.slice(t, t + 3), of = (list) => corners.map((v) => list[v]);
+    if (meets(of(ground.x), window.x) && meets(of(ground.y), window.y)) heights.push(...of(ground.z));
+  }
+  return heights;
+}
+
+/** A line with places at most `apart` from each other. */
+function refined(line, apart) {
+  return line.flatMap(([x, y], i) => {
+    if (i === 0) return [[x, y]];
+    const [x0, y0] = line[i - 1], pieces = Math.max(1, Math.ceil(Math.hypot(x - x0, y - y0) / apart));
+    return Array.from({ length: pieces }, (_, k) => [x0 + ((k + 1) / pieces) * (x - x0), y0 + ((k + 1) / pieces) * (y - y0)]);
+  });
+}
+
 /** The lines of few round heights within a window, as one trace, and the names of the heights: each at the middle of its longest stretch in the window. */
 function contours(ground, window) {
   const inside = ([x, y]) => x >= window.x[0] && x <= window.x[1] && y >= window.y[0] && y <= window.y[1];
-  const heights = ground.z.filter((_, i) => inside([ground.x[i], ground.y[i]])), low = least(heights), high = most(heights);
+  const heights = heights_in(ground, window), low = least(heights), high = most(heights), apart = (window.x[1] - window.x[0]) / 50;
   if (!(high > low)) return { traces: [], annotations: [] };
   const step = contour_step(high - low), digits = Math.max(0, -Math.floor(Math.log10(step))), line = { x: [], y: [] }, annotations = [];
   for (let n = Math.ceil(low / step); n * step <= high; ++n) {
@@ -49,7 +68,7 @@ function contours(ground, window) {
       line.x.push(null);
       line.y.push(null);
       let stretch = [];
-      for (const place of [...places, null]) {
+      for (const place of [...refined(places, apart), null]) {
         if (place !== null && inside(place)) { stretch.push(place); continue; }
         if (stretch.length > 1 && line_length(stretch) > (longest.length > 1 ? line_length(longest) : 0)) longest = stretch;
         stretch = [];

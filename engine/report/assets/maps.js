@@ -17,10 +17,10 @@ function map_rows(map, name) {
 
 function draw_map(node, map, name, page, crossings) {
   const { z, x, y } = map_rows(map, name), unit = data.map_units[name], title = in_unit(map_titles[name], unit);
-  const centres = { x: z[0].map((_, i) => x + i * map.cell), y: z.map((_, i) => y + i * map.cell) }, lines = plan_lines(crossings);
-  const window = window_of(node, [centres, ...lines], 700), ground = ground_of_point();
+  const edges = { x: [x - map.cell / 2, x + (z[0].length - 0.5) * map.cell], y: [y - map.cell / 2, y + (z.length - 0.5) * map.cell] }, lines = plan_lines(crossings);
+  const window = window_of(node, [edges, ...lines], 700), ground = ground_of_point();
   const heights = ground ? contours(ground, window) : { traces: [], annotations: [] }, places = place_lines(crossings, window.height);
-  const cells = { type: "heatmap", ...centres, z, hoverongaps: false, colorscale: "Viridis", reversescale: true, zmin: 0, colorbar: { title: { text: unit || "rocks", side: "right" }, thickness: 14 },
+  const cells = { type: "heatmap", x0: x, dx: map.cell, y0: y, dy: map.cell, z, hoverongaps: false, colorscale: "Viridis", reversescale: true, zmin: 0, zmax: most(map[name]) || 1, colorbar: { title: { text: unit || "rocks", side: "right" }, thickness: 14 },
     hovertemplate: `x %{x:.6~f} m, y %{y:.6~f} m<br>${map_titles[name]} %{z}${unit ? ` ${unit}` : ""}<extra></extra>`, name: title, showlegend: false };
   plot(node, [cells, ...heights.traces, ...lines], {
     height: window.height, hovermode: "closest", legend,

@@ -5,6 +5,8 @@
 
 using namespace flyrock;
 
+namespace explain_test {
+
 namespace {
 
 Explanation explained(const LoadedScenario& scenario, const ExplainRequest& request) {
@@ -99,3 +101,5 @@ TEST_CASE("impacts beyond the last are counted, not explained") {
   CHECK_FALSE(explainer.found());
   CHECK(explainer.seen() == 3);
 }
+
+}  // namespace explain_test

@@ -3,6 +3,8 @@
 
 using namespace flyrock;
 
+namespace meeting_test {
+
 namespace {
 
 /// The last state of a body in the series.
@@ -55,3 +57,5 @@ TEST_CASE("with body_contacts: off bodies pass each other and meet the terrain")
   CHECK_FALSE(records.series_contacts.empty());
   CHECK(scenario.plan.not_used.size() == 2);  // the plates
 }
+
+}  // namespace meeting_test

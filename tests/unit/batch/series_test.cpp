@@ -6,6 +6,8 @@
 
 using namespace flyrock;
 
+namespace series_test {
+
 namespace {
 
 std::vector<SeriesContact> contacts_of(const TrialRecords& records) {
@@ -96,3 +98,5 @@ TEST_CASE("measures of a contact over time") {
   CHECK(value("lower", "box", "rn", "mean").fault == "lower and box have no contact in a step");
   CHECK(value("disk", "terrain", "rn", "at", 0.1).fault == "disk and terrain have no contact at 0.1 s");
 }
+
+}  // namespace series_test

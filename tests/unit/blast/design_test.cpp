@@ -9,6 +9,8 @@
 using namespace flyrock;
 using enum flyrock::BlastField;
 
+namespace design_test {
+
 namespace {
 
 /// Ninh Dan's holes in a bench of 8 m: 6.946 kg/m of ANFO.
@@ -125,3 +127,5 @@ TEST_CASE("an emulsion takes D/3") {
   CHECK(found->gurney_constant == Approx(found->detonation_velocity / 3));
   CHECK_FALSE(found->is_anfo);
 }
+
+}  // namespace design_test

@@ -19,6 +19,8 @@
 
 using namespace flyrock;
 
+namespace cylinder_test {
+
 namespace {
 
 using Contacts = std::vector<ContactPoint<3>>;
@@ -362,3 +364,5 @@ TEST_CASE("cylinders at random places over a ridge with a peak have the gap of i
   }
   CHECK(wrong == 0);
 }
+
+}  // namespace cylinder_test

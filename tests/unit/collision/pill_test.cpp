@@ -12,6 +12,8 @@
 
 using namespace flyrock;
 
+namespace pill_test {
+
 namespace {
 
 using Contacts = std::vector<ContactPoint<3>>;
@@ -411,3 +413,5 @@ TEST_CASE("no shot pill passes through the ground, and it touches at gap 0") {
     CHECK(touches > 15);
   }
 }
+
+}  // namespace pill_test

@@ -13,6 +13,8 @@
 
 using namespace flyrock;
 
+namespace room_test {
+
 namespace {
 
 struct RoomDice {
@@ -283,3 +285,5 @@ TEST_CASE("a room does not touch the ground, another room, or what is outside") 
   through.v = {0.05, 0, 10};  // through the tube within 0.4 to 0.6 s, and out of it
   CHECK_FALSE(time_of_contact(ball, 0, through, tube, 0, rest, 3, {}));
 }
+
+}  // namespace room_test

@@ -9,6 +9,8 @@
 
 using namespace flyrock;
 
+namespace time_of_contact3_test {
+
 namespace {
 
 const Terrain3 level{Plane{}};
@@ -223,3 +225,5 @@ TEST_CASE("a given rotation ends where it should, and its spin is its derivative
           path.greatest_spin_rate(t + h) * (1 + 1e-6));
   }
 }
+
+}  // namespace time_of_contact3_test

@@ -7,6 +7,8 @@
 
 using namespace flyrock;
 
+namespace time_of_contact_test {
+
 namespace {
 
 Terrain2 level(double half_length = 100) {
@@ -117,3 +119,5 @@ TEST_CASE("a disk of 1 cm at 300 m/s does not pass a wall of 1 mm") {
     CHECK(shot.position(*t).x() == Approx(-0.0055).margin(1e-13));
   }
 }
+
+}  // namespace time_of_contact_test

@@ -12,6 +12,8 @@
 
 using namespace flyrock;
 
+namespace wall_test {
+
 namespace {
 
 using Contacts = std::vector<ContactPoint<2>>;
@@ -280,3 +282,5 @@ TEST_CASE("a disk past a convex corner has the gap to the segment that it is ove
   CHECK(gap(over_fall(fall, radius + 0.01, 0.2)) == Approx(0.01).epsilon(1e-12));
   CHECK(gap((radius + 0.01) * Vec2(std::sin(fall / 2), std::cos(fall / 2))) == Approx(0.01).epsilon(1e-12));
 }
+
+}  // namespace wall_test

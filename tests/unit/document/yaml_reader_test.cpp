@@ -4,6 +4,8 @@
 
 using namespace flyrock;
 
+namespace yaml_reader_test {
+
 namespace {
 
 Value read(const std::string& text) {
@@ -94,3 +96,5 @@ TEST_CASE("an alias bomb is refused, quickly") {
   CHECK(refuse(text).find("more than 100000 values, aliases expanded") != std::string::npos);
   CHECK(refuse(std::string(5000, '[')).find("not YAML: ") != std::string::npos);
 }
+
+}  // namespace yaml_reader_test

@@ -11,6 +11,8 @@
 
 using namespace flyrock;
 
+namespace ballistic_test {
+
 namespace {
 
 constexpr double g = 9.81;
@@ -236,3 +238,5 @@ TEST_CASE("shots over a bench against small steps") {
   }
   CHECK(worst < 1e-4);  // the reference's last step is straight: g dt^2 / 8 and its slope
 }
+
+}  // namespace ballistic_test

@@ -7,6 +7,8 @@
 
 using namespace flyrock;
 
+namespace ground_test {
+
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
@@ -180,3 +182,5 @@ TEST_CASE("the features of a grid of 10,000 x 10,000 cells have ids of their own
   CHECK(ground_index(last.edge_feature(0)) == 599'880'005);
   CHECK(kind_of(last.edge_feature(0)) == FeatureKind::edge);
 }
+
+}  // namespace ground_test

@@ -9,6 +9,8 @@
 
 using namespace flyrock;
 
+namespace lua_law_test {
+
 namespace {
 
 /// A use of a plugin with constant numbers, in the order of its manifest.
@@ -314,3 +316,5 @@ fr.plugin { kind = "unilateral", name = "v", doc = "d", condition = function(p) 
       "plugin v, laws.lua:6: condition() returned \"glue\", expected \"signorini\", \"quasi_shock\", "
       "\"cohesive\" with the pull that it bears, or \"penalty\" with its stiffness");
 }
+
+}  // namespace lua_law_test

@@ -9,6 +9,8 @@
 
 using namespace flyrock;
 
+namespace lua_sandbox_test {
+
 namespace {
 
 /// Runs a chunk as a scenario file; returns what is wrong, without the place.
@@ -234,3 +236,5 @@ TEST_CASE("memory has an end that nothing swallows", "[slow]") {
   CHECK(failure("local f = function() " + grow + " end\nwhile true do pcall(coroutine.wrap(f)) end") ==
         memory);
 }
+
+}  // namespace lua_sandbox_test

@@ -6,6 +6,11 @@
 using namespace flyrock;
 using namespace flyrock::lab;
 
+namespace impacts_of_step_test {
+
+using lab::ground;
+using lab::Material;
+
 TEST_CASE("a step of zero length, cut by a touch that is due at once, has no impacts") {
   Material material(0, 0);
   WorldSettings settings;
@@ -20,3 +25,5 @@ TEST_CASE("a step of zero length, cut by a touch that is due at once, has no imp
   CHECK(outcome.new_touch);
   CHECK(bench.world.impacts().empty());
 }
+
+}  // namespace impacts_of_step_test
