@@ -82,7 +82,8 @@ void StepControl<D>::finished(const std::vector<Body<D>>& bodies, std::span<cons
                               double error, double longest) {
   // A step that a stop cut short says nothing against the length that was wanted.
   const double wanted = last_.size() == bodies.size() ? std::max(h, next_) : h;
-  next_ = std::min(std::clamp(h * growth(error, most_growth * wanted / h), least_step, greatest_step), longest);
+  next_ =
+      std::min(std::clamp(h * growth(error, most_growth * wanted / h), least_step, greatest_step), longest);
   last_.resize(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) last_[i] = mean(bodies[i], starts[i], h);
   last_h_ = h;
