@@ -15,19 +15,37 @@ constexpr int most_iterations = 500;
 
 /// A hull at one time, with bounds on its motion until the end of the window.
 struct State {
+  double t;
   Rotation2 r;
   Vec2 x, v;
   double w;
-  double w_max;           ///< greatest spin until the end
+  /// Bounds of the first three derivatives of a unit vector that turns with the hull, until the end
+  double turn1, turn2, turn3;
   double radius, swells;  ///< m and m/s, now
-  explicit State(const MovingHull& hull, double t, double end)
-      : r(hull.rests || t == 0 ? hull.start : Rotation2::from_angle(hull.motion.angle_at(t))),
-        x(hull.motion.position(t)),
-        v(hull.motion.velocity(t)),
-        w(hull.motion.spin(t)),
-        w_max(std::max(std::abs(w), std::abs(hull.motion.spin(end)))),
-        radius(hull.radius + hull.motion.swell.at(t)),
-        swells(hull.motion.swell.rate_at(t)) {}
+
+  State(const MovingHull& hull, double start, double end) : t(start), r(hull.start) {
+    const Motion2& motion = hull.motion;
+    if (!hull.rests && t != 0) r = Rotation2::from_angle(motion.angle_at(t));
+    measure(hull);
+    const double alpha = std::abs(motion.alpha);
+    turn1 = std::max(std::abs(w), std::abs(motion.spin(end)));
+    turn2 = turn1 * turn1 + alpha;
+    turn3 = turn1 * (turn1 * turn1 + 3 * alpha);
+  }
+  void advance(const MovingHull& hull, double time) {
+    r = r.turned(hull.motion.angle_at(time) - hull.motion.angle_at(t));
+    t = time;
+    measure(hull);
+  }
+
+ private:
+  void measure(const MovingHull& hull) {
+    x = hull.motion.position(t);
+    v = hull.motion.velocity(t);
+    w = hull.motion.spin(t);
+    radius = hull.radius + hull.motion.swell.at(t);
+    swells = hull.motion.swell.rate_at(t);
+  }
 };
 
 class Search {
@@ -41,9 +59,10 @@ class Search {
     State sa(a_, t, end_), sb(b_, t, end_);
     for (int i = 0; i < most_iterations; ++i) {
       if (search_.iterations) ++*search_.iterations;
+      touches_ = false;
       double step = chosen ? lasts(direction, sa, sb, t) : 0;
       if (step <= 0) {
-        step = longest(sa, sb, t, direction);
+        step = longest(sa, sb, t, direction, chosen);
         chosen = true;
       }
       if (step <= 0) return t;
@@ -51,8 +70,8 @@ class Search {
       const double next = t + step;
       if (next <= t) return t;  // below the resolution of time
       t = next;
-      sa = State(a_, t, end_);
-      if (!b_.rests) sb = State(b_, t, end_);
+      sa.advance(a_, t);
+      if (!b_.rests) sb.advance(b_, t);
     }
     return t;
   }
@@ -107,45 +126,56 @@ class Search {
 
   /// How long the edge separates the points of the other hull [s].
   double edge_lasts(const Pair& pair, double t, std::uint64_t& clear) {
-    const bool turns = pair.sr.w_max != 0 || pair.reference.motion.alpha != 0;
+    const bool turns = pair.sr.turn1 != 0 || pair.reference.motion.alpha != 0;
     return turns ? turning_edge_lasts(pair, t) : steady_edge_lasts(pair, t, clear);
   }
 
-  /// The same for an edge that does not turn. Gap and slope are then linear in the point p. Points that stay
-  /// clear until the end of the search are added to `clear`, and those in it are passed over.
+  /// The same for an edge that does not turn. The gap and its derivatives are then linear in the point p.
+  /// Points that stay clear until the end of the search are added to `clear`, and those in it are passed
+  /// over.
   double steady_edge_lasts(const Pair& pair, double t, std::uint64_t& clear) {
     const State& so = pair.so;
-    const double left = end_ - t;
+    const double left = end_ - t, alpha = pair.other.motion.alpha, square = so.w * so.w;
     const double gap0 = pair.normal.dot(so.x - pair.sr.x) - pair.offset + search_.slack;
     const double slope0 = pair.normal.dot(so.v - pair.sr.v) - pair.swells;
-    const double fall = std::max(0.0, pair.growth - pair.normal.dot(pair.acceleration));
-    const double turning = so.w_max * so.w_max + std::abs(pair.other.motion.alpha);
-    const Vec2 rise = so.r.inverse(pair.normal), change(so.w * rise.y(), -so.w * rise.x());
+    const double curvature0 = pair.normal.dot(pair.acceleration) - pair.growth;
+    const double bend = std::max(0.0, -curvature0) + so.turn2 * pair.other.reach;
+    const double jerk = so.turn3 * pair.other.reach;
+    const Vec2 rise = so.r.inverse(pair.normal), across(rise.y(), -rise.x());
     double least = forever;
-    for (int j = 0; j < pair.other.count && least > 0; ++j) {
-      if (is_marked(clear, j)) continue;
+    const auto see = [&](int j) {
       const Vec2& p = pair.other.points[j];
-      const double gap = gap0 + rise.dot(p), slope = slope0 + change.dot(p);
-      const double bend = fall + turning * p.norm();  // M >= -gap'' until the end of the search
-      if (stays_open(gap, slope, bend, std::min(least, left))) {
+      const double height = rise.dot(p), side = across.dot(p);
+      const GapBound bound{gap0 + height, slope0 + so.w * side, curvature0 + alpha * side - square * height,
+                           jerk, bend};
+      if (bound.stays_open(std::min(least, left))) {
         if (least >= left) mark(clear, j);
-        continue;
+        return;
       }
       const bool held = is_held(pair, j);
-      if (held && search_.held_are_solved) continue;
-      const double time = within(left, left, safe_time(gap, slope, bend, scale_, held && t == 0));
-      if (time <= 0 && slope < 0) note_touch(pair, gap, j);
+      if (held && search_.held_are_solved) return;
+      const double time = within(left, left, bound.safe_time(std::min(least, left), scale_, held && t == 0));
+      if (time <= 0 && bound.slope < 0) note_touch(pair, bound.gap, j);
       least = std::min(least, time);
-    }
+    };
+    // The nearest point first: most others then need only the question whether they stay open for as long.
+    int nearest = 0;
+    for (int j = 1; j < pair.other.count; ++j)
+      if (rise.dot(pair.other.points[j]) < rise.dot(pair.other.points[nearest])) nearest = j;
+    if (!is_marked(clear, nearest)) see(nearest);
+    for (int j = 0; j < pair.other.count && least > 0; ++j)
+      if (j != nearest && !is_marked(clear, j)) see(j);
     return least;
   }
 
-  /// The same for an edge that turns.
+  /// The same for an edge that turns: gap = n . w - offset, with w from the centre of its hull to the point.
   double turning_edge_lasts(const Pair& pair, double t) {
     const auto& [reference, sr, other, so, edge, reference_is_a, normal, offset, acceleration, swells,
                  growth] = pair;
-    const Vec2 turn = perpendicular(normal);
-    const double left = end_ - t, closing = (so.v - sr.v).norm() + acceleration.norm() * left;
+    const Vec2 turn = perpendicular(normal), bent = reference.motion.alpha * turn - sr.w * sr.w * normal;
+    const double left = end_ - t, pull = acceleration.norm(), reach = other.reach;
+    const double speed = (so.v - sr.v).norm() + pull * left + so.turn1 * reach;  // |w'| is at most this
+    const double closing = std::max(0.0, growth) + pull + so.turn2 * reach + 2 * sr.turn1 * speed;
     double least = forever;
     for (int j = 0; j < other.count && least > 0; ++j) {
       const bool held = is_held(pair, j);
@@ -153,18 +183,19 @@ class Search {
       const Vec2 arm = so.r * other.points[j];
       const Vec2 w = so.x + arm - sr.x;
       const Vec2 velocity = so.v + cross(so.w, arm) - sr.v;
-      const double gap = normal.dot(w) - offset + search_.slack;
-      const double slope = sr.w * turn.dot(w) + normal.dot(velocity) - swells;
-      // M >= -gap'' until the end of the search. The horizon limits the growth of the lever |w| of a turning
-      // normal.
-      const double reach = arm.norm(), lever = w.norm(), speed = closing + so.w_max * reach;
+      const Vec2 rate = acceleration + cross(other.motion.alpha, arm) - so.w * so.w * arm;
+      // The horizon limits the growth of the lever |w| of a turning normal.
+      const double lever = w.norm();
       const double horizon = speed > 0 ? std::min(left, (lever + search_.size) / speed) : left;
-      const double bend =
-          (so.w_max * so.w_max + std::abs(other.motion.alpha)) * reach + std::max(0.0, growth) +
-          acceleration.norm() + 2 * sr.w_max * speed +
-          (sr.w_max * sr.w_max + std::abs(reference.motion.alpha)) * (lever + speed * horizon);
-      const double time = within(horizon, left, safe_time(gap, slope, bend, scale_, held && t == 0));
-      if (time <= 0 && slope < 0) note_touch(pair, gap, j);
+      const double longest = lever + speed * horizon;
+      const GapBound bound{normal.dot(w) - offset + search_.slack,
+                           sr.w * turn.dot(w) + normal.dot(velocity) - swells,
+                           bent.dot(w) + 2 * sr.w * turn.dot(velocity) + normal.dot(rate) - growth,
+                           sr.turn3 * longest + 3 * sr.turn2 * speed +
+                               3 * sr.turn1 * (pull + so.turn2 * reach) + so.turn3 * reach,
+                           closing + sr.turn2 * longest};
+      const double time = within(horizon, left, bound.safe_time(horizon, scale_, held && t == 0));
+      if (time <= 0 && bound.slope < 0) note_touch(pair, bound.gap, j);
       least = std::min(least, time);
     }
     return least;
@@ -184,8 +215,7 @@ class Search {
         const Vec2 ra = sa.r * a_.points[i], rb = sb.r * b_.points[j];
         const double gap = d.dot(sa.x + ra - sb.x - rb) - sa.radius - sb.radius + search_.slack;
         const double slope = d.dot(sa.v + cross(sa.w, ra) - sb.v - cross(sb.w, rb)) - swells;
-        const double bend = along + (sa.w_max * sa.w_max + std::abs(a_.motion.alpha)) * ra.norm() +
-                            (sb.w_max * sb.w_max + std::abs(b_.motion.alpha)) * rb.norm();
+        const double bend = along + sa.turn2 * ra.norm() + sb.turn2 * rb.norm();
         least = std::min(least, safe_time(gap, slope, bend, scale_, is_held && t == 0));
       }
     }
@@ -231,12 +261,14 @@ class Search {
   }
 
   /// Finds a direction that separates for long. Returns for how long [s]; 0 if no direction separates. The
-  /// edges that are farthest now mostly last; all others are tried only if these do not separate.
-  double longest(const State& sa, const State& sb, double t, Direction& direction) {
+  /// edges that are farthest now mostly last; all others are tried only if these do not separate. `ended`:
+  /// `direction` separates no longer.
+  double longest(const State& sa, const State& sb, double t, Direction& direction, bool ended) {
     double best = 0;
     const double enough = end_ - t;
-    touches_ = false;
+    const int ended_kind = ended ? direction.kind : -1, ended_edge = direction.edge;
     const auto try_direction = [&](int kind, int edge, const Vec2& fixed = Vec2::Zero()) {
+      if (touches_ || (kind == ended_kind && edge == ended_edge && kind != 2)) return;
       Direction candidate{kind, edge, fixed};
       if (const double time = lasts(candidate, sa, sb, t); time > best) best = time, direction = candidate;
     };

@@ -17,12 +17,13 @@ struct MovingHull {
   const Vec2* normals = nullptr;
   int count = 0;
   double radius = 0;
-  Motion2 motion;
+  double reach = 0;  ///< m, no point is farther from the origin; of a hull at rest it does not matter
+  const Motion2& motion;
   FeatureId (*point_id)(int base, int i) = nullptr;
   FeatureId (*edge_id)(int base, int i) = nullptr;
   int base = 0;
   bool rests = false;  ///< as the ground does, in the frame of the world: `motion` is zero
-  Rotation2 start = rests ? Rotation2() : Rotation2::from_angle(motion.angle);  ///< at t = 0
+  Rotation2 start = rests ? Rotation2() : motion.start();  ///< at t = 0
 };
 
 /// The first time in [window.a, window.b] at which the hulls touch and approach; see time_of_contact. In held

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <variant>
 
 #include "geometry/box.h"
@@ -35,8 +36,10 @@ struct Swell {
 /// angular acceleration of the step.
 struct Motion2 : Path<2> {
   double angle = 0, w = 0, alpha = 0;
-  Swell swell = {};  ///< of a pneumatic disk
+  Swell swell = {};                        ///< of a pneumatic disk
+  std::optional<Rotation2> rotation = {};  ///< by `angle`, where it is known
 
+  Rotation2 start() const { return rotation ? *rotation : Rotation2::from_angle(angle); }
   double angle_at(double t) const { return angle + t * (w + 0.5 * t * alpha); }
   double spin(double t) const { return w + t * alpha; }
   double greatest_spin(double t) const { return std::max(std::abs(w), std::abs(spin(t))); }  ///< over [0, t]

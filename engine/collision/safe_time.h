@@ -1,6 +1,7 @@
 #pragma once
 // The time step of conservative advancement.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -32,6 +33,29 @@ inline double safe_time(double gap, double slope, double bend, const GapScale& s
 inline bool stays_open(double gap, double rate, double bend, double time) {
   return gap > 0 && gap + time * (rate - 0.5 * time * bend) > 0;
 }
+
+/// A lower bound of a gap over time: gap + slope t + curvature t^2/2 - jerk t^3/6, where jerk >= -gap''', and
+/// gap + slope t - bend t^2/2, where bend >= -gap''.
+struct GapBound {
+  double gap, slope, curvature, jerk, bend;
+
+  double bend_until(double time) const { return std::max(0.0, std::min(bend, jerk * time - curvature)); }
+  bool stays_open(double time) const { return flyrock::stays_open(gap, slope, bend_until(time), time); }
+  /// The time until the bound is zero, as safe_time; at least `longest` if it stays positive until then.
+  double safe_time(double longest, const GapScale& scale, bool just_opened) const {
+    constexpr int most_rounds = 3;
+    double safe = 0;
+    for (int i = 0; i < most_rounds; ++i) {
+      // The curvature changes little over twice the time that is known to be safe.
+      const double horizon = i == 0 ? longest : 2 * safe;
+      if (!(horizon > 0) || horizon > longest) break;
+      const double time = flyrock::safe_time(gap, slope, bend_until(horizon), scale, just_opened);
+      if (time >= horizon) return horizon;
+      safe = std::max(safe, time);
+    }
+    return safe;
+  }
+};
 
 /// Limits a safe time to the `horizon` for which its bounds hold. `left` is the time until the end of the
 /// search. The horizon ends the search only if it reaches that end.

@@ -29,8 +29,9 @@ void see_path(const Path<D>& frame, const Rotation& r, Path<D>& path) {
 }
 
 Motion2 seen_from(const Motion2& frame, Motion2 motion) {
-  see_path<2>(frame, Rotation2::from_angle(frame.angle), motion);
+  see_path<2>(frame, frame.start(), motion);
   motion.angle -= frame.angle;
+  motion.rotation.reset();
   return motion;
 }
 

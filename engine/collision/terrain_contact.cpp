@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace flyrock {
 
@@ -49,29 +50,36 @@ ContactPoint<2> nearest_place(const Ground2& ground, const Vec2& p) {
   return nearest;
 }
 
-/// Contact points with segments, for a point grown by a radius: the centre of a disk, or a vertex with radius
-/// 0. A point below the line of a segment is either in the ground, or above another part of the polyline and
-/// free.
-void point_contacts(const Vec2& p, double radius, FeatureId feature, const Ground2& ground,
-                    const Ground2::Run& run, double reach, double shallow, Contacts& out) {
-  bool deep = false;
-  for (int i = run.first; i <= run.last; ++i) {
-    const double height = (p - ground.start(i)).dot(ground.normal(i));
-    const double gap = height - radius;
-    if (gap > reach || !owns(ground, i, p, shallow)) continue;
-    if (height < -reach && !ground.is_inside(p)) continue;
-    if (height < -shallow)
-      deep = true;
-    else
-      out.push_back(
-          {p - (radius + 0.5 * gap) * ground.normal(i), ground.normal(i), gap, feature, segment_id(i)});
-  }
-  if (!deep) return;
+/// The contact of a point grown by a radius with segment i: of the centre of a disk, or of a vertex with
+/// radius 0. A point below the line of a segment is either in the ground, or above another part of the
+/// polyline and free. Returns whether it is so deep in the ground that the nearest place is its contact
+/// instead.
+bool point_contact(const Vec2& p, double radius, FeatureId feature, const Ground2& ground, int i,
+                   double reach, double shallow, Contacts& out) {
+  const double height = (p - ground.start(i)).dot(ground.normal(i));
+  const double gap = height - radius;
+  if (gap > reach || !owns(ground, i, p, shallow)) return false;
+  if (height < -reach && !ground.is_inside(p)) return false;
+  if (height < -shallow) return true;
+  out.push_back({p - (radius + 0.5 * gap) * ground.normal(i), ground.normal(i), gap, feature, segment_id(i)});
+  return false;
+}
+
+/// The contact of a point deep in the ground.
+void deep_contact(const Vec2& p, double radius, FeatureId feature, const Ground2& ground, Contacts& out) {
   ContactPoint<2> place = nearest_place(ground, p);
   place.gap -= radius;
   place.point = p - (radius + 0.5 * place.gap) * place.normal;
   place.feature = feature;
   out.push_back(place);
+}
+
+void point_contacts(const Vec2& p, double radius, FeatureId feature, const Ground2& ground,
+                    const Ground2::Run& run, double reach, double shallow, Contacts& out) {
+  bool deep = false;
+  for (int i = run.first; i <= run.last; ++i)
+    if (point_contact(p, radius, feature, ground, i, reach, shallow, out)) deep = true;
+  if (deep) deep_contact(p, radius, feature, ground, out);
 }
 
 /// Contact points of a disk, or of an end of a wall, with segments and convex corners. The cone of an end
@@ -94,18 +102,49 @@ void round_contacts(const Vec2& centre, double radius, const Vec2& outward, Feat
   }
 }
 
+/// Contact points of the vertices of a polygon with segments, ordered by vertex and segment.
+void vertex_contacts(const Placed2& polygon, int index, const Ground2& ground, const Ground2::Run& run,
+                     double reach, Contacts& out) {
+  const double shallow = shallow_share * polygon.shape.bound;
+  const auto first = static_cast<std::ptrdiff_t>(out.size());
+  const std::span<const Vec2> points(polygon.shape.points);
+  bool deep = false;
+  for (int i = run.first; i <= run.last; ++i) {
+    // In the frame of the polygon, a vertex that is too high costs one product.
+    const Vec2 rise = polygon.pose.r.inverse(ground.normal(i));
+    const double highest = reach - ground.normal(i).dot(polygon.pose.x - ground.start(i));
+    for (int k = 0; k < static_cast<int>(points.size()); ++k)
+      if (rise.dot(points[k]) <= highest)
+        deep |= point_contact(polygon.point(k), 0, vertex_id(index, k), ground, i, reach, shallow, out);
+  }
+  if (deep) {
+    out.resize(static_cast<std::size_t>(first));
+    for (int k = 0; k < polygon.count(); ++k)
+      point_contacts(polygon.point(k), 0, vertex_id(index, k), ground, run, reach, shallow, out);
+  }
+  std::sort(out.begin() + first, out.end(), [](const ContactPoint<2>& a, const ContactPoint<2>& b) {
+    return a.feature != b.feature ? a.feature < b.feature : a.against < b.against;
+  });
+}
+
 /// Contact points of the edges of a polygon or a wall with convex corners.
 void edge_contacts(const Placed2& polygon, int index, const Ground2& ground, const Ground2::Run& run,
                    double reach, double cone_slack, Contacts& out) {
   const int n = polygon.count();
+  const Vec2* const points = polygon.shape.points.data();
+  const Vec2* const normals = polygon.shape.normals.data();
+  const double farthest = reach + polygon.shape.radius, around = polygon.shape.bound + reach;
   for (int i = std::max(run.first, 1); i <= std::min(run.last + 1, ground.segments() - 1); ++i) {
     if (ground.corner(i) != Corner::convex) continue;
     const Vec2& corner = ground.point(i);
+    const Vec2 local = polygon.pose.r.inverse(corner - polygon.pose.x);
+    if (local.squaredNorm() > around * around) continue;
     int edge = 0;
     double gap = -1e300;
-    const double farthest = reach + polygon.shape.radius;
-    for (int e = 0; e < n && gap <= farthest; ++e)
-      if (const double outside = polygon.outside(e, corner); outside > gap) gap = outside, edge = e;
+    for (int e = 0; e < n && gap <= farthest; ++e) {
+      const double outside = normals[e].dot(local - points[e]);
+      if (outside > gap) gap = outside, edge = e;
+    }
     gap -= polygon.shape.radius;
     const Vec2 normal = -polygon.normal(edge);
     if (gap > reach || !in_cone(ground, i, normal, cone_slack)) continue;
@@ -123,9 +162,10 @@ void terrain_contacts(const Placed2& contactor, int contactor_index, const Groun
                       double turn, std::vector<ContactPoint<2>>& out) {
   if (contactor.shape.is_room()) return;
   double low = contactor.point(0).x(), high = low;
-  for (int i = 1; i < contactor.count(); ++i) {
-    low = std::min(low, contactor.point(i).x());
-    high = std::max(high, contactor.point(i).x());
+  for (const Vec2& point : contactor.shape.points) {
+    const double x = (contactor.pose * point).x();
+    low = std::min(low, x);
+    high = std::max(high, x);
   }
   const double grow = contactor.shape.radius + reach;
   const auto run = ground.segments_between(low - grow, high + grow);
@@ -134,14 +174,15 @@ void terrain_contacts(const Placed2& contactor, int contactor_index, const Groun
                    ground, run, reach, out);
     return;
   }
-  const double radius = contactor.shape.radius, shallow = shallow_share * contactor.shape.bound;
-  for (int k = 0; k < contactor.count(); ++k) {
-    const Vec2 point = contactor.point(k);
-    if (radius > 0)
-      round_contacts(point, radius, point - contactor.point(1 - k), vertex_id(contactor_index, k), ground,
-                     run, reach, out);
-    else
-      point_contacts(point, 0, vertex_id(contactor_index, k), ground, run, reach, shallow, out);
+  const double radius = contactor.shape.radius;
+  if (radius == 0) {
+    vertex_contacts(contactor, contactor_index, ground, run, reach, out);
+  } else {
+    for (int k = 0; k < contactor.count(); ++k) {
+      const Vec2 end = contactor.point(k);
+      round_contacts(end, radius, end - contactor.point(1 - k), vertex_id(contactor_index, k), ground, run,
+                     reach, out);
+    }
   }
   // The corner at the end of a segment holds a polygon that lies flush on it, up to this angle [rad].
   constexpr double flush = 1e-4;

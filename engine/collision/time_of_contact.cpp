@@ -83,23 +83,49 @@ MovingHull hull_of(const Contactor2& contactor, int index, const Motion2& motion
           contactor.normals.data(),
           static_cast<int>(contactor.points.size()),
           contactor.radius,
+          contactor.bound,
           motion,
           vertex_id,
           edge_id,
           index};
 }
 
-/// Whether a hull stays above the line of segment i while its places move by `travel` at most [m]. Contacts
-/// that the solver holds do not count.
-bool stays_above(const MovingHull& hull, const Ground2& ground, int i, double travel,
-                 const TouchSearch& search) {
-  const Vec2 up = hull.start.inverse(ground.normal(i));  // in the frame of the hull
-  const double enough = travel + hull.radius - ground.normal(i).dot(hull.motion.x - ground.start(i));
+/// Whether a hull stays above the line of segment i until t_max, by the bound of a gap in time_of_contact.
+/// Contacts that the solver holds do not count where `may_hold` of a place in the world allows it.
+template <class MayHold>
+bool stays_above(const MovingHull& hull, const Ground2& ground, int i, double t_max,
+                 const TouchSearch& search, const MayHold& may_hold) {
+  const Motion2& motion = hull.motion;
+  const Vec2& normal = ground.normal(i);
+  const double spin = motion.greatest_spin(t_max);
+  const double bend =
+      std::max(0.0, -normal.dot(motion.a)) + (spin * spin + std::abs(motion.alpha)) * hull.reach;
+  // Of a point p: its gap now, and the bound of the gap at t_max
+  const Vec2 rise = hull.start.inverse(normal), change(motion.w * rise.y(), -motion.w * rise.x());
+  const Vec2 rise_then = rise + t_max * change;
+  const double lowest = hull.radius - normal.dot(motion.x - ground.start(i));
+  const double lowest_then = lowest - t_max * (normal.dot(motion.v) - 0.5 * t_max * bend);
   for (int k = 0; k < hull.count; ++k) {
-    if (up.dot(hull.points[k]) > enough) continue;
-    if (!search.held_are_solved || !search.holds(hull.point_id(hull.base, k), segment_id(i))) return false;
+    const Vec2& p = hull.points[k];
+    if (rise.dot(p) > lowest && rise_then.dot(p) > lowest_then) continue;
+    const bool held = search.held_are_solved && search.holds(hull.point_id(hull.base, k), segment_id(i));
+    if (!held || !may_hold(motion.x + hull.start * p)) return false;
   }
   return true;
+}
+
+/// Whether a hull whose places move by `travel` at most [m] stays clear of segment i: above its line, or
+/// above that of a neighbour beyond a convex corner, if what stands on the neighbour does not reach the
+/// corner.
+bool stays_clear(const MovingHull& hull, const Ground2& ground, int i, double t_max, double travel,
+                 const TouchSearch& search) {
+  if (stays_above(hull, ground, i, t_max, search, [](const Vec2&) { return true; })) return true;
+  for (const int corner : {i, i + 1}) {
+    if (ground.corner(corner) != Corner::convex) continue;
+    const auto is_far = [&](const Vec2& place) { return (place - ground.point(corner)).norm() > travel; };
+    if (stays_above(hull, ground, corner == i ? i - 1 : i + 1, t_max, search, is_far)) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -115,9 +141,9 @@ std::optional<double> time_of_contact(const Contactor2& contactor, int contactor
   const bool round = contactor.points.size() == 1 && contactor.points[0].isZero();
   const DiskSearch disk(contactor.radius, vertex_id(contactor_index, 0), motion, ground, search);
   const MovingHull hull = hull_of(contactor, contactor_index, motion);
-  // In most steps a body moves by a small part of its size, and stays above nearly all segments.
+  // In most steps a body moves by a part of its size, and stays above nearly all segments.
   const double travel = greatest_travel(motion, contactor.bound, t_max);
-  const bool is_slow = !round && travel < 0.25 * contactor.bound;
+  const bool is_slow = !round && travel < contactor.bound;
 
   // Visit the segments in the order in which the body passes over them. Segments that it reaches after the
   // best time cannot matter.
@@ -133,7 +159,7 @@ std::optional<double> time_of_contact(const Contactor2& contactor, int contactor
           leftwards ? motion.x.x() - reach - ground.end(i).x() : ground.start(i).x() - motion.x.x() - reach;
       if (ahead > std::abs(motion.v.x()) * limit) break;
     }
-    if (is_slow && stays_above(hull, ground, i, travel, search)) continue;
+    if (is_slow && stays_clear(hull, ground, i, limit, travel, search)) continue;
     const TimeWindow window = round ? meeting_window(motion, reach, ground.box(i), limit)
                                     : segment_window(motion, reach, ground, i, limit);
     if (window.empty()) continue;
@@ -144,7 +170,8 @@ std::optional<double> time_of_contact(const Contactor2& contactor, int contactor
     } else {
       const Vec2 ends[2] = {ground.start(i), ground.end(i)};
       const Vec2 normals[2] = {ground.normal(i), -ground.normal(i)};
-      const MovingHull segment{ends, normals, 2, 0, {}, corner_of_ground, segment_of_ground, i, true};
+      static const Motion2 at_rest;
+      const MovingHull segment{ends, normals, 2, 0, 0, at_rest, corner_of_ground, segment_of_ground, i, true};
       const auto t = advance_to_contact(hull, segment, window, search);
       if (t && (!best || *t < *best)) best = t;
     }

@@ -49,7 +49,8 @@ struct TouchSearch {
 ///   gap(t) >= gap + gap' t - M t^2 / 2,   M >= -gap''.
 /// Until the smallest root of these bounds, n still separates the two. The search follows the direction that
 /// separates longest. Near contact this is Newton's method from the safe side. A pair that has just separated
-/// (gap 0, gap' > 0) advances by 2 gap' / M.
+/// (gap 0, gap' > 0) advances by 2 gap' / M. For times up to T, M is the smaller of a bound over the whole
+/// search and of J T - gap''(0), where J >= -gap'''.
 std::optional<double> time_of_contact(const Contactor2& contactor, int contactor_index, const Motion2& motion,
                                       const Ground2& ground, double t_max, const TouchSearch& search);
 

@@ -32,7 +32,14 @@ struct Attitude<2> {
   Attitude() = default;
   Attitude(double a) : angle(a), rotation(Rotation2::from_angle(a)) {}
   /// This attitude turned by `turn` [rad] more.
-  Attitude turned(double turn) const { return turn == 0 ? *this : Attitude(angle + turn); }
+  Attitude turned(double turn) const {
+    Attitude next = *this;
+    next.angle += turn;
+    next.rotation = rotation.turned(turn);
+    return next;
+  }
+  /// Takes away what rounding has added to the rotation.
+  void settle() { rotation = Rotation2::from_angle(angle); }
 };
 
 template <>
@@ -45,6 +52,7 @@ struct Attitude<3> {
   Attitude turned(const Vec3& turn) const {
     return turn.isZero(0) ? *this : Attitude(Rotation3::from_vector(turn) * rotation);
   }
+  void settle() {}  ///< a product of rotations is normalised
 };
 
 /// An attitude as TrajectoryPoint::turn.

@@ -3,7 +3,12 @@
 namespace flyrock {
 
 Motion2 free_motion(const Body<2>& body, const Moment<2>& start, const Vec2& gravity) {
-  return {{start.x, start.v, body.acceleration(gravity)}, start.attitude.angle, start.w, 0};
+  return {{start.x, start.v, body.acceleration(gravity)},
+          start.attitude.angle,
+          start.w,
+          0,
+          {},
+          start.attitude.rotation};
 }
 
 Motion3 free_motion(const Body<3>& body, const Moment<3>& start, const Vec3& gravity) {
@@ -16,8 +21,12 @@ Motion3 free_motion(const Body<3>& body, const Moment<3>& start, const Vec3& gra
 
 Motion2 step_motion(const Moment<2>& start, const Body<2>& b, double h, double theta) {
   const double rate = 2 * theta / h;
-  Motion2 motion{
-      {start.x, start.v, rate * (b.v - start.v)}, start.attitude.angle, start.w, rate * (b.w - start.w)};
+  Motion2 motion{{start.x, start.v, rate * (b.v - start.v)},
+                 start.attitude.angle,
+                 start.w,
+                 rate * (b.w - start.w),
+                 {},
+                 start.attitude.rotation};
   if (b.breathes())
     motion.swell = {start.shape.radius - b.breathing.now.radius, start.shape.rate,
                     rate * (b.breathing.now.rate - start.shape.rate)};

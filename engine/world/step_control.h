@@ -24,7 +24,8 @@ inline constexpr double usual_phase = 0.2;
 /// its error can grow by that factor in the rest of the phase. The second term: friction has one direction in
 /// the whole step, that of its end; half of the change since its start counts as error. After the usual
 /// duration of a phase the error in place is v_e times that duration. A step is kept if this error is below
-/// the tolerance for each body; the next step is as long as the tolerance allows.
+/// 0.9 of the tolerance for each body; the next step is as long as the tolerance allows. After a step that a
+/// stop cut short, it is as long as it would have been without the stop.
 template <int D>
 class StepControl {
  public:

@@ -1,0 +1,45 @@
+// Lower bounds of a gap over time, by which the search for the time of impact advances.
+
+#include "collision/safe_time.h"
+
+#include <catch2/catch.hpp>
+#include <random>
+
+using namespace flyrock;
+
+TEST_CASE("a vertex that turns and falls stays open for the safe time, and the third order makes it longer") {
+  std::mt19937 rng(3);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const GapScale scale(1);
+  double sum2 = 0, sum3 = 0;
+  for (int k = 0; k < 5000; ++k) {
+    const double arm = 0.1 + unit(rng), spin = 20 * unit(rng), phase = 7 * unit(rng), g = 9.81;
+    const double rate = 6 * unit(rng) - 4, lift = 1e-4 + unit(rng) * unit(rng) * unit(rng);
+    const auto gap = [&](double t) {
+      return lift + arm * (std::cos(phase + spin * t) - std::cos(phase)) + t * (rate - 0.5 * g * t);
+    };
+    const double slope = rate - arm * spin * std::sin(phase);
+    const double curvature = -g - arm * spin * spin * std::cos(phase);
+    const double bend = g + arm * spin * spin, jerk = arm * spin * spin * spin, longest = 2 * unit(rng);
+    const double second = std::min(longest, safe_time(lift, slope, bend, scale, false));
+    const double third = GapBound{lift, slope, curvature, jerk, bend}.safe_time(longest, scale, false);
+    INFO("case " << k << ": " << second << " s and " << third << " s of " << longest << " s");
+    REQUIRE(third >= second * (1 - 1e-12));
+    for (int i = 1; i <= 100; ++i) REQUIRE(gap(third * i / 100) > -1e-12);
+    const GapBound bound{lift, slope, curvature, jerk, bend};
+    if (bound.stays_open(longest))
+      for (int i = 1; i <= 100; ++i) REQUIRE(gap(longest * i / 100) > 0);
+    sum2 += second;
+    sum3 += third;
+  }
+  CHECK(sum3 > 1.3 * sum2);
+}
+
+TEST_CASE("a pair that has just separated is open until its bound returns to zero") {
+  const GapScale scale(1);
+  const GapBound thrown{0, 2, -9.81, 0, 9.81};
+  CHECK(thrown.safe_time(10, scale, true) == Approx(2 * 2 / 9.81).epsilon(1e-12));
+  CHECK(thrown.safe_time(0.1, scale, true) == 0.1);
+  CHECK(GapBound{0, -1, -9.81, 0, 9.81}.safe_time(10, scale, true) == 0);
+  CHECK(GapBound{-1e-3, 1, 0, 0, 0}.safe_time(10, scale, false) == 0);  // too deep to recover
+}
