@@ -1,6 +1,7 @@
 #include "batch/code_counts.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -11,18 +12,30 @@ namespace flyrock {
 namespace {
 
 constexpr double least_coded = 1e-3;
-constexpr std::uint64_t most_codes = 4096;  // above the code of any finite energy
+constexpr std::size_t most_codes = 4096;  // above the code of any finite energy
 
 }  // namespace
 
+CodeScale::CodeScale(double ratio) : ratio_(ratio), codes_a_doubling_(1 / std::log2(ratio)) {
+  starts_ = {0, least_coded};
+  while (starts_.size() < most_codes) starts_.push_back(starts_.back() * ratio);
+}
+
+/// The bits of a double, read as a whole number, grow nearly with its logarithm. A few steps from there lead
+/// to the code.
 std::uint32_t CodeScale::code(double value) const {
   if (!(value >= least_coded)) return 0;
-  const double code = std::floor(std::log(value / least_coded) / log_ratio) + 1;
-  return static_cast<std::uint32_t>(std::min(code, static_cast<double>(most_codes - 1)));
+  const auto bits = [](double x) { return std::bit_cast<std::int64_t>(x); };
+  const double doublings = 0x1p-52 * static_cast<double>(bits(value) - bits(least_coded));
+  std::size_t code =
+      std::min(static_cast<std::size_t>(1 + doublings * codes_a_doubling_), starts_.size() - 1);
+  while (value < starts_[code]) --code;
+  while (code + 1 < starts_.size() && value >= starts_[code + 1]) ++code;
+  return static_cast<std::uint32_t>(code);
 }
 
 double CodeScale::value(std::uint32_t code) const {
-  return code == 0 ? 0 : least_coded * std::pow(ratio, static_cast<double>(code) - 0.5);
+  return code == 0 ? 0 : least_coded * std::pow(ratio_, static_cast<double>(code) - 0.5);
 }
 
 void add_code(CodeCounts& counts, std::uint32_t code) {

@@ -2,7 +2,7 @@
 // Histograms of positive numbers over bins of equal ratio, as lists of the bins that occur. Counts are whole
 // numbers, so that the histograms of chunks have the same sum in any order.
 
-#include <cmath>
+#include <boost/container/small_vector.hpp>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -11,20 +11,24 @@
 namespace flyrock {
 
 /// Bins of a ratio r: code 0 is below 0.001, code k > 0 is from 0.001 r^(k-1) to 0.001 r^k.
-struct CodeScale {
-  double ratio;
-  double log_ratio = std::log(ratio);
-
+class CodeScale {
+ public:
+  explicit CodeScale(double ratio);
   std::uint32_t code(double value) const;
   /// The middle of a code's values, on a logarithmic scale.
   double value(std::uint32_t code) const;
+
+ private:
+  double ratio_;
+  double codes_a_doubling_;
+  std::vector<double> starts_;  ///< the least value of each code
 };
 
 struct CodeCount {
   std::uint32_t code = 0, rocks = 0;
 };
-/// In increasing order of the codes.
-using CodeCounts = std::vector<CodeCount>;
+/// In increasing order of the codes. Those of a few rocks need no memory of their own.
+using CodeCounts = boost::container::small_vector<CodeCount, 2>;
 
 void add_code(CodeCounts& counts, std::uint32_t code);
 void merge_counts(CodeCounts& counts, const CodeCounts& more);

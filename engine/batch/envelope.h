@@ -30,11 +30,39 @@ double envelope_width(const Profile& terrain);
 struct EnvelopeBin {
   std::array<CodeCounts, 3> counts;  ///< [EnvelopeQuantity]; codes that occur, in increasing order
 
+  bool empty() const { return counts[0].empty(); }
+
   /// The smallest value that at least a share p of the rocks does not exceed, to 1 %. The bin must not be
   /// empty.
   double quantile(EnvelopeQuantity quantity, double p) const;
   std::uint64_t rocks() const;
   void add(const EnvelopeBin& other);
+};
+
+/// The bins of one group, side by side from the first to the last visited one.
+class EnvelopeBins {
+ public:
+  bool empty() const { return bins_.empty(); }
+  /// The number of bins that rocks visited.
+  std::size_t visited() const;
+  /// Makes `count` bins from `first` on, where they are not there yet.
+  void cover(std::int64_t first, std::size_t count);
+  /// A bin that is there, by its number.
+  EnvelopeBin& at(std::int64_t number) { return bins_[static_cast<std::size_t>(number - first_)]; }
+  const EnvelopeBin& at(std::int64_t number) const {
+    return bins_[static_cast<std::size_t>(number - first_)];
+  }
+  void add(const EnvelopeBins& more);
+  /// Calls see(number, bin) for each visited bin, in order.
+  template <class See>
+  void visit(See see) const {
+    for (std::size_t i = 0; i < bins_.size(); ++i)
+      if (!bins_[i].empty()) see(first_ + static_cast<std::int64_t>(i), bins_[i]);
+  }
+
+ private:
+  std::int64_t first_ = 0;
+  std::vector<EnvelopeBin> bins_;
 };
 
 class Envelopes {
@@ -43,10 +71,9 @@ class Envelopes {
   void add(int group, const PathBins& path);
   void add(const Envelopes& later);
 
-  /// The bins that rocks of a group visited, by bin number.
-  const std::map<std::int64_t, EnvelopeBin>& of_group(int group) const;
+  const EnvelopeBins& of_group(int group) const;
   /// All groups together.
-  std::map<std::int64_t, EnvelopeBin> of_all() const;
+  EnvelopeBins of_all() const;
 
   /// The envelopes as compact bytes for chunk files, and back. Throws ColumnError if the bytes are no
   /// envelopes.
@@ -54,7 +81,7 @@ class Envelopes {
   static Envelopes read(std::string_view bytes);
 
  private:
-  std::map<int, std::map<std::int64_t, EnvelopeBin>> groups_;
+  std::map<int, EnvelopeBins> groups_;
 };
 
 }  // namespace flyrock

@@ -10,16 +10,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::vector<EnvelopeRow> rows_of_group(const std::map<std::int64_t, EnvelopeBin>& bins, double width) {
+std::vector<EnvelopeRow> rows_of_group(const EnvelopeBins& bins, double width) {
   std::vector<EnvelopeRow> rows;
-  for (const auto& [number, bin] : bins) {
+  bins.visit([&](std::int64_t number, const EnvelopeBin& bin) {
     EnvelopeRow& row = rows.emplace_back();
     row.x = static_cast<double>(number) * width;
     row.rocks = bin.rocks();
     for (std::size_t q = 0; q < row.levels.size(); ++q)
       for (std::size_t level = 0; level < envelope_levels.size(); ++level)
         row.levels[q][level] = bin.quantile(static_cast<EnvelopeQuantity>(q), envelope_levels[level].second);
-  }
+  });
   return rows;
 }
 
