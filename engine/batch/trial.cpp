@@ -257,7 +257,7 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
   settings.keep_impacts = (scenario_.output.impacts && has_rows(number)) || !scenario_.bodies.empty();
 
   const bool timed = number % timed_every == 0;
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = timed ? std::chrono::steady_clock::now() : std::chrono::steady_clock::time_point();
   PhaseTimes times;
   auto& [histories, faults, cells] = course_;
   course_.begin(trial.worlds.size());

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "math/parabola_length.h"
+
 namespace flyrock {
 
 double Swell::greatest(double t) const {
@@ -100,18 +102,17 @@ Box<D> swept_box(const Path<D>& path, double r, double t) {
   return box;
 }
 
-/// Integrates the speed sqrt(p^2 + u^2), where u = v . a / |a| + |a| t is its component along a, and p the
-/// component across a.
 template <int D>
 double path_length(const Path<D>& path, double t) {
+  if (path.a.template head<D - 1>().isZero(0)) {  // upright, or none
+    const double up = path.a[D - 1] < 0 ? -1 : 1;
+    return parabola_length(path.v.template head<D - 1>().squaredNorm(), up * path.v[D - 1],
+                           up * path.a[D - 1], t);
+  }
   const double a = path.a.norm();
-  if (a == 0) return t * path.v.norm();
   const Vec<D> direction = path.a / a;
-  const double along = path.v.dot(direction), across = (path.v - along * direction).norm();
-  const auto antiderivative = [&](double u) {
-    return 0.5 * (u * std::hypot(across, u) + (across > 0 ? across * across * std::asinh(u / across) : 0));
-  };
-  return (antiderivative(along + a * t) - antiderivative(along)) / a;
+  const double along = path.v.dot(direction);
+  return parabola_length((path.v - along * direction).squaredNorm(), along, a, t);
 }
 
 template TimeWindow meeting_window(const Path<2>&, double, const Box2&, double);

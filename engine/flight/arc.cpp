@@ -54,7 +54,7 @@ std::optional<double> first_touch(const Arc<3>& arc, const Ground3& ground, doub
     return first ? first : first_touch(arc, ground, middle, to);
   }
   std::vector<Facet> facets;
-  ground.facets(box, facets);
+  ground.triangles(box, facets);
   std::optional<double> first;
   for (const Facet& facet : facets)
     if (const auto s = touch(arc, facet); s && (!first || *s < *first)) first = s;
@@ -62,6 +62,20 @@ std::optional<double> first_touch(const Arc<3>& arc, const Ground3& ground, doub
 }
 
 }  // namespace
+
+template <int D>
+Vec<D> Arc<D>::position_of_degree_5(double s) const {
+  Vec<D> p = c[5];
+  for (int k = 4; k >= 0; --k) p = p * s + c[k];
+  return p;
+}
+
+template <int D>
+Vec<D> Arc<D>::velocity_of_degree_5(double s) const {
+  Vec<D> v = 5 * c[5];
+  for (int k = 4; k >= 1; --k) v = v * s + k * c[k];
+  return v / length;
+}
 
 /// Horner's scheme expands p about `from`; then s is scaled.
 template <int D>
@@ -103,17 +117,6 @@ Arc<D> arc_between(double start, double length, const FlightState<D>& from, cons
   arc.c[4] = -15 * place + 7 * speed - 2 * half_bend;
   arc.c[5] = 6 * place - 3 * speed + half_bend;
   arc.is_parabola = arc.c[3].isZero(0) && arc.c[4].isZero(0) && arc.c[5].isZero(0);
-  return arc;
-}
-
-template <int D>
-Arc<D> parabola(double start, double length, const FlightState<D>& from) {
-  Arc<D> arc;
-  arc.start = start;
-  arc.length = length;
-  arc.c = {from.position,  length * from.velocity, 0.5 * length * length * from.acceleration,
-           Vec<D>::Zero(), Vec<D>::Zero(),         Vec<D>::Zero()};
-  arc.is_parabola = true;
   return arc;
 }
 
@@ -179,7 +182,5 @@ template struct Arc<2>;
 template struct Arc<3>;
 template Arc<2> arc_between(double, double, const FlightState<2>&, const FlightState<2>&);
 template Arc<3> arc_between(double, double, const FlightState<3>&, const FlightState<3>&);
-template Arc<2> parabola(double, double, const FlightState<2>&);
-template Arc<3> parabola(double, double, const FlightState<3>&);
 
 }  // namespace flyrock

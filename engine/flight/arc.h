@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "collision/motion.h"
 #include "geometry/ground.h"
 #include "geometry/plan_line.h"
 #include "geometry/profile.h"
@@ -21,17 +22,13 @@ struct Arc {
   bool is_parabola = false;  ///< c3, c4 and c5 are 0
 
   Vec<D> position(double s) const {
-    if (is_parabola) return (c[2] * s + c[1]) * s + c[0];
-    Vec<D> p = c[5];
-    for (int k = 4; k >= 0; --k) p = p * s + c[k];
-    return p;
+    return is_parabola ? Vec<D>((c[2] * s + c[1]) * s + c[0]) : position_of_degree_5(s);
   }
   Vec<D> velocity(double s) const {  ///< m/s
-    if (is_parabola) return (2 * c[2] * s + c[1]) / length;
-    Vec<D> v = 5 * c[5];
-    for (int k = 4; k >= 1; --k) v = v * s + k * c[k];
-    return v / length;
+    return is_parabola ? Vec<D>((2 * c[2] * s + c[1]) / length) : velocity_of_degree_5(s);
   }
+  Vec<D> position_of_degree_5(double s) const;
+  Vec<D> velocity_of_degree_5(double s) const;
   /// The coefficients of n . p(s) + offset.
   std::array<double, 6> along(const Vec<D>& n, double offset = 0) const {
     std::array<double, 6> of{};
@@ -45,6 +42,8 @@ struct Arc {
     for (int k = 1; k < terms(); ++k) rate[k - 1] = k * n.dot(c[k]);
     return rate;
   }
+  /// A parabola as a path over its time.
+  Path<D> path() const { return {c[0], c[1] / length, 2 / (length * length) * c[2]}; }
   /// The path in plan, as polynomials of s.
   PlanPath in_plan() const {
     return {along(Vec<D>::Unit(0)), D == 3 ? along(Vec<D>::Unit(1)) : decltype(PlanPath::y){}};
@@ -69,7 +68,15 @@ Arc<D> arc_between(double start, double length, const FlightState<D>& from, cons
 
 /// The arc with the constant acceleration of `from`.
 template <int D>
-Arc<D> parabola(double start, double length, const FlightState<D>& from);
+Arc<D> parabola(double start, double length, const FlightState<D>& from) {
+  Arc<D> arc;
+  arc.start = start;
+  arc.length = length;
+  arc.c = {from.position,  length * from.velocity, 0.5 * length * length * from.acceleration,
+           Vec<D>::Zero(), Vec<D>::Zero(),         Vec<D>::Zero()};
+  arc.is_parabola = true;
+  return arc;
+}
 
 /// The first s in [0, 1] at which the arc passes the profile from above. The roots are bracketed between the
 /// roots of the derivatives, so that none is missed. A point that begins on the profile and rises from it has

@@ -36,19 +36,7 @@ State<D> joined(const Vec<D>& position, const Vec<D>& velocity) {
 }  // namespace
 
 template <int D>
-BallisticFlight<D>::BallisticFlight(const Forces<D>& forces, const Vec<D>& position, const Vec<D>& velocity,
-                                    double time)
-    : forces_(forces), now_{position, velocity, forces.acceleration(velocity)}, time_(time) {}
-
-template <int D>
-Arc<D> BallisticFlight<D>::next(double longest) {
-  if (forces_.air.drag == 0) {
-    const Arc<D> arc = parabola(time_, longest, now_);
-    now_.position = arc.position(1);
-    now_.velocity = arc.velocity(1);
-    time_ += longest;
-    return arc;
-  }
+Arc<D> BallisticFlight<D>::next_in_air(double longest) {
   const auto system = [this](const State<D>& state, State<D>& rate, double) {
     const Vec<D> velocity = velocity_of<D>(state);
     rate = joined<D>(velocity, forces_.acceleration(velocity));

@@ -26,15 +26,25 @@ inline constexpr double flight_tolerance = 1e-7;
 template <int D>
 class BallisticFlight {
  public:
-  BallisticFlight(const Forces<D>& forces, const Vec<D>& position, const Vec<D>& velocity, double time = 0);
+  BallisticFlight(const Forces<D>& forces, const Vec<D>& position, const Vec<D>& velocity, double time = 0)
+      : forces_(forces), now_{position, velocity, forces.acceleration(velocity)}, time_(time) {}
 
   /// The next arc, of at most `longest` seconds (above 0).
-  Arc<D> next(double longest);
+  Arc<D> next(double longest) {
+    if (forces_.air.drag != 0) return next_in_air(longest);
+    const Arc<D> arc = parabola(time_, longest, now_);
+    now_.position = arc.position(1);
+    now_.velocity = arc.velocity(1);
+    time_ += longest;
+    return arc;
+  }
 
   double time() const { return time_; }
   const FlightState<D>& now() const { return now_; }
 
  private:
+  Arc<D> next_in_air(double longest);
+
   Forces<D> forces_;
   FlightState<D> now_;
   double time_;

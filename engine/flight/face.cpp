@@ -48,15 +48,6 @@ double fall_along(const Arc<D>& arc, const Vec<D>& n, double from, bool at_zero)
   return fall_of(distance, at_zero);
 }
 
-/// When the arc touches the face, at most at s = end; infinity if it does not.
-template <int D>
-double touch(const Arc<D>& arc, const Face<D>& face, double end) {
-  const double height = face.height(arc.c[0]);
-  const bool at_zero = std::abs(height) <= face_reach && face.is_over(arc.c[0], face_reach);
-  const double s = fall_along(arc, face.normal, height, at_zero);
-  return s <= end && face.is_over(arc.position(s), face_reach) ? s : no_touch;
-}
-
 inline Face<2> face_of(const Terrain2& terrain, int segment) {
   const Vec2& tangent = terrain.tangent(segment);
   Face<2> face;
@@ -78,6 +69,23 @@ Face<3> face_of(const Terrain3& terrain, const Facet& facet) {
   face.rims = facet.unbounded ? 0 : 3;
   for (int i = 0; i < face.rims; ++i) face.inward[i] = facet.normal.cross(facet.along(i)).normalized();
   return face;
+}
+
+/// When the arc touches a part of the ground, at most at s = end; infinity if it does not. `normal` and
+/// `corner` are those of the face, which is made only where the arc comes to its plane.
+template <int D, class Terrain, class Part>
+double touch(const Arc<D>& arc, const Terrain& terrain, const Part& part, const Vec<D>& normal,
+             const Vec<D>& corner, double end) {
+  const double height = normal.dot(arc.c[0] - corner);
+  const bool at_zero = std::abs(height) <= face_reach && face_of(terrain, part).is_over(arc.c[0], face_reach);
+  const double s = fall_along(arc, normal, height, at_zero);
+  return s <= end && face_of(terrain, part).is_over(arc.position(s), face_reach) ? s : no_touch;
+}
+double touch(const Arc<2>& arc, const Terrain2& terrain, int segment, double end) {
+  return touch<2>(arc, terrain, segment, terrain.normal(segment), terrain.start(segment), end);
+}
+double touch(const Arc<3>& arc, const Terrain3& terrain, const Facet& facet, double end) {
+  return touch<3>(arc, terrain, facet, facet.normal, facet.corner[0], end);
 }
 
 /// When an arc passes an end of the domain; infinity if it does not.
@@ -113,20 +121,32 @@ Touch march(const Arc<2>& arc, const PointGround<2>& ground, double end) {
   const Terrain2& terrain = ground.terrain;
   const double x = arc.c[0].x(), to = x + arc.c[1].x() * end;
   const int last = terrain.segments() - 2;  // the first and the last segment lie beyond the profile
-  const bool right = to >= x;
-  const auto run = right ? Terrain2::Run{terrain.first_segment(x - face_reach, ground.near), last}
-                         : terrain.segments_between(x + face_reach, x + face_reach, ground.near);
   Touch first;
-  double limit = to;
-  for (int i = std::clamp(right ? run.first : run.last, 1, last); i >= 1 && i <= last; i += right ? 1 : -1) {
-    if (right ? terrain.start(i).x() > limit + face_reach : terrain.end(i).x() < limit - face_reach) break;
-    const double s = touch(arc, face_of(terrain, i), std::min(end, first.s));
-    if (s < first.s) {
-      first = {s, i};
-      limit = arc.position(s).x();
-    }
+  double limit = to + (to >= x ? face_reach : -face_reach);
+  const auto is_first = [&](int i) {
+    const double s = touch(arc, terrain, i, std::min(end, first.s));
+    if (s < first.s) first = {s, i};
+    return first.segment == i;
+  };
+  if (to >= x) {
+    for (int i = std::max(terrain.first_segment(x - face_reach, ground.near), 1);
+         i <= last && terrain.start(i).x() <= limit; ++i)
+      if (is_first(i)) limit = arc.position(first.s).x() + face_reach;
+  } else {
+    const int from = terrain.segments_between(x + face_reach, x + face_reach, ground.near).last;
+    for (int i = std::clamp(from, 1, last); i >= 1 && terrain.end(i).x() >= limit; --i)
+      if (is_first(i)) limit = arc.position(first.s).x() - face_reach;
   }
   return first;
+}
+
+/// When such a parabola passes an end of the profile; infinity if it does not.
+double exit_of_parabola(const Arc<2>& arc, const Terrain2& terrain) {
+  const double x = arc.c[0].x(), rate = arc.c[1].x();
+  const double room = rate < 0 ? x - terrain.profile().x_min() : terrain.profile().x_max() - x;
+  if (rate == 0) return no_touch;
+  const double s = std::max(0.0, room) / std::abs(rate);
+  return s <= 1 ? s : no_touch;
 }
 
 Touch first_of(const Arc<2>& arc, const Terrain2& terrain, double end) {
@@ -134,7 +154,7 @@ Touch first_of(const Arc<2>& arc, const Terrain2& terrain, double end) {
   const auto run = terrain.segments_between(box.min().x() - face_reach, box.max().x() + face_reach);
   Touch first;
   for (int i = std::max(1, run.first); i <= std::min(run.last, terrain.segments() - 2); ++i)
-    if (const double s = touch(arc, face_of(terrain, i), std::min(end, first.s)); s < first.s) first = {s, i};
+    if (const double s = touch(arc, terrain, i, std::min(end, first.s)); s < first.s) first = {s, i};
   return first;
 }
 
@@ -152,10 +172,9 @@ double first_of(const Arc<3>& arc, const Terrain3& terrain, double from, double 
     return first < no_touch ? first : first_of(arc, terrain, middle, to, facets);
   }
   facets.clear();
-  terrain.ground().facets(box, facets);
+  terrain.ground().triangles(box, facets);
   double first = no_touch;
-  for (const Facet& facet : facets)
-    first = std::min(first, touch(arc, face_of(terrain, facet), std::min(to, first)));
+  for (const Facet& facet : facets) first = std::min(first, touch(arc, terrain, facet, std::min(to, first)));
   return first;
 }
 
@@ -185,7 +204,7 @@ void faces_at(const Terrain3& terrain, const Vec3& at, int, std::vector<Face<3>>
   thread_local std::vector<Facet> facets;  // keeps its memory between calls
   facets.clear();
   const Vec3 reach = Vec3::Constant(2 * face_reach);
-  terrain.ground().facets({at - reach, at + reach}, facets);
+  terrain.ground().triangles({at - reach, at + reach}, facets);
   for (const Facet& facet : facets) {
     if (std::abs(facet.distance(at)) > 2 * face_reach) continue;
     const Face<3> face = face_of(terrain, facet);
@@ -194,8 +213,10 @@ void faces_at(const Terrain3& terrain, const Vec3& at, int, std::vector<Face<3>>
 }
 
 ArcEnd end_of(const Arc<2>& arc, const PointGround<2>& ground) {
-  const double left = exit_of(arc, domain_of(ground.terrain)), end = std::min(left, 1.0);
   const bool ordered = arc.is_parabola && arc.c[2].x() == 0;
+  const double left =
+      ordered ? exit_of_parabola(arc, ground.terrain) : exit_of(arc, domain_of(ground.terrain));
+  const double end = std::min(left, 1.0);
   const Touch first = ordered ? march(arc, ground, end) : first_of(arc, ground.terrain, end);
   return end_at(first.s, left, first.segment);
 }

@@ -32,10 +32,7 @@ PathBins bins_over(const Ground3& ground, double width) {
 /// The length of the path [m].
 template <int D>
 double path_length(const Arc<D>& arc, double end) {
-  if (arc.is_parabola) {
-    const Path<D> path{arc.c[0], arc.velocity(0), 2 / (arc.length * arc.length) * arc.c[2]};
-    return flyrock::path_length(path, end * arc.length);
-  }
+  if (arc.is_parabola) return flyrock::path_length(arc.path(), end * arc.length);
   return boost::math::quadrature::gauss<double, 7>::integrate(
       [&](double s) { return arc.velocity(s).norm() * arc.length; }, 0.0, end);
 }
@@ -56,7 +53,7 @@ void visit_highest(const Arc<2>& arc, const Profile& ground, double end, Look lo
 template <class Look>
 void visit_highest(const Arc<3>& arc, const Ground3& ground, double end, Look look) {
   std::vector<Facet> below;
-  ground.facets_under(arc.c[0].head<2>(), arc.position(end).head<2>(), below);
+  ground.triangles_under(arc.c[0].head<2>(), arc.position(end).head<2>(), below);
   for (const Facet& f : below) {
     if (const auto s = first_fall(arc.rate_along(f.normal), 0, end)) look(*s);
     for (int i = 0; i < 3 && !f.unbounded; ++i) {
@@ -112,27 +109,33 @@ void FlightLog<D>::see(const Arc<D>& arc, double end, TravelMode mode) {
   }
   if (!run_.ends_at_touch && arc.is_parabola) {
     // As for bodies: in closed form, over a straight line in plan.
-    const Path<D> path{arc.c[0], arc.c[1] / arc.length, 2 / (arc.length * arc.length) * arc.c[2]};
+    const Path<D> path = arc.path();
     const double dt = end * arc.length;
-    const double apex = path.a[D - 1] < 0 ? path.v[D - 1] / -path.a[D - 1] : -1;
-    if (apex > 0 && apex <= dt) {
-      widen(arc, apex / arc.length);
-      if (run_.keep_impacts && history_.impact_count > 0 && mode == TravelMode::bounce)
-        history_.apexes.push_back({arc.start + apex, path.position(apex)[D - 1] - first_contact_height_});
-    }
+    if (run_.keep_extremes || run_.keep_impacts) apex(arc, path, dt);
     widen(arc, end);
     over_ground(path, dt);
     if (run_.cells) map(path, dt);
+    history_.travel.add(mode, dt, path_length(path, dt));
   } else {
+    history_.travel.add(mode, end * arc.length, path_length(arc, end));
     turns(arc, end);
     widen(arc, end);
     highest(arc, end);
     bins(arc, end);
     if (run_.cells) map(arc, end);
   }
-  pass_gates(arc, end);
-  history_.travel.add(mode, end * arc.length, path_length(arc, end));
+  if (!to_gates_.empty()) pass_gates(arc, end);
   if (run_.trajectory_every > 0 && !run_.ends_at_touch) store(at(arc, end));
+}
+
+/// The highest place of a parabola. Speed and distance are greatest at the ends of an arc.
+template <int D>
+void FlightLog<D>::apex(const Arc<D>& arc, const Path<D>& path, double dt) {
+  const double apex = path.a[D - 1] < 0 ? path.v[D - 1] / -path.a[D - 1] : -1;
+  if (!(apex > 0 && apex <= dt)) return;
+  if (run_.keep_extremes) widen(arc, apex / arc.length);
+  if (run_.keep_impacts && history_.impact_count > 0 && mode_ == TravelMode::bounce)
+    history_.apexes.push_back({arc.start + apex, path.position(apex)[D - 1] - first_contact_height_});
 }
 
 template <int D>
@@ -190,6 +193,10 @@ void FlightLog<D>::slow(double time, double left) {
 template <int D>
 BodyHistory FlightLog<D>::finish(const Landing<D>& end, StopReason reason) {
   history_.reason = reason;
+  if (!run_.keep_extremes) {
+    history_.max_speed = std::max(history_.max_speed, std::sqrt(max_squared_speed_));
+    history_.max.kinetic_energy = std::max(history_.max.kinetic_energy, energy(max_squared_speed_));
+  }
   history_.last = state(end.time, end.position, end.velocity);
   if (run_.ends_at_touch && reason == StopReason::stopped) {
     landed(end);
@@ -242,9 +249,7 @@ void FlightLog<D>::widen(const Arc<D>& arc, double s) {
 template <int D>
 void FlightLog<D>::include(double time, const Vec<D>& position, const Vec<D>& velocity) {
   if (run_.keep_extremes) return history_.include(state(time, position, velocity));
-  const double squared = velocity.squaredNorm();
-  history_.max_speed = std::max(history_.max_speed, std::sqrt(squared));
-  history_.max.kinetic_energy = std::max(history_.max.kinetic_energy, energy(squared));
+  max_squared_speed_ = std::max(max_squared_speed_, velocity.squaredNorm());
 }
 
 template <int D>
@@ -305,6 +310,7 @@ void FlightLog<D>::over_ground(const Path<D>& path, double dt) {
   const double rate = rate_along_x(path, dt);
   const auto see = [&](double from, double to, const auto& highest) {
     history_.bounce_height = std::max(history_.bounce_height, highest(from, to));
+    if (run_.bin_width <= 0) return;
     history_.path.visit(path.x.x(), rate, from, to, [&](PathBin& bin, double t0, double t1) {
       bin.height = std::max(bin.height, highest(t0, t1));
       const double squared = std::max(path.velocity(t0).squaredNorm(), path.velocity(t1).squaredNorm());

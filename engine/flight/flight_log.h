@@ -45,6 +45,7 @@ class FlightLog {
   void include(double time, const Vec<D>& position, const Vec<D>& velocity);
   double height(const Vec<D>& p) const;
   void pass_gates(const Arc<D>& arc, double end);
+  void apex(const Arc<D>& arc, const Path<D>& path, double dt);
   void turns(const Arc<D>& arc, double end);
   void highest(const Arc<D>& arc, double end);
   void bins(const Arc<D>& arc, double end);
@@ -65,6 +66,7 @@ class FlightLog {
   bool has_flown_ = false;
   int near_ = -1;                    ///< the segment below the end of the last arc, in 2D; -1: not known
   double first_contact_height_ = 0;  ///< m
+  double max_squared_speed_ = 0;     ///< m2/s2, without keep_extremes
   std::vector<Approach> to_gates_;
 };
 

@@ -87,7 +87,7 @@ const std::vector<Facet>& facets_below(const Terrain3& terrain, const Path<3>& p
   thread_local std::vector<Facet> facets;  // keeps its memory between calls
   facets.clear();
   const Vec2 start = path.x.head<2>();
-  terrain.ground().facets_under(start, start + dt * rate_in_plan(path, dt), facets);
+  terrain.ground().triangles_under(start, start + dt * rate_in_plan(path, dt), facets);
   return facets;
 }
 

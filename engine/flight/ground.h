@@ -66,6 +66,16 @@ double rate_along_x(const Path<D>& path, double dt) {
   return path.v.x() + 0.5 * dt * path.a.x();
 }
 
+/// The height of a path above a straight piece of ground [m] as a function of time.
+struct HeightOver {
+  double start = 0, rate = 0, bend = 0;  ///< m at time 0, m/s, m/s2
+  double at(double t) const { return start + t * (rate + 0.5 * t * bend); }
+  double greatest(double from, double to) const {
+    if (bend < 0) return at(std::max(from, std::min(-rate / bend, to)));
+    return std::max(at(from), at(to));
+  }
+};
+
 /// Calls visit(from, to, highest) for each part of [0, dt] in which the height of the path above the ground
 /// is one quadratic function of time. highest(t0, t1) returns the greatest height [m] between t0 and t1 of
 /// this part. In 2D each segment gives one part. `near` is a segment close to the path (-1: not known), and
@@ -73,29 +83,25 @@ double rate_along_x(const Path<D>& path, double dt) {
 template <class Visit>
 void visit_heights(const Terrain2& terrain, const Path<2>& path, double dt, Visit visit, int& near) {
   const double from_x = path.x.x(), to_x = path.position(dt).x();
-  const double rate = rate_along_x(path, dt);
-  const auto run = terrain.segments_between(std::min(from_x, to_x), std::max(from_x, to_x), near);
-  near = to_x < from_x ? run.first : run.last;
-  for (int i = run.first; i <= run.last; ++i) {
+  const double rate = rate_along_x(path, dt), per_rate = rate != 0 ? 1 / rate : 0;
+  const double high = std::max(from_x, to_x);
+  const int first = terrain.first_segment(std::min(from_x, to_x), near);
+  near = first;
+  for (int i = first; i == first || (i < terrain.segments() && terrain.start(i).x() <= high); ++i) {
+    if (to_x >= from_x) near = i;
     const Vec2 &a = terrain.start(i), &b = terrain.end(i);
     if (b.x() <= a.x()) continue;  // vertical; its top belongs to a neighbour
     double from = 0, to = dt;
     if (rate != 0) {
-      const double t1 = (a.x() - path.x.x()) / rate, t2 = (b.x() - path.x.x()) / rate;
+      const double t1 = (a.x() - path.x.x()) * per_rate, t2 = (b.x() - path.x.x()) * per_rate;
       from = std::max(from, std::min(t1, t2));
       to = std::min(to, std::max(t1, t2));
       if (from > to) continue;
     }
     const double slope = (b.y() - a.y()) / (b.x() - a.x());
-    const auto above = [&](double t) {
-      const Vec2 p = path.position(t);
-      return p.y() - (a.y() + slope * (p.x() - a.x()));
-    };
-    const double bend = path.a.y() - slope * path.a.x();
-    const double top = bend < 0 ? (path.v.y() - slope * path.v.x()) / -bend : from;
-    visit(from, to, [&](double t0, double t1) {
-      return std::max({above(t0), above(std::clamp(top, t0, t1)), above(t1)});
-    });
+    const HeightOver height{path.x.y() - a.y() - slope * (path.x.x() - a.x()),
+                            path.v.y() - slope * path.v.x(), path.a.y() - slope * path.a.x()};
+    visit(from, to, [&](double t0, double t1) { return height.greatest(t0, t1); });
   }
 }
 
@@ -119,17 +125,15 @@ void visit_heights(const Terrain3& terrain, const Path<3>& path, double dt, Visi
     if (!(f.normal.z() > 0)) continue;  // upright or facing down
     const TimeWindow over = over_facet(f, path, dt);
     if (over.empty()) continue;
-    const auto above = [&](double t) { return f.distance(path.position(t)) / f.normal.z(); };
+    const double steep = 1 / f.normal.z();
+    const HeightOver height{f.distance(path.x) * steep, f.normal.dot(path.v) * steep,
+                            f.normal.dot(path.a) * steep};
     if (terrain.ground().overhangs()) {  // another facet may be nearer below the path
       const Vec3 middle = path.position(0.5 * (over.a + over.b));
       const auto ground = terrain.ground().crossing(middle, false);
-      if (!ground || middle.z() - ground->z < above(0.5 * (over.a + over.b)) * (1 - 1e-9)) continue;
+      if (!ground || middle.z() - ground->z < height.at(0.5 * (over.a + over.b)) * (1 - 1e-9)) continue;
     }
-    const double fall = -f.normal.dot(path.a);
-    const double top = fall > 0 ? f.normal.dot(path.v) / fall : 0;
-    visit(over.a, over.b, [&](double t0, double t1) {
-      return std::max({above(t0), above(std::clamp(top, t0, t1)), above(t1)});
-    });
+    visit(over.a, over.b, [&](double t0, double t1) { return height.greatest(t0, t1); });
   }
 }
 

@@ -17,11 +17,14 @@ double value_of(const Draw& draw, std::uint64_t seed, DrawKey key, int n) {
   return draw.quantile(uniform_at(seed, draw.stream_hash, key, static_cast<std::uint64_t>(n)));
 }
 
-/// Whether a law of the surface reads the state of the contact.
-bool reads_state(const Surface& surface) {
-  const auto reads = [](const auto& bound) { return bound.law && !bound.law->constant(); };
-  return reads(surface.restitution) || reads(surface.friction) || reads(surface.rolling) ||
-         reads(surface.unilateral);
+/// The direction along a face in which a point slips; any, if it does not.
+Vec2 slip_direction(const Vec2& normal, const Vec2& v) {
+  const Vec2 along(normal.y(), -normal.x());
+  return along.dot(v) < 0 ? Vec2(-along) : along;
+}
+Vec3 slip_direction(const Vec3& normal, const Vec3& v) {
+  const Vec3 slip = v - normal.dot(v) * normal;
+  return slip.squaredNorm() > 0 ? Vec3(slip.normalized()) : Vec3(contact_frame(normal).col(1));
 }
 
 }  // namespace
@@ -59,9 +62,7 @@ typename PointContact<D>::Tilted PointContact<D>::tilted(const Face<D>& face, co
                                                          const Vec<D>& v) const {
   constexpr int most_draws = 100;
   const Roughness& roughness = surface.roughness;
-  const Vec<D> slip = v - face.normal.dot(v) * face.normal;
-  const Vec<D> along =
-      slip.squaredNorm() > 0 ? Vec<D>(slip.normalized()) : Vec<D>(contact_frame(face.normal).col(1));
+  const Vec<D> along = slip_direction(face.normal, v);
   DrawKey key = surface.key;
   key.impact = static_cast<std::uint64_t>(impacts_);
   for (int i = 0; i < most_draws; ++i) {
@@ -100,7 +101,7 @@ Impact PointContact<D>::impact(const Face<D>& face, double time, const Vec<D>& a
     surface->begin_instant();
     surface->begin_impact(static_cast<std::uint64_t>(impacts_));
     ContactState state;
-    if (reads_state(*surface)) state = state_of(face, *surface, tilt.normal, time, at, v);
+    if (surface->reads_state()) state = state_of(face, *surface, tilt.normal, time, at, v);
     law = surface->ask(state, true, memory_);
   }
   const auto frame = contact_frame(tilt.normal);
@@ -147,7 +148,7 @@ typename PointContact<D>::Grip PointContact<D>::grip(const Face<D>& face, double
     ContactState state = state_of(face, *surface, face.normal, time, at, v);
     state.was_sticking = v.isZero(0);
     law = surface->ask(state, false, memory_);
-    grip.constant = surface->known() != nullptr;
+    grip.constant = surface->is_known();
   }
   double slides = law.mu_d, holds = law.mu_s;
   if (surface->rolling.law) {

@@ -89,8 +89,7 @@ class PointRunner {
         marked = now_.time;
       }
       settle();
-      const Support<D> support = find_support();
-      const bool caught = support.face ? slide_on(support) : fly();
+      const bool caught = leaves_all_faces() ? fly() : slide_or_fly();
       if (caught) return end(StopReason::caught);
       if (const auto fault = find_fault()) return diverged(*fault);
       if (now_.left) return left();
@@ -181,8 +180,20 @@ class PointRunner {
     if (slip > 0) v *= std::max(0.0, 1 - grip.slides / slip);
   }
 
+  /// Whether it rises from all faces on which it is.
+  bool leaves_all_faces() const {
+    if (faces_.empty()) return true;
+    const double rounding = rounding_of_speed(now_.velocity.norm());
+    return std::all_of(faces_.begin(), faces_.end(),
+                       [&](const Face<D>& face) { return now_.velocity.dot(face.normal) > rounding; });
+  }
+
+  bool slide_or_fly() {
+    const Support<D> support = find_support();
+    return support.face ? slide_on(support) : fly();
+  }
+
   Support<D> find_support() {
-    if (faces_.empty()) return {};
     force_ = run_.forces.gravity;
     if (run_.forces.air.drag > 0) {
       leg_ = leg_length(run_.forces.air, now_.velocity, run_.forces.gravity);
@@ -237,7 +248,7 @@ class PointRunner {
   bool is_at_rest() { return !std::isnan(log_.history().stop_time); }
 
   std::optional<std::string> find_fault() {
-    if (!now_.position.allFinite() || !(now_.velocity.norm() <= fastest))
+    if (!now_.position.allFinite() || !(now_.velocity.squaredNorm() <= fastest * fastest))
       return "its state is not finite, or it is faster than 100 km/s";
     if (now_.left) return std::nullopt;
     const double depth = depth_below_ground(terrain_, now_.position, near_);

@@ -131,7 +131,8 @@ void GridGround::visit_all(const Box3& box, const See& see) const {
   visit(box, range, levels_.size() - 1, 0, 0, see);
 }
 
-void GridGround::facets(const Box3& box, std::vector<Facet>& out) const {
+template <class See>
+void GridGround::visit_in_order(const Box3& box, const See& see) const {
   thread_local std::vector<std::uint32_t> found;  // keeps its memory between queries
   found.clear();
   visit_all(box, [&](std::uint32_t id) {
@@ -139,7 +140,15 @@ void GridGround::facets(const Box3& box, std::vector<Facet>& out) const {
     return true;
   });
   std::sort(found.begin(), found.end());
-  for (const std::uint32_t id : found) out.push_back(facet(id));
+  for (const std::uint32_t id : found) see(id);
+}
+
+void GridGround::facets(const Box3& box, std::vector<Facet>& out) const {
+  visit_in_order(box, [&](std::uint32_t id) { out.push_back(facet(id)); });
+}
+
+void GridGround::triangles(const Box3& box, std::vector<Facet>& out) const {
+  visit_in_order(box, [&](std::uint32_t id) { out.push_back(triangle(id)); });
 }
 
 int GridGround::count(const Box3& box, int limit) const {
@@ -149,7 +158,7 @@ int GridGround::count(const Box3& box, int limit) const {
 }
 
 /// Row by row: the cells between the places where the segment enters and leaves the row.
-void GridGround::facets_under(const Vec2& a, const Vec2& b, std::vector<Facet>& out) const {
+void GridGround::triangles_under(const Vec2& a, const Vec2& b, std::vector<Facet>& out) const {
   const Range range = cells_of(a.cwiseMin(b), a.cwiseMax(b));
   const Vec2 along = b - a;
   for (int row = range.first[1]; row <= range.last[1]; ++row) {
@@ -166,40 +175,44 @@ void GridGround::facets_under(const Vec2& a, const Vec2& b, std::vector<Facet>& 
       if (!has_ground(column, row)) continue;
       const auto id = 2 * (static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(grid_.columns - 1) +
                            static_cast<std::uint32_t>(column));
-      out.push_back(facet(id));
-      out.push_back(facet(id + 1));
+      out.push_back(triangle(id));
+      out.push_back(triangle(id + 1));
     }
   }
+}
+
+/// South-east: SW, SE, NE. North-west: SW, NE, NW.
+Facet GridGround::triangle(std::uint32_t id) const {
+  const auto cells = static_cast<std::uint32_t>(grid_.columns - 1);
+  const int c = static_cast<int>(id / 2 % cells), r = static_cast<int>(id / 2 / cells);
+  const bool upper = id % 2 == 1;
+  const std::uint64_t columns = static_cast<std::uint64_t>(grid_.columns),
+                      south_west = static_cast<std::uint64_t>(r) * columns + static_cast<std::uint64_t>(c);
+  Facet facet;
+  facet.id = id;
+  facet.corner[0] = place(c, r);
+  facet.corner[1] = upper ? place(c + 1, r + 1) : place(c + 1, r);
+  facet.corner[2] = upper ? place(c, r + 1) : place(c + 1, r + 1);
+  facet.vertex[0] = south_west;
+  facet.vertex[1] = upper ? south_west + columns + 1 : south_west + 1;
+  facet.vertex[2] = upper ? south_west + columns : south_west + columns + 1;
+  facet.normal = facet.along(0).cross(facet.corner[2] - facet.corner[0]).normalized();
+  return facet;
 }
 
 Facet GridGround::facet(std::uint32_t id) const {
   const auto cells = static_cast<std::uint32_t>(grid_.columns - 1);
   const int c = static_cast<int>(id / 2 % cells), r = static_cast<int>(id / 2 / cells);
   const bool upper = id % 2 == 1;
-  const auto index = [&](int column, int row) {
-    return static_cast<std::uint64_t>(row) * static_cast<std::uint64_t>(grid_.columns) +
-           static_cast<std::uint64_t>(column);
-  };
-  Facet facet;
-  facet.id = id;
-  // South-east: SW, SE, NE. North-west: SW, NE, NW.
   struct Across {
     int column, row, off_column, off_row, rim;  ///< rim: of the other facet
   };
-  std::array<std::array<int, 2>, 3> corner;
   std::array<Across, 3> across;
-  if (!upper) {
-    corner = {{{c, r}, {c + 1, r}, {c + 1, r + 1}}};
+  if (!upper)
     across = {{{c, r - 1, c, r - 1, 1}, {c + 1, r, c + 2, r + 1, 2}, {c, r, c, r + 1, 0}}};
-  } else {
-    corner = {{{c, r}, {c + 1, r + 1}, {c, r + 1}}};
+  else
     across = {{{c, r, c + 1, r, 2}, {c, r + 1, c + 1, r + 2, 0}, {c - 1, r, c - 1, r, 1}}};
-  }
-  for (int i = 0; i < 3; ++i) {
-    facet.corner[i] = place(corner[i][0], corner[i][1]);
-    facet.vertex[i] = index(corner[i][0], corner[i][1]);
-  }
-  facet.normal = facet.along(0).cross(facet.corner[2] - facet.corner[0]).normalized();
+  Facet facet = triangle(id);
   for (int i = 0; i < 3; ++i) {
     const Across& other = across[i];
     facet.edge[i] = 3 * static_cast<std::uint64_t>(id) + static_cast<std::uint64_t>(i);

@@ -14,8 +14,9 @@ class GridGround final : public Ground3 {
   explicit GridGround(HeightGrid grid);
 
   void facets(const Box3& box, std::vector<Facet>& out) const override;
+  void triangles(const Box3& box, std::vector<Facet>& out) const override;
   int count(const Box3& box, int limit) const override;
-  void facets_under(const Vec2& a, const Vec2& b, std::vector<Facet>& out) const override;
+  void triangles_under(const Vec2& a, const Vec2& b, std::vector<Facet>& out) const override;
   Facet facet(std::uint32_t id) const override;
   Vec3 vertex(std::uint64_t index) const override;
   bool peak(std::uint64_t vertex, std::vector<Vec3>& edges) const override;
@@ -36,6 +37,10 @@ class GridGround final : public Ground3 {
   Range cells_of(const Vec2& low, const Vec2& high) const;
   Vec3 place(int column, int row) const;
   bool has_ground(int column, int row) const;  ///< of a cell
+  Facet triangle(std::uint32_t id) const;
+  /// Calls see(id) for the facets whose boxes meet `box`, in the order of their ids.
+  template <class See>
+  void visit_in_order(const Box3& box, const See& see) const;
   void build_levels();
   /// Calls see(id) for the facets whose boxes meet `box`; stops when it returns false.
   template <class See>

@@ -23,8 +23,9 @@ class PlaneGround final : public Ground3 {
   }
 
   void facets(const Box3&, std::vector<Facet>& out) const override { out.push_back(facet_); }
+  void triangles(const Box3&, std::vector<Facet>& out) const override { out.push_back(facet_); }
   int count(const Box3&, int) const override { return 1; }
-  void facets_under(const Vec2&, const Vec2&, std::vector<Facet>& out) const override {
+  void triangles_under(const Vec2&, const Vec2&, std::vector<Facet>& out) const override {
     out.push_back(facet_);
   }
   Facet facet(std::uint32_t) const override { return facet_; }
@@ -120,7 +121,7 @@ std::optional<Ground3::Nearest> Ground3::nearest(const Vec3& at, double reach) c
 std::optional<Ground3::Crossing> Ground3::crossing(const Vec3& at, bool above) const {
   thread_local std::vector<Facet> under;  // keeps its memory between queries
   under.clear();
-  facets_under(at.head<2>(), at.head<2>(), under);
+  triangles_under(at.head<2>(), at.head<2>(), under);
   std::optional<Crossing> found;
   for (const Facet& facet : under) {
     const std::optional<double> z = height_on(facet, at.head<2>());

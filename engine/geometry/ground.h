@@ -20,10 +20,13 @@ class Ground3 {
 
   /// Appends the facets whose boxes meet `box`, in the order of their ids.
   virtual void facets(const Box3& box, std::vector<Facet>& out) const = 0;
+  /// The same without what is around them: `rim`, `beyond` and `edge` are not set. A point needs no more.
+  virtual void triangles(const Box3& box, std::vector<Facet>& out) const = 0;
   /// How many these are, but at most `limit`: what a search needs to know before it asks for them.
   virtual int count(const Box3& box, int limit) const = 0;
-  /// Appends the facets whose boxes meet the segment from a to b in plan, in the order of their ids.
-  virtual void facets_under(const Vec2& a, const Vec2& b, std::vector<Facet>& out) const = 0;
+  /// Appends the facets whose boxes meet the segment from a to b in plan, in the order of their ids, as
+  /// triangles().
+  virtual void triangles_under(const Vec2& a, const Vec2& b, std::vector<Facet>& out) const = 0;
   virtual Facet facet(std::uint32_t id) const = 0;
   virtual Vec3 vertex(std::uint64_t index) const = 0;
   /// Appends the directions [m] of the edges that leave a vertex. False if the ground is not convex there:

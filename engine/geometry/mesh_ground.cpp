@@ -189,25 +189,37 @@ void MeshGround::facets(const Box3& box, std::vector<Facet>& out) const {
     out.push_back(facet(id));
 }
 
+void MeshGround::triangles(const Box3& box, std::vector<Facet>& out) const {
+  for (const std::uint32_t id : collect([&](const Box3& b) { return b.overlaps(box); }, order_.size()))
+    out.push_back(triangle(id));
+}
+
 int MeshGround::count(const Box3& box, int limit) const {
   const std::size_t most = static_cast<std::size_t>(limit);
   return static_cast<int>(
       std::min(most, collect([&](const Box3& b) { return b.overlaps(box); }, most).size()));
 }
 
-void MeshGround::facets_under(const Vec2& a, const Vec2& b, std::vector<Facet>& out) const {
-  for (const std::uint32_t id : collect(PlanSegment(a, b), order_.size())) out.push_back(facet(id));
+void MeshGround::triangles_under(const Vec2& a, const Vec2& b, std::vector<Facet>& out) const {
+  for (const std::uint32_t id : collect(PlanSegment(a, b), order_.size())) out.push_back(triangle(id));
 }
 
-Facet MeshGround::facet(std::uint32_t id) const {
+Facet MeshGround::triangle(std::uint32_t id) const {
   Facet facet;
   facet.id = id;
   facet.normal = normal_[id];
-  facet.rim = around_[id].rim;
-  facet.edge = around_[id].edge;
   for (int i = 0; i < 3; ++i) {
     facet.vertex[i] = static_cast<std::uint64_t>(mesh_.triangles[id][i]);
     facet.corner[i] = mesh_.vertices[facet.vertex[i]];
+  }
+  return facet;
+}
+
+Facet MeshGround::facet(std::uint32_t id) const {
+  Facet facet = triangle(id);
+  facet.rim = around_[id].rim;
+  facet.edge = around_[id].edge;
+  for (int i = 0; i < 3; ++i) {
     if (facet.rim[i] == Rim::convex) facet.beyond[i] = normal_[around_[id].facet[i]];
   }
   return facet;

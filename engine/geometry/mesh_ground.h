@@ -13,8 +13,9 @@ class MeshGround final : public Ground3 {
   explicit MeshGround(Mesh mesh);
 
   void facets(const Box3& box, std::vector<Facet>& out) const override;
+  void triangles(const Box3& box, std::vector<Facet>& out) const override;
   int count(const Box3& box, int limit) const override;
-  void facets_under(const Vec2& a, const Vec2& b, std::vector<Facet>& out) const override;
+  void triangles_under(const Vec2& a, const Vec2& b, std::vector<Facet>& out) const override;
   Facet facet(std::uint32_t id) const override;
   Vec3 vertex(std::uint64_t index) const override { return mesh_.vertices[index]; }
   bool peak(std::uint64_t vertex, std::vector<Vec3>& edges) const override;
@@ -23,6 +24,7 @@ class MeshGround final : public Ground3 {
   const Box3& extent() const override { return extent_; }
 
  private:
+  Facet triangle(std::uint32_t id) const;
   struct Node {
     Box3 box;
     std::uint32_t end = 0;               ///< index of the first node after this subtree

@@ -167,6 +167,10 @@ double Distribution::cumulative(double x) const {
 
 double Distribution::quantile(double u) const {
   if (kind == DistributionKind::discrete) return discrete_quantile(*this, u);
+  if (min == -infinity && max == infinity && kind != DistributionKind::integer) {
+    const auto [least, greatest] = support(*this);
+    return std::clamp(inverse(*this, u), least, greatest);
+  }
   const double low = lowest(), high = highest();
   if (kind == DistributionKind::integer) return std::min(low + std::floor(u * (high - low + 1)), high);
   const double from = cumulative(min), to = cumulative(max);

@@ -2,6 +2,7 @@
 // The impact of a point: one contact of a mass without extent.
 
 #include <algorithm>
+#include <cmath>
 
 #include "plugin/contact_law.h"
 
@@ -19,7 +20,7 @@ template <int D>
 Vec<D> rebound_of_point(const Vec<D>& v, const Restitution& law, double mu) {
   Vec<D> after = v;
   after[0] = -law.e_n * v[0];
-  const double slip = v.template tail<D - 1>().norm();
+  const double slip = D == 2 ? std::abs(v[1]) : v.template tail<D - 1>().norm();
   if (law.form == RestitutionForm::velocity) {
     after.template tail<D - 1>() *= law.e_t;
   } else if (slip > 0) {

@@ -8,6 +8,7 @@
 #include "trial/blast_at.h"
 #include "trial/build_trial.h"
 #include "trial/dimensions.h"
+#include "trial/repeat.h"
 #include "trial/scenario_error.h"
 #include "trial/start_checks.h"
 
@@ -32,16 +33,6 @@ namespace {
 
 auto key_path(const TrialRock& rock, std::string_view key) {
   return [&rock, key] { return fmt::format("rocks.{}.{}", rock.group, key); };
-}
-
-/// Whether neither a shape nor its parts are in Lua. One in Lua is asked for each rock, because it may print.
-bool is_native(const PluginUse& shape) {
-  if (shape.plugin->spec.native.empty()) return false;
-  for (const ParamValue& value : shape.values)
-    if (value.parts && !std::all_of(value.parts->begin(), value.parts->end(),
-                                    [](const ShapePart& part) { return is_native(part.shape); }))
-      return false;
-  return true;
 }
 
 }  // namespace
@@ -92,6 +83,38 @@ const MadeBody<D>& TrialBuilder<D>::made_body(const RockPlan<D>& plan, const Tri
   return last = std::move(made);
 }
 
+/// The orientation of a rock: that of its population or group, or a random one.
+template <int D>
+void TrialBuilder<D>::turn_rock(const RockPlan<D>& plan, TrialRock& rock, Body<D>& body) {
+  const RockGroup& group = scenario_.rocks[rock.group];
+  if (!plan.orientation && (D == 2 ? !group.orientation : !group.turn)) return turn_at_random(rock, body);
+  if constexpr (D == 2) {
+    body.attitude = plan.orientation ? *plan.orientation : number(*group.orientation, rock.key);
+    if (plan.orientation && rock.population_drew) rock.outcomes[Outcome::orientation] = body.attitude.angle;
+  } else {
+    const Rotation3 turned =
+        plan.orientation ? *plan.orientation : at_path(key_path(rock, "orientation"), [&] {
+          return rotation_of(*group.turn, scenario_, rock.key);
+        });
+    if (plan.orientation && rock.population_drew)
+      rock.outcomes[Outcome::orientation] = turned.vector().norm();
+    body.attitude = turned * body.attitude.rotation;
+  }
+}
+
+template <int D>
+void TrialBuilder<D>::turn_at_random(TrialRock& rock, Body<D>& body) {
+  RandomStream turn(scenario_.seed, streams_[rock.group].orientation, rock.key);
+  if constexpr (D == 2) {
+    body.attitude = turn.uniform(0, 2 * pi);
+    rock.outcomes[Outcome::orientation] = body.attitude.angle;
+  } else {
+    const Rotation3 turned = random_rotation(turn);
+    rock.outcomes[Outcome::orientation] = turned.vector().norm();
+    body.attitude = turned * body.attitude.rotation;
+  }
+}
+
 /// Shape, mass, pose and launch of one rock.
 template <int D>
 Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, const Terrain& terrain,
@@ -100,24 +123,10 @@ Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, con
   const auto key_of = [&](std::string_view key) { return key_path(rock, key); };
   const MadeBody<D>& made = made_body(plan, rock);
   Body<D> body = made.body;
-  RandomStream turn(scenario_.seed, streams_[rock.group].orientation, rock.key);
-  const auto turn_is_drawn = [&] { return plan.orientation ? rock.population_drew : turn.drawn(); };
-  if constexpr (D == 2) {
-    body.attitude = plan.orientation    ? *plan.orientation
-                    : group.orientation ? number(*group.orientation, rock.key)
-                                        : turn.uniform(0, 2 * pi);
-    if (turn_is_drawn()) rock.outcomes[Outcome::orientation] = body.attitude.angle;
-  } else {
-    const Rotation3 turned =
-        plan.orientation ? *plan.orientation
-        : group.turn
-            ? at_path(key_of("orientation"), [&] { return rotation_of(*group.turn, scenario_, rock.key); })
-            : random_rotation(turn);
-    if (turn_is_drawn()) rock.outcomes[Outcome::orientation] = turned.vector().norm();
-    body.attitude = turned * body.attitude.rotation;
-  }
+  turn_rock(plan, rock, body);
   rock.has_own_inertia = made.has_own_inertia;
   if (made.is_drawn) rock.outcomes.set_shape(body);
+  rock.start_is_drawn = rock.population_drew || !made.is_kept;
   const auto mass_path = [&] {
     if (plan.mass || plan.density) return group.population.path;
     return key_of(made.has_own_mass ? "shape" : mass_key(group))();
@@ -134,6 +143,7 @@ Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, con
   else
     throw ScenarioError(key_of("release")(), "neither the population nor `release` says where a rock starts");
   body.x = place.position;
+  rock.start_is_drawn |= where.drawn();
   if (plan.position ? rock.population_drew : where.drawn())
     rock.outcomes.template set_release<D>(place.position + origin().template head<D>());
   body.air = air_of(body, rock.key);
@@ -175,6 +185,7 @@ void TrialBuilder<D>::ask_launch(TrialRock& rock, const Place<D>& place, const T
   RandomStream rng(scenario_.seed, streams_[rock.group].launch, rock.key);
   const Launch launch = instances_.groups[rock.group].launch->launch(
       values_of(*group.launch, scenario_, rock.key), view, blast_at(scenario_, rock.key), rng);
+  rock.start_is_drawn |= rng.drawn();
   if (!launch.velocity.allFinite() || !launch.spin.allFinite())
     throw PluginError(fmt::format("plugin {}: launch() returned a velocity or spin that is not finite",
                                   group.launch->plugin->spec.name));
@@ -213,6 +224,7 @@ Partner TrialBuilder<D>::partner_of(const RockPlan<D>& plan, const TrialRock& ro
   template const MadeBody<D>& TrialBuilder<D>::made_body(const RockPlan<D>&, const TrialRock&); \
   template Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>&, TrialRock&, const Terrain&,   \
                                               RandomStream&);                                   \
+  template void TrialBuilder<D>::turn_at_random(TrialRock&, Body<D>&);                          \
   template Partner TrialBuilder<D>::partner_of(const RockPlan<D>&, const TrialRock&) const
 FLYROCK_INSTANTIATE(2);
 FLYROCK_INSTANTIATE(3);

@@ -8,6 +8,7 @@
 #include "flight/ground.h"
 #include "trial/blast_at.h"
 #include "trial/dimensions.h"
+#include "trial/repeat.h"
 #include "trial/scenario_error.h"
 #include "trial/start_checks.h"
 
@@ -52,6 +53,7 @@ template <int D>
 TrialBuilder<D>::TrialBuilder(const Scenario& scenario) : scenario_(scenario), instances_(scenario) {
   for (const RockGroup& group : scenario.rocks) streams_.emplace_back(group.name);
   made_.resize(scenario.rocks.size());
+  may_repeat_ = may_repeat(scenario);
 }
 
 template <int D>
@@ -117,9 +119,11 @@ void TrialBuilder<D>::connect(Trial<D>& trial, World<D>& world, std::vector<Part
 
 template <int D>
 void TrialBuilder<D>::build(std::uint64_t number_of_trial, Trial<D>& trial) {
+  auto terrain = terrain_of(number_of_trial);
+  if (!trial.starts.empty() && terrain == trial.terrain) return begin_again(trial, number_of_trial);
   trial.worlds.clear();
   trial.rocks.clear();
-  auto terrain = terrain_of(number_of_trial);
+  trial.starts.clear();
   // Points that are alone on the same ground use the surfaces of the trial before.
   const bool alone = scenario_.bodies.empty() && !scenario_.rock_contacts;
   if (scenario_.method != Method::lumped_mass || !alone || terrain != trial.terrain) trial.surfaces.clear();
@@ -128,6 +132,8 @@ void TrialBuilder<D>::build(std::uint64_t number_of_trial, Trial<D>& trial) {
     build_rocks(trial, number_of_trial);
   else
     build_bodies(trial, number_of_trial);
+  if (starts_alike(trial))
+    for (const World<D>& world : trial.worlds) trial.starts.push_back(world.bodies.front().x);
 }
 
 template <int D>

@@ -30,6 +30,7 @@ struct TrialRock {
   double launch_elevation = 0;                  ///< rad above the outward horizontal
   double greatest_throw = 0;                    ///< m, see Launch
   bool population_drew = false;                 ///< its population used `rng`
+  bool start_is_drawn = false;                  ///< a plugin drew for its start, other than its orientation
   bool has_own_inertia = false;                 ///< its shape answered with it
   Outcomes outcomes;                            ///< of what was drawn for it
   std::string note;                             ///< text from its velocity model
@@ -44,6 +45,9 @@ struct Trial {
   std::vector<World<D>> worlds;  ///< one for each rock, or one for all if rocks meet each other
   std::vector<TrialRock> rocks;
   std::deque<Surfaces> surfaces;  ///< one for each world; none for `ballistic`, which has no contacts
+  /// Where the rock of each world starts, if all trials have the same rocks, apart from their orientation;
+  /// otherwise empty.
+  std::vector<Vec<D>> starts;
 };
 
 /// A body before it is placed, and what it was made from.
@@ -97,11 +101,15 @@ class TrialBuilder {
 
  private:
   void build_rocks(Trial<D>& trial, std::uint64_t number);
+  bool starts_alike(const Trial<D>& trial) const;
+  void begin_again(Trial<D>& trial, std::uint64_t number);
   void build_bodies(Trial<D>& trial, std::uint64_t number);
   void build_alone(Trial<D>& trial, const RockPlan<D>& plan, Partner partner, TrialRock& rock,
                    RandomStream& where);
   void add_apart(World<D>& world, const RockPlan<D>& plan, TrialRock& rock, RandomStream& where);
   Body<D> rock_body(const RockPlan<D>& plan, TrialRock& rock, const Terrain& terrain, RandomStream& where);
+  void turn_rock(const RockPlan<D>& plan, TrialRock& rock, Body<D>& body);
+  void turn_at_random(TrialRock& rock, Body<D>& body);
   const MadeBody<D>& made_body(const RockPlan<D>& plan, const TrialRock& rock);
   void launch(const RockPlan<D>& plan, TrialRock& rock, const Place<D>& place, const Terrain& terrain,
               Body<D>& body);
@@ -123,6 +131,7 @@ class TrialBuilder {
   Instances instances_;
   std::vector<GroupStreams> streams_;  ///< of Scenario::rocks
   std::vector<MadeBody<D>> made_;      ///< of Scenario::rocks, the last one: the next rock may be alike
+  bool may_repeat_;                    ///< no draw of the scenario lets the starts of trials differ
   std::shared_ptr<const Terrain>
       kept_terrain_;  ///< terrain of all trials, once it is known that they share it
 };

@@ -86,9 +86,13 @@ const std::vector<Surface*>& Surfaces::of_point(const World<D>& world, int body)
 bool Surfaces::serve(const Partner& next) {
   Partner& known = partners_.front();
   if (partners_.size() != 1 || next.name != known.name || next.material != known.material) return false;
-  known.key = next.key;
-  for (Surface& surface : surfaces_) surface.begin_pair(next.key);
+  begin_rock(next.key);
   return true;
+}
+
+void Surfaces::begin_rock(const DrawKey& key) {
+  partners_.front().key = key;
+  for (Surface& surface : surfaces_) surface.begin_pair(key);
 }
 
 template <int D>

@@ -41,6 +41,7 @@ class Surfaces {
   /// The surfaces of one point may serve the next one on the same terrain, if it meets the same materials; it
   /// returns whether it does. They are then as if they had been made for it.
   bool serve(const Partner& next);
+  void begin_rock(const DrawKey& key);  ///< as serve(), of a rock that meets the same materials
 
   /// The index of the material between two bodies of the world. Throws PluginError if none is given.
   int material_between(int a, int b) const { return material_between(partners_[a], partners_[b]); }

@@ -112,6 +112,12 @@ const ContactLaw* Surface::known() {
   return &*known_;
 }
 
+bool Surface::reads_state() {
+  if (!reads_state_)
+    reads_state_ = varies(restitution) || varies(friction) || varies(rolling) || varies(unilateral);
+  return *reads_state_;
+}
+
 bool Surface::remembers() const {
   return !(restitution.history.empty() && friction.history.empty() && rolling.history.empty() &&
            unilateral.history.empty());

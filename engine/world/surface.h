@@ -45,7 +45,7 @@ struct BoundLaw {
   }
 
   /// Whether the law gives the same answer during the whole run.
-  bool constant() const { return law->constant() && per_impact.empty(); }
+  bool constant() const { return per_impact.empty() && law->constant(); }
 };
 
 /// How a material tilts a face at an impact of a point (`materials.X.roughness`).
@@ -84,6 +84,9 @@ class Surface {
   /// The law of a contact without impact (its restitution does not count), if no call is needed: no law of
   /// the step reads the state, and all have been called since they were last drawn. Null otherwise.
   const ContactLaw* known();
+  bool is_known() const { return known_.has_value(); }  ///< does not count as a call
+  /// Whether a law reads the state of the contact.
+  bool reads_state();
   /// Whether a law keeps memory of the pair.
   bool remembers() const;
   /// A step that is repeated must restore the memory of the pair. save_history appends it to `memory`.
@@ -97,6 +100,7 @@ class Surface {
   std::optional<Rolling> constant_rolling_;
   std::optional<Unilateral> constant_unilateral_;
   std::optional<ContactLaw> known_;  ///< friction, rolling and unilateral
+  std::optional<bool> reads_state_;  ///< asked once, because each impact of a point needs it
 };
 
 }  // namespace flyrock

@@ -79,7 +79,10 @@ TEST_CASE("a grid and the mesh of its triangles give the same facets") {
     std::vector<Facet> x, y;
     of_grid->facets(box, x);
     of_mesh->facets(box, y);
+    std::vector<Facet> triangles;
+    of_grid->triangles(box, triangles);
     REQUIRE(x.size() == y.size());
+    REQUIRE(x.size() == triangles.size());
     CHECK(of_grid->count(box, 5) == std::min<int>(5, static_cast<int>(x.size())));
     CHECK(of_mesh->count(box, 5) == std::min<int>(5, static_cast<int>(x.size())));
     for (std::size_t k = 0; k < x.size(); ++k) {
@@ -88,6 +91,10 @@ TEST_CASE("a grid and the mesh of its triangles give the same facets") {
       CHECK(x[k].edge == y[k].edge);
       CHECK(x[k].vertex == y[k].vertex);
       CHECK((x[k].normal - y[k].normal).norm() < 1e-12);
+      CHECK(triangles[k].id == x[k].id);
+      CHECK(triangles[k].vertex == x[k].vertex);
+      CHECK(triangles[k].corner == x[k].corner);
+      CHECK(triangles[k].normal == x[k].normal);
       for (int rim = 0; rim < 3; ++rim)
         if (x[k].rim[rim] == Rim::convex) CHECK((x[k].beyond[rim] - y[k].beyond[rim]).norm() < 1e-12);
     }
@@ -109,12 +116,13 @@ TEST_CASE("a path in plan finds the facets under it") {
   for (int i = 0; i < 100; ++i) {
     const Vec2 a(-3 + 10 * random(rng), 2 + 8 * random(rng)), b(-3 + 10 * random(rng), 2 + 8 * random(rng));
     std::vector<Facet> x, y;
-    of_grid->facets_under(a, b, x);
-    of_mesh->facets_under(a, b, y);
+    of_grid->triangles_under(a, b, x);
+    of_mesh->triangles_under(a, b, y);
     for (double s = 0; s <= 1; s += 1.0 / 256) {
       const Vec2 p = a + s * (b - a);
       const double z = *of_grid->height(p.x(), p.y());
-      const auto lies_on = [&](const Facet& f) {
+      const auto lies_on = [&](const Facet& triangle) {
+        const Facet f = of_grid->facet(triangle.id);
         return (nearest_on(f, {p.x(), p.y(), z}) - Vec3(p.x(), p.y(), z)).norm() < 1e-9;
       };
       CHECK(std::any_of(x.begin(), x.end(), lies_on));

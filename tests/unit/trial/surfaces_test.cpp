@@ -263,3 +263,83 @@ rocks:
     }
   }
 }
+
+namespace {
+
+/// Each trial of a run by one runner, in which the trials share what they can, beside the same trial alone.
+void check_trials_alone(const Scenario& scenario) {
+  TrialRunner shared(scenario);
+  for (std::uint64_t number = 0; number < 20; ++number) {
+    TrialRecords one, other;
+    shared.run(number, one);
+    TrialRunner(scenario).run(number, other);
+    REQUIRE(one.rocks.size() == 2);
+    REQUIRE(other.rocks.size() == 2);
+    for (std::size_t i = 0; i < one.rocks.size(); ++i) {
+      CHECK(one.rocks[i].trial == number);
+      CHECK(one.rocks[i].fault == other.rocks[i].fault);
+      CHECK(one.rocks[i].stop_x == other.rocks[i].stop_x);
+      CHECK(one.rocks[i].time == other.rocks[i].time);
+      CHECK(one.rocks[i].impacts == other.rocks[i].impacts);
+    }
+    REQUIRE(one.inputs.size() == other.inputs.size());
+    for (std::size_t i = 0; i < one.inputs.size(); ++i) {
+      CHECK(one.inputs[i].input == other.inputs[i].input);
+      CHECK(one.inputs[i].value == other.inputs[i].value);
+    }
+    CHECK(one.totals.quality.flights == other.totals.quality.flights);
+    CHECK(one.totals.materials.front().friction == other.totals.materials.front().friction);
+  }
+}
+
+constexpr const char* points = R"(flyrock: 1
+title: of a test
+method: lumped_mass
+trials: 20
+stop: { time: 20 s }
+materials:
+  rock:
+    restitution: { type: newton, en: { uniform: [0.25, 0.45], per: impact } }
+    friction: { type: coulomb, mu: { uniform: [0.4, 0.6], per: rock } }
+    roughness: { angle: { normal: { mean: 0 deg, sd: 5 deg } } }
+)";
+
+}  // namespace
+
+TEST_CASE("points whose trials start alike come to the same ends as each trial alone") {
+  LuaFixture files;
+  const auto check = [&](const std::string& text) {
+    files.write("scenario.yaml", points + text);
+    Diagnostics diagnostics;
+    const auto loaded = load_scenario((files.folder / "scenario.yaml").string(), {}, diagnostics);
+    INFO(diagnostics.to_text());
+    REQUIRE(loaded);
+    check_trials_alone(loaded->plan.points.front());
+  };
+  check(R"(dimension: 2
+terrain: { type: profile, points: [[-5, 10], [0, 10], [10, 0], [60, 0]], material: rock }
+rocks:
+  - name: thrown
+    density: 2700
+    shape: { type: disk, radius: 0.5 }
+    release: { position: [-1, 12] }
+    launch: { type: fixed, velocity: [2, -1] }
+  - name: laid
+    density: 2700
+    shape: { type: polygon, vertices: [[-0.3, -0.2], [0.3, -0.2], [0, 0.3]] }
+    release: { x: 2, above_ground: 1 }
+)");
+  check(R"(dimension: 3
+terrain: { type: plane, point: [0, 0, 0], normal: [0.3, 0, 1], material: rock }
+rocks:
+  - name: thrown
+    density: 2700
+    shape: { type: sphere, radius: 0.5 }
+    release: { position: [0, 0, 3] }
+    launch: { type: fixed, velocity: [2, 0, 0] }
+  - name: drawn
+    density: 2700
+    shape: { type: sphere, radius: 0.5 }
+    release: { x: 0, y: 5, above_ground: 1 }
+)");
+}
