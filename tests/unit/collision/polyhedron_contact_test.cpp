@@ -174,16 +174,20 @@ TEST_CASE("polyhedra thrown together: overlap gives contacts, their push along t
     for (int f = 0; f < b.faces(); ++f) axes.push_back(b.normal(f));
     for (const auto& e : first.edges)
       for (const auto& f : second.edges) axes.push_back(along(a, e).cross(along(b, f)));
+    std::vector<Vec3> a_points, b_points;
+    for (int i = 0; i < a.count(); ++i) a_points.push_back(a.point(i));
+    for (int i = 0; i < b.count(); ++i) b_points.push_back(b.point(i));
     double separation = -1e300;
     for (const Vec3& axis : axes) {
-      if (axis.norm() < 1e-6) continue;
+      const double length = axis.norm();
+      if (length < 1e-6) continue;
       double a_low = 1e300, a_high = -1e300, b_low = 1e300, b_high = -1e300;
-      for (int i = 0; i < a.count(); ++i) {
-        const double s = axis.dot(a.point(i)) / axis.norm();
+      for (const Vec3& point : a_points) {
+        const double s = axis.dot(point) / length;
         a_low = std::min(a_low, s), a_high = std::max(a_high, s);
       }
-      for (int i = 0; i < b.count(); ++i) {
-        const double s = axis.dot(b.point(i)) / axis.norm();
+      for (const Vec3& point : b_points) {
+        const double s = axis.dot(point) / length;
         b_low = std::min(b_low, s), b_high = std::max(b_high, s);
       }
       separation = std::max({separation, a_low - b_high, b_low - a_high});

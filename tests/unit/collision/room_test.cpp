@@ -145,8 +145,8 @@ void try_placements(int placements) {
         REQUIRE_FALSE(contacts.empty());
         const ContactPoint<3>& c = nearest_of(contacts);
         const Vec3 inward = turned ? -c.normal : c.normal;
-        bool good = std::abs(c.gap - sampled_gap(room, other, places)) < 1e-5 &&
-                    c.gap <= sampled_gap(room, other, places) + 1e-12;
+        const double sampled = sampled_gap(room, other, places);
+        bool good = std::abs(c.gap - sampled) < 1e-5 && c.gap <= sampled + 1e-12;
         for (const ContactPoint<3>& each : contacts) {
           const Vec3 in = turned ? -each.normal : each.normal;
           good = good && std::abs(in.norm() - 1) < 1e-12;
@@ -158,7 +158,7 @@ void try_placements(int placements) {
         // Against the normal the gap opens as fast as the shape moves, or more slowly if another place is as
         // near.
         const Placed3 moved{other_shape, {other.pose.x + 1e-6 * inward, other.pose.r}};
-        const double opens = sampled_gap(room, moved, places) - sampled_gap(room, other, places);
+        const double opens = sampled_gap(room, moved, places) - sampled;
         const auto is_near = [&](const ContactPoint<3>& each) { return each.gap < c.gap + 2e-6; };
         const bool is_alone = std::count_if(contacts.begin(), contacts.end(), is_near) == 1;
         good = good && opens < 1e-6 + 2e-9 && (opens > 0 || !is_alone);
