@@ -17,15 +17,16 @@ constexpr int most_iterations = 500;
 struct State {
   double t;
   Rotation2 r;
-  Vec2 x, v;
-  double w;
+  Vec2 x = Vec2::Zero(), v = Vec2::Zero();
+  double w = 0;
   /// Bounds of the first three derivatives of a unit vector that turns with the hull, until the end
-  double turn1, turn2, turn3;
-  double radius, swells;  ///< m and m/s, now
+  double turn1 = 0, turn2 = 0, turn3 = 0;
+  double radius = 0, swells = 0;  ///< m and m/s, now
 
   State(const MovingHull& hull, double start, double end) : t(start), r(hull.start) {
+    if (hull.rests) return;
     const Motion2& motion = hull.motion;
-    if (!hull.rests && t != 0) r = Rotation2::from_angle(motion.angle_at(t));
+    if (t != 0) r = Rotation2::from_angle(motion.angle_at(t));
     measure(hull);
     const double alpha = std::abs(motion.alpha);
     turn1 = std::max(std::abs(w), std::abs(motion.spin(end)));
@@ -163,8 +164,25 @@ class Search {
     for (int j = 1; j < pair.other.count; ++j)
       if (rise.dot(pair.other.points[j]) < rise.dot(pair.other.points[nearest])) nearest = j;
     if (!is_marked(clear, nearest)) see(nearest);
-    for (int j = 0; j < pair.other.count && least > 0; ++j)
-      if (j != nearest && !is_marked(clear, j)) see(j);
+    // GapBound::stays_open with either curvature, as linear functions of the place of the point: at the end
+    // of the time asked for, and of its bend.
+    const double open_for = std::min(least, left), half_square = 0.5 * open_for * open_for;
+    const double second = gap0 + open_for * slope0 - half_square * bend, second_of_side = open_for * so.w;
+    const double third = gap0 + open_for * slope0 + half_square * (curvature0 - jerk * open_for);
+    const double third_of_height = 1 - half_square * square;
+    const double third_of_side = second_of_side + half_square * alpha;
+    const double most_curvature = jerk * open_for - curvature0;
+    for (int j = 0; j < pair.other.count && least > 0; ++j) {
+      if (j == nearest || is_marked(clear, j)) continue;
+      const double height = rise.dot(pair.other.points[j]), side = across.dot(pair.other.points[j]);
+      if (gap0 + height > 0 && (second + height + second_of_side * side > 0 ||
+                                (third + third_of_height * height + third_of_side * side > 0 &&
+                                 alpha * side - square * height <= most_curvature))) {
+        if (open_for >= left) mark(clear, j);
+      } else {
+        see(j);
+      }
+    }
     return least;
   }
 
@@ -273,8 +291,10 @@ class Search {
       if (const double time = lasts(candidate, sa, sb, t); time > best) best = time, direction = candidate;
     };
     if (b_.count > 1) try_direction(1, b_.count > 2 ? farthest_edge(b_, sb, a_, sa) : 0);
-    if (a_.count > 1 && best < enough && !touches_) try_direction(0, farthest_edge(a_, sa, b_, sb));
-    if (a_.radius + b_.radius > 0 && best < enough && !touches_) try_direction(2, 0, between_points(sa, sb));
+    // The normal of a segment of the ground mostly lasts longer than that of an edge that turns.
+    const bool goes_on = b_.rests ? best <= 0 : best < enough;
+    if (a_.count > 1 && goes_on) try_direction(0, farthest_edge(a_, sa, b_, sb));
+    if (a_.radius + b_.radius > 0 && best < enough) try_direction(2, 0, between_points(sa, sb));
     if (best > 0 || touches_) return best;
     for (int e = 0; b_.count > 1 && e < b_.count && best < enough; ++e) try_direction(1, e);
     for (int e = 0; a_.count > 1 && e < a_.count && best < enough; ++e) try_direction(0, e);

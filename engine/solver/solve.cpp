@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/local_2d.h"
 #include "solver/pair_2d.h"
 #include "solver/proximal_newton.h"
 #include "solver/residual.h"
@@ -26,12 +27,16 @@ double excess(const ContactProblem<D>& problem, const SolveSettings& settings, c
   return result.residual / (settings.tolerance * scale);
 }
 
-/// Whether solve_pair serves.
-template <int D>
-bool is_plain_pair(const ContactProblem<D>& problem) {
-  return D == 2 && problem.size() == 2 && problem.couplings() == 2 && problem.contacts[0].is_plain() &&
-         problem.contacts[1].is_plain();
+/// One contact in 2D has a solution in closed form.
+bool is_solved_at_once(const ContactProblem<2>& problem, std::vector<ContactProblem<2>::Row>& r) {
+  if (problem.size() != 1) return false;
+  r[0] = solve_local(problem.contacts[0], problem.contacts[0].q);
+  return true;
 }
+bool is_solved_at_once(const ContactProblem<3>&, std::vector<ContactProblem<3>::Row>&) { return false; }
+
+bool is_solved_by_states(const ContactProblem<2>& problem) { return is_pair(problem); }
+bool is_solved_by_states(const ContactProblem<3>&) { return false; }
 
 }  // namespace
 
@@ -93,9 +98,15 @@ SolveResult Solver<D>::refine(const ContactProblem<D>& problem, const SolveSetti
   constexpr double least_gain = 0.5;             // another turn follows if the last one halved the residual
   SolveSettings finest = settings;
   finest.tolerance = std::numeric_limits<double>::epsilon();
-  const bool by_states = settings.solver == SolverKind::automatic && is_plain_pair(problem);
+  const bool by_states = settings.solver == SolverKind::automatic && is_solved_by_states(problem);
+  SolveResult result;
+  if (is_solved_at_once(problem, r)) {
+    judge(problem, finest, r, result);
+    result.iterations = 1;
+    if (result.converged) return result;
+  }
   nlgs_.begin(problem, finest, r);
-  SolveResult result = nlgs_.run(by_states ? few : plain, r);
+  result = nlgs_.run(by_states ? few : plain, r);
   if (result.converged || problem.size() == 0) return result;
   if (by_states && solve_by_states(problem, finest, r, result)) return result;
   nlgs_.begin_accelerated(problem, finest, r);

@@ -102,7 +102,8 @@ void World<D>::ask_law(Contact& contact, double h) {
     contact.law = *known;
     return;
   }
-  ContactState state = state_of(contact, h);
+  ContactState state;
+  if (surface->reads_state()) state = state_of(contact, h);
   contact.law = surface->ask(state, impact, contact.history);
 }
 

@@ -268,7 +268,8 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
 template <int D>
 void World<D>::project_drift(bool exact) {
   if (contacts_.empty()) return;
-  constexpr int closing = 3, most_pushes = 20;  // passes
+  const int closing = contacts_.size() == 1 ? 1 : 3;  // passes; the first one closes a single contact
+  constexpr int most_pushes = 20;
   // Shares of the size. A deeper penetration than `deepest` has another cause, and its projection would throw
   // the body; one less deep than `left` waits for the next step.
   constexpr double deepest = 1e-3, left = 1e-6;

@@ -100,7 +100,7 @@ class Surface {
   std::optional<Rolling> constant_rolling_;
   std::optional<Unilateral> constant_unilateral_;
   std::optional<ContactLaw> known_;  ///< friction, rolling and unilateral
-  std::optional<bool> reads_state_;  ///< asked once, because each impact of a point needs it
+  std::optional<bool> reads_state_;  ///< asked once, because each impact needs it
 };
 
 }  // namespace flyrock

@@ -22,7 +22,7 @@ struct PlainAnswer {
   // With `complete` only:
   double time = 0, max_distance = 0, flight_range = 0, bounce_height = 0, max_squared_speed = 0;
   bool landed = false;
-  Travel travel;
+  Travel travel = {};
 };
 
 /// One point. The ground is to the right of nothing: a point that leaves the profile ends there. `complete`:

@@ -18,9 +18,9 @@ struct Point {
   Eigen::Vector2d lever, normal;
 };
 
-/// Two contacts of one body of 1 kg; its velocity without them is (v, w).
+/// Two contacts of one body of 1 kg; its velocity without them is (v, w). With mu_r, rolling resistance [m].
 Problem pair_of(const std::array<Point, 2>& points, double inertia, const Eigen::Vector3d& velocity,
-                double mu) {
+                double mu, double mu_r = 0) {
   std::array<Eigen::Matrix3d, 2> columns;
   for (int a = 0; a < 2; ++a) {
     const Eigen::Vector2d &n = points[a].normal, &l = points[a].lever, t(n.y(), -n.x());
@@ -29,12 +29,13 @@ Problem pair_of(const std::array<Point, 2>& points, double inertia, const Eigen:
   }
   const Eigen::Matrix3d mobility = Eigen::Vector3d(1, 1, 1 / inertia).asDiagonal();
   Problem problem;
-  problem.clear(2);
+  problem.clear(mu_r > 0 ? 3 : 2);
   for (int a = 0; a < 2; ++a) {
     Problem::Contact contact;
     contact.w = columns[a].transpose() * mobility * columns[a];
     contact.q = columns[a].transpose() * velocity;
     contact.mu = mu;
+    contact.mu_r = mu_r;
     problem.contacts.push_back(contact);
     problem.first.push_back(a);
     problem.couple(1 - a, columns[a].transpose() * mobility * columns[1 - a]);
@@ -54,7 +55,9 @@ SolveSettings to_rounding() {
 TEST_CASE("two contacts of a body are solved to rounding in a few sweeps and one exact solution") {
   std::mt19937 rng(4);
   std::uniform_real_distribution<double> unit(-1, 1);
-  int most = 0, sliding = 0, sticking = 0;
+  const bool rolls = GENERATE(false, true);
+  CAPTURE(rolls);
+  int most = 0, sliding = 0, sticking = 0, turning = 0;
   for (int k = 0; k < 5000; ++k) {
     // The corners of a box on ground that is bent a little between them
     const double width = 0.2 + std::abs(unit(rng)), height = 0.2 + std::abs(unit(rng));
@@ -65,7 +68,7 @@ TEST_CASE("two contacts of a body are solved to rounding in a few sweeps and one
     }
     const double inertia = (width * width + height * height) / 12;
     const Problem problem = pair_of(points, inertia, {unit(rng), -std::abs(unit(rng)), unit(rng)},
-                                    0.2 + 0.6 * std::abs(unit(rng)));
+                                    0.2 + 0.6 * std::abs(unit(rng)), rolls ? 0.1 * std::abs(unit(rng)) : 0);
     std::vector<Row> r(2, Row::Zero());
     const SolveResult result = solve<2>(problem, to_rounding(), r);
     INFO("case " << k << ": " << r[0].transpose() << ", " << r[1].transpose());
@@ -75,9 +78,11 @@ TEST_CASE("two contacts of a body are solved to rounding in a few sweeps and one
       const auto& contact = problem.contacts[a];
       REQUIRE(local_error<2>(contact, problem.velocity(a, r), r[a]) < 1e-12);
       if (r[a][0] > 0) (std::abs(r[a][1]) < 0.999 * contact.mu * r[a][0] ? sticking : sliding)++;
+      turning += r[a][0] > 0 && std::abs(r[a][2]) > 0.999 * contact.mu_r * r[a][0];
     }
   }
-  CHECK(most <= 20);
+  CHECK(most <= (rolls ? 60 : 20));
+  if (rolls) CHECK(turning > 500);
   CHECK(sliding > 500);
   CHECK(sticking > 500);
 }
@@ -104,7 +109,7 @@ TEST_CASE("a box that sticks on two corners keeps the share of the thrust that i
   const Problem problem = pair_of(points, 1.0 / 6, {0.001, -0.05, 0}, 0.6);
   for (const double thrust : {-0.01, 0.0, 0.005}) {
     std::vector<Row> r{{0.025, -0.0005 + thrust, 0}, {0.025, -0.0005 - thrust, 0}};
-    REQUIRE(solve_pair(problem, {PairState::sticks, PairState::sticks}, r));
+    REQUIRE(solve_pair(problem, {PairState{true, 0, 1}, PairState{true, 0, 1}}, r));
     CHECK(r[0][1] - r[1][1] == Approx(2 * thrust).margin(1e-15));
     CHECK(r[0][1] + r[1][1] == Approx(-0.001).epsilon(1e-12));
     CHECK(r[0][0] + r[1][0] == Approx(0.05).epsilon(1e-12));
