@@ -103,9 +103,9 @@ FileReader::FileReader(std::filesystem::path path) : path_(std::move(path)) {
 FileReader::~FileReader() { ::close(file_); }
 
 void FileReader::append_to(std::string& bytes, std::uint64_t count) {
-  constexpr std::uint64_t at_once =
-      1 << 20;  // a damaged count must not reserve memory for bytes that do not exist
-  while (count > 0) {
+  // A damaged count must not reserve memory for bytes that do not exist, and most files are small.
+  constexpr std::uint64_t most_at_once = 1 << 20;
+  for (std::uint64_t at_once = 1 << 14; count > 0; at_once = std::min(2 * at_once, most_at_once)) {
     const std::size_t size = bytes.size();
     const auto wanted = static_cast<std::size_t>(std::min(count, at_once));
     bytes.resize(size + wanted);
