@@ -286,18 +286,18 @@ class Search {
     const double enough = end_ - t;
     const int ended_kind = ended ? direction.kind : -1, ended_edge = direction.edge;
     const auto try_direction = [&](int kind, int edge, const Vec2& fixed = Vec2::Zero()) {
-      if (touches_ || (kind == ended_kind && edge == ended_edge && kind != 2)) return;
+      if (kind == ended_kind && edge == ended_edge && kind != 2) return;
       Direction candidate{kind, edge, fixed};
       if (const double time = lasts(candidate, sa, sb, t); time > best) best = time, direction = candidate;
     };
     if (b_.count > 1) try_direction(1, b_.count > 2 ? farthest_edge(b_, sb, a_, sa) : 0);
     // The normal of a segment of the ground mostly lasts longer than that of an edge that turns.
     const bool goes_on = b_.rests ? best <= 0 : best < enough;
-    if (a_.count > 1 && goes_on) try_direction(0, farthest_edge(a_, sa, b_, sb));
-    if (a_.radius + b_.radius > 0 && best < enough) try_direction(2, 0, between_points(sa, sb));
+    if (a_.count > 1 && goes_on && !touches_) try_direction(0, farthest_edge(a_, sa, b_, sb));
+    if (a_.radius + b_.radius > 0 && best < enough && !touches_) try_direction(2, 0, between_points(sa, sb));
     if (best > 0 || touches_) return best;
-    for (int e = 0; b_.count > 1 && e < b_.count && best < enough; ++e) try_direction(1, e);
-    for (int e = 0; a_.count > 1 && e < a_.count && best < enough; ++e) try_direction(0, e);
+    for (int e = 0; b_.count > 1 && e < b_.count && best < enough && !touches_; ++e) try_direction(1, e);
+    for (int e = 0; a_.count > 1 && e < a_.count && best < enough && !touches_; ++e) try_direction(0, e);
     return best;
   }
 

@@ -41,19 +41,14 @@ struct GapBound {
 
   double bend_until(double time) const { return std::max(0.0, std::min(bend, jerk * time - curvature)); }
   bool stays_open(double time) const { return flyrock::stays_open(gap, slope, bend_until(time), time); }
-  /// The time until the bound is zero, as safe_time; at least `longest` if it stays positive until then.
+  /// The time until the bound is zero, as safe_time, but at most `longest`: first with its bend until
+  /// `longest`, then with the one over twice the time that this gives, in which the curvature changes little.
   double safe_time(double longest, const GapScale& scale, bool just_opened) const {
-    constexpr int most_rounds = 3;
-    double safe = 0;
-    for (int i = 0; i < most_rounds; ++i) {
-      // The curvature changes little over twice the time that is known to be safe.
-      const double horizon = i == 0 ? longest : 2 * safe;
-      if (!(horizon > 0) || horizon > longest) break;
-      const double time = flyrock::safe_time(gap, slope, bend_until(horizon), scale, just_opened);
-      if (time >= horizon) return horizon;
-      safe = std::max(safe, time);
-    }
-    return safe;
+    const auto safe = [&](double horizon) {
+      return std::min(horizon, flyrock::safe_time(gap, slope, bend_until(horizon), scale, just_opened));
+    };
+    const double first = safe(longest);
+    return first > 0 && 2 * first <= longest ? std::max(first, safe(2 * first)) : first;
   }
 };
 

@@ -60,10 +60,12 @@ std::span<const double> World<D>::doubt_of_friction(double h) {
       half.segment(first, count) += 0.5 * times * impulse * change;
     };
     const auto turn = [&](int first, int count, double usual) {
+      const double impulse = contact.impulse.segment(first, count).norm();
+      if (impulse == 0) return;
       const auto from = contact.before.segment(first, count), to = after.segment(first, count);
       const double slow = from.norm(), fast = to.norm(), still = at_rest * std::max({slow, fast, usual});
       if (fast <= still || slow <= still) return;
-      doubt(first, count, contact.impulse.segment(first, count).norm(), (to / fast - from / slow).eval());
+      doubt(first, count, impulse, (to / fast - from / slow).eval());
     };
     const double speed =
         std::max({speed_of(contact.candidate), speed_of(contact.antagonist), settings_.rest_speed});
