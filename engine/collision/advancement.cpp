@@ -15,7 +15,6 @@ constexpr int most_iterations = 500;
 
 /// A hull at one time, with bounds on its motion until the end of the window.
 struct State {
-  double t;
   Rotation2 r;
   Vec2 x = Vec2::Zero(), v = Vec2::Zero();
   double w = 0;
@@ -23,24 +22,23 @@ struct State {
   double turn1 = 0, turn2 = 0, turn3 = 0;
   double radius = 0, swells = 0;  ///< m and m/s, now
 
-  State(const MovingHull& hull, double start, double end) : t(start), r(hull.start) {
+  State(const MovingHull& hull, double t, double end) : r(hull.start) {
     if (hull.rests) return;
     const Motion2& motion = hull.motion;
     if (t != 0) r = Rotation2::from_angle(motion.angle_at(t));
-    measure(hull);
+    measure(hull, t);
     const double alpha = std::abs(motion.alpha);
     turn1 = std::max(std::abs(w), std::abs(motion.spin(end)));
     turn2 = turn1 * turn1 + alpha;
     turn3 = turn1 * (turn1 * turn1 + 3 * alpha);
   }
-  void advance(const MovingHull& hull, double time) {
-    r = r.turned(hull.motion.angle_at(time) - hull.motion.angle_at(t));
-    t = time;
-    measure(hull);
+  void advance(const MovingHull& hull, double from, double to) {
+    r = r.turned(hull.motion.angle_at(to) - hull.motion.angle_at(from));
+    measure(hull, to);
   }
 
  private:
-  void measure(const MovingHull& hull) {
+  void measure(const MovingHull& hull, double t) {
     x = hull.motion.position(t);
     v = hull.motion.velocity(t);
     w = hull.motion.spin(t);
@@ -70,9 +68,9 @@ class Search {
       if (step >= end_ - t) return std::nullopt;
       const double next = t + step;
       if (next <= t) return t;  // below the resolution of time
+      sa.advance(a_, t, next);
+      if (!b_.rests) sb.advance(b_, t, next);
       t = next;
-      sa.advance(a_, t);
-      if (!b_.rests) sb.advance(b_, t);
     }
     return t;
   }

@@ -84,11 +84,9 @@ template <class Visit>
 void visit_heights(const Terrain2& terrain, const Path<2>& path, double dt, Visit visit, int& near) {
   const double from_x = path.x.x(), to_x = path.position(dt).x();
   const double rate = rate_along_x(path, dt), per_rate = rate != 0 ? 1 / rate : 0;
-  const double high = std::max(from_x, to_x);
-  const int first = terrain.first_segment(std::min(from_x, to_x), near);
-  near = first;
-  for (int i = first; i == first || (i < terrain.segments() && terrain.start(i).x() <= high); ++i) {
-    if (to_x >= from_x) near = i;
+  const auto run = terrain.segments_between(std::min(from_x, to_x), std::max(from_x, to_x), near);
+  near = to_x < from_x ? run.first : run.last;
+  for (int i = run.first; i <= run.last; ++i) {
     const Vec2 &a = terrain.start(i), &b = terrain.end(i);
     if (b.x() <= a.x()) continue;  // vertical; its top belongs to a neighbour
     double from = 0, to = dt;

@@ -14,8 +14,6 @@ namespace flyrock {
 struct PairState {
   bool closed = false;
   int slides = 0, rolls = 0;
-
-  bool operator==(const PairState&) const = default;
 };
 using PairStates = std::array<PairState, 2>;
 

@@ -27,13 +27,13 @@ double excess(const ContactProblem<D>& problem, const SolveSettings& settings, c
   return result.residual / (settings.tolerance * scale);
 }
 
-/// One contact in 2D has a solution in closed form.
-bool is_solved_at_once(const ContactProblem<2>& problem, std::vector<ContactProblem<2>::Row>& r) {
+/// Solves one contact in 2D in closed form. False if there is another number of contacts, or in 3D.
+bool solve_at_once(const ContactProblem<2>& problem, std::vector<ContactProblem<2>::Row>& r) {
   if (problem.size() != 1) return false;
   r[0] = solve_local(problem.contacts[0], problem.contacts[0].q);
   return true;
 }
-bool is_solved_at_once(const ContactProblem<3>&, std::vector<ContactProblem<3>::Row>&) { return false; }
+bool solve_at_once(const ContactProblem<3>&, std::vector<ContactProblem<3>::Row>&) { return false; }
 
 bool is_solved_by_states(const ContactProblem<2>& problem) { return is_pair(problem); }
 bool is_solved_by_states(const ContactProblem<3>&) { return false; }
@@ -100,7 +100,7 @@ SolveResult Solver<D>::refine(const ContactProblem<D>& problem, const SolveSetti
   finest.tolerance = std::numeric_limits<double>::epsilon();
   const bool by_states = settings.solver == SolverKind::automatic && is_solved_by_states(problem);
   SolveResult result;
-  if (is_solved_at_once(problem, r)) {
+  if (solve_at_once(problem, r)) {
     judge(problem, finest, r, result);
     result.iterations = 1;
     if (result.converged) return result;

@@ -30,8 +30,6 @@ struct PlainAnswer {
 template <bool complete>
 class PlainLoop {
  public:
-  using Answer = PlainAnswer;
-
   PlainLoop(const Profile& ground, const Scenario& scenario)
       : seed_(scenario.seed),
         restitution_(scenario.draws[scenario.materials[0].restitution->slots[0].draw]),
@@ -44,7 +42,7 @@ class PlainLoop {
     }
   }
 
-  Answer run(std::uint64_t trial) {
+  PlainAnswer run(std::uint64_t trial) {
     key_ = {trial, 1, 1, 0};
     x_ = start_x, y_ = start_y, u_ = start_u, v_ = start_v;
     on_ = other_ = -1;
@@ -88,7 +86,7 @@ class PlainLoop {
     seen_.max_squared_speed = u_ * u_ + v_ * v_;
   }
 
-  Answer end() {
+  PlainAnswer end() {
     seen_.x = x_;
     seen_.y = y_;
     seen_.impacts = impacts_;
@@ -342,7 +340,7 @@ class PlainLoop {
   int on_ = -1, other_ = -1;  // segments on which the point is
   int impacts_ = 0;
   // With `complete`:
-  Answer seen_;
+  PlainAnswer seen_;
   double time_ = 0, since_ = -1;  // s, now and since when it has been slow on the ground; -1: it is not
   Travel rested_;                 // until then
 };

@@ -130,9 +130,10 @@ int main(int count, char** words) {
     engine.runner().run(trial, records);
     in_lua.runner().run(trial, records_of_lua);
     const RockRecord& rock = records.rocks.front();
-    const double off = difference(rock, plain.run_one(trial));
-    const bool same = off < 1e-6 && bare.run_one(trial).x == plain.run_one(trial).x &&
-                      records_of_lua.rocks.front().stop_x == rock.stop_x;
+    const PlainAnswer answer = plain.run_one(trial);
+    const double off = difference(rock, answer);
+    const bool same =
+        off < 1e-6 && bare.run_one(trial).x == answer.x && records_of_lua.rocks.front().stop_x == rock.stop_x;
     different += !same;
     if (same) worst = std::max(worst, off);
     impacts += static_cast<std::uint64_t>(rock.impacts);

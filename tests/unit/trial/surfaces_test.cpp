@@ -30,6 +30,36 @@ struct Glued {
 
 bool torn(const Surface& surface) { return surface.unilateral.history.at(1) == 1; }
 
+/// Each trial of a run by one runner, in which the trials share what they can, beside the same trial alone.
+void check_trials_alone(const Scenario& scenario, std::uint64_t trials, std::size_t rocks) {
+  TrialRunner runner(scenario);
+  for (std::uint64_t number = 0; number < trials; ++number) {
+    TrialRecords shared, alone;
+    runner.run(number, shared);
+    TrialRunner(scenario).run(number, alone);
+    REQUIRE(shared.rocks.size() == rocks);
+    REQUIRE(alone.rocks.size() == rocks);
+    for (std::size_t i = 0; i < rocks; ++i) {
+      const RockRecord &a = shared.rocks[i], &b = alone.rocks[i];
+      CHECK(a.trial == number);
+      CHECK(a.fault == b.fault);
+      CHECK(a.mass == b.mass);
+      CHECK(a.stop_x == b.stop_x);
+      CHECK(a.time == b.time);
+      CHECK(a.impacts == b.impacts);
+      CHECK(a.travel.distance == b.travel.distance);
+    }
+    REQUIRE(shared.inputs.size() == alone.inputs.size());
+    for (std::size_t i = 0; i < shared.inputs.size(); ++i) {
+      CHECK(shared.inputs[i].input == alone.inputs[i].input);
+      CHECK(shared.inputs[i].value == alone.inputs[i].value);
+    }
+    CHECK(shared.totals.quality.flights == alone.totals.quality.flights);
+    CHECK(shared.totals.materials[0].restitution == alone.totals.materials[0].restitution);
+    CHECK(shared.totals.materials[0].friction == alone.totals.materials[0].friction);
+  }
+}
+
 }  // namespace
 
 TEST_CASE("a bond that tears leaves the others of its material whole, and their draws as they are") {
@@ -243,54 +273,11 @@ rocks:
                       : *method == 'b' ? Method::ballistic
                                        : Method::nscd;
     INFO(method);
-    TrialRunner runner(scenario);
-    for (std::uint64_t number = 0; number < 4; ++number) {
-      TrialRecords later, alone;
-      runner.run(number, later);
-      TrialRunner(scenario).run(number, alone);
-      REQUIRE(later.rocks.size() == 3);
-      for (std::size_t i = 0; i < 3; ++i) {
-        const RockRecord &a = later.rocks[i], &b = alone.rocks[i];
-        CHECK(a.fault == b.fault);
-        CHECK(a.mass == b.mass);
-        CHECK(a.stop_x == b.stop_x);
-        CHECK(a.time == b.time);
-        CHECK(a.impacts == b.impacts);
-        CHECK(a.travel.distance == b.travel.distance);
-      }
-      CHECK(later.totals.materials[0].restitution == alone.totals.materials[0].restitution);
-      CHECK(later.totals.materials[0].friction == alone.totals.materials[0].friction);
-    }
+    check_trials_alone(scenario, 4, 3);
   }
 }
 
 namespace {
-
-/// Each trial of a run by one runner, in which the trials share what they can, beside the same trial alone.
-void check_trials_alone(const Scenario& scenario) {
-  TrialRunner shared(scenario);
-  for (std::uint64_t number = 0; number < 20; ++number) {
-    TrialRecords one, other;
-    shared.run(number, one);
-    TrialRunner(scenario).run(number, other);
-    REQUIRE(one.rocks.size() == 2);
-    REQUIRE(other.rocks.size() == 2);
-    for (std::size_t i = 0; i < one.rocks.size(); ++i) {
-      CHECK(one.rocks[i].trial == number);
-      CHECK(one.rocks[i].fault == other.rocks[i].fault);
-      CHECK(one.rocks[i].stop_x == other.rocks[i].stop_x);
-      CHECK(one.rocks[i].time == other.rocks[i].time);
-      CHECK(one.rocks[i].impacts == other.rocks[i].impacts);
-    }
-    REQUIRE(one.inputs.size() == other.inputs.size());
-    for (std::size_t i = 0; i < one.inputs.size(); ++i) {
-      CHECK(one.inputs[i].input == other.inputs[i].input);
-      CHECK(one.inputs[i].value == other.inputs[i].value);
-    }
-    CHECK(one.totals.quality.flights == other.totals.quality.flights);
-    CHECK(one.totals.materials.front().friction == other.totals.materials.front().friction);
-  }
-}
 
 constexpr const char* points = R"(flyrock: 1
 title: of a test
@@ -314,7 +301,7 @@ TEST_CASE("points whose trials start alike come to the same ends as each trial a
     const auto loaded = load_scenario((files.folder / "scenario.yaml").string(), {}, diagnostics);
     INFO(diagnostics.to_text());
     REQUIRE(loaded);
-    check_trials_alone(loaded->plan.points.front());
+    check_trials_alone(loaded->plan.points.front(), 20, 2);
   };
   check(R"(dimension: 2
 terrain: { type: profile, points: [[-5, 10], [0, 10], [10, 0], [60, 0]], material: rock }
