@@ -4,9 +4,8 @@
 #include <array>
 #include <optional>
 
-#include "collision/motion.h"
+#include "flight/parabola.h"
 #include "geometry/ground.h"
-#include "geometry/plan_line.h"
 #include "geometry/profile.h"
 #include "math/space.h"
 
@@ -42,11 +41,14 @@ struct Arc {
     for (int k = 1; k < terms(); ++k) rate[k - 1] = k * n.dot(c[k]);
     return rate;
   }
-  /// A parabola as a path over its time.
-  Path<D> path() const { return {c[0], c[1] / length, 2 / (length * length) * c[2]}; }
-  /// The path in plan, as polynomials of s.
-  PlanPath in_plan() const {
-    return {along(Vec<D>::Unit(0)), D == 3 ? along(Vec<D>::Unit(1)) : decltype(PlanPath::y){}};
+  double end() const { return 1; }  ///< the greatest s
+  double time(double s) const { return start + s * length; }
+  const Vec<D>& origin() const { return c[0]; }
+  const Vec<D>& rate() const { return c[1]; }
+  const Vec<D>& bend() const { return c[2]; }
+  /// The same as a path over its time, if it is a parabola.
+  Parabola<D> parabola() const {
+    return {{c[0], c[1] / length, 2 / (length * length) * c[2]}, start, length};
   }
   int terms() const { return is_parabola ? 3 : 6; }
   /// The part of the arc over [from, to] of s.
@@ -55,6 +57,10 @@ struct Arc {
   /// curve).
   Eigen::AlignedBox<double, D> box() const;
 };
+
+/// The arc in plan, as polynomials of s.
+inline PlanPath in_plan(const Arc<2>& arc) { return {arc.along(Vec2::UnitX()), {}}; }
+inline PlanPath in_plan(const Arc<3>& arc) { return {arc.along(Vec3::UnitX()), arc.along(Vec3::UnitY())}; }
 
 /// The state of a point in flight.
 template <int D>

@@ -51,8 +51,8 @@ class BallisticFlight {
   double step_ = 0.05;  // s, at the start
 };
 
-/// Where on an arc a flight ends: at the ground, at the end of the terrain, where an observer stops it, or at
-/// s = 1.
+/// Where a flight ends on an arc or parabola: at the ground, at the end of the terrain, where an observer
+/// stops it, or at its end. `s` is the parameter of the curve.
 struct ArcEnd {
   double s = 1;
   bool on_ground = false, left = false, held = false;
@@ -86,8 +86,7 @@ Landing<D> land(BallisticFlight<D> flight, const Ground& ground, double latest, 
     const Arc<D> arc = flight.next(latest - landing.time);
     end = end_of(arc, ground);
     see(arc, end);
-    landing = {end.on_ground, end.left, arc.start + end.s * arc.length, arc.position(end.s),
-               arc.velocity(end.s)};
+    landing = {end.on_ground, end.left, arc.time(end.s), arc.position(end.s), arc.velocity(end.s)};
   }
   return landing;
 }

@@ -13,11 +13,6 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-PlanPath in_plan(const Path<2>& path) { return {.x = {path.x.x(), path.v.x(), 0.5 * path.a.x()}}; }
-PlanPath in_plan(const Path<3>& path) {
-  return {.x = {path.x.x(), path.v.x(), 0.5 * path.a.x()}, .y = {path.x.y(), path.v.y(), 0.5 * path.a.y()}};
-}
-
 }  // namespace
 
 template <int D>
@@ -31,8 +26,8 @@ Crossings<D>::Crossings(World<D>& world, std::span<const Gate> gates, std::span<
                         std::vector<BodyHistory>& histories)
     : world_(world), gates_(gates), barriers_(barriers), histories_(histories) {
   for (const Body<D>& body : world.bodies) {
-    to_gates_.push_back(approaches(gates, flyrock::in_plan(body.x)));
-    to_barriers_.push_back(approaches(barriers, flyrock::in_plan(body.x)));
+    to_gates_.push_back(approaches(gates, in_plan(body.x)));
+    to_barriers_.push_back(approaches(barriers, in_plan(body.x)));
   }
   for (std::size_t i = 0; i < world.bodies.size() && trees.forest; ++i)
     trees_.emplace_back(trees, world.terrain(), world.bodies[i].volume,
@@ -58,7 +53,7 @@ template <int D>
 bool Crossings<D>::moved(int body, const Motion& motion, double start, double dt) {
   if (gates_.empty() && barriers_.empty() && trees_.empty()) return false;
   const PlanPath path = in_plan(motion);
-  const Vec2 end = flyrock::in_plan(motion.position(dt));
+  const Vec2 end = in_plan(motion.position(dt));
   for (std::size_t g = 0; g < gates_.size(); ++g) {
     Approach& to_gate = to_gates_[body][g];
     const auto arrival = to_gate.arrival(path, dt);

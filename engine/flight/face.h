@@ -19,15 +19,11 @@ template <int D>
 struct Face {
   int id = 0;
   int part = 0;  ///< of the terrain
-  Vec<D> normal = Vec<D>::Zero();
   int rims = 0;
+  Vec<D> normal;
   std::array<Vec<D>, D> corner;  ///< a point of each rim [m]; the first one is also a point of the face
   std::array<Vec<D>, D> inward;  ///< unit, along the face, from each rim into it
 
-  Face() {
-    corner.fill(Vec<D>::Zero());
-    inward.fill(Vec<D>::Zero());
-  }
   double height(const Vec<D>& p) const { return normal.dot(p - corner[0]); }
   /// How far p is from rim i, towards the inside [m].
   double inside(int i, const Vec<D>& p) const { return inward[i].dot(p - corner[i]); }
@@ -51,8 +47,10 @@ struct PointGround {
   int near = -1;  ///< a segment close to the start, in 2D; -1: not known
 };
 
-/// Where the arc first touches the ground, passes an end of the terrain, or comes to a place without ground.
-/// In closed form on a parabola, in increasing order along its x in 2D.
+/// Where a flight first touches the ground, passes an end of the terrain, or comes to a place without ground.
+/// In closed form on a parabola, whose acceleration is upright, in increasing order along its x in 2D.
+ArcEnd end_of(const Parabola<2>& path, const PointGround<2>& ground);
+ArcEnd end_of(const Parabola<3>& path, const PointGround<3>& ground);
 ArcEnd end_of(const Arc<2>& arc, const PointGround<2>& ground);
 ArcEnd end_of(const Arc<3>& arc, const PointGround<3>& ground);
 

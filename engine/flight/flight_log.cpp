@@ -32,7 +32,7 @@ PathBins bins_over(const Ground3& ground, double width) {
 /// The length of the path [m].
 template <int D>
 double path_length(const Arc<D>& arc, double end) {
-  if (arc.is_parabola) return flyrock::path_length(arc.path(), end * arc.length);
+  if (arc.is_parabola) return flyrock::path_length<D>(arc.parabola(), end * arc.length);
   return boost::math::quadrature::gauss<double, 7>::integrate(
       [&](double s) { return arc.velocity(s).norm() * arc.length; }, 0.0, end);
 }
@@ -88,54 +88,66 @@ FlightLog<D>::FlightLog(const Body<D>& body, const Terrain& terrain, const Point
 }
 
 template <int D>
-void FlightLog<D>::flew(const Arc<D>& arc, double end) {
-  if (end * arc.length > 0) has_flown_ = true;
-  see(arc, end, history_.landed ? TravelMode::bounce : TravelMode::flight);
+template <class Curve>
+void FlightLog<D>::flew(const Curve& curve, double end) {
+  if (end * curve.length > 0) has_flown_ = true;
+  see(curve, end, history_.landed ? TravelMode::bounce : TravelMode::flight);
 }
 
 template <int D>
-void FlightLog<D>::slid(const Arc<D>& arc, double end, TravelMode mode) {
-  history_.contact_time += end * arc.length;
-  see(arc, end, mode);
+template <class Curve>
+void FlightLog<D>::slid(const Curve& curve, double end, TravelMode mode) {
+  history_.contact_time += curve.time(end) - curve.start;
+  see(curve, end, mode);
 }
 
 template <int D>
-void FlightLog<D>::see(const Arc<D>& arc, double end, TravelMode mode) {
+template <class Curve>
+void FlightLog<D>::see(const Curve& curve, double end, TravelMode mode) {
   mode_ = mode;
-  for (double t = next_sample_; run_.trajectory_every > 0 && t < arc.start + end * arc.length;
-       t = next_sample_) {
-    store(at(arc, (t - arc.start) / arc.length));
-    next_sample_ += run_.trajectory_every;
-  }
-  if (!run_.ends_at_touch && arc.is_parabola) {
-    // As for bodies: in closed form, over a straight line in plan.
-    const Path<D> path = arc.path();
-    const double dt = end * arc.length;
-    if (run_.keep_extremes || run_.keep_impacts) apex(arc, path, dt);
-    widen(arc, end);
-    over_ground(path, dt);
-    if (run_.cells) map(path, dt);
-    history_.travel.add(mode, dt, path_length(path, dt));
-  } else {
-    history_.travel.add(mode, end * arc.length, path_length(arc, end));
-    turns(arc, end);
-    widen(arc, end);
-    highest(arc, end);
-    bins(arc, end);
-    if (run_.cells) map(arc, end);
-  }
-  if (!to_gates_.empty()) pass_gates(arc, end);
-  if (run_.trajectory_every > 0 && !run_.ends_at_touch) store(at(arc, end));
+  if (run_.trajectory_every > 0) sample(curve, end);
+  follow(curve, end);
+  if (!to_gates_.empty()) pass_gates(curve, end);
+  if (run_.trajectory_every > 0 && !run_.ends_at_touch) store(at(curve, end));
+}
+
+/// Stores the points of a trajectory along a curve.
+template <int D>
+template <class Curve>
+void FlightLog<D>::sample(const Curve& curve, double end) {
+  for (; next_sample_ < curve.time(end); next_sample_ += run_.trajectory_every)
+    store(at(curve, (next_sample_ - curve.start) * (curve.end() / curve.length)));
+}
+
+/// As for bodies: in closed form, over a straight line in plan.
+template <int D>
+void FlightLog<D>::follow(const Parabola<D>& path, double end) {
+  if (run_.keep_extremes || run_.keep_impacts) apex(path, end);
+  widen(path, end);
+  over_ground(path, end);
+  if (run_.cells) map(path, end);
+  history_.travel.add(mode_, end, path_length<D>(path, end));
+}
+
+template <int D>
+void FlightLog<D>::follow(const Arc<D>& arc, double end) {
+  if (!run_.ends_at_touch && arc.is_parabola) return follow(arc.parabola(), end * arc.length);
+  history_.travel.add(mode_, end * arc.length, path_length(arc, end));
+  turns(arc, end);
+  widen(arc, end);
+  highest(arc, end);
+  bins(arc, end);
+  if (run_.cells) map(arc, end);
 }
 
 /// The highest place of a parabola. Speed and distance are greatest at the ends of an arc.
 template <int D>
-void FlightLog<D>::apex(const Arc<D>& arc, const Path<D>& path, double dt) {
+void FlightLog<D>::apex(const Parabola<D>& path, double end) {
   const double apex = path.a[D - 1] < 0 ? path.v[D - 1] / -path.a[D - 1] : -1;
-  if (!(apex > 0 && apex <= dt)) return;
-  if (run_.keep_extremes) widen(arc, apex / arc.length);
+  if (!(apex > 0 && apex <= end)) return;
+  if (run_.keep_extremes) widen(path, apex);
   if (run_.keep_impacts && history_.impact_count > 0 && mode_ == TravelMode::bounce)
-    history_.apexes.push_back({arc.start + apex, path.position(apex)[D - 1] - first_contact_height_});
+    history_.apexes.push_back({path.time(apex), path.position(apex)[D - 1] - first_contact_height_});
 }
 
 template <int D>
@@ -149,16 +161,14 @@ void FlightLog<D>::turns(const Arc<D>& arc, double end) {
 }
 
 template <int D>
-void FlightLog<D>::landed(const Landing<D>& now) {
-  if (history_.landed || !has_flown_) return;
+void FlightLog<D>::land(const Landing<D>& now) {
   history_.landed = true;
   history_.flight_range = horizontal(Vec<D>(now.position - body_.x));
 }
 
 template <int D>
-void FlightLog<D>::struck(const Impact& impact, const Landing<D>& after) {
+void FlightLog<D>::struck(const Landing<D>& after) {
   if (history_.impact_count++ == 0) first_contact_height_ = after.position[D - 1];
-  if (run_.keep_impacts) history_.impacts.push_back(impact);
   include(after.time, after.position, after.velocity);
   if (run_.trajectory_every > 0) store(state(after.time, after.position, after.velocity));
 }
@@ -226,8 +236,9 @@ BodyState FlightLog<D>::state(double time, const Vec<D>& position, const Vec<D>&
 }
 
 template <int D>
-BodyState FlightLog<D>::at(const Arc<D>& arc, double s) const {
-  return state(arc.start + s * arc.length, arc.position(s), arc.velocity(s));
+template <class Curve>
+BodyState FlightLog<D>::at(const Curve& curve, double s) const {
+  return state(curve.time(s), curve.position(s), curve.velocity(s));
 }
 
 template <int D>
@@ -240,9 +251,10 @@ void FlightLog<D>::store(const BodyState& s) {
 }
 
 template <int D>
-void FlightLog<D>::widen(const Arc<D>& arc, double s) {
-  const Vec<D> position = arc.position(s);
-  include(arc.start + s * arc.length, position, arc.velocity(s));
+template <class Curve>
+void FlightLog<D>::widen(const Curve& curve, double s) {
+  const Vec<D> position = curve.position(s);
+  include(curve.time(s), position, curve.velocity(s));
   history_.max_distance = std::max(history_.max_distance, horizontal(Vec<D>(position - body_.x)));
 }
 
@@ -258,19 +270,19 @@ double FlightLog<D>::height(const Vec<D>& p) const {
 }
 
 template <int D>
-void FlightLog<D>::pass_gates(const Arc<D>& arc, double end) {
-  // Slightly beyond the end, because an arc that ends at a barrier may end before a gate there by rounding.
-  const double until = std::min(1.0, end + 1e-12);
+template <class Curve>
+void FlightLog<D>::pass_gates(const Curve& curve, double end) {
+  // Slightly beyond the end, because a path that ends at a barrier may end before a gate there by rounding.
+  const double until = std::min(curve.end(), end + 1e-12 * curve.end());
   for (std::size_t g = 0; g < to_gates_.size(); ++g) {
-    const auto arrival = to_gates_[g].arrival(arc.in_plan(), until);
-    to_gates_[g].move_to(in_plan(arc.position(end)));
+    const auto arrival = to_gates_[g].arrival(in_plan(curve), until);
+    to_gates_[g].move_to(in_plan(curve.position(end)));
     if (!arrival) continue;
     to_gates_[g].arrive();
-    const Vec<D> velocity = arc.velocity(arrival->time), position = arc.position(arrival->time);
-    history_.passages.push_back(
-        {{arc.start + arrival->time * arc.length, velocity.norm(), energy(velocity.squaredNorm()),
-          height(moved_to<D>(position, arrival->place)), arrival->along},
-         static_cast<int>(g)});
+    const Vec<D> velocity = curve.velocity(arrival->time), position = curve.position(arrival->time);
+    history_.passages.push_back({{curve.time(arrival->time), velocity.norm(), energy(velocity.squaredNorm()),
+                                  height(moved_to<D>(position, arrival->place)), arrival->along},
+                                 static_cast<int>(g)});
   }
 }
 
@@ -346,5 +358,11 @@ void FlightLog<D>::map(const Arc<D>& arc, double end) {
 
 template class FlightLog<2>;
 template class FlightLog<3>;
+template void FlightLog<2>::flew(const Parabola<2>&, double);
+template void FlightLog<3>::flew(const Parabola<3>&, double);
+template void FlightLog<2>::flew(const Arc<2>&, double);
+template void FlightLog<3>::flew(const Arc<3>&, double);
+template void FlightLog<2>::slid(const Arc<2>&, double, TravelMode);
+template void FlightLog<3>::slid(const Arc<3>&, double, TravelMode);
 
 }  // namespace flyrock

@@ -13,13 +13,19 @@ class FlightLog {
   /// Body, terrain and run outlive the log.
   FlightLog(const Body<D>& body, const Terrain& terrain, const PointRun<D>& run);
 
-  /// Records that the point followed `arc` to s = end in [0, 1], in a mode: in the air (flight, before its
-  /// first landing or after it) or on the ground.
-  void flew(const Arc<D>& arc, double end);
-  void slid(const Arc<D>& arc, double end, TravelMode mode);
+  /// Records that the point followed a curve, which is an Arc or a Parabola, to its parameter `end`, in a
+  /// mode: in the air (flight, before its first landing or after it) or on the ground.
+  template <class Curve>
+  void flew(const Curve& curve, double end);
+  template <class Curve>
+  void slid(const Curve& curve, double end, TravelMode mode);
   /// The point touches the ground now. This is a landing if it has flown.
-  void landed(const Landing<D>& now);
-  void struck(const Impact& impact, const Landing<D>& after);
+  void landed(const Landing<D>& now) {
+    if (!history_.landed && has_flown_) land(now);
+  }
+  /// An impact has changed the velocity. Its record is kept only if the run keeps impacts.
+  void struck(const Landing<D>& after);
+  void keep(const Impact& impact) { history_.impacts.push_back(impact); }
   /// The state in which the flight arrives at a barrier at a place in plan.
   Arrival arrival(const Approach::Arrival& at, const Landing<D>& now) const;
   /// Records that a barrier or a tree has acted and scaled velocity and spin by `left`.
@@ -35,17 +41,26 @@ class FlightLog {
 
  private:
   void slow(double time, double left);
-  void see(const Arc<D>& arc, double end, TravelMode mode);
+  void land(const Landing<D>& now);
+  template <class Curve>
+  void see(const Curve& curve, double end, TravelMode mode);
+  template <class Curve>
+  void sample(const Curve& curve, double end);
+  void follow(const Parabola<D>& path, double end);
+  void follow(const Arc<D>& arc, double end);
   BodyState state(double time, const Vec<D>& position, const Vec<D>& velocity) const;
-  BodyState at(const Arc<D>& arc, double s) const;
+  template <class Curve>
+  BodyState at(const Curve& curve, double s) const;
   /// The attitude at a time since the last barrier.
   Attitude<D> attitude(double time) const { return attitude_.turned(spin_ * (time - spin_since_)); }
   void store(const BodyState& s);
-  void widen(const Arc<D>& arc, double s);
+  template <class Curve>
+  void widen(const Curve& curve, double s);
   void include(double time, const Vec<D>& position, const Vec<D>& velocity);
   double height(const Vec<D>& p) const;
-  void pass_gates(const Arc<D>& arc, double end);
-  void apex(const Arc<D>& arc, const Path<D>& path, double dt);
+  template <class Curve>
+  void pass_gates(const Curve& curve, double end);
+  void apex(const Parabola<D>& path, double end);
   void turns(const Arc<D>& arc, double end);
   void highest(const Arc<D>& arc, double end);
   void bins(const Arc<D>& arc, double end);

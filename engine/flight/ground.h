@@ -82,8 +82,8 @@ struct HeightOver {
 /// then the one at its end.
 template <class Visit>
 void visit_heights(const Terrain2& terrain, const Path<2>& path, double dt, Visit visit, int& near) {
-  const double from_x = path.x.x(), to_x = path.position(dt).x();
   const double rate = rate_along_x(path, dt), per_rate = rate != 0 ? 1 / rate : 0;
+  const double from_x = path.x.x(), to_x = from_x + dt * rate;
   const auto run = terrain.segments_between(std::min(from_x, to_x), std::max(from_x, to_x), near);
   near = to_x < from_x ? run.first : run.last;
   for (int i = run.first; i <= run.last; ++i) {
@@ -96,7 +96,7 @@ void visit_heights(const Terrain2& terrain, const Path<2>& path, double dt, Visi
       to = std::min(to, std::max(t1, t2));
       if (from > to) continue;
     }
-    const double slope = (b.y() - a.y()) / (b.x() - a.x());
+    const double slope = terrain.slope(i);
     const HeightOver height{path.x.y() - a.y() - slope * (path.x.x() - a.x()),
                             path.v.y() - slope * path.v.x(), path.a.y() - slope * path.a.x()};
     visit(from, to, [&](double t0, double t1) { return height.greatest(t0, t1); });

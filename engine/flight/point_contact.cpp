@@ -10,8 +10,9 @@ namespace flyrock {
 namespace {
 
 /// The n-th value of a draw at a key, from 0.
-double value_of(const Draw& draw, std::uint64_t seed, DrawKey key, int n) {
-  if (n == 0) return draw.value(seed, key);
+double value_of(const Draw& draw, std::uint64_t seed, const DrawKey& at, int n) {
+  if (n == 0) return draw.value(seed, at);
+  DrawKey key = at;
   if (draw.scope != Scope::impact) key.impact = 0;
   key.hole = 0;
   return draw.quantile(uniform_at(seed, draw.stream_hash, key, static_cast<std::uint64_t>(n)));
@@ -63,8 +64,7 @@ typename PointContact<D>::Tilted PointContact<D>::tilted(const Face<D>& face, co
   constexpr int most_draws = 100;
   const Roughness& roughness = surface.roughness;
   const Vec<D> along = slip_direction(face.normal, v);
-  DrawKey key = surface.key;
-  key.impact = static_cast<std::uint64_t>(impacts_);
+  const DrawKey& key = surface.key;  // of this impact
   for (int i = 0; i < most_draws; ++i) {
     const auto angle = [&](int n) {
       return roughness.draw ? value_of(*roughness.draw, surface.seed, key, n) : roughness.constant;
@@ -86,28 +86,35 @@ typename PointContact<D>::Tilted PointContact<D>::tilted(const Face<D>& face, co
 }
 
 template <int D>
-Impact PointContact<D>::impact(const Face<D>& face, double time, const Vec<D>& at, Vec<D>& v) {
+typename PointContact<D>::Bounce PointContact<D>::strike(const Face<D>& face, double time, const Vec<D>& at,
+                                                         Vec<D>& v) {
   Surface* surface = surfaces_[face.part];
   ++impacts_;
   age_ = 0;
   since_ = time;
-  Tilted tilt{face.normal};
+  Bounce bounce{{face.normal}, {}, {}};
   ContactLaw law;
   if (surface) {
-    if (surface->roughness.any()) tilt = tilted(face, *surface, v);
-    memory_ = {};
-    memory_part_ = face.part;
-    ++surface->use.contacts;
     surface->begin_instant();
     surface->begin_impact(static_cast<std::uint64_t>(impacts_));
-    ContactState state;
-    if (surface->reads_state()) state = state_of(face, *surface, tilt.normal, time, at, v);
-    law = surface->ask(state, true, memory_);
+    if (surface->roughness.any()) bounce.face = tilted(face, *surface, v);
+    if (surface->remembers_contacts()) memory_ = {};
+    memory_part_ = face.part;
+    ++surface->use.contacts;
+    if (surface->reads_state()) state_ = state_of(face, *surface, bounce.face.normal, time, at, v);
+    law = surface->ask(state_, true, memory_);
   }
-  const auto frame = contact_frame(tilt.normal);
-  const Vec<D> before = frame.transpose() * v;
-  const Vec<D> after = rebound_of_point<D>(before, law, law.mu_d);
-  v = frame * after;
+  const auto frame = contact_frame(bounce.face.normal);
+  bounce.before = frame.transpose() * v;
+  bounce.after = rebound_of_point<D>(bounce.before, law, law.mu_d);
+  v = frame * bounce.after;
+  return bounce;
+}
+
+template <int D>
+Impact PointContact<D>::record(const Face<D>& face, double time, const Vec<D>& at,
+                               const Bounce& bounce) const {
+  const Vec<D>&before = bounce.before, &after = bounce.after;
   // Signed in 2D, magnitudes in 3D, as the impacts of bodies.
   const auto slip = [](const Vec<D>& row) { return D == 2 ? row[1] : row.template tail<D - 1>().norm(); };
   Impact impact;
@@ -121,8 +128,8 @@ Impact PointContact<D>::impact(const Face<D>& face, double time, const Vec<D>& a
   impact.vt_after = slip(after);
   impact.pn = body_.mass * (after[0] - before[0]);
   impact.pt = body_.mass * slip(after - before);
-  impact.tilt = tilt.angle;
-  impact.energy_change = 0.5 * body_.mass * (after.squaredNorm() - before.squaredNorm());
+  impact.tilt = bounce.face.angle;
+  impact.energy_change = energy_change(bounce);
   return impact;
 }
 

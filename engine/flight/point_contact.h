@@ -19,9 +19,24 @@ class PointContact {
                std::span<Surface* const> surfaces)
       : body_(body), terrain_(terrain), origin_(origin), surfaces_(surfaces) {}
 
-  /// The impact of the point at `at` with the velocity v [m/s], which the impact changes. Velocities and
-  /// impulses in the record are along the tilted normal, which the laws act on.
-  Impact impact(const Face<D>& face, double time, const Vec<D>& at, Vec<D>& v);
+  /// The face as an impact meets it: tilted by the roughness of its material.
+  struct Tilted {
+    Vec<D> normal;
+    std::array<double, 2> angle = {};  ///< rad, as Impact::tilt
+  };
+  /// An impact: the velocities [m/s] along the tilted normal, which the laws act on, and along the face.
+  struct Bounce {
+    Tilted face;
+    Vec<D> before, after;
+  };
+  /// The point at `at` strikes a face with the velocity v [m/s], which the impact changes.
+  Bounce strike(const Face<D>& face, double time, const Vec<D>& at, Vec<D>& v);
+  /// The energy [J] that it gives the point.
+  double energy_change(const Bounce& bounce) const {
+    return 0.5 * body_.mass * (bounce.after.squaredNorm() - bounce.before.squaredNorm());
+  }
+  /// The last impact as results describe it.
+  Impact record(const Face<D>& face, double time, const Vec<D>& at, const Bounce& bounce) const;
 
   /// The friction of a point on a face [m/s2] that is pressed to it by `press` [m/s2]. Where the material
   /// has a rolling law, mu is at most mu_r/R; `rolls` tells whether this is the smaller one.
@@ -37,16 +52,13 @@ class PointContact {
  private:
   ContactState state_of(const Face<D>& face, const Surface& surface, const Vec<D>& normal, double time,
                         const Vec<D>& at, const Vec<D>& v) const;
-  struct Tilted {
-    Vec<D> normal;
-    std::array<double, 2> angle = {};  ///< rad, as Impact::tilt
-  };
   Tilted tilted(const Face<D>& face, const Surface& surface, const Vec<D>& v) const;
 
   const Body<D>& body_;
   const typename Geometry<D>::Terrain& terrain_;
   Vec<D> origin_;
   std::span<Surface* const> surfaces_;
+  ContactState state_;  ///< of the last impact whose laws read it
   ContactHistory memory_{};
   int memory_part_ = -1;
   int impacts_ = 0;

@@ -20,34 +20,33 @@ constexpr int most_idle = 10'000;     // events that together advance time by le
 constexpr double idle_time = 1e-3;    // s
 constexpr double varying_leg = 0.01;  // s, after which a law that varies is asked again
 
-/// The energy of a point, and what it may have at most [J].
+/// The energy of a point, and what it may have at most [J/kg].
 template <int D>
 class EnergyAudit {
  public:
   EnergyAudit(const Body<D>& body, const Vec<D>& gravity)
-      : mass_(body.mass), gravity_(gravity), g_(gravity.norm()), start_(body.x), size_(body.size) {
+      : mass_(body.mass), gravity_(gravity), start_(body.x), size_(body.size) {
     allowed_ = energy(body.x, body.v);
   }
   double energy(const Vec<D>& x, const Vec<D>& v) const {
-    return mass_ * (0.5 * v.squaredNorm() - gravity_.dot(x - start_));
+    return 0.5 * v.squaredNorm() - gravity_.dot(x - start_);
   }
   /// Energy came from outside: the work of the air, a gain of an impact.
   void give(double energy) { allowed_ += energy; }
-  std::optional<std::string> fault(const Vec<D>& x, const Vec<D>& v) {
-    const double scale = mass_ * (0.5 * v.squaredNorm() + g_ * ((x - start_).norm() + size_));
-    greatest_ = std::max(greatest_, scale);
+  std::optional<std::string> fault(const Vec<D>& x, const Vec<D>& v) const {
     const double excess = energy(x, v) - allowed_;
-    if (!(excess > 1e-6 * greatest_)) return std::nullopt;
-    return fmt::format("it has {:.3g} J more than gravity, air and impacts gave it", excess);
+    if (excess <= 0) return std::nullopt;
+    const double scale = 0.5 * v.squaredNorm() + gravity_.norm() * ((x - start_).norm() + size_);
+    if (!(excess > 1e-6 * scale)) return std::nullopt;
+    return fmt::format("it has {:.3g} J more than gravity, air and impacts gave it", mass_ * excess);
   }
 
  private:
   double mass_;
   Vec<D> gravity_;
-  double g_;  ///< m/s2
   Vec<D> start_;
   double size_;
-  double allowed_ = 0, greatest_ = 0;
+  double allowed_ = 0;
 };
 
 /// Keeps its memory between rocks.
@@ -73,7 +72,7 @@ class PointRunner {
         contact_(body, terrain, run.origin, run.surfaces),
         audit_(body, run.forces.gravity),
         slow_(std::max(0.05 * run.rest_speed, 1e-9)),
-        to_barriers_(approaches(run.barriers, flyrock::in_plan(body.x))),
+        to_barriers_(approaches(run.barriers, in_plan(body.x))),
         trees_(run.forest, terrain, body.volume, run.key) {}
 
   BodyHistory run() {
@@ -88,8 +87,7 @@ class PointRunner {
           return diverged(std::to_string(most_idle) + " events without progress");
         marked = now_.time;
       }
-      settle();
-      const bool caught = leaves_all_faces() ? fly() : slide_or_fly();
+      const bool caught = settle() ? fly() : slide_or_fly();
       if (caught) return end(StopReason::caught);
       if (const auto fault = find_fault()) return diverged(*fault);
       if (now_.left) return left();
@@ -101,7 +99,7 @@ class PointRunner {
   /// The method `ballistic`.
   BodyHistory fly_to_touch() {
     while (true) {
-      const bool caught = fly_over(ground_of(terrain_));
+      const bool caught = fly_in_air(ground_of(terrain_));
       if (caught) return log_.finish(now_, StopReason::caught);
       if (now_.on_ground) return log_.finish(now_, StopReason::stopped);
       if (now_.left) return log_.finish(now_, StopReason::left_domain);
@@ -112,7 +110,7 @@ class PointRunner {
   /// Flies to the ground, an end, a barrier or a tree. Returns whether a barrier or a tree has caught the
   /// point.
   template <class Ground>
-  bool fly_over(const Ground& ground) {
+  bool fly_in_air(const Ground& ground) {
     Obstacle obstacle;
     now_ = land(BallisticFlight<D>(run_.forces, now_.position, now_.velocity, now_.time), ground,
                 run_.stop_time, [&](const Arc<D>& arc, ArcEnd& end) {
@@ -123,12 +121,29 @@ class PointRunner {
     return stops_at(obstacle);
   }
 
+  /// The same without air, in closed form.
+  bool fly_parabola() {
+    const Parabola<D> path{
+        {now_.position, now_.velocity, run_.forces.gravity}, now_.time, run_.stop_time - now_.time};
+    ArcEnd end = end_of(path, PointGround<D>{terrain_, near_});
+    const Obstacle obstacle = first_obstacle(path, end);
+    near_ = end.segment;
+    log_.flew(path, end.s);
+    now_ = {end.on_ground, end.left, path.time(end.s), path.position(end.s), path.velocity(end.s)};
+    return stops_at(obstacle);
+  }
+
   bool fly() {
     const double start = now_.time;
-    const double energy = run_.forces.air.drag > 0 ? audit_.energy(now_.position, now_.velocity) : 0;
     if (run_.quality) ++run_.quality->flights;
-    const bool caught = fly_over(PointGround<D>{terrain_, near_});
-    if (run_.forces.air.drag > 0) audit_.give(audit_.energy(now_.position, now_.velocity) - energy);
+    bool caught = false;
+    if (run_.forces.air.drag > 0) {
+      const double energy = audit_.energy(now_.position, now_.velocity);
+      caught = fly_in_air(PointGround<D>{terrain_, near_});
+      audit_.give(audit_.energy(now_.position, now_.velocity) - energy);
+    } else {
+      caught = fly_parabola();
+    }
     // a resting point may lose contact for a shorter time
     if (now_.time - start > idle_time) rest_.moves();
     return caught;
@@ -141,16 +156,19 @@ class PointRunner {
   }
 
   /// Solves the impacts at this place, the greatest approach first, until the point approaches no face.
-  void settle() {
+  /// Returns whether it then rises from all faces on which it is.
+  bool settle() {
     constexpr int most_impacts = 100;  // at one place, before restitution and roughness end
     faces_at(terrain_, now_.position, near_, faces_);
-    Vec<D>& v = now_.velocity;
-    for (int i = 0; !faces_.empty(); ++i) {
+    if (faces_.empty()) return true;
+    for (int i = 0;; ++i) {
+      const Vec<D>& v = now_.velocity;
       const Face<D>* first = nullptr;
-      double approach = rounding_of_speed(v.norm());
+      double approach = -std::numeric_limits<double>::infinity();
       for (const Face<D>& face : faces_)
-        if (-v.dot(face.normal) > approach) first = &face, approach = -v.dot(face.normal);
-      if (!first) return;
+        if (const double of_face = -v.dot(face.normal); of_face > approach) first = &face, approach = of_face;
+      const double rounding = rounding_of_speed(v.norm());
+      if (!(approach > rounding)) return approach < -rounding;
       log_.landed(now_);
       if (approach > run_.rest_speed && i < most_impacts)
         collide(*first);
@@ -160,15 +178,18 @@ class PointRunner {
   }
 
   void collide(const Face<D>& face) {
-    const Impact impact = contact_.impact(face, now_.time, now_.position, now_.velocity);
-    log_.struck(impact, now_);
+    const auto bounce = contact_.strike(face, now_.time, now_.position, now_.velocity);
+    log_.struck(now_);
+    if (run_.keep_impacts) log_.keep(contact_.record(face, now_.time, now_.position, bounce));
     if (run_.quality) ++run_.quality->impact_problems;
-    if (impact.energy_change <= 0) return;
-    audit_.give(impact.energy_change);
-    const double rounding = 1e-12 * std::abs(impact.pn * impact.vn_before);
-    if (!run_.quality || impact.energy_change <= rounding) return;
+    const double gain = contact_.energy_change(bounce);
+    if (gain <= 0) return;
+    audit_.give(gain / body_.mass);
+    const double vn = bounce.before[0];
+    const double rounding = 1e-12 * std::abs(body_.mass * (bounce.after[0] - vn) * vn);
+    if (!run_.quality || gain <= rounding) return;
     ++run_.quality->energy_gains;
-    run_.quality->energy_gained += impact.energy_change;
+    run_.quality->energy_gained += gain;
   }
 
   /// An approach without restitution: friction takes at most mu times the normal velocity.
@@ -178,14 +199,6 @@ class PointRunner {
     const auto grip = contact_.grip(face, now_.time, now_.position, v, approach);
     const double slip = v.norm();
     if (slip > 0) v *= std::max(0.0, 1 - grip.slides / slip);
-  }
-
-  /// Whether it rises from all faces on which it is.
-  bool leaves_all_faces() const {
-    if (faces_.empty()) return true;
-    const double rounding = rounding_of_speed(now_.velocity.norm());
-    return std::all_of(faces_.begin(), faces_.end(),
-                       [&](const Face<D>& face) { return now_.velocity.dot(face.normal) > rounding; });
   }
 
   bool slide_or_fly() {
@@ -248,7 +261,7 @@ class PointRunner {
   bool is_at_rest() { return !std::isnan(log_.history().stop_time); }
 
   std::optional<std::string> find_fault() {
-    if (!now_.position.allFinite() || !(now_.velocity.squaredNorm() <= fastest * fastest))
+    if (!std::isfinite(now_.position.squaredNorm()) || !(now_.velocity.squaredNorm() <= fastest * fastest))
       return "its state is not finite, or it is faster than 100 km/s";
     if (now_.left) return std::nullopt;
     const double depth = depth_below_ground(terrain_, now_.position, near_);
@@ -279,20 +292,21 @@ class PointRunner {
     return log_.finish(now_, reason);
   }
 
-  /// What ends an arc before its end: a barrier, a tree, or nothing.
+  /// What ends a curve before its end: a barrier, a tree, or nothing.
   struct Obstacle {
     int barrier = -1, tree = -1;
   };
-  Obstacle first_obstacle(const Arc<D>& arc, ArcEnd& end) {
+  template <class Curve>
+  Obstacle first_obstacle(const Curve& curve, ArcEnd& end) {
     Obstacle first;
     if (trees_.any() && !trees_.passive())
-      if (const auto touch = trees_.first(arc, end.s)) {
+      if (const auto touch = trees_.first(curve, end.s)) {
         end = {touch->time, false, false, true};
         first.tree = touch->tree;
       }
-    first.barrier = first_barrier(arc, end);
+    if (!to_barriers_.empty()) first.barrier = first_barrier(curve, end);
     if (first.barrier >= 0) first.tree = -1;
-    if (trees_.any() && trees_.passive()) count_trees(arc, end.s);
+    if (trees_.any() && trees_.passive()) count_trees(curve, end.s);
     return first;
   }
   bool stops_at(const Obstacle& obstacle) {
@@ -307,27 +321,29 @@ class PointRunner {
     return left == 0;
   }
   /// Trees that change nothing: the path goes on through them.
-  void count_trees(const Arc<D>& arc, double end) {
-    while (const auto touch = trees_.first(arc, end)) {
-      Vec<D> velocity = arc.velocity(touch->time);
+  template <class Curve>
+  void count_trees(const Curve& curve, double end) {
+    while (const auto touch = trees_.first(curve, end)) {
+      Vec<D> velocity = curve.velocity(touch->time);
       double left = 1;
-      log_.met(trees_.hit(touch->tree, arc.start + touch->time * arc.length,
-                          log_.energy(velocity.squaredNorm()), arc.position(touch->time), velocity, left),
+      log_.met(trees_.hit(touch->tree, curve.time(touch->time), log_.energy(velocity.squaredNorm()),
+                          curve.position(touch->time), velocity, left),
                left);
     }
   }
 
-  /// The first barrier that the arc meets before its end; the arc then ends there. -1: none.
-  int first_barrier(const Arc<D>& arc, ArcEnd& end) {
+  /// The first barrier that the curve meets before its end; it then ends there. -1: none.
+  template <class Curve>
+  int first_barrier(const Curve& curve, ArcEnd& end) {
     int first = -1;
     for (std::size_t b = 0; b < to_barriers_.size(); ++b) {
-      const auto arrival = to_barriers_[b].arrival(arc.in_plan(), end.s);
+      const auto arrival = to_barriers_[b].arrival(in_plan(curve), end.s);
       if (!arrival || (first >= 0 && arrival->time >= end.s)) continue;
       end = {arrival->time, false, false, true};
       first = static_cast<int>(b);
       at_ = *arrival;
     }
-    for (Approach& to_barrier : to_barriers_) to_barrier.move_to(flyrock::in_plan(arc.position(end.s)));
+    for (Approach& to_barrier : to_barriers_) to_barrier.move_to(in_plan(curve.position(end.s)));
     return first;
   }
 

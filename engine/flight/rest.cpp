@@ -1,13 +1,6 @@
 #include "flight/rest.h"
 
-#include <limits>
-
 namespace flyrock {
-
-void RestWatch::moves() {
-  since_ = -1;
-  history_->stop_time = std::numeric_limits<double>::quiet_NaN();
-}
 
 void RestWatch::rests(double start, double end, double from, double speed, const Travel& before) {
   constexpr double creep = 0.1;  // of the stop speed

@@ -18,7 +18,10 @@ class RestWatch {
   RestWatch(double stop_speed, BodyHistory& history) : stop_speed_(stop_speed), history_(&history) {}
 
   /// Reports that the body moves or has no contact, so it is not at rest.
-  void moves();
+  void moves() {
+    since_ = -1;
+    history_->stop_time = std::numeric_limits<double>::quiet_NaN();
+  }
   /// Reports a contact step from `start` to `end` [s] that began at the speed `from` and ended at `speed`
   /// [m/s], the greater of |v| and |w| radius. The body is slow from the time at which the speed, taken as
   /// linear, falls below the stop speed. `before` is the travel of the body at the start of the step.

@@ -17,11 +17,9 @@ namespace flyrock {
 
 /// A path as polynomials of its time, and an arc as polynomials of s.
 inline SpacePath space_path(const Path<3>& path) {
-  return {.plan = {.x = {path.x.x(), path.v.x(), 0.5 * path.a.x()},
-                   .y = {path.x.y(), path.v.y(), 0.5 * path.a.y()}},
-          .z = {path.x.z(), path.v.z(), 0.5 * path.a.z()}};
+  return {.plan = in_plan(path), .z = {path.x.z(), path.v.z(), 0.5 * path.a.z()}};
 }
-inline SpacePath space_path(const Arc<3>& arc) { return {arc.in_plan(), arc.along(Vec3::UnitZ())}; }
+inline SpacePath space_path(const Arc<3>& arc) { return {in_plan(arc), arc.along(Vec3::UnitZ())}; }
 
 template <int D>
 class TreeWatch {

@@ -54,6 +54,7 @@ void Ground2::measure() {
     length_.push_back(along.norm());
     tangent_.push_back(along / length_.back());
     normal_.push_back(perpendicular(tangent_.back()));
+    slope_.push_back(along.y() / along.x());
   }
   corner_.assign(n + 1, Corner::flat);
   for (int i = 1; i < n; ++i) {
@@ -69,7 +70,7 @@ double Ground2::top(double x, int near) const {
   int i = first_segment(x, near);
   const Vec2 &left = start(i), &right = end(i);
   if (left.x() > x) return left.y();
-  if (right.x() > x) return left.y() + (x - left.x()) / (right.x() - left.x()) * (right.y() - left.y());
+  if (right.x() > x) return left.y() + (x - left.x()) * slope(i);
   double highest = right.y();
   for (++i; i < segments() && end(i).x() == x; ++i) highest = std::max(highest, end(i).y());
   return highest;
@@ -80,7 +81,7 @@ bool Ground2::is_inside(const Vec2& p) const {
   return flyrock::is_inside(points_, p) != solid_outside_;
 }
 
-int Ground2::first_segment(double x, int near) const {
+int Ground2::find_segment(double x, int near) const {
   int i = near;
   if (i < 0) {
     const double cell = (x - end(0).x()) / cell_;

@@ -29,6 +29,8 @@ class Ground2 {
   /// Unit normal out of the solid.
   const Vec2& normal(int segment) const { return normal_[segment]; }
   double length(int segment) const { return length_[segment]; }
+  /// dy/dx; of an upright segment, whatever the division by 0 gives.
+  double slope(int segment) const { return slope_[segment]; }
   int part(int segment) const { return part_[segment]; }
   /// How the line bends at its point i. The end points are flat.
   Corner corner(int i) const { return corner_[i]; }
@@ -45,7 +47,10 @@ class Ground2 {
   Run segments_between(double x_low, double x_high, int near = -1) const;
   /// The first segment of an open line whose right end is at or right of x. The search is short if it starts
   /// `near` it (-1: nothing is known).
-  int first_segment(double x, int near = -1) const;
+  int first_segment(double x, int near = -1) const {
+    const bool is_near = near > 0 && end(near - 1).x() < x && x <= end(near).x();
+    return is_near ? near : find_segment(x, near);
+  }
   /// The highest y of an open line at x; that of its ends beyond them.
   double top(double x, int near = -1) const;
   /// Whether a place lies in the solid and not on its surface.
@@ -56,11 +61,12 @@ class Ground2 {
  private:
   explicit Ground2(bool closed) : closed_(closed) {}
   void measure();
+  int find_segment(double x, int near) const;
 
   std::vector<Vec2> points_;
   std::vector<int> part_;
   std::vector<Vec2> tangent_, normal_;
-  std::vector<double> length_;
+  std::vector<double> length_, slope_;
   std::vector<Corner> corner_;
   bool closed_ = false, solid_outside_ = false;
   Box2 extent_{Vec2::Zero(), Vec2::Zero()};

@@ -52,7 +52,7 @@ void Surface::begin_pair(const DrawKey& of_pair) {
   known_.reset();
   const auto begin = [&](auto& bound, auto& kept) {
     draw(bound.drawn, bound.values, seed, key);
-    bound.forget();
+    if (bound.memory > 0) bound.forget();
     kept.reset();  // not kept for all rocks, because a law in Lua may print
   };
   begin(restitution, constant_restitution_);
@@ -62,6 +62,7 @@ void Surface::begin_pair(const DrawKey& of_pair) {
 }
 
 void Surface::begin_instant() {
+  if (!remembers()) return;
   const auto remember = [](auto& bound) {
     if (!bound.history.empty()) bound.before = bound.history;
   };
@@ -70,8 +71,8 @@ void Surface::begin_instant() {
 
 void Surface::begin_impact(std::uint64_t impact_number) {
   key.impact = impact_number;
-  const auto is_drawn = [](const auto& bound) { return !bound.per_impact.empty(); };
-  if (is_drawn(friction) || is_drawn(rolling) || is_drawn(unilateral)) known_.reset();
+  if (!traits().draws_at_impact) return;
+  if (traits().step_draws_at_impact) known_.reset();
   const auto draw_again = [this](auto& bound) { draw(bound.per_impact, bound.values, seed, key); };
   draw_again(restitution), draw_again(friction), draw_again(rolling), draw_again(unilateral);
 }
@@ -112,15 +113,20 @@ const ContactLaw* Surface::known() {
   return &*known_;
 }
 
-bool Surface::reads_state() {
-  if (!reads_state_)
-    reads_state_ = varies(restitution) || varies(friction) || varies(rolling) || varies(unilateral);
-  return *reads_state_;
-}
-
-bool Surface::remembers() const {
-  return !(restitution.history.empty() && friction.history.empty() && rolling.history.empty() &&
-           unilateral.history.empty());
+const Surface::Traits& Surface::traits() {
+  if (traits_) return *traits_;
+  const auto is_drawn = [](const auto& bound) { return !bound.per_impact.empty(); };
+  const auto has_memory = [](const auto& bound) { return !bound.history.empty(); };
+  const auto of_contacts = [](const auto& bound) { return bound.per_contact && bound.memory > 0; };
+  const bool steps = is_drawn(friction) || is_drawn(rolling) || is_drawn(unilateral);
+  traits_ = {.reads_state = varies(restitution) || varies(friction) || varies(rolling) || varies(unilateral),
+             .remembers = has_memory(restitution) || has_memory(friction) || has_memory(rolling) ||
+                          has_memory(unilateral),
+             .remembers_contacts = of_contacts(restitution) || of_contacts(friction) ||
+                                   of_contacts(rolling) || of_contacts(unilateral),
+             .draws_at_impact = steps || is_drawn(restitution),
+             .step_draws_at_impact = steps};
+  return *traits_;
 }
 
 void Surface::save_history(std::vector<double>& memory) const {

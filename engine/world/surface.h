@@ -86,9 +86,11 @@ class Surface {
   const ContactLaw* known();
   bool is_known() const { return known_.has_value(); }  ///< does not count as a call
   /// Whether a law reads the state of the contact.
-  bool reads_state();
+  bool reads_state() { return traits().reads_state; }
   /// Whether a law keeps memory of the pair.
-  bool remembers() const;
+  bool remembers() { return traits().remembers; }
+  /// Whether a law keeps memory of each contact.
+  bool remembers_contacts() { return traits().remembers_contacts; }
   /// A step that is repeated must restore the memory of the pair. save_history appends it to `memory`.
   /// restore_history reads it from `memory` and returns a pointer to the first number after it.
   void save_history(std::vector<double>& memory) const;
@@ -100,7 +102,14 @@ class Surface {
   std::optional<Rolling> constant_rolling_;
   std::optional<Unilateral> constant_unilateral_;
   std::optional<ContactLaw> known_;  ///< friction, rolling and unilateral
-  std::optional<bool> reads_state_;  ///< asked once, because each impact needs it
+  /// What is the same for all pairs of this kind; found once, because each impact needs it.
+  struct Traits {
+    bool reads_state, remembers, remembers_contacts;
+    bool draws_at_impact;       ///< a parameter of any law
+    bool step_draws_at_impact;  ///< one of friction, rolling or unilateral
+  };
+  const Traits& traits();
+  std::optional<Traits> traits_;
 };
 
 }  // namespace flyrock
