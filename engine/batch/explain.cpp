@@ -1,6 +1,6 @@
 #include "batch/explain.h"
 
-#include <Eigen/SVD>
+#include <Eigen/Eigenvalues>
 #include <memory>
 #include <utility>
 
@@ -109,7 +109,10 @@ Explanation explain(const World<D>& world, const SolveTrace<D>& trace, const Wor
   const double tolerance = world.settings().tolerance;
   all.phases.push_back(phase_of(trace.common, trace.restitution ? "compression" : "", tolerance));
   if (trace.restitution) all.phases.push_back(phase_of(*trace.restitution, "restitution", tolerance));
-  all.singular_values = Eigen::JacobiSVD<Eigen::MatrixXd>(all.w).singularValues();
+  // W is symmetric: its singular values are the sizes of its eigenvalues.
+  all.singular_values =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(all.w, Eigen::EigenvaluesOnly).eigenvalues().cwiseAbs();
+  std::sort(all.singular_values.begin(), all.singular_values.end(), std::greater());
   all.rank =
       static_cast<int>((all.singular_values.array() > rank_tolerance * all.singular_values[0]).count());
   all.problem = StoredProblem<D>{problem, trace.common.start};

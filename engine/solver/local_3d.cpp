@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/dependent_rows.h"
+
 namespace flyrock {
 
 namespace {
@@ -35,7 +37,7 @@ FrictionContact3::FrictionContact3(const Matrix3d& w, double mu) : w_(w), mu_(mu
   w.computeInverseAndDetWithCheck(inverse_, determinant, invertible, 0);
   const double scale = w.row(0).norm() * w.row(1).norm() * w.row(2).norm();
   singular_ = !invertible || std::abs(determinant) <= 1e-14 * scale || !inverse_.allFinite();
-  if (singular_) inverse_ = w.completeOrthogonalDecomposition().pseudoInverse();
+  if (singular_) inverse_ = solve_dependent(w, Matrix3d::Identity());
   if (!inverse_.allFinite()) inverse_.setZero();
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/dependent_rows.h"
+
 namespace flyrock {
 
 namespace {
@@ -67,7 +69,7 @@ bool solve_rows(const Problem& problem, const PairStates& states, std::vector<Ro
   }
   Vector x;
   if (resting > freedoms)
-    x = start + equations.completeOrthogonalDecomposition().solve(right - equations * start);
+    x = start + solve_dependent(equations, right - equations * start).col(0);
   else
     x = equations.partialPivLu().solve(right);
   if (!x.allFinite()) return false;
