@@ -4,6 +4,7 @@
 
 #include "analytic/lab_ground.h"
 #include "geometry/cone.h"
+#include "samples.h"
 
 using namespace flyrock;
 using namespace flyrock::lab;
@@ -196,7 +197,7 @@ TEST_CASE("the place where an edge crosses a rim stays there, however flat the c
   std::mt19937 rng(7);
   const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(rng); };
   const Height ridge = [](double, double y) { return -0.6 * std::abs(y); };
-  for (int i = 0; i < 10; ++i) {
+  for (int i = 0; i < samples(10); ++i) {
     CAPTURE(i);
     Material material(0.5, 0.6);
     Bench3 bench(mesh_of(ridge, 4, 8), material);

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "analytic/lab.h"
+#include "samples.h"
 
 using namespace flyrock;
 using namespace flyrock::lab;
@@ -85,7 +86,7 @@ void roll_down(int profiles, int rocks) {
 
 }  // namespace
 
-TEST_CASE("disks and polygons stay above random ground") { roll_down(50, 6); }
+TEST_CASE("disks and polygons stay above random ground") { roll_down(50, samples(6)); }
 
 TEST_CASE("two hundred thousand disks and polygons stay above fifty random profiles", "[heavy]") {
   roll_down(50, 4000);

@@ -99,8 +99,11 @@ void try_hills(int placements) {
       if (terrain.ground().depth(placed.pose.x) > 0) continue;
       // Down to a random distance of up to 4 cm
       const double wanted = dice(1e-4, 0.04);
-      for (int k = 0; k < 60; ++k) placed.pose.x.z() -= 0.9 * (distance_from(placed, triangles) - wanted);
-      const double distance = distance_from(placed, triangles);
+      double distance = distance_from(placed, triangles);
+      for (int k = 0; k < 60 && std::abs(distance - wanted) > 1e-6; ++k) {
+        placed.pose.x.z() -= 0.9 * (distance - wanted);
+        distance = distance_from(placed, triangles);
+      }
       if (distance < 1e-5 || distance > within - 1e-3) continue;
       ++judged;
       std::vector<ContactPoint<3>> contacts, turned;

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "samples.h"
 #include "verify/check.h"
 #include "verify/single_impact.h"
 
@@ -90,7 +91,7 @@ TEST_CASE("random rod impacts: only newton gains energy", "[slow]") {
 TEST_CASE("the path agrees with small steps in impulse space, turning slip and all") {
   std::mt19937 rng(4);
   std::uniform_real_distribution<double> unit(0, 1), both(-1, 1);
-  for (int k = 0; k < 60; ++k) {
+  for (int k = 0; k < samples(60); ++k) {
     const Eigen::Matrix3d w = random_mobility(rng);
     const Eigen::Vector3d v(-unit(rng), both(rng), both(rng));
     const double mu = unit(rng), e = unit(rng);

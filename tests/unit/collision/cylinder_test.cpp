@@ -16,6 +16,7 @@
 #include "collision/time_of_contact.h"
 #include "geometry/cone.h"
 #include "geometry/hull.h"
+#include "samples.h"
 
 using namespace flyrock;
 
@@ -343,7 +344,7 @@ TEST_CASE("cylinders at random places over a ridge with a peak have the gap of i
         {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]}, {{0, 1, 2}, {0, 2, 1}}));
   const Contactor3 cylinder = Contactor3::cylinder(0.3, 0.7);
   int wrong = 0;
-  for (int tested = 0; tested < 3000;) {
+  for (int tested = 0; tested < samples(3000);) {
     const Placed3 placed{cylinder, {{dice(-1.5, 1.5), dice(-1.5, 1.5), dice(-0.5, 1.2)}, dice.rotation()}};
     if (height_over(terrain.ground(), placed) < 0) continue;
     double gap = 1e300;

@@ -9,6 +9,7 @@
 #include "collision/terrain_contact.h"
 #include "collision/time_of_contact.h"
 #include "geometry/hull.h"
+#include "samples.h"
 
 using namespace flyrock;
 
@@ -156,7 +157,7 @@ TEST_CASE("pills and other shapes at 10,000 random placements have the gap, norm
   const Searched searched_pill(pill);
   for (const Searched& other : others(dice)) {
     int wrong = 0, tested = 0;
-    while (tested < 10000) {
+    while (tested < samples(10'000)) {
       const Placed3 a{pill, {dice(0.2, 1.4) * dice.direction(), dice.rotation()}};
       const Placed3 b{other.shape, {Vec3::Zero(), dice.rotation()}};
       const double gap = searched_gap(a, other, b), radii = pill.radius + other.shape.radius;
@@ -311,7 +312,7 @@ TEST_CASE("pills at 10,000 random places over each ground have the gap of a sear
     const Terrain3 terrain{TerrainShape3(mesh)};
     const Triangles triangles = triangles_of(mesh);
     int wrong = 0;
-    for (int tested = 0; tested < 10000;) {
+    for (int tested = 0; tested < samples(10'000);) {
       const Placed3 placed{pill, {{dice(-1.5, 1.5), dice(-1.5, 1.5), dice(-0.3, 1.6)}, dice.rotation()}};
       if (is_below(placed, terrain.ground())) continue;
       const double gap = searched_gap(placed, triangles);

@@ -10,6 +10,7 @@
 #include "geometry/cone.h"
 #include "geometry/hull.h"
 #include "math/farthest_on_ellipse.h"
+#include "samples.h"
 
 using namespace flyrock;
 
@@ -187,7 +188,7 @@ void try_placements(int placements) {
 }  // namespace
 
 TEST_CASE("rooms at random placements have the gap, the normal and the places of dense sampling") {
-  try_placements(400);
+  try_placements(samples(400));
 }
 
 TEST_CASE("rooms at 10,000 placements of each shape have them too", "[heavy]") { try_placements(10000); }

@@ -6,6 +6,7 @@
 #include "collision/terrain3.h"
 #include "collision/time_of_contact.h"
 #include "geometry/hull.h"
+#include "samples.h"
 
 using namespace flyrock;
 
@@ -158,7 +159,7 @@ TEST_CASE("tumbling polyhedra touch with a gap of at most 1e-11, and not before"
   search.iterations = &iterations;
   const double spin = GENERATE(0.0, 3.0, 50.0);
   int met = 0, edges = 0;
-  for (int k = 0; k < 200; ++k) {
+  for (int k = 0; k < samples(200); ++k) {
     const Motion3 a = tumbling({-3, 0, 0}, Vec3(4, 0, 0) + 0.5 * any(), moments,
                                Rotation3::from_vector(3 * any()), spin * any());
     const Motion3 b = tumbling({3, 0, 0}, Vec3(-2, 0, 0) + 0.5 * any(), cube_moments,

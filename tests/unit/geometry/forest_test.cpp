@@ -6,6 +6,7 @@
 
 #include "math/polynomial.h"
 #include "random/stream.h"
+#include "samples.h"
 
 using namespace flyrock;
 
@@ -123,21 +124,21 @@ TEST_CASE("hits a metre of path are stems a m2 times the diameter of a stem and 
   for (Stem& stem : stems) stem.radius = 0.2, stem.height = 20;
   const Forest forest(std::move(stems));
   RandomStream rng(9, "lines", {});
-  std::uint64_t hits = 0;
+  int hits = 0;
   double length = 0;
   std::vector<int> hit;
-  while (hits < 100'000) {
+  while (hits < samples(100'000)) {
     const double y = rng.uniform(1, side - 1), from = -2, to = side + 2;
     const SpacePath path = straight({from, y, 1}, {20, 0, 0});
     hit.clear();
     const auto known = [&](int tree) { return std::find(hit.begin(), hit.end(), tree) != hit.end(); };
     while (const auto touch = forest.first(path, (to - from) / 20, radius, flat, known))
       hit.push_back(touch->tree);
-    hits += hit.size();
+    hits += static_cast<int>(hit.size());
     length += side;
   }
   const double expected = count / (side * side) * (0.4 + 2 * radius);
-  CHECK(static_cast<double>(hits) / length == Approx(expected).epsilon(0.02));
+  CHECK(hits / length == Approx(expected).epsilon(0.02));
 }
 
 TEST_CASE("polynomials of degree 10 fall where their factors say") {
