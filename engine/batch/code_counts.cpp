@@ -38,17 +38,18 @@ double CodeScale::value(std::uint32_t code) const {
   return code == 0 ? 0 : least_coded * std::pow(ratio_, static_cast<double>(code) - 0.5);
 }
 
-void add_code(CodeCounts& counts, std::uint32_t code) {
+void add_code(CodeCounts& counts, std::uint32_t code, std::uint32_t rocks) {
   const auto at = std::lower_bound(counts.begin(), counts.end(), code,
                                    [](const CodeCount& c, std::uint32_t wanted) { return c.code < wanted; });
   if (at != counts.end() && at->code == code)
-    ++at->rocks;
+    at->rocks += rocks;
   else
-    counts.insert(at, {code, 1});
+    counts.insert(at, {code, rocks});
 }
 
 // Both are sorted by code. Merges in place from the end, because this runs for each bin of each chunk.
 void merge_counts(CodeCounts& counts, const CodeCounts& more) {
+  if (more.size() == 1) return add_code(counts, more[0].code, more[0].rocks);  // a chunk of few rocks
   std::size_t from = counts.size(), to = from;
   auto at = counts.begin();
   for (const CodeCount& next : more) {

@@ -30,7 +30,7 @@ struct CodeCount {
 /// In increasing order of the codes. Those of a few rocks need no memory of their own.
 using CodeCounts = boost::container::small_vector<CodeCount, 2>;
 
-void add_code(CodeCounts& counts, std::uint32_t code);
+void add_code(CodeCounts& counts, std::uint32_t code, std::uint32_t rocks = 1);
 void merge_counts(CodeCounts& counts, const CodeCounts& more);
 std::uint64_t rocks_in(const CodeCounts& counts);
 /// The code of the smallest value that at least a share p of `all` does not exceed. There must be a count.

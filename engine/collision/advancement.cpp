@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "collision/safe_time.h"
+#include "collision/steady_gaps.h"
 
 namespace flyrock {
 
@@ -25,7 +26,7 @@ struct State {
   State(const MovingHull& hull, double t, double end) : r(hull.start) {
     if (hull.rests) return;
     const Motion2& motion = hull.motion;
-    if (t != 0) r = Rotation2::from_angle(motion.angle_at(t));
+    if (t != 0) r = r.turned(motion.angle_at(t) - motion.angle);
     measure(hull, t);
     const double alpha = std::abs(motion.alpha);
     turn1 = std::max(std::abs(w), std::abs(motion.spin(end)));
@@ -59,15 +60,15 @@ class Search {
     for (int i = 0; i < most_iterations; ++i) {
       if (search_.iterations) ++*search_.iterations;
       touches_ = false;
+      touch_after_ = pass_after_ = -1;
       double step = chosen ? lasts(direction, sa, sb, t) : 0;
-      if (step <= 0) {
-        step = longest(sa, sb, t, direction, chosen);
-        chosen = true;
-      }
+      if (step <= 0 || step == pass_after_) step = longest(sa, sb, t, direction, chosen, step);
+      chosen = true;
       if (step <= 0) return t;
       if (step >= end_ - t) return std::nullopt;
       const double next = t + step;
-      if (next <= t) return t;  // below the resolution of time
+      if (next <= t || step == touch_after_) return next;  // the first: below the resolution of time
+      last_step_ = step;
       sa.advance(a_, t, next);
       if (!b_.rests) sb.advance(b_, t, next);
       t = next;
@@ -82,14 +83,7 @@ class Search {
     int kind = 0;
     int edge = 0;
     Vec2 fixed = Vec2::Zero();  ///< kind 2: from b to a, constant in the world frame
-    std::uint64_t clear = 0;    ///< of the edge, which points stay clear of it until the end: a bit for each
   };
-
-  static constexpr int most_marks = 64;
-  static bool is_marked(std::uint64_t marks, int i) { return i < most_marks && (marks >> i & 1) != 0; }
-  static void mark(std::uint64_t& marks, int i) {
-    if (i < most_marks) marks |= std::uint64_t{1} << i;
-  }
 
   /// An edge of one hull with the points of the other, which it may separate.
   struct Pair {
@@ -106,82 +100,98 @@ class Search {
     double growth = reference.motion.swell.growth + other.motion.swell.growth;  ///< m/s2
   };
 
-  bool is_held(const Pair& pair, int point) const {
+  /// Whether a held contact counts at time t: one of the solver always, one that has just opened at the
+  /// start.
+  bool is_held(const Pair& pair, int point, double t) const {
+    if (!search_.held_are_solved && t != 0) return false;
     const FeatureId of_edge = pair.reference.edge_id(pair.reference.base, pair.edge);
     const FeatureId of_point = pair.other.point_id(pair.other.base, point);
     return pair.reference_is_a ? search_.holds(of_edge, of_point) : search_.holds(of_point, of_edge);
   }
 
-  /// Notes a point that has closed on the edge itself, between its ends: then no direction separates. Close
-  /// to an end, the next edge may.
-  void note_touch(const Pair& pair, double gap, int point) {
-    if (touches_ || gap < -scale_.deep) return;
+  /// Whether a point is now above the edge, between its ends.
+  bool meets_edge(const Pair& pair, int point) const {
     const MovingHull& hull = pair.reference;
     const Vec2 start = hull.points[pair.edge], along = hull.points[(pair.edge + 1) % hull.count] - start;
     const Vec2 place = pair.so.x + pair.so.r * pair.other.points[point] - pair.sr.x;
     const double length = along.norm(), foot = along.dot(pair.sr.r.inverse(place) - start) / length;
-    touches_ = foot > scale_.deep && foot < length - scale_.deep;
+    return foot > scale_.deep && foot < length - scale_.deep;
+  }
+
+  /// Notes a point that has closed on the edge itself, between its ends: then no direction separates. Close
+  /// to an end, the next edge may.
+  void note_touch(const Pair& pair, double gap, int point) {
+    touches_ = touches_ || (gap >= -scale_.deep && meets_edge(pair, point));
+  }
+
+  /// Notes what a point that closes on the line of the edge after `time` does there. If it touches the edge
+  /// between its ends, the search ends there. If it passes an end, another direction separates for longer; it
+  /// is tried as soon as the steps converge, not only after the last one.
+  void note_end(const Pair& pair, const GapBound& bound, int point, double time) {
+    constexpr double converging = 0.6;
+    const bool closes = bound.closes_by(time, scale_.least);
+    if (!closes && time > converging * last_step_) return;
+    if (meets_edge(pair, point)) {
+      if (closes) touch_after_ = time;
+    } else {
+      pass_after_ = time;
+    }
   }
 
   /// How long the edge separates the points of the other hull [s].
-  double edge_lasts(const Pair& pair, double t, std::uint64_t& clear) {
+  double edge_lasts(const Pair& pair, double t) {
     const bool turns = pair.sr.turn1 != 0 || pair.reference.motion.alpha != 0;
-    return turns ? turning_edge_lasts(pair, t) : steady_edge_lasts(pair, t, clear);
+    return turns ? turning_edge_lasts(pair, t) : steady_edge_lasts(pair, t);
   }
 
-  /// The same for an edge that does not turn. The gap and its derivatives are then linear in the point p.
-  /// Points that stay clear until the end of the search are added to `clear`, and those in it are passed
-  /// over.
-  double steady_edge_lasts(const Pair& pair, double t, std::uint64_t& clear) {
+  /// The same for an edge that does not turn.
+  double steady_edge_lasts(const Pair& pair, double t) {
+    const double left = end_ - t;
+    const MovingHull& other = pair.other;
     const State& so = pair.so;
-    const double left = end_ - t, alpha = pair.other.motion.alpha, square = so.w * so.w;
-    const double gap0 = pair.normal.dot(so.x - pair.sr.x) - pair.offset + search_.slack;
-    const double slope0 = pair.normal.dot(so.v - pair.sr.v) - pair.swells;
-    const double curvature0 = pair.normal.dot(pair.acceleration) - pair.growth;
-    const double bend = std::max(0.0, -curvature0) + so.turn2 * pair.other.reach;
-    const double jerk = so.turn3 * pair.other.reach;
-    const Vec2 rise = so.r.inverse(pair.normal), across(rise.y(), -rise.x());
+    const SteadyGaps gaps{.centre = gap_of_centre(pair),
+                          .rise = so.r.inverse(pair.normal),
+                          .w = so.w,
+                          .alpha = other.motion.alpha};
     double least = forever;
+    GapBound closing{};
+    int closing_point = 0;
     const auto see = [&](int j) {
-      const Vec2& p = pair.other.points[j];
-      const double height = rise.dot(p), side = across.dot(p);
-      const GapBound bound{gap0 + height, slope0 + so.w * side, curvature0 + alpha * side - square * height,
-                           jerk, bend};
-      if (bound.stays_open(std::min(least, left))) {
-        if (least >= left) mark(clear, j);
-        return;
-      }
-      const bool held = is_held(pair, j);
+      const GapBound bound = gaps.of(other.points[j]);
+      if (bound.stays_open(std::min(least, left))) return;
+      const bool held = is_held(pair, j, t);
       if (held && search_.held_are_solved) return;
-      const double time = within(left, left, bound.safe_time(std::min(least, left), scale_, held && t == 0));
+      const double time = within(left, left, bound.safe_time(std::min(least, left), scale_, held));
       if (time <= 0 && bound.slope < 0) note_touch(pair, bound.gap, j);
-      least = std::min(least, time);
+      if (time < least) least = time, closing = bound, closing_point = j;
     };
     // The nearest point first: most others then need only the question whether they stay open for as long.
     int nearest = 0;
-    for (int j = 1; j < pair.other.count; ++j)
-      if (rise.dot(pair.other.points[j]) < rise.dot(pair.other.points[nearest])) nearest = j;
-    if (!is_marked(clear, nearest)) see(nearest);
-    // GapBound::stays_open with either curvature, as linear functions of the place of the point: at the end
-    // of the time asked for, and of its bend.
-    const double open_for = std::min(least, left), half_square = 0.5 * open_for * open_for;
-    const double second = gap0 + open_for * slope0 - half_square * bend, second_of_side = open_for * so.w;
-    const double third = gap0 + open_for * slope0 + half_square * (curvature0 - jerk * open_for);
-    const double third_of_height = 1 - half_square * square;
-    const double third_of_side = second_of_side + half_square * alpha;
-    const double most_curvature = jerk * open_for - curvature0;
-    for (int j = 0; j < pair.other.count && least > 0; ++j) {
-      if (j == nearest || is_marked(clear, j)) continue;
-      const double height = rise.dot(pair.other.points[j]), side = across.dot(pair.other.points[j]);
-      if (gap0 + height > 0 && (second + height + second_of_side * side > 0 ||
-                                (third + third_of_height * height + third_of_side * side > 0 &&
-                                 alpha * side - square * height <= most_curvature))) {
-        if (open_for >= left) mark(clear, j);
-      } else {
-        see(j);
-      }
+    double lowest = forever, second = forever;
+    for (int j = 0; j < other.count; ++j) {
+      const double height = gaps.rise.dot(other.points[j]);
+      second = std::min(second, std::max(height, lowest));
+      if (height < lowest) lowest = height, nearest = j;
     }
+    see(nearest);
+    const OpenUntil open(gaps, std::min(least, left));
+    if (least > 0 && !open.holds_from(second, other.reach))
+      for (int j = 0; j < other.count && least > 0; ++j)
+        if (j != nearest && !open.holds(other.points[j])) see(j);
+    if (least > 0 && least < left) note_end(pair, closing, closing_point, least);
     return least;
+  }
+
+  /// The bound of the gap of the centre of the other hull to an edge that does not turn; its jerk and bend
+  /// serve all points.
+  GapBound gap_of_centre(const Pair& pair) const {
+    const State& so = pair.so;
+    const double curvature = pair.normal.dot(pair.acceleration) - pair.growth;
+    return {.gap = pair.normal.dot(so.x - pair.sr.x) - pair.offset + search_.slack,
+            .slope = pair.normal.dot(so.v - pair.sr.v) - pair.swells,
+            .curvature = curvature,
+            .jerk = so.turn3 * pair.other.reach,
+            .bend = std::max(0.0, -curvature) + so.turn2 * pair.other.reach};
   }
 
   /// The same for an edge that turns: gap = n . w - offset, with w from the centre of its hull to the point.
@@ -191,10 +201,12 @@ class Search {
     const Vec2 turn = perpendicular(normal), bent = reference.motion.alpha * turn - sr.w * sr.w * normal;
     const double left = end_ - t, pull = acceleration.norm(), reach = other.reach;
     const double speed = (so.v - sr.v).norm() + pull * left + so.turn1 * reach;  // |w'| is at most this
-    const double closing = std::max(0.0, growth) + pull + so.turn2 * reach + 2 * sr.turn1 * speed;
+    const double bend = std::max(0.0, growth) + pull + so.turn2 * reach + 2 * sr.turn1 * speed;
     double least = forever;
+    GapBound closing{};
+    int closing_point = 0;
     for (int j = 0; j < other.count && least > 0; ++j) {
-      const bool held = is_held(pair, j);
+      const bool held = is_held(pair, j, t);
       if (held && search_.held_are_solved) continue;
       const Vec2 arm = so.r * other.points[j];
       const Vec2 w = so.x + arm - sr.x;
@@ -209,11 +221,12 @@ class Search {
                            bent.dot(w) + 2 * sr.w * turn.dot(velocity) + normal.dot(rate) - growth,
                            sr.turn3 * longest + 3 * sr.turn2 * speed +
                                3 * sr.turn1 * (pull + so.turn2 * reach) + so.turn3 * reach,
-                           closing + sr.turn2 * longest};
-      const double time = within(horizon, left, bound.safe_time(horizon, scale_, held && t == 0));
+                           bend + sr.turn2 * longest};
+      const double time = within(horizon, left, bound.safe_time(horizon, scale_, held));
       if (time <= 0 && bound.slope < 0) note_touch(pair, bound.gap, j);
-      least = std::min(least, time);
+      if (time < least) least = time, closing = bound, closing_point = j;
     }
+    if (least > 0 && least < left) note_end(pair, closing, closing_point, least);
     return least;
   }
 
@@ -238,9 +251,9 @@ class Search {
     return least;
   }
 
-  double lasts(Direction& direction, const State& sa, const State& sb, double t) {
-    if (direction.kind == 0) return edge_lasts({a_, sa, b_, sb, direction.edge, true}, t, direction.clear);
-    if (direction.kind == 1) return edge_lasts({b_, sb, a_, sa, direction.edge, false}, t, direction.clear);
+  double lasts(const Direction& direction, const State& sa, const State& sb, double t) {
+    if (direction.kind == 0) return edge_lasts({a_, sa, b_, sb, direction.edge, true}, t);
+    if (direction.kind == 1) return edge_lasts({b_, sb, a_, sa, direction.edge, false}, t);
     return fixed_lasts(direction.fixed, sa, sb, t);
   }
 
@@ -277,20 +290,19 @@ class Search {
   }
 
   /// Finds a direction that separates for long. Returns for how long [s]; 0 if no direction separates. The
-  /// edges that are farthest now mostly last; all others are tried only if these do not separate. `ended`:
-  /// `direction` separates no longer.
-  double longest(const State& sa, const State& sb, double t, Direction& direction, bool ended) {
-    double best = 0;
-    const double enough = end_ - t;
-    const int ended_kind = ended ? direction.kind : -1, ended_edge = direction.edge;
+  /// edges that are farthest now mostly last; all others are tried only if these do not separate. `known`:
+  /// `direction` separates for the time `best`, and is kept if no other one separates for longer.
+  double longest(const State& sa, const State& sb, double t, Direction& direction, bool known, double best) {
+    const double enough = end_ - t, of_known = best;
+    const int known_kind = known ? direction.kind : -1, known_edge = direction.edge;
     const auto try_direction = [&](int kind, int edge, const Vec2& fixed = Vec2::Zero()) {
-      if (kind == ended_kind && edge == ended_edge && kind != 2) return;
-      Direction candidate{kind, edge, fixed};
+      if (kind == known_kind && edge == known_edge && kind != 2) return;
+      const Direction candidate{kind, edge, fixed};
       if (const double time = lasts(candidate, sa, sb, t); time > best) best = time, direction = candidate;
     };
     if (b_.count > 1) try_direction(1, b_.count > 2 ? farthest_edge(b_, sb, a_, sa) : 0);
     // The normal of a segment of the ground mostly lasts longer than that of an edge that turns.
-    const bool goes_on = b_.rests ? best <= 0 : best < enough;
+    const bool goes_on = b_.rests ? best <= of_known : best < enough;
     if (a_.count > 1 && goes_on && !touches_) try_direction(0, farthest_edge(a_, sa, b_, sb));
     if (a_.radius + b_.radius > 0 && best < enough && !touches_) try_direction(2, 0, between_points(sa, sb));
     if (best > 0 || touches_) return best;
@@ -304,6 +316,10 @@ class Search {
   double end_;
   const TouchSearch& search_;
   GapScale scale_;
+  double last_step_ = forever;  ///< s
+  /// Of the direction that was asked last: how long it separates if a point then touches the edge, or passes
+  /// an end of it [s]; -1 if neither is known.
+  double touch_after_ = -1, pass_after_ = -1;
   bool touches_ = false;  ///< a vertex has closed on an edge, between its ends: no direction separates
 };
 

@@ -34,13 +34,19 @@ inline bool stays_open(double gap, double rate, double bend, double time) {
   return gap > 0 && gap + time * (rate - 0.5 * time * bend) > 0;
 }
 
-/// A lower bound of a gap over time: gap + slope t + curvature t^2/2 - jerk t^3/6, where jerk >= -gap''', and
-/// gap + slope t - bend t^2/2, where bend >= -gap''.
+/// A lower bound of a gap over time: gap + slope t + curvature t^2/2 - jerk t^3/6, where jerk >= |gap'''|,
+/// and gap + slope t - bend t^2/2, where bend >= -gap''. Until a time T, the first one is not below gap +
+/// slope t - (jerk T/3 - curvature) t^2/2.
 struct GapBound {
   double gap, slope, curvature, jerk, bend;
 
-  double bend_until(double time) const { return std::max(0.0, std::min(bend, jerk * time - curvature)); }
+  double bend_until(double time) const { return std::max(0.0, std::min(bend, jerk * time / 3 - curvature)); }
   bool stays_open(double time) const { return flyrock::stays_open(gap, slope, bend_until(time), time); }
+  /// Whether the gap is closed at a time, and still closing, however much the curvature changes.
+  bool closes_by(double time, double least) const {
+    return gap + time * (slope + 0.5 * time * (curvature + time * jerk / 3)) <= least &&
+           slope + time * (curvature + 0.5 * time * jerk) < 0;
+  }
   /// The time until the bound is zero, as safe_time, but at most `longest`: first with its bend until
   /// `longest`, then with the one over twice the time that this gives, in which the curvature changes little.
   double safe_time(double longest, const GapScale& scale, bool just_opened) const {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 namespace flyrock {
 
@@ -105,23 +104,28 @@ void round_contacts(const Vec2& centre, double radius, const Vec2& outward, Feat
 /// Contact points of the vertices of a polygon with segments, ordered by vertex and segment.
 void vertex_contacts(const Placed2& polygon, int index, const Ground2& ground, const Ground2::Run& run,
                      double reach, Contacts& out) {
+  constexpr double rounding = 1e-9;
   const double shallow = shallow_share * polygon.shape.bound;
+  const double lowest_vertex = -(1 + rounding) * polygon.shape.bound;
   const auto first = static_cast<std::ptrdiff_t>(out.size());
-  const std::span<const Vec2> points(polygon.shape.points);
+  const Vec2* const points = polygon.shape.points.data();
+  const int count = polygon.count();
   bool deep = false;
   for (int i = run.first; i <= run.last; ++i) {
+    const double highest = reach - ground.normal(i).dot(polygon.pose.x - ground.start(i));
+    if (highest < lowest_vertex) continue;
     // In the frame of the polygon, a vertex that is too high costs one product.
     const Vec2 rise = polygon.pose.r.inverse(ground.normal(i));
-    const double highest = reach - ground.normal(i).dot(polygon.pose.x - ground.start(i));
-    for (int k = 0; k < static_cast<int>(points.size()); ++k)
+    for (int k = 0; k < count; ++k)
       if (rise.dot(points[k]) <= highest)
         deep |= point_contact(polygon.point(k), 0, vertex_id(index, k), ground, i, reach, shallow, out);
   }
   if (deep) {
     out.resize(static_cast<std::size_t>(first));
-    for (int k = 0; k < polygon.count(); ++k)
+    for (int k = 0; k < count; ++k)
       point_contacts(polygon.point(k), 0, vertex_id(index, k), ground, run, reach, shallow, out);
   }
+  if (out.end() - out.begin() - first < 2) return;
   std::sort(out.begin() + first, out.end(), [](const ContactPoint<2>& a, const ContactPoint<2>& b) {
     return a.feature != b.feature ? a.feature < b.feature : a.against < b.against;
   });
@@ -156,19 +160,30 @@ void edge_contacts(const Placed2& polygon, int index, const Ground2& ground, con
   }
 }
 
+/// The segments that are below or above a contactor and its reach. Of a polygon these are the ones at its
+/// circle, because one that is too low costs less than to find the ends of the polygon.
+Ground2::Run segments_near(const Placed2& contactor, const Ground2& ground, double reach) {
+  const double x = contactor.pose.x.x(), grow = contactor.shape.radius + reach;
+  if (contactor.count() > 2) {
+    const double extent = contactor.shape.bound + grow;
+    return ground.segments_between(x - extent, x + extent);
+  }
+  // From the centre, along x
+  const Vec2 along(contactor.pose.r.c, -contactor.pose.r.s);
+  double low = along.dot(contactor.shape.points[0]), high = low;
+  for (const Vec2& point : contactor.shape.points) {
+    low = std::min(low, along.dot(point));
+    high = std::max(high, along.dot(point));
+  }
+  return ground.segments_between(x + low - grow, x + high + grow);
+}
+
 }  // namespace
 
 void terrain_contacts(const Placed2& contactor, int contactor_index, const Ground2& ground, double reach,
                       double turn, std::vector<ContactPoint<2>>& out) {
   if (contactor.shape.is_room()) return;
-  double low = contactor.point(0).x(), high = low;
-  for (const Vec2& point : contactor.shape.points) {
-    const double x = (contactor.pose * point).x();
-    low = std::min(low, x);
-    high = std::max(high, x);
-  }
-  const double grow = contactor.shape.radius + reach;
-  const auto run = ground.segments_between(low - grow, high + grow);
+  const auto run = segments_near(contactor, ground, reach);
   if (contactor.count() == 1) {
     round_contacts(contactor.point(0), contactor.shape.radius, Vec2::Zero(), vertex_id(contactor_index, 0),
                    ground, run, reach, out);

@@ -7,6 +7,7 @@
 #include "collision/advancement.h"
 #include "collision/room_search.h"
 #include "collision/round_path.h"
+#include "collision/steady_gaps.h"
 #include "collision/surface.h"
 #include "math/polynomial.h"
 
@@ -90,43 +91,82 @@ MovingHull hull_of(const Contactor2& contactor, int index, const Motion2& motion
           index};
 }
 
-/// Whether a hull stays above the line of segment i until t_max, by the bound of a gap in time_of_contact.
-/// Contacts that the solver holds do not count where `may_hold` of a place in the world allows it.
-template <class MayHold>
-bool stays_above(const MovingHull& hull, const Ground2& ground, int i, double t_max,
-                 const TouchSearch& search, const MayHold& may_hold) {
-  const Motion2& motion = hull.motion;
-  const Vec2& normal = ground.normal(i);
-  const double spin = motion.greatest_spin(t_max);
-  const double bend =
-      std::max(0.0, -normal.dot(motion.a)) + (spin * spin + std::abs(motion.alpha)) * hull.reach;
-  // Of a point p: its gap now, and the bound of the gap at t_max
-  const Vec2 rise = hull.start.inverse(normal), change(motion.w * rise.y(), -motion.w * rise.x());
-  const Vec2 rise_then = rise + t_max * change;
-  const double lowest = hull.radius - normal.dot(motion.x - ground.start(i));
-  const double lowest_then = lowest - t_max * (normal.dot(motion.v) - 0.5 * t_max * bend);
-  for (int k = 0; k < hull.count; ++k) {
-    const Vec2& p = hull.points[k];
-    if (rise.dot(p) > lowest && rise_then.dot(p) > lowest_then) continue;
-    const bool held = search.held_are_solved && search.holds(hull.point_id(hull.base, k), segment_id(i));
-    if (!held || !may_hold(motion.x + hull.start * p)) return false;
-  }
-  return true;
-}
+/// Which segments a hull stays clear of, by the bounds of gaps in time_of_contact. In most steps a body moves
+/// by a part of its size, and stays above nearly all segments. `travel` [m]: no place of the hull moves
+/// farther.
+class ClearSegments {
+ public:
+  ClearSegments(const MovingHull& hull, const Ground2& ground, const TouchSearch& search, double travel)
+      : hull_(hull), ground_(ground), search_(search), travel_(travel) {}
 
-/// Whether a hull whose places move by `travel` at most [m] stays clear of segment i: above its line, or
-/// above that of a neighbour beyond a convex corner, if what stands on the neighbour does not reach the
-/// corner.
-bool stays_clear(const MovingHull& hull, const Ground2& ground, int i, double t_max, double travel,
-                 const TouchSearch& search) {
-  if (stays_above(hull, ground, i, t_max, search, [](const Vec2&) { return true; })) return true;
-  for (const int corner : {i, i + 1}) {
-    if (ground.corner(corner) != Corner::convex) continue;
-    const auto is_far = [&](const Vec2& place) { return (place - ground.point(corner)).norm() > travel; };
-    if (stays_above(hull, ground, corner == i ? i - 1 : i + 1, t_max, search, is_far)) return true;
+  /// Whether the hull stays clear of segment i until t_max: above its line, or above that of a neighbour
+  /// beyond a convex corner, if what stands on the neighbour does not reach the corner. t_max does not grow
+  /// from call to call.
+  bool contains(int i, double t_max) {
+    const bool convex_start = ground_.corner(i) == Corner::convex,
+               convex_end = ground_.corner(i + 1) == Corner::convex;
+    // What is known of a neighbour first, because it costs nothing.
+    if (convex_start && is_known(i - 1) && line(i - 1, t_max).shields_end()) return true;
+    if (convex_end && is_known(i + 1) && line(i + 1, t_max).shields_start()) return true;
+    return line(i, t_max).above || (convex_start && line(i - 1, t_max).shields_end()) ||
+           (convex_end && line(i + 1, t_max).shields_start());
   }
-  return false;
-}
+
+ private:
+  /// What is known of the hull over the line of a segment.
+  struct Line {
+    int segment = -1;
+    bool above = false;                             ///< the hull stays above the line
+    bool start_is_free = true, end_is_free = true;  ///< nothing that stands on the segment reaches that end
+
+    bool shields_start() const { return above && start_is_free; }
+    bool shields_end() const { return above && end_is_free; }
+  };
+
+  bool is_known(int i) const { return lines_[i % lines_.size()].segment == i; }
+  const Line& line(int i, double t_max) {
+    Line& line = lines_[i % lines_.size()];
+    if (line.segment != i) line = measure(i, t_max);
+    return line;
+  }
+
+  /// Contacts that the solver holds may stand on the segment.
+  Line measure(int i, double t_max) const {
+    const Motion2& motion = hull_.motion;
+    const Vec2& normal = ground_.normal(i);
+    const double spin = motion.greatest_spin(t_max), alpha = std::abs(motion.alpha);
+    const double curvature = normal.dot(motion.a);
+    const SteadyGaps gaps{.centre = {.gap = normal.dot(motion.x - ground_.start(i)) - hull_.radius,
+                                     .slope = normal.dot(motion.v),
+                                     .curvature = curvature,
+                                     .jerk = spin * (spin * spin + 3 * alpha) * hull_.reach,
+                                     .bend = std::max(0.0, -curvature) + (spin * spin + alpha) * hull_.reach},
+                          .rise = hull_.start.inverse(normal),
+                          .w = motion.w,
+                          .alpha = motion.alpha};
+    const OpenUntil open(gaps, t_max);
+    Line line{.segment = i, .above = open.holds_from(-hull_.reach, hull_.reach)};
+    if (line.above) return line;
+    for (int k = 0; k < hull_.count; ++k) {
+      const Vec2& p = hull_.points[k];
+      if (open.holds(p)) continue;
+      const bool held =
+          search_.held_are_solved && search_.holds(hull_.point_id(hull_.base, k), segment_id(i));
+      if (!held) return line;
+      const Vec2 place = motion.x + hull_.start * p;
+      line.start_is_free = line.start_is_free && (place - ground_.start(i)).norm() > travel_;
+      line.end_is_free = line.end_is_free && (place - ground_.end(i)).norm() > travel_;
+    }
+    line.above = true;
+    return line;
+  }
+
+  const MovingHull& hull_;
+  const Ground2& ground_;
+  const TouchSearch& search_;
+  double travel_;
+  std::array<Line, 4> lines_;  ///< the last ones that were asked for
+};
 
 }  // namespace
 
@@ -141,9 +181,9 @@ std::optional<double> time_of_contact(const Contactor2& contactor, int contactor
   const bool round = contactor.points.size() == 1 && contactor.points[0].isZero();
   const DiskSearch disk(contactor.radius, vertex_id(contactor_index, 0), motion, ground, search);
   const MovingHull hull = hull_of(contactor, contactor_index, motion);
-  // In most steps a body moves by a part of its size, and stays above nearly all segments.
   const double travel = greatest_travel(motion, contactor.bound, t_max);
   const bool is_slow = !round && travel < contactor.bound;
+  ClearSegments clear(hull, ground, search, travel);
 
   // Visit the segments in the order in which the body passes over them. Segments that it reaches after the
   // best time cannot matter.
@@ -159,7 +199,7 @@ std::optional<double> time_of_contact(const Contactor2& contactor, int contactor
           leftwards ? motion.x.x() - reach - ground.end(i).x() : ground.start(i).x() - motion.x.x() - reach;
       if (ahead > std::abs(motion.v.x()) * limit) break;
     }
-    if (is_slow && stays_clear(hull, ground, i, limit, travel, search)) continue;
+    if (is_slow && clear.contains(i, limit)) continue;
     const TimeWindow window = round ? meeting_window(motion, reach, ground.box(i), limit)
                                     : segment_window(motion, reach, ground, i, limit);
     if (window.empty()) continue;

@@ -12,15 +12,15 @@ template <int D>
 Faults<D>::Faults(const World<D>& world, bool exact_flight) : world_(world), exact_flight_(exact_flight) {
   for (const Body<D>& body : world.bodies) {
     starts_.push_back(body.x);
-    last_.push_back(energy_of(body));
+    last_.push_back(energy_of(body, body.kinetic_energy()));
   }
   allowed_ = world.total_energy() - world.energy_given();
 }
 
 template <int D>
-double Faults<D>::energy_of(const Body<D>& body) const {
+double Faults<D>::energy_of(const Body<D>& body, double kinetic) const {
   if (!body.moves()) return 0;
-  const double rigid = body.kinetic_energy() - body.mass * world_.gravity().dot(body.x);
+  const double rigid = kinetic - body.mass * world_.gravity().dot(body.x);
   return body.breathes() ? rigid + body.breathing.potential_energy() : rigid;
 }
 
@@ -47,8 +47,9 @@ std::optional<std::string> Faults<D>::energy_from_nowhere() {
       last_[i] = 0;
       continue;
     }
-    last_[i] = energy_of(body);
-    scale += body.kinetic_energy() + body.mass * g * ((body.x - starts_[i]).norm() + body.size);
+    const double kinetic = body.kinetic_energy();
+    last_[i] = energy_of(body, kinetic);
+    scale += kinetic + body.mass * g * ((body.x - starts_[i]).norm() + body.size);
     lift += body.mass * g * world_.carry_reach(static_cast<int>(i), -1);
   }
   greatest_ = std::max(greatest_, scale);

@@ -30,7 +30,7 @@ class Faults {
   std::optional<std::string> energy_from_nowhere();
 
  private:
-  double energy_of(const Body<D>& body) const;
+  double energy_of(const Body<D>& body, double kinetic) const;
 
   const World<D>& world_;
   bool exact_flight_;

@@ -9,6 +9,18 @@
 
 namespace flyrock {
 
+namespace {
+
+/// Attitude and spin as results need them: in 2D the angle alone, without the sine and cosine of a rotation.
+Turned<2> turn_for_results(const Motion2& motion, double t) {
+  Attitude<2> attitude;
+  attitude.angle = motion.angle_at(t);
+  return {attitude, motion.spin(t)};
+}
+Turned<3> turn_for_results(const Motion3& motion, double t) { return turn_at(motion, t); }
+
+}  // namespace
+
 template <int D>
 Observer<D>::Observer(const World<D>& world, double every, bool keep_impacts, double bin_width,
                       std::span<PlanCells> cells, std::vector<BodyHistory>& histories)
@@ -40,7 +52,8 @@ Observer<D>::Observer(const World<D>& world, double every, bool keep_impacts, do
 
 template <int D>
 BodyState Observer<D>::along(int body, const Motion& motion, double t, double time) const {
-  return state_of(world_.bodies[body], time, motion.position(t), motion.velocity(t), turn_at(motion, t));
+  return state_of(world_.bodies[body], time, motion.position(t), motion.velocity(t),
+                  turn_for_results(motion, t));
 }
 
 template <int D>
@@ -72,7 +85,7 @@ void Observer<D>::store(int body, const BodyState& s, const Attitude<D>& attitud
 template <int D>
 void Observer<D>::store(int body, const Motion& motion, double t, double time) {
   if (every_ <= 0) return;
-  store(body, along(body, motion, t, time), turn_at(motion, t).attitude);
+  store(body, along(body, motion, t, time), turn_for_results(motion, t).attitude);
 }
 
 template <int D>
@@ -137,7 +150,7 @@ void Observer<D>::flew(int body, const Motion& motion, double start, double dt) 
   }
   const BodyState end = along(body, motion, dt, start + dt);
   extremes(body, end);
-  store(body, end, turn_at(motion, dt).attitude);
+  store(body, end, turn_for_results(motion, dt).attitude);
 }
 
 template <int D>

@@ -385,8 +385,8 @@ class Runner {
   Crossings<D> crossings_;
   Faults<D> faults_;
   std::vector<RestWatch> rest_;
-  std::vector<bool> running_;
-  std::vector<bool> touching_, slipping_;
+  std::vector<char> running_;  ///< of characters, because bits cost more to set than they save
+  std::vector<char> touching_, slipping_;
   std::vector<Moment<D>> starts_;
   std::vector<Motion> flights_;  ///< of the last flight or step, from its start
   bool breathes_ = false;        ///< the radius of a body changes in the air too: flights are made of steps

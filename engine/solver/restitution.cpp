@@ -57,7 +57,7 @@ template <int D>
 SolveResult ImpactSolver<D>::solve(Problem& problem, const std::vector<Rebound<D>>& rebounds,
                                    const SolveSettings& settings, std::vector<Row>& r) {
   const int n = problem.size();
-  free_.resize(n), turn_.resize(n), given_.resize(n), expansion_.resize(n);
+  free_.resize(n), given_.resize(n);
   alone_.assign(n, Row::Zero());
   factor_.assign(n, -1);
   bool given = false, phases = false;
@@ -98,6 +98,7 @@ SolveResult ImpactSolver<D>::solve(Problem& problem, const std::vector<Rebound<D
   SolveResult result = solver_.solve(problem, settings, r);
   if (trace) trace->common.r = r;
   if (phases) {
+    turn_.resize(n), expansion_.resize(n);
     for (int a = 0; a < n; ++a) turn_[a] = problem.outside_velocity(a, r) + problem.contacts[a].w * r[a];
     constexpr int most_adjustments = 100;
     constexpr double balanced = 1e-10;

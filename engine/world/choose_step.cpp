@@ -42,6 +42,7 @@ double World<D>::longest_of_springs() const {
 /// instead of its end, or the coefficients of the last step. A contact that ends at rest causes no error,
 /// because the solver finds the impulse that stops it. If the direction turns smoothly, the error is
 /// multiplied by the number of steps in half a phase, because it recurs in the other steps of the phase.
+/// Reads after_.
 template <int D>
 std::span<const double> World<D>::doubt_of_friction(double h) {
   constexpr double at_rest = 1e-6;  // of the speed of the contact or of its bodies, or of the speed of rest
@@ -53,7 +54,7 @@ std::span<const double> World<D>::doubt_of_friction(double h) {
   for (std::size_t a = 0; a < contacts_.size(); ++a) {
     const Contact& contact = contacts_[a];
     if (contact.impulse[0] <= 0) continue;
-    const Row after = velocity_after(static_cast<int>(a), h);
+    const Row& after = after_[a];
     Row half = Row::Zero();
     const auto doubt = [&](int first, int count, double impulse, const auto& change) {
       const double times = change.norm() < smooth ? std::max(1.0, 0.5 * usual_phase / h) : 1;

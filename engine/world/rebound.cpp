@@ -216,7 +216,7 @@ void World<D>::audit_energy(double h) {
                         contacts_[a].turning.template head<D>().norm();
     const Contact& contact = contacts_[a];
     if (contact.law.condition != NormalCondition::penalty) {
-      island_gain_[island_of(contact)] += energy_of(a);
+      if (h == 0) island_gain_[island_of(contact)] += energy_of(a);
     } else {
       const Spring& spring = contact.law.spring;
       const double overlap = std::max(0.0, -contact.at.gap), speed = contact.before.template head<D>().norm();
@@ -238,10 +238,11 @@ void World<D>::audit_energy(double h) {
       if (body.breathes()) of_shapes += body.breathing.exchanged_energy(body.spin_speed());
     spring_energy_in_doubt_ = std::max(spring_energy_in_doubt_, 0.25 * angle * angle * of_shapes);
   }
-  for (double& gain : island_gain_) {
-    if (h == 0) energy_given_ += std::max(0.0, gain);
-    gain = 0;
-  }
+  if (h == 0)  // an impact may gain energy by its law
+    for (double& gain : island_gain_) {
+      energy_given_ += std::max(0.0, gain);
+      gain = 0;
+    }
   for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) {
     const Contact& contact = contacts_[a];
     double& gain = island_gain_[island_of(contact)];

@@ -15,6 +15,7 @@ void World<D>::save() {
     starts_.push_back(moment_of(body));
     impacts_before_.push_back(body.impacts);
   }
+  after_.swap(last_after_);
   memory_.clear();
   for (const Surface* surface : surfaces_) surface->save_history(memory_);
 }
@@ -96,6 +97,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
     last_solve_ = {};
     if (!contacts_.empty()) solve_and_apply();
     drift(theta * h);
+    measure_after(h);
     if (chooses && refusals++ < most_refusals) {
       error = control_.error(bodies, starts_, doubt_of_friction(h), h);
       const double of_springs = longest_of_springs();
@@ -116,6 +118,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
     h = *touch;
     if (h <= 1e-12 * settings_.time_step) {
       contacts_ = last_;
+      after_.swap(last_after_);
       return {0, true, true};
     }
   }
@@ -123,7 +126,6 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
       std::max(quality_.max_spring_angle, h * std::max(spring_rate_, fastest_breath()));
   quality_.max_penetration = std::max(quality_.max_penetration, drifted.penetration);
   if (chooses) control_.finished(bodies, starts_, h, error, longest_of_springs());
-  measure_after(h);
   find_shocks(h);
   record_impacts();
   audit_energy(h);
@@ -134,7 +136,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
   last_step_ = h;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (!bodies[i].present || bodies[i].kind == BodyKind::fixed) continue;
-    bodies[i].attitude.settle();
+    bodies[i].attitude.settle(starts_[i].attitude);
     if (bodies[i].moves()) by_contacts_[i] = (bodies[i].w - free_spins_[i]) / h;
   }
   quality_.count_step(h, new_touch);

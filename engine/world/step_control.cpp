@@ -35,7 +35,7 @@ double StepControl<D>::allowed(const Body<D>& body) const {
 /// A step ends where the last acceleration lets a body stop, because friction turns there. Of the first step,
 /// |da/dt| is taken as that of a body that turns about its farthest point, w^3 size.
 template <int D>
-double StepControl<D>::length(const std::vector<Body<D>>& bodies, const std::vector<bool>& touching) const {
+double StepControl<D>::length(const std::vector<Body<D>>& bodies, std::span<const char> touching) const {
   const bool known = last_.size() == bodies.size();
   double h = known ? next_ : longest_first;
   for (std::size_t i = 0; i < bodies.size(); ++i) {

@@ -33,7 +33,7 @@ class StepControl {
   explicit StepControl(double tolerance) : tolerance_(tolerance) {}
 
   /// The length of the next step [s]. `touching[i]`: whether body i has contacts.
-  double length(const std::vector<Body<D>>& bodies, const std::vector<bool>& touching) const;
+  double length(const std::vector<Body<D>>& bodies, std::span<const char> touching) const;
   /// The error of a step of length h from `starts` to the present state of the bodies, as a multiple of what
   /// is allowed. `of_friction` [m/s]: the velocity error of each body due to friction. Without a last step,
   /// accelerations are taken as constant.

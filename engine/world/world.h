@@ -302,6 +302,7 @@ class World {
   };
   std::vector<Unsolved> unsolved_;             ///< of each body: residual and time of its last solve
   std::vector<Row> after_;                     ///< velocities of the contacts after the step or impact
+  std::vector<Row> last_after_;                ///< of last_, while a step may still be given up
   std::vector<Row> start_;                     ///< start impulses, kept only if hard problems are reported
   std::vector<std::vector<int>> contacts_of_;  ///< [body], for bodies that contacts move
   std::vector<int> island_;
@@ -312,8 +313,8 @@ class World {
   std::vector<typename Space<D>::Spin>
       free_spins_;                     ///< rad/s, of each body, without the contacts of the step
   std::vector<double> doubt_;          ///< m/s, of each body
-  std::vector<bool> touching_;         ///< [body], a mark that the functions of a step set anew
-  std::vector<bool> island_collides_;  ///< whether the island has an impact in this step
+  std::vector<char> touching_;         ///< [body], a mark that the functions of a step set anew
+  std::vector<char> island_collides_;  ///< whether the island has an impact in this step
   SortAndSweep broad_phase_;
   std::vector<typename Geometry<D>::Box> boxes_;
   std::vector<Moment<D>> starts_;    ///< of the bodies, at the start of the step
