@@ -35,12 +35,11 @@ inline bool stays_open(double gap, double rate, double bend, double time) {
 }
 
 /// A lower bound of a gap over time: gap + slope t + curvature t^2/2 - jerk t^3/6, where jerk >= |gap'''|,
-/// and gap + slope t - bend t^2/2, where bend >= -gap''. Until a time T, the first one is not below gap +
-/// slope t - (jerk T/3 - curvature) t^2/2.
+/// and gap + slope t - bend t^2/2, where bend >= -gap''.
 struct GapBound {
   double gap, slope, curvature, jerk, bend;
 
-  double bend_until(double time) const { return std::max(0.0, std::min(bend, jerk * time / 3 - curvature)); }
+  double bend_until(double time) const { return std::max(0.0, std::min(bend, jerk * time - curvature)); }
   bool stays_open(double time) const { return flyrock::stays_open(gap, slope, bend_until(time), time); }
   /// Whether the gap is closed at a time, and still closing, however much the curvature changes.
   bool closes_by(double time, double least) const {

@@ -38,16 +38,8 @@ struct Attitude<2> {
     next.rotation = rotation.turned(turn);
     return next;
   }
-  /// Takes away what rounding has added to the rotation since `start`: its length in each step, and its
-  /// difference from the angle once a radian.
-  void settle(const Attitude& start) {
-    if (std::floor(angle) != std::floor(start.angle)) {
-      rotation = Rotation2::from_angle(angle);
-    } else {
-      const double scale = 1.5 - 0.5 * (rotation.c * rotation.c + rotation.s * rotation.s);
-      rotation = {scale * rotation.c, scale * rotation.s};
-    }
-  }
+  /// Takes away what rounding has added to the rotation.
+  void settle() { rotation = Rotation2::from_angle(angle); }
 };
 
 template <>
@@ -60,7 +52,7 @@ struct Attitude<3> {
   Attitude turned(const Vec3& turn) const {
     return turn.isZero(0) ? *this : Attitude(Rotation3::from_vector(turn) * rotation);
   }
-  void settle(const Attitude&) {}  ///< a product of rotations is normalised
+  void settle() {}  ///< a product of rotations is normalised
 };
 
 /// An attitude as TrajectoryPoint::turn.

@@ -136,7 +136,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
   last_step_ = h;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (!bodies[i].present || bodies[i].kind == BodyKind::fixed) continue;
-    bodies[i].attitude.settle(starts_[i].attitude);
+    bodies[i].attitude.settle();
     if (bodies[i].moves()) by_contacts_[i] = (bodies[i].w - free_spins_[i]) / h;
   }
   quality_.count_step(h, new_touch);
