@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "collision/hull_state.h"
 #include "collision/safe_time.h"
 #include "collision/steady_gaps.h"
 
@@ -14,40 +15,6 @@ namespace {
 constexpr double forever = std::numeric_limits<double>::infinity();
 constexpr int most_iterations = 500;
 
-/// A hull at one time, with bounds on its motion until the end of the window.
-struct State {
-  Rotation2 r;
-  Vec2 x = Vec2::Zero(), v = Vec2::Zero();
-  double w = 0;
-  /// Bounds of the first three derivatives of a unit vector that turns with the hull, until the end
-  double turn1 = 0, turn2 = 0, turn3 = 0;
-  double radius = 0, swells = 0;  ///< m and m/s, now
-
-  State(const MovingHull& hull, double t, double end) : r(hull.start) {
-    if (hull.rests) return;
-    const Motion2& motion = hull.motion;
-    if (t != 0) r = r.turned(motion.angle_at(t) - motion.angle);
-    measure(hull, t);
-    const double alpha = std::abs(motion.alpha);
-    turn1 = std::max(std::abs(w), std::abs(motion.spin(end)));
-    turn2 = turn1 * turn1 + alpha;
-    turn3 = turn1 * (turn1 * turn1 + 3 * alpha);
-  }
-  void advance(const MovingHull& hull, double from, double to) {
-    r = r.turned(hull.motion.angle_at(to) - hull.motion.angle_at(from));
-    measure(hull, to);
-  }
-
- private:
-  void measure(const MovingHull& hull, double t) {
-    x = hull.motion.position(t);
-    v = hull.motion.velocity(t);
-    w = hull.motion.spin(t);
-    radius = hull.radius + hull.motion.swell.at(t);
-    swells = hull.motion.swell.rate_at(t);
-  }
-};
-
 class Search {
  public:
   Search(const MovingHull& a, const MovingHull& b, double end, const TouchSearch& search)
@@ -56,7 +23,7 @@ class Search {
   std::optional<double> run(double t) {
     Direction direction;
     bool chosen = false;
-    State sa(a_, t, end_), sb(b_, t, end_);
+    HullState sa(a_, t, end_), sb(b_, t, end_);
     for (int i = 0; i < most_iterations; ++i) {
       if (search_.iterations) ++*search_.iterations;
       touches_ = false;
@@ -88,9 +55,9 @@ class Search {
   /// An edge of one hull with the points of the other, which it may separate.
   struct Pair {
     const MovingHull& reference;
-    const State& sr;
+    const HullState& sr;
     const MovingHull& other;
-    const State& so;
+    const HullState& so;
     int edge;
     bool reference_is_a;
     Vec2 normal = sr.r * reference.normals[edge];
@@ -148,7 +115,7 @@ class Search {
   double steady_edge_lasts(const Pair& pair, double t) {
     const double left = end_ - t;
     const MovingHull& other = pair.other;
-    const State& so = pair.so;
+    const HullState& so = pair.so;
     const SteadyGaps gaps{.centre = gap_of_centre(pair),
                           .rise = so.r.inverse(pair.normal),
                           .w = so.w,
@@ -185,7 +152,7 @@ class Search {
   /// The bound of the gap of the centre of the other hull to an edge that does not turn; its jerk and bend
   /// serve all points.
   GapBound gap_of_centre(const Pair& pair) const {
-    const State& so = pair.so;
+    const HullState& so = pair.so;
     const double curvature = pair.normal.dot(pair.acceleration) - pair.growth;
     return {.gap = pair.normal.dot(so.x - pair.sr.x) - pair.offset + search_.slack,
             .slope = pair.normal.dot(so.v - pair.sr.v) - pair.swells,
@@ -231,7 +198,7 @@ class Search {
   }
 
   /// How long the fixed direction d separates all points of a from those of b [s].
-  double fixed_lasts(const Vec2& d, const State& sa, const State& sb, double t) const {
+  double fixed_lasts(const Vec2& d, const HullState& sa, const HullState& sb, double t) const {
     const double swells = sa.swells + sb.swells;
     const double along =
         std::max(0.0, a_.motion.swell.growth + b_.motion.swell.growth + d.dot(b_.motion.a - a_.motion.a));
@@ -251,14 +218,14 @@ class Search {
     return least;
   }
 
-  double lasts(const Direction& direction, const State& sa, const State& sb, double t) {
+  double lasts(const Direction& direction, const HullState& sa, const HullState& sb, double t) {
     if (direction.kind == 0) return edge_lasts({a_, sa, b_, sb, direction.edge, true}, t);
     if (direction.kind == 1) return edge_lasts({b_, sb, a_, sa, direction.edge, false}, t);
     return fixed_lasts(direction.fixed, sa, sb, t);
   }
 
   /// The unit vector between the nearest points, from b to a.
-  Vec2 between_points(const State& sa, const State& sb) const {
+  Vec2 between_points(const HullState& sa, const HullState& sb) const {
     Vec2 best = Vec2::UnitY();
     double nearest = forever;
     for (int i = 0; i < a_.count; ++i)
@@ -271,8 +238,8 @@ class Search {
   }
 
   /// The edge of `reference` from which the points of `other` are now farthest.
-  static int farthest_edge(const MovingHull& reference, const State& sr, const MovingHull& other,
-                           const State& so) {
+  static int farthest_edge(const MovingHull& reference, const HullState& sr, const MovingHull& other,
+                           const HullState& so) {
     int farthest = 0;
     double most = -forever;
     // In the frame of `reference`
@@ -292,7 +259,8 @@ class Search {
   /// Finds a direction that separates for long. Returns for how long [s]; 0 if no direction separates. The
   /// edges that are farthest now mostly last; all others are tried only if these do not separate. `known`:
   /// `direction` separates for the time `best`, and is kept if no other one separates for longer.
-  double longest(const State& sa, const State& sb, double t, Direction& direction, bool known, double best) {
+  double longest(const HullState& sa, const HullState& sb, double t, Direction& direction, bool known,
+                 double best) {
     const double enough = end_ - t, of_known = best;
     const int known_kind = known ? direction.kind : -1, known_edge = direction.edge;
     const auto try_direction = [&](int kind, int edge, const Vec2& fixed = Vec2::Zero()) {
