@@ -1,6 +1,8 @@
 #include "batch/explain.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <functional>
 #include <memory>
 #include <utility>
 

@@ -95,10 +95,9 @@ void FlightLog<D>::flew(const Curve& curve, double end) {
 }
 
 template <int D>
-template <class Curve>
-void FlightLog<D>::slid(const Curve& curve, double end, TravelMode mode) {
-  history_.contact_time += curve.time(end) - curve.start;
-  see(curve, end, mode);
+void FlightLog<D>::slid(const Arc<D>& arc, double end, TravelMode mode) {
+  history_.contact_time += end * arc.length;
+  see(arc, end, mode);
 }
 
 template <int D>
@@ -362,7 +361,5 @@ template void FlightLog<2>::flew(const Parabola<2>&, double);
 template void FlightLog<3>::flew(const Parabola<3>&, double);
 template void FlightLog<2>::flew(const Arc<2>&, double);
 template void FlightLog<3>::flew(const Arc<3>&, double);
-template void FlightLog<2>::slid(const Arc<2>&, double, TravelMode);
-template void FlightLog<3>::slid(const Arc<3>&, double, TravelMode);
 
 }  // namespace flyrock

@@ -17,8 +17,7 @@ class FlightLog {
   /// mode: in the air (flight, before its first landing or after it) or on the ground.
   template <class Curve>
   void flew(const Curve& curve, double end);
-  template <class Curve>
-  void slid(const Curve& curve, double end, TravelMode mode);
+  void slid(const Arc<D>& arc, double end, TravelMode mode);
   /// The point touches the ground now. This is a landing if it has flown.
   void landed(const Landing<D>& now) {
     if (!history_.landed && has_flown_) land(now);

@@ -99,7 +99,7 @@ class PointRunner {
   /// The method `ballistic`.
   BodyHistory fly_to_touch() {
     while (true) {
-      const bool caught = fly_in_air(ground_of(terrain_));
+      const bool caught = fly_by_arcs(ground_of(terrain_));
       if (caught) return log_.finish(now_, StopReason::caught);
       if (now_.on_ground) return log_.finish(now_, StopReason::stopped);
       if (now_.left) return log_.finish(now_, StopReason::left_domain);
@@ -110,7 +110,7 @@ class PointRunner {
   /// Flies to the ground, an end, a barrier or a tree. Returns whether a barrier or a tree has caught the
   /// point.
   template <class Ground>
-  bool fly_in_air(const Ground& ground) {
+  bool fly_by_arcs(const Ground& ground) {
     Obstacle obstacle;
     now_ = land(BallisticFlight<D>(run_.forces, now_.position, now_.velocity, now_.time), ground,
                 run_.stop_time, [&](const Arc<D>& arc, ArcEnd& end) {
@@ -139,7 +139,7 @@ class PointRunner {
     bool caught = false;
     if (run_.forces.air.drag > 0) {
       const double energy = audit_.energy(now_.position, now_.velocity);
-      caught = fly_in_air(PointGround<D>{terrain_, near_});
+      caught = fly_by_arcs(PointGround<D>{terrain_, near_});
       audit_.give(audit_.energy(now_.position, now_.velocity) - energy);
     } else {
       caught = fly_parabola();

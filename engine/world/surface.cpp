@@ -118,14 +118,14 @@ const Surface::Traits& Surface::traits() {
   const auto is_drawn = [](const auto& bound) { return !bound.per_impact.empty(); };
   const auto has_memory = [](const auto& bound) { return !bound.history.empty(); };
   const auto of_contacts = [](const auto& bound) { return bound.per_contact && bound.memory > 0; };
-  const bool steps = is_drawn(friction) || is_drawn(rolling) || is_drawn(unilateral);
-  traits_ = {.reads_state = varies(restitution) || varies(friction) || varies(rolling) || varies(unilateral),
-             .remembers = has_memory(restitution) || has_memory(friction) || has_memory(rolling) ||
-                          has_memory(unilateral),
-             .remembers_contacts = of_contacts(restitution) || of_contacts(friction) ||
-                                   of_contacts(rolling) || of_contacts(unilateral),
-             .draws_at_impact = steps || is_drawn(restitution),
-             .step_draws_at_impact = steps};
+  const auto any = [this](const auto& is) {
+    return is(restitution) || is(friction) || is(rolling) || is(unilateral);
+  };
+  traits_ = {.reads_state = any([](const auto& bound) { return varies(bound); }),
+             .remembers = any(has_memory),
+             .remembers_contacts = any(of_contacts),
+             .draws_at_impact = any(is_drawn),
+             .step_draws_at_impact = is_drawn(friction) || is_drawn(rolling) || is_drawn(unilateral)};
   return *traits_;
 }
 
