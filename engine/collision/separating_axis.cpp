@@ -8,7 +8,7 @@ namespace flyrock {
 namespace {
 constexpr double lowest = -std::numeric_limits<double>::infinity();
 // Edges whose angle has a smaller sine than this are parallel. A face axis then separates equally well.
-constexpr double parallel_sine = 1e-6;
+constexpr double least_sine = 1e-6;
 }  // namespace
 
 FaceAxis best_face_axis(const Placed3& reference, const Placed3& other) {
@@ -49,7 +49,7 @@ EdgeAxis best_edge_axis(const Placed3& a, const Placed3& b) {
       if (p * q >= 0 || l * q <= 0) continue;
       Vec3 normal = direction.cross(along);
       const double length = normal.norm();
-      if (length <= parallel_sine * direction.norm() * along.norm()) continue;
+      if (length <= least_sine * direction.norm() * along.norm()) continue;
       normal /= normal.dot(mine_left + mine_right) < 0 ? -length : length;
       if (const double separation = normal.dot(start - from); separation > best.separation)
         best = {i, j, normal, separation};

@@ -9,6 +9,11 @@
 
 namespace flyrock {
 
+/// A run has diverged that is faster [m/s], or has so many steps or events in a row that together advance
+/// time by less than a step length, or a millisecond.
+inline constexpr double greatest_speed = 1e5;
+inline constexpr int most_idle = 10'000;
+
 /// Checks a world while it runs. A fault is an error of the program or of a law, never a result. Instantiated
 /// for D = 2, 3.
 template <int D>

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flight/faults.h"
 #include "flight/flight_log.h"
 #include "flight/ground.h"
 #include "flight/point_support.h"
@@ -15,8 +16,6 @@ namespace flyrock {
 
 namespace {
 
-constexpr double fastest = 1e5;       // m/s; beyond it a run has diverged
-constexpr int most_idle = 10'000;     // events that together advance time by less than idle_time
 constexpr double idle_time = 1e-3;    // s
 constexpr double varying_leg = 0.01;  // s, after which a law that varies is asked again
 
@@ -261,7 +260,8 @@ class PointRunner {
   bool is_at_rest() { return !std::isnan(log_.history().stop_time); }
 
   std::optional<std::string> find_fault() {
-    if (!std::isfinite(now_.position.squaredNorm()) || !(now_.velocity.squaredNorm() <= fastest * fastest))
+    if (!std::isfinite(now_.position.squaredNorm()) ||
+        !(now_.velocity.squaredNorm() <= greatest_speed * greatest_speed))
       return "its state is not finite, or it is faster than 100 km/s";
     if (now_.left) return std::nullopt;
     const double depth = depth_below_ground(terrain_, now_.position, near_);

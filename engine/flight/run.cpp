@@ -16,9 +16,6 @@ namespace flyrock {
 
 namespace {
 
-constexpr double fastest = 1e5;    // m/s; beyond it a run has diverged
-constexpr int most_idle = 10'000;  // steps that together advance time by less than one step length
-
 template <int D>
 class Runner {
  public:
@@ -357,7 +354,7 @@ class Runner {
     for (int i = 0; i < bodies(); ++i) {
       if (!running_[i]) continue;
       Body<D>& body = world_.bodies[i];
-      if (!body.is_finite() || body.v.norm() > fastest) {
+      if (!body.is_finite() || body.v.norm() > greatest_speed) {
         take_out(i, "its state is not finite, or it is faster than 100 km/s");
       } else if (body.breathing.collapsed()) {
         take_out(

@@ -15,7 +15,7 @@ namespace flyrock {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr double nanometre = 1e-9;
 
 using Coefficients = std::array<double, 6>;
@@ -25,7 +25,7 @@ template <class Counts>
 std::optional<double> first_zero(const Coefficients& ahead, bool is_parabola, double end, Counts counts) {
   if (is_parabola) {
     for (const double t : travel_times(ahead[0], -ahead[1], -2 * ahead[2]))
-      if (t <= end && t < infinite && counts(t)) return t;
+      if (t <= end && t < endless && counts(t)) return t;
     return std::nullopt;
   }
   if (ahead[0] <= 0 && counts(0.0)) return 0;
@@ -37,7 +37,7 @@ std::optional<double> first_zero(const Coefficients& ahead, bool is_parabola, do
   for (double from = 0; from <= end; change_sign()) {
     const std::optional<double> zero = first_fall(positive, from, end);
     if (!zero || counts(*zero)) return zero;
-    from = std::nextafter(*zero, infinite);
+    from = std::nextafter(*zero, endless);
   }
   return std::nullopt;
 }
@@ -75,10 +75,10 @@ std::optional<double> first_arrival(const PlanLine::Piece& piece, double side, c
 
 bool PlanLine::Piece::reaches(const Vec2& place) const {
   const double s = along.dot(place - start);
-  return length == infinite || (s >= -nanometre && s <= length + nanometre);
+  return length == endless || (s >= -nanometre && s <= length + nanometre);
 }
 
-PlanLine::PlanLine(double x) : pieces_{{Vec2(x, 0), Vec2::UnitY(), infinite}} {}
+PlanLine::PlanLine(double x) : pieces_{{Vec2(x, 0), Vec2::UnitY(), endless}} {}
 
 PlanLine::PlanLine(const std::vector<Vec2>& points) {
   double before = 0;

@@ -7,13 +7,13 @@ namespace flyrock {
 namespace {
 
 /// Integrals of 1, r and r r^T about one origin; sums of these are exact.
-struct Moments {
+struct VolumeMoments {
   double volume = 0;
   Vec3 first = Vec3::Zero();
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
 };
 
-void add_sphere(Moments& sum, double radius, const Vec3& centre) {
+void add_sphere(VolumeMoments& sum, double radius, const Vec3& centre) {
   const double volume = 4.0 / 3.0 * pi * radius * radius * radius;
   sum.volume += volume;
   sum.first += volume * centre;
@@ -22,7 +22,7 @@ void add_sphere(Moments& sum, double radius, const Vec3& centre) {
 
 /// Adds a cylinder with a half-sphere on each end. The integral of |z| over a sphere is pi/2 r^4: half of it
 /// belongs to each of the two halves, which are length/2 away from the middle.
-void add_pill(Moments& sum, double radius, const Vec3& start, const Vec3& end) {
+void add_pill(VolumeMoments& sum, double radius, const Vec3& start, const Vec3& end) {
   const Vec3 middle = 0.5 * (start + end), axis = (end - start).normalized();
   const double length = (end - start).norm(), square = radius * radius;
   const double tube = pi * square * length, caps = 4.0 / 3.0 * pi * square * radius;
@@ -36,7 +36,7 @@ void add_pill(Moments& sum, double radius, const Vec3& start, const Vec3& end) {
 }
 
 /// Adds a cylinder. `sign`: -1 takes it away.
-void add_cylinder(Moments& sum, double radius, const Vec3& start, const Vec3& end, double sign = 1) {
+void add_cylinder(VolumeMoments& sum, double radius, const Vec3& start, const Vec3& end, double sign = 1) {
   const Vec3 middle = 0.5 * (start + end), along = end - start;
   const double square = radius * radius, volume = sign * pi * square * along.norm();
   const Vec3 axis = along.normalized();
@@ -47,7 +47,7 @@ void add_cylinder(Moments& sum, double radius, const Vec3& start, const Vec3& en
 }
 
 /// Adds a cone, whose centre of mass is a quarter of its height above the base.
-void add_cone(Moments& sum, double radius, const Vec3& base, const Vec3& point) {
+void add_cone(VolumeMoments& sum, double radius, const Vec3& base, const Vec3& point) {
   const Vec3 along = point - base, centre = base + along / 4, axis = along.normalized();
   const double square = radius * radius, volume = pi / 3 * square * along.norm();
   sum.volume += volume;
@@ -57,7 +57,7 @@ void add_cone(Moments& sum, double radius, const Vec3& base, const Vec3& point) 
 }
 
 /// Adds the tetrahedron (origin, a, b, c) with its sign.
-void add_tetrahedron(Moments& sum, const Vec3& a, const Vec3& b, const Vec3& c) {
+void add_tetrahedron(VolumeMoments& sum, const Vec3& a, const Vec3& b, const Vec3& c) {
   const double det = a.dot(b.cross(c));
   const Vec3 total = a + b + c;
   sum.volume += det / 6;
@@ -73,7 +73,7 @@ VolumeProperties volume_properties(const std::vector<Contactor3>& contactors) {
   // Use moments about a point of the body, so that a body drawn far from the frame's origin loses no digits.
   const Contactor3& first = contactors.front();
   const Vec3 origin = first.has_circles() ? first.circles.front().centre : first.points.front();
-  Moments sum;
+  VolumeMoments sum;
   for (const Contactor3& shape : contactors) {
     if (shape.has_circles()) {
       const Contactor3::Circle& base = shape.circles.front();

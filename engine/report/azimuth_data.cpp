@@ -8,8 +8,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json interval_data(const Interval& interval) { return {number(interval.lower), number(interval.upper)}; }
-
 Json percentile_data(const AzimuthSector::Percentile& percentile) {
   if (std::isnan(percentile.value.value)) return nullptr;
   return {{"value", percentile.value.value},

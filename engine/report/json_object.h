@@ -6,11 +6,18 @@
 #include <string>
 #include <utility>
 
+#include "results/sample.h"
+
 namespace flyrock {
 
 /// A number, or null for NaN and infinity, which JSON does not have.
 inline nlohmann::ordered_json number(double value) {
   return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+/// [lower, upper]
+inline nlohmann::ordered_json interval_data(const Interval& interval) {
+  return {number(interval.lower), number(interval.upper)};
 }
 
 /// { key: value, ... } from alternating keys and values. ordered_json copies all members, including whole

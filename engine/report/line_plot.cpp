@@ -13,7 +13,7 @@ namespace flyrock {
 
 namespace {
 
-constexpr double width = 420, least_height = 358, left = 76, right = 14, first_top = 82, bottom = 48;
+constexpr double plot_width = 420, least_height = 358, left = 76, right = 14, first_top = 82, bottom = 48;
 constexpr std::array<const char*, 8> colours = {"#1f5fa8", "#c4531b", "#2f7d3b", "#7a3f92",
                                                 "#8a6d00", "#00838f", "#333333", "#b3261e"};
 
@@ -61,7 +61,7 @@ std::vector<NamePlace> name_places(const Plot& plot) {
   NamePlace next;
   for (const Curve& curve : plot.curves) {
     const double wide = letter * static_cast<double>(curve.name.size());
-    if (next.x > 0 && next.x + wide > width - left - right) next = {0, next.row + 1};
+    if (next.x > 0 && next.x + wide > plot_width - left - right) next = {0, next.row + 1};
     places.push_back(next);
     next.x += wide + between;
   }
@@ -83,7 +83,7 @@ std::string panel(const Plot& plot, double offset, double lower) {
   Axis ax, ay;
   for (const Curve& curve : plot.curves) ax.include(curve.x), ay.include(curve.y);
   ax.close(), ay.close();
-  const auto px = [&](double x) { return offset + left + ax.share(x) * (width - left - right); };
+  const auto px = [&](double x) { return offset + left + ax.share(x) * (plot_width - left - right); };
   const auto py = [&](double y) { return height - bottom - ay.share(y) * (height - top - bottom); };
   std::string out = text(offset + left, first_top - 28, "start", 13, plot.title);
   const auto line = [&](double x1, double y1, double x2, double y2, const char* colour) {
@@ -97,12 +97,12 @@ std::string panel(const Plot& plot, double offset, double lower) {
   }
   for (int i = 0; i <= ay.ticks(); ++i) {
     const double y = py(ay.at(i));
-    line(offset + left, y, offset + width - right, y, "#e4e4e4");
+    line(offset + left, y, offset + plot_width - right, y, "#e4e4e4");
     out += text(offset + left - 6, y + 4, "end", 11, ay.tick(i));
   }
-  if (ay.low <= 0 && ay.high >= 0) line(offset + left, py(0), offset + width - right, py(0), "#777");
+  if (ay.low <= 0 && ay.high >= 0) line(offset + left, py(0), offset + plot_width - right, py(0), "#777");
   if (ax.low <= 0 && ax.high >= 0) line(px(0), top, px(0), height - bottom, "#777");
-  out += text(offset + (left + width - right) / 2, height - 12, "middle", 12, plot.x_label);
+  out += text(offset + (left + plot_width - right) / 2, height - 12, "middle", 12, plot.x_label);
   out += fmt::format("<g transform=\"translate({:.1f},{:.1f}) rotate(-90)\">{}</g>\n", offset + 14,
                      (top + height - bottom) / 2, text(0, 0, "middle", 12, plot.y_label));
   const std::vector<NamePlace> names = name_places(plot);
@@ -126,7 +126,7 @@ std::string panel(const Plot& plot, double offset, double lower) {
 }  // namespace
 
 std::string svg_of(const std::string& heading, const std::vector<Plot>& plots) {
-  const double all = width * static_cast<double>(plots.size()), lower = height_of_names(plots);
+  const double all = plot_width * static_cast<double>(plots.size()), lower = height_of_names(plots);
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
       "height=\"{1:.0f}\" "
@@ -136,7 +136,7 @@ std::string svg_of(const std::string& heading, const std::vector<Plot>& plots) {
   const double fitting = (all - 2 * margin) / (letter * static_cast<double>(heading.size()));
   out += text(margin, 24, "start", std::clamp(static_cast<int>(fitting), 10, 16), heading);
   for (std::size_t i = 0; i < plots.size(); ++i)
-    out += panel(plots[i], width * static_cast<double>(i), lower);
+    out += panel(plots[i], plot_width * static_cast<double>(i), lower);
   return out + "</svg>\n";
 }
 

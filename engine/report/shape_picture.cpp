@@ -12,8 +12,8 @@ namespace {
 
 constexpr double cell = 180, drawn = 130, foot = 44;  // pixels: of one rock, of its drawing, below it
 
-/// A rock in the cell that begins at `left` [pixels].
-std::string drawing(const PicturedRock& rock, const View& view, double left) {
+/// A rock in the cell that begins at `x0` [pixels].
+std::string drawing(const PicturedRock& rock, const View& view, double x0) {
   const std::vector<Piece> pieces = pieces_of(rock.corners, view);
   Vec2 low = Vec2::Constant(1e300), high = -low;
   for (const Piece& piece : pieces)
@@ -23,7 +23,7 @@ std::string drawing(const PicturedRock& rock, const View& view, double left) {
     }
   const double scale = drawn / (high - low).maxCoeff();
   const Vec2 middle = (low + high) / 2;
-  const auto x = [&](const Vec2& place) { return left + cell / 2 + scale * (place.x() - middle.x()); };
+  const auto x = [&](const Vec2& place) { return x0 + cell / 2 + scale * (place.x() - middle.x()); };
   const auto y = [&](const Vec2& place) { return cell / 2 - scale * (place.y() - middle.y()); };
   std::string out;
   for (const Piece& piece : pieces) {
@@ -46,11 +46,11 @@ std::string drawing(const PicturedRock& rock, const View& view, double left) {
           points, fill, edge ? "#444" : fill, width);
     }
   }
-  const double length = round_step((high - low).maxCoeff() / 4), from = left + (cell - scale * length) / 2;
+  const double length = round_step((high - low).maxCoeff() / 4), from = x0 + (cell - scale * length) / 2;
   out += fmt::format("<path d=\"M{:.1f} {:.1f}h{:.1f}\" stroke=\"#444\" stroke-width=\"3\"/>\n", from,
                      cell + 4, scale * length);
   for (const auto& [row, text] : {std::pair(18.0, fmt::format("{:g} m", length)), std::pair(36.0, rock.name)})
-    out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", left + cell / 2,
+    out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", x0 + cell / 2,
                        cell + row, escaped(text));
   return out;
 }

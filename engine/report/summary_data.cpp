@@ -32,8 +32,6 @@ std::string methods_text(const Plan& plan) {
   return text;
 }
 
-Json interval_data(const Interval& interval) { return {number(interval.lower), number(interval.upper)}; }
-
 /// { p95: [lower, upper], ... } for the statistics that have an interval.
 Json intervals_data(const Intervals& intervals) {
   Json data = Json::object();

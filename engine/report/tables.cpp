@@ -62,7 +62,6 @@ std::string summary_json(const Plan& plan, const Results& results) {
 }
 
 std::string manifest_json(const LoadedScenario& loaded) {
-  using Json = nlohmann::ordered_json;
   const Scenario& first = loaded.plan.points.front();
   const Json manifest = {{"flyrock", FLYROCK_ENGINE_VERSION},
                          {"format", result_format},

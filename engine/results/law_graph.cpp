@@ -13,9 +13,9 @@ namespace flyrock {
 
 namespace {
 
-constexpr double g = 9.81, step = 1e-3;
-constexpr int points = 100;  // on each side of 0
-constexpr double load = 10;  // the greatest, in weights of the ball
+constexpr double gravity = 9.81, step_length = 1e-3;
+constexpr int half_count = 100;  // points on each side of 0
+constexpr double load = 10;      // the greatest, in weights of the ball
 
 /// Where the axis of the first graph ends, in SI units.
 double range(const LawBall& ball, const Dimension& dimension, double usual) {
@@ -47,8 +47,8 @@ ContactState at_contact(const LawBall& ball, double approach, double slip) {
 struct Posed {
   ContactLaw law;
   bool sticking = false;
-  double gap = 0, stretch = 0;  // m
-  double duration = step;       // s
+  double gap = 0, stretch = 0;    // m
+  double duration = step_length;  // s
   Eigen::Vector3d before = Eigen::Vector3d::Zero(), free = Eigen::Vector3d::Zero();
 };
 
@@ -65,7 +65,7 @@ Solved solve(const LawBall& ball, const Posed& posed) {
   ContactProblem<2>::Contact contact;
   contact.w = w;
   contact.q = posed.free;
-  contact.speed_scale = std::max(posed.before.norm(), g * step);
+  contact.speed_scale = std::max(posed.before.norm(), gravity * step_length);
   Rebound<2> rebound;
   rebound.before = posed.before;
   set_law<2>(posed.law, posed.sticking, posed.gap, posed.duration, contact, rebound);
@@ -102,8 +102,8 @@ std::vector<LawGraph> graphs_of(SampledLaw<RestitutionLaw> asked, const LawBall&
   };
   LawGraph by_speed =
       shares(fmt::format("impact at 45 degrees, mu {:.4g}", ball.mu), "normal speed before [m/s]");
-  for (int i = 1; i <= points; ++i) {
-    const double speed = fastest * i / points;
+  for (int i = 1; i <= half_count; ++i) {
+    const double speed = fastest * i / half_count;
     add(by_speed, speed, speed, speed);
   }
   const double speed = fastest / 3;
@@ -121,11 +121,11 @@ Solved slide(SampledLaw<FrictionLaw>& asked, const LawBall& ball, double slip, d
   ContactState state = at_contact(ball, 0, std::abs(slip));
   state.was_sticking = sticking;
   state.age = state.pair_age = way;
-  state.step = way > 0 ? 0.01 : step;
-  if (way == 0) state.age = state.pair_age = step;
+  state.step = way > 0 ? 0.01 : step_length;
+  if (way == 0) state.age = state.pair_age = step_length;
   Posed posed{.law = asked(state), .sticking = sticking};
   posed.before = {0, slip, 0};
-  posed.free = {-g * step, slip, 0};
+  posed.free = {-gravity * step_length, slip, 0};
   return solve(ball, posed);
 }
 
@@ -141,7 +141,7 @@ double range_of_change(const std::array<double, n>& ranges, Function&& value) {
 }
 
 std::vector<LawGraph> graphs_of(SampledLaw<FrictionLaw> asked, const LawBall& ball) {
-  const double weight = ball.mass * g * step;
+  const double weight = ball.mass * gravity * step_length;
   const auto coefficient = [&](double slip) {
     asked.forget();
     return asked(at_contact(ball, 0, slip)).mu_d;
@@ -153,9 +153,9 @@ std::vector<LawGraph> graphs_of(SampledLaw<FrictionLaw> asked, const LawBall& ba
                  "r_t / (m g h)",
                  {{"it stuck before", {}, {}}, {"it slid before", {}, {}}}};
   for (const bool sticking : {true, false})
-    for (int i = -points; i <= points; ++i) {
+    for (int i = -half_count; i <= half_count; ++i) {
       asked.forget();
-      const Solved solved = slide(asked, ball, fastest * i / points, 0, sticking);
+      const Solved solved = slide(asked, ball, fastest * i / half_count, 0, sticking);
       put(graph.cases[sticking ? 0 : 1], solved.velocity[1], solved.impulse[1] / weight);
     }
   if (!asked.remembers()) return {graph};
@@ -177,15 +177,15 @@ std::vector<LawGraph> graphs_of(SampledLaw<RollingLaw> asked, const LawBall& bal
   LawGraph graph{
       "pressed by its weight", "rolling velocity after the step [rad/s]", "m_r / r_n [m]", {{"", {}, {}}}};
   const double fastest = range(ball, dimension::spin, 5);
-  for (int i = -points; i <= points; ++i) {
+  for (int i = -half_count; i <= half_count; ++i) {
     asked.forget();
-    const double spin = fastest * i / points;
+    const double spin = fastest * i / half_count;
     ContactState state = at_contact(ball, 0, 0);
     state.spin = std::abs(spin);
-    state.step = step;
+    state.step = step_length;
     Posed posed{.law = asked(state)};
     posed.before = {0, 0, spin};
-    posed.free = {-g * step, 0, spin};
+    posed.free = {-gravity * step_length, 0, spin};
     const Solved solved = solve(ball, posed);
     put(graph.cases[0], solved.velocity[2], solved.impulse[2] / solved.impulse[0]);
   }
@@ -195,7 +195,7 @@ std::vector<LawGraph> graphs_of(SampledLaw<RollingLaw> asked, const LawBall& bal
 /// A spring: its force at constant rates of the overlap, and of its tangential spring at constant overlap.
 std::vector<LawGraph> graphs_of_spring(const ContactLaw& law, const LawBall& ball) {
   const Spring& spring = law.spring;
-  const double weight = ball.mass * g;
+  const double weight = ball.mass * gravity;
   const double deepest =
       range(ball, dimension::length, std::pow(load * weight / spring.stiffness, 1 / spring.exponent));
   const auto force_at = [&](double overlap, double rate) {
@@ -204,8 +204,8 @@ std::vector<LawGraph> graphs_of_spring(const ContactLaw& law, const LawBall& bal
     const double force = power * std::max(0.0, spring.stiffness * overlap + spring.damping * rate);
     // A damper acts by the mean velocity of a step: half of what the force changes is on each side of the
     // rate.
-    posed.before = posed.free = {-rate - 0.5 * step * force / ball.mass, 0, 0};
-    return solve(ball, posed).impulse[0] / step;
+    posed.before = posed.free = {-rate - 0.5 * step_length * force / ball.mass, 0, 0};
+    return solve(ball, posed).impulse[0] / step_length;
   };
   LawGraph by_overlap{"by overlap", "overlap [m]", "force r_n / h [N]", {}};
   const double power = overlap_power(spring, deepest);
@@ -217,8 +217,8 @@ std::vector<LawGraph> graphs_of_spring(const ContactLaw& law, const LawBall& bal
         {},
         {}};
     if (spring.damping == 0) curve.name.clear();
-    for (int i = -points / 4; i <= points; ++i) {
-      const double overlap = deepest * i / points;
+    for (int i = -half_count / 4; i <= half_count; ++i) {
+      const double overlap = deepest * i / half_count;
       put(curve, overlap, force_at(overlap, rate));
     }
     by_overlap.cases.push_back(std::move(curve));
@@ -233,9 +233,9 @@ std::vector<LawGraph> graphs_of_spring(const ContactLaw& law, const LawBall& bal
   pressed.law.spring.damping = 0;
   pressed.gap = -std::pow(weight / spring.stiffness, 1 / spring.exponent);
   const double longest = 2 * ball.mu * weight / spring.tangential_stiffness;
-  for (int i = -points; i <= points; ++i) {
-    pressed.stretch = longest * i / points;
-    put(by_stretch.cases[0], pressed.stretch, solve(ball, pressed).impulse[1] / step);
+  for (int i = -half_count; i <= half_count; ++i) {
+    pressed.stretch = longest * i / half_count;
+    put(by_stretch.cases[0], pressed.stretch, solve(ball, pressed).impulse[1] / step_length);
   }
   return {by_overlap, by_stretch};
 }
@@ -245,7 +245,7 @@ std::vector<LawGraph> graphs_of(SampledLaw<UnilateralLaw> asked, const LawBall& 
     asked.forget();
     ContactState state = at_contact(ball, 0, 0);
     state.gap = gap;
-    state.step = step;
+    state.step = step_length;
     return asked(state);
   };
   const NormalCondition condition = law_at(0).condition;
@@ -262,9 +262,9 @@ std::vector<LawGraph> graphs_of(SampledLaw<UnilateralLaw> asked, const LawBall& 
                     "force r_n / h [N]",
                     {{"closed", {}, {}}}};
   const auto add_speeds = [&](LawGraph::Case& to, double gap) {
-    for (int i = -points; i <= points; ++i) {
-      const Solved solved = solved_at(gap, fastest * i / points);
-      put(to, solved.velocity[0], solved.impulse[0] / step);
+    for (int i = -half_count; i <= half_count; ++i) {
+      const Solved solved = solved_at(gap, fastest * i / half_count);
+      put(to, solved.velocity[0], solved.impulse[0] / step_length);
     }
   };
   add_speeds(by_speed.cases[0], 0);
@@ -277,9 +277,9 @@ std::vector<LawGraph> graphs_of(SampledLaw<UnilateralLaw> asked, const LawBall& 
                   "gap that is left [m]",
                   "force r_n / h [N]",
                   {{"", {}, {}}}};
-  for (int i = points; i >= -points; --i) {
-    const Solved solved = solved_at(0, -load * i / points * g * step);
-    put(by_gap.cases[0], step * solved.velocity[0], solved.impulse[0] / step);
+  for (int i = half_count; i >= -half_count; --i) {
+    const Solved solved = solved_at(0, -load * i / half_count * gravity * step_length);
+    put(by_gap.cases[0], step_length * solved.velocity[0], solved.impulse[0] / step_length);
   }
   return {by_speed, by_gap};
 }

@@ -53,26 +53,26 @@ void decode_explosive(DecodeContext& context, const Node& node, BlastPlan& plan)
   if (plan.gurney_follows) plan.fields[BlastField::gurney_constant] = third_of(context, velocity->second);
 }
 
-struct Range {
+struct Span {
   double low = 0, high = 0;
 };
 
-Range range_of(const DecodeContext& context, const Number& number) {
+Span range_of(const DecodeContext& context, const Number& number) {
   if (number.is_constant()) return {number.constant, number.constant};
   const Draw& draw = context.draws[number.draw];
   return {draw.lowest(), draw.highest()};
 }
 
-Range field_range(const DecodeContext& context, const BlastPlan& plan, BlastField field) {
+Span field_range(const DecodeContext& context, const BlastPlan& plan, BlastField field) {
   const auto found = plan.fields.find(field);
-  return found == plan.fields.end() ? Range{} : range_of(context, found->second);
+  return found == plan.fields.end() ? Span{} : range_of(context, found->second);
 }
 
 double middle_of(const DecodeContext& context, const Number& number) {
   return number.is_constant() ? number.constant : context.draws[number.draw].quantile(0.5);
 }
 
-std::string metres(const Range& range) {
+std::string metres(const Span& range) {
   if (range.low == range.high) return fmt::format("{:.6g} m", range.low);
   return fmt::format("{:.6g} to {:.6g} m", range.low, range.high);
 }
@@ -81,9 +81,9 @@ std::string metres(const Range& range) {
 void check_lengths(DecodeContext& context, const Node& hole, const BlastPlan& plan) {
   using enum BlastField;
   const auto given = [&](BlastField field) { return plan.fields.contains(field); };
-  const Range length = field_range(context, plan, hole_length),
-              stemming = field_range(context, plan, hole_stemming),
-              charge = field_range(context, plan, hole_charge_length);
+  const Span length = field_range(context, plan, hole_length),
+             stemming = field_range(context, plan, hole_stemming),
+             charge = field_range(context, plan, hole_charge_length);
   const auto left = [&](const char* what, double least) {
     if (least <= 0)
       hole.error(context.diagnostics,
@@ -179,12 +179,12 @@ void check_hole(DecodeContext& context, const Node& blast, const BlastPlan& plan
   if (terrain.model.plugin->spec.name != "benches") return;
   const int index = terrain.model.plugin->spec.find("height");
   if (index < 0) return;
-  const Range height = range_of(context, terrain.model.values[index].numbers[0]);
-  const Range stemming = field_range(context, plan, BlastField::hole_stemming);
-  const Range charge = field_range(context, plan, BlastField::hole_charge_length);
-  const Range subdrilling = field_range(context, plan, BlastField::hole_subdrilling);
-  const Range length = has_length ? field_range(context, plan, BlastField::hole_length)
-                                  : Range{stemming.low + charge.low, stemming.high + charge.high};
+  const Span height = range_of(context, terrain.model.values[index].numbers[0]);
+  const Span stemming = field_range(context, plan, BlastField::hole_stemming);
+  const Span charge = field_range(context, plan, BlastField::hole_charge_length);
+  const Span subdrilling = field_range(context, plan, BlastField::hole_subdrilling);
+  const Span length = has_length ? field_range(context, plan, BlastField::hole_length)
+                                 : Span{stemming.low + charge.low, stemming.high + charge.high};
   if (has_length && length.high > height.low + subdrilling.low)
     return context.diagnostics.error(
         hole->key_at, hole->path,

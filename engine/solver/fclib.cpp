@@ -5,7 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <Eigen/SparseLU>
+#include <Eigen/SparseCholesky>
 #include <cerrno>
 #include <csignal>
 #include <map>
@@ -122,7 +122,8 @@ Operator condense(const Hdf5File& file) {
   const Eigen::VectorXd f = read_vector(file, "/fclib_global/vectors/f", of_m.rows);
   const Eigen::VectorXd w = read_vector(file, "/fclib_global/vectors/w", of_h.columns);
   const Sparse m = read_matrix(file, "/fclib_global/M", of_m), h = read_matrix(file, "/fclib_global/H", of_h);
-  const Eigen::SparseLU<Sparse> mass(m);
+  if (!Sparse(m.transpose()).isApprox(m)) refuse(file, "/fclib_global/M", "is not symmetric");
+  const Eigen::SimplicialLDLT<Sparse> mass(m);
   if (mass.info() != Eigen::Success) refuse(file, "/fclib_global/M", "is singular");
   const Sparse mobility = mass.solve(h);
   const Sparse transposed = h.transpose();

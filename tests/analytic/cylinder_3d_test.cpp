@@ -15,11 +15,19 @@ namespace {
 
 constexpr double gravity = 9.81;
 
+/// A rotation that takes z to the direction of `axis`.
+Rotation3 from_z_to(const Vec3& axis) {
+  const Eigen::Matrix3d frame = contact_frame(axis.normalized());
+  Eigen::Matrix3d axes;
+  axes << frame.col(2), frame.col(1), frame.col(0);
+  return Rotation3(axes);
+}
+
 /// A cylinder with its axis along `axis`.
 Body<3> cylinder(double radius, double height, const Vec3& at, const Vec3& axis) {
   Body<3> body = make_body({Contactor3::cylinder(radius, height)}, 2700, 0);
   body.x = at;
-  body.attitude = Rotation3(Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis));
+  body.attitude = from_z_to(axis);
   return body;
 }
 
@@ -178,7 +186,7 @@ TEST_CASE("a cone rolls around its point on a level plane, and is back after a t
   Body<3> body = make_body({cone(radius, height)}, 2700, 0);
   const Vec3 axis(-std::cos(b), 0, -std::sin(b));  // to the point, at the origin
   body.x = -0.75 * height * axis;
-  body.attitude = Rotation3(Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis)) * body.attitude.rotation;
+  body.attitude = from_z_to(axis) * body.attitude.rotation;
   body.w = Vec3(-rate / std::tan(b), 0, 0);
   body.v = body.w.cross(body.x);
   Material material(0, 0.8);

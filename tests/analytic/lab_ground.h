@@ -140,4 +140,21 @@ inline Body<3> body_of_kind(int kind, double radius, unsigned seed = 1) {
   return rock(seed, radius);
 }
 
+/// The first impacts agree in time, place and speeds.
+/// `turn` takes the places of `a` to those of `b`.
+inline void check_equal(const std::vector<Impact>& a, const std::vector<Impact>& b, std::size_t count,
+                        double margin, const Rotation3& turn = {}) {
+  REQUIRE(a.size() >= count);
+  REQUIRE(b.size() >= count);
+  for (std::size_t i = 0; i < count; ++i) {
+    CAPTURE(i);
+    CHECK(std::abs(a[i].time - b[i].time) < margin);
+    CHECK((turn * a[i].place - b[i].place).norm() < margin);
+    CHECK(std::abs(a[i].vn_before - b[i].vn_before) < margin);
+    CHECK(std::abs(a[i].vn_after - b[i].vn_after) < margin);
+    CHECK(std::abs(a[i].vt_before - b[i].vt_before) < margin);
+    CHECK(std::abs(a[i].vt_after - b[i].vt_after) < margin);
+  }
+}
+
 }  // namespace flyrock::lab

@@ -9,8 +9,6 @@ using namespace flyrock::test;
 
 namespace {
 
-bool one_line(const std::string& text) { return !text.empty() && text.find('\n') == text.size() - 1; }
-
 /// Words of the libraries that read files for flyrock.
 bool names_a_library(const std::string& text) {
   for (const char* word : {"sqlite", "SQLite", "malformed", "disk image", "json.exception", "parse_error",

@@ -60,6 +60,8 @@ inline Output shell(const Folder& folder, const std::string& line) {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out), read(err)};
 }
 
+inline bool one_line(const std::string& text) { return !text.empty() && text.find('\n') == text.size() - 1; }
+
 /// Runs `flyrock ARGUMENTS` in a folder. The arguments are shell words.
 inline Output call(const Folder& folder, const std::string& arguments) {
   return shell(folder, "'" FLYROCK_BINARY "' " + arguments);

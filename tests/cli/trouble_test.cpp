@@ -12,8 +12,6 @@ using namespace flyrock::test;
 
 namespace {
 
-bool one_line(const std::string& text) { return !text.empty() && text.find('\n') == text.size() - 1; }
-
 void check_refused(const Folder& folder, const std::string& arguments, const std::string& text) {
   const Output output = call(folder, arguments);
   INFO(arguments << ": " << output.err);

@@ -67,6 +67,30 @@ struct Parts {
   }
 };
 
+/// A body and one contact, whose frame is the world's: M, H = 1, f and w.
+void write_global(const std::string& name, const Eigen::Matrix3d& mass) {
+  Hdf5File file = Hdf5File::create(name);
+  const auto matrix = [&](const std::string& path, const Eigen::Matrix3d& dense) {
+    std::vector<std::int32_t> row, column;
+    std::vector<double> x;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        if (dense(i, j) != 0) row.push_back(i), column.push_back(j), x.push_back(dense(i, j));
+    file.write(path + "/m", std::vector<std::int32_t>{3});
+    file.write(path + "/n", std::vector<std::int32_t>{3});
+    file.write(path + "/nz", std::vector<std::int32_t>{static_cast<std::int32_t>(x.size())});
+    file.write(path + "/p", column);
+    file.write(path + "/i", row);
+    file.write(path + "/x", x);
+  };
+  file.write("/fclib_global/spacedim", std::vector<std::int32_t>{3});
+  matrix("/fclib_global/M", mass);
+  matrix("/fclib_global/H", Eigen::Matrix3d::Identity());
+  file.write("/fclib_global/vectors/f", std::vector<double>{-3, 1, 0});
+  file.write("/fclib_global/vectors/w", std::vector<double>{0, 0, 0.5});
+  file.write("/fclib_global/vectors/mu", std::vector<double>{0.4});
+}
+
 /// The error that a file gives, without the name of the file.
 std::string error_of(const std::string& name) {
   try {
@@ -187,6 +211,29 @@ TEST_CASE("a broken file gives one line that says what is wrong") {
   CHECK(error_of(file.name) == "cannot be opened as an HDF5 file");
   Hdf5File::create(file.name).write("/other", std::vector<double>{1});
   CHECK(error_of(file.name) == "holds no /fclib_local and no /fclib_global: it is no FCLIB problem");
+}
+
+TEST_CASE("a global problem gives W = H^T M^-1 H and q = H^T M^-1 f + w; its M is symmetric and regular") {
+  if (without_hdf5()) return;
+  const TemporaryFile file;
+  Eigen::Matrix3d mass;
+  mass << 2, 0.5, 0, 0.5, 3, 0, 0, 0, 4;
+  write_global(file.name, mass);
+  const auto problem = std::get<StoredProblem<3>>(read_fclib(file.name)).problem;
+  REQUIRE(problem.size() == 1);
+  const Eigen::Matrix3d w = problem.contacts[0].w.topLeftCorner<3, 3>();
+  const Eigen::Vector3d q = problem.contacts[0].q.head<3>();
+  CHECK((w * mass - Eigen::Matrix3d::Identity()).norm() < 1e-15);
+  CHECK((q - (mass.inverse() * Eigen::Vector3d(-3, 1, 0) + Eigen::Vector3d(0, 0, 0.5))).norm() < 1e-15);
+
+  Eigen::Matrix3d other = mass;
+  other(0, 1) = 0.4;
+  write_global(file.name, other);
+  CHECK(error_of(file.name) == "/fclib_global/M: is not symmetric");
+  other = mass;
+  other.row(2).setZero();
+  write_global(file.name, other);
+  CHECK(error_of(file.name) == "/fclib_global/M: is singular");
 }
 
 TEST_CASE("the merit is the one of the tables of FCLIB's problems", "[data]") {

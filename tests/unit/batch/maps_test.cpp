@@ -11,10 +11,10 @@ using namespace flyrock;
 
 namespace {
 
-const PlanGrid grid{{0, 0}, 1, 20, 10};
+const PlanGrid map_grid{{0, 0}, 1, 20, 10};
 
 Maps of_rocks(int from, int to) {
-  Maps maps(grid);
+  Maps maps(map_grid);
   for (int i = from; i <= to; ++i) {
     const auto index = static_cast<std::uint32_t>(i % 7);
     maps.add({{.index = index, .height = 0.1 * i, .speed = 1.0 * i, .energy = 1000.0 * i}, {.index = 150}},

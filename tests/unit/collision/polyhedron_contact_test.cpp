@@ -140,7 +140,8 @@ TEST_CASE("two edges meet in one contact, a vertex and a face in one") {
   CHECK((crossed[0].point - Vec3(0, 0, top - 0.005)).norm() < 1e-12);
   CHECK(kind_of(crossed[0].feature) == FeatureKind::edge);
 
-  const Rotation3 on_tip(Eigen::Quaterniond::FromTwoVectors(Vec3(1, 1, 1), Vec3::UnitZ()));
+  const Rotation3 on_tip =
+      Rotation3::from_vector(std::acos(std::sqrt(1.0 / 3)) * Vec3(1, -1, 0).normalized());
   const Contacts tip =
       between({cube, {Vec3(0.1, 0.1, 0.5 + std::sqrt(0.75) + 0.001), on_tip}}, {cube, {}}, 0.01);
   REQUIRE(tip.size() == 1);

@@ -8,7 +8,7 @@ using namespace flyrock;
 
 namespace {
 
-const PlanGrid grid{{-2, 10}, 0.5, 40, 30};
+const PlanGrid small_grid{{-2, 10}, 0.5, 40, 30};
 
 struct Stretch {
   std::uint32_t index;
@@ -16,7 +16,7 @@ struct Stretch {
 };
 
 std::vector<Stretch> visited(const Vec2& place, const Vec2& rate, double to) {
-  PlanCells cells(grid);
+  PlanCells cells(small_grid);
   std::vector<Stretch> list;
   cells.visit(place, rate, 0, to, [&](PlanCell& cell, double t0, double t1) {
     list.push_back({cell.index, t0, t1});
@@ -35,11 +35,11 @@ TEST_CASE("a line in plan passes each cell under it, one after the other without
     for (std::size_t k = 0; k < list.size(); ++k) {
       if (k > 0) CHECK(list[k].from == list[k - 1].to);
       const Vec2 middle = from + 0.5 * (list[k].from + list[k].to) * rate;
-      if (list[k].to - list[k].from > 1e-9) CHECK(grid.index(middle) == list[k].index);
+      if (list[k].to - list[k].from > 1e-9) CHECK(small_grid.index(middle) == list[k].index);
     }
     // A place on the line lies in the cell of its time.
     const double t = share(draw);
-    const auto at = grid.index(from + t * rate);
+    const auto at = small_grid.index(from + t * rate);
     const auto of_time =
         std::find_if(list.begin(), list.end(), [&](const Stretch& s) { return s.from <= t && t <= s.to; });
     CHECK(at.has_value() == (of_time != list.end()));
@@ -49,7 +49,7 @@ TEST_CASE("a line in plan passes each cell under it, one after the other without
 }
 
 TEST_CASE("a body keeps the greatest value of each cell, however often it comes back") {
-  PlanCells cells(grid);
+  PlanCells cells(small_grid);
   for (int i = 0; i < 5000; ++i)
     cells.visit({-1, 12}, {10, 0}, 0, 1,
                 [&](PlanCell& cell, double t0, double) { cell.speed = std::max(cell.speed, i + t0); });
@@ -65,6 +65,6 @@ TEST_CASE("nothing is recorded without a grid, or beside it") {
   CHECK(none.cells().empty());
   CHECK(visited({-3, 12}, {0, 1}, 5).empty());
   CHECK(visited({0, 12}, {0, 0}, 5).size() == 1);
-  CHECK_FALSE(grid.index({18, 12}));
-  CHECK(grid.index({-2, 10}) == 0u);
+  CHECK_FALSE(small_grid.index({18, 12}));
+  CHECK(small_grid.index({-2, 10}) == 0u);
 }

@@ -9,6 +9,8 @@
 
 using namespace flyrock;
 
+namespace tree_law_test {
+
 namespace {
 
 const Stem stem{.place = {30, 0}, .radius = 0.15, .height = 20, .strength = 1.5};
@@ -87,3 +89,5 @@ TEST_CASE("in air a point hits a tree where the distance from its axis is the su
   const Vec2 at = history.last.position.head<2>();
   CHECK((at - stem.place).norm() == Approx(0.5 + stem.radius).epsilon(1e-12));
 }
+
+}  // namespace tree_law_test
