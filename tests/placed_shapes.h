@@ -75,7 +75,10 @@ std::vector<Named<D>> solid_shapes(const LuaSession& session) {
   if constexpr (D == 2)
     return {named_shape<2>(session, "disk", {{"radius", 0.4}}),
             named_shape<2>(session, "wall", {{"length", 0.8}, {"radius", 0.1}}),
-            named_shape<2>(session, "polygon", {{"sides", 6.0}, {"diameter", 0.9}})};
+            named_shape<2>(session, "polygon", {{"sides", 6.0}, {"diameter", 0.9}}),
+            {"rounded polygon",
+             named_shape<2>(session, "polygon", {{"sides", 5.0}, {"diameter", 0.9}, {"rounding", 0.1}})
+                 .contactor}};
   else
     return {named_shape<3>(session, "sphere", {{"radius", 0.4}}),
             named_shape<3>(session, "pill", {{"length", 0.6}, {"radius", 0.2}}),

@@ -8,7 +8,7 @@ namespace flyrock {
 
 namespace {
 
-/// A point is drawn as a small ball. Polygons have no radius.
+/// A point is drawn as a small ball.
 template <class Contactor>
 double drawn_radius(const Contactor& contactor) {
   return contactor.points.size() == 1 && contactor.radius == 0 ? contactor.bound : contactor.radius;

@@ -268,7 +268,7 @@ class Search {
       const Direction candidate{kind, edge, fixed};
       if (const double time = lasts(candidate, sa, sb, t); time > best) best = time, direction = candidate;
     };
-    if (b_.count > 1) try_direction(1, b_.count > 2 ? farthest_edge(b_, sb, a_, sa) : 0);
+    if (b_.count > 1) try_direction(1, b_.rests ? 0 : farthest_edge(b_, sb, a_, sa));
     // The normal of a segment of the ground mostly lasts longer than that of an edge that turns.
     const bool goes_on = b_.rests ? best <= of_known : best < enough;
     if (a_.count > 1 && goes_on && !touches_) try_direction(0, farthest_edge(a_, sa, b_, sb));

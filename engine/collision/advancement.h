@@ -10,8 +10,7 @@
 namespace flyrock {
 
 /// A moving convex hull of points, grown by a radius. A segment of the terrain is a hull of two points at
-/// rest; a disk is a hull of one point, a wall of two. normals[i] is the normal of the edge that starts at
-/// points[i].
+/// rest. normals[i] is the normal of the edge that starts at points[i].
 struct MovingHull {
   const Vec2* points = nullptr;
   const Vec2* normals = nullptr;

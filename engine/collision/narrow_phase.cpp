@@ -52,7 +52,7 @@ void disk_disk(const Placed2& a, int ia, const Placed2& b, int ib, double reach,
       {b.point(0) + (b.shape.radius + 0.5 * gap) * normal, normal, gap, vertex_id(ia, 0), vertex_id(ib, 0)});
 }
 
-/// The place of a polygon, or of the axis of a wall, that is nearest to a point.
+/// The place of the core of a hull that is nearest to a point.
 struct NearestPlace {
   double distance = 1e300;      ///< m, negative inside
   Vec2 normal = Vec2::UnitY();  ///< unit, towards the point
@@ -71,7 +71,7 @@ NearestPlace nearest_place(const Placed2& hull, const Placed2& other, int vertex
   const int corner = s < 0 ? face.edge : next;
   const Vec2 away = point - hull.point(corner);
   const double distance = away.norm();
-  return {distance, away / distance, false, corner};
+  return {distance, distance > 0 ? Vec2(away / distance) : hull.normal(face.edge), false, corner};
 }
 
 FeatureId feature_of(const NearestPlace& place, int contactor) {
@@ -92,12 +92,12 @@ void disk_hull(const Placed2& disk, int disk_index, const Placed2& hull, int hul
     out.push_back({point, -place.normal, gap, of_hull, of_disk});
 }
 
-/// The contacts of a wall with a wall or a polygon. A vertex of one is nearest to the other; where it is
-/// nearest to an edge, and its own edge lies flush on that one, there is a second contact at the other end of
-/// what is common.
-class WallContacts {
+/// The contacts of two hulls of which one or both are grown by a radius. A vertex of one is nearest to the
+/// other; where it is nearest to an edge, and its own edge lies flush on that one, there is a second contact
+/// at the other end of what is common.
+class GrownContacts {
  public:
-  WallContacts(const Placed2& a, int ia, const Placed2& b, int ib, double reach, Contacts& out)
+  GrownContacts(const Placed2& a, int ia, const Placed2& b, int ib, double reach, Contacts& out)
       : a_(a), b_(b), ia_(ia), ib_(ib), reach_(reach), radii_(a.shape.radius + b.shape.radius), out_(out) {}
 
   void find() {
@@ -121,13 +121,12 @@ class WallContacts {
   }
 
  private:
-  // A wall is flush on an edge if the angle between them is less than this [rad].
+  // Two edges are flush if the angle between them is less than this [rad].
   static constexpr double flush = 1e-4;
 
   /// Cores that overlap, which only fixed time steps produce, are pushed apart along the edge that separates
   /// most.
   bool cores_meet() {
-    if (a_.count() == 2 && b_.count() == 2) return false;
     const double most = reach_ + radii_;
     const Separation of_a = separation(a_, b_.pose, b_.shape.points, most);
     const Separation of_b = separation(b_, a_.pose, a_.shape.points, most);
@@ -251,7 +250,7 @@ void body_contacts(const Placed2& candidate, int ic, const Placed2& antagonist, 
   if (round_candidate) return disk_hull(candidate, ic, antagonist, ia, true, reach, out);
   if (round_antagonist) return disk_hull(antagonist, ia, candidate, ic, false, reach, out);
   if (candidate.shape.radius + antagonist.shape.radius > 0)
-    return WallContacts(candidate, ic, antagonist, ia, reach, out).find();
+    return GrownContacts(candidate, ic, antagonist, ia, reach, out).find();
   polygon_polygon(candidate, ic, antagonist, ia, reach, out);
 }
 

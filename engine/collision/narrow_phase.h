@@ -8,10 +8,11 @@
 
 namespace flyrock {
 
-/// Appends the contacts of two disks, walls or convex polygons whose gap is at most `reach` [m], at most two.
-/// For two polygons, the reference edge is the edge whose normal separates them most. The incident edge,
-/// which faces it, is clipped to the strip of the reference edge. A wall that lies flush on an edge does the
-/// same. In the other cases with a radius, the contact is at the nearest edge or vertex. Rooms and surfaces
+/// Appends the contacts of two hulls whose gap is at most `reach` [m], at most two. If one of them has a
+/// radius, the contact is at the nearest edge or vertex of their cores; edges that lie flush have a second
+/// one at the other end of what is common. For two sharp polygons, the reference edge is the edge whose
+/// normal separates them most. The incident edge, which faces it, is clipped to the strip of the reference
+/// edge. Rooms and surfaces
 /// have rules of their own (room.h, surface.h). `turn` [rad]: the rotation of the bodies since a state
 /// without penetration, as in terrain_contacts.
 void body_contacts(const Placed2& candidate, int candidate_index, const Placed2& antagonist,

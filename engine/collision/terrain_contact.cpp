@@ -9,7 +9,7 @@ namespace {
 
 using Contacts = std::vector<ContactPoint<2>>;
 
-// A vertex that is less deep than this share of the size touches each segment that it lies below. A deeper
+// A vertex that is less deep than this share of the bound touches each segment that it lies below. A deeper
 // vertex, which only fixed time steps produce, is pushed out to the nearest point.
 constexpr double shallow_share = 1e-3;
 
@@ -49,10 +49,9 @@ ContactPoint<2> nearest_place(const Ground2& ground, const Vec2& p) {
   return nearest;
 }
 
-/// The contact of a point grown by a radius with segment i: of the centre of a disk, or of a vertex with
-/// radius 0. A point below the line of a segment is either in the ground, or above another part of the
-/// polyline and free. Returns whether it is so deep in the ground that the nearest place is its contact
-/// instead.
+/// The contact of a vertex, grown by a radius, with segment i. A vertex below the line of a segment is either
+/// in the ground, or above another part of the polyline and free. Returns whether it is so deep in the ground
+/// that the nearest place is its contact instead.
 bool point_contact(const Vec2& p, double radius, FeatureId feature, const Ground2& ground, int i,
                    double reach, double shallow, Contacts& out) {
   const double height = (p - ground.start(i)).dot(ground.normal(i));
@@ -81,49 +80,30 @@ void point_contacts(const Vec2& p, double radius, FeatureId feature, const Groun
   if (deep) deep_contact(p, radius, feature, ground, out);
 }
 
-/// Contact points of a disk, or of an end of a wall, with segments and convex corners. The cone of an end
-/// reaches to where the sides of the wall have the contact; `outward` leads out of the wall there, and is
-/// zero for a disk.
-void round_contacts(const Vec2& centre, double radius, const Vec2& outward, FeatureId feature,
-                    const Ground2& ground, const Ground2::Run& run, double reach, Contacts& out) {
-  const double shallow = shallow_share * (radius > 0 ? radius : 1e-3);  // of a point 1 um
-  point_contacts(centre, radius, feature, ground, run, reach, shallow, out);
-  for (int i = std::max(run.first, 1); i <= std::min(run.last + 1, ground.segments() - 1); ++i) {
-    if (ground.corner(i) != Corner::convex || radius == 0) continue;
-    const Vec2 away = centre - ground.point(i);
-    const double distance = away.norm(), gap = distance - radius;
-    // Only strictly inside the cone, because on its sides the segments give the contact.
-    if (gap > reach || away.dot(ground.tangent(i - 1)) <= 1e-9 * ground.length(i - 1) ||
-        away.dot(ground.tangent(i)) >= -1e-9 * ground.length(i) || outward.dot(away) > 0)
-      continue;
-    const Vec2 normal = away / distance;
-    out.push_back({ground.point(i) + 0.5 * gap * normal, normal, gap, feature, corner_id(i)});
-  }
-}
-
-/// Contact points of the vertices of a polygon with segments, ordered by vertex and segment.
-void vertex_contacts(const Placed2& polygon, int index, const Ground2& ground, const Ground2::Run& run,
+/// Contact points of the vertices with segments, ordered by vertex and segment.
+void vertex_contacts(const Placed2& placed, int index, const Ground2& ground, const Ground2::Run& run,
                      double reach, Contacts& out) {
   constexpr double rounding = 1e-9;
-  const double shallow = shallow_share * polygon.shape.bound;
-  const double lowest_vertex = -(1 + rounding) * polygon.shape.bound;
+  const double radius = placed.shape.radius, bound = placed.shape.bound;
+  const double shallow = shallow_share * (bound > 0 ? bound : 1e-3);  // of a point 1 um
+  const double lowest_vertex = -(1 + rounding) * bound;
   const auto first = static_cast<std::ptrdiff_t>(out.size());
-  const Vec2* const points = polygon.shape.points.data();
-  const int count = polygon.count();
+  const Vec2* const points = placed.shape.points.data();
+  const int count = placed.count();
   bool deep = false;
   for (int i = run.first; i <= run.last; ++i) {
-    const double highest = reach - ground.normal(i).dot(polygon.pose.x - ground.start(i));
+    const double highest = reach + radius - ground.normal(i).dot(placed.pose.x - ground.start(i));
     if (highest < lowest_vertex) continue;
-    // In the frame of the polygon, a vertex that is too high costs one product.
-    const Vec2 rise = polygon.pose.r.inverse(ground.normal(i));
+    // In the frame of the contactor, a vertex that is too high costs one product.
+    const Vec2 rise = placed.pose.r.inverse(ground.normal(i));
     for (int k = 0; k < count; ++k)
       if (rise.dot(points[k]) <= highest)
-        deep |= point_contact(polygon.point(k), 0, vertex_id(index, k), ground, i, reach, shallow, out);
+        deep |= point_contact(placed.point(k), radius, vertex_id(index, k), ground, i, reach, shallow, out);
   }
   if (deep) {
     out.resize(static_cast<std::size_t>(first));
     for (int k = 0; k < count; ++k)
-      point_contacts(polygon.point(k), 0, vertex_id(index, k), ground, run, reach, shallow, out);
+      point_contacts(placed.point(k), radius, vertex_id(index, k), ground, run, reach, shallow, out);
   }
   if (out.end() - out.begin() - first < 2) return;
   std::sort(out.begin() + first, out.end(), [](const ContactPoint<2>& a, const ContactPoint<2>& b) {
@@ -131,32 +111,71 @@ void vertex_contacts(const Placed2& polygon, int index, const Ground2& ground, c
   });
 }
 
-/// Contact points of the edges of a polygon or a wall with convex corners.
-void edge_contacts(const Placed2& polygon, int index, const Ground2& ground, const Ground2::Run& run,
-                   double reach, double cone_slack, Contacts& out) {
-  const int n = polygon.count();
-  const Vec2* const points = polygon.shape.points.data();
-  const Vec2* const normals = polygon.shape.normals.data();
-  const double farthest = reach + polygon.shape.radius, around = polygon.shape.bound + reach;
+/// The edge of a hull that separates a place in its frame most, and its separation [m]. The search ends at
+/// an edge that separates by more than `farthest`.
+struct NearEdge {
+  int edge = 0;
+  double distance = -1e300;
+};
+NearEdge near_edge(const Contactor2& shape, const Vec2& local, double farthest) {
+  NearEdge best;
+  const int n = static_cast<int>(shape.points.size());
+  for (int e = 0; e < n && best.distance <= farthest; ++e) {
+    const double outside = shape.normals[e].dot(local - shape.points[e]);
+    if (outside > best.distance) best = {e, outside};
+  }
+  return best;
+}
+
+/// The contact of a rounded vertex with a convex corner.
+void round_contact(const Vec2& centre, double radius, FeatureId feature, const Ground2& ground, int corner,
+                   double reach, Contacts& out) {
+  const Vec2 away = centre - ground.point(corner);
+  const double distance = away.norm(), gap = distance - radius;
+  // Only strictly inside the cone, because on its sides the segments give the contact.
+  if (gap > reach || away.dot(ground.tangent(corner - 1)) <= 1e-9 * ground.length(corner - 1) ||
+      away.dot(ground.tangent(corner)) >= -1e-9 * ground.length(corner))
+    return;
+  const Vec2 normal = away / distance;
+  out.push_back({ground.point(corner) + 0.5 * gap * normal, normal, gap, feature, corner_id(corner)});
+}
+
+/// Contact points with convex corners: of the edge of the hull that a corner faces, or of the rounded vertex
+/// if the corner is beyond the end of this edge. Sharp vertices meet segments only.
+void corner_contacts(const Placed2& placed, int index, const Ground2& ground, const Ground2::Run& run,
+                     double reach, double cone_slack, Contacts& out) {
+  const int n = placed.count();
+  const double radius = placed.shape.radius, around = placed.shape.bound + reach;
+  if (n == 1 && radius == 0) return;
   for (int i = std::max(run.first, 1); i <= std::min(run.last + 1, ground.segments() - 1); ++i) {
     if (ground.corner(i) != Corner::convex) continue;
-    const Vec2& corner = ground.point(i);
-    const Vec2 local = polygon.pose.r.inverse(corner - polygon.pose.x);
-    if (local.squaredNorm() > around * around) continue;
-    int edge = 0;
-    double gap = -1e300;
-    for (int e = 0; e < n && gap <= farthest; ++e) {
-      const double outside = normals[e].dot(local - points[e]);
-      if (outside > gap) gap = outside, edge = e;
+    const auto meet_vertex = [&](int k) {
+      round_contact(placed.point(k), radius, vertex_id(index, k), ground, i, reach, out);
+    };
+    if (n == 1) {
+      meet_vertex(0);
+      continue;
     }
-    gap -= polygon.shape.radius;
-    const Vec2 normal = -polygon.normal(edge);
-    if (gap > reach || !in_cone(ground, i, normal, cone_slack)) continue;
-    // If a vertex stands on the corner, or the end of a wall is over it, this gives the contact.
-    const Vec2 a = polygon.point(edge), b = polygon.point((edge + 1) % n);
-    if (n == 2 && ((corner - a).dot(b - a) <= 0 || (corner - b).dot(a - b) <= 0)) continue;
+    const Vec2& corner = ground.point(i);
+    const Vec2 local = placed.pose.r.inverse(corner - placed.pose.x);
+    if (local.squaredNorm() > around * around) continue;
+    const NearEdge near = near_edge(placed.shape, local, reach + radius);
+    const double gap = near.distance - radius;
+    if (gap > reach) continue;
+    const int next = (near.edge + 1) % n;
+    const Vec2 a = placed.point(near.edge), b = placed.point(next);
+    if (radius > 0) {
+      const bool before = (corner - a).dot(b - a) <= 0, beyond = (corner - b).dot(a - b) <= 0;
+      if (before || beyond) {
+        meet_vertex(before ? near.edge : next);
+        continue;
+      }
+    }
+    const Vec2 normal = -placed.normal(near.edge);
+    if (!in_cone(ground, i, normal, cone_slack)) continue;
+    // If a vertex stands on the corner, this gives the contact.
     if (std::min((a - corner).norm(), (b - corner).norm()) <= 1e-7 * (b - a).norm()) continue;
-    out.push_back({corner + 0.5 * gap * normal, normal, gap, edge_id(index, edge), corner_id(i)});
+    out.push_back({corner + 0.5 * gap * normal, normal, gap, edge_id(index, near.edge), corner_id(i)});
   }
 }
 
@@ -184,24 +203,10 @@ void terrain_contacts(const Placed2& contactor, int contactor_index, const Groun
                       double turn, std::vector<ContactPoint<2>>& out) {
   if (contactor.shape.is_room()) return;
   const auto run = segments_near(contactor, ground, reach);
-  if (contactor.count() == 1) {
-    round_contacts(contactor.point(0), contactor.shape.radius, Vec2::Zero(), vertex_id(contactor_index, 0),
-                   ground, run, reach, out);
-    return;
-  }
-  const double radius = contactor.shape.radius;
-  if (radius == 0) {
-    vertex_contacts(contactor, contactor_index, ground, run, reach, out);
-  } else {
-    for (int k = 0; k < contactor.count(); ++k) {
-      const Vec2 end = contactor.point(k);
-      round_contacts(end, radius, end - contactor.point(1 - k), vertex_id(contactor_index, k), ground, run,
-                     reach, out);
-    }
-  }
-  // The corner at the end of a segment holds a polygon that lies flush on it, up to this angle [rad].
+  vertex_contacts(contactor, contactor_index, ground, run, reach, out);
+  // The corner at the end of a segment holds an edge that lies flush on it, up to this angle [rad].
   constexpr double flush = 1e-4;
-  edge_contacts(contactor, contactor_index, ground, run, reach, flush + turn, out);
+  corner_contacts(contactor, contactor_index, ground, run, reach, flush + turn, out);
 }
 
 }  // namespace flyrock

@@ -10,15 +10,16 @@
 
 namespace flyrock {
 
-/// Appends the contacts of a disk, wall or convex polygon with the terrain whose gap is at most `reach` [m].
+/// Appends the contacts of a hull, grown by its radius, with the terrain whose gap is at most `reach` [m].
 ///
-/// A disk meets each segment whose strip contains its centre, and each convex corner in whose cone of normals
-/// its centre lies. A polygon meets segments with its vertices, and convex corners with its edges. The ends
-/// of a wall are disks, its sides edges of a polygon. Flat and concave corners are not features, so that
-/// internal edges are not felt. A vertex deep below the ground, which only fixed time steps produce, is
-/// pushed out to the nearest point of the polyline. `contactor_index` is part of the feature ids. `turn`
-/// [rad] is the rotation of the body since a state without penetration, because contacts are detected in the
-/// middle of a step. An edge that has left a corner's cone by at most this angle is still held.
+/// Each vertex meets the segments whose strips contain it. A convex corner meets the edge that it faces, if
+/// the normal of the edge lies in the cone of normals of the corner; beyond the ends of this edge, and of a
+/// disk, it meets the vertex, if the radius is not 0 and the vertex lies in the cone. Flat and concave
+/// corners are not features, so that internal edges are not felt. A vertex deep below the ground, which only
+/// fixed time steps produce, is pushed out to the nearest point of the polyline. `contactor_index` is part of
+/// the feature ids. `turn` [rad] is the rotation of the body since a state without penetration, because
+/// contacts are detected in the middle of a step. An edge that has left a corner's cone by at most this angle
+/// is still held.
 void terrain_contacts(const Placed2& contactor, int contactor_index, const Ground2& ground, double reach,
                       double turn, std::vector<ContactPoint<2>>& out);
 

@@ -56,6 +56,7 @@ class Runner {
       }
       const double before = world_.time;
       in_contact = settings_.exact_flight && !in_contact && !breathes_ ? fly() : step();
+      if (!world_.pressed().empty()) diverge(pressed_text());
       end_bodies();
       // Bodies in contact touch again and again and time does not advance: advance by one short step that
       // ignores new impacts of pairs in contact; if time still does not advance, ignore all impacts.
@@ -100,6 +101,16 @@ class Runner {
     histories_[i].fault = why;
     world_.bodies[i].present = false;
     end(i, StopReason::diverged);
+  }
+
+  std::string pressed_text() const {
+    const std::vector<int>& pressed = world_.pressed();
+    constexpr std::size_t most = 3;
+    std::string names;
+    for (std::size_t k = 0; k < std::min(most, pressed.size()); ++k)
+      names += (k > 0 ? ", `" : "`") + world_.bodies[pressed[k]].group + "`";
+    if (pressed.size() > most) names += " and others";
+    return "a driven body presses " + names + " and leaves no way out: not all contacts can hold";
   }
 
   /// Ends all bodies that still run as diverged.

@@ -114,17 +114,10 @@ Contactor2 Contactor2::outline(const std::vector<Vec2>& points) {
           .surface = std::make_shared<const Ground2>(Ground2::outline(points))};
 }
 
-Contactor2 Contactor2::wall(const Vec2& start, const Vec2& end, double radius) {
-  std::vector<Vec2> points{start, end};
+Contactor2 Contactor2::hull(std::vector<Vec2> points, double radius) {
   auto normals = edge_normals(points);
   const double bound = bound_of(points, radius);
   return {std::move(points), std::move(normals), radius, bound};
-}
-
-Contactor2 Contactor2::polygon(std::vector<Vec2> vertices) {
-  auto normals = edge_normals(vertices);
-  const double bound = bound_of(vertices, 0);
-  return {std::move(vertices), std::move(normals), 0, bound};
 }
 
 void Contactor2::translate(const Vec2& by) {

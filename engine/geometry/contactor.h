@@ -10,9 +10,9 @@
 
 namespace flyrock {
 
-/// A contactor in 2D: the convex hull of `points`, grown by `radius`. One point with a radius is a disk.
-/// Three or more points, counter-clockwise, without a radius are a convex polygon. Two points with a radius
-/// are a wall with rounded ends. Coordinates in the body's frame, metres.
+/// A contactor in 2D: the convex hull of `points`, grown by `radius`. One point is a disk, two are a wall
+/// with rounded ends, three or more are a convex polygon, whose corners are round if it has a radius. All
+/// queries see only points and radius. Coordinates in the body's frame, metres.
 ///
 /// A hollow disk is solid outside of the circle of `radius` about the origin, up to the radius `outer`. It is
 /// a room (collision/room.h): other contactors touch it from inside only.
@@ -20,7 +20,7 @@ namespace flyrock {
 /// A contactor with a `surface` is an outline of segments, in general not convex (collision/surface.h). It is
 /// the only one of its body, which does not move freely; `points` are the corners of its box.
 struct Contactor2 {
-  std::vector<Vec2> points;
+  std::vector<Vec2> points;   ///< from three on, counter-clockwise
   std::vector<Vec2> normals;  ///< outward unit normal of the edge from points[i] to points[i + 1]; none for a
                               ///< disk, two for a wall
   double radius = 0;
@@ -32,10 +32,13 @@ struct Contactor2 {
 
   static Contactor2 disk(double radius, const Vec2& centre = Vec2::Zero());
   static Contactor2 hollow_disk(double radius, double outer);
-  /// The segment from `start` to `end`, grown by a radius.
-  static Contactor2 wall(const Vec2& start, const Vec2& end, double radius);
-  /// Counter-clockwise convex polygon; the normals are computed.
-  static Contactor2 polygon(std::vector<Vec2> vertices);
+  /// The hull of a segment or of a counter-clockwise convex polygon, grown by a radius; the normals are
+  /// computed.
+  static Contactor2 hull(std::vector<Vec2> points, double radius);
+  static Contactor2 wall(const Vec2& start, const Vec2& end, double radius) {
+    return hull({start, end}, radius);
+  }
+  static Contactor2 polygon(std::vector<Vec2> vertices) { return hull(std::move(vertices), 0); }
   /// The closed line through the points: clockwise it is solid inside, counter-clockwise outside.
   static Contactor2 outline(const std::vector<Vec2>& points);
 

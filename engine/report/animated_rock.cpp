@@ -17,12 +17,13 @@ std::string still_contactor(const std::vector<Vec2>& outline, double radius) {
         "{1:.1f}h{2:.1f}\"/>",
         outline[0].x(), outline[0].y(), radius, fill);
   if (radius <= 0) return fmt::format("<polygon points=\"{}\" fill=\"{}\"/>", points_of(outline), fill);
+  // A line with round corners draws what the outline is grown by: first its edge, then its inside.
   std::string out;
   for (const bool edge : {true, false})
     out += fmt::format(
-        "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{:.1f}\" "
-        "stroke-linecap=\"round\"/>",
-        points_of(outline), edge ? "#444" : fill, 2 * radius + (edge ? 1 : -1));
+        "<polygon points=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"{:.1f}\" "
+        "stroke-linejoin=\"round\"/>",
+        points_of(outline), fill, edge ? "#444" : fill, 2 * radius + (edge ? 1 : -1));
   return out;
 }
 

@@ -80,7 +80,7 @@ void add_grown(RockShape& surface, const std::vector<Vec3>& points, double radiu
 
 /// The same in 2D: one polygon.
 void add_grown_outline(RockShape& surface, const std::vector<Vec3>& points, double radius) {
-  constexpr int corners = 48;
+  const int corners = std::max(48, 8 * static_cast<int>(points.size()));
   std::vector<std::int64_t> face;
   for (int i = 0; i < corners; ++i) {
     const double angle = 2 * pi * i / corners;

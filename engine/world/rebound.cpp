@@ -64,6 +64,7 @@ void World<D>::solve_and_apply() {
   wanted.max_iterations = settings_.max_iterations;
   wanted.solver = settings_.solver;
   const SolveResult result = last_solve_ = solver_.solve(problem_, rebounds_, wanted, impulses_);
+  pressed_.clear();
   ++quality_.problems;
   quality_.iterations += result.iterations;
   if (!result.converged) {
@@ -73,6 +74,10 @@ void World<D>::solve_and_apply() {
     if (scale > 0)
       quality_.not_converged_residual = std::max(quality_.not_converged_residual, result.residual / scale);
   }
+  // Of bodies that are pressed, the impulses may grow until their rounding hides the error.
+  const int worst = result.worst_contact;
+  if (worst >= 0 && result.residual > settings_.tolerance * problem_.contacts[worst].speed_scale)
+    find_pressed();
   quality_.max_residual = std::max(quality_.max_residual, result.residual);
   for (std::size_t a = 0; a < contacts_.size(); ++a) {
     Contact& contact = contacts_[a];

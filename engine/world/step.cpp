@@ -95,6 +95,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
     ask_laws(h);
     assemble(h, true);
     last_solve_ = {};
+    pressed_.clear();
     if (!contacts_.empty()) solve_and_apply();
     drift(theta * h);
     measure_after(h);
@@ -149,6 +150,7 @@ typename World<D>::Outcome World<D>::impact() {
   constexpr double event_share = 1e-7;
   impacts_.clear();
   last_solve_ = {};
+  pressed_.clear();
   forget_steps();
   detect(0);
   keep_closed(event_share);

@@ -98,6 +98,8 @@ class World {
   double gap_now(const Contact& contact) const { return gap_at(contact, false); }
   /// How the problem of contacts() was solved; nothing was solved in an impact in which nothing approached.
   const SolveResult& last_solve() const { return last_solve_; }
+  /// The bodies that driven bodies press, in the last solve, so that no motion satisfies their contacts.
+  const std::vector<int>& pressed() const { return pressed_; }
   const SolverQuality& quality() const { return quality_; }
   SolverQuality& quality() { return quality_; }
   /// Where the wall time of each phase is added; null: phases are not timed.
@@ -236,6 +238,7 @@ class World {
   void apply_laws(double h);
   void apply_spring(int a, double h);
   void solve_and_apply();
+  void find_pressed();
   Row velocity_after(int a, double h) const;
   void measure_after(double h);
   void find_shocks(double h);
@@ -268,6 +271,7 @@ class World {
   WorldSettings settings_;
   SolverQuality quality_;
   SolveResult last_solve_;
+  std::vector<int> pressed_;
   StepControl<D> control_;
   double last_step_ = 0;   ///< s
   double reach_time_ = 0;  ///< s, the longer of this step and the last one; fixed steps: their length

@@ -192,10 +192,13 @@ class RockReader : public AnswerReader {
       return Contactor3::sphere(r, middle);
   }
 
-  /// Two points with a radius: a wall or a pill.
+  /// Two points with a radius are a wall or a pill, more of them in 2D a rounded polygon.
   Contactor grown(const Value& value, double radius, const std::string& path) const {
-    const char* expected = "two different points with a radius";
+    const char* expected =
+        D == 2 ? "two different points, or more, with a radius" : "two different points with a radius";
     const List& items = list(value, path, expected);
+    if constexpr (D == 2)
+      if (items.size() > 2) return Contactor2::hull(convex_corners(value, path), radius);
     if (items.size() != 2) wrong(path, value, expected);
     const Vec<D> start = place(items[0], join_path(path, 0)), end = place(items[1], join_path(path, 1));
     if (start == end) wrong(path, value, expected);
@@ -205,17 +208,27 @@ class RockReader : public AnswerReader {
       return Contactor3::pill(start, end, radius);
   }
 
-  Contactor hull_of(const Value& value, const std::string& path) const {
+  std::vector<Vec<D>> corners_of(const Value& value, const std::string& path) const {
     const List& items = list(value, path, D == 2 ? "a list of { x, y }" : "a list of { x, y, z }");
     std::vector<Vec<D>> corners;
     for (std::size_t i = 0; i < items.size(); ++i) corners.push_back(place(items[i], join_path(path, i)));
+    return corners;
+  }
+
+  /// In 2D, counter-clockwise.
+  std::vector<Vec2> convex_corners(const Value& value, const std::string& path) const {
+    std::vector<Vec2> corners = corners_of(value, path);
+    if (const std::string fault = make_convex(corners); !fault.empty())
+      call_.fail(fmt::format("returned {}: {}", path, fault));
+    return corners;
+  }
+
+  Contactor hull_of(const Value& value, const std::string& path) const {
     if constexpr (D == 2) {
-      if (const std::string fault = make_convex(corners); !fault.empty())
-        call_.fail(fmt::format("returned {}: {}", path, fault));
-      return Contactor2::polygon(std::move(corners));
+      return Contactor2::polygon(convex_corners(value, path));
     } else {
       try {
-        return convex_hull(corners);
+        return convex_hull(corners_of(value, path));
       } catch (const std::invalid_argument& fault) {
         call_.fail(fmt::format("returned {}: {}", path, fault.what()));
       }

@@ -1,5 +1,5 @@
-// Disks and polygons on random ground, at the default settings: none ends below the ground, none gets energy
-// from nowhere.
+// Disks, polygons and rounded polygons on random ground, at the default settings: none ends below the ground,
+// none gets energy from nowhere.
 #include <catch2/catch.hpp>
 #include <random>
 
@@ -46,7 +46,8 @@ Body<2> rock(bool round, Draw& uniform) {
       const double angle = 2 * pi * (k + uniform(-0.3, 0.3)) / n;
       vertices.push_back(size * Vec2(1.5 * std::cos(angle), std::sin(angle)));
     }
-    if (make_convex(vertices).empty()) return make_body({Contactor2::polygon(vertices)}, 0, 100, 0);
+    const double rounding = uniform(0, 1) < 0.5 ? 0 : uniform(0.01, 0.5) * size;
+    if (make_convex(vertices).empty()) return make_body({Contactor2::hull(vertices, rounding)}, 0, 100, 0);
   }
 }
 
@@ -86,8 +87,9 @@ void roll_down(int profiles, int rocks) {
 
 }  // namespace
 
-TEST_CASE("disks and polygons stay above random ground") { roll_down(50, samples(6)); }
+TEST_CASE("disks, polygons and rounded polygons stay above random ground") { roll_down(50, samples(6)); }
 
-TEST_CASE("two hundred thousand disks and polygons stay above fifty random profiles", "[heavy]") {
+TEST_CASE("two hundred thousand disks, polygons and rounded polygons stay above fifty random profiles",
+          "[heavy]") {
   roll_down(50, 4000);
 }

@@ -1,4 +1,4 @@
-// Walls (segments grown by a radius) on profiles, against closed forms. All at the default settings.
+// Walls and rounded squares on profiles, against closed forms. All at the default settings.
 
 #include <catch2/catch.hpp>
 #include <random>
@@ -21,6 +21,14 @@ Body<2> wall(double length, double radius, double mass, const Vec2& at, double a
   return body;
 }
 
+Body<2> rounded_square(double side, double rounding, double mass, const Vec2& at, double angle = 0) {
+  const double half = side / 2 - rounding;
+  Body<2> body = make_body(
+      {Contactor2::hull({{-half, -half}, {half, -half}, {half, half}, {-half, half}}, rounding)}, 0, mass, 0);
+  body.move_to(at, angle);
+  return body;
+}
+
 }  // namespace
 
 TEST_CASE("a wall on an incline rests, or slides with g (sin - mu cos), over one segment as over many") {
@@ -35,6 +43,43 @@ TEST_CASE("a wall on an incline rests, or slides with g (sin - mu cos), over one
   const Vec3 moved = history.last.position - history.first.position;
   CHECK((moved.head<2>() - 0.5 * a * way).norm() < 1e-6);
   CHECK((a > 0 || history.reason == StopReason::stopped));
+}
+
+TEST_CASE(
+    "a rounded square on an incline rests, or slides with g (sin - mu cos), over one segment as over many") {
+  const double slope = 20 * pi / 180, mu = GENERATE(0.5, 0.2);
+  const int segments = GENERATE(1, 37);
+  const Vec2 way(std::cos(slope), -std::sin(slope)), normal(std::sin(slope), std::cos(slope));
+  Material material(0, mu);
+  Bench bench(ground(10, slope, segments), material);
+  bench.add(rounded_square(0.6, 0.1, 400, 0.3 * normal, -slope));
+  const BodyHistory& history = bench.run(1);
+  const double a = std::max(0.0, gravity * (std::sin(slope) - mu * std::cos(slope)));
+  const Vec3 moved = history.last.position - history.first.position;
+  CHECK((moved.head<2>() - 0.5 * a * way).norm() < 1e-6);
+  CHECK((a > 0 || history.reason == StopReason::stopped));
+}
+
+TEST_CASE("a square that is rounded to a disk moves as a disk: it slides, rolls and bounces over corners") {
+  Profile profile;
+  profile.points = {{-10, 0}, {2, 0}, {3, -1}, {5, -1}, {6, -2.5}, {20, -2.5}};
+  profile.part.assign(5, 0);
+  profile.parts = {""};
+  Material material(0.4, 0.3);
+  const auto last = [&](Body<2> body) {
+    Bench bench(profile, material);
+    body.v = {4, 0};
+    body.w = 5;
+    bench.add(std::move(body));
+    bench.run_settings.stop_speed = 0;
+    return bench.run(2.5).last;
+  };
+  const auto square = last(rounded_square(1, 0.5 * (1 - 1e-9), 400, {0, 0.5}));
+  const auto round = last(disk(0.5, 400, {0, 0.5}));
+  CHECK(round.position.x() > 6);
+  CHECK((square.position - round.position).norm() < 1e-6);
+  CHECK((square.velocity - round.velocity).norm() < 1e-5);
+  CHECK((square.spin - round.spin).norm() < 1e-5);
 }
 
 TEST_CASE("a wall that falls askew without friction bounces about its lower end") {

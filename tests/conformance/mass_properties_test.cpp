@@ -45,9 +45,13 @@ bool is_near(const std::vector<Point>& core, double radius, const Point& place) 
 bool contains(const Contactor2& contactor, const Vec2& place) {
   if (contactor.is_room()) return place.norm() >= contactor.radius && place.norm() <= contactor.outer;
   if (contactor.points.size() <= 2) return is_near(contactor.points, contactor.radius, place);
-  for (std::size_t i = 0; i < contactor.points.size(); ++i)
-    if (contactor.normals[i].dot(place - contactor.points[i]) > 0) return false;
-  return true;
+  bool in_core = true;
+  for (std::size_t i = 0; i < contactor.points.size(); ++i) {
+    const Vec2 &start = contactor.points[i], &end = contactor.points[(i + 1) % contactor.points.size()];
+    if (contactor.radius > 0 && is_near<Vec2>({start, end}, contactor.radius, place)) return true;
+    in_core = in_core && contactor.normals[i].dot(place - start) <= 0;
+  }
+  return in_core;
 }
 bool contains(const Contactor3& contactor, const Vec3& place) {
   if (contactor.has_circles()) {
@@ -134,6 +138,15 @@ const std::vector<Row> rows{
     {"polygon", 2, {{"vertices", Points{{0, 0}, {3, 0}, {3, 2}, {0, 2}}}}, 6, 6 * 13.0 / 12},
     {"polygon", 2, {{"vertices", Points{{5, 1}, {8, 1}, {5, 5}}}}, 6, 6 * 25.0 / 18},  // (a^2 + b^2)/18
     {"polygon", 2, {{"sides", 7.0}, {"diameter", 1.0}, {"irregularity", 0.8}}, pi / 4, none},
+    // A square of side 2 with corners of radius 1/2. Each loses a square of side 1/2, whose centre is at
+    // (3/4, 3/4), and keeps a quarter of a disk about (1/2, 1/2).
+    {"polygon",
+     2,
+     {{"vertices", Points{{0, 0}, {2, 0}, {2, 2}, {0, 2}}}, {"rounding", 0.5}},
+     4 - (4 - pi) * 0.25,
+     16.0 / 6 - 4 * 0.25 * (0.25 / 6 + 2 * 0.5625) +
+         4 * (pi / 16 * 0.5 + 2.0 * 0.5 * 2 * 0.125 / 3 + pi / 128)},
+    {"polygon", 2, {{"vertices", Points{{5, 1}, {8, 1}, {5, 5}}}, {"rounding", 0.4}}, none, none},
     {"sphere", 3, {{"radius", 0.3}}, 4 * pi / 3 * 0.027, 4 * pi / 3 * 0.027 * 0.4 * 0.09},
     // A cylinder and two half-spheres, across the axis
     {"pill",

@@ -30,10 +30,15 @@ double out_of_core(const Contactor& shape, const Place& p) {
 }
 double outside(const Contactor2& shape, const Vec2& p) {
   if (shape.points.size() <= 2) return out_of_core(shape, p);
-  double most = -1e300;
-  for (std::size_t i = 0; i < shape.points.size(); ++i)
-    most = std::max(most, shape.normals[i].dot(p - shape.points[i]));
-  return most;
+  double most = -1e300, nearest = 1e300;
+  for (std::size_t i = 0; i < shape.points.size(); ++i) {
+    const Vec2 along = shape.points[(i + 1) % shape.points.size()] - shape.points[i],
+               away = p - shape.points[i];
+    most = std::max(most, shape.normals[i].dot(away));
+    nearest = std::min(nearest,
+                       (away - std::clamp(away.dot(along) / along.squaredNorm(), 0.0, 1.0) * along).norm());
+  }
+  return most > 0 && shape.radius > 0 ? nearest - shape.radius : most - shape.radius;
 }
 double outside(const Contactor3& shape, const Vec3& p) {
   if (shape.has_circles()) {
@@ -58,7 +63,7 @@ double outside(const Contactor3& shape, const Vec3& p) {
   return most;
 }
 
-bool is_polytope(const Contactor2& shape) { return shape.points.size() > 2; }
+bool is_polytope(const Contactor2& shape) { return shape.points.size() > 2 && shape.radius == 0; }
 bool is_polytope(const Contactor3& shape) { return shape.has_faces(); }
 
 /// Whether the contacts of a placement are true; `tight`: their bounds meet to 1e-9.

@@ -74,6 +74,33 @@ TEST_CASE("a polygon takes vertices, or sides and diameter") {
                     "plugin polygon: a polygon has 2 vertices, at least 3 are needed");
 }
 
+TEST_CASE("rounding a polygon keeps its sides, and is refused where a side has no straight part left") {
+  const std::vector<std::vector<double>> triangle{
+      {0, 0}, {4, 0}, {0, 3}};  // its inscribed circle has radius 1
+  const auto sharp = polygon({{"vertices", triangle}});
+  const auto built = [](const Made<ShapeModel>& shape) {
+    RandomStream rng(7, "shape", {});
+    return shape.model->build(shape.values, rng).front();
+  };
+  const Contactor2 core = built(sharp),
+                   rounded = built(polygon({{"vertices", triangle}, {"rounding", 0.25}}));
+  CHECK(rounded.radius == 0.25);
+  REQUIRE(rounded.points.size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK((rounded.normals[i] - core.normals[i]).norm() < 1e-14);
+    CHECK(core.normals[i].dot(rounded.points[i] - core.points[i]) == Approx(-0.25).epsilon(1e-12));
+  }
+  CHECK(built(polygon({{"vertices", triangle}, {"rounding", 0.0}})).points == core.points);
+  CHECK_NOTHROW(built(polygon({{"vertices", triangle}, {"rounding", 0.999}})));
+  CHECK_THROWS_WITH(
+      built(polygon({{"vertices", triangle}, {"rounding", 1.5}})),
+      "plugin polygon: rounding is 1.5 m, must be below 1 m, where the first side of this polygon "
+      "has no straight part");
+  const auto drawn_round =
+      polygon({{"sides", 4.0}, {"diameter", 1.0}, {"irregularity", 0.0}, {"rounding", 0.1}});
+  CHECK(area_properties({built(drawn_round)}).area == Approx(pi / 4 - (4 - pi) * 0.01).epsilon(1e-12));
+}
+
 TEST_CASE("a disk is a disk") {
   const auto disk = make<ShapeModel>(session(), PluginKind::shape, "disk", {{"radius", 0.25}});
   RandomStream rng(1, "shape", {});

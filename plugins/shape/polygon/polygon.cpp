@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "geometry/inset.h"
 #include "plugins/factories.h"
 
 namespace flyrock::plugins {
@@ -12,14 +13,32 @@ constexpr int most_sides = 100;
 constexpr double usual_irregularity = 0.3;
 constexpr double least_gap = 20 * pi / 180;
 
+/// The polygon with its corners rounded; 0: sharp.
+Contactor2 with_corners(std::vector<Vec2> vertices, double rounding) {
+  if (!(rounding >= 0 && std::isfinite(rounding)))
+    throw PluginError(fmt::format("plugin polygon: rounding is {:.6g} m, must be 0 or more", rounding));
+  if (rounding == 0) return Contactor2::polygon(std::move(vertices));
+  const double limit = greatest_inset(vertices);
+  if (!(rounding < limit))
+    throw ParameterError(fmt::format(
+        "plugin polygon: rounding is {:.6g} m, must be below {:.6g} m, where the first side of this "
+        "polygon has no straight part",
+        rounding, limit));
+  return Contactor2::hull(inset(vertices, rounding), rounding);
+}
+
 /// A polygon with the vertices that the scenario gives.
 class GivenPolygon : public ShapeModel {
  public:
-  explicit GivenPolygon(std::vector<Vec2> vertices) : contactor_(Contactor2::polygon(std::move(vertices))) {}
-  std::vector<Contactor2> build(Values, RandomStream&) const override { return {contactor_}; }
+  GivenPolygon(std::vector<Vec2> vertices, int rounding)
+      : vertices_(std::move(vertices)), rounding_(rounding) {}
+  std::vector<Contactor2> build(Values values, RandomStream&) const override {
+    return {with_corners(vertices_, rounding_ < 0 ? 0 : values[rounding_])};
+  }
 
  private:
-  Contactor2 contactor_;
+  std::vector<Vec2> vertices_;
+  int rounding_;
 };
 
 /// Draws the angles between successive vertices [rad]. Each is a minimum angle plus a share of the rest. The
@@ -39,8 +58,8 @@ std::vector<double> draw_gaps(int sides, double irregularity, RandomStream& rng)
 
 class DrawnPolygon : public ShapeModel {
  public:
-  DrawnPolygon(int sides, int diameter, int irregularity)
-      : sides_(sides), diameter_(diameter), irregularity_(irregularity) {}
+  DrawnPolygon(int sides, int diameter, int irregularity, int rounding)
+      : sides_(sides), diameter_(diameter), irregularity_(irregularity), rounding_(rounding) {}
 
   std::vector<Contactor2> build(Values values, RandomStream& rng) const override {
     const double sides = values[sides_], diameter = values[diameter_];
@@ -64,11 +83,11 @@ class DrawnPolygon : public ShapeModel {
       vertices.push_back(circumradius * Vec2(std::cos(angle), std::sin(angle)));
       angle += gap;
     }
-    return {Contactor2::polygon(std::move(vertices))};
+    return {with_corners(std::move(vertices), rounding_ < 0 ? 0 : values[rounding_])};
   }
 
  private:
-  int sides_, diameter_, irregularity_;
+  int sides_, diameter_, irregularity_, rounding_;
 };
 
 }  // namespace
@@ -77,10 +96,10 @@ std::unique_ptr<ShapeModel> make_polygon(Params& params) {
   params.require_dimension(2);
   auto vertices = params.points2("vertices");
   const int sides = params.slot("sides"), diameter = params.slot("diameter");
-  const int irregularity = params.slot("irregularity");
+  const int irregularity = params.slot("irregularity"), rounding = params.slot("rounding");
   const bool drawn = sides >= 0 && diameter >= 0;
   if (!params.given("vertices") && drawn)
-    return std::make_unique<DrawnPolygon>(sides, diameter, irregularity);
+    return std::make_unique<DrawnPolygon>(sides, diameter, irregularity, rounding);
   if (!params.given("vertices") || sides >= 0 || diameter >= 0)
     throw PluginError("plugin polygon: expected either `vertices`, or `sides` and `diameter`");
   if (irregularity >= 0)
@@ -88,7 +107,7 @@ std::unique_ptr<ShapeModel> make_polygon(Params& params) {
         "plugin polygon: `irregularity` is of a drawn polygon and says nothing beside `vertices`");
   if (std::string fault = make_convex(vertices); !fault.empty())
     throw PluginError("plugin polygon: " + fault);
-  return std::make_unique<GivenPolygon>(std::move(vertices));
+  return std::make_unique<GivenPolygon>(std::move(vertices), rounding);
 }
 
 }  // namespace flyrock::plugins

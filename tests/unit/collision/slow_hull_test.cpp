@@ -22,17 +22,18 @@ Terrain2 rough(std::mt19937& rng) {
 
 }  // namespace
 
-TEST_CASE("a slow polygon or wall finds the touch that a search over a longer time finds") {
+TEST_CASE("a slow polygon, wall or rounded polygon finds the touch that a search over a longer time finds") {
   std::mt19937 rng(7);
   std::uniform_real_distribution<double> unit(-1, 1);
   const Contactor2 shapes[] = {
       Contactor2::polygon({{-0.5, -0.3}, {0.4, -0.4}, {0.6, 0.1}, {0.1, 0.5}, {-0.4, 0.3}}),
       Contactor2::polygon({{-0.5, -0.1}, {0.5, -0.1}, {0.5, 0.1}, {-0.5, 0.1}}),
-      Contactor2::wall({-0.4, 0}, {0.4, 0}, 0.1)};
+      Contactor2::wall({-0.4, 0}, {0.4, 0}, 0.1),
+      Contactor2::hull({{-0.3, -0.2}, {0.3, -0.3}, {0.4, 0.1}, {-0.2, 0.3}}, 0.1)};
   int touches = 0, passes = 0;
   for (int k = 0; k < 4000; ++k) {
     const Terrain2 ground = rough(rng);
-    const Contactor2& shape = shapes[k % 3];
+    const Contactor2& shape = shapes[k % 4];
     Motion2 motion;
     motion.x = {8 * unit(rng), 1.5};
     motion.angle = 3 * unit(rng);

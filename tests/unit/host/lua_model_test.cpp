@@ -33,9 +33,15 @@ TEST_CASE("a shape in Lua is a disk, a polygon or several contactors") {
   CHECK(shape("{ { radius = 1, centre = { -2, 0 } }, { radius = 1, centre = { 2, 0 } } }").size() == 2);
   const auto wall = shape("{ vertices = { {-1, 0}, {1, 0} }, radius = 0.5 }");
   CHECK((wall.front().points.size() == 2 && wall.front().radius == 0.5));
+  const auto rounded = shape("{ vertices = { {0, 0}, {0, 1}, {1, 1}, {1, 0} }, radius = 0.5 }");
+  CHECK((rounded.front().points.size() == 4 && rounded.front().radius == 0.5));
+  CHECK(area_properties(rounded).area == Approx(1 + 4 * 0.5 + pi * 0.25));
   CHECK_THROWS_WITH(
-      shape("{ vertices = { {0, 0}, {1, 0}, {1, 1} }, radius = 0.5 }"),
-      "plugin m, m.lua:3: build() returned vertices = a list, expected two different points with a radius");
+      shape("{ vertices = { {0, 0} }, radius = 0.5 }"),
+      "plugin m, m.lua:3: build() returned vertices = a list, expected two different points, or "
+      "more, with a radius");
+  CHECK_THROWS_WITH(shape("{ vertices = { {0, 0}, {1, 0} , {2, 0} }, radius = 0.5 }"),
+                    Catch::StartsWith("plugin m, m.lua:3: build() returned vertices: "));
   CHECK_THROWS_WITH(shape("{ radius = -1 }"),
                     "plugin m, m.lua:3: build() returned radius = -1, expected a number above 0");
   CHECK_THROWS_WITH(shape("{ vertices = { {0, 0}, {1} , {1, 1} } }"),

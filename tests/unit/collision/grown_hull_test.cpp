@@ -1,5 +1,5 @@
-// Walls against all shapes in 2D and the profile: contacts, gaps and times of impact against a search over
-// the axis.
+// Walls and rounded polygons against all shapes in 2D and the profile: contacts, gaps and times of impact
+// against a search over the outlines of the cores.
 
 #include <catch2/catch.hpp>
 #include <random>
@@ -12,7 +12,7 @@
 
 using namespace flyrock;
 
-namespace wall_test {
+namespace grown_hull_test {
 
 namespace {
 
@@ -41,13 +41,14 @@ double distance_to(const Placed2& placed, const Vec2& p) {
   return least;
 }
 
-/// The gap of a wall with the outline of a core: the least of all pairs of segments.
-double searched_gap(const Placed2& wall, const Placed2& other) {
+/// The gap of two hulls whose cores do not overlap: the least of all pairs of segments of their outlines.
+double searched_gap(const Placed2& one, const Placed2& other) {
   double least = 1e300;
-  for (int i = 0; i < other.count(); ++i)
-    least = std::min(least, distance_of_segments(wall.point(0), wall.point(1), other.point(i),
-                                                 other.point((i + 1) % other.count())));
-  return least - wall.shape.radius - other.shape.radius;
+  for (int k = 0; k < one.count(); ++k)
+    for (int i = 0; i < other.count(); ++i)
+      least = std::min(least, distance_of_segments(one.point(k), one.point((k + 1) % one.count()),
+                                                   other.point(i), other.point((i + 1) % other.count())));
+  return least - one.shape.radius - other.shape.radius;
 }
 
 bool is_inside(const Placed2& polygon, const Vec2& p) {
@@ -70,8 +71,14 @@ Contactor2 wall_of(double length, double radius) {
   return Contactor2::wall({-length / 2, 0}, {length / 2, 0}, radius);
 }
 
+Contactor2 rounded_polygon() {
+  return Contactor2::hull({{-0.4, -0.2}, {0.3, -0.3}, {0.45, 0.15}, {-0.1, 0.3}}, 0.15);
+}
+
+std::vector<Contactor2> grown() { return {wall_of(0.9, 0.2), rounded_polygon()}; }
+
 std::vector<Contactor2> others() {
-  return {Contactor2::disk(0.3), wall_of(1.1, 0.15),
+  return {Contactor2::disk(0.3), wall_of(1.1, 0.15), rounded_polygon(),
           Contactor2::polygon({{-0.4, -0.3}, {0.5, -0.2}, {0.1, 0.4}}),
           Contactor2::polygon({{-0.4, -0.3}, {0.4, -0.3}, {0.4, 0.3}, {-0.4, 0.3}})};
 }
@@ -83,16 +90,18 @@ const ContactPoint<2>& nearest_in(const Contacts& contacts) {
 
 }  // namespace
 
-TEST_CASE("walls and other shapes at 10,000 random placements have the gap, normal and places of a search") {
+TEST_CASE(
+    "grown hulls and other shapes at 10,000 random placements have the gap, normal and places of a search") {
   Dice dice;
-  const Contactor2 wall = wall_of(0.9, 0.2);
+  const Contactor2 hull = grown()[static_cast<std::size_t>(GENERATE(0, 1))];
   for (const Contactor2& other : others()) {
     int wrong = 0;
     for (int tested = 0; tested < 10000;) {
-      const Placed2 a{wall, {dice(0.1, 1.4) * dice.direction(), dice.rotation()}};
+      const Placed2 a{hull, {dice(0.1, 1.4) * dice.direction(), dice.rotation()}};
       const Placed2 b{other, {Vec2::Zero(), dice.rotation()}};
       const double gap = searched_gap(a, b);
-      if (gap <= 1e-6 - wall.radius - other.radius || is_inside(b, a.point(0))) continue;
+      if (gap <= 1e-6 - hull.radius - other.radius || is_inside(b, a.point(0)) || is_inside(a, b.point(0)))
+        continue;
       const bool turned = ++tested % 2;
       Contacts contacts;
       if (turned)
@@ -105,7 +114,7 @@ TEST_CASE("walls and other shapes at 10,000 random placements have the gap, norm
       const double known =
           turned ? feature_gap(b, c.feature, a, c.against) : feature_gap(a, c.feature, b, c.against);
       wrong += std::abs(c.gap - gap) > 1e-12 || std::abs(known - gap) > 1e-12 ||
-               std::abs(distance_to(a, on_a) - wall.radius) > 1e-12 ||
+               std::abs(distance_to(a, on_a) - hull.radius) > 1e-12 ||
                std::abs(distance_to(b, on_b) - other.radius) > 1e-12;
     }
     CHECK(wrong == 0);
@@ -152,29 +161,30 @@ Profile rugged() {
   return profile;
 }
 
-/// The gap to the profile; the axis must be above it.
-double searched_gap(const Placed2& wall, const Terrain2& terrain) {
+/// The gap to the profile; the core must be above it.
+double searched_gap(const Placed2& hull, const Terrain2& terrain) {
   double least = 1e300;
-  for (int i = 0; i < terrain.segments(); ++i)
-    least =
-        std::min(least, distance_of_segments(wall.point(0), wall.point(1), terrain.start(i), terrain.end(i)));
-  return least - wall.shape.radius;
+  for (int k = 0; k < hull.count(); ++k)
+    for (int i = 0; i < terrain.segments(); ++i)
+      least = std::min(least, distance_of_segments(hull.point(k), hull.point((k + 1) % hull.count()),
+                                                   terrain.start(i), terrain.end(i)));
+  return least - hull.shape.radius;
 }
 
-bool is_below(const Placed2& wall, const Terrain2& terrain) {
-  return searched_gap(wall, terrain) <= 1e-6 - wall.shape.radius ||
-         wall.point(0).y() < terrain.height(wall.point(0).x());
+bool is_below(const Placed2& hull, const Terrain2& terrain) {
+  return searched_gap(hull, terrain) <= 1e-6 - hull.shape.radius ||
+         hull.point(0).y() < terrain.height(hull.point(0).x());
 }
 
 }  // namespace
 
-TEST_CASE("walls at 10,000 random places over a profile have the gap of a search") {
+TEST_CASE("grown hulls at 10,000 random places over a profile have the gap of a search") {
   Dice dice;
-  const Contactor2 wall = wall_of(0.9, 0.2);
+  const Contactor2 hull = grown()[static_cast<std::size_t>(GENERATE(0, 1))];
   const Terrain2 terrain{rugged()};
   int wrong = 0;
   for (int tested = 0; tested < 10000;) {
-    const Placed2 placed{wall, {{dice(-5, 5), dice(-0.5, 2)}, dice.rotation()}};
+    const Placed2 placed{hull, {{dice(-5, 5), dice(-0.5, 2)}, dice.rotation()}};
     if (is_below(placed, terrain)) continue;
     const double gap = searched_gap(placed, terrain);
     if (gap > 0.4) continue;
@@ -186,10 +196,10 @@ TEST_CASE("walls at 10,000 random places over a profile have the gap of a search
       continue;
     }
     const ContactPoint<2>& c = nearest_in(contacts);
-    const Vec2 on_wall = c.point + 0.5 * c.gap * c.normal;
+    const Vec2 on_hull = c.point + 0.5 * c.gap * c.normal;
     wrong += std::abs(c.gap - gap) > 1e-12 ||
              std::abs(feature_gap(placed, c.feature, terrain, c.against) - gap) > 1e-12 ||
-             std::abs(distance_to(placed, on_wall) - wall.radius) > 1e-12;
+             std::abs(distance_to(placed, on_hull) - hull.radius) > 1e-12;
   }
   CHECK(wrong == 0);
 }
@@ -222,12 +232,12 @@ bool agrees(const std::optional<double>& touch, double end, const Gap& gap) {
 
 }  // namespace
 
-TEST_CASE("no shot wall passes through another shape or the profile, and it touches at gap 0") {
+TEST_CASE("no shot hull passes through another shape or the profile, and it touches at gap 0") {
   Dice dice;
-  const Contactor2 wall = wall_of(0.9, 0.2);
+  const Contactor2 hull = grown()[static_cast<std::size_t>(GENERATE(0, 1))];
   constexpr double end = 0.03;
   TouchSearch search;
-  search.size = wall.bound;
+  search.size = hull.bound;
   std::uint64_t iterations = 0;
   search.iterations = &iterations;
   int wrong = 0, touches = 0;
@@ -237,19 +247,19 @@ TEST_CASE("no shot wall passes through another shape or the profile, and it touc
       Motion2 spinning;
       spinning.w = dice(-500, 500);
       if (i % 2) spinning.v = dice(0, 100) * dice.direction();
-      const auto touch = i % 3 ? time_of_contact(wall, 0, motion, other, 0, spinning, end, search)
-                               : time_of_contact(other, 0, spinning, wall, 0, motion, end, search);
+      const auto touch = i % 3 ? time_of_contact(hull, 0, motion, other, 0, spinning, end, search)
+                               : time_of_contact(other, 0, spinning, hull, 0, motion, end, search);
       touches += touch.has_value();
       wrong += !agrees(touch, end,
-                       [&](double t) { return searched_gap(at(wall, motion, t), at(other, spinning, t)); });
+                       [&](double t) { return searched_gap(at(hull, motion, t), at(other, spinning, t)); });
     }
   const Terrain2 terrain{rugged()};
   for (int i = 0; i < 1000; ++i) {
     Motion2 motion = shot(dice);
     motion.x.y() = std::abs(motion.x.y()) + 2;
-    const auto touch = time_of_contact(wall, 0, motion, terrain, end, search);
+    const auto touch = time_of_contact(hull, 0, motion, terrain, end, search);
     touches += touch.has_value();
-    wrong += !agrees(touch, end, [&](double t) { return searched_gap(at(wall, motion, t), terrain); });
+    wrong += !agrees(touch, end, [&](double t) { return searched_gap(at(hull, motion, t), terrain); });
   }
   CHECK(wrong == 0);
   CHECK(touches > 500);
@@ -283,4 +293,4 @@ TEST_CASE("a disk past a convex corner has the gap to the segment that it is ove
   CHECK(gap((radius + 0.01) * Vec2(std::sin(fall / 2), std::cos(fall / 2))) == Approx(0.01).epsilon(1e-12));
 }
 
-}  // namespace wall_test
+}  // namespace grown_hull_test
