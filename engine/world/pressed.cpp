@@ -9,8 +9,9 @@ namespace flyrock {
 
 namespace {
 
-/// Of solves with more contacts, each 32nd is looked at.
-constexpr std::size_t few = 64, every = 32;
+/// Of solves with more contacts than `few`, each 32nd is looked at; of those with more than `most`, where the
+/// search would take seconds, none.
+constexpr std::size_t few = 64, every = 32, most = 200;
 /// No motion of the free bodies slower than this many times the driven one keeps all contacts closed or open.
 constexpr double most_speed = 1e4;
 /// Share of the driven approach that is rounding: two driven bodies hold a body and move together.
@@ -28,7 +29,7 @@ constexpr double rounding_share = 1e-6;
 template <int D>
 void World<D>::find_pressed() {
   const std::size_t count = contacts_.size();
-  if (count > few && quality_.problems % every != 0) return;
+  if (count > most || (count > few && quality_.problems % every != 0)) return;
   const auto approach_of = [&](std::size_t a) {
     const Contact& c = contacts_[a];
     double approach = 0;
