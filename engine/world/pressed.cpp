@@ -9,11 +9,11 @@ namespace flyrock {
 
 namespace {
 
-/// Of solves with more contacts than `few`, each 32nd is looked at; of those with more than `most`, where the
-/// search would take seconds, none.
-constexpr std::size_t few = 64, every = 32, most = 200;
+/// Of solves with more contacts than `easy_contacts`, each 32nd is looked at; of those with more than
+/// `most_contacts`, where the search would take seconds, none.
+constexpr std::size_t easy_contacts = 64, look_every = 32, most_contacts = 200;
 /// No motion of the free bodies slower than this many times the driven one keeps all contacts closed or open.
-constexpr double most_speed = 1e4;
+constexpr double most_speed_ratio = 1e4;
 /// Share of the driven approach that is rounding: two driven bodies hold a body and move together.
 constexpr double rounding_share = 1e-6;
 
@@ -29,7 +29,7 @@ constexpr double rounding_share = 1e-6;
 template <int D>
 void World<D>::find_pressed() {
   const std::size_t count = contacts_.size();
-  if (count > most || (count > few && quality_.problems % every != 0)) return;
+  if (count > most_contacts || (count > easy_contacts && quality_.problems % look_every != 0)) return;
   const auto approach_of = [&](std::size_t a) {
     const Contact& c = contacts_[a];
     double approach = 0;
@@ -68,7 +68,8 @@ void World<D>::find_pressed() {
   }
   const Eigen::VectorXd r = nonnegative_least_squares(a, Eigen::VectorXd::Unit(rows + 1, rows));
   const double closes = a.row(rows).dot(r), resultant = (a.topRows(rows) * r).norm();
-  if (closes <= rounding_share * a.row(rows).cwiseAbs().dot(r) || closes < most_speed * resultant) return;
+  if (closes <= rounding_share * a.row(rows).cwiseAbs().dot(r) || closes < most_speed_ratio * resultant)
+    return;
   const double least = 1e-3 * r.maxCoeff();
   for (std::size_t k = 0; k < count; ++k)
     for (const int i : {contacts_[k].candidate, contacts_[k].antagonist})
