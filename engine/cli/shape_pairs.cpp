@@ -42,14 +42,26 @@ bool is_hollow(const std::vector<Contactor>& contactors) {
   return false;
 }
 
+/// At one place, or beside it along an axis: a patch, for example, has no contact with what is before its
+/// border.
 template <int D>
-std::string pair_cell(const NamedShape<D>& a, const NamedShape<D>& b) {
+bool touch_somewhere(const NamedShape<D>& a, const NamedShape<D>& b) {
   using Placed = typename Geometry<D>::Placed;
   std::vector<ContactPoint<D>> contacts;
   for (const auto& of_a : a.contactors)
     for (const auto& of_b : b.contactors)
-      body_contacts(Placed{of_a, {}}, 0, Placed{of_b, {}}, 1, everything, contacts);
-  if (contacts.empty()) return "no";
+      for (int k = -D; k <= D; ++k) {
+        typename Geometry<D>::Pose aside;
+        if (k != 0) aside.x[std::abs(k) - 1] = std::copysign(of_a.bound, k);
+        body_contacts(Placed{of_a, {}}, 0, Placed{of_b, aside}, 1, everything, contacts);
+        if (!contacts.empty()) return true;
+      }
+  return false;
+}
+
+template <int D>
+std::string pair_cell(const NamedShape<D>& a, const NamedShape<D>& b) {
+  if (!touch_somewhere(a, b)) return "no";
   return is_hollow(a.contactors) || is_hollow(b.contactors) ? "inside" : "yes";
 }
 
