@@ -12,9 +12,8 @@ namespace flyrock {
 /// radius, the contact is at the nearest edge or vertex of their cores; edges that lie flush have a second
 /// one at the other end of what is common. For two sharp polygons, the reference edge is the edge whose
 /// normal separates them most. The incident edge, which faces it, is clipped to the strip of the reference
-/// edge. Rooms and surfaces
-/// have rules of their own (room.h, surface.h). `turn` [rad]: the rotation of the bodies since a state
-/// without penetration, as in terrain_contacts.
+/// edge. Rooms and surfaces have rules of their own (room.h, surface.h). `turn` [rad]: the rotation of the
+/// bodies since a state without penetration, as in terrain_contacts.
 void body_contacts(const Placed2& candidate, int candidate_index, const Placed2& antagonist,
                    int antagonist_index, double reach, std::vector<ContactPoint<2>>& out, double turn = 0);
 
