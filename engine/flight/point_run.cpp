@@ -67,7 +67,7 @@ class PointRunner {
         body_(body),
         now_{false, false, run.start_time, body.x, body.v},
         log_(body, terrain, run),
-        rest_(run.stop_speed, log_.history()),
+        rest_(RestWatch::Kind::point, run.stop_speed, log_.history()),
         contact_(body, terrain, run.origin, run.surfaces),
         audit_(body, run.forces.gravity),
         slow_(std::max(0.05 * run.rest_speed, 1e-9)),

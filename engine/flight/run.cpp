@@ -31,7 +31,8 @@ class Runner {
         faults_(world, settings.exact_flight),
         running_(world.bodies.size()) {
     for (std::size_t i = 0; i < running_.size(); ++i) running_[i] = world.bodies[i].kind == BodyKind::dynamic;
-    for (BodyHistory& history : histories) rest_.emplace_back(settings.stop_speed, history);
+    for (BodyHistory& history : histories)
+      rest_.emplace_back(RestWatch::Kind::body, settings.stop_speed, history);
     breathes_ = std::any_of(world.bodies.begin(), world.bodies.end(),
                             [](const Body<D>& b) { return b.breathing.moves(); });
     in_air_ = std::any_of(world.bodies.begin(), world.bodies.end(),
