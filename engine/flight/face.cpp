@@ -245,13 +245,19 @@ ArcEnd end_in_space(const Curve& curve, const PointGround<3>& ground) {
 }  // namespace
 
 void faces_at(const Terrain2& terrain, const Vec2& at, int near, std::vector<Face<2>>& faces) {
-  faces.clear();
   const int last = terrain.segments() - 2;
+  const auto is_on = [&](int i) {
+    return std::abs(terrain.normal(i).dot(at - terrain.start(i))) <= 2 * face_reach &&
+           is_over(terrain, i, at, 2 * face_reach);
+  };
+  // Most points lie on one segment, away from its ends, and many come back to it.
+  if (faces.size() == 1 && faces[0].id == near && terrain.start(near).x() < at.x() - face_reach &&
+      at.x() + face_reach < terrain.end(near).x() && is_on(near))
+    return;
+  faces.clear();
   for (int i = std::max(1, terrain.first_segment(at.x() - face_reach, near));
-       i <= last && terrain.start(i).x() <= at.x() + face_reach; ++i) {
-    if (std::abs(terrain.normal(i).dot(at - terrain.start(i))) > 2 * face_reach) continue;
-    if (is_over(terrain, i, at, 2 * face_reach)) faces.push_back(face_of(terrain, i));
-  }
+       i <= last && terrain.start(i).x() <= at.x() + face_reach; ++i)
+    if (is_on(i)) faces.push_back(face_of(terrain, i));
 }
 
 void faces_at(const Terrain3& terrain, const Vec3& at, int, std::vector<Face<3>>& faces) {

@@ -86,24 +86,27 @@ typename PointContact<D>::Tilted PointContact<D>::tilted(const Face<D>& face, co
 }
 
 template <int D>
+typename PointContact<D>::Tilted PointContact<D>::begin_impact(const Face<D>& face, Surface* surface,
+                                                               const Vec<D>& v) {
+  ++impacts_;
+  age_ = 0;
+  if (!surface) return {face.normal};
+  surface->begin_instant();
+  surface->begin_impact(static_cast<std::uint64_t>(impacts_));
+  if (surface->remembers_contacts()) memory_ = {};
+  memory_part_ = face.part;
+  ++surface->use.contacts;
+  return surface->roughness.any() ? tilted(face, *surface, v) : Tilted{face.normal};
+}
+
+template <int D>
 typename PointContact<D>::Bounce PointContact<D>::strike(const Face<D>& face, double time, const Vec<D>& at,
                                                          Vec<D>& v) {
   Surface* surface = surfaces_[face.part];
-  ++impacts_;
-  age_ = 0;
   since_ = time;
-  Bounce bounce{{face.normal}, {}, {}};
-  ContactLaw law;
-  if (surface) {
-    surface->begin_instant();
-    surface->begin_impact(static_cast<std::uint64_t>(impacts_));
-    if (surface->roughness.any()) bounce.face = tilted(face, *surface, v);
-    if (surface->remembers_contacts()) memory_ = {};
-    memory_part_ = face.part;
-    ++surface->use.contacts;
-    if (surface->reads_state()) state_ = state_of(face, *surface, bounce.face.normal, time, at, v);
-    law = surface->ask(state_, true, memory_);
-  }
+  Bounce bounce{begin_impact(face, surface, v), {}, {}};
+  if (surface && surface->reads_state()) state_ = state_of(face, *surface, bounce.face.normal, time, at, v);
+  const ContactLaw law = surface ? surface->ask(state_, true, memory_) : ContactLaw{};
   const auto frame = contact_frame(bounce.face.normal);
   bounce.before = frame.transpose() * v;
   bounce.after = rebound_of_point<D>(bounce.before, law, law.mu_d);

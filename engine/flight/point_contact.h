@@ -52,6 +52,8 @@ class PointContact {
  private:
   ContactState state_of(const Face<D>& face, const Surface& surface, const Vec<D>& normal, double time,
                         const Vec<D>& at, const Vec<D>& v) const;
+  /// Counts the impact and draws what is drawn at each.
+  Tilted begin_impact(const Face<D>& face, Surface* surface, const Vec<D>& v);
   Tilted tilted(const Face<D>& face, const Surface& surface, const Vec<D>& v) const;
 
   const Body<D>& body_;
