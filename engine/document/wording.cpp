@@ -7,7 +7,9 @@
 namespace flyrock {
 
 std::string join_path(const std::string& path, std::string_view step) {
-  return path.empty() ? std::string(step) : fmt::format("{}.{}", path, step);
+  std::string joined = path;
+  if (!path.empty()) joined += '.';
+  return joined += step;
 }
 
 std::string choice_text(const std::vector<std::string>& names) {
