@@ -1,41 +1,14 @@
 #pragma once
-// Shapes of about 1 m and random numbers that place them, for the test and the benchmark of pairs.
+// Shapes of about 1 m, for the tests and the benchmark of pairs.
 
-#include <cmath>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "collision/geometry.h"
 #include "conformance/plugin_use.h"
+#include "dice.h"
 
 namespace flyrock {
-
-/// Random numbers for placements. They are the same in each run.
-struct PlacementDice {
-  std::mt19937 rng{5};
-  double operator()(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(rng);
-  }
-  template <int D>
-  Vec<D> direction() {
-    std::normal_distribution<double> normal;
-    Vec<D> v;
-    for (int k = 0; k < D; ++k) v[k] = normal(rng);
-    return v.normalized();
-  }
-  /// A third of the attitudes is along the axes, so that faces, sides and edges lie flush.
-  Rotation3 rotation(Vec3) {
-    const double kind = (*this)(0, 3);
-    if (kind < 0.5) return {};
-    if (kind < 1) return Rotation3::from_vector(0.5 * pi * Vec3::Unit(static_cast<int>((*this)(0, 2.999))));
-    return Rotation3::from_vector((*this)(0, pi) * direction<3>());
-  }
-  Rotation2 rotation(Vec2) {
-    const double kind = (*this)(0, 3);
-    return Rotation2::from_angle(kind < 1 ? 0.5 * pi * std::floor(4 * kind) : (*this)(0, 2 * pi));
-  }
-};
 
 /// How far a contactor reaches along a direction, in its frame [m].
 inline double reach(const Contactor2& shape, const Vec2& direction) {

@@ -65,7 +65,7 @@ class RimContacts {
     double gap = -1e300;
     for (int k = 0; k < p_.faces() && gap <= reach_; ++k)
       if (const double outside = p_.outside(k, top); outside > gap) gap = outside, face = k;
-    if (gap > reach_) return;
+    if (gap > reach_ || !is_over(face, top, gap)) return;
     edges_.clear();
     const Vec3 normal = -p_.normal(face);
     if (!ground_.peak(f.vertex[i], edges_) || !peak_cone_contains(edges_, normal, slack_)) return;
@@ -83,6 +83,16 @@ class RimContacts {
     double least = 1e300;
     for (const Vec3& point : p_.shape.points) least = std::min(least, local.dot(point));
     return least + normal.dot(p_.pose.x - on);
+  }
+
+  /// Whether a place faces a face at a distance, and not the edge or vertex beside it. A place in the
+  /// polyhedron always does.
+  bool is_over(int face, const Vec3& place, double distance) const {
+    if (distance <= 0) return true;
+    const Vec3 foot = place - distance * p_.normal(face);
+    for (int k = 0; k < p_.faces(); ++k)
+      if (p_.outside(k, foot) > region_slack * p_.shape.bound) return false;
+    return true;
   }
 
   /// One contact where two edges cross, at the middle of the shortest line between them.

@@ -39,7 +39,7 @@ bool bring_to_gap(const typename Geometry<D>::Contactor& contactor, const Oppone
 
 /// A motion from a pose with the velocity v, the acceleration a and a spin that is drawn.
 inline Motion2 motion_from(const Pose2& pose, const Vec2& v, const Vec2& a, double greatest_spin,
-                           PlacementDice& dice) {
+                           Dice& dice) {
   Motion2 motion{{pose.x, v, a}};
   motion.angle = std::atan2(pose.r.s, pose.r.c);
   motion.w = dice(-greatest_spin, greatest_spin);
@@ -48,14 +48,14 @@ inline Motion2 motion_from(const Pose2& pose, const Vec2& v, const Vec2& a, doub
 
 /// In 3D the spin vector is constant, as it nearly is in a step with contacts.
 inline Motion3 motion_from(const Pose3& pose, const Vec3& v, const Vec3& a, double greatest_spin,
-                           PlacementDice& dice) {
+                           Dice& dice) {
   const Vec3 spin = dice(0, greatest_spin) * dice.direction<3>();
   return {{pose.x, v, a}, GivenRotation{.start = pose.r, .w = spin, .alpha = Vec3::Zero()}};
 }
 
 /// Draws how the two move. The opponent only spins, and a room is at rest.
 template <int D, class Opponent>
-void draw_motions(const Opponent& opponent, Placement<D>& placement, PlacementDice& dice) {
+void draw_motions(const Opponent& opponent, Placement<D>& placement, Dice& dice) {
   const double opening = dice(-NearTouch::normal_speed, NearTouch::normal_speed);
   const Vec<D> other = dice(0, NearTouch::other_speed) * dice.direction<D>();
   const Vec<D> v = opening * placement.contact.normal + other;
@@ -69,14 +69,14 @@ void draw_motions(const Opponent& opponent, Placement<D>& placement, PlacementDi
 template <int D, class Opponent>
 std::vector<Placement<D>> near_touch_placements(const typename Geometry<D>::Contactor& contactor,
                                                 const Opponent& opponent, int count) {
-  PlacementDice dice;
+  Dice dice;
   std::vector<Placement<D>> placements;
   for (int tries = 0; static_cast<int>(placements.size()) < count; ++tries) {
     if (tries == 100 * count) throw std::runtime_error("no placements near touch for a pair of shapes");
     const double distance = opponent.is_room() ? dice(0.1, 0.5) : dice(0.3, 1.6);
     Placement<D> placement;
-    placement.pose = {distance * dice.direction<D>(), dice.rotation(Vec<D>())};
-    placement.pose_of_opponent = {Vec<D>::Zero(), dice.rotation(Vec<D>())};
+    placement.pose = {distance * dice.direction<D>(), dice.flush_rotation<D>()};
+    placement.pose_of_opponent = {Vec<D>::Zero(), dice.flush_rotation<D>()};
     const double gap = dice(NearTouch::least_gap, NearTouch::greatest_gap);
     if (!bring_to_gap<D>(contactor, opponent, gap, placement)) continue;
     draw_motions<D>(opponent, placement, dice);

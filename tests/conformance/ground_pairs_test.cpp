@@ -25,14 +25,14 @@ const ContactPoint<D>& deepest(const std::vector<ContactPoint<D>>& contacts) {
 /// Places each shape so that its lowest place is up to 0.2 mm below or 3 cm above the level 0.
 template <int D, class Ground>
 void try_level(const Ground& ground, int placements) {
-  PlacementDice dice;
+  Dice dice;
   const LuaSession session(FLYROCK_SHARE_DIR);
   const Vec<D> up = Vec<D>::Unit(D - 1);
   for (const Named<D>& shape : solid_shapes<D>(session)) {
     INFO(shape.name);
     int wrong = 0;
     for (int i = 0; i < placements; ++i) {
-      typename Geometry<D>::Placed placed{shape.contactor, {Vec<D>::Zero(), dice.rotation(Vec<D>())}};
+      typename Geometry<D>::Placed placed{shape.contactor, {Vec<D>::Zero(), dice.flush_rotation<D>()}};
       const double gap = dice(-2e-4, 0.03), low = reach(shape.contactor, placed.pose.r.inverse(-up));
       for (int k = 0; k < D - 1; ++k) placed.pose.x[k] = dice(-3, 3);
       placed.pose.x[D - 1] = low + gap;
@@ -83,7 +83,7 @@ double distance_from(const Placed3& placed, const std::vector<Contactor3>& trian
 /// shape; of a round shape the nearest contact is as far as the shape. A polyhedron has none where a vertex
 /// faces an edge or a peak.
 void try_hills(int placements) {
-  PlacementDice dice;
+  Dice dice;
   const LuaSession session(FLYROCK_SHARE_DIR);
   const Mesh mesh = lab::hilly_block();
   const Terrain3 terrain{TerrainShape3(mesh)};
@@ -94,7 +94,7 @@ void try_hills(int placements) {
     INFO(shape.name);
     int wrong = 0, judged = 0;
     for (int i = 0; i < placements; ++i) {
-      Placed3 placed{shape.contactor, {Vec3(dice(-5, 5), dice(-5, 5), 0), dice.rotation(Vec3())}};
+      Placed3 placed{shape.contactor, {Vec3(dice(-5, 5), dice(-5, 5), 0), dice.flush_rotation<3>()}};
       placed.pose.x.z() = 5;
       if (terrain.ground().depth(placed.pose.x) > 0) continue;
       // Down to a random distance of up to 4 cm
@@ -108,7 +108,7 @@ void try_hills(int placements) {
       ++judged;
       std::vector<ContactPoint<3>> contacts, turned;
       terrain_contacts(placed, 1, terrain, within, 0, contacts);
-      const Pose3 frame{10 * dice.direction<3>(), dice.rotation(Vec3())};
+      const Pose3 frame{10 * dice.direction<3>(), dice.flush_rotation<3>()};
       const Placed3 there{shape.contactor, {frame * placed.pose.x, frame.r * placed.pose.r}};
       surface_contacts<3>(there, 1, {solid, frame}, 2, within, 0, turned);
       bool good = contacts.size() == turned.size();

@@ -72,8 +72,7 @@ struct Verdict {
 };
 
 template <int D>
-Verdict judge(PlacementDice& dice, const typename Geometry<D>::Placed& a,
-              const typename Geometry<D>::Placed& b) {
+Verdict judge(Dice& dice, const typename Geometry<D>::Placed& a, const typename Geometry<D>::Placed& b) {
   std::vector<ContactPoint<D>> contacts;
   body_contacts(a, 1, b, 2, 10, contacts);
   if (contacts.size() > 4) return {false, false};
@@ -122,7 +121,7 @@ Verdict judge(PlacementDice& dice, const typename Geometry<D>::Placed& a,
 
 template <int D>
 void try_pairs(int placements) {
-  PlacementDice dice;
+  Dice dice;
   const LuaSession session(FLYROCK_SHARE_DIR);
   const auto shapes = solid_shapes<D>(session);
   for (const Named<D>& first : shapes)
@@ -130,9 +129,9 @@ void try_pairs(int placements) {
       INFO(first.name << " against " << second.name);
       int wrong = 0, tight = 0;
       for (int i = 0; i < placements; ++i) {
-        const typename Geometry<D>::Placed a{first.contactor,
-                                             {dice(0.3, 1.6) * dice.direction<D>(), dice.rotation(Vec<D>())}};
-        const typename Geometry<D>::Placed b{second.contactor, {Vec<D>::Zero(), dice.rotation(Vec<D>())}};
+        const typename Geometry<D>::Placed a{
+            first.contactor, {dice(0.3, 1.6) * dice.direction<D>(), dice.flush_rotation<D>()}};
+        const typename Geometry<D>::Placed b{second.contactor, {Vec<D>::Zero(), dice.flush_rotation<D>()}};
         const Verdict verdict = judge<D>(dice, a, b);
         wrong += !verdict.good;
         tight += verdict.tight;

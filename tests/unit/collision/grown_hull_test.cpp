@@ -2,13 +2,13 @@
 // against a search over the outlines of the cores.
 
 #include <catch2/catch.hpp>
-#include <random>
 
 #include "collision/feature_gap.h"
 #include "collision/narrow_phase.h"
 #include "collision/terrain.h"
 #include "collision/terrain_contact.h"
 #include "collision/time_of_contact.h"
+#include "unit/collision/shots.h"
 
 using namespace flyrock;
 
@@ -58,15 +58,6 @@ bool is_inside(const Placed2& polygon, const Vec2& p) {
   return true;
 }
 
-struct Dice {
-  std::mt19937 rng{7};
-  double operator()(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(rng);
-  }
-  Rotation2 rotation() { return Rotation2::from_angle((*this)(-pi, pi)); }
-  Vec2 direction() { return rotation() * Vec2::UnitX(); }
-};
-
 Contactor2 wall_of(double length, double radius) {
   return Contactor2::wall({-length / 2, 0}, {length / 2, 0}, radius);
 }
@@ -83,22 +74,17 @@ std::vector<Contactor2> others() {
           Contactor2::polygon({{-0.4, -0.3}, {0.4, -0.3}, {0.4, 0.3}, {-0.4, 0.3}})};
 }
 
-const ContactPoint<2>& nearest_in(const Contacts& contacts) {
-  return *std::min_element(contacts.begin(), contacts.end(),
-                           [](const auto& a, const auto& b) { return a.gap < b.gap; });
-}
-
 }  // namespace
 
 TEST_CASE(
     "grown hulls and other shapes at 10,000 random placements have the gap, normal and places of a search") {
-  Dice dice;
+  Dice dice(7);
   const Contactor2 hull = grown()[static_cast<std::size_t>(GENERATE(0, 1))];
   for (const Contactor2& other : others()) {
     int wrong = 0;
     for (int tested = 0; tested < 10000;) {
-      const Placed2 a{hull, {dice(0.1, 1.4) * dice.direction(), dice.rotation()}};
-      const Placed2 b{other, {Vec2::Zero(), dice.rotation()}};
+      const Placed2 a{hull, {dice(0.1, 1.4) * dice.direction<2>(), dice.rotation<2>()}};
+      const Placed2 b{other, {Vec2::Zero(), dice.rotation<2>()}};
       const double gap = searched_gap(a, b);
       if (gap <= 1e-6 - hull.radius - other.radius || is_inside(b, a.point(0)) || is_inside(a, b.point(0)))
         continue;
@@ -109,7 +95,7 @@ TEST_CASE(
       else
         body_contacts(a, 0, b, 1, 10, contacts);
       REQUIRE_FALSE(contacts.empty());
-      const ContactPoint<2>& c = nearest_in(contacts);
+      const ContactPoint<2>& c = nearest_of(contacts);
       const Vec2 on_a = c.point + (turned ? -0.5 : 0.5) * c.gap * c.normal, on_b = 2 * c.point - on_a;
       const double known =
           turned ? feature_gap(b, c.feature, a, c.against) : feature_gap(a, c.feature, b, c.against);
@@ -179,12 +165,12 @@ bool is_below(const Placed2& hull, const Terrain2& terrain) {
 }  // namespace
 
 TEST_CASE("grown hulls at 10,000 random places over a profile have the gap of a search") {
-  Dice dice;
+  Dice dice(7);
   const Contactor2 hull = grown()[static_cast<std::size_t>(GENERATE(0, 1))];
   const Terrain2 terrain{rugged()};
   int wrong = 0;
   for (int tested = 0; tested < 10000;) {
-    const Placed2 placed{hull, {{dice(-5, 5), dice(-0.5, 2)}, dice.rotation()}};
+    const Placed2 placed{hull, {{dice(-5, 5), dice(-0.5, 2)}, dice.rotation<2>()}};
     if (is_below(placed, terrain)) continue;
     const double gap = searched_gap(placed, terrain);
     if (gap > 0.4) continue;
@@ -195,7 +181,7 @@ TEST_CASE("grown hulls at 10,000 random places over a profile have the gap of a 
       ++wrong;
       continue;
     }
-    const ContactPoint<2>& c = nearest_in(contacts);
+    const ContactPoint<2>& c = nearest_of(contacts);
     const Vec2 on_hull = c.point + 0.5 * c.gap * c.normal;
     wrong += std::abs(c.gap - gap) > 1e-12 ||
              std::abs(feature_gap(placed, c.feature, terrain, c.against) - gap) > 1e-12 ||
@@ -204,36 +190,8 @@ TEST_CASE("grown hulls at 10,000 random places over a profile have the gap of a 
   CHECK(wrong == 0);
 }
 
-namespace {
-
-/// Up to 300 m/s and 500 rad/s, towards the origin.
-Motion2 shot(Dice& dice) {
-  Motion2 motion;
-  motion.x = dice(1.5, 4) * dice.direction();
-  motion.v = dice(0, 300) * (dice(0, 0.8) * dice.direction() - motion.x).normalized();
-  motion.a = {0, -9.81};
-  motion.angle = dice(-pi, pi);
-  motion.w = dice(-500, 500);
-  return motion;
-}
-
-Placed2 at(const Contactor2& shape, const Motion2& motion, double t) {
-  return {shape, {motion.position(t), Rotation2::from_angle(motion.angle_at(t))}};
-}
-
-/// Whether the gap is open until a time of impact, or until `end`, and closed at it.
-template <class Gap>
-bool agrees(const std::optional<double>& touch, double end, const Gap& gap) {
-  constexpr int places = 100;
-  for (int i = 0; i < places; ++i)
-    if (gap(touch.value_or(end) * i / places) < -1e-10) return false;
-  return !touch || std::abs(gap(*touch)) < 1e-10;
-}
-
-}  // namespace
-
 TEST_CASE("no shot hull passes through another shape or the profile, and it touches at gap 0") {
-  Dice dice;
+  Dice dice(7);
   const Contactor2 hull = grown()[static_cast<std::size_t>(GENERATE(0, 1))];
   constexpr double end = 0.03;
   TouchSearch search;
@@ -246,11 +204,11 @@ TEST_CASE("no shot hull passes through another shape or the profile, and it touc
       const Motion2 motion = shot(dice);
       Motion2 spinning;
       spinning.w = dice(-500, 500);
-      if (i % 2) spinning.v = dice(0, 100) * dice.direction();
+      if (i % 2) spinning.v = dice(0, 100) * dice.direction<2>();
       const auto touch = i % 3 ? time_of_contact(hull, 0, motion, other, 0, spinning, end, search)
                                : time_of_contact(other, 0, spinning, hull, 0, motion, end, search);
       touches += touch.has_value();
-      wrong += !agrees(touch, end,
+      wrong += !agrees(touch, end, 1e-10, 1e-10,
                        [&](double t) { return searched_gap(at(hull, motion, t), at(other, spinning, t)); });
     }
   const Terrain2 terrain{rugged()};
@@ -259,7 +217,8 @@ TEST_CASE("no shot hull passes through another shape or the profile, and it touc
     motion.x.y() = std::abs(motion.x.y()) + 2;
     const auto touch = time_of_contact(hull, 0, motion, terrain, end, search);
     touches += touch.has_value();
-    wrong += !agrees(touch, end, [&](double t) { return searched_gap(at(hull, motion, t), terrain); });
+    wrong += !agrees(touch, end, 1e-10, 1e-10,
+                     [&](double t) { return searched_gap(at(hull, motion, t), terrain); });
   }
   CHECK(wrong == 0);
   CHECK(touches > 500);

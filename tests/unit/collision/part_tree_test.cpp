@@ -16,12 +16,12 @@ void place(Contactor2& part, const Vec2& at) { part.translate(at); }
 void place(Contactor3& part, const Vec3& at) { part.change_frame(-at, {}); }
 
 /// A part of 3 to 10 cm: a polytope or a ball, in 3D also a pill or a cylinder.
-Contactor2 some_part(PlacementDice& dice, Vec2) {
+Contactor2 some_part(Dice& dice, Vec2) {
   const double a = dice(0.03, 0.1), b = dice(0.03, 0.1);
   if (dice(0, 2) < 1) return Contactor2::disk(a);
   return Contactor2::polygon({{-a, -b}, {a, -b}, {a, b}, {-a, b}});
 }
-Contactor3 some_part(PlacementDice& dice, Vec3) {
+Contactor3 some_part(Dice& dice, Vec3) {
   const double a = dice(0.03, 0.1), b = dice(0.03, 0.1), c = dice(0.03, 0.1);
   switch (static_cast<int>(dice(0, 4))) {
     case 0:
@@ -37,7 +37,7 @@ Contactor3 some_part(PlacementDice& dice, Vec3) {
 
 /// Parts at random places of a ball of 1 m.
 template <int D>
-std::vector<typename Geometry<D>::Contactor> many_parts(PlacementDice& dice, int count) {
+std::vector<typename Geometry<D>::Contactor> many_parts(Dice& dice, int count) {
   std::vector<typename Geometry<D>::Contactor> parts;
   for (int i = 0; i < count; ++i) {
     parts.push_back(some_part(dice, Vec<D>()));
@@ -56,15 +56,15 @@ bool same(const std::vector<ContactPoint<D>>& a, const std::vector<ContactPoint<
 
 template <int D>
 void compare_bodies(int placements) {
-  PlacementDice dice;
+  Dice dice;
   const auto parts_a = many_parts<D>(dice, 60), parts_b = many_parts<D>(dice, 25);
   const PartTree<D> a(parts_a), b(parts_b);
   std::vector<std::pair<int, int>> pairs;
   std::size_t tried = 0, met = 0;
   for (int i = 0; i < placements; ++i) {
-    const typename Geometry<D>::Pose pose_a{Vec<D>::Zero(), dice.rotation(Vec<D>())};
+    const typename Geometry<D>::Pose pose_a{Vec<D>::Zero(), dice.flush_rotation<D>()};
     const typename Geometry<D>::Pose pose_b{dice(0.8, 2.1) * dice.template direction<D>(),
-                                            dice.rotation(Vec<D>())};
+                                            dice.flush_rotation<D>()};
     const double reach = dice(0, 0.05);
     std::vector<ContactPoint<D>> all, near;
     const auto add = [&](int k, int l, auto& list) {
@@ -85,13 +85,13 @@ void compare_bodies(int placements) {
 
 template <int D>
 void compare_ground(const typename Geometry<D>::Terrain& ground, int placements) {
-  PlacementDice dice;
+  Dice dice;
   const auto parts = many_parts<D>(dice, 60);
   const PartTree<D> tree(parts);
   std::vector<int> found;
   std::size_t tried = 0, met = 0;
   for (int i = 0; i < placements; ++i) {
-    typename Geometry<D>::Pose pose{Vec<D>::Zero(), dice.rotation(Vec<D>())};
+    typename Geometry<D>::Pose pose{Vec<D>::Zero(), dice.flush_rotation<D>()};
     pose.x[0] = dice(-4, 4);
     pose.x[D - 1] = dice(0.5, 2);
     const double reach = dice(0, 0.05);
@@ -139,7 +139,7 @@ TEST_CASE("The tree of parts finds all contacts with the ground") {
 }
 
 TEST_CASE("Of a body of few parts, all are tried") {
-  PlacementDice dice;
+  Dice dice;
   std::vector<std::pair<int, int>> pairs;
   const PartTree<2> a(many_parts<2>(dice, 3)), b(many_parts<2>(dice, 2));
   near_parts(a, {}, b, {{100, 0}, {}}, 0, pairs);

@@ -11,6 +11,7 @@
 #include "geometry/hull.h"
 #include "math/farthest_on_ellipse.h"
 #include "samples.h"
+#include "unit/collision/shots.h"
 
 using namespace flyrock;
 
@@ -90,12 +91,6 @@ double sampled_gap(const Placed2& room, const Placed2& other) {
   for (const Vec2& point : other.shape.points)
     farthest = std::max(farthest, (other.pose * point - room.pose.x).norm());
   return room.shape.radius - farthest - other.shape.radius;
-}
-
-template <int D>
-const ContactPoint<D>& nearest_of(const std::vector<ContactPoint<D>>& contacts) {
-  return *std::min_element(contacts.begin(), contacts.end(),
-                           [](const auto& a, const auto& b) { return a.gap < b.gap; });
 }
 
 }  // namespace
