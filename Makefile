@@ -7,6 +7,8 @@ PACKAGES := g++ cmake ninja-build libeigen3-dev libyaml-cpp-dev liblua5.4-dev li
   libtinyobjloader-dev catch2 npm
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 JOBS := $(shell nproc)
+# One more than there are processors: many tests wait for the disk or for another process.
+TEST_JOBS := $(shell echo $$(($(JOBS) + 1)))
 PLOTLY := node_modules/plotly.js-gl3d-dist-min/plotly-gl3d.min.js
 
 help:
@@ -54,8 +56,8 @@ demo: build-bench
 	build/bench/bin/flyrock run scenarios/ninh_dan/benches_2d.yaml -o out/benches_2d --force
 
 test: deps-format build-release build-dev
-	ctest --test-dir build/dev -L fast -j $(JOBS) --output-on-failure
-	ctest --test-dir build/release -L 'fast|full' -j $(JOBS) --output-on-failure
+	ctest --test-dir build/dev -L fast -j $(TEST_JOBS) --output-on-failure
+	ctest --test-dir build/release -L 'fast|full' -j $(TEST_JOBS) --output-on-failure
 
 # Other optimisation, and the thread sanitizer, against the same golden bytes: only what that needs is built.
 test-heavy: build-release golden-unoptimised golden-optimised golden-threads

@@ -10,12 +10,13 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
-#include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
+
+#include "batch/member_of.h"
 
 namespace flyrock {
 
@@ -28,6 +29,27 @@ struct ColumnError : std::runtime_error {
 /// column may hold one number for all rows. In a longer table the numbers of some column differ and take 8
 /// bytes each.
 inline constexpr std::uint64_t most_bare_rows = 1024;
+
+/// One member of every row of a table: where it lies in the first row, and the bytes from one row to the
+/// next. So a column is written and read by code for the type of its member, not by code of its own.
+template <class Member>
+class Members {
+ public:
+  template <class Rows, class Get>
+  Members(Rows& rows, Get get) : size_(rows.size()), step_(sizeof(typename Rows::value_type)) {
+    if (!rows.empty()) first_ = reinterpret_cast<Byte*>(&member_of(rows.front(), get));
+  }
+
+  std::size_t size() const { return size_; }
+  Member& operator[](std::size_t row) const { return *reinterpret_cast<Member*>(first_ + row * step_); }
+
+ private:
+  using Byte = std::conditional_t<std::is_const_v<Member>, const char, char>;
+  Byte* first_ = nullptr;
+  std::size_t size_, step_;
+};
+template <class Rows, class Get>
+Members(Rows& rows, Get get) -> Members<std::remove_reference_t<decltype(member_of(rows.front(), get))>>;
 
 class ColumnWriter {
  public:
@@ -59,10 +81,10 @@ class ColumnWriter {
     value(static_cast<std::uint64_t>(rows.size()));
   }
 
-  /// Writes one column after the other. `get` is a member pointer or a function from a row to a reference.
+  /// Writes one column after the other.
   template <class Row, class... Get>
   void columns(const std::vector<Row>& rows, Get... get) {
-    (column(rows, get), ...);
+    (column(Members(rows, get)), ...);
   }
 
  private:
@@ -80,20 +102,19 @@ class ColumnWriter {
       return static_cast<std::uint64_t>(v);
   }
 
-  template <class Row, class Get>
-  void column(const std::vector<Row>& rows, Get get) {
-    using T = std::remove_cvref_t<std::invoke_result_t<Get, const Row&>>;
+  template <class T>
+  void column(Members<const T> members) {
     if constexpr (std::is_same_v<T, std::string>) {
-      for (const Row& row : rows) value(std::invoke(get, row));
+      for (std::size_t i = 0; i < members.size(); ++i) value(members[i]);
     } else {
-      const auto word = [&](const Row& row) { return word_of(std::invoke(get, row)); };
-      const bool same = std::all_of(rows.begin(), rows.end(),
-                                    [&](const Row& row) { return word(row) == word(rows.front()); });
+      bool same = true;
+      for (std::size_t i = 1; same && i < members.size(); ++i)
+        same = word_of(members[i]) == word_of(members[0]);
       bytes_.push_back(static_cast<char>(same));
-      const std::size_t count = same ? std::min<std::size_t>(rows.size(), 1) : rows.size();
+      const std::size_t count = same ? std::min<std::size_t>(members.size(), 1) : members.size();
       char* at = grown(count * sizeof(Little));
       for (std::size_t i = 0; i < count; ++i, at += sizeof(Little)) {
-        const Little little = little_endian(word(rows[i]));
+        const Little little = little_endian(word_of(members[i]));
         std::copy(little.begin(), little.end(), at);
       }
     }
@@ -133,26 +154,22 @@ class ColumnReader {
 
   template <class Row, class... Get>
   void columns(std::vector<Row>& rows, Get... get) {
-    (column(rows, get), ...);
+    (column(Members(rows, get)), ...);
   }
 
  private:
-  template <class Row, class Get>
-  void column(std::vector<Row>& rows, Get get) {
-    using T = std::remove_cvref_t<std::invoke_result_t<Get, Row&>>;
+  template <class T>
+  void column(Members<T> members) {
     if constexpr (std::is_same_v<T, std::string>) {
-      for (Row& row : rows) value(std::invoke(get, row));
+      for (std::size_t i = 0; i < members.size(); ++i) value(members[i]);
     } else {
       const char same = take(1).front();
       if (same != 0 && same != 1) throw ColumnError("a column that is neither one number nor many");
-      const std::size_t count = same ? std::min<std::size_t>(rows.size(), 1) : rows.size();
+      const std::size_t count = same ? std::min<std::size_t>(members.size(), 1) : members.size();
       const std::string_view words = take(count * sizeof(std::uint64_t));
       const std::size_t stride = same ? 0 : sizeof(std::uint64_t);
       const char* at = words.data();
-      for (Row& row : rows) {
-        std::invoke(get, row) = number_of<T>(word_at(at));
-        at += stride;
-      }
+      for (std::size_t i = 0; i < members.size(); ++i, at += stride) members[i] = number_of<T>(word_at(at));
     }
   }
 

@@ -27,7 +27,7 @@ bool is_value(Enum value, Enum last) {
 bool has_finite_numbers(const RockRecord& rock) {
   bool finite = true;
   visit_rocks([&](const Column& column, auto get) {
-    const auto& value = std::invoke(get, rock);
+    const auto& value = member_of(rock, get);
     if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
       finite = finite && (!column.name || !column.in_csv || std::isfinite(value));
   });

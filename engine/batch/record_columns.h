@@ -5,14 +5,14 @@
 //
 // Each writer adds the column `point` itself, and in tables other than rocks also `trial` and `rock`.
 //
-// visit_<table>(visit) calls visit(column, get) for each column in order. std::invoke(get, record) is a
+// visit_<table>(visit) calls visit(column, get) for each column in order. member_of(record, get) is a
 // reference to the value of the column, const for a const record.
 
-#include <functional>
 #include <string>
 #include <string_view>
 #include <type_traits>
 
+#include "batch/member_of.h"
 #include "batch/records.h"
 #include "math/space.h"
 
@@ -136,7 +136,7 @@ template <class Visit, class Part>
 auto within(Visit& visit, Part part) {
   return [&visit, part](const Column& column, auto get) {
     visit(
-        column, [ part, get ](auto& record) -> auto& { return std::invoke(get, std::invoke(part, record)); });
+        column, [ part, get ](auto& record) -> auto& { return member_of(member_of(record, part), get); });
   };
 }
 

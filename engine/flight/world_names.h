@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "world/manifold.h"
 #include "world/world.h"
 
 namespace flyrock {

@@ -90,7 +90,7 @@ template <class Row>
 auto put_into(Statement& to, const Row& row, const std::vector<std::string>& names) {
   return [&to, &row, &names](const Column& column, auto get) {
     if (column.name)
-      shown_value(column, std::invoke(get, row), names, [&](const auto& value) { to.put(value); });
+      shown_value(column, member_of(row, get), names, [&](const auto& value) { to.put(value); });
   };
 }
 

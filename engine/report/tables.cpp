@@ -50,7 +50,7 @@ std::string rocks_csv_rows(const Plan& plan, int point, const std::vector<RockRe
     csv += std::to_string(point);
     visit_rocks([&](const Column& column, auto get) {
       if (is_in_csv(column, scenario.dimension))
-        shown_value(column, std::invoke(get, rock), groups, AppendCell{csv});
+        shown_value(column, member_of(rock, get), groups, AppendCell{csv});
     });
     csv += '\n';
   }
@@ -63,6 +63,7 @@ std::string summary_json(const Plan& plan, const Results& results) {
 
 std::string manifest_json(const LoadedScenario& loaded) {
   const Scenario& first = loaded.plan.points.front();
+  using Json = nlohmann::ordered_json;
   const Json manifest = {{"flyrock", FLYROCK_ENGINE_VERSION},
                          {"format", result_format},
                          {"scenario_sha256", loaded.hash},

@@ -1,6 +1,7 @@
 // Threads, resuming and shards: one result, however it came about.
 
 #include "same_result.h"
+#include "samples.h"
 
 using namespace flyrock::test;
 
@@ -172,8 +173,10 @@ TEST_CASE("Three shards merged are one run") {
 
 TEST_CASE("With rows off the results are those of all rocks, and rows are those of the first") {
   const Folder folder;
-  const std::string run =
-      std::string("run '") + FLYROCK_SOURCE_DIR "/tests/unit/batch/mapped.yaml' --trials 300 --quiet ";
+  const std::string trials = std::to_string(flyrock::samples(300));
+  const std::string run = std::string("run '") +
+                          FLYROCK_SOURCE_DIR "/tests/unit/batch/mapped.yaml' --trials " + trials +
+                          " --quiet ";
   const std::string off = run + "--set output.rocks=false --set output.first=20 ";
   REQUIRE(call(folder, run + "-o all").code == 0);
   REQUIRE(call(folder, off + "-o one -j 1").code == 0);
@@ -193,7 +196,8 @@ TEST_CASE("With rows off the results are those of all rocks, and rows are those 
     return list;
   };
   CHECK(lines("one/summary.json", "\"rows\"") == lines("all/summary.json", "\"rows\""));
-  CHECK(read(folder.path() / "one/summary.json").find("\"rows\": \"20 of 300\"") != std::string::npos);
+  CHECK(read(folder.path() / "one/summary.json").find("\"rows\": \"20 of " + trials + "\"") !=
+        std::string::npos);
   std::vector<std::string> first = lines("all/rocks.csv", "");
   first.resize(21);
   CHECK(lines("one/rocks.csv", "") == first);

@@ -24,7 +24,7 @@ std::string slope(const std::string& method, const std::string& forest) {
          "},\n"
          "      release: { along: [[0, -5, 3], [0, 5, 3]] },\n"
          "      launch: { type: fixed, speed: 14 m/s, elevation: 20 deg, spin: [0, 3, 1] } }\n" +
-         forest + "stop: { time: 20 s }\n";
+         forest + "stop: { time: 8 s }\n";
 }
 
 std::string trees(const std::string& law) {

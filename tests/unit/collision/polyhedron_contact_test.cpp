@@ -9,6 +9,7 @@
 #include "collision/terrain3.h"
 #include "collision/terrain_contact.h"
 #include "geometry/hull.h"
+#include "samples.h"
 
 using namespace flyrock;
 
@@ -164,7 +165,7 @@ TEST_CASE("polyhedra thrown together: overlap gives contacts, their push along t
     return Vec3(shape.point(e.end) - shape.point(e.start));
   };
   int met = 0;
-  for (int k = 0; k < 3000; ++k) {
+  for (int k = 0; k < samples(3000); ++k) {
     const Placed3 a{first, {0.8 * any(), Rotation3::from_vector(3 * any())}};
     const Placed3 b{second, {Vec3::Zero(), Rotation3::from_vector(3 * any())}};
     Contacts contacts;
@@ -204,7 +205,7 @@ TEST_CASE("polyhedra thrown together: overlap gives contacts, their push along t
     body_contacts(pushed, 1, b, 2, 0, contacts);
     CHECK(contacts.empty());
   }
-  CHECK(met > 200);
+  CHECK(met > samples(200));
 }
 
 TEST_CASE("sort and sweep in 3D finds the pairs that brute force finds") {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <random>
 
+#include "samples.h"
+
 using namespace flyrock;
 
 namespace ground_test {
@@ -113,7 +115,7 @@ TEST_CASE("a path in plan finds the facets under it") {
   const auto of_grid = make_ground(grid()), of_mesh = make_ground(mesh_of(grid()));
   std::mt19937 rng(2);
   std::uniform_real_distribution<double> random(0, 1);
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < samples(100); ++i) {
     const Vec2 a(-3 + 10 * random(rng), 2 + 8 * random(rng)), b(-3 + 10 * random(rng), 2 + 8 * random(rng));
     std::vector<Facet> x, y;
     of_grid->triangles_under(a, b, x);
