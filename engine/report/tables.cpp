@@ -16,6 +16,8 @@ namespace flyrock {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 bool is_in_csv(const Column& column, int dimension) {
   return column.name && column.in_csv && (!column.in_space || dimension == 3);
 }
@@ -63,7 +65,6 @@ std::string summary_json(const Plan& plan, const Results& results) {
 
 std::string manifest_json(const LoadedScenario& loaded) {
   const Scenario& first = loaded.plan.points.front();
-  using Json = nlohmann::ordered_json;
   const Json manifest = {{"flyrock", FLYROCK_ENGINE_VERSION},
                          {"format", result_format},
                          {"scenario_sha256", loaded.hash},

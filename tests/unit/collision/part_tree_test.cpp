@@ -7,7 +7,6 @@
 #include "collision/narrow_phase.h"
 #include "collision/terrain_contact.h"
 #include "placed_shapes.h"
-#include "samples.h"
 
 using namespace flyrock;
 
@@ -114,8 +113,8 @@ void compare_ground(const typename Geometry<D>::Terrain& ground, int placements)
 }  // namespace
 
 TEST_CASE("The tree of parts finds all contacts of two bodies") {
-  compare_bodies<2>(samples(300));
-  compare_bodies<3>(samples(100));
+  compare_bodies<2>(300);
+  compare_bodies<3>(100);
 }
 
 TEST_CASE("The tree of parts finds all contacts with the ground") {

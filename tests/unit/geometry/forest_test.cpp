@@ -66,7 +66,7 @@ TEST_CASE("a sphere that starts within reach touches the stem only if it approac
 TEST_CASE("curved paths touch stems where fine samples first do") {
   RandomStream rng(11, "curves", {});
   int touched = 0;
-  for (int n = 0; n < samples(2000); ++n) {
+  for (int n = 0; n < 2000; ++n) {
     SpacePath path;
     for (std::size_t k = 0; k < 6; ++k) {
       const double scale = k == 0 ? 8 : 8 / static_cast<double>(k * k);
@@ -89,7 +89,7 @@ TEST_CASE("curved paths touch stems where fine samples first do") {
       CHECK(is_inside(path, *t + 1e-9, 0.5 + 1e-6, {stem.place, stem.radius, 1 + 1e-6}));
     }
   }
-  CHECK(touched > samples(40));
+  CHECK(touched > 40);
 }
 
 TEST_CASE("the grid finds the same first stem as a search of all") {

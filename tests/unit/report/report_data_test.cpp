@@ -10,7 +10,6 @@
 #include "report/sensitivity.h"
 #include "report/tracks.h"
 #include "results/material_graphs.h"
-#include "samples.h"
 
 using namespace flyrock;
 
@@ -96,22 +95,22 @@ TrialRecords rocks_of_chance(int sample, int count, int inputs) {
 }  // namespace
 
 TEST_CASE("Of many inputs without influence none is told from chance in 19 of 20 runs") {
-  constexpr int runs = samples(400), inputs = 20;
+  constexpr int samples = 400, inputs = 20;
   Scenario scenario;
   scenario.rocks.resize(1);
   scenario.draws.resize(inputs);
   int runs_with_one = 0;
-  for (int run = 0; run < runs; ++run) {
+  for (int s = 0; s < samples; ++s) {
     Sensitivity sensitivity(scenario);
-    sensitivity.see(rocks_of_chance(run, 60, inputs));
+    sensitivity.see(rocks_of_chance(s, 60, inputs));
     const auto group = sensitivity.data()[0];
     REQUIRE(group["inputs"].size() == inputs);
     CHECK(group["confidence"] == Approx(1 - 0.05 / inputs));
     runs_with_one += std::any_of(group["inputs"].begin(), group["inputs"].end(),
                                  [](const auto& line) { return line["lower"] > 0 || line["upper"] < 0; });
   }
-  CHECK(runs_with_one > 0.01 * runs);
-  CHECK(runs_with_one < 0.08 * runs);  // 64 % where each stands for itself
+  CHECK(runs_with_one > 0.01 * samples);
+  CHECK(runs_with_one < 0.08 * samples);  // 64 % where each stands for itself
 }
 
 TEST_CASE("Only inputs that the rocks of a group depend on are ranked") {
