@@ -1,5 +1,6 @@
 #include "flight/rest.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace flyrock {
@@ -11,11 +12,14 @@ void RestWatch::rests(double start, double end, double from, double speed, const
   if (slow_since_ < 0) {
     const double share = from > stop_speed_ ? (from - stop_speed_) / (from - speed) : 0;
     slow_since_ = start + share * (end - start);
+    greatest_ = speed;
     begin(slow_since_, speed, before);
   }
+  const bool slower = speed < greatest_;
+  greatest_ = std::max(greatest_, speed);
   if (kind_ == Kind::body && std::abs(speed - steady_speed_) > unsteady * (steady_speed_ + stop_speed_))
     steady_since_ = end, steady_speed_ = speed;
-  if (kind_ == Kind::point || end - slow_since_ < settling_time) {
+  if (kind_ == Kind::point || end - slow_since_ < settling_time || !slower) {
     if (end - since_ < rest_time) return;
     if (speed > speed_ && speed > creep * stop_speed_) return begin(end, speed, history_->travel);
     if (end - steady_since_ < rest_time) return;

@@ -15,8 +15,8 @@ namespace flyrock {
 /// such a body changes all the time, as cosh(k t) with k of about sqrt(g / size), while a body that its
 /// contacts hold or that rolls on level ground keeps its speed. Therefore the speed of a body must also be
 /// steady for rest_time, which means that it changes by less than a thousandth of itself and of the stop
-/// speed together. A body that stays slow for `settling_time`, as one that rocks in a dip, is at rest without
-/// that. A point has no corners to pass over.
+/// speed together. A body that stays slow for `settling_time` and has been faster meanwhile, as one that
+/// rocks in a dip, is at rest without that. A point has no corners to pass over.
 inline constexpr double rest_time = 0.2;    // s
 inline constexpr double settling_time = 5;  // s
 
@@ -50,6 +50,7 @@ class RestWatch {
   double stop_speed_;
   BodyHistory* history_;
   double slow_since_ = -1;                       ///< s; -1: it is not slow
+  double greatest_ = 0;                          ///< m/s, speed since it has been slow
   double since_ = -1;                            ///< s; from when it is at rest if it does not gain speed
   double speed_ = 0;                             ///< m/s, at `since_`
   double steady_since_ = -1, steady_speed_ = 0;  ///< s and m/s: from then on the speed has been steady

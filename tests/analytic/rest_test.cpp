@@ -41,6 +41,18 @@ TEST_CASE("a disk that rolls slowly on level ground counts as at rest after 0.2 
   CHECK(history.last.time == Approx(rest_time));
 }
 
+TEST_CASE(
+    "a disk that starts to slide down a slope of half a millimetre a metre does not rest, however slow it "
+    "is") {
+  Material smooth(0, 0);
+  const double slope = 5e-4;
+  Bench bench(ground(20, slope), smooth);
+  bench.add(disk(0.5, 1000, 0.5 * Vec2(std::sin(slope), std::cos(slope))));
+  const BodyHistory& history = bench.run(20);
+  CHECK(history.reason == StopReason::timed_out);
+  CHECK(history.last.velocity.norm() == Approx(20 * 9.81 * std::sin(slope)));
+}
+
 TEST_CASE("a body that rocks slower than the stop speed is at rest after the settling time") {
   BodyHistory history;
   RestWatch watch(RestWatch::Kind::body, 0.05, history);
