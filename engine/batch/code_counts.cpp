@@ -14,6 +14,14 @@ namespace {
 constexpr double least_coded = 1e-3;
 constexpr std::size_t most_codes = 4096;  // above the code of any finite energy
 
+/// log2(x) and a constant, to 0.01. The bits of a double, read as a whole number, are its exponent and then
+/// the fraction m of its mantissa, and log2(1 + m) is nearly m + 0.344 m (1 - m).
+double rough_log2(double x) {
+  const auto bits = std::bit_cast<std::int64_t>(x);
+  const double m = 0x1p-52 * static_cast<double>(bits & 0xFFFFFFFFFFFFF);
+  return 0x1p-52 * static_cast<double>(bits) + 0.344 * m * (1 - m);
+}
+
 }  // namespace
 
 CodeScale::CodeScale(double ratio) : ratio_(ratio), codes_a_doubling_(1 / std::log2(ratio)) {
@@ -21,12 +29,10 @@ CodeScale::CodeScale(double ratio) : ratio_(ratio), codes_a_doubling_(1 / std::l
   while (starts_.size() < most_codes) starts_.push_back(starts_.back() * ratio);
 }
 
-/// The bits of a double, read as a whole number, grow nearly with its logarithm. A few steps from there lead
-/// to the code.
+/// A step or two from the rough logarithm lead to the code.
 std::uint32_t CodeScale::code(double value) const {
   if (!(value >= least_coded)) return 0;
-  const auto bits = [](double x) { return std::bit_cast<std::int64_t>(x); };
-  const double doublings = 0x1p-52 * static_cast<double>(bits(value) - bits(least_coded));
+  const double doublings = std::max(0.0, rough_log2(value) - rough_log2(least_coded));
   std::size_t code =
       std::min(static_cast<std::size_t>(1 + doublings * codes_a_doubling_), starts_.size() - 1);
   while (value < starts_[code]) --code;
