@@ -225,6 +225,7 @@ int run(const Command& command, const Arguments& arguments) {
                       : job.force ? Existing::replaced
                                   : Existing::refused);
   if (const std::optional<int> code = folder.complete(loaded->plan)) {
+    folder.tidy();  // a run that was killed at the very end has left chunks
     if (!job.quiet) fmt::print("nothing to do, all trials are done\nreport: {}\n", folder.report().string());
     return *code;
   }

@@ -74,6 +74,18 @@ TEST_CASE("A run that is killed at any moment and resumed gives the same bytes",
   CHECK(again.out.find("nothing to do, all trials are done") == 0);
 }
 
+TEST_CASE("A run that was killed while it removed its chunks is tidied when it is resumed") {
+  const Folder folder;
+  folder.write("s.yaml", sweep());
+  REQUIRE(call(folder, "run s.yaml --quiet -o done").code == 0);
+  std::filesystem::create_directory(folder.path() / "done/chunks");
+  folder.write("done/chunks/p0-c0.chunk", "left over");
+  const Output resumed = call(folder, "run s.yaml --resume -o done");
+  CHECK(resumed.code == 0);
+  CHECK(resumed.out.find("nothing to do, all trials are done") == 0);
+  CHECK_FALSE(folder.has("done/chunks"));
+}
+
 TEST_CASE("A million rocks take no more memory than ten thousand", "[heavy]") {
   const Folder folder;
   const auto peak = [&](const std::string& trials) {  // MB
