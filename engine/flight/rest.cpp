@@ -19,7 +19,8 @@ void RestWatch::rests(double start, double end, double from, double speed, const
   greatest_ = std::max(greatest_, speed);
   if (kind_ == Kind::body && std::abs(speed - steady_speed_) > unsteady * (steady_speed_ + stop_speed_))
     steady_since_ = end, steady_speed_ = speed;
-  if (kind_ == Kind::point || end - slow_since_ < settling_time || !slower) {
+  const bool settled = kind_ == Kind::body && slower && end - slow_since_ >= settling_time;
+  if (!settled) {
     if (end - since_ < rest_time) return;
     if (speed > speed_ && speed > creep * stop_speed_) return begin(end, speed, history_->travel);
     if (end - steady_since_ < rest_time) return;
