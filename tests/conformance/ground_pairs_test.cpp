@@ -8,6 +8,7 @@
 #include "collision/gjk.h"
 #include "collision/surface.h"
 #include "collision/terrain_contact.h"
+#include "nearest_contact.h"
 #include "placed_shapes.h"
 
 using namespace flyrock;
@@ -15,12 +16,6 @@ using namespace flyrock;
 namespace {
 
 constexpr double within = 0.05;  // m, of which contacts are asked for
-
-template <int D>
-const ContactPoint<D>& deepest(const std::vector<ContactPoint<D>>& contacts) {
-  return *std::min_element(contacts.begin(), contacts.end(),
-                           [](const auto& a, const auto& b) { return a.gap < b.gap; });
-}
 
 /// Places each shape so that its lowest place is up to 0.2 mm below or 3 cm above the level 0.
 template <int D, class Ground>
@@ -42,7 +37,7 @@ void try_level(const Ground& ground, int placements) {
         ++wrong;
         continue;
       }
-      const ContactPoint<D>& c = deepest(contacts);
+      const ContactPoint<D>& c = nearest_of(contacts);
       const bool good = std::abs(c.gap - gap) < 1e-9 && (c.normal - up).norm() < 1e-12 &&
                         std::abs(c.point[D - 1] - 0.5 * gap) < 1e-9 &&
                         std::abs(feature_gap(placed, c.feature, ground, c.against) - gap) < 1e-9;
@@ -117,7 +112,7 @@ void try_hills(int placements) {
                (frame * contacts[c].point - turned[c].point).norm() < 1e-6 &&
                (frame.r * contacts[c].normal - turned[c].normal).norm() < 1e-6;
       if (!shape.contactor.has_faces())
-        good = good && !contacts.empty() && deepest(contacts).gap < distance + 1e-6;
+        good = good && !contacts.empty() && nearest_of(contacts).gap < distance + 1e-6;
       wrong += !good;
     }
     CHECK(judged > 0.5 * placements);

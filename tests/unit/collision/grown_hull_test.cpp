@@ -8,6 +8,7 @@
 #include "collision/terrain.h"
 #include "collision/terrain_contact.h"
 #include "collision/time_of_contact.h"
+#include "nearest_contact.h"
 #include "unit/collision/shots.h"
 
 using namespace flyrock;

@@ -8,6 +8,7 @@
 #include "collision/terrain_contact.h"
 #include "collision/time_of_contact.h"
 #include "geometry/hull.h"
+#include "nearest_contact.h"
 #include "samples.h"
 #include "unit/collision/shots.h"
 

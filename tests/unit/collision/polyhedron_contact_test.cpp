@@ -227,18 +227,17 @@ TEST_CASE("sort and sweep in 3D finds the pairs that brute force finds") {
 }
 
 TEST_CASE(
-    "a peak of the ground below a face of a box is a contact, and none beside it, where it faces an edge") {
+    "a peak of the ground below a face of a cube is a contact, and none beside it, where it faces an edge") {
   Mesh pyramid;
   pyramid.parts = {""};
   pyramid.vertices = {{0, 0, 0}, {4, 0, -1}, {0, 4, -1}, {-4, 0, -1}, {0, -4, -1}};
   pyramid.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}};
   pyramid.part.assign(4, 0);
   const Terrain3 terrain{TerrainShape3(pyramid)};
-  const Contactor3 box = Contactor3::box({1, 1, 1});
   const double gap = 0.02;
   for (const double beside : {-0.002, 0.0, 0.002}) {
     std::vector<ContactPoint<3>> contacts;
-    terrain_contacts(Placed3{box, {Vec3(0.5 + beside, 0, 0.5 + gap), {}}}, 0, terrain, 0.1, 0, contacts);
+    terrain_contacts(Placed3{cube, {Vec3(0.5 + beside, 0, 0.5 + gap), {}}}, 0, terrain, 0.1, 0, contacts);
     const auto at_peak = std::count_if(contacts.begin(), contacts.end(), [](const ContactPoint<3>& c) {
       return c.point.head<2>().norm() < 1e-9;
     });

@@ -10,8 +10,8 @@
 #include "geometry/cone.h"
 #include "geometry/hull.h"
 #include "math/farthest_on_ellipse.h"
+#include "nearest_contact.h"
 #include "samples.h"
-#include "unit/collision/shots.h"
 
 using namespace flyrock;
 

@@ -1,12 +1,10 @@
 #pragma once
 // Shapes that are shot at others, and whether a time of impact agrees with the gaps before and at it.
 
-#include <algorithm>
+#include <cmath>
 #include <optional>
-#include <vector>
 
 #include "collision/geometry.h"
-#include "collision/narrow_phase.h"
 #include "dice.h"
 
 namespace flyrock {
@@ -27,9 +25,9 @@ inline Motion2 shot(Dice& dice) {
   motion.w = dice(-500, 500);
   return motion;
 }
-inline Motion3 shot(Dice& dice, const Vec3& moments) {
+inline Motion3 shot(Dice& dice, const Vec3& moments, Rotation3 (Dice::*attitude)() = &Dice::rotation<3>) {
   Motion3 motion = flight_to_origin<3>(dice);
-  motion.rotation = FreeRotation(moments, dice.rotation<3>(), dice(0, 500) * dice.direction<3>());
+  motion.rotation = FreeRotation(moments, (dice.*attitude)(), dice(0, 500) * dice.direction<3>());
   return motion;
 }
 
@@ -44,16 +42,10 @@ inline Placed3 at(const Contactor3& shape, const Motion3& motion, double t) {
 /// `at_touch` [m] at it.
 template <class Gap>
 bool agrees(const std::optional<double>& touch, double end, double before, double at_touch, const Gap& gap) {
-  constexpr int times = 60;
+  constexpr int times = 100;
   for (int i = 0; i < times; ++i)
     if (gap(touch.value_or(end) * i / times) < -before) return false;
   return !touch || std::abs(gap(*touch)) < at_touch;
-}
-
-template <int D>
-const ContactPoint<D>& nearest_of(const std::vector<ContactPoint<D>>& contacts) {
-  return *std::min_element(contacts.begin(), contacts.end(),
-                           [](const auto& a, const auto& b) { return a.gap < b.gap; });
 }
 
 }  // namespace flyrock
