@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <array>
 
-#include "batch/columns.h"
-#include "batch/record_columns.h"
 #include "batch/safe_file.h"
+#include "record/columns.h"
+#include "record/tables.h"
 
 namespace flyrock {
 
@@ -82,58 +82,26 @@ void walk_totals(Io& io, Totals& totals) {
   walk_bodies(io, totals.bodies);
 }
 
-// The tables that each part adds to the part before it.
-
+/// What each part adds to the part before it.
 template <class Io, class Records>
-void walk_brief(Io& io, Records& records) {
-  io.rows(records.rocks);
-  visit_rocks(columns_of(io, records.rocks));
-  io.rows(records.gates);
-  io.columns(records.gates, &GateRecord::trial, &GateRecord::rock);
-  visit_gates(columns_of(io, records.gates));
-  io.rows(records.barriers);
-  io.columns(records.barriers, &BarrierRecord::trial, &BarrierRecord::rock);
-  visit_barriers(columns_of(io, records.barriers));
-  io.rows(records.trees);
-  io.columns(records.trees, &TreeRecord::trial, &TreeRecord::rock);
-  visit_trees(columns_of(io, records.trees));
-  walk_totals(io, records.totals);
-}
-
-template <class Io, class Records>
-void walk_long(Io& io, Records& records) {
-  io.rows(records.inputs);
-  io.columns(records.inputs, &InputRecord::trial, &InputRecord::rock);
-  visit_inputs(columns_of(io, records.inputs));
-  io.rows(records.impacts);
-  io.columns(records.impacts, &ImpactRecord::trial, &ImpactRecord::rock);
-  visit_impacts(columns_of(io, records.impacts));
-  io.rows(records.trajectories);
-  io.columns(records.trajectories, &TrajectoryRecord::trial, &TrajectoryRecord::rock);
-  visit_trajectories(columns_of(io, records.trajectories));
-  io.rows(records.shapes);
-  io.columns(records.shapes, &ShapeRecord::trial, &ShapeRecord::rock);
-  visit_shapes(columns_of(io, records.shapes));
-  visit_trial_tables(records, [&io](const char*, auto& rows, auto visit_columns) {
-    using Row = typename std::decay_t<decltype(rows)>::value_type;
+void walk_part(Io& io, Part part, Records& records) {
+  visit_tables(records, [&](const Table& table, auto& rows, auto visit_columns) {
+    if (table.part != part) return;
     io.rows(rows);
-    io.columns(rows, &Row::trial);
-    visit_columns(columns_of(io, rows));
+    const auto columns = columns_of(io, rows);
+    visit_owner<typename std::decay_t<decltype(rows)>::value_type>(table, columns);
+    visit_columns(columns);
   });
-  walk_envelopes(io, records.totals.envelopes);
-  walk_maps(io, records.totals.maps);
+  if (part == Part::brief) {
+    walk_totals(io, records.totals);
+  } else {
+    walk_envelopes(io, records.totals.envelopes);
+    walk_maps(io, records.totals.maps);
+  }
 }
 
 constexpr std::size_t word_size = 8;
 constexpr std::array<Part, 2> parts = {Part::brief, Part::whole};
-
-template <class Io, class Records>
-void walk_part(Io& io, Part part, Records& records) {
-  if (part == Part::brief)
-    walk_brief(io, records);
-  else
-    walk_long(io, records);
-}
 
 void write_header(ColumnWriter& out, const ChunkRange& range, const std::string& scenario_hash) {
   out.raw(magic);
@@ -150,10 +118,10 @@ std::string header(const ChunkRange& range, const std::string& scenario_hash) {
 
 /// An estimate of the size of all tables of a chunk.
 std::size_t size_of(const TrialRecords& records) {
-  const auto size = [](const auto& rows) { return rows.size() * sizeof(rows[0]); };
-  return size(records.rocks) + size(records.inputs) + size(records.impacts) + size(records.trajectories) +
-         size(records.shapes) + size(records.trees) + size(records.fixtures) + size(records.fixture_shapes) +
-         size(records.series_bodies) + size(records.series_contacts) + size(records.series_solves);
+  std::size_t bytes = 0;
+  visit_tables(records,
+               [&](const Table&, const auto& rows, auto) { bytes += rows.size() * sizeof(rows[0]); });
+  return bytes;
 }
 
 /// The section whose length is stored at `at`, with its checksum checked. Moves `at` past the checksum.

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-#include "batch/rows.h"
+#include "record/rows.h"
 
 namespace flyrock {
 

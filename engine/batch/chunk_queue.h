@@ -13,7 +13,7 @@
 #include <optional>
 #include <string>
 
-#include "batch/records.h"
+#include "record/records.h"
 
 namespace flyrock {
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "batch/inputs.h"
-#include "batch/record_columns.h"
+#include "record/tables.h"
 
 namespace flyrock {
 
@@ -109,11 +109,12 @@ std::string records_fault(const TrialRecords& records, const ChunkRange& range, 
     if (std::string fault = rock_fault(rock, range, groups); !fault.empty()) return fault;
   const auto& rocks = records.rocks;
   if (!in_order(rocks)) return "rocks out of order";
-  if (!of_rocks(records.inputs, rocks) || !of_rocks(records.impacts, rocks) ||
-      !of_rocks(records.trajectories, rocks) || !of_rocks(records.shapes, rocks) ||
-      !of_rocks(records.gates, rocks) || !of_rocks(records.barriers, rocks) ||
-      !of_rocks(records.trees, rocks))
-    return "rows of a rock that it does not have";
+  bool all_of_rocks = true;
+  visit_tables(records, [&](const Table& table, const auto& rows, auto) {
+    if constexpr (requires { rows[0].rock; })
+      if (table.owner == RowOwner::rock) all_of_rocks = all_of_rocks && of_rocks(rows, rocks);
+  });
+  if (!all_of_rocks) return "rows of a rock that it does not have";
   if (!are_arrivals(records, scenario))
     return "an arrival at a gate or barrier that the scenario does not have, or with numbers that are not "
            "finite";

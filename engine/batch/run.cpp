@@ -93,6 +93,7 @@ class Run {
   void run_chunk(std::size_t index, const RunTrial& run_trial) {
     ChunkRange chunk = chunks_[index];
     TrialRecords records;
+    PrintLog prints;
     for (std::uint64_t done = 0; done < chunk.count; ++done) {
       if (options_.interrupted()) {
         interrupted_ = true;
@@ -101,7 +102,7 @@ class Run {
       if (!queue_.wanted(index)) return;
       const std::size_t before = records.rocks.size();
       try {
-        run_trial(chunk.point, chunk.first + done, records);
+        prints.add(run_trial(chunk.point, chunk.first + done, records));
       } catch (const Interrupted&) {
         interrupted_ = true;
         return queue_.stop();
@@ -123,7 +124,7 @@ class Run {
       whole_[index] = 1;
       outcome_.failed += count_failed(records);
       outcome_.times.add(records.totals.times);
-      printed_[index] = records.prints;
+      printed_[index] = std::move(prints);
     }
     show(index, records);
   }

@@ -11,13 +11,15 @@
 #include <vector>
 
 #include "batch/chunk.h"
-#include "batch/records.h"
+#include "record/records.h"
+#include "sandbox/print_log.h"
 #include "scenario/scenario.h"
 
 namespace flyrock {
 
-/// Appends one trial of one point to `out`.
-using RunTrial = std::function<void(int point, std::uint64_t trial, TrialRecords& out)>;
+/// Appends one trial of one point to `out`, and returns what its Lua code printed, which is for the terminal
+/// only.
+using RunTrial = std::function<PrintLog(int point, std::uint64_t trial, TrialRecords& out)>;
 /// Makes the function that runs the trials of a thread (numbered from 0). Called once in each thread.
 using MakeWorker = std::function<RunTrial(int thread)>;
 

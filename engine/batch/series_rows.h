@@ -1,8 +1,8 @@
 #pragma once
 // The series (`output.series`) of a trial: what is asked of its worlds, and their rows as records.
 
-#include "batch/records.h"
 #include "flight/series_recorder.h"
+#include "record/records.h"
 #include "trial/build_trial.h"
 
 namespace flyrock {

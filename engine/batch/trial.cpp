@@ -191,9 +191,11 @@ TrialRunner::Trials<D>::Trials(const Scenario& scenario) : scenario_(scenario), 
     barriers_.push_back(
         {line_of(barrier, origin), barrier.held_height(), barrier.held_energy(), barrier.height_factor});
   if (scenario.forest) plant(*scenario.forest);
-  if (D == 2 && scenario.bodies.empty() && scenario.output.envelopes)
-    bin_width_ = envelope_width(picture_of(0).profile);
-  if (D == 3 && scenario.bodies.empty()) map_grid_ = checked_map_grid(scenario, *picture_of(0).ground);
+  if (D == 2 && scenario.bodies.empty() && scenario.output.envelopes) {
+    const Profile profile = picture_of(0).profile;
+    bin_width_ = envelope_width(profile.x_max() - profile.x_min());
+  }
+  if (D == 3 && scenario.bodies.empty()) map_grid_ = map_grid(scenario, *picture_of(0).ground);
 }
 
 template <int D>

@@ -5,9 +5,9 @@
 #include <filesystem>
 
 #include "batch/explain.h"
-#include "batch/records.h"
 #include "batch/terrain_picture.h"
 #include "flight/run.h"
+#include "record/records.h"
 #include "trial/build_trial.h"
 
 namespace flyrock {

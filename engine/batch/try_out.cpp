@@ -261,7 +261,7 @@ void find_lost_places(const Scenario&, const Trial<2>&, TriedOut&) {}
 /// Finds cells of maps that cannot be made.
 void find_map_cells(const Scenario& scenario, const Trial<3>& trial, TriedOut& tried) {
   try {
-    checked_map_grid(scenario, *trial.terrain);
+    map_grid(scenario, *trial.terrain);
   } catch (const ScenarioError& error) {
     add(tried.errors, error.path, error.what());
   }

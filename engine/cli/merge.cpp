@@ -184,7 +184,7 @@ int merge(const Command& command, const Arguments& arguments) {
   const std::vector<Rows> rows = rows_in(files, static_cast<int>(plan.points.size()), hash);
   ResultWriter writer(folder.path(), *loaded);
   for (std::size_t p = 0; p < rows.size(); ++p)
-    rows[p](Part::whole, [&](const TrialRecords& chunk) { writer.see(static_cast<int>(p), chunk); });
+    rows[p](Part::whole, [&](const TrialRecords& chunk) { writer.add(static_cast<int>(p), chunk); });
   const Results results = folder.build(writer, rows, facts, first_terrains(*runners), log);
   folder.tidy();
   print_faults(results);

@@ -102,7 +102,7 @@ Execution execute(const Job& job, const LoadedScenario& loaded, Runners& runners
   ProgressBar bar(!job.quiet, trials_in(chunks));
   options.report = [&](const RunProgress& progress) { bar.show(progress); };
   options.print = [&](const std::vector<std::string>& lines) { bar.write(lines); };
-  if (writer) options.see = [&](int point, const TrialRecords& chunk) { writer->see(point, chunk); };
+  if (writer) options.see = [&](int point, const TrialRecords& chunk) { writer->add(point, chunk); };
   execution.outcome = run_chunks(
       chunks, workers(loaded, runners, job.request.scenario, job.request.overrides, folder.hard_problems()),
       options);

@@ -11,12 +11,12 @@ namespace flyrock::cli {
 
 namespace {
 
-/// From here on, output of Lua's `print` goes into the records of its trial.
+/// From here on, output of Lua's `print` is returned with its trial.
 RunTrial trial_of(Runners& runners, LuaSession& session) {
   session.collect_prints();
   return [&](int point, std::uint64_t trial, TrialRecords& out) {
     runners[static_cast<std::size_t>(point)]->run(trial, out);
-    out.prints.add(session.take_prints());
+    return session.take_prints();
   };
 }
 
@@ -64,7 +64,7 @@ MakeWorker workers(const LoadedScenario& scenario, Runners& runners, const std::
     reading->runners = make_runners(reading->scenario->plan);
     prepare(reading->runners, *reading->scenario, hard_problems);
     return [reading, run = trial_of(reading->runners, *reading->scenario->session)](
-               int point, std::uint64_t trial, TrialRecords& out) { run(point, trial, out); };
+               int point, std::uint64_t trial, TrialRecords& out) { return run(point, trial, out); };
   };
 }
 

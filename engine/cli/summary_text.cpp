@@ -50,7 +50,7 @@ std::string group_line(const GroupSummary& group, std::size_t width) {
                                  percent(group.censored_share()),
                                  group.count > group.faults ? range_text(group.censored_interval()) : "-");
   for (const Statistic s : {Statistic::p50, Statistic::p90, Statistic::p95, Statistic::p99, Statistic::max})
-    text += fmt::format("{:>9}", display(group.at(RockQuantity::runout, s), ""));
+    text += fmt::format("{:>9}", display(group.at(rock_statistic("runout"), s), ""));
   return text + '\n';
 }
 

@@ -3,7 +3,7 @@
 
 #include "world/body.h"
 #include "world/motions.h"
-#include "world/observe.h"
+#include "record/observe.h"
 
 namespace flyrock {
 

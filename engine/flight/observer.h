@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "world/plan_cells.h"
+#include "record/plan_cells.h"
 #include "world/world.h"
 
 namespace flyrock {

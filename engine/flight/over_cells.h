@@ -2,7 +2,7 @@
 // The cells of a map below a flight.
 
 #include "flight/ground.h"
-#include "world/plan_cells.h"
+#include "record/plan_cells.h"
 
 namespace flyrock {
 

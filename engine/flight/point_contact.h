@@ -5,7 +5,7 @@
 
 #include "flight/face.h"
 #include "world/body.h"
-#include "world/observe.h"
+#include "record/observe.h"
 #include "world/surface.h"
 
 namespace flyrock {

@@ -5,7 +5,7 @@
 #include "flight/tree_watch.h"
 #include "world/body.h"
 #include "world/places.h"
-#include "world/plan_cells.h"
+#include "record/plan_cells.h"
 
 namespace flyrock {
 

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "world/observe.h"
+#include "record/observe.h"
 
 namespace flyrock {
 

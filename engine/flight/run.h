@@ -6,7 +6,7 @@
 
 #include "flight/crossings.h"
 #include "flight/series_recorder.h"
-#include "world/plan_cells.h"
+#include "record/plan_cells.h"
 
 namespace flyrock {
 

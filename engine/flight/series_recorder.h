@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "flight/world_names.h"
-#include "world/series.h"
+#include "record/series.h"
 
 namespace flyrock {
 

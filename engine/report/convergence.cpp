@@ -42,10 +42,10 @@ void Convergence::add(const Bounded& runout) {
   ++seen_;
 }
 
-bool Convergence::again() {
+bool Convergence::needs_another_pass() {
   seen_ = 0;
   bool more = false;
-  for (Start& start : starts_) more |= start.sample.again();
+  for (Start& start : starts_) more |= start.sample.needs_another_pass();
   return more;
 }
 

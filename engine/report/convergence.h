@@ -16,7 +16,7 @@ class Convergence {
   explicit Convergence(std::uint64_t count);
 
   void add(const Bounded& runout);
-  bool again();
+  bool needs_another_pass();
 
   /// { n: [...], p50: { value, lower, upper, censored: [...] }, p95: ..., p99: ... }
   nlohmann::ordered_json data() const;

@@ -7,7 +7,7 @@
 #include "batch/inputs.h"
 #include "batch/safe_file.h"
 #include "report/envelope_data.h"
-#include "report/rock_rows.h"
+#include "report/record_tables.h"
 #include "report/tables.h"
 
 namespace flyrock {
@@ -32,74 +32,6 @@ CREATE TABLE stems (point INTEGER, tree INTEGER, x_m REAL, y_m REAL, diameter_m 
 CREATE TABLE expectations (number INTEGER, measure TEXT, point INTEGER, computed REAL, kind TEXT, expected REAL,
   expected_high REAL, tolerance REAL, passed INTEGER, reason TEXT);
 )";
-
-const std::vector<StoredColumn>& rock_columns() {
-  static const auto columns = columns_of<RockRecord>([](auto visit) { visit_rocks(visit); });
-  return columns;
-}
-const std::vector<StoredColumn>& gate_columns() {
-  static const auto columns = columns_of<GateRecord>([](auto visit) { visit_gates(visit); });
-  return columns;
-}
-const std::vector<StoredColumn>& barrier_columns() {
-  static const auto columns = columns_of<BarrierRecord>([](auto visit) { visit_barriers(visit); });
-  return columns;
-}
-
-const std::vector<StoredColumn>& tree_columns() {
-  static const auto columns = columns_of<TreeRecord>([](auto visit) { visit_trees(visit); });
-  return columns;
-}
-
-/// `, "mass_kg" REAL, ...`: the declarations of columns that follow others.
-std::string declared(const std::vector<StoredColumn>& columns) {
-  std::string text;
-  for (const auto& [column, type] : columns) text += fmt::format(", \"{}\" {}", column.name, type);
-  return text;
-}
-
-/// The names and columns of the tables of rows of trials.
-const std::vector<std::pair<const char*, std::vector<StoredColumn>>>& trial_tables() {
-  static const auto tables = [] {
-    std::vector<std::pair<const char*, std::vector<StoredColumn>>> list;
-    TrialRecords none;
-    visit_trial_tables(none, [&](const char* name, auto& rows, auto visit_columns) {
-      using Row = typename std::decay_t<decltype(rows)>::value_type;
-      list.emplace_back(name, columns_of<Row>(visit_columns));
-    });
-    return list;
-  }();
-  return tables;
-}
-
-std::string record_tables_schema() {
-  std::string of_trials;
-  for (const auto& [name, columns] : trial_tables())
-    of_trials += fmt::format("CREATE TABLE {} (point INTEGER, trial INTEGER{});\n", name, declared(columns));
-  return of_trials + fmt::format(
-                         "CREATE TABLE rocks (point INTEGER{});\n"
-                         "CREATE TABLE gates (point INTEGER, trial INTEGER, rock INTEGER{});\n"
-                         "CREATE TABLE barriers (point INTEGER, trial INTEGER, rock INTEGER{});\n"
-                         "CREATE TABLE trees (point INTEGER, trial INTEGER, rock INTEGER{});\n",
-                         declared(rock_columns()), declared(gate_columns()), declared(barrier_columns()),
-                         declared(tree_columns()));
-}
-
-/// Puts what a table shows for a record. `names`: the names for its indices.
-template <class Row>
-auto put_into(Statement& to, const Row& row, const std::vector<std::string>& names) {
-  return [&to, &row, &names](const Column& column, auto get) {
-    if (column.name)
-      shown_value(column, member_of(row, get), names, [&](const auto& value) { to.put(value); });
-  };
-}
-
-template <class Places>
-std::vector<std::string> names_of(const Places& places) {
-  std::vector<std::string> names;
-  for (const auto& place : places) names.push_back(place.name);
-  return names;
-}
 
 void add_stems(const SqliteFile& file, const Results& results) {
   Insertion rows(file, "stems", 7);
@@ -210,24 +142,18 @@ void add_maps(const SqliteFile& file, const Results& results) {
 }  // namespace
 
 ResultDatabase::Insertions::Insertions(const SqliteFile& file, int dimension)
-    : rocks(file, "rocks", 1 + static_cast<int>(rock_columns().size())),
-      rows_of_rock(file, "rows_of_rock", 8),
-      inputs(file, "input_rows", input_table().width(dimension)),
-      impacts(file, "impact_rows", impact_table().width(dimension)),
-      trajectories(file, "trajectory_rows", trajectory_table().width(dimension)),
-      shapes(file, "shape_rows", shape_table().width(dimension)),
-      gates(file, "gates", 3 + static_cast<int>(gate_columns().size())),
-      barriers(file, "barriers", 3 + static_cast<int>(barrier_columns().size())),
-      trees(file, "trees", 3 + static_cast<int>(tree_columns().size())) {
-  for (const auto& [name, columns] : trial_tables())
-    of_trials.emplace_back(file, name, 2 + static_cast<int>(columns.size()));
+    : rows_of_rock(file, "rows_of_rock", 2 * RowsOfRocks::tables()) {
+  visit_tables(none_of_the_records, [&](const Table& table, const auto& rows, auto visit_columns) {
+    using Row = typename std::decay_t<decltype(rows)>::value_type;
+    tables.emplace_back(file, stored_name(table), stored_width<Row>(table, visit_columns, dimension));
+  });
 }
 
 ResultDatabase::ResultDatabase(const std::filesystem::path& path, const Plan& plan)
-    : plan_(plan), groups_(group_names(plan.points.front())), file_(path) {
+    : plan_(plan), file_(path) {
   const int dimension = plan.points.front().dimension;
-  file_.execute(schema + map_table_schema() + record_tables_schema() + rock_tables_schema(dimension) +
-                inputs_view + fmt::format("PRAGMA user_version = {};", result_format));
+  file_.execute(schema + map_table_schema() + record_tables_schema(dimension) + inputs_view +
+                fmt::format("PRAGMA user_version = {};", result_format));
   insertions_ = std::make_unique<Insertions>(file_, dimension);
   add_plan();
 }
@@ -253,68 +179,37 @@ void ResultDatabase::add_input_paths() {
   Insertion paths(file_, "input_paths", 2);
   std::map<std::string, int> known;
   for (const Scenario& point : plan_.points) {
-    input_ids_.emplace_back();
+    std::vector<int>& inputs = names_.emplace_back(point).inputs;
     for (const Input& input : inputs_of(point)) {
       const auto [entry, is_new] = known.emplace(input.path, static_cast<int>(known.size()));
       if (is_new) paths.row(entry->second, input.path);
-      input_ids_.back().push_back(entry->second);
+      inputs.push_back(entry->second);
     }
   }
 }
 
 void ResultDatabase::add(int point, const TrialRecords& records) {
-  const Scenario& scenario = plan_.points[static_cast<std::size_t>(point)];
-  RowsOfRocks inputs(records.inputs, written_.inputs);
-  RowsOfRocks impacts(records.impacts, written_.impacts);
-  RowsOfRocks trajectories(records.trajectories, written_.trajectories);
-  RowsOfRocks shapes(records.shapes, written_.shapes);
-  insertions_->rocks.rows(records.rocks, [&](Statement& to, const RockRecord& r) {
-    to.put(point);
-    visit_rocks(put_into(to, r, groups_));
-  });
-  insertions_->rows_of_rock.rows(records.rocks, [&](Statement& to, const RockRecord& r) {
-    for (const auto& [first, last] : {inputs.of(r), impacts.of(r), trajectories.of(r), shapes.of(r)})
-      to.put(first, last);
-  });
-  const std::vector<std::string> none, gates = names_of(scenario.gates),
-                                       barriers = names_of(scenario.barriers);
-  const auto stored = [&](auto put) {
-    return [put, dimension = scenario.dimension](const Column& column, auto get) {
-      if (is_stored(column, dimension)) put(column, get);
-    };
-  };
-  const std::vector<int>& ids = input_ids_[static_cast<std::size_t>(point)];
-  insertions_->inputs.rows(records.inputs, [&](Statement& to, InputRecord r) {
-    r.input = ids.at(static_cast<std::size_t>(r.input));
-    visit_inputs(stored(put_into(to, r, none)));
-  });
-  insertions_->impacts.rows(records.impacts, [&](Statement& to, const ImpactRecord& r) {
-    visit_impacts(stored(put_into(to, r, none)));
-  });
-  insertions_->trajectories.rows(records.trajectories, [&](Statement& to, const TrajectoryRecord& r) {
-    visit_trajectories(stored(put_into(to, r, none)));
-  });
-  insertions_->shapes.rows(records.shapes, [&](Statement& to, const ShapeRecord& r) {
-    visit_shapes(stored(put_into(to, r, none)));
-  });
-  insertions_->gates.rows(records.gates, [&](Statement& to, const GateRecord& r) {
-    to.put(point, r.trial, r.rock);
-    visit_gates(put_into(to, r, gates));
-  });
-  insertions_->barriers.rows(records.barriers, [&](Statement& to, const BarrierRecord& r) {
-    to.put(point, r.trial, r.rock);
-    visit_barriers(put_into(to, r, barriers));
-  });
-  insertions_->trees.rows(records.trees, [&](Statement& to, const TreeRecord& r) {
-    to.put(point, r.trial, r.rock);
-    visit_trees(put_into(to, r, none));
-  });
-  auto table = insertions_->of_trials.begin();
-  visit_trial_tables(records, [&](const char*, const auto& rows, auto visit_columns) {
-    (table++)->rows(rows, [&](Statement& to, const auto& r) {
-      to.put(point, r.trial);
-      visit_columns(put_into(to, r, none));
+  const int dimension = plan_.points[static_cast<std::size_t>(point)].dimension;
+  const RecordNames& names = names_[static_cast<std::size_t>(point)];
+  auto insertion = insertions_->tables.begin();
+  visit_tables(records, [&](const Table& table, const auto& rows, auto visit_columns) {
+    using Row = typename std::decay_t<decltype(rows)>::value_type;
+    (insertion++)->rows(rows, [&](Statement& to, const Row& row) {
+      const auto put = [&](const Column& column, auto get) {
+        if (is_stored(table, column, dimension))
+          shown_value(column, member_of(row, get), names, [&](const auto& value) { to.put(value); });
+      };
+      if (!table.many_rows) {
+        to.put(point);
+        visit_owner<Row>(table, put);
+      }
+      visit_columns(put);
     });
+  });
+  const auto ranges = rows_of_rocks_.of(records);
+  insertions_->rows_of_rock.rows(records.rocks, [&](Statement& to, const RockRecord& rock) {
+    const auto number = static_cast<std::size_t>(&rock - records.rocks.data());
+    for (const auto& of_table : ranges) to.put(of_table[number].first, of_table[number].second);
   });
 }
 

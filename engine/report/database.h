@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "report/ground_pictures.h"
+#include "report/record_tables.h"
+#include "report/shown_value.h"
 #include "report/sqlite.h"
 #include "results/results.h"
 
@@ -33,21 +35,18 @@ class ResultDatabase {
  private:
   struct Insertions {
     Insertions(const SqliteFile& file, int dimension);
-    Insertion rocks, rows_of_rock, inputs, impacts, trajectories, shapes, gates, barriers, trees;
-    std::deque<Insertion> of_trials;  ///< in the order of visit_trial_tables
+    std::deque<Insertion> tables;  ///< in the order of visit_tables
+    Insertion rows_of_rock;
   };
 
   void add_plan();
   void add_input_paths();
 
   const Plan& plan_;
-  std::vector<std::string> groups_;
-  std::vector<std::vector<int>> input_ids_;  ///< of each point and input, in the table `input_paths`
+  std::vector<RecordNames> names_;  ///< of each point
   SqliteFile file_;
   std::unique_ptr<Insertions> insertions_;
-  struct {
-    std::int64_t inputs = 0, impacts = 0, trajectories = 0, shapes = 0;
-  } written_;  ///< rows
+  RowsOfRocks rows_of_rocks_;
 };
 
 /// The `report` that was given to finish(). Throws UnreadableFile.

@@ -5,7 +5,7 @@
 
 namespace flyrock {
 
-void Deposits::see(const TrialRecords& chunk) {
+void Deposits::add(const TrialRecords& chunk) {
   for (const RockRecord& rock : chunk.rocks) {
     if (is_fault(rock.reason)) continue;
     ++count_;

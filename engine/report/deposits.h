@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "batch/records.h"
+#include "record/records.h"
 
 namespace flyrock {
 
@@ -14,7 +14,7 @@ class Deposits {
   explicit Deposits(std::size_t most) : most_(most) {}
 
   /// Takes the chunks in order.
-  void see(const TrialRecords& chunk);
+  void add(const TrialRecords& chunk);
 
   /// { x, y, z, trial, rock, group, reason, count }: a column each; x, y, z are differences in thousandths,
   /// `trial` differences, `count` is that of all rocks without faults.

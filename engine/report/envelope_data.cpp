@@ -45,7 +45,7 @@ Json group_data(const std::vector<EnvelopeRow>& rows) {
 
 double envelope_width(const PointResult& point) {
   const Profile& profile = point.terrain.profile;
-  return profile.points.empty() ? 0 : envelope_width(profile);
+  return profile.points.empty() ? 0 : envelope_width(profile.x_max() - profile.x_min());
 }
 
 std::vector<std::vector<EnvelopeRow>> envelope_rows(const PointResult& point) {

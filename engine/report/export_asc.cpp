@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <string>
 
-#include "batch/maps.h"
 #include "batch/safe_file.h"
 #include "document/value.h"
+#include "record/maps.h"
 #include "report/sqlite.h"
 
 namespace flyrock {

@@ -2,50 +2,36 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <string>
 
 #include "batch/safe_file.h"
 #include "report/csv.h"
+#include "report/record_tables.h"
 #include "report/sqlite.h"
 
 namespace flyrock {
 
 namespace {
 
-struct Table {
-  const char* name;
-  const char* rows;
+/// The tables that are not made of rows of trials, and the view of inputs with their paths.
+constexpr const char* other_tables[] = {
+    "points", "sweep", "parts",     "ground",    "grounds", "ground_vertices", "ground_triangles",
+    "inputs", "stems", "envelopes", "map_grids", "maps",    "expectations"};
+
+/// A view returns the rows of a rock in the order in which they were written: report/record_tables.h.
+struct Exported {
+  std::string name;
+  bool is_view = false;
 };
 
-// The view returns the rows of a rock in the order in which they were written: report/rock_rows.h.
-constexpr std::array<Table, 25> tables = {{
-    {"points", "SELECT * FROM points ORDER BY rowid"},
-    {"sweep", "SELECT * FROM sweep ORDER BY rowid"},
-    {"parts", "SELECT * FROM parts ORDER BY rowid"},
-    {"ground", "SELECT * FROM ground ORDER BY rowid"},
-    {"grounds", "SELECT * FROM grounds ORDER BY rowid"},
-    {"ground_vertices", "SELECT * FROM ground_vertices ORDER BY rowid"},
-    {"ground_triangles", "SELECT * FROM ground_triangles ORDER BY rowid"},
-    {"rocks", "SELECT * FROM rocks ORDER BY rowid"},
-    {"inputs", "SELECT * FROM inputs ORDER BY point, trial, rock"},
-    {"impacts", "SELECT * FROM impacts ORDER BY point, trial, rock"},
-    {"trajectories", "SELECT * FROM trajectories ORDER BY point, trial, rock"},
-    {"shapes", "SELECT * FROM shapes ORDER BY point, trial, rock"},
-    {"gates", "SELECT * FROM gates ORDER BY rowid"},
-    {"barriers", "SELECT * FROM barriers ORDER BY rowid"},
-    {"trees", "SELECT * FROM trees ORDER BY rowid"},
-    {"stems", "SELECT * FROM stems ORDER BY rowid"},
-    {"fixtures", "SELECT * FROM fixtures ORDER BY rowid"},
-    {"fixture_shapes", "SELECT * FROM fixture_shapes ORDER BY rowid"},
-    {"series_bodies", "SELECT * FROM series_bodies ORDER BY rowid"},
-    {"series_contacts", "SELECT * FROM series_contacts ORDER BY rowid"},
-    {"series_solves", "SELECT * FROM series_solves ORDER BY rowid"},
-    {"envelopes", "SELECT * FROM envelopes ORDER BY rowid"},
-    {"map_grids", "SELECT * FROM map_grids ORDER BY rowid"},
-    {"maps", "SELECT * FROM maps ORDER BY rowid"},
-    {"expectations", "SELECT * FROM expectations ORDER BY rowid"},
-}};
+std::vector<Exported> exported_tables() {
+  std::vector<Exported> tables;
+  for (const std::string name : other_tables) tables.push_back({name, name == "inputs"});
+  visit_tables(none_of_the_records, [&](const Table& table, const auto&, auto) {
+    if (table.name != std::string_view("drawn")) tables.push_back({table.name, table.many_rows != nullptr});
+  });
+  return tables;
+}
 
 /// A CSV line with `field` of each column.
 template <class Field>
@@ -71,8 +57,9 @@ std::string value_text(const Query& row, int column) {
   }
 }
 
-void write_table(const SqliteReader& database, const Table& table, const std::filesystem::path& path) {
-  Query row(database, table.rows);
+void write_table(const SqliteReader& database, const Exported& table, const std::filesystem::path& path) {
+  Query row(database, fmt::format("SELECT * FROM {} ORDER BY {}", table.name,
+                                  table.is_view ? "point, trial, rock" : "rowid"));
   FileWriter file(path);
   file.write(line_of(row, [&](int c) { return row.name(c); }));
   while (row.next()) file.write(line_of(row, [&](int c) { return value_text(row, c); }));
@@ -86,8 +73,8 @@ std::vector<std::filesystem::path> export_csv(const std::filesystem::path& resul
   const SqliteReader database(results);
   make_folder(folder);
   std::vector<std::filesystem::path> files;
-  for (const Table& table : tables) {
-    files.push_back(folder / (std::string(table.name) + ".csv"));
+  for (const Exported& table : exported_tables()) {
+    files.push_back(folder / (table.name + ".csv"));
     write_table(database, table, files.back());
   }
   return files;

@@ -72,7 +72,7 @@ void RankedInputs::find_laws(const Scenario& scenario) {
   }
 }
 
-void RankedInputs::see(const TrialTotals& totals) {
+void RankedInputs::add(const TrialTotals& totals) {
   for (std::size_t m = 0; m < std::min(use_.size(), totals.materials.size()); ++m)
     use_[m].add(totals.materials[m]);
 }

@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "batch/records.h"
+#include "record/records.h"
 #include "scenario/scenario.h"
 
 namespace flyrock {
@@ -20,7 +20,7 @@ class RankedInputs {
   explicit RankedInputs(const Scenario& scenario);
 
   /// Counts the calls of the laws of each material.
-  void see(const TrialTotals& totals);
+  void add(const TrialTotals& totals);
 
   /// Whether the scenario makes the rocks of a group depend on a draw (an index of Scenario::draws).
   bool reads(std::size_t group, int draw) const {

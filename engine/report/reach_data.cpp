@@ -8,11 +8,11 @@ namespace flyrock {
 
 using Json = nlohmann::ordered_json;
 
-Json reach_data(const Scenario& scenario, const std::vector<Reach>& reaches) {
+Json reach_data(const Scenario& scenario, const std::vector<LaunchReach>& reaches) {
   Json list = Json::array();
-  for (const Reach& reach : reaches) {
+  for (const LaunchReach& reach : reaches) {
     Json speeds = Json::array();
-    for (const Reach::OfSpeed& of : reach.speeds)
+    for (const LaunchReach::OfSpeed& of : reach.speeds)
       speeds.push_back({{"of", statistic_names[static_cast<int>(of.statistic)]},
                         {"speed_m_s", of.speed},
                         {"elevation_deg", of.farthest.elevation * 180 / pi},
@@ -27,11 +27,11 @@ Json reach_data(const Scenario& scenario, const std::vector<Reach>& reaches) {
   return list;
 }
 
-Json shroud_data(const std::vector<Reach>& reaches) {
+Json shroud_data(const std::vector<LaunchReach>& reaches) {
   constexpr int points = 41;
   Json list = Json::array();
-  for (const Reach& reach : reaches)
-    for (const Reach::OfSpeed& of : reach.speeds) {
+  for (const LaunchReach& reach : reaches)
+    for (const LaunchReach::OfSpeed& of : reach.speeds) {
       Json x = Json::array(), y = Json::array();
       for (const Vec2& point : shroud(reach.forces, of.speed, reach.height, reach.longest, points)) {
         x.push_back(rounded(reach.origin.x() + point.x()));

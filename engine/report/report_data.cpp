@@ -17,6 +17,7 @@
 #include "report/scenario_text.h"
 #include "report/summary_data.h"
 #include "results/cell_size.h"
+#include "units/units.h"
 
 namespace flyrock {
 
@@ -40,29 +41,41 @@ Json terrain_data(const Profile& terrain) {
   return {{"x", std::move(x)}, {"y", std::move(y)}, {"part", terrain.part}, {"parts", terrain.parts}};
 }
 
+/// The numbers of rocks that have statistics, with the units in which the page shows them.
+Json numbers_data() {
+  Json numbers = Json::array();
+  for (const RockStatistic& number : rock_statistics) {
+    const Dimension dimension = parse_unit(number.column.unit).value_or(Unit{}).dimension;
+    const auto [unit, per_si] = readable_unit(si_unit(dimension));
+    numbers.push_back(
+        {{"name", number.name()}, {"unit", unit}, {"per_si", per_si}, {"doc", number.column.doc}});
+  }
+  return numbers;
+}
+
 /// Of all rocks, then of each group if there is more than one, as in PointResult::groups.
 class Runouts {
  public:
   explicit Runouts(const std::vector<GroupSummary>& groups) {
     for (const GroupSummary& group : groups)
       groups_.push_back(
-          {RunoutData(group.count - group.faults, group.at(RockQuantity::runout, Statistic::min).value,
-                      group.at(RockQuantity::runout, Statistic::max).value),
+          {RunoutData(group.count - group.faults, group.at(rock_statistic("runout"), Statistic::min).value,
+                      group.at(rock_statistic("runout"), Statistic::max).value),
            Convergence(group.count - group.faults)});
   }
 
-  void see(const TrialRecords& chunk) {
+  void add(const TrialRecords& chunk) {
     for (const RockRecord& rock : chunk.rocks) {
       if (is_fault(rock.reason)) continue;
-      const Bounded runout = quantity_of(rock, RockQuantity::runout);
+      const Bounded runout = bounded(rock, rock_statistics[rock_statistic("runout")]);
       groups_.front().add(runout);
       if (groups_.size() > 1) groups_.at(1 + static_cast<std::size_t>(rock.group)).add(runout);
     }
   }
 
-  bool again() {
+  bool needs_another_pass() {
     bool more = false;
-    for (Group& group : groups_) more |= group.again();
+    for (Group& group : groups_) more |= group.needs_another_pass();
     return more;
   }
 
@@ -86,8 +99,9 @@ class Runouts {
       distribution.add(runout);
       convergence.add(runout);
     }
-    bool again() {
-      const bool of_distribution = distribution.again(), of_convergence = convergence.again();
+    bool needs_another_pass() {
+      const bool of_distribution = distribution.needs_another_pass(),
+                 of_convergence = convergence.needs_another_pass();
       return of_distribution || of_convergence;
     }
   };
@@ -190,11 +204,11 @@ void ReportData::close_point() {
   if (closed_.size() < scenario_.plan.points.size()) open_point();
 }
 
-void ReportData::see(int point, const TrialRecords& chunk, const TrialRecords& first) {
+void ReportData::add(int point, const TrialRecords& chunk, const TrialRecords& first) {
   while (closed_.size() < static_cast<std::size_t>(point)) close_point();
-  open_->tracks.see(first);
-  open_->sensitivity.see(first);
-  open_->deposits.see(chunk);
+  open_->tracks.add(first);
+  open_->sensitivity.add(first);
+  open_->deposits.add(chunk);
 }
 
 void ReportData::close() {
@@ -227,8 +241,8 @@ Json ReportData::finish(const Results& results, const GroundPictures& grounds,
     if (point.forest) points.back()["stems"] = stems_data(point, most_stems / closed_.size());
   }
   return json_object("summary", summary_data(plan, results), "source", source_data(scenario_), "scenario",
-                     scenario_text(plan.resolved), "groups", group_names(plan.points.front()), "units",
-                     quantity_units, "map_units", map_unit_data(), "axes", axes_data(plan),
+                     scenario_text(plan.resolved), "groups", group_names(plan.points.front()), "numbers",
+                     numbers_data(), "map_units", map_unit_data(), "axes", axes_data(plan),
                      "expectation_units", expectation_units(results), "drawn",
                      drawn_data(plan.points.front()), "grounds", grounds_data(grounds), "points",
                      std::move(points));

@@ -23,7 +23,7 @@ class ReportData {
 
   /// Takes the chunks of all points in order, with all their rows. `first`: the rows of the chunk for paths
   /// and inputs, all of them unless `output.rocks` is false.
-  void see(int point, const TrialRecords& chunk, const TrialRecords& first);
+  void add(int point, const TrialRecords& chunk, const TrialRecords& first);
 
   /// Thins the paths and sorts the inputs, after the last chunk. It takes a while; other work can run at the
   /// same time. If it is not called, finish() does the same.

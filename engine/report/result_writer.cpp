@@ -4,6 +4,7 @@
 #include <future>
 #include <nlohmann/json.hpp>
 
+#include "record/tables.h"
 #include "report/ground_pictures.h"
 #include "report/html.h"
 #include "report/motion_data.h"
@@ -24,45 +25,36 @@ ResultWriter::ResultWriter(const std::filesystem::path& folder, const LoadedScen
   for (const Scenario& each : plan_.points) rows_left_.push_back(static_cast<std::size_t>(each.output.first));
 }
 
-void ResultWriter::see(int point, const TrialRecords& chunk) {
+void ResultWriter::add(int point, const TrialRecords& chunk) {
   const bool all = plan_.points[static_cast<std::size_t>(point)].output.rocks;
   const TrialRecords first = all ? TrialRecords() : first_rows(point, chunk);
   const TrialRecords& shown = all ? chunk : first;
   csv_.write(rocks_csv_rows(plan_, point, shown.rocks));
   database_.add(point, shown);
-  tally_.see(point, chunk);
-  report_.see(point, chunk, shown);
+  tally_.add(point, chunk);
+  report_.add(point, chunk, shown);
 }
 
 TrialRecords ResultWriter::first_rows(int point, const TrialRecords& chunk) {
   std::size_t& left = rows_left_.at(static_cast<std::size_t>(point));
   TrialRecords first;
-  first.totals.materials = chunk.totals.materials;
   const std::size_t count = std::min(left, chunk.rocks.size());
   left -= count;
-  if (count == 0) return first;
-  first.rocks.assign(chunk.rocks.begin(), chunk.rocks.begin() + static_cast<std::ptrdiff_t>(count));
-  const RockRecord& last = first.rocks.back();
-  const auto of_rocks = [&](const auto& rows, auto& kept) {
-    for (const auto& row : rows)
-      if (std::pair(row.trial, row.rock) <= std::pair(last.trial, last.rock)) kept.push_back(row);
-  };
-  of_rocks(chunk.inputs, first.inputs);
-  of_rocks(chunk.impacts, first.impacts);
-  of_rocks(chunk.trajectories, first.trajectories);
-  of_rocks(chunk.shapes, first.shapes);
-  of_rocks(chunk.gates, first.gates);
-  of_rocks(chunk.barriers, first.barriers);
-  of_rocks(chunk.trees, first.trees);
-  const auto of_trials = [&](const auto& rows, auto& kept) {
-    for (const auto& row : rows)
-      if (row.trial <= last.trial) kept.push_back(row);
-  };
-  of_trials(chunk.fixtures, first.fixtures);
-  of_trials(chunk.fixture_shapes, first.fixture_shapes);
-  of_trials(chunk.series_bodies, first.series_bodies);
-  of_trials(chunk.series_contacts, first.series_contacts);
-  of_trials(chunk.series_solves, first.series_solves);
+  if (count > 0) {
+    first = chunk;
+    first.rocks.resize(count);
+    const RockRecord last = first.rocks.back();
+    visit_tables(first, [&](const Table& table, auto& rows, auto) {
+      std::erase_if(rows, [&](const auto& row) {
+        if constexpr (requires { row.rock; })
+          if (table.owner == RowOwner::rock)
+            return std::pair(row.trial, row.rock) > std::pair(last.trial, last.rock);
+        return row.trial > last.trial;
+      });
+    });
+  }
+  first.totals = {};
+  first.totals.materials = chunk.totals.materials;
   return first;
 }
 

@@ -21,7 +21,7 @@ class ResultWriter {
   ResultWriter(const std::filesystem::path& folder, const LoadedScenario& scenario);
 
   /// Takes the chunks of all points in order, with all their rows.
-  void see(int point, const TrialRecords& chunk);
+  void add(int point, const TrialRecords& chunk);
 
   /// Reads the same chunks again in passes. `terrains`: for pictures, one for each point. `assets`: see
   /// report_html().

@@ -18,7 +18,7 @@ Vec3 middle_of(const std::vector<Vec3>& places) {
 
 }  // namespace
 
-View view_of(int dimension) {
+PictureView view_of(int dimension) {
   if (dimension == 2) return {};
   const double azimuth = -55 * pi / 180, elevation = 25 * pi / 180;  // of the eye
   const double c = std::cos(azimuth), s = std::sin(azimuth);
@@ -33,7 +33,7 @@ Vec3 area_of(const std::vector<Vec3>& places) {
   return sum;
 }
 
-std::vector<Piece> pieces_of(const std::vector<SurfaceCorner>& corners, const View& view) {
+std::vector<Piece> pieces_of(const std::vector<SurfaceCorner>& corners, const PictureView& view) {
   std::map<std::pair<int, int>, std::vector<Vec3>> faces;
   std::map<std::pair<int, int>, double> radius;
   std::map<int, std::vector<Vec3>> contactors;

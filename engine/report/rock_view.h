@@ -4,18 +4,18 @@
 #include <string>
 #include <vector>
 
-#include "batch/rock_surface.h"
+#include "record/scenery.h"
 
 namespace flyrock {
 
 /// The directions of a picture: right, up, and towards the eye. In 3D the eye is in front, on the right and
 /// above; there is no perspective.
-struct View {
+struct PictureView {
   Vec3 right = Vec3::UnitX(), up = Vec3::UnitY(), near = Vec3::UnitZ();
 
   Vec2 operator()(const Vec3& place) const { return {right.dot(place), up.dot(place)}; }
 };
-View view_of(int dimension);
+PictureView view_of(int dimension);
 
 /// One face, or a ball, in the picture.
 struct Piece {
@@ -27,7 +27,7 @@ struct Piece {
 
 /// What can be seen, the farthest contactor first. The faces of a convex contactor that look towards the eye
 /// do not hide each other.
-std::vector<Piece> pieces_of(const std::vector<SurfaceCorner>& corners, const View& view);
+std::vector<Piece> pieces_of(const std::vector<SurfaceCorner>& corners, const PictureView& view);
 
 /// Twice the area of a face times its normal; 0 for a ball.
 Vec3 area_of(const std::vector<Vec3>& places);

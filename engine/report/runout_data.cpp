@@ -42,7 +42,7 @@ void RunoutData::add(const Bounded& runout) {
   if (runout.censored) least_censored_ = std::min(least_censored_, runout.value);
 }
 
-bool RunoutData::again() {
+bool RunoutData::needs_another_pass() {
   binned_ = true;
   curve_.end_pass();
   return curve_.open();

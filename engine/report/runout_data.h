@@ -16,7 +16,7 @@ class RunoutData {
   RunoutData(std::uint64_t count, double least, double greatest);
 
   void add(const Bounded& runout);
-  bool again();
+  bool needs_another_pass();
   nlohmann::ordered_json data() const;
 
  private:

@@ -97,8 +97,8 @@ void Sensitivity::add_derived(const std::map<int, double>& drawn, Group& group) 
   if (!std::isnan(design.powder_factor)) group.inputs[first_derived() + 1].push_back(design.powder_factor);
 }
 
-void Sensitivity::see(const TrialRecords& chunk) {
-  inputs_.see(chunk.totals);
+void Sensitivity::add(const TrialRecords& chunk) {
+  inputs_.add(chunk.totals);
   auto input = chunk.inputs.begin();
   for (const RockRecord& rock : chunk.rocks) {
     const auto first = input;

@@ -28,7 +28,7 @@ class Sensitivity {
   explicit Sensitivity(const Scenario& scenario);
 
   /// Takes chunks in order, with their inputs.
-  void see(const TrialRecords& chunk);
+  void add(const TrialRecords& chunk);
 
   /// One entry for each group: { count, confidence, inputs: [{ path, unit, r, lower, upper, curve }] },
   /// strongest first. Inputs with the same value in all rocks are left out. confidence is that of one

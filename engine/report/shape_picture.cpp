@@ -13,7 +13,7 @@ namespace {
 constexpr double cell = 180, drawn = 130, foot = 44;  // pixels: of one rock, of its drawing, below it
 
 /// A rock in the cell that begins at `x0` [pixels].
-std::string drawing(const PicturedRock& rock, const View& view, double x0) {
+std::string drawing(const PicturedRock& rock, const PictureView& view, double x0) {
   const std::vector<Piece> pieces = pieces_of(rock.corners, view);
   Vec2 low = Vec2::Constant(1e300), high = -low;
   for (const Piece& piece : pieces)
@@ -58,7 +58,7 @@ std::string drawing(const PicturedRock& rock, const View& view, double x0) {
 }  // namespace
 
 std::string svg_of_rocks(const std::string& title, const std::vector<PicturedRock>& rocks, int dimension) {
-  const View view = view_of(dimension);
+  const PictureView view = view_of(dimension);
   const double width = cell * static_cast<double>(rocks.size()), height = cell + foot;
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "

@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "batch/rock_surface.h"
+#include "record/scenery.h"
 
 namespace flyrock {
 
 /// A rock at its attitude in the world frame, about its centre of mass [m].
 struct PicturedRock {
   std::string name;
-  std::vector<SurfaceCorner> corners;  ///< batch/rock_surface.h, turned to the world
+  std::vector<SurfaceCorner> corners;  ///< record/scenery.h, turned to the world
 };
 
 /// The rocks next to each other as a self-contained SVG picture, each with its name and a bar of round

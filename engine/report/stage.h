@@ -60,7 +60,7 @@ class Stage {
   /// A line of round length with that length, 42 pixels below the stage; `end`: where it ends in the picture.
   std::string ruler(double& end) const;
 
-  View view;
+  PictureView view;
   std::vector<double> times;  ///< s, of the frames
   double shown = 0;           ///< s, how long the picture takes
   double scale = 1, width = 0, height = 0;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "world/observe.h"
+#include "record/observe.h"
 
 namespace flyrock {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "batch/rock_surface.h"
+#include "record/scenery.h"
 #include "report/sqlite.h"
 #include "report/stored_paths.h"
 
@@ -17,7 +17,7 @@ std::optional<std::int64_t> stored_ground(const SqliteReader& database, std::int
 /// The surface of a rock, in its own frame; empty if it is not stored.
 std::vector<SurfaceCorner> stored_corners(const SqliteReader& database, const StoredPath& path);
 
-/// A fixed or driven body (batch/fixture.h).
+/// A fixed or driven body (record/scenery.h).
 struct StoredFixture {
   StoredPath path;  ///< one moment if the body does not move; the rock is -1
   std::vector<SurfaceCorner> corners;

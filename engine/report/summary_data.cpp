@@ -74,8 +74,8 @@ Json group_data(const GroupSummary& group) {
     distance[travel_mode_names[m]] = number(group.distance_share[m]);
   }
   data["travel"] = {{"time", time}, {"distance", distance}};
-  for (std::size_t q = 0; q < quantity_names.size(); ++q) {
-    Json& quantity = data[std::string(quantity_names[q])] = statistics_data(group.statistics[q]);
+  for (std::size_t q = 0; q < rock_statistics.size(); ++q) {
+    Json& quantity = data[std::string(rock_statistics[q].name())] = statistics_data(group.statistics[q]);
     quantity["intervals"] = intervals_data(group.intervals[q]);
   }
   return data;

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "batch/chunk.h"
-#include "batch/record_columns.h"
 #include "report/csv.h"
 #include "report/hash_data.h"
+#include "report/shown_value.h"
 #include "report/summary_data.h"
 
 namespace flyrock {
@@ -46,13 +46,13 @@ std::string rocks_csv_header(const Plan& plan) {
 
 std::string rocks_csv_rows(const Plan& plan, int point, const std::vector<RockRecord>& rocks) {
   const Scenario& scenario = plan.points[static_cast<std::size_t>(point)];
-  const std::vector<std::string> groups = group_names(scenario);
+  const RecordNames names(scenario);
   std::string csv;
   for (const RockRecord& rock : rocks) {
     csv += std::to_string(point);
     visit_rocks([&](const Column& column, auto get) {
       if (is_in_csv(column, scenario.dimension))
-        shown_value(column, member_of(rock, get), groups, AppendCell{csv});
+        shown_value(column, member_of(rock, get), names, AppendCell{csv});
     });
     csv += '\n';
   }

@@ -87,7 +87,7 @@ std::vector<Tracks::Point> Tracks::thinned(const std::vector<Point>& path, doubl
 
 double Tracks::tolerance(int group) const { return track_tolerance * boxes_.at(group).diagonal().norm(); }
 
-void Tracks::see(const TrialRecords& chunk) {
+void Tracks::add(const TrialRecords& chunk) {
   const std::vector<Stretch> stretches = stretches_of(chunk);
   for (const auto& [rock, begin, end] : stretches)
     for (std::size_t i = begin; i < end; ++i)

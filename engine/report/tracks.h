@@ -6,7 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "batch/records.h"
+#include "record/records.h"
 
 namespace flyrock {
 
@@ -22,7 +22,7 @@ class Tracks {
   Tracks(std::size_t budget, int dimension) : budget_(budget), dimension_(dimension) {}
 
   /// Takes the chunks in order.
-  void see(const TrialRecords& chunk);
+  void add(const TrialRecords& chunk);
 
   /// { list: [{ trial, rock, group, reason, x, y, across, t, speed, modes }], cut }. y is the height, across
   /// the other horizontal coordinate (3D only). x, y, across and t are differences in thousandths, speed is

@@ -57,7 +57,7 @@ std::string range_of(std::vector<Bounded> values) {
 std::string range_of(const Results& results, Statistic statistic, std::size_t group = 0) {
   std::vector<Bounded> values;
   for (const PointResult& point : results.points)
-    values.push_back(point.groups.at(group).at(RockQuantity::runout, statistic));
+    values.push_back(point.groups.at(group).at(rock_statistic("runout"), statistic));
   return range_of(std::move(values));
 }
 
@@ -151,7 +151,8 @@ std::string by_group(const Results& results, Statistic statistic) {
   if (groups.size() < 2) return "";
   if (groups.size() > most_named + 1) {
     const auto shorter = [&](const GroupSummary& a, const GroupSummary& b) {
-      return a.at(RockQuantity::runout, statistic).value < b.at(RockQuantity::runout, statistic).value;
+      return a.at(rock_statistic("runout"), statistic).value <
+             b.at(rock_statistic("runout"), statistic).value;
     };
     const auto [least, most] = std::minmax_element(groups.begin() + 1, groups.end(), shorter);
     const auto of = [&](auto group) {

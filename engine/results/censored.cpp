@@ -35,7 +35,7 @@ void CensoredPlace::add(const CensoredPlace& other) {
   high = high.cwiseMax(other.high);
 }
 
-void CensoredTally::see(const RockRecord& rock) {
+void CensoredTally::add(const RockRecord& rock) {
   if (!rock.censored) return;
   const Vec3 at(rock.stop_x, rock.stop_y, rock.stop_z);
   add_to(places_, {rock.reason, rock.end_part, rock.stop_x >= rock.start_x, 1, at, at});

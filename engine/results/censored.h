@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "batch/records.h"
+#include "record/records.h"
 
 namespace flyrock {
 
@@ -26,7 +26,7 @@ struct CensoredPlace {
 /// take no more memory than a thousand.
 class CensoredTally {
  public:
-  void see(const RockRecord& rock);
+  void add(const RockRecord& rock);
   /// The places, most rocks first.
   std::vector<CensoredPlace> places() const;
 

@@ -11,13 +11,14 @@ namespace {
 /// Adds the distances of rocks, or of the farthest rock of each trial, for a clearance. Returns the number of
 /// rocks considered.
 std::uint64_t add_distances(const std::vector<RockRecord>& rocks, const ClearancePlan& plan, Sample& sample) {
-  const RockQuantity quantity = plan.of_max_distance ? RockQuantity::max_distance : RockQuantity::runout;
+  const RockStatistic& distance =
+      rock_statistics[plan.of_max_distance ? rock_statistic("max_distance") : rock_statistic("runout")];
   std::uint64_t count = 0;
   std::optional<Bounded> farthest;  // in the trial
   for (std::size_t i = 0; i < rocks.size(); ++i) {
     if (!is_fault(rocks[i].reason) && plan.counts(rocks[i].group)) {
       ++count;
-      const Bounded value = quantity_of(rocks[i], quantity);
+      const Bounded value = bounded(rocks[i], distance);
       if (!plan.per_blast) sample.add(value);
       // A censored rock may have gone farther than the farthest known one.
       farthest = farthest
@@ -53,19 +54,19 @@ ClearanceTally::ClearanceTally(const std::vector<ClearancePlan>& plans) : plans_
   }
 }
 
-void ClearanceTally::see(const TrialRecords& chunk) {
+void ClearanceTally::add(const TrialRecords& chunk) {
   for (std::size_t c = 0; c < plans_.size(); ++c) {
     const std::uint64_t rocks = add_distances(chunk.rocks, plans_[c], samples_[c]);
     if (!counted_) rocks_[c] += rocks;
-    if (plans_[c].sectors > 0) sectors_[c].see(chunk);
+    if (plans_[c].sectors > 0) sectors_[c].add(chunk);
   }
 }
 
-bool ClearanceTally::again() {
+bool ClearanceTally::needs_another_pass() {
   counted_ = true;
   bool more = false;
-  for (Sample& sample : samples_) more |= sample.again();
-  for (SectorTally& sectors : sectors_) more |= sectors.again();
+  for (Sample& sample : samples_) more |= sample.needs_another_pass();
+  for (SectorTally& sectors : sectors_) more |= sectors.needs_another_pass();
   return more;
 }
 

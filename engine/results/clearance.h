@@ -35,8 +35,8 @@ struct ClearanceSummary {
 class ClearanceTally {
  public:
   explicit ClearanceTally(const std::vector<ClearancePlan>& plans);
-  void see(const TrialRecords& chunk);
-  bool again();
+  void add(const TrialRecords& chunk);
+  bool needs_another_pass();
   /// In the order of Scenario::clearances.
   std::vector<ClearanceSummary> summaries() const;
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "world/series.h"
+#include "record/series.h"
 
 namespace flyrock {
 

@@ -24,7 +24,7 @@ Statistics bounded(const Sample& sample, bool open) {
 
 }  // namespace
 
-void TreeTally::see(const TrialRecords& chunk) {
+void TreeTally::add(const TrialRecords& chunk) {
   auto row = chunk.trees.begin();  // sorted as the rocks are
   for (const RockRecord& rock : chunk.rocks) {
     std::uint64_t hits = 0;
@@ -53,7 +53,7 @@ TreeSummary TreeTally::summary() const {
 
 CrossingTally::CrossingTally(std::size_t gates, std::size_t barriers) : gates_(gates), barriers_(barriers) {}
 
-void CrossingTally::see(const TrialRecords& chunk) {
+void CrossingTally::add(const TrialRecords& chunk) {
   if (gates_.empty() && barriers_.empty()) return;
   for (const RockRecord& rock : chunk.rocks) {
     if (counted_ || is_fault(rock.reason)) continue;
@@ -79,17 +79,17 @@ void CrossingTally::add(Arrivals& at, const Arrival& arrival, const RockRecord& 
   at.height.add({arrival.height, false});
 }
 
-bool CrossingTally::Arrivals::again() {
+bool CrossingTally::Arrivals::needs_another_pass() {
   bool more = false;
-  for (Sample* sample : {&speed, &energy, &height}) more |= sample->again();
+  for (Sample* sample : {&speed, &energy, &height}) more |= sample->needs_another_pass();
   return more;
 }
 
-bool CrossingTally::again() {
+bool CrossingTally::needs_another_pass() {
   counted_ = true;
   bool more = false;
   for (auto* places : {&gates_, &barriers_})
-    for (Arrivals& at : *places) more |= at.again();
+    for (Arrivals& at : *places) more |= at.needs_another_pass();
   return more;
 }
 

@@ -39,7 +39,7 @@ struct TreeSummary {
 /// Counts the hits of trees, in one pass.
 class TreeTally {
  public:
-  void see(const TrialRecords& chunk);
+  void add(const TrialRecords& chunk);
   TreeSummary summary() const;
 
  private:
@@ -49,12 +49,12 @@ class TreeTally {
 };
 
 /// Summarises the arrivals at gates and barriers. It sees all chunks once per pass (read_in_passes), and
-/// again() says whether it needs another pass.
+/// needs_another_pass() says whether it needs another pass.
 class CrossingTally {
  public:
   CrossingTally(std::size_t gates, std::size_t barriers);
-  void see(const TrialRecords& chunk);
-  bool again();
+  void add(const TrialRecords& chunk);
+  bool needs_another_pass();
   /// In the order of Scenario::gates and Scenario::barriers.
   std::vector<GateSummary> gates() const;
   std::vector<BarrierSummary> barriers() const;
@@ -66,7 +66,7 @@ class CrossingTally {
     std::array<std::uint64_t, 3> outcomes{};
     Sample speed{stated_questions()}, energy{stated_questions()}, height{stated_questions()};
 
-    bool again();
+    bool needs_another_pass();
   };
 
   template <class Arrival>

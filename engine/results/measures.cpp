@@ -89,7 +89,7 @@ void Measure::read_rocks(const std::vector<std::string>& words, const Scenario& 
   if (total) {
     kind_ = last == "count" ? Kind::count : Kind::censored;
   } else {
-    quantity_ = static_cast<RockQuantity>(index_of(words[words.size() - 2], quantity_names));
+    quantity_ = find_rock_statistic(words[words.size() - 2]);
     statistic_ = static_cast<Statistic>(index_of(last, statistic_names));
   }
 }

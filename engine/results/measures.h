@@ -36,7 +36,7 @@ struct PointResult {
   std::optional<TreeSummary> trees;      ///< with a forest
   std::shared_ptr<const Forest> forest;  ///< its stems, counted from the origin; null: none
   std::vector<ClearanceSummary> clearances;
-  std::vector<Reach> reaches;             ///< only with the method ballistic
+  std::vector<LaunchReach> reaches;       ///< only with the method ballistic
   std::vector<RunoutByAzimuth> azimuths;  ///< 3D, of rocks: in the order of `groups`
   std::vector<CensoredPlace> censored;    ///< places of censored rocks, most rocks first
 };
@@ -95,7 +95,7 @@ class Measure {
   std::string table_;  ///< body: final, max, min, stop_time, contact_time, impact, apex
   std::string field_;  ///< x, vn_before, max_residual
   ContactMeasure contact_;
-  RockQuantity quantity_ = RockQuantity::runout;
+  std::size_t quantity_ = 0;  ///< of rock_statistics
   Statistic statistic_ = Statistic::mean;
 };
 

@@ -4,7 +4,7 @@
 
 namespace flyrock {
 
-void PlanReach::see(const TrialRecords& chunk) {
+void PlanReach::add(const TrialRecords& chunk) {
   for (const RockRecord& rock : chunk.rocks) {
     if (is_fault(rock.reason)) continue;
     const Vec2 release(rock.start_x, rock.start_y), end(rock.stop_x, rock.stop_y);

@@ -3,14 +3,14 @@
 
 #include <Eigen/Geometry>
 
-#include "batch/records.h"
+#include "record/records.h"
 
 namespace flyrock {
 
 /// Collects places of rocks without faults: releases, ends and stored paths.
 class PlanReach {
  public:
-  void see(const TrialRecords& chunk);
+  void add(const TrialRecords& chunk);
 
   bool empty() const { return count_ == 0; }
   /// The rectangle in plan that holds the places, with a margin of a tenth of their greatest extent [m].

@@ -25,7 +25,7 @@ double lowest(const Terrain3& terrain, const Vec3& at) {
 
 /// Stores where the first rock of a group starts, and which forces act on it.
 template <int D>
-void place(Reach& reach, const World<D>& world, const Body<D>& body) {
+void place(LaunchReach& reach, const World<D>& world, const Body<D>& body) {
   reach.origin = {body.x.x(), body.x[D - 1]};
   reach.height = std::max(0.0, body.x[D - 1] - lowest(world.terrain(), body.x));
   reach.mass = body.mass;
@@ -34,8 +34,8 @@ void place(Reach& reach, const World<D>& world, const Body<D>& body) {
 }
 
 template <int D>
-std::vector<Reach> reaches_in(const Scenario& scenario, const std::vector<GroupSummary>& groups) {
-  std::vector<Reach> reaches;
+std::vector<LaunchReach> reaches_in(const Scenario& scenario, const std::vector<GroupSummary>& groups) {
+  std::vector<LaunchReach> reaches;
   const Trial<D> trial = TrialBuilder<D>(scenario).build(0);
   for (int g = 0; g < static_cast<int>(scenario.rocks.size()); ++g) {
     if (!scenario.rocks[g].launch) continue;
@@ -44,7 +44,7 @@ std::vector<Reach> reaches_in(const Scenario& scenario, const std::vector<GroupS
     const GroupSummary& summary =
         groups.size() > 1 ? groups.at(1 + static_cast<std::size_t>(g)) : groups.front();
     if (rock == trial.rocks.end() || summary.count == summary.faults) continue;
-    Reach reach;
+    LaunchReach reach;
     reach.group = g;
     reach.model = model_text(*scenario.rocks[g].launch);
     reach.longest = scenario.stop.time;
@@ -52,7 +52,7 @@ std::vector<Reach> reaches_in(const Scenario& scenario, const std::vector<GroupS
     place<D>(reach, world, world.bodies[rock->body]);
     if (!(reach.forces.gravity.y() < 0)) continue;  // nothing falls
     for (const Statistic statistic : {Statistic::p50, Statistic::p95, Statistic::max}) {
-      const double speed = summary.at(RockQuantity::launch_speed, statistic).value;
+      const double speed = summary.at(rock_statistic("launch_speed"), statistic).value;
       reach.speeds.push_back(
           {statistic, speed,
            speed > 0 ? farthest(reach.forces, speed, reach.height, reach.longest) : Farthest{}});
@@ -64,7 +64,7 @@ std::vector<Reach> reaches_in(const Scenario& scenario, const std::vector<GroupS
 
 }  // namespace
 
-std::vector<Reach> reaches_of(const Scenario& scenario, const std::vector<GroupSummary>& groups) {
+std::vector<LaunchReach> reaches_of(const Scenario& scenario, const std::vector<GroupSummary>& groups) {
   try {
     return scenario.dimension == 2 ? reaches_in<2>(scenario, groups) : reaches_in<3>(scenario, groups);
   } catch (const TrialError&) {

@@ -12,7 +12,7 @@ namespace flyrock {
 /// How a group of rocks is launched, and how far rocks with its launch speeds fly over level ground if they
 /// are launched towards +x at the elevation of the greatest distance. The paths start where the first rock of
 /// the group in trial 0 starts, and have the same drag.
-struct Reach {
+struct LaunchReach {
   struct OfSpeed {
     Statistic statistic;  ///< which statistic of the launch speeds of the group
     double speed = 0;     ///< m/s
@@ -30,6 +30,6 @@ struct Reach {
 
 /// One entry for each group that has a launch and whose first rock could be built. `groups` comes from
 /// RockTally.
-std::vector<Reach> reaches_of(const Scenario& scenario, const std::vector<GroupSummary>& groups);
+std::vector<LaunchReach> reaches_of(const Scenario& scenario, const std::vector<GroupSummary>& groups);
 
 }  // namespace flyrock

@@ -31,19 +31,19 @@ class PointTally {
   /// Takes the rows of the first pass. Their faults go into `results`.
   void see_first(const TrialRecords& chunk, Results& results) {
     result_.totals.add(chunk.totals);
-    if (scenario_.dimension == 3) result_.reach.see(chunk);
-    if (scenario_.forest) trees_.see(chunk);
+    if (scenario_.dimension == 3) result_.reach.add(chunk);
+    if (scenario_.forest) trees_.add(chunk);
     keep_series(chunk);
     for (const RockRecord& rock : chunk.rocks) {
       if (result_.first_trial.empty() || rock.trial == result_.first_trial.front().trial)
         result_.first_trial.push_back(rock);
-      censored_.see(rock);
+      censored_.add(rock);
       if (!is_fault(rock.reason)) continue;
       ++results.fault_count;
       if (results.faults.size() < faults_kept)
         results.faults.push_back({point_, rock.trial, rock.rock, rock.reason, rock.fault});
     }
-    see(chunk);
+    add(chunk);
   }
 
   /// Keeps the series of the first trial, for measures.
@@ -57,10 +57,10 @@ class PointTally {
     series_is_known_ = series_is_known_ || !chunk.series_solves.empty();
   }
 
-  void see(const TrialRecords& chunk) {
-    rocks_.see(chunk);
-    crossings_.see(chunk);
-    clearances_.see(chunk);
+  void add(const TrialRecords& chunk) {
+    rocks_.add(chunk);
+    crossings_.add(chunk);
+    clearances_.add(chunk);
     if (azimuths_.empty()) return;
     for (const RockRecord& rock : chunk.rocks) {
       if (is_fault(rock.reason)) continue;
@@ -70,12 +70,12 @@ class PointTally {
     }
   }
 
-  bool again() {
-    bool more = rocks_.again();
-    more |= crossings_.again();
-    more |= clearances_.again();
-    for (AzimuthTally& azimuths : azimuths_) more |= azimuths.again();
-    if (!azimuths_.empty()) more |= diameters_.again();
+  bool needs_another_pass() {
+    bool more = rocks_.needs_another_pass();
+    more |= crossings_.needs_another_pass();
+    more |= clearances_.needs_another_pass();
+    for (AzimuthTally& azimuths : azimuths_) more |= azimuths.needs_another_pass();
+    if (!azimuths_.empty()) more |= diameters_.needs_another_pass();
     return more;
   }
 
@@ -193,7 +193,7 @@ ResultTally::ResultTally(const Plan& plan) : plan_(plan) {
 
 ResultTally::~ResultTally() = default;
 
-void ResultTally::see(int point, const TrialRecords& chunk) {
+void ResultTally::add(int point, const TrialRecords& chunk) {
   const auto at = static_cast<std::size_t>(point);
   if (at > 0) tallies_.at(at - 1).end_first();
   tallies_.at(at).see_first(chunk, results_);
@@ -201,7 +201,7 @@ void ResultTally::see(int point, const TrialRecords& chunk) {
 
 Results ResultTally::finish(const std::vector<Rows>& rows, const RunFacts& facts) {
   for (std::size_t p = 0; p < tallies_.size(); ++p) {
-    if (tallies_[p].again()) read_in_passes(rows.at(p), tallies_[p]);
+    if (tallies_[p].needs_another_pass()) read_in_passes(rows.at(p), tallies_[p]);
     results_.points.push_back(tallies_[p].result());
     results_.points.back().trials = facts.trials.at(p);
   }
@@ -217,7 +217,7 @@ Results ResultTally::finish(const std::vector<Rows>& rows, const RunFacts& facts
 Results make_results(const Plan& plan, const std::vector<Rows>& rows, const RunFacts& facts) {
   ResultTally tally(plan);
   for (std::size_t p = 0; p < rows.size(); ++p)
-    rows[p](Part::whole, [&](const TrialRecords& chunk) { tally.see(static_cast<int>(p), chunk); });
+    rows[p](Part::whole, [&](const TrialRecords& chunk) { tally.add(static_cast<int>(p), chunk); });
   return tally.finish(rows, facts);
 }
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "batch/rows.h"
+#include "record/rows.h"
 #include "results/expectations.h"
 #include "results/measures.h"
 
@@ -54,7 +54,7 @@ class ResultTally {
   ~ResultTally();
 
   /// Takes the chunks of all points in order, with all their rows.
-  void see(int point, const TrialRecords& chunk);
+  void add(int point, const TrialRecords& chunk);
   /// Reads the same chunks again. Throws FileError if a chunk cannot be read.
   Results finish(const std::vector<Rows>& rows, const RunFacts& facts);
 

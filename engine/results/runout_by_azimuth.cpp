@@ -21,15 +21,15 @@ void AzimuthTally::add(const RockRecord& rock) {
     return;
   }
   Sector& sector = sectors_[sector_of(way, azimuth_sectors)];
-  const Bounded runout = quantity_of(rock, RockQuantity::runout);
+  const Bounded runout = bounded(rock, rock_statistics[rock_statistic("runout")]);
   sector.greatest = farther(sector.greatest, runout);
   sector.sample.add(runout);
 }
 
-bool AzimuthTally::again() {
+bool AzimuthTally::needs_another_pass() {
   counted_ = true;
   bool more = false;
-  for (Sector& sector : sectors_) more |= sector.sample.again();
+  for (Sector& sector : sectors_) more |= sector.sample.needs_another_pass();
   return more;
 }
 

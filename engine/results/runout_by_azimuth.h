@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "batch/records.h"
+#include "record/records.h"
 #include "results/share.h"
 #include "results/unknown.h"
 
@@ -41,7 +41,7 @@ class AzimuthTally {
  public:
   AzimuthTally();
   void add(const RockRecord& rock);
-  bool again();
+  bool needs_another_pass();
   RunoutByAzimuth summary() const;
 
  private:

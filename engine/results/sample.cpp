@@ -88,7 +88,7 @@ void Sample::add(const Bounded& value) {
   first_censored_ += !value.censored && x <= least_censored_;
 }
 
-bool Sample::again() {
+bool Sample::needs_another_pass() {
   if (count_ == 0) return false;
   if (pass_++ == 0) {
     selection_ = Selection(wanted_ranks(), count_, least_, greatest_);
@@ -152,7 +152,7 @@ Sample sample_of(const std::vector<Bounded>& values, const Questions& questions)
   Sample sample(questions);
   do {
     for (const Bounded& value : values) sample.add(value);
-  } while (sample.again());
+  } while (sample.needs_another_pass());
   return sample;
 }
 

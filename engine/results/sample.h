@@ -50,7 +50,7 @@ class Sample {
   /// Adds a number. Every pass needs the same order, because sums depend on it.
   void add(const Bounded& value);
   /// Ends a pass. Returns whether the sample needs another one.
-  bool again();
+  bool needs_another_pass();
 
   std::uint64_t size() const { return count_; }
   bool any_censored() const { return least_censored_ < none; }

@@ -35,7 +35,7 @@ SectorTally::SectorTally(const ClearancePlan& plan) : plan_(plan) {
     sectors_.push_back({Sample(Questions{{p}, {{p, plan.confidence}}}), {}, 0, {}});
 }
 
-void SectorTally::see(const TrialRecords& chunk) {
+void SectorTally::add(const TrialRecords& chunk) {
   for (const RockRecord& rock : chunk.rocks) {
     if (is_fault(rock.reason) || !plan_.counts(rock.group)) continue;
     if (hull_known_)
@@ -71,7 +71,7 @@ void SectorTally::end_trial(Sector& sector) {
   sector.farthest.reset();
 }
 
-bool SectorTally::again() {
+bool SectorTally::needs_another_pass() {
   if (sectors_.empty()) return false;
   if (!hull_known_) {
     releases_ = plan_hull(std::move(releases_));
@@ -83,7 +83,7 @@ bool SectorTally::again() {
   bool more = false;
   for (Sector& sector : sectors_) {
     end_trial(sector);
-    more |= sector.sample.again();
+    more |= sector.sample.needs_another_pass();
   }
   return more;
 }

@@ -56,8 +56,8 @@ struct AreaSummary {
 class SectorTally {
  public:
   explicit SectorTally(const ClearancePlan& plan);
-  void see(const TrialRecords& chunk);
-  bool again();
+  void add(const TrialRecords& chunk);
+  bool needs_another_pass();
   /// `needed`: as in ClearanceSummary.
   AreaSummary summary(std::uint64_t needed) const;
 

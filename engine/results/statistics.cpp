@@ -28,29 +28,10 @@ bool has_interval(double p) { return p > 0 && p < 1; }
 
 }  // namespace
 
-Bounded quantity_of(const RockRecord& rock, RockQuantity quantity) {
-  const bool cut = rock.censored;
-  switch (quantity) {
-    case RockQuantity::runout:
-      return {rock.runout, cut};
-    case RockQuantity::max_distance:
-      return {rock.max_distance, cut};
-    case RockQuantity::flight_range:
-      return {rock.flight_range, cut && !rock.landed};
-    case RockQuantity::bounce_height:
-      return {rock.bounce_height, cut};
-    case RockQuantity::speed:
-      return {rock.max_speed, cut};
-    case RockQuantity::energy:
-      return {rock.max_energy, cut};
-    case RockQuantity::impacts:
-      return {static_cast<double>(rock.impacts), cut};
-    case RockQuantity::time:
-      return {rock.time, cut};
-    case RockQuantity::launch_speed:
-      return {rock.launch_speed, false};
-  }
-  return {};
+Bounded bounded(const RockRecord& rock, const RockStatistic& number) {
+  const KnownFrom known = number.column.known;
+  const bool is_known = known == KnownFrom::start || (known == KnownFrom::landing && rock.landed);
+  return {number.of(rock), rock.censored && !is_known};
 }
 
 Questions stated_questions() {
@@ -84,8 +65,7 @@ double GroupSummary::censored_share() const {
   return count > faults ? static_cast<double>(censored) / static_cast<double>(count - faults) : 0;
 }
 
-GroupTally::GroupTally(const std::string& name)
-    : samples_(quantity_names.size(), Sample(stated_questions())) {
+GroupTally::GroupTally(const std::string& name) : samples_(rock_statistic_count, Sample(stated_questions())) {
   counts_.name = name;
 }
 
@@ -100,13 +80,13 @@ void GroupTally::add(const RockRecord& rock) {
       travel_.add(static_cast<TravelMode>(m), rock.travel.time[m], rock.travel.distance[m]);
   }
   for (std::size_t q = 0; q < samples_.size() && !fault; ++q)
-    samples_[q].add(quantity_of(rock, static_cast<RockQuantity>(q)));
+    samples_[q].add(bounded(rock, rock_statistics[q]));
 }
 
-bool GroupTally::again() {
+bool GroupTally::needs_another_pass() {
   counted_ = true;
   bool more = false;
-  for (Sample& sample : samples_) more |= sample.again();
+  for (Sample& sample : samples_) more |= sample.needs_another_pass();
   return more;
 }
 
@@ -126,16 +106,16 @@ RockTally::RockTally(const std::vector<std::string>& groups) : tallies_{GroupTal
     for (const std::string& group : groups) tallies_.emplace_back(group);
 }
 
-void RockTally::see(const TrialRecords& chunk) {
+void RockTally::add(const TrialRecords& chunk) {
   for (const RockRecord& rock : chunk.rocks) {
     tallies_.front().add(rock);
     if (tallies_.size() > 1) tallies_.at(1 + static_cast<std::size_t>(rock.group)).add(rock);
   }
 }
 
-bool RockTally::again() {
+bool RockTally::needs_another_pass() {
   bool more = false;
-  for (GroupTally& tally : tallies_) more |= tally.again();
+  for (GroupTally& tally : tallies_) more |= tally.needs_another_pass();
   return more;
 }
 

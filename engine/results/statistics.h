@@ -7,30 +7,12 @@
 #include <string_view>
 #include <vector>
 
-#include "batch/records.h"
+#include "record/rock_statistics.h"
 #include "results/sample.h"
 #include "results/share.h"
 #include "scenario/scenario.h"
 
 namespace flyrock {
-
-/// The quantities of a rock, with their names in measures and summary.json.
-enum class RockQuantity {
-  runout,
-  max_distance,
-  flight_range,
-  bounce_height,
-  speed,
-  energy,
-  impacts,
-  time,
-  launch_speed
-};
-inline constexpr std::array<std::string_view, 9> quantity_names = {
-    "runout", "max_distance", "flight_range", "bounce_height", "speed",
-    "energy", "impacts",      "time",         "launch_speed"};
-inline constexpr std::array<std::string_view, 9> quantity_units = {"m", "m", "m", "m",  "m/s",
-                                                                   "J", "",  "s", "m/s"};
 
 enum class Statistic { mean, sd, min, max, p50, p90, p95, p99 };
 inline constexpr std::array<std::string_view, 8> statistic_names = {"mean", "sd",  "min", "max",
@@ -38,9 +20,8 @@ inline constexpr std::array<std::string_view, 8> statistic_names = {"mean", "sd"
 
 using Statistics = std::array<Bounded, statistic_names.size()>;  ///< indexed by Statistic
 
-/// A number of one rock. The path of a censored rock was cut short, so each of its numbers is a lower bound,
-/// except its launch speed, and its flight range if it had landed.
-Bounded quantity_of(const RockRecord& rock, RockQuantity quantity);
+/// A number of one rock: a lower bound if its path was cut short before the number was known.
+Bounded bounded(const RockRecord& rock, const RockStatistic& number);
 
 /// Intervals of the mean and of the percentiles; NaN for the other statistics. The values are assumed
 /// independent.
@@ -58,14 +39,16 @@ struct GroupSummary {
   std::uint64_t faults = 0;  ///< rocks that failed; they are in no statistic
   std::uint64_t censored = 0;
   std::array<std::uint64_t, stop_reasons> reasons{};  ///< indexed by StopReason
-  std::array<Statistics, quantity_names.size()> statistics{};
-  std::array<Intervals, quantity_names.size()> intervals{};
+  // indexed by rock_statistics
+  std::array<Statistics, rock_statistic_count> statistics{};
+  std::array<Intervals, rock_statistic_count> intervals{};
 
   /// Shares of all rocks without faults together, indexed by TravelMode; NaN if none has moved.
   std::array<double, travel_mode_names.size()> time_share{}, distance_share{};
 
-  const Bounded& at(RockQuantity quantity, Statistic statistic) const {
-    return statistics[static_cast<int>(quantity)][static_cast<int>(statistic)];
+  /// `number`: rock_statistic("runout")
+  const Bounded& at(std::size_t number, Statistic statistic) const {
+    return statistics[number][static_cast<std::size_t>(statistic)];
   }
   /// Share of censored rocks among the rocks without faults; 0 if there are none.
   double censored_share() const;
@@ -77,22 +60,22 @@ class GroupTally {
  public:
   explicit GroupTally(const std::string& name);
   void add(const RockRecord& rock);
-  bool again();
+  bool needs_another_pass();
   GroupSummary summary() const;
 
  private:
   bool counted_ = false;  ///< first pass is done
   GroupSummary counts_;
   Travel travel_;
-  std::vector<Sample> samples_;  ///< one for each quantity
+  std::vector<Sample> samples_;  ///< of rock_statistics
 };
 
 /// Summarises rocks: all of them first, then each group if there is more than one. See read_in_passes().
 class RockTally {
  public:
   explicit RockTally(const std::vector<std::string>& groups);
-  void see(const TrialRecords& chunk);
-  bool again();
+  void add(const TrialRecords& chunk);
+  bool needs_another_pass();
   std::vector<GroupSummary> summaries() const;
 
  private:

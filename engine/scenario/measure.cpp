@@ -6,6 +6,8 @@
 #include <charconv>
 
 #include "document/node.h"
+#include "record/rock_statistics.h"
+#include "units/units.h"
 
 namespace flyrock {
 
@@ -64,11 +66,12 @@ const Table contact_quantities{{"gap", dimension::length},
                                {"ut", dimension::speed},
                                {"rn", force},
                                {"rt", force}};
-const Table rock_distributions{{"runout", dimension::length},       {"max_distance", dimension::length},
-                               {"flight_range", dimension::length}, {"bounce_height", dimension::length},
-                               {"speed", dimension::speed},         {"energy", dimension::energy},
-                               {"impacts", dimension::none},        {"time", dimension::time},
-                               {"launch_speed", dimension::speed}};
+const Table rock_distributions = [] {
+  Table table;
+  for (const RockStatistic& number : rock_statistics)
+    table.push_back({number.name(), parse_unit(number.column.unit).value_or(Unit{}).dimension});
+  return table;
+}();
 const Table rock_totals{{"count", dimension::none}, {"censored", dimension::none}};
 const Table gate_quantities{{"passed", dimension::none},
                             {"mean_energy", dimension::energy},

@@ -354,4 +354,12 @@ struct Plan {
   bool all_end_at_landing() const { return methods() == std::vector{Method::ballistic}; }
 };
 
+/// The names of the groups of rocks, or of the bodies: RockRecord::group counts them.
+inline std::vector<std::string> group_names(const Scenario& scenario) {
+  std::vector<std::string> names;
+  for (const RockGroup& group : scenario.rocks) names.push_back(group.name);
+  for (const BodyPlan& body : scenario.bodies) names.push_back(body.name);
+  return names;
+}
+
 }  // namespace flyrock

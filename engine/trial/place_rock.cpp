@@ -10,7 +10,7 @@
 #include "plugin/turn.h"
 #include "trial/blast_at.h"
 #include "trial/random_place.h"
-#include "trial/reach.h"
+#include "trial/extent.h"
 #include "trial/touch_ground.h"
 
 namespace flyrock {

@@ -9,10 +9,10 @@
 #include "geometry/place_text.h"
 #include "geometry/plan_zone.h"
 #include "trial/blast_at.h"
+#include "trial/extent.h"
 #include "trial/make_ground.h"
 #include "trial/place_rock.h"
 #include "trial/random_place.h"
-#include "trial/reach.h"
 #include "trial/touch_ground.h"
 
 namespace flyrock {
@@ -231,8 +231,8 @@ class Placing {
   /// A distance along the crest, uniform as far as the rock fits between its ends.
   double along_crest(const Mesh::Face& face) {
     const double length = crest_length(face);
-    const double begin = -reach_of(rock_, on_crest(face, 0).along).low;
-    const double end = length - reach_of(rock_, on_crest(face, length).along).high;
+    const double begin = -extent_along(rock_, on_crest(face, 0).along).low;
+    const double end = length - extent_along(rock_, on_crest(face, length).along).high;
     if (end < begin)
       throw StartError(fmt::format("a rock {:.3g} m wide does not fit on the face of {}, {:.3g} m wide",
                                    begin + length - end, face_text(), length));
@@ -243,12 +243,12 @@ class Placing {
     const double height = rng_.uniform();
     const OnCrest there = on_crest(face(), along_crest(face()));
     const Vec3 up = (there.crest - there.toe).normalized(), out = there.out();
-    const Reach reach = reach_of(rock_, up);
-    const double length = (there.crest - there.toe).norm(), room = length - (reach.high - reach.low);
+    const Extent extent = extent_along(rock_, up);
+    const double length = (there.crest - there.toe).norm(), room = length - (extent.high - extent.low);
     if (room < 0)
       throw StartError(fmt::format("a rock {:.3g} m long does not fit on the face of {}, {:.3g} m long",
-                                   reach.high - reach.low, face_text(), length));
-    const Vec3 nominal = there.toe + (height * room - reach.low) * up - reach_of(rock_, out).low * out;
+                                   extent.high - extent.low, face_text(), length));
+    const Vec3 nominal = there.toe + (height * room - extent.low) * up - extent_along(rock_, out).low * out;
     return touching(nominal, out, up);
   }
 
@@ -271,7 +271,7 @@ class Placing {
     const Vec3 out = terrain_.ground().facet(terrain_.ground().top(p.x(), p.y())->facet).normal;
     const Vec3 side = out.cross(Vec3::UnitZ());
     const Vec3 up = side.norm() > 0 ? Vec3(side.cross(out).normalized()) : Vec3(Vec3::UnitX());
-    return touching(Vec3(p.x(), p.y(), height) - reach_of(rock_, out).low * out, out, up);
+    return touching(Vec3(p.x(), p.y(), height) - extent_along(rock_, out).low * out, out, up);
   }
 
   /// At rest on the bench above a face: at the collar of the rock's hole, or anywhere as far as the last row.

@@ -1,22 +1,11 @@
 #pragma once
-// Wall time by phase of the engine, for the log of a run. It never enters a result.
+// Measures the wall time of a phase.
 
 #include <chrono>
-#include <cstdint>
+
+#include "record/phase_times.h"
 
 namespace flyrock {
-
-/// Nanoseconds.
-struct PhaseTimes {
-  std::int64_t flight = 0, detect = 0, solve = 0, other = 0;
-
-  void add(const PhaseTimes& times) {
-    flight += times.flight;
-    detect += times.detect;
-    solve += times.solve;
-    other += times.other;
-  }
-};
 
 /// Adds the wall time of its scope to one phase. Does nothing if there is no clock.
 class PhaseTimer {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geometry/plan_line.h"
-#include "world/observe.h"
+#include "record/observe.h"
 
 namespace flyrock {
 

@@ -38,14 +38,6 @@ bool varies(const BoundLaw<LawKind>& bound) {
 
 }  // namespace
 
-void MaterialUse::add(const MaterialUse& other) {
-  contacts += other.contacts;
-  restitution += other.restitution;
-  friction += other.friction;
-  rolling += other.rolling;
-  unilateral += other.unilateral;
-}
-
 void Surface::begin_pair(const DrawKey& of_pair) {
   key = of_pair;
   use = {};

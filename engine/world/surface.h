@@ -8,15 +8,9 @@
 #include <vector>
 
 #include "plugin/contact_law.h"
+#include "record/material_use.h"
 
 namespace flyrock {
-
-/// How often the laws of a material were called.
-struct MaterialUse {
-  std::uint64_t contacts = 0;  ///< contacts that used this material
-  std::uint64_t restitution = 0, friction = 0, rolling = 0, unilateral = 0;
-  void add(const MaterialUse& other);
-};
 
 /// The memory of the laws of one contact, for laws that keep memory per contact.
 using ContactHistory = std::array<double, 4 * most_history>;

@@ -19,7 +19,7 @@
 
 #include "geometry/forest.h"
 #include "random/distribution.h"
-#include "world/observe.h"
+#include "record/observe.h"
 
 namespace flyrock {
 

@@ -12,7 +12,7 @@
 #include "solver/restitution.h"
 #include "world/contact_rows.h"
 #include "world/motions.h"
-#include "world/observe.h"
+#include "record/observe.h"
 #include "world/phase_clock.h"
 #include "world/step_control.h"
 #include "world/surface.h"

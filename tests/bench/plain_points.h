@@ -11,7 +11,7 @@
 #include "geometry/profile.h"
 #include "math/parabola_length.h"
 #include "scenario/scenario.h"
-#include "world/observe.h"
+#include "record/observe.h"
 
 namespace flyrock {
 

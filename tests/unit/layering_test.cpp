@@ -22,10 +22,11 @@ const std::map<std::string, std::set<std::string>>& may_see() {
     add("plugin", {"geometry", "blast"});
     add("collision", {"plugin"});
     add("solver", {"plugin"});
-    add("world", {"collision", "solver"});
+    add("record", {"math"});
+    add("world", {"collision", "solver", "record"});
     add("flight", {"world"});
     add("document", {"units"});
-    add("scenario", {"plugin", "document"});
+    add("scenario", {"plugin", "document", "record"});
     sees["sandbox"] = {};
     add("host", {"plugin", "document", "sandbox"});
     add("trial", {"flight", "scenario"});

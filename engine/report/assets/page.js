@@ -89,11 +89,13 @@ function shown_text() {
   if (many_points) parts.push(point_name(summary.points[shown.point]));
   return parts.join(", ");
 }
+/** By name: the unit of a number of rocks that has statistics, how many of it are an SI unit, and what it is. */
+const rock_numbers = Object.fromEntries(data.numbers.map((number) => [number.name, number]));
 /** A statistic, with "≥" where censored rocks fall into it. */
 function statistic(group, quantity, name) {
   const s = group[quantity];
   if (s[name] === null) return right("–");
-  const text = show(quantity === "energy" ? s[name] / 1000 : s[name]);  // fences are rated in kJ
+  const text = show(s[name] * rock_numbers[quantity].per_si);
   if (!s.lower_bounds.includes(name)) return right(text);
   return right(name === "sd" ? `(${text})` : `≥ ${text}`);
 }

@@ -71,18 +71,17 @@ function statistics_section() {
     return;
   }
   const names = ["mean", "sd", "min", "p50", "p90", "p95", "p99", "max"];
-  const quantities = ["runout", "max_distance", "flight_range", "bounce_height", "speed", "energy", "impacts", "time", "launch_speed"];
   const interval_names = ["mean", "p50", "p90", "p95", "p99"];
-  const unit_of = (quantity, q) => (quantity === "energy" ? "kJ" : data.units[q] || "–");
-  const in_unit = (quantity, value) => show(value === null || quantity !== "energy" ? value : value / 1000);
-  const interval = (quantity, [lower, upper]) =>
-    right(lower === null && upper === null ? "–" : `${in_unit(quantity, lower)} to ${in_unit(quantity, upper)}`);
+  const shown = (number, value) => show(value === null ? value : value * number.per_si);
+  const interval = (number, [lower, upper]) =>
+    right(lower === null && upper === null ? "–" : `${shown(number, lower)} to ${shown(number, upper)}`);
+  const head = (number) => [{ text: element("span", { title: number.doc }, quantity_name(number.name)) }, number.unit || "–"];
   const sound = (point) => point.rocks.filter((group) => group.count > group.faults);
   section_of_point("Statistics", (point) => sound(point).length === 0 ? [paragraph("", "There are none: no rock came through.")] : [
     ...sound(point).map((group) => table(`${group_name(group)}: ${group.count - group.faults}`, ["quantity", "unit", ...names],
-      quantities.map((quantity, q) => [quantity_name(quantity), unit_of(quantity, q), ...names.map((name) => statistic(group, quantity, name))]))),
+      data.numbers.map((number) => [...head(number), ...names.map((name) => statistic(group, number.name, name))]))),
     ...sound(point).map((group) => table(`95 % confidence intervals: ${group_name(group)}`, ["quantity", "unit", ...interval_names],
-      quantities.map((quantity, q) => [quantity_name(quantity), unit_of(quantity, q), ...interval_names.map((name) => interval(quantity, group[quantity].intervals[name]))]))),
+      data.numbers.map((number) => [...head(number), ...interval_names.map((name) => interval(number, group[number.name].intervals[name]))]))),
     caption("≥: censored rocks fall into it, the true number is at least this. –: the sample is too small for that end of an interval, or censored rocks hide it.",
       "Speed, energy (kinetic) and bounce height are the greatest over a rock's path. A standard deviation in brackets contains censored rocks. Rocks that failed are left out.",
       "Percentiles are linear between the order statistics (NumPy, PERCENTILE.INC). Their intervals are those of the order statistics (binomial), that of the mean is Student's t; rocks are taken as independent."),

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "batch/columns.h"
+#include "record/columns.h"
 #include "batch/record_check.h"
 #include "batch/sha256.h"
 

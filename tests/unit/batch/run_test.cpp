@@ -31,6 +31,7 @@ MakeWorker rocks_failing_from(std::uint64_t failing) {
     if (trial >= failing) rock.fault = "no law";
     out.rocks.push_back(rock);
     out.totals.quality.steps += 1;
+    return PrintLog();
   };
   return [run_trial](int) { return run_trial; };
 }
@@ -108,8 +109,10 @@ TEST_CASE(
     RockRecord rock;
     rock.trial = trial;
     out.rocks.push_back(rock);
-    out.prints.add("a.lua:1", fmt::format("trial {}", trial), wording.printable);
-    if (trial > 100) out.prints.add("a.lua:2", "late\x1B[2J", wording.printable);
+    PrintLog prints;
+    prints.add("a.lua:1", fmt::format("trial {}", trial), wording.printable);
+    if (trial > 100) prints.add("a.lua:2", "late\x1B[2J", wording.printable);
+    return prints;
   };
   for (const int threads : {1, 3}) {
     Folder folder;

@@ -30,7 +30,7 @@ PointResult rock_on(std::shared_ptr<const Terrain3> ground, double x) {
   rock.start_y = 1.2e6 + 20;
   rock.stop_x = 2.6e6 + x;
   rock.stop_y = 1.2e6 + 30;
-  point.reach.see(records);
+  point.reach.add(records);
   return point;
 }
 
@@ -85,7 +85,7 @@ TEST_CASE("The page holds the ends of the first rocks, without those that failed
     rock.stop_x = static_cast<double>(trial);
   }
   Deposits deposits(3);
-  deposits.see(records);
+  deposits.add(records);
   const nlohmann::ordered_json data = deposits.data();
   CHECK(data.at("count") == 4);
   CHECK(data.at("x") == nlohmann::json({0, 2000, 1000}));

@@ -44,7 +44,7 @@ Scenario with_draws() {
 
 TEST_CASE("Inputs are ranked by what they do to the runout") {
   Sensitivity sensitivity(with_draws());
-  sensitivity.see(rocks_with_inputs(1000));
+  sensitivity.add(rocks_with_inputs(1000));
   const auto data = sensitivity.data();
   REQUIRE(data.size() == 1);
   CHECK(data[0]["count"] == 980);  // without faults
@@ -67,11 +67,11 @@ TEST_CASE("Inputs are ranked by what they do to the runout") {
   }
 
   Sensitivity few(with_draws());
-  few.see(rocks_with_inputs(20));
+  few.add(rocks_with_inputs(20));
   CHECK(few.data()[0]["inputs"].empty());
 
   Sensitivity many(with_draws());
-  for (int i = 0; i < 11; ++i) many.see(rocks_with_inputs(1000));
+  for (int i = 0; i < 11; ++i) many.add(rocks_with_inputs(1000));
   CHECK(many.data()[0]["count"] == 10'000);
 }
 
@@ -102,7 +102,7 @@ TEST_CASE("Of many inputs without influence none is told from chance in 19 of 20
   int runs_with_one = 0;
   for (int s = 0; s < samples; ++s) {
     Sensitivity sensitivity(scenario);
-    sensitivity.see(rocks_of_chance(s, 60, inputs));
+    sensitivity.add(rocks_of_chance(s, 60, inputs));
     const auto group = sensitivity.data()[0];
     REQUIRE(group["inputs"].size() == inputs);
     CHECK(group["confidence"] == Approx(1 - 0.05 / inputs));
@@ -160,7 +160,7 @@ TEST_CASE("The inputs of a law that no contact asked are not ranked") {
     Sensitivity sensitivity(scenario);
     TrialRecords chunk = rocks_with_inputs(100);
     chunk.totals.materials = {{.friction = asked}};
-    sensitivity.see(chunk);
+    sensitivity.add(chunk);
     return sensitivity.data()[0]["inputs"];
   };
   CHECK(ranked_after(0).size() == 1);
@@ -185,7 +185,7 @@ TEST_CASE("Outcomes of what plugins draw are ranked only if the scenario asks, d
     }
     chunk.inputs = std::move(inputs);
     Sensitivity sensitivity(scenario);
-    sensitivity.see(chunk);
+    sensitivity.add(chunk);
     std::vector<std::string> names;
     const auto data = sensitivity.data();
     for (const auto& line : data[0]["inputs"]) names.push_back(line["path"]);
@@ -200,7 +200,7 @@ TEST_CASE("Angles are read in degrees") {
   Scenario scenario = with_draws();
   scenario.draws[0].unit = "rad";
   Sensitivity sensitivity(scenario);
-  sensitivity.see(rocks_with_inputs(1000));
+  sensitivity.add(rocks_with_inputs(1000));
   const auto first = sensitivity.data()[0]["inputs"][0];
   CHECK(first["unit"] == "deg");
   CHECK(first["curve"]["x"].back() > 50);  // the greatest is 1 rad
@@ -212,7 +212,7 @@ TEST_CASE("A percentile converges to that of all rocks") {
   Convergence convergence(count);
   do {
     for (int i = 0; i < count; ++i) convergence.add({static_cast<double>((i * 997) % count), i == 1999});
-  } while (convergence.again());
+  } while (convergence.needs_another_pass());
   const auto data = convergence.data();
   const auto& n = data["n"];
   CHECK(n.size() == 24);
@@ -270,7 +270,7 @@ TEST_CASE("A thinned path keeps where it changes its mode of travel") {
     chunk.trajectories.push_back(row);
   }
   Tracks tracks(1000, 2);
-  tracks.see(chunk);
+  tracks.add(chunk);
   const auto data = tracks.data();
   REQUIRE(data["list"].size() == 1);
   CHECK(data["list"][0]["x"] == nlohmann::ordered_json::array({0, 10000, 10000}));
@@ -292,7 +292,7 @@ TEST_CASE("A group of short paths keeps their form beside a group of long ones")
     }
   }
   Tracks tracks(1000, 2);
-  tracks.see(chunk);
+  tracks.add(chunk);
   const auto list = tracks.data()["list"];
   REQUIRE(list.size() == 2);
   CHECK(list[0]["y"].size() > 10);

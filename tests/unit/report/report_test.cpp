@@ -30,7 +30,7 @@ nlohmann::ordered_json data_of(const Plan& plan, std::uint64_t trials) {
   const std::vector<Rows> rows = fake::rows(trials, static_cast<int>(plan.points.size()));
   ReportData data(scenario);
   for (std::size_t p = 0; p < rows.size(); ++p)
-    rows[p](Part::whole, [&](const TrialRecords& chunk) { data.see(static_cast<int>(p), chunk, chunk); });
+    rows[p](Part::whole, [&](const TrialRecords& chunk) { data.add(static_cast<int>(p), chunk, chunk); });
   const Results results = results_of(plan, trials);
   return data.finish(results, ground_pictures(results.points), rows);
 }
@@ -39,7 +39,7 @@ RunoutData runouts(const std::vector<Bounded>& values, double greatest) {
   RunoutData data(values.size(), 0, greatest);
   do {
     for (const Bounded& value : values) data.add(value);
-  } while (data.again());
+  } while (data.needs_another_pass());
   return data;
 }
 
@@ -188,7 +188,7 @@ TEST_CASE("The first line of a page with rocks that diverged says so, above ever
   LoadedScenario scenario;
   scenario.plan = plan;
   ReportData data(scenario);
-  data.see(0, records, records);
+  data.add(0, records, records);
   Results results = make_results(plan, {rows_of(records)}, {{50}, true, "", {}});
   results.points[0].terrain = fake::bench();
   const std::string page =

@@ -21,8 +21,8 @@ TEST_CASE("a safety factor multiplies the distance once, and nothing else") {
   ClearancePlan safe = plain;
   safe.factor = 2;
   ClearanceTally tally({plain, safe});
-  do tally.see(records);
-  while (tally.again());
+  do tally.add(records);
+  while (tally.needs_another_pass());
   const auto summaries = tally.summaries();
   CHECK(summaries[0].distance.value == Approx(949.05));
   CHECK(std::isnan(summaries[0].with_factor));
@@ -51,8 +51,8 @@ TEST_CASE("a clearance by azimuth: quantiles of each sector, and of too few rock
   plan.sectors = 5;  // 72 degrees each: +y in the second, -x in the third
   plan.about = Vec2(10, 20);
   ClearanceTally tally({plan});
-  do tally.see(records);
-  while (tally.again());
+  do tally.add(records);
+  while (tally.needs_another_pass());
   const ClearanceSummary found = tally.summaries()[0];
   const auto sectors = found.area.sectors;
   REQUIRE(sectors.size() == 5);
@@ -103,8 +103,8 @@ TEST_CASE("the distances of sectors count from the hull of all release places, a
   ClearancePlan of_east = plan;
   of_east.group = 0;
   ClearanceTally tally({plan, of_east});
-  do tally.see(records);
-  while (tally.again());
+  do tally.add(records);
+  while (tally.needs_another_pass());
   const auto found = tally.summaries();
   CHECK(found[0].area.centre.isApprox(Vec2(1000, 0), 1e-12));
   CHECK(found[0].area.hull.size() == 4);
@@ -136,8 +136,8 @@ TEST_CASE("a clearance of a group is of its rocks alone, also per blast, and cou
   of_blasts.per_blast = of_all.per_blast = true;
   of_all.group = -1;
   ClearanceTally tally({of_first, of_blasts, of_all});
-  do tally.see(records);
-  while (tally.again());
+  do tally.add(records);
+  while (tally.needs_another_pass());
   const auto found = tally.summaries();
   CHECK(found[0].count == 300);
   CHECK(found[0].distance.value == 12);

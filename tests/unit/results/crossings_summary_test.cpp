@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "batch/rows.h"
+#include "record/rows.h"
 #include "results/measures.h"
 
 using namespace flyrock;

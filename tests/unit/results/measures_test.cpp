@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "batch/rows.h"
+#include "record/rows.h"
 #include "results/expectations.h"
 
 using namespace flyrock;

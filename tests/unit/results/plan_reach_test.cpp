@@ -30,7 +30,7 @@ TEST_CASE("The window holds all places of rocks without faults, and a tenth of t
   TrajectoryRecord row;
   row.point.state.position = {2.6e6 + 50, 1.2e6 + 40, 450};
   records.trajectories = {row};
-  reach.see(records);
+  reach.add(records);
   CHECK(reach.window().min() == Vec2(2.6e6 - 10, 1.2e6 - 10));
   CHECK(reach.window().max() == Vec2(2.6e6 + 110, 1.2e6 + 50));
 }
@@ -40,7 +40,7 @@ TEST_CASE("The long section leads from the mean release towards the mean end ove
   TrialRecords records;
   records.rocks = {rock_between({2.6e6, 1.2e6}, {2.6e6 + 30, 1.2e6 + 40}),
                    rock_between({2.6e6 + 2, 1.2e6}, {2.6e6 + 32, 1.2e6 + 40})};
-  reach.see(records);
+  reach.add(records);
   const PlanReach::Line line = reach.mean_line();
   CHECK(line.release == Vec2(2.6e6 + 1, 1.2e6));
   CHECK((line.direction - Vec2(0.6, 0.8)).norm() < 1e-12);
@@ -53,7 +53,7 @@ TEST_CASE("The section of rocks that stay where they began leads towards +x") {
   PlanReach reach;
   TrialRecords records;
   records.rocks = {rock_between({5, 5}, {5, 5})};
-  reach.see(records);
+  reach.add(records);
   CHECK(reach.mean_line().direction == Vec2(1, 0));
   CHECK(reach.window().sizes().minCoeff() > 0);
 }

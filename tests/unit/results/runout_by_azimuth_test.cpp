@@ -24,7 +24,7 @@ RunoutByAzimuth summary_of(const std::vector<RockRecord>& rocks) {
   AzimuthTally tally;
   do {
     for (const RockRecord& r : rocks) tally.add(r);
-  } while (tally.again());
+  } while (tally.needs_another_pass());
   return tally.summary();
 }
 

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "batch/rows.h"
+#include "record/rows.h"
 #include "random/stream.h"
 #include "results/clearance.h"
 

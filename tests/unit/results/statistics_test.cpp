@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "batch/rows.h"
+#include "record/rows.h"
 
 using namespace flyrock;
 
@@ -90,10 +90,10 @@ TEST_CASE("Rocks that failed are counted and in no statistic") {
   CHECK(groups[0].count == 4);
   CHECK(groups[0].faults == 1);
   CHECK(groups[0].censored_share() == Approx(1.0 / 3));
-  CHECK(groups[0].at(RockQuantity::runout, Statistic::max).value == 30);
-  CHECK(groups[0].at(RockQuantity::runout, Statistic::max).censored);
+  CHECK(groups[0].at(rock_statistic("runout"), Statistic::max).value == 30);
+  CHECK(groups[0].at(rock_statistic("runout"), Statistic::max).censored);
   CHECK(groups[1].name == "blocks");
-  CHECK(groups[1].at(RockQuantity::runout, Statistic::mean).value == 10);
+  CHECK(groups[1].at(rock_statistic("runout"), Statistic::mean).value == 10);
   CHECK(groups[2].reasons[static_cast<int>(StopReason::left_domain)] == 1);
   CHECK(summarise(rocks, {"a", "b"}).size() == 3);
   CHECK(summarise({}, {"only"}).size() == 1);
@@ -102,10 +102,10 @@ TEST_CASE("Rocks that failed are counted and in no statistic") {
 TEST_CASE("A rock that had landed has a known flight range although it was lost later") {
   RockRecord lost = rock(0, 100, StopReason::left_domain);
   lost.flight_range = 12;
-  CHECK(quantity_of(lost, RockQuantity::flight_range).censored);
+  CHECK(bounded(lost, rock_statistics[rock_statistic("flight_range")]).censored);
   lost.impacts = 1;  // of another rock, in the air
-  CHECK(quantity_of(lost, RockQuantity::flight_range).censored);
+  CHECK(bounded(lost, rock_statistics[rock_statistic("flight_range")]).censored);
   lost.landed = true;
-  CHECK_FALSE(quantity_of(lost, RockQuantity::flight_range).censored);
-  CHECK(quantity_of(lost, RockQuantity::energy).censored);
+  CHECK_FALSE(bounded(lost, rock_statistics[rock_statistic("flight_range")]).censored);
+  CHECK(bounded(lost, rock_statistics[rock_statistic("energy")]).censored);
 }

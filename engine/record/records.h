@@ -5,16 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "batch/envelope.h"
-#include "batch/fixture.h"
-#include "batch/maps.h"
-#include "batch/rock_surface.h"
-#include "sandbox/print_log.h"
-#include "scenario/scenario.h"
-#include "world/observe.h"
-#include "world/phase_clock.h"
-#include "world/series.h"
-#include "world/surface.h"
+#include "record/envelope.h"
+#include "record/maps.h"
+#include "record/material_use.h"
+#include "record/observe.h"
+#include "record/phase_times.h"
+#include "record/scenery.h"
+#include "record/series.h"
 
 namespace flyrock {
 
@@ -44,9 +41,6 @@ struct RockRecord {
 };
 
 bool is_fault(StopReason reason);
-
-/// The names for RockRecord::group: the rock groups, or the bodies.
-std::vector<std::string> group_names(const Scenario& scenario);
 
 /// One drawn number of one rock. `input` is its index in the list of batch/inputs.h.
 struct InputRecord {
@@ -132,7 +126,6 @@ struct TrialRecords {
   std::vector<TrialRow<SeriesContact>> series_contacts;
   std::vector<TrialRow<SeriesSolve>> series_solves;
   TrialTotals totals;
-  PrintLog prints;  ///< from Lua code; only for the terminal, not in chunk files
 };
 
 }  // namespace flyrock

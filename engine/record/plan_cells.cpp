@@ -1,4 +1,4 @@
-#include "world/plan_cells.h"
+#include "record/plan_cells.h"
 
 namespace flyrock {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "batch/columns.h"
+#include "record/columns.h"
 
 namespace flyrock {
 

@@ -11,23 +11,13 @@
 #include <string_view>
 #include <vector>
 
-#include "batch/code_counts.h"
-#include "scenario/scenario.h"
-#include "world/plan_cells.h"
+#include "record/code_counts.h"
+#include "record/plan_cells.h"
 
 namespace flyrock {
 
-class Ground3;
-
 /// The most cells of a map.
 inline constexpr std::uint64_t most_map_cells = 250'000;
-
-/// The cells of the maps of a point, in the coordinates of the scenario, over a ground that counts from
-/// `origin`. Cells: as the plan says; else those of a raster, in groups of n x n if there are too many; else
-/// a 200th of the longer side, rounded up to 1, 2 or 5 times a power of ten. Empty if the plan wants no maps,
-/// or if the ground has no ends and the plan no region. May have too many cells only where the plan gives
-/// `cell`.
-PlanGrid map_grid(const MapsPlan& plan, const Ground3& ground, const Vec2& origin);
 
 /// The rocks without faults that passed one cell, each with its greatest values there.
 struct MapCell {

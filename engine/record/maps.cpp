@@ -1,32 +1,17 @@
-#include "batch/maps.h"
+#include "record/maps.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <stdexcept>
 
-#include "batch/whole_numbers.h"
-#include "geometry/grid_ground.h"
-#include "math/round_step.h"
+#include "record/whole_numbers.h"
 
 namespace flyrock {
 
 namespace {
 
 constexpr double joules_a_kilojoule = 1000;
-
-std::int32_t cells_along(double length, double cell) {
-  const double cells = std::ceil(length / cell - 1e-9);
-  return static_cast<std::int32_t>(std::clamp(cells, 1.0, static_cast<double>(most_map_cells) + 1));
-}
-
-PlanGrid grid_over(const Vec2& low, const Vec2& high, double cell) {
-  return {low, cell, cells_along(high.x() - low.x(), cell), cells_along(high.y() - low.y(), cell)};
-}
-
-bool is_too_fine(const PlanGrid& grid) {
-  return static_cast<std::uint64_t>(grid.columns) * static_cast<std::uint64_t>(grid.rows) > most_map_cells;
-}
 
 void put_real(std::string& bytes, double value) {
   const auto word = std::bit_cast<std::uint64_t>(value);
@@ -46,22 +31,6 @@ double take_real(std::string_view& bytes) {
 }
 
 }  // namespace
-
-PlanGrid map_grid(const MapsPlan& plan, const Ground3& ground, const Vec2& origin) {
-  if (!plan.wanted) return {};
-  Vec2 low = ground.extent().low.head<2>() + origin, high = ground.extent().high.head<2>() + origin;
-  if (!plan.region.empty()) {
-    low = plan.region.front().cwiseMin(plan.region.back());
-    high = plan.region.front().cwiseMax(plan.region.back());
-  }
-  if (!low.allFinite() || !high.allFinite()) return {};
-  if (plan.cell > 0) return grid_over(low, high, plan.cell);
-  const bool raster = dynamic_cast<const GridGround*>(&ground) != nullptr && ground.cell() > 0;
-  double cell = raster ? ground.cell() : round_step((high - low).maxCoeff() / 200);
-  PlanGrid grid = grid_over(low, high, cell);
-  for (int n = 2; is_too_fine(grid); ++n) grid = grid_over(low, high, n * cell);
-  return grid;
-}
 
 void MapCell::add(const MapCell& later) {
   passages += later.passages;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "world/observe.h"
+#include "record/observe.h"
 
 namespace flyrock {
 

@@ -1,4 +1,4 @@
-#include "batch/rows.h"
+#include "record/rows.h"
 
 #include <memory>
 

@@ -1,10 +1,10 @@
-#include "batch/maps.h"
+#include "record/maps.h"
 
 #include <cmath>
 #include <map>
 #include <set>
 
-#include "batch/columns.h"
+#include "record/columns.h"
 #include "load.h"
 
 using namespace flyrock;

@@ -1,4 +1,4 @@
-#include "batch/records.h"
+#include "record/records.h"
 
 #include <algorithm>
 
@@ -29,13 +29,6 @@ void TrialTotals::add_note(const std::string& note) {
 bool is_fault(StopReason reason) {
   return reason == StopReason::diverged || reason == StopReason::plugin_error ||
          reason == StopReason::not_started;
-}
-
-std::vector<std::string> group_names(const Scenario& scenario) {
-  std::vector<std::string> names;
-  for (const RockGroup& group : scenario.rocks) names.push_back(group.name);
-  for (const BodyPlan& body : scenario.bodies) names.push_back(body.name);
-  return names;
 }
 
 }  // namespace flyrock

@@ -1,11 +1,11 @@
-#include "batch/code_counts.h"
+#include "record/code_counts.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <numeric>
 
-#include "batch/whole_numbers.h"
+#include "record/whole_numbers.h"
 
 namespace flyrock {
 

@@ -1,4 +1,4 @@
-#include "world/path_bins.h"
+#include "record/path_bins.h"
 
 namespace flyrock {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "math/space.h"
-#include "world/path_bins.h"
+#include "record/path_bins.h"
 
 namespace flyrock {
 

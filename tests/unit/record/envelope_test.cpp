@@ -1,9 +1,9 @@
-#include "batch/envelope.h"
+#include "record/envelope.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "batch/columns.h"
+#include "record/columns.h"
 
 using namespace flyrock;
 

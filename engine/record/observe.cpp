@@ -1,9 +1,9 @@
-#include "world/observe.h"
+#include "record/observe.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "world/series.h"
+#include "record/series.h"
 
 namespace flyrock {
 

@@ -13,18 +13,17 @@
 #include <string_view>
 #include <vector>
 
-#include "batch/code_counts.h"
-#include "geometry/profile.h"
-#include "world/path_bins.h"
+#include "record/code_counts.h"
+#include "record/path_bins.h"
 
 namespace flyrock {
 
 enum class EnvelopeQuantity { height, speed, energy };
 inline constexpr std::array<std::string_view, 3> envelope_quantity_names = {"height", "speed", "energy"};
 
-/// The width of the bins over a terrain [m]: a 400th of its length, rounded up to 1, 2 or 5 times a power of
-/// ten. It comes from the terrain of trial 0, so all chunks of a point have the same bins.
-double envelope_width(const Profile& terrain);
+/// The width of the bins over a terrain of this length along x [m]: a 400th of it, rounded up to 1, 2 or 5
+/// times a power of ten. The terrain is that of trial 0, so all chunks of a point have the same bins.
+double envelope_width(double length);
 
 /// The rocks of one group that visited one bin.
 struct EnvelopeBin {

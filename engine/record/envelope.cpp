@@ -1,11 +1,11 @@
-#include "batch/envelope.h"
+#include "record/envelope.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <optional>
 
-#include "batch/whole_numbers.h"
 #include "math/round_step.h"
+#include "record/whole_numbers.h"
 
 namespace flyrock {
 
@@ -25,9 +25,7 @@ std::int64_t unfolded(std::uint64_t n) {
 
 }  // namespace
 
-double envelope_width(const Profile& terrain) {
-  return round_step((terrain.x_max() - terrain.x_min()) / 400);
-}
+double envelope_width(double length) { return round_step(length / 400); }
 
 double EnvelopeBin::quantile(EnvelopeQuantity quantity, double p) const {
   return one_percent.value(quantile_code(counts[static_cast<std::size_t>(quantity)], rocks(), p));

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "batch/records.h"
+#include "record/records.h"
 
 namespace flyrock {
 
@@ -24,13 +24,13 @@ using Rows = std::function<void(Part part, const SeeRows& see)>;
 /// Rows that are already in memory, as one chunk.
 Rows rows_of(TrialRecords records);
 
-/// Passes over the rows until `reader` needs no more. It has see(const TrialRecords&), called for each chunk,
-/// and bool again(), called after each pass, which says whether it needs another pass.
+/// Passes over the rows until `reader` needs no more. It has add(const TrialRecords&), called for each chunk,
+/// and bool needs_another_pass(), called after each pass, which says whether it needs another pass.
 template <class Reader>
 void read_in_passes(const Rows& rows, Reader& reader, Part part = Part::brief) {
   do {
-    rows(part, [&](const TrialRecords& chunk) { reader.see(chunk); });
-  } while (reader.again());
+    rows(part, [&](const TrialRecords& chunk) { reader.add(chunk); });
+  } while (reader.needs_another_pass());
 }
 
 }  // namespace flyrock

@@ -16,7 +16,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "batch/member_of.h"
+#include "record/member_of.h"
 
 namespace flyrock {
 

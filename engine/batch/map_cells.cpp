@@ -1,0 +1,62 @@
+#include "batch/map_cells.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/grid_ground.h"
+#include "math/round_step.h"
+#include "trial/scenario_error.h"
+
+namespace flyrock {
+
+namespace {
+
+std::uint64_t cells_of(const PlanGrid& grid) {
+  return static_cast<std::uint64_t>(grid.columns) * static_cast<std::uint64_t>(grid.rows);
+}
+
+std::int32_t cells_along(double length, double cell) {
+  const double cells = std::ceil(length / cell - 1e-9);
+  return static_cast<std::int32_t>(std::clamp(cells, 1.0, static_cast<double>(most_map_cells) + 1));
+}
+
+PlanGrid grid_over(const Vec2& low, const Vec2& high, double cell) {
+  return {low, cell, cells_along(high.x() - low.x(), cell), cells_along(high.y() - low.y(), cell)};
+}
+
+bool is_too_fine(const PlanGrid& grid) { return cells_of(grid) > most_map_cells; }
+
+/// The cells over a ground that counts from `origin`. There may be too many only where the plan gives `cell`.
+PlanGrid grid_of(const MapsPlan& plan, const Ground3& ground, const Vec2& origin) {
+  if (!plan.wanted) return {};
+  Vec2 low = ground.extent().low.head<2>() + origin, high = ground.extent().high.head<2>() + origin;
+  if (!plan.region.empty()) {
+    low = plan.region.front().cwiseMin(plan.region.back());
+    high = plan.region.front().cwiseMax(plan.region.back());
+  }
+  if (!low.allFinite() || !high.allFinite()) return {};
+  if (plan.cell > 0) return grid_over(low, high, plan.cell);
+  const bool raster = dynamic_cast<const GridGround*>(&ground) != nullptr && ground.cell() > 0;
+  double cell = raster ? ground.cell() : round_step((high - low).maxCoeff() / 200);
+  PlanGrid grid = grid_over(low, high, cell);
+  for (int n = 2; is_too_fine(grid); ++n) grid = grid_over(low, high, n * cell);
+  return grid;
+}
+
+}  // namespace
+
+PlanGrid map_grid(const Scenario& scenario, const Terrain3& terrain) {
+  const MapsPlan& plan = scenario.output.maps;
+  const PlanGrid grid = grid_of(plan, terrain.ground(), scenario.terrain.origin.head<2>());
+  if (grid.empty() && plan.wanted && plan.cell > 0)
+    throw ScenarioError("output.maps.cell", "the ground has no ends, expected a `region`");
+  if (is_too_fine(grid))
+    throw ScenarioError("output.maps", fmt::format("there are more than {} cells, expected larger ones or a "
+                                                   "smaller `region`",
+                                                   most_map_cells));
+  return grid;
+}
+
+}  // namespace flyrock

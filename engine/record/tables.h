@@ -1,0 +1,409 @@
+#pragma once
+// The tables of a run and their columns, described once: chunk files, results.db, rocks.csv, the statistics
+// of rocks and the report read this list. A new column is a member of its record and a line here; a new
+// statistic of rocks is a `statistic` in that line. Tables that are not made of rows of trials (points,
+// sweep, parts, ...) are in report/database.cpp.
+//
+// visit_<table>(visit) calls visit(column, get) for each column in order. member_of(record, get) is a
+// reference to the value of the column, const for a const record.
+
+#include <string_view>
+#include <type_traits>
+
+#include "record/member_of.h"
+#include "record/records.h"
+#include "record/rows.h"
+
+namespace flyrock {
+
+/// Which list a whole number counts; tables show the name, or of inputs the number in `input_paths`.
+enum class NamesOf { nothing, groups, gates, barriers, inputs };
+
+/// From when on a number of a rock is known. The path of a censored rock was cut short, so a number that is
+/// known only at its end is a lower bound.
+enum class KnownFrom { start, landing, end };
+
+struct Column {
+  const char* name = nullptr;       ///< in results.db and rocks.csv; none: only in chunk files
+  const char* unit = "";            ///< of the numbers that tables show
+  const char* doc = "";             ///< what it is, in a few words
+  const char* statistic = nullptr;  ///< its name in measures, if there are statistics of it
+  KnownFrom known = KnownFrom::end;
+  /// zero in 2D: then left out of rocks.csv and of tables with many rows for each rock
+  bool in_space = false;
+  bool in_csv = true;       ///< also in rocks.csv
+  bool in_degrees = false;  ///< shown in degrees, stored in rad
+  NamesOf names = NamesOf::nothing;
+};
+
+template <class Visit>
+constexpr void visit_rocks(Visit&& visit) {
+  using R = RockRecord;
+  visit(Column{.name = "trial", .doc = "number of the trial, from 0"}, &R::trial);
+  visit(Column{.name = "rock", .doc = "number in the trial, from 0"}, &R::rock);
+  visit(Column{.name = "group", .doc = "group of rocks, or body", .names = NamesOf::groups}, &R::group);
+  visit(Column{.name = "mass_kg", .unit = "kg", .doc = "of the whole rock"}, &R::mass);
+  visit(Column{.name = "volume_m3", .unit = "m3", .doc = "of the whole rock"}, &R::volume);
+  visit(Column{.name = "launch_speed_m_s",
+               .unit = "m/s",
+               .doc = "speed at the launch",
+               .statistic = "launch_speed",
+               .known = KnownFrom::start},
+        &R::launch_speed);
+  visit(Column{.name = "launch_elevation_deg",
+               .unit = "deg",
+               .doc = "angle of the launch above the horizontal",
+               .in_degrees = true},
+        &R::launch_elevation);
+  visit(Column{.name = "stop_reason", .doc = "why its path ended"}, &R::reason);
+  visit(Column{.name = "censored", .doc = "1: the path was cut short, its distances are lower bounds"},
+        &R::censored);
+  visit(Column{}, &R::start_x);
+  visit(Column{}, &R::start_y);
+  visit(Column{.name = "runout_m",
+               .unit = "m",
+               .doc = "horizontal distance from release to stop",
+               .statistic = "runout"},
+        &R::runout);
+  visit(Column{.name = "max_distance_m",
+               .unit = "m",
+               .doc = "greatest horizontal distance from the release",
+               .statistic = "max_distance"},
+        &R::max_distance);
+  visit(Column{.name = "stop_x_m", .unit = "m", .doc = "centre of mass at the end"}, &R::stop_x);
+  visit(Column{.name = "stop_y_m", .unit = "m", .doc = "centre of mass at the end"}, &R::stop_y);
+  visit(Column{.name = "stop_z_m", .unit = "m", .doc = "centre of mass at the end", .in_space = true},
+        &R::stop_z);
+  visit(Column{}, &R::end_part);
+  visit(Column{}, &R::landed);
+  visit(Column{.name = "flight_range_m",
+               .unit = "m",
+               .doc = "horizontal distance from launch to first landing",
+               .statistic = "flight_range",
+               .known = KnownFrom::landing},
+        &R::flight_range);
+  visit(Column{.name = "bounce_height_m",
+               .unit = "m",
+               .doc = "greatest height of the centre of mass above the ground",
+               .statistic = "bounce_height"},
+        &R::bounce_height);
+  visit(Column{.name = "max_speed_m_s", .unit = "m/s", .doc = "greatest speed", .statistic = "speed"},
+        &R::max_speed);
+  visit(Column{.name = "max_energy_J",
+               .unit = "J",
+               .doc = "greatest kinetic energy, rotation included",
+               .statistic = "energy"},
+        &R::max_energy);
+  visit(Column{.name = "impacts",
+               .doc = "contacts that closed faster than solver.rest_speed",
+               .statistic = "impacts"},
+        &R::impacts);
+  visit(Column{.name = "time_s", .unit = "s", .doc = "from release to rest or end", .statistic = "time"},
+        &R::time);
+  // In the same order as travel_mode_names.
+  constexpr const char* names[][2] = {
+      {"flight_s", "flight_m"}, {"bounce_s", "bounce_m"}, {"slide_s", "slide_m"}, {"roll_s", "roll_m"}};
+  static_assert(std::size(names) == travel_mode_names.size());
+  for (std::size_t mode = 0; mode < std::size(names); ++mode) {
+    visit(
+        Column{.name = names[mode][0], .unit = "s", .doc = "time in this mode of travel", .in_csv = false},
+        [mode](auto& r) -> auto& { return r.travel.time[mode]; });
+    visit(
+        Column{.name = names[mode][1], .unit = "m", .doc = "path in this mode of travel", .in_csv = false},
+        [mode](auto& r) -> auto& { return r.travel.distance[mode]; });
+  }
+  visit(Column{.name = "fault", .doc = "why it failed, or which side it left", .in_csv = false}, &R::fault);
+}
+
+// The rows below belong to a rock. Their trial and rock are stored separately.
+
+template <class Visit>
+void visit_inputs(Visit&& visit) {
+  visit(Column{.name = "input", .names = NamesOf::inputs}, &InputRecord::input);
+  visit(Column{.name = "impact"}, &InputRecord::impact);
+  visit(Column{.name = "value"}, &InputRecord::value);
+}
+
+/// Columns of an Impact. A vector has the components x and y in 2D, and z as well in 3D.
+template <class Visit>
+void visit_impact(Visit&& visit) {
+  using I = Impact;
+  visit(Column{}, &I::body);
+  visit(Column{.name = "number"}, &I::number);
+  visit(Column{.name = "time_s", .unit = "s"}, &I::time);
+  visit(
+      Column{.name = "x_m", .unit = "m"}, [](auto& i) -> auto& { return i.place[0]; });
+  visit(
+      Column{.name = "y_m", .unit = "m"}, [](auto& i) -> auto& { return i.place[1]; });
+  visit(
+      Column{.name = "z_m", .unit = "m", .in_space = true}, [](auto& i) -> auto& { return i.place[2]; });
+  visit(Column{.name = "other"}, &I::other);
+  visit(Column{.name = "part"}, &I::part);
+  visit(Column{.name = "vn_before_m_s", .unit = "m/s"}, &I::vn_before);
+  visit(Column{.name = "vn_after_m_s", .unit = "m/s"}, &I::vn_after);
+  visit(Column{.name = "vt_before_m_s", .unit = "m/s"}, &I::vt_before);
+  visit(Column{.name = "vt_after_m_s", .unit = "m/s"}, &I::vt_after);
+  visit(Column{.name = "pn_N_s", .unit = "N s"}, &I::pn);
+  visit(Column{.name = "pt_N_s", .unit = "N s"}, &I::pt);
+  visit(Column{.name = "energy_change_J", .unit = "J"}, &I::energy_change);
+}
+
+/// Columns of a BodyState.
+template <class Visit>
+void visit_state(Visit&& visit) {
+  using S = BodyState;
+  visit(Column{.name = "time_s", .unit = "s"}, &S::time);
+  visit(
+      Column{.name = "x_m", .unit = "m"}, [](auto& s) -> auto& { return s.position[0]; });
+  visit(
+      Column{.name = "y_m", .unit = "m"}, [](auto& s) -> auto& { return s.position[1]; });
+  visit(
+      Column{.name = "z_m", .unit = "m", .in_space = true}, [](auto& s) -> auto& { return s.position[2]; });
+  visit(
+      Column{.name = "vx_m_s", .unit = "m/s"}, [](auto& s) -> auto& { return s.velocity[0]; });
+  visit(
+      Column{.name = "vy_m_s", .unit = "m/s"}, [](auto& s) -> auto& { return s.velocity[1]; });
+  visit(
+      Column{.name = "vz_m_s", .unit = "m/s", .in_space = true},
+      [](auto& s) -> auto& { return s.velocity[2]; });
+  visit(
+      Column{.name = "spin_x_rad_s", .unit = "rad/s", .in_space = true},
+      [](auto& s) -> auto& { return s.spin[0]; });
+  visit(
+      Column{.name = "spin_y_rad_s", .unit = "rad/s", .in_space = true},
+      [](auto& s) -> auto& { return s.spin[1]; });
+  visit(
+      Column{.name = "spin_z_rad_s", .unit = "rad/s"}, [](auto& s) -> auto& { return s.spin[2]; });
+  visit(Column{.name = "angle_rad", .unit = "rad"}, &S::angle);
+  visit(Column{.name = "kinetic_energy_J", .unit = "J"}, &S::kinetic_energy);
+}
+
+/// Visits the columns of a member of a record: visit_impact(within(visit, &ImpactRecord::impact)).
+template <class Visit, class Part>
+auto within(Visit& visit, Part part) {
+  return [&visit, part](const Column& column, auto get) {
+    visit(
+        column, [ part, get ](auto& record) -> auto& { return member_of(member_of(record, part), get); });
+  };
+}
+
+template <class Visit>
+void visit_impacts(Visit&& visit) {
+  visit_impact(within(visit, &ImpactRecord::impact));
+}
+
+/// Columns of an attitude as a unit quaternion.
+template <class Visit>
+void visit_turn(Visit&& visit) {
+  constexpr const char* quaternion[] = {"qw", "qx", "qy", "qz"};
+  for (std::size_t i = 0; i < std::size(quaternion); ++i)
+    visit(
+        Column{.name = quaternion[i], .in_space = true}, [i](auto& turn) -> auto& { return turn[i]; });
+}
+
+template <class Visit>
+void visit_trajectories(Visit&& visit) {
+  visit_state(within(
+      visit, [](auto& r) -> auto& { return r.point.state; }));
+  visit(
+      Column{.name = "mode"}, [](auto& r) -> auto& { return r.point.mode; });
+  visit_turn(within(
+      visit, [](auto& r) -> auto& { return r.point.turn; }));
+}
+
+/// Columns of a SurfaceCorner.
+template <class Visit>
+void visit_corner(Visit&& visit) {
+  using C = SurfaceCorner;
+  visit(Column{.name = "contactor"}, &C::contactor);
+  visit(Column{.name = "face"}, &C::face);
+  visit(
+      Column{.name = "x_m", .unit = "m"}, [](auto& c) -> auto& { return c.place[0]; });
+  visit(
+      Column{.name = "y_m", .unit = "m"}, [](auto& c) -> auto& { return c.place[1]; });
+  visit(
+      Column{.name = "z_m", .unit = "m", .in_space = true}, [](auto& c) -> auto& { return c.place[2]; });
+  visit(Column{.name = "radius_m", .unit = "m"}, &C::radius);
+}
+
+template <class Visit>
+void visit_shapes(Visit&& visit) {
+  visit_corner(within(visit, &ShapeRecord::corner));
+}
+
+// The following rows belong to a trial, which is stored separately.
+
+template <class Visit>
+void visit_fixtures(Visit&& visit) {
+  visit(
+      Column{.name = "body"}, [](auto& r) -> auto& { return r.row.body; });
+  visit_state(within(
+      visit, [](auto& r) -> auto& { return r.row.start; }));
+  visit_turn(within(
+      visit, [](auto& r) -> auto& { return r.row.turn; }));
+  constexpr const char* accelerations[] = {"ax_m_s2", "ay_m_s2", "az_m_s2"};
+  for (int i = 0; i < 3; ++i)
+    visit(
+        Column{.name = accelerations[i], .unit = "m/s2", .in_space = i == 2}, [i](auto& r) -> auto& {
+          return r.row.acceleration[i];
+        });
+}
+
+template <class Visit>
+void visit_fixture_shapes(Visit&& visit) {
+  visit(
+      Column{.name = "body"}, [](auto& r) -> auto& { return r.row.body; });
+  visit_corner(within(
+      visit, [](auto& r) -> auto& { return r.row.corner; }));
+}
+
+template <class Visit>
+void visit_series_bodies(Visit&& visit) {
+  visit(
+      Column{.name = "body"}, [](auto& r) -> auto& { return r.row.body; });
+  visit_state(within(
+      visit, [](auto& r) -> auto& { return r.row.state; }));
+  visit(
+      Column{.name = "potential_energy_J", .unit = "J"},
+      [](auto& r) -> auto& { return r.row.potential_energy; });
+  visit_turn(within(
+      visit, [](auto& r) -> auto& { return r.row.turn; }));
+  visit(
+      Column{.name = "radius_m", .unit = "m"}, [](auto& r) -> auto& { return r.row.radius; });
+}
+
+template <class Visit>
+void visit_series_contacts(Visit&& visit) {
+  using C = SeriesContact;
+  const auto of_row = within(
+      visit, [](auto& r) -> auto& { return r.row; });
+  of_row(Column{.name = "time_s", .unit = "s"}, &C::time);
+  of_row(Column{.name = "a"}, &C::a);
+  of_row(Column{.name = "b"}, &C::b);
+  of_row(Column{.name = "number"}, &C::point);
+  of_row(Column{.name = "step_s", .unit = "s"}, &C::step);
+  of_row(Column{.name = "gap_m", .unit = "m"}, &C::gap);
+  of_row(Column{.name = "un_m_s", .unit = "m/s"}, &C::un);
+  of_row(Column{.name = "ut_m_s", .unit = "m/s"}, &C::ut);
+  of_row(Column{.name = "pn_N_s", .unit = "N s"}, &C::pn);
+  of_row(Column{.name = "pt_N_s", .unit = "N s"}, &C::pt);
+  of_row(Column{.name = "rn_N", .unit = "N"}, &C::rn);
+  of_row(Column{.name = "rt_N", .unit = "N"}, &C::rt);
+  of_row(Column{.name = "state"}, &C::state);
+  constexpr const char* places[] = {"x_m", "y_m", "z_m"};
+  constexpr const char* normals[] = {"nx", "ny", "nz"};
+  for (int i = 0; i < 3; ++i)
+    of_row(
+        Column{.name = places[i], .unit = "m"}, [i](auto& row) -> auto& { return row.place[i]; });
+  for (int i = 0; i < 3; ++i)
+    of_row(
+        Column{.name = normals[i]}, [i](auto& row) -> auto& { return row.normal[i]; });
+}
+
+template <class Visit>
+void visit_series_solves(Visit&& visit) {
+  using S = SeriesSolve;
+  const auto of_row = within(
+      visit, [](auto& r) -> auto& { return r.row; });
+  of_row(Column{.name = "time_s", .unit = "s"}, &S::time);
+  of_row(Column{.name = "step_s", .unit = "s"}, &S::step);
+  of_row(Column{.name = "contacts"}, &S::contacts);
+  of_row(Column{.name = "sweeps"}, &S::sweeps);
+  of_row(Column{.name = "residual_m_s", .unit = "m/s"}, &S::residual);
+}
+
+/// The columns that a passage of a gate and an arrival at a barrier share.
+template <class Visit>
+void visit_arrival(Visit&& visit) {
+  visit(
+      Column{.name = "time_s", .unit = "s"}, [](auto& a) -> auto& { return a.time; });
+  visit(
+      Column{.name = "speed_m_s", .unit = "m/s"}, [](auto& a) -> auto& { return a.speed; });
+  visit(
+      Column{.name = "energy_J", .unit = "J"}, [](auto& a) -> auto& { return a.kinetic_energy; });
+  visit(
+      Column{.name = "height_m", .unit = "m"}, [](auto& a) -> auto& { return a.height; });
+  visit(
+      Column{.name = "along_m", .unit = "m"}, [](auto& a) -> auto& { return a.along; });
+}
+
+template <class Visit>
+void visit_gates(Visit&& visit) {
+  visit(
+      Column{.name = "gate", .names = NamesOf::gates}, [](auto& r) -> auto& { return r.passage.gate; });
+  visit_arrival(within(visit, &GateRecord::passage));
+}
+
+template <class Visit>
+void visit_barriers(Visit&& visit) {
+  visit(
+      Column{.name = "barrier", .names = NamesOf::barriers}, [](auto& r) -> auto& { return r.hit.barrier; });
+  visit(
+      Column{.name = "outcome"}, [](auto& r) -> auto& { return r.hit.outcome; });
+  visit_arrival(within(visit, &BarrierRecord::hit));
+}
+
+template <class Visit>
+void visit_trees(Visit&& visit) {
+  visit(
+      Column{.name = "tree"}, [](auto& r) -> auto& { return r.hit.tree; });
+  visit(
+      Column{.name = "time_s", .unit = "s"}, [](auto& r) -> auto& { return r.hit.time; });
+  visit(
+      Column{.name = "energy_before_J", .unit = "J"}, [](auto& r) -> auto& { return r.hit.energy_before; });
+  visit(
+      Column{.name = "energy_after_J", .unit = "J"}, [](auto& r) -> auto& { return r.hit.energy_after; });
+  visit(
+      Column{.name = "height_m", .unit = "m"}, [](auto& r) -> auto& { return r.hit.height; });
+}
+
+/// What the rows of a table belong to. It gives their first columns: trial, or trial and rock.
+enum class RowOwner { itself, rock, trial };
+
+struct Table {
+  const char* name;  ///< in results.db
+  Part part;         ///< the part of a chunk file that holds it
+  RowOwner owner;
+  /// a rock has many rows: results.db finds them by the first and the last (report/record_tables.h)
+  const char* many_rows = nullptr;
+};
+
+/// The list of tables, in the order of chunk files: see(table, the rows of `records`, visit_columns), where
+/// visit_columns(visit) visits the columns without those of the owner.
+template <class Records, class See>
+void visit_tables(Records& records, See&& see) {
+  using enum RowOwner;
+  see(Table{"rocks", Part::brief, itself}, records.rocks, [](auto&& visit) { visit_rocks(visit); });
+  see(Table{"gates", Part::brief, rock}, records.gates, [](auto&& visit) { visit_gates(visit); });
+  see(Table{"barriers", Part::brief, rock}, records.barriers, [](auto&& visit) { visit_barriers(visit); });
+  see(Table{"trees", Part::brief, rock}, records.trees, [](auto&& visit) { visit_trees(visit); });
+  see(Table{"drawn", Part::whole, rock, "input"}, records.inputs, [](auto&& visit) { visit_inputs(visit); });
+  see(Table{"impacts", Part::whole, rock, "impact"}, records.impacts,
+      [](auto&& visit) { visit_impacts(visit); });
+  see(Table{"trajectories", Part::whole, rock, "trajectory"}, records.trajectories,
+      [](auto&& visit) { visit_trajectories(visit); });
+  see(Table{"shapes", Part::whole, rock, "shape"}, records.shapes, [](auto&& visit) { visit_shapes(visit); });
+  see(Table{"fixtures", Part::whole, trial}, records.fixtures, [](auto&& visit) { visit_fixtures(visit); });
+  see(Table{"fixture_shapes", Part::whole, trial}, records.fixture_shapes,
+      [](auto&& visit) { visit_fixture_shapes(visit); });
+  see(Table{"series_bodies", Part::whole, trial}, records.series_bodies,
+      [](auto&& visit) { visit_series_bodies(visit); });
+  see(Table{"series_contacts", Part::whole, trial}, records.series_contacts,
+      [](auto&& visit) { visit_series_contacts(visit); });
+  see(Table{"series_solves", Part::whole, trial}, records.series_solves,
+      [](auto&& visit) { visit_series_solves(visit); });
+}
+
+/// For a walk over the tables alone.
+inline const TrialRecords none_of_the_records;
+
+/// Visits the columns that name the owner of the rows of a table.
+template <class Row, class Visit>
+void visit_owner(const Table& table, Visit&& visit) {
+  if (table.owner == RowOwner::itself) return;
+  visit(Column{.name = "trial"}, &Row::trial);
+  if constexpr (requires { &Row::rock; })
+    if (table.owner == RowOwner::rock) visit(Column{.name = "rock"}, &Row::rock);
+}
+
+}  // namespace flyrock
