@@ -21,6 +21,7 @@ help:
 	@echo "make reference   write docs/reference from the manifests of the plugins and the examples of shapes"
 	@echo "make course write the pictures of the course's pages"
 	@echo "make format lay out the sources as .clang-format says, which a test checks"
+	@echo "make tidy   clang-tidy over the files that differ from main (TIDY_ALL=1: over all)"
 	@echo "make deps   install what is missing: Debian packages and Plotly"
 	@echo "make deps-browser   Chromium too, for the tests that open the report"
 
@@ -41,6 +42,14 @@ deps-format: deps
 
 format: deps-format
 	git ls-files '*.cpp' '*.h' | xargs clang-format -i
+
+# Of files that differ from BASE, or TIDY_ALL=1: of all. Only the commands to compile are needed, nothing is built.
+BASE := main
+tidy: deps
+	command -v clang-tidy > /dev/null || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends clang-tidy; }
+	cmake --preset edit -B build/tidy -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DCMAKE_CXX_COMPILER=clang++ > /dev/null
+	$(if $(TIDY_ALL),git ls-files,git diff --name-only --diff-filter=d $(BASE) --) 'engine/*.cpp' 'lua/*.cpp' 'plugins/*.cpp' \
+	  | xargs -r -n 4 -P $(JOBS) clang-tidy --quiet -p build/tidy
 
 $(PLOTLY): package-lock.json
 	@command -v npm > /dev/null || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends npm; }
@@ -104,4 +113,4 @@ drawings:
 clean:
 	rm -rf build out
 
-.PHONY: help deps deps-browser deps-format format demo test test-heavy golden fuzz bench reference course drawings clean
+.PHONY: help deps deps-browser deps-format format tidy demo test test-heavy golden fuzz bench reference course drawings clean

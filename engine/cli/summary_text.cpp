@@ -46,9 +46,9 @@ std::string range_text(const Interval& interval) {
 }
 
 std::string group_line(const GroupSummary& group, std::size_t width) {
-  std::string text = fmt::format("  {:<{}}{:>8}{:>9}{:>19}", row_name(group), width, group.count,
-                                 percent(group.censored_share()),
-                                 group.count > group.faults ? range_text(group.censored_interval()) : "-");
+  std::string text = fmt::format(
+      "  {:<{}}{:>8}{:>9}{:>19}", row_name(group), width, group.count, percent(group.censored_share.value),
+      group.count > group.faults ? range_text(group.censored_share.interval) : "-");
   for (const Statistic s : {Statistic::p50, Statistic::p90, Statistic::p95, Statistic::p99, Statistic::max})
     text += fmt::format("{:>9}", display(group.at(rock_statistic("runout"), s), ""));
   return text + '\n';
@@ -74,14 +74,17 @@ std::string place_line(const std::string& place, const Share& share) {
 std::string places_text(const Scenario& scenario, const PointResult& point) {
   if (scenario.gates.empty() && scenario.barriers.empty() && !point.trees) return "";
   std::string text = fmt::format("  {:<34}{:>12}{:>19}\n", "share of all rocks", "share", "95 % interval");
-  for (std::size_t g = 0; g < point.gates.size(); ++g)
-    text += place_line(fmt::format("gate {}: passed", scenario.gates[g].name), point.gates[g].share);
-  for (std::size_t b = 0; b < point.barriers.size(); ++b) {
+  const auto& [gates, barriers, caught] = point.crossings.front();
+  for (std::size_t g = 0; g < gates.size(); ++g)
+    text += place_line(fmt::format("gate {}: passed", scenario.gates[g].name), gates[g].shares.of_all);
+  for (std::size_t b = 0; b < barriers.size(); ++b) {
     const std::string name = fmt::format("barrier {}: ", scenario.barriers[b].name);
-    text += place_line(name + "reached", point.barriers[b].reached);
-    for (std::size_t o = 0; o < point.barriers[b].shares.size(); ++o)
-      text += place_line(name + name_of(static_cast<BarrierOutcome>(o)), point.barriers[b].shares[o]);
-    const Complement others = complement_of(point.barriers[b].reached);
+    const Share& reached = barriers[b].share(BarrierShare::reached).of_all;
+    text += place_line(name + "reached", reached);
+    for (const BarrierShare what : {BarrierShare::caught, BarrierShare::over_top, BarrierShare::over_energy})
+      text += place_line(name + std::string(barrier_share_names[static_cast<std::size_t>(what)]),
+                         barriers[b].share(what).of_all);
+    const Complement others = complement_of(reached);
     text +=
         place_line(name + "not_reached", others.value, others.is_upper_bound ? "<= " : "", others.interval);
   }

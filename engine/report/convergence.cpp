@@ -36,9 +36,9 @@ Convergence::Convergence(std::uint64_t count) {
   }
 }
 
-void Convergence::add(const Bounded& runout) {
+void Convergence::add(const Bounded& runout, std::uint64_t trial) {
   for (Start& start : starts_)
-    if (seen_ < start.count) start.sample.add(runout);
+    if (seen_ < start.count) start.sample.add(runout, trial);
   ++seen_;
 }
 

@@ -68,8 +68,8 @@ class Runouts {
     for (const RockRecord& rock : chunk.rocks) {
       if (is_fault(rock.reason)) continue;
       const Bounded runout = bounded(rock, rock_statistics[rock_statistic("runout")]);
-      groups_.front().add(runout);
-      if (groups_.size() > 1) groups_.at(1 + static_cast<std::size_t>(rock.group)).add(runout);
+      groups_.front().add(runout, rock.trial);
+      if (groups_.size() > 1) groups_.at(1 + static_cast<std::size_t>(rock.group)).add(runout, rock.trial);
     }
   }
 
@@ -95,9 +95,9 @@ class Runouts {
     RunoutData distribution;
     Convergence convergence;
 
-    void add(const Bounded& runout) {
+    void add(const Bounded& runout, std::uint64_t trial) {
       distribution.add(runout);
-      convergence.add(runout);
+      convergence.add(runout, trial);
     }
     bool needs_another_pass() {
       const bool of_distribution = distribution.needs_another_pass(),

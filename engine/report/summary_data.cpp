@@ -1,5 +1,6 @@
 #include "report/summary_data.h"
 
+#include <array>
 #include <cmath>
 
 #include "report/azimuth_data.h"
@@ -32,15 +33,30 @@ std::string methods_text(const Plan& plan) {
   return text;
 }
 
-/// { p95: [lower, upper], ... } for the statistics that have an interval.
-Json intervals_data(const Intervals& intervals) {
+/// The statistics that have an interval.
+constexpr std::array with_interval = {Statistic::mean, Statistic::p50, Statistic::p90, Statistic::p95,
+                                      Statistic::p99};
+
+/// { p95: of(its interval), ... }
+template <class Of>
+Json each_interval(const Intervals& intervals, Of of) {
   Json data = Json::object();
-  for (const Statistic s :
-       {Statistic::mean, Statistic::p50, Statistic::p90, Statistic::p95, Statistic::p99}) {
-    const Interval& interval = intervals[static_cast<int>(s)];
-    data[std::string(statistic_names[static_cast<int>(s)])] = interval_data(interval);
-  }
+  for (const Statistic s : with_interval)
+    data[std::string(statistic_names[static_cast<std::size_t>(s)])] =
+        of(intervals[static_cast<std::size_t>(s)]);
   return data;
+}
+Json intervals_data(const Intervals& intervals) {
+  return each_interval(intervals, [](const Interval& interval) { return interval_data(interval); });
+}
+Json design_effects_data(const Intervals& intervals) {
+  return each_interval(intervals, [](const Interval& interval) { return number(interval.design_effect); });
+}
+/// null: there are enough trials.
+Json trials_needed_data(const Intervals& intervals) {
+  return each_interval(intervals, [](const Interval& interval) {
+    return interval.trials_needed > 0 ? Json(interval.trials_needed) : Json(nullptr);
+  });
 }
 
 Json statistics_data(const Statistics& statistics) {
@@ -56,16 +72,16 @@ Json statistics_data(const Statistics& statistics) {
 }
 
 Json group_data(const GroupSummary& group) {
-  Json reasons = Json::object(), intervals = {{"censored", interval_data(group.censored_interval())}};
+  Json reasons = Json::object(), intervals = {{"censored", interval_data(group.censored_share.interval)}};
   for (std::size_t r = 0; r < group.reasons.size(); ++r) {
     const char* name = name_of(static_cast<StopReason>(r));
     reasons[name] = group.reasons[r];
-    intervals[name] = interval_data(share_interval(group.reasons[r], group.count, stated_confidence));
+    intervals[name] = interval_data(group.reason_shares[r].interval);
   }
   Json data = {{"group", group.name.empty() ? Json(nullptr) : Json(group.name)},
                {"count", group.count},
                {"faults", group.faults},
-               {"censored", group.censored_share()},
+               {"censored", group.censored_share.value},
                {"stop_reasons", reasons},
                {"share_intervals", intervals}};
   Json time = Json::object(), distance = Json::object();
@@ -77,6 +93,8 @@ Json group_data(const GroupSummary& group) {
   for (std::size_t q = 0; q < rock_statistics.size(); ++q) {
     Json& quantity = data[std::string(rock_statistics[q].name())] = statistics_data(group.statistics[q]);
     quantity["intervals"] = intervals_data(group.intervals[q]);
+    quantity["design_effect"] = design_effects_data(group.intervals[q]);
+    quantity["trials_needed"] = trials_needed_data(group.intervals[q]);
   }
   return data;
 }
@@ -94,60 +112,104 @@ Json line_of(const Place& place) {
   return line;
 }
 
-Json gates_data(const Scenario& scenario, const std::vector<GateSummary>& gates) {
+/// { of_all, of_arriving, per_trial: { share, interval, design_effect, lower_bound } }
+Json share_data(const Share& share) {
+  return {{"share", number(share.value)},
+          {"interval", interval_data(share.interval)},
+          {"design_effect", number(share.interval.design_effect)},
+          {"lower_bound", share.censored}};
+}
+Json shares_data(const Shares& shares) {
+  return {{"of_all", share_data(shares.of_all)},
+          {"of_arriving", share_data(shares.of_arriving)},
+          {"per_trial", share_data(shares.per_trial)}};
+}
+
+/// The numbers of arrivals, with their intervals.
+Json arrivals_data(const Statistics& statistics, const Intervals& intervals) {
+  Json data = statistics_data(statistics);
+  data["intervals"] = intervals_data(intervals);
+  data["design_effect"] = design_effects_data(intervals);
+  return data;
+}
+
+/// What rocks of one group, or all rocks, did at a gate: { rocks, passed, share_intervals, ... }.
+void add_gate(Json& data, const GateSummary& gate) {
+  data["rocks"] = gate.passed;
+  data["passed"] = number(gate.shares.of_all.value);
+  data["share_intervals"] = {{"passed", interval_data(gate.shares.of_all.interval)}};
+  data["shares"] = {{"passed", shares_data(gate.shares)}};
+  data["lower_bounds"] = gate.shares.of_all.censored;
+  data["speed"] = arrivals_data(gate.speed, gate.speed_intervals);
+  data["energy"] = arrivals_data(gate.energy, gate.energy_intervals);
+  data["height"] = arrivals_data(gate.height, gate.height_intervals);
+}
+
+void add_barrier(Json& data, const BarrierSummary& barrier) {
+  const Share& reached = barrier.share(BarrierShare::reached).of_all;
+  const Complement others = complement_of(reached);
+  data["rocks"] = barrier.count(BarrierShare::reached);
+  Json counts = Json::object(), intervals = Json::object(), shares = Json::object();
+  for (std::size_t s = 0; s < barrier_share_names.size(); ++s) {
+    const std::string name(barrier_share_names[s]);
+    data[name] = number(barrier.shares[s].of_all.value);
+    intervals[name] = interval_data(barrier.shares[s].of_all.interval);
+    counts[name] = barrier.counts[s];
+    shares[name] = shares_data(barrier.shares[s]);
+  }
+  data["not_reached"] = number(others.value);
+  intervals["not_reached"] = interval_data(others.interval);
+  counts["not_reached"] = barrier.not_reached;
+  data["counts"] = counts;
+  data["share_intervals"] = intervals;
+  data["shares"] = shares;
+  data["lower_bounds"] = reached.censored;
+  data["energy"] = arrivals_data(barrier.energy, barrier.energy_intervals);
+  data["height"] = arrivals_data(barrier.height, barrier.height_intervals);
+}
+
+/// A list of what each group did, if there is more than one.
+template <class Add>
+Json groups_data(const PointResult& point, Add add) {
   Json list = Json::array();
-  for (std::size_t g = 0; g < gates.size(); ++g)
-    list.push_back({{"gate", scenario.gates[g].name},
-                    {"x", x_of(scenario.gates[g])},
-                    {"line", line_of(scenario.gates[g])},
-                    {"rocks", gates[g].passed},
-                    {"passed", number(gates[g].share.value)},
-                    {"share_intervals", {{"passed", interval_data(gates[g].share.interval)}}},
-                    {"lower_bounds", gates[g].share.censored},
-                    {"speed", statistics_data(gates[g].speed)},
-                    {"energy", statistics_data(gates[g].energy)},
-                    {"height", statistics_data(gates[g].height)}});
+  for (std::size_t g = 1; g < point.crossings.size(); ++g) {
+    list.push_back({{"group", point.groups.at(g).name}});
+    add(list.back(), point.crossings[g]);
+  }
   return list;
 }
 
-Json barriers_data(const Scenario& scenario, const std::vector<BarrierSummary>& barriers) {
+Json gates_data(const Scenario& scenario, const PointResult& point) {
   Json list = Json::array();
-  for (std::size_t b = 0; b < barriers.size(); ++b) {
-    const BarrierSummary& barrier = barriers[b];
+  for (std::size_t g = 0; g < scenario.gates.size(); ++g) {
+    const GatePlan& plan = scenario.gates[g];
+    Json& data = list.emplace_back(Json{{"gate", plan.name}, {"x", x_of(plan)}, {"line", line_of(plan)}});
+    add_gate(data, point.crossings.front().gates[g]);
+    data["groups"] =
+        groups_data(point, [g](Json& to, const Crossings& group) { add_gate(to, group.gates[g]); });
+  }
+  return list;
+}
+
+Json barriers_data(const Scenario& scenario, const PointResult& point) {
+  Json list = Json::array();
+  for (std::size_t b = 0; b < scenario.barriers.size(); ++b) {
     const BarrierPlan& plan = scenario.barriers[b];
-    Json data = {{"barrier", plan.name},
-                 {"x", x_of(plan)},
-                 {"line", line_of(plan)},
-                 {"height_m", plan.height},
-                 {"capacity_J", plan.capacity},
-                 {"inclination_deg", plan.inclination * 180 / pi},
-                 {"freeboard_m", plan.freeboard},
-                 {"level", plan.service_level ? "sel" : "mel"},
-                 {"energy_factor", plan.energy_factor},
-                 {"height_factor", plan.height_factor},
-                 {"held_height_m", plan.held_height()},
-                 {"held_energy_J", plan.held_energy()},
-                 {"rocks", barrier.outcomes[0] + barrier.outcomes[1] + barrier.outcomes[2]},
-                 {"reached", number(barrier.reached.value)}};
-    const Complement others = complement_of(barrier.reached);
-    Json counts = Json::object(), intervals = {{"reached", interval_data(barrier.reached.interval)}};
-    for (std::size_t o = 0; o < barrier.shares.size(); ++o) {
-      const char* name = name_of(static_cast<BarrierOutcome>(o));
-      data[name] = number(barrier.shares[o].value);
-      intervals[name] = interval_data(barrier.shares[o].interval);
-      counts[name] = barrier.outcomes[o];
-    }
-    data["past"] = number(barrier.past.value);
-    intervals["past"] = interval_data(barrier.past.interval);
-    data["not_reached"] = number(others.value);
-    intervals["not_reached"] = interval_data(others.interval);
-    counts["not_reached"] = barrier.not_reached;
-    data["counts"] = counts;
-    data["share_intervals"] = intervals;
-    data["lower_bounds"] = barrier.reached.censored;
-    data["energy"] = statistics_data(barrier.energy);
-    data["height"] = statistics_data(barrier.height);
-    list.push_back(std::move(data));
+    Json& data = list.emplace_back(Json{{"barrier", plan.name},
+                                        {"x", x_of(plan)},
+                                        {"line", line_of(plan)},
+                                        {"height_m", plan.height},
+                                        {"capacity_J", plan.capacity},
+                                        {"inclination_deg", plan.inclination * 180 / pi},
+                                        {"freeboard_m", plan.freeboard},
+                                        {"level", plan.service_level ? "sel" : "mel"},
+                                        {"energy_factor", plan.energy_factor},
+                                        {"height_factor", plan.height_factor},
+                                        {"held_height_m", plan.held_height()},
+                                        {"held_energy_J", plan.held_energy()}});
+    add_barrier(data, point.crossings.front().barriers[b]);
+    data["groups"] =
+        groups_data(point, [b](Json& to, const Crossings& group) { add_barrier(to, group.barriers[b]); });
   }
   return list;
 }
@@ -165,9 +227,9 @@ Json trees_data(const TreeSummary& trees) {
           {"lower_bounds", trees.stopped_share.censored}};
 }
 
-/// The distance by azimuth about (x, y), from a hull: { x, y, hull: [[x, y], ...], sectors: [{ azimuth_deg,
-/// count, share, share_interval, greatest, distance, lower, upper, lower_bound, with_factor }] }. If no rock
-/// ended in a sector, everything but its count is null: no data.
+/// The area about (x, y), from a hull: { x, y, hull: [[x, y], ...], beyond, effective, sectors: [{
+/// azimuth_deg, count, share, share_interval, greatest, distance, lower_bound, with_factor }] }. `beyond` is
+/// null where there is no area.
 Json area_data(const AreaSummary& area) {
   Json hull = Json::array(), list = Json::array();
   for (const Vec2& corner : area.hull) hull.push_back({corner.x(), corner.y()});
@@ -178,11 +240,14 @@ Json area_data(const AreaSummary& area) {
                     {"share_interval", interval_data(sector.share.interval)},
                     {"greatest", number(sector.greatest.value)},
                     {"distance", number(sector.distance.value)},
-                    {"lower", number(sector.interval.lower)},
-                    {"upper", number(sector.interval.upper)},
                     {"lower_bound", sector.greatest.censored},
                     {"with_factor", number(sector.with_factor)}});
-  return {{"x", area.centre.x()}, {"y", area.centre.y()}, {"hull", hull}, {"sectors", list}};
+  return {{"x", area.centre.x()},
+          {"y", area.centre.y()},
+          {"hull", hull},
+          {"beyond", area.beyond ? Json(*area.beyond) : Json(nullptr)},
+          {"effective", number(area.effective)},
+          {"sectors", list}};
 }
 
 Json clearances_data(const Scenario& scenario, const std::vector<ClearanceSummary>& clearances) {
@@ -205,6 +270,9 @@ Json clearances_data(const Scenario& scenario, const std::vector<ClearanceSummar
          {"confidence", plan.confidence},
          {"lower", number(clearance.interval.lower)},
          {"upper", number(clearance.interval.upper)},
+         {"design_effect", number(clearance.interval.design_effect)},
+         {"trials_needed",
+          clearance.interval.trials_needed > 0 ? Json(clearance.interval.trials_needed) : Json(nullptr)},
          {"factor", plan.factor ? Json(*plan.factor) : Json(nullptr)},
          {"with_factor", number(clearance.with_factor)}});
     if (plan.sectors > 0) list.back()["area"] = area_data(clearance.area);
@@ -317,8 +385,8 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
                       {"rocks", groups},
                       {"censored", censored_data(plan.points[p], point)},
                       {"runout_by_azimuth", azimuth_data(point)},
-                      {"gates", gates_data(plan.points[p], point.gates)},
-                      {"barriers", barriers_data(plan.points[p], point.barriers)},
+                      {"gates", gates_data(plan.points[p], point)},
+                      {"barriers", barriers_data(plan.points[p], point)},
                       {"clearance", clearances_data(plan.points[p], point.clearances)},
                       {"reach", reach_data(plan.points[p], point.reaches)},
                       {"solver", quality_data(point.totals.quality)},

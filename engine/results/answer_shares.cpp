@@ -58,34 +58,36 @@ std::string display(const Complement& share) {
 
 /// "Barrier fence catches 1 of 2 bodies; ... ": bodies are few, and shares of them say less than their count.
 std::string of_bodies(const std::string& name, const BarrierSummary& barrier) {
-  const auto& [caught, over_top, through] = barrier.outcomes;
-  const std::uint64_t all = caught + over_top + through + barrier.not_reached;
+  const std::uint64_t caught = barrier.count(BarrierShare::caught),
+                      over_top = barrier.count(BarrierShare::over_top),
+                      through = barrier.count(BarrierShare::over_energy);
+  const std::uint64_t all = barrier.count(BarrierShare::reached) + barrier.not_reached;
   return fmt::format(
       "Barrier {} catches {} of {} {}; {} over the top, {} through it, and {} did not reach it. ", name,
       caught, all, all == 1 ? "body" : "bodies", over_top, through, barrier.not_reached);
 }
 
 std::string of_rocks(const std::string& name, const Results& results, std::size_t b) {
-  const auto of = [&](auto share) {
+  const auto at = [b](const PointResult& point) { return point.crossings.front().barriers.at(b); };
+  const auto of = [&](BarrierShare what) {
     std::vector<Share> shares;
-    for (const PointResult& point : results.points) shares.push_back(share(point.barriers.at(b)));
+    for (const PointResult& point : results.points) shares.push_back(at(point).share(what).of_all);
     return over_points(std::move(shares));
   };
-  const auto outcome = [&](BarrierOutcome o) {
-    return of([&](const BarrierSummary& barrier) { return barrier.shares[static_cast<std::size_t>(o)]; });
+  const auto is_reached = [&](const PointResult& point) {
+    return at(point).count(BarrierShare::reached) > 0;
   };
-  const auto reached = [](const BarrierSummary& barrier) { return barrier.reached; };
-  const auto is_reached = [&](const PointResult& point) { return point.barriers.at(b).reached.value > 0; };
   if (std::none_of(results.points.begin(), results.points.end(), is_reached))
-    return fmt::format("Barrier {}: {} of the rocks reach it. ", name, of(reached));
+    return fmt::format("Barrier {}: {} of the rocks reach it. ", name, of(BarrierShare::reached));
   const std::string others =
       results.points.size() == 1
-          ? fmt::format(", and {} do not reach it",
-                        display(complement_of(results.points.front().barriers.at(b).reached)))
-          : fmt::format("; {} reach it", of(reached));
+          ? fmt::format(
+                ", and {} do not reach it",
+                display(complement_of(at(results.points.front()).share(BarrierShare::reached).of_all)))
+          : fmt::format("; {} reach it", of(BarrierShare::reached));
   return fmt::format("Barrier {} catches {} of the rocks; {} go over the top, {} go through it{}. ", name,
-                     outcome(BarrierOutcome::caught), outcome(BarrierOutcome::over_top),
-                     outcome(BarrierOutcome::over_energy), others);
+                     of(BarrierShare::caught), of(BarrierShare::over_top), of(BarrierShare::over_energy),
+                     others);
 }
 
 }  // namespace
@@ -127,7 +129,7 @@ std::string censored_answer(const Plan& plan, const Results& results) {
   std::vector<std::vector<CensoredPlace>> places;
   for (const PointResult& point : results.points) {
     const GroupSummary& all = point.groups.front();
-    shares.push_back(share_of(all.censored, all.count - all.faults));
+    shares.push_back(all.censored_share);
     places.push_back(point.censored);
   }
   const std::vector<CensoredPlace> all = joined(places);
@@ -172,10 +174,7 @@ std::string barriers_answer(const Plan& plan, const Results& results) {
   std::string text;
   std::vector<Share> caught;
   for (const PointResult& point : results.points) {
-    const GroupSummary& all = point.groups.front();
-    const std::uint64_t by_trees = point.trees ? point.trees->stopped : 0;
-    caught.push_back(share_of(all.reasons[static_cast<std::size_t>(StopReason::caught)] - by_trees,
-                              all.count - all.faults));
+    caught.push_back(point.crossings.front().caught);
   }
   if (count > most_named)
     text = fmt::format("The {} barriers catch {} of the {}. ", count, over_points(caught),

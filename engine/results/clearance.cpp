@@ -19,28 +19,27 @@ std::uint64_t add_distances(const std::vector<RockRecord>& rocks, const Clearanc
     if (!is_fault(rocks[i].reason) && plan.counts(rocks[i].group)) {
       ++count;
       const Bounded value = bounded(rocks[i], distance);
-      if (!plan.per_blast) sample.add(value);
+      if (!plan.per_blast) sample.add(value, rocks[i].trial);
       // A censored rock may have gone farther than the farthest known one.
       farthest = farthest
                      ? Bounded{std::max(farthest->value, value.value), farthest->censored || value.censored}
                      : value;
     }
     if (i + 1 < rocks.size() && rocks[i + 1].trial == rocks[i].trial) continue;
-    if (plan.per_blast && farthest) sample.add(*farthest);
+    if (plan.per_blast && farthest) sample.add(*farthest, rocks[i].trial);
     farthest.reset();
   }
   return count;
 }
 
-/// With sectors, the distance is the farthest one of the polygon. If another sector is a lower bound, that
+/// With sectors, the distance is the farthest one of the area. If another sector is a lower bound, that
 /// sector may reach farther still.
 void take_farthest(ClearanceSummary& summary) {
   const SectorSummary* farthest = summary.area.farthest();
   if (!farthest) return;
-  summary.distance = farthest->reach();
-  summary.interval = farthest->interval;
+  summary.distance = farthest->distance;
   for (const SectorSummary& sector : summary.area.sectors)
-    summary.distance.censored |= sector.count > 0 && sector.reach().censored;
+    summary.distance.censored |= sector.distance.censored;
 }
 
 }  // namespace
@@ -58,15 +57,22 @@ void ClearanceTally::add(const TrialRecords& chunk) {
   for (std::size_t c = 0; c < plans_.size(); ++c) {
     const std::uint64_t rocks = add_distances(chunk.rocks, plans_[c], samples_[c]);
     if (!counted_) rocks_[c] += rocks;
-    if (plans_[c].sectors > 0) sectors_[c].add(chunk);
+    sectors_[c].add(chunk);
   }
 }
 
 bool ClearanceTally::needs_another_pass() {
   counted_ = true;
   bool more = false;
-  for (Sample& sample : samples_) more |= sample.needs_another_pass();
-  for (SectorTally& sectors : sectors_) more |= sectors.needs_another_pass();
+  for (std::size_t c = 0; c < plans_.size(); ++c) {
+    std::optional<double> design_effect;
+    if (samples_[c].needs_another_pass())
+      more = true;
+    else if (samples_[c].size() > 0)
+      design_effect =
+          samples_[c].quantile_interval(1 - plans_[c].probability, plans_[c].confidence).design_effect;
+    more |= sectors_[c].needs_another_pass(design_effect);
+  }
   return more;
 }
 
@@ -78,13 +84,12 @@ std::vector<ClearanceSummary> ClearanceTally::summaries() const {
     summary.count = samples_[c].size();
     summary.rocks = rocks_[c];
     summary.needed = needed_for(plan.probability);
-    summary.area = sectors_[c].summary(summary.needed);
-    if (!summary.enough()) continue;
     if (plan.sectors > 0) {
+      summary.area = sectors_[c].summary();
       take_farthest(summary);
-    } else {
-      summary.distance = samples_[c].quantile(1 - plan.probability);
+    } else if (summary.count >= summary.needed) {
       summary.interval = samples_[c].quantile_interval(1 - plan.probability, plan.confidence);
+      if (summary.enough()) summary.distance = samples_[c].quantile(1 - plan.probability);
     }
     if (plan.factor) summary.with_factor = *plan.factor * summary.distance.value;
   }

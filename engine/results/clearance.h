@@ -16,16 +16,18 @@ struct ClearanceSummary {
   std::uint64_t rocks = 0;   ///< rocks of all these trials
   std::uint64_t needed = 0;  ///< needed_for(probability)
   /// The quantile 1 - probability and its interval with the confidence of the plan (see Sample); NaN if there
-  /// are too few rocks or trials. With sectors, the values of the sector that reaches farthest: the greatest
-  /// distance of the polygon.
+  /// are too few rocks or trials. With sectors, the greatest distance of the area, without an interval: the
+  /// area holds with stated_confidence.
   Bounded distance{unknown, false};
-  Interval interval{unknown, unknown};
+  Interval interval{unknown, unknown};  ///< with trials_needed if too few trials reach beyond the distance
   /// factor x distance; NaN without a factor. The factor is applied only here and not to the interval.
   double with_factor = unknown;
 
   AreaSummary area;  ///< if the plan asks for sectors
 
-  bool enough() const { return count >= needed; }
+  bool enough() const {
+    return area.sectors.empty() ? count >= needed && interval.trials_needed == 0 : area.beyond.has_value();
+  }
   /// The mean number of rocks in a blast. The farthest rock of few is nearer than the farthest of many. NaN
   /// without a blast.
   double rocks_per_blast() const { return static_cast<double>(rocks) / static_cast<double>(count); }

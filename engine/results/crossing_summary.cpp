@@ -7,16 +7,16 @@ namespace flyrock {
 
 namespace {
 
-/// The rock of a row; nullptr if it failed. The rows of a chunk are sorted.
+/// The rows of a rock, from `row` on. Rows are sorted as the rocks are.
 template <class Row>
-const RockRecord* rock_of(const Row& row, const std::vector<RockRecord>& rocks) {
-  const auto found = std::lower_bound(
-      rocks.begin(), rocks.end(), std::pair(row.trial, row.rock),
-      [](const RockRecord& rock, const auto& key) { return std::pair(rock.trial, rock.rock) < key; });
-  return is_fault(found->reason) ? nullptr : &*found;
+std::span<const Row> rows_of_rock(const std::vector<Row>& rows, std::size_t& row, const RockRecord& rock) {
+  const std::size_t first = row;
+  while (row < rows.size() && rows[row].trial == rock.trial && rows[row].rock == rock.rock) ++row;
+  return {rows.data() + first, row - first};
 }
 
-Statistics bounded(const Sample& sample, bool open) {
+/// `open`: more rocks may still arrive.
+Statistics lower_bounds(const Sample& sample, bool open) {
   Statistics statistics = statistics_of(sample);
   for (Bounded& number : statistics) number.censored = open;
   return statistics;
@@ -25,95 +25,165 @@ Statistics bounded(const Sample& sample, bool open) {
 }  // namespace
 
 void TreeTally::add(const TrialRecords& chunk) {
-  auto row = chunk.trees.begin();  // sorted as the rocks are
+  std::size_t row = 0;
   for (const RockRecord& rock : chunk.rocks) {
-    std::uint64_t hits = 0;
-    bool stopped = false;
-    for (; row != chunk.trees.end() && row->trial == rock.trial && row->rock == rock.rock; ++row) {
-      ++hits;
-      stopped = rock.reason == StopReason::caught && row->hit.energy_after == 0;
-    }
+    const auto hits = rows_of_rock(chunk.trees, row, rock);
     if (is_fault(rock.reason)) continue;
-    ++rocks_;
-    counts_.hits += hits;
-    counts_.hit += hits > 0;
-    counts_.stopped += stopped;
-    not_hit_ += rock.censored && hits == 0;
-    not_stopped_ += rock.censored && !stopped;
+    const bool stopped =
+        rock.reason == StopReason::caught && !hits.empty() && hits.back().hit.energy_after == 0;
+    hits_ += hits.size();
+    shares_.add(rock.trial);
+    for (const auto& [share, counts] : {std::pair{hit, !hits.empty()}, std::pair{stops, stopped}}) {
+      if (counts)
+        shares_.count(share);
+      else if (rock.censored)
+        shares_.leave_open(share);
+    }
   }
 }
 
-TreeSummary TreeTally::summary() const {
-  TreeSummary summary = counts_;
-  summary.hit_share = share_of(summary.hit, rocks_, not_hit_);
-  summary.stopped_share = share_of(summary.stopped, rocks_, not_stopped_);
-  summary.mean_hits = static_cast<double>(summary.hits) / static_cast<double>(rocks_);
+TreeSummary TreeTally::summary() {
+  shares_.close();
+  TreeSummary summary;
+  summary.hits = hits_;
+  summary.hit = shares_.counted(hit);
+  summary.stopped = shares_.counted(stops);
+  summary.hit_share = shares_.of_rocks(hit);
+  summary.stopped_share = shares_.of_rocks(stops);
+  summary.mean_hits = static_cast<double>(hits_) / static_cast<double>(shares_.rocks());
   return summary;
 }
 
-CrossingTally::CrossingTally(std::size_t gates, std::size_t barriers) : gates_(gates), barriers_(barriers) {}
+CrossingTally::CrossingTally(std::size_t gates, std::size_t barriers)
+    : gates_(gates, Arrivals(1)), barriers_(barriers, Arrivals(barrier_share_names.size())) {}
 
-void CrossingTally::add(const TrialRecords& chunk) {
-  if (gates_.empty() && barriers_.empty()) return;
-  for (const RockRecord& rock : chunk.rocks) {
-    if (counted_ || is_fault(rock.reason)) continue;
-    ++rocks_;
-    censored_ += rock.censored;
-  }
-  for (const GateRecord& row : chunk.gates)
-    if (const RockRecord* rock = rock_of(row, chunk.rocks))
-      add(gates_.at(static_cast<std::size_t>(row.passage.gate)), row.passage, *rock);
-  for (const BarrierRecord& row : chunk.barriers)
-    if (const RockRecord* rock = rock_of(row, chunk.rocks)) {
-      Arrivals& at = barriers_.at(static_cast<std::size_t>(row.hit.barrier));
-      add(at, row.hit, *rock);
-      if (!counted_) ++at.outcomes[static_cast<std::size_t>(row.hit.outcome)];
-    }
+void CrossingTally::add(const RockRecord& rock, std::span<const GateRecord> gates,
+                        std::span<const BarrierRecord> barriers) {
+  if (!counted_) count(rock, gates, barriers);
+  for (const GateRecord& row : gates)
+    gates_.at(static_cast<std::size_t>(row.passage.gate)).add(row.passage, rock.trial);
+  for (const BarrierRecord& row : barriers)
+    barriers_.at(static_cast<std::size_t>(row.hit.barrier)).add(row.hit, rock.trial);
 }
 
-template <class Arrival>
-void CrossingTally::add(Arrivals& at, const Arrival& arrival, const RockRecord& rock) {
-  if (!counted_) at.censored += rock.censored;
-  at.speed.add({arrival.speed, false});
-  at.energy.add({arrival.kinetic_energy, false});
-  at.height.add({arrival.height, false});
+/// In the first pass: a rock at all places, also at those that it does not reach.
+void CrossingTally::count(const RockRecord& rock, std::span<const GateRecord> gates,
+                          std::span<const BarrierRecord> barriers) {
+  for (std::vector<Arrivals>* places : {&gates_, &barriers_})
+    for (Arrivals& at : *places) {
+      at.of_all.add(rock.trial);
+      at.has_arrived = false;
+    }
+  for (const GateRecord& row : gates)
+    gates_.at(static_cast<std::size_t>(row.passage.gate)).count(rock.trial, {0});
+  caught_.add(rock.trial);
+  for (const BarrierRecord& row : barriers) {
+    const bool is_caught = row.hit.outcome == BarrierOutcome::caught;
+    Arrivals& at = barriers_.at(static_cast<std::size_t>(row.hit.barrier));
+    const auto outcome = static_cast<std::size_t>(row.hit.outcome);
+    const auto past = static_cast<std::size_t>(BarrierShare::past),
+               reached = static_cast<std::size_t>(BarrierShare::reached);
+    if (is_caught) {
+      caught_.count();
+      at.count(rock.trial, {outcome, reached});
+    } else {
+      at.count(rock.trial, {outcome, past, reached});
+    }
+  }
+  if (!rock.censored) return;
+  for (std::vector<Arrivals>* places : {&gates_, &barriers_})
+    for (Arrivals& at : *places)
+      if (!at.has_arrived) at.of_all.leave_open();
+}
+
+void CrossingTally::Arrivals::count(std::uint64_t trial, std::initializer_list<std::size_t> shares) {
+  has_arrived = true;
+  of_arriving.add(trial);
+  for (const std::size_t share : shares) {
+    of_all.count(share);
+    of_arriving.count(share);
+  }
+}
+
+void CrossingTally::Arrivals::add(const Arrival& arrival, std::uint64_t trial) {
+  speed.add({arrival.speed, false}, trial);
+  energy.add({arrival.kinetic_energy, false}, trial);
+  height.add({arrival.height, false}, trial);
 }
 
 bool CrossingTally::Arrivals::needs_another_pass() {
+  of_all.close();
+  of_arriving.close();
   bool more = false;
   for (Sample* sample : {&speed, &energy, &height}) more |= sample->needs_another_pass();
   return more;
 }
 
+Shares CrossingTally::Arrivals::shares(std::size_t share) const {
+  return {of_all.of_rocks(share), of_arriving.of_rocks(share), of_all.per_trial(share)};
+}
+
 bool CrossingTally::needs_another_pass() {
   counted_ = true;
+  caught_.close();
   bool more = false;
   for (auto* places : {&gates_, &barriers_})
     for (Arrivals& at : *places) more |= at.needs_another_pass();
   return more;
 }
 
-std::vector<GateSummary> CrossingTally::gates() const {
-  std::vector<GateSummary> summaries;
-  for (const Arrivals& at : gates_)
-    summaries.push_back({at.speed.size(), share(at.speed.size(), at), bounded(at.speed, open(at) > 0),
-                         bounded(at.energy, open(at) > 0), bounded(at.height, open(at) > 0)});
-  return summaries;
+Crossings CrossingTally::summary() const {
+  Crossings summary;
+  for (const Arrivals& at : gates_) {
+    const bool open = at.of_all.open() > 0;
+    summary.gates.push_back({at.of_all.counted(), at.shares(0), lower_bounds(at.speed, open),
+                             lower_bounds(at.energy, open), lower_bounds(at.height, open),
+                             intervals_of(at.speed), intervals_of(at.energy), intervals_of(at.height)});
+  }
+  for (const Arrivals& at : barriers_) {
+    BarrierSummary& barrier = summary.barriers.emplace_back();
+    for (std::size_t s = 0; s < barrier.shares.size(); ++s) {
+      barrier.counts[s] = at.of_all.counted(s);
+      barrier.shares[s] = at.shares(s);
+    }
+    barrier.not_reached = at.of_all.rocks() - barrier.count(BarrierShare::reached);
+    const bool open = at.of_all.open() > 0;
+    barrier.energy = lower_bounds(at.energy, open);
+    barrier.height = lower_bounds(at.height, open);
+    barrier.energy_intervals = intervals_of(at.energy);
+    barrier.height_intervals = intervals_of(at.height);
+  }
+  summary.caught = caught_.of_rocks();
+  return summary;
 }
 
-std::vector<BarrierSummary> CrossingTally::barriers() const {
-  std::vector<BarrierSummary> summaries;
-  for (const Arrivals& at : barriers_) {
-    BarrierSummary summary;
-    summary.outcomes = at.outcomes;
-    summary.not_reached = rocks_ - at.speed.size();
-    summary.reached = share(at.speed.size(), at);
-    for (std::size_t o = 0; o < at.outcomes.size(); ++o) summary.shares[o] = share(at.outcomes[o], at);
-    summary.past = share(at.speed.size() - at.outcomes[static_cast<std::size_t>(BarrierOutcome::caught)], at);
-    summary.energy = bounded(at.energy, open(at) > 0);
-    summary.height = bounded(at.height, open(at) > 0);
-    summaries.push_back(summary);
+CrossingTallies::CrossingTallies(const Scenario& scenario)
+    : is_empty_(scenario.gates.empty() && scenario.barriers.empty()) {
+  const std::size_t groups = group_names(scenario).size();
+  tallies_.assign(groups > 1 ? 1 + groups : 1, {scenario.gates.size(), scenario.barriers.size()});
+}
+
+void CrossingTallies::add(const TrialRecords& chunk) {
+  if (is_empty_) return;
+  std::size_t gate = 0, barrier = 0;
+  for (const RockRecord& rock : chunk.rocks) {
+    const auto gates = rows_of_rock(chunk.gates, gate, rock);
+    const auto barriers = rows_of_rock(chunk.barriers, barrier, rock);
+    if (is_fault(rock.reason)) continue;
+    tallies_.front().add(rock, gates, barriers);
+    if (tallies_.size() > 1) tallies_.at(1 + static_cast<std::size_t>(rock.group)).add(rock, gates, barriers);
   }
+}
+
+bool CrossingTallies::needs_another_pass() {
+  bool more = false;
+  for (CrossingTally& tally : tallies_) more |= tally.needs_another_pass();
+  return more;
+}
+
+std::vector<Crossings> CrossingTallies::summaries() const {
+  std::vector<Crossings> summaries;
+  for (const CrossingTally& tally : tallies_) summaries.push_back(tally.summary());
   return summaries;
 }
 

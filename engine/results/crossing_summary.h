@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "results/share.h"
@@ -10,21 +12,45 @@
 
 namespace flyrock {
 
-/// The rocks without faults of one sweep point at one place. A censored rock that has not arrived might have
-/// arrived later. If there is such a rock, the numbers of the place are lower bounds.
-struct GateSummary {
-  std::uint64_t passed = 0;                ///< rocks
-  Share share;                             ///< of all rocks
-  Statistics speed{}, energy{}, height{};  ///< of the rocks that passed, at the gate
+/// A share in its three senses.
+struct Shares {
+  Share of_all;       ///< of all rocks
+  Share of_arriving;  ///< of the rocks that arrive; of a gate all pass
+  Share per_trial;    ///< of the trials: those with at least one such rock
 };
 
+/// The rocks without faults of one sweep point, or of one of its groups, at one place. A censored rock that
+/// has not arrived might have arrived later. If there is such a rock, the numbers of the place are lower
+/// bounds.
+struct GateSummary {
+  std::uint64_t passed = 0;  ///< rocks
+  Shares shares;
+  Statistics speed{}, energy{}, height{};  ///< of the rocks that passed, at the gate
+  Intervals speed_intervals{}, energy_intervals{}, height_intervals{};
+};
+
+/// What may happen to rocks at a barrier: the outcomes of BarrierOutcome, then `past`, over the top or
+/// through, and `reached`.
+inline constexpr std::array<std::string_view, 5> barrier_share_names = {"caught", "over_top", "over_energy",
+                                                                        "past", "reached"};
+enum class BarrierShare { caught, over_top, over_energy, past, reached };
+
 struct BarrierSummary {
-  std::array<std::uint64_t, 3> outcomes{};  ///< rocks, indexed by BarrierOutcome
-  std::uint64_t not_reached = 0;            ///< rocks that did not arrive; with the outcomes, all rocks
-  Share reached;                            ///< rocks that arrived, of all rocks
-  std::array<Share, 3> shares{};            ///< of all rocks, indexed by BarrierOutcome
-  Share past;                               ///< over the top or through, of all rocks
-  Statistics energy{}, height{};            ///< of the rocks that arrived, before the barrier acts
+  std::array<std::uint64_t, barrier_share_names.size()> counts{};  ///< rocks, indexed by BarrierShare
+  std::uint64_t not_reached = 0;                                   ///< rocks that did not arrive
+  std::array<Shares, barrier_share_names.size()> shares{};         ///< indexed by BarrierShare
+  Statistics energy{}, height{};  ///< of the rocks that arrived, before the barrier acts
+  Intervals energy_intervals{}, height_intervals{};
+
+  std::uint64_t count(BarrierShare what) const { return counts[static_cast<std::size_t>(what)]; }
+  const Shares& share(BarrierShare what) const { return shares[static_cast<std::size_t>(what)]; }
+};
+
+/// What the rocks of a group, or all rocks, did at gates and barriers.
+struct Crossings {
+  std::vector<GateSummary> gates;        ///< in the order of Scenario::gates
+  std::vector<BarrierSummary> barriers;  ///< in the order of Scenario::barriers
+  Share caught;                          ///< by any barrier, of all rocks
 };
 
 /// The rocks without faults of one sweep point and the trees.
@@ -40,44 +66,58 @@ struct TreeSummary {
 class TreeTally {
  public:
   void add(const TrialRecords& chunk);
-  TreeSummary summary() const;
+  TreeSummary summary();
 
  private:
-  std::uint64_t rocks_ = 0;
-  std::uint64_t not_hit_ = 0, not_stopped_ = 0;  ///< censored rocks that were not: they might be later
-  TreeSummary counts_;
+  static constexpr std::size_t hit = 0, stops = 1;  ///< shares
+  ShareTally shares_{2};
+  std::uint64_t hits_ = 0;
 };
 
-/// Summarises the arrivals at gates and barriers. It sees all chunks once per pass (read_in_passes), and
-/// needs_another_pass() says whether it needs another pass.
+/// Summarises the arrivals of some rocks at gates and barriers, in passes.
 class CrossingTally {
  public:
   CrossingTally(std::size_t gates, std::size_t barriers);
-  void add(const TrialRecords& chunk);
+  /// A rock without a fault, with its arrivals.
+  void add(const RockRecord& rock, std::span<const GateRecord> gates,
+           std::span<const BarrierRecord> barriers);
   bool needs_another_pass();
-  /// In the order of Scenario::gates and Scenario::barriers.
-  std::vector<GateSummary> gates() const;
-  std::vector<BarrierSummary> barriers() const;
+  Crossings summary() const;
 
  private:
   /// The arrivals at one place.
   struct Arrivals {
-    std::uint64_t censored = 0;  ///< rocks that arrived and were censored later
-    std::array<std::uint64_t, 3> outcomes{};
+    explicit Arrivals(std::size_t shares) : of_all(shares), of_arriving(shares) {}
+    ShareTally of_all, of_arriving;  ///< gates: passed; barriers: BarrierShare
     Sample speed{stated_questions()}, energy{stated_questions()}, height{stated_questions()};
 
+    bool has_arrived = false;  ///< the rock that is being counted
+
+    void count(std::uint64_t trial, std::initializer_list<std::size_t> shares);
+    void add(const Arrival& arrival, std::uint64_t trial);
+    Shares shares(std::size_t share) const;
     bool needs_another_pass();
   };
 
-  template <class Arrival>
-  void add(Arrivals& at, const Arrival& arrival, const RockRecord& rock);
-  /// Censored rocks that had not arrived: they might have arrived later.
-  std::uint64_t open(const Arrivals& at) const { return censored_ - at.censored; }
-  Share share(std::uint64_t count, const Arrivals& at) const { return share_of(count, rocks_, open(at)); }
+  void count(const RockRecord& rock, std::span<const GateRecord> gates,
+             std::span<const BarrierRecord> barriers);
 
-  bool counted_ = false;                    ///< first pass is done
-  std::uint64_t rocks_ = 0, censored_ = 0;  ///< without faults
+  bool counted_ = false;  ///< first pass is done
   std::vector<Arrivals> gates_, barriers_;
+  ShareTally caught_;
+};
+
+/// Crossings of all rocks, then of each group if there is more than one. See read_in_passes().
+class CrossingTallies {
+ public:
+  CrossingTallies(const Scenario& scenario);
+  void add(const TrialRecords& chunk);
+  bool needs_another_pass();
+  std::vector<Crossings> summaries() const;
+
+ private:
+  std::vector<CrossingTally> tallies_;
+  bool is_empty_;  ///< no gates, no barriers
 };
 
 }  // namespace flyrock

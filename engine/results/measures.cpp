@@ -115,7 +115,7 @@ Measured Measure::value(const PointResult& result) const {
     case Kind::count:
       return {static_cast<double>(result.groups.at(index_).count), false, {}};
     case Kind::censored:
-      return {result.groups.at(index_).censored_share(), false, {}};
+      return {result.groups.at(index_).censored_share.value, false, {}};
     case Kind::energy:
       return {result.totals.quality.energy_relative_change, false, {}};
     case Kind::solver:
@@ -129,9 +129,9 @@ Measured Measure::value(const PointResult& result) const {
       return {number.value, number.censored, std::isnan(number.value) ? "too few rocks" : ""};
     }
     case Kind::gate:
-      return gate_value(result.gates.at(index_), field_);
+      return gate_value(result.crossings.front().gates.at(index_), field_);
     case Kind::barrier:
-      return barrier_value(result.barriers.at(index_), field_);
+      return barrier_value(result.crossings.front().barriers.at(index_), field_);
     case Kind::trees:
       return trees_value(result.trees.value(), field_);
     case Kind::clearance:
@@ -161,15 +161,17 @@ Measured Measure::solver_value(const PointResult& result, const std::string& fie
 
 Measured Measure::gate_value(const GateSummary& gate, const std::string& field) {
   const std::array<Bounded, gate_fields.size()> values = {
-      gate.share, gate.energy[static_cast<int>(Statistic::mean)],
+      gate.shares.of_all, gate.energy[static_cast<int>(Statistic::mean)],
       gate.energy[static_cast<int>(Statistic::p95)], gate.height[static_cast<int>(Statistic::p95)]};
   const Bounded& number = values[index_of(field, gate_fields)];
   return {number.value, number.censored, std::isnan(number.value) ? "no rock passed" : ""};
 }
 
 Measured Measure::barrier_value(const BarrierSummary& barrier, const std::string& field) {
-  const std::array<Bounded, barrier_fields.size()> values = {barrier.reached, barrier.shares[0],
-                                                             barrier.shares[1], barrier.shares[2]};
+  const auto of_all = [&](BarrierShare what) -> Bounded { return barrier.share(what).of_all; };
+  const std::array<Bounded, barrier_fields.size()> values = {
+      of_all(BarrierShare::reached), of_all(BarrierShare::caught), of_all(BarrierShare::over_top),
+      of_all(BarrierShare::over_energy)};
   const Bounded& number = values[index_of(field, barrier_fields)];
   return {number.value, number.censored, std::isnan(number.value) ? "too few rocks" : ""};
 }

@@ -24,7 +24,7 @@ class PointTally {
       : scenario_(scenario),
         point_(point),
         rocks_(group_names(scenario)),
-        crossings_(scenario.gates.size(), scenario.barriers.size()),
+        crossings_(scenario),
         clearances_(scenario.clearances),
         azimuths_(scenario.dimension == 3 && scenario.bodies.empty() ? 1 + scenario.rocks.size() : 0) {}
 
@@ -64,7 +64,7 @@ class PointTally {
     if (azimuths_.empty()) return;
     for (const RockRecord& rock : chunk.rocks) {
       if (is_fault(rock.reason)) continue;
-      diameters_.add({2 * sphere_radius(rock.volume), false});
+      diameters_.add({2 * sphere_radius(rock.volume), false}, rock.trial);
       azimuths_.front().add(rock);
       azimuths_.at(1 + static_cast<std::size_t>(rock.group)).add(rock);
     }
@@ -89,8 +89,7 @@ class PointTally {
   PointResult result() {
     end_first();
     result_.groups = rocks_.summaries();
-    result_.gates = crossings_.gates();
-    result_.barriers = crossings_.barriers();
+    result_.crossings = crossings_.summaries();
     if (scenario_.forest) result_.trees = trees_.summary();
     result_.clearances = clearances_.summaries();
     result_.censored = censored_.places();
@@ -108,7 +107,7 @@ class PointTally {
   PointResult result_;
   bool series_is_known_ = false;
   RockTally rocks_;
-  CrossingTally crossings_;
+  CrossingTallies crossings_;
   TreeTally trees_;
   ClearanceTally clearances_;
   Sample diameters_{Questions{{0.05, 0.5}, {}}};

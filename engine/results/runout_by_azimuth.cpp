@@ -20,14 +20,20 @@ void AzimuthTally::add(const RockRecord& rock) {
     still_ += !counted_;
     return;
   }
-  Sector& sector = sectors_[sector_of(way, azimuth_sectors)];
+  const std::size_t at = sector_of(way, azimuth_sectors);
+  if (!counted_) {
+    shares_.add(rock.trial);
+    shares_.count(at);
+  }
+  Sector& sector = sectors_[at];
   const Bounded runout = bounded(rock, rock_statistics[rock_statistic("runout")]);
   sector.greatest = farther(sector.greatest, runout);
-  sector.sample.add(runout);
+  sector.sample.add(runout, rock.trial);
 }
 
 bool AzimuthTally::needs_another_pass() {
   counted_ = true;
+  shares_.close();
   bool more = false;
   for (Sector& sector : sectors_) more |= sector.sample.needs_another_pass();
   return more;
@@ -36,12 +42,11 @@ bool AzimuthTally::needs_another_pass() {
 RunoutByAzimuth AzimuthTally::summary() const {
   RunoutByAzimuth summary;
   summary.still = still_;
-  std::uint64_t all = 0;
-  for (const Sector& sector : sectors_) all += sector.sample.size();
-  for (const Sector& sector : sectors_) {
+  for (std::size_t i = 0; i < sectors_.size(); ++i) {
+    const Sector& sector = sectors_[i];
     AzimuthSector& of = summary.sectors.emplace_back();
     of.count = sector.sample.size();
-    of.share = share_of(of.count, all);
+    of.share = shares_.of_rocks(i);
     if (of.count > 0) of.greatest = sector.greatest;
     if (of.count < least_in_sector) continue;
     for (std::size_t p = 0; p < azimuth_percentiles.size(); ++p)

@@ -50,6 +50,7 @@ class AzimuthTally {
     Bounded greatest;
   };
   std::vector<Sector> sectors_;
+  ShareTally shares_{azimuth_sectors};
   std::uint64_t still_ = 0;
   bool counted_ = false;  ///< first pass is done
 };

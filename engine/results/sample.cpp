@@ -5,6 +5,7 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
+#include "results/share.h"
 #include "results/unknown.h"
 
 namespace flyrock {
@@ -71,47 +72,149 @@ Ends ends_of(double p, double confidence, std::uint64_t count) {
 
 }  // namespace
 
-void Sample::add(const Bounded& value) {
-  const double x = value.value;
-  if (pass_ == 0) {
-    ++count_;
-    sum_ += x;
-    least_ = std::min(least_, x);
-    greatest_ = std::max(greatest_, x);
-    if (value.censored) least_censored_ = std::min(least_censored_, x);
-    return;
+void Sample::add(const Bounded& value, std::uint64_t trial) {
+  if (stage_ == Stage::done) return;
+  if (is_clustered_ || stage_ == Stage::first) {
+    if (in_trial_ > 0 && trial != trial_) end_trial();
+    trial_ = trial;
+    ++in_trial_;
   }
-  selection_.add(x);
-  if (pass_ > 1) return;
-  const double departure = x - sum_ / static_cast<double>(count_);
-  squares_ += departure * departure;
-  first_censored_ += !value.censored && x <= least_censored_;
+  switch (stage_) {
+    case Stage::first:
+      return add_first(value);
+    case Stage::quantiles:
+      quantiles_.add(value.value);
+      if (!squared_) add_square(value);
+      return;
+    case Stage::shares:
+      for (Asked& asked : asked_) asked.in_trial += value.value <= asked.quantile;
+      return;
+    case Stage::ends:
+      return ends_.add(value.value);
+    case Stage::done:
+      return;
+  }
+}
+
+void Sample::add_first(const Bounded& value) {
+  const double x = value.value;
+  ++count_;
+  sum_ += x;
+  least_ = std::min(least_, x);
+  greatest_ = std::max(greatest_, x);
+  if (value.censored) least_censored_ = std::min(least_censored_, x);
+}
+
+void Sample::add_square(const Bounded& value) {
+  const double deviation = value.value - sum_ / static_cast<double>(count_);
+  squares_ += deviation * deviation;
+  deviation_ += deviation;
+  first_censored_ += !value.censored && value.value <= least_censored_;
+}
+
+void Sample::end_trial() {
+  if (in_trial_ == 0) return;
+  if (stage_ == Stage::first) {
+    ++trials_;
+    is_clustered_ = is_clustered_ || in_trial_ > 1;
+  } else if (stage_ == Stage::quantiles) {
+    trial_squares_ += deviation_ * deviation_;
+  } else if (stage_ == Stage::shares) {
+    for (Asked& asked : asked_) {
+      asked.at_most.add(in_trial_, asked.in_trial);
+      asked.in_trial = 0;
+    }
+  }
+  in_trial_ = 0;
+  deviation_ = 0;
 }
 
 bool Sample::needs_another_pass() {
   if (count_ == 0) return false;
-  if (pass_++ == 0) {
-    selection_ = Selection(wanted_ranks(), count_, least_, greatest_);
-    return true;
+  end_trial();
+  switch (stage_) {
+    case Stage::first: {
+      asked_.resize(questions_.intervals.size());
+      if (!is_clustered_) find_exact_ends();
+      std::vector<std::uint64_t> ranks = quantile_ranks();
+      if (!is_clustered_) {
+        const std::vector<std::uint64_t> more = end_ranks();
+        ranks.insert(ranks.end(), more.begin(), more.end());
+      }
+      quantiles_ = Selection(std::move(ranks), count_, least_, greatest_);
+      stage_ = Stage::quantiles;
+      break;
+    }
+    case Stage::quantiles:
+      squared_ = true;
+      quantiles_.end_pass();
+      if (quantiles_.open()) break;
+      stage_ = is_clustered_ && !asked_.empty() ? Stage::shares : Stage::done;
+      for (std::size_t i = 0; i < asked_.size(); ++i)
+        asked_[i].quantile = quantile(questions_.intervals[i].p).value;
+      break;
+    case Stage::shares:
+      find_clustered_ends();
+      ends_ = Selection(end_ranks(), count_, least_, greatest_);
+      stage_ = ends_.open() ? Stage::ends : Stage::done;
+      break;
+    case Stage::ends:
+      ends_.end_pass();
+      if (!ends_.open()) stage_ = Stage::done;
+      break;
+    case Stage::done:
+      break;
   }
-  selection_.end_pass();
-  return selection_.open();
+  return stage_ != Stage::done;
 }
 
-std::vector<std::uint64_t> Sample::wanted_ranks() const {
+std::vector<std::uint64_t> Sample::quantile_ranks() const {
   std::vector<std::uint64_t> ranks;
-  for (const double p : questions_.quantiles) {
+  const auto want = [&](double p) {
     const Rank rank = rank_of(p, count_);
     ranks.push_back(rank.low);
     if (rank.share > 0) ranks.push_back(rank.low + 1);
-  }
-  for (const auto& [p, confidence] : questions_.intervals) {
-    const Ends ends = ends_of(p, confidence, count_);
-    if (ends.lower >= 0) ranks.push_back(static_cast<std::uint64_t>(ends.lower));
-    if (ends.upper < static_cast<std::int64_t>(count_))
-      ranks.push_back(static_cast<std::uint64_t>(ends.upper));
-  }
+  };
+  for (const double p : questions_.quantiles) want(p);
+  if (is_clustered_)
+    for (const auto& asked : questions_.intervals) want(asked.p);
   return ranks;
+}
+
+std::vector<std::uint64_t> Sample::end_ranks() const {
+  std::vector<std::uint64_t> ranks;
+  for (const Asked& asked : asked_)
+    for (const std::int64_t end : {asked.lower, asked.upper})
+      if (end >= 0 && end < static_cast<std::int64_t>(count_))
+        ranks.push_back(static_cast<std::uint64_t>(end));
+  return ranks;
+}
+
+void Sample::find_exact_ends() {
+  for (std::size_t i = 0; i < asked_.size(); ++i) {
+    const auto [p, confidence] = questions_.intervals[i];
+    const Ends ends = ends_of(p, confidence, count_);
+    asked_[i].lower = ends.lower;
+    asked_[i].upper = ends.upper;
+  }
+}
+
+void Sample::find_clustered_ends() {
+  const auto n = static_cast<double>(count_);
+  for (std::size_t i = 0; i < asked_.size(); ++i) {
+    const auto [p, confidence] = questions_.intervals[i];
+    Asked& asked = asked_[i];
+    asked.lower = -1;
+    asked.upper = static_cast<std::int64_t>(count_);
+    asked.design_effect = asked.at_most.design_effect();
+    asked.trials_needed =
+        trials_needed(p < 0.5 ? asked.at_most.trials_with() : asked.at_most.trials_without(), trials_);
+    if (asked.trials_needed > 0) continue;
+    const double size = asked.at_most.effective_size(confidence);
+    const Interval share = share_interval(p * size, size, confidence);
+    asked.lower = static_cast<std::int64_t>(std::floor(n * share.lower)) - 1;
+    asked.upper = static_cast<std::int64_t>(std::ceil(n * share.upper));
+  }
 }
 
 Moments Sample::moments() const {
@@ -123,35 +226,52 @@ Moments Sample::moments() const {
 Bounded Sample::quantile(double p) const {
   if (count_ == 0) return {unknown, false};
   const auto [low, share] = rank_of(p, count_);
-  const double value = selection_.at(low);
+  const double value = quantiles_.at(low);
   if (share == 0) return {value, first_censored_ <= low};
-  return {value + share * (selection_.at(low + 1) - value), first_censored_ <= low + 1};
+  return {value + share * (quantiles_.at(low + 1) - value), first_censored_ <= low + 1};
 }
 
 Interval Sample::quantile_interval(double p, double confidence) const {
   Interval interval{unknown, unknown};
   if (count_ == 0) return interval;
-  const Ends ends = ends_of(p, confidence, count_);
-  if (ends.lower >= 0) interval.lower = selection_.at(static_cast<std::uint64_t>(ends.lower));
-  if (ends.upper < static_cast<std::int64_t>(first_censored_))
-    interval.upper = selection_.at(static_cast<std::uint64_t>(ends.upper));
+  const auto& questions = questions_.intervals;
+  const auto question = std::find_if(questions.begin(), questions.end(), [&](const auto& each) {
+    return each.p == p && each.confidence == confidence;
+  });
+  const Asked& asked = asked_.at(static_cast<std::size_t>(question - questions.begin()));
+  const Selection& found = is_clustered_ ? ends_ : quantiles_;
+  interval.design_effect = asked.design_effect;
+  interval.trials_needed = asked.trials_needed;
+  if (asked.lower >= 0) interval.lower = found.at(static_cast<std::uint64_t>(asked.lower));
+  if (asked.upper < static_cast<std::int64_t>(first_censored_))
+    interval.upper = found.at(static_cast<std::uint64_t>(asked.upper));
   return interval;
 }
 
 Interval Sample::mean_interval(double confidence) const {
   if (count_ < 2 || any_censored()) return {unknown, unknown};
-  const auto n = static_cast<double>(count_);
+  const auto n = static_cast<double>(count_), m = static_cast<double>(trials_);
   const auto [mean, sd] = moments();
-  const boost::math::students_t_distribution<> student(n - 1);
-  const double half =
-      boost::math::quantile(boost::math::complement(student, 0.5 * (1 - confidence))) * sd / std::sqrt(n);
-  return {mean - half, mean + half};
+  Interval interval{unknown, unknown};
+  double error = sd / std::sqrt(n);
+  if (is_clustered_) {
+    interval.trials_needed = trials_needed(trials_, trials_);
+    if (interval.trials_needed > 0) return interval;
+    const double clustered = std::sqrt(m / (m - 1) * trial_squares_) / n;
+    interval.design_effect = error > 0 ? std::max(1.0, clustered * clustered / (error * error)) : 1;
+    error = std::max(error, clustered);
+  }
+  const boost::math::students_t_distribution<> student(m - 1);
+  const double half = boost::math::quantile(boost::math::complement(student, 0.5 * (1 - confidence))) * error;
+  interval.lower = mean - half;
+  interval.upper = mean + half;
+  return interval;
 }
 
 Sample sample_of(const std::vector<Bounded>& values, const Questions& questions) {
   Sample sample(questions);
   do {
-    for (const Bounded& value : values) sample.add(value);
+    for (std::size_t i = 0; i < values.size(); ++i) sample.add(values[i], i);
   } while (sample.needs_another_pass());
   return sample;
 }

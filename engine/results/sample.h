@@ -1,11 +1,13 @@
 #pragma once
 // A sample of numbers, some of them censored: its quantiles, its mean and their confidence intervals. The
-// numbers are not kept; they are shown in passes, see results/selection.h.
+// numbers are not kept; they are shown in passes, see results/selection.h. The numbers of one trial depend on
+// each other: where a trial has several, intervals take the trial as their unit (results/design_effect.h).
 
 #include <cstdint>
 #include <limits>
 #include <vector>
 
+#include "results/design_effect.h"
 #include "results/selection.h"
 
 namespace flyrock {
@@ -24,6 +26,8 @@ inline constexpr double stated_confidence = 0.95;
 /// values reach this end.
 struct Interval {
   double lower = 0, upper = 0;
+  double design_effect = 1;         ///< results/design_effect.h
+  std::uint64_t trials_needed = 0;  ///< too few trials lie beyond the number: about how many it takes
 };
 
 /// Mean and standard deviation of the sample, sqrt(sum (x - mean)^2 / (n - 1)). NaN if there are too few
@@ -47,8 +51,9 @@ class Sample {
  public:
   explicit Sample(Questions questions = {}) : questions_(std::move(questions)) {}
 
-  /// Adds a number. Every pass needs the same order, because sums depend on it.
-  void add(const Bounded& value);
+  /// Adds a number of a trial. Every pass needs the same order, because sums depend on it; the numbers of a
+  /// trial follow each other.
+  void add(const Bounded& value, std::uint64_t trial);
   /// Ends a pass. Returns whether the sample needs another one.
   bool needs_another_pass();
 
@@ -68,31 +73,69 @@ class Sample {
   /// confidence) / 2 and the least u for which P(B >= u) <= (1 - confidence) / 2. Source: David and Nagaraja
   /// 2003, Order Statistics, 7.1. A censored bound is valid as the lower end, because it is below the true
   /// value; as the upper end it is not.
+  ///
+  /// Where trials have several numbers, the interval is that of Woodruff: the quantiles at the ends of the
+  /// interval of Clopper and Pearson for the share p of as many independent numbers as say the same,
+  /// effective_size(). It needs least_trials trials with a number beyond the quantile. Source: Woodruff 1952,
+  /// Confidence intervals for medians and other position measures.
   Interval quantile_interval(double p, double confidence) const;
 
   /// The interval of the mean: mean -+ t sd / sqrt(n), Student's t with n - 1 degrees of freedom. It is valid
   /// for many values; fewer suffice if the tails are light. Not given for one value, or if any value is
-  /// censored.
+  /// censored. Where trials have several numbers, mean -+ t sqrt(m / (m - 1) sum (S_t - mean n_t)^2) / n with
+  /// m - 1 degrees of freedom, of least_trials trials or more; trial t has n_t numbers of sum S_t.
   Interval mean_interval(double confidence) const;
 
  private:
   static constexpr double none = std::numeric_limits<double>::infinity();
 
-  std::vector<std::uint64_t> wanted_ranks() const;
+  /// The passes of each stage see all numbers.
+  enum class Stage {
+    first,      ///< number, sum and range: one pass
+    quantiles,  ///< order statistics of the quantiles, and squares: until they are found
+    shares,     ///< how many numbers of each trial do not exceed a quantile: one pass
+    ends,       ///< order statistics of the ends of intervals
+    done
+  };
+
+  /// An interval that is asked for. In clustered samples `quantile` splits the numbers of each trial.
+  struct Asked {
+    double quantile = 0;
+    TrialCounts at_most;                ///< numbers that do not exceed it
+    std::uint64_t in_trial = 0;         ///< of the open trial
+    std::int64_t lower = 0, upper = 0;  ///< ranks of the ends, from 0
+    double design_effect = 1;
+    std::uint64_t trials_needed = 0;
+  };
+
+  void add_first(const Bounded& value);
+  void add_square(const Bounded& value);
+  void end_trial();
+  std::vector<std::uint64_t> quantile_ranks() const;
+  std::vector<std::uint64_t> end_ranks() const;
+  void find_exact_ends();
+  void find_clustered_ends();
 
   Questions questions_;
-  int pass_ = 0;
+  Stage stage_ = Stage::first;
+  bool squared_ = false;  ///< the first pass after `first` is done
   // Found in the first pass:
-  std::uint64_t count_ = 0;
+  std::uint64_t count_ = 0, trials_ = 0;
+  bool is_clustered_ = false;
   double sum_ = 0, least_ = none, greatest_ = -none, least_censored_ = none;
   // Found in the second pass:
   double squares_ = 0;                ///< of the deviations from the mean
+  double trial_squares_ = 0;          ///< of their sums over each trial
   std::uint64_t first_censored_ = 0;  ///< its rank
-  // Used in the second and later passes:
-  Selection selection_;
+  // The open trial:
+  std::uint64_t trial_ = 0, in_trial_ = 0;
+  double deviation_ = 0;
+
+  std::vector<Asked> asked_;  ///< of questions_.intervals
+  Selection quantiles_, ends_;
 };
 
-/// A sample of numbers that are already in memory.
+/// A sample of numbers that are already in memory, each of a trial of its own.
 Sample sample_of(const std::vector<Bounded>& values, const Questions& questions);
 
 }  // namespace flyrock

@@ -24,32 +24,36 @@ Bounded farther(const Bounded& a, const Bounded& b);
 /// The rocks that ended in one sector of azimuth, by their distance from the release places.
 struct SectorSummary {
   double azimuth = 0;       ///< rad, middle of the sector, from +x towards +y
-  std::uint64_t count = 0;  ///< rocks without faults, or trials with such a rock there
-  Share share;              ///< share of all rocks, or of all trials
+  std::uint64_t count = 0;  ///< rocks without faults, or trials whose farthest rock is there
+  Share share;              ///< of all rocks, or of all trials
   Bounded greatest{unknown, false};
-  /// The distance that a share `probability` of these exceeds, and its interval; NaN if there are fewer than
-  /// needed_for(probability).
+  /// Where the area ends in this sector [m]: the (k + 1)-th greatest distance; 0 with fewer. NaN: no area.
   Bounded distance{unknown, false};
-  Interval interval{unknown, unknown};
-  /// factor x distance, or factor x greatest if the distance is unknown, because even with few rocks some
-  /// ended here. NaN without a factor or rocks.
-  double with_factor = unknown;
-
-  /// The distance of the polygon: `distance`, or `greatest` if that is unknown. NaN without rocks: no data.
-  const Bounded& reach() const { return std::isnan(distance.value) ? greatest : distance; }
+  double with_factor = unknown;  ///< factor x distance; NaN without a factor
 };
 
-/// The area by azimuth. Distances count from the convex hull of all release places in plan view and azimuths
-/// about its centroid, or both count from a point.
+/// The area that rocks leave with at most the probability of the clearance. Distances count from the convex
+/// hull of all release places in plan view and azimuths about its centroid, or both count from a point. The
+/// area is the union of the sectors, each up to its distance from the hull.
+///
+/// Of N independent rocks, k stop outside in each of s sectors. The share of new rocks that stop outside is
+/// then distributed as Beta(s (k + 1), N + 1 - s (k + 1)) or less (order statistics; Wald 1943, An extension
+/// of Wilks' method for setting tolerance limits). k is the greatest for which its 95 % quantile is at most
+/// the probability. Without any, the number of sectors is halved; without any in one sector there is no area.
 struct AreaSummary {
   Vec2 centre = Vec2::Zero();
-  std::vector<Vec2> hull;  ///< counter-clockwise
+  std::vector<Vec2> hull;               ///< counter-clockwise
+  std::optional<std::uint64_t> beyond;  ///< k; none: there is no area
+  double effective = 0;                 ///< N: rocks / design effect, or trials
   /// In the order of azimuth from 0; see sector_of().
   std::vector<SectorSummary> sectors;
 
-  /// The sector that reaches farthest; nullptr if no rock ended anywhere.
+  /// The sector that reaches farthest; nullptr if there is no area.
   const SectorSummary* farthest() const;
 };
+
+/// k for s sectors and N effective rocks; none if there is no area.
+std::optional<std::uint64_t> rocks_beyond(int sectors, double effective, double probability);
 
 /// Computes the area of a clearance with `sectors` from rocks shown in passes; see read_in_passes(). A
 /// censored rock counts at the place where its path was cut short.
@@ -57,28 +61,36 @@ class SectorTally {
  public:
   explicit SectorTally(const ClearancePlan& plan);
   void add(const TrialRecords& chunk);
-  bool needs_another_pass();
-  /// `needed`: as in ClearanceSummary.
-  AreaSummary summary(std::uint64_t needed) const;
+  /// `design_effect`: of the share of rocks beyond the clearance without sectors, once it is known.
+  bool needs_another_pass(std::optional<double> design_effect);
+  AreaSummary summary() const;
 
  private:
+  enum class Stage { releases, waiting, distances, done };
   struct Sector {
-    Sample sample;
-    Bounded greatest;
-    std::uint64_t trial = 0;  ///< per blast: the trial of the rock `farthest`
-    std::optional<Bounded> farthest;
+    std::vector<double> farthest;  ///< the greatest distances, at most k + 1: a heap, the least in front
+    Bounded greatest{0, false};
   };
-  void widen(const RockRecord& rock);  ///< widens the hull, in the first pass
-  void add(const RockRecord& rock);    ///< adds the distance, in later passes
-  void end_trial(Sector& sector);
+  /// The end of a rock, or of the farthest rock of a trial.
+  struct End {
+    Vec2 place = Vec2::Zero();
+    Bounded distance{-1, false};
+  };
+  void widen(const RockRecord& rock);
+  End end_of(const RockRecord& rock) const;
+  void add(const End& end, std::uint64_t trial);
+  void add_farthest(const std::vector<RockRecord>& rocks);
+  void choose_sectors(double design_effect);
 
   ClearancePlan plan_;
-  bool hull_known_ = false;     ///< from the second pass on, or at once if the plan has a point
-  bool counted_ = false;        ///< the first pass with distances is done
+  Stage stage_ = Stage::releases;
   std::vector<Vec2> releases_;  ///< corners of the hull of the places so far, and some others; later the hull
   Vec2 centre_ = Vec2::Zero();
-  std::uint64_t total_ = 0, last_trial_ = 0;  ///< rocks, or trials with such a rock
+  std::uint64_t rocks_ = 0, trials_ = 0, last_trial_ = 0;
+  double effective_ = 0;
+  std::optional<std::uint64_t> beyond_;
   std::vector<Sector> sectors_;
+  ShareTally shares_;
 };
 
 }  // namespace flyrock

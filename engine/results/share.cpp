@@ -6,24 +6,71 @@
 
 namespace flyrock {
 
-Interval share_interval(std::uint64_t k, std::uint64_t n, double confidence) {
+Interval share_interval(double k, double n, double confidence) {
   using Binomial = boost::math::binomial_distribution<>;
-  if (n == 0) return {unknown, unknown};
-  const double trials = static_cast<double>(n), successes = static_cast<double>(k),
-               tail = 0.5 * (1 - confidence);
-  return {Binomial::find_lower_bound_on_p(trials, successes, tail),
-          Binomial::find_upper_bound_on_p(trials, successes, tail)};
+  if (!(n > 0)) return {unknown, unknown};
+  const double tail = 0.5 * (1 - confidence);
+  return {Binomial::find_lower_bound_on_p(n, k, tail), Binomial::find_upper_bound_on_p(n, k, tail)};
 }
 
 Share share_of(std::uint64_t k, std::uint64_t n, std::uint64_t open) {
   const double value = n > 0 ? static_cast<double>(k) / static_cast<double>(n) : unknown;
-  return {
-      {value, open > 0},
-      {share_interval(k, n, stated_confidence).lower, share_interval(k + open, n, stated_confidence).upper}};
+  const auto interval = [n](std::uint64_t count) {
+    return share_interval(static_cast<double>(count), static_cast<double>(n), stated_confidence);
+  };
+  return {{value, open > 0}, {interval(k).lower, interval(k + open).upper}};
+}
+
+namespace {
+
+/// By trial, without the rule of least_trials.
+Interval clustered_interval(const TrialCounts& counts) {
+  const double size = counts.effective_size(stated_confidence);
+  return share_interval(counts.share() * size, size, stated_confidence);
+}
+
+}  // namespace
+
+Share share_of(const TrialCounts& counts, const TrialCounts& or_open) {
+  const std::uint64_t open = or_open.counted() - counts.counted();
+  if (!counts.is_clustered()) return share_of(counts.counted(), counts.rocks(), open);
+  Share share{{counts.share(), open > 0}, {unknown, unknown}};
+  share.interval.design_effect = counts.design_effect();
+  share.interval.trials_needed = trials_needed(counts.trials_with(), counts.trials());
+  if (share.interval.trials_needed > 0) return share;
+  share.interval.lower = clustered_interval(counts).lower;
+  share.interval.upper = clustered_interval(or_open).upper;
+  return share;
+}
+
+void ShareTally::add(std::uint64_t trial) {
+  if (trial != trial_) close();
+  trial_ = trial;
+  ++in_trial_;
+}
+
+void ShareTally::close() {
+  if (in_trial_ == 0) return;
+  rocks_ += in_trial_;
+  ++trials_;
+  for (Sums& share : shares_) {
+    share.counts.add(in_trial_, share.counted);
+    share.or_open.add(in_trial_, share.counted + share.open);
+    share.counted = share.open = 0;
+  }
+  in_trial_ = 0;
+}
+
+Share ShareTally::per_trial(std::size_t share) const {
+  const auto& [counts, or_open, counted, open] = shares_[share];
+  return share_of(counts.trials_with(), counts.trials(), or_open.trials_with() - counts.trials_with());
 }
 
 Complement complement_of(const Share& share) {
-  return {1 - share.value, share.censored, {1 - share.interval.upper, 1 - share.interval.lower}};
+  Interval interval = share.interval;
+  interval.lower = 1 - share.interval.upper;
+  interval.upper = 1 - share.interval.lower;
+  return {1 - share.value, share.censored, interval};
 }
 
 }  // namespace flyrock

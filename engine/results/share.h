@@ -10,8 +10,8 @@ namespace flyrock {
 /// The exact interval of a binomial share. At its lower end, k or more of n have the probability (1 -
 /// confidence) / 2; at its upper end, k or fewer have it. It contains the true share with at least this
 /// confidence. For k = 0 the lower end is 0 and the upper end is 1 - ((1 - confidence) / 2)^(1/n). NaN for n
-/// = 0. Source: Clopper and Pearson 1934.
-Interval share_interval(std::uint64_t k, std::uint64_t n, double confidence);
+/// = 0. Source: Clopper and Pearson 1934. k and n may be parts of rocks, of an effective_size().
+Interval share_interval(double k, double n, double confidence);
 
 /// A number of rocks divided by the number of all of them (NaN for 0 of 0), and its interval with
 /// stated_confidence.
@@ -22,6 +22,48 @@ struct Share : Bounded {
 /// The share k of n. `open` more rocks may still count. The share is then a lower bound, and the upper end of
 /// the interval is that of k + open.
 Share share_of(std::uint64_t k, std::uint64_t n, std::uint64_t open = 0);
+
+/// The share of the rocks that count. Where trials have several rocks, the interval is that of Clopper and
+/// Pearson for k and n divided by the design effect (Korn and Graubard 1998), and it needs least_trials
+/// trials with a rock that counts. `or_open` also counts the rocks that may still do so.
+Share share_of(const TrialCounts& counts, const TrialCounts& or_open);
+
+/// Counts the rocks of one or several shares of the same rocks. Rocks of one trial follow each other.
+class ShareTally {
+ public:
+  explicit ShareTally(std::size_t shares = 1) : shares_(shares) {}
+
+  /// A rock, of which count() and leave_open() then speak.
+  void add(std::uint64_t trial);
+  /// It counts for a share.
+  void count(std::size_t share = 0) { ++shares_[share].counted; }
+  /// It does not count, but might have if its path had not been cut short.
+  void leave_open(std::size_t share = 0) { ++shares_[share].open; }
+  /// After the last rock.
+  void close();
+
+  std::uint64_t rocks() const { return rocks_; }
+  std::uint64_t trials() const { return trials_; }
+  std::uint64_t counted(std::size_t share = 0) const { return shares_[share].counts.counted(); }
+  std::uint64_t open(std::size_t share = 0) const {
+    return shares_[share].or_open.counted() - counted(share);
+  }
+  /// Of the rocks.
+  Share of_rocks(std::size_t share = 0) const {
+    return share_of(shares_[share].counts, shares_[share].or_open);
+  }
+  /// Of the trials that have a rock: those in which at least one counts.
+  Share per_trial(std::size_t share = 0) const;
+
+ private:
+  struct Sums {
+    TrialCounts counts, or_open;
+    std::uint64_t counted = 0, open = 0;  ///< of the open trial
+  };
+  std::vector<Sums> shares_;
+  std::uint64_t rocks_ = 0, trials_ = 0;
+  std::uint64_t trial_ = 0, in_trial_ = 0;  ///< the open trial and its rocks
+};
 
 /// The share of the other rocks. Where `share` is a lower bound, that of the others is an upper bound.
 struct Complement {

@@ -61,37 +61,46 @@ Intervals intervals_of(const Sample& sample) {
   return result;
 }
 
-double GroupSummary::censored_share() const {
-  return count > faults ? static_cast<double>(censored) / static_cast<double>(count - faults) : 0;
-}
-
-GroupTally::GroupTally(const std::string& name) : samples_(rock_statistic_count, Sample(stated_questions())) {
-  counts_.name = name;
-}
+GroupTally::GroupTally(const std::string& name)
+    : name_(name), samples_(rock_statistic_count, Sample(stated_questions())) {}
 
 void GroupTally::add(const RockRecord& rock) {
   const bool fault = is_fault(rock.reason);
   if (!counted_) {
-    ++counts_.count;
-    ++counts_.reasons[static_cast<std::size_t>(rock.reason)];
-    counts_.faults += fault;
-    counts_.censored += !fault && rock.censored;
+    reasons_.add(rock.trial);
+    reasons_.count(static_cast<std::size_t>(rock.reason));
+    if (!fault) {
+      censored_.add(rock.trial);
+      if (rock.censored) censored_.count();
+    }
     for (std::size_t m = 0; m < travel_mode_names.size() && !fault; ++m)
       travel_.add(static_cast<TravelMode>(m), rock.travel.time[m], rock.travel.distance[m]);
   }
   for (std::size_t q = 0; q < samples_.size() && !fault; ++q)
-    samples_[q].add(bounded(rock, rock_statistics[q]));
+    samples_[q].add(bounded(rock, rock_statistics[q]), rock.trial);
 }
 
 bool GroupTally::needs_another_pass() {
   counted_ = true;
+  reasons_.close();
+  censored_.close();
   bool more = false;
   for (Sample& sample : samples_) more |= sample.needs_another_pass();
   return more;
 }
 
 GroupSummary GroupTally::summary() const {
-  GroupSummary summary = counts_;
+  GroupSummary summary;
+  summary.name = name_;
+  summary.count = reasons_.rocks();
+  summary.faults = reasons_.rocks() - censored_.rocks();
+  summary.censored = censored_.counted();
+  for (std::size_t r = 0; r < stop_reasons; ++r) {
+    summary.reasons[r] = reasons_.counted(r);
+    summary.reason_shares[r] = reasons_.of_rocks(r);
+  }
+  summary.censored_share = censored_.of_rocks();
+  if (censored_.rocks() == 0) summary.censored_share.value = 0;
   summary.time_share = shares_of(travel_.time);
   summary.distance_share = shares_of(travel_.distance);
   for (std::size_t q = 0; q < samples_.size(); ++q) {

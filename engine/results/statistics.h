@@ -23,8 +23,7 @@ using Statistics = std::array<Bounded, statistic_names.size()>;  ///< indexed by
 /// A number of one rock: a lower bound if its path was cut short before the number was known.
 Bounded bounded(const RockRecord& rock, const RockStatistic& number);
 
-/// Intervals of the mean and of the percentiles; NaN for the other statistics. The values are assumed
-/// independent.
+/// Intervals of the mean and of the percentiles; NaN for the other statistics.
 using Intervals = std::array<Interval, statistic_names.size()>;
 
 /// The quantiles that a Sample must be asked for, so that statistics_of() and intervals_of() can read them.
@@ -39,6 +38,8 @@ struct GroupSummary {
   std::uint64_t faults = 0;  ///< rocks that failed; they are in no statistic
   std::uint64_t censored = 0;
   std::array<std::uint64_t, stop_reasons> reasons{};  ///< indexed by StopReason
+  std::array<Share, stop_reasons> reason_shares{};    ///< of all rocks
+  Share censored_share;                               ///< of the rocks without faults; 0 without any
   // indexed by rock_statistics
   std::array<Statistics, rock_statistic_count> statistics{};
   std::array<Intervals, rock_statistic_count> intervals{};
@@ -50,9 +51,9 @@ struct GroupSummary {
   const Bounded& at(std::size_t number, Statistic statistic) const {
     return statistics[number][static_cast<std::size_t>(statistic)];
   }
-  /// Share of censored rocks among the rocks without faults; 0 if there are none.
-  double censored_share() const;
-  Interval censored_interval() const { return share_interval(censored, count - faults, stated_confidence); }
+  const Interval& interval(std::size_t number, Statistic statistic) const {
+    return intervals[number][static_cast<std::size_t>(statistic)];
+  }
 };
 
 /// Summarises the rocks of one group from passes.
@@ -65,7 +66,9 @@ class GroupTally {
 
  private:
   bool counted_ = false;  ///< first pass is done
-  GroupSummary counts_;
+  std::string name_;
+  ShareTally reasons_{stop_reasons};  ///< of all rocks
+  ShareTally censored_;               ///< of the rocks without faults
   Travel travel_;
   std::vector<Sample> samples_;  ///< of rock_statistics
 };

@@ -1,4 +1,5 @@
 #pragma once
+// A number that is not known.
 
 #include <limits>
 

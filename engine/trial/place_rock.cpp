@@ -43,8 +43,8 @@ Place<2> on_face(const Release& release, const Body<2>& rock, const Terrain2& te
   const auto& [toe, crest, name] = face_of(release.bench, terrain.profile());
   const Vec2 up = (crest - toe).normalized();
   const Vec2 out(up.y(), -up.x());
-  const auto [low, high] = reach_of<2>(rock, up);
-  const double depth = reach_of<2>(rock, out).low;
+  const auto [low, high] = extent_along<2>(rock, up);
+  const double depth = extent_along<2>(rock, out).low;
   const double room = (crest - toe).norm() - (high - low);
   if (room < 0)
     throw StartError(fmt::format(
@@ -87,8 +87,8 @@ Place<2> on_top(const Release& release, const Scenario& scenario, const DrawKey&
   if (x < profile.x_min() || x > profile.x_max())
     throw StartError(fmt::format("a hole {:.6g} m behind the crest lies beyond the terrain", back));
   Place<2> place;
-  const auto [low, high] = reach_of<2>(rock, Vec2::UnitY());
-  const auto [left, right] = reach_of<2>(rock, Vec2::UnitX());
+  const auto [low, high] = extent_along<2>(rock, Vec2::UnitY());
+  const auto [left, right] = extent_along<2>(rock, Vec2::UnitX());
   place.position = {x, profile.height(x) - low};
   // On a bench that is not level the rock is lowered until it touches. A wall beside it is no bench.
   const double rise = rise_above(profile, x, x + left, x + right);

@@ -26,7 +26,7 @@ function place_at(area, angle, distance) {
 
 /** The outline of sectors: their arcs, one after the other, closed. */
 function outline(area, distance) {
-  const half = 180 / area.sectors.length, x = [], y = [], steps = 4;
+  const half = 180 / area.sectors.length, x = [], y = [], steps = Math.max(4, Math.ceil(half));
   for (const sector of area.sectors)
     for (let i = 0; i <= steps; ++i) {
       const [px, py] = place_at(area, ((sector.azimuth_deg - half + (2 * half * i) / steps) * Math.PI) / 180, distance(sector));
@@ -36,12 +36,27 @@ function outline(area, distance) {
   return { x: [...x, x[0]], y: [...y, y[0]] };
 }
 
+/** The sectors in which too few rocks ended for the area to reach beyond the hull, drawn as wedges. */
+function unreached(area) {
+  const half = 180 / area.sectors.length, most = Math.max(...area.sectors.map((s) => s.distance ?? 0)), x = [], y = [];
+  for (const sector of area.sectors.filter((s) => s.distance === 0)) {
+    const [ax, ay] = place_at(area, ((sector.azimuth_deg - half) * Math.PI) / 180, most), [bx, by] = place_at(area, ((sector.azimuth_deg + half) * Math.PI) / 180, most);
+    x.push(area.x, ax, bx, area.x, null);
+    y.push(area.y, ay, by, area.y, null);
+  }
+  return { x, y };
+}
+
 function draw_area(node, clearance) {
   const area = clearance.area, line = (name, radius, style) => ({ ...outline(area, radius), mode: "lines", name, ...style, hovertemplate: `${name}<br>x %{x:.1f} m, y %{y:.1f} m<extra></extra>` });
   const traces = [];
-  if (clearance.factor !== null && area.sectors.some((s) => s.with_factor !== null)) traces.push(line(`with the factor ${show(clearance.factor)}`, (s) => s.with_factor, { line: { color: colour.vermillion, width: 2 }, fill: "toself", fillcolor: "rgba(213,94,0,0.08)" }));
-  traces.push(line("farthest rock", (s) => s.greatest, { line: { color: colour.ink, width: 1, dash: "dot" } }));
-  if (area.sectors.some((s) => s.distance !== null)) traces.push(line(`exceeded by ${percent(clearance.probability)} of those that end there, or the farthest`, (s) => s.distance ?? s.greatest, { line: { color: colour.blue, width: 2 }, fill: "toself", fillcolor: "rgba(0,114,178,0.15)" }));
+  if (area.beyond !== null) {
+    const few = unreached(area);
+    if (few.x.length > 0) traces.push({ ...few, mode: "lines", name: "too few rocks", line: { color: colour.ink, width: 0 }, fill: "toself", fillpattern: { shape: "/", fgcolor: "rgba(0,0,0,0.35)", size: 8, solidity: 0.2 }, hoverinfo: "skip" });
+    if (clearance.factor !== null) traces.push(line(`with the factor ${show(clearance.factor)}`, (s) => s.with_factor, { line: { color: colour.vermillion, width: 2 }, fill: "toself", fillcolor: "rgba(213,94,0,0.08)" }));
+    traces.push(line(`at most ${percent(clearance.probability)} outside`, (s) => s.distance, { line: { color: colour.blue, width: 2 }, fill: "toself", fillcolor: "rgba(0,114,178,0.15)" }));
+  }
+  traces.push(line("farthest rock", (s) => s.greatest ?? 0, { line: { color: colour.ink, width: 1, dash: "dot" } }));
   traces.push({ x: [...area.hull, area.hull[0]].map(([x]) => x), y: [...area.hull, area.hull[0]].map(([, y]) => y), mode: "lines", name: "hull of the releases", line: { color: colour.ink, width: 1 }, hoverinfo: "skip" });
   traces.push({ x: [area.x], y: [area.y], mode: "markers", name: "centre", marker: { symbol: "cross", size: 11, color: colour.ink }, hoverinfo: "skip" });
   plot(node, traces, { height: 650, legend, hovermode: "closest", xaxis: axis("x in m"), yaxis: { ...axis("y in m"), scaleanchor: "x", scaleratio: 1 } }, true);
@@ -55,11 +70,12 @@ function area_section() {
     const clearances = summary.points[shown.point].clearance.filter((clearance) => clearance.area);
     const nodes = clearances.map((clearance) => plot_node(`The area of the clearance ${clearance.clearance} on the plan; the same numbers in the table below`));
     content.replaceChildren(...clearances.flatMap((clearance, i) => [element("h3", {}, clearance.clearance), nodes[i],
-      numbers(table("", ["azimuth °", clearance.per === "blast" ? "blasts" : "rocks", "share", "95 % from", "to", "farthest m", "distance m", `${percent(clearance.confidence)} from m`, "to m", "with the factor m"],
+      clearance.area.beyond === null ? paragraph("", `There is no area: ${show(clearance.area.effective)} independent ${clearance.per === "blast" ? "blasts" : "rocks"} are too few for a probability of ${percent(clearance.probability)}.`) : "",
+      numbers(table("", ["azimuth °", clearance.per === "blast" ? "blasts" : "rocks", "share", "95 % from", "to", "farthest m", "area to m", "with the factor m"],
         clearance.area.sectors.map((s) => [s.azimuth_deg, s.count, ...[s.share, ...s.share_interval].map((value) => right(value === null ? "–" : percent(value))),
-          right(s.greatest === null ? "no data" : `${s.lower_bound ? "≥ " : ""}${show(s.greatest)}`), s.distance, s.lower, s.upper, s.with_factor])))]),
-      caption("The plan, north where +y is: in each sector the distance that this share of the rocks that end there exceeds, counted from the hull of all release places (or from the given point), and the farthest of them. A sector in which no rock ended has no data: the outline goes back to the centre there.",
-        "Where too few rocks ended for the share (10 must be beyond) the farthest rock stands for it, also under the factor, which is yours."));
+          right(s.greatest === null ? "no data" : `${s.lower_bound ? "≥ " : ""}${show(s.greatest)}`), s.distance, s.with_factor])))]),
+      caption("The plan, north where +y is. With 95 % confidence at most the given share of new rocks (or blasts) stops outside the area; distances count from the hull of all release places, or from the given point. Hatched: too few rocks ended there, and the area ends at the hull.",
+        "In each sector the area ends where the same number of the simulated rocks lies beyond; this number is the greatest for which the share of new rocks outside is at most the probability with 95 % confidence (order statistics of all sectors together). Rocks that share the draws of a trial count as fewer. The factor is yours."));
     clearances.forEach((clearance, i) => draw_area(nodes[i], clearance));
   });
 }

@@ -89,7 +89,7 @@ TEST_CASE("Rocks that failed are counted and in no statistic") {
   REQUIRE(groups.size() == 3);
   CHECK(groups[0].count == 4);
   CHECK(groups[0].faults == 1);
-  CHECK(groups[0].censored_share() == Approx(1.0 / 3));
+  CHECK(groups[0].censored_share.value == Approx(1.0 / 3));
   CHECK(groups[0].at(rock_statistic("runout"), Statistic::max).value == 30);
   CHECK(groups[0].at(rock_statistic("runout"), Statistic::max).censored);
   CHECK(groups[1].name == "blocks");
