@@ -23,8 +23,8 @@ std::string point_title(const Plan& plan, std::size_t point) {
     const SweepAxis& of = plan.axes[axis];
     const double value = plan.at[point][axis];
     const ReadableUnit unit = readable_unit(of.unit);
-    values.push_back(of.is_choice() ? fmt::format("{} = {}", of.path, of.label(value))
-                                    : fmt::format("{} = {:.6g}{}{}", of.path, unit.per_si * value,
+    values.push_back(of.is_choice() ? fmt::format("{} = {}", of.name, of.label(value))
+                                    : fmt::format("{} = {:.6g}{}{}", of.name, unit.per_si * value,
                                                   unit.name.empty() ? "" : " ", unit.name));
   }
   return fmt::format("point {}: {}\n", point, fmt::join(values, ", "));

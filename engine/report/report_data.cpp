@@ -171,7 +171,7 @@ Json cell_data(const PointResult& point) {
 Json axes_data(const Plan& plan) {
   Json list = Json::array();
   for (const SweepAxis& axis : plan.axes) {
-    Json line = {{"path", axis.path}};
+    Json line = {{"path", axis.path}, {"name", axis.name}};
     line.update(unit_data(axis.unit));
     list.push_back(std::move(line));
   }

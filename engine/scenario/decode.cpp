@@ -127,7 +127,7 @@ class PlanDecoder {
   /// The axes, and the place of each point on them.
   void make_axes(const std::vector<std::vector<std::size_t>>& points) {
     for (std::size_t a = 0; a < sweeps_.size(); ++a) {
-      SweepAxis axis{.path = sweeps_[a].path, .values = {}};
+      SweepAxis axis{.path = sweeps_[a].path, .values = {}, .name = sweeps_[a].stream};
       const bool all_numbers = std::all_of(steps_[a].begin(), steps_[a].end(),
                                            [](const Step& step) { return step.number.has_value(); });
       for (std::size_t i = 0; i < steps_[a].size(); ++i) {

@@ -324,6 +324,7 @@ struct Scenario {
 struct SweepAxis {
   std::string path;
   std::vector<double> values;            ///< SI; of choices 0, 1, ...
+  std::string name = {};                 ///< the path with names: "barriers.fence.height"
   std::string unit = {};                 ///< SI: "m", "rad", "1"; of choices empty
   std::vector<std::string> labels = {};  ///< of choices: the text, or the `type` of a section; unique
 

@@ -1,4 +1,5 @@
-// Where numbers of a barrier are swept: which share of the rocks gets past it, and the smallest barriers that hold enough.
+// Where numbers of a barrier are swept: what gets past it, and the smallest barriers that hold enough. The choice is for the
+// shown group of rocks: stones that never come near do not make a barrier hold.
 
 const most_maps = 12;
 /** The axes of the sweep that are numbers of barrier b. */
@@ -7,6 +8,15 @@ const axes_of_barrier = (b) => data.axes.filter((axis) => axis.path.startsWith(`
 const is_strength = (axis) => axis.path.endsWith(".height") || axis.path.endsWith(".capacity");
 const last_step = (axis) => axis.path.split(".").pop();
 const different = (list) => [...new Set(list)];
+
+/** The senses of a share, by their keys in summary.json. */
+const senses = { per_trial: "trials in which at least one rock gets past", of_arriving: "rocks that arrive", of_all: "all rocks" };
+const least_trials = 10;
+/** What gets past barrier b at a point, in a sense. */
+const past_at = (point, b, sense) => of_group(point.barriers[b]).shares.past[sense];
+/** Whether enough trials have a rock that arrives there. */
+const is_tried = (point, b) => (of_group(point.barriers[b]).shares.reached.per_trial.share ?? 0) * point.trials > least_trials - 0.5;
+const holds = (point, b, held, sense) => is_tried(point, b) && past_at(point, b, sense).interval[1] !== null && past_at(point, b, sense).interval[1] <= 1 - held;
 
 /** { key, points } for each combination of values of `axes`. */
 function points_by(axes) {
@@ -19,28 +29,31 @@ function points_by(axes) {
 }
 
 /** Of barrier b: those among `points` that hold the share `held` with 95 % confidence, and of which no other one is weaker. */
-function smallest(b, points, held) {
+function smallest(b, points, held, sense) {
   const strengths = axes_of_barrier(b).filter(is_strength);
-  const holding = points.filter((point) => point.barriers[b].share_intervals.past[1] !== null && point.barriers[b].share_intervals.past[1] <= 1 - held);
+  const holding = points.filter((point) => holds(point, b, held, sense));
   const weaker = (p, q) => p !== q && strengths.every((axis) => at_axis(axis, p) <= at_axis(axis, q)) && strengths.some((axis) => at_axis(axis, p) < at_axis(axis, q));
   return holding.filter((point) => !holding.some((other) => weaker(other, point)));
 }
 
 /** One map for each combination of the other axes: the share past barrier b over two of its numbers. */
-function draw_maps(node, b, [across, up], maps) {
+function draw_maps(node, b, [across, up], maps, sense) {
   const columns = Math.min(3, maps.length), rows = Math.ceil(maps.length / columns);
   const layout = { height: 80 + 260 * rows, showlegend: false, margin: { l: 70, r: 20, t: 40, b: 60 }, annotations: [] };
   const traces = maps.map(({ key, points }, i) => {
     const place = cell_of(i, maps.length, columns);
     const x = different(points.map((p) => at_axis(across, p))), y = different(points.map((p) => at_axis(up, p)));
-    const share = (xi, yi) => points.find((p) => at_axis(across, p) === xi && at_axis(up, p) === yi)?.barriers[b].past ?? null;
+    const share = (xi, yi) => {
+      const point = points.find((p) => at_axis(across, p) === xi && at_axis(up, p) === yi);
+      return point ? past_at(point, b, sense).share : null;
+    };
     const z = y.map((yi) => x.map((xi) => share(xi, yi)));
     layout[`xaxis${nth(i)}`] = { ...axis(in_unit(last_step(across), across.unit)), type: "category", domain: place.x, anchor: `y${nth(i)}` };
     layout[`yaxis${nth(i)}`] = { ...axis(i % columns === 0 ? in_unit(last_step(up), up.unit) : ""), type: "category", domain: place.y, anchor: `x${nth(i)}` };
     if (key) layout.annotations.push({ x: place.x[0], y: place.y[1], xref: "paper", yref: "paper", xanchor: "left", yanchor: "bottom", showarrow: false, font: { size: 12 }, text: `<b>${key}</b>` });
     return {
       type: "heatmap", x: x.map(show), y: y.map(show), z: z.map((row) => row.map((s) => (s === null ? null : 100 * s))), text: z.map((row) => row.map((s) => (s === null ? "" : percent(s)))), texttemplate: "%{text}",
-      xaxis: `x${nth(i)}`, yaxis: `y${nth(i)}`, zmin: 0, zmax: 100, showscale: false, colorscale: [[0, "#ffffff"], [0.05, "#fde3cf"], [0.3, "#f2a36b"], [1, "#a63a00"]], hovertemplate: "%{text} of all rocks get past<extra></extra>",
+      xaxis: `x${nth(i)}`, yaxis: `y${nth(i)}`, zmin: 0, zmax: 100, showscale: false, colorscale: [[0, "#ffffff"], [0.05, "#fde3cf"], [0.3, "#f2a36b"], [1, "#a63a00"]], hovertemplate: `%{text}: past, of ${senses[sense]}<extra></extra>`,
     };
   });
   plot(node, traces, layout);
@@ -49,15 +62,11 @@ function draw_maps(node, b, [across, up], maps) {
 /** The points of each place: of the other axes' values. */
 const places_of_design = (b) => points_by(data.axes.filter((axis) => !(axes_of_barrier(b).includes(axis) && is_strength(axis))));
 
-function design_table(b, held) {
-  const axes = data.axes, chosen = places_of_design(b).flatMap(({ points }) => smallest(b, points, held));
-  const past = (point) => right(point.barriers[b].past === null ? "–" : with_interval(point.barriers[b].past, point.barriers[b].share_intervals.past));
-  return table("Share of all rocks that gets past, over the top or through, with its 95 % interval", ["point", ...axes.map((axis) => in_unit(axis.path, axis.unit)), "caught", "past (95 %)", "holds"],
-    summary.points.map((point) => {
-      const high = point.barriers[b].share_intervals.past[1];
-      return [point.point, ...axes.map((axis) => at_axis(axis, point)), right(point.barriers[b].caught === null ? "–" : percent(point.barriers[b].caught)), past(point),
-        high === null || high > 1 - held ? "not shown" : chosen.includes(point) ? { text: "✓ smallest", cls: "passed" } : "✓"];
-    }));
+function design_table(b, held, sense) {
+  const axes = data.axes, chosen = places_of_design(b).flatMap(({ points }) => smallest(b, points, held, sense));
+  return table(`Past the barrier, over the top or through: share of ${senses[sense]}, with its 95 % interval`, ["point", ...axes.map((axis) => in_unit(axis.name, axis.unit)), "rocks that arrive", "past (95 %)", "holds"],
+    summary.points.map((point) => [point.point, ...axes.map((axis) => at_axis(axis, point)), of_group(point.barriers[b]).rocks, right(share_text(past_at(point, b, sense))),
+      !is_tried(point, b) ? "too few" : !holds(point, b, held, sense) ? "not shown" : chosen.includes(point) ? { text: "✓ smallest", cls: "passed" } : "✓"]));
 }
 
 function barrier_design_section() {
@@ -69,20 +78,22 @@ function barrier_design_section() {
     const maps = points_by(data.axes.filter((axis) => !maps_of.includes(axis)));
     const node = maps_of.length === 2 ? plot_node(`The share of rocks that gets past ${barrier.barrier}; the same numbers in the table below`) : null;
     const told = paragraph("", ""), place = element("div");
-    let held = 0.95;
+    let held = 0.95, sense = "per_trial";
     const draw = () => {
       const names = places_of_design(b).map(({ key, points }) => {
-        const list = smallest(b, points, held).map((point) => strengths.map((axis) => `${last_step(axis)} ${at_text(axis, point)}`).join(" and "));
-        return `${key ? `${key}: ` : ""}${list.length > 0 ? list.join("; or ") : "none of the sweep"}`;
+        const list = smallest(b, points, held, sense).map((point) => strengths.map((axis) => `${last_step(axis)} ${at_text(axis, point)}`).join(" and "));
+        const tried = points.some((point) => is_tried(point, b));
+        return `${key ? `${key}: ` : ""}${list.length > 0 ? list.join("; or ") : tried ? "none of the sweep" : `too few: a rock arrives in fewer than ${least_trials} trials`}`;
       });
-      told.textContent = strengths.length === 0 ? "" : `Smallest that hold ${percent(held)} of all rocks with 95 % confidence: ${names.slice(0, 10).join(". ")}.${names.length > 10 ? ` And ${names.length - 10} more places, in the table.` : ""}`;
-      place.replaceChildren(numbers(design_table(b, held)));
-      if (node) draw_maps(node, b, maps_of, maps.slice(0, most_maps));
+      told.textContent = strengths.length === 0 ? "" : `${group_name(shown_group())}: smallest that ${sense === "per_trial" ? `nothing passes in ${percent(held)} of the trials` : `hold ${percent(held)} of ${senses[sense]}`}, with 95 % confidence: ${names.slice(0, 10).join(". ")}.${names.length > 10 ? ` And ${names.length - 10} more places, in the table.` : ""}`;
+      place.replaceChildren(numbers(design_table(b, held, sense)));
+      if (node) draw_maps(node, b, maps_of, maps.slice(0, most_maps), sense);
     };
     const choose = chooser("Hold at least", [0.8, 0.9, 0.95, 0.99, 0.999].map((s) => [s, percent(s)]), held, (value) => { held = Number(value); draw(); });
-    section(title, element("p", {}, choose), told, node ?? "", maps.length > most_maps ? paragraph("note", `${most_maps} of ${maps.length} maps shown.`) : "", place,
-      caption("The share of all rocks that goes over the top of the barrier or through it. A barrier holds a share if the upper end of the 95 % interval of the rest is small enough: more trials make it narrower.",
-        "Smallest: no barrier of the sweep that also holds has less height or capacity without more of the other. A rock that does not reach the barrier counts as held. Each point has the same rocks."));
+    const of = chooser("of", Object.entries(senses), sense, (value) => { sense = value; draw(); });
+    section(title, element("p", {}, choose, of), told, node ?? "", maps.length > most_maps ? paragraph("note", `${most_maps} of ${maps.length} maps shown.`) : "", place,
+      caption("What goes over the top of the barrier or through it, of the rocks chosen above. A barrier holds a share if the upper end of the 95 % interval of the rest is small enough: more trials make it narrower.",
+        `Smallest: no barrier of the sweep that also holds has less height or capacity without more of the other. Too few: a rock arrives in fewer than ${least_trials} trials, which show nothing about the barrier. Each point has the same rocks.`));
     redraw.push(draw);
   });
 }

@@ -16,8 +16,14 @@ const runout_short = runout_title.toLowerCase();  // where there is little room
 const quantity_name = (quantity) => (quantity === "runout" ? runout_short : quantity);
 const end_name = (reason) => (reason === "stopped" && ends_at_landing ? "first landed" : reason);
 
+/** The group whose rocks go farthest (0: all of them, where there is one group only, or bodies). */
+function farthest_group() {
+  const groups = summary.points[0].rocks;
+  if (groups.length < 2 || of_bodies) return 0;
+  return groups.reduce((best, group, g) => (g > 1 && (group.runout.p95 ?? -1) > (groups[best].runout.p95 ?? -1) ? g : best), 1);
+}
 /** What is shown: a sweep point, and a group of rocks (0: all of them). */
-const shown = { point: 0, group: summary.points[0].rocks.length > 1 && !of_bodies ? 1 : 0 };
+const shown = { point: 0, group: farthest_group() };
 const redraw = [];  // each draws one part for what is shown
 
 // ---- elements --------------------------------------------------------------------------------------------------
@@ -79,9 +85,13 @@ const with_unit = (text, unit) => (unit ? `${text} ${unit}` : text);
 const in_unit = (name, unit) => (unit ? `${name} in ${unit}` : name);
 const at_text = (axis, point) => (is_choice(axis) ? point.at[axis.path] : with_unit(show(at_axis(axis, point)), axis.unit));
 const point_name = (point) => {
-  const at = data.axes.map((axis) => `${axis.path} = ${at_text(axis, point)}`).join(", ");
+  const at = data.axes.map((axis) => `${axis.name} = ${at_text(axis, point)}`).join(", ");
   return `point ${point.point}${at ? `: ${at}` : ""}`;
 };
+/** A gate or barrier as the shown group of rocks meets it. */
+const of_group = (place) => (shown.group === 0 ? place : { ...place, ...place.groups[shown.group - 1] });
+/** "12.3 % (10.1 to 14.8)" of { share, interval, lower_bound } in summary.json; without an interval there are too few trials. */
+const share_text = (s) => (s.share === null ? "–" : `${s.lower_bound ? "≥ " : ""}${s.interval[0] === null ? `${percent(s.share)} (too few trials)` : with_interval(s.share, s.interval)}`);
 const shown_group = () => summary.points[shown.point].rocks[shown.group];
 /** "blocks, point 3: mu = 0.4": what a plot shows, for its caption and for print. */
 function shown_text() {

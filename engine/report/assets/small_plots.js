@@ -13,7 +13,7 @@ function cell_of(i, n, columns) {
 // ---- sweep -----------------------------------------------------------------------------------------------------
 /** The percentiles against the value of the only axis of a sweep. */
 function draw_sweep(node, axis_of_sweep, group) {
-  const x = summary.points.map((point) => at_axis(axis_of_sweep, point)), title = in_unit(axis_of_sweep.path, axis_of_sweep.unit);
+  const x = summary.points.map((point) => at_axis(axis_of_sweep, point)), title = in_unit(axis_of_sweep.name, axis_of_sweep.unit);
   const traces = [["p50", "circle", colour.blue, "solid"], ["p95", "square", colour.vermillion, "dash"], ["p99", "diamond", colour.green, "dot"]].map(([name, symbol, line_colour, dash]) => {
     const s = summary.points.map((point) => point.rocks[group].runout), ends = s.map((q) => q.intervals[name]);
     return {
@@ -50,7 +50,7 @@ function draw_points(node, points, group) {
 function sweep_table(group) {
   const clearances = summary.points[0].clearance.map((c) => c.clearance);
   return table(`${runout_title} in m: ${group_name(summary.points[0].rocks[group])}`,
-    ["point", ...data.axes.map((axis) => in_unit(axis.path, axis.unit)), "p50", "p95", "95 % from", "to", "p99", "greatest", "censored (95 %)", "failed", ...clearances.map((c) => `clearance ${c}`)],
+    ["point", ...data.axes.map((axis) => in_unit(axis.name, axis.unit)), "p50", "p95", "95 % from", "to", "p99", "greatest", "censored (95 %)", "failed", ...clearances.map((c) => `clearance ${c}`)],
     summary.points.map((point) => {
       const s = point.rocks[group], interval = s.runout.intervals.p95;
       return [point.point, ...data.axes.map((axis) => at_axis(axis, point)), statistic(s, "runout", "p50"), statistic(s, "runout", "p95"), interval[0], interval[1],
@@ -66,7 +66,7 @@ function sweep_section() {
   const note = paragraph("note", ""), table_place = element("div");
   const draw = () => {
     const group = shown.group;
-    note.textContent = `Shown: ${group_name(summary.points[0].rocks[group])}; above each plot its number and ${data.axes.map((axis) => axis.path).join(", ")}.`;
+    note.textContent = `Shown: ${group_name(summary.points[0].rocks[group])}; above each plot its number and ${data.axes.map((axis) => axis.name).join(", ")}.`;
     if (summary.points.some((point) => point.rocks[group].runout.p95 !== null)) draw_points(small, pages.points(), group);
     else no_plot(small, `No ${runout_name} is known at any point.`);
     if (drawn) draw_sweep(drawn, data.axes[0], group);

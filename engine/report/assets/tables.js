@@ -3,23 +3,28 @@
 function crossings_section() {
   const { gates, barriers } = summary.points[0];
   if (gates.length + barriers.length === 0) return;
-  const share = (place, value, interval) => right(value === null ? "–" : `${place.lower_bounds ? "≥ " : ""}${with_interval(value, interval)}`);
   const number = (place, quantity, name) => right(place[quantity][name] === null ? "–" : show(place[quantity][name] / (quantity === "energy" ? 1000 : 1)));
   const missed = (b) => right(b.not_reached === null ? "–" : `${b.lower_bounds ? "≤ " : ""}${with_interval(b.not_reached, b.share_intervals.not_reached)}`);
+  const of_all = (place, what) => right(share_text(place.shares[what].of_all)), arriving = (place, what) => right(share_text(place.shares[what].of_arriving));
+  const per_trial = (place, what) => right(share_text(place.shares[what].per_trial));
   section_of_point("Gates and barriers", (point) => [
+    paragraph("note", `Shown: ${shown_text()}.`),
     point.gates.length === 0 ? "" : table("Gates: rocks at their first arrival",
-      ["gate", "where", "rocks", "share (95 %)", "speed mean m/s", "p95", "energy mean kJ", "p95", "max", "height p95 m", "max"],
-      point.gates.map((g) => [g.gate, where(g), g.rocks, share(g, g.passed, g.share_intervals.passed), number(g, "speed", "mean"), number(g, "speed", "p95"),
+      ["gate", "where", "rocks", "of all rocks (95 %)", "of trials (95 %)", "speed mean m/s", "p95", "energy mean kJ", "p95", "max", "height p95 m", "max"],
+      point.gates.map(of_group).map((g) => [g.gate, where(g), g.rocks, of_all(g, "passed"), per_trial(g, "passed"), number(g, "speed", "mean"), number(g, "speed", "p95"),
         number(g, "energy", "mean"), number(g, "energy", "p95"), number(g, "energy", "max"), number(g, "height", "p95"), number(g, "height", "max")])),
+    point.barriers.length === 0 ? "" : table("Barriers: shares of the rocks that arrive, and of the trials in which at least one gets past, with 95 % intervals",
+      ["barrier", "arrive", "caught", "over the top", "through", "trials with one past"],
+      point.barriers.map(of_group).map((b) => [b.barrier, b.rocks, ...["caught", "over_top", "over_energy"].map((what) => arriving(b, what)), per_trial(b, "past")])),
     point.barriers.length === 0 ? "" : table("Barriers: shares of all rocks, with their 95 % intervals",
       ["barrier", "caught", "over the top", "through", "not reached", "reached"],
-      point.barriers.map((b) => [b.barrier, ...["caught", "over_top", "over_energy"].map((what) => share(b, b[what], b.share_intervals[what])), missed(b), share(b, b.reached, b.share_intervals.reached)])),
+      point.barriers.map(of_group).map((b) => [b.barrier, ...["caught", "over_top", "over_energy"].map((what) => of_all(b, what)), missed(b), of_all(b, "reached")])),
     point.barriers.length === 0 ? "" : table("Barriers: what they are, and the rocks that reached them",
       ["barrier", "where", "height m", "holds up to m", "capacity kJ", "holds kJ", "rocks", "energy p95 kJ", "max", "height p95 m", "max"],
-      point.barriers.map((b) => [b.barrier, where(b), b.height_m, b.held_height_m, b.capacity_J / 1000, b.held_energy_J / 1000, b.rocks, number(b, "energy", "p95"), number(b, "energy", "max"), number(b, "height", "p95"), number(b, "height", "max")])),
+      point.barriers.map(of_group).map((b) => [b.barrier, where(b), b.height_m, b.held_height_m, b.capacity_J / 1000, b.held_energy_J / 1000, b.rocks, number(b, "energy", "p95"), number(b, "energy", "max"), number(b, "height", "p95"), number(b, "height", "max")])),
     caption("How many rocks arrive, how fast, with which energy, and how high their centre of mass is above the ground. ≥: rocks that left the domain or ran out of time had not arrived yet; the upper end of the interval counts them as if they had.",
-      "Caught, over the top, through and not reached are all rocks. Over the top: the top of the rock (centre times the partial factor of heights, and radius of the sphere of its volume) is above what the barrier holds: height x cos(inclination) less freeboard. Through: its energy is above what the barrier holds (its capacity, a third of it at the service level, over the partial factor of energies); it goes on with the energy that is left.",
-      "Energy is kinetic, rotation included. A rock counts once, when it first arrives. Intervals are exact (Clopper and Pearson), for independent rocks."),
+      "Over the top: the top of the rock (centre times the partial factor of heights, and radius of the sphere of its volume) is above what the barrier holds: height x cos(inclination) less freeboard. Through: its energy is above what the barrier holds (its capacity, a third of it at the service level, over the partial factor of energies); it goes on with the energy that is left.",
+      "Energy is kinetic, rotation included. A rock counts once, when it first arrives. Intervals are those of Clopper and Pearson; where a trial has several rocks, the trial is their unit, and they need ten trials with such a rock."),
   ]);
 }
 
@@ -31,7 +36,7 @@ function clearance_section() {
         const one = c.per === "blast" ? `blasts, with ${show(c.rocks_per_blast)} rock${c.rocks_per_blast === 1 ? "" : "s"} a blast` : "rocks";
         const of = c.area ? "farthest of the area" : c.of === "runout" ? runout_short : "max. distance";
         const bound = (value) => right(value === null ? "–" : `${c.lower_bound ? "≥ " : ""}${show(value)}`);
-        if (c.count < c.needed) return [c.clearance, c.group ?? "all groups", `${percent(c.probability)} of ${c.count} ${one}`, `not given: it needs ${c.needed} ${one}`, "", "", "", "", "", ""];
+        if (c.distance === null) return [c.clearance, c.group ?? "all groups", `${percent(c.probability)} of ${c.count} ${one}`, c.trials_needed ? `too few trials: it needs about ${c.trials_needed}` : c.count < c.needed ? `not given: it needs ${c.needed} ${one}` : "too few rocks for an area", "", "", "", "", "", ""];
         return [c.clearance, c.group ?? "all groups", `${percent(c.probability)} of ${c.count} ${one}`, of, bound(c.distance),
           percent(c.confidence), c.lower, c.upper, c.factor === null ? "none" : right(show(c.factor)), bound(c.with_factor)];
       })),
@@ -73,18 +78,22 @@ function statistics_section() {
   const names = ["mean", "sd", "min", "p50", "p90", "p95", "p99", "max"];
   const interval_names = ["mean", "p50", "p90", "p95", "p99"];
   const shown = (number, value) => show(value === null ? value : value * number.per_si);
-  const interval = (number, [lower, upper]) =>
-    right(lower === null && upper === null ? "–" : `${shown(number, lower)} to ${shown(number, upper)}`);
+  const interval = (number, of, name) => {
+    const [lower, upper] = of.intervals[name];
+    if (of.trials_needed[name]) return right(`too few trials: about ${of.trials_needed[name]}`);
+    return right(lower === null && upper === null ? "–" : `${shown(number, lower)} to ${shown(number, upper)}`);
+  };
+  const effects = (of) => interval_names.map((name) => of.design_effect[name]);
   const head = (number) => [{ text: element("span", { title: number.doc }, quantity_name(number.name)) }, number.unit || "–"];
   const sound = (point) => point.rocks.filter((group) => group.count > group.faults);
   section_of_point("Statistics", (point) => sound(point).length === 0 ? [paragraph("", "There are none: no rock came through.")] : [
     ...sound(point).map((group) => table(`${group_name(group)}: ${group.count - group.faults}`, ["quantity", "unit", ...names],
       data.numbers.map((number) => [...head(number), ...names.map((name) => statistic(group, number.name, name))]))),
-    ...sound(point).map((group) => table(`95 % confidence intervals: ${group_name(group)}`, ["quantity", "unit", ...interval_names],
-      data.numbers.map((number) => [...head(number), ...interval_names.map((name) => interval(number, group[number.name].intervals[name]))]))),
+    ...sound(point).map((group) => table(`95 % confidence intervals: ${group_name(group)}`, ["quantity", "unit", ...interval_names, "design effects above 1.5"],
+      data.numbers.map((number) => [...head(number), ...interval_names.map((name) => interval(number, group[number.name], name)), right(Math.max(...effects(group[number.name])) > 1.5 ? effects(group[number.name]).map((e) => Number(e.toPrecision(2))).join(", ") : "–")]))),
     caption("≥: censored rocks fall into it, the true number is at least this. –: the sample is too small for that end of an interval, or censored rocks hide it.",
       "Speed, energy (kinetic) and bounce height are the greatest over a rock's path. A standard deviation in brackets contains censored rocks. Rocks that failed are left out.",
-      "Percentiles are linear between the order statistics (NumPy, PERCENTILE.INC). Their intervals are those of the order statistics (binomial), that of the mean is Student's t; rocks are taken as independent."),
+      "Percentiles are linear between the order statistics (NumPy, PERCENTILE.INC). Their intervals are those of the order statistics (binomial), that of the mean is Student's t. Where a trial has several rocks, they share its draws and the trial is the unit: the design effect says how many rocks say as much as one independent rock; an interval needs ten trials beyond its number."),
   ]);
 }
 

@@ -34,7 +34,11 @@ inline Scenario scenario(std::uint64_t trials) {
 
 inline Plan plan(std::uint64_t trials, int points = 1) {
   Plan p;
-  if (points > 1) p.axes = {{"materials.rock.friction.mu", {}, "1"}};
+  if (points > 1)
+    p.axes = {{.path = "materials.rock.friction.mu",
+               .values = {},
+               .name = "materials.rock.friction.mu",
+               .unit = "1"}};
   for (int i = 0; i < points; ++i) {
     p.points.push_back(scenario(trials));
     p.at.push_back(points > 1 ? std::vector<double>{0.1 * (i + 1)} : std::vector<double>{});

@@ -5,8 +5,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "record/rows.h"
 #include "random/stream.h"
+#include "record/rows.h"
 #include "results/clearance.h"
 
 using namespace flyrock;
