@@ -113,3 +113,17 @@ TEST_CASE("course shows one lab with its page, question and verdict") {
   CHECK(wrong.code == 2);
   CHECK(wrong.err.find("did you mean `bouncing_ball`?") != std::string::npos);
 }
+
+TEST_CASE("the forces of Painleve's rod follow from the equation that its page gives") {
+  const std::string equation = "W r = (g - 1.8 y, -1.8 x)";
+  const std::string scenario = read(scenario_of("painleve"));
+  CHECK(read(course_pages / "painleve.md").find(equation) != std::string::npos);
+  CHECK(scenario.find(equation) != std::string::npos);
+  const double wnn = 1.6, wtt = 3.4, wnt = 1.2, x = -0.2236068, y = 0.4472136;
+  const double n = 9.81 - 1.8 * y, t = -1.8 * x, determinant = wnn * wtt - wnt * wnt;
+  const double rn = (wtt * n - wnt * t) / determinant, rt = (wnn * t - wnt * n) / determinant;
+  CHECK(rn == Approx(7.5335).epsilon(1e-4));  // as the scenario expects of its series
+  CHECK(rt == Approx(-2.5405).epsilon(1e-4));
+  CHECK(scenario.find("rn.at[5e-6 s]\", equals: 7.5335") != std::string::npos);
+  CHECK(scenario.find("rt.at[5e-6 s]\", equals: -2.5405") != std::string::npos);
+}
