@@ -143,6 +143,7 @@ std::optional<Value> LuaSession::Host::read_scenario(const std::string& path, co
     return std::nullopt;
   }
   std::optional<Value> value;
+  scenario_folder_ = fs::path(shown).parent_path().string();
   load(*file, diagnostics, [&](lua_State* lua) {
     for (const Marked& marked : scenarios_)
       if (marked.table == lua_topointer(lua, -1)) {
@@ -153,10 +154,15 @@ std::optional<Value> LuaSession::Host::read_scenario(const std::string& path, co
                       fmt::format("returns {}, expected `return fr.scenario {{ ... }}` at its end",
                                   lua_isnil(lua, -1) ? "nothing" : "something else"));
   });
-  if (registered_ > 0) sources_.push_back({shown, file->text});
+  if (registered_ > 0) sources_.push_back({name_in_hash(shown), file->text});
+  scenario_folder_.reset();
   scenarios_.clear();
   if (diagnostics.has_errors()) return std::nullopt;
   return value;
+}
+
+std::string LuaSession::Host::name_in_hash(const std::string& shown) const {
+  return scenario_folder_ ? fs::path(shown).lexically_relative(*scenario_folder_).string() : shown;
 }
 
 LuaSession::Host& LuaSession::Host::self(lua_State* lua) {
@@ -243,7 +249,7 @@ std::optional<Factory> LuaSession::Host::native_factory(const PluginSpec& spec, 
     const auto bytes = read_bytes(path);
     if (!bytes) return refuse(fmt::format("no shared object `{}` beside the manifest", object));
     if (const std::string error = load_module(path, own); !error.empty()) return refuse(error);
-    sources_.push_back({(fs::path(file.source->name).parent_path() / object).string(), *bytes});
+    sources_.push_back({name_in_hash((fs::path(file.source->name).parent_path() / object).string()), *bytes});
   }
   const FactoryTable& table = builtin_ ? natives_ : own;
   if (const auto found = table.find({spec.kind, spec.native}); found != table.end()) return found->second;
@@ -288,7 +294,7 @@ void LuaSession::Host::require_file(lua_State* lua, const std::string& name) {
     throw std::runtime_error(
         fmt::format("require: {}, expected a module beside the file{}", fault,
                     nearest_name(name, {"flyrock"}).empty() ? "" : "; did you mean `flyrock`?"));
-  sources_.push_back({shown, file->text});
+  sources_.push_back({name_in_hash(shown), file->text});
   struct Loading {  // forgets the file if loading fails, because a Lua error unwinds this frame
     std::map<std::string, int>& required;
     const std::string& path;

@@ -52,6 +52,9 @@ class LuaSession::Host {
   /// The file and the field places of the running call of fr.`function`.
   std::pair<const LuaFile*, FieldPlaces> calling(lua_State* lua, const char* function) const;
   void register_plugin(lua_State* lua);
+  /// The name of a source for the hash of a scenario: of a Lua scenario and what is beside it, from its
+  /// folder, because the same scenario may be named by another path.
+  std::string name_in_hash(const std::string& shown) const;
   /// The factory with the name `native`. Reports an error if there is none.
   std::optional<Factory> native_factory(const PluginSpec& spec, const LuaFile& file, const Location& at);
 
@@ -67,6 +70,7 @@ class LuaSession::Host {
   // Set while a file is loaded:
   Diagnostics* diagnostics_ = nullptr;
   const LuaFile* main_ = nullptr;
+  std::optional<std::string> scenario_folder_;  // while a scenario is loaded, as shown
   bool builtin_ = false;
   int registered_ = 0;
 };
