@@ -62,9 +62,10 @@ void LuaSession::Host::open_libraries(lua_State* lua, const std::string& share) 
   std::string fault;
   const LuaFile* module = files_.read(path, "flyrock/init.lua", fault);
   if (!module) throw std::runtime_error(fmt::format("flyrock's Lua module is missing: cannot read {}", path));
-  lua_createtable(lua, 0, 2);
+  lua_createtable(lua, 0, 3);
   add_function("scenario", guarded<scenario>);
   add_function("plugin", guarded<plugin>);
+  add_function("argument", guarded<argument>);
   run_file(lua, *module);
   lua_createtable(lua, 0, 0);
   make_strict(lua, -2, "fr");
@@ -202,6 +203,15 @@ int LuaSession::Host::plugin(lua_State* lua) {
     lua_setfield(lua, -2, field);
   }
   make_read_only(lua, "plugin");
+  return 1;
+}
+
+int LuaSession::Host::argument(lua_State* lua) {
+  Host& host = self(lua);
+  if (!host.main_)  // a law that asked in a call would get a number that the hash of its scenario does not
+                    // know
+    throw std::runtime_error("fr.argument is for loading: it stands at the top level of a file");
+  host.arguments_.answer(lua);
   return 1;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// The implementation of LuaSession: the state with its libraries, the functions fr.scenario, fr.plugin and
-// require, and the files that are being loaded.
+// The implementation of LuaSession: the state with its libraries, the functions fr.scenario, fr.plugin,
+// fr.argument and require, and the files that are being loaded.
 
 #include <map>
 #include <memory>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host/locate.h"
+#include "host/lua_arguments.h"
 #include "host/session.h"
 #include "host/source_files.h"
 #include "plugin/module.h"
@@ -26,6 +27,7 @@ class LuaSession::Host {
   std::optional<Value> read_scenario(const std::string& path, const std::string& shown,
                                      Diagnostics& diagnostics);
   LuaState& state() { return *state_; }
+  LuaArguments& arguments() { return arguments_; }
   const Registry& registry() const { return registry_; }
   const std::vector<SourceText>& sources() const { return sources_; }
 
@@ -40,6 +42,7 @@ class LuaSession::Host {
   static Host& self(lua_State* lua);
   static int scenario(lua_State* lua);
   static int plugin(lua_State* lua);
+  static int argument(lua_State* lua);
   static int require(lua_State* lua);
 
   void open_libraries(lua_State* lua, const std::string& share);
@@ -64,6 +67,7 @@ class LuaSession::Host {
   FactoryTable natives_;  // of flyrock_plugins.so
   SourceFiles files_;
   std::vector<SourceText> sources_;
+  LuaArguments arguments_;
   std::map<std::string, int> required_;  // by path: reference of the result; 0 while it is being loaded
   std::vector<Marked> scenarios_;
 
