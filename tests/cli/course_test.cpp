@@ -107,7 +107,9 @@ TEST_CASE("course shows one lab with its page, question and verdict") {
   const Output changed = call(folder, "course bouncing_ball --set materials.floor.restitution.en=0.9");
   CHECK(changed.code == 1);
   CHECK(changed.out.find("impact[1].vn_after = 12.60642693") != std::string::npos);
-  CHECK(call(folder, "course --set stop.time=1s").code == 2);
+  for (const char* option : {"--set stop.time=1s", "--trials 5", "--seed 3", "--arg voussoirs=41"})
+    CHECK(call(folder, std::string("course ") + option).err.find("needs the name of a lab") !=
+          std::string::npos);
   CHECK(one.out.find("to change it: flyrock course bouncing_ball --set ") != std::string::npos);
   const Output wrong = call(folder, "course bouncing_bal");
   CHECK(wrong.code == 2);
@@ -126,4 +128,33 @@ TEST_CASE("the forces of Painleve's rod follow from the equation that its page g
   CHECK(rt == Approx(-2.5405).epsilon(1e-4));
   CHECK(scenario.find("rn.at[5e-6 s]\", equals: 7.5335") != std::string::npos);
   CHECK(scenario.find("rt.at[5e-6 s]\", equals: -2.5405") != std::string::npos);
+}
+
+TEST_CASE("a lab with fewer trials says which expectations it does not judge") {
+  const Folder folder;
+  for (const char* few : {"--trials 50", "--set trials=50", "--trials 50 --seed 3"}) {
+    INFO(few);
+    const Output output = call(folder, std::string("course clearance ") + few);
+    INFO(output.err);
+    CHECK(output.code == 0);
+    CHECK(output.out.find("verdict: 0 of 0 expectations hold, 4 need more trials and are not judged\n") !=
+          std::string::npos);
+    CHECK(output.err.find("json") == std::string::npos);
+  }
+}
+
+TEST_CASE("course -o DIR is the result folder, as that of run, and is not replaced unasked") {
+  const Folder folder;
+  REQUIRE(call(folder, "course oblique_impact -o mine").code == 0);
+  CHECK(folder.has("mine/report.html"));
+  CHECK_FALSE(folder.has("mine/oblique_impact"));
+  const Output again = call(folder, "course oblique_impact -o mine"),
+               as_run = call(folder, "run " + scenario_of("oblique_impact").string() + " -o mine");
+  CHECK(again.code == 2);
+  CHECK(again.err.substr(0, again.err.find('\n')) == as_run.err.substr(0, as_run.err.find('\n')));
+  CHECK(call(folder, "course oblique_impact -o mine --force").code == 0);
+  // The folder of the course itself is replaced by each run.
+  CHECK(call(folder, "course oblique_impact").code == 0);
+  CHECK(call(folder, "course oblique_impact").code == 0);
+  CHECK(folder.has("out/course/oblique_impact/report.html"));
 }
