@@ -158,3 +158,14 @@ TEST_CASE("course -o DIR is the result folder, as that of run, and is not replac
   CHECK(call(folder, "course oblique_impact").code == 0);
   CHECK(folder.has("out/course/oblique_impact/report.html"));
 }
+
+TEST_CASE("the arch takes the number of its stones and its thicknesses as arguments") {
+  const Folder folder;
+  const Output more = call(folder, "course arch --arg voussoirs=31 --arg thick=0.112 --arg thin=0.1");
+  INFO(more.out << more.err);
+  CHECK(more.code == 0);
+  CHECK(more.out.find("verdict: 4 of 4 expectations hold\n") != std::string::npos);
+  CHECK(more.out.find("thick_1, thick_2, thick_3 and 28 more bodies stood for 0.1 s.") != std::string::npos);
+  CHECK(more.out.find("thin_1 ") != std::string::npos);
+  CHECK(more.out.find("thin_4 ") == std::string::npos);
+}
