@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <tuple>
 #include <vector>
 
 #include "program.h"
@@ -168,4 +169,23 @@ TEST_CASE("the arch takes the number of its stones and its thicknesses as argume
   CHECK(more.out.find("thick_1, thick_2, thick_3 and 28 more bodies stood for 0.1 s.") != std::string::npos);
   CHECK(more.out.find("thin_1 ") != std::string::npos);
   CHECK(more.out.find("thin_4 ") == std::string::npos);
+}
+
+TEST_CASE("bodies of one picture start close to each other") {
+  const Folder folder;
+  // In radii about the centre, of the boxes of 0.4 x 0.3 x 0.1 m, and of the balls, which start 1 m from the
+  // others.
+  for (const auto& [lab, radius, most] :
+       {std::tuple("dzhanibekov", 0.255, 5.0), std::tuple("cradle", 0.1, 13.0)}) {
+    INFO(lab);
+    const auto bodies =
+        nlohmann::json::parse(call(folder, "show --json " + scenario_of(lab).string()).out).at("bodies");
+    for (const auto& a : bodies)
+      for (const auto& b : bodies) {
+        double squared = 0;
+        for (std::size_t i = 0; i < a.at("position").size(); ++i)
+          squared += std::pow(a.at("position").at(i).get<double>() - b.at("position").at(i).get<double>(), 2);
+        CHECK(std::sqrt(squared) <= most * radius);
+      }
+  }
 }
