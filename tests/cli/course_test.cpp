@@ -189,3 +189,18 @@ TEST_CASE("bodies of one picture start close to each other") {
       }
   }
 }
+
+TEST_CASE("every scenario of the course is named by a page of the course") {
+  std::string pages;
+  for (const auto& entry : fs::directory_iterator(course_pages))
+    if (entry.path().extension() == ".md") pages += read(entry.path());
+  int scenarios = 0;
+  for (const auto& entry : fs::directory_iterator(FLYROCK_SOURCE_DIR "/scenarios/course")) {
+    const std::string file = entry.path().filename().string();
+    INFO(file);
+    CHECK((pages.find("/" + file) != std::string::npos ||
+           pages.find("flyrock course " + entry.path().stem().string() + "\n") != std::string::npos));
+    ++scenarios;
+  }
+  CHECK(scenarios >= 22);
+}
