@@ -102,7 +102,7 @@ reference: build-bench
 
 # The pictures of the course's pages
 course: build-bench
-	build/bench/bin/flyrock course -o out/course
+	build/bench/bin/flyrock course
 	for lab in $(basename $(notdir $(wildcard docs/course/images/*.svg))); do \
 	  case $$lab in dzhanibekov) until="--until 12s";; *) until="";; esac; \
 	  build/bench/bin/flyrock animate out/course/$$lab $$until -o docs/course/images/$$lab.svg || exit 1; done

@@ -76,6 +76,8 @@ std::string hash_of(const LoadedScenario& loaded) {
   std::string text = FLYROCK_ENGINE_VERSION "\n" + to_json(loaded.plan.resolved) + '\n';
   for (const auto* list : {&loaded.sources, &loaded.files})
     for (const SourceHash& source : *list) text += source.name + ' ' + source.sha256 + '\n';
+  for (const LuaArgument& argument : loaded.session->arguments().asked())  // laws may depend on them
+    text += argument.name + '=' + text_of(argument) + '\n';
   return sha256(text);
 }
 
@@ -89,6 +91,7 @@ std::optional<LoadedScenario> load_scenario(const std::string& path, const Overr
   if (prints == Prints::collected) loaded.session->collect_prints();
   loaded.name = fs::path(path).stem().string();
   const std::size_t builtin = loaded.session->registry().size();
+  loaded.session->arguments().give(overrides.arguments, diagnostics);
   std::optional<Value> tree = read_tree(path, *loaded.session, diagnostics);
   if (!tree) return std::nullopt;
   Value& root = loaded.root = std::move(*tree);
@@ -97,6 +100,7 @@ std::optional<LoadedScenario> load_scenario(const std::string& path, const Overr
   apply_overrides(root, overrides, diagnostics);
   const fs::path folder = fs::path(path).parent_path();
   load_plugin_files(root, folder, *loaded.session, diagnostics);
+  loaded.session->arguments().refuse_unasked(diagnostics);
 
   std::optional<Plan> plan = decode(root, loaded.session->registry(), folder.string(), diagnostics,
                                     before ? before->plan.points.front().terrain.grounds : nullptr);

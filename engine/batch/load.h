@@ -24,7 +24,8 @@ struct LoadedScenario {
   std::string name;                 ///< the file's name without its extension
   std::vector<SourceHash> sources;  ///< all loaded plugin sources
   std::vector<SourceHash> files;    ///< all files that parameters name: a profile, a polyhedron
-  std::string hash;  ///< SHA-256 of the engine's version, the resolved scenario, the sources and the files
+  /// SHA-256 of the engine's version, the resolved scenario, the sources, the files and the arguments
+  std::string hash;
   std::vector<std::string> warnings;  ///< from the reader: "blast.hole: the hole is shorter than the bench"
   bool defines_plugins = false;       ///< a Lua scenario that calls fr.plugin
   std::uint64_t own_trials = 1;       ///< `trials` of the file, without `--trials`

@@ -17,10 +17,14 @@ namespace flyrock::cli {
 namespace {
 
 /// Loads a plugin file or folder and tries its plugins on sampled parameters and states.
-int check_plugin(const std::string& path) {
+int check_plugin(const std::string& path, const std::vector<std::string>& arguments) {
   LuaSession session(share_folder());
+  Diagnostics diagnostics;
+  session.arguments().give(arguments, diagnostics);
   const std::optional<std::vector<const Plugin*>> plugins = load_plugin_file(session, path);
-  if (!plugins) return bad_input;
+  session.arguments().refuse_unasked(diagnostics);
+  fmt::print(stderr, "{}", diagnostics.to_text());
+  if (!plugins || diagnostics.has_errors()) return bad_input;
   std::size_t faults = 0;
   for (const Plugin* plugin : *plugins) {
     const auto say = [&](const char* grade, const std::string& text) {
@@ -77,7 +81,8 @@ int check(const Command& command, const Arguments& arguments) {
   const std::string& path = line.words[0];
   const Overrides overrides = overrides_of(line);
   try {
-    return is_plugin(path) ? check_plugin(path) : check_scenario(path, overrides, line.has("strict"));
+    return is_plugin(path) ? check_plugin(path, overrides.arguments)
+                           : check_scenario(path, overrides, line.has("strict"));
   } catch (const InputError&) {
     throw;
   } catch (const std::exception& error) {  // nothing runs here, so the error is in the file

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "batch/safe_file.h"
-#include "cli/command.h"
+#include "cli/loading.h"
 #include "document/wording.h"
 #include "host/share.h"
 
@@ -41,56 +41,90 @@ std::vector<Lab> labs() {
   return list;
 }
 
-/// How many expectations of a result passed, and how many it has.
-std::pair<std::size_t, std::size_t> judged(const fs::path& folder) {
+/// How many expectations of a result hold. A run with fewer trials than its scenario has does not judge those
+/// that need all.
+struct Verdicts {
+  std::size_t held = 0, judged = 0, not_judged = 0;
+};
+
+Verdicts verdicts_in(const fs::path& folder) {
   const auto summary = nlohmann::json::parse(read_file(folder / "summary.json"));
-  std::size_t held = 0, all = 0;
+  Verdicts verdicts;
   for (const auto& expectation : summary.at("expectations")) {
-    ++all;
-    held += expectation.at("passed").get<bool>();
+    const auto& passed = expectation.at("passed");
+    verdicts.not_judged += passed.is_null();
+    if (passed.is_null()) continue;
+    ++verdicts.judged;
+    verdicts.held += passed.get<bool>();
   }
-  return {held, all};
+  return verdicts;
 }
 
 int run_lab(const Lab& lab, const fs::path& folder, const Arguments& more) {
   static const Command command = {"run", "run SCENARIO [options]", "", run};
-  Arguments words = {lab.scenario().string(), "-o", folder.string(), "--force"};
+  Arguments words = {lab.scenario().string(), "-o", folder.string()};
   words.insert(words.end(), more.begin(), more.end());
   return run(command, words);
 }
 
-/// Runs all labs, with a line for each.
-int run_all(const std::vector<Lab>& list, const fs::path& folder) {
+bool ended_without_results(int code, const fs::path& folder) {
+  return code == bad_input || code == interrupted || !fs::exists(folder / "summary.json");
+}
+
+/// Runs all labs into folders of their own, with a line for each.
+int run_all(const std::vector<Lab>& list, const fs::path& folder, Arguments more) {
+  more.push_back("--quiet");
   std::size_t passed = 0;
   for (const Lab& lab : list) {
     const auto begin = std::chrono::steady_clock::now();
-    const int code = run_lab(lab, folder / lab.name, {"--quiet"});
-    if (code == bad_input || code == interrupted) return code;
+    const int code = run_lab(lab, folder / lab.name, more);
+    if (ended_without_results(code, folder / lab.name)) return code;
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    const auto [held, all] = judged(folder / lab.name);
-    const bool good = code == done && held == all && all > 0;
+    const auto [held, judged, not_judged] = verdicts_in(folder / lab.name);
+    const bool good = code == done && held == judged && judged > 0;
     passed += good;
     fmt::print("{:<6} {:<24} {} of {} expectations, {:.1f} s\n", good ? "holds" : "FAILS", lab.name, held,
-               all, seconds);
+               judged + not_judged, seconds);
     std::fflush(stdout);
   }
   fmt::print("{} of {}\n", passed, list.size());
   return passed == list.size() ? done : expectation_failed;
 }
 
-/// Shows the page of a lab, runs it with `changes` (path=value), and says whether its expectations hold.
-int run_one(const Lab& lab, const fs::path& folder, const Arguments& changes) {
+/// Shows the page of a lab, runs it with more options, and says whether its expectations hold.
+int run_one(const Lab& lab, const fs::path& folder, const Arguments& more) {
   fmt::print("{}\n", read_file(lab.page()));
   fmt::print("--- {}\n", lab.scenario().filename().string());
   std::fflush(stdout);
-  Arguments sets;
-  for (const std::string& change : changes) sets.insert(sets.end(), {"--set", change});
-  const int code = run_lab(lab, folder / lab.name, sets);
-  if (code == bad_input || code == interrupted) return code;
-  const auto [held, all] = judged(folder / lab.name);
-  fmt::print("question: {}\nverdict: {} of {} expectations hold\n", lab.question, held, all);
+  const int code = run_lab(lab, folder, more);
+  if (ended_without_results(code, folder)) return code;
+  const auto [held, judged, not_judged] = verdicts_in(folder);
+  fmt::print("question: {}\nverdict: {} of {} expectations hold", lab.question, held, judged);
+  if (not_judged > 0) fmt::print(", {} need more trials and are not judged", not_judged);
+  fmt::print("\n");
   fmt::print("to change it: flyrock course {} --set KEY=VALUE\n", lab.name);
   return code;
+}
+
+/// The options of the command line that a run takes too.
+Arguments for_the_run(const CommandLine& line) {
+  Arguments words;
+  for (const char* option : {"set", "arg"})
+    if (line.has(option))
+      for (const std::string& value : line.options[option].as<Arguments>())
+        words.insert(words.end(), {fmt::format("--{}", option), value});
+  for (const char* option : {"seed", "trials"})
+    if (line.has(option)) words.insert(words.end(), {fmt::format("--{}", option), line.text(option)});
+  return words;
+}
+
+const Lab& lab_named(const std::string& name, const std::vector<Lab>& list) {
+  std::vector<std::string> names;
+  for (const Lab& lab : list) {
+    if (lab.name == name) return lab;
+    names.push_back(lab.name);
+  }
+  throw UsageError(fmt::format("unknown lab `{}`{}", name, suggestion(name, names)));
 }
 
 }  // namespace
@@ -98,10 +132,12 @@ int run_one(const Lab& lab, const fs::path& folder, const Arguments& changes) {
 int course(const Command& command, const Arguments& arguments) {
   po::options_description options("options");
   options.add_options()("list", "lists the labs with their questions")(
-      "output,o", po::value<std::string>()->default_value("out/course")->value_name("DIR"),
-      "folder of the results, a folder for each lab; existing results are replaced")(
-      "set", po::value<Arguments>()->composing()->value_name("path=value"),
-      "sets a value of the lab's scenario; may be given several times");
+      "output,o", po::value<std::string>()->value_name("DIR"),
+      "result folder of the lab, or folder of the result folders of all labs; default out/course/LAB, where "
+      "existing results are replaced");
+  options.add_options()("force", "replaces the results in an existing folder")(
+      "resume", "continues a run that was interrupted or killed");
+  add_override_options(options);
   const CommandLine line = parse(command, options, arguments, 0, 1);
   if (line.help) return done;
   const std::vector<Lab> list = labs();
@@ -109,19 +145,17 @@ int course(const Command& command, const Arguments& arguments) {
     for (const Lab& lab : list) fmt::print("{:>2}  {:<24} {}\n", lab.week, lab.name, lab.question);
     return done;
   }
-  const fs::path folder = line.text("output");
-  const Arguments changes = line.has("set") ? line.options["set"].as<Arguments>() : Arguments{};
-  if (line.words.empty()) {
-    if (!changes.empty())
-      throw UsageError("`--set` needs the name of a lab: flyrock course LAB --set path=value");
-    return run_all(list, folder);
-  }
-  std::vector<std::string> names;
-  for (const Lab& lab : list) {
-    if (lab.name == line.words[0]) return run_one(lab, folder, changes);
-    names.push_back(lab.name);
-  }
-  throw UsageError(fmt::format("unknown lab `{}`{}", line.words[0], suggestion(line.words[0], names)));
+  const fs::path usual = "out/course";
+  Arguments more = for_the_run(line);
+  if (line.words.empty() && !more.empty())
+    throw UsageError(
+        fmt::format("`{0}` needs the name of a lab: flyrock course LAB {0} {1}", more[0], more[1]));
+  if (line.has("resume")) more.push_back("--resume");
+  if (line.has("force") || (!line.has("output") && !line.has("resume"))) more.push_back("--force");
+  if (line.words.empty())
+    return run_all(list, line.has("output") ? fs::path(line.text("output")) : usual, more);
+  const Lab& lab = lab_named(line.words[0], list);
+  return run_one(lab, line.has("output") ? fs::path(line.text("output")) : usual / lab.name, more);
 }
 
 }  // namespace flyrock::cli

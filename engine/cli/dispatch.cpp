@@ -34,7 +34,7 @@ constexpr std::array<Command, 13> commands = {{
      "lists the plugins, or shows the parameters of one", plugins},
     {"law", "law KIND/NAME|FILE [-o FILE] [--set PARAMETER=VALUE]...",
      "draws the graph of a contact law from solved contacts", law},
-    {"course", "course [LAB | --list]", "runs the labs of the course on contact mechanics", course},
+    {"course", "course [LAB | --list] [options]", "runs the labs of the course on contact mechanics", course},
     {"verify", "verify [--data DIR] [--json]", "computes problems with known answers and compares", verify},
     {"explain", "explain SCENARIO --impact N | --step N [options]",
      "shows the contact problem of an impact or a step, and its solution sweep by sweep", explain},

@@ -107,9 +107,8 @@ void write_picture(const std::string& file, const std::string& svg) {
         "{}: a PNG needs the program rsvg-convert (Debian: librsvg2-bin); an SVG does not", file));
 }
 
-/// Prints every tenth part of each curve. What rounding left of 0 is 0.
+/// Prints every tenth part of each curve, and all points of one with fewer. What rounding left of 0 is 0.
 void print_table(const LawGraph& graph) {
-  constexpr std::size_t rows = 10;
   fmt::print("\n{}\n", graph.title);
   for (const LawGraph::Case& curve : graph.cases) {
     const auto rounded = [](const std::vector<double>& values, std::size_t k) {
@@ -117,6 +116,7 @@ void print_table(const LawGraph& graph) {
       return std::abs(values[k]) < 1e-12 * std::max(-*low, *high) ? 0 : values[k];
     };
     fmt::print("  {:>36}  {}{}\n", graph.x, graph.y, curve.name.empty() ? "" : ", " + curve.name);
+    const std::size_t rows = std::min<std::size_t>(10, curve.at.size() - 1);
     for (std::size_t i = 0; i <= rows; ++i) {
       const std::size_t k = i * (curve.at.size() - 1) / rows;
       fmt::print("  {:>36.5g}  {:.5g}\n", rounded(curve.at, k), rounded(curve.value, k));

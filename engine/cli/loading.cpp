@@ -12,7 +12,9 @@ void add_override_options(po::options_description& options) {
   options.add_options()("set", po::value<std::vector<std::string>>()->value_name("path=value"),
                         "sets a value of the scenario; may be given several times")(
       "seed", po::value<std::string>()->value_name("S"), "in place of the scenario's seed")(
-      "trials", po::value<std::string>()->value_name("N"), "in place of the scenario's number of trials");
+      "trials", po::value<std::string>()->value_name("N"), "in place of the scenario's number of trials")(
+      "arg", po::value<std::vector<std::string>>()->value_name("name=value"),
+      "a value for fr.argument(name, default) of a Lua scenario; may be given several times");
 }
 
 Overrides overrides_of(const CommandLine& line) {
@@ -20,6 +22,7 @@ Overrides overrides_of(const CommandLine& line) {
   if (line.has("set")) overrides.set = line.options["set"].as<std::vector<std::string>>();
   if (line.has("seed")) overrides.seed = whole_number(line.text("seed"), "--seed", 0);
   if (line.has("trials")) overrides.trials = whole_number(line.text("trials"), "--trials", 1);
+  if (line.has("arg")) overrides.arguments = line.options["arg"].as<std::vector<std::string>>();
   return overrides;
 }
 

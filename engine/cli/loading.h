@@ -10,7 +10,7 @@
 
 namespace flyrock::cli {
 
-/// --set, --seed and --trials.
+/// --set, --seed, --trials and --arg.
 void add_override_options(boost::program_options::options_description& options);
 Overrides overrides_of(const CommandLine& line);
 

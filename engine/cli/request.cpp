@@ -22,7 +22,8 @@ std::filesystem::path file_in(const std::filesystem::path& chunks) { return chun
 
 void write_request(const std::filesystem::path& chunks, const Request& request) {
   Json data = {{"scenario", std::filesystem::absolute(request.scenario).string()},
-               {"set", request.overrides.set}};
+               {"set", request.overrides.set},
+               {"arguments", request.overrides.arguments}};
   if (request.overrides.seed) data["seed"] = *request.overrides.seed;
   if (request.overrides.trials) data["trials"] = *request.overrides.trials;
   data["shard"] = {request.shard.number, request.shard.of};
@@ -38,6 +39,7 @@ Request read_request(const std::filesystem::path& chunks) {
     if (request.shard.number < 1 || request.shard.number > request.shard.of) fail(file);
     if (data.contains("seed")) request.overrides.seed = data["seed"].get<std::uint64_t>();
     if (data.contains("trials")) request.overrides.trials = data["trials"].get<std::uint64_t>();
+    if (data.contains("arguments")) data["arguments"].get_to(request.overrides.arguments);
     return request;
   } catch (const Json::exception&) {
     fail(file);

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -31,6 +32,11 @@ void add_origin(const std::vector<Scenario>& points, Value& resolved) {
   terrain->map()->push_back({"origin", {}, {std::move(coordinates), {}, false}});
 }
 
+/// ", and run it with --arg stones=41"; empty without arguments. The functions ask for them again.
+std::string with_arguments(const std::vector<std::string>& arguments) {
+  return arguments.empty() ? "" : fmt::format(", and run it with --arg {}", fmt::join(arguments, " --arg "));
+}
+
 }  // namespace
 
 int show(const Command& command, const Arguments& arguments) {
@@ -39,7 +45,8 @@ int show(const Command& command, const Arguments& arguments) {
   add_override_options(options);
   const CommandLine line = parse(command, options, arguments, 1, 1);
   if (line.help) return done;
-  auto loaded = load(line.words[0], overrides_of(line), false);
+  const Overrides overrides = overrides_of(line);
+  auto loaded = load(line.words[0], overrides, false);
   if (!loaded) return bad_input;
   Value& resolved = loaded->plan.resolved;
   add_origin(loaded->plan.points, resolved);
@@ -48,7 +55,8 @@ int show(const Command& command, const Arguments& arguments) {
     const std::string file = std::filesystem::path(line.words[0]).filename().string();
     name_plugin_file(resolved, file);
     if (!line.has("json"))
-      text = fmt::format("# Its plugins are functions in {0}: keep this beside {0}.\n", file);
+      text = fmt::format("# Its plugins are functions in {0}: keep this beside {0}{1}.\n", file,
+                         with_arguments(overrides.arguments));
   }
   text += line.has("json") ? to_json(resolved) : to_yaml(resolved);
   if (text.empty() || text.back() != '\n') text += '\n';

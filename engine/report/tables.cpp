@@ -34,6 +34,14 @@ struct AppendCell {
   }
 };
 
+/// The arguments of Lua files by name.
+Json arguments_data(const std::vector<LuaArgument>& arguments) {
+  Json data = Json::object();
+  for (const LuaArgument& argument : arguments)
+    std::visit([&](const auto& value) { data[argument.name] = value; }, argument.value);
+  return data;
+}
+
 }  // namespace
 
 std::string rocks_csv_header(const Plan& plan) {
@@ -72,6 +80,7 @@ std::string manifest_json(const LoadedScenario& loaded) {
                          {"trials", first.trials},
                          {"points", loaded.plan.points.size()},
                          {"chunk_size", chunk_size(first.trials)},
+                         {"arguments", arguments_data(loaded.session->arguments().asked())},
                          {"plugins", hash_data(loaded.sources)},
                          {"files", hash_data(loaded.files)},
                          {"scenario", Json::parse(to_json(loaded.plan.resolved))}};

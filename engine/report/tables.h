@@ -22,8 +22,8 @@ std::string rocks_csv_rows(const Plan& plan, int point, const std::vector<RockRe
 /// Statistics of each point, expectations, solver quality, warnings. Holds no path, file name or hash.
 std::string summary_json(const Plan& plan, const Results& results);
 
-/// The inputs of a run: the resolved scenario, the engine's version, the hashes of all plugin sources and of
-/// the files that parameters name, and the chunk size.
+/// The inputs of a run: the resolved scenario, the arguments of its Lua files, the engine's version, the
+/// hashes of all plugin sources and of the files that parameters name, and the chunk size.
 std::string manifest_json(const LoadedScenario& scenario);
 
 /// Where and when a run took place, and how its time was spent.

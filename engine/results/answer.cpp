@@ -24,7 +24,7 @@ std::string display(const Bounded& number, std::string_view unit) {
 
 namespace {
 
-/// How a body or a rock ended, as the end of a sentence.
+/// How a body ended, as the end of a sentence.
 std::string_view ending(StopReason reason) {
   switch (reason) {
     case StopReason::stopped:
@@ -126,22 +126,63 @@ std::string clearances_answer(const Plan& plan, const Results& results) {
   return text;
 }
 
+/// A stone of an arch or a stack that stands: the error of the solver is all that it moves by. A body that
+/// falls is faster after 10 us.
+bool stood(const RockRecord& body) {
+  constexpr double still = 1e-4;  // m/s, also of the motion that a spin's energy is worth
+  const bool ended_well = body.reason == StopReason::stopped || body.reason == StopReason::timed_out;
+  return ended_well && body.impacts == 0 && body.max_energy < 0.5 * body.mass * still * still;
+}
+
+/// "ball came to rest after 2 s, 3.1 m from where it began, with 4 impacts." With `stop.speed: 0` nothing
+/// comes to rest, so the end of the time does not tell that a body moved.
+std::string motion_of(const RockRecord& body, const std::string& name, double stop_speed) {
+  constexpr double rounding = 1e-9;  // m
+  const double way = body.runout < rounding ? 0 : body.runout;
+  const std::string impacts = fmt::format("{} impact{}", body.impacts, body.impacts == 1 ? "" : "s");
+  if (body.reason == StopReason::timed_out && stop_speed == 0)
+    return fmt::format("{} was {:.4g} m from where it began after {:.4g} s, with {}.", name, way, body.time,
+                       impacts);
+  return fmt::format("{} {} after {:.4g} s, {:.4g} m from where it began, with {}.", name,
+                     ending(body.reason), body.time, way, impacts);
+}
+
+constexpr std::size_t most_bodies_named = 3;  // more are too many for a sentence
+
+std::string more_bodies(std::size_t count) {
+  return fmt::format("{} more bod{}", count, count == 1 ? "y" : "ies");
+}
+
+/// "box_1, box_2, box_3 and 18 more bodies stood for 0.5 s." What is at rest at once has no time to be told.
+std::string standing_text(const std::vector<std::string>& names, double time) {
+  const auto end = names.begin() + static_cast<std::ptrdiff_t>(std::min(names.size(), most_bodies_named));
+  std::string text = fmt::format("{}", fmt::join(names.begin(), end, ", "));
+  if (names.size() > most_bodies_named) text += " and " + more_bodies(names.size() - most_bodies_named);
+  return text + (time > 0 ? fmt::format(" stood for {:.4g} s.", time) : " stood from the start on.");
+}
+
+/// The bodies that moved, each with a sentence, and those that stood, with one for all of them.
 std::string bodies_answer(const Plan& plan, const Results& results) {
-  const std::vector<std::string> names = group_names(plan.points.front());
-  std::string text;
-  constexpr std::size_t most_named = 4;  // more are too many for a sentence
-  const std::vector<RockRecord>& bodies = results.points.front().first_trial;
-  for (std::size_t b = 0; b < std::min(bodies.size(), most_named); ++b) {
-    const RockRecord& body = bodies[b];
-    constexpr double rounding = 1e-9;  // m
-    text += fmt::format("{}{} {} after {:.4g} s, {:.4g} m from where it began, with {} impact{}.",
-                        b > 0 ? " " : "", names.at(static_cast<std::size_t>(body.group)), ending(body.reason),
-                        body.time, body.runout < rounding ? 0 : body.runout, body.impacts,
-                        body.impacts == 1 ? "" : "s");
+  const Scenario& scenario = plan.points.front();
+  const std::vector<std::string> names = group_names(scenario);
+  std::vector<std::string> moved, standing;
+  double longest = 0;  // s, of those that stood
+  for (const RockRecord& body : results.points.front().first_trial) {
+    const std::string& name = names.at(static_cast<std::size_t>(body.group));
+    if (stood(body)) {
+      standing.push_back(name);
+      longest = std::max(longest, body.time);
+    } else {
+      moved.push_back(motion_of(body, name, scenario.stop.speed));
+    }
   }
-  if (bodies.size() > most_named) text += fmt::format(" In all {} bodies moved.", bodies.size());
-  if (results.points.size() > 1) text += fmt::format(" (Point 0 of {}.)", results.points.size());
-  return text;
+  std::vector<std::string> sentences;
+  if (!standing.empty()) sentences.push_back(standing_text(standing, longest));
+  for (std::size_t b = 0; b < std::min(moved.size(), most_bodies_named); ++b) sentences.push_back(moved[b]);
+  if (moved.size() > most_bodies_named)
+    sentences.push_back(more_bodies(moved.size() - most_bodies_named) + " moved.");
+  if (results.points.size() > 1) sentences.push_back(fmt::format("(Point 0 of {}.)", results.points.size()));
+  return fmt::format("{}", fmt::join(sentences, " "));
 }
 
 /// " (blocks 217 m, loose 15.1 m)", because a percentile of all rocks together says little if groups differ.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -86,33 +87,86 @@ void put(LawGraph::Case& to, double at, double value) {
   to.value.push_back(value);
 }
 
+/// The shortest of several ranges beyond which a function changes by less than a fiftieth of all its change.
+template <std::size_t n, class Function>
+double range_of_change(const std::array<double, n>& ranges, Function&& value) {
+  std::array<double, n> values;
+  for (std::size_t i = 0; i < n; ++i) values[i] = value(ranges[i]);
+  const double all = std::abs(value(0) - values.back());
+  for (std::size_t i = 0; i < n; ++i)
+    if (std::abs(values[i] - values.back()) <= 0.02 * all) return ranges[i];
+  return ranges.back();
+}
+
+/// A graph of impacts: the shares of the normal and of the tangential speed that remain.
+LawGraph shares_of_speed(const std::string& title, const char* x) {
+  return {title, x, "share of speed that is left", {{"normal", {}, {}}, {"tangential", {}, {}}}};
+}
+
+/// Adds an impact of the ball to such a graph.
+void add_impact(SampledLaw<RestitutionLaw>& asked, const LawBall& ball, const ContactState& state, double at,
+                LawGraph& graph) {
+  const double approach = state.approach_speed, slip = state.slip_speed;
+  Posed posed{.law = asked(state), .duration = 0};
+  posed.law.mu_s = posed.law.mu_d = ball.mu;
+  posed.before = posed.free = {-approach, slip, 0};
+  const Solved solved = solve(ball, posed);
+  put(graph.cases[0], at, solved.velocity[0] / approach);
+  put(graph.cases[1], at, solved.velocity[1] / slip);
+}
+
+/// The impacts of a ball that is thrown again and again at one speed and angle: what changes is the law's.
+/// Between two of them it is in the air for as long as a throw of that speed.
+LawGraph impact_by_impact(SampledLaw<RestitutionLaw>& asked, const LawBall& ball, double speed, int count) {
+  LawGraph graph = shares_of_speed(
+      fmt::format("one impact after the other at {:.4g} m/s and 45 degrees, mu {:.4g}", speed, ball.mu),
+      "number of the impact");
+  const double component = speed * std::sqrt(0.5);
+  asked.forget();
+  for (int number = 1; number <= count; ++number) {
+    ContactState state = at_contact(ball, component, component);
+    state.impact_number = number;
+    state.time = (number - 1) * 2 * component / gravity;
+    add_impact(asked, ball, state, number, graph);
+    asked.part();
+  }
+  return graph;
+}
+
+bool changes(const LawGraph& graph) {
+  return std::any_of(graph.cases.begin(), graph.cases.end(), [](const LawGraph::Case& curve) {
+    const auto [low, high] = std::minmax_element(curve.value.begin(), curve.value.end());
+    return *high - *low > 1e-9;
+  });
+}
+
 std::vector<LawGraph> graphs_of(SampledLaw<RestitutionLaw> asked, const LawBall& ball) {
   const double fastest = range(ball, dimension::speed, 30);
   const auto add = [&](LawGraph& graph, double at, double approach, double slip) {
     asked.forget();
-    Posed posed{.law = asked(at_contact(ball, approach, slip)), .duration = 0};
-    posed.law.mu_s = posed.law.mu_d = ball.mu;
-    posed.before = posed.free = {-approach, slip, 0};
-    const Solved solved = solve(ball, posed);
-    put(graph.cases[0], at, solved.velocity[0] / approach);
-    put(graph.cases[1], at, solved.velocity[1] / slip);
-  };
-  const auto shares = [&](const std::string& title, const char* x) {
-    return LawGraph{title, x, "share of speed that is left", {{"normal", {}, {}}, {"tangential", {}, {}}}};
+    add_impact(asked, ball, at_contact(ball, approach, slip), at, graph);
   };
   LawGraph by_speed =
-      shares(fmt::format("impact at 45 degrees, mu {:.4g}", ball.mu), "normal speed before [m/s]");
+      shares_of_speed(fmt::format("impact at 45 degrees, mu {:.4g}", ball.mu), "normal speed before [m/s]");
   for (int i = 1; i <= half_count; ++i) {
     const double speed = fastest * i / half_count;
     add(by_speed, speed, speed, speed);
   }
   const double speed = fastest / 3;
-  LawGraph by_angle =
-      shares(fmt::format("impact at {:.4g} m/s, mu {:.4g}", speed, ball.mu), "angle from the surface [deg]");
+  LawGraph by_angle = shares_of_speed(fmt::format("impact at {:.4g} m/s, mu {:.4g}", speed, ball.mu),
+                                      "angle from the surface [deg]");
   for (int i = 2; i <= 89; ++i) {
     const double angle = i * pi / 180;
     add(by_angle, i, speed * std::sin(angle), speed * std::cos(angle));
   }
+  const auto after = [&](double impacts) {
+    const LawGraph graph = impact_by_impact(asked, ball, speed, std::max(1, static_cast<int>(impacts)));
+    return graph.cases[0].value.back() + graph.cases[1].value.back();
+  };
+  constexpr std::array numbers{10.0, 20.0, 50.0, 100.0};
+  const LawGraph by_number =
+      impact_by_impact(asked, ball, speed, static_cast<int>(range_of_change(numbers, after)));
+  if (changes(by_number)) return {by_speed, by_angle, by_number};
   return {by_speed, by_angle};
 }
 
@@ -127,17 +181,6 @@ Solved slide(SampledLaw<FrictionLaw>& asked, const LawBall& ball, double slip, d
   posed.before = {0, slip, 0};
   posed.free = {-gravity * step_length, slip, 0};
   return solve(ball, posed);
-}
-
-/// The shortest of several ranges beyond which a function changes by less than a fiftieth of all its change.
-template <std::size_t n, class Function>
-double range_of_change(const std::array<double, n>& ranges, Function&& value) {
-  std::array<double, n> values;
-  for (std::size_t i = 0; i < n; ++i) values[i] = value(ranges[i]);
-  const double all = std::abs(value(0) - values.back());
-  for (std::size_t i = 0; i < n; ++i)
-    if (std::abs(values[i] - values.back()) <= 0.02 * all) return ranges[i];
-  return ranges.back();
 }
 
 std::vector<LawGraph> graphs_of(SampledLaw<FrictionLaw> asked, const LawBall& ball) {

@@ -32,7 +32,9 @@ struct LawBall {
 /// The graphs of a law with constant parameters. Each point is one solved contact of the ball, which had no
 /// contact before:
 ///   - restitution: the share of the normal and of the tangential speed that remains after an impact, by
-///     speed (to 30 m/s) and by angle at a third of the greatest speed;
+///     speed (to 30 m/s) and by angle at a third of the greatest speed. For a law that changes from one
+///     impact of the ball to the next, by its memory or by their number, also impact by impact, at 45 degrees
+///     and that speed;
 ///   - friction: r_t / r_n against the slip that remains, up to where the law no longer changes; the ball's
 ///     weight presses the contact over 1 ms. For a law with memory also along a slide at 1 m/s;
 ///   - rolling: m_r / r_n against the rolling velocity that remains (to 5 rad/s);

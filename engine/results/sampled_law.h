@@ -34,13 +34,15 @@ inline ContactState first_contact(const LawSubject& subject, int dimension, doub
   return state;
 }
 
-/// A law without others, called and checked in the same way as for a pair of bodies. Its memory is that of
-/// the pair.
+/// A law without others, called and checked in the same way as for a pair of bodies. Its memory, of the
+/// contact or of the pair, lasts until it is told to forget.
 template <class LawKind>
 class SampledLaw {
  public:
   SampledLaw(const PluginUse& use, int dimension)
-      : law_(make_instance<LawKind>(use, dimension)), memory_(use.plugin->spec.history.size()) {}
+      : law_(make_instance<LawKind>(use, dimension)),
+        memory_(use.plugin->spec.history.size()),
+        of_contact_(use.plugin->spec.history_of_contact) {}
 
   /// Replaces the values of the parameters and clears the law's memory.
   void set(std::vector<double> values) {
@@ -52,6 +54,11 @@ class SampledLaw {
   }
   void forget() { bound().forget(); }
   bool remembers() const { return memory_ > 0; }
+  /// The contact has opened: what the law remembers of the contact is gone, what it remembers of the pair
+  /// stays.
+  void part() {
+    if (of_contact_) forget();
+  }
 
   ContactLaw operator()(ContactState state) {
     ContactHistory of_contact{};
@@ -69,6 +76,7 @@ class SampledLaw {
 
   std::unique_ptr<LawKind> law_;
   std::size_t memory_;
+  bool of_contact_;
   Surface surface_;
 };
 

@@ -14,6 +14,7 @@ namespace flyrock {
 struct Overrides {
   std::vector<std::string> set;  ///< "path=value", value in YAML
   std::optional<std::uint64_t> seed = {}, trials = {};
+  std::vector<std::string> arguments = {};  ///< "name=value", of the Lua files of the scenario
 };
 
 /// Applies `--set`, `--seed` and `--trials` to the tree. A path must exist in it or be a known key.

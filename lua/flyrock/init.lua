@@ -1,8 +1,8 @@
 -- The module that scenarios and plugins require: local fr = require "flyrock".
--- fr.scenario and fr.plugin belong to the host, which checks what they are given; the rest describes parameters.
+-- fr.scenario, fr.plugin and fr.argument belong to the host, which checks what they are given; the rest describes parameters.
 local host = ...
 
-local fr = { scenario = host.scenario, plugin = host.plugin }
+local fr = { scenario = host.scenario, plugin = host.plugin, argument = host.argument }
 
 for _, kind in ipairs { "number", "integer", "boolean", "choice", "text", "vector", "points", "plan_points", "file", "spin", "shapes", "group" } do
   fr[kind] = function(fields)

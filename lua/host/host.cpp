@@ -62,9 +62,10 @@ void LuaSession::Host::open_libraries(lua_State* lua, const std::string& share) 
   std::string fault;
   const LuaFile* module = files_.read(path, "flyrock/init.lua", fault);
   if (!module) throw std::runtime_error(fmt::format("flyrock's Lua module is missing: cannot read {}", path));
-  lua_createtable(lua, 0, 2);
+  lua_createtable(lua, 0, 3);
   add_function("scenario", guarded<scenario>);
   add_function("plugin", guarded<plugin>);
+  add_function("argument", guarded<argument>);
   run_file(lua, *module);
   lua_createtable(lua, 0, 0);
   make_strict(lua, -2, "fr");
@@ -143,6 +144,7 @@ std::optional<Value> LuaSession::Host::read_scenario(const std::string& path, co
     return std::nullopt;
   }
   std::optional<Value> value;
+  scenario_folder_ = fs::path(shown).parent_path().string();
   load(*file, diagnostics, [&](lua_State* lua) {
     for (const Marked& marked : scenarios_)
       if (marked.table == lua_topointer(lua, -1)) {
@@ -153,10 +155,15 @@ std::optional<Value> LuaSession::Host::read_scenario(const std::string& path, co
                       fmt::format("returns {}, expected `return fr.scenario {{ ... }}` at its end",
                                   lua_isnil(lua, -1) ? "nothing" : "something else"));
   });
-  if (registered_ > 0) sources_.push_back({shown, file->text});
+  if (registered_ > 0) sources_.push_back({name_in_hash(shown), file->text});
+  scenario_folder_.reset();
   scenarios_.clear();
   if (diagnostics.has_errors()) return std::nullopt;
   return value;
+}
+
+std::string LuaSession::Host::name_in_hash(const std::string& shown) const {
+  return scenario_folder_ ? fs::path(shown).lexically_relative(*scenario_folder_).string() : shown;
 }
 
 LuaSession::Host& LuaSession::Host::self(lua_State* lua) {
@@ -196,6 +203,15 @@ int LuaSession::Host::plugin(lua_State* lua) {
     lua_setfield(lua, -2, field);
   }
   make_read_only(lua, "plugin");
+  return 1;
+}
+
+int LuaSession::Host::argument(lua_State* lua) {
+  Host& host = self(lua);
+  if (!host.main_)  // a law that asked in a call would get a number that the hash of its scenario does not
+                    // know
+    throw std::runtime_error("fr.argument is for loading: it stands at the top level of a file");
+  host.arguments_.answer(lua);
   return 1;
 }
 
@@ -243,7 +259,7 @@ std::optional<Factory> LuaSession::Host::native_factory(const PluginSpec& spec, 
     const auto bytes = read_bytes(path);
     if (!bytes) return refuse(fmt::format("no shared object `{}` beside the manifest", object));
     if (const std::string error = load_module(path, own); !error.empty()) return refuse(error);
-    sources_.push_back({(fs::path(file.source->name).parent_path() / object).string(), *bytes});
+    sources_.push_back({name_in_hash((fs::path(file.source->name).parent_path() / object).string()), *bytes});
   }
   const FactoryTable& table = builtin_ ? natives_ : own;
   if (const auto found = table.find({spec.kind, spec.native}); found != table.end()) return found->second;
@@ -288,7 +304,7 @@ void LuaSession::Host::require_file(lua_State* lua, const std::string& name) {
     throw std::runtime_error(
         fmt::format("require: {}, expected a module beside the file{}", fault,
                     nearest_name(name, {"flyrock"}).empty() ? "" : "; did you mean `flyrock`?"));
-  sources_.push_back({shown, file->text});
+  sources_.push_back({name_in_hash(shown), file->text});
   struct Loading {  // forgets the file if loading fails, because a Lua error unwinds this frame
     std::map<std::string, int>& required;
     const std::string& path;

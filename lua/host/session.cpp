@@ -44,6 +44,9 @@ std::optional<Value> LuaSession::read_scenario(const std::string& path, const st
   return host_->read_scenario(path, shown, diagnostics);
 }
 
+LuaArguments& LuaSession::arguments() { return host_->arguments(); }
+const LuaArguments& LuaSession::arguments() const { return host_->arguments(); }
+
 void LuaSession::collect_prints() { host_->state().collect_prints(); }
 PrintLog LuaSession::take_prints() { return host_->state().take_prints(); }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "document/diagnostics.h"
+#include "host/lua_arguments.h"
 #include "plugin/registry.h"
 #include "sandbox/print_log.h"
 
@@ -21,6 +22,10 @@ class LuaSession {
   /// the file.
   explicit LuaSession(const std::string& share);
   ~LuaSession();
+
+  /// What fr.argument of the files that are loaded from here on answers, and what they asked for.
+  LuaArguments& arguments();
+  const LuaArguments& arguments() const;
 
   /// Loads a plugin file, or a folder with plugin.lua in it. A plugin with `native = "NAME"` has NAME.so in
   /// the folder of its manifest. `path` is opened, `shown` is for messages, `at` is where the scenario names

@@ -1,15 +1,11 @@
--- How far a burst of the face throws, where holes deviate towards it: Richards and Moore's model over the scatter of burdens,
--- and the zones for plant and people. The factors of 2 and 4 are those that Richards and Moore are quoted with (recalled,
--- unverified): yours to choose.
+-- How far a burst of the face throws, where holes deviate towards it: Richards and Moore's model over the scatter of burdens.
+-- The clearance compares designs. It is no distance for people: the farthest rock comes from the worst hole, not from these
+-- scatters, and the model fell short on most blasts that were measured, with a factor of 4 too (docs/which-model.md).
 --
 -- k is a number of the site, fitted to the farthest rocks that were seen there: put yours. 27 is that of hard rock (recalled,
 -- unverified). One site has one k: a k drawn from soft to hard rock would mix sites and make the clearance too short.
 -- The published distances are of the greatest throw, in air, at 45 degrees: so there is no `air` and no `elevation` here.
 local fr = require "flyrock"
-
-local function zone(name, factor)
-  return { name = name, probability = 0.001, factor = factor, of = "max_distance" }
-end
 
 return fr.scenario {
   flyrock = 1,
@@ -44,7 +40,7 @@ return fr.scenario {
       launch = { type = "richards_moore", k = 27 },
     },
   },
-  clearance = { zone("plant", 2), zone("people", 4) },
+  clearance = { { name = "regular_holes", probability = 0.001, of = "max_distance" } },
   stop = { time = "60 s" },
   expect = { { measure = "rocks.censored", equals = 0 } },
 }

@@ -234,6 +234,38 @@ TEST_CASE("The reference is what the manifests say: make reference") {
   CHECK(kinds == 8);
 }
 
+TEST_CASE("No page, manifest or scenario takes a distance model on its own for where people stand") {
+  const fs::path source = FLYROCK_SOURCE_DIR;
+  const std::vector<std::string> models = {"richards_moore", "mckenzie", "lundborg"};
+  const auto names_a_model = [&](const std::string& text) {
+    return std::any_of(models.begin(), models.end(),
+                       [&](const std::string& model) { return text.find(model) != std::string::npos; });
+  };
+  int with_clearance = 0;
+  for (const char* tree : {"scenarios", "plugins"})
+    for (const auto& entry : fs::recursive_directory_iterator(source / tree)) {
+      const std::string text = entry.is_regular_file() ? read(entry.path()) : "";
+      static const std::regex section("\n *clearance *[:=]"), factor("\\bfactor *[:=] *[0-9]");
+      if (!names_a_model(text) || !std::regex_search(text, section)) continue;
+      INFO(entry.path());
+      CHECK_FALSE(std::regex_search(text, std::regex("name *[:=] *\"?people")));
+      CHECK_FALSE(std::regex_search(text, factor));  // it would make the distance one of people
+      CHECK(text.find("docs/which-model.md") != std::string::npos);
+      ++with_clearance;
+    }
+  CHECK(with_clearance == 3);
+  for (const std::string& model : models)
+    CHECK(read(source / "plugins/velocity" / model / "plugin.lua").find("No distance for people") !=
+          std::string::npos);
+
+  const std::string page = read(source / "docs/which-model.md");
+  const std::size_t row = page.find("| where people stand |");
+  REQUIRE(row != std::string::npos);
+  CHECK_FALSE(names_a_model(page.substr(row, page.find('\n', row) - row)));
+  for (const char* count : {"239 to 263 of 264", "254 of 264", "64 to 75 %", "the worst hole"})
+    CHECK(page.find(count) != std::string::npos);
+}
+
 TEST_CASE("The pages do what they say", "[slow]") {
   for (const fs::path& page : pages()) follow(page);
 }

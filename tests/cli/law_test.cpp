@@ -112,6 +112,37 @@ return fr.plugin { kind = "velocity", name = "model", doc = "One speed.", params
   CHECK(call(folder, "law absent.lua").err.find("cannot read `absent.lua`") != std::string::npos);
 }
 
+TEST_CASE("law draws a restitution that changes from impact to impact over several impacts") {
+  const Folder folder;
+  const auto tiring = [&](const std::string& history, const std::string& answer) {
+    folder.write("tiring.lua", R"(local fr = require "flyrock"
+return fr.plugin { kind = "restitution", name = "tiring", doc = "Loses more at each impact.",
+  )" + history + R"( params = {},
+  impact = function(p, contact)
+    )" + answer + R"(
+  end })");
+    const Output drawn = call(folder, "law tiring.lua -o tiring.svg");
+    INFO(drawn.err);
+    CHECK(drawn.code == 0);
+    return drawn.out;
+  };
+  const std::string counted = "local n = contact.history.n contact.history.n = n + 1 return 0.8 * 0.5 ^ n, 0";
+  const std::string title = "one impact after the other at 10 m/s and 45 degrees";
+  const std::string by_pair = tiring("history = { 'n' },", counted);
+  CHECK(by_pair.find(title) != std::string::npos);
+  CHECK(by_pair.find("  1  0.8\n") != std::string::npos);
+  CHECK(by_pair.find("  2  0.4\n") != std::string::npos);
+  CHECK(by_pair.find("  4  0.1\n") != std::string::npos);
+  CHECK(read(folder.path() / "tiring.svg").find("number of the impact") != std::string::npos);
+  // What a law remembers of a contact ends with the contact; the number of an impact goes on.
+  CHECK(tiring("history = { 'n' }, history_of = 'contact',", counted).find(title) == std::string::npos);
+  const std::string by_number = tiring("", "return 0.8 / contact.impact_number, 0");
+  CHECK(by_number.find(title) != std::string::npos);
+  CHECK(by_number.find("  1  0.8\n") != std::string::npos);
+  CHECK(by_number.find("  50  0.016\n") != std::string::npos);
+  CHECK(tiring("", "return 0.8, 0").find(title) == std::string::npos);
+}
+
 TEST_CASE("The graph of a constraint is a corner: no force where a gap is left") {
   const Folder folder;
   const std::string out = call(folder, "law unilateral/signorini").out;

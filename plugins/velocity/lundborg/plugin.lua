@@ -11,8 +11,10 @@ return fr.plugin {
     .. "L = 260 d^(2/3) of crater blasts, 40 d^(2/3) of bench blasts. It gives a distance, no speed: sqrt(g L) reaches L "
     .. "at 45 degrees on level ground without air.",
   source = "N. Lundborg, The probability of flyrock, SveDeFo 1981, and Lundborg et al. 1975, as given by McKenzie 2022",
-  validity = "an upper bound by the diameter alone; blasts with little stemming or burden are not told from others. The range is "
-    .. "of the greatest throw in air: with drag, or at another angle, rocks land short of it, and the run says by how much.",
+  validity = "for screening, by the diameter alone: blasts with little stemming or burden are "
+    .. "not told from others. The range is of the greatest throw in air: with drag, or at another angle, rocks land short of it, "
+    .. "and the run says by how much. No distance for people: the farthest rock comes from the worst hole "
+    .. "(docs/which-model.md).",
   reads = { "blast.hole.diameter" },
   params = {
     mode = fr.choice { choices = { "bench", "crater" }, default = "bench", doc = "which blasts" },

@@ -107,6 +107,48 @@ TEST_CASE(
   CHECK(says(text, "; 1 elsewhere. "));
 }
 
+TEST_CASE("bodies that stand are said to have stood, at most three of them by name") {
+  Plan plan = fake::plan(1);
+  plan.points[0].rocks.clear();
+  plan.points[0].stop.speed = 0;
+  TrialRecords records = fake::records(1);
+  const RockRecord one = records.rocks[0];
+  records.rocks.clear();
+  const auto add = [&](const std::string& name, double speed, int impacts, StopReason reason) {
+    plan.points[0].bodies.emplace_back().name = name;
+    RockRecord& body = records.rocks.emplace_back(one);
+    body.rock = body.group = static_cast<int>(records.rocks.size()) - 1;
+    body.mass = 2;
+    body.max_speed = speed;
+    body.max_energy = speed * speed;
+    body.impacts = impacts;
+    body.reason = reason;
+    body.time = 0.5;
+    body.runout = speed;
+  };
+  const auto answered = [&] { return answer_of(plan, records); };
+  add("base", 1e-8, 0, StopReason::timed_out);
+  add("top", 1e-7, 0, StopReason::stopped);
+  CHECK(answered() == "base, top stood for 0.5 s.");
+  for (RockRecord& body : records.rocks) body.time = 0;
+  CHECK(answered() == "base, top stood from the start on.");
+  for (RockRecord& body : records.rocks) body.time = 0.5;
+  add("ball", 3, 2, StopReason::timed_out);
+  CHECK(answered() ==
+        "base, top stood for 0.5 s. ball was 3 m from where it began after 0.5 s, with 2 impacts.");
+  plan.points[0].stop.speed = 0.05;
+  CHECK(says(answered(), "ball was still moving after 0.5 s"));
+  for (const char* name : {"a", "b", "c"}) add(name, 0, 0, StopReason::timed_out);
+  CHECK(says(answered(), "base, top, a and 2 more bodies stood for 0.5 s. ball was"));
+  for (const char* name : {"d", "e"}) add(name, 1, 0, StopReason::stopped);
+  CHECK_FALSE(says(answered(), "more body"));
+  add("spinning", 0, 0, StopReason::timed_out);
+  records.rocks.back().max_energy = 1;
+  CHECK(says(answered(), "with 0 impacts. 1 more body moved."));
+  add("fallen", 1, 0, StopReason::left_domain);
+  CHECK(says(answered(), "with 0 impacts. 2 more bodies moved."));
+}
+
 TEST_CASE("in the method ballistic a path ends at the first landing, and is called so") {
   Plan plan = fake::plan(100);
   const Results results = make_results(plan, {rows_of(resting(100))}, {{100}, true, "", {}});
