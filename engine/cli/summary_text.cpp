@@ -11,6 +11,7 @@
 #include "results/answer.h"
 #include "results/answer_shares.h"
 #include "results/fault_line.h"
+#include "results/wording.h"
 
 namespace flyrock::cli {
 
@@ -18,16 +19,7 @@ namespace {
 
 /// "point 1: terrain.face_angle = 70 deg"
 std::string point_title(const Plan& plan, std::size_t point) {
-  std::vector<std::string> values;
-  for (std::size_t axis = 0; axis < plan.axes.size(); ++axis) {
-    const SweepAxis& of = plan.axes[axis];
-    const double value = plan.at[point][axis];
-    const ReadableUnit unit = readable_unit(of.unit);
-    values.push_back(of.is_choice() ? fmt::format("{} = {}", of.name, of.label(value))
-                                    : fmt::format("{} = {:.6g}{}{}", of.name, unit.per_si * value,
-                                                  unit.name.empty() ? "" : " ", unit.name));
-  }
-  return fmt::format("point {}: {}\n", point, fmt::join(values, ", "));
+  return fmt::format("point {}: {}\n", point, point_text(plan, point));
 }
 
 std::string row_name(const GroupSummary& group) { return group.name.empty() ? "all rocks" : group.name; }
@@ -125,6 +117,50 @@ std::string verdict_line(const Verdict& verdict, bool sweep) {
 
 }  // namespace
 
+namespace {
+
+/// What the terminal says of each point: the ends of its rocks, its gates and barriers.
+std::string points_text(const Plan& plan, const Results& results) {
+  const std::size_t width = name_width(results);
+  const char* what = plan.all_end_at_landing() ? "first landing, m" : "runout in m";
+  std::string text = fmt::format("  {:<{}}{:>8}{:>9}{:>19}{:>9}{:>9}{:>9}{:>9}{:>9}\n", what, width, "rocks",
+                                 "censored", "95 % interval", "p50", "p90", "p95", "p99", "max");
+  for (std::size_t p = 0; p < results.points.size(); ++p) {
+    if (!plan.axes.empty()) text += point_title(plan, p);
+    for (const GroupSummary& group : results.points[p].groups) text += group_line(group, width);
+    text += reasons_line(plan.points[p], results.points[p].groups.front());
+    text += places_text(plan.points[p], results.points[p]);
+  }
+  return text;
+}
+
+constexpr std::ptrdiff_t most_lines = 40;
+constexpr std::size_t most_point_lines = 30;
+
+/// Many points: a line for each, with the p95 of the group that goes farthest at point 0.
+std::string brief_points_text(const Plan& plan, const Results& results) {
+  const std::size_t runout = rock_statistic("runout");
+  const std::vector<GroupSummary>& groups = results.points.front().groups;
+  std::size_t farthest = groups.size() > 1 ? 1 : 0;
+  for (std::size_t g = 1; g < groups.size(); ++g)
+    if (groups[g].at(runout, Statistic::p95).value > groups[farthest].at(runout, Statistic::p95).value)
+      farthest = g;
+  std::string text =
+      fmt::format("p95 of the {} of {}\n", plan.all_end_at_landing() ? "first landing" : "runout",
+                  row_name(groups[farthest]));
+  for (std::size_t p = 0; p < std::min(results.points.size(), most_point_lines); ++p) {
+    const GroupSummary& group = results.points[p].groups.at(farthest);
+    text += fmt::format("  point {}: {}: {}\n", p, point_text(plan, p),
+                        with_interval(group.at(runout, Statistic::p95),
+                                      group.interval(runout, Statistic::p95), stated_confidence));
+  }
+  if (results.points.size() > most_point_lines)
+    text += fmt::format("  {} more points are in the report\n", results.points.size() - most_point_lines);
+  return text;
+}
+
+}  // namespace
+
 std::string summary_text(const Plan& plan, const Results& results, const std::vector<std::string>& told) {
   const bool sweep = !plan.axes.empty();
   std::string text = fault_line(plan, results);
@@ -132,16 +168,10 @@ std::string summary_text(const Plan& plan, const Results& results, const std::ve
   text += bold(plan.points.front().title.empty() ? "flyrock" : plan.points.front().title) + '\n';
   text += answer(plan, results) + "\n\n";
   if (plan.points.front().bodies.empty()) {
-    const std::size_t width = name_width(results);
-    const char* what = plan.all_end_at_landing() ? "first landing, m" : "runout in m";
-    text += fmt::format("  {:<{}}{:>8}{:>9}{:>19}{:>9}{:>9}{:>9}{:>9}{:>9}\n", what, width, "rocks",
-                        "censored", "95 % interval", "p50", "p90", "p95", "p99", "max");
-    for (std::size_t p = 0; p < results.points.size(); ++p) {
-      if (sweep) text += point_title(plan, p);
-      for (const GroupSummary& group : results.points[p].groups) text += group_line(group, width);
-      text += reasons_line(plan.points[p], results.points[p].groups.front());
-      text += places_text(plan.points[p], results.points[p]);
-    }
+    std::string points = points_text(plan, results);
+    if (sweep && std::count(points.begin(), points.end(), '\n') > most_lines)
+      points = brief_points_text(plan, results);
+    text += points;
     text += '\n';
   }
   if (!results.verdicts.empty()) {

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "results/answer_shares.h"
+#include "results/wording.h"
 
 namespace flyrock {
 
@@ -18,7 +19,7 @@ std::string_view ended(StopReason reason, const Scenario& scenario) {
 
 std::string display(const Bounded& number, std::string_view unit) {
   if (std::isnan(number.value)) return "-";
-  const std::string text = fmt::format("{}{:.4g}", number.censored ? ">= " : "", number.value);
+  const std::string text = (number.censored ? ">= " : "") + three_digits(number.value);
   return unit.empty() ? text : fmt::format("{} {}", text, unit);
 }
 
@@ -43,24 +44,6 @@ std::string_view ending(StopReason reason) {
   return "failed";
 }
 
-/// The values that exist: one number, or the range over a sweep.
-std::string range_of(std::vector<Bounded> values) {
-  std::erase_if(values, [](const Bounded& value) { return std::isnan(value.value); });
-  if (values.empty()) return "not known";
-  const auto less = [](const Bounded& a, const Bounded& b) { return a.value < b.value; };
-  const auto [low, high] = std::minmax_element(values.begin(), values.end(), less);
-  if (low->value == high->value) return display(*high, "m");
-  return fmt::format("{} to {}", display(*low, "m"), display(*high, "m"));
-}
-
-/// A statistic of the runout of a group (0: all rocks) over all sweep points.
-std::string range_of(const Results& results, Statistic statistic, std::size_t group = 0) {
-  std::vector<Bounded> values;
-  for (const PointResult& point : results.points)
-    values.push_back(point.groups.at(group).at(rock_statistic("runout"), statistic));
-  return range_of(std::move(values));
-}
-
 /// Who goes farther than a clearance: "rocks of face go", "blasts (with 3 rocks a blast) throw a rock of
 /// face".
 std::string who_goes(const Scenario& scenario, const ClearancePlan& asked, const ClearanceSummary& found) {
@@ -73,49 +56,53 @@ std::string who_goes(const Scenario& scenario, const ClearancePlan& asked, const
                      scenario.method == Method::ballistic ? " that first lands" : "");
 }
 
-/// "301 to 345 m". An end is unknown if the sample is too small for it, or if it is among censored rocks.
-std::string ends_text(const Interval& interval) {
-  if (std::isnan(interval.lower) && std::isnan(interval.upper)) return "not known";
-  if (std::isnan(interval.upper))
-    return fmt::format("from {:.4g} m on, its upper end is not known", interval.lower);
-  if (std::isnan(interval.lower))
-    return fmt::format("up to {:.4g} m, its lower end is not known", interval.upper);
-  return fmt::format("{:.4g} to {:.4g} m", interval.lower, interval.upper);
+/// Why a clearance is not given.
+std::string not_given(const ClearancePlan& asked, const ClearanceSummary& found) {
+  const char* of = asked.per_blast ? "blasts" : "rocks";
+  if (asked.sectors > 0)
+    return fmt::format("there is no area, {} {} that are independent are too few",
+                       three_digits(found.area.effective), of);
+  if (found.interval.trials_needed > 0)
+    return fmt::format("too few trials, it needs about {}", found.interval.trials_needed);
+  return fmt::format("it needs {} {} and there are {}", found.needed, of, found.count);
 }
 
 /// " Clearance road: at most 0.1 % of the rocks go farther than 320 m (95 % interval 301 to 345 m). With the
-/// factor 1.5 that is 480 m." With sectors, the distance of the sector that reaches farthest. In a sweep, the
-/// least to the greatest distance without an interval, because each point has its own.
+/// factor 1.5 that is 480 m." With sectors, the greatest distance of the area. In a sweep, the least to the
+/// greatest distance with their points.
 std::string clearance_answer(const Plan& plan, const Results& results, std::size_t c) {
   const ClearancePlan& asked = plan.points.front().clearances[c];
-  const ClearanceSummary& first = results.points.front().clearances.at(c);
-  if (!first.enough())
-    return fmt::format(" Clearance {}: not given, it needs {} {} and there are {}.", asked.name, first.needed,
-                       asked.per_blast ? "blasts" : "rocks", first.count);
-  std::vector<Bounded> distances, with_factor;
-  for (const PointResult& point : results.points) {
-    const ClearanceSummary& clearance = point.clearances.at(c);
-    distances.push_back(clearance.distance);
-    with_factor.push_back({clearance.with_factor, clearance.distance.censored});
-  }
-  const std::string from = asked.sectors == 0 ? ""
-                           : asked.about      ? " from the given point"
-                                              : " from the hull of the release places";
-  std::string text = fmt::format(
-      " Clearance {}: {}at most {} of the {} farther than {}{}", asked.name,
-      asked.sectors > 0 ? fmt::format("in each of {} directions ", asked.sectors) : "",
-      percent(asked.probability), who_goes(plan.points.front(), asked, first), range_of(distances), from);
-  if (results.points.size() == 1) {
-    if (const SectorSummary* farthest = first.area.farthest())
-      text += fmt::format(", which is reached at azimuth {:.4g} deg", farthest->azimuth * 180 / pi);
-    if (asked.sectors > 0 && std::isnan(first.interval.lower) && std::isnan(first.interval.upper))
-      text += " (the farthest rock there: too few ended there for an interval)";
-    else
-      text += fmt::format(" ({} interval {})", percent(asked.confidence), ends_text(first.interval));
+  const auto at = [&](std::size_t p) -> const ClearanceSummary& {
+    return results.points[p].clearances.at(c);
+  };
+  const ClearanceSummary& first = at(0);
+  const bool one = results.points.size() == 1;
+  if (one && !first.enough())
+    return fmt::format(" Clearance {}: not given, {}.", asked.name, not_given(asked, first));
+  const auto distance_text = [&](std::size_t p) {
+    if (asked.sectors > 0) return display(at(p).distance, "m");
+    return with_interval(at(p).distance, at(p).interval, asked.confidence);
+  };
+  const auto value_at = [&](std::size_t p) { return at(p).distance.value; };
+  const std::string distance = over_points(plan, value_at, distance_text);
+  std::string text;
+  if (asked.sectors > 0) {
+    text = fmt::format(" Area of {}: with {} confidence at most {} of new {} outside; it reaches {} from {}",
+                       asked.name, percent(stated_confidence), percent(asked.probability),
+                       asked.per_blast ? "blasts throw a rock" : "rocks stop", distance,
+                       asked.about ? "the given point" : "the hull of the release places");
+    if (one)
+      text += fmt::format(", at azimuth {} deg", three_digits(first.area.farthest()->azimuth * 180 / pi));
+  } else {
+    text = fmt::format(" Clearance {}: at most {} of the {} farther than {}", asked.name,
+                       percent(asked.probability), who_goes(plan.points.front(), asked, first), distance);
   }
   text += '.';
   if (asked.factor)
-    text += fmt::format(" With the factor {:.4g} that is {}.", *asked.factor, range_of(with_factor));
+    text += fmt::format(" With the factor {} that is {}.", three_digits(*asked.factor),
+                        over_points(plan, value_at, [&](std::size_t p) {
+                          return display({at(p).with_factor, at(p).distance.censored}, "m");
+                        }));
   return text;
 }
 
@@ -185,27 +172,43 @@ std::string bodies_answer(const Plan& plan, const Results& results) {
   return fmt::format("{}", fmt::join(sentences, " "));
 }
 
-/// " (blocks 217 m, loose 15.1 m)", because a percentile of all rocks together says little if groups differ.
-std::string by_group(const Results& results, Statistic statistic) {
+/// A statistic of the runout of a group (0: all rocks): with its interval; in a sweep the least and the
+/// greatest with their points.
+std::string runout_of(const Plan& plan, const Results& results, Statistic statistic, std::size_t group) {
+  const auto at = [&](std::size_t p) -> const Bounded& {
+    return results.points[p].groups.at(group).at(rock_statistic("runout"), statistic);
+  };
+  return over_points(
+      plan, [&](std::size_t p) { return at(p).value; },
+      [&](std::size_t p) {
+        if (statistic == Statistic::max) return display(at(p), "m");
+        const Interval& interval =
+            results.points[p].groups.at(group).interval(rock_statistic("runout"), statistic);
+        return with_interval(at(p), interval, stated_confidence);
+      });
+}
+
+/// "217 m (95 % interval 210 to 226 m)", of several groups each: a mixture depends on how many of each were
+/// run. "blocks 217 m (...), loose 15.1 m (...)"; of many the nearest and the farthest.
+std::string runouts_of(const Plan& plan, const Results& results, Statistic statistic) {
   const std::vector<GroupSummary>& groups = results.points.front().groups;
   constexpr std::size_t most_named = 4;  // more are too many for a sentence
-  if (groups.size() < 2) return "";
+  if (groups.size() < 2) return runout_of(plan, results, statistic, 0);
+  const auto of = [&](std::size_t group) {
+    return fmt::format("{} {}", groups[group].name, runout_of(plan, results, statistic, group));
+  };
   if (groups.size() > most_named + 1) {
     const auto shorter = [&](const GroupSummary& a, const GroupSummary& b) {
       return a.at(rock_statistic("runout"), statistic).value <
              b.at(rock_statistic("runout"), statistic).value;
     };
     const auto [least, most] = std::minmax_element(groups.begin() + 1, groups.end(), shorter);
-    const auto of = [&](auto group) {
-      return fmt::format("{} {}", group->name,
-                         range_of(results, statistic, static_cast<std::size_t>(group - groups.begin())));
-    };
-    return fmt::format(" (from {} to {})", of(least), of(most));
+    return fmt::format("from {} to {}", of(static_cast<std::size_t>(least - groups.begin())),
+                       of(static_cast<std::size_t>(most - groups.begin())));
   }
   std::vector<std::string> parts;
-  for (std::size_t g = 1; g < groups.size(); ++g)
-    parts.push_back(fmt::format("{} {}", groups[g].name, range_of(results, statistic, g)));
-  return fmt::format(" ({})", fmt::join(parts, ", "));
+  for (std::size_t g = 1; g < groups.size(); ++g) parts.push_back(of(g));
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 }  // namespace
@@ -222,16 +225,13 @@ std::string answer(const Plan& plan, const Results& results) {
   } else if (!plan.points.front().bodies.empty()) {
     text = trees_answer(plan, results) + barriers_answer(plan, results) + bodies_answer(plan, results);
   } else {
-    text = trees_answer(plan, results) + barriers_answer(plan, results);
+    text = barriers_answer(plan, results) + gates_answer(plan, results) + trees_answer(plan, results);
     text += fmt::format(
-        "The {} that 95 % of the rocks do not exceed is {}{}; that of 99 % is {}{}; the greatest is {}.",
+        "The {} that 95 % of the rocks do not exceed is {}; that of 99 % is {}; the greatest is {}.",
         plan.all_end_at_landing() ? "distance of the first landing" : "runout",
-        range_of(results, Statistic::p95), by_group(results, Statistic::p95),
-        range_of(results, Statistic::p99), by_group(results, Statistic::p99),
-        range_of(results, Statistic::max));
+        runouts_of(plan, results, Statistic::p95), runouts_of(plan, results, Statistic::p99),
+        runouts_of(plan, results, Statistic::max));
     text += clearances_answer(plan, results);
-    if (results.points.size() > 1)
-      text += fmt::format(" The ranges are over {} sweep points.", results.points.size());
     text += censored_answer(plan, results);
   }
   if (known > 0 && known < rocks)

@@ -8,8 +8,9 @@
 
 namespace flyrock {
 
-/// The run in a few sentences: how far rocks went, the clearances of the scenario, and which share of the
-/// rocks is censored. In a sweep each number is the range over the sweep points.
+/// The run in a few sentences: what barriers, gates and trees do, how far rocks went, the clearances and
+/// areas of the scenario, and which share of the rocks is censored. In a sweep, the least and the greatest
+/// number with their points.
 std::string answer(const Plan& plan, const Results& results);
 
 /// "The launch of `blocks` gives no elevation, 45 deg is assumed." for all groups for which this holds;
@@ -24,7 +25,7 @@ std::string assumptions(const Plan& plan);
 /// The name of a stop reason in texts. With the method ballistic nothing comes to rest.
 std::string_view ended(StopReason reason, const Scenario& scenario);
 
-/// "182 m", ">= 182 m", "-" if there is no value. Four significant digits.
+/// "182 m", ">= 182 m", "-" if there is no value. Three significant digits.
 std::string display(const Bounded& number, std::string_view unit);
 
 }  // namespace flyrock

@@ -6,30 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "results/wording.h"
+
 namespace flyrock {
 
-std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
-
 namespace {
-
-std::string interval_text(const Interval& interval) {
-  if (interval.lower == 0)
-    return fmt::format("{} interval up to {}", percent(stated_confidence), percent(interval.upper));
-  return fmt::format("{} interval {:.3g} to {}", percent(stated_confidence), 100 * interval.lower,
-                     percent(interval.upper));
-}
-
-/// For one point, the share with its interval. In a sweep, the least to the greatest share without an
-/// interval, because each point has its own.
-std::string over_points(std::vector<Share> shares) {
-  if (shares.size() == 1) return display(shares.front());
-  std::erase_if(shares, [](const Share& share) { return std::isnan(share.value); });
-  if (shares.empty()) return "-";
-  const auto less = [](const Share& a, const Share& b) { return a.value < b.value; };
-  const auto [low, high] = std::minmax_element(shares.begin(), shares.end(), less);
-  if (low->value == high->value) return percent(low->value);
-  return fmt::format("{:.3g} to {}", 100 * low->value, percent(high->value));
-}
 
 /// "x from 120 to 180 m"; in 3D also for y.
 std::string range_text(const char* axis, double low, double high) {
@@ -50,12 +31,6 @@ std::string why_and_where(const Scenario& scenario, const PointResult& point, co
   return fmt::format("{} {} {}", place.rocks, why, place_text(scenario, point, place));
 }
 
-/// "75 % (95 % interval 68.4 to 80.8 %)", "<= 75 % (...)".
-std::string display(const Complement& share) {
-  return fmt::format("{}{} ({})", share.is_upper_bound ? "<= " : "", percent(share.value),
-                     interval_text(share.interval));
-}
-
 /// "Barrier fence catches 1 of 2 bodies; ... ": bodies are few, and shares of them say less than their count.
 std::string of_bodies(const std::string& name, const BarrierSummary& barrier) {
   const std::uint64_t caught = barrier.count(BarrierShare::caught),
@@ -67,36 +42,74 @@ std::string of_bodies(const std::string& name, const BarrierSummary& barrier) {
       caught, all, all == 1 ? "body" : "bodies", over_top, through, barrier.not_reached);
 }
 
-std::string of_rocks(const std::string& name, const Results& results, std::size_t b) {
-  const auto at = [b](const PointResult& point) { return point.crossings.front().barriers.at(b); };
-  const auto of = [&](BarrierShare what) {
-    std::vector<Share> shares;
-    for (const PointResult& point : results.points) shares.push_back(at(point).share(what).of_all);
-    return over_points(std::move(shares));
+constexpr std::size_t most_groups_named = 4;  // more are too many for sentences
+
+/// The groups of which sentences speak: all rocks, where there is one group, else those of which `is_there`
+/// is true at some point.
+template <class IsThere>
+std::vector<std::size_t> named_groups(const Results& results, IsThere is_there) {
+  const std::size_t count = results.points.front().crossings.size();
+  if (count == 1) return {0};
+  std::vector<std::size_t> groups;
+  for (std::size_t g = 1; g < count && groups.size() < most_groups_named; ++g)
+    if (std::any_of(results.points.begin(), results.points.end(),
+                    [&](const PointResult& point) { return is_there(point.crossings[g]); }))
+      groups.push_back(g);
+  return groups;
+}
+
+std::string group_suffix(const Results& results, std::size_t group) {
+  return group == 0 ? "" : ", " + results.points.front().groups.at(group).name;
+}
+
+/// A share over the points: share_at(point).
+template <class ShareAt>
+std::string share_over(const Plan& plan, const Results& results, ShareAt share_at) {
+  if (results.points.size() == 1) return display(share_at(results.points.front()));
+  const auto at = [&](std::size_t p) { return share_at(results.points[p]).value; };
+  return over_points(plan, at, [&](std::size_t p) { return percent(at(p)); });
+}
+/// The same of a group: share_at(its crossings).
+template <class ShareAt>
+std::string share_over_points(const Plan& plan, const Results& results, std::size_t group, ShareAt share_at) {
+  return share_over(plan, results,
+                    [&](const PointResult& point) { return share_at(point.crossings.at(group)); });
+}
+
+std::string of_rocks(const std::string& name, const Plan& plan, const Results& results, std::size_t b) {
+  const auto arrives = [b](const Crossings& crossings) {
+    return crossings.barriers.at(b).count(BarrierShare::reached) > 0;
   };
-  const auto is_reached = [&](const PointResult& point) {
-    return at(point).count(BarrierShare::reached) > 0;
+  const std::vector<std::size_t> groups = named_groups(results, arrives);
+  const auto reached = [b](const Crossings& crossings) {
+    return crossings.barriers.at(b).share(BarrierShare::reached).of_all;
   };
-  if (std::none_of(results.points.begin(), results.points.end(), is_reached))
-    return fmt::format("Barrier {}: {} of the rocks reach it. ", name, of(BarrierShare::reached));
-  const std::string others =
-      results.points.size() == 1
-          ? fmt::format(
-                ", and {} do not reach it",
-                display(complement_of(at(results.points.front()).share(BarrierShare::reached).of_all)))
-          : fmt::format("; {} reach it", of(BarrierShare::reached));
-  return fmt::format("Barrier {} catches {} of the rocks; {} go over the top, {} go through it{}. ", name,
-                     of(BarrierShare::caught), of(BarrierShare::over_top), of(BarrierShare::over_energy),
-                     others);
+  const bool any = std::any_of(results.points.begin(), results.points.end(),
+                               [&](const PointResult& point) { return arrives(point.crossings.front()); });
+  if (!any)
+    return fmt::format("Barrier {}: {} of the rocks reach it. ", name,
+                       share_over_points(plan, results, 0, reached));
+  std::string text;
+  for (const std::size_t group : groups) {
+    const auto of = [&](BarrierShare what, Share Shares::*sense) {
+      return share_over_points(plan, results, group, [&](const Crossings& crossings) {
+        return crossings.barriers.at(b).share(what).*sense;
+      });
+    };
+    text += fmt::format("Barrier {}{}: it catches {} of the rocks that reach it", name,
+                        group_suffix(results, group), of(BarrierShare::caught, &Shares::of_arriving));
+    if (results.points.size() == 1)
+      text += fmt::format("; {} go over the top, {} go through it; {} of all rocks reach it",
+                          of(BarrierShare::over_top, &Shares::of_arriving),
+                          of(BarrierShare::over_energy, &Shares::of_arriving),
+                          of(BarrierShare::reached, &Shares::of_all));
+    text += fmt::format(". In {} of the trials at least one gets past. ",
+                        of(BarrierShare::past, &Shares::per_trial));
+  }
+  return text;
 }
 
 }  // namespace
-
-std::string display(const Share& share) {
-  if (std::isnan(share.value)) return "-";
-  return fmt::format("{}{} ({})", share.censored ? ">= " : "", percent(share.value),
-                     interval_text(share.interval));
-}
 
 std::string material_of(const Scenario& scenario, const PointResult& point, int part) {
   if (part < 0 || static_cast<std::size_t>(part) >= point.terrain.parts.size()) return "";
@@ -125,18 +138,13 @@ std::string place_text(const Scenario& scenario, const PointResult& point, const
 }
 
 std::string censored_answer(const Plan& plan, const Results& results) {
-  std::vector<Share> shares;
   std::vector<std::vector<CensoredPlace>> places;
-  for (const PointResult& point : results.points) {
-    const GroupSummary& all = point.groups.front();
-    shares.push_back(all.censored_share);
-    places.push_back(point.censored);
-  }
+  for (const PointResult& point : results.points) places.push_back(point.censored);
   const std::vector<CensoredPlace> all = joined(places);
+  const std::string share =
+      share_over(plan, results, [](const PointResult& point) { return point.groups.front().censored_share; });
   if (all.empty())
-    return shares.size() > 1
-               ? " No rock is censored."
-               : fmt::format(" No rock is censored ({}).", interval_text(shares.front().interval));
+    return results.points.size() > 1 ? " No rock is censored." : fmt::format(" Censored rocks: {}.", share);
   constexpr std::size_t most_named = 3;
   std::vector<std::string> where;
   std::uint64_t elsewhere = 0;
@@ -147,23 +155,19 @@ std::string censored_answer(const Plan& plan, const Results& results) {
       elsewhere += all[i].rocks;
   }
   if (elsewhere > 0) where.push_back(fmt::format("{} elsewhere", elsewhere));
-  const std::string share = shares.size() > 1 ? over_points(shares) : percent(shares.front().value);
-  const std::string interval =
-      shares.size() > 1 ? "" : fmt::format(" ({})", interval_text(shares.front().interval));
-  return fmt::format(" {} of the rocks are censored{}: {}. Their distances are lower bounds.", share,
-                     interval, fmt::join(where, "; "));
+  return fmt::format(" {} of the rocks are censored: {}. Their distances are lower bounds.", share,
+                     fmt::join(where, "; "));
 }
 
 std::string trees_answer(const Plan& plan, const Results& results) {
-  std::vector<Share> hit, stopped;
-  for (const PointResult& point : results.points) {
-    if (!point.trees) continue;
-    hit.push_back(point.trees->hit_share);
-    stopped.push_back(point.trees->stopped_share);
-  }
-  if (hit.empty()) return "";
-  return fmt::format("Trees stop {} of the {}; {} hit at least one. ", over_points(stopped),
-                     plan.points.front().bodies.empty() ? "rocks" : "bodies", over_points(hit));
+  if (!results.points.front().trees) return "";
+  const auto of = [&](Share TreeSummary::*share) {
+    return share_over(plan, results, [&](const PointResult& point) {
+      return point.trees ? (*point.trees).*share : Share();
+    });
+  };
+  return fmt::format("Trees stop {} of the {}; {} hit at least one. ", of(&TreeSummary::stopped_share),
+                     plan.points.front().bodies.empty() ? "rocks" : "bodies", of(&TreeSummary::hit_share));
 }
 
 std::string barriers_answer(const Plan& plan, const Results& results) {
@@ -172,21 +176,40 @@ std::string barriers_answer(const Plan& plan, const Results& results) {
   constexpr std::size_t most_named = 4;  // for more a table says more than a sentence
   if (count == 0) return "";
   std::string text;
-  std::vector<Share> caught;
-  for (const PointResult& point : results.points) {
-    caught.push_back(point.crossings.front().caught);
-  }
+  const auto caught = [](const PointResult& point) { return point.crossings.front().caught; };
   if (count > most_named)
-    text = fmt::format("The {} barriers catch {} of the {}. ", count, over_points(caught),
+    text = fmt::format("The {} barriers catch {} of the {}. ", count, share_over(plan, results, caught),
                        scenario.bodies.empty() ? "rocks" : "bodies");
   else
     for (std::size_t b = 0; b < count; ++b)
-      text += scenario.bodies.empty()
-                  ? of_rocks(scenario.barriers[b].name, results, b)
-                  : of_bodies(scenario.barriers[b].name, results.points.front().barriers.at(b));
-  const auto any = [](const Share& share) { return share.value > 0; };
-  if (scenario.bodies.empty() && std::any_of(caught.begin(), caught.end(), any))
-    text += "Distances hold only while the barriers stand. ";
+      text += scenario.bodies.empty() ? of_rocks(scenario.barriers[b].name, plan, results, b)
+                                      : of_bodies(scenario.barriers[b].name,
+                                                  results.points.front().crossings.front().barriers.at(b));
+  const bool any = std::any_of(results.points.begin(), results.points.end(),
+                               [&](const PointResult& point) { return caught(point).value > 0; });
+  if (scenario.bodies.empty() && any) text += "Distances hold only while the barriers stand. ";
+  return text;
+}
+
+std::string gates_answer(const Plan& plan, const Results& results) {
+  const Scenario& scenario = plan.points.front();
+  constexpr std::size_t most_named = 4;
+  if (scenario.gates.size() > most_named || !scenario.bodies.empty()) return "";
+  std::string text;
+  for (std::size_t g = 0; g < scenario.gates.size(); ++g) {
+    std::vector<std::size_t> groups =
+        named_groups(results, [g](const Crossings& crossings) { return crossings.gates.at(g).passed > 0; });
+    if (groups.empty()) groups = {0};  // of no group a rock passes
+    for (const std::size_t group : groups) {
+      const auto of = [&](Share Shares::*sense) {
+        return share_over_points(plan, results, group, [&](const Crossings& crossings) {
+          return crossings.gates.at(g).shares.*sense;
+        });
+      };
+      text += fmt::format("Gate {}{}: in {} of the trials at least one rock passes. ", scenario.gates[g].name,
+                          group_suffix(results, group), of(&Shares::per_trial));
+    }
+  }
   return text;
 }
 

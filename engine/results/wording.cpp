@@ -1,0 +1,59 @@
+#include "results/wording.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "units/units.h"
+
+namespace flyrock {
+
+namespace {
+
+/// "95 % interval 210 to 226", without the unit of its end.
+std::string interval_text(const Interval& interval, double confidence, const auto& text_of) {
+  if (interval.trials_needed > 0)
+    return fmt::format("too few trials for an interval: about {}", interval.trials_needed);
+  const std::string name = percent(confidence) + " interval ";
+  if (std::isnan(interval.lower) && std::isnan(interval.upper)) return name + "not known";
+  if (std::isnan(interval.upper)) return name + "from " + text_of(interval.lower) + " on";
+  if (std::isnan(interval.lower) || interval.lower == 0) return name + "up to " + text_of(interval.upper);
+  return name + text_of(interval.lower) + " to " + text_of(interval.upper);
+}
+
+}  // namespace
+
+std::string three_digits(double value) {
+  if (value == 0 || !std::isfinite(value)) return fmt::format("{:g}", value);
+  const double step = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2);
+  return fmt::format("{:.10g}", std::round(value / step) * step);
+}
+
+std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
+
+std::string with_interval(const Bounded& number, const Interval& interval, double confidence) {
+  if (std::isnan(number.value)) return "not known";
+  const auto metres = [](double value) { return three_digits(value) + " m"; };
+  return fmt::format("{}{} ({})", number.censored ? ">= " : "", metres(number.value),
+                     interval_text(interval, confidence, metres));
+}
+
+std::string display(const Share& share) {
+  if (std::isnan(share.value)) return "-";
+  return fmt::format("{}{} ({})", share.censored ? ">= " : "", percent(share.value),
+                     interval_text(share.interval, stated_confidence, percent));
+}
+
+std::string point_text(const Plan& plan, std::size_t point) {
+  std::vector<std::string> values;
+  for (std::size_t a = 0; a < plan.axes.size(); ++a) {
+    const SweepAxis& axis = plan.axes[a];
+    const double value = plan.at[point][a];
+    const ReadableUnit unit = readable_unit(axis.unit);
+    values.push_back(axis.is_choice() ? fmt::format("{} = {}", axis.name, axis.label(value))
+                                      : fmt::format("{} = {:.6g}{}{}", axis.name, unit.per_si * value,
+                                                    unit.name.empty() ? "" : " ", unit.name));
+  }
+  return fmt::format("{}", fmt::join(values, ", "));
+}
+
+}  // namespace flyrock
