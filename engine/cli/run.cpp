@@ -159,10 +159,10 @@ po::options_description run_options() {
 
 Job read_job(const CommandLine& line) {
   refuse_pairs(line);
-  Job job{.request = {line.words[0], overrides_of(line), {}},
-          .only = {},
-          .shard = {},
-          .threads = threads_of(line)};
+  Job job;
+  job.request.scenario = line.words[0];
+  job.request.overrides = overrides_of(line);
+  job.threads = threads_of(line);
   if (line.has("only")) job.only = read_only(line.text("only"));
   if (line.has("shard")) job.shard = job.request.shard = read_shard(line.text("shard"));
   job.resume = line.has("resume");

@@ -160,8 +160,8 @@ Hdf5File Hdf5File::open(const std::string& name) {
 
 Hdf5File Hdf5File::create(const std::string& name) {
   be_silent();
-  const hid_t file = H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-  if (file < 0) throw std::runtime_error(fmt::format("{}: cannot be created", name));
+  const hid_t file = H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, without_locks());
+  if (file < 0) throw std::runtime_error(fmt::format("cannot write {}: no such file can be made", name));
   return {name, file};
 }
 

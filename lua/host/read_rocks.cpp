@@ -169,7 +169,7 @@ class RockReader : public AnswerReader {
     if (const Value* own = rock.find("shape")) return shape(*own, join_path(path, "shape"));
     for (const char* key : {"radius", Names::corners})
       if (const Value* part = rock.find(key))
-        return {{contactor(Value{Map{Entry{key, {}, *part}}, {}, false}, path)}};
+        return {{contactor(Value{Map{Entry{key, Location{}, *part}}, Location{}, false}, path)}};
     return {};
   }
 
