@@ -7,6 +7,7 @@
 
 #include "cli/result_folder.h"
 #include "cli/run_program.h"
+#include "cli/terminal.h"
 #include "document/wording.h"
 #include "report/export_asc.h"
 #include "report/export_csv.h"
@@ -83,7 +84,7 @@ int export_result(const Command& command, const Arguments& arguments) {
         "-o {}: it holds results, whose files would be replaced; expected another folder", folder.string()));
   const std::vector<fs::path> files = format.write(result / "results.db", folder);
   for (const fs::path& file : files) fmt::print("{}\n", file.string());
-  if (files.empty()) fmt::print(stderr, "nothing written: {}\n", format.nothing);
+  if (files.empty()) tell("nothing written: {}\n", format.nothing);
   return done;
 }
 

@@ -120,7 +120,7 @@ Execution execute(const Job& job, const LoadedScenario& loaded, Runners& runners
 /// Ends the run of a shard: its chunks stay for `flyrock merge`.
 int conclude_shard(const RunOutcome& outcome, const Shard& shard, const std::filesystem::path& chunks,
                    bool quiet) {
-  if (!outcome.why.empty()) fmt::print(stderr, "error: the run ended early: {}\n", outcome.why);
+  if (!outcome.why.empty()) tell("error: the run ended early: {}\n", outcome.why);
   if (!quiet)
     fmt::print("shard {} of {}: {} trials in {}; `flyrock merge` puts the shards together\n", shard.number,
                shard.of, trials_in(outcome.chunks), chunks.string());
@@ -187,8 +187,8 @@ int carry_out(const Job& job, const LoadedScenario& loaded, Runners& runners, co
   if (!job.shard) writer.emplace(folder.path(), loaded);
   const auto [outcome, log] = execute(job, loaded, runners, folder, writer);
   if (outcome.ending == RunEnding::interrupted) {
-    fmt::print(stderr, "interrupted after {} of {} trials; what was done is kept in {}, --resume goes on\n",
-               trials_in(outcome.chunks), outcome.progress.total, folder.chunks().string());
+    tell("interrupted after {} of {} trials; what was done is kept in {}, --resume goes on\n",
+         trials_in(outcome.chunks), outcome.progress.total, folder.chunks().string());
     return interrupted;
   }
   if (job.shard) return conclude_shard(outcome, *job.shard, folder.chunks(), job.quiet);
@@ -235,8 +235,8 @@ int run(const Command& command, const Arguments& arguments) {
   try {
     return carry_out(job, *loaded, *runners, folder);
   } catch (const FileError& error) {  // a full disk
-    fmt::print(stderr, "error: {}; what was done is kept in {}, --resume goes on\n", error.what(),
-               folder.chunks().string());
+    tell("error: {}; what was done is kept in {}, --resume goes on\n", error.what(),
+         folder.chunks().string());
     return faults;
   }
 }
