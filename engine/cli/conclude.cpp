@@ -10,7 +10,7 @@
 
 namespace flyrock::cli {
 
-void print_faults(const Results& results) {
+void print_faults(const Results& results, const char* early_end) {
   for (const Fault& fault : results.faults)
     tell("error: point {}, trial {}, rock {}: {}: {}\n", fault.point, fault.trial, fault.rock,
          name_of(fault.reason), fault.text);

@@ -58,11 +58,23 @@ Shard read_shard(const std::string& text) {
   return shard;
 }
 
+std::vector<ChunkRange> all_chunks(const Plan& plan) {
+  return plan_chunks(static_cast<int>(plan.points.size()), plan.points.front().trials);
+}
+
+/// A run cannot be divided further than into its chunks.
+void warn_of_empty(const Shard& shard, const Plan& plan) {
+  if (const std::size_t chunks = all_chunks(plan).size(); shard.of > chunks)
+    tell("warning: --shard {}/{}: the run has only {} chunk{}: {}\n", shard.number, shard.of, chunks,
+         chunks == 1 ? "" : "s",
+         shard.number > chunks ? "this shard has nothing to do"
+                               : fmt::format("the shards above {} have nothing to do", chunks));
+}
+
 std::vector<ChunkRange> chunks_of(const Plan& plan, const std::optional<Only>& only,
                                   const std::optional<Shard>& shard) {
   if (only) return {{static_cast<int>(only->point), only->trial, only->trial, 1}};
-  const std::vector<ChunkRange> all =
-      plan_chunks(static_cast<int>(plan.points.size()), plan.points.front().trials);
+  const std::vector<ChunkRange> all = all_chunks(plan);
   if (!shard) return all;
   std::vector<ChunkRange> chunks;
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -220,6 +232,7 @@ int run(const Command& command, const Arguments& arguments) {
   std::optional<LoadedScenario> loaded = load(job.request.scenario, job.request.overrides, job.strict);
   if (!loaded) return bad_input;
   if (job.only) prepare(*job.only, loaded->plan);
+  if (job.shard) warn_of_empty(*job.shard, loaded->plan);
   ResultFolder folder(line.has("output") ? line.text("output") : default_folder(job, loaded->name), *loaded,
                       job.resume  ? Existing::continued
                       : job.force ? Existing::replaced
