@@ -99,7 +99,7 @@ TerrainPicture picture(const std::shared_ptr<const Terrain2>& terrain, const Vec
   return {terrain->profile().parts, terrain->profile(), nullptr, origin};
 }
 TerrainPicture picture(const std::shared_ptr<const Terrain3>& terrain, const Vec3& origin) {
-  return {terrain->parts(), {}, terrain, origin};
+  return {terrain->parts(), Profile{}, terrain, origin};
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "cli/not_used_line.h"
 #include "cli/plugin_file.h"
 #include "cli/runners.h"
+#include "cli/terminal.h"
 #include "host/share.h"
 #include "plugin/conformance.h"
 #include "results/answer.h"
@@ -23,23 +24,23 @@ int check_plugin(const std::string& path, const std::vector<std::string>& argume
   session.arguments().give(arguments, diagnostics);
   const std::optional<std::vector<const Plugin*>> plugins = load_plugin_file(session, path);
   session.arguments().refuse_unasked(diagnostics);
-  fmt::print(stderr, "{}", diagnostics.to_text());
+  tell("{}", diagnostics.to_text());
   if (!plugins || diagnostics.has_errors()) return bad_input;
-  std::size_t faults = 0;
+  bool faulty = false, untried = false;
   for (const Plugin* plugin : *plugins) {
     const auto say = [&](const char* grade, const std::string& text) {
-      fmt::print(stderr, "{}: {}: {}/{}: {}\n", place_of(plugin->spec), grade, name_of(plugin->spec.kind),
-                 plugin->spec.name, text);
+      tell("{}: {}: {}/{}: {}\n", place_of(plugin->spec), grade, name_of(plugin->spec.kind),
+           plugin->spec.name, text);
     };
-    bool whole = false;
-    for (const std::string& fault : conformance_faults(*plugin, &whole)) {
-      say("error", fault);
-      ++faults;
-    }
-    if (!whole) say("warning", "its calls take so long that only some of the samples were tried");
+    const Conformance found = conformance(*plugin);
+    for (const std::string& fault : found.faults) say("error", fault);
+    for (const std::string& what : found.not_called) say("warning", what);
+    if (!found.whole) say("warning", "its calls take so long that only some of the samples were tried");
+    faulty = faulty || !found.faults.empty();
+    untried = untried || !found.not_called.empty() || !found.whole;
   }
-  if (faults > 0) return bad_input;
-  fmt::print("{}: a sound plugin\n", path);
+  if (faulty) return bad_input;
+  fmt::print("{}: {}\n", path, untried ? "no fault in what was called" : "a sound plugin");
   return done;
 }
 
@@ -86,7 +87,7 @@ int check(const Command& command, const Arguments& arguments) {
   } catch (const InputError&) {
     throw;
   } catch (const std::exception& error) {  // nothing runs here, so the error is in the file
-    fmt::print(stderr, "{}: error: {}\n", path, error.what());
+    tell("{}: error: {}\n", path, error.what());
     return bad_input;
   }
 }

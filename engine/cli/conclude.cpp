@@ -6,16 +6,17 @@
 
 #include <ctime>
 
+#include "cli/terminal.h"
+
 namespace flyrock::cli {
 
-void print_faults(const Results& results) {
+void print_faults(const Results& results, const char* early_end) {
   for (const Fault& fault : results.faults)
-    fmt::print(stderr, "error: point {}, trial {}, rock {}: {}: {}\n", fault.point, fault.trial, fault.rock,
-               name_of(fault.reason), fault.text);
+    tell("error: point {}, trial {}, rock {}: {}: {}\n", fault.point, fault.trial, fault.rock,
+         name_of(fault.reason), fault.text);
   if (results.fault_count > results.faults.size())
-    fmt::print(stderr, "error: and {} more rocks that failed\n", results.fault_count - results.faults.size());
-  if (!results.ended_early.empty())
-    fmt::print(stderr, "error: the run ended early: {}\n", results.ended_early);
+    tell("error: and {} more rocks that failed\n", results.fault_count - results.faults.size());
+  if (!results.ended_early.empty()) tell("{}: {}\n", early_end, results.ended_early);
 }
 
 int exit_code(const Results& results) {

@@ -8,8 +8,8 @@
 
 namespace flyrock::cli {
 
-/// Prints to stderr the rocks that failed and why a run ended early.
-void print_faults(const Results& results);
+/// Prints to stderr the rocks that failed and, after the words `early_end`, why a run ended early.
+void print_faults(const Results& results, const char* early_end = "error: the run ended early");
 
 /// The exit code of a run that has ended: done, expectation_failed or faults.
 int exit_code(const Results& results);

@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "batch/safe_file.h"
+#include "cli/terminal.h"
 #include "document/printable.h"
 #include "document/wording.h"
 #include "solver/hdf5_file.h"
@@ -62,11 +63,11 @@ void print_help() {
 }
 
 /// In one line. The text may contain user input with line feeds and bytes that are not UTF-8.
-void print_error(const std::string& text) { fmt::print(stderr, "error: {}\n", printable(text, 2000)); }
+void print_error(const std::string& text) { tell("error: {}\n", printable(text, 2000)); }
 
 int usage_error(const std::string& text, const std::string& help) {
   print_error(text);
-  fmt::print(stderr, "See `{}`.\n", help);
+  tell("See `{}`.\n", help);
   return bad_input;
 }
 

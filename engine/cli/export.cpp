@@ -7,6 +7,7 @@
 
 #include "cli/result_folder.h"
 #include "cli/run_program.h"
+#include "cli/terminal.h"
 #include "document/wording.h"
 #include "report/export_asc.h"
 #include "report/export_csv.h"
@@ -77,12 +78,13 @@ int export_result(const Command& command, const Arguments& arguments) {
   const Format& format = format_of(line.text("to"));
   const fs::path result = finished_result(line.words[0]);
   const fs::path folder = line.has("output") ? fs::path(line.text("output")) : result / format.name;
-  if (fs::exists(folder / "manifest.json"))
+  std::error_code no_path;  // a name that is too long is reported when the folder is made
+  if (fs::exists(folder / "manifest.json", no_path))
     throw UsageError(fmt::format(
         "-o {}: it holds results, whose files would be replaced; expected another folder", folder.string()));
   const std::vector<fs::path> files = format.write(result / "results.db", folder);
   for (const fs::path& file : files) fmt::print("{}\n", file.string());
-  if (files.empty()) fmt::print(stderr, "nothing written: {}\n", format.nothing);
+  if (files.empty()) tell("nothing written: {}\n", format.nothing);
   return done;
 }
 

@@ -12,6 +12,7 @@
 #include "cli/plugin_file.h"
 #include "cli/plugin_text.h"
 #include "cli/run_program.h"
+#include "cli/terminal.h"
 #include "document/yaml_reader.h"
 #include "host/session.h"
 #include "host/share.h"
@@ -42,7 +43,7 @@ std::optional<PluginUse> decode_use(const Registry& registry, const PluginSpec& 
     const Value normalised = normalise_plugin(context, Node::root(*value), spec.kind, {});
     use = decode_plugin(context, Node::root(normalised), spec.kind);
   }
-  fmt::print(stderr, "{}", diagnostics.to_text());
+  tell("{}", diagnostics.to_text());
   if (diagnostics.has_errors()) return std::nullopt;
   return use;
 }
@@ -154,7 +155,7 @@ int law(const Command& command, const Arguments& arguments) {
   try {
     graphs = law_graphs(*use, ball);
   } catch (const PluginError& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
+    tell("error: {}\n", error.what());
     return bad_input;
   }
   const std::string drawn = fmt::format("a ball of {:.6g} kg and {:.6g} m radius", ball.mass, ball.radius);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/terminal.h"
 #include "document/node.h"
 
 namespace flyrock::cli {
@@ -34,7 +35,7 @@ std::optional<LoadedScenario> load(const std::string& path, const Overrides& ove
     for (const std::string& key : loaded->plan.not_used)  // "blast.spacing (bench_fit does not read it)"
       diagnostics.error(node_at(loaded->root, key.substr(0, key.find(' '))).key_at, "", "not used: " + key);
   const std::string text = diagnostics.to_text();
-  if (!text.empty()) fmt::print(stderr, "{}{}", text, text.back() == '\n' ? "" : "\n");
+  if (!text.empty()) tell("{}{}", text, text.back() == '\n' ? "" : "\n");
   return diagnostics.has_errors() ? std::nullopt : std::move(loaded);
 }
 

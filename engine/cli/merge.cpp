@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
+#include <numeric>
+#include <set>
 
 #include "batch/record_check.h"
 #include "batch/safe_file.h"
@@ -11,6 +15,7 @@
 #include "cli/result_folder.h"
 #include "cli/runners.h"
 #include "cli/summary_text.h"
+#include "cli/terminal.h"
 
 namespace flyrock::cli {
 
@@ -81,16 +86,60 @@ std::vector<ChunkFile> find_chunks(const std::vector<ChunkRange>& chunks, std::v
   return files;
 }
 
-/// Prints which folders lack chunks of their part. Returns whether there are any.
-bool tell_lost(const std::vector<Piece>& pieces) {
-  bool any = false;
-  for (const Piece& piece : pieces) {
-    if (piece.lost == 0) continue;
-    any = true;
-    fmt::print(stderr, "error: {} lacks {} of its {} chunks; run that shard again with --resume\n",
-               piece.name, piece.lost, piece.wanted);
-  }
-  return any;
+/// A word as a shell reads it.
+std::string shell_word(const std::string& word) {
+  const std::string harmless = "/._-+=:,%@";
+  const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [&](const unsigned char c) {
+    return std::isalnum(c) || harmless.find(static_cast<char>(c)) != std::string::npos;
+  });
+  if (plain) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+/// The command that runs a shard: "flyrock run s.yaml --seed 3 --shard 2/3".
+std::string command_of(const Request& request, const Shard& shard) {
+  const std::string near = fs::proximate(request.scenario).string();
+  std::string command = "flyrock run " + shell_word(near.starts_with("..") ? request.scenario : near);
+  for (const std::string& set : request.overrides.set) command += " --set " + shell_word(set);
+  if (request.overrides.seed) command += fmt::format(" --seed {}", *request.overrides.seed);
+  if (request.overrides.trials) command += fmt::format(" --trials {}", *request.overrides.trials);
+  if (shard.of > 1) command += fmt::format(" --shard {}/{}", shard.number, shard.of);
+  return command;
+}
+
+/// The shards of which no folder is given. The folders may be shards of different numbers of shards: the
+/// missing ones are then counted by the least common multiple, in which each belongs to a folder as a whole
+/// or not at all. In a count above the number of chunks that is so too, because a shard has at most one.
+std::vector<Shard> missing_shards(const std::vector<ChunkRange>& chunks, const std::vector<Piece>& pieces) {
+  std::uint64_t of = 1;
+  for (const Piece& piece : pieces)
+    if (of <= chunks.size())
+      of = piece.shard.of > chunks.size() ? piece.shard.of : std::lcm(of, piece.shard.of);
+  std::set<std::uint64_t> numbers;
+  for (std::size_t c = 0; c < chunks.size(); ++c)
+    if (std::none_of(pieces.begin(), pieces.end(), [&](const Piece& p) { return p.shard.holds(c); }))
+      numbers.insert(c % of + 1);
+  std::vector<Shard> missing;
+  for (const std::uint64_t number : numbers) missing.push_back({number, of});
+  return missing;
+}
+
+/// Says which shards and chunks are missing, each with the command that computes them.
+void tell_missing(const std::vector<ChunkRange>& chunks, const std::vector<Piece>& pieces,
+                  const Request& request, const char* grade) {
+  constexpr std::size_t most_told = 20;
+  std::vector<std::string> lines;
+  for (const Piece& piece : pieces)
+    if (piece.lost > 0)
+      lines.push_back(fmt::format("{} lacks {} of its {} chunks: {} --resume -o {}", piece.name, piece.lost,
+                                  piece.wanted, command_of(request, piece.shard), shell_word(piece.name)));
+  for (const Shard& shard : missing_shards(chunks, pieces))
+    lines.push_back(
+        fmt::format("shard {} of {} is missing: {}", shard.number, shard.of, command_of(request, shard)));
+  for (std::size_t i = 0; i < std::min(lines.size(), most_told); ++i) tell("{}: {}\n", grade, lines[i]);
+  if (lines.size() > most_told) tell("{}: and {} more\n", grade, lines.size() - most_told);
 }
 
 /// Reads every chunk once before anything is written. Throws InputError.
@@ -138,6 +187,7 @@ po::options_description merge_options() {
   options.add_options()("output,o", po::value<std::string>()->value_name("DIR"), "result folder; required")(
       "scenario", po::value<std::string>()->value_name("FILE"),
       "the scenario file, if it has moved since the shards ran")(
+      "partial", "exit code 0 where a shard or chunk is missing, in place of 3")(
       "force", "replaces the results in an existing folder")("quiet", "no summary");
   return options;
 }
@@ -187,12 +237,13 @@ int merge(const Command& command, const Arguments& arguments) {
     rows[p](Part::whole, [&](const TrialRecords& chunk) { writer.add(static_cast<int>(p), chunk); });
   const Results results = folder.build(writer, rows, facts, first_terrains(*runners), log);
   folder.tidy();
-  print_faults(results);
+  const bool partial = line.has("partial");
+  print_faults(results, partial ? "warning: the result is not complete" : "error: the run ended early");
   if (!line.has("quiet"))
     fmt::print("{}report: {}\n", summary_text(plan, results, loaded->warnings), folder.report().string());
-  const bool lost = tell_lost(pieces);
-  // Merging only some of the shards is fine, and the output says so.
-  if (!results.ended_early.empty() && results.fault_count == 0 && !lost) return done;
+  tell_missing(chunks, pieces, request, partial ? "warning" : "error");
+  // Of only some of the trials no expectation is judged.
+  if (partial && !results.ended_early.empty() && results.fault_count == 0) return done;
   return exit_code(results);
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "batch/safe_file.h"
+#include "cli/terminal.h"
 #include "document/yaml_text.h"
 #include "host/locate.h"
 #include "host/lua_tokens.h"
@@ -36,7 +37,7 @@ std::optional<std::vector<const Plugin*>> load_plugin_file(LuaSession& session, 
   const std::vector<const Plugin*> before = all_plugins(session.registry());
   Diagnostics diagnostics;
   session.load_plugin(path, path, {}, diagnostics);
-  fmt::print(stderr, "{}", diagnostics.to_text());
+  tell("{}", diagnostics.to_text());
   if (diagnostics.has_errors()) return std::nullopt;
   std::vector<const Plugin*> own = all_plugins(session.registry());
   std::erase_if(own, [&](const Plugin* plugin) {

@@ -34,8 +34,11 @@ Request read_request(const std::filesystem::path& chunks) {
   const std::filesystem::path file = file_in(chunks);
   try {
     const Json data = Json::parse(read_file(file));
-    Request request{
-        data.at("scenario"), {data.at("set"), {}, {}}, {data.at("shard").at(0), data.at("shard").at(1)}};
+    Request request;
+    request.scenario = data.at("scenario");
+    request.overrides.set = data.at("set").get<std::vector<std::string>>();
+    request.shard.number = data.at("shard").at(0);
+    request.shard.of = data.at("shard").at(1);
     if (request.shard.number < 1 || request.shard.number > request.shard.of) fail(file);
     if (data.contains("seed")) request.overrides.seed = data["seed"].get<std::uint64_t>();
     if (data.contains("trials")) request.overrides.trials = data["trials"].get<std::uint64_t>();

@@ -10,6 +10,7 @@
 
 #include "batch/checksums.h"
 #include "batch/safe_file.h"
+#include "cli/terminal.h"
 #include "host/share.h"
 
 namespace flyrock::cli {
@@ -42,8 +43,8 @@ auto read_json(const fs::path& file, Read read) {
 
 /// Refuses a folder that another process is writing. It is neither read nor replaced.
 void refuse_written(const fs::path& folder) {
-  if (FolderLock::held(folder))
-    throw InputError(fmt::format("{}: another flyrock is writing there", folder.string()));
+  if (const std::string writer = FolderLock::writer(folder); !writer.empty())
+    throw InputError(fmt::format("{}: {}", folder.string(), writer));
 }
 
 }  // namespace
@@ -132,6 +133,7 @@ void ResultFolder::open(const LoadedScenario& scenario, const Request& request) 
   try {
     make_folder(path_);
     lock_.emplace(path_);
+    if (!lock_->warning().empty()) tell("warning: {}\n", lock_->warning());
     for (const char* name : result_names) fs::remove(path_ / name);
     if (!continued_) remove_chunks(chunks()), fs::remove_all(hard_problems());
     make_folder(chunks());

@@ -58,11 +58,23 @@ Shard read_shard(const std::string& text) {
   return shard;
 }
 
+std::vector<ChunkRange> all_chunks(const Plan& plan) {
+  return plan_chunks(static_cast<int>(plan.points.size()), plan.points.front().trials);
+}
+
+/// A run cannot be divided further than into its chunks.
+void warn_of_empty(const Shard& shard, const Plan& plan) {
+  if (const std::size_t chunks = all_chunks(plan).size(); shard.of > chunks)
+    tell("warning: --shard {}/{}: the run has only {} chunk{}: {}\n", shard.number, shard.of, chunks,
+         chunks == 1 ? "" : "s",
+         shard.number > chunks ? "this shard has nothing to do"
+                               : fmt::format("the shards above {} have nothing to do", chunks));
+}
+
 std::vector<ChunkRange> chunks_of(const Plan& plan, const std::optional<Only>& only,
                                   const std::optional<Shard>& shard) {
   if (only) return {{static_cast<int>(only->point), only->trial, only->trial, 1}};
-  const std::vector<ChunkRange> all =
-      plan_chunks(static_cast<int>(plan.points.size()), plan.points.front().trials);
+  const std::vector<ChunkRange> all = all_chunks(plan);
   if (!shard) return all;
   std::vector<ChunkRange> chunks;
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -120,7 +132,7 @@ Execution execute(const Job& job, const LoadedScenario& loaded, Runners& runners
 /// Ends the run of a shard: its chunks stay for `flyrock merge`.
 int conclude_shard(const RunOutcome& outcome, const Shard& shard, const std::filesystem::path& chunks,
                    bool quiet) {
-  if (!outcome.why.empty()) fmt::print(stderr, "error: the run ended early: {}\n", outcome.why);
+  if (!outcome.why.empty()) tell("error: the run ended early: {}\n", outcome.why);
   if (!quiet)
     fmt::print("shard {} of {}: {} trials in {}; `flyrock merge` puts the shards together\n", shard.number,
                shard.of, trials_in(outcome.chunks), chunks.string());
@@ -159,10 +171,10 @@ po::options_description run_options() {
 
 Job read_job(const CommandLine& line) {
   refuse_pairs(line);
-  Job job{.request = {line.words[0], overrides_of(line), {}},
-          .only = {},
-          .shard = {},
-          .threads = threads_of(line)};
+  Job job;
+  job.request.scenario = line.words[0];
+  job.request.overrides = overrides_of(line);
+  job.threads = threads_of(line);
   if (line.has("only")) job.only = read_only(line.text("only"));
   if (line.has("shard")) job.shard = job.request.shard = read_shard(line.text("shard"));
   job.resume = line.has("resume");
@@ -187,8 +199,8 @@ int carry_out(const Job& job, const LoadedScenario& loaded, Runners& runners, co
   if (!job.shard) writer.emplace(folder.path(), loaded);
   const auto [outcome, log] = execute(job, loaded, runners, folder, writer);
   if (outcome.ending == RunEnding::interrupted) {
-    fmt::print(stderr, "interrupted after {} of {} trials; what was done is kept in {}, --resume goes on\n",
-               trials_in(outcome.chunks), outcome.progress.total, folder.chunks().string());
+    tell("interrupted after {} of {} trials; what was done is kept in {}, --resume goes on\n",
+         trials_in(outcome.chunks), outcome.progress.total, folder.chunks().string());
     return interrupted;
   }
   if (job.shard) return conclude_shard(outcome, *job.shard, folder.chunks(), job.quiet);
@@ -220,6 +232,7 @@ int run(const Command& command, const Arguments& arguments) {
   std::optional<LoadedScenario> loaded = load(job.request.scenario, job.request.overrides, job.strict);
   if (!loaded) return bad_input;
   if (job.only) prepare(*job.only, loaded->plan);
+  if (job.shard) warn_of_empty(*job.shard, loaded->plan);
   ResultFolder folder(line.has("output") ? line.text("output") : default_folder(job, loaded->name), *loaded,
                       job.resume  ? Existing::continued
                       : job.force ? Existing::replaced
@@ -235,8 +248,8 @@ int run(const Command& command, const Arguments& arguments) {
   try {
     return carry_out(job, *loaded, *runners, folder);
   } catch (const FileError& error) {  // a full disk
-    fmt::print(stderr, "error: {}; what was done is kept in {}, --resume goes on\n", error.what(),
-               folder.chunks().string());
+    tell("error: {}; what was done is kept in {}, --resume goes on\n", error.what(),
+         folder.chunks().string());
     return faults;
   }
 }

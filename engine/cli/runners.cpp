@@ -31,7 +31,7 @@ struct Reading {
 std::optional<Runners> try_runners(LoadedScenario& scenario, std::uint64_t trials) {
   Diagnostics diagnostics;
   Runners runners = flyrock::try_runners(scenario, trials, diagnostics);
-  fmt::print(stderr, "{}", diagnostics.to_text());
+  tell("{}", diagnostics.to_text());
   return diagnostics.has_errors() ? std::nullopt : std::optional(std::move(runners));
 }
 
@@ -41,7 +41,7 @@ bool prepare(Runners& runners, const LoadedScenario& scenario, const std::filesy
       Diagnostics diagnostics;
       const Node key = node_at(scenario.root, "output.hard_problems");
       key.error(diagnostics, "needs a flyrock that was built with HDF5 (Debian: libhdf5-dev)");
-      fmt::print(stderr, "{}", diagnostics.to_text());
+      tell("{}", diagnostics.to_text());
       return false;
     }
     runners[p]->stop_when(was_interrupted);

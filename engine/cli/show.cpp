@@ -29,7 +29,7 @@ void add_origin(const std::vector<Scenario>& points, Value& resolved) {
     return;
   List coordinates;
   for (const double coordinate : origin) coordinates.push_back({coordinate, {}, false});
-  terrain->map()->push_back({"origin", {}, {std::move(coordinates), {}, false}});
+  terrain->map()->push_back({"origin", Location{}, Value{std::move(coordinates), Location{}, false}});
 }
 
 /// ", and run it with --arg stones=41"; empty without arguments. The functions ask for them again.

@@ -19,7 +19,16 @@ std::string clock_time(double seconds) {
   return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
 
+std::uint64_t tenths_of(const RunProgress& progress) {
+  return progress.total == 0 ? 0 : 10 * progress.done / progress.total;
+}
+
 }  // namespace
+
+void write_to_stderr(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
 
 std::string progress_text(const RunProgress& progress, double since_start, double since_last_trial) {
   constexpr double long_trial = 2;  // s
@@ -39,15 +48,16 @@ std::string progress_text(const RunProgress& progress, double since_start, doubl
 }
 
 ProgressBar::ProgressBar(bool wanted, std::uint64_t trials)
-    : visible_(wanted && ::isatty(STDERR_FILENO) != 0) {
+    : visible_(wanted), bar_(::isatty(STDERR_FILENO) != 0) {
   progress_.total = trials;
+  if (!bar_) drawn_ = start_;
   if (visible_) watcher_ = std::jthread([this](std::stop_token stop) { watch(std::move(stop)); });
 }
 
 ProgressBar::~ProgressBar() {
   if (!visible_) return;
   watcher_ = {};  // stops and joins
-  fmt::print(stderr, "\r\033[K");
+  if (bar_) write_to_stderr("\r\033[K");
 }
 
 void ProgressBar::show(const RunProgress& progress) {
@@ -56,16 +66,23 @@ void ProgressBar::show(const RunProgress& progress) {
   const Clock::time_point now = Clock::now();
   progress_ = progress;
   last_trial_ = now;
-  if (now - drawn_ >= std::chrono::milliseconds(100) || progress.done == progress.total) draw(now);
+  if (is_due(now)) draw(now);
+}
+
+/// Whether this progress is worth drawing again.
+bool ProgressBar::is_due(Clock::time_point now) const {
+  if (bar_) return now - drawn_ >= std::chrono::milliseconds(100) || progress_.done == progress_.total;
+  return now - drawn_ >= std::chrono::seconds(1) && tenths_of(progress_) > tenths_;
 }
 
 void ProgressBar::watch(std::stop_token stop) {
   constexpr std::chrono::seconds each(1);
+  const std::chrono::seconds silence(bar_ ? 1 : 60);
   std::unique_lock lock(mutex_);
   while (!stop.stop_requested()) {
     ended_.wait_for(lock, stop, each, [] { return false; });
     const Clock::time_point now = Clock::now();
-    if (!stop.stop_requested() && now - drawn_ >= each) draw(now);
+    if (!stop.stop_requested() && now - drawn_ >= silence) draw(now);
   }
 }
 
@@ -74,12 +91,13 @@ void ProgressBar::draw(Clock::time_point now) {
     return std::chrono::duration<double>(now - since).count();
   };
   drawn_ = now;
-  fmt::print(stderr, "\r{}\033[K", progress_text(progress_, seconds(start_), seconds(last_trial_)));
-  std::fflush(stderr);
+  tenths_ = tenths_of(progress_);
+  const std::string text = progress_text(progress_, seconds(start_), seconds(last_trial_));
+  write_to_stderr(bar_ ? fmt::format("\r{}\033[K", text) : text + '\n');
 }
 
 void ProgressBar::write(const std::vector<std::string>& lines) const {
-  for (const std::string& line : lines) fmt::print(stderr, "{}{}\n", visible_ ? "\r\033[K" : "", line);
+  for (const std::string& line : lines) tell("{}{}\n", visible_ && bar_ ? "\r\033[K" : "", line);
 }
 
 std::string bold(const std::string& text) {
@@ -94,7 +112,7 @@ void catch_interrupt() {
   struct sigaction action {};
   action.sa_handler = [](int) { interrupt_flag = 1; };
   action.sa_flags = SA_RESETHAND | SA_RESTART;
-  ::sigaction(SIGINT, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM}) ::sigaction(signal, &action, nullptr);
 }
 
 }  // namespace flyrock::cli

@@ -1,21 +1,37 @@
 #pragma once
-// Progress output on a terminal; none in a pipe.
+// What a command writes on stderr: messages and progress; and how it is interrupted.
+
+#include <fmt/format.h>
 
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <string>
 #include <thread>
+#include <utility>
 
 #include "batch/run.h"
 
 namespace flyrock::cli {
 
-/// A progress bar with rate and remaining time on stderr, only if stderr is a terminal and at most ten times
-/// a second. If a trial takes longer than two seconds, a separate thread shows each second for how long.
+/// Writes a text to stderr, or as much as it takes: a message that is lost on a closed stderr, or on a full
+/// disk, must not end a run.
+void write_to_stderr(const std::string& text);
+
+/// Writes a formatted message to stderr.
+template <class... Values>
+void tell(fmt::format_string<Values...> text, Values&&... values) {
+  write_to_stderr(fmt::format(text, std::forward<Values>(values)...));
+}
+
+/// The progress of a run with rate and remaining time on stderr. On a terminal it is a bar, drawn at most ten
+/// times a second. If a trial takes longer than two seconds, a separate thread shows each second for how
+/// long. Elsewhere, as in the log of a batch system, it is a line at each tenth of the trials, at most once a
+/// second, and after a minute without one.
 class ProgressBar {
  public:
   explicit ProgressBar(bool wanted, std::uint64_t trials);
-  ~ProgressBar();  ///< clears its line
+  ~ProgressBar();  ///< clears the bar
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
@@ -26,11 +42,13 @@ class ProgressBar {
  private:
   using Clock = std::chrono::steady_clock;
   void watch(std::stop_token stop);
+  bool is_due(Clock::time_point now) const;
   void draw(Clock::time_point now);
 
-  bool visible_;
-  std::mutex mutex_;  ///< guards the members below
+  bool visible_, bar_;  ///< bar_: stderr is a terminal
+  std::mutex mutex_;    ///< guards the members below
   RunProgress progress_;
+  std::uint64_t tenths_ = 0;  ///< tenths of the trials in the last line
   Clock::time_point start_ = Clock::now(), drawn_{}, last_trial_ = start_;
   std::condition_variable_any ended_;
   std::jthread watcher_;  ///< last, because it reads the others
@@ -43,7 +61,8 @@ std::string progress_text(const RunProgress& progress, double since_start, doubl
 /// `text` in bold if stdout is a terminal and NO_COLOR is not set.
 std::string bold(const std::string& text);
 
-/// Whether Ctrl-C was pressed after catch_interrupt(). A second Ctrl-C ends the program at once.
+/// Whether Ctrl-C was pressed, or the program was asked to end (SIGTERM), after catch_interrupt(). The second
+/// time ends the program at once.
 bool was_interrupted();
 void catch_interrupt();
 

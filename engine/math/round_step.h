@@ -2,13 +2,14 @@
 // Bin widths that are easy to read.
 
 #include <cmath>
+#include <limits>
 
 namespace flyrock {
 
 /// The smallest of ..., 0.1, 0.2, 0.5, 1, 2, 5, 10, ... that is not below `width`; 1 if `width` is not
-/// positive.
+/// positive, or so small that its power of ten may be 0.
 inline double round_step(double width) {
-  if (!(width > 0)) return 1;
+  if (!(width >= std::numeric_limits<double>::min())) return 1;
   const double power = std::pow(10, std::floor(std::log10(width)));
   for (const double step : {1.0, 2.0, 5.0})
     if (step * power >= width) return step * power;

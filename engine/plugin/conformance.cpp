@@ -10,6 +10,7 @@
 
 #include "geometry/terrain_fault.h"
 #include "geometry/volume_properties.h"
+#include "plugin/dimension_error.h"
 #include "plugin/sampled_params.h"
 #include "plugin/sampled_states.h"
 
@@ -342,6 +343,12 @@ requires std::derived_from<SomeLaw, Law> Numbers answer_of(const PluginSpec& spe
   return answer;
 }
 
+/// Why a call was refused.
+struct Refusal {
+  std::string text = "no sample of the parameters keeps their bounds";
+  bool of_dimension = false;  ///< the plugin serves the other dimension
+};
+
 /// One plugin with one sample of its parameters.
 template <class Interface>
 class Trial {
@@ -353,21 +360,19 @@ class Trial {
     for (const Number& slot : use_.slots) numbers_.push_back(slot.constant);
   }
 
-  /// Makes an instance and calls it. Returns nothing if these parameters do not fit together; `refusal` then
-  /// says why.
-  std::optional<Numbers> ask(std::string& refusal) const {
+  /// Makes an instance and calls it. Returns nothing if the dimension is another one, or if these parameters
+  /// do not fit together; `refusal` then says why.
+  std::optional<Numbers> ask(Refusal& refusal) const {
     std::unique_ptr<Interface> instance;
     try {
       instance = make_instance<Interface>(use_, dimension_);
     } catch (const PluginError& error) {
-      refusal = with_parameters(error.what());
-      return std::nullopt;
+      return refused(error, refusal);
     }
     try {
       return answer_of(use_.plugin->spec, *instance, numbers_, dimension_, patience_);
     } catch (const ParameterError& error) {
-      refusal = with_parameters(error.what());
-      return std::nullopt;
+      return refused(error, refusal);
     } catch (const PluginError& error) {
       fail(with_parameters((dimension_ == 2 ? "" : "in 3D ") + std::string(error.what())));
     }
@@ -379,63 +384,123 @@ class Trial {
   }
 
  private:
+  std::nullopt_t refused(const PluginError& error, Refusal& refusal) const {
+    refusal.text = with_parameters(error.what());
+    refusal.of_dimension = dynamic_cast<const DimensionError*>(&error) != nullptr;
+    return std::nullopt;
+  }
+
   PluginUse use_;
   int dimension_;
   const Patience& patience_;
   std::vector<double> numbers_;
 };
 
+/// What was called, in the course of the tests.
+struct Calls {
+  std::array<bool, 4> in_dimension{};   ///< 2 and 3: answered there
+  std::array<Refusal, 4> refusals{};    ///< 2 and 3: the last one there
+  std::vector<bool> with, given, felt;  ///< of each parameter: given in an answered call; given in two
+                                        ///< calls that differ only in it; these answered differently
+  bool answered() const { return in_dimension[2] || in_dimension[3]; }
+};
+
+/// Asks one sample twice, and once more with another value of each parameter.
 template <class Interface>
-std::vector<std::string> faults(const Plugin& plugin, const FactoryOf<Interface>&, const Patience& patience) {
+void try_sample(const Plugin& plugin, int dimension, const std::vector<ParamValue>& values,
+                const Patience& patience, RandomStream& rng, Calls& calls) {
+  const auto& params = plugin.spec.params;
+  Refusal& refusal = calls.refusals[static_cast<std::size_t>(dimension)];
+  const Trial<Interface> trial(plugin, dimension, values, patience);
+  const auto answer = trial.ask(refusal);
+  if (!answer) return;
+  calls.in_dimension[static_cast<std::size_t>(dimension)] = true;
+  if (trial.ask(refusal) != answer) fail(trial.with_parameters("two equal calls answer differently"));
+  for (std::size_t i = 0; i < params.size(); ++i) {
+    if (!values[i].given) continue;
+    calls.with[i] = true;
+    if (!can_sample(params[i]) || calls.felt[i]) continue;
+    auto changed = values;
+    changed[i] = sample_param(plugin.spec, i, values, dimension, rng);
+    if (!keeps_bounds(plugin.spec, changed)) continue;
+    const auto other = Trial<Interface>(plugin, dimension, changed, patience).ask(refusal);
+    if (!other) continue;
+    calls.given[i] = true;
+    calls.felt[i] = other != answer;
+  }
+}
+
+/// The first line of a text.
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+/// A plugin that answered in neither dimension: its fault, or why it was not called.
+void tell_silence(const PluginSpec& spec, const Calls& calls, Conformance& found) {
+  for (const ParamSpec& param : spec.params)
+    if (param.required() && !can_sample(param)) {
+      found.not_called.push_back(
+          fmt::format("it was never called, because no value can be made up for `{}` (type {}): check a "
+                      "scenario that uses it",
+                      param.name, name_of(param.type)));
+      return;
+    }
+  // Of a plugin that serves both dimensions, the one that it does not refuse as such.
+  const int served = spec.dimension != 0 ? spec.dimension : calls.refusals[2].of_dimension ? 3 : 2;
+  const std::string& why = calls.refusals[static_cast<std::size_t>(served)].text;
+  found.faults.push_back(spec.params.empty()
+                             ? fmt::format("it cannot be made: {}", why)
+                             : fmt::format("it cannot be made with parameters within their limits: {}", why));
+}
+
+/// What a plugin that answered was not asked.
+void tell_not_called(const PluginSpec& spec, const Calls& calls, Conformance& found) {
+  for (const std::size_t dimension : {2, 3})
+    if (!calls.in_dimension[dimension] && !calls.refusals[dimension].of_dimension)
+      found.not_called.push_back(fmt::format("it was not called in {}D, because it refused: {}", dimension,
+                                             first_line(calls.refusals[dimension].text)));
+  for (std::size_t i = 0; i < spec.params.size(); ++i)
+    if (!calls.with[i])
+      found.not_called.push_back(
+          can_sample(spec.params[i])
+              ? fmt::format("it refused every call with `{}`", spec.params[i].name)
+              : fmt::format("it was not called with `{}`, for which no value can be made up (type {})",
+                            spec.params[i].name, name_of(spec.params[i].type)));
+}
+
+template <class Interface>
+void test(const Plugin& plugin, const FactoryOf<Interface>&, const Patience& patience, Conformance& found) {
   const auto& params = plugin.spec.params;
   RandomStream rng(sample_seed, "parameters", {});
-  std::string refusal = "no sample of the parameters keeps their bounds";
-  bool made = params.empty(), tried = params.empty();
-  std::vector<bool> given(params.size(), false), felt(params.size(), false);
+  Calls calls;
+  for (std::vector<bool>* of_params : {&calls.with, &calls.given, &calls.felt})
+    of_params->assign(params.size(), false);
   // Test the dimensions of the plugin; it refuses the others.
   const int each =
       params.empty() ? 1 : samples;  // samples per dimension; without parameters all samples are the same
   for (int sample = 0; sample < 2 * each; ++sample) {
     const int dimension = sample < each ? 2 : 3;
-    tried = tried || can_sample(plugin.spec);
-    for (auto& values : sample_variants(plugin.spec, dimension, rng)) {
-      const Trial<Interface> trial(plugin, dimension, values, patience);
-      const auto answer = trial.ask(refusal);
-      if (!answer) continue;
-      made = true;
-      if (trial.ask(refusal) != answer) fail(trial.with_parameters("two equal calls answer differently"));
-      for (std::size_t i = 0; i < params.size(); ++i) {
-        if (!values[i].given || !can_sample(params[i]) || felt[i]) continue;
-        auto changed = values;
-        changed[i] = sample_param(plugin.spec, i, values, dimension, rng);
-        if (!keeps_bounds(plugin.spec, changed)) continue;
-        const auto other = Trial<Interface>(plugin, dimension, changed, patience).ask(refusal);
-        if (!other) continue;
-        given[i] = true;
-        felt[i] = other != answer;
-      }
-    }
+    for (const auto& values : sample_variants(plugin.spec, dimension, rng))
+      try_sample<Interface>(plugin, dimension, values, patience, rng, calls);
   }
-  std::vector<std::string> list;
-  if (tried && !made) list.push_back("it cannot be made with parameters within their limits: " + refusal);
+  if (!calls.answered()) return tell_silence(plugin.spec, calls, found);
   for (std::size_t i = 0; i < params.size(); ++i)
-    if (given[i] && !felt[i]) list.push_back("the parameter `" + params[i].name + "` changes nothing");
-  return list;
+    if (calls.given[i] && !calls.felt[i])
+      found.faults.push_back("the parameter `" + params[i].name + "` changes nothing");
+  tell_not_called(plugin.spec, calls, found);
 }
 
 }  // namespace
 
-std::vector<std::string> conformance_faults(const Plugin& plugin, bool* whole) {
+Conformance conformance(const Plugin& plugin) {
   const Patience patience;
-  if (whole) *whole = true;
+  Conformance found;
   try {
-    return std::visit([&](const auto& factory) { return faults(plugin, factory, patience); }, plugin.make);
+    std::visit([&](const auto& factory) { test(plugin, factory, patience, found); }, plugin.make);
   } catch (const TimeIsUp&) {
-    if (whole) *whole = false;
-    return {};
+    found.whole = false;
   } catch (const PluginError& error) {
-    return {error.what()};
+    found.faults = {error.what()};
   }
+  return found;
 }
 
 }  // namespace flyrock

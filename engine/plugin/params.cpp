@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "plugin/dimension_error.h"
 #include "plugin/registry.h"
 
 namespace flyrock {
@@ -31,7 +32,7 @@ int Params::at(std::string_view name, std::initializer_list<ParamType> types) {
 
 void Params::require_dimension(int dimension) const {
   if (dimension_ != dimension)
-    throw PluginError(fmt::format("plugin {}: the {} `{}` is of dimension {}, the scenario has dimension {}",
+    throw DimensionError(fmt::format("plugin {}: the {} `{}` is of dimension {}, the scenario has dimension {}",
                                   spec_.name, name_of(spec_.kind), spec_.name, dimension, dimension_));
 }
 

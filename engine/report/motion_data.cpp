@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "report/animation.h"
+#include "report/rounded.h"
 #include "report/stored_paths.h"
 
 namespace flyrock {
@@ -39,7 +40,7 @@ class Curves {
 
  private:
   /// Six digits are enough for a picture.
-  static double short_number(double value) { return std::stod(fmt::format("{:.6g}", value)); }
+  static Json short_number(double value) { return rounded(value, 6); }
 
   std::vector<const char*> names_;
   std::vector<std::vector<double>> values_;

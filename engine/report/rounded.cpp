@@ -6,13 +6,14 @@
 
 namespace flyrock {
 
-nlohmann::ordered_json rounded(double value) {
+nlohmann::ordered_json rounded(double value, int digits) {
+  constexpr double least = 1e-290;  // so that the power of ten below is finite
   if (!std::isfinite(value)) return nullptr;
-  if (value == 0) return 0;
+  if (std::abs(value) < least) return 0;
   // Division by a power of ten rounds correctly for decimals with so few digits; multiplication does not.
-  const int digits = 3 - static_cast<int>(std::floor(std::log10(std::abs(value))));
-  const double scale = std::pow(10, std::abs(digits));
-  return digits > 0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;
+  const int decimals = digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value))));
+  const double scale = std::pow(10, std::abs(decimals));
+  return decimals > 0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;
 }
 
 std::int64_t thousandth(double value) {

@@ -7,8 +7,8 @@
 
 namespace flyrock {
 
-/// Four significant digits; null if the number is not finite.
-nlohmann::ordered_json rounded(double value);
+/// So many significant digits; null if the number is not finite. A number below 1e-290 is 0.
+nlohmann::ordered_json rounded(double value, int digits = 4);
 
 /// The nearest whole number of thousandths: metres become millimetres.
 std::int64_t thousandth(double value);

@@ -19,6 +19,10 @@ std::string insert_into(const std::string& table, int columns, std::size_t rows)
   return fmt::format("INSERT INTO {} VALUES {}", table, fmt::join(each, ", "));
 }
 
+/// The way to the disk without locks of SQLite's own, which some file systems do not have. A database is
+/// built under a name that only its run uses, and no program changes it afterwards.
+constexpr const char* without_locks = "unix-none";
+
 /// Why SQLite refused, in our own words. SQLite's texts would make a user look for a bug in the database
 /// program.
 std::string reason(sqlite3* database) {
@@ -60,7 +64,7 @@ SqliteFile::SqliteFile(std::filesystem::path path)
   std::filesystem::remove(temporary_, code);
   if (sqlite3_open_v2(temporary_.c_str(), &database_,
                       SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX,
-                      nullptr) != SQLITE_OK) {
+                      without_locks) != SQLITE_OK) {
     const std::unique_ptr<sqlite3, decltype(&sqlite3_close)> closed(database_, sqlite3_close);
     fail_to_write(path_, database_);
   }
@@ -95,7 +99,7 @@ Statement::Statement(const SqliteFile& file, const std::string& sql) : file_(fil
 }
 
 SqliteReader::SqliteReader(std::filesystem::path path) : path_(std::move(path)) {
-  if (sqlite3_open_v2(path_.c_str(), &database_, SQLITE_OPEN_READONLY, nullptr) == SQLITE_OK) return;
+  if (sqlite3_open_v2(path_.c_str(), &database_, SQLITE_OPEN_READONLY, without_locks) == SQLITE_OK) return;
   const std::unique_ptr<sqlite3, decltype(&sqlite3_close)> closed(database_, sqlite3_close);
   fail_to_read(path_, database_);
 }

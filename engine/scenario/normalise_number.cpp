@@ -270,7 +270,7 @@ Value map_value(Map map) {
 }
 
 void put(Map& map, std::string_view key, Value value) {
-  map.push_back({std::string(key), {}, std::move(value)});
+  map.push_back({std::string(key), Location{}, std::move(value)});
 }
 
 void put(Map& map, const Node& from, Value value) {

@@ -40,6 +40,16 @@ class Handle {
 /// HDF5 prints its stack of errors on the terminal unless it is told not to.
 void be_silent() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
+/// How files are opened: without locks, which some file systems do not have. A file is read only after its
+/// writer has closed it.
+Handle without_locks() {
+  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+#if H5_VERSION_GE(1, 10, 7)
+  H5Pset_file_locking(access, false, true);
+#endif
+  return access;
+}
+
 /// A data set of a file that is read. A header of a few bytes can claim gigabytes, so the size is compared
 /// with the bytes of the file before anything is allocated.
 class DataSet {
@@ -152,7 +162,7 @@ Hdf5File Hdf5File::open(const std::string& name) {
   be_silent();
   std::error_code code;  // the library would wait forever on a pipe without a writer
   const hid_t file = std::filesystem::is_regular_file(name, code)
-                         ? H5Fopen(name.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)
+                         ? H5Fopen(name.c_str(), H5F_ACC_RDONLY, without_locks())
                          : H5I_INVALID_HID;
   if (file < 0) throw std::runtime_error(fmt::format("{}: cannot be opened as an HDF5 file", name));
   return {name, file};
@@ -160,8 +170,8 @@ Hdf5File Hdf5File::open(const std::string& name) {
 
 Hdf5File Hdf5File::create(const std::string& name) {
   be_silent();
-  const hid_t file = H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-  if (file < 0) throw std::runtime_error(fmt::format("{}: cannot be created", name));
+  const hid_t file = H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, without_locks());
+  if (file < 0) throw std::runtime_error(fmt::format("cannot write {}: no such file can be made", name));
   return {name, file};
 }
 

@@ -7,6 +7,20 @@
 
 namespace flyrock {
 
+namespace {
+
+/// Stops a body that is at rest in all but its last digits. Contacts would let its speed decay further, down
+/// to numbers with which arithmetic is slow and inexact, and whose squares are 0.
+template <int D>
+void stop_if_still(Body<D>& body) {
+  constexpr double still = 1e-30;  // m/s
+  if (body.v.squaredNorm() >= still * still || body.spin_speed() * body.size >= still) return;
+  body.v.setZero();
+  body.w = Body<D>::no_spin();
+}
+
+}  // namespace
+
 template <int D>
 void World<D>::save() {
   starts_.clear();
@@ -138,7 +152,9 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (!bodies[i].present || bodies[i].kind == BodyKind::fixed) continue;
     bodies[i].attitude.settle();
-    if (bodies[i].moves()) by_contacts_[i] = (bodies[i].w - free_spins_[i]) / h;
+    if (!bodies[i].moves()) continue;
+    by_contacts_[i] = (bodies[i].w - free_spins_[i]) / h;
+    stop_if_still(bodies[i]);
   }
   quality_.count_step(h, new_touch);
   return keep(h, new_touch);

@@ -7,6 +7,7 @@
 
 #include "host/answer_reader.h"
 #include "host/read_value.h"
+#include "plugin/dimension_error.h"
 
 namespace flyrock {
 
@@ -73,7 +74,7 @@ void refuse_dimension(const LuaCall& call, const Value& answer, const std::vecto
                       int dimension, const std::string& expected) {
   for (const std::string& key : keys)
     if (answer.find(key))
-      throw ParameterError(
+      throw DimensionError(
           fmt::format("plugin {}: {}() returned `{}`, a terrain of dimension {}; dimension {} expects {}",
                       call.plugin().origin, call.plugin().entry, key, dimension, 5 - dimension, expected));
 }

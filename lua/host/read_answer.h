@@ -15,7 +15,7 @@ Value answer_tree(const LuaCall& call, lua_State* lua);
 /// { radius = r [, centre = { x, y, z }] } or { points = { { x, y, z }, ... } } (their hull); two vertices or
 /// points with a radius are a wall or a pill; a list of these, or { contactors = one or a list [, mass = kg]
 /// [, inertia = kg m2 (3D: a tensor in rows)] [, centre]
-/// }. Throws ParameterError for a field of the other dimension. Instantiated for D = 2, 3.
+/// }. Throws DimensionError for a field of the other dimension. Instantiated for D = 2, 3.
 template <int D>
 ShapeAnswer<D> read_shape(const LuaCall& call, const Value& answer);
 
@@ -30,7 +30,7 @@ Profile read_terrain(const LuaCall& call, const Value& answer);
 TerrainShape3 read_terrain_3d(const LuaCall& call, const Value& answer);
 
 /// Refuses an answer with one of `keys`, which belong to a terrain of `dimension`, where the scenario has the
-/// other one. Throws ParameterError, because a terrain may serve one dimension only.
+/// other one. Throws DimensionError, because a terrain may serve one dimension only.
 void refuse_dimension(const LuaCall& call, const Value& answer, const std::vector<std::string>& keys,
                       int dimension, const std::string& expected);
 

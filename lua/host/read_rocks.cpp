@@ -5,6 +5,7 @@
 #include "geometry/hull.h"
 #include "host/answer_reader.h"
 #include "host/read_answer.h"
+#include "plugin/dimension_error.h"
 
 namespace flyrock {
 
@@ -82,7 +83,7 @@ class RockReader : public AnswerReader {
         path, 5 - D, expected, D, 5 - D);
     // A shape without `dimension` in its manifest may serve one dimension: it does not fail its check.
     if (call_.plugin().spec.kind == PluginKind::shape)
-      throw ParameterError(
+      throw DimensionError(
           fmt::format("plugin {}: {}() {}", call_.plugin().origin, call_.plugin().entry, text));
     call_.fail(text);
   }
@@ -169,7 +170,7 @@ class RockReader : public AnswerReader {
     if (const Value* own = rock.find("shape")) return shape(*own, join_path(path, "shape"));
     for (const char* key : {"radius", Names::corners})
       if (const Value* part = rock.find(key))
-        return {{contactor(Value{Map{Entry{key, {}, *part}}, {}, false}, path)}};
+        return {{contactor(Value{Map{Entry{key, Location{}, *part}}, Location{}, false}, path)}};
     return {};
   }
 

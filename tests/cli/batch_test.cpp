@@ -159,7 +159,7 @@ TEST_CASE("Three shards merged are one run") {
   check_same(folder, "whole", "merged");
 
   const Output some = call(folder, "merge " + one + three + "-o some --quiet");
-  CHECK(some.code == 0);
+  CHECK(some.code == 3);
   CHECK(some.err.find("40 of 120 chunks are missing, from trial 1 of point 0 on") != std::string::npos);
   CHECK(call(folder, "merge " + one + two + one + "-o twice")
             .err.find("both hold p0-c0.chunk: a shard given twice") != std::string::npos);

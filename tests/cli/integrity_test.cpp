@@ -152,15 +152,74 @@ TEST_CASE("A merge of shards of which one has lost a chunk is made, says so and 
   CHECK(lost.code == 3);
   CHECK(lost.err ==
         "error: the run ended early: 1 of 4 chunks are missing, from trial 3 of point 0 on\n"
-        "error: s2 lacks 1 of its 2 chunks; run that shard again with --resume\n");
+        "error: s2 lacks 1 of its 2 chunks: flyrock run s.yaml --shard 2/2 --resume -o s2\n");
   CHECK(read(folder.path() / "m/summary.json").find("\"complete\": false") != std::string::npos);
-  // Of one shard alone nothing is lost.
-  const Output some = call(folder, "merge s1 -o some --quiet");
-  CHECK(some.code == 0);
-  CHECK(some.err == "error: the run ended early: 2 of 4 chunks are missing, from trial 1 of point 0 on\n");
+  const Output partial = call(folder, "merge s1 s2 -o partial --quiet --partial");
+  CHECK(partial.code == 0);
+  CHECK(partial.err ==
+        "warning: the result is not complete: 1 of 4 chunks are missing, from trial 3 of point 0 on\n"
+        "warning: s2 lacks 1 of its 2 chunks: flyrock run s.yaml --shard 2/2 --resume -o s2\n");
   fs::rename(folder.path() / "s2/chunks/p0-c1.chunk", folder.path() / "p0-c1.chunk");
   fs::rename(folder.path() / "s1/chunks/p0-c2.chunk", folder.path() / "s2/chunks/p0-c2.chunk");
   const Output moved = call(folder, "merge s1 s2 -o n --quiet");
   CHECK(moved.code == 2);
   CHECK(moved.err.find("s2 holds p0-c2.chunk, which is not a chunk of shard 2 of 2") != std::string::npos);
+}
+
+TEST_CASE("A merge without a shard is exit code 3, and names the shard and the command that runs it") {
+  const Folder folder;
+  folder.write("my bench.yaml", bench);
+  const std::string run =
+      "run 'my bench.yaml' --quiet --seed 5 --set 'materials.rock.friction.mu=0.5' --shard ";
+  for (const std::string shard : {"1", "2", "3"})
+    REQUIRE(call(folder, run + shard + "/3 -o s" + shard).code == 0);
+  const std::string command =
+      "flyrock run 'my bench.yaml' --set materials.rock.friction.mu=0.5 --seed 5 --shard 2/3";
+  const Output some = call(folder, "merge s1 s3 -o some --quiet");
+  CHECK(some.code == 3);
+  CHECK(some.err ==
+        "error: the run ended early: 1 of 4 chunks are missing, from trial 1 of point 0 on\n"
+        "error: shard 2 of 3 is missing: " +
+            command + "\n");
+  CHECK(folder.has("some/report.html"));
+  const Output partial = call(folder, "merge s1 s3 -o partial --quiet --partial");
+  CHECK(partial.code == 0);
+  CHECK(partial.err ==
+        "warning: the result is not complete: 1 of 4 chunks are missing, from trial 1 of point 0 on\n"
+        "warning: shard 2 of 3 is missing: " +
+            command + "\n");
+  // The command does what the message promises.
+  REQUIRE(call(folder, command.substr(8) + " --quiet -o again").code == 0);
+  CHECK(call(folder, "merge s1 again s3 -o all --quiet").code == 0);
+  CHECK(call(folder, "merge s1 s2 s3 -o whole --quiet --partial").code == 0);
+  CHECK(read(folder.path() / "all/SHA256SUMS") == read(folder.path() / "whole/SHA256SUMS"));
+}
+
+TEST_CASE("Shards of different numbers of shards name what they leave") {
+  const Folder folder;
+  folder.write("s.yaml", bench_with("trials: 4", "trials: 12"));
+  for (const std::string shard : {"1/2", "2/6"})
+    REQUIRE(call(folder, "run s.yaml --quiet --shard " + shard + " -o s" + shard.substr(0, 1)).code == 0);
+  const Output some = call(folder, "merge s1 s2 -o some --quiet");
+  CHECK(some.code == 3);
+  CHECK(some.err.find("shard 4 of 6 is missing: flyrock run s.yaml --shard 4/6\n") != std::string::npos);
+  CHECK(some.err.find("shard 6 of 6 is missing: flyrock run s.yaml --shard 6/6\n") != std::string::npos);
+  for (const std::string shard : {"4", "6"})
+    REQUIRE(call(folder, "run s.yaml --quiet --shard " + shard + "/6 -o s" + shard).code == 0);
+  CHECK(call(folder, "merge s1 s2 s4 s6 -o all --quiet").code == 0);
+}
+
+TEST_CASE("More shards than chunks are warned of, and the empty ones are not missed") {
+  const Folder folder;
+  folder.write("s.yaml", bench);
+  const Output last = call(folder, "run s.yaml --quiet --shard 6/6 -o s6");
+  CHECK(last.code == 0);
+  CHECK(last.err == "warning: --shard 6/6: the run has only 4 chunks: this shard has nothing to do\n");
+  const Output first = call(folder, "run s.yaml --quiet --shard 1/6 -o s1");
+  CHECK(first.err ==
+        "warning: --shard 1/6: the run has only 4 chunks: the shards above 4 have nothing to do\n");
+  for (const std::string shard : {"2", "3", "4"})
+    REQUIRE(call(folder, "run s.yaml --quiet --shard " + shard + "/6 -o s" + shard).code == 0);
+  CHECK(call(folder, "merge s1 s2 s3 s4 -o m --quiet").code == 0);
+  CHECK(call(folder, "merge s1 s2 s3 s4 s6 -o n --quiet").code == 0);
 }

@@ -67,10 +67,10 @@ inline Output call(const Folder& folder, const std::string& arguments) {
   return shell(folder, "'" FLYROCK_BINARY "' " + arguments);
 }
 
-/// Runs `flyrock run SCENARIO` with more trials than it can finish, and interrupts it like Ctrl-C when
-/// `until` exists (after 20 s in any case).
-inline Output call_and_interrupt(const Folder& folder, const std::string& scenario,
-                                 const std::string& until) {
+/// Runs `flyrock run SCENARIO` with more trials than it can finish, and interrupts it, like Ctrl-C unless
+/// `signal` is another one, when `until` exists (after 20 s in any case).
+inline Output call_and_interrupt(const Folder& folder, const std::string& scenario, const std::string& until,
+                                 int signal = SIGINT) {
   const fs::path err = folder.path() / ".err";
   const pid_t child = ::fork();
   if (child == 0) {
@@ -80,7 +80,7 @@ inline Output call_and_interrupt(const Folder& folder, const std::string& scenar
   }
   for (int i = 0; i < 400 && !folder.has(until); ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  ::kill(child, SIGINT);
+  ::kill(child, signal);
   int status = 0;
   ::waitpid(child, &status, 0);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, "", read(err)};

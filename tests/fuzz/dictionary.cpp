@@ -102,12 +102,12 @@ Value numbers(const Dictionary& dictionary, Dice& dice, std::size_t count) {
 
 Value map_of(const std::string& key, Value value) {
   Map map;
-  map.push_back({key, {}, std::move(value)});
+  map.push_back({key, Location{}, std::move(value)});
   return leaf(std::move(map));
 }
 
 void put(Value& map, const std::string& key, Value value) {
-  map.map()->push_back({key, {}, std::move(value)});
+  map.map()->push_back({key, Location{}, std::move(value)});
 }
 
 /// With the parameters that its kind takes, in most cases.

@@ -59,7 +59,7 @@ void change_map(Places& places, const Dictionary& dictionary, Dice& dice) {
       map[at].key = dice.one_in(4) ? dice.pick(dictionary.texts) : dice.pick(dictionary.keys);
       break;
     default:
-      map.push_back({dice.pick(dictionary.keys), {}, some_value(dictionary, dice)});
+      map.push_back({dice.pick(dictionary.keys), Location{}, some_value(dictionary, dice)});
       break;
   }
 }
@@ -99,7 +99,7 @@ void wrap(Places& places, const Dictionary& dictionary, Dice& dice) {
   if (dice.one_in(2))
     value.data = List{std::move(inner)};
   else
-    value.data = Map{{dice.pick(dictionary.keys), {}, std::move(inner)}};
+    value.data = Map{{dice.pick(dictionary.keys), Location{}, std::move(inner)}};
 }
 
 std::string lua_text(const std::string& text) {

@@ -236,3 +236,64 @@ TEST_CASE("the work of the battery grows with the number of parameters, not with
   CHECK(made <
         1500);  // 64 choices of optional parameters, 4 samples of each in 2D and in 3D, each made twice
 }
+
+TEST_CASE("a plugin without parameters that cannot be made is at fault") {
+  Plugin plugin = rolling({});
+  plugin.spec.params.clear();
+  plugin.make = FactoryOf<RollingLaw>(
+      [](Params&) -> std::unique_ptr<RollingLaw> { throw PluginError("it remembers its calls"); });
+  const Conformance found = conformance(plugin);
+  CHECK(found.faults == Faults{"it cannot be made: it remembers its calls\n  parameters: none"});
+  CHECK(found.not_called.empty());
+}
+
+TEST_CASE("the battery says what it could not call") {
+  Plugin plugin = friction({{BoundRelation::at_most, "mu_s"}});
+  CHECK(conformance(plugin).not_called.empty());
+
+  // An optional file: everything else is called.
+  ParamSpec table = number("table");
+  table.type = ParamType::file;
+  table.optional = true;
+  plugin.spec.params.push_back(table);
+  plugin.make = FactoryOf<FrictionLaw>([](Params& params) {
+    params.text("table");
+    return std::make_unique<FrictionUnderTest>(params);
+  });
+  CHECK(conformance(plugin).faults.empty());
+  CHECK(conformance(plugin).not_called ==
+        Faults{"it was not called with `table`, for which no value can be made up (type file)"});
+
+  // A required one: nothing is.
+  plugin.spec.params.back().optional = false;
+  CHECK(conformance(plugin).faults.empty());
+  CHECK(conformance(plugin).not_called ==
+        Faults{"it was never called, because no value can be made up for `table` (type file): check a "
+               "scenario that uses it"});
+}
+
+TEST_CASE("the battery names a dimension and a parameter with which every call is refused") {
+  Plugin plugin = friction({{BoundRelation::at_most, "mu_s"}});
+  ParamSpec wet = number("wet");
+  wet.optional = true;
+  plugin.spec.params.push_back(wet);
+  plugin.make = FactoryOf<FrictionLaw>([](Params& params) {
+    if (params.given("wet")) throw PluginError("wet is not written yet");
+    params.slot("wet");
+    return std::make_unique<FrictionUnderTest>(params);
+  });
+  CHECK(conformance(plugin).not_called == Faults{"it refused every call with `wet`"});
+
+  plugin = friction({{BoundRelation::at_most, "mu_s"}});
+  const auto refusing_3d = [](auto refusal) {
+    return FactoryOf<FrictionLaw>([refusal](Params& params) {
+      if (params.dimension() == 3) throw refusal;
+      return std::make_unique<FrictionUnderTest>(params);
+    });
+  };
+  plugin.make = refusing_3d(PluginError("no cross product"));
+  CHECK(conformance(plugin).not_called ==
+        Faults{"it was not called in 3D, because it refused: no cross product"});
+  plugin.make = refusing_3d(DimensionError("it serves 2D"));
+  CHECK(conformance(plugin).not_called.empty());
+}

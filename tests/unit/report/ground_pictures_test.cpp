@@ -21,7 +21,7 @@ std::shared_ptr<const Terrain3> slope_of(int side) {
 /// A rock that went from (20, 20) to (x, 30), counted from the origin of the terrain.
 PointResult rock_on(std::shared_ptr<const Terrain3> ground, double x) {
   PointResult point;
-  point.terrain = {{""}, {}, std::move(ground), {2.6e6, 1.2e6, 100}};
+  point.terrain = {{""}, Profile{}, std::move(ground), {2.6e6, 1.2e6, 100}};
   TrialRecords records;
   records.rocks.resize(1);
   RockRecord& rock = records.rocks.front();

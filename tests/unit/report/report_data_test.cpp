@@ -306,4 +306,16 @@ TEST_CASE("Rounded numbers have four digits and no tail") {
   CHECK(rounded(1e-7 / 3).dump() == "3.333e-08");
   CHECK(rounded(0).dump() == "0");
   CHECK(rounded(std::numeric_limits<double>::quiet_NaN()).is_null());
+  CHECK(rounded(-0.123456789, 6).dump() == "-0.123457");
+  CHECK(rounded(1234567.8, 6).dump() == "1234570.0");
+}
+
+TEST_CASE("The smallest numbers are rounded to 0, the greatest stay finite, at any number of digits") {
+  for (const int digits : {4, 6}) {
+    for (const double tiny : {5e-324, 1e-310, -2.2e-308, 1e-291}) CHECK(rounded(tiny, digits).dump() == "0");
+    for (const double number : {1e-289, 3e-200, -7e-30, 2e200, -1.7976e308}) {
+      INFO(number);
+      CHECK(rounded(number, digits).get<double>() == Approx(number).epsilon(1e-3).margin(0));
+    }
+  }
 }

@@ -1,0 +1,76 @@
+// `flyrock check PLUGIN` calls a plugin sound only if it has called it.
+
+#include <catch2/catch.hpp>
+
+#include "program.h"
+
+using namespace flyrock::test;
+
+namespace check_plugin_test {
+
+namespace {
+
+struct Refused {
+  const char* name;
+  const char* text;   ///< of the plugin
+  const char* error;  ///< in the message
+};
+
+constexpr Refused refused[] = {
+    {"law with a coroutine", R"(local fr = require "flyrock"
+local co = coroutine.create(function() local n = 0 while true do n = n + 0.001 coroutine.yield(n) end end)
+return fr.plugin { kind = "restitution", name = "x", doc = "d", params = {},
+  impact = function(p, c) local _, v = coroutine.resume(co) return v, 0 end })",
+     "restitution/x: it cannot be made: plugin x, x.lua:4: impact() reaches the coroutine `co`"},
+    {"shape with a coroutine", R"(local fr = require "flyrock"
+local sizes = coroutine.wrap(function() while true do coroutine.yield(1) end end)
+return fr.plugin { kind = "shape", name = "x", doc = "d", params = {},
+  build = function(p, rng) return { radius = sizes() } end })",
+     "shape/x: it cannot be made: plugin x, x.lua:4: build() reaches the coroutine `"},
+    {"terrain in 3D with the answer of 2D", R"(local fr = require "flyrock"
+return fr.plugin { kind = "terrain", name = "x", doc = "d", params = {}, dimension = 3,
+  build = function(p, rng) return { points = { { 0, 0 }, { 1, 1 } } } end })",
+     "terrain/x: it cannot be made: plugin x, x.lua:3: build() returned `points`, a terrain of dimension 2"},
+    {"terrain in 2D with the answer of 3D", R"(local fr = require "flyrock"
+return fr.plugin { kind = "terrain", name = "x", doc = "d", params = {}, dimension = 2,
+  build = function(p, rng) return { heights = { { 0, 0 }, { 1, 1 } }, cell = 1 } end })",
+     "terrain/x: it cannot be made: plugin x, x.lua:3: build() returned `heights`, a terrain of dimension 3"},
+};
+
+}  // namespace
+
+TEST_CASE("check refuses a plugin that nobody can call, with the reason that a run gives") {
+  const Folder folder;
+  for (const Refused& plugin : refused) {
+    folder.write("x.lua", plugin.text);
+    const Output check = call(folder, "check x.lua");
+    INFO(plugin.name << "\n" << check.err << check.out);
+    CHECK(check.code == 2);
+    CHECK(check.out.empty());
+    CHECK(check.err.find(plugin.error) != std::string::npos);
+  }
+}
+
+TEST_CASE("check says which calls of a plugin it could not make") {
+  const Folder folder;
+  folder.write("x.lua", R"(local fr = require "flyrock"
+return fr.plugin { kind = "friction", name = "x", doc = "d",
+  params = { table = fr.file { doc = "d" }, mu = fr.number { default = 0.5, min = 0, doc = "d" } },
+  friction = function(p, c) return p.mu end }
+)");
+  const Output check = call(folder, "check x.lua");
+  INFO(check.err << check.out);
+  CHECK(check.code == 0);
+  CHECK(check.out == "x.lua: no fault in what was called\n");
+  CHECK(check.err.find("warning: friction/x: it was never called, because no value can be made up for "
+                       "`table` (type file): check a scenario that uses it\n") != std::string::npos);
+
+  folder.write("y.lua", R"(local fr = require "flyrock"
+return fr.plugin { kind = "friction", name = "y", doc = "d",
+  params = { mu = fr.number { default = 0.5, min = 0, doc = "d" } },
+  friction = function(p, c) return p.mu end }
+)");
+  CHECK(call(folder, "check y.lua").out == "y.lua: a sound plugin\n");
+}
+
+}  // namespace check_plugin_test
