@@ -1,7 +1,9 @@
 #include "units/units.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <map>
 
@@ -50,18 +52,23 @@ const NamedUnit* find_unit(std::string_view name) {
   return nullptr;
 }
 
-double power(double base, int exponent) {
+double power(double base, double exponent) {
+  if (exponent != std::floor(exponent)) return std::pow(base, exponent);
   double result = 1;
   for (int i = 0; i < std::abs(exponent); ++i) result *= base;
   return exponent < 0 ? 1 / result : result;
 }
 
-void multiply(Unit& product, const Unit& unit, int exponent) {
+void multiply(Unit& product, const Unit& unit, double exponent) {
+  constexpr double millionth = 1e6;
+  const auto add = [&](double& sum, double of_unit) {
+    sum = std::round((sum + exponent * of_unit) * millionth) / millionth;
+  };
   product.factor *= power(unit.factor, exponent);
-  product.dimension.metre += exponent * unit.dimension.metre;
-  product.dimension.kilogram += exponent * unit.dimension.kilogram;
-  product.dimension.second += exponent * unit.dimension.second;
-  product.dimension.radian += exponent * unit.dimension.radian;
+  add(product.dimension.metre, unit.dimension.metre);
+  add(product.dimension.kilogram, unit.dimension.kilogram);
+  add(product.dimension.second, unit.dimension.second);
+  add(product.dimension.radian, unit.dimension.radian);
 }
 
 /// Replaces superscripts and the middle dot by their plain spelling.
@@ -74,42 +81,73 @@ std::string plain_spelling(std::string_view text) {
   return plain;
 }
 
-/// Multiplies by one factor: "m3", "s^-2", "ft-lb" or "1". False if its unit is unknown.
+/// The exponent of a factor: "2", "-2", "1.5", "(3/2)"; nothing if it is none.
+std::optional<double> parse_exponent(std::string_view text) {
+  if (text.starts_with('(') && text.ends_with(')')) text = text.substr(1, text.size() - 2);
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  const std::optional<double> above = parse_number(text.substr(0, slash));
+  const std::optional<double> below = slash < text.size() ? parse_number(text.substr(slash + 1)) : 1.0;
+  if (!above || !below || *above == 0 || !(std::abs(*above / *below) <= 9)) return std::nullopt;
+  return *above / *below;
+}
+
+/// Where the exponent of a factor begins: after a `^`, or at the digits of its end with their minus.
+std::size_t begin_of_exponent(std::string_view factor) {
+  if (const std::size_t sign = factor.find('^'); sign != factor.npos) return sign + 1;
+  std::size_t begin = factor.size();
+  while (begin > 0 && (is_digit(factor[begin - 1]) || factor[begin - 1] == '.')) --begin;
+  return begin > 0 && begin < factor.size() && factor[begin - 1] == '-' ? begin - 1 : begin;
+}
+
+/// Where the factor at `at` ends. A dot between digits belongs to an exponent (m^1.5), as do brackets
+/// (m^(3/2)).
+std::size_t end_of_factor(std::string_view text, std::size_t at) {
+  bool in_brackets = false;
+  for (; at < text.size(); ++at) {
+    const char c = text[at];
+    if (c == '(' || c == ')') in_brackets = c == '(';
+    const bool is_point =
+        c == '.' && at > 0 && is_digit(text[at - 1]) && at + 1 < text.size() && is_digit(text[at + 1]);
+    if (!in_brackets && !is_point && (is_blank(c) || c == '*' || c == '.' || c == '/')) break;
+  }
+  return at;
+}
+
+/// Multiplies by one factor: "m3", "s^-2", "m^1.5", "ft-lb" or "1". False if its unit is unknown.
 bool multiply_factor(Unit& product, std::string_view factor, int sign) {
   if (factor == "1") return true;
-  std::size_t end = factor.size();
-  while (end > 0 && is_digit(factor[end - 1])) --end;
-  int exponent = 1;
-  std::string_view name = factor.substr(0, end);
-  if (end < factor.size()) {
-    std::from_chars(factor.data() + end, factor.data() + factor.size(), exponent);
-    if (exponent < 1 || exponent > 9) return false;
-    if (name.ends_with('-')) {
-      exponent = -exponent;
-      name.remove_suffix(1);
-    }
-    if (name.ends_with('^')) name.remove_suffix(1);
-  }
+  const std::size_t begin = begin_of_exponent(factor);
+  std::string_view name = factor.substr(0, begin);
+  const bool has_exponent = begin < factor.size() || name.ends_with('^');
+  const std::optional<double> exponent = has_exponent ? parse_exponent(factor.substr(begin)) : 1.0;
+  if (name.ends_with('^')) name.remove_suffix(1);
   const NamedUnit* unit = find_unit(name);
-  if (!unit) return false;
-  multiply(product, unit->unit, sign * exponent);
+  if (!unit || !exponent) return false;
+  multiply(product, unit->unit, sign * *exponent);
   return true;
+}
+
+/// "2", or "^1.5".
+std::string exponent_text(double exponent) {
+  std::array<char, 40> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), exponent);
+  return (exponent == std::floor(exponent) ? "" : "^") + std::string(digits.data(), end.ptr);
 }
 
 }  // namespace
 
 std::string si_unit(const Dimension& dimension) {
-  const std::array<std::pair<std::string_view, int>, 4> parts{{{"kg", dimension.kilogram},
-                                                               {"m", dimension.metre},
-                                                               {"rad", dimension.radian},
-                                                               {"s", dimension.second}}};
+  const std::array<std::pair<std::string_view, double>, 4> parts{{{"kg", dimension.kilogram},
+                                                                  {"m", dimension.metre},
+                                                                  {"rad", dimension.radian},
+                                                                  {"s", dimension.second}}};
   std::string above, below;
   for (const auto& [name, exponent] : parts) {
     if (exponent == 0) continue;
     std::string& side = exponent > 0 ? above : below;
     if (!side.empty()) side += ' ';
     side += name;
-    if (std::abs(exponent) != 1) side += std::to_string(std::abs(exponent));
+    if (std::abs(exponent) != 1) side += exponent_text(std::abs(exponent));
   }
   const std::string numerator = above.empty() ? std::string("1") : above;
   return below.empty() ? numerator : numerator + "/" + below;
@@ -142,7 +180,7 @@ std::optional<Unit> parse_unit(std::string_view text, std::string* unknown) {
       any = false;
       ++i;
     } else {
-      const std::size_t end = std::min(plain.find_first_of(" *./", i), plain.size());
+      const std::size_t end = end_of_factor(plain, i);
       const std::string_view factor = std::string_view(plain).substr(i, end - i);
       if (!multiply_factor(product, factor, sign)) {
         if (unknown) *unknown = factor;

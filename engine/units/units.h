@@ -12,10 +12,10 @@ namespace flyrock {
 /// Exponents of m, kg, s and rad. An angle has its own dimension here, so that degrees are not mistaken for
 /// radians.
 struct Dimension {
-  int metre = 0;
-  int kilogram = 0;
-  int second = 0;
-  int radian = 0;
+  double metre = 0;
+  double kilogram = 0;
+  double second = 0;
+  double radian = 0;
 
   bool operator==(const Dimension&) const = default;
 };
@@ -49,9 +49,9 @@ struct Unit {
   Dimension dimension;
 };
 
-/// Parses a unit expression: known units with integer exponents, `*`, blank or `.` between factors,
-/// one `/`: "kg/m3", "m/s^2", "g/cm3", "ft-lb". Returns nullopt if a unit is unknown; `unknown` then names
-/// it.
+/// Parses a unit expression: known units with exponents up to 9, `*`, blank or `.` between factors, one `/`:
+/// "kg/m3", "m/s^2", "g/cm3", "ft-lb", "N/m^1.5", "N/m^(3/2)". Returns nullopt if a unit is unknown;
+/// `unknown` then names it.
 std::optional<Unit> parse_unit(std::string_view text, std::string* unknown = nullptr);
 
 /// The names of all known units, for "did you mean".

@@ -1,6 +1,7 @@
 #include "units/units.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 using namespace flyrock;
 
@@ -120,4 +121,26 @@ TEST_CASE("the nearest name") {
   CHECK(nearest_name("explos", names) == "explosive");
   CHECK(nearest_name("sphere", names).empty());
   CHECK(nearest_name("", names).empty());
+}
+
+TEST_CASE("exponents of units may have digits after the point, or be fractions") {
+  CHECK(si("1 N/m^1.5") == 1);
+  CHECK(si("1 N/m1.5") == 1);
+  CHECK(si("1 kN/mm^1.5") == Approx(1e3 / std::pow(1e-3, 1.5)));
+  CHECK(si("2e7 N m^-1.5") == 2e7);
+  CHECK(dimension_of("N/m^1.5") == dimension_of("N/m^(3/2)"));
+  CHECK(dimension_of("N/m^1.5") == dimension_of("kg/m^0.5 s2"));
+  CHECK(dimension_of("N m^(-3/2)") == dimension_of("N/m^1.5"));
+  CHECK(dimension_of("N/m^1.3") == dimension_of("kg m^-0.3/s2"));
+  CHECK(dimension_of("m^0.5 m^0.5") == dimension::length);
+  CHECK(si_unit(dimension_of("N/m^1.5")) == "kg/m^0.5 s2");
+  CHECK(dimension_of(si_unit(dimension_of("N/m^1.5"))) == dimension_of("N/m^1.5"));
+  for (const char* text :
+       {"1 m^", "1 m^1.5.2", "1 m^(3/0)", "1 m^0", "1 m^(3/2", "1 m^10", "1 m^x", "1 1.5m"}) {
+    INFO(text);
+    CHECK_FALSE(parse_quantity(text));
+  }
+  // A dot between letters still multiplies.
+  CHECK(dimension_of("N.m") == dimension::energy);
+  CHECK(dimension_of("kg.m2.s-2") == dimension::energy);
 }
