@@ -142,7 +142,11 @@ void TreeBuilder::OnScalar(const YAML::Mark& mark, const std::string& tag, YAML:
 /// A plain scalar: number, true, false or text. `on`, `off`, `yes` and `no` stay text.
 Value TreeBuilder::resolve(const YAML::Mark& mark, const std::string& text) {
   if (text == "true" || text == "false") return make(text == "true", mark);
-  if (std::optional<double> number = parse_number(text)) return make(*number, mark);
+  if (std::optional<double> number = parse_number(text)) {
+    Value value = make(*number, mark);
+    value.rounded = rounds_to_whole(text);
+    return value;
+  }
   for (const char* special :
        {".nan", ".NaN", ".NAN", ".inf", ".Inf", ".INF", "+.inf", "-.inf", "-.Inf", "-.INF"})
     if (text == special)

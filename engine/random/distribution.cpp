@@ -17,6 +17,7 @@ using Normal = boost::math::normal_distribution<double, Policy>;
 using Beta = boost::math::beta_distribution<double, Policy>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double greatest_whole = 9007199254740992.0;  // 2^53: doubles hold every whole number up to it
 
 /// The two ends of the support of the distribution, before truncation.
 std::pair<double, double> support(const Distribution& f) {
@@ -117,6 +118,7 @@ std::string parameter_fault(const Distribution& f) {
       return f.a > 0 ? "" : "its mean must be above 0";
     case DistributionKind::integer:
       if (f.a != std::floor(f.a) || f.b != std::floor(f.b)) return "its ends must be whole numbers";
+      if (std::max(std::abs(f.a), std::abs(f.b)) > greatest_whole) return "its ends must be at most 2^53";
       return f.a <= f.b ? "" : "its low end must not be above its high end";
     case DistributionKind::discrete:
       break;

@@ -57,7 +57,17 @@ std::string quantity_fault(const Value& value, const QuantityError& error, const
 /// The unit that messages about a parameter use: the declared one, or SI if none is declared.
 std::string unit_of(const ParamSpec& spec) { return spec.unit.empty() ? si_unit(spec.dimension) : spec.unit; }
 
-bool is_whole(double number) { return number == std::floor(number); }
+/// Why a number is not whole; empty if it is.
+std::string whole_fault(const Value& value, double si) {
+  if (si != std::floor(si)) return fmt::format("is {}, must be a whole number", shown(value));
+  return digits_fault(value, si);
+}
+
+/// A number of the document whose last digits are lost (Value::rounded), also in a text.
+bool is_rounded(const Value& value) {
+  const std::string* text = value.text();
+  return text ? parse_quantity(*text).value_or(Quantity{}).rounded : value.rounded;
+}
 
 std::string scope_choices(Scope finest) {
   std::vector<std::string> names;
@@ -180,13 +190,21 @@ Value normalise_number(DecodeContext& context, const Node& node, const ParamSpec
   const std::optional<double> si = quantity_of(context, node, spec.dimension, rules, expected_text(spec));
   if (!si) return {};
   std::string fault = limit_fault(spec, *si, *si);
-  if (spec.type == ParamType::integer && !is_whole(*si)) fault = "must be a whole number";
+  if (!fault.empty()) fault = fmt::format("is {}, {}", shown(*node.value), fault);
+  if (spec.type == ParamType::integer && fault.empty()) fault = whole_fault(*node.value, *si);
   if (!fault.empty()) {
-    node.error(context.diagnostics, fmt::format("is {}, {}", shown(*node.value), fault));
+    node.error(context.diagnostics, fault);
     return {};
   }
   warn_of_unusual(context, node, spec, *si, *si);
   return number_value(*si, spec.dimension);
+}
+
+std::string digits_fault(const Value& value, double si) {
+  if (!is_rounded(value) && std::abs(si) <= greatest_whole) return {};
+  return fmt::format(
+      "has more digits than flyrock keeps, it would be read as {}: expected a whole number of at most {}",
+      shortest(si), shortest(greatest_whole));
 }
 
 double si_of(const Value& normalised) {
@@ -227,6 +245,7 @@ std::string expected_text(const ParamSpec& spec) {
 }
 
 std::string with_unit(double si, const ParamSpec& spec) {
+  if (spec.type == ParamType::integer) return shortest(si);
   if (spec.dimension == dimension::none) return fmt::format("{:.6g}", si);
   const std::string unit = unit_of(spec);
   return fmt::format("{:.6g} {}", si / parse_unit(unit).value_or(Unit{}).factor, unit);

@@ -46,6 +46,34 @@ std::size_t number_length(std::string_view text) {
   return i;
 }
 
+/// The digits of a decimal number without a sign, from the first to the last that is not 0, and the power of
+/// ten of the last one: "1230", "1.23e3" and "01230.0" are {"123", 1}.
+std::pair<std::string, int> significant_digits(std::string_view text) {
+  std::string digits;
+  int power = 0;
+  bool after_point = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '.') {
+      after_point = true;
+    } else if (c == 'e' || c == 'E') {
+      int exponent = 0;
+      const std::size_t first = i + (text[i + 1] == '+' ? 2 : 1);
+      std::from_chars(text.data() + first, text.data() + text.size(), exponent);
+      power += exponent;
+      break;
+    } else {
+      if (c != '0' || !digits.empty()) digits += c;
+      if (after_point) --power;
+    }
+  }
+  while (!digits.empty() && digits.back() == '0') {
+    digits.pop_back();
+    ++power;
+  }
+  return {digits, digits.empty() ? 0 : power};
+}
+
 const NamedUnit* find_unit(std::string_view name) {
   for (const NamedUnit& unit : unit_table())
     if (unit.name == name) return &unit;
@@ -213,6 +241,17 @@ std::optional<double> parse_number(std::string_view text) {
   return value;
 }
 
+bool rounds_to_whole(std::string_view text) {
+  if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
+  const std::optional<double> value = parse_number(text);
+  constexpr std::size_t always_exact = 15;  // a double holds every number of so many digits
+  if (!value || text.size() <= always_exact || *value != std::floor(*value)) return false;
+  std::array<char, 400> whole;
+  const auto end =
+      std::to_chars(whole.data(), whole.data() + whole.size(), *value, std::chars_format::fixed, 0);
+  return significant_digits(text) != significant_digits({whole.data(), end.ptr});
+}
+
 std::optional<Quantity> parse_quantity(std::string_view text, QuantityError* error) {
   text = trimmed(text);
   const std::size_t length = number_length(text);
@@ -223,6 +262,7 @@ std::optional<Quantity> parse_quantity(std::string_view text, QuantityError* err
   }
   Quantity quantity;
   quantity.value = *value;
+  quantity.rounded = rounds_to_whole(text.substr(0, length));
   quantity.unit_text = trimmed(text.substr(length));
   if (quantity.unit_text.empty()) return quantity;
   std::string unknown;

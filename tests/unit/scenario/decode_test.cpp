@@ -1,8 +1,10 @@
 #include "scenario/decode.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <map>
 
+#include "dice.h"
 #include "document/yaml_reader.h"
 #include "unit/test_registry.h"
 
@@ -234,7 +236,7 @@ TEST_CASE("where nothing may vary") {
   CHECK(refuse(head + ground + ball + "title: { sweep: [one, two] }\n") ==
         "title: takes no sweep, only numbers, choices and sections with a `type` are swept\n");
   CHECK(refuse(head + ground + ball +
-               "barriers: [{ name: { sweep: [a, b] }, x: 1, height: 1, capacity: 1 }]\n") ==
+               "barriers: [{ name: { sweep: [a, b] }, x: 1, height: 1, capacity: 1 MJ }]\n") ==
         "barriers.0.name: takes no sweep, only numbers, choices and sections with a `type` are swept\n");
   CHECK(refuse(head + ground + ball + "gravity: { sweep: [[1]] }\n") ==
         "gravity.sweep.0: a sweep lists numbers, choices or sections with a `type`, found a list\n");
@@ -401,4 +403,37 @@ TEST_CASE("measures") {
   CHECK(refuse(with("body.ball.stop_time.x")).find("nothing may follow `stop_time`") != std::string::npos);
   CHECK(refuse(with("body.ball.apex[x].height")).find("`x` is not an index") != std::string::npos);
   CHECK(refuse(with("sover.max_residual")).find("did you mean `solver`?") != std::string::npos);
+}
+
+TEST_CASE("whole numbers keep their digits or are refused, from a file and from the command line") {
+  const auto seed_of = [&](const std::string& seed) {
+    Diagnostics diagnostics;
+    const std::optional<Plan> plan = try_decode(head + ground + ball + "seed: " + seed + "\n", diagnostics);
+    return plan ? std::to_string(plan->points[0].seed) : std::string();
+  };
+  Dice dice;
+  int refused = 0;
+  for (int i = 0; i < 200; ++i) {
+    const auto whole = static_cast<std::uint64_t>(std::exp2(dice(40, 60)));
+    const std::string text = std::to_string(whole);
+    INFO(text);
+    const std::string kept = seed_of(text);
+    CHECK((kept == text || kept.empty()));
+    refused += kept.empty();
+    Overrides overrides;
+    overrides.seed = whole;
+    Diagnostics diagnostics;
+    const auto plan = try_decode(head + ground + ball, diagnostics, overrides);
+    CHECK(plan.has_value() == !kept.empty());
+    if (plan) CHECK(plan->points[0].seed == whole);
+    overrides = {.set = {"seed=" + text}};
+    Diagnostics again;
+    CHECK(try_decode(head + ground + ball, again, overrides).has_value() == !kept.empty());
+  }
+  CHECK((refused > 30 && refused < 170));
+  CHECK(seed_of("9007199254740992") == "9007199254740992");
+  CHECK(seed_of("9007199254740993").empty());
+  CHECK(seed_of("9007199254740992.5").empty());
+  CHECK(seed_of("7.00000000000000000001").empty());
+  CHECK(seed_of("7.0000000000000000000") == "7");
 }
