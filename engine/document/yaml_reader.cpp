@@ -9,6 +9,7 @@
 #include <map>
 #include <sstream>
 
+#include "document/odd_characters.h"
 #include "document/printable.h"
 #include "document/yaml_text.h"
 #include "units/units.h"
@@ -266,8 +267,8 @@ std::optional<Value> read_yaml(const std::string& text, const std::string& name,
   } catch (const YAML::DeepRecursion& exception) {
     found.error(builder.locate(exception.mark), "", "not YAML: nested too deeply");
   } catch (const YAML::Exception& exception) {
-    found.error(builder.locate(exception.mark), "",
-                "not YAML: " + exception.msg + bracket_hint(exception.msg));
+    const Location at = builder.locate(exception.mark);
+    found.error(at, "", "not YAML: " + exception.msg + bracket_hint(exception.msg) + hint_of_line(at));
   }
   for (const Diagnostic& diagnostic : found.all())
     diagnostics.error(diagnostic.at, diagnostic.path, diagnostic.text);
