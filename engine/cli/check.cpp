@@ -16,12 +16,18 @@ namespace flyrock::cli {
 
 namespace {
 
+/// "a sound scenario", or what the reader must look at first: a warning says that something may be wrong.
+std::string verdict(const char* what, std::size_t warnings) {
+  if (warnings == 0) return fmt::format("a sound {}", what);
+  return fmt::format("no error, {} warning{}", warnings, warnings == 1 ? "" : "s");
+}
+
 /// Loads a plugin file or folder and tries its plugins on sampled parameters and states.
 int check_plugin(const std::string& path) {
   LuaSession session(share_folder());
   const std::optional<std::vector<const Plugin*>> plugins = load_plugin_file(session, path);
   if (!plugins) return bad_input;
-  std::size_t faults = 0;
+  std::size_t faults = 0, warnings = 0;
   for (const Plugin* plugin : *plugins) {
     const auto say = [&](const char* grade, const std::string& text) {
       fmt::print(stderr, "{}: {}: {}/{}: {}\n", place_of(plugin->spec), grade, name_of(plugin->spec.kind),
@@ -32,10 +38,13 @@ int check_plugin(const std::string& path) {
       say("error", fault);
       ++faults;
     }
-    if (!whole) say("warning", "its calls take so long that only some of the samples were tried");
+    if (!whole) {
+      say("warning", "its calls take so long that only some of the samples were tried");
+      ++warnings;
+    }
   }
   if (faults > 0) return bad_input;
-  fmt::print("{}: a sound plugin\n", path);
+  fmt::print("{}: {}\n", path, verdict("plugin", warnings));
   return done;
 }
 
@@ -52,7 +61,8 @@ int check_scenario(const std::string& path, const Overrides& overrides, bool str
   const std::uint64_t trials = plan.points.front().trials;
   const std::string each =
       plan.axes.empty() ? "" : fmt::format(" at each of {} sweep points", plan.points.size());
-  fmt::print("{}: a sound scenario, {} trial{}{}\n", path, trials, trials == 1 ? "" : "s", each);
+  fmt::print("{}: {}, {} trial{}{}\n", path, verdict("scenario", loaded->warnings.size()), trials,
+             trials == 1 ? "" : "s", each);
   return done;
 }
 

@@ -147,6 +147,20 @@ return fr.plugin {
   CHECK(idle.err.find("law.lua:5:3: error: restitution/law: ") == 0);  // its function
 }
 
+TEST_CASE("check does not call a scenario sound under a warning") {
+  const Folder folder;
+  folder.write("bench.yaml", bench_with("stop: { time: 60 s }", "stop: { time: 2 h }"));
+  const Output one = call(folder, "check bench.yaml");
+  INFO(one.out << one.err);
+  CHECK(one.code == 0);
+  CHECK(one.err.find("warning: stop.time: 7200 s is unusual") != std::string::npos);
+  CHECK(one.out.find("bench.yaml: no error, 1 warning, 4 trials\n") != std::string::npos);
+  // So for a warning that is found with the first trials.
+  folder.write("fast.yaml", bench_with("speed: { uniform: [5, 15] }", "speed: { uniform: [5, 1500] }"));
+  CHECK(call(folder, "check fast.yaml").out.find("fast.yaml: no error, 2 warnings, 4 trials\n") !=
+        std::string::npos);
+}
+
 TEST_CASE("check warns of a rock with so many vertices that a trial takes long") {
   const Folder folder;
   folder.write("shape.lua", R"(local fr = require "flyrock"
