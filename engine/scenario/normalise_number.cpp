@@ -115,6 +115,30 @@ void warn_of_unusual(DecodeContext& context, const Node& node, const ParamSpec& 
                   unit_hint(*node.value, spec.dimension, *spec.usual)));
 }
 
+/// Replaces an entry of a normalised distribution, or adds it.
+void set_entry(Map& map, std::string_view key, Value value) {
+  for (Entry& entry : map)
+    if (entry.key == key) {
+      entry.value = std::move(value);
+      return;
+    }
+  put(map, key, std::move(value));
+}
+
+/// Cuts off a tail beyond a limit of `spec`, if it is negligible: a lognormal diameter needs no `max`, only
+/// because one tree in 10^30 would be thicker than the limit.
+void cut_tails(Map& map, const ParamSpec& spec) {
+  const Distribution distribution = read_distribution(map_value(map));
+  if (!distribution.is_continuous()) return;
+  const std::optional<double> least = spec.min ? spec.min : spec.above;
+  const std::optional<double> greatest = spec.max ? spec.max : spec.below;
+  if (least && distribution.lowest() < *least && distribution.share_below(*least) < Distribution::negligible)
+    set_entry(map, "min", number_value(*least, spec.dimension));
+  if (greatest && distribution.highest() > *greatest &&
+      1 - distribution.share_below(*greatest) < Distribution::negligible)
+    set_entry(map, "max", number_value(*greatest, spec.dimension));
+}
+
 Value normalise_draw(DecodeContext& context, const Node& node, const ParamSpec& spec,
                      const NumberRules& rules) {
   if (!rules.varies) {
@@ -124,11 +148,11 @@ Value normalise_draw(DecodeContext& context, const Node& node, const ParamSpec& 
   std::optional<Map> map = normalise_distribution(context, node, spec, rules);
   const std::optional<Scope> scope = scope_of(context, node, rules);
   if (!map || !scope) return {};
+  cut_tails(*map, spec);
   put(*map, "per", text_value(std::string(name_of(*scope))));
   Value normalised = map_value(std::move(*map));
   const Distribution distribution = read_distribution(normalised);
-  const bool is_stepped =
-      distribution.kind == DistributionKind::discrete || distribution.kind == DistributionKind::integer;
+  const bool is_stepped = !distribution.is_continuous();
   if (spec.type == ParamType::integer && !is_stepped) {
     node.error(context.diagnostics, "takes whole numbers, expected `integer` or `discrete`");
     return {};
