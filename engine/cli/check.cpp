@@ -52,8 +52,7 @@ int check_scenario(const std::string& path, const Overrides& overrides, bool str
   std::optional<LoadedScenario> loaded = load(path, overrides, strict);
   if (!loaded) return bad_input;
   const Plan& plan = loaded->plan;
-  constexpr std::uint64_t tried = 200;
-  if (!try_runners(*loaded, tried)) return bad_input;
+  if (!try_runners(*loaded, tried_trials)) return bad_input;
   fmt::print("{}", not_used_line(plan.not_used, "`flyrock check --strict` says why"));
   if (const std::string elevations = assumed_elevations(plan); !elevations.empty())
     fmt::print("{}\n", elevations);

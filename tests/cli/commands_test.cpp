@@ -161,6 +161,22 @@ TEST_CASE("check does not call a scenario sound under a warning") {
         std::string::npos);
 }
 
+TEST_CASE("run asks what check asks before it starts") {
+  const Folder folder;
+  // In one trial of a hundred the rock starts in the ground; the first of them is beyond the third trial.
+  std::string scenario =
+      bench_with("position: [0, 12]", "position: [-5, { normal: { mean: 11, sd: 0.35 } }]");
+  scenario.replace(scenario.find("trials: 4"), 9, "trials: 150");
+  folder.write("bench.yaml", scenario);
+  const Output check = call(folder, "check bench.yaml"), run = call(folder, "run bench.yaml -o r --quiet");
+  INFO(check.err << run.err);
+  CHECK(check.code == 2);
+  CHECK(run.code == 2);
+  CHECK(run.err == check.err);
+  CHECK(run.err.find("trial 0") == std::string::npos);
+  CHECK_FALSE(folder.has("r"));
+}
+
 TEST_CASE("check warns of a rock with so many vertices that a trial takes long") {
   const Folder folder;
   folder.write("shape.lua", R"(local fr = require "flyrock"
