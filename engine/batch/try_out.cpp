@@ -277,6 +277,21 @@ void find_forest_faults(const Scenario& scenario, const Trial<3>& trial, TriedOu
 }
 void find_forest_faults(const Scenario&, const Trial<2>&, TriedOut&) {}
 
+/// Finds rocks that leave a face so flat that it may be none. A terrain warns of its own `face_angle`.
+template <int D>
+void find_flat_faces(const Scenario& scenario, const Trial<D>& trial, TriedOut& tried) {
+  if (scenario.terrain.model.plugin && scenario.terrain.model.plugin->spec.find("face_angle") >= 0) return;
+  for (const TrialRock& rock : trial.rocks) {
+    const double angle = rock.face_angle * 180 / pi;
+    if (rock.world < 0 || rock.face_angle == 0 || angle >= usual::face_angle) continue;
+    add(tried.warnings, fmt::format("rocks.{}.release", rock.group),
+        fmt::format(
+            "the face that a rock leaves has a slope of {:.3g} deg, which is unusual, expected {:g} deg to "
+            "90 deg",
+            angle, usual::face_angle));
+  }
+}
+
 /// About how much memory a ground takes.
 std::size_t ground_bytes(const Terrain2& terrain) {
   constexpr std::size_t of_a_segment = 100;
@@ -304,6 +319,7 @@ void try_trials(const Scenario& scenario, TrialBuilder<D>& builder, const TryLim
       find_fine_outlines(scenario, trial, tried);
       find_overlapping_parts(scenario, trial, tried);
       find_loose_rooms(scenario, trial, tried);
+      find_flat_faces(scenario, trial, tried);
       find_lost_places(scenario, trial, tried);
       if (number == 0) find_forest_faults(scenario, trial, tried);
       if (scenario.bodies.empty()) find_map_cells(scenario, trial, tried);

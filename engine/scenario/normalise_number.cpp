@@ -90,7 +90,7 @@ std::optional<Scope> scope_of(DecodeContext& context, const Node& node, const Nu
 
 /// "; did you mean `2.7 g/cm3`?" for a bare number that would be usual in another unit than SI.
 std::string unit_hint(const Value& value, const Dimension& dimension, const UsualRange& usual) {
-  static const std::vector<std::string> candidates{"g/cm3", "mm", "cm", "in", "ft", "km/s", "km/h"};
+  static const std::vector<std::string> candidates{"g/cm3", "mm", "cm", "in", "ft", "km/s", "km/h", "kJ"};
   const double* number = value.number();
   if (!number) return {};
   for (const std::string& name : candidates) {

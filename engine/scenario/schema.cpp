@@ -163,8 +163,10 @@ std::vector<ParamSpec> lines(const std::string& what) {
 }
 
 std::vector<ParamSpec> barrier_keys() {
-  return {above(number("height", "m", "from its foot to its top"), 0),
-          above(number("capacity", "J", "energy that it takes: the maximum energy level"), 0),
+  return {above(usually(number("height", "m", "from its foot to its top"), usual::barrier_height), 0),
+          above(usually(number("capacity", "J", "energy that it takes: the maximum energy level"),
+                        usual::barrier_capacity),
+                0),
           or_else(below(at_least(number("inclination", "rad", "from the vertical"), 0), pi / 2), 0.0),
           or_else(at_least(number("freeboard", "m", "that must stay free above a rock"), 0), 0.0),
           or_else(choice("level", {"mel", "sel"}, "maximum or service energy level: sel holds capacity/3"),
