@@ -1,5 +1,7 @@
 #include "batch/runners.h"
 
+#include <algorithm>
+
 #include "batch/try_out.h"
 #include "document/node.h"
 
@@ -13,8 +15,12 @@ Runners make_runners(const Plan& plan) {
 
 Runners try_runners(LoadedScenario& scenario, std::uint64_t trials, Diagnostics& diagnostics) {
   const auto place = [&](const std::string& path) { return node_at(scenario.root, path).key_at; };
+  // Of a large sweep each point is tried with fewer rocks, so that this never takes longer than some seconds.
+  constexpr std::size_t most_rocks = 2000, most_of_all_points = 40'000;
+  const TryLimits limits{.trials = trials,
+                         .rocks = std::min(most_rocks, most_of_all_points / scenario.plan.points.size())};
   for (const Scenario& point : scenario.plan.points) {
-    const TriedOut tried = try_out(point, trials);
+    const TriedOut tried = try_out(point, limits);
     for (const ScenarioError& error : tried.errors)
       diagnostics.error(place(error.path), error.path, error.what());
     for (const ScenarioError& warning : tried.warnings)

@@ -22,7 +22,6 @@ namespace flyrock {
 namespace {
 
 constexpr std::uint64_t samples = 3;
-constexpr std::size_t most_rocks = 2000;
 
 /// Keeps only the first message of each key.
 void add(std::vector<ScenarioError>& list, const std::string& path, const std::string& text) {
@@ -278,20 +277,49 @@ void find_forest_faults(const Scenario& scenario, const Trial<3>& trial, TriedOu
 }
 void find_forest_faults(const Scenario&, const Trial<2>&, TriedOut&) {}
 
+/// Finds rocks that leave a face so flat that it may be none. A terrain warns of its own `face_angle`.
+template <int D>
+void find_flat_faces(const Scenario& scenario, const Trial<D>& trial, TriedOut& tried) {
+  if (scenario.terrain.model.plugin && scenario.terrain.model.plugin->spec.find("face_angle") >= 0) return;
+  for (const TrialRock& rock : trial.rocks) {
+    const double angle = rock.face_angle * 180 / pi;
+    if (rock.world < 0 || rock.face_angle == 0 || angle >= usual::face_angle) continue;
+    add(tried.warnings, fmt::format("rocks.{}.release", rock.group),
+        fmt::format(
+            "the face that a rock leaves has a slope of {:.3g} deg, which is unusual, expected {:g} deg to "
+            "90 deg",
+            angle, usual::face_angle));
+  }
+}
+
+/// About how much memory a ground takes.
+std::size_t ground_bytes(const Terrain2& terrain) {
+  constexpr std::size_t of_a_segment = 100;
+  return terrain.profile().points.size() * of_a_segment;
+}
+std::size_t ground_bytes(const Terrain3& terrain) { return terrain.bytes(); }
+
 /// Tries shapes, populations, launches, starts and the terrain by making trials.
 template <int D>
-void try_trials(const Scenario& scenario, TrialBuilder<D>& builder, std::uint64_t trials, TriedOut& tried) {
-  std::size_t rocks = 0;
-  for (std::uint64_t number = 0; number < std::min(trials, scenario.trials) && rocks < most_rocks; ++number)
+void try_trials(const Scenario& scenario, TrialBuilder<D>& builder, const TryLimits& limits,
+                TriedOut& tried) {
+  std::size_t rocks = 0, ground = 0;
+  std::shared_ptr<const typename Geometry<D>::Terrain> before;
+  for (std::uint64_t number = 0;
+       number < std::min(limits.trials, scenario.trials) && rocks < limits.rocks && ground < limits.ground;
+       ++number)
     try {
       const Trial<D> trial = builder.build(number);
       rocks += trial.rocks.size();
+      if (before && before != trial.terrain) ground += ground_bytes(*trial.terrain);
+      before = trial.terrain;
       find_hard_contacts(scenario, builder.instances(), trial, tried);
       find_free_rollers(scenario, trial, tried);
       find_passing_bodies(scenario, trial, tried);
       find_fine_outlines(scenario, trial, tried);
       find_overlapping_parts(scenario, trial, tried);
       find_loose_rooms(scenario, trial, tried);
+      find_flat_faces(scenario, trial, tried);
       find_lost_places(scenario, trial, tried);
       if (number == 0) find_forest_faults(scenario, trial, tried);
       if (scenario.bodies.empty()) find_map_cells(scenario, trial, tried);
@@ -310,12 +338,12 @@ void try_trials(const Scenario& scenario, TrialBuilder<D>& builder, std::uint64_
 }
 
 template <int D>
-TriedOut try_out_in(const Scenario& scenario, std::uint64_t trials) {
+TriedOut try_out_in(const Scenario& scenario, const TryLimits& limits) {
   TriedOut tried;
   try {
     TrialBuilder<D> builder(scenario);
     try_laws(scenario, builder.instances(), tried);
-    try_trials(scenario, builder, trials, tried);
+    try_trials(scenario, builder, limits, tried);
   } catch (const ScenarioError& error) {
     add(tried.errors, error.path, error.what());
   }
@@ -324,8 +352,8 @@ TriedOut try_out_in(const Scenario& scenario, std::uint64_t trials) {
 
 }  // namespace
 
-TriedOut try_out(const Scenario& scenario, std::uint64_t trials) {
-  return scenario.dimension == 2 ? try_out_in<2>(scenario, trials) : try_out_in<3>(scenario, trials);
+TriedOut try_out(const Scenario& scenario, const TryLimits& limits) {
+  return scenario.dimension == 2 ? try_out_in<2>(scenario, limits) : try_out_in<3>(scenario, limits);
 }
 
 }  // namespace flyrock

@@ -15,8 +15,15 @@ struct TriedOut {
   std::vector<ScenarioError> warnings;
 };
 
-/// Calls each law of a point of a plan on three sampled states. Makes (but does not run) up to `trials`
-/// trials: at least one, and none after 2000 rocks.
-TriedOut try_out(const Scenario& scenario, std::uint64_t trials);
+/// How much of a point is tried, counted and not timed: `check` and `run` on every machine ask the same.
+struct TryLimits {
+  std::uint64_t trials = 200;
+  std::size_t rocks = 2000;
+  std::size_t ground = 100'000'000;  ///< bytes of grounds that are another one in each trial
+};
+
+/// Calls each law of a point of a plan on three sampled states. Makes (but does not run) trials: at least
+/// one, and no further one once a limit is reached.
+TriedOut try_out(const Scenario& scenario, const TryLimits& limits);
 
 }  // namespace flyrock

@@ -17,6 +17,12 @@ namespace flyrock::cli {
 
 namespace {
 
+/// "a sound scenario", or what the reader must look at first: a warning says that something may be wrong.
+std::string verdict(std::size_t warnings) {
+  if (warnings == 0) return "a sound scenario";
+  return fmt::format("no error, {} warning{}", warnings, warnings == 1 ? "" : "s");
+}
+
 /// Loads a plugin file or folder and tries its plugins on sampled parameters and states.
 int check_plugin(const std::string& path, const std::vector<std::string>& arguments) {
   LuaSession session(share_folder());
@@ -48,8 +54,7 @@ int check_scenario(const std::string& path, const Overrides& overrides, bool str
   std::optional<LoadedScenario> loaded = load(path, overrides, strict);
   if (!loaded) return bad_input;
   const Plan& plan = loaded->plan;
-  constexpr std::uint64_t tried = 200;
-  if (!try_runners(*loaded, tried)) return bad_input;
+  if (!try_runners(*loaded, tried_trials)) return bad_input;
   fmt::print("{}", not_used_line(plan.not_used, "`flyrock check --strict` says why"));
   if (const std::string elevations = assumed_elevations(plan); !elevations.empty())
     fmt::print("{}\n", elevations);
@@ -57,7 +62,8 @@ int check_scenario(const std::string& path, const Overrides& overrides, bool str
   const std::uint64_t trials = plan.points.front().trials;
   const std::string each =
       plan.axes.empty() ? "" : fmt::format(" at each of {} sweep points", plan.points.size());
-  fmt::print("{}: a sound scenario, {} trial{}{}\n", path, trials, trials == 1 ? "" : "s", each);
+  fmt::print("{}: {}, {} trial{}{}\n", path, verdict(loaded->warnings.size()), trials,
+             trials == 1 ? "" : "s", each);
   return done;
 }
 

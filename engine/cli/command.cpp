@@ -58,6 +58,8 @@ std::uint64_t whole_number(const std::string& text, const std::string& what, std
   std::uint64_t number = 0;
   const char* end = text.data() + text.size();
   const auto read = std::from_chars(text.data(), end, number);
+  if (read.ec == std::errc::result_out_of_range && read.ptr == end)
+    throw UsageError(fmt::format("{}: `{}` is too large", what, text));
   if (read.ec != std::errc{} || read.ptr != end || number < least)
     throw UsageError(fmt::format("{}: `{}` is not a whole number of at least {}", what, text, least));
   return number;

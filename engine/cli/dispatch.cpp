@@ -12,6 +12,7 @@
 
 #include "batch/safe_file.h"
 #include "cli/terminal.h"
+#include "document/odd_characters.h"
 #include "document/printable.h"
 #include "document/wording.h"
 #include "solver/hdf5_file.h"
@@ -62,8 +63,12 @@ void print_help() {
       "2 bad input (nothing was run), 3 faults while running, 130 interrupted.\n");
 }
 
-/// In one line. The text may contain user input with line feeds and bytes that are not UTF-8.
-void print_error(const std::string& text) { tell("error: {}\n", printable(text, 2000)); }
+/// In one line. The text may contain user input with line feeds, odd characters and bytes that are not UTF-8.
+void print_error(const std::string& text) {
+  const std::string hint = odd_character_hint(text);
+  tell("error: {}{}\n", with_codes(printable(text, 2000)),
+             hint.empty() ? hint : fmt::format(" ({})", hint));
+}
 
 int usage_error(const std::string& text, const std::string& help) {
   print_error(text);

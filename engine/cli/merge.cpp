@@ -222,7 +222,7 @@ int merge(const Command& command, const Arguments& arguments) {
 
   ResultFolder folder(line.text("output"), *loaded,
                       line.has("force") ? Existing::replaced : Existing::refused);
-  std::optional<Runners> runners = try_runners(*loaded, tried_before_a_run);
+  std::optional<Runners> runners = try_runners(*loaded, tried_trials);
   if (!runners) return bad_input;
   folder.open(*loaded, request);
   const RunFacts facts{.trials = trials_of(found, plan.points.size()),

@@ -140,7 +140,7 @@ std::string full_text(const PluginSpec& spec) {
   for (const ParamSpec& param : spec.params) {
     text += fmt::format(
         "\n  {}: {}{}, {}\n", param.name, name_of(param.type),
-        param.unit.empty() ? "" : fmt::format(" [{}]", param.unit),
+        param.unit.empty() ? "" : fmt::format(" [{}]", param.unit_text()),
         param.required() || param.optional ? default_text(param) : "default " + default_text(param));
     text += wrapped(param.doc, "    ");
     if (const std::string allowed = allowed_text(param); !allowed.empty())
@@ -162,9 +162,9 @@ std::string markdown(const PluginSpec& spec) {
   if (spec.params.empty()) return text + "\nNo parameters.\n";
   text += "\n| parameter | type | unit | default | allowed | |\n|---|---|---|---|---|---|\n";
   for (const ParamSpec& param : spec.params)
-    text +=
-        fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", param.name, name_of(param.type), cell(param.unit),
-                    cell(default_text(param)), cell(allowed_text(param)), cell(param.doc));
+    text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", param.name, name_of(param.type),
+                        cell(param.unit_text()), cell(default_text(param)), cell(allowed_text(param)),
+                        cell(param.doc));
   return text;
 }
 
@@ -172,7 +172,7 @@ Json json_of(const PluginSpec& spec) {
   Json params = Json::array();
   for (const ParamSpec& param : spec.params) {
     Json entry = {{"name", param.name},           {"type", name_of(param.type)},
-                  {"unit", param.unit},           {"default", default_json(param)},
+                  {"unit", param.unit_text()},    {"default", default_json(param)},
                   {"required", param.required()}, {"doc", param.doc}};
     if (param.min) entry["min"] = *param.min;
     if (param.max) entry["max"] = *param.max;

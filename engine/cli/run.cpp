@@ -242,7 +242,7 @@ int run(const Command& command, const Arguments& arguments) {
     if (!job.quiet) fmt::print("nothing to do, all trials are done\nreport: {}\n", folder.report().string());
     return *code;
   }
-  std::optional<Runners> runners = try_runners(*loaded, tried_before_a_run);
+  std::optional<Runners> runners = try_runners(*loaded, tried_trials);
   if (!runners || !prepare(*runners, *loaded, folder.hard_problems())) return bad_input;
   folder.open(*loaded, job.request);
   try {

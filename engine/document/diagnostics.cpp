@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "document/odd_characters.h"
 #include "document/printable.h"
 
 namespace flyrock {
@@ -17,7 +18,7 @@ std::string source_name(const Diagnostic& diagnostic) {
 
 /// "file:line:column: ", or the known part of it.
 std::string place(const Diagnostic& diagnostic) {
-  const std::string name = printable(source_name(diagnostic));
+  const std::string name = with_codes(printable(source_name(diagnostic)));
   if (name.empty()) return {};
   if (diagnostic.at.line == 0) return name + ": ";
   return fmt::format("{}:{}:{}: ", name, diagnostic.at.line, diagnostic.at.column);
@@ -75,8 +76,10 @@ void Diagnostics::be_strict() {
 }
 
 void Diagnostics::add(Diagnostic diagnostic) {
-  diagnostic.path = printable(diagnostic.path);
-  diagnostic.text = printable(diagnostic.text);
+  const std::string hint = odd_character_hint(diagnostic.path + diagnostic.text);
+  diagnostic.path = with_codes(printable(diagnostic.path));
+  diagnostic.text = with_codes(printable(diagnostic.text));
+  if (diagnostic.severity == Severity::error && !hint.empty()) diagnostic.text += fmt::format(" ({})", hint);
   if (known_.insert(headline(diagnostic)).second) all_.push_back(std::move(diagnostic));
 }
 

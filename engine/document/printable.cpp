@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "document/odd_characters.h"
+
 namespace flyrock {
 
 namespace {
@@ -46,7 +48,9 @@ std::string printable(std::string_view text, std::size_t longest) {
     if (shown.size() >= longest) return shown + "...";
     const std::size_t length = character(text);
     const std::string_view one = text.substr(0, std::max<std::size_t>(length, 1));
-    if (length > 0 && !is_control(one))
+    if (const std::string code = length > 1 ? code_of_turning(one) : std::string(); !code.empty())
+      shown += code;
+    else if (length > 0 && !is_control(one))
       shown += one;
     else if (one == "\n")
       shown += "\\n";

@@ -12,7 +12,8 @@ namespace flyrock {
 std::string text_fault(std::string_view text);
 
 /// `text` in one line. Control characters (except tabs) and bytes that are not UTF-8 become \x1B and the
-/// like, a line feed becomes \n. Text longer than about `longest` bytes is cut and ends with "...".
+/// like, a line feed becomes \n, and marks that turn the direction of text become <U+202E> and the like. Text
+/// longer than about `longest` bytes is cut and ends with "...".
 std::string printable(std::string_view text, std::size_t longest = 500);
 
 }  // namespace flyrock

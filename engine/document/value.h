@@ -35,6 +35,7 @@ struct Value {
   std::variant<std::monostate, bool, double, std::string, List, Map> data;
   Location at;
   bool leading_zero = false;  ///< text such as 010, which YAML 1.1 would read as 8
+  bool rounded = false;       ///< written as a number that is not this whole number (rounds_to_whole)
   bool assumed = false;       ///< a default, which the document does not give
 
   bool is_null() const { return std::holds_alternative<std::monostate>(data); }

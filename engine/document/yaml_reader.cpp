@@ -9,6 +9,7 @@
 #include <map>
 #include <sstream>
 
+#include "document/odd_characters.h"
 #include "document/printable.h"
 #include "document/yaml_text.h"
 #include "units/units.h"
@@ -142,7 +143,11 @@ void TreeBuilder::OnScalar(const YAML::Mark& mark, const std::string& tag, YAML:
 /// A plain scalar: number, true, false or text. `on`, `off`, `yes` and `no` stay text.
 Value TreeBuilder::resolve(const YAML::Mark& mark, const std::string& text) {
   if (text == "true" || text == "false") return make(text == "true", mark);
-  if (std::optional<double> number = parse_number(text)) return make(*number, mark);
+  if (std::optional<double> number = parse_number(text)) {
+    Value value = make(*number, mark);
+    value.rounded = rounds_to_whole(text);
+    return value;
+  }
   for (const char* special :
        {".nan", ".NaN", ".NAN", ".inf", ".Inf", ".INF", "+.inf", "-.inf", "-.Inf", "-.INF"})
     if (text == special)
@@ -262,8 +267,8 @@ std::optional<Value> read_yaml(const std::string& text, const std::string& name,
   } catch (const YAML::DeepRecursion& exception) {
     found.error(builder.locate(exception.mark), "", "not YAML: nested too deeply");
   } catch (const YAML::Exception& exception) {
-    found.error(builder.locate(exception.mark), "",
-                "not YAML: " + exception.msg + bracket_hint(exception.msg));
+    const Location at = builder.locate(exception.mark);
+    found.error(at, "", "not YAML: " + exception.msg + bracket_hint(exception.msg) + hint_of_line(at));
   }
   for (const Diagnostic& diagnostic : found.all())
     diagnostics.error(diagnostic.at, diagnostic.path, diagnostic.text);

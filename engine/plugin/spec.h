@@ -55,6 +55,9 @@ struct ParamSpec {
   std::string name;
   ParamType type = ParamType::number;
   std::string unit;  ///< as declared, "m/s"; empty for a pure number
+  /// The parameter to which the last factor of the unit is raised: "exponent" of N/m^exponent, whose `unit`
+  /// and `dimension` are those of N/m.
+  std::string unit_exponent;
   Dimension dimension;
   std::string doc;
   bool optional = false;                    ///< may be left out even without a default
@@ -72,6 +75,8 @@ struct ParamSpec {
   std::string_view group() const;
   /// "width" of "ditch.width".
   std::string_view own_name() const;
+  /// "m/s", "N/m^exponent".
+  std::string unit_text() const { return unit_exponent.empty() ? unit : unit + "^" + unit_exponent; }
 };
 
 /// Maximum number of names in the history of one law. A contact reserves this space for each of its four

@@ -17,6 +17,7 @@ using Normal = boost::math::normal_distribution<double, Policy>;
 using Beta = boost::math::beta_distribution<double, Policy>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double greatest_whole = 9007199254740992.0;  // 2^53: doubles hold every whole number up to it
 
 /// The two ends of the support of the distribution, before truncation.
 std::pair<double, double> support(const Distribution& f) {
@@ -117,6 +118,7 @@ std::string parameter_fault(const Distribution& f) {
       return f.a > 0 ? "" : "its mean must be above 0";
     case DistributionKind::integer:
       if (f.a != std::floor(f.a) || f.b != std::floor(f.b)) return "its ends must be whole numbers";
+      if (std::max(std::abs(f.a), std::abs(f.b)) > greatest_whole) return "its ends must be at most 2^53";
       return f.a <= f.b ? "" : "its low end must not be above its high end";
     case DistributionKind::discrete:
       break;
@@ -182,9 +184,8 @@ std::string Distribution::fault() const {
   if (std::string fault = parameter_fault(*this); !fault.empty()) return fault;
   if (!(min < max)) return "its min must be below its max";
   if (!(lowest() <= highest())) return "nothing of it lies between its min and its max";
-  const bool is_continuous = kind != DistributionKind::discrete && kind != DistributionKind::integer;
   // Below this share, the difference of two cumulative values loses all its digits.
-  if (is_continuous && cumulative(max) - cumulative(min) < 1e-9)
+  if (is_continuous() && cumulative(max) - cumulative(min) < 1e-9)
     return "less than 1e-9 of it lies between its min and its max";
   return {};
 }
@@ -197,6 +198,19 @@ double Distribution::lowest() const {
 double Distribution::highest() const {
   const double high = std::min(support(*this).second, max);
   return kind == DistributionKind::integer ? std::floor(high) : high;
+}
+
+double Distribution::likely_lowest() const {
+  return std::isfinite(lowest()) ? lowest() : quantile(negligible);
+}
+
+double Distribution::likely_highest() const {
+  return std::isfinite(highest()) ? highest() : quantile(1 - negligible);
+}
+
+double Distribution::share_below(double x) const {
+  const double from = cumulative(min), to = cumulative(max);
+  return std::clamp((cumulative(x) - from) / (to - from), 0.0, 1.0);
 }
 
 std::string_view name_of(DistributionKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }

@@ -42,6 +42,17 @@ struct Distribution {
   /// The smallest and the greatest value that can be drawn; may be infinite.
   double lowest() const;
   double highest() const;
+  /// The same. Where it has no end, the value beyond which a tail weighs only `negligible`.
+  double likely_lowest() const;
+  double likely_highest() const;
+  /// The share of what is drawn that lies below x. Not defined for `discrete`.
+  double share_below(double x) const;
+
+  bool is_continuous() const {
+    return kind != DistributionKind::discrete && kind != DistributionKind::integer;
+  }
+  /// A tail of this weight is never asked for a bound: a run of 10^9 trials draws about one value from it.
+  static constexpr double negligible = 1e-9;
 };
 
 std::string_view name_of(DistributionKind kind);
@@ -67,6 +78,8 @@ struct Draw {
   double quantile(double u) const { return factor * distribution.quantile(u); }
   double lowest() const { return factor * distribution.lowest(); }
   double highest() const { return factor * distribution.highest(); }
+  double likely_lowest() const { return factor * distribution.likely_lowest(); }
+  double likely_highest() const { return factor * distribution.likely_highest(); }
   /// The value at `key`. Only the parts of the key that `scope` depends on are used.
   double value(std::uint64_t seed, const DrawKey& key) const;
 };

@@ -53,6 +53,7 @@ void decode_explosive(DecodeContext& context, const Node& node, BlastPlan& plan)
   if (plan.gurney_follows) plan.fields[BlastField::gurney_constant] = third_of(context, velocity->second);
 }
 
+/// The values that a field takes in a run, where they have no end without the negligible tail.
 struct Span {
   double low = 0, high = 0;
 };
@@ -60,7 +61,7 @@ struct Span {
 Span range_of(const DecodeContext& context, const Number& number) {
   if (number.is_constant()) return {number.constant, number.constant};
   const Draw& draw = context.draws[number.draw];
-  return {draw.lowest(), draw.highest()};
+  return {draw.likely_lowest(), draw.likely_highest()};
 }
 
 Span field_range(const DecodeContext& context, const BlastPlan& plan, BlastField field) {

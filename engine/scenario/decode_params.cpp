@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "scenario/decode_shapes.h"
-#include "scenario/normalise_number.h"
+#include "scenario/normalise_params.h"
 #include "scenario/param_bounds.h"
 
 namespace flyrock {
@@ -102,7 +102,9 @@ std::vector<ParamValue> decode_params(DecodeContext& context, const Node& map,
     const ParamSpec& spec = specs[i];
     const std::optional<Node> parent = spec.group().empty() ? map : map.find(spec.group());
     const std::optional<Node> node = parent ? parent->find(spec.own_name()) : std::nullopt;
-    if (node) values[i] = decode_param(context, *node, spec);
+    if (node)
+      values[i] =
+          decode_param(context, *node, spec.unit_exponent.empty() ? spec : with_exponent(spec, specs, map));
     decoded[i] = !values[i].numbers.empty();
     if (node && is_number_type(spec.type) && values[i].numbers.empty()) values[i].numbers = {Number{}};
   }

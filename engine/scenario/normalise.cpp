@@ -105,10 +105,18 @@ class Normaliser {
     const std::optional<Node> over_time = node ? node->find("series") : std::nullopt;
     if (output.map() && over_time) put(*output.map(), *over_time, series(*over_time));
     const std::optional<Node> maps = node ? node->find("maps") : std::nullopt;
-    if (output.map() && maps)
-      put(*output.map(), *maps,
-          maps->value->boolean() ? *maps->value : normalise_section(context_, *maps, "output.maps", {}));
+    if (output.map() && maps) put(*output.map(), *maps, map_settings(*maps));
     return output;
+  }
+
+  /// `true`, `false`, or a section.
+  Value map_settings(const Node& node) {
+    if (node.value->boolean()) return *node.value;
+    const std::string* word = node.value->text();
+    if (!word) return normalise_section(context_, node, "output.maps", {});
+    node.error(diagnostics_, fmt::format("expected `true`, `false` or a map, found {}{}", shown(*node.value),
+                                         did_you_mean(*word, {"true", "false"})));
+    return {};
   }
 
   Value series(const Node& node) {

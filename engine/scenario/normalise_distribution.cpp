@@ -70,6 +70,7 @@ class DistributionNormaliser {
   DecodeContext& context_;
   const ParamSpec& spec_;
   const NumberRules& rules_;
+  bool is_whole_ = false;  ///< what is drawn is a whole number
   bool good_ = true;
 };
 
@@ -98,6 +99,8 @@ Value DistributionNormaliser::number(const Node& node, bool has_dimension) {
   plain.dimension = has_dimension ? spec_.dimension : dimension::none;
   const auto si = quantity_of(context_, node, plain.dimension, rules_, expected_text(plain));
   good_ = good_ && si;
+  if (si && is_whole_)
+    if (const std::string fault = digits_fault(*node.value, *si); !fault.empty()) error(node, fault);
   return number_value(si.value_or(0), plain.dimension);
 }
 
@@ -173,6 +176,7 @@ std::optional<Map> DistributionNormaliser::normalise(const Node& node) {
   if (!chosen) return std::nullopt;
   const auto& [form, child] = *chosen;
   const bool is_discrete = form->kind == DistributionKind::discrete;
+  is_whole_ = form->kind == DistributionKind::integer || spec_.type == ParamType::integer;
   Map result;
   put(result, name_of(form->kind),
       is_discrete     ? discrete(child)

@@ -57,7 +57,17 @@ std::string quantity_fault(const Value& value, const QuantityError& error, const
 /// The unit that messages about a parameter use: the declared one, or SI if none is declared.
 std::string unit_of(const ParamSpec& spec) { return spec.unit.empty() ? si_unit(spec.dimension) : spec.unit; }
 
-bool is_whole(double number) { return number == std::floor(number); }
+/// Why a number is not whole; empty if it is.
+std::string whole_fault(const Value& value, double si) {
+  if (si != std::floor(si)) return fmt::format("is {}, must be a whole number", shown(value));
+  return digits_fault(value, si);
+}
+
+/// A number of the document whose last digits are lost (Value::rounded), also in a text.
+bool is_rounded(const Value& value) {
+  const std::string* text = value.text();
+  return text ? parse_quantity(*text).value_or(Quantity{}).rounded : value.rounded;
+}
 
 std::string scope_choices(Scope finest) {
   std::vector<std::string> names;
@@ -80,7 +90,7 @@ std::optional<Scope> scope_of(DecodeContext& context, const Node& node, const Nu
 
 /// "; did you mean `2.7 g/cm3`?" for a bare number that would be usual in another unit than SI.
 std::string unit_hint(const Value& value, const Dimension& dimension, const UsualRange& usual) {
-  static const std::vector<std::string> candidates{"g/cm3", "mm", "cm", "in", "ft", "km/s", "km/h"};
+  static const std::vector<std::string> candidates{"g/cm3", "mm", "cm", "in", "ft", "km/s", "km/h", "kJ"};
   const double* number = value.number();
   if (!number) return {};
   for (const std::string& name : candidates) {
@@ -105,6 +115,30 @@ void warn_of_unusual(DecodeContext& context, const Node& node, const ParamSpec& 
                   unit_hint(*node.value, spec.dimension, *spec.usual)));
 }
 
+/// Replaces an entry of a normalised distribution, or adds it.
+void set_entry(Map& map, std::string_view key, Value value) {
+  for (Entry& entry : map)
+    if (entry.key == key) {
+      entry.value = std::move(value);
+      return;
+    }
+  put(map, key, std::move(value));
+}
+
+/// Cuts off a tail beyond a limit of `spec`, if it is negligible: a lognormal diameter needs no `max`, only
+/// because one tree in 10^30 would be thicker than the limit.
+void cut_tails(Map& map, const ParamSpec& spec) {
+  const Distribution distribution = read_distribution(map_value(map));
+  if (!distribution.is_continuous()) return;
+  const std::optional<double> least = spec.min ? spec.min : spec.above;
+  const std::optional<double> greatest = spec.max ? spec.max : spec.below;
+  if (least && distribution.lowest() < *least && distribution.share_below(*least) < Distribution::negligible)
+    set_entry(map, "min", number_value(*least, spec.dimension));
+  if (greatest && distribution.highest() > *greatest &&
+      1 - distribution.share_below(*greatest) < Distribution::negligible)
+    set_entry(map, "max", number_value(*greatest, spec.dimension));
+}
+
 Value normalise_draw(DecodeContext& context, const Node& node, const ParamSpec& spec,
                      const NumberRules& rules) {
   if (!rules.varies) {
@@ -114,11 +148,11 @@ Value normalise_draw(DecodeContext& context, const Node& node, const ParamSpec& 
   std::optional<Map> map = normalise_distribution(context, node, spec, rules);
   const std::optional<Scope> scope = scope_of(context, node, rules);
   if (!map || !scope) return {};
+  cut_tails(*map, spec);
   put(*map, "per", text_value(std::string(name_of(*scope))));
   Value normalised = map_value(std::move(*map));
   const Distribution distribution = read_distribution(normalised);
-  const bool is_stepped =
-      distribution.kind == DistributionKind::discrete || distribution.kind == DistributionKind::integer;
+  const bool is_stepped = !distribution.is_continuous();
   if (spec.type == ParamType::integer && !is_stepped) {
     node.error(context.diagnostics, "takes whole numbers, expected `integer` or `discrete`");
     return {};
@@ -180,13 +214,21 @@ Value normalise_number(DecodeContext& context, const Node& node, const ParamSpec
   const std::optional<double> si = quantity_of(context, node, spec.dimension, rules, expected_text(spec));
   if (!si) return {};
   std::string fault = limit_fault(spec, *si, *si);
-  if (spec.type == ParamType::integer && !is_whole(*si)) fault = "must be a whole number";
+  if (!fault.empty()) fault = fmt::format("is {}, {}", shown(*node.value), fault);
+  if (spec.type == ParamType::integer && fault.empty()) fault = whole_fault(*node.value, *si);
   if (!fault.empty()) {
-    node.error(context.diagnostics, fmt::format("is {}, {}", shown(*node.value), fault));
+    node.error(context.diagnostics, fault);
     return {};
   }
   warn_of_unusual(context, node, spec, *si, *si);
   return number_value(*si, spec.dimension);
+}
+
+std::string digits_fault(const Value& value, double si) {
+  if (!is_rounded(value) && std::abs(si) <= greatest_whole) return {};
+  return fmt::format(
+      "has more digits than flyrock keeps, it would be read as {}: expected a whole number of at most {}",
+      shortest(si), shortest(greatest_whole));
 }
 
 double si_of(const Value& normalised) {
@@ -227,6 +269,7 @@ std::string expected_text(const ParamSpec& spec) {
 }
 
 std::string with_unit(double si, const ParamSpec& spec) {
+  if (spec.type == ParamType::integer) return shortest(si);
   if (spec.dimension == dimension::none) return fmt::format("{:.6g}", si);
   const std::string unit = unit_of(spec);
   return fmt::format("{:.6g} {}", si / parse_unit(unit).value_or(Unit{}).factor, unit);

@@ -33,6 +33,10 @@ std::optional<Map> normalise_distribution(DecodeContext& context, const Node& no
 /// The distribution of a normalised map.
 Distribution read_distribution(const Value& normalised);
 
+/// Why a number of the document is not the whole number `si` that was read: it has more digits than a double.
+/// Empty if it is.
+std::string digits_fault(const Value& value, double si);
+
 /// The SI value of a normalised constant.
 double si_of(const Value& normalised);
 

@@ -17,12 +17,13 @@ namespace {
 /// Reports that a value is not what the parameter takes.
 Value refuse(DecodeContext& context, const Node& node, const ParamSpec& spec) {
   const std::string expected = expected_text(spec);
-  const bool is_name = spec.type == ParamType::choice && node.value->text();
-  node.error(context.diagnostics,
-             node.value->is_null()
-                 ? "is empty, expected " + expected
-                 : fmt::format("expected {}, found {}{}", expected, shown(*node.value),
-                               is_name ? did_you_mean(*node.value->text(), spec.choices) : ""));
+  static const std::vector<std::string> booleans{"true", "false"};
+  const std::vector<std::string>& names = spec.type == ParamType::boolean ? booleans : spec.choices;
+  const bool is_name = !names.empty() && node.value->text();
+  node.error(context.diagnostics, node.value->is_null()
+                                      ? "is empty, expected " + expected
+                                      : fmt::format("expected {}, found {}{}", expected, shown(*node.value),
+                                                    is_name ? did_you_mean(*node.value->text(), names) : ""));
   return {};
 }
 

@@ -60,6 +60,23 @@ const Plugin* find_plugin(DecodeContext& context, const Node& node, PluginKind k
 
 }  // namespace
 
+ParamSpec with_exponent(const ParamSpec& spec, const std::vector<ParamSpec>& specs, const Node& map) {
+  ParamSpec result = spec;
+  const auto other = std::find_if(specs.begin(), specs.end(),
+                                  [&](const ParamSpec& one) { return one.name == spec.unit_exponent; });
+  const std::optional<Node> node = map.find(spec.unit_exponent);
+  const double* given = node ? node->value->number() : nullptr;
+  const double exponent = given ? *given : node ? 1 : other->default_number.value_or(1);
+  const std::string unit = spec.unit + "^" + shortest(exponent);
+  const std::optional<Unit> parsed = parse_unit(unit);
+  const bool is_allowed =
+      parsed && limit_fault(*other, exponent, exponent).empty();  // else that is the error
+  if (exponent == 1 || !is_allowed) return result;
+  result.unit = unit;
+  result.dimension = parsed->dimension;
+  return result;
+}
+
 Map normalise_params(DecodeContext& context, const Node& map, const std::vector<ParamSpec>& specs,
                      const NumberRules& rules) {
   Map normalised;
@@ -77,7 +94,9 @@ Map normalise_params(DecodeContext& context, const Node& map, const std::vector<
     if (!node && !by_default) continue;
     Map& to = is_grouped ? normalised_group(normalised, *parent) : normalised;
     if (node) {
-      put(to, *node, normalise_param(context, *node, spec, rules));
+      put(to, *node,
+          normalise_param(context, *node, spec.unit_exponent.empty() ? spec : with_exponent(spec, specs, map),
+                          rules));
     } else {
       by_default->assumed = true;
       put(to, spec.own_name(), std::move(*by_default));

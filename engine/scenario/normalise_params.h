@@ -11,6 +11,10 @@
 
 namespace flyrock {
 
+/// A parameter whose unit has another one as its exponent (ParamSpec::unit_exponent), with the unit that
+/// follows from the map: N/m^1.5. Where the exponent is drawn, the unit keeps the exponent 1.
+ParamSpec with_exponent(const ParamSpec& spec, const std::vector<ParamSpec>& specs, const Node& map);
+
 /// The keys of a map that `specs` name, in their order, with defaults. Reports missing keys. The caller
 /// handles keys that are not in `specs`.
 Map normalise_params(DecodeContext& context, const Node& map, const std::vector<ParamSpec>& specs,

@@ -7,6 +7,7 @@
 #include "document/node.h"
 #include "document/yaml_reader.h"
 #include "scenario/decode.h"
+#include "units/units.h"
 
 namespace flyrock {
 
@@ -97,7 +98,9 @@ void set_number(Value& root, const char* key, std::uint64_t number, Diagnostics&
   auto source = std::make_shared<Source>();
   source->name = fmt::format("--{} {}", key, number);
   const Location at{source, 0, 0};
-  set_path(root, key, Value{static_cast<double>(number), at}, at, diagnostics);
+  Value value{static_cast<double>(number), at};
+  value.rounded = rounds_to_whole(std::to_string(number));
+  set_path(root, key, std::move(value), at, diagnostics);
 }
 
 }  // namespace

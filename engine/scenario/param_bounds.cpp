@@ -13,24 +13,29 @@ namespace {
 /// The values that a parameter takes in a run.
 struct Range {
   double low = 0, high = 0;
+  double likely_low = 0, likely_high = 0;  ///< of an end that is infinite, without the negligible tail
   bool drawn = false;
   bool open = false;  ///< for a continuous distribution, whose ends are never drawn
 };
 
 Range range_of(const Number& number, const std::vector<Draw>& draws) {
-  if (number.is_constant()) return {number.constant, number.constant};
+  const double constant = number.constant;
+  if (number.is_constant()) return {constant, constant, constant, constant};
   const Distribution& distribution = draws[static_cast<std::size_t>(number.draw)].distribution;
-  const bool stepped =
-      distribution.kind == DistributionKind::discrete || distribution.kind == DistributionKind::integer;
-  return {distribution.lowest(), distribution.highest(), true, !stepped};
+  return {.low = distribution.lowest(),
+          .high = distribution.highest(),
+          .likely_low = distribution.likely_lowest(),
+          .likely_high = distribution.likely_highest(),
+          .drawn = true,
+          .open = distribution.is_continuous()};
 }
 
 bool keeps(const Range& range, BoundRelation relation, const Range& other) {
   switch (relation) {
     case BoundRelation::at_most:
-      return range.high <= other.low;
+      return range.likely_high <= other.likely_low;
     case BoundRelation::below:
-      return range.high < other.low || (range.high == other.low && (range.open || other.open));
+      return range.likely_high < other.likely_low || (range.high == other.low && (range.open || other.open));
     case BoundRelation::at_least:
     case BoundRelation::above:
       return keeps(other, converse(relation), range);

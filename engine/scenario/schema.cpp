@@ -96,14 +96,12 @@ ParamSpec usually(ParamSpec spec, const std::optional<UsualRange>& range) {
   return spec;
 }
 
-constexpr double exact_integer = 9007199254740992.0;  // 2^53: above it some whole numbers are not doubles
-
 SectionSpec document() {
   return {"",
           {integer("flyrock", "format version"), or_else(text("title", "what the scenario is about"), ""),
            at_most(at_least(integer("dimension", "2: a vertical plane; 3: space"), 2), 3),
            choice("method", {"nscd", "lumped_mass", "ballistic"}, "how rocks move"),
-           or_else(at_most(at_least(integer("seed", "of all random numbers"), 0), exact_integer), 1),
+           or_else(at_most(at_least(integer("seed", "of all random numbers"), 0), greatest_whole), 1),
            or_else(at_least(integer("trials", "realisations of each sweep point"), 1), 1),
            or_else(choice("rock_contacts", {"off", "on"}, "on: rocks also meet each other"), "off"),
            or_else(choice("body_contacts", {"on", "off"}, "off: bodies meet the terrain only"), "on"),
@@ -165,8 +163,10 @@ std::vector<ParamSpec> lines(const std::string& what) {
 }
 
 std::vector<ParamSpec> barrier_keys() {
-  return {above(number("height", "m", "from its foot to its top"), 0),
-          above(number("capacity", "J", "energy that it takes: the maximum energy level"), 0),
+  return {above(usually(number("height", "m", "from its foot to its top"), usual::barrier_height), 0),
+          above(usually(number("capacity", "J", "energy that it takes: the maximum energy level"),
+                        usual::barrier_capacity),
+                0),
           or_else(below(at_least(number("inclination", "rad", "from the vertical"), 0), pi / 2), 0.0),
           or_else(at_least(number("freeboard", "m", "that must stay free above a rock"), 0), 0.0),
           or_else(choice("level", {"mel", "sel"}, "maximum or service energy level: sel holds capacity/3"),

@@ -143,6 +143,7 @@ Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, con
   else
     throw ScenarioError(key_of("release")(), "neither the population nor `release` says where a rock starts");
   body.x = place.position;
+  rock.face_angle = place.face_angle;
   rock.start_is_drawn |= where.drawn();
   if (plan.position ? rock.population_drew : where.drawn())
     rock.outcomes.template set_release<D>(place.position + origin().template head<D>());

@@ -28,6 +28,7 @@ struct TrialRock {
       0;  ///< s, when its hole detonates; 0 if rocks meet each other, because they then start together
   double launch_speed = 0;                      ///< m/s
   double launch_elevation = 0;                  ///< rad above the outward horizontal
+  double face_angle = 0;                        ///< rad, of the face that it leaves; 0 if there is none
   double greatest_throw = 0;                    ///< m, see Launch
   bool population_drew = false;                 ///< its population used `rng`
   bool start_is_drawn = false;                  ///< a plugin drew for its start, other than its orientation

@@ -1,7 +1,9 @@
 #include "units/units.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <map>
 
@@ -44,24 +46,57 @@ std::size_t number_length(std::string_view text) {
   return i;
 }
 
+/// The digits of a decimal number without a sign, from the first to the last that is not 0, and the power of
+/// ten of the last one: "1230", "1.23e3" and "01230.0" are {"123", 1}.
+std::pair<std::string, int> significant_digits(std::string_view text) {
+  std::string digits;
+  int power = 0;
+  bool after_point = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '.') {
+      after_point = true;
+    } else if (c == 'e' || c == 'E') {
+      int exponent = 0;
+      const std::size_t first = i + (text[i + 1] == '+' ? 2 : 1);
+      std::from_chars(text.data() + first, text.data() + text.size(), exponent);
+      power += exponent;
+      break;
+    } else {
+      if (c != '0' || !digits.empty()) digits += c;
+      if (after_point) --power;
+    }
+  }
+  while (!digits.empty() && digits.back() == '0') {
+    digits.pop_back();
+    ++power;
+  }
+  return {digits, digits.empty() ? 0 : power};
+}
+
 const NamedUnit* find_unit(std::string_view name) {
   for (const NamedUnit& unit : unit_table())
     if (unit.name == name) return &unit;
   return nullptr;
 }
 
-double power(double base, int exponent) {
+double power(double base, double exponent) {
+  if (exponent != std::floor(exponent)) return std::pow(base, exponent);
   double result = 1;
   for (int i = 0; i < std::abs(exponent); ++i) result *= base;
   return exponent < 0 ? 1 / result : result;
 }
 
-void multiply(Unit& product, const Unit& unit, int exponent) {
+void multiply(Unit& product, const Unit& unit, double exponent) {
+  constexpr double millionth = 1e6;
+  const auto add = [&](double& sum, double of_unit) {
+    sum = std::round((sum + exponent * of_unit) * millionth) / millionth;
+  };
   product.factor *= power(unit.factor, exponent);
-  product.dimension.metre += exponent * unit.dimension.metre;
-  product.dimension.kilogram += exponent * unit.dimension.kilogram;
-  product.dimension.second += exponent * unit.dimension.second;
-  product.dimension.radian += exponent * unit.dimension.radian;
+  add(product.dimension.metre, unit.dimension.metre);
+  add(product.dimension.kilogram, unit.dimension.kilogram);
+  add(product.dimension.second, unit.dimension.second);
+  add(product.dimension.radian, unit.dimension.radian);
 }
 
 /// Replaces superscripts and the middle dot by their plain spelling.
@@ -74,42 +109,73 @@ std::string plain_spelling(std::string_view text) {
   return plain;
 }
 
-/// Multiplies by one factor: "m3", "s^-2", "ft-lb" or "1". False if its unit is unknown.
+/// The exponent of a factor: "2", "-2", "1.5", "(3/2)"; nothing if it is none.
+std::optional<double> parse_exponent(std::string_view text) {
+  if (text.starts_with('(') && text.ends_with(')')) text = text.substr(1, text.size() - 2);
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  const std::optional<double> above = parse_number(text.substr(0, slash));
+  const std::optional<double> below = slash < text.size() ? parse_number(text.substr(slash + 1)) : 1.0;
+  if (!above || !below || *above == 0 || !(std::abs(*above / *below) <= 9)) return std::nullopt;
+  return *above / *below;
+}
+
+/// Where the exponent of a factor begins: after a `^`, or at the digits of its end with their minus.
+std::size_t begin_of_exponent(std::string_view factor) {
+  if (const std::size_t sign = factor.find('^'); sign != factor.npos) return sign + 1;
+  std::size_t begin = factor.size();
+  while (begin > 0 && (is_digit(factor[begin - 1]) || factor[begin - 1] == '.')) --begin;
+  return begin > 0 && begin < factor.size() && factor[begin - 1] == '-' ? begin - 1 : begin;
+}
+
+/// Where the factor at `at` ends. A dot between digits belongs to an exponent (m^1.5), as do brackets
+/// (m^(3/2)).
+std::size_t end_of_factor(std::string_view text, std::size_t at) {
+  bool in_brackets = false;
+  for (; at < text.size(); ++at) {
+    const char c = text[at];
+    if (c == '(' || c == ')') in_brackets = c == '(';
+    const bool is_point =
+        c == '.' && at > 0 && is_digit(text[at - 1]) && at + 1 < text.size() && is_digit(text[at + 1]);
+    if (!in_brackets && !is_point && (is_blank(c) || c == '*' || c == '.' || c == '/')) break;
+  }
+  return at;
+}
+
+/// Multiplies by one factor: "m3", "s^-2", "m^1.5", "ft-lb" or "1". False if its unit is unknown.
 bool multiply_factor(Unit& product, std::string_view factor, int sign) {
   if (factor == "1") return true;
-  std::size_t end = factor.size();
-  while (end > 0 && is_digit(factor[end - 1])) --end;
-  int exponent = 1;
-  std::string_view name = factor.substr(0, end);
-  if (end < factor.size()) {
-    std::from_chars(factor.data() + end, factor.data() + factor.size(), exponent);
-    if (exponent < 1 || exponent > 9) return false;
-    if (name.ends_with('-')) {
-      exponent = -exponent;
-      name.remove_suffix(1);
-    }
-    if (name.ends_with('^')) name.remove_suffix(1);
-  }
+  const std::size_t begin = begin_of_exponent(factor);
+  std::string_view name = factor.substr(0, begin);
+  const bool has_exponent = begin < factor.size() || name.ends_with('^');
+  const std::optional<double> exponent = has_exponent ? parse_exponent(factor.substr(begin)) : 1.0;
+  if (name.ends_with('^')) name.remove_suffix(1);
   const NamedUnit* unit = find_unit(name);
-  if (!unit) return false;
-  multiply(product, unit->unit, sign * exponent);
+  if (!unit || !exponent) return false;
+  multiply(product, unit->unit, sign * *exponent);
   return true;
+}
+
+/// "2", or "^1.5".
+std::string exponent_text(double exponent) {
+  std::array<char, 40> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), exponent);
+  return (exponent == std::floor(exponent) ? "" : "^") + std::string(digits.data(), end.ptr);
 }
 
 }  // namespace
 
 std::string si_unit(const Dimension& dimension) {
-  const std::array<std::pair<std::string_view, int>, 4> parts{{{"kg", dimension.kilogram},
-                                                               {"m", dimension.metre},
-                                                               {"rad", dimension.radian},
-                                                               {"s", dimension.second}}};
+  const std::array<std::pair<std::string_view, double>, 4> parts{{{"kg", dimension.kilogram},
+                                                                  {"m", dimension.metre},
+                                                                  {"rad", dimension.radian},
+                                                                  {"s", dimension.second}}};
   std::string above, below;
   for (const auto& [name, exponent] : parts) {
     if (exponent == 0) continue;
     std::string& side = exponent > 0 ? above : below;
     if (!side.empty()) side += ' ';
     side += name;
-    if (std::abs(exponent) != 1) side += std::to_string(std::abs(exponent));
+    if (std::abs(exponent) != 1) side += exponent_text(std::abs(exponent));
   }
   const std::string numerator = above.empty() ? std::string("1") : above;
   return below.empty() ? numerator : numerator + "/" + below;
@@ -142,7 +208,7 @@ std::optional<Unit> parse_unit(std::string_view text, std::string* unknown) {
       any = false;
       ++i;
     } else {
-      const std::size_t end = std::min(plain.find_first_of(" *./", i), plain.size());
+      const std::size_t end = end_of_factor(plain, i);
       const std::string_view factor = std::string_view(plain).substr(i, end - i);
       if (!multiply_factor(product, factor, sign)) {
         if (unknown) *unknown = factor;
@@ -175,6 +241,17 @@ std::optional<double> parse_number(std::string_view text) {
   return value;
 }
 
+bool rounds_to_whole(std::string_view text) {
+  if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
+  const std::optional<double> value = parse_number(text);
+  constexpr std::size_t always_exact = 15;  // a double holds every number of so many digits
+  if (!value || text.size() <= always_exact || *value != std::floor(*value)) return false;
+  std::array<char, 400> whole;
+  const auto end =
+      std::to_chars(whole.data(), whole.data() + whole.size(), *value, std::chars_format::fixed, 0);
+  return significant_digits(text) != significant_digits({whole.data(), end.ptr});
+}
+
 std::optional<Quantity> parse_quantity(std::string_view text, QuantityError* error) {
   text = trimmed(text);
   const std::size_t length = number_length(text);
@@ -185,6 +262,7 @@ std::optional<Quantity> parse_quantity(std::string_view text, QuantityError* err
   }
   Quantity quantity;
   quantity.value = *value;
+  quantity.rounded = rounds_to_whole(text.substr(0, length));
   quantity.unit_text = trimmed(text.substr(length));
   if (quantity.unit_text.empty()) return quantity;
   std::string unknown;

@@ -9,13 +9,13 @@
 
 namespace flyrock {
 
-/// Exponents of m, kg, s and rad. An angle has its own dimension here, so that degrees are not mistaken for
-/// radians.
+/// Exponents of m, kg, s and rad, rounded to a millionth so that equal ones compare equal. An angle has its
+/// own dimension here, so that degrees are not mistaken for radians.
 struct Dimension {
-  int metre = 0;
-  int kilogram = 0;
-  int second = 0;
-  int radian = 0;
+  double metre = 0;
+  double kilogram = 0;
+  double second = 0;
+  double radian = 0;
 
   bool operator==(const Dimension&) const = default;
 };
@@ -49,9 +49,9 @@ struct Unit {
   Dimension dimension;
 };
 
-/// Parses a unit expression: known units with integer exponents, `*`, blank or `.` between factors,
-/// one `/`: "kg/m3", "m/s^2", "g/cm3", "ft-lb". Returns nullopt if a unit is unknown; `unknown` then names
-/// it.
+/// Parses a unit expression: known units with exponents up to 9, `*`, blank or `.` between factors, one `/`:
+/// "kg/m3", "m/s^2", "g/cm3", "ft-lb", "N/m^1.5", "N/m^(3/2)". Returns nullopt if a unit is unknown;
+/// `unknown` then names it.
 std::optional<Unit> parse_unit(std::string_view text, std::string* unknown = nullptr);
 
 /// The names of all known units, for "did you mean".
@@ -63,6 +63,7 @@ struct Quantity {
   bool has_unit = false;
   Unit unit;
   std::string unit_text;
+  bool rounded = false;  ///< see rounds_to_whole
   /// The value in SI units. If the factor is one over a whole number (mm, ms), the value is divided by this
   /// number, because 102 / 1000 is the double nearest to 0.102 and 102 * 1e-3 is not.
   double si() const {
@@ -79,6 +80,13 @@ struct QuantityError {
 
 /// A strict decimal number: no leading zeros ("010"), no hexadecimal, no NaN or infinity.
 std::optional<double> parse_number(std::string_view text);
+
+/// The greatest whole number up to which a double holds every whole number: 2^53.
+inline constexpr double greatest_whole = 9007199254740992.0;
+
+/// Whether a decimal number is read as a whole number that it is not, because a double has not so many
+/// digits: "9007199254740993", "2.00000000000000001".
+bool rounds_to_whole(std::string_view text);
 
 /// Parses a text. If it is not a number with an optional unit, returns nullopt and fills `error`.
 std::optional<Quantity> parse_quantity(std::string_view text, QuantityError* error = nullptr);

@@ -22,6 +22,9 @@ inline constexpr UsualRange hole_diameter{0.025, 0.5};
 inline constexpr UsualRange detonation_velocity{1500, 8500};
 inline constexpr UsualRange drag_coefficient{0.1, 2.5, true};
 inline constexpr UsualRange stop_time{0, 3600};
+inline constexpr UsualRange barrier_height{0.5, 12};
+inline constexpr UsualRange barrier_capacity{1e4, 1e7};
+inline constexpr double face_angle = 30;  ///< deg, of the flattest face
 }  // namespace usual
 
 }  // namespace flyrock

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <lua.hpp>
 
+#include "document/odd_characters.h"
 #include "host/adapters.h"
 #include "host/manifest.h"
 #include "host/read_value.h"
@@ -90,7 +91,9 @@ void LuaSession::Host::load(const LuaFile& file, Diagnostics& diagnostics, Use&&
     auto message = files_.split_message(error.what());
     if (!message) message = files_.split_message(error.raised_at + error.what());
     if (!message) message.emplace(Location{file.source, 1, 1}, error.what());
-    diagnostics.error(message->first, "", message->second);
+    const bool is_odd_token = message->second.find("near '<\\") != std::string::npos;  // near '<\194>'
+    diagnostics.error(message->first, "",
+                      message->second + (is_odd_token ? hint_of_line(message->first) : std::string()));
   }
   diagnostics_ = nullptr;
   main_ = nullptr;

@@ -62,6 +62,11 @@ class ParamReader {
 
   void read_unit() {
     spec_.unit = table_.text("unit").value_or("");
+    if (const std::size_t sign = spec_.unit.find('^');
+        sign != std::string::npos && is_identifier(spec_.unit.substr(sign + 1))) {  // N/m^exponent
+      spec_.unit_exponent = spec_.unit.substr(sign + 1);
+      spec_.unit.erase(sign);
+    }
     if (spec_.unit.empty()) return;
     std::string unknown;
     if (const auto unit = parse_unit(spec_.unit, &unknown)) {
@@ -203,6 +208,18 @@ std::string bound_fault(const ParamSpec& param, const ParamBound& bound,
   return {};
 }
 
+/// Why the exponent of a unit is none; empty if it is fine.
+std::string exponent_fault(const ParamSpec& param, const std::vector<ParamSpec>& params) {
+  if (param.unit_exponent.empty()) return {};
+  const auto other = std::find_if(params.begin(), params.end(),
+                                  [&](const ParamSpec& one) { return one.name == param.unit_exponent; });
+  if (other != params.end() && other->type == ParamType::number && other->unit.empty() &&
+      parse_unit(param.unit).value_or(Unit{}).factor == 1)
+    return {};
+  return fmt::format("`{}`, expected an SI unit, and as its exponent the name of a parameter without a unit",
+                     param.unit_text());
+}
+
 }  // namespace
 
 bool is_identifier(std::string_view name) {
@@ -215,16 +232,19 @@ bool is_identifier(std::string_view name) {
 
 bool check_bounds(const Map& written, const std::vector<ParamSpec>& params, Diagnostics& diagnostics) {
   bool sound = true;
-  for (std::size_t i = 0; i < params.size(); ++i)
-    for (const ParamBound& bound : params[i].bounds)
-      if (const std::string fault = bound_fault(params[i], bound, params); !fault.empty()) {
-        const std::string key(key_of(bound.relation));
-        const std::string own(params[i].own_name()), group(params[i].group());
-        const Value* table = &map_at(written, group.empty() ? own : group);
-        if (!group.empty()) table = table->find("params")->find(own);
-        diagnostics.error(table->find(key)->at, fmt::format("params.{}.{}", params[i].name, key), fault);
-        sound = false;
-      }
+  const auto refuse = [&](const ParamSpec& param, const std::string& key, const std::string& fault) {
+    const std::string own(param.own_name()), group(param.group());
+    const Value* table = &map_at(written, group.empty() ? own : group);
+    if (!group.empty()) table = table->find("params")->find(own);
+    diagnostics.error(table->find(key)->at, fmt::format("params.{}.{}", param.name, key), fault);
+    sound = false;
+  };
+  for (const ParamSpec& param : params) {
+    if (const std::string fault = exponent_fault(param, params); !fault.empty()) refuse(param, "unit", fault);
+    for (const ParamBound& bound : param.bounds)
+      if (const std::string fault = bound_fault(param, bound, params); !fault.empty())
+        refuse(param, std::string(key_of(bound.relation)), fault);
+  }
   return sound;
 }
 

@@ -9,6 +9,7 @@
 
 #include "document/printable.h"
 #include "sandbox/read_only.h"
+#include "units/units.h"
 
 namespace flyrock {
 
@@ -35,6 +36,7 @@ class Reader {
         break;
       case LUA_TNUMBER:
         value.data = number(path);
+        value.rounded = may_be_rounded();
         break;
       case LUA_TSTRING: {
         std::size_t length;
@@ -65,8 +67,13 @@ class Reader {
   }
 
   static bool exact(lua_Integer integer) {
-    constexpr lua_Integer limit = lua_Integer{1} << 53;
+    constexpr auto limit = static_cast<lua_Integer>(greatest_whole);
     return -limit <= integer && integer <= limit;
+  }
+
+  /// A Lua number that is no integer has lost its last digits from 2^53 on, if it had any.
+  bool may_be_rounded() const {
+    return !lua_isinteger(lua_, -1) && std::abs(lua_tonumber(lua_, -1)) >= greatest_whole;
   }
 
   double number(const std::string& path) {

@@ -22,7 +22,8 @@ View::View(lua_State* lua, const ViewType& type,
     lua_rawset(lua, -3);
   }
   lua_pushvalue(lua, -1);
-  lua_pushcclosure(lua, guarded<View::index>, 1);
+  lua_createtable(lua, 0, 0);  // the tables of vectors
+  lua_pushcclosure(lua, guarded<View::index>, 2);
   lua_setfield(lua, -3, "__index");
   lua_pushcclosure(lua, guarded<View::new_index>, 1);
   lua_setfield(lua, -2, "__newindex");
@@ -57,8 +58,33 @@ int View::field(lua_State* lua, const Box& box) {
 
 int View::index(lua_State* lua) {
   const Box& box = *static_cast<Box*>(lua_touserdata(lua, 1));
-  box.type->push(lua, box.object, field(lua, box));
+  const int number = field(lua, box);
+  const ShownVector shown = box.type->vector ? box.type->vector(box.object, number) : ShownVector{};
+  if (shown.vector)
+    push_kept_vector(lua, box, number, shown);
+  else
+    box.type->push(lua, box.object, number);
   return 1;
+}
+
+/// Pushes the table of a vector, by its number from the tables in upvalue 2.
+void View::push_kept_vector(lua_State* lua, const Box& box, int field, const ShownVector& shown) {
+  if (lua_rawgeti(lua, lua_upvalueindex(2), field) == LUA_TNIL) {
+    lua_pop(lua, 1);
+    lua_createtable(lua, shown.dimension, 0);
+    make_read_only(lua, fmt::format("{}.{}", box.type->name, lua_tostring(lua, 2)), true);
+    lua_pushvalue(lua, -1);
+    lua_rawseti(lua, lua_upvalueindex(2), field);
+  }
+  push_shown(lua, -1);
+  for (int i = 0; i < 3; ++i) {
+    if (i < shown.dimension)
+      lua_pushnumber(lua, (*shown.vector)[i]);
+    else
+      lua_pushnil(lua);
+    lua_rawseti(lua, -2, i + 1);
+  }
+  lua_pop(lua, 1);
 }
 
 int View::new_index(lua_State* lua) {

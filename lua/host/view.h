@@ -6,9 +6,17 @@
 #include <utility>
 #include <vector>
 
+#include "math/space.h"
+
 struct lua_State;
 
 namespace flyrock {
+
+/// A vector of an object, of which Lua sees the first `dimension` components.
+struct ShownVector {
+  const Vec3* vector = nullptr;  ///< null: the field is no vector
+  int dimension = 3;
+};
 
 /// One kind of view. `push` pushes field number `field` of `object`: a value or a method.
 struct ViewType {
@@ -16,6 +24,9 @@ struct ViewType {
   void (*push)(lua_State* lua, const void* object, int field);
   /// Takes the value at the top of the stack for a field. Null: the object cannot be changed.
   void (*assign)(lua_State* lua, const void* object, int field) = nullptr;
+  /// The fields that are vectors. Lua sees each as a read-only table that is made once and filled anew when
+  /// it is read, so that reading makes no garbage either. Null: there are none.
+  ShownVector (*vector)(const void* object, int field) = nullptr;
 };
 
 /// A userdata that shows the fields of an object. Reading any other field is an error that names the nearest
@@ -40,6 +51,7 @@ class View {
   };
   friend const void* viewed(lua_State* lua, int index, const ViewType& type);
   static int field(lua_State* lua, const Box& box);
+  static void push_kept_vector(lua_State* lua, const Box& box, int field, const ShownVector& shown);
   static int index(lua_State* lua);
   static int new_index(lua_State* lua);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <lua.hpp>
 
+#include "sandbox/read_only.h"
 #include "sandbox/state.h"
 
 namespace flyrock {
@@ -13,8 +14,6 @@ namespace flyrock {
 namespace {
 
 void push_text(lua_State* lua, std::string_view text) { lua_pushlstring(lua, text.data(), text.size()); }
-
-void push_point(lua_State* lua, const Vec2& point) { push_vector(lua, {point.x(), point.y(), 0}, 2); }
 
 // contact
 
@@ -28,12 +27,16 @@ void push_contact(lua_State* lua, const void* object, int field) {
   const ContactField& info = contact_fields()[field];
   if (info.number)
     lua_pushnumber(lua, contact.*info.number);
-  else if (info.vector)
-    push_vector(lua, contact.*info.vector, contact.dimension);
   else
     push_text(lua, contact.*info.text);
 }
-constexpr ViewType contact_type{"contact", push_contact};
+
+ShownVector vector_of_contact(const void* object, int field) {
+  if (field <= history_field || !contact_fields()[field].vector) return {};
+  const auto& contact = *static_cast<const ContactState*>(object);
+  return {&(contact.*contact_fields()[field].vector), contact.dimension};
+}
+constexpr ViewType contact_type{.name = "contact", .push = push_contact, .vector = vector_of_contact};
 
 void push_history(lua_State* lua, const void* object, int field) {
   lua_pushnumber(lua, static_cast<const double*>(object)[field]);
@@ -70,10 +73,6 @@ void push_rock(lua_State* lua, const void* object, int field) {
       return lua_pushnumber(lua, rock.density);
     case 4:
       return lua_pushnumber(lua, rock.diameter);
-    case 5:
-      return push_vector(lua, rock.position, rock.dimension);
-    case 6:
-      return push_vector(lua, rock.outward, rock.dimension);
     case 7:
       return lua_pushnumber(lua, rock.face_angle);
     case 8:
@@ -82,7 +81,14 @@ void push_rock(lua_State* lua, const void* object, int field) {
       return lua_pushcfunction(lua, guarded<direction>);
   }
 }
-constexpr ViewType rock_type{"rock", push_rock};
+
+ShownVector vector_of_rock(const void* object, int field) {
+  const auto& rock = *static_cast<const RockView*>(object);
+  if (rock_names[field] == "position") return {&rock.position, rock.dimension};
+  if (rock_names[field] == "outward") return {&rock.outward, rock.dimension};
+  return {};
+}
+constexpr ViewType rock_type{.name = "rock", .push = push_rock, .vector = vector_of_rock};
 
 int direction(lua_State* lua) {
   const auto& rock = *static_cast<const RockView*>(viewed(lua, 1, rock_type));
@@ -115,13 +121,21 @@ constexpr std::string_view terrain_names[] = {"dimension", "x_min", "x_max",  "y
 int height(lua_State* lua);
 int normal_of_ground(lua_State* lua);
 
+/// Pushes a read-only list. `what` names it in messages.
 template <class Items, class Push>
-void push_list(lua_State* lua, const Items& items, Push&& push) {
+void push_list(lua_State* lua, const char* what, const Items& items, Push&& push) {
   lua_createtable(lua, static_cast<int>(items.size()), 0);
   for (std::size_t i = 0; i < items.size(); ++i) {
     push(items[i]);
     lua_rawseti(lua, -2, static_cast<lua_Integer>(i + 1));
   }
+  make_read_only(lua, what, true);
+}
+
+/// Pushes a point of a read-only list.
+void push_listed(lua_State* lua, const char* what, const Vec3& point, int dimension) {
+  push_vector(lua, point, dimension);
+  make_read_only(lua, what, true);
 }
 
 /// Refuses what only terrains of one dimension have.
@@ -132,14 +146,16 @@ void require_dimension(lua_State* lua, const TerrainView& terrain, int dimension
                          what, dimension, dimension));
 }
 
+constexpr const char* faces_text = "terrain.faces";
+
 /// One end of a face: a point in 2D, a line in 3D.
 void push_end(lua_State* lua, const std::vector<Vec3>& line, int dimension) {
-  if (dimension == 2) return push_vector(lua, line.front(), 2);
-  push_list(lua, line, [&](const Vec3& point) { push_vector(lua, point, 3); });
+  if (dimension == 2) return push_listed(lua, faces_text, line.front(), 2);
+  push_list(lua, faces_text, line, [&](const Vec3& point) { push_listed(lua, faces_text, point, 3); });
 }
 
 void push_faces(lua_State* lua, const TerrainView& terrain) {
-  push_list(lua, terrain.faces(), [&](const TerrainView::Face& face) {
+  push_list(lua, faces_text, terrain.faces(), [&](const TerrainView::Face& face) {
     lua_createtable(lua, 0, 3);
     push_text(lua, face.name);
     lua_setfield(lua, -2, "name");
@@ -147,6 +163,7 @@ void push_faces(lua_State* lua, const TerrainView& terrain) {
     lua_setfield(lua, -2, "toe");
     push_end(lua, face.crest, terrain.dimension());
     lua_setfield(lua, -2, "crest");
+    make_read_only(lua, faces_text, true);
   });
 }
 
@@ -167,7 +184,9 @@ void push_terrain(lua_State* lua, const void* object, int field) {
       return lua_pushnumber(lua, terrain.high().y());
     case 5:
       require_dimension(lua, terrain, 2, "points");
-      return push_list(lua, terrain.profile()->points, [&](const Vec2& point) { push_point(lua, point); });
+      return push_list(lua, "terrain.points", terrain.profile()->points, [&](const Vec2& point) {
+        push_listed(lua, "terrain.points", {point.x(), point.y(), 0}, 2);
+      });
     case 6:
       return push_faces(lua, terrain);
     case 7:

@@ -6,6 +6,7 @@
 #include <lua.hpp>
 #include <vector>
 
+#include "sandbox/left_out.h"
 #include "sandbox/ordered_pairs.h"
 #include "sandbox/state.h"
 
@@ -53,6 +54,9 @@ int refuse_absent(lua_State* lua) {
     return 1;
   }
   const std::string field = lua_tostring(lua, 2);
+  const std::string full = std::string(lua_tostring(lua, lua_upvalueindex(1))) + '.' + field;
+  if (const std::string_view instead = instead_of(full); !instead.empty())
+    raise(lua, fmt::format("`{}` is not available here: {}", full, instead));
   raise(lua, fmt::format("`{}` has no field `{}`{}", lua_tostring(lua, lua_upvalueindex(1)), field,
                          budget_of(lua).wording.did_you_mean(field, text_keys(lua, lua_upvalueindex(2)))));
 }

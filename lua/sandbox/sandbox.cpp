@@ -4,6 +4,7 @@
 
 #include <lua.hpp>
 
+#include "sandbox/left_out.h"
 #include "sandbox/read_only.h"
 #include "sandbox/state.h"
 
@@ -11,34 +12,13 @@ namespace flyrock {
 
 namespace {
 
-/// Names that Lua programmers expect and that are left out on purpose.
-constexpr std::pair<std::string_view, std::string_view> left_out[] = {
-    {"io", "plugins and scenarios do not touch files"},
-    {"os", "plugins and scenarios do not touch the system or the clock"},
-    {"debug", "it would open the sandbox"},
-    {"package", "`require` finds flyrock and the files beside the scenario"},
-    {"load", "code is loaded from files with `require`"},
-    {"loadstring", "code is loaded from files with `require`"},
-    {"loadfile", "code is loaded from files with `require`"},
-    {"dofile", "code is loaded from files with `require`"},
-    {"rawset", "it would open the sandbox"},
-    {"collectgarbage", "memory is the host's"},
-    {"_G", "name the variable itself"},
-};
-
 int refuse_undefined(lua_State* lua) {
   const char* text = lua_tostring(lua, 2);
   const std::string name = text ? text : luaL_typename(lua, 2);
-  for (const auto& [known, reason] : left_out)
-    if (known == name) raise(lua, fmt::format("`{}` is not available here: {}", name, reason));
+  if (const std::string_view instead = instead_of(name); !instead.empty())
+    raise(lua, fmt::format("`{}` is not available here: {}", name, instead));
   raise(lua, fmt::format("`{}` is not defined{}", name,
                          budget_of(lua).wording.did_you_mean(name, text_keys(lua, lua_upvalueindex(1)))));
-}
-
-int refuse_random(lua_State* lua) {
-  raise(lua,
-        "math.random is not available here: use the stream `rng` that is passed in (rng:uniform(a, b), "
-        "rng:normal(), rng:integer(a, b)), so that a run can be repeated");
 }
 
 int refuse_global(lua_State* lua) {
@@ -68,7 +48,7 @@ void push_globals(lua_State* lua) {
 
   push_library(lua, luaopen_math);
   for (const char* name : {"random", "randomseed"}) {
-    lua_pushcfunction(lua, refuse_random);
+    lua_pushnil(lua);
     lua_setfield(lua, -2, name);
   }
   add_read_only(lua, "math");

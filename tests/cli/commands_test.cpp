@@ -38,7 +38,7 @@ TEST_CASE("A wrong command line is exit code 2 with the nearest word") {
   CHECK(error("run x.yaml --shard 3/2").find("--shard: `3/2`, expected i from 1 to n") != std::string::npos);
   CHECK(error("run x.yaml -j 1e3").find("-j: `1e3` is not a whole number of at least 1") !=
         std::string::npos);
-  CHECK(error("run x.yaml --trials 99999999999999999999").find("is not a whole number") != std::string::npos);
+  CHECK(error("run x.yaml --trials 99999999999999999999").find("is too large") != std::string::npos);
   CHECK(error("plugins restitutoin").find("did you mean `restitution`?") != std::string::npos);
   CHECK(error("plugins restitution/newtn").find("did you mean `newton`?") != std::string::npos);
   folder.write("bench.yaml", bench);
@@ -145,6 +145,36 @@ return fr.plugin {
   const Output idle = call(folder, "check law.lua");
   CHECK(idle.code == 2);
   CHECK(idle.err.find("law.lua:5:3: error: restitution/law: ") == 0);  // its function
+}
+
+TEST_CASE("check does not call a scenario sound under a warning") {
+  const Folder folder;
+  folder.write("bench.yaml", bench_with("stop: { time: 60 s }", "stop: { time: 2 h }"));
+  const Output one = call(folder, "check bench.yaml");
+  INFO(one.out << one.err);
+  CHECK(one.code == 0);
+  CHECK(one.err.find("warning: stop.time: 7200 s is unusual") != std::string::npos);
+  CHECK(one.out.find("bench.yaml: no error, 1 warning, 4 trials\n") != std::string::npos);
+  // So for a warning that is found with the first trials.
+  folder.write("fast.yaml", bench_with("speed: { uniform: [5, 15] }", "speed: { uniform: [5, 1500] }"));
+  CHECK(call(folder, "check fast.yaml").out.find("fast.yaml: no error, 2 warnings, 4 trials\n") !=
+        std::string::npos);
+}
+
+TEST_CASE("run asks what check asks before it starts") {
+  const Folder folder;
+  // In one trial of a hundred the rock starts in the ground; the first of them is beyond the third trial.
+  std::string scenario =
+      bench_with("position: [0, 12]", "position: [-5, { normal: { mean: 11, sd: 0.35 } }]");
+  scenario.replace(scenario.find("trials: 4"), 9, "trials: 150");
+  folder.write("bench.yaml", scenario);
+  const Output check = call(folder, "check bench.yaml"), run = call(folder, "run bench.yaml -o r --quiet");
+  INFO(check.err << run.err);
+  CHECK(check.code == 2);
+  CHECK(run.code == 2);
+  CHECK(run.err == check.err);
+  CHECK(run.err.find("trial 0") == std::string::npos);
+  CHECK_FALSE(folder.has("r"));
 }
 
 TEST_CASE("check warns of a rock with so many vertices that a trial takes long") {

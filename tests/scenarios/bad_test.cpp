@@ -37,7 +37,7 @@ std::vector<fs::path> files(const fs::path& folder, const std::string& extension
 flyrock::Diagnostics messages_about(const fs::path& path) {
   flyrock::Diagnostics diagnostics;
   auto loaded = flyrock::load_scenario(path.filename().string(), {}, diagnostics);
-  if (loaded) flyrock::try_runners(*loaded, 200, diagnostics);
+  if (loaded) flyrock::try_runners(*loaded, flyrock::tried_trials, diagnostics);
   return diagnostics;
 }
 

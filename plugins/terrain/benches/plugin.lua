@@ -9,7 +9,7 @@ return fr.plugin {
   params = {
     count = fr.integer { min = 1, max = 1000, doc = "number of benches" },
     height = fr.number { above = 0, unit = "m", usual = { 1, 60 }, doc = "height of a bench" },
-    face_angle = fr.number { above = 0, max = 90, unit = "deg", usual = { 20, 90 }, doc = "dip of the faces" },
+    face_angle = fr.number { above = 0, max = 90, unit = "deg", usual = { 30, 90 }, doc = "dip of the faces" },
     berm = fr.number { min = 0, unit = "m", doc = "width of the berms between two benches; 0 joins their faces" },
     floor = fr.number { above = 0, unit = "m", doc = "length of the floor beyond the lowest toe" },
     length = fr.number { optional = true, above = 0, unit = "m", doc = "3D: of the crest; 100 m where it is left out" },

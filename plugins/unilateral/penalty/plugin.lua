@@ -11,8 +11,8 @@ return fr.plugin {
   source = "n = 1, c: Kelvin and Voigt; n = 1.5: H. Hertz, 1881; k_t: P. A. Cundall and O. D. L. Strack, A discrete numerical "
     .. "model for granular assemblies, 1979",
   params = {
-    stiffness = fr.number { above = 0, unit = "N/m", doc = "k of one contact: the force at an overlap of 1 m, of any exponent" },
-    damping = fr.number { min = 0, default = 0, unit = "N s/m",
+    stiffness = fr.number { above = 0, unit = "N/m^exponent", doc = "k of one contact: the force at an overlap of 1 m" },
+    damping = fr.number { min = 0, default = 0, unit = "N s/m^exponent",
       doc = "c of one contact; a ball that bounces on a linear spring keeps e = exp(-z w t) of its speed with z = c / (2 sqrt(k m)), "
         .. "w = sqrt(k/m), w t sqrt(1 - z^2) = pi - atan2(2 z sqrt(1 - z^2), 1 - 2 z^2); z = 0.2 gives e = 0.57" },
     exponent = fr.number { min = 1, max = 1.5, default = 1, doc = "n: 1 linear, 1.5 two round bodies (Hertz)" },

@@ -44,6 +44,35 @@ TEST_CASE("what a terminal would obey is shown as text") {
   CHECK(text_fault("x\x1b[2J") == "holds the control character \\x1B");
 }
 
+TEST_CASE("messages name characters that are not what they look like") {
+  const auto said = [](const std::string& text) {
+    Diagnostics diagnostics;
+    diagnostics.error({}, "", text);
+    return diagnostics.to_text();
+  };
+  CHECK(said("found `1\u00a0kg`") ==
+        "error: found `1<U+00A0>kg` (U+00A0 is a no-break space, write a blank)\n");
+  CHECK(said("found `1 k\u200bg`") ==
+        "error: found `1 k<U+200B>g` (U+200B is a space without a width, remove it)\n");
+  CHECK(said("found `\ufeff1`") == "error: found `<U+FEFF>1` (U+FEFF is a byte order mark, remove it)\n");
+  CHECK(said("found `\u22121`") == "error: found `\u22121` (U+2212 is the minus sign, write `-`)\n");
+  CHECK(said("found `\u20131`") == "error: found `\u20131` (U+2013 is an en dash, write `-`)\n");
+  CHECK(said("found `\uff15`") == "error: found `\uff15` (U+FF15 is a wide character, write `5`)\n");
+  CHECK(said("h\u00f6he \u00b0 \u00b2 \u4e2d") == "error: h\u00f6he \u00b0 \u00b2 \u4e2d\n");
+  for (int code = 0x202A; code <= 0x2069; code += code == 0x202E ? 0x2066 - 0x202E : 1) {
+    const std::string mark{'\xE2', static_cast<char>(0x80 | (code >> 6 & 0x3F)),
+                           static_cast<char>(0x80 | (code & 0x3F))};
+    INFO(code);
+    CHECK(printable(mark).find("U+20") == 1);
+    CHECK(said(mark).find(mark) == std::string::npos);
+  }
+  // Bytes that are no UTF-8 are none of these characters.
+  CHECK(said("a\xc2 b\xa0") == "error: a\\xC2 b\\xA0\n");
+  Diagnostics diagnostics;  // a warning shows the codes, and tells nobody what to write
+  diagnostics.warning({}, "", "`a\u00a0b`");
+  CHECK(diagnostics.to_text() == "warning: `a<U+00A0>b`\n");
+}
+
 TEST_CASE("the first hundred messages are shown, and each once") {
   auto source = std::make_shared<Source>(Source{"q.yaml", {}});
   Diagnostics diagnostics;

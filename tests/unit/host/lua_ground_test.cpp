@@ -124,6 +124,42 @@ TEST_CASE("a terrain refuses what it is asked wrongly") {
         std::string::npos);
   CHECK(asked("terrain.height(1, 2)").find("write terrain:method(...)") != std::string::npos);
   CHECK(asked("terrain.x_min = 3").find("`terrain` cannot be changed") != std::string::npos);
+  for (const char* write : {"terrain.faces[1] = nil", "terrain.faces[1].name = 'x'",
+                            "terrain.faces[1].toe[1][3] = 0", "table.remove(terrain.faces[1].crest)"}) {
+    INFO(write);
+    CHECK(asked(write).find("`terrain.faces` cannot be changed") != std::string::npos);
+  }
+  // What a method returns belongs to the caller.
+  CHECK(asked("local n = terrain:normal(0.5, 0.25) n[1] = 5 assert(n[1] == 5)").empty());
+}
+
+TEST_CASE("the points of a terrain in 2D cannot be changed, and can be read as a list") {
+  Profile profile;
+  profile.points = {{0, 4}, {3, 0}, {5, 0}};
+  profile.part = {0, 0};
+  profile.parts = {""};
+  const auto asked = [&](const std::string& code) -> std::string {
+    OnePlugin lua("population", "rocks = function(p, terrain) " + code + " return {} end");
+    RandomStream rng(1, "test", {});
+    try {
+      make<Population>(lua.session, PluginKind::population, "m", {})
+          .model->rocks({}, TerrainView(profile), Blast(), rng);
+    } catch (const PluginError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  for (const char* write : {"terrain.points[1][2] = 5", "terrain.points[4] = { 6, 0 }",
+                            "local last = terrain.points[3] last[1] = 9",
+                            "table.sort(terrain.points, function(a, b) return a[2] < b[2] end)"}) {
+    INFO(write);
+    CHECK(asked(write).find("`terrain.points` cannot be changed") != std::string::npos);
+  }
+  CHECK(
+      asked(
+          "local sum = 0 for _, point in ipairs(terrain.points) do sum = sum + point[1] end assert(sum == 8)")
+          .empty());
+  CHECK(asked("local x, y = table.unpack(terrain.points[1]) assert(x == 0 and y == 4)").empty());
 }
 
 TEST_CASE("a launch asks the ground of its rock") {

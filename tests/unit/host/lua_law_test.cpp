@@ -75,6 +75,45 @@ ContactState sampled_contact(RandomStream& rng) {
 
 }  // namespace
 
+TEST_CASE("the vectors of a contact cannot be changed, and can be read in every way") {
+  for (const char* field : {"normal", "place", "slip"})
+    for (const std::string write :
+         {"contact.FIELD[1] = 5", "contact.FIELD[4] = 5", "local v = contact.FIELD v[2] = v[2] + 1",
+          "contact.FIELD.x = 1", "table.sort(contact.FIELD)", "table.insert(contact.FIELD, 1)"}) {
+      const std::size_t at = write.find("FIELD");
+      const std::string code = std::string(write).replace(at, 5, field);
+      INFO(code);
+      CHECK(failure("function(p, contact) " + code + " return 0.3 end") ==
+            "plugin my_law, my_law.lua:5: `contact." + std::string(field) + "` cannot be changed");
+    }
+  LuaFixture lua;
+  const std::string text = restitution("", R"(function(p, contact)
+    local n, again = contact.normal, contact.normal
+    assert(#n == contact_dimension(n) and rawlen(n) == #n and n == again)
+    local sum, count = 0, 0
+    for i, component in ipairs(n) do sum, count = sum + component * component, i end
+    for i, component in pairs(contact.slip) do assert(contact.slip[i] == component) end
+    assert(count == #n and math.abs(sum - 1) < 1e-12)
+    local copy = { table.unpack(n) }
+    copy[1] = 7
+    assert(copy[1] == 7 and contact.normal[1] ~= 7 and contact.place[1] == 1)
+    return contact.slip[2] / 10
+  end)");
+  lua.write("my_law.lua", "local function contact_dimension(v) return v[3] and 3 or 2 end\n" + text);
+  REQUIRE(lua.load("my_law.lua") == "");
+  const auto use = use_of(lua.session, PluginKind::restitution, "my_law", {});
+  RandomStream rng(1, "test", {});
+  for (const int dimension : {3, 2, 3}) {
+    const auto law = make_instance<RestitutionLaw>(use, dimension);
+    ContactState contact = sampled_contact(rng);
+    contact.dimension = dimension;
+    if (dimension == 2) contact.normal = Vec3(0.6, 0.8, 0);
+    CHECK(law->impact({}, contact).e_n == 0.5);
+    contact.slip[1] = 7;
+    CHECK(law->impact({}, contact).e_n == 0.7);
+  }
+}
+
 TEST_CASE("a law in Lua reads its parameters and its contact") {
   LuaSession session(FLYROCK_SHARE_DIR);
   const auto use = use_of(session, PluginKind::restitution, "pfeiffer_bowen", {0.35, 0.1, 9.144});

@@ -125,3 +125,19 @@ TEST_CASE("a draw depends on the parts of the key that its scope names") {
     CHECK((draw.value(seed, {3, 2, 5, 5}) != value) == c.impact);
   }
 }
+
+TEST_CASE("the share below a value is that of the draws, and negligible tails end where it is 1e-9") {
+  for (Distribution f : continuous()) {
+    INFO(name_of(f.kind));
+    f.min = f.quantile(0.1);
+    f.max = f.quantile(0.8);
+    for (const double u : {0.01, 0.25, 0.5, 0.99}) CHECK(f.share_below(f.quantile(u)) == Approx(u));
+    CHECK(f.share_below(f.min) == 0);
+    CHECK(f.share_below(f.max) == 1);
+    CHECK(f.likely_lowest() == f.lowest());
+    CHECK(f.likely_highest() == f.highest());
+  }
+  const Distribution normal = make(DistributionKind::normal, 3, 2);
+  CHECK(normal.share_below(normal.likely_lowest()) == Approx(1e-9));
+  CHECK(1 - normal.share_below(normal.likely_highest()) == Approx(1e-9).epsilon(1e-6));
+}

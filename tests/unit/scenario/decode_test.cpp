@@ -1,8 +1,10 @@
 #include "scenario/decode.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <map>
 
+#include "dice.h"
 #include "document/yaml_reader.h"
 #include "unit/test_registry.h"
 
@@ -234,7 +236,7 @@ TEST_CASE("where nothing may vary") {
   CHECK(refuse(head + ground + ball + "title: { sweep: [one, two] }\n") ==
         "title: takes no sweep, only numbers, choices and sections with a `type` are swept\n");
   CHECK(refuse(head + ground + ball +
-               "barriers: [{ name: { sweep: [a, b] }, x: 1, height: 1, capacity: 1 }]\n") ==
+               "barriers: [{ name: { sweep: [a, b] }, x: 1, height: 1, capacity: 1 MJ }]\n") ==
         "barriers.0.name: takes no sweep, only numbers, choices and sections with a `type` are swept\n");
   CHECK(refuse(head + ground + ball + "gravity: { sweep: [[1]] }\n") ==
         "gravity.sweep.0: a sweep lists numbers, choices or sections with a `type`, found a list\n");
@@ -401,4 +403,76 @@ TEST_CASE("measures") {
   CHECK(refuse(with("body.ball.stop_time.x")).find("nothing may follow `stop_time`") != std::string::npos);
   CHECK(refuse(with("body.ball.apex[x].height")).find("`x` is not an index") != std::string::npos);
   CHECK(refuse(with("sover.max_residual")).find("did you mean `solver`?") != std::string::npos);
+}
+
+TEST_CASE("a tail of less than 1e-9 beyond a limit is cut off there, a heavier one asks for a bound") {
+  const auto disks = [&](const std::string& radius) {
+    return head + benches + "rocks: [{ name: b, density: 2700, shape: { type: disk, radius: " + radius +
+           " }, release: { from: face } }]\n";
+  };
+  // A normal distribution with its mean at 6.1 sd above 0 has 5e-10 below it, at 5.9 sd 2e-9.
+  const Plan plan = decode_text(disks("{ normal: { mean: 6.1, sd: 1 } }"));
+  REQUIRE(plan.points[0].draws.size() == 1);
+  CHECK(plan.points[0].draws[0].distribution.min == 0);
+  CHECK(refuse(disks("{ normal: { mean: 5.9, sd: 1 } }")) ==
+        "rocks.0.shape.radius: draws from -inf m to inf m, must be above 0 m: give it a `min` or `max`\n");
+  CHECK(refuse(disks("{ uniform: [-1e-8, 1] }")).find("must be above 0 m") != std::string::npos);
+  CHECK(decode_text(disks("{ uniform: [-1e-10, 1] }")).points[0].draws[0].distribution.min == 0);
+  CHECK(decode_text(disks("{ normal: { mean: 7, sd: 1 }, min: -3 }")).points[0].draws[0].distribution.min ==
+        0);
+
+  // Whatever is accepted never draws a value beyond the limits; what is refused has such a tail.
+  Dice dice;
+  int accepted = 0;
+  for (int i = 0; i < 200; ++i) {
+    Distribution tried;
+    tried.kind = DistributionKind::normal;
+    tried.a = dice(0.1, 1);
+    tried.b = tried.a / dice(3, 9);
+    const double beyond = tried.cumulative(0);
+    const std::string text = disks(fmt::format("{{ normal: {{ mean: {}, sd: {} }} }}", tried.a, tried.b));
+    INFO(text);
+    Diagnostics diagnostics;
+    const std::optional<Plan> decoded = try_decode(text, diagnostics);
+    CHECK(decoded.has_value() == (beyond < 1e-9));
+    if (!decoded) continue;
+    ++accepted;
+    const Distribution& drawn = decoded->points[0].draws[0].distribution;
+    for (const double u : {1e-17, 1e-12, 1 - 1e-12}) CHECK(drawn.quantile(u) >= 0);
+    for (const double u : {0.001, 0.5, 0.999}) CHECK(drawn.quantile(u) == Approx(tried.quantile(u)));
+  }
+  CHECK((accepted > 50 && accepted < 150));
+}
+
+TEST_CASE("whole numbers keep their digits or are refused, from a file and from the command line") {
+  const auto seed_of = [&](const std::string& seed) {
+    Diagnostics diagnostics;
+    const std::optional<Plan> plan = try_decode(head + ground + ball + "seed: " + seed + "\n", diagnostics);
+    return plan ? std::to_string(plan->points[0].seed) : std::string();
+  };
+  Dice dice;
+  int refused = 0;
+  for (int i = 0; i < 200; ++i) {
+    const auto whole = static_cast<std::uint64_t>(std::exp2(dice(40, 60)));
+    const std::string text = std::to_string(whole);
+    INFO(text);
+    const std::string kept = seed_of(text);
+    CHECK((kept == text || kept.empty()));
+    refused += kept.empty();
+    Overrides overrides;
+    overrides.seed = whole;
+    Diagnostics diagnostics;
+    const auto plan = try_decode(head + ground + ball, diagnostics, overrides);
+    CHECK(plan.has_value() == !kept.empty());
+    if (plan) CHECK(plan->points[0].seed == whole);
+    overrides = {.set = {"seed=" + text}};
+    Diagnostics again;
+    CHECK(try_decode(head + ground + ball, again, overrides).has_value() == !kept.empty());
+  }
+  CHECK((refused > 30 && refused < 170));
+  CHECK(seed_of("9007199254740992") == "9007199254740992");
+  CHECK(seed_of("9007199254740993").empty());
+  CHECK(seed_of("9007199254740992.5").empty());
+  CHECK(seed_of("7.00000000000000000001").empty());
+  CHECK(seed_of("7.0000000000000000000") == "7");
 }

@@ -1,6 +1,7 @@
 #include "units/units.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 using namespace flyrock;
 
@@ -120,4 +121,51 @@ TEST_CASE("the nearest name") {
   CHECK(nearest_name("explos", names) == "explosive");
   CHECK(nearest_name("sphere", names).empty());
   CHECK(nearest_name("", names).empty());
+}
+
+TEST_CASE("exponents of units may have digits after the point, or be fractions") {
+  CHECK(si("1 N/m^1.5") == 1);
+  CHECK(si("1 N/m1.5") == 1);
+  CHECK(si("1 kN/mm^1.5") == Approx(1e3 / std::pow(1e-3, 1.5)));
+  CHECK(si("2e7 N m^-1.5") == 2e7);
+  CHECK(dimension_of("N/m^1.5") == dimension_of("N/m^(3/2)"));
+  CHECK(dimension_of("N/m^1.5") == dimension_of("kg/m^0.5 s2"));
+  CHECK(dimension_of("N m^(-3/2)") == dimension_of("N/m^1.5"));
+  CHECK(dimension_of("N/m^1.3") == dimension_of("kg m^-0.3/s2"));
+  CHECK(dimension_of("m^0.5 m^0.5") == dimension::length);
+  CHECK(si_unit(dimension_of("N/m^1.5")) == "kg/m^0.5 s2");
+  CHECK(dimension_of(si_unit(dimension_of("N/m^1.5"))) == dimension_of("N/m^1.5"));
+  for (const char* text :
+       {"1 m^", "1 m^1.5.2", "1 m^(3/0)", "1 m^0", "1 m^(3/2", "1 m^10", "1 m^x", "1 1.5m"}) {
+    INFO(text);
+    CHECK_FALSE(parse_quantity(text));
+  }
+  // A dot between letters still multiplies.
+  CHECK(dimension_of("N.m") == dimension::energy);
+  CHECK(dimension_of("kg.m2.s-2") == dimension::energy);
+}
+
+TEST_CASE("a number that is read as a whole number that it is not") {
+  for (const char* text :
+       {"9007199254740993", "-9007199254740993", "900719925474099.25e1", "2.00000000000000001",
+        "9.007199254740993e15", "123456789012345678901", "0.99999999999999999999"}) {
+    INFO(text);
+    CHECK(rounds_to_whole(text));
+  }
+  for (const char* text :
+       {"9007199254740992", "9007199254740994", "0009", "1e300", "12", "2.0000000000000000000",
+        "90071992547409920e-1", "2.5", "0.1000000000000000055511", "-0.0", "18014398509481984"}) {
+    INFO(text);
+    CHECK_FALSE(rounds_to_whole(text));
+  }
+  // Against whole numbers of 64 bits: a number rounds if and only if the double is another one.
+  std::uint64_t state = 12345;
+  for (int i = 0; i < 20000; ++i) {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    const std::uint64_t whole = state >> (i % 40);
+    const auto number = static_cast<double>(whole);
+    const bool is_exact = number < 18446744073709551616.0 && static_cast<std::uint64_t>(number) == whole;
+    INFO(whole);
+    CHECK(rounds_to_whole(std::to_string(whole)) == !is_exact);
+  }
 }
