@@ -28,7 +28,6 @@ std::vector<std::string> names_of(const std::vector<Plan>& plans) {
 }
 
 constexpr std::array<std::string_view, 4> gate_fields = {"passed", "mean_energy", "p95_energy", "p95_height"};
-constexpr std::array<std::string_view, 4> barrier_fields = {"reached", "caught", "over_top", "over_energy"};
 constexpr std::array<std::string_view, 3> tree_fields = {"hit", "stopped", "hits"};
 constexpr std::array<std::string_view, 4> clearance_fields = {"distance", "lower", "upper", "with_factor"};
 constexpr std::array<std::string_view, 6> solver_fields = {"max_residual",    "not_converged",
@@ -60,11 +59,11 @@ Measure::Measure(const std::string& name, const Scenario& scenario) : dimension_
   } else if (words[0] == "gate") {
     kind_ = Kind::gate;
     index_ = index_of(words[1], names_of(scenario.gates));
-    field_ = words[2];
+    read_share(words);
   } else if (words[0] == "barrier") {
     kind_ = Kind::barrier;
     index_ = index_of(words[1], names_of(scenario.barriers));
-    field_ = words[2];
+    read_share(words);
   } else if (words[0] == "trees") {
     kind_ = Kind::trees;
     field_ = words[1];
@@ -76,6 +75,12 @@ Measure::Measure(const std::string& name, const Scenario& scenario) : dimension_
     kind_ = words[0] == "energy" ? Kind::energy : Kind::solver;
     field_ = words[1];
   }
+}
+
+/// "passed", "caught", "per_trial": a field, and of what it is a share.
+void Measure::read_share(const std::vector<std::string>& words) {
+  field_ = words[2];
+  if (words.size() > 3) sense_ = words[3] == "per_trial" ? &Shares::per_trial : &Shares::of_arriving;
 }
 
 void Measure::read_rocks(const std::vector<std::string>& words, const Scenario& scenario) {
@@ -129,9 +134,9 @@ Measured Measure::value(const PointResult& result) const {
       return {number.value, number.censored, std::isnan(number.value) ? "too few rocks" : ""};
     }
     case Kind::gate:
-      return gate_value(result.crossings.front().gates.at(index_), field_);
+      return gate_value(result.crossings.front().gates.at(index_));
     case Kind::barrier:
-      return barrier_value(result.crossings.front().barriers.at(index_), field_);
+      return barrier_value(result.crossings.front().barriers.at(index_));
     case Kind::trees:
       return trees_value(result.trees.value(), field_);
     case Kind::clearance:
@@ -159,21 +164,18 @@ Measured Measure::solver_value(const PointResult& result, const std::string& fie
   return {values[index_of(field, solver_fields)], false, {}};
 }
 
-Measured Measure::gate_value(const GateSummary& gate, const std::string& field) {
+Measured Measure::gate_value(const GateSummary& gate) const {
   const std::array<Bounded, gate_fields.size()> values = {
       gate.shares.of_all, gate.energy[static_cast<int>(Statistic::mean)],
       gate.energy[static_cast<int>(Statistic::p95)], gate.height[static_cast<int>(Statistic::p95)]};
-  const Bounded& number = values[index_of(field, gate_fields)];
+  const Bounded number =
+      sense_ == &Shares::of_all ? values[index_of(field_, gate_fields)] : Bounded(gate.shares.*sense_);
   return {number.value, number.censored, std::isnan(number.value) ? "no rock passed" : ""};
 }
 
-Measured Measure::barrier_value(const BarrierSummary& barrier, const std::string& field) {
-  const auto of_all = [&](BarrierShare what) -> Bounded { return barrier.share(what).of_all; };
-  const std::array<Bounded, barrier_fields.size()> values = {
-      of_all(BarrierShare::reached), of_all(BarrierShare::caught), of_all(BarrierShare::over_top),
-      of_all(BarrierShare::over_energy)};
-  const Bounded& number = values[index_of(field, barrier_fields)];
-  return {number.value, number.censored, std::isnan(number.value) ? "too few rocks" : ""};
+Measured Measure::barrier_value(const BarrierSummary& barrier) const {
+  const Share& share = barrier.shares[index_of(field_, barrier_share_names)].*sense_;
+  return {share.value, share.censored, std::isnan(share.value) ? "too few rocks" : ""};
 }
 
 Measured Measure::trees_value(const TreeSummary& trees, const std::string& field) {
@@ -184,6 +186,8 @@ Measured Measure::trees_value(const TreeSummary& trees, const std::string& field
 }
 
 Measured Measure::clearance_value(const ClearanceSummary& clearance, const std::string& field) {
+  if (clearance.interval.trials_needed > 0)
+    return {0, false, fmt::format("too few trials, it needs about {}", clearance.interval.trials_needed)};
   if (!clearance.enough())
     return {0, false,
             fmt::format("it needs {} rocks or blasts, there are {}", clearance.needed, clearance.count)};

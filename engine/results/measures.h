@@ -77,11 +77,12 @@ class Measure {
   };
 
   void read_rocks(const std::vector<std::string>& words, const Scenario& scenario);
+  void read_share(const std::vector<std::string>& words);
   void read_body(const std::vector<std::string>& words, const Scenario& scenario);
   void read_contact(const std::vector<std::string>& words);
   static Measured solver_value(const PointResult& result, const std::string& field);
-  static Measured gate_value(const GateSummary& gate, const std::string& field);
-  static Measured barrier_value(const BarrierSummary& barrier, const std::string& field);
+  Measured gate_value(const GateSummary& gate) const;
+  Measured barrier_value(const BarrierSummary& barrier) const;
   static Measured trees_value(const TreeSummary& trees, const std::string& field);
   static Measured clearance_value(const ClearanceSummary& clearance, const std::string& field);
   Measured body_value(const BodyHistory& body) const;
@@ -96,6 +97,7 @@ class Measure {
   ContactMeasure contact_;
   std::size_t quantity_ = 0;  ///< of rock_statistics
   Statistic statistic_ = Statistic::mean;
+  Share Shares::*sense_ = &Shares::of_all;  ///< of a gate or barrier
 };
 
 }  // namespace flyrock

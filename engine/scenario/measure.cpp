@@ -80,7 +80,8 @@ const Table gate_quantities{{"passed", dimension::none},
 const Table barrier_quantities{{"reached", dimension::none},
                                {"caught", dimension::none},
                                {"over_top", dimension::none},
-                               {"over_energy", dimension::none}};
+                               {"over_energy", dimension::none},
+                               {"past", dimension::none}};
 const Table tree_quantities{
     {"hit", dimension::none}, {"stopped", dimension::none}, {"hits", dimension::none}};
 const Table clearance_quantities{{"distance", dimension::length},
@@ -108,8 +109,14 @@ class MeasureParser {
     if (kind == "body") parse_body();
     if (kind == "contact") parse_contact();
     if (kind == "rocks") parse_rocks();
-    if (kind == "gate") parse_named("gates", names_.gates, gate_quantities);
-    if (kind == "barrier") parse_named("barriers", names_.barriers, barrier_quantities);
+    if (kind == "gate") {
+      parse_named("gates", names_.gates, gate_quantities);
+      if (steps_.size() > 3 && steps_[2] == "passed") next({"per_trial"});
+    }
+    if (kind == "barrier") {
+      parse_named("barriers", names_.barriers, barrier_quantities);
+      if (steps_.size() > 3) next({"of_arriving", "per_trial"});
+    }
     if (kind == "trees") {
       if (!names_.forest) fail("the scenario has no forest");
       finish(tree_quantities);
