@@ -82,12 +82,12 @@ std::string of_rocks(const std::string& name, const Plan& plan, const Results& r
   };
   const std::vector<std::size_t> groups = named_groups(results, arrives);
   const auto reached = [b](const Crossings& crossings) {
-    return crossings.barriers.at(b).share(BarrierShare::reached).of_all;
+    return crossings.barriers.at(b).share(BarrierShare::reached).per_trial;
   };
   const bool any = std::any_of(results.points.begin(), results.points.end(),
                                [&](const PointResult& point) { return arrives(point.crossings.front()); });
   if (!any)
-    return fmt::format("Barrier {}: {} of the rocks reach it. ", name,
+    return fmt::format("Barrier {}: in {} of the trials a rock reaches it. ", name,
                        share_over_points(plan, results, 0, reached));
   std::string text;
   for (const std::size_t group : groups) {
@@ -144,7 +144,10 @@ std::string censored_answer(const Plan& plan, const Results& results) {
   const std::string share =
       share_over(plan, results, [](const PointResult& point) { return point.groups.front().censored_share; });
   if (all.empty())
-    return results.points.size() > 1 ? " No rock is censored." : fmt::format(" Censored rocks: {}.", share);
+    return results.points.size() > 1 ||
+                   results.points.front().groups.front().censored_share.interval.trials_needed > 0
+               ? " No rock is censored."
+               : fmt::format(" Censored: {} of the rocks.", share);
   constexpr std::size_t most_named = 3;
   std::vector<std::string> where;
   std::uint64_t elsewhere = 0;

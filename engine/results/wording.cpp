@@ -9,15 +9,17 @@ namespace flyrock {
 
 namespace {
 
-/// "95 % interval 210 to 226", without the unit of its end.
-std::string interval_text(const Interval& interval, double confidence, const auto& text_of) {
+/// "95 % interval 210 to 226 m": the ends as numbers by `digits`, then their unit.
+template <class Digits>
+std::string interval_text(const Interval& interval, double confidence, const char* unit, Digits digits) {
   if (interval.trials_needed > 0)
     return fmt::format("too few trials for an interval: about {}", interval.trials_needed);
   const std::string name = percent(confidence) + " interval ";
   if (std::isnan(interval.lower) && std::isnan(interval.upper)) return name + "not known";
-  if (std::isnan(interval.upper)) return name + "from " + text_of(interval.lower) + " on";
-  if (std::isnan(interval.lower) || interval.lower == 0) return name + "up to " + text_of(interval.upper);
-  return name + text_of(interval.lower) + " to " + text_of(interval.upper);
+  if (std::isnan(interval.upper)) return fmt::format("{}from {}{} on", name, digits(interval.lower), unit);
+  if (std::isnan(interval.lower) || interval.lower == 0)
+    return fmt::format("{}up to {}{}", name, digits(interval.upper), unit);
+  return fmt::format("{}{} to {}{}", name, digits(interval.lower), digits(interval.upper), unit);
 }
 
 }  // namespace
@@ -32,15 +34,15 @@ std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share);
 
 std::string with_interval(const Bounded& number, const Interval& interval, double confidence) {
   if (std::isnan(number.value)) return "not known";
-  const auto metres = [](double value) { return three_digits(value) + " m"; };
-  return fmt::format("{}{} ({})", number.censored ? ">= " : "", metres(number.value),
-                     interval_text(interval, confidence, metres));
+  return fmt::format("{}{} m ({})", number.censored ? ">= " : "", three_digits(number.value),
+                     interval_text(interval, confidence, " m", three_digits));
 }
 
 std::string display(const Share& share) {
   if (std::isnan(share.value)) return "-";
   return fmt::format("{}{} ({})", share.censored ? ">= " : "", percent(share.value),
-                     interval_text(share.interval, stated_confidence, percent));
+                     interval_text(share.interval, stated_confidence, " %",
+                                   [](double end) { return fmt::format("{:.3g}", 100 * end); }));
 }
 
 std::string point_text(const Plan& plan, std::size_t point) {
