@@ -211,8 +211,8 @@ int LuaSession::Host::plugin(lua_State* lua) {
 
 int LuaSession::Host::argument(lua_State* lua) {
   Host& host = self(lua);
-  if (!host.main_)  // a law that asked in a call would get a number that the hash of its scenario does not
-                    // know
+  // The hash of a scenario knows no number that a law asks for in a call.
+  if (!host.main_)
     throw std::runtime_error("fr.argument is for loading: it stands at the top level of a file");
   host.arguments_.answer(lua);
   return 1;

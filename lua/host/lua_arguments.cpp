@@ -25,16 +25,24 @@ Location in_option(const std::string& assignment) {
   return {std::make_shared<Source>(Source{"--arg " + assignment, {}}), 0, 0};
 }
 
+/// The text at a place of the stack, with its zero bytes; empty for another type.
+std::string text_at(lua_State* lua, int index) {
+  if (lua_type(lua, index) != LUA_TSTRING) return {};
+  std::size_t size = 0;
+  const char* text = lua_tolstring(lua, index, &size);
+  return {text, size};
+}
+
 /// The number or text at a place of the stack.
 LuaArgument argument_at(lua_State* lua, int index, const std::string& name) {
-  if (lua_type(lua, index) == LUA_TSTRING) return {name, std::string(lua_tostring(lua, index))};
+  if (lua_type(lua, index) == LUA_TSTRING) return {name, text_at(lua, index)};
   if (lua_isinteger(lua, index)) return {name, std::int64_t{lua_tointeger(lua, index)}};
   return {name, lua_tonumber(lua, index)};
 }
 
 /// Whether a default is a text that can be stored, or a finite number.
 bool is_default(lua_State* lua, int index) {
-  if (lua_type(lua, index) == LUA_TSTRING) return text_fault(lua_tostring(lua, index)).empty();
+  if (lua_type(lua, index) == LUA_TSTRING) return text_fault(text_at(lua, index)).empty();
   return lua_type(lua, index) == LUA_TNUMBER && std::isfinite(lua_tonumber(lua, index));
 }
 
@@ -66,7 +74,7 @@ void LuaArguments::give(const std::vector<std::string>& assignments, Diagnostics
 }
 
 void LuaArguments::answer(lua_State* lua) {
-  const std::string name = lua_type(lua, 1) == LUA_TSTRING ? lua_tostring(lua, 1) : "";
+  const std::string name = text_at(lua, 1);
   if (!is_name(name) || !is_default(lua, 2))
     throw std::runtime_error(
         "fr.argument takes a name (letters, digits and _) and a default, a number or a text, as "

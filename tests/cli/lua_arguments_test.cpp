@@ -94,6 +94,14 @@ stop: { time: 0.8 s }
   CHECK(half.at("scenario_sha256") != whole.at("scenario_sha256"));
   CHECK(read(folder.path() / "half/rocks.csv") != read(folder.path() / "whole/rocks.csv"));
   CHECK(call(folder, "check law.lua --arg en=1").code == 0);
+  folder.write("late.lua", R"(local fr = require "flyrock"
+return fr.plugin {
+  kind = "restitution", name = "late", doc = "Asks in a call.", params = {},
+  impact = function(p, contact) return fr.argument("en", 0.5), 0 end,
+}
+)");
+  CHECK(call(folder, "check late.lua").err.find("fr.argument is for loading: it stands at the top level") !=
+        std::string::npos);
   CHECK(call(folder, "check law.lua --arg em=1").err ==
         "--arg em=1: error: unknown argument `em`, did you mean `en`?\n");
 }

@@ -55,8 +55,8 @@ TEST_CASE("fr.argument refuses names, defaults and places that it cannot use") {
   for (const char* call :
        {"fr.argument()", "fr.argument('n')", "fr.argument('n', nil)", "fr.argument('n', true)",
         "fr.argument('n', {})", "fr.argument('a b', 1)", "fr.argument('', 1)", "fr.argument(7, 1)",
-        "fr.argument('n', 0/0)", "fr.argument('n', math.huge)", "fr.argument('n', '\\27')",
-        "fr.argument('n', '\\255')"}) {
+        "fr.argument('n', 0/0)", "fr.argument('n', math.huge)", "fr.argument('n', 'a\\0b')",
+        "fr.argument('n', '\\27')", "fr.argument('n', '\\255')"}) {
     INFO(call);
     CHECK(faults_of_arguments(std::string("local v = ") + call) == "x.lua:2:1: " + takes);
   }
