@@ -230,16 +230,39 @@ TEST_CASE("A fault for which no plugin is to blame has its own reason") {
   CHECK(start.err.find("not_started: rocks.0.release: `stones` starts at (0, 0.") != std::string::npos);
   CHECK(start.err.find("plugin_error") == std::string::npos);
   CHECK(read(folder.path() / "start/rocks.csv").find(",not_started,") != std::string::npos);
+}
 
-  folder.write("flat.yaml", scenario("{ type: normal_tangential, rn: 0.4, rt: 0.8 }",
-                                     "{ type: polygon, vertices: [[0, 0], [1, 0], [1, 1], [0, 1]] }",
-                                     "{ uniform: [2, 5] }"));
-  const Output flat = call(folder, "run flat.yaml -o flat");
-  INFO(flat.err);
-  CHECK(flat.code == 3);
-  CHECK(flat.err.find("diverged: a restitution law of form `velocity` must be alone at an impact") !=
-        std::string::npos);
-  CHECK(flat.err.find("plugin_error") == std::string::npos);
+TEST_CASE("A law of form velocity is refused for shapes with corners, at every point of a sweep") {
+  const Folder folder;
+  const auto scenario = [](const std::string& method, const std::string& shape) {
+    return "flyrock: 1\ndimension: 2\nmethod: " + method +
+           "\ntrials: 20\n"
+           "terrain: { type: profile, points: [[-50, 20], [0, 0], [10, 1], [50, 0]], material: rock }\n"
+           "materials: { rock: { restitution: { type: normal_tangential, rn: 0.35, rt: 0.85 }, friction: { "
+           "type: "
+           "coulomb, mu: 0.5 }, rolling: { type: rolling_resistance, mu_r: 0.05 m } } }\n"
+           "rocks: [{ name: stones, density: 2700, shape: " +
+           shape + ", release: { position: [-40, 20] } }]\nstop: { time: 60 }\n";
+  };
+  const std::string square = "{ type: polygon, sides: 4, diameter: 0.5 }",
+                    disk = "{ type: disk, radius: 0.25 }";
+  folder.write("square.yaml", scenario("nscd", square));
+  folder.write("swept.yaml", scenario("{ sweep: [lumped_mass, nscd] }", square));
+  folder.write("point.yaml", scenario("lumped_mass", square));
+  folder.write("disk.yaml", scenario("nscd", disk));
+  for (const std::string command : {"check square.yaml", "check swept.yaml", "run square.yaml -o s"}) {
+    const Output refused = call(folder, command);
+    INFO(command << '\n' << refused.err);
+    CHECK(refused.code == 2);
+    CHECK(refused.err.find(
+              "error: materials.rock.restitution: `stones` has corners, of which several can touch at "
+              "once") != std::string::npos);
+    CHECK(refused.out.find("a sound scenario") == std::string::npos);
+  }
+  CHECK(call(folder, "check point.yaml").code == 0);
+  const Output round = call(folder, "run disk.yaml -o d");
+  INFO(round.err);
+  CHECK(round.code == 0);
 }
 
 TEST_CASE("A driven body that presses another into the ground ends the trial, and says which") {
