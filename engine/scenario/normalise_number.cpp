@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "plugin/gain.h"
 #include "scenario/sweep.h"
 
 namespace flyrock {
@@ -105,6 +106,12 @@ void warn_of_unusual(DecodeContext& context, const Node& node, const ParamSpec& 
                   unit_hint(*node.value, spec.dimension, *spec.usual)));
 }
 
+/// Which value beside it permits a number beyond its limit; empty if none does.
+std::string permit_text(const ParamSpec& spec, const NumberRules& rules, double high) {
+  if (!rules.limits_gain || spec.max != 1.0 || spec.dimension != dimension::none || high <= 1) return {};
+  return fmt::format("; more gains energy, which `{}: true` beside it permits", allow_gain);
+}
+
 Value normalise_draw(DecodeContext& context, const Node& node, const ParamSpec& spec,
                      const NumberRules& rules) {
   if (!rules.varies) {
@@ -125,8 +132,9 @@ Value normalise_draw(DecodeContext& context, const Node& node, const ParamSpec& 
   }
   const double low = distribution.lowest(), high = distribution.highest();
   if (const std::string fault = limit_fault(spec, low, high, !is_stepped); !fault.empty()) {
-    node.error(context.diagnostics, fmt::format("draws from {} to {}, {}: give it a `min` or `max`",
-                                                with_unit(low, spec), with_unit(high, spec), fault));
+    node.error(context.diagnostics,
+               fmt::format("draws from {} to {}, {}: give it a `min` or `max`{}", with_unit(low, spec),
+                           with_unit(high, spec), fault, permit_text(spec, rules, high)));
     return {};
   }
   constexpr double rare =
@@ -182,7 +190,8 @@ Value normalise_number(DecodeContext& context, const Node& node, const ParamSpec
   std::string fault = limit_fault(spec, *si, *si);
   if (spec.type == ParamType::integer && !is_whole(*si)) fault = "must be a whole number";
   if (!fault.empty()) {
-    node.error(context.diagnostics, fmt::format("is {}, {}", shown(*node.value), fault));
+    node.error(context.diagnostics,
+               fmt::format("is {}, {}{}", shown(*node.value), fault, permit_text(spec, rules, *si)));
     return {};
   }
   warn_of_unusual(context, node, spec, *si, *si);
