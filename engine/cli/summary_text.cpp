@@ -11,6 +11,7 @@
 #include "results/answer.h"
 #include "results/answer_shares.h"
 #include "results/fault_line.h"
+#include "results/lost.h"
 
 namespace flyrock::cli {
 
@@ -51,6 +52,15 @@ std::string group_line(const GroupSummary& group, std::size_t width) {
                                  group.count > group.faults ? range_text(group.censored_interval()) : "-");
   for (const Statistic s : {Statistic::p50, Statistic::p90, Statistic::p95, Statistic::p99, Statistic::max})
     text += fmt::format("{:>9}", display(group.at(RockQuantity::runout, s), ""));
+  return text + '\n';
+}
+
+/// The line of a group whose point lost too many rocks: no numbers.
+std::string lost_line(const GroupSummary& group, std::size_t width) {
+  std::string text =
+      fmt::format("  {:<{}}{:>8}{:>9}{:>19}", row_name(group), width, group.count, "lost", "-");
+  constexpr int statistics = 5;  // those of group_line
+  for (int s = 0; s < statistics; ++s) text += fmt::format("{:>9}", "-");
   return text + '\n';
 }
 
@@ -135,9 +145,12 @@ std::string summary_text(const Plan& plan, const Results& results, const std::ve
                         "censored", "95 % interval", "p50", "p90", "p95", "p99", "max");
     for (std::size_t p = 0; p < results.points.size(); ++p) {
       if (sweep) text += point_title(plan, p);
-      for (const GroupSummary& group : results.points[p].groups) text += group_line(group, width);
+      const bool is_lost = has_lost(plan.points[p], results.points[p]);
+      for (const GroupSummary& group : results.points[p].groups)
+        text += is_lost ? lost_line(group, width) : group_line(group, width);
       text += reasons_line(plan.points[p], results.points[p].groups.front());
-      text += places_text(plan.points[p], results.points[p]);
+      text += is_lost ? fmt::format("  {}\n", lost_text(results.points[p]))
+                      : places_text(plan.points[p], results.points[p]);
     }
     text += '\n';
   }

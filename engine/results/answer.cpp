@@ -4,10 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
 #include "results/answer_shares.h"
+#include "results/lost.h"
 
 namespace flyrock {
 
@@ -166,6 +168,37 @@ std::string by_group(const Results& results, Statistic statistic) {
   return fmt::format(" ({})", fmt::join(parts, ", "));
 }
 
+/// The answer of a run of which points lost too many rocks: what the others say of the runout. Empty if none
+/// did.
+std::string lost_answer(const Plan& plan, const Results& results) {
+  std::size_t lost = 0;
+  std::array<std::vector<Bounded>, 3> kept;  // p95, p99, max
+  for (std::size_t p = 0; p < results.points.size(); ++p) {
+    const PointResult& point = results.points[p];
+    if (has_lost(plan.points[p], point)) {
+      ++lost;
+      continue;
+    }
+    for (std::size_t k = 0; k < kept.size(); ++k)
+      kept[k].push_back(point.groups.front().at(
+          RockQuantity::runout, std::array{Statistic::p95, Statistic::p99, Statistic::max}[k]));
+  }
+  if (lost == 0) return {};
+  if (results.points.size() == 1)
+    return fmt::format("No percentiles, shares and clearances: {}.", lost_text(results.points.front()));
+  std::string text = fmt::format(
+      "{} of {} sweep points have no percentiles, shares and clearances: more than {:g} % of their rocks "
+      "failed.",
+      lost, results.points.size(), 100 * most_lost);
+  if (lost < results.points.size())
+    text += fmt::format(
+        " At the others the runout that 95 % of the rocks do not exceed is {}; that of 99 % is {}; the "
+        "greatest is "
+        "{}.",
+        range_of(kept[0]), range_of(kept[1]), range_of(kept[2]));
+  return text;
+}
+
 }  // namespace
 
 std::string answer(const Plan& plan, const Results& results) {
@@ -179,6 +212,8 @@ std::string answer(const Plan& plan, const Results& results) {
     text = fmt::format("All {} rocks failed.", rocks);
   } else if (!plan.points.front().bodies.empty()) {
     text = trees_answer(plan, results) + barriers_answer(plan, results) + bodies_answer(plan, results);
+  } else if (const std::string lost = lost_answer(plan, results); !lost.empty()) {
+    text = lost;
   } else {
     text = trees_answer(plan, results) + barriers_answer(plan, results);
     text += fmt::format(

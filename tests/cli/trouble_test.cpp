@@ -4,6 +4,7 @@
 #include <sys/file.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <regex>
 
 #include "same_result.h"
@@ -138,7 +139,7 @@ TEST_CASE(
   const Folder folder;
   folder.write("law.lua", R"(local fr = require "flyrock"
 return fr.plugin {
-  kind = "restitution", name = "huge", form = "newton", doc = "Throws heavy rocks back.", source = "a test",
+  kind = "restitution", name = "huge", form = "newton", may_gain = true, doc = "Throws heavy rocks back.", source = "a test",
   params = { en = fr.number { default = 1e300, min = 0, doc = "of a heavy rock" } },
   impact = function(p, contact)
     if contact.time > 0 and contact.mass > 250 then return p.en, 0 end
@@ -263,6 +264,53 @@ TEST_CASE("A law of form velocity is refused for shapes with corners, at every p
   const Output round = call(folder, "run disk.yaml -o d");
   INFO(round.err);
   CHECK(round.code == 0);
+}
+
+TEST_CASE("A point that lost more than 5 % of its rocks has no percentiles, shares and clearances") {
+  const Folder folder;
+  folder.write("picky.lua", R"(local fr = require "flyrock"
+return fr.plugin { kind = "restitution", name = "picky", doc = "Fails beyond x = limit.", reads = { "contact.place" },
+  params = { limit = fr.number { unit = "m" } },
+  impact = function(p, contact)
+    if contact.place[1] > p.limit then error("beyond") end
+    return 0.3
+  end }
+)");
+  folder.write("lost.yaml", R"(flyrock: 1
+dimension: 2
+method: nscd
+trials: 200
+plugins: [picky.lua]
+terrain: { type: profile, points: [[-50, 0], [50, 0]], material: rock }
+materials: { rock: { restitution: { type: picky, limit: { sweep: [100 m, 9 m, 3 m] } }, friction: { type: coulomb, mu: 0.5 }, rolling: { type: rolling_resistance, mu_r: 0.05 m } } }
+rocks: [{ name: stones, density: 2700, shape: { type: disk, radius: 0.2 }, release: { position: [0, 1] }, launch: { type: fixed, speed: { uniform: [1, 10] }, elevation: 45 deg } }]
+gates: [{ name: road, x: 2 m }]
+stop: { time: 60 }
+expect:
+  - { measure: rocks.runout.p50, above: 0 }
+  - { measure: gate.road.passed, above: 0 }
+  - { measure: rocks.count, equals: 200 }
+)");
+  const Output run = call(folder, "run lost.yaml -o r");
+  INFO(run.out << run.err);
+  CHECK(run.code == 3);
+  CHECK(run.out.find("and above 5 % nothing is said of the others") != std::string::npos);
+  const auto points = nlohmann::json::parse(read(folder.path() / "r/summary.json")).at("points");
+  const auto& kept = points[0];
+  CHECK(kept["rocks"][0]["runout"]["p50"].is_number());
+  CHECK(kept["gates"][0]["passed"].is_number());
+  CHECK_FALSE(kept["rocks"][0].contains("reason"));
+  const auto& lost = points[2];
+  CHECK(lost["rocks"][0]["count"] == 200);
+  CHECK(lost["rocks"][0]["faults"] > 20);
+  CHECK(lost["rocks"][0]["runout"]["p50"].is_null());
+  CHECK(lost["rocks"][0]["runout"]["intervals"]["p95"][0].is_null());
+  CHECK(lost["rocks"][0]["reason"] == "lost");
+  CHECK(lost["gates"][0]["passed"].is_null());
+  CHECK(lost["gates"][0]["reason"] == "lost");
+  const auto verdicts = nlohmann::json::parse(read(folder.path() / "r/summary.json")).at("expectations");
+  for (const auto& verdict : verdicts)
+    if (verdict["point"] == 2) CHECK(verdict["passed"] == (verdict["measure"] == "rocks.count"));
 }
 
 TEST_CASE("A driven body that presses another into the ground ends the trial, and says which") {
