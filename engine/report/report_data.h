@@ -2,7 +2,7 @@
 // The data that the scripts of the page draw, as JSON. Lengths are whole millimetres, times whole
 // milliseconds, and growing series are stored as differences, because this keeps the page small.
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
