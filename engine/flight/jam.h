@@ -2,7 +2,6 @@
 // Runs that do not go on: time that stands still, and bodies that a driven one jams.
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 

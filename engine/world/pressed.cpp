@@ -91,7 +91,7 @@ void World<D>::find_pressed() {
                        (c.law.condition == NormalCondition::quasi_shock && c.at.gap <= 0);
     return holds && !yields(c.candidate) && !yields(c.antagonist);
   };
-  /// The columns of an impulse of contact k along its normal and `share` of each tangent.
+  // The column of an impulse of contact k along its normal with `share` of it along the tangents.
   const auto put = [&](auto column, std::size_t k, const Vec<D - 1>& share) {
     const Contact& c = contacts_[k];
     if (!is_rigid(c)) return;
