@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "world/corners.h"
+
 namespace flyrock {
 
 namespace {
@@ -69,6 +71,24 @@ double stiffness_of(int material, const DrawKey& key, const Scenario& scenario, 
   return linear ? answer.spring.stiffness : 0;
 }
 
+/// The form of the restitution law of a material: that of its manifest, or of a native law, which may choose,
+/// that of an answer. Nothing without a law, and for one that fails: the run says so.
+std::optional<RestitutionForm> form_of(int material, const DrawKey& key, const Scenario& scenario,
+                                       const Instances& instances) {
+  const RestitutionLaw* law = instances.materials[material].restitution.get();
+  if (!law) return std::nullopt;
+  const PluginUse& use = *scenario.materials[material].restitution;
+  if (use.plugin->spec.native.empty()) return restitution_form(use.plugin->spec.form);
+  try {
+    std::vector<double> history(use.plugin->spec.history.size(), 0.0);
+    ContactState state;
+    state.history = history;
+    return law->impact(values_of(use, scenario, key), state).form;
+  } catch (const TrialError&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 template <int D>
@@ -107,6 +127,29 @@ std::vector<SpringSwing> spring_swings(const Scenario& scenario, const Instances
 }
 
 template <int D>
+std::vector<CornerUnderLaw> corners_under_laws(const Scenario& scenario, const Instances& instances,
+                                               const World<D>& world, const Surfaces& surfaces) {
+  std::vector<CornerUnderLaw> found;
+  const int bodies = static_cast<int>(world.bodies.size());
+  const auto gives_velocity = [&](int material, int owner) {
+    return material >= 0 &&
+           form_of(material, surfaces.key_of(owner), scenario, instances) == RestitutionForm::velocity;
+  };
+  const auto is_cornered = [&](int i) { return world.bodies[i].moves() && has_corners(world.bodies[i]); };
+  for (int i = 0; i < bodies; ++i) {
+    for (int part = 0; is_cornered(i) && part < static_cast<int>(parts_of(world.terrain()).size()); ++part)
+      if (const int material = surfaces.material_with_terrain(world, i, part); gives_velocity(material, i))
+        found.push_back({material, i});
+    for (int j = i + 1; j < bodies && world.settings().body_contacts; ++j) {
+      if (!is_cornered(i) && !is_cornered(j)) continue;
+      if (const int material = surfaces.material_between(i, j); gives_velocity(material, i))
+        found.push_back({material, is_cornered(i) ? i : j});
+    }
+  }
+  return found;
+}
+
+template <int D>
 MassRatio mass_ratio(const World<D>& world) {
   if (!world.settings().body_contacts) return {};
   MassRatio found;
@@ -124,6 +167,10 @@ template std::vector<SpringSwing> spring_swings(const Scenario&, const Instances
                                                 const Surfaces&);
 template std::vector<SpringSwing> spring_swings(const Scenario&, const Instances&, const World<3>&,
                                                 const Surfaces&);
+template std::vector<CornerUnderLaw> corners_under_laws(const Scenario&, const Instances&, const World<2>&,
+                                                        const Surfaces&);
+template std::vector<CornerUnderLaw> corners_under_laws(const Scenario&, const Instances&, const World<3>&,
+                                                        const Surfaces&);
 template MassRatio mass_ratio(const World<2>&);
 template MassRatio mass_ratio(const World<3>&);
 

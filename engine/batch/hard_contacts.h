@@ -28,6 +28,15 @@ template <int D>
 std::vector<SpringSwing> spring_swings(const Scenario& scenario, const Instances& instances,
                                        const World<D>& world, const Surfaces& surfaces);
 
+/// A moving body with corners that can touch something by a restitution law of form `velocity`.
+struct CornerUnderLaw {
+  int material = 0;  ///< index into Scenario::materials
+  int body = 0;      ///< of the world
+};
+template <int D>
+std::vector<CornerUnderLaw> corners_under_laws(const Scenario& scenario, const Instances& instances,
+                                               const World<D>& world, const Surfaces& surfaces);
+
 /// The heaviest and the lightest moving body of a world.
 struct MassRatio {
   int heavy = -1, light = -1;  ///< bodies of the world; -1: fewer than two move

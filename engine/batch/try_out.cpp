@@ -16,6 +16,7 @@
 #include "trial/make_forest.h"
 #include "trial/part_overlap.h"
 #include "units/usual.h"
+#include "world/corners.h"
 
 namespace flyrock {
 
@@ -123,6 +124,18 @@ void find_hard_contacts(const Scenario& scenario, const Instances& instances, co
                     "contact solver takes long",
                     heavy.group, heavy.mass, light.group, light.mass, most));
   }
+}
+
+/// Finds shapes with corners whose restitution gives the velocity after an impact.
+template <int D>
+void find_cornered_impacts(const Scenario& scenario, const Instances& instances, const Trial<D>& trial,
+                           TriedOut& tried) {
+  if (scenario.method != Method::nscd) return;  // points have no corners
+  for (std::size_t w = 0; w < trial.surfaces.size(); ++w)
+    for (const CornerUnderLaw& c :
+         corners_under_laws(scenario, instances, trial.worlds[w], trial.surfaces[w]))
+      add(tried.errors, fmt::format("materials.{}.restitution", scenario.materials[c.material].name),
+          corners_text(trial.worlds[w].bodies[c.body].group));
 }
 
 bool is_round(const Contactor2& contactor) { return contactor.points.size() == 1 && contactor.radius > 0; }
@@ -314,6 +327,7 @@ void try_trials(const Scenario& scenario, TrialBuilder<D>& builder, const TryLim
       if (before && before != trial.terrain) ground += ground_bytes(*trial.terrain);
       before = trial.terrain;
       find_hard_contacts(scenario, builder.instances(), trial, tried);
+      find_cornered_impacts(scenario, builder.instances(), trial, tried);
       find_free_rollers(scenario, trial, tried);
       find_passing_bodies(scenario, trial, tried);
       find_fine_outlines(scenario, trial, tried);

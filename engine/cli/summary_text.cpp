@@ -11,6 +11,7 @@
 #include "results/answer.h"
 #include "results/answer_shares.h"
 #include "results/fault_line.h"
+#include "results/lost.h"
 #include "results/wording.h"
 
 namespace flyrock::cli {
@@ -43,6 +44,15 @@ std::string group_line(const GroupSummary& group, std::size_t width) {
       group.count > group.faults ? range_text(group.censored_share.interval) : "-");
   for (const Statistic s : {Statistic::p50, Statistic::p90, Statistic::p95, Statistic::p99, Statistic::max})
     text += fmt::format("{:>9}", display(group.at(rock_statistic("runout"), s), ""));
+  return text + '\n';
+}
+
+/// The line of a group whose point lost too many rocks: no numbers.
+std::string lost_line(const GroupSummary& group, std::size_t width) {
+  std::string text =
+      fmt::format("  {:<{}}{:>8}{:>9}{:>19}", row_name(group), width, group.count, "lost", "-");
+  constexpr int statistics = 5;  // those of group_line
+  for (int s = 0; s < statistics; ++s) text += fmt::format("{:>9}", "-");
   return text + '\n';
 }
 
@@ -127,9 +137,12 @@ std::string points_text(const Plan& plan, const Results& results) {
                                  "censored", "95 % interval", "p50", "p90", "p95", "p99", "max");
   for (std::size_t p = 0; p < results.points.size(); ++p) {
     if (!plan.axes.empty()) text += point_title(plan, p);
-    for (const GroupSummary& group : results.points[p].groups) text += group_line(group, width);
+    const bool is_lost = has_lost(plan.points[p], results.points[p]);
+    for (const GroupSummary& group : results.points[p].groups)
+      text += is_lost ? lost_line(group, width) : group_line(group, width);
     text += reasons_line(plan.points[p], results.points[p].groups.front());
-    text += places_text(plan.points[p], results.points[p]);
+    text += is_lost ? fmt::format("  {}\n", lost_text(results.points[p]))
+                    : places_text(plan.points[p], results.points[p]);
   }
   return text;
 }
@@ -150,6 +163,10 @@ std::string brief_points_text(const Plan& plan, const Results& results) {
                   row_name(groups[farthest]));
   for (std::size_t p = 0; p < std::min(results.points.size(), most_point_lines); ++p) {
     const GroupSummary& group = results.points[p].groups.at(farthest);
+    if (has_lost(plan.points[p], results.points[p])) {
+      text += fmt::format("  point {}: {}: {}\n", p, point_text(plan, p), lost_text(results.points[p]));
+      continue;
+    }
     text += fmt::format("  point {}: {}: {}\n", p, point_text(plan, p),
                         with_interval(group.at(runout, Statistic::p95),
                                       group.interval(runout, Statistic::p95), stated_confidence));

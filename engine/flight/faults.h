@@ -9,8 +9,8 @@
 
 namespace flyrock {
 
-/// A run has diverged that is faster [m/s], or has so many steps or events in a row that together advance
-/// time by less than a step length, or a millisecond.
+/// A run has diverged that is faster [m/s], or, of a point, has so many events in a row that together advance
+/// time by less than a millisecond. Other bodies: ProgressWatch (jam.h).
 inline constexpr double greatest_speed = 1e5;
 inline constexpr int most_idle = 10'000;
 

@@ -9,6 +9,7 @@
 
 #include "flight/faults.h"
 #include "flight/ground.h"
+#include "flight/jam.h"
 #include "flight/observer.h"
 #include "flight/rest.h"
 
@@ -29,6 +30,7 @@ class Runner {
                   histories),
         crossings_(world, settings.gates, settings.barriers, settings.forest, settings.keys, histories),
         faults_(world, settings.exact_flight),
+        jam_(world),
         running_(world.bodies.size()) {
     for (std::size_t i = 0; i < running_.size(); ++i) running_[i] = world.bodies[i].kind == BodyKind::dynamic;
     for (BodyHistory& history : histories)
@@ -50,14 +52,13 @@ class Runner {
     bool in_contact = settings_.exact_flight && collide();
     while (anybody() && world_.time < settings_.stop_time) {
       if (settings_.interrupted()) throw Interrupted();
-      if (stands_still()) {
-        diverge(std::to_string(most_idle) +
-                " steps without progress: the contacts of this rock cannot all hold at once");
+      if (progress_.stands_still(world_)) {
+        diverge(progress_.fault());
         break;
       }
       const double before = world_.time;
       in_contact = settings_.exact_flight && !in_contact && !breathes_ ? fly() : step();
-      if (!world_.pressed().empty()) diverge(pressed_text());
+      look_for_jam();
       end_bodies();
       // Bodies in contact touch again and again and time does not advance: advance by one short step that
       // ignores new impacts of pairs in contact; if time still does not advance, ignore all impacts.
@@ -89,12 +90,11 @@ class Runner {
     observer_.ended(body, reason);
   }
 
-  bool stands_still() {
-    if (++steps_ < most_idle) return false;
-    const bool still = world_.time - marked_time_ < world_.settings().time_step;
-    steps_ = 0;
-    marked_time_ = world_.time;
-    return still;
+  /// Ends the run where a driven body presses others and something has to give way.
+  void look_for_jam() {
+    const std::vector<int>& jammed = jam_.look();
+    const std::vector<int>& pressed = world_.pressed().empty() ? jammed : world_.pressed();
+    if (!pressed.empty()) diverge(pressed_text(pressed));
   }
 
   /// Ends a body with a fault. It has no contacts from then on.
@@ -104,8 +104,7 @@ class Runner {
     end(i, StopReason::diverged);
   }
 
-  std::string pressed_text() const {
-    const std::vector<int>& pressed = world_.pressed();
+  std::string pressed_text(const std::vector<int>& pressed) const {
     constexpr std::size_t most = 3;
     std::string names;
     for (std::size_t k = 0; k < std::min(most, pressed.size()); ++k)
@@ -393,6 +392,8 @@ class Runner {
   std::optional<SeriesRecorder<D>> series_;
   Crossings<D> crossings_;
   Faults<D> faults_;
+  ProgressWatch progress_;
+  JamWatch<D> jam_;
   std::vector<RestWatch> rest_;
   std::vector<char> running_;  ///< of characters, because bits cost more to set than they save
   std::vector<char> touching_, slipping_;
@@ -404,8 +405,6 @@ class Runner {
   std::vector<std::array<Vec<D>, 2>> accelerations_;  ///< accelerations by the air in the current leg
   std::vector<int> parts_;                            ///< of one body near the ground
   int stalled_ = 0;
-  int steps_ = 0;  ///< since marked_time_
-  double marked_time_ = 0;
 };
 
 }  // namespace

@@ -150,7 +150,7 @@ class UnilateralLaw : public Law {
 };
 
 /// Throw PluginError "plugin NAME, FILE:LINE: impact() returned e_n = -0.2, must be at least 0" if an answer
-/// is not finite or out of range. Required: e_n >= 0; -1 <= e_t <= 1, and 0 for a form without e_t; mu >= 0;
+/// is not finite or out of range. Required: e_n >= 0; e_t = 0 for a form without it (gain.h: <= 1); mu >= 0;
 /// mu_d <= mu_s; c_n >= 0; c_t >= mu_s c_n; mu_r and mu_spin >= 0; pull >= 0; of a spring stiffness > 0,
 /// damping >= 0, exponent from 1 to 1.5, tangential stiffness >= 0.
 void check_answer(const Law& law, const Restitution& answer);

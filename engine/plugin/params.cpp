@@ -16,6 +16,7 @@ Params::Params(const PluginSpec& spec, const std::vector<ParamValue>& values, in
     slots_.push_back(value.numbers.empty() ? -1 : next);
     next += static_cast<int>(value.numbers.size());
   }
+  slots_.resize(spec.params.size(), -1);  // those after the last value were left out
 }
 
 int Params::at(std::string_view name, std::initializer_list<ParamType> types) {

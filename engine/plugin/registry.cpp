@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "plugin/gain.h"
+
 namespace flyrock {
 
 std::string Registry::add(Plugin plugin) {
@@ -9,6 +11,7 @@ std::string Registry::add(Plugin plugin) {
   if (auto found = plugins_.find(key); found != plugins_.end())
     return fmt::format("the {} `{}` is already registered by {}", name_of(key.first), key.second,
                        found->second->spec.file);
+  limit_gain(plugin);
   plugins_.emplace(std::move(key), std::make_unique<Plugin>(std::move(plugin)));
   return {};
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plugin/gain.h"
+
 namespace flyrock {
 
 namespace {
@@ -90,7 +92,8 @@ std::string value_text(const ParamSpec& param, const ParamValue& value, Values n
 }  // namespace
 
 bool can_sample(const ParamSpec& spec) {
-  return spec.type != ParamType::text && spec.type != ParamType::file && spec.type != ParamType::shapes;
+  return spec.type != ParamType::text && spec.type != ParamType::file && spec.type != ParamType::shapes &&
+         spec.name != allow_gain;  // the engine reads it: an answer within its limits does not depend on it
 }
 
 bool can_sample(const PluginSpec& spec) {

@@ -1,5 +1,6 @@
 #include "report/summary_data.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -9,6 +10,7 @@
 #include "results/answer.h"
 #include "results/answer_shares.h"
 #include "results/fault_line.h"
+#include "results/lost.h"
 
 namespace flyrock {
 
@@ -97,6 +99,40 @@ Json group_data(const GroupSummary& group) {
     quantity["trials_needed"] = trials_needed_data(group.intervals[q]);
   }
   return data;
+}
+
+/// Makes all numbers in a value null. What tells bounds from values has nothing left to tell.
+void forget(Json& value) {
+  if (value.is_number()) value = nullptr;
+  if (value.is_boolean()) value = false;
+  if (value.is_array() && !value.empty() && value.front().is_string()) value = Json::array();
+  if (value.is_structured())
+    for (Json& inner : value) forget(inner);
+}
+
+/// The same for the members of a map, except those named in `kept`, and says why.
+void forget_numbers(Json& data, const std::vector<std::string>& kept) {
+  for (auto& [key, value] : data.items())
+    if (std::find(kept.begin(), kept.end(), key) == kept.end()) forget(value);
+  data["reason"] = "lost";
+}
+
+/// What is left of a point that lost too many rocks: counts, stop reasons, places and what was asked for.
+void forget_statistics(Json& point) {
+  for (Json& group : point["rocks"]) forget_numbers(group, {"group", "count", "faults", "stop_reasons"});
+  for (Json& gate : point["gates"]) forget_numbers(gate, {"gate", "x", "line", "rocks"});
+  for (Json& barrier : point["barriers"])
+    forget_numbers(
+        barrier, {"barrier", "x", "line", "height_m", "capacity_J", "inclination_deg", "freeboard_m", "level",
+                  "energy_factor", "height_factor", "held_height_m", "held_energy_J", "rocks", "counts"});
+  if (point.contains("trees")) forget_numbers(point["trees"], {"hits", "counts"});
+  for (Json& clearance : point["clearance"]) {
+    forget_numbers(clearance, {"clearance", "group", "probability", "per", "of", "count", "rocks_per_blast",
+                               "needed", "confidence", "factor", "area"});
+    if (clearance.contains("area")) clearance["area"]["sectors"] = Json::array();
+  }
+  for (Json& azimuths : point["runout_by_azimuth"])
+    if (azimuths.contains("sectors")) azimuths["sectors"] = Json::array();
 }
 
 /// Where a gate or barrier stands: at x, or along a line [[x, y], ...]; the other is null.
@@ -398,6 +434,7 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
           std::to_string(std::min<std::uint64_t>(all, static_cast<std::uint64_t>(output.first))) + " of " +
           std::to_string(all);
     }
+    if (has_lost(plan.points[p], point)) forget_statistics(points.back());
     if (plan.points[p].blast) points.back()["blast"] = blast_data(*plan.points[p].blast);
   }
   Json verdicts = Json::array();

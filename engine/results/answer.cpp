@@ -8,6 +8,7 @@
 #include <map>
 
 #include "results/answer_shares.h"
+#include "results/lost.h"
 #include "results/wording.h"
 
 namespace flyrock {
@@ -84,7 +85,7 @@ std::string clearance_answer(const Plan& plan, const Results& results, std::size
     return with_interval(at(p).distance, at(p).interval, asked.confidence);
   };
   const auto value_at = [&](std::size_t p) { return at(p).distance.value; };
-  const std::string distance = over_points(plan, value_at, distance_text);
+  const std::string distance = over_points(plan, results, value_at, distance_text);
   std::string text;
   if (asked.sectors > 0) {
     text = fmt::format(" Area of {}: with {} confidence at most {} of new {} outside; it reaches {} from {}",
@@ -100,7 +101,7 @@ std::string clearance_answer(const Plan& plan, const Results& results, std::size
   text += '.';
   if (asked.factor)
     text += fmt::format(" With the factor {} that is {}.", three_digits(*asked.factor),
-                        over_points(plan, value_at, [&](std::size_t p) {
+                        over_points(plan, results, value_at, [&](std::size_t p) {
                           return display({at(p).with_factor, at(p).distance.censored}, "m");
                         }));
   return text;
@@ -179,7 +180,7 @@ std::string runout_of(const Plan& plan, const Results& results, Statistic statis
     return results.points[p].groups.at(group).at(rock_statistic("runout"), statistic);
   };
   return over_points(
-      plan, [&](std::size_t p) { return at(p).value; },
+      plan, results, [&](std::size_t p) { return at(p).value; },
       [&](std::size_t p) {
         if (statistic == Statistic::max) return display(at(p), "m");
         const Interval& interval =
@@ -211,6 +212,25 @@ std::string runouts_of(const Plan& plan, const Results& results, Statistic stati
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+/// The number of points that lost too many rocks for percentiles.
+std::size_t lost_points(const Plan& plan, const Results& results) {
+  std::size_t lost = 0;
+  for (std::size_t p = 0; p < results.points.size(); ++p) lost += has_lost(plan.points[p], results.points[p]);
+  return lost;
+}
+
+/// Which points the other sentences leave out; empty if none.
+std::string lost_answer(const Plan& plan, const Results& results) {
+  const std::size_t lost = lost_points(plan, results);
+  if (lost == 0) return {};
+  if (results.points.size() == 1)
+    return fmt::format("No percentiles, shares and clearances: {}.", lost_text(results.points.front()));
+  return fmt::format(
+      "{} of {} sweep points have no percentiles, shares and clearances: more than {:g} % of their rocks "
+      "failed. {}",
+      lost, results.points.size(), 100 * most_lost, lost < results.points.size() ? "At the others: " : "");
+}
+
 }  // namespace
 
 std::string answer(const Plan& plan, const Results& results) {
@@ -224,8 +244,11 @@ std::string answer(const Plan& plan, const Results& results) {
     text = fmt::format("All {} rocks failed.", rocks);
   } else if (!plan.points.front().bodies.empty()) {
     text = trees_answer(plan, results) + barriers_answer(plan, results) + bodies_answer(plan, results);
+  } else if (lost_points(plan, results) == results.points.size()) {
+    text = lost_answer(plan, results);
   } else {
-    text = barriers_answer(plan, results) + gates_answer(plan, results) + trees_answer(plan, results);
+    text = lost_answer(plan, results) + barriers_answer(plan, results) + gates_answer(plan, results) +
+           trees_answer(plan, results);
     text += fmt::format(
         "The {} that 95 % of the rocks do not exceed is {}; that of 99 % is {}; the greatest is {}.",
         plan.all_end_at_landing() ? "distance of the first landing" : "runout",

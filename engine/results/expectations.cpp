@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "results/lost.h"
 #include "results/unknown.h"
 
 namespace flyrock {
@@ -41,7 +42,9 @@ Verdict judge_at(const Expectation& expectation, const Scenario& scenario, const
   Verdict verdict{expectation, point, unknown, false, expectation.tolerance, Judgement::failed, {}};
   if (expectation.relative) verdict.tolerance = *expectation.relative * std::abs(expectation.value);
   const Measure measure(expectation.measure, scenario);
-  const Measured measured = measure.value(result);
+  Measured measured = measure.value(result);
+  const bool is_count = expectation.measure.ends_with(".count");
+  if (measure.of_rocks() && !is_count && has_lost(scenario, result)) measured.fault = lost_text(result);
   if (measured.fault.empty()) verdict.computed = measured.value;
   verdict.censored = measured.censored;
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "results/lost.h"
 #include "results/results.h"
 
 namespace flyrock {
@@ -28,10 +29,10 @@ std::string point_text(const Plan& plan, std::size_t point);
 /// "110 m (mu = 0.2) to 140 m (mu = 0.6)": the least and the greatest value that is known, each with its
 /// point. One text if they are equal.
 template <class ValueAt, class TextAt>
-std::string over_points(const Plan& plan, ValueAt value_at, TextAt text_at) {
+std::string over_points(const Plan& plan, const Results& results, ValueAt value_at, TextAt text_at) {
   std::optional<std::size_t> least, greatest;
   for (std::size_t p = 0; p < plan.points.size(); ++p) {
-    if (std::isnan(value_at(p))) continue;
+    if (has_lost(plan.points[p], results.points[p]) || std::isnan(value_at(p))) continue;
     if (!least || value_at(p) < value_at(*least)) least = p;
     if (!greatest || value_at(p) > value_at(*greatest)) greatest = p;
   }

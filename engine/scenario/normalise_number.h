@@ -14,6 +14,7 @@ struct NumberRules {
   Scope scope = Scope::trial;   ///< scope of a distribution without `per`
   Scope finest = Scope::trial;  ///< finest scope that `per` may ask for
   bool bare_angles = false;     ///< `expect`: angles without a unit are rad
+  bool limits_gain = false;     ///< restitution: `allow_gain` lifts the limit 1 of its numbers
 };
 
 /// A constant, converted to SI units, without its limits; sweeps and distributions are refused. `expected` is

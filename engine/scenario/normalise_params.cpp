@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "plugin/gain.h"
 #include "scenario/normalise_param.h"
 
 namespace flyrock {
@@ -30,6 +31,16 @@ std::optional<Node> find_group(DecodeContext& context, const Node& map, const st
 Map& normalised_group(Map& map, const Node& parent) {
   if (map.empty() || map.back().key != parent.key) put(map, parent, map_value({}));
   return *map.back().value.map();
+}
+
+/// The parameters of a plugin as this use of it has them: without the limits that its `allow_gain` lifts.
+std::vector<ParamSpec> params_here(const Node& use, const PluginSpec& spec) {
+  std::vector<ParamSpec> params = spec.params;
+  const std::optional<Node> given = use.find(allow_gain);
+  const bool* allows = given ? given->value->boolean() : nullptr;
+  for (ParamSpec& param : params)
+    if (allows && *allows && is_limit_of_gain(spec, param)) param.max.reset();
+  return params;
 }
 
 /// The plugin that a map names, or of the type `type` if it names none; null if there is none, which is
@@ -134,7 +145,9 @@ Value normalise_plugin(DecodeContext& context, const Node& node, PluginKind kind
     keys.insert(keys.end(), others.begin(), others.end());
     node.refuse_unknown_keys(keys, context.diagnostics);
     const SoundnessOf soundness(context, node.path);
-    put_all(map, normalise_params(context, node, plugin->spec.params, rules));
+    NumberRules of_plugin = rules;
+    of_plugin.limits_gain = plugin->spec.find(allow_gain) >= 0;
+    put_all(map, normalise_params(context, node, params_here(node, plugin->spec), of_plugin));
   }
   Value use = map_value(std::move(map));
   use.at = node.value->at;

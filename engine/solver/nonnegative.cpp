@@ -22,17 +22,21 @@ Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen:
   const int count = static_cast<int>(a.cols());
   const Eigen::VectorXd least = rounding * y.norm() * a.colwise().norm().transpose();
   Eigen::VectorXd x = Eigen::VectorXd::Zero(count);
-  std::vector<int> used;
+  std::vector<int> used, barred;  // barred: columns that depend on those in use, until another one enters
+  const auto is_in = [](const std::vector<int>& list, int j) {
+    return std::find(list.begin(), list.end(), j) != list.end();
+  };
   for (int round = 0; round < 3 * count; ++round) {
     const Eigen::VectorXd descent = a.transpose() * (y - a * x);
     int next = -1;
     for (int j = 0; j < count; ++j)
-      if (std::find(used.begin(), used.end(), j) == used.end() && descent[j] > least[j] &&
+      if (!is_in(used, j) && !is_in(barred, j) && descent[j] > least[j] &&
           (next < 0 || descent[j] > descent[next]))
         next = j;
     if (next < 0) break;
     used.push_back(next);
-    for (;;) {
+    bool enters = true;
+    while (enters) {
       const Eigen::VectorXd wanted = solve_free(a, y, used);
       double share = 1;  // of the way to `wanted` until the first unknown is 0
       int blocked = -1;
@@ -41,13 +45,15 @@ Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen:
           share = x[j] / (x[j] - wanted[j]), blocked = j;
       if (blocked < 0) {
         x = wanted;
+        barred.clear();
         break;
       }
       x += share * (wanted - x);
       x[blocked] = 0;
       std::erase(used, blocked);
-      if (blocked == next) return x;  // only rounding was left
+      enters = blocked != next;
     }
+    if (!enters) barred.push_back(next);
   }
   return x;
 }

@@ -7,6 +7,73 @@
 
 namespace flyrock {
 
+namespace {
+
+/// Whether a contact is coupled to no other.
+template <class Problem>
+bool is_alone(const Problem& problem, int a) {
+  return problem.first[a] == problem.first[a + 1];
+}
+
+/// Whether a contact collides by a law of form `velocity`.
+template <int D>
+bool is_struck(const Rebound<D>& rebound) {
+  return rebound.form == RestitutionForm::velocity && rebound.before[0] < 0;
+}
+
+/// Adds the impulse of a contact that is solved apart to its q, and leaves the common problem nothing to do.
+template <class Contact, class Row>
+void take_out(Contact& contact, const Row& impulse) {
+  contact.q += contact.w * impulse;
+  contact.normal = false;
+  contact.mu = contact.mu_r = contact.mu_spin = 0;
+  contact.bound_from(0, 0);
+}
+
+/// The impulse that gives a contact the velocity of its law of form `velocity`. Where the contact lies off
+/// the centre of its body, W couples normal and tangent, and this velocity can have more energy 1/2 v W^-1 v
+/// than the one before: it is then shortened, unless the law itself answers with more than 1.
+template <int D>
+Eigen::Matrix<double, D, 1> impulse_of_law(const typename ContactProblem<D>::Contact& contact,
+                                           const Rebound<D>& rebound) {
+  constexpr double rounding = 1e-12;
+  using Velocity = Eigen::Matrix<double, D, 1>;
+  const Eigen::Matrix<double, D, D> w = contact.w.template topLeftCorner<D, D>();
+  const Velocity before = rebound.before.template head<D>();
+  Velocity after = rebound.e_t * before;
+  after[0] = -rebound.e_n * before[0];
+  const double energy_before = before.dot(w.ldlt().solve(before)),
+               energy_after = after.dot(w.ldlt().solve(after));
+  const bool gains = rebound.e_n > 1 || std::abs(rebound.e_t) > 1;
+  if (!gains && energy_after > (1 + rounding) * energy_before)
+    after *= std::sqrt(energy_before / energy_after);
+  return w.ldlt().solve(after - contact.q.template head<D>());
+}
+
+/// Gives the contacts of form `velocity` the impulses of their laws in `alone`, as if each were alone, and
+/// adds these to the q of all contacts; `free` is q of compression. A contact that is coupled to others stays
+/// in the common problem with e = 0, so that what the others push back does not penetrate there.
+template <int D, class Rows>
+void strike(ContactProblem<D>& problem, const std::vector<Rebound<D>>& rebounds, Rows& alone, Rows& free) {
+  bool is_coupled = false;
+  for (int a = 0; a < problem.size(); ++a) {
+    if (!is_struck(rebounds[a])) continue;
+    alone[a].template head<D>() = impulse_of_law<D>(problem.contacts[a], rebounds[a]);
+    if (is_alone(problem, a))
+      take_out(problem.contacts[a], alone[a]);
+    else
+      is_coupled = true;
+  }
+  if (!is_coupled) return;
+  for (int a = 0; a < problem.size(); ++a) {
+    if (is_alone(problem, a)) continue;
+    problem.contacts[a].q = problem.outside_velocity(a, alone) + problem.contacts[a].w * alone[a];
+    free[a] = problem.contacts[a].q;
+  }
+}
+
+}  // namespace
+
 template <int D>
 bool ImpactSolver<D>::two_phase(int a, const Rebound<D>& rebound) const {
   return rebound.e_n > 0 &&
@@ -14,33 +81,18 @@ bool ImpactSolver<D>::two_phase(int a, const Rebound<D>& rebound) const {
          free_[a][0] < 0;
 }
 
-/// Solves a contact that is coupled to no other contact, and adds its impulse to q. False if the contact must
-/// be solved in the common problem.
+/// Solves a contact of form `poisson` or `energy` that is coupled to no other along its path in impulse
+/// space, and adds its impulse to q. False if the contact must be solved in the common problem.
 template <int D>
 bool ImpactSolver<D>::solve_alone(Problem& problem, int a, const Rebound<D>& rebound) {
   auto& contact = problem.contacts[a];
-  const bool alone = problem.first[a] == problem.first[a + 1];
+  if (!is_alone(problem, a) || !two_phase(a, rebound) || contact.c_t != 0 || contact.resists_rotation())
+    return false;
+  const ImpactEnd end = rebound.form == RestitutionForm::poisson ? ImpactEnd::poisson : ImpactEnd::energy;
   const Eigen::Matrix<double, D, D> w = contact.w.template topLeftCorner<D, D>();
   const Eigen::Matrix<double, D, 1> v = contact.q.template head<D>();
-  if (rebound.form == RestitutionForm::velocity && rebound.before[0] < 0) {
-    if (!alone)
-      throw TrialError(
-          "a restitution law of form `velocity` must be alone at an impact, but the body touches something "
-          "else "
-          "at the same time");
-    Eigen::Matrix<double, D, 1> after = rebound.e_t * rebound.before.template head<D>();
-    after[0] = -rebound.e_n * rebound.before[0];
-    alone_[a].template head<D>() = w.ldlt().solve(after - v);
-  } else if (alone && two_phase(a, rebound) && contact.c_t == 0 && !contact.resists_rotation()) {
-    const ImpactEnd end = rebound.form == RestitutionForm::poisson ? ImpactEnd::poisson : ImpactEnd::energy;
-    alone_[a].template head<D>() = impact_path(w, v, contact.mu, end, rebound.e_n);
-  } else {
-    return false;
-  }
-  contact.q += contact.w * alone_[a];
-  contact.normal = false;
-  contact.mu = contact.mu_r = contact.mu_spin = 0;
-  contact.bound_from(0, 0);
+  alone_[a].template head<D>() = impact_path(w, v, contact.mu, end, rebound.e_n);
+  take_out(contact, alone_[a]);
   return true;
 }
 
@@ -70,11 +122,13 @@ SolveResult ImpactSolver<D>::solve(Problem& problem, const std::vector<Rebound<D
     r[a][0] = std::max(0.0, r[a][0] - rebounds[a].given);
   }
   if (given) add_given(problem);
+  for (int a = 0; a < n; ++a) free_[a] = problem.contacts[a].q;
+  if (trace) trace->free = free_;
+  strike(problem, rebounds, alone_, free_);
   for (int a = 0; a < n; ++a) {
     auto& contact = problem.contacts[a];
     const Rebound<D>& rebound = rebounds[a];
-    free_[a] = contact.q;
-    if (solve_alone(problem, a, rebound)) {
+    if (is_struck(rebound) || solve_alone(problem, a, rebound)) {
       r[a].setZero();
     } else if (two_phase(a, rebound)) {
       factor_[a] = rebound.e_n;
@@ -90,7 +144,6 @@ SolveResult ImpactSolver<D>::solve(Problem& problem, const std::vector<Rebound<D
   }
 
   if (trace) {
-    trace->free = free_;
     trace->alone = alone_;
     trace->common = {problem, r, {}};
     trace->restitution.reset();

@@ -50,8 +50,8 @@ struct SolveTrace {
 ///    r_n >= f r_Cn, and Coulomb friction (and rolling) on the velocity at its end. For poisson, f = e_n. For
 ///    energy, f is iterated, contact by contact, until the normal work of restitution is -e_n^2 times that of
 ///    compression (at most so, if other contacts press harder).
-///  - velocity: v_n = -e_n v_n^-, v_t = e_t v_t^-, whatever the friction. Only for an isolated contact;
-///    otherwise TrialError.
+///  - velocity: v_n = -e_n v_n^-, v_t = e_t v_t^-, whatever the friction, as if the contact were alone. So it
+///    enters the common problem, with e = 0. Two of them may share no moving body (ask_laws.cpp sees to it).
 /// A given impulse L is part of r_n. If the contact has normal rows, r_n >= L, and its c_t belongs to a bound
 /// on r_n - L. Forms can be mixed: a contact of newton or newton_mean keeps its conditions in both phases.
 /// `r` holds the start (zero, or the warm start from the last step) and the answer. `problem` is left as it

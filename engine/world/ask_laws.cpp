@@ -1,12 +1,49 @@
 // Calls the laws of the contacts at the start of a step or impact.
 
+#include <algorithm>
 #include <cmath>
 
 #include "collision/contact_patch.h"
+#include "world/corners.h"
 #include "world/manifold.h"
 #include "world/world.h"
 
 namespace flyrock {
+
+namespace {
+
+/// A law of form `velocity` gives the whole velocity after an impact, which only one contact of a body can
+/// have. It goes to the deepest contact of the instant; the others have e = 0. Corners would touch several at
+/// once. `chosen` [body] is overwritten.
+template <int D>
+void choose_struck(std::vector<WorldContact<D>>& contacts, const std::vector<Body<D>>& bodies,
+                   std::vector<char>& chosen) {
+  using Contact = WorldContact<D>;
+  const auto is_struck = [](const Contact& c) {
+    return c.manifold >= 0 && c.law.form == RestitutionForm::velocity;
+  };
+  if (std::none_of(contacts.begin(), contacts.end(), is_struck)) return;
+  chosen.assign(bodies.size(), false);  // bodies with a contact that has the law
+  const auto moves = [&](int i) { return i >= 0 && bodies[i].moves(); };
+  const auto has_chosen = [&](const Contact& c) {
+    return (moves(c.candidate) && chosen[c.candidate]) || (moves(c.antagonist) && chosen[c.antagonist]);
+  };
+  for (;;) {
+    const Contact* deepest = nullptr;
+    for (const Contact& c : contacts)
+      if (is_struck(c) && !has_chosen(c) && (!deepest || c.at.gap < deepest->at.gap)) deepest = &c;
+    if (!deepest) return;
+    for (const int i : {deepest->candidate, deepest->antagonist}) {
+      if (!moves(i)) continue;
+      if (has_corners(bodies[i])) throw TrialError(corners_text(bodies[i].group));
+      chosen[i] = true;
+    }
+    for (Contact& c : contacts)
+      if (&c != deepest && is_struck(c) && has_chosen(c)) static_cast<Restitution&>(c.law) = {};
+  }
+}
+
+}  // namespace
 
 template <int D>
 ContactState World<D>::state_of(const Contact& contact, double h) {
@@ -115,13 +152,14 @@ void World<D>::ask_laws(double h) {
   for (const bool impacts : {true, false})
     for (Contact& contact : contacts_)
       if ((contact.manifold >= 0) == impacts) ask_law(contact, h);
+  choose_struck(contacts_, bodies, touching_);
 }
 
 #define FLYROCK_INSTANTIATE(D)                                      \
   template ContactState World<D>::state_of(const Contact&, double); \
   template void World<D>::begin_manifolds();                        \
   template void World<D>::ask_law(Contact&, double);                \
-  template void World<D>::ask_laws(double)
+  template void World<D>::ask_laws(double);
 FLYROCK_INSTANTIATE(2);
 FLYROCK_INSTANTIATE(3);
 #undef FLYROCK_INSTANTIATE

@@ -1,6 +1,7 @@
 // Bodies that a driven body presses against something that does not give way.
 
 #include <algorithm>
+#include <cmath>
 
 #include "solver/nonnegative.h"
 #include "world/world.h"
@@ -16,31 +17,66 @@ constexpr std::size_t easy_contacts = 64, look_every = 32, most_contacts = 200;
 constexpr double most_speed_ratio = 1e4;
 /// Share of the driven approach that is rounding: two driven bodies hold a body and move together.
 constexpr double rounding_share = 1e-6;
+/// Share of the driven approach that the answer of a failed solve leaves open, from which on friction is
+/// asked whether it holds the bodies: a solve that is only inaccurate leaves less.
+constexpr double missed_share = 1e-2;
+/// Times the mass of all free bodies and the fastest approach: no lever or wedge makes an impulse so great.
+constexpr double boundless = 1e6;
+
+/// Whether r >= 0 with the columns of `a` has no resultant (all rows but the last) while the driven bodies
+/// approach (the last row), and this r; empty if there is none. It is the least squares of (H r, b . r) and
+/// (0, 1).
+Eigen::VectorXd self_stress(const Eigen::MatrixXd& a) {
+  const Eigen::Index last = a.rows() - 1;
+  const Eigen::VectorXd r = nonnegative_least_squares(a, Eigen::VectorXd::Unit(a.rows(), last));
+  const double closes = a.row(last).dot(r), resultant = (a.topRows(last) * r).norm();
+  const bool is_rounding = closes <= rounding_share * a.row(last).cwiseAbs().dot(r);
+  if (is_rounding || closes < most_speed_ratio * resultant) return {};
+  return r;
+}
+
+/// Unit directions in the plane of a contact whose hull stands for its circle of friction.
+template <int D>
+std::vector<Eigen::Matrix<double, D - 1, 1>> slip_directions() {
+  if constexpr (D == 2) {
+    return {Eigen::Matrix<double, 1, 1>(1.0), Eigen::Matrix<double, 1, 1>(-1.0)};
+  } else {
+    constexpr int count = 8;
+    std::vector<Eigen::Vector2d> directions;
+    for (int k = 0; k < count; ++k)
+      directions.emplace_back(std::cos(2 * pi * k / count), std::sin(2 * pi * k / count));
+    return directions;
+  }
+}
 
 }  // namespace
 
-/// Whether the contacts of a solve that failed leave the free bodies no motion at all, and which of
-/// them are pressed. Let H map normal impulses r to the free bodies, and b be the speeds at which the driven
-/// bodies alone approach at the contacts. A motion v keeps the contacts if H^T v >= b. For any r >= 0 then
+/// Whether the contacts of a solve that failed leave the free bodies no motion at all, and which of them are
+/// pressed. Let H map impulses r to the free bodies, and b be the speeds at which the driven bodies alone
+/// approach at the contacts. A motion v keeps the contacts if H^T v >= b along the normals. For any normal
+/// impulses r >= 0 then
 ///   |v| >= b . r / |H r|,
-/// so that none exists if r >= 0 has no resultant and b . r > 0 (Farkas). The r of the greatest bound is the
-/// least squares of (H r, b . r / |b|) and (0, 1). Friction and restitution have no part in it: they ask for
-/// more. Speeds of turning count at the size of the body. Contacts that yield are left out.
+/// so that none exists if r >= 0 has no resultant and b . r > 0 (Farkas). Where the answer is far from the
+/// driven approach, friction takes part: r lies in the cones of friction, and bodies that it wedges are held
+/// whatever the force. Restitution has no part in it. Speeds of turning count at the size of the body.
+/// Contacts that yield are left out.
 template <int D>
 void World<D>::find_pressed() {
   const std::size_t count = contacts_.size();
   if (count > most_contacts || (count > easy_contacts && quality_.problems % look_every != 0)) return;
-  const auto approach_of = [&](std::size_t a) {
+  const auto approach_of = [&](std::size_t a) -> Vec<D> {  // along the normal and the tangents
     const Contact& c = contacts_[a];
-    double approach = 0;
-    if (bodies[c.candidate].kind == BodyKind::driven)
-      approach -= rows_[a].candidate.col(0).dot(bodies[c.candidate].velocity());
-    if (c.antagonist >= 0 && bodies[c.antagonist].kind == BodyKind::driven)
-      approach -= rows_[a].antagonist.col(0).dot(bodies[c.antagonist].velocity());
+    Vec<D> approach = Vec<D>::Zero();
+    const auto add = [&](int i, const auto& of_body) {
+      if (i >= 0 && bodies[i].kind == BodyKind::driven)
+        approach -= of_body.template leftCols<D>().transpose() * bodies[i].velocity();
+    };
+    add(c.candidate, rows_[a].candidate);
+    add(c.antagonist, rows_[a].antagonist);
     return approach;
   };
   double fastest = 0;
-  for (std::size_t a = 0; a < count; ++a) fastest = std::max(fastest, approach_of(a));
+  for (std::size_t a = 0; a < count; ++a) fastest = std::max(fastest, approach_of(a)[0]);
   if (!(fastest > 0)) return;
 
   constexpr int dof = Space<D>::dof;
@@ -48,32 +84,60 @@ void World<D>::find_pressed() {
   int rows = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i)
     if (bodies[i].moves()) first[i] = rows, rows += dof;
-  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(rows + 1, static_cast<Eigen::Index>(count));
-  for (std::size_t k = 0; k < count; ++k) {
-    const Contact& c = contacts_[k];
+  const auto is_rigid = [&](const Contact& c) {
     const auto yields = [&](int i) { return i >= 0 && bodies[i].breathes(); };
-    const bool is_rigid = c.law.condition == NormalCondition::signorini ||
-                          c.law.condition == NormalCondition::cohesive ||
-                          (c.law.condition == NormalCondition::quasi_shock && c.at.gap <= 0);
-    if (!is_rigid || yields(c.candidate) || yields(c.antagonist)) continue;
-    const auto column = static_cast<Eigen::Index>(k);
+    const bool holds = c.law.condition == NormalCondition::signorini ||
+                       c.law.condition == NormalCondition::cohesive ||
+                       (c.law.condition == NormalCondition::quasi_shock && c.at.gap <= 0);
+    return holds && !yields(c.candidate) && !yields(c.antagonist);
+  };
+  // The column of an impulse of contact k along its normal with `share` of it along the tangents.
+  const auto put = [&](auto column, std::size_t k, const Vec<D - 1>& share) {
+    const Contact& c = contacts_[k];
+    if (!is_rigid(c)) return;
     const auto add = [&](int i, const auto& of_body) {
       if (i < 0 || first[i] < 0) return;
-      a.col(column).template segment<dof>(first[i]) = of_body.col(0);
-      a.col(column).template segment<dof - D>(first[i] + D) /= bodies[i].size;
+      auto of_rows = column.template segment<dof>(first[i]);
+      of_rows = of_body.col(0) + of_body.template middleCols<D - 1>(1) * share;
+      of_rows.template tail<dof - D>() /= bodies[i].size;
     };
     add(c.candidate, rows_[k].candidate);
     add(c.antagonist, rows_[k].antagonist);
-    a(rows, column) = approach_of(k) / fastest;
+    const Vec<D> approach = approach_of(k);
+    column[rows] = (approach[0] + share.dot(approach.template tail<D - 1>())) / fastest;
+  };
+  const auto search = [&](const std::vector<Vec<D - 1>>& directions, bool rubs) {
+    const auto each = static_cast<Eigen::Index>(directions.size());
+    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(rows + 1, each * static_cast<Eigen::Index>(count));
+    for (std::size_t k = 0; k < count; ++k)
+      for (Eigen::Index d = 0; d < each; ++d)
+        put(a.col(static_cast<Eigen::Index>(k) * each + d), k,
+            (rubs ? problem_.contacts[k].mu : 0) * directions[static_cast<std::size_t>(d)]);
+    const Eigen::VectorXd r = self_stress(a);
+    if (r.size() == 0) return;
+    const double least = 1e-3 * r.maxCoeff();
+    for (Eigen::Index column = 0; column < r.size(); ++column)
+      for (const Contact* c = &contacts_[static_cast<std::size_t>(column / each)];
+           const int i : {c->candidate, c->antagonist})
+        if (r[column] > least && i >= 0 && first[i] >= 0) pressed_.push_back(i);
+  };
+  search({Vec<D - 1>::Zero()}, false);
+  const bool is_missed = last_solve_.residual > missed_share * fastest;
+  if (pressed_.empty() && is_missed) search(slip_directions<D>(), true);
+  if (pressed_.empty() && is_missed) {  // impulses that grow without bound, until rounding ends them
+    double mass = 0, greatest = 0, work = 0, work_in_all = 0;
+    for (const Body<D>& body : bodies) mass += body.moves() ? body.mass : 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      fastest = std::max(fastest, contacts_[k].approach());
+      greatest = std::max(greatest, impulses_[k][0]);
+      work += impulses_[k][0] * approach_of(k)[0];
+      work_in_all += std::abs(impulses_[k][0] * approach_of(k)[0]);
+    }
+    if (greatest > boundless * mass * fastest && work > missed_share * work_in_all)
+      for (std::size_t k = 0; k < count; ++k)
+        for (const int i : {contacts_[k].candidate, contacts_[k].antagonist})
+          if (impulses_[k][0] > 1e-3 * greatest && i >= 0 && first[i] >= 0) pressed_.push_back(i);
   }
-  const Eigen::VectorXd r = nonnegative_least_squares(a, Eigen::VectorXd::Unit(rows + 1, rows));
-  const double closes = a.row(rows).dot(r), resultant = (a.topRows(rows) * r).norm();
-  if (closes <= rounding_share * a.row(rows).cwiseAbs().dot(r) || closes < most_speed_ratio * resultant)
-    return;
-  const double least = 1e-3 * r.maxCoeff();
-  for (std::size_t k = 0; k < count; ++k)
-    for (const int i : {contacts_[k].candidate, contacts_[k].antagonist})
-      if (r[static_cast<Eigen::Index>(k)] > least && i >= 0 && first[i] >= 0) pressed_.push_back(i);
   std::sort(pressed_.begin(), pressed_.end());
   pressed_.erase(std::unique(pressed_.begin(), pressed_.end()), pressed_.end());
 }

@@ -78,6 +78,8 @@ void World<D>::solve_and_apply() {
   const int worst = result.worst_contact;
   if (worst >= 0 && result.residual > settings_.tolerance * problem_.contacts[worst].speed_scale)
     find_pressed();
+  // Impulses that grow without bound hold nothing: the run ends with the velocities before them.
+  if (!pressed_.empty()) std::fill(impulses_.begin(), impulses_.end(), Row::Zero());
   quality_.max_residual = std::max(quality_.max_residual, result.residual);
   for (std::size_t a = 0; a < contacts_.size(); ++a) {
     Contact& contact = contacts_[a];
@@ -152,18 +154,20 @@ void World<D>::record_impacts() {
     const Contact& contact = contacts_[a];
     if (contact.manifold < 0) continue;
     const std::size_t index = first + static_cast<std::size_t>(contact.manifold);
-    if (index >= impacts_.size()) {
-      Impact impact;
+    while (index >=
+           impacts_.size()) {  // manifolds of shocks come after the others, not in the order of contacts
+      impacts_.emplace_back();
+      sums_.emplace_back();
+    }
+    Impact& impact = impacts_[index];
+    ImpactSum& sum = sums_[contact.manifold];
+    if (sum.weight == 0) {
       impact.body = contact.candidate;
       impact.other = contact.antagonist;
       if (contact.antagonist < 0) impact.part = part_of(*terrain_, contact.at.against);
       impact.number = contact.impact_number;
       impact.time = time;
-      impacts_.push_back(impact);
-      sums_.emplace_back();
     }
-    Impact& impact = impacts_[index];
-    ImpactSum& sum = sums_[contact.manifold];
     const double pn = contact.impulse[0];
     impact.pn += pn;
     impact.energy_change += energy_of(a);

@@ -10,6 +10,7 @@
 #include "host/param_reader.h"
 #include "host/table_reader.h"
 #include "plugin/contact_law.h"
+#include "plugin/gain.h"
 
 namespace flyrock {
 
@@ -50,7 +51,9 @@ class ManifestReader {
       check_entry();
     }
     read_history();
+    const bool may_gain = table_.boolean("may_gain").value_or(false);
     read_params();
+    read_gain(may_gain);
     read_reads();
     table_.finish();
     if (table_.failed() || params_failed_) return std::nullopt;
@@ -102,6 +105,20 @@ class ManifestReader {
     } else if (form) {
       table_.error("form", fmt::format("a {} has no form: only a restitution has", name_of(spec_.kind)));
     }
+  }
+
+  /// A restitution that may not gain energy has a parameter that permits it.
+  void read_gain(bool may_gain) {
+    const bool is_restitution = spec_.kind == PluginKind::restitution;
+    if (may_gain && !is_restitution)
+      table_.error("may_gain",
+                   fmt::format("a {} gains no energy: only a restitution may", name_of(spec_.kind)));
+    if (!is_restitution || may_gain) return;
+    if (spec_.find(allow_gain) >= 0)
+      table_.error("params",
+                   fmt::format("`{}` is a key of every restitution, expected another name", allow_gain));
+    else
+      add_allow_gain(spec_);
   }
 
   /// Requires either native or the function of the kind, and no other function.

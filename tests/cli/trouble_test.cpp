@@ -4,6 +4,7 @@
 #include <sys/file.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <regex>
 
 #include "same_result.h"
@@ -153,7 +154,7 @@ TEST_CASE(
   const Folder folder;
   folder.write("law.lua", R"(local fr = require "flyrock"
 return fr.plugin {
-  kind = "restitution", name = "huge", form = "newton", doc = "Throws heavy rocks back.", source = "a test",
+  kind = "restitution", name = "huge", form = "newton", may_gain = true, doc = "Throws heavy rocks back.", source = "a test",
   params = { en = fr.number { default = 1e300, min = 0, doc = "of a heavy rock" } },
   impact = function(p, contact)
     if contact.time > 0 and contact.mass > 250 then return p.en, 0 end
@@ -245,16 +246,86 @@ TEST_CASE("A fault for which no plugin is to blame has its own reason") {
   CHECK(start.err.find("not_started: rocks.0.release: `stones` starts at (0, 0.") != std::string::npos);
   CHECK(start.err.find("plugin_error") == std::string::npos);
   CHECK(read(folder.path() / "start/rocks.csv").find(",not_started,") != std::string::npos);
+}
 
-  folder.write("flat.yaml", scenario("{ type: normal_tangential, rn: 0.4, rt: 0.8 }",
-                                     "{ type: polygon, vertices: [[0, 0], [1, 0], [1, 1], [0, 1]] }",
-                                     "{ uniform: [2, 5] }"));
-  const Output flat = call(folder, "run flat.yaml -o flat");
-  INFO(flat.err);
-  CHECK(flat.code == 3);
-  CHECK(flat.err.find("diverged: a restitution law of form `velocity` must be alone at an impact") !=
-        std::string::npos);
-  CHECK(flat.err.find("plugin_error") == std::string::npos);
+TEST_CASE("A law of form velocity is refused for shapes with corners, at every point of a sweep") {
+  const Folder folder;
+  const auto scenario = [](const std::string& method, const std::string& shape) {
+    return "flyrock: 1\ndimension: 2\nmethod: " + method +
+           "\ntrials: 20\n"
+           "terrain: { type: profile, points: [[-50, 20], [0, 0], [10, 1], [50, 0]], material: rock }\n"
+           "materials: { rock: { restitution: { type: normal_tangential, rn: 0.35, rt: 0.85 }, friction: { "
+           "type: "
+           "coulomb, mu: 0.5 }, rolling: { type: rolling_resistance, mu_r: 0.05 m } } }\n"
+           "rocks: [{ name: stones, density: 2700, shape: " +
+           shape + ", release: { position: [-40, 20] } }]\nstop: { time: 60 }\n";
+  };
+  const std::string square = "{ type: polygon, sides: 4, diameter: 0.5 }",
+                    disk = "{ type: disk, radius: 0.25 }";
+  folder.write("square.yaml", scenario("nscd", square));
+  folder.write("swept.yaml", scenario("{ sweep: [lumped_mass, nscd] }", square));
+  folder.write("point.yaml", scenario("lumped_mass", square));
+  folder.write("disk.yaml", scenario("nscd", disk));
+  for (const std::string command : {"check square.yaml", "check swept.yaml", "run square.yaml -o s"}) {
+    const Output refused = call(folder, command);
+    INFO(command << '\n' << refused.err);
+    CHECK(refused.code == 2);
+    CHECK(refused.err.find(
+              "error: materials.rock.restitution: `stones` has corners, of which several can touch at "
+              "once") != std::string::npos);
+    CHECK(refused.out.find("a sound scenario") == std::string::npos);
+  }
+  CHECK(call(folder, "check point.yaml").code == 0);
+  const Output round = call(folder, "run disk.yaml -o d");
+  INFO(round.err);
+  CHECK(round.code == 0);
+}
+
+TEST_CASE("A point that lost more than 5 % of its rocks has no percentiles, shares and clearances") {
+  const Folder folder;
+  folder.write("picky.lua", R"(local fr = require "flyrock"
+return fr.plugin { kind = "restitution", name = "picky", doc = "Fails beyond x = limit.", reads = { "contact.place" },
+  params = { limit = fr.number { unit = "m" } },
+  impact = function(p, contact)
+    if contact.place[1] > p.limit then error("beyond") end
+    return 0.3
+  end }
+)");
+  folder.write("lost.yaml", R"(flyrock: 1
+dimension: 2
+method: nscd
+trials: 200
+plugins: [picky.lua]
+terrain: { type: profile, points: [[-50, 0], [50, 0]], material: rock }
+materials: { rock: { restitution: { type: picky, limit: { sweep: [100 m, 9 m, 3 m] } }, friction: { type: coulomb, mu: 0.5 }, rolling: { type: rolling_resistance, mu_r: 0.05 m } } }
+rocks: [{ name: stones, density: 2700, shape: { type: disk, radius: 0.2 }, release: { position: [0, 1] }, launch: { type: fixed, speed: { uniform: [1, 10] }, elevation: 45 deg } }]
+gates: [{ name: road, x: 2 m }]
+stop: { time: 60 }
+expect:
+  - { measure: rocks.runout.p50, above: 0 }
+  - { measure: gate.road.passed, above: 0 }
+  - { measure: rocks.count, equals: 200 }
+)");
+  const Output run = call(folder, "run lost.yaml -o r");
+  INFO(run.out << run.err);
+  CHECK(run.code == 3);
+  CHECK(run.out.find("and above 5 % nothing is said of the others") != std::string::npos);
+  const auto points = nlohmann::json::parse(read(folder.path() / "r/summary.json")).at("points");
+  const auto& kept = points[0];
+  CHECK(kept["rocks"][0]["runout"]["p50"].is_number());
+  CHECK(kept["gates"][0]["passed"].is_number());
+  CHECK_FALSE(kept["rocks"][0].contains("reason"));
+  const auto& lost = points[2];
+  CHECK(lost["rocks"][0]["count"] == 200);
+  CHECK(lost["rocks"][0]["faults"] > 20);
+  CHECK(lost["rocks"][0]["runout"]["p50"].is_null());
+  CHECK(lost["rocks"][0]["runout"]["intervals"]["p95"][0].is_null());
+  CHECK(lost["rocks"][0]["reason"] == "lost");
+  CHECK(lost["gates"][0]["passed"].is_null());
+  CHECK(lost["gates"][0]["reason"] == "lost");
+  const auto verdicts = nlohmann::json::parse(read(folder.path() / "r/summary.json")).at("expectations");
+  for (const auto& verdict : verdicts)
+    if (verdict["point"] == 2) CHECK(verdict["passed"] == (verdict["measure"] == "rocks.count"));
 }
 
 TEST_CASE("A driven body that presses another into the ground ends the trial, and says which") {

@@ -48,6 +48,7 @@ function unreached(area) {
 }
 
 function draw_area(node, clearance) {
+  if (clearance.area.sectors.length === 0) return;  // the point lost too many rocks
   const area = clearance.area, line = (name, radius, style) => ({ ...outline(area, radius), mode: "lines", name, ...style, hovertemplate: `${name}<br>x %{x:.1f} m, y %{y:.1f} m<extra></extra>` });
   const traces = [];
   if (area.beyond !== null) {

@@ -52,7 +52,8 @@ function runout_section() {
     `${ends_at_landing ? "A path ends where it first meets the ground; its distance is horizontal, from the release." : "Runout is the horizontal distance from release to stop."} The lower scale is logarithmic. Dashed: p50, p95 and p99, which that share of the rocks does not exceed.`), numbers(table_place));
   redraw.push(() => {
     const group = shown_group(), runout = data.points[shown.point].runout[shown.group], count = group.count - group.faults;
-    note.textContent = `Shown: ${shown_text()}; ${counted(count, "rock", "rocks")}. ` + (group.censored === 0 ? `None is censored: every ${runout_name} is known.`
+    note.textContent = `Shown: ${shown_text()}; ${counted(count, "rock", "rocks")}. ` + (group.censored === null ? "Too many rocks failed: those that are left say nothing about the others."
+      : group.censored === 0 ? `None is censored: every ${runout_name} is known.`
       : `${percent(group.censored)} are censored (left the domain or ran out of time): their distance is a lower bound, and so is every number marked ≥.`) +
       (group.stop_reasons.caught > 0 ? ` ${percent(group.stop_reasons.caught / count)} were caught by barriers${data.points[shown.point].stems ? " or trees" : ""}: their distance holds only while these stand.` : "");
     draw_runout(node, runout, group);

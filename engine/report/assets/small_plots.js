@@ -54,7 +54,7 @@ function sweep_table(group) {
     summary.points.map((point) => {
       const s = point.rocks[group], interval = s.runout.intervals.p95;
       return [point.point, ...data.axes.map((axis) => at_axis(axis, point)), statistic(s, "runout", "p50"), statistic(s, "runout", "p95"), interval[0], interval[1],
-        statistic(s, "runout", "p99"), statistic(s, "runout", "max"), right(s.count === s.faults ? "–" : with_interval(s.censored, s.share_intervals.censored)), s.faults,
+        statistic(s, "runout", "p99"), statistic(s, "runout", "max"), right(s.censored === null || s.count === s.faults ? "–" : with_interval(s.censored, s.share_intervals.censored)), s.faults,
         ...point.clearance.map((c) => right(c.distance === null ? "–" : `${c.lower_bound ? "≥ " : ""}${show(c.distance)}`))];
     }));
 }

@@ -5,8 +5,8 @@ return fr.plugin {
   kind = "restitution",
   name = "damped_reflection",
   form = "velocity",
-  doc = "The reflected velocity times one number: v_n+ = -damping v_n-, v_t+ = damping v_t-, whatever the friction. For a "
-    .. "contact that meets nothing else at the same time, as a lumped mass.",
+  doc = "The reflected velocity times one number: v_n+ = -damping v_n-, v_t+ = damping v_t-, whatever the friction. For "
+    .. "lumped masses and round shapes: at the deepest contact of the instant, the others have e = 0.",
   source = "the rockfall script of the Ninh Dan paper, Random[0.3, 0.6] at each rebound; that it multiplies the whole "
     .. "reflected velocity is our reading",
   params = {

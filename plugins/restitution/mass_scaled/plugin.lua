@@ -10,7 +10,7 @@ return fr.plugin {
   source = "the option of rockfall programs to scale R_n by mass; the function is flyrock's, after Pfeiffer and Bowen 1989",
   reads = { "contact.mass" },
   params = {
-    en = fr.number { default = 0.35, min = 0, usual = { 0, 1 }, doc = "limit of a light rock" },
+    en = fr.number { default = 0.35, min = 0, max = 1, doc = "limit of a light rock" },
     half_mass = fr.number { above = 0, unit = "kg", doc = "mass at which e_n is halved" },
   },
   impact = function(p, contact)

@@ -9,7 +9,7 @@ return fr.plugin {
     .. "velocities before and after; poisson, e times the normal impulse; energy, e^2 times the normal work (Stronge).",
   source = "M. Jean, The non-smooth contact dynamics method, 1999; M. Fremond 1995; S. D. Poisson 1811; W. J. Stronge 1990",
   params = {
-    en = fr.number { min = 0, usual = { 0, 1 }, doc = "coefficient of restitution" },
+    en = fr.number { min = 0, max = 1, doc = "coefficient of restitution" },
     et = fr.number { optional = true, min = -1, max = 1, doc = "tangential restitution v_t+ = -e_t v_t- of a contact that sticks; form newton only" },
     form = fr.choice { choices = { "newton", "newton_mean", "poisson", "energy" }, default = "newton", doc = "what the coefficient means" },
     as_lmgc90 = fr.boolean {

@@ -9,7 +9,7 @@ return fr.plugin {
   source = "T. J. Pfeiffer and T. D. Bowen, Computer simulation of rockfalls, 1989",
   reads = { "contact.approach_speed" },
   params = {
-    en = fr.number { default = 0.35, min = 0, usual = { 0, 1 }, doc = "limit at very slow impact" },
+    en = fr.number { default = 0.35, min = 0, max = 1, doc = "limit at very slow impact" },
     et = fr.number { default = 0, min = 0, max = 1, doc = "tangential restitution" },
     half_speed = fr.number { default = 9.144, above = 0, unit = "m/s", doc = "speed at which e_n is halved" },
   },

@@ -6,6 +6,7 @@ return fr.plugin {
   kind = "restitution",
   name = "wyllie",
   form = "newton",
+  may_gain = true,
   doc = "Normal restitution by the angle of impact from the surface, e_n = factor theta_deg^exponent, above 1 for shallow "
     .. "impacts. For round and lumped rocks only: a rock with corners turns spin into bounce by itself, and would do so twice.",
   source = "D. C. Wyllie, Calibration of rock fall modeling parameters, 2014; constants as in RockGIS",

@@ -135,7 +135,7 @@ TEST_CASE("every field of a contact reaches Lua unchanged") {
     const std::string name(field.name);
     lua.write("f_" + name + ".lua",
               "local fr = require 'flyrock'\nreturn fr.plugin { kind = 'restitution', name = 'f_" + name +
-                  "', doc = 'd', impact = function(p, contact) return " +
+                  "', doc = 'd', may_gain = true, impact = function(p, contact) return " +
                   (field.number   ? "contact." + name
                    : field.vector ? "contact." + name + "[2] + #contact." + name
                                   : "#contact." + name) +
@@ -216,6 +216,14 @@ TEST_CASE("wrong answers of a law name the plugin, the place and what was expect
         "plugin my_law, my_law.lua:5: impact() returned boolean for e_t, expected a number");
   CHECK(failure("function(p, c) return 0/0 end") ==
         "plugin my_law, my_law.lua:5: impact() returned e_n = nan, must be finite");
+  CHECK(failure("function(p, c) return 1.5 end") ==
+        "plugin my_law, my_law.lua:5: impact() returned e_n = 1.5, must be at most 1: the impact would gain "
+        "energy, "
+        "which `allow_gain: true` among the law's parameters permits");
+  CHECK(failure("function(p, c) return 0.5, -1.5 end") ==
+        "plugin my_law, my_law.lua:5: impact() returned e_t = -1.5, must be from -1 to 1: the impact would "
+        "gain "
+        "energy, which `allow_gain: true` among the law's parameters permits");
   CHECK(failure("function(p, c) return 1, 0, 3 end") ==
         "plugin my_law, my_law.lua:5: impact() returned a third value, expected e_n, e_t");
 }
@@ -280,7 +288,7 @@ function Law:at(speed) return self.en * self.half ^ speed end
 local one = Law.new(1)
 local strict = setmetatable({ known = 1 }, { __index = function(t, key) return key .. "?" end })
 local list = { 7, 8, 9 }
-return fr.plugin { kind = "restitution", name = "my_law", doc = "d", impact = function(p, contact)
+return fr.plugin { kind = "restitution", name = "my_law", doc = "d", may_gain = true, impact = function(p, contact)
   local two = Law.new(2)
   assert(getmetatable(one) == Law and getmetatable(two) == Law)
   assert(one + two == 3 and one:at(1) == 0.5 and two:at(0) == 2)

@@ -1,0 +1,113 @@
+#include "flight/jam.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flyrock {
+
+template <int D>
+bool ProgressWatch::stands_still(const World<D>& world) {
+  const SolverQuality& quality = world.quality();
+  const std::uint64_t contacts = world.contacts().size();
+  const bool factorises = world.last_solve().solver == SolverKind::proximal_newton;
+  const std::uint64_t of_solver =
+      (quality.iterations - iterations_) * contacts * (factorises ? of_factorisation : of_sweep);
+  const std::uint64_t of_searches = (quality.toc_iterations - searches_) * of_search;
+  const std::uint64_t of_rest =
+      (quality.problems - problems_ + 1) * (world.bodies.size() + contacts) * of_solve;
+  work_ += (D == 3 ? in_3d : 1) * (of_solver + of_searches + of_rest);
+  ++steps_;
+  problems_ = quality.problems;
+  iterations_ = quality.iterations;
+  searches_ = quality.toc_iterations;
+  if (world.time - marked_time_ >= world.settings().time_step) {
+    marked_time_ = world.time;
+    steps_ = work_ = 0;
+  }
+  return steps_ >= most_steps || work_ >= most_work;
+}
+
+std::string ProgressWatch::fault() const {
+  return "no progress in " + std::to_string(steps_) +
+         " steps: the contacts of this rock cannot all hold at once";
+}
+
+template bool ProgressWatch::stands_still(const World<2>&);
+template bool ProgressWatch::stands_still(const World<3>&);
+
+template <int D>
+JamWatch<D>::JamWatch(const World<D>& world) : world_(world) {
+  any_driven_ = std::any_of(world.bodies.begin(), world.bodies.end(),
+                            [](const Body<D>& body) { return body.kind == BodyKind::driven; });
+}
+
+/// The bodies that touch a driven one, over other free bodies too, and how fast driven bodies approach.
+template <int D>
+void JamWatch<D>::find_reached() {
+  const std::vector<Body<D>>& bodies = world_.bodies;
+  reached_.assign(bodies.size(), false);
+  fastest_ = work_ = work_in_all_ = 0;
+  for (const auto& contact : world_.contacts()) {
+    double approach = 0;
+    const auto add = [&](int i, double side) {
+      if (i >= 0 && bodies[i].kind == BodyKind::driven)
+        approach -= side * contact.at.normal.dot(bodies[i].velocity_at(contact.at.point));
+    };
+    add(contact.candidate, 1);
+    add(contact.antagonist, -1);
+    work_ += contact.impulse[0] * approach;
+    work_in_all_ += std::abs(contact.impulse[0] * approach);
+    if (approach <= 0) continue;
+    fastest_ = std::max(fastest_, approach);
+    for (const int i : {contact.candidate, contact.antagonist})
+      if (i >= 0 && bodies[i].moves()) reached_[i] = true;
+  }
+  for (bool more = fastest_ > 0; more;) {
+    more = false;
+    for (const auto& contact : world_.contacts()) {
+      const int a = contact.candidate, b = contact.antagonist;
+      if (b < 0 || !bodies[a].moves() || !bodies[b].moves() || reached_[a] == reached_[b]) continue;
+      reached_[a] = reached_[b] = true;
+      more = true;
+    }
+  }
+}
+
+/// The deepest penetration of the bodies that a driven one reaches, as a share of the size. Springs penetrate
+/// by design.
+template <int D>
+double JamWatch<D>::deepest_share() const {
+  double deepest = 0;
+  for (const auto& contact : world_.contacts()) {
+    if (contact.law.condition == NormalCondition::penalty) continue;
+    for (const int i : {contact.candidate, contact.antagonist})
+      if (is_reached(i) && !world_.bodies[i].breathes())
+        deepest = std::max(deepest, -world_.gap_now(contact) / world_.bodies[i].size);
+  }
+  return deepest;
+}
+
+template <int D>
+const std::vector<int>& JamWatch<D>::look() {
+  jammed_.clear();
+  if (!any_driven_ || world_.quality().problems == problems_) return jammed_;
+  problems_ = world_.quality().problems;
+  find_reached();
+  if (fastest_ == 0) return jammed_;
+  const bool is_missed =
+      world_.last_solve().residual > missed_share * fastest_ && work_ > missed_share * work_in_all_;
+  met_ = is_missed ? 0 : met_ + 1;
+  missed_ = is_missed ? missed_ + 1 : met_ < most_steps ? missed_ : 0;
+  const double deepest = deepest_share();
+  if (deepest != last_deepest_) grown_ = deepest > deep_share && deepest > last_deepest_ ? grown_ + 1 : 0;
+  last_deepest_ = deepest;
+  if (missed_ < most_steps && grown_ < most_steps) return jammed_;
+  for (std::size_t i = 0; i < reached_.size(); ++i)
+    if (reached_[i]) jammed_.push_back(static_cast<int>(i));
+  return jammed_;
+}
+
+template class JamWatch<2>;
+template class JamWatch<3>;
+
+}  // namespace flyrock

@@ -1,0 +1,70 @@
+#pragma once
+// Runs that do not go on: time that stands still, and bodies that a driven one jams.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "world/world.h"
+
+namespace flyrock {
+
+/// The work of a world since its time last advanced by a step length, or a millisecond. Work is counted,
+/// never timed, so that results do not depend on the machine. A unit is about 0.1 us of a processor of 2023.
+class ProgressWatch {
+ public:
+  static constexpr std::uint64_t most_steps = 10'000;      ///< or impacts, without progress
+  static constexpr std::uint64_t most_work = 200'000'000;  ///< units; about 20 s
+  static constexpr std::uint64_t of_sweep = 2;             ///< of each contact in a sweep
+  static constexpr std::uint64_t of_factorisation = 30;    ///< the same in a step of the second solver
+  static constexpr std::uint64_t of_search = 10;           ///< of each iteration for the time of a touch
+  static constexpr std::uint64_t of_solve = 50;  ///< of each body and contact, for all around a solve
+  static constexpr std::uint64_t in_3d = 4;      ///< times as much
+
+  /// Call after each flight, step and impact. Returns whether the limits are reached.
+  template <int D>
+  bool stands_still(const World<D>& world);
+  /// "no progress in 10000 steps: the contacts of this rock cannot all hold at once"
+  std::string fault() const;
+
+ private:
+  std::uint64_t steps_ = 0, work_ = 0;                          ///< since marked_time_
+  double marked_time_ = 0;                                      ///< s
+  std::uint64_t problems_ = 0, iterations_ = 0, searches_ = 0;  ///< of the world, when it was last looked at
+};
+
+/// Finds bodies that a driven one jams against something, where no self-stress shows it (World::pressed): of
+/// the last solves of contacts that a driven body reaches, many missed the motion that it asks for; or a
+/// penetration among them is deep and grows step by step.
+template <int D>
+class JamWatch {
+ public:
+  static constexpr int most_steps = 10;  ///< steps or impacts that show it
+  static constexpr double missed_share =
+      0.1;  ///< of the driven speed, that the residual of a solve leaves open
+  static constexpr double deep_share = 1e-3;  ///< of the size; a deeper contact is not pushed out
+
+  explicit JamWatch(const World<D>& world);
+  /// Call after each step and impact. The bodies that are jammed; empty: none.
+  const std::vector<int>& look();
+
+ private:
+  void find_reached();
+  bool is_reached(int body) const { return body >= 0 && reached_[static_cast<std::size_t>(body)]; }
+  double deepest_share() const;
+
+  const World<D>& world_;
+  bool any_driven_ = false;
+  std::vector<char> reached_;  ///< [body], moves with or touches, over others, a driven body that moves
+  std::vector<int> jammed_;
+  double fastest_ = 0;  ///< m/s, approach of driven bodies at their contacts
+  /// J, of the driven bodies at the contacts of the last solve, and the sum of its sizes: two that move
+  /// together and hold a body do no work on it
+  double work_ = 0, work_in_all_ = 0;
+  double last_deepest_ = 0;     ///< share of the size
+  std::uint64_t problems_ = 0;  ///< solves of the world, when it was last looked at
+  int missed_ = 0, met_ = 0;    ///< solves that missed the motion since `most_steps` in a row met it
+  int grown_ = 0;               ///< steps in a row in which the penetration grew
+};
+
+}  // namespace flyrock
