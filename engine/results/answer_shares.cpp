@@ -88,11 +88,11 @@ std::string of_rocks(const std::string& name, const Plan& plan, const Results& r
                                [&](const PointResult& point) { return arrives(point.crossings.front()); });
   if (!any)
     return fmt::format("Barrier {}: in {} of the trials a rock reaches it. ", name,
-                       share_over_points(plan, results, results, 0, reached));
+                       share_over_points(plan, results, 0, reached));
   std::string text;
   for (const std::size_t group : groups) {
     const auto of = [&](BarrierShare what, Share Shares::*sense) {
-      return share_over_points(plan, results, results, group, [&](const Crossings& crossings) {
+      return share_over_points(plan, results, group, [&](const Crossings& crossings) {
         return crossings.barriers.at(b).share(what).*sense;
       });
     };
@@ -205,7 +205,7 @@ std::string gates_answer(const Plan& plan, const Results& results) {
     if (groups.empty()) groups = {0};  // of no group a rock passes
     for (const std::size_t group : groups) {
       const auto of = [&](Share Shares::*sense) {
-        return share_over_points(plan, results, results, group, [&](const Crossings& crossings) {
+        return share_over_points(plan, results, group, [&](const Crossings& crossings) {
           return crossings.gates.at(g).shares.*sense;
         });
       };
