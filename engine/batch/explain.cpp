@@ -82,6 +82,7 @@ ExplainedContact contact_of(const World<D>& world, std::size_t a, const WorldNam
   row.tangent.template head<D>() = frame.col(1).array() + 0.0;
   row.gap = contact.at.gap;
   row.law = contact.law;
+  if (D == 2) row.law.mu_spin = 0;  // nothing spins about a normal in the plane
   row.impact = contact.manifold >= 0;
   row.before = contact.before.head(width);
   row.after = world.velocities_after()[a].head(width);

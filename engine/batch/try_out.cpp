@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "batch/free_rollers.h"
 #include "batch/hard_contacts.h"
 #include "batch/map_cells.h"
 #include "geometry/place_text.h"
@@ -138,32 +139,13 @@ void find_cornered_impacts(const Scenario& scenario, const Instances& instances,
           corners_text(trial.worlds[w].bodies[c.body].group));
 }
 
-bool is_round(const Contactor2& contactor) { return contactor.points.size() == 1 && contactor.radius > 0; }
-bool is_round(const Contactor3& contactor) {
-  return !contactor.has_faces() && (contactor.radius > 0 || contactor.has_circles());
-}  // a pill rolls about its axis
-
-/// Finds round rocks on ground without rolling resistance: they roll until stop.time.
+/// Finds round rocks that roll or pivot until stop.time.
 template <int D>
-void find_free_rollers(const Scenario& scenario, const Trial<D>& trial, TriedOut& tried) {
-  if (!scenario.bodies.empty() || scenario.method != Method::nscd) return;  // points slide
-  for (std::size_t w = 0; w < trial.surfaces.size(); ++w) {
-    const World<D>& world = trial.worlds[w];
-    for (int i = 0; i < static_cast<int>(world.bodies.size()); ++i) {
-      const Body<D>& body = world.bodies[i];
-      const bool round = body.contactors.size() == 1 && is_round(body.contactors.front());
-      for (int part = 0; round && part < static_cast<int>(parts_of(world.terrain()).size()); ++part) {
-        const int index = trial.surfaces[w].material_with_terrain(world, i, part);
-        if (index < 0 || scenario.materials[index].rolling) continue;
-        const std::string& material = scenario.materials[index].name;
-        add(tried.warnings, "materials." + material,
-            fmt::format("has no `rolling`, and `{}` is round: on it a rock rolls until stop.time, and such "
-                        "rocks make every "
-                        "percentile a lower bound",
-                        body.group));
-      }
-    }
-  }
+void find_free_rollers(const Scenario& scenario, const Instances& instances, const Trial<D>& trial,
+                       TriedOut& tried) {
+  for (std::size_t w = 0; w < trial.surfaces.size(); ++w)
+    for (const FreeRoller& roller : free_rollers(scenario, instances, trial.worlds[w], trial.surfaces[w]))
+      add(tried.warnings, roller.path, roller.why);
 }
 
 /// Finds bodies that pass through each other, because one of them touches with points only.
@@ -328,7 +310,7 @@ void try_trials(const Scenario& scenario, TrialBuilder<D>& builder, const TryLim
       before = trial.terrain;
       find_hard_contacts(scenario, builder.instances(), trial, tried);
       find_cornered_impacts(scenario, builder.instances(), trial, tried);
-      find_free_rollers(scenario, trial, tried);
+      find_free_rollers(scenario, builder.instances(), trial, tried);
       find_passing_bodies(scenario, trial, tried);
       find_fine_outlines(scenario, trial, tried);
       find_overlapping_parts(scenario, trial, tried);

@@ -249,7 +249,8 @@ class PointRunner {
     if (whole && (stops || support.stays)) now_.velocity.setZero();
     if (run_.forces.air.drag > 0)
       audit_.give(std::max(0.0, audit_.energy(now_.position, now_.velocity) - energy));
-    rest_.rests(start, now_.time, speed, now_.velocity.norm(), before);
+    rest_.rests(start, now_.time, Pace::without_pivot(speed), Pace::without_pivot(now_.velocity.norm()),
+                before);
     return stops_at(obstacle);
   }
 

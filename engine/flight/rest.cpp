@@ -5,12 +5,22 @@
 
 namespace flyrock {
 
-void RestWatch::rests(double start, double end, double from, double speed, const Travel& before) {
+/// Whether the body is slow apart from a pivot that has not changed since it became slow.
+bool RestWatch::only_pivots(const Pace& pace) const {
+  constexpr double rounding = 1e-9;  // of the pivot; the least resistance changes it by more in rest_time
+  return pace.unpivoted < stop_speed_ && std::abs(pace.pivot - pivot_) <= rounding * std::abs(pivot_);
+}
+
+void RestWatch::rests(double start, double end, const Pace& from, const Pace& pace, const Travel& before) {
   constexpr double creep = 0.1;      // of the stop speed
   constexpr double unsteady = 1e-3;  // of the speed and the stop speed
-  if (speed >= stop_speed_) return moves();
+  if (slow_since_ < 0) pivot_ = from.pivot;
+  const bool pivots = pace.speed >= stop_speed_;
+  if (pivots && !only_pivots(pace)) return moves();
+  const double speed = pivots ? pace.unpivoted : pace.speed;
   if (slow_since_ < 0) {
-    const double share = from > stop_speed_ ? (from - stop_speed_) / (from - speed) : 0;
+    const double faster = pivots ? from.unpivoted : from.speed;
+    const double share = faster > stop_speed_ ? (faster - stop_speed_) / (faster - speed) : 0;
     slow_since_ = start + share * (end - start);
     greatest_ = speed;
     begin(slow_since_, speed, before);

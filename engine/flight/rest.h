@@ -20,6 +20,15 @@ namespace flyrock {
 inline constexpr double rest_time = 0.2;    // s
 inline constexpr double settling_time = 5;  // s
 
+/// How fast a body in contact moves, in m/s.
+struct Pace {
+  double speed = 0;      ///< the greater of |v| and |w| radius
+  double unpivoted = 0;  ///< the same without the spin about the normal of its only contact
+  double pivot = 0;      ///< that spin times the radius, signed; 0 in 2D, and of a body with several contacts
+
+  static Pace without_pivot(double speed) { return {.speed = speed, .unpivoted = speed}; }
+};
+
 /// Follows one body, step by step, and records in its history since when it has been at rest.
 class RestWatch {
  public:
@@ -32,10 +41,10 @@ class RestWatch {
     slow_since_ = -1;
     history_->stop_time = std::numeric_limits<double>::quiet_NaN();
   }
-  /// Reports a contact step from `start` to `end` [s] that began at the speed `from` and ended at `speed`
-  /// [m/s], the greater of |v| and |w| radius. The body is slow from the time at which the speed, taken as
-  /// linear, falls below the stop speed. `before` is the travel of the body at the start of the step.
-  void rests(double start, double end, double from, double speed, const Travel& before);
+  /// Reports a contact step from `start` to `end` [s] that began at the pace `from` and ended at `pace`. The
+  /// body is slow from the time at which the speed, taken as linear, falls below the stop speed. `before` is
+  /// the travel of the body at the start of the step.
+  void rests(double start, double end, const Pace& from, const Pace& pace, const Travel& before);
   /// The time until a body that stays slow and steady is at rest [s]; infinite if it is not slow.
   double time_to_rest(double now) const {
     return slow_since_ < 0 ? std::numeric_limits<double>::infinity() : steady_since_ + rest_time - now;
@@ -44,12 +53,14 @@ class RestWatch {
   const Travel& travel() const { return travel_; }
 
  private:
+  bool only_pivots(const Pace& pace) const;
   void begin(double time, double speed, const Travel& travel);
 
   Kind kind_;
   double stop_speed_;
   BodyHistory* history_;
   double slow_since_ = -1;                       ///< s; -1: it is not slow
+  double pivot_ = 0;                             ///< m/s, when it became slow
   double greatest_ = 0;                          ///< m/s, speed since it has been slow
   double since_ = -1;                            ///< s; from when it is at rest if it does not gain speed
   double speed_ = 0;                             ///< m/s, at `since_`

@@ -17,6 +17,20 @@ namespace flyrock {
 
 namespace {
 
+/// The pace of a body in 2D, where nothing pivots.
+Pace pace_of(const Vec2& v, double w, double radius, const Vec2*) {
+  return Pace::without_pivot(std::max(v.norm(), spin_speed(w) * radius));
+}
+
+/// The pace of a body in 3D. `normal`: of its only contact; null: it has several.
+Pace pace_of(const Vec3& v, const Vec3& w, double radius, const Vec3* normal) {
+  const double speed = std::max(v.norm(), spin_speed(w) * radius);
+  if (!normal) return Pace::without_pivot(speed);
+  const double pivot = normal->dot(w);
+  const Vec3 rolling = w - pivot * *normal;
+  return {.speed = speed, .unpivoted = std::max(v.norm(), rolling.norm() * radius), .pivot = pivot * radius};
+}
+
 template <int D>
 class Runner {
  public:
@@ -290,14 +304,16 @@ class Runner {
     const auto outcome = world_.step(h, cut, touches == Touches::of_new_pairs);
     if (series_) series_->stepped(outcome.duration);
     if (settings_.advanced && outcome.duration > 0) settings_.advanced(outcome.duration);
-    touching_.assign(bodies(), false);
+    touching_.assign(bodies(), 0);
     slipping_.assign(bodies(), false);
+    normals_.resize(bodies());
     for (const auto& contact : world_.contacts()) {
       if (contact.impulse[0] <= 0) continue;
       land(contact);
       for (const int body : {contact.candidate, contact.antagonist}) {
         if (body < 0) continue;
-        touching_[body] = true;
+        ++touching_[body];
+        normals_[body] = contact.at.normal;
         slipping_[body] = slipping_[body] || world_.slips(contact, body);
       }
     }
@@ -311,10 +327,9 @@ class Runner {
       if (touching_[i]) {
         observer_.stepped(i, flights_[i], outcome.duration,
                           slipping_[i] ? TravelMode::slide : TravelMode::roll);
-        const auto speed_of = [&](const auto& at) {
-          return std::max(at.v.norm(), spin_speed(at.w) * body.radius);
-        };
-        rest_[i].rests(start, world_.time, speed_of(starts_[i]), speed_of(body), before);
+        const Vec<D>* pivot = touching_[i] == 1 ? &normals_[i] : nullptr;
+        rest_[i].rests(start, world_.time, pace_of(starts_[i].v, starts_[i].w, body.radius, pivot),
+                       pace_of(body.v, body.w, body.radius, pivot), before);
       } else {
         if (outcome.duration > 0) observer_.flew(i, flights_[i], start, outcome.duration);
         rest_[i].moves();
@@ -396,7 +411,9 @@ class Runner {
   JamWatch<D> jam_;
   std::vector<RestWatch> rest_;
   std::vector<char> running_;  ///< of characters, because bits cost more to set than they save
-  std::vector<char> touching_, slipping_;
+  std::vector<int> touching_;  ///< the number of contacts of each body in the last step
+  std::vector<char> slipping_;
+  std::vector<Vec<D>> normals_;  ///< of a contact of each body that touches
   std::vector<Moment<D>> starts_;
   std::vector<Motion> flights_;  ///< of the last flight or step, from its start
   bool breathes_ = false;        ///< the radius of a body changes in the air too: flights are made of steps

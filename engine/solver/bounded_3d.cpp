@@ -95,9 +95,9 @@ Row solve_by_bracket(const Contact& contact, const Row& b) {
   return middle;
 }
 
-/// Newton steps from r, until the error no longer decreases. Returns the error of the best impulse, which is
-/// stored in r.
-double sharpen(const Contact& contact, const Row& b, Row& r) {
+/// Newton steps from r, until the error is at most `wanted`. Returns the error of the best impulse, which is
+/// stored in r. Beyond `wanted` only rounding is left, which further steps do not lessen.
+double sharpen(const Contact& contact, const Row& b, double wanted, Row& r) {
   constexpr int most_steps = 15;
   double least = std::numeric_limits<double>::infinity();
   Row best = r;
@@ -105,7 +105,7 @@ double sharpen(const Contact& contact, const Row& b, Row& r) {
     const Row u = b + contact.w * r;
     const double error = local_error<3>(contact, u, r);
     if (error < least) least = error, best = r;
-    if (error == 0 || step == most_steps) break;
+    if (error <= wanted || step == most_steps) break;
     Block m = contact.w;
     Row rhs = -u;
     for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -150,13 +150,14 @@ Row solve_bounded(const Contact& contact, const Row& b, const Row& guess) {
   Row r = Row::Zero();
   if (contact.resists_open()) settle_bounded_rows(contact, b, r);
   if (!contact.normal || b[0] + contact.w.row(0).dot(r) >= 0 || contact.w(0, 0) <= 0) return r;
-  const double wanted = 256 * std::numeric_limits<double>::epsilon() * b.head<3>().norm();
+  const double rounding = std::numeric_limits<double>::epsilon() * b.head<3>().norm();
+  const double wanted = 16 * rounding, allowed = 256 * rounding;
   r = guess;
   if (r[0] <= 0) r = Row::Zero(), r[0] = std::abs(b[0]) / contact.w(0, 0);
-  const double error = sharpen(contact, b, r);
-  if (error > wanted) {
+  const double error = sharpen(contact, b, wanted, r);
+  if (error > allowed) {
     Row other = solve_by_bracket(contact, b);
-    if (sharpen(contact, b, other) < error) r = other;
+    if (sharpen(contact, b, wanted, other) < error) r = other;
   }
   for (std::size_t g = 0; g < groups.size(); ++g) {  // clip exactly to the bounds
     const auto [first, count] = groups[g];

@@ -20,7 +20,7 @@ void set_law(const ContactLaw& law, bool sticking, double gap, double h,
   const bool spring = law.condition == NormalCondition::penalty;
   contact.mu = sticking ? law.mu_s : law.mu_d;
   contact.mu_r = law.mu_r;
-  contact.mu_spin = law.mu_spin;
+  contact.mu_spin = D == 3 ? law.mu_spin : 0;
   static_cast<Restitution&>(rebound) = law;
   rebound.given = spring ? 0 : -h * law.c_n;
   contact.bound_from(rebound.given, h * law.c_t);

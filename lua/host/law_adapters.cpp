@@ -7,6 +7,7 @@
 #include "document/printable.h"
 #include "host/adapter_kinds.h"
 #include "host/views.h"
+#include "plugin/pivoting.h"
 
 namespace flyrock {
 
@@ -74,7 +75,7 @@ class LuaRolling : public LuaLaw<RollingLaw> {
     Rolling answer;
     call_(values, {&contact}, 3, [&](lua_State* lua) {
       answer.mu_r = call_.number(lua, 1, "mu_r");
-      if (!lua_isnil(lua, 2)) answer.mu_spin = call_.number(lua, 2, "mu_spin");
+      answer.mu_spin = lua_isnil(lua, 2) ? usual_mu_spin(answer.mu_r) : call_.number(lua, 2, "mu_spin");
       if (!lua_isnil(lua, 3)) call_.fail("returned a third value, expected mu_r, mu_spin");
     });
     return answer;

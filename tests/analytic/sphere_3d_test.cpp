@@ -169,4 +169,21 @@ TEST_CASE("spinning resistance stops a sphere on its place after 2 R^2 w / (5 mu
   CHECK(rest.position.head<2>().norm() < 1e-12);
 }
 
+TEST_CASE("a sphere that rolls and pivots loses both spins by their own torques, on a slope too") {
+  // v' = 5/7 (g_t - mu_r g_n / R) along its way and w_n' = -5 mu_spin g_n / (2 R^2), each as if alone
+  const double azimuth = GENERATE(0.0, 1.1), slope = GENERATE(0.0, 0.05), share = GENERATE(0.1, 0.4, 1.0);
+  const double radius = 0.4, mu_r = 0.06, mu_spin = share * mu_r, pivot = 25, speed = 3, end = 0.6;
+  Material material(0, 0.6, mu_r, 0, mu_spin);
+  Bench3 bench(plane(slope, azimuth), material);
+  const Vec3 normal = bench.terrain.ground().facet(0).normal, way = down(slope, azimuth);
+  bench.add(
+      sphere(radius, 700, radius * normal, speed * way, normal.cross(way) * speed / radius + pivot * normal));
+  bench.run_settings.stop_speed = 0;
+  const BodyHistory& history = bench.run(end);
+  const double rolls = speed + end * 5.0 / 7 * g * (std::sin(slope) - std::cos(slope) * mu_r / radius);
+  const double pivots = pivot - end * 5 * mu_spin * g * std::cos(slope) / (2 * radius * radius);
+  CHECK((history.last.velocity - rolls * way).norm() < 1e-6);
+  CHECK(history.last.spin.dot(normal) == Approx(pivots).epsilon(1e-8));
+}
+
 }  // namespace sphere_3d_test

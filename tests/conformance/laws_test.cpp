@@ -38,10 +38,26 @@ TEST_CASE("coulomb takes the coefficient or the angle") {
                     "plugin coulomb: expected either `mu` or `angle`");
 }
 
-TEST_CASE("rolling resistance and Signorini's condition") {
-  const auto rolling =
-      make<RollingLaw>(session(), PluginKind::rolling, "rolling_resistance", {{"mu_r", 0.05}});
-  CHECK(rolling.model->rolling(rolling.values, {}).mu_r == 0.05);
+TEST_CASE("rolling_resistance takes a length or a share of the radius, and resists pivoting with 2/5 of it") {
+  const auto rolling = [](const std::map<std::string, Given>& given) {
+    const auto law = make<RollingLaw>(session(), PluginKind::rolling, "rolling_resistance", given);
+    ContactState contact;
+    contact.radius = 0.3;
+    return law.model->rolling(law.values, contact);
+  };
+  CHECK(rolling({{"mu_r", 0.05}}).mu_r == 0.05);
+  CHECK(rolling({{"mu_r", 0.05}}).mu_spin == Approx(0.02).epsilon(1e-15));
+  CHECK(rolling({{"mu_r", 0.05}, {"mu_spin", 0.0}}).mu_spin == 0);
+  CHECK(rolling({{"share", 0.1}}).mu_r == Approx(0.03).epsilon(1e-15));
+  CHECK(rolling({{"share", 0.1}}).mu_spin == Approx(0.012).epsilon(1e-15));
+  CHECK(rolling({{"share", 0.1}, {"mu_spin", 0.5}}).mu_spin == 0.5);
+  const char* const both_or_none = "plugin rolling_resistance: expected either `mu_r` or `share`";
+  CHECK_THROWS_WITH(rolling({}), both_or_none);
+  CHECK_THROWS_WITH(rolling({{"mu_spin", 0.1}}), both_or_none);
+  CHECK_THROWS_WITH(rolling({{"mu_r", 0.05}, {"share", 0.1}}), both_or_none);
+}
+
+TEST_CASE("Signorini's condition") {
   const auto unilateral = make<UnilateralLaw>(session(), PluginKind::unilateral, "signorini", {});
   CHECK(unilateral.model->condition(unilateral.values, {}).condition == NormalCondition::signorini);
 }

@@ -349,9 +349,10 @@ fr.plugin { kind = "unilateral", name = "v", doc = "d", condition = function(p) 
   CHECK(friction("one").mu_d == 0.6);
   ContactState contact;
   contact.radius = 0.5;
-  CHECK(make_instance<RollingLaw>(use_of(lua.session, PluginKind::rolling, "r", {}), 2)
-            ->rolling({}, contact)
-            .mu_r == 0.05);
+  const Rolling rolling =
+      make_instance<RollingLaw>(use_of(lua.session, PluginKind::rolling, "r", {}), 2)->rolling({}, contact);
+  CHECK(rolling.mu_r == 0.05);
+  CHECK(rolling.mu_spin == Approx(0.02).epsilon(1e-15));
   const auto condition = [&](const std::string& name) {
     return make_instance<UnilateralLaw>(use_of(lua.session, PluginKind::unilateral, name, {}), 2)
         ->condition({}, {})
