@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
+#include "plugin/dimension_error.h"
 #include "plugin/sampled_params.h"
 
 using namespace flyrock;

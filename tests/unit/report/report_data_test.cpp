@@ -313,7 +313,7 @@ TEST_CASE("Rounded numbers have four digits and no tail") {
 TEST_CASE("The smallest numbers are rounded to 0, the greatest stay finite, at any number of digits") {
   for (const int digits : {4, 6}) {
     for (const double tiny : {5e-324, 1e-310, -2.2e-308, 1e-291}) CHECK(rounded(tiny, digits).dump() == "0");
-    for (const double number : {1e-289, 3e-200, -7e-30, 2e200, -1.7976e308}) {
+    for (const double number : {1e-289, 3e-200, -7e-30, 2e200, -1.7e308}) {
       INFO(number);
       CHECK(rounded(number, digits).get<double>() == Approx(number).epsilon(1e-3).margin(0));
     }
