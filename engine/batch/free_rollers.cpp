@@ -46,25 +46,25 @@ std::optional<std::string> never_rests(const Body<D>& body, const Rolling& groun
                                        double stop_time) {
   constexpr double inertia = D == 2 ? 0.5 : 0.4;      // of m R^2
   constexpr double usual_speed = 1, usual_pivot = 1;  // m/s and rad/s
-  constexpr const char* end = "such rocks make every percentile a lower bound";
+  const auto until = [&](const std::string& what) {
+    return what + ", and such rocks make every percentile a lower bound";
+  };
   if (ground.mu_r == 0)
-    return fmt::format("its mu_r is 0, and `{}` is round: on it a rock rolls until stop.time, and {}",
-                       body.group, end);
+    return until(
+        fmt::format("its mu_r is 0, and `{}` is round: on it a rock rolls until stop.time", body.group));
   const double rolls = body.radius * (1 + inertia) * usual_speed / (ground.mu_r * g);
   if (rolls > stop_time)
-    return fmt::format(
-        "its mu_r of {:.3g} m needs {:.3g} s to stop `{}`, which is round, from 1 m/s, longer than "
-        "stop.time: {}",
-        ground.mu_r, rolls, body.group, end);
+    return until(
+        fmt::format("its mu_r of {:.3g} m stops `{}`, which is round, from 1 m/s in {:.3g} s, later "
+                    "than stop.time",
+                    ground.mu_r, body.group, rolls));
   if (D == 2 || ground.mu_spin == 0) return std::nullopt;
   const double pivots = inertia * body.radius * body.radius * usual_pivot / (ground.mu_spin * g);
   if (pivots > stop_time)
-    return fmt::format(
-        "its mu_spin of {:.3g} m needs {:.3g} s to stop `{}`, which is round, from a spin of 1 rad/s on its "
-        "place, "
-        "longer than stop.time: {}; expected about 2/5 of mu_r, or 0, with which a steady spin counts as "
-        "rest",
-        ground.mu_spin, pivots, body.group, end);
+    return until(fmt::format("its mu_spin of {:.3g} m stops a pivot of 1 rad/s of `{}`, which is round, in "
+                             "{:.3g} s, later than stop.time",
+                             ground.mu_spin, body.group, pivots)) +
+           "; expected about 2/5 of mu_r, or 0, with which a steady pivot counts as rest";
   return std::nullopt;
 }
 

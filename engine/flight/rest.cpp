@@ -7,7 +7,7 @@ namespace flyrock {
 
 /// Whether the body is slow apart from a pivot that has not changed since it became slow.
 bool RestWatch::only_pivots(const Pace& pace) const {
-  constexpr double rounding = 1e-9;  // of the pivot; the least resistance changes it by more in rest_time
+  constexpr double rounding = 1e-9;  // of the pivot; what stops it within six years changes it by more
   return pace.unpivoted < stop_speed_ && std::abs(pace.pivot - pivot_) <= rounding * std::abs(pivot_);
 }
 

@@ -79,9 +79,9 @@ TEST_CASE("`check` warns of ground on which round rocks roll or pivot until stop
       {", rolling: { type: rolling_resistance, mu_r: 0 }",
        "materials.scree.rolling: its mu_r is 0, and `boulders` is round"},
       {", rolling: { type: rolling_resistance, mu_r: 0.01 mm }",
-       "materials.scree.rolling: its mu_r of 1e-05 m needs"},
+       "materials.scree.rolling: its mu_r of 1e-05 m stops `boulders`"},
       {", rolling: { type: rolling_resistance, mu_r: 0.1 m, mu_spin: 0.01 mm }",
-       "materials.scree.rolling: its mu_spin of 1e-05 m needs"},
+       "materials.scree.rolling: its mu_spin of 1e-05 m stops a pivot"},
   };
   for (const rolling_test::Case& one : cases) {
     INFO(one.rolling);
