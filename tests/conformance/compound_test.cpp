@@ -1,5 +1,7 @@
 // Rocks of several parts.
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 
 #include "batch/runners.h"
