@@ -25,13 +25,13 @@ double Faults<D>::energy_of(const Body<D>& body, double kinetic) const {
 }
 
 template <int D>
-std::optional<std::string> Faults<D>::below_ground(int i) const {
+std::optional<std::string> Faults<D>::below_ground(int i, const Vec<D>& place) const {
   const Body<D>& body = world_.bodies[i];
-  const double depth = depth_below_ground(world_.terrain(), body.x);
+  const double depth = depth_below_ground(world_.terrain(), place);
   if (!(depth > 0)) return std::nullopt;
   double usual = world_.carry_reach(i, -1) + world_.touch(i);
   if (!exact_flight_) usual += body.size + body.v.norm() * world_.settings().time_step;
-  if (depth <= usual) return std::nullopt;
+  if (depth <= usual || is_near_surface(world_.terrain(), place, usual)) return std::nullopt;
   return fmt::format("its centre of mass lies {:.2g} m below the ground", depth);
 }
 

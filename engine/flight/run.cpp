@@ -100,8 +100,13 @@ class Runner {
   /// Ends a body with a fault. It has no contacts from then on.
   void take_out(int i, const std::string& why) {
     histories_[i].fault = why;
+    leave(i, StopReason::diverged);
+  }
+
+  /// Ends a body that leaves the world.
+  void leave(int i, StopReason reason) {
+    end(i, reason);
     world_.bodies[i].present = false;
-    end(i, StopReason::diverged);
   }
 
   std::string pressed_text() const {
@@ -215,7 +220,7 @@ class Runner {
     }
     world_.fly(dt);
     if (series_) series_->flew(flights_, start, dt);
-    cross(start, dt);
+    arrive(start, dt);
     if (touch) return collide();
     world_.measure_penetration();
     return false;
@@ -322,7 +327,7 @@ class Runner {
       }
     }
     observer_.arrived();
-    cross(start, outcome.duration);
+    arrive(start, outcome.duration);
     return outcome.new_touch ? collide() : outcome.in_contact;
   }
 
@@ -346,13 +351,28 @@ class Runner {
     return h;
   }
 
-  /// Applies gates and barriers to the bodies that moved along flights_ since `start`.
-  void cross(double start, double dt) {
+  /// Looks for bodies below the ground, and applies gates, barriers and trees, where the motions along
+  /// flights_ since `start` end.
+  void arrive(double start, double dt) {
     for (int i = 0; i < bodies(); ++i) {
-      if (!running_[i] || !crossings_.moved(i, flights_[i], start, dt)) continue;
-      end(i, StopReason::caught);
-      world_.bodies[i].present = false;
+      if (!running_[i]) continue;
+      if (const auto fault = faults_.below_ground(i, last_over_ground(i, dt))) {
+        take_out(i, *fault);
+        continue;
+      }
+      if (crossings_.moved(i, flights_[i], start, dt)) leave(i, StopReason::caught);
     }
+  }
+
+  /// Where a motion along flights_ of length dt ends, or has just not left the terrain.
+  Vec<D> last_over_ground(int i, double dt) const {
+    constexpr double before = 1e-9;  // s, and share of the time: nowhere is the ground higher by so much
+    const Motion& flight = flights_[i];
+    const Vec<D>& end = world_.bodies[i].x;
+    if (domain_of(world_.terrain()).contains(end) && is_over_ground(world_.terrain(), end)) return end;
+    const double leaves =
+        std::min({dt, time_in_domain(flight), time_over_ground(world_.terrain(), flight, dt)});
+    return flight.position(std::max(0.0, leaves * (1 - before) - before));
   }
 
   /// Ends bodies that have come to rest, left the terrain or diverged. In a world of several bodies, a body
@@ -373,10 +393,7 @@ class Runner {
             i, "its radius fell below 5 % of the one at rest: its gas and spring are too soft for this load");
       } else if (!domain.contains(body.x) || !is_over_ground(world_.terrain(), body.x)) {
         histories_[i].fault = left_text(domain, body.x);
-        end(i, StopReason::left_domain);
-        body.present = false;
-      } else if (const auto fault = faults_.below_ground(i)) {
-        take_out(i, *fault);
+        leave(i, StopReason::left_domain);
       }
       if (running_[i]) all_at_rest = all_at_rest && at_rest(i);
     }

@@ -4,6 +4,7 @@
 
 #include "analytic/lab.h"
 #include "analytic/lab_3d.h"
+#include "analytic/lab_ground.h"
 
 using namespace flyrock;
 using namespace flyrock::lab;
@@ -43,6 +44,30 @@ TEST_CASE("a body below the ground has diverged") {
   Bench3 bench3(plane(0.3), material);
   tamper<Bench3, Body<3>>(
       bench3, material, sphere(0.1, 1, {0, 0, 1}), [](Body<3>& b) { b.x.z() -= 0.5; }, "below the ground");
+}
+
+TEST_CASE(
+    "a body below the ground has diverged also where its path ends at a barrier or leaves the terrain") {
+  Material material(0.5, 0.5);
+  const auto sink = [](auto& body, double x) {
+    constexpr int up = std::decay_t<decltype(body.x)>::RowsAtCompileTime - 1;
+    body.x[0] = x;
+    body.x[up] -= 0.5;
+  };
+  for (const double x : {9.99, 4.99}) {
+    const std::vector<Barrier> fence{{5, 20, 1e9}};
+    Bench bench(ground(10), material);
+    bench.run_settings.barriers = fence;
+    tamper<Bench, Body<2>>(
+        bench, material, disk(0.1, 1, {0, 1}, {5, 0}), [&](Body<2>& b) { sink(b, x); }, "below the ground");
+    CHECK(bench.histories[0].barriers.empty());
+    Bench3 bench3(extruded(ground(10), 10, 2), material);
+    bench3.run_settings.barriers = fence;
+    tamper<Bench3, Body<3>>(
+        bench3, material, sphere(0.1, 1, {0, 0, 1}, {5, 0, 0}), [&](Body<3>& b) { sink(b, x); },
+        "below the ground");
+    CHECK(bench3.histories[0].barriers.empty());
+  }
 }
 
 TEST_CASE("a body with energy from nowhere has diverged") {
