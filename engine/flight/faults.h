@@ -35,12 +35,19 @@ class Faults {
   /// m g (distance from the start + size). Call this function after each flight and step.
   std::optional<std::string> energy_from_nowhere();
 
+  /// The kinetic and potential energy of a body now [J]; 0 of one that has left.
+  double energy_of(int body) const;
+  /// A body has left, or a barrier or a tree has slowed it: this energy [J] is no longer the world's. It is
+  /// that of the instant, because air, driven bodies and contacts have changed it since the last check.
+  void take(double energy) { allowed_ -= energy; }
+  /// A body with a fault has left. How much of its energy came from nowhere is unknown, so the balance begins
+  /// anew with the others.
+  void begin_anew() { allowed_ = world_.total_energy() - world_.energy_given(); }
+
  private:
-  double energy_of(const Body<D>& body, double kinetic) const;
   const World<D>& world_;
   bool exact_flight_;
   std::vector<Vec<D>> starts_;
-  std::vector<double> last_;  ///< J, last energy of each body that is still present
   double allowed_ = 0;   ///< J
   double greatest_ = 0;  ///< J
 };

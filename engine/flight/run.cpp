@@ -101,6 +101,7 @@ class Runner {
   void take_out(int i, const std::string& why) {
     histories_[i].fault = why;
     leave(i, StopReason::diverged);
+    faults_.begin_anew();
   }
 
   /// Ends a body that leaves the world.
@@ -360,7 +361,9 @@ class Runner {
         take_out(i, *fault);
         continue;
       }
+      const double energy = faults_.energy_of(i);
       if (crossings_.moved(i, flights_[i], start, dt)) leave(i, StopReason::caught);
+      faults_.take(energy - faults_.energy_of(i));
     }
   }
 
@@ -393,6 +396,7 @@ class Runner {
             i, "its radius fell below 5 % of the one at rest: its gas and spring are too soft for this load");
       } else if (!domain.contains(body.x) || !is_over_ground(world_.terrain(), body.x)) {
         histories_[i].fault = left_text(domain, body.x);
+        faults_.take(faults_.energy_of(i));
         leave(i, StopReason::left_domain);
       }
       if (running_[i]) all_at_rest = all_at_rest && at_rest(i);
