@@ -261,7 +261,8 @@ class Runner {
   /// move outwards is still inside.
   static double departure(const Path<D>& path, double x, int side, int axis) {
     const double speed = side * path.v[axis], push = side * path.a[axis];
-    if (path.x[axis] != x || speed > 0 || (speed == 0 && push > 0)) return arrival(path, x, side, axis);
+    const bool inside = side * (x - path.x[axis]) > 0;
+    if (inside || speed > 0 || (speed == 0 && push > 0)) return arrival(path, x, side, axis);
     return push > 0 ? -2 * speed / push : std::numeric_limits<double>::infinity();
   }
 
@@ -378,6 +379,18 @@ class Runner {
     return flight.position(std::max(0.0, leaves * (1 - before) - before));
   }
 
+  /// Whether a body is beyond an end of the terrain, or where it has no ground. One that touches an upright
+  /// wall at the end, where rounding may put it beyond, does not move outwards.
+  bool has_left(int i, const Domain<D>& domain) const {
+    const Body<D>& body = world_.bodies[i];
+    for (int k = 0; k < D - 1; ++k) {
+      const double past = std::max(domain.low[k] - body.x[k], body.x[k] - domain.high[k]);
+      const double outwards = body.x[k] < domain.low[k] ? -body.v[k] : body.v[k];
+      if (past > world_.touch(i) || (past > 0 && outwards > 0)) return true;
+    }
+    return domain.contains(body.x) && !is_over_ground(world_.terrain(), body.x);
+  }
+
   /// Ends bodies that have come to rest, left the terrain or diverged. In a world of several bodies, a body
   /// at rest may be hit again. Therefore all bodies must be at rest, and no driven body may move.
   void end_bodies() {
@@ -394,7 +407,7 @@ class Runner {
       } else if (body.breathing.collapsed()) {
         take_out(
             i, "its radius fell below 5 % of the one at rest: its gas and spring are too soft for this load");
-      } else if (!domain.contains(body.x) || !is_over_ground(world_.terrain(), body.x)) {
+      } else if (has_left(i, domain)) {
         histories_[i].fault = left_text(domain, body.x);
         faults_.take(faults_.energy_of(i));
         leave(i, StopReason::left_domain);
