@@ -9,10 +9,6 @@ namespace {
 
 using Contacts = std::vector<ContactPoint<2>>;
 
-// A vertex that is less deep than this share of the bound touches each segment that it lies below. A deeper
-// vertex, which only fixed time steps produce, is pushed out to the nearest point.
-constexpr double shallow_share = 1e-3;
-
 bool in_cone(const Ground2& ground, int corner, const Vec2& direction, double slack) {
   return direction.dot(ground.tangent(corner - 1)) >= -slack &&
          direction.dot(ground.tangent(corner)) <= slack;

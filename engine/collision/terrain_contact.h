@@ -10,6 +10,11 @@
 
 namespace flyrock {
 
+/// A vertex that is less deep than this share of the size touches each segment, or facet, that it lies below.
+/// A deeper vertex, which only fixed time steps produce, is pushed out to the nearest place. At a concave
+/// corner or rim, the strip over a segment or facet is longer by as much.
+inline constexpr double shallow_share = 1e-3;
+
 /// Appends the contacts of a hull, grown by its radius, with the terrain whose gap is at most `reach` [m].
 ///
 /// Each vertex meets the segments whose strips contain it. A convex corner meets the edge that it faces, if

@@ -16,10 +16,6 @@ namespace {
 
 using Contacts = std::vector<ContactPoint<3>>;
 
-// As in 2D: a vertex that is less deep than this share of the size touches each facet that it lies below. A
-// deeper one, which only fixed time steps produce, is pushed out to the nearest facet.
-constexpr double shallow_share = 1e-3;
-
 /// Contact points with facets, for a point grown by a radius: the centre of a sphere, or a vertex with radius
 /// 0. A point below the plane of a facet is either in the ground, or above another part of it and free.
 void point_contacts(const Vec3& p, double radius, FeatureId feature, const Ground3& ground,

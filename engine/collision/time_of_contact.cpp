@@ -9,6 +9,7 @@
 #include "collision/round_path.h"
 #include "collision/steady_gaps.h"
 #include "collision/surface.h"
+#include "collision/terrain_contact.h"
 #include "math/polynomial.h"
 
 namespace flyrock {
@@ -36,9 +37,9 @@ class DiskSearch {
     if (!t || (best && *t >= *best)) return;
     const Vec2 from_start = motion_.position(*t) - ground_.start(i);
     const double s = from_start.dot(ground_.tangent(i));
-    const bool beside = s < -beyond_end(i, i, i - 1) || s > ground_.length(i) + beyond_end(i, i + 1, i + 1);
-    const bool behind = n.dot(from_start) < -1e-6 * search_.size;  // free, above another part of the polyline
-    if (!beside && !behind) best = t;
+    const bool beside =
+        s < -beyond_end(i, i, i - 1, *t) || s > ground_.length(i) + beyond_end(i, i + 1, i + 1, *t);
+    if (!beside && !is_behind(n.dot(from_start), *t)) best = t;
   }
 
   void corner(int i, const TimeWindow& window, std::optional<double>& best) const {
@@ -54,13 +55,24 @@ class DiskSearch {
   }
 
  private:
-  /// How far the strip of a segment extends beyond its end at `corner`, where `neighbour` begins [m]. At a
-  /// concave corner a disk may have sunk into the neighbour, if only by rounding. It then meets the line of
-  /// this segment before it reaches the strip.
-  double beyond_end(int segment, int corner, int neighbour) const {
+  /// How far the strip of a segment extends beyond its end at `corner`, where `neighbour` begins, at time t
+  /// [m]. At a concave corner a disk may have sunk into the neighbour, if only by rounding. It then meets the
+  /// line of this segment before it reaches the strip.
+  double beyond_end(int segment, int corner, int neighbour, double t) const {
     const double least = 1e-9 * ground_.length(segment);
     if (ground_.corner(corner) != Corner::concave) return least;
-    return std::max(least, std::min(radius_, ground_.length(neighbour)));
+    if (radius_ > 0) return std::max(least, std::min(radius_, ground_.length(neighbour)));
+    const double depth = ground_.normal(neighbour).dot(ground_.point(corner) - motion_.position(t));
+    return depth <= point_sinks(motion_, t, search_) ? ground_.length(neighbour) : least;
+  }
+
+  /// Whether the centre, which is `height` [m] above the line of a segment, is free above another part of the
+  /// polyline. A point that has sunk into the ground is below the line too.
+  bool is_behind(double height, double t) const {
+    if (height >= -1e-6 * search_.size) return false;
+    const bool is_sunk =
+        radius_ == 0 && height >= -shallow_share * search_.size && ground_.is_inside(motion_.position(t));
+    return !is_sunk;
   }
 
   double radius_;

@@ -40,6 +40,15 @@ struct TouchSearch {
   double start_gap(double gap, bool just_opened) const;
 };
 
+/// How deep a point may lie in the ground at time t of a motion [m], before it meets the segment or facet
+/// beyond a concave corner or rim. In a step that passes the corner, the contact on this side is not found in
+/// the middle of the step, and the point falls until the step is cut at the other side.
+template <int D>
+double point_sinks(const Path<D>& motion, double t, const TouchSearch& search) {
+  constexpr double rounding = 1e-3;  // of the size
+  return rounding * search.size + (search.held_are_solved ? 0.5 * motion.a.norm() * t * t : 0);
+}
+
 /// The first time in [0, t_max] at which the moving contactor touches the terrain and approaches it [s]. The
 /// answer lies on the side on which the gap is not negative.
 ///

@@ -10,6 +10,7 @@
 #include "collision/room_search.h"
 #include "collision/round_path.h"
 #include "collision/surface.h"
+#include "collision/terrain_contact.h"
 #include "collision/time_of_contact.h"
 #include "math/polynomial.h"
 
@@ -77,8 +78,25 @@ class BallSearch {
   /// ground.
   bool over(const Facet& f, double t) const {
     const Vec3 at = motion_.position(t);
+    if (radius_ == 0) return point_over(f, t, at);
     return f.distance(at) >= -generous * search_.size &&
            strip_contains(f, at, generous * radius_, region_slack);
+  }
+
+  /// The same for a point. Where it has sunk into the ground, the strip is longer at concave rims, because
+  /// the point meets the plane before it reaches the strip.
+  bool point_over(const Facet& f, double t, const Vec3& at) const {
+    constexpr double least_turn = 0.01;  // rad, at a rim; flatter ones are passed
+    const double shallow = shallow_share * search_.size, height = f.distance(at);
+    if (height < -shallow) return false;
+    double sunk = shallow;
+    bool is_free = height < -generous * search_.size;
+    if (is_free || !strip_contains(f, at, sunk, region_slack)) {
+      const double depth = ground_.depth(at);
+      is_free = is_free && depth <= 0;
+      if (depth <= point_sinks(motion_, t, search_)) sunk = std::max(sunk, depth / least_turn);
+    }
+    return !is_free && strip_contains(f, at, sunk, region_slack);
   }
 
   void edge(const Facet& f, int i, const TimeWindow& window, std::optional<double>& first) const {

@@ -10,28 +10,26 @@ namespace flyrock {
 
 template <int D>
 Faults<D>::Faults(const World<D>& world, bool exact_flight) : world_(world), exact_flight_(exact_flight) {
-  for (const Body<D>& body : world.bodies) {
-    starts_.push_back(body.x);
-    last_.push_back(energy_of(body, body.kinetic_energy()));
-  }
-  allowed_ = world.total_energy() - world.energy_given();
+  for (const Body<D>& body : world.bodies) starts_.push_back(body.x);
+  begin_anew();
 }
 
 template <int D>
-double Faults<D>::energy_of(const Body<D>& body, double kinetic) const {
+double Faults<D>::energy_of(int i) const {
+  const Body<D>& body = world_.bodies[i];
   if (!body.moves()) return 0;
-  const double rigid = kinetic - body.mass * world_.gravity().dot(body.x);
+  const double rigid = body.kinetic_energy() - body.mass * world_.gravity().dot(body.x);
   return body.breathes() ? rigid + body.breathing.potential_energy() : rigid;
 }
 
 template <int D>
-std::optional<std::string> Faults<D>::below_ground(int i) const {
+std::optional<std::string> Faults<D>::below_ground(int i, const Vec<D>& place) const {
   const Body<D>& body = world_.bodies[i];
-  const double depth = depth_below_ground(world_.terrain(), body.x);
+  const double depth = depth_below_ground(world_.terrain(), place);
   if (!(depth > 0)) return std::nullopt;
   double usual = world_.carry_reach(i, -1) + world_.touch(i);
   if (!exact_flight_) usual += body.size + body.v.norm() * world_.settings().time_step;
-  if (depth <= usual) return std::nullopt;
+  if (depth <= usual || is_near_surface(world_.terrain(), place, usual)) return std::nullopt;
   return fmt::format("its centre of mass lies {:.2g} m below the ground", depth);
 }
 
@@ -40,16 +38,10 @@ std::optional<std::string> Faults<D>::energy_from_nowhere() {
   constexpr double share = 1e-6;
   const double g = world_.gravity().norm();
   double energy = world_.total_energy(), scale = 0, lift = 0;
-  for (std::size_t i = 0; i < last_.size(); ++i) {
+  for (std::size_t i = 0; i < starts_.size(); ++i) {
     const Body<D>& body = world_.bodies[i];
-    if (!body.moves()) {  // the body has left and takes its energy with it
-      allowed_ -= last_[i];
-      last_[i] = 0;
-      continue;
-    }
-    const double kinetic = body.kinetic_energy();
-    last_[i] = energy_of(body, kinetic);
-    scale += kinetic + body.mass * g * ((body.x - starts_[i]).norm() + body.size);
+    if (!body.moves()) continue;
+    scale += body.kinetic_energy() + body.mass * g * ((body.x - starts_[i]).norm() + body.size);
     lift += body.mass * g * world_.carry_reach(static_cast<int>(i), -1);
   }
   greatest_ = std::max(greatest_, scale);

@@ -22,9 +22,10 @@ class Faults {
   /// `exact_flight`: false if fixed steps may move a body into the ground before it is pushed out.
   Faults(const World<D>& world, bool exact_flight);
 
-  /// Whether the centre of mass lies below the ground, deeper than one step can push it. The test is that a
-  /// vertical line up from it meets a facet from below. The text of the fault gives the depth.
-  std::optional<std::string> below_ground(int body) const;
+  /// Whether a place of the centre of mass lies below the ground, deeper than one step can push it. The test
+  /// is that a vertical line up from it meets a facet from below, and that it is not on the surface: an
+  /// upright wall has its top above each of its places. The text of the fault gives the depth.
+  std::optional<std::string> below_ground(int body, const Vec<D>& place) const;
 
   /// Whether the energy of the world exceeds its limit. The text of the fault gives the excess [J]. The
   /// condition for a correct world is
@@ -34,15 +35,21 @@ class Faults {
   /// m g (distance from the start + size). Call this function after each flight and step.
   std::optional<std::string> energy_from_nowhere();
 
- private:
-  double energy_of(const Body<D>& body, double kinetic) const;
+  /// The kinetic and potential energy of a body now [J]; 0 of one that has left.
+  double energy_of(int body) const;
+  /// A body has left, or a barrier or a tree has slowed it: this energy [J] is no longer the world's. It is
+  /// that of the instant, because air, driven bodies and contacts have changed it since the last check.
+  void take(double energy) { allowed_ -= energy; }
+  /// A body with a fault has left. How much of its energy came from nowhere is unknown, so the balance begins
+  /// anew with the others.
+  void begin_anew() { allowed_ = world_.total_energy() - world_.energy_given(); }
 
+ private:
   const World<D>& world_;
   bool exact_flight_;
   std::vector<Vec<D>> starts_;
-  std::vector<double> last_;  ///< J, last energy of each body that is still present
-  double allowed_ = 0;        ///< J
-  double greatest_ = 0;       ///< J
+  double allowed_ = 0;   ///< J
+  double greatest_ = 0;  ///< J
 };
 
 }  // namespace flyrock

@@ -39,6 +39,19 @@ double depth_below_ground(const Terrain2& terrain, const Vec2& at, int near) {
 
 double depth_below_ground(const Terrain3& terrain, const Vec3& at, int) { return terrain.ground().depth(at); }
 
+bool is_near_surface(const Terrain2& terrain, const Vec2& at, double reach) {
+  const auto run = terrain.segments_between(at.x() - reach, at.x() + reach);
+  for (int i = run.first; i <= run.last; ++i) {
+    const double along = std::clamp((at - terrain.start(i)).dot(terrain.tangent(i)), 0.0, terrain.length(i));
+    if ((terrain.start(i) + along * terrain.tangent(i) - at).norm() <= reach) return true;
+  }
+  return false;
+}
+
+bool is_near_surface(const Terrain3& terrain, const Vec3& at, double reach) {
+  return terrain.ground().nearest(at, reach).has_value();
+}
+
 double time_over_ground(const Terrain2&, const Path<2>&, double) { return infinite; }
 
 /// The times over all facets leave a gap where the ground ends.

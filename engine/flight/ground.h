@@ -54,6 +54,10 @@ inline bool is_over_ground(const Terrain3& terrain, const Vec3& at) {
 double depth_below_ground(const Terrain2& terrain, const Vec2& at, int near = -1);
 double depth_below_ground(const Terrain3& terrain, const Vec3& at, int near = -1);
 
+/// Whether the surface of the ground is at most `reach` [m] from a position.
+bool is_near_surface(const Terrain2& terrain, const Vec2& at, double reach);
+bool is_near_surface(const Terrain3& terrain, const Vec3& at, double reach);
+
 /// The time at which a path comes to a place without ground below, within the domain [s]; infinity if it does
 /// not. Only a terrain in 3D has such places.
 double time_over_ground(const Terrain2& terrain, const Path<2>& path, double dt);

@@ -114,8 +114,14 @@ class Runner {
   /// Ends a body with a fault. It has no contacts from then on.
   void take_out(int i, const std::string& why) {
     histories_[i].fault = why;
+    leave(i, StopReason::diverged);
+    faults_.begin_anew();
+  }
+
+  /// Ends a body that leaves the world.
+  void leave(int i, StopReason reason) {
+    end(i, reason);
     world_.bodies[i].present = false;
-    end(i, StopReason::diverged);
   }
 
   std::string pressed_text(const std::vector<int>& pressed) const {
@@ -228,7 +234,7 @@ class Runner {
     }
     world_.fly(dt);
     if (series_) series_->flew(flights_, start, dt);
-    cross(start, dt);
+    arrive(start, dt);
     if (touch) return collide();
     world_.measure_penetration();
     return false;
@@ -268,7 +274,8 @@ class Runner {
   /// move outwards is still inside.
   static double departure(const Path<D>& path, double x, int side, int axis) {
     const double speed = side * path.v[axis], push = side * path.a[axis];
-    if (path.x[axis] != x || speed > 0 || (speed == 0 && push > 0)) return arrival(path, x, side, axis);
+    const bool inside = side * (x - path.x[axis]) > 0;
+    if (inside || speed > 0 || (speed == 0 && push > 0)) return arrival(path, x, side, axis);
     return push > 0 ? -2 * speed / push : std::numeric_limits<double>::infinity();
   }
 
@@ -336,7 +343,7 @@ class Runner {
       }
     }
     observer_.arrived();
-    cross(start, outcome.duration);
+    arrive(start, outcome.duration);
     return outcome.new_touch ? collide() : outcome.in_contact;
   }
 
@@ -360,13 +367,42 @@ class Runner {
     return h;
   }
 
-  /// Applies gates and barriers to the bodies that moved along flights_ since `start`.
-  void cross(double start, double dt) {
+  /// Looks for bodies below the ground, and applies gates, barriers and trees, where the motions along
+  /// flights_ since `start` end.
+  void arrive(double start, double dt) {
     for (int i = 0; i < bodies(); ++i) {
-      if (!running_[i] || !crossings_.moved(i, flights_[i], start, dt)) continue;
-      end(i, StopReason::caught);
-      world_.bodies[i].present = false;
+      if (!running_[i]) continue;
+      if (const auto fault = faults_.below_ground(i, last_over_ground(i, dt))) {
+        take_out(i, *fault);
+        continue;
+      }
+      const double energy = faults_.energy_of(i);
+      if (crossings_.moved(i, flights_[i], start, dt)) leave(i, StopReason::caught);
+      faults_.take(energy - faults_.energy_of(i));
     }
+  }
+
+  /// Where a motion along flights_ of length dt ends, or has just not left the terrain.
+  Vec<D> last_over_ground(int i, double dt) const {
+    constexpr double before = 1e-9;  // s, and share of the time: nowhere is the ground higher by so much
+    const Motion& flight = flights_[i];
+    const Vec<D>& end = world_.bodies[i].x;
+    if (domain_of(world_.terrain()).contains(end) && is_over_ground(world_.terrain(), end)) return end;
+    const double leaves =
+        std::min({dt, time_in_domain(flight), time_over_ground(world_.terrain(), flight, dt)});
+    return flight.position(std::max(0.0, leaves * (1 - before) - before));
+  }
+
+  /// Whether a body is beyond an end of the terrain, or where it has no ground. One that touches an upright
+  /// wall at the end, where rounding may put it beyond, does not move outwards.
+  bool has_left(int i, const Domain<D>& domain) const {
+    const Body<D>& body = world_.bodies[i];
+    for (int k = 0; k < D - 1; ++k) {
+      const double past = std::max(domain.low[k] - body.x[k], body.x[k] - domain.high[k]);
+      const double outwards = body.x[k] < domain.low[k] ? -body.v[k] : body.v[k];
+      if (past > world_.touch(i) || (past > 0 && outwards > 0)) return true;
+    }
+    return domain.contains(body.x) && !is_over_ground(world_.terrain(), body.x);
   }
 
   /// Ends bodies that have come to rest, left the terrain or diverged. In a world of several bodies, a body
@@ -385,12 +421,10 @@ class Runner {
       } else if (body.breathing.collapsed()) {
         take_out(
             i, "its radius fell below 5 % of the one at rest: its gas and spring are too soft for this load");
-      } else if (!domain.contains(body.x) || !is_over_ground(world_.terrain(), body.x)) {
+      } else if (has_left(i, domain)) {
         histories_[i].fault = left_text(domain, body.x);
-        end(i, StopReason::left_domain);
-        body.present = false;
-      } else if (const auto fault = faults_.below_ground(i)) {
-        take_out(i, *fault);
+        faults_.take(faults_.energy_of(i));
+        leave(i, StopReason::left_domain);
       }
       if (running_[i]) all_at_rest = all_at_rest && at_rest(i);
     }

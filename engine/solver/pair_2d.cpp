@@ -14,6 +14,7 @@ using Row = Problem::Row;
 
 constexpr double at_bound = 1 - 1e-9;  // share of its bound from which on a row moves
 constexpr int freedoms = 3;            // of a body
+constexpr int point_freedoms = 2;      // a point does not turn
 
 int direction_of(double impulse, double bound) {
   if (std::abs(impulse) < at_bound * bound) return 0;
@@ -37,6 +38,14 @@ boost::container::static_vector<PairState, 10> states_of(const Problem::Contact&
 /// In how many rows two states differ.
 int distance(const PairState& a, const PairState& b) {
   return (a.closed != b.closed) + (a.slides != b.slides) + (a.rolls != b.rolls);
+}
+
+/// Whether a factorised system has dependent rows, up to rounding.
+template <class Lu>
+bool is_singular(const Lu& lu) {
+  constexpr double rounding = 1e-13;
+  const auto pivots = lu.matrixLU().diagonal().cwiseAbs();
+  return pivots.minCoeff() <= rounding * pivots.maxCoeff();
 }
 
 /// N rows of each contact.
@@ -67,11 +76,12 @@ bool solve_rows(const Problem& problem, const PairStates& states, std::vector<Ro
         equations(first + row, first) = moves[row] * (row == 1 ? contact.mu : contact.mu_r);
     }
   }
+  const auto lu = equations.partialPivLu();
   Vector x;
-  if (resting > freedoms)
+  if (resting > freedoms || (resting > point_freedoms && is_singular(lu)))
     x = start + solve_dependent(equations, right - equations * start).col(0);
   else
-    x = equations.partialPivLu().solve(right);
+    x = lu.solve(right);
   if (!x.allFinite()) return false;
   for (int a = 0; a < 2; ++a) {
     const double normal = x[N * a];

@@ -16,6 +16,12 @@ namespace {
 // sliding contact is missed for one step, its velocity error is mu g h.
 constexpr double carry_share = 1e-6;
 
+/// Whether a contactor is a point at the centre of mass.
+template <class Contactor>
+bool is_point(const Contactor& shape) {
+  return shape.radius == 0 && shape.points.size() == 1 && shape.points[0].isZero();
+}
+
 }  // namespace
 
 template <int D>
@@ -285,17 +291,21 @@ std::span<const HeldContact> World<D>::held(int body, int other) {
 }
 
 /// The same for a step that began at starts_: without the contacts that the last impact opened and that the
-/// step does not hold. They may touch again within the step, while others hold the body.
+/// step does not hold. They may touch again within the step, while others hold the body. A point that leaves
+/// one side of a valley along the other side is at once beside the strip of the side that it leaves.
 template <int D>
 std::span<const HeldContact> World<D>::held_in_step(int body, int other) {
-  constexpr double apart = 1e-8;  // of the size; nearer ones would be found at the start of the step
+  constexpr double apart = 1e-8;    // of the size; nearer ones would be found at the start of the step
+  constexpr double opening = 1e-8;  // m/s, above rounding
   held_.clear();
   for (const Contact& c : contacts_)
     if (c.candidate == body && c.antagonist == other) held_.push_back({c.at.feature, c.at.against});
   for (const Contact& c : last_) {
     if (c.candidate != body || c.antagonist != other) continue;
     const bool opened = !c.carried && gap_at(c, true) > apart * contact_size(body, other);
-    if (!opened) held_.push_back({c.at.feature, c.at.against});
+    const bool leaves = other < 0 && is_point(bodies[body].contactor_with(c.at.feature)) &&
+                        starts_[body].v.dot(c.at.normal) > opening;
+    if (!opened && !leaves) held_.push_back({c.at.feature, c.at.against});
   }
   return held_;
 }

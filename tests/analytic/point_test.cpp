@@ -4,6 +4,9 @@
 
 #include "analytic/lab_3d.h"
 #include "analytic/lab_ground.h"
+#include "dice.h"
+#include "flight/ground.h"
+#include "samples.h"
 
 using namespace flyrock;
 using namespace flyrock::lab;
@@ -27,7 +30,95 @@ WorldSettings steps() {
   return settings;
 }
 
+Profile profile_of(std::vector<Vec2> points) {
+  Profile profile;
+  profile.part.assign(points.size() - 1, 0);
+  profile.parts = {""};
+  profile.points = std::move(points);
+  return profile;
+}
+
+Profile pit(Dice& dice) {
+  return profile_of({{-20, dice(0.01, 5)}, {-20, 0}, {20, 0}, {20, dice(0.01, 5)}, {40, 3}});
+}
+
+Profile valleys_and_ridges(Dice& dice) {
+  std::vector<Vec2> points{{-30, dice(-5, 20)}};
+  while (points.back().x() < 30) points.push_back(points.back() + Vec2(dice(0.3, 10), dice(-8, 8)));
+  return profile_of(points);
+}
+
+Profile steps_and_walls(Dice& dice) {
+  std::vector<Vec2> points{{-30, dice(-5, 20)}};
+  while (points.back().x() < 30) {
+    points.push_back(points.back() + Vec2(dice(0.3, 8), 0));
+    points.push_back(points.back() + Vec2(0, dice(-4, 4)));
+  }
+  points.push_back(points.back() + Vec2(1, 0));
+  return profile_of(points);
+}
+
+/// A point is let go on the ground or up to 10 m over it. It neither ends with a fault nor in the ground.
+template <int D, class BenchType>
+void let_go_over(BenchType& bench, Dice& dice) {
+  Vec<D> at, velocity;
+  for (int k = 0; k < D; ++k) at[k] = dice(-14, 14);
+  for (int k = 0; k < D; ++k) velocity[k] = dice(-10, 10);
+  at[D - 1] = *ground_height(bench.terrain, at) + (dice(0, 1) < 0.3 ? 0 : dice(0, 10));
+  Body<D> body;
+  if constexpr (D == 2)
+    body = point_2d(dice(1, 100), at, velocity);
+  else
+    body = point_3d(dice(1, 100), at, velocity);
+  if (dice(0, 1) < 0.3) body.air.drag = dice(0, 0.02);
+  bench.add(std::move(body));
+  const BodyHistory& history = bench.run(20);
+  INFO(history.fault);
+  CHECK(history.reason != StopReason::diverged);
+  CHECK(bench.world.quality().max_penetration < 1e-7);
+  const Vec<D>& end = bench.world.bodies[0].x;
+  if (history.reason != StopReason::left_domain && depth_below_ground(bench.terrain, end) > 1e-6)
+    CHECK(is_near_surface(bench.terrain, end, 1e-6));
+}
+
+WorldSettings chosen_steps() {
+  WorldSettings settings;
+  settings.step_tolerance = 1e-3;
+  return settings;
+}
+
 }  // namespace
+
+TEST_CASE("a point stays above random valleys, ridges, steps and walls") {
+  const double restitutions[] = {0, 0.3, 0.9}, frictions[] = {0, 0.1, 0.3, 0.6, 1.2};
+  Profile (*const grounds[])(Dice&) = {pit, valleys_and_ridges, steps_and_walls};
+  for (int kind = 0; kind < 3; ++kind)
+    for (int i = 0; i < samples(60); ++i) {
+      CAPTURE(kind, i);
+      Dice dice(static_cast<unsigned>(10 * i + kind));
+      Material material(restitutions[i % 3], frictions[i % 5], 0, i % 4 == 0 ? 0.4 : 0);
+      Bench bench(grounds[kind](dice), material, chosen_steps());
+      let_go_over<2>(bench, dice);
+    }
+}
+
+TEST_CASE("a point stays above random valleys, ridges, steps and walls in 3D, of triangles and of heights",
+          "[slow]") {
+  const double restitutions[] = {0, 0.3, 0.9}, frictions[] = {0, 0.1, 0.3};
+  Profile (*const grounds[])(Dice&) = {pit, valleys_and_ridges, steps_and_walls};
+  for (int kind = 0; kind < 4; ++kind)
+    for (int i = 0; i < samples(30); ++i) {
+      CAPTURE(kind, i);
+      Dice dice(static_cast<unsigned>(10 * i + kind));
+      Material material(restitutions[i % 3], frictions[i / 3 % 3]);
+      const double high = dice(1, 30);
+      const auto step = [&](double x, double) { return x < 0 ? high : x < 10 ? 0 : 5; };
+      Bench3 bench(kind < 3 ? TerrainShape3(extruded(grounds[kind](dice), 15, 1 + i % 7))
+                            : TerrainShape3(grid_of(step, 20, 4 + i % 9)),
+                   material, chosen_steps());
+      let_go_over<3>(bench, dice);
+    }
+}
 
 TEST_CASE("a point slides down a slope without turning, on a profile, a plane and many triangles") {
   const double slope = 0.5, mu = 0.3, a = gravity * (std::sin(slope) - mu * std::cos(slope));
