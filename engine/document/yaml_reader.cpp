@@ -180,7 +180,8 @@ void TreeBuilder::close() {
 
 void TreeBuilder::finish(Value value, YAML::anchor_t anchor) {
   if (++values_ > most_values)
-    throw Refusal{Location{source_, 0, 0}, fmt::format("more than {} values, expected a scenario", most_values)};
+    throw Refusal{Location{source_, 0, 0},
+                  fmt::format("more than {} values, expected a scenario", most_values)};
   if (anchor) anchors_[anchor] = value;
   if (open_.empty()) {
     root_ = std::move(value);

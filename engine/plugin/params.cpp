@@ -33,8 +33,9 @@ int Params::at(std::string_view name, std::initializer_list<ParamType> types) {
 
 void Params::require_dimension(int dimension) const {
   if (dimension_ != dimension)
-    throw DimensionError(fmt::format("plugin {}: the {} `{}` is of dimension {}, the scenario has dimension {}",
-                                  spec_.name, name_of(spec_.kind), spec_.name, dimension, dimension_));
+    throw DimensionError(
+        fmt::format("plugin {}: the {} `{}` is of dimension {}, the scenario has dimension {}", spec_.name,
+                    name_of(spec_.kind), spec_.name, dimension, dimension_));
 }
 
 bool Params::given(std::string_view name) const {

@@ -138,42 +138,44 @@ void cut_tails(Map& map, const ParamSpec& spec) {
   if (greatest && distribution.highest() > *greatest &&
       1 - distribution.share_below(*greatest) < Distribution::negligible)
     set_entry(map, "max", number_value(*greatest, spec.dimension));
-  /// Which value beside it permits a number beyond its limit; empty if none does.
-  std::string permit_text(const ParamSpec& spec, const NumberRules& rules, double high) {
-    if (!rules.limits_gain || spec.max != 1.0 || spec.dimension != dimension::none || high <= 1) return {};
-    return fmt::format("; more gains energy, which `{}: true` beside it permits", allow_gain);
-  }
+}
 
-  Value normalise_draw(DecodeContext & context, const Node& node, const ParamSpec& spec,
-                       const NumberRules& rules) {
-    if (!rules.varies) {
-      node.error(context.diagnostics, fmt::format("takes no distribution, expected {}", expected_text(spec)));
-      return {};
-    }
-    std::optional<Map> map = normalise_distribution(context, node, spec, rules);
-    const std::optional<Scope> scope = scope_of(context, node, rules);
-    if (!map || !scope) return {};
-    cut_tails(*map, spec);
-    put(*map, "per", text_value(std::string(name_of(*scope))));
-    Value normalised = map_value(std::move(*map));
-    const Distribution distribution = read_distribution(normalised);
-    const bool is_stepped = !distribution.is_continuous();
-    if (spec.type == ParamType::integer && !is_stepped) {
-      node.error(context.diagnostics, "takes whole numbers, expected `integer` or `discrete`");
-      return {};
-    }
-    const double low = distribution.lowest(), high = distribution.highest();
-    if (const std::string fault = limit_fault(spec, low, high, !is_stepped); !fault.empty()) {
-      node.error(context.diagnostics,
-                 fmt::format("draws from {} to {}, {}: give it a `min` or `max`{}", with_unit(low, spec),
-                             with_unit(high, spec), fault, permit_text(spec, rules, high)));
-      return {};
-    }
-    constexpr double rare =
-        1e-3;  // quantiles that count as the ends: one draw in a thousand may lie beyond each
-    warn_of_unusual(context, node, spec, distribution.quantile(rare), distribution.quantile(1 - rare));
-    return normalised;
+/// Which value beside it permits a number beyond its limit; empty if none does.
+std::string permit_text(const ParamSpec& spec, const NumberRules& rules, double high) {
+  if (!rules.limits_gain || spec.max != 1.0 || spec.dimension != dimension::none || high <= 1) return {};
+  return fmt::format("; more gains energy, which `{}: true` beside it permits", allow_gain);
+}
+
+Value normalise_draw(DecodeContext& context, const Node& node, const ParamSpec& spec,
+                     const NumberRules& rules) {
+  if (!rules.varies) {
+    node.error(context.diagnostics, fmt::format("takes no distribution, expected {}", expected_text(spec)));
+    return {};
   }
+  std::optional<Map> map = normalise_distribution(context, node, spec, rules);
+  const std::optional<Scope> scope = scope_of(context, node, rules);
+  if (!map || !scope) return {};
+  cut_tails(*map, spec);
+  put(*map, "per", text_value(std::string(name_of(*scope))));
+  Value normalised = map_value(std::move(*map));
+  const Distribution distribution = read_distribution(normalised);
+  const bool is_stepped = !distribution.is_continuous();
+  if (spec.type == ParamType::integer && !is_stepped) {
+    node.error(context.diagnostics, "takes whole numbers, expected `integer` or `discrete`");
+    return {};
+  }
+  const double low = distribution.lowest(), high = distribution.highest();
+  if (const std::string fault = limit_fault(spec, low, high, !is_stepped); !fault.empty()) {
+    node.error(context.diagnostics,
+               fmt::format("draws from {} to {}, {}: give it a `min` or `max`{}", with_unit(low, spec),
+                           with_unit(high, spec), fault, permit_text(spec, rules, high)));
+    return {};
+  }
+  constexpr double rare =
+      1e-3;  // quantiles that count as the ends: one draw in a thousand may lie beyond each
+  warn_of_unusual(context, node, spec, distribution.quantile(rare), distribution.quantile(1 - rare));
+  return normalised;
+}
 
 }  // namespace
 

@@ -120,7 +120,8 @@ Value normalise_section(DecodeContext& context, const std::optional<Node>& node,
                         const NumberRules& rules) {
   static const Value nothing = map_value({});
   const SectionSpec& spec = section_spec(name);
-  const Node map = node ? *node : Node{&nothing, Location{}, std::string(name), std::string(name), std::string(name)};
+  const Node map =
+      node ? *node : Node{&nothing, Location{}, std::string(name), std::string(name), std::string(name)};
   const SoundnessOf soundness(context, map.path);
   if (!map.expect_map(context.diagnostics)) return {};
   map.refuse_unknown_keys(spec.key_names(), context.diagnostics);
