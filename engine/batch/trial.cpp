@@ -10,8 +10,10 @@
 #include <utility>
 
 #include "batch/body_names.h"
+#include "batch/fixture.h"
 #include "batch/inputs.h"
 #include "batch/map_cells.h"
+#include "batch/rock_surface.h"
 #include "batch/safe_file.h"
 #include "batch/series_rows.h"
 #include "flight/point_run.h"

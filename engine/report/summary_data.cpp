@@ -222,7 +222,7 @@ Json gates_data(const Scenario& scenario, const PointResult& point) {
     Json& data = list.emplace_back(Json{{"gate", plan.name}, {"x", x_of(plan)}, {"line", line_of(plan)}});
     add_gate(data, point.crossings.front().gates[g]);
     data["groups"] =
-        groups_data(point, [g](Json& to, const Crossings& group) { add_gate(to, group.gates[g]); });
+        groups_data(point, [g](Json& to, const CrossingSummary& group) { add_gate(to, group.gates[g]); });
   }
   return list;
 }
@@ -244,8 +244,8 @@ Json barriers_data(const Scenario& scenario, const PointResult& point) {
                                         {"held_height_m", plan.held_height()},
                                         {"held_energy_J", plan.held_energy()}});
     add_barrier(data, point.crossings.front().barriers[b]);
-    data["groups"] =
-        groups_data(point, [b](Json& to, const Crossings& group) { add_barrier(to, group.barriers[b]); });
+    data["groups"] = groups_data(
+        point, [b](Json& to, const CrossingSummary& group) { add_barrier(to, group.barriers[b]); });
   }
   return list;
 }

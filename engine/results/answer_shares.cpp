@@ -77,11 +77,11 @@ std::string share_over_points(const Plan& plan, const Results& results, std::siz
 }
 
 std::string of_rocks(const std::string& name, const Plan& plan, const Results& results, std::size_t b) {
-  const auto arrives = [b](const Crossings& crossings) {
+  const auto arrives = [b](const CrossingSummary& crossings) {
     return crossings.barriers.at(b).count(BarrierShare::reached) > 0;
   };
   const std::vector<std::size_t> groups = named_groups(results, arrives);
-  const auto reached = [b](const Crossings& crossings) {
+  const auto reached = [b](const CrossingSummary& crossings) {
     return crossings.barriers.at(b).share(BarrierShare::reached).per_trial;
   };
   const bool any = std::any_of(results.points.begin(), results.points.end(),
@@ -92,7 +92,7 @@ std::string of_rocks(const std::string& name, const Plan& plan, const Results& r
   std::string text;
   for (const std::size_t group : groups) {
     const auto of = [&](BarrierShare what, Share Shares::*sense) {
-      return share_over_points(plan, results, group, [&](const Crossings& crossings) {
+      return share_over_points(plan, results, group, [&](const CrossingSummary& crossings) {
         return crossings.barriers.at(b).share(what).*sense;
       });
     };
@@ -200,12 +200,12 @@ std::string gates_answer(const Plan& plan, const Results& results) {
   if (scenario.gates.size() > most_named || !scenario.bodies.empty()) return "";
   std::string text;
   for (std::size_t g = 0; g < scenario.gates.size(); ++g) {
-    std::vector<std::size_t> groups =
-        named_groups(results, [g](const Crossings& crossings) { return crossings.gates.at(g).passed > 0; });
+    std::vector<std::size_t> groups = named_groups(
+        results, [g](const CrossingSummary& crossings) { return crossings.gates.at(g).passed > 0; });
     if (groups.empty()) groups = {0};  // of no group a rock passes
     for (const std::size_t group : groups) {
       const auto of = [&](Share Shares::*sense) {
-        return share_over_points(plan, results, group, [&](const Crossings& crossings) {
+        return share_over_points(plan, results, group, [&](const CrossingSummary& crossings) {
           return crossings.gates.at(g).shares.*sense;
         });
       };

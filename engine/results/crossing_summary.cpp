@@ -132,8 +132,8 @@ bool CrossingTally::needs_another_pass() {
   return more;
 }
 
-Crossings CrossingTally::summary() const {
-  Crossings summary;
+CrossingSummary CrossingTally::summary() const {
+  CrossingSummary summary;
   for (const Arrivals& at : gates_) {
     const bool open = at.of_all.open() > 0;
     summary.gates.push_back({at.of_all.counted(), at.shares(0), lower_bounds(at.speed, open),
@@ -181,8 +181,8 @@ bool CrossingTallies::needs_another_pass() {
   return more;
 }
 
-std::vector<Crossings> CrossingTallies::summaries() const {
-  std::vector<Crossings> summaries;
+std::vector<CrossingSummary> CrossingTallies::summaries() const {
+  std::vector<CrossingSummary> summaries;
   for (const CrossingTally& tally : tallies_) summaries.push_back(tally.summary());
   return summaries;
 }

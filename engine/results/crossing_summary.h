@@ -47,7 +47,7 @@ struct BarrierSummary {
 };
 
 /// What the rocks of a group, or all rocks, did at gates and barriers.
-struct Crossings {
+struct CrossingSummary {
   std::vector<GateSummary> gates;        ///< in the order of Scenario::gates
   std::vector<BarrierSummary> barriers;  ///< in the order of Scenario::barriers
   Share caught;                          ///< by any barrier, of all rocks
@@ -82,7 +82,7 @@ class CrossingTally {
   void add(const RockRecord& rock, std::span<const GateRecord> gates,
            std::span<const BarrierRecord> barriers);
   bool needs_another_pass();
-  Crossings summary() const;
+  CrossingSummary summary() const;
 
  private:
   /// The arrivals at one place.
@@ -107,13 +107,13 @@ class CrossingTally {
   ShareTally caught_;
 };
 
-/// Crossings of all rocks, then of each group if there is more than one. See read_in_passes().
+/// CrossingSummary of all rocks, then of each group if there is more than one. See read_in_passes().
 class CrossingTallies {
  public:
   CrossingTallies(const Scenario& scenario);
   void add(const TrialRecords& chunk);
   bool needs_another_pass();
-  std::vector<Crossings> summaries() const;
+  std::vector<CrossingSummary> summaries() const;
 
  private:
   std::vector<CrossingTally> tallies_;

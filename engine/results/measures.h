@@ -23,17 +23,17 @@ struct Diameters {
 /// The results of one sweep point as numbers. Its rows are read in passes (batch/rows.h).
 struct PointResult {
   std::uint64_t trials = 0;
-  TerrainPicture terrain;                ///< of its first trial, for pictures
-  Diameters diameters;                   ///< 3D, of rocks of all groups
-  PlanReach reach;                       ///< 3D: where its rocks were
-  std::vector<RockRecord> first_trial;   ///< rocks of the first trial of this run
-  Series series;                         ///< of the first trial of this run
-  TrialTotals totals;                    ///< without maps
-  MapRasters maps;                       ///< 3D
-  std::vector<GroupSummary> groups;      ///< all rocks first, then the groups; see RockTally
-  std::vector<Crossings> crossings;      ///< in the order of `groups`
-  std::optional<TreeSummary> trees;      ///< with a forest
-  std::shared_ptr<const Forest> forest;  ///< its stems, counted from the origin; null: none
+  TerrainPicture terrain;                  ///< of its first trial, for pictures
+  Diameters diameters;                     ///< 3D, of rocks of all groups
+  PlanReach reach;                         ///< 3D: where its rocks were
+  std::vector<RockRecord> first_trial;     ///< rocks of the first trial of this run
+  Series series;                           ///< of the first trial of this run
+  TrialTotals totals;                      ///< without maps
+  MapRasters maps;                         ///< 3D
+  std::vector<GroupSummary> groups;        ///< all rocks first, then the groups; see RockTally
+  std::vector<CrossingSummary> crossings;  ///< in the order of `groups`
+  std::optional<TreeSummary> trees;        ///< with a forest
+  std::shared_ptr<const Forest> forest;    ///< its stems, counted from the origin; null: none
   std::vector<ClearanceSummary> clearances;
   std::vector<LaunchReach> reaches;       ///< only with the method ballistic
   std::vector<RunoutByAzimuth> azimuths;  ///< 3D, of rocks: in the order of `groups`

@@ -94,7 +94,7 @@ TEST_CASE("Shares of a trial count trials with at least one such rock, shares of
   }
   CrossingTallies tally(s);
   read_in_passes(rows_of(r), tally);
-  const std::vector<Crossings> found = tally.summaries();
+  const std::vector<CrossingSummary> found = tally.summaries();
   REQUIRE(found.size() == 3);
   const Shares caught = found[0].barriers[0].share(BarrierShare::caught),
                past = found[0].barriers[0].share(BarrierShare::past);
