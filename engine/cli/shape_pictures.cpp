@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
-#include "cli/loading.h"
 #include "batch/rock_surface.h"
+#include "cli/loading.h"
 #include "report/shape_picture.h"
 #include "trial/build_trial.h"
 #include "trial/scenario_error.h"

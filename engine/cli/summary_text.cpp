@@ -35,6 +35,8 @@ std::size_t name_width(const Results& results) {
 
 /// "10.1 to 14.8 %"
 std::string range_text(const Interval& interval) {
+  if (interval.trials_needed > 0) return "too few trials";
+  if (std::isnan(interval.upper)) return "-";
   return fmt::format("{:.3g} to {}", 100 * interval.lower, percent(interval.upper));
 }
 
