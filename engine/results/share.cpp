@@ -36,6 +36,14 @@ Share share_of(const TrialCounts& counts, const TrialCounts& or_open) {
   if (!counts.is_clustered()) return share_of(counts.counted(), counts.rocks(), open);
   Share share{{counts.share(), open > 0}, {unknown, unknown}};
   share.interval.design_effect = counts.design_effect();
+  if (counts.counted() == 0) {  // a rock does what no trial shows at most as often as a trial does
+    const auto n = static_cast<double>(counts.trials());
+    const double upper =
+        share_interval(static_cast<double>(or_open.trials_with()), n, stated_confidence).upper;
+    share.interval.lower = 0;
+    share.interval.upper = upper;
+    return share;
+  }
   share.interval.trials_needed = trials_needed(counts.trials_with(), counts.trials());
   if (share.interval.trials_needed > 0) return share;
   share.interval.lower = clustered_interval(counts).lower;
