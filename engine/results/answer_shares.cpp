@@ -144,10 +144,8 @@ std::string censored_answer(const Plan& plan, const Results& results) {
   const std::string share =
       share_over(plan, results, [](const PointResult& point) { return point.groups.front().censored_share; });
   if (all.empty())
-    return results.points.size() > 1 ||
-                   results.points.front().groups.front().censored_share.interval.trials_needed > 0
-               ? " No rock is censored."
-               : fmt::format(" Censored: {} of the rocks.", share);
+    return results.points.size() > 1 ? " No rock is censored."
+                                     : fmt::format(" Censored: {} of the rocks.", share);
   constexpr std::size_t most_named = 3;
   std::vector<std::string> where;
   std::uint64_t elsewhere = 0;

@@ -25,7 +25,8 @@ Share share_of(std::uint64_t k, std::uint64_t n, std::uint64_t open = 0);
 
 /// The share of the rocks that count. Where trials have several rocks, the interval is that of Clopper and
 /// Pearson for k and n divided by the design effect (Korn and Graubard 1998), and it needs least_trials
-/// trials with a rock that counts. `or_open` also counts the rocks that may still do so.
+/// trials with a rock that counts. Of none that counts, the upper end is that of the share of trials.
+/// `or_open` also counts the rocks that may still do so.
 Share share_of(const TrialCounts& counts, const TrialCounts& or_open);
 
 /// Counts the rocks of one or several shares of the same rocks. Rocks of one trial follow each other.

@@ -45,17 +45,33 @@ std::string display(const Share& share) {
                                    [](double end) { return fmt::format("{:.3g}", 100 * end); }));
 }
 
-std::string point_text(const Plan& plan, std::size_t point) {
+namespace {
+
+/// The values of a point, each after the name of its axis and `between`.
+template <class NameOf>
+std::string values_text(const Plan& plan, std::size_t point, const char* between, NameOf name_of_axis) {
   std::vector<std::string> values;
   for (std::size_t a = 0; a < plan.axes.size(); ++a) {
     const SweepAxis& axis = plan.axes[a];
     const double value = plan.at[point][a];
     const ReadableUnit unit = readable_unit(axis.unit);
-    values.push_back(axis.is_choice() ? fmt::format("{} = {}", axis.name, axis.label(value))
-                                      : fmt::format("{} = {:.6g}{}{}", axis.name, unit.per_si * value,
-                                                    unit.name.empty() ? "" : " ", unit.name));
+    const std::string text = axis.is_choice() ? axis.label(value)
+                                              : fmt::format("{:.6g}{}{}", unit.per_si * value,
+                                                            unit.name.empty() ? "" : " ", unit.name);
+    values.push_back(name_of_axis(axis.name) + between + text);
   }
   return fmt::format("{}", fmt::join(values, ", "));
+}
+
+}  // namespace
+
+std::string point_text(const Plan& plan, std::size_t point) {
+  return values_text(plan, point, " = ", [](const std::string& name) { return name; });
+}
+
+std::string brief_point_text(const Plan& plan, std::size_t point) {
+  return values_text(plan, point, " ",
+                     [](const std::string& name) { return name.substr(name.find_last_of('.') + 1); });
 }
 
 }  // namespace flyrock

@@ -25,8 +25,10 @@ std::string display(const Share& share);
 
 /// "materials.rock.friction.mu = 0.2": a point of a sweep by its values.
 std::string point_text(const Plan& plan, std::size_t point);
+/// "mu 0.2": the same within a sentence.
+std::string brief_point_text(const Plan& plan, std::size_t point);
 
-/// "110 m (mu = 0.2) to 140 m (mu = 0.6)": the least and the greatest value that is known, each with its
+/// "110 m (mu 0.2) to 140 m (mu 0.6)": the least and the greatest value that is known, each with its
 /// point. One text if they are equal.
 template <class ValueAt, class TextAt>
 std::string over_points(const Plan& plan, const Results& results, ValueAt value_at, TextAt text_at) {
@@ -38,8 +40,8 @@ std::string over_points(const Plan& plan, const Results& results, ValueAt value_
   }
   if (!least) return "not known";
   if (value_at(*least) == value_at(*greatest)) return text_at(*least);
-  return text_at(*least) + " (" + point_text(plan, *least) + ") to " + text_at(*greatest) + " (" +
-         point_text(plan, *greatest) + ")";
+  return text_at(*least) + " (" + brief_point_text(plan, *least) + ") to " + text_at(*greatest) + " (" +
+         brief_point_text(plan, *greatest) + ")";
 }
 
 }  // namespace flyrock
