@@ -5,29 +5,48 @@
 
 namespace flyrock {
 
+/// The work of a world since it was last looked at.
 template <int D>
-bool ProgressWatch::stands_still(const World<D>& world) {
+double ProgressWatch::work_since(const World<D>& world) {
   const SolverQuality& quality = world.quality();
-  const std::uint64_t contacts = world.contacts().size();
-  const bool factorises = world.last_solve().solver == SolverKind::proximal_newton;
-  const std::uint64_t of_solver =
-      (quality.iterations - iterations_) * contacts * (factorises ? of_factorisation : of_sweep);
+  const std::uint64_t of_solver = world.solver_work() - of_solver_;
   const std::uint64_t of_searches = (quality.toc_iterations - searches_) * of_search;
   const std::uint64_t of_rest =
-      (quality.problems - problems_ + 1) * (world.bodies.size() + contacts) * of_solve;
-  work_ += (D == 3 ? in_3d : 1) * (of_solver + of_searches + of_rest);
-  ++steps_;
+      (quality.problems - problems_ + 1) * (world.bodies.size() + world.contacts().size()) * of_solve;
   problems_ = quality.problems;
-  iterations_ = quality.iterations;
+  of_solver_ = world.solver_work();
   searches_ = quality.toc_iterations;
-  if (world.time - marked_time_ >= world.settings().time_step) {
+  return static_cast<double>((D == 3 ? in_3d : 1) * (of_solver + of_searches + of_rest));
+}
+
+template <int D>
+bool ProgressWatch::stands_still(const World<D>& world) {
+  const double work = work_since(world);
+  work_ += work;
+  ++steps_;
+  const double step_length = world.settings().time_step;
+  if (world.time - marked_time_ >= step_length) {
     marked_time_ = world.time;
-    steps_ = work_ = 0;
+    steps_ = 0;
+    work_ = 0;
   }
-  return steps_ >= most_steps || work_ >= most_work;
+  const double share =
+      static_cast<double>((D == 3 ? in_3d : 1) * (world.bodies.size() + world.contacts().size())) *
+      std::max(1.0, world.settings().max_iterations / 1000.0);
+  debt_ += work - share * (repaid_by_step + repaid_by_time * (world.time - time_) / step_length);
+  ++steps_in_debt_;
+  time_ = world.time;
+  if (debt_ <= 0) {
+    debt_ = 0;
+    steps_in_debt_ = 0;
+  }
+  return steps_ >= most_steps || std::max(work_, debt_) >= most_work;
 }
 
 std::string ProgressWatch::fault() const {
+  if (steps_ < most_steps && debt_ >= most_work)
+    return "no progress in " + std::to_string(steps_in_debt_) +
+           " steps: time crawls, as where bodies of very different mass touch";
   return "no progress in " + std::to_string(steps_) +
          " steps: the contacts of this rock cannot all hold at once";
 }

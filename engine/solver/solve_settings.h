@@ -1,6 +1,7 @@
 #pragma once
 // The settings and the result of a solve.
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -39,6 +40,13 @@ struct SolveResult {
   double residual = 0;     ///< the largest local error [m/s], or |F| / |q|, depending on the measure
   int worst_contact = -1;  ///< where the error is largest
   SolverKind solver = SolverKind::nlgs;  ///< the solver that gave the answer
+
+  static constexpr std::uint64_t of_sweep = 2;           ///< units of work (flight/jam.h)
+  static constexpr std::uint64_t of_factorisation = 30;  ///< the same in a step of the second solver
+  std::uint64_t work_of_a_contact() const {
+    return static_cast<std::uint64_t>(iterations) *
+           (solver == SolverKind::proximal_newton ? of_factorisation : of_sweep);
+  }
 };
 
 /// "auto", "nlgs", "proximal_newton".

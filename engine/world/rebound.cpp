@@ -67,6 +67,7 @@ void World<D>::solve_and_apply() {
   pressed_.clear();
   ++quality_.problems;
   quality_.iterations += result.iterations;
+  solver_work_ += result.work_of_a_contact() * contacts_.size();
   if (!result.converged) {
     ++quality_.not_converged;
     if (on_hard_problem) on_hard_problem(problem_, start_);

@@ -9,10 +9,10 @@
 #include "collision/contact.h"
 #include "collision/geometry.h"
 #include "collision/time_of_contact.h"
+#include "record/observe.h"
 #include "solver/restitution.h"
 #include "world/contact_rows.h"
 #include "world/motions.h"
-#include "record/observe.h"
 #include "world/phase_clock.h"
 #include "world/step_control.h"
 #include "world/surface.h"
@@ -98,6 +98,8 @@ class World {
   double gap_now(const Contact& contact) const { return gap_at(contact, false); }
   /// How the problem of contacts() was solved; nothing was solved in an impact in which nothing approached.
   const SolveResult& last_solve() const { return last_solve_; }
+  /// The work of all solves, also of those that were repeated: the sum over their contacts.
+  std::uint64_t solver_work() const { return solver_work_; }
   /// The bodies that driven bodies press, in the last solve, so that no motion satisfies their contacts.
   const std::vector<int>& pressed() const { return pressed_; }
   const SolverQuality& quality() const { return quality_; }
@@ -271,6 +273,7 @@ class World {
   WorldSettings settings_;
   SolverQuality quality_;
   SolveResult last_solve_;
+  std::uint64_t solver_work_ = 0;
   std::vector<int> pressed_;
   StepControl<D> control_;
   double last_step_ = 0;   ///< s
