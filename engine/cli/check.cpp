@@ -62,8 +62,8 @@ int check_scenario(const std::string& path, const Overrides& overrides, bool str
   const std::uint64_t trials = plan.points.front().trials;
   const std::string each =
       plan.axes.empty() ? "" : fmt::format(" at each of {} sweep points", plan.points.size());
-  fmt::print("{}: {}, {} trial{}{}\n", path, verdict(loaded->warnings.size()), trials,
-             trials == 1 ? "" : "s", each);
+  fmt::print("{}: {}, {} trial{}{}\n", path, verdict(loaded->warnings.size()), trials, trials == 1 ? "" : "s",
+             each);
   return done;
 }
 

@@ -66,8 +66,7 @@ void print_help() {
 /// In one line. The text may contain user input with line feeds, odd characters and bytes that are not UTF-8.
 void print_error(const std::string& text) {
   const std::string hint = odd_character_hint(text);
-  tell("error: {}{}\n", with_codes(printable(text, 2000)),
-             hint.empty() ? hint : fmt::format(" ({})", hint));
+  tell("error: {}{}\n", with_codes(printable(text, 2000)), hint.empty() ? hint : fmt::format(" ({})", hint));
 }
 
 int usage_error(const std::string& text, const std::string& help) {

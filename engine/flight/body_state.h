@@ -1,9 +1,9 @@
 #pragma once
 // The state of a body as results describe it.
 
+#include "record/observe.h"
 #include "world/body.h"
 #include "world/motions.h"
-#include "record/observe.h"
 
 namespace flyrock {
 

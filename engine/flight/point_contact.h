@@ -4,8 +4,8 @@
 #include <span>
 
 #include "flight/face.h"
-#include "world/body.h"
 #include "record/observe.h"
+#include "world/body.h"
 #include "world/surface.h"
 
 namespace flyrock {

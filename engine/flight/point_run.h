@@ -3,9 +3,9 @@
 
 #include "flight/point_contact.h"
 #include "flight/tree_watch.h"
+#include "record/plan_cells.h"
 #include "world/body.h"
 #include "world/places.h"
-#include "record/plan_cells.h"
 
 namespace flyrock {
 

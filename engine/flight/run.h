@@ -41,8 +41,8 @@ struct Interrupted {};
 /// A flight ends at a barrier or a tree as at a touch. A step is also cut there, to a hundredth of a step.
 /// A body whose state is not finite ends as `diverged`. All bodies end as `diverged` if time stands still for
 /// too many steps or too much work, because their contacts cannot all hold at once (flight/jam.h), or if a
-/// driven body presses another one so that no motion satisfies its contacts (world/pressed.cpp, flight/jam.h).
-/// Throws TrialError and Interrupted. Instantiated for D = 2, 3.
+/// driven body presses another one so that no motion satisfies its contacts (world/pressed.cpp,
+/// flight/jam.h). Throws TrialError and Interrupted. Instantiated for D = 2, 3.
 template <int D>
 void run(World<D>& world, const RunSettings& settings, std::vector<BodyHistory>& histories);
 

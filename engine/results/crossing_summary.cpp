@@ -93,7 +93,7 @@ void CrossingTally::count(const RockRecord& rock, std::span<const GateRecord> ga
   if (!rock.censored) return;
   for (std::vector<Arrivals>* places : {&gates_, &barriers_})
     for (Arrivals& at : *places)
-      if (!at.has_arrived) at.of_all.leave_open();
+      if (!at.has_arrived) at.of_all.leave_all_open();
 }
 
 void CrossingTally::Arrivals::count(std::uint64_t trial, std::initializer_list<std::size_t> shares) {

@@ -87,7 +87,8 @@ void Sample::add(const Bounded& value, std::uint64_t trial) {
       if (!squared_) add_square(value);
       return;
     case Stage::shares:
-      for (Asked& asked : asked_) asked.in_trial += value.value <= asked.quantile;
+      for (Asked& asked : asked_)
+        asked.in_trial += asked.upper_tail ? value.value < asked.quantile : value.value <= asked.quantile;
       return;
     case Stage::ends:
       return ends_.add(value.value);
@@ -121,7 +122,7 @@ void Sample::end_trial() {
     trial_squares_ += deviation_ * deviation_;
   } else if (stage_ == Stage::shares) {
     for (Asked& asked : asked_) {
-      asked.at_most.add(in_trial_, asked.in_trial);
+      asked.before.add(in_trial_, asked.in_trial);
       asked.in_trial = 0;
     }
   }
@@ -152,6 +153,7 @@ bool Sample::needs_another_pass() {
       stage_ = is_clustered_ && !asked_.empty() ? Stage::shares : Stage::done;
       for (std::size_t i = 0; i < asked_.size(); ++i)
         asked_[i].quantile = quantile(questions_.intervals[i].p).value;
+      for (std::size_t i = 0; i < asked_.size(); ++i) asked_[i].upper_tail = questions_.intervals[i].p >= 0.5;
       break;
     case Stage::shares:
       find_clustered_ends();
@@ -206,11 +208,11 @@ void Sample::find_clustered_ends() {
     Asked& asked = asked_[i];
     asked.lower = -1;
     asked.upper = static_cast<std::int64_t>(count_);
-    asked.design_effect = asked.at_most.design_effect();
+    asked.design_effect = asked.before.design_effect();
     asked.trials_needed =
-        trials_needed(p < 0.5 ? asked.at_most.trials_with() : asked.at_most.trials_without(), trials_);
+        trials_needed(asked.upper_tail ? asked.before.trials_without() : asked.before.trials_with(), trials_);
     if (asked.trials_needed > 0) continue;
-    const double size = asked.at_most.effective_size(confidence);
+    const double size = asked.before.effective_size(confidence);
     const Interval share = share_interval(p * size, size, confidence);
     asked.lower = static_cast<std::int64_t>(std::floor(n * share.lower)) - 1;
     asked.upper = static_cast<std::int64_t>(std::ceil(n * share.upper));

@@ -101,8 +101,9 @@ class Sample {
   /// An interval that is asked for. In clustered samples `quantile` splits the numbers of each trial.
   struct Asked {
     double quantile = 0;
-    TrialCounts at_most;                ///< numbers that do not exceed it
-    std::uint64_t in_trial = 0;         ///< of the open trial
+    bool upper_tail = true;      ///< the numbers beyond are those not less than it; else those not greater
+    TrialCounts before;          ///< numbers less than the quantile; in the lower tail those not greater
+    std::uint64_t in_trial = 0;  ///< of the open trial
     std::int64_t lower = 0, upper = 0;  ///< ranks of the ends, from 0
     double design_effect = 1;
     std::uint64_t trials_needed = 0;

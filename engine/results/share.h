@@ -40,6 +40,10 @@ class ShareTally {
   void count(std::size_t share = 0) { ++shares_[share].counted; }
   /// It does not count, but might have if its path had not been cut short.
   void leave_open(std::size_t share = 0) { ++shares_[share].open; }
+  /// The same for all shares.
+  void leave_all_open() {
+    for (Sums& share : shares_) ++share.open;
+  }
   /// After the last rock.
   void close();
 

@@ -9,8 +9,8 @@
 #include "geometry/place_text.h"
 #include "plugin/turn.h"
 #include "trial/blast_at.h"
-#include "trial/random_place.h"
 #include "trial/extent.h"
+#include "trial/random_place.h"
 #include "trial/touch_ground.h"
 
 namespace flyrock {

@@ -10,8 +10,8 @@
 
 #include "geometry/profile.h"
 #include "math/parabola_length.h"
-#include "scenario/scenario.h"
 #include "record/observe.h"
+#include "scenario/scenario.h"
 
 namespace flyrock {
 

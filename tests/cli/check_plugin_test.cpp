@@ -21,7 +21,8 @@ constexpr Refused refused[] = {
 local co = coroutine.create(function() local n = 0 while true do n = n + 0.001 coroutine.yield(n) end end)
 return fr.plugin { kind = "restitution", name = "x", doc = "d", params = {},
   impact = function(p, c) local _, v = coroutine.resume(co) return v, 0 end })",
-     "restitution/x: it cannot be made: plugin x, x.lua:4: impact() reaches the coroutine `co`"},
+     "restitution/x: it cannot be made with parameters within their limits: plugin x, x.lua:4: impact() "
+     "reaches the coroutine `co`"},
     {"shape with a coroutine", R"(local fr = require "flyrock"
 local sizes = coroutine.wrap(function() while true do coroutine.yield(1) end end)
 return fr.plugin { kind = "shape", name = "x", doc = "d", params = {},

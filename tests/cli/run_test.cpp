@@ -123,7 +123,7 @@ TEST_CASE(
   const Output run = call(folder, "run rolling.yaml -o r");
   INFO(run.out);
   CHECK(run.code == 0);
-  CHECK(run.out.find(" 100 % of the rocks are censored (95 % interval 39.8 to 100 %): 4 ran out of time (12 "
+  CHECK(run.out.find(" 100 % (95 % interval 39.8 to 100 %) of the rocks are censored: 4 ran out of time (12 "
                      "s) on rock, x from ") != std::string::npos);
   const auto summary = nlohmann::json::parse(read(folder.path() / "r/summary.json"));
   CHECK(summary["points"][0]["censored"][0]["material"] == "rock");

@@ -80,17 +80,23 @@ function statistics_section() {
   const shown = (number, value) => show(value === null ? value : value * number.per_si);
   const interval = (number, of, name) => {
     const [lower, upper] = of.intervals[name];
-    if (of.trials_needed[name]) return right(`too few trials: about ${of.trials_needed[name]}`);
+    if (of.trials_needed[name]) return right("too few trials");
     return right(lower === null && upper === null ? "–" : `${shown(number, lower)} to ${shown(number, upper)}`);
   };
-  const effects = (of) => interval_names.map((name) => of.design_effect[name]);
+  /** Which numbers of a group rocks of one trial make less certain, in words. */
+  const effects = (group) => {
+    const parts = data.numbers.map((number) => [quantity_name(number.name), interval_names.filter((name) => group[number.name].design_effect[name] > 1.5).map((name) => `${name} ${Number(group[number.name].design_effect[name].toPrecision(2))}`)])
+      .filter(([, list]) => list.length > 0).map(([name, list]) => `${name} ${list.join(", ")}`);
+    return parts.length === 0 ? "" : paragraph("note", `${group_name(group)}: design effects above 1.5, which say how many rocks count as one independent rock: ${parts.join("; ")}.`);
+  };
   const head = (number) => [{ text: element("span", { title: number.doc }, quantity_name(number.name)) }, number.unit || "–"];
   const sound = (point) => point.rocks.filter((group) => group.count > group.faults);
   section_of_point("Statistics", (point) => sound(point).length === 0 ? [paragraph("", "There are none: no rock came through.")] : [
     ...sound(point).map((group) => table(`${group_name(group)}: ${group.count - group.faults}`, ["quantity", "unit", ...names],
       data.numbers.map((number) => [...head(number), ...names.map((name) => statistic(group, number.name, name))]))),
-    ...sound(point).map((group) => table(`95 % confidence intervals: ${group_name(group)}`, ["quantity", "unit", ...interval_names, "design effects above 1.5"],
-      data.numbers.map((number) => [...head(number), ...interval_names.map((name) => interval(number, group[number.name], name)), right(Math.max(...effects(group[number.name])) > 1.5 ? effects(group[number.name]).map((e) => Number(e.toPrecision(2))).join(", ") : "–")]))),
+    ...sound(point).map((group) => table(`95 % confidence intervals: ${group_name(group)}`, ["quantity", "unit", ...interval_names],
+      data.numbers.map((number) => [...head(number), ...interval_names.map((name) => interval(number, group[number.name], name))]))),
+    ...sound(point).map(effects),
     caption("≥: censored rocks fall into it, the true number is at least this. –: the sample is too small for that end of an interval, or censored rocks hide it.",
       "Speed, energy (kinetic) and bounce height are the greatest over a rock's path. A standard deviation in brackets contains censored rocks. Rocks that failed are left out.",
       "Percentiles are linear between the order statistics (NumPy, PERCENTILE.INC). Their intervals are those of the order statistics (binomial), that of the mean is Student's t. Where a trial has several rocks, they share its draws and the trial is the unit: the design effect says how many rocks say as much as one independent rock; an interval needs ten trials beyond its number."),

@@ -2,9 +2,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "record/columns.h"
 #include "batch/record_check.h"
 #include "batch/sha256.h"
+#include "record/columns.h"
 
 using namespace flyrock;
 

@@ -4,8 +4,8 @@
 #include <map>
 #include <set>
 
-#include "record/columns.h"
 #include "load.h"
+#include "record/columns.h"
 
 using namespace flyrock;
 

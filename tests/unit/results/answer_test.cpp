@@ -98,7 +98,7 @@ TEST_CASE(
   std::string text = answer_of(plan, records);
   INFO(text);
   CHECK(says(text,
-             " 3 % (too few trials for an interval: about 250) of the rocks are censored: 3 ran out of time "
+             " 3 % (too few trials for an interval: about 334) of the rocks are censored: 3 ran out of time "
              "(60 s) on "
              "rock (part floor), x from 120 to 180 m; "
              "2 left the domain at x = 300 m; 1 ran out of time (60 s) in the air, x = 30 m. Their distances "

@@ -20,7 +20,9 @@ RockRecord rock_towards(double azimuth_deg, double runout, double x = 2.6e6, dou
   return r;
 }
 
-RunoutByAzimuth summary_of(const std::vector<RockRecord>& rocks) {
+/// Each rock is of a trial of its own.
+RunoutByAzimuth summary_of(std::vector<RockRecord> rocks) {
+  for (std::size_t i = 0; i < rocks.size(); ++i) rocks[i].trial = i;
   AzimuthTally tally;
   do {
     for (const RockRecord& r : rocks) tally.add(r);
