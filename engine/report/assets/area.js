@@ -75,7 +75,8 @@ function area_section() {
       numbers(table("", ["azimuth °", clearance.per === "blast" ? "blasts" : "rocks", "share", "95 % from", "to", "farthest m", "area to m", "with the factor m"],
         clearance.area.sectors.map((s) => [s.azimuth_deg, s.count, ...[s.share, ...s.share_interval].map((value) => right(value === null ? "–" : percent(value))),
           right(s.greatest === null ? "no data" : `${s.lower_bound ? "≥ " : ""}${show(s.greatest)}`), s.distance, s.with_factor])))]),
-      caption("The plan, north where +y is. With 95 % confidence at most the given share of new rocks (or blasts) stops outside the area; distances count from the hull of all release places, or from the given point. Hatched: too few rocks ended there, and the area ends at the hull.",
+      caption("With 95 % confidence at most the given share of new rocks (or blasts) stops outside the area on this plan. Hatched: too few rocks ended there, and the area ends at the hull.",
+        "North is where +y is. Distances count from the hull of all release places, or from the given point.",
         "In each sector the area ends where the same number of the simulated rocks lies beyond; this number is the greatest for which the share of new rocks outside is at most the probability with 95 % confidence (order statistics of all sectors together). Rocks that share the draws of a trial count as fewer. The factor is yours."));
     clearances.forEach((clearance, i) => draw_area(nodes[i], clearance));
   });

@@ -100,8 +100,10 @@ TEST_CASE("e_t is refused where the form has none") {
             "form = 'poisson',\n"
             "  impact = function(p) return 0.5, 0.1 end }\n");
   REQUIRE(lua.load("r.lua") == "");
-  const auto law = make_instance<RestitutionLaw>(use_of(lua, PluginKind::restitution, "r"), 2);
-  const std::vector<double> allow_gain = {0};  // the only parameter
+  PluginUse use = use_of(lua, PluginKind::restitution, "r");
+  use.values.resize(1);  // allow_gain, not given
+  const auto law = make_instance<RestitutionLaw>(use, 2);
+  const std::vector<double> allow_gain = {0};
   CHECK_THROWS_WITH(check_answer(*law, law->impact(allow_gain, {})),
                     "plugin r, r.lua:3: impact() returned e_t = 0.1, must be 0: the form poisson has no "
                     "tangential restitution");
