@@ -10,7 +10,7 @@
 namespace flyrock {
 
 /// The work of a world that its time does not repay. Work is counted, never timed, so that results do not
-/// depend on the machine. A unit is about 0.1 us of a processor of 2023.
+/// depend on the machine. A unit is about 0.04 us of a processor of 2023.
 ///
 /// Time stands still: the work since time last advanced by a step length, or a millisecond. Time crawls: the
 /// debt, which each step's work increases. A step and a step length of time repay what a healthy world of as
@@ -18,7 +18,7 @@ namespace flyrock {
 class ProgressWatch {
  public:
   static constexpr std::uint64_t most_steps = 10'000;      ///< or impacts, without progress
-  static constexpr std::uint64_t most_work = 200'000'000;  ///< units; about 20 s
+  static constexpr std::uint64_t most_work = 500'000'000;  ///< units; about 20 s
   static constexpr std::uint64_t of_search = 10;           ///< of each iteration for the time of a touch
   static constexpr std::uint64_t of_solve = 50;  ///< of each body and contact, for all around a solve
   static constexpr std::uint64_t in_3d = 4;      ///< times as much
