@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "solver/impact_path.h"
-#include "solver/residual.h"
 
 namespace flyrock {
 
@@ -150,7 +149,6 @@ SolveResult ImpactSolver<D>::solve(Problem& problem, const std::vector<Rebound<D
     trace->restitution.reset();
   }
   SolveResult result = solver_.solve(problem, settings, r);
-  if (close_wedged(problem, settings, r, result) && trace) trace->common = {problem, r, {}};
   if (trace) trace->common.r = r;
   if (phases) {
     turn_.resize(n), expansion_.resize(n);
@@ -175,55 +173,6 @@ SolveResult ImpactSolver<D>::solve(Problem& problem, const std::vector<Rebound<D
     r[a][0] += rebounds[a].given;
   }
   return result;
-}
-
-/// Finds the contacts whose error exceeds the tolerance, and all that are coupled to them. The error counts
-/// although it may be within rounding: impulses that grow without bound bring any error within it.
-template <int D>
-void ImpactSolver<D>::find_unsolved(const Problem& problem, const SolveSettings& settings,
-                                    const std::vector<Row>& r) {
-  unsolved_.clear();
-  for (int a = 0; a < problem.size(); ++a) {
-    const auto& contact = problem.contacts[a];
-    const double error = local_error<D>(contact, problem.velocity(a, r), r[a]);
-    if (!(error <= settings.tolerance * contact.speed_scale)) unsolved_.push_back(a);
-  }
-  for (std::size_t i = 0; i < unsolved_.size() && unsolved_.size() <= few_contacts; ++i)
-    for (int k = problem.first[unsolved_[i]]; k < problem.first[unsolved_[i] + 1]; ++k)
-      if (std::find(unsolved_.begin(), unsolved_.end(), problem.other(k)) == unsolved_.end())
-        unsolved_.push_back(problem.other(k));
-}
-
-/// Solves anew without the restitution of the contacts that have no solution with it. This is asked of few
-/// contacts only, because in large groups sweeps may just be too few. The old answer is kept if the new one
-/// has no smaller error.
-template <int D>
-bool ImpactSolver<D>::close_wedged(Problem& problem, const SolveSettings& settings, std::vector<Row>& r,
-                                   SolveResult& result) {
-  const auto is_solved = [&](const auto& c) { return result.residual <= settings.tolerance * c.speed_scale; };
-  if (settings.measure != ErrorMeasure::step ||
-      std::all_of(problem.contacts.begin(), problem.contacts.end(), is_solved))
-    return false;
-  find_unsolved(problem, settings, r);
-  const auto is_shifted = [&](int a) { return problem.contacts[a].q != free_[a]; };
-  if (unsolved_.size() > few_contacts || std::none_of(unsolved_.begin(), unsolved_.end(), is_shifted))
-    return false;
-  answer_ = r;
-  asked_.clear();
-  for (const int a : unsolved_) {
-    asked_.push_back(problem.contacts[a].q);
-    problem.contacts[a].q = free_[a];
-    r[a].setZero();
-  }
-  SolveResult closed = solver_.solve(problem, settings, r);
-  closed.iterations += result.iterations;
-  if (closed.residual < result.residual) {
-    result = closed;
-    return true;
-  }
-  for (std::size_t i = 0; i < unsolved_.size(); ++i) problem.contacts[unsolved_[i]].q = asked_[i];
-  r = answer_;
-  return false;
 }
 
 /// The second phase: impulses L + r with the given L = f r_Cn. The sum bounds friction, rolling and spinning.

@@ -52,9 +52,6 @@ struct SolveTrace {
 ///    compression (at most so, if other contacts press harder).
 ///  - velocity: v_n = -e_n v_n^-, v_t = e_t v_t^-, whatever the friction, as if the contact were alone. So it
 ///    enters the common problem, with e = 0. Two of them may share no moving body (ask_laws.cpp sees to it).
-/// A corner may be so narrow that friction wedges the body in it: no impulses then give the velocities that
-/// newton and newton_mean ask for, however large. Such contacts close without restitution (e = 0), for which
-/// rest is a solution.
 /// A given impulse L is part of r_n. If the contact has normal rows, r_n >= L, and its c_t belongs to a bound
 /// on r_n - L. Forms can be mixed: a contact of newton or newton_mean keeps its conditions in both phases.
 /// `r` holds the start (zero, or the warm start from the last step) and the answer. `problem` is left as it
@@ -76,9 +73,6 @@ class ImpactSolver {
   bool two_phase(int a, const Rebound<D>& rebound) const;
   void add_given(Problem& problem) const;
   bool solve_alone(Problem& problem, int a, const Rebound<D>& rebound);
-  void find_unsolved(const Problem& problem, const SolveSettings& settings, const std::vector<Row>& r);
-  bool close_wedged(Problem& problem, const SolveSettings& settings, std::vector<Row>& r,
-                    SolveResult& result);
   SolveResult expand(Problem& problem, const SolveSettings& settings, const std::vector<Row>& compression);
   double adjust_factors(const Problem& problem, const std::vector<Rebound<D>>& rebounds,
                         const std::vector<Row>& compression);
@@ -90,9 +84,6 @@ class ImpactSolver {
   std::vector<Row> given_;      // given normal impulses in q: those of rebounds, or f r_Cn in restitution
   std::vector<Row> expansion_;  // impulses of restitution
   std::vector<double> factor_;  // f of each contact; -1: it has no second phase
-  std::vector<int> unsolved_;   // contacts of a group that has no solution, and those coupled to them
-  std::vector<Row> asked_;      // q with restitution, and
-  std::vector<Row> answer_;     // the impulses found for it
 };
 
 }  // namespace flyrock

@@ -120,21 +120,6 @@ TEST_CASE("a point stays above random valleys, ridges, steps and walls in 3D, of
     }
 }
 
-TEST_CASE(
-    "friction wedges a point in a narrow valley or pit in 3D with small impulses, for any restitution") {
-  const double restitutions[] = {0.3, 0.9}, frictions[] = {0.6, 0.9, 1.2};
-  for (int i = 0; i < samples(60); ++i) {
-    CAPTURE(i);
-    Dice dice(static_cast<unsigned>(i));
-    const double cell = dice(0.8, 2), rough = cell * dice(1, 4);
-    Material material(restitutions[i % 2], frictions[i / 2 % 3]);
-    Bench3 bench(grid_of([&](double, double) { return dice(0, rough); }, 20, static_cast<int>(40 / cell)),
-                 material, chosen_steps());
-    let_go_over<3>(bench, dice);
-    CHECK(bench.world.quality().not_converged == 0);
-  }
-}
-
 TEST_CASE("a point slides down a slope without turning, on a profile, a plane and many triangles") {
   const double slope = 0.5, mu = 0.3, a = gravity * (std::sin(slope) - mu * std::cos(slope));
   Material material(0, mu);
