@@ -17,18 +17,6 @@ void TrialCounts::add(std::uint64_t n, std::uint64_t k) {
   kk_ += k * k;
 }
 
-TrialCounts& TrialCounts::operator+=(const TrialCounts& other) {
-  n_ += other.n_;
-  k_ += other.k_;
-  trials_ += other.trials_;
-  with_ += other.with_;
-  without_ += other.without_;
-  nn_ += other.nn_;
-  kn_ += other.kn_;
-  kk_ += other.kk_;
-  return *this;
-}
-
 double TrialCounts::design_effect() const {
   if (!is_clustered()) return 1;
   const auto n = static_cast<double>(n_), m = static_cast<double>(trials_);

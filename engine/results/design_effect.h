@@ -19,7 +19,6 @@ class TrialCounts {
  public:
   /// A trial with n rocks, of which k count.
   void add(std::uint64_t n, std::uint64_t k);
-  TrialCounts& operator+=(const TrialCounts& other);
 
   std::uint64_t rocks() const { return n_; }
   std::uint64_t counted() const { return k_; }

@@ -60,7 +60,6 @@ void ShareTally::add(std::uint64_t trial) {
 void ShareTally::close() {
   if (in_trial_ == 0) return;
   rocks_ += in_trial_;
-  ++trials_;
   for (Sums& share : shares_) {
     share.counts.add(in_trial_, share.counted);
     share.or_open.add(in_trial_, share.counted + share.open);

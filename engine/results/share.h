@@ -48,7 +48,6 @@ class ShareTally {
   void close();
 
   std::uint64_t rocks() const { return rocks_; }
-  std::uint64_t trials() const { return trials_; }
   std::uint64_t counted(std::size_t share = 0) const { return shares_[share].counts.counted(); }
   std::uint64_t open(std::size_t share = 0) const {
     return shares_[share].or_open.counted() - counted(share);
@@ -66,7 +65,7 @@ class ShareTally {
     std::uint64_t counted = 0, open = 0;  ///< of the open trial
   };
   std::vector<Sums> shares_;
-  std::uint64_t rocks_ = 0, trials_ = 0;
+  std::uint64_t rocks_ = 0;
   std::uint64_t trial_ = 0, in_trial_ = 0;  ///< the open trial and its rocks
 };
 
