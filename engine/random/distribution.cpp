@@ -30,7 +30,12 @@ std::pair<double, double> support(const Distribution& f) {
     case DistributionKind::lognormal:
     case DistributionKind::weibull:
     case DistributionKind::exponential:
+    case DistributionKind::rosin_rammler:
       return {0, infinity};
+    case DistributionKind::power_law:
+      return {f.a, f.b};
+    case DistributionKind::sieve:
+      return {f.values.front(), f.values.back()};
     case DistributionKind::triangular:
       return {f.a, f.c};
     case DistributionKind::beta:
@@ -46,6 +51,29 @@ std::pair<double, double> support(const Distribution& f) {
     high = std::max(high, f.values[i]);
   }
   return {low, high};
+}
+
+/// The scale in which the share between two sieves is linear.
+double sieve_scale(const Distribution& f, double x) {
+  return f.between == CountedBy::count ? std::log(x) : -1 / (x * x * x);
+}
+
+double sieve_cumulative(const Distribution& f, double x) {
+  const auto above =
+      static_cast<std::size_t>(std::upper_bound(f.values.begin(), f.values.end(), x) - f.values.begin());
+  const double from = sieve_scale(f, f.values[above - 1]), to = sieve_scale(f, f.values[above]);
+  return f.weights[above - 1] +
+         (f.weights[above] - f.weights[above - 1]) * (sieve_scale(f, x) - from) / (to - from);
+}
+
+double sieve_inverse(const Distribution& f, double p) {
+  const auto above =
+      static_cast<std::size_t>(std::upper_bound(f.weights.begin(), f.weights.end(), p) - f.weights.begin());
+  const double part = (p - f.weights[above - 1]) / (f.weights[above] - f.weights[above - 1]);
+  const double low = f.values[above - 1], high = f.values[above];
+  if (f.between == CountedBy::count) return low * std::pow(high / low, part);
+  const double ratio = low / high;
+  return low / std::cbrt(1 - part * (1 - ratio * ratio * ratio));
 }
 
 /// F^-1(p) before truncation; continuous kinds only.
@@ -70,6 +98,12 @@ double inverse(const Distribution& f, double p) {
       return f.c + (f.d - f.c) * boost::math::quantile(Beta(f.a, f.b), p);
     case DistributionKind::exponential:
       return -f.a * std::log1p(-p);
+    case DistributionKind::rosin_rammler:
+      return f.a * std::pow(-std::log1p(-p) / std::log(2.0), 1 / f.b);
+    case DistributionKind::power_law:
+      return f.a * std::pow(1 + p * std::expm1(-f.c * std::log(f.b / f.a)), -1 / f.c);
+    case DistributionKind::sieve:
+      return sieve_inverse(f, p);
     case DistributionKind::discrete:
     case DistributionKind::integer:
       break;
@@ -96,6 +130,20 @@ double discrete_quantile(const Distribution& f, double u) {
   return f.values[last];
 }
 
+bool is_rising(const std::vector<double>& values) {
+  return std::adjacent_find(values.begin(), values.end(), std::greater_equal<>()) == values.end();
+}
+
+std::string sieve_fault(const Distribution& f) {
+  if (f.values.size() < 2 || f.values.size() != f.weights.size())
+    return "it needs as many shares as sizes, at least two";
+  if (!(f.values.front() > 0) || !std::isfinite(f.values.back()) || !is_rising(f.values))
+    return "its sizes must be above 0 and rise";
+  if (!is_rising(f.weights)) return "its shares must rise";
+  if (f.weights.front() != 0) return "nothing must pass its first size: its first share must be 0";
+  return f.weights.back() == 1 ? "" : "all must pass its last size: its last share must be 1 (100 %)";
+}
+
 std::string parameter_fault(const Distribution& f) {
   for (double parameter : {f.a, f.b, f.c, f.d})
     if (!std::isfinite(parameter)) return "its parameters must be finite";
@@ -120,6 +168,13 @@ std::string parameter_fault(const Distribution& f) {
       if (f.a != std::floor(f.a) || f.b != std::floor(f.b)) return "its ends must be whole numbers";
       if (std::max(std::abs(f.a), std::abs(f.b)) > greatest_whole) return "its ends must be at most 2^53";
       return f.a <= f.b ? "" : "its low end must not be above its high end";
+    case DistributionKind::rosin_rammler:
+      return f.a > 0 && f.b > 0 ? "" : "its median and uniformity must be above 0";
+    case DistributionKind::power_law:
+      if (!(f.c > 0)) return "its exponent must be above 0";
+      return f.a > 0 && f.a < f.b ? "" : "its low end must be above 0 and below its high end";
+    case DistributionKind::sieve:
+      return sieve_fault(f);
     case DistributionKind::discrete:
       break;
   }
@@ -133,8 +188,9 @@ std::string parameter_fault(const Distribution& f) {
   return f.weights.empty() || total > 0 ? "" : "one of its weights must be above 0";
 }
 
-constexpr std::array<std::string_view, 9> kind_names{
-    "uniform", "normal", "lognormal", "triangular", "weibull", "beta", "exponential", "discrete", "integer"};
+constexpr std::array<std::string_view, 12> kind_names{"uniform", "normal",        "lognormal",   "triangular",
+                                                      "weibull", "beta",          "exponential", "discrete",
+                                                      "integer", "rosin_rammler", "power_law",   "sieve"};
 constexpr std::array<std::string_view, 5> scope_names{"run", "trial", "hole", "rock", "impact"};
 
 }  // namespace
@@ -159,6 +215,12 @@ double Distribution::cumulative(double x) const {
       return boost::math::cdf(Beta(a, b), (x - c) / (d - c));
     case DistributionKind::exponential:
       return -std::expm1(-x / a);
+    case DistributionKind::rosin_rammler:
+      return -std::expm1(-std::log(2.0) * std::pow(x / a, b));
+    case DistributionKind::power_law:
+      return std::expm1(-c * std::log(x / a)) / std::expm1(-c * std::log(b / a));
+    case DistributionKind::sieve:
+      return sieve_cumulative(*this, x);
     case DistributionKind::integer:
       return (std::floor(x) - a + 1) / (b - a + 1);
     case DistributionKind::discrete:

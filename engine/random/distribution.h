@@ -11,16 +11,22 @@
 namespace flyrock {
 
 enum class DistributionKind {
-  uniform,      ///< a = low, b = high
-  normal,       ///< a = mean, b = standard deviation
-  lognormal,    ///< a = median, b = standard deviation of the logarithm
-  triangular,   ///< a = low, b = mode, c = high
-  weibull,      ///< a = scale, b = shape
-  beta,         ///< a = alpha, b = beta, on [c, d]
-  exponential,  ///< a = mean
-  discrete,     ///< one of `values`, with `weights`
-  integer       ///< a whole number from a to b, both included
+  uniform,        ///< a = low, b = high
+  normal,         ///< a = mean, b = standard deviation
+  lognormal,      ///< a = median, b = standard deviation of the logarithm
+  triangular,     ///< a = low, b = mode, c = high
+  weibull,        ///< a = scale, b = shape
+  beta,           ///< a = alpha, b = beta, on [c, d]
+  exponential,    ///< a = mean
+  discrete,       ///< one of `values`, with `weights`
+  integer,        ///< a whole number from a to b, both included
+  rosin_rammler,  ///< a = median, b = uniformity n: F(x) = 1 - 2^-(x/a)^b
+  power_law,      ///< from a = low to b = high, more than x are as x^-c
+  sieve           ///< `values` are sizes in rising order, `weights` the shares below them, from 0 to 1
 };
+
+/// What is counted: pieces, or their mass, which is as the cube of their size.
+enum class CountedBy { count, mass };
 
 /// A distribution, truncated to [min, max]. It is sampled by the inverse of its cumulative distribution, so
 /// that one uniform number u gives one draw and the truncation is exact:
@@ -29,7 +35,10 @@ struct Distribution {
   DistributionKind kind = DistributionKind::uniform;
   double a = 0, b = 0, c = 0, d = 0;
   std::vector<double> values;
-  std::vector<double> weights;  ///< empty: equal
+  std::vector<double> weights;  ///< of `discrete`: empty for equal ones
+  /// Of `sieve`: the share between two sizes is linear in ln x (count), or in x^-3 (mass), which is how many
+  /// pieces there are if their mass is linear in ln x.
+  CountedBy between = CountedBy::count;
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
 

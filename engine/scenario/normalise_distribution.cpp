@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "random/pieces_by_mass.h"
 #include "scenario/normalise_number.h"
 
 namespace flyrock {
@@ -38,7 +39,12 @@ const std::vector<Form>& forms() {
        {{"alpha", &D::a, false}, {"beta", &D::b, false}, {"low", &D::c, true}, {"high", &D::d, true}}},
       {DistributionKind::exponential, false, {{"mean", &D::a, true}}},
       {DistributionKind::discrete, false, {}},
-      {DistributionKind::integer, true, {{"low", &D::a, true}, {"high", &D::b, true}}}};
+      {DistributionKind::integer, true, {{"low", &D::a, true}, {"high", &D::b, true}}},
+      {DistributionKind::rosin_rammler, false, {{"median", &D::a, true}, {"uniformity", &D::b, false}}},
+      {DistributionKind::power_law,
+       false,
+       {{"low", &D::a, true}, {"high", &D::b, true}, {"exponent", &D::c, false}}},
+      {DistributionKind::sieve, false, {}}};
   return table;
 }
 
@@ -46,6 +52,38 @@ std::vector<std::string> kind_names() {
   std::vector<std::string> names;
   for (const Form& form : forms()) names.emplace_back(name_of(form.kind));
   return names;
+}
+
+std::vector<double> numbers_of(const Value& list) {
+  std::vector<double> numbers;
+  for (const Value& item : *list.list()) numbers.push_back(si_of(item));
+  return numbers;
+}
+
+/// The distribution of a normalised map, of pieces or of their mass.
+Distribution written_distribution(const Value& normalised) {
+  Distribution distribution;
+  for (const Form& form : forms()) {
+    const Value* given = normalised.find(name_of(form.kind));
+    if (!given) continue;
+    distribution.kind = form.kind;
+    if (form.kind == DistributionKind::discrete) {
+      distribution.values = numbers_of(given->list() ? *given : *given->find("values"));
+      if (const Value* weights = given->find("weights")) distribution.weights = numbers_of(*weights);
+    }
+    if (form.kind == DistributionKind::sieve) {
+      distribution.values = numbers_of(*given->find("size"));
+      distribution.weights = numbers_of(*given->find("passing"));
+    }
+    for (std::size_t i = 0; i < form.parameters.size(); ++i) {
+      const Parameter& parameter = form.parameters[i];
+      distribution.*parameter.member =
+          si_of(form.is_list ? (*given->list())[i] : *given->find(parameter.name));
+    }
+  }
+  if (const Value* least = normalised.find("min")) distribution.min = si_of(*least);
+  if (const Value* greatest = normalised.find("max")) distribution.max = si_of(*greatest);
+  return distribution;
 }
 
 class DistributionNormaliser {
@@ -61,6 +99,8 @@ class DistributionNormaliser {
   Value list(const Form& form, const Node& node);
   Value map(const Form& form, const Node& node);
   Value discrete(const Node& node);
+  Value sieve(const Node& node);
+  bool is_by_mass(const Node& node);
   Value numbers(const Node& node, bool has_dimension);
   void error(const Node& node, const std::string& text) {
     good_ = false;
@@ -77,7 +117,7 @@ class DistributionNormaliser {
 /// The one key that names a distribution.
 std::optional<std::pair<const Form*, Node>> DistributionNormaliser::choose(const Node& node) {
   std::vector<std::string> known = kind_names();
-  known.insert(known.end(), {"min", "max", "per"});
+  known.insert(known.end(), {"min", "max", "per", "by"});
   std::optional<std::pair<const Form*, Node>> chosen;
   int found = 0;
   for (const Form& form : forms())
@@ -171,6 +211,33 @@ Value DistributionNormaliser::discrete(const Node& node) {
   return map_value(std::move(map));
 }
 
+/// `sieve: { size: [5 cm, 1 m], passing: [0 %, 100 %] }`.
+Value DistributionNormaliser::sieve(const Node& node) {
+  if (!node.expect_map(context_.diagnostics)) good_ = false;
+  node.refuse_unknown_keys({"size", "passing"}, context_.diagnostics);
+  Map map;
+  for (const char* key : {"size", "passing"})
+    if (const std::optional<Node> child = node.find(key))
+      put(map, key, numbers(*child, key == std::string_view("size")));
+    else if (node.is_map())
+      error(node, fmt::format("`{}` is missing", key));
+  return map_value(std::move(map));
+}
+
+/// `by: mass`: the distribution says where the mass is, and pieces are drawn.
+bool DistributionNormaliser::is_by_mass(const Node& node) {
+  const std::optional<Node> by = node.find("by");
+  if (!by) return false;
+  const std::string* text = by->value->text();
+  if (!text || (*text != "mass" && *text != "count")) {
+    error(*by, fmt::format("expected `count` or `mass`, found {}", shown(*by->value)));
+    return false;
+  }
+  if (*text == "mass" && spec_.dimension != dimension::length)
+    error(*by, "`by: mass` is for sizes, which are lengths");
+  return *text == "mass";
+}
+
 std::optional<Map> DistributionNormaliser::normalise(const Node& node) {
   const auto chosen = choose(node);
   if (!chosen) return std::nullopt;
@@ -179,24 +246,23 @@ std::optional<Map> DistributionNormaliser::normalise(const Node& node) {
   is_whole_ = form->kind == DistributionKind::integer || spec_.type == ParamType::integer;
   Map result;
   put(result, name_of(form->kind),
-      is_discrete     ? discrete(child)
-      : form->is_list ? list(*form, child)
-                      : map(*form, child));
+      is_discrete                             ? discrete(child)
+      : form->kind == DistributionKind::sieve ? sieve(child)
+      : form->is_list                         ? list(*form, child)
+                                              : map(*form, child));
   for (const char* key : {"min", "max"})
     if (const std::optional<Node> end = node.find(key)) put(result, key, number(*end, true));
+  const bool by_mass = is_by_mass(node);
   if (!good_) return std::nullopt;
-  const Distribution distribution = read_distribution(map_value(result));
-  if (const std::string fault = distribution.fault(); !fault.empty()) {
+  const Distribution written = written_distribution(map_value(result));
+  std::string fault = written.fault();
+  if (fault.empty() && by_mass) fault = by_mass_fault(written);
+  if (!fault.empty()) {
     error(node, fmt::format("the {} distribution cannot be drawn: {}", name_of(form->kind), fault));
     return std::nullopt;
   }
+  if (by_mass) put(result, "by", text_value("mass"));
   return result;
-}
-
-std::vector<double> numbers_of(const Value& list) {
-  std::vector<double> numbers;
-  for (const Value& item : *list.list()) numbers.push_back(si_of(item));
-  return numbers;
 }
 
 }  // namespace
@@ -207,24 +273,8 @@ std::optional<Map> normalise_distribution(DecodeContext& context, const Node& no
 }
 
 Distribution read_distribution(const Value& normalised) {
-  Distribution distribution;
-  for (const Form& form : forms()) {
-    const Value* given = normalised.find(name_of(form.kind));
-    if (!given) continue;
-    distribution.kind = form.kind;
-    if (form.kind == DistributionKind::discrete) {
-      distribution.values = numbers_of(given->list() ? *given : *given->find("values"));
-      if (const Value* weights = given->find("weights")) distribution.weights = numbers_of(*weights);
-    }
-    for (std::size_t i = 0; i < form.parameters.size(); ++i) {
-      const Parameter& parameter = form.parameters[i];
-      distribution.*parameter.member =
-          si_of(form.is_list ? (*given->list())[i] : *given->find(parameter.name));
-    }
-  }
-  if (const Value* least = normalised.find("min")) distribution.min = si_of(*least);
-  if (const Value* greatest = normalised.find("max")) distribution.max = si_of(*greatest);
-  return distribution;
+  Distribution written = written_distribution(normalised);
+  return normalised.find("by") ? pieces_by_mass(written) : written;
 }
 
 }  // namespace flyrock

@@ -117,7 +117,10 @@ Value distribution(const Dictionary& dictionary, Dice& dice) {
       {"lognormal", {"median", "log_sd"}},
       {"weibull", {"scale", "shape"}},
       {"beta", {"alpha", "beta", "low", "high"}},
-      {"exponential", {"mean"}}};
+      {"exponential", {"mean"}},
+      {"rosin_rammler", {"median", "uniformity"}},
+      {"power_law", {"low", "high", "exponent"}},
+      {"sieve", {"size", "passing"}}};
   static const std::vector<std::pair<const char*, std::size_t>> lists = {
       {"uniform", 2}, {"triangular", 3}, {"integer", 2}, {"discrete", 4}, {"uniform", 1}, {"discrete", 0}};
   Value value;
@@ -135,6 +138,7 @@ Value distribution(const Dictionary& dictionary, Dice& dice) {
     put(value, end, number_or_quantity(dictionary, dice));
   }
   static const std::vector<const char*> scopes = {"run", "trial", "hole", "rock", "impact"};
+  if (dice.one_in(6)) put(value, "by", leaf(std::string(dice.one_in(2) ? "mass" : "count")));
   if (dice.one_in(4)) put(value, "per", leaf(std::string(dice.pick(scopes))));
   return value;
 }
@@ -163,10 +167,12 @@ Dictionary make_dictionary(const Registry& registry) {
   }
   add_plugins(registry, dictionary);
   for (const char* key :
-       {"sweep",   "from",    "to",          "count",    "uniform", "normal", "lognormal", "triangular",
-        "weibull", "beta",    "exponential", "discrete", "integer", "min",    "max",       "per",
-        "values",  "weights", "kind",        "doc",      "source",  "params", "reads",     "history",
-        "native",  "default", "optional",    "choices",  "unit",    "above",  "below"})
+       {"sweep",      "from",    "to",         "count",         "uniform",   "normal",   "lognormal",
+        "triangular", "weibull", "beta",       "exponential",   "discrete",  "integer",  "min",
+        "max",        "per",     "values",     "weights",       "kind",      "doc",      "source",
+        "params",     "reads",   "history",    "native",        "default",   "optional", "choices",
+        "unit",       "above",   "below",      "rosin_rammler", "power_law", "sieve",    "size",
+        "passing",    "median",  "uniformity", "exponent",      "by"})
     dictionary.keys.emplace_back(key);
   for (const ContactField& field : contact_fields()) dictionary.words.emplace_back(field.name);
   for (const char* word :

@@ -16,11 +16,19 @@ Distribution make(DistributionKind kind, double a, double b = 0, double c = 0, d
   return f;
 }
 
+Distribution sieve() {
+  Distribution f = make(DistributionKind::sieve, 0);
+  f.values = {0.1, 0.2, 0.5, 1.2};
+  f.weights = {0, 0.1, 0.8, 1};
+  return f;
+}
+
 std::vector<Distribution> continuous() {
-  return {make(DistributionKind::uniform, 2, 5),        make(DistributionKind::normal, 3, 2),
-          make(DistributionKind::lognormal, 0.6, 0.35), make(DistributionKind::triangular, 1, 2, 6),
-          make(DistributionKind::weibull, 1.5, 2.2),    make(DistributionKind::beta, 2, 5, -1, 4),
-          make(DistributionKind::exponential, 0.8)};
+  return {make(DistributionKind::uniform, 2, 5),          make(DistributionKind::normal, 3, 2),
+          make(DistributionKind::lognormal, 0.6, 0.35),   make(DistributionKind::triangular, 1, 2, 6),
+          make(DistributionKind::weibull, 1.5, 2.2),      make(DistributionKind::beta, 2, 5, -1, 4),
+          make(DistributionKind::exponential, 0.8),       make(DistributionKind::rosin_rammler, 0.3, 1.1),
+          make(DistributionKind::power_law, 0.1, 3, 2.5), sieve()};
 }
 
 }  // namespace
@@ -44,6 +52,12 @@ TEST_CASE("medians in closed form") {
   CHECK(make(DistributionKind::exponential, 0.8).quantile(0.5) == Approx(0.8 * std::log(2)));
   CHECK(make(DistributionKind::triangular, 0, 1, 2).quantile(0.5) == Approx(1));
   CHECK(make(DistributionKind::beta, 2, 2, 0, 4).quantile(0.5) == Approx(2));
+  CHECK(make(DistributionKind::rosin_rammler, 0.3, 1.1).quantile(0.5) == Approx(0.3));
+  // Half of 1 - (0.1 / x)^2.5, of which all but 30^-2.5 is kept
+  CHECK(make(DistributionKind::power_law, 0.1, 3, 2.5).quantile(0.5) ==
+        Approx(0.1 * std::pow(1 - 0.5 * (1 - std::pow(30, -2.5)), -0.4)));
+  // 4/7 of the way in ln x from 0.2 to 0.5
+  CHECK(sieve().quantile(0.5) == Approx(0.2 * std::pow(2.5, 4.0 / 7)));
 }
 
 TEST_CASE("truncation is exact: the truncated quantile in terms of the whole") {
@@ -97,6 +111,11 @@ TEST_CASE("faults of distributions") {
   CHECK(f.fault() == "nothing of it lies between its min and its max");
   f = make(DistributionKind::discrete, 0);
   CHECK_FALSE(f.fault().empty());
+  f = sieve();
+  f.weights[1] = 0.9;
+  CHECK(f.fault() == "its shares must rise");
+  CHECK(make(DistributionKind::power_law, 2, 1, 1).fault() ==
+        "its low end must be above 0 and below its high end");
 }
 
 TEST_CASE("a draw depends on the parts of the key that its scope names") {

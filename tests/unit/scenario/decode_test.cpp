@@ -135,7 +135,10 @@ TEST_CASE("all distributions are read, and written as they are read") {
         "{ weibull: { scale: 1, shape: 2 }, max: 4, per: rock }",
         "{ beta: { alpha: 2, beta: 3, low: 1, high: 2 }, per: rock }",
         "{ exponential: { mean: 2 }, min: 0.1, per: rock }", "{ discrete: [1, 2], per: rock }",
-        "{ discrete: { values: [1, 2], weights: [3, 1] }, per: rock }", "{ integer: [1, 3], per: trial }"}) {
+        "{ discrete: { values: [1, 2], weights: [3, 1] }, per: rock }", "{ integer: [1, 3], per: trial }",
+        "{ rosin_rammler: { median: 0.2, uniformity: 1.1 }, min: 0.05, by: mass, per: rock }",
+        "{ power_law: { low: 0.1, high: 2, exponent: 2.5 }, per: rock }",
+        "{ sieve: { size: [0.1, 0.5, 1], passing: [0, 0.4, 1] }, by: mass, per: rock }"}) {
     std::string text = head + benches + blocks;
     const std::string old = "{ uniform: [10 cm, 0.5 m] }";
     text.replace(text.find(old), old.size(), written);
@@ -161,7 +164,8 @@ TEST_CASE("a draw must not leave the limits of its parameter") {
   CHECK(refuse(with_radius("{ unifrom: [1, 2] }")) ==
         "rocks.0.shape.radius.unifrom: unknown key, did you mean `uniform`?\n"
         "rocks.0.shape.radius: expected a number in m or a distribution: `uniform`, `normal`, `lognormal`, "
-        "`triangular`, `weibull`, `beta`, `exponential`, `discrete` or `integer`\n");
+        "`triangular`, `weibull`, `beta`, `exponential`, `discrete`, `integer`, "
+        "`rosin_rammler`, `power_law` or `sieve`\n");
   CHECK(refuse(with_radius("{ uniform: [1 s, 2] }")) ==
         "rocks.0.shape.radius.uniform.0: the unit `s` does not fit, expected a unit like m\n");
 }
