@@ -5,6 +5,7 @@
 #include <boost/math/distributions/beta.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
+#include <functional>
 
 namespace flyrock {
 
@@ -53,6 +54,9 @@ std::pair<double, double> support(const Distribution& f) {
   return {low, high};
 }
 
+/// Both kinds are F(x) = 1 - exp(-rate (x/a)^b): a is where 1/e, or a half, lies beyond.
+double weibull_rate(const Distribution& f) { return f.kind == DistributionKind::weibull ? 1 : std::log(2.0); }
+
 /// The scale in which the share between two sieves is linear.
 double sieve_scale(const Distribution& f, double x) {
   return f.between == CountedBy::count ? std::log(x) : -1 / (x * x * x);
@@ -93,13 +97,12 @@ double inverse(const Distribution& f, double p) {
       return f.c - std::sqrt((1 - p) * range * (f.c - f.b));
     }
     case DistributionKind::weibull:
-      return f.a * std::pow(-std::log1p(-p), 1 / f.b);
+    case DistributionKind::rosin_rammler:
+      return f.a * std::pow(-std::log1p(-p) / weibull_rate(f), 1 / f.b);
     case DistributionKind::beta:
       return f.c + (f.d - f.c) * boost::math::quantile(Beta(f.a, f.b), p);
     case DistributionKind::exponential:
       return -f.a * std::log1p(-p);
-    case DistributionKind::rosin_rammler:
-      return f.a * std::pow(-std::log1p(-p) / std::log(2.0), 1 / f.b);
     case DistributionKind::power_law:
       return f.a * std::pow(1 + p * std::expm1(-f.c * std::log(f.b / f.a)), -1 / f.c);
     case DistributionKind::sieve:
@@ -210,13 +213,12 @@ double Distribution::cumulative(double x) const {
       if (x < b) return (x - a) * (x - a) / ((c - a) * (b - a));
       return 1 - (c - x) * (c - x) / ((c - a) * (c - b));
     case DistributionKind::weibull:
-      return -std::expm1(-std::pow(x / a, b));
+    case DistributionKind::rosin_rammler:
+      return -std::expm1(-weibull_rate(*this) * std::pow(x / a, b));
     case DistributionKind::beta:
       return boost::math::cdf(Beta(a, b), (x - c) / (d - c));
     case DistributionKind::exponential:
       return -std::expm1(-x / a);
-    case DistributionKind::rosin_rammler:
-      return -std::expm1(-std::log(2.0) * std::pow(x / a, b));
     case DistributionKind::power_law:
       return std::expm1(-c * std::log(x / a)) / std::expm1(-c * std::log(b / a));
     case DistributionKind::sieve:

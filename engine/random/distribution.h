@@ -34,8 +34,8 @@ enum class CountedBy { count, mass };
 struct Distribution {
   DistributionKind kind = DistributionKind::uniform;
   double a = 0, b = 0, c = 0, d = 0;
-  std::vector<double> values;
-  std::vector<double> weights;  ///< of `discrete`: empty for equal ones
+  std::vector<double> values = {};
+  std::vector<double> weights = {};  ///< of `discrete`: empty for equal ones
   /// Of `sieve`: the share between two sizes is linear in ln x (count), or in x^-3 (mass), which is how many
   /// pieces there are if their mass is linear in ln x.
   CountedBy between = CountedBy::count;

@@ -1,7 +1,7 @@
 #include "random/pieces_by_mass.h"
 
-#include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace flyrock {
 
@@ -9,17 +9,17 @@ namespace {
 
 constexpr int intervals = 2000;
 
-/// Sizes from `low` to `high`, each greater than the last by the same factor, and the sieves between them.
+/// Rising sizes from `low` to `high`: of a sieve curve its own, of others a geometric series.
 std::vector<double> sizes_between(const Distribution& mass, double low, double high) {
-  std::vector<double> sizes;
+  std::vector<double> sizes{low};
+  const auto add = [&](double size) {
+    if (size > sizes.back() && size < high) sizes.push_back(size);
+  };
   if (mass.kind == DistributionKind::sieve)
-    for (const double size : mass.values)
-      if (size > low && size < high) sizes.push_back(size);
-  const int count = mass.kind == DistributionKind::sieve ? 1 : intervals;
-  for (int i = 0; i < count; ++i) sizes.push_back(low * std::pow(high / low, i / static_cast<double>(count)));
+    for (const double size : mass.values) add(size);
+  else
+    for (int i = 1; i < intervals; ++i) add(low * std::pow(high / low, i / static_cast<double>(intervals)));
   sizes.push_back(high);
-  std::sort(sizes.begin(), sizes.end());
-  sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
   return sizes;
 }
 
@@ -40,25 +40,21 @@ std::string by_mass_fault(const Distribution& mass) {
 }
 
 Distribution pieces_by_mass(const Distribution& mass) {
-  const double low = mass.lowest(), high = mass.likely_highest();
+  const std::vector<double> sizes = sizes_between(mass, mass.lowest(), mass.likely_highest());
   Distribution pieces;
   pieces.kind = DistributionKind::sieve;
   pieces.between = CountedBy::mass;
-  double number = 0, last_share = 0;
-  for (const double size : sizes_between(mass, low, high)) {
-    const double share = mass.share_below(size);
-    if (pieces.values.empty()) {
-      pieces.values.push_back(size);
-      pieces.weights.push_back(0);
-    } else if (const double more = (share - last_share) * pieces_of_a_mass(pieces.values.back(), size);
-               number + more > number) {
-      number += more;
-      pieces.values.push_back(size);
-      pieces.weights.push_back(number);
-    } else {
-      continue;  // so little mass that no piece is drawn from it
-    }
-    last_share = share;
+  pieces.values = {sizes.front()};
+  pieces.weights = {0};
+  double number = 0, mass_below = mass.cumulative(sizes.front());
+  for (const double size : std::span(sizes).subspan(1)) {
+    const double now_below = mass.cumulative(size);
+    const double more = (now_below - mass_below) * pieces_of_a_mass(pieces.values.back(), size);
+    if (!(number + more > number)) continue;  // so little mass that no piece is drawn from it
+    number += more;
+    pieces.values.push_back(size);
+    pieces.weights.push_back(number);
+    mass_below = now_below;
   }
   for (double& weight : pieces.weights) weight /= number;
   pieces.weights.back() = 1;

@@ -8,8 +8,8 @@
 namespace flyrock {
 
 /// The distribution of the number of pieces over their size x, of which `mass` is the distribution of their
-/// mass: dN is as dM / x^3, from the least to the greatest size of `mass`. A `sieve` with at most 2048 sizes
-/// between those ends, exact at them for a sieve, and to 1e-4 of its density for others. `mass` has no fault
+/// mass: dN is as dM / x^3, from the least to the greatest size of `mass`. A `sieve` with the sizes of `mass`
+/// if that is one, and exact at them; else with 2001 sizes, and to 1e-4 of the density. `mass` has no fault
 /// and no by_mass_fault.
 Distribution pieces_by_mass(const Distribution& mass);
 

@@ -1,46 +1,34 @@
 #include "random/pieces_by_mass.h"
 
-#include <boost/math/distributions/normal.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <catch2/catch.hpp>
 
 using namespace flyrock;
 
-namespace {
+namespace pieces_by_mass_test {
 
-Distribution sizes(DistributionKind kind, double a, double b, double c, double min, double max) {
-  Distribution f;
-  f.kind = kind;
-  f.a = a;
-  f.b = b;
-  f.c = c;
-  f.min = min;
-  f.max = max;
-  return f;
-}
-
-}  // namespace
+using enum DistributionKind;
 
 TEST_CASE("pieces of a lognormal mass are lognormal, their median exp(-3 s^2) of it") {
   // x^-3 times the density of ln N(m, s) is that of ln N(m - 3 s^2, s).
   const double s = 0.5, median = 0.3, low = 0.05, high = 1.5;
-  const Distribution pieces = pieces_by_mass(sizes(DistributionKind::lognormal, median, s, 0, low, high));
-  const Distribution closed =
-      sizes(DistributionKind::lognormal, median * std::exp(-3 * s * s), s, 0, low, high);
+  const Distribution pieces =
+      pieces_by_mass({.kind = lognormal, .a = median, .b = s, .min = low, .max = high});
+  const Distribution closed{
+      .kind = lognormal, .a = median * std::exp(-3 * s * s), .b = s, .min = low, .max = high};
   for (const double u : {0.001, 0.1, 0.5, 0.9, 0.999, 0.999999})
     CHECK(pieces.quantile(u) == Approx(closed.quantile(u)).epsilon(2e-5));
 }
 
 TEST_CASE("pieces of the mass of a power law are a power law with three more in its exponent") {
-  const Distribution pieces =
-      pieces_by_mass(sizes(DistributionKind::power_law, 0.1, 2, 0.7, -INFINITY, INFINITY));
-  const Distribution closed = sizes(DistributionKind::power_law, 0.1, 2, 3.7, -INFINITY, INFINITY);
+  const Distribution pieces = pieces_by_mass({.kind = power_law, .a = 0.1, .b = 2, .c = 0.7});
+  const Distribution closed{.kind = power_law, .a = 0.1, .b = 2, .c = 3.7};
   for (const double u : {0.001, 0.1, 0.5, 0.9, 0.999, 0.999999})
     CHECK(pieces.quantile(u) == Approx(closed.quantile(u)).epsilon(2e-5));
 }
 
 TEST_CASE("pieces of a Rosin-Rammler mass give the mass back") {
-  const Distribution mass = sizes(DistributionKind::rosin_rammler, 0.218, 1.073, 0, 0.05, 1);
+  const Distribution mass{.kind = rosin_rammler, .a = 0.218, .b = 1.073, .min = 0.05, .max = 1};
   REQUIRE(by_mass_fault(mass).empty());
   const Distribution pieces = pieces_by_mass(mass);
   // The mass below x is the integral of x^3 over the quantiles of the pieces.
@@ -54,7 +42,7 @@ TEST_CASE("pieces of a Rosin-Rammler mass give the mass back") {
 
 TEST_CASE("pieces of a sieve are exact at its sizes, and so is what is cut off") {
   Distribution mass;
-  mass.kind = DistributionKind::sieve;
+  mass.kind = sieve;
   mass.values = {0.1, 0.2, 0.4};
   mass.weights = {0, 0.5, 1};
   const Distribution pieces = pieces_by_mass(mass);
@@ -66,8 +54,10 @@ TEST_CASE("pieces of a sieve are exact at its sizes, and so is what is cut off")
 }
 
 TEST_CASE("a mass without a least size has no number of pieces") {
-  Distribution mass = sizes(DistributionKind::rosin_rammler, 0.2, 1, 0, -INFINITY, INFINITY);
+  Distribution mass{.kind = rosin_rammler, .a = 0.2, .b = 1};
   CHECK(by_mass_fault(mass) == "pieces without a least size have no number: give it a `min`");
-  mass.kind = DistributionKind::integer;
+  mass.kind = integer;
   CHECK_FALSE(by_mass_fault(mass).empty());
 }
+
+}  // namespace pieces_by_mass_test

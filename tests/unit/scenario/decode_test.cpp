@@ -166,6 +166,14 @@ TEST_CASE("a draw must not leave the limits of its parameter") {
         "rocks.0.shape.radius: expected a number in m or a distribution: `uniform`, `normal`, `lognormal`, "
         "`triangular`, `weibull`, `beta`, `exponential`, `discrete`, `integer`, "
         "`rosin_rammler`, `power_law` or `sieve`\n");
+  CHECK(refuse(with_radius("{ rosin_rammler: { median: 20 cm, uniformity: 1 }, by: mass }")) ==
+        "rocks.0.shape.radius: the rosin_rammler distribution cannot be drawn: pieces without a least size "
+        "have no number: give it a `min`\n");
+  CHECK(refuse(with_radius("{ sieve: { size: [5 cm, 1 m], passing: [10 %, 100 %] } }")) ==
+        "rocks.0.shape.radius: the sieve distribution cannot be drawn: nothing must pass its first size: its "
+        "first share must be 0\n");
+  CHECK(refuse(with_radius("{ uniform: [1, 2], by: weight }")) ==
+        "rocks.0.shape.radius.by: expected `count` or `mass`, found `weight`\n");
   CHECK(refuse(with_radius("{ uniform: [1 s, 2] }")) ==
         "rocks.0.shape.radius.uniform.0: the unit `s` does not fit, expected a unit like m\n");
 }
