@@ -13,6 +13,7 @@ PLOTLY := node_modules/plotly.js-gl3d-dist-min/plotly-gl3d.min.js
 
 help:
 	@echo "make demo   build, run the Ninh Dan blast (1000 trials) and say where its report is"
+	@echo "make install PREFIX=/usr/local   build and install"
 	@echo "make test   build and run the tests: fast (release and sanitizers) and full"
 	@echo "make test-heavy  the tests of over a minute; the golden bytes by -O0, -O3 and with the thread sanitizer"
 	@echo "make golden write tests/golden, the hashes of the results of all scenarios, anew"
@@ -64,6 +65,18 @@ build-%: deps
 demo: build-bench
 	build/bench/bin/flyrock run scenarios/ninh_dan/benches_2d.yaml -o out/benches_2d --force
 
+# PREFIX is where flyrock goes; DESTDIR is put before it, for packages.
+PREFIX := /usr/local
+install: build-bench
+	DESTDIR=$(DESTDIR) cmake --install build/bench --prefix $(PREFIX) > /dev/null
+	@echo "flyrock is in $(DESTDIR)$(PREFIX)/bin"
+
+# Packages for this version of Debian: flyrock, and flyrock-gdal where GDAL is found.
+deb: build-bench
+	command -v dpkg-shlibdeps > /dev/null || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends dpkg-dev; }
+	cd build/bench && cpack -B $(CURDIR)/out/deb > /dev/null
+	@ls out/deb/*.deb
+
 test: deps-format build-release build-dev
 	ctest --test-dir build/dev -L fast -j $(TEST_JOBS) --output-on-failure
 	ctest --test-dir build/release -L 'fast|full' -j $(TEST_JOBS) --output-on-failure
@@ -113,4 +126,4 @@ drawings:
 clean:
 	rm -rf build out
 
-.PHONY: help deps deps-browser deps-format format tidy demo test test-heavy golden fuzz bench reference course drawings clean
+.PHONY: help install deb deps deps-browser deps-format format tidy demo test test-heavy golden fuzz bench reference course drawings clean

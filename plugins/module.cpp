@@ -30,6 +30,8 @@ FLYROCK_MODULE(table) {
   table[{shape, "eota221"}] = make_eota221;
   table[{shape, "compound"}] = make_compound;
   table[{population, "independent"}] = make_independent;
+  table[{population, "fragments"}] = make_fragments;
+  table[{population, "kuz_ram"}] = make_kuz_ram;
   table[{restitution, "newton"}] = make_newton;
   table[{friction, "coulomb"}] = make_coulomb;
   table[{friction, "slip_weakening"}] = make_slip_weakening;

@@ -126,6 +126,12 @@ void Contactor2::translate(const Vec2& by) {
   bound = bound_of(points, radius);
 }
 
+void Contactor2::scale(double factor) {
+  if (is_surface()) throw std::logic_error("a surface keeps its size");
+  for (Vec2& point : points) point *= factor;
+  for (double* length : {&radius, &bound, &outer}) *length *= factor;
+}
+
 std::string make_convex(std::vector<Vec2>& vertices) {
   const std::size_t count = vertices.size();
   if (count < 3) return fmt::format("a polygon has {} vertices, at least 3 are needed", count);

@@ -47,6 +47,8 @@ struct Contactor2 {
   /// How far the surface is beyond the core, along the normal out of the contactor [m].
   double rounding() const { return is_room() ? -radius : radius; }
   void translate(const Vec2& by);
+  /// Scales all lengths by a factor about the origin.
+  void scale(double factor);
 };
 
 /// What is wrong with a list of vertices as a convex polygon (fewer than three or too many, not convex, no

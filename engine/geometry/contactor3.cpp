@@ -213,8 +213,13 @@ void Contactor3::change_frame(const Vec3& origin, const Rotation3& r) {
 }
 
 void Contactor3::scale(double factor) {
+  if (is_surface()) throw std::logic_error("a surface keeps its size");
   for (Vec3& point : points) point *= factor;
-  bound = bound_of(points, radius);
+  for (Circle& circle : circles) {
+    circle.centre *= factor;
+    circle.radius *= factor;
+  }
+  for (double* length : {&radius, &bound, &outer}) *length *= factor;
 }
 
 }  // namespace flyrock

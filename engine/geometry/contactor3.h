@@ -112,7 +112,7 @@ struct Contactor3 {
   std::optional<Vec3> axis_of_revolution() const;
   /// Expresses the contactor in another frame: p becomes r^-1 (p - origin).
   void change_frame(const Vec3& origin, const Rotation3& r);
-  /// Scales a polyhedron by a factor about the origin.
+  /// Scales all lengths by a factor about the origin.
   void scale(double factor);
 };
 

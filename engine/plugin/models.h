@@ -86,7 +86,10 @@ class VelocityModel {
 /// One rock of a population. Missing fields are taken from its group.
 template <int D>
 struct RockPlan {
-  ShapeAnswer<D> shape;            ///< without contactors: the shape of its group
+  ShapeAnswer<D> shape;  ///< without contactors: the shape of its group
+  /// Of the sphere (2D: circle) of equal volume (area) [m]: its shape is scaled to it.
+  std::optional<double> diameter;
+  std::optional<double> weight;    ///< how many real rocks it stands for
   std::optional<Vec<D>> position;  ///< of the centre of mass, in the coordinates of the scenario [m]
   /// Of the contactors as given: an angle [rad] in 2D.
   std::optional<std::conditional_t<D == 2, double, Rotation3>> orientation;

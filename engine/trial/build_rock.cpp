@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "document/wording.h"
+#include "geometry/volume_properties.h"
 #include "trial/blast_at.h"
 #include "trial/build_trial.h"
 #include "trial/dimensions.h"
@@ -31,6 +32,25 @@ Air<D> TrialBuilder<D>::air_of(const Body<D>& body, const DrawKey& key) const {
 
 namespace {
 
+/// The diameter of the sphere (2D: circle) of equal volume (area).
+double diameter_of(const std::vector<Contactor2>& contactors) {
+  return 2 * std::sqrt(area_properties(contactors).area / pi);
+}
+double diameter_of(const std::vector<Contactor3>& contactors) {
+  return std::cbrt(6 / pi * volume_properties(contactors).volume);
+}
+
+/// Scales a shape to a diameter. A mass that it gives itself would no longer be its own.
+template <int D>
+void scale_to(ShapeAnswer<D>& shape, double diameter) {
+  if (shape.own.given() || shape.pneumatic)
+    throw PluginError(
+        "a shape with a mass, a centre or a pressure of its own cannot be scaled to the diameter "
+        "that the population gives");
+  const double factor = diameter / diameter_of(shape.contactors);
+  for (auto& contactor : shape.contactors) contactor.scale(factor);
+}
+
 auto key_path(const TrialRock& rock, std::string_view key) {
   return [&rock, key] { return fmt::format("rocks.{}.{}", rock.group, key); };
 }
@@ -52,6 +72,7 @@ const MadeBody<D>& TrialBuilder<D>::made_body(const RockPlan<D>& plan, const Tri
   else
     made.density = number(group.density, rock.key);
   if (D == 2 && group.thickness) made.thickness = number(*group.thickness, rock.key);
+  made.diameter = plan.diameter.value_or(0);
 
   ShapeAnswer<D> shape;
   if (!plan.shape.contactors.empty()) {
@@ -69,6 +90,7 @@ const MadeBody<D>& TrialBuilder<D>::made_body(const RockPlan<D>& plan, const Tri
     made.is_drawn = rng.drawn();
     made.is_kept = !made.is_drawn && is_native(*group.shape);
   }
+  if (plan.diameter) at_path(key_path(rock, "shape"), [&] { scale_to(shape, *plan.diameter); });
   made.has_own_mass = shape.own.mass.has_value();
   made.has_own_inertia = shape.own.inertia.has_value();
   if constexpr (D == 2) {

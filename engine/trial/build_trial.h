@@ -56,6 +56,7 @@ template <int D>
 struct MadeBody {
   std::vector<double> shape;                    ///< the parameters of the shape of its group
   double density = 0, mass = 0, thickness = 0;  ///< of density and mass the one that is given
+  double diameter = 0;                          ///< to which the shape is scaled; 0: not
   bool is_kept = false;                         ///< another rock of its group may have it
   bool is_drawn = false;                        ///< its shape used `rng`
   bool has_own_mass = false, has_own_inertia = false;
@@ -64,7 +65,7 @@ struct MadeBody {
   /// Whether the rock for which `other` is to be made has this body.
   bool serves(const MadeBody& other) const {
     return is_kept && shape == other.shape && density == other.density && mass == other.mass &&
-           thickness == other.thickness;
+           thickness == other.thickness && diameter == other.diameter;
   }
 };
 

@@ -9,6 +9,7 @@
 #include "host/adapters.h"
 #include "host/manifest.h"
 #include "host/read_value.h"
+#include "host/share.h"
 #include "host/table_reader.h"
 #include "host/wording.h"
 #include "plugin/module_loader.h"
@@ -40,7 +41,8 @@ bool is_within(const fs::path& path, const fs::path& folder) {
 }  // namespace
 
 LuaSession::Host::Host(const std::string& share) : state_(std::make_shared<LuaState>(wording)) {
-  if (const std::string error = load_module(share + "/flyrock_plugins.so", natives_); !error.empty())
+  if (const std::string error = load_module(module_folder() + "/flyrock_plugins.so", natives_);
+      !error.empty())
     throw std::runtime_error(error);
   try {
     state_->run(Budget::load_limit, [&](lua_State* lua) { open_libraries(lua, share); });

@@ -50,10 +50,12 @@ class RockReader : public AnswerReader {
     refuse_field(value, path, Others::orientation);
     refuse_field(value, path, Others::corners);
     check_keys(value, path,
-               {"radius", Names::corners, "shape", "position", Names::orientation, "density", "mass",
-                "material", "velocity", "spin"});
+               {"radius", Names::corners, "shape", "diameter", "position", Names::orientation, "density",
+                "mass", "material", "velocity", "spin"});
     RockPlan<D> plan;
     plan.shape = shape_of(value, path);
+    if (const Value* diameter = value.find("diameter"))
+      plan.diameter = positive(*diameter, join_path(path, "diameter"));
     if (const Value* position = value.find("position"))
       plan.position = place(*position, join_path(path, "position"));
     if (const Value* turn = value.find(Names::orientation))

@@ -5,10 +5,20 @@
 
 namespace flyrock {
 
+namespace {
+
+/// Of the installation, or of a build tree, which has the same folders.
+std::filesystem::path prefix() {
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path();
+}
+
+}  // namespace
+
 std::string share_folder() {
   if (const char* data = std::getenv("FLYROCK_DATA"); data && *data) return data;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe");
-  return (program.parent_path().parent_path() / "share" / "flyrock").string();
+  return (prefix() / "share" / "flyrock").string();
 }
+
+std::string module_folder() { return (prefix() / "lib" / "flyrock").string(); }
 
 }  // namespace flyrock

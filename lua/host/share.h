@@ -1,5 +1,5 @@
 #pragma once
-// Finds the manifests, Lua modules and report assets of the installation.
+// Finds the manifests, Lua modules, report assets and native plugins of the installation.
 
 #include <string>
 
@@ -8,5 +8,9 @@ namespace flyrock {
 /// The folder share/flyrock: FLYROCK_DATA if it is set, otherwise ../share/flyrock relative to the running
 /// program.
 std::string share_folder();
+
+/// The folder of the native plugins, ../lib/flyrock relative to the running program: they belong to its
+/// build.
+std::string module_folder();
 
 }  // namespace flyrock

@@ -1,10 +1,10 @@
 #pragma once
-// Code shared by the velocity models: the direction of a launch, and errors of the blast formulas.
+// The direction of a launch, which the velocity models share.
 
-#include <stdexcept>
 #include <string>
 
 #include "plugin/models.h"
+#include "plugins/of_the_blast.h"
 
 namespace flyrock::plugins {
 
@@ -36,15 +36,5 @@ class Aim {
  private:
   int elevation_, azimuth_;
 };
-
-/// The result of a blast formula. Its errors are rethrown with the plugin's name.
-template <class Formula>
-auto of_the_blast(const std::string& plugin, Formula formula) {
-  try {
-    return formula();
-  } catch (const std::invalid_argument& fault) {
-    throw PluginError("plugin " + plugin + ": " + fault.what());
-  }
-}
 
 }  // namespace flyrock::plugins

@@ -25,9 +25,12 @@ void check_refused(const Folder& folder, const std::string& arguments, const std
 std::string copied_program(const Folder& folder) {
   const fs::path program = folder.path() / "program";
   fs::create_directories(program / "bin");
-  fs::create_directories(program / "share");
   fs::copy_file(FLYROCK_BINARY, program / "bin/flyrock");
-  fs::copy(FLYROCK_SHARE_DIR, program / "share/flyrock", fs::copy_options::recursive);
+  for (const char* part : {"lib/flyrock", "share/flyrock"}) {
+    fs::create_directories((program / part).parent_path());
+    fs::copy(fs::path(FLYROCK_BINARY).parent_path().parent_path() / part, program / part,
+             fs::copy_options::recursive);
+  }
   return (program / "bin/flyrock").string();
 }
 

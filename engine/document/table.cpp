@@ -1,0 +1,304 @@
+#include "document/table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <memory>
+
+#include "document/printable.h"
+#include "document/wording.h"
+
+namespace flyrock {
+
+namespace {
+
+constexpr std::string_view blanks = " \t\r";
+constexpr std::size_t most_errors = 20;
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return text.substr(text.size());
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return result;
+}
+
+/// A unit as heads write it: `kg_per_m`, `m_s` for m/s, `m/s`. The reading that has the dimension counts.
+std::optional<Unit> unit_of_head(std::string_view text, const Dimension& dimension) {
+  std::string plain(text);
+  if (const std::size_t per = plain.find("_per_"); per != std::string::npos) plain.replace(per, 5, "/");
+  std::vector<std::string> readings;
+  for (std::size_t cut = plain.find('_'); cut != std::string::npos; cut = plain.find('_', cut + 1)) {
+    readings.push_back(plain);
+    readings.back()[cut] = '/';
+  }
+  readings.push_back(plain);
+  for (std::string& reading : readings) {
+    std::replace(reading.begin(), reading.end(), '_', ' ');
+    if (const auto unit = parse_unit(reading); unit && unit->dimension == dimension) return unit;
+  }
+  return std::nullopt;
+}
+
+/// The unit that follows a name in a head: "_kg", " [kg]", " (kg)"; nothing where that is no unit.
+std::optional<Unit> trailing_unit(std::string_view rest, const Dimension& dimension) {
+  rest = trimmed(rest);
+  if (rest.size() > 2 &&
+      ((rest.front() == '[' && rest.back() == ']') || (rest.front() == '(' && rest.back() == ')')))
+    rest = rest.substr(1, rest.size() - 2);
+  else if (rest.starts_with('_'))
+    rest.remove_prefix(1);
+  else
+    return std::nullopt;
+  return unit_of_head(trimmed(rest), dimension);
+}
+
+/// The unit of any head: of its longest end that is one.
+Unit unit_at_end(std::string_view head, const Dimension& dimension) {
+  for (std::size_t i = 0; i < head.size(); ++i)
+    if (head[i] == '_' || head[i] == '[' || head[i] == '(')
+      if (const auto unit = trailing_unit(head.substr(i), dimension)) return *unit;
+  return {1, dimension};
+}
+
+struct Field {
+  std::string text;
+  int at = 1;
+};
+
+/// Cuts a line at its separators. A field in double quotes may hold them; "" is a quote in it.
+std::vector<Field> fields_of(std::string_view line, char separator) {
+  std::vector<Field> fields;
+  for (std::size_t i = 0; i <= line.size(); ++i) {
+    while (i < line.size() && line[i] != separator && blanks.find(line[i]) != std::string_view::npos) ++i;
+    Field field{"", static_cast<int>(i) + 1};
+    if (i < line.size() && line[i] == '"') {
+      for (++i; i < line.size(); ++i) {
+        if (line[i] == '"' && (i + 1 >= line.size() || line[i + 1] != '"')) break;
+        if (line[i] == '"') ++i;
+        field.text += line[i];
+      }
+      i = std::min(line.find(separator, i), line.size());
+    } else {
+      const std::size_t end = std::min(line.find(separator, i), line.size());
+      field.text = trimmed(line.substr(i, end - i));
+      i = end;
+    }
+    fields.push_back(std::move(field));
+  }
+  return fields;
+}
+
+char separator_of(std::string_view heads) {
+  for (const char c : {';', '\t'})
+    if (heads.find(c) != std::string_view::npos) return c;
+  return ',';
+}
+
+}  // namespace
+
+const Table::Cell* Table::cell(std::size_t row, std::string_view column) const {
+  const auto found = columns_.find(column);
+  return found == columns_.end() ? nullptr : &found->second.at(row);
+}
+
+bool Table::has(std::string_view column) const { return columns_.contains(column); }
+
+std::optional<double> Table::number(std::size_t row, std::string_view column) const {
+  const Cell* found = cell(row, column);
+  return found && found->is_number ? std::optional(found->number) : std::nullopt;
+}
+
+std::string_view Table::text(std::size_t row, std::string_view column) const {
+  const Cell* found = cell(row, column);
+  return found ? std::string_view(found->text) : std::string_view();
+}
+
+Location Table::at(std::size_t row, std::string_view column) const {
+  const Cell* found = cell(row, column);
+  return {source_, lines_.at(row), found ? found->at : 1};
+}
+
+class TableReader {
+ public:
+  TableReader(std::span<const TableColumn> columns, const std::map<std::string, std::string>& heads,
+              const Node& where, Diagnostics& diagnostics)
+      : columns_(columns), heads_(heads), where_(where), diagnostics_(diagnostics) {}
+
+  std::optional<Table> read(const std::string& path) {
+    const std::size_t before = diagnostics_.errors_given();
+    if (read_lines(path) && read_heads()) {
+      for (++line_; line_ <= source_->lines.size(); ++line_)
+        if (!trimmed(source_->lines[line_ - 1]).empty()) read_row();
+      if (table_.rows_ == 0 && errors_ == 0) {
+        line_ = 1;
+        fail(1, "the table has no line but its heads");
+      }
+    }
+    if (errors_ > most_errors)
+      where_.error(diagnostics_,
+                   fmt::format("{} has {} more errors like these", path, errors_ - most_errors));
+    if (diagnostics_.errors_given() > before) return std::nullopt;
+    table_.source_ = source_;
+    return std::move(table_);
+  }
+
+ private:
+  struct Use {
+    const TableColumn* column = nullptr;
+    std::vector<Table::Cell>* cells = nullptr;
+    Unit unit;
+  };
+
+  void fail(int at, const std::string& text) {
+    if (++errors_ <= most_errors)
+      diagnostics_.error({source_, static_cast<int>(line_), at}, where_.path, text);
+  }
+
+  bool read_lines(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file || file.peek() == std::ifstream::traits_type::eof()) {
+      where_.error(diagnostics_, file ? fmt::format("the file {} is empty", path)
+                                      : fmt::format("cannot read the file {}", path));
+      return false;
+    }
+    auto source = std::make_shared<Source>();
+    source->name = path;
+    for (std::string line; std::getline(file, line);) {
+      if (!line.empty() && line.back() == '\r') line.pop_back();
+      if (source->lines.empty() && line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);
+      source->lines.push_back(std::move(line));
+    }
+    source_ = std::move(source);
+    for (line_ = 1; line_ <= source_->lines.size(); ++line_)
+      if (const std::string fault = text_fault(source_->lines[line_ - 1]); !fault.empty()) {
+        fail(1, fmt::format("the line {}", fault));
+        return false;
+      }
+    return true;
+  }
+
+  bool read_heads() {
+    line_ = 1;
+    while (line_ < source_->lines.size() && trimmed(source_->lines[line_ - 1]).empty()) ++line_;
+    const std::string& line = source_->lines[line_ - 1];
+    separator_ = separator_of(line);
+    const std::vector<Field> heads = fields_of(line, separator_);
+    const std::size_t before = errors_;
+    for (const Field& head : heads) uses_.push_back(use_of(head));
+    for (const TableColumn& column : columns_)
+      if (column.required && !table_.has(column.name)) fail(1, missing(column));
+    for (const auto& [name, head] : heads_)
+      if (std::none_of(heads.begin(), heads.end(), [&](const Field& field) { return field.text == head; }))
+        fail(1, fmt::format("no head is `{}`, which `columns` names for `{}`{}", printable(head), name,
+                            suggestion(head, texts(heads))));
+    return errors_ == before;
+  }
+
+  static std::vector<std::string> texts(const std::vector<Field>& fields) {
+    std::vector<std::string> result;
+    for (const Field& field : fields) result.push_back(field.text);
+    return result;
+  }
+
+  std::string missing(const TableColumn& column) const {
+    const std::string unit = column.is_text ? "" : si_unit(column.dimension);
+    const std::string example =
+        unit.empty() || unit == "1" ? "" : fmt::format(" (in {}, or `{}` with a unit)", unit, column.name);
+    return fmt::format("no column is `{}`{}{}", column.name, example,
+                       table_.ignored_.empty() ? "" : did_you_mean(column.name, table_.ignored_));
+  }
+
+  /// The column that a head names, with its unit; none for a head that nobody asked for.
+  Use use_of(const Field& head) {
+    for (const auto& [name, mapped] : heads_)
+      if (head.text == mapped)
+        for (const TableColumn& column : columns_)
+          if (column.name == name) return taken(head, column, unit_at_end(head.text, column.dimension));
+    const std::string text = lower(head.text);
+    for (const TableColumn& column : columns_)
+      if (text == column.name && !heads_.contains(column.name))
+        return taken(head, column, {1, column.dimension});
+    for (const TableColumn& column : columns_) {
+      if (column.is_text || !text.starts_with(column.name) || heads_.contains(column.name)) continue;
+      if (const auto unit =
+              trailing_unit(std::string_view(head.text).substr(column.name.size()), column.dimension))
+        return taken(head, column, *unit);
+    }
+    table_.ignored_.push_back(head.text);
+    return {};
+  }
+
+  Use taken(const Field& head, const TableColumn& column, const Unit& unit) {
+    if (table_.has(column.name)) {
+      fail(head.at, fmt::format("`{}` is a second column of `{}`", printable(head.text), column.name));
+      return {};
+    }
+    return {&column, &table_.columns_[column.name], unit};
+  }
+
+  void read_row() {
+    const std::vector<Field> fields = fields_of(source_->lines[line_ - 1], separator_);
+    if (fields.size() != uses_.size()) {
+      fail(1, fmt::format("the line has {} values, the heads are {}", fields.size(), uses_.size()));
+      return;
+    }
+    table_.lines_.push_back(static_cast<int>(line_));
+    ++table_.rows_;
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      if (uses_[i].column) uses_[i].cells->push_back(read_cell(fields[i], uses_[i]));
+  }
+
+  Table::Cell read_cell(const Field& field, const Use& use) {
+    Table::Cell cell{field.text, 0, false, field.at};
+    if (field.text.empty()) {
+      if (use.column->required) fail(field.at, fmt::format("`{}` is empty", use.column->name));
+    } else if (!use.column->is_text) {
+      std::string text = field.text;
+      if (separator_ != ',' && text.find('.') == std::string::npos)
+        if (const std::size_t comma = text.find(','); comma != std::string::npos) text[comma] = '.';
+      const auto number = number_of(text);
+      if (!number)
+        fail(field.at,
+             fmt::format("`{}` is not a number, expected `{}`", printable(field.text), use.column->name));
+      cell.is_number = number.has_value();
+      cell.number = Quantity{number.value_or(0), true, use.unit, ""}.si();
+    }
+    return cell;
+  }
+
+  /// As programs write numbers: +1.5, 007, 1E3.
+  static std::optional<double> number_of(std::string_view text) {
+    std::string plain(text);
+    std::size_t at = plain.starts_with('-') || plain.starts_with('+') ? 1 : 0;
+    while (at + 1 < plain.size() && plain[at] == '0' && plain[at + 1] >= '0' && plain[at + 1] <= '9')
+      plain.erase(at, 1);
+    if (plain.starts_with('+')) plain.erase(0, 1);
+    return parse_number(plain);
+  }
+
+  std::span<const TableColumn> columns_;
+  const std::map<std::string, std::string>& heads_;
+  const Node& where_;
+  Diagnostics& diagnostics_;
+  std::shared_ptr<const Source> source_;
+  Table table_;
+  std::vector<Use> uses_;
+  std::size_t line_ = 1;  ///< from 1
+  char separator_ = ',';
+  std::size_t errors_ = 0;
+};
+
+std::optional<Table> read_table(const std::string& path, std::span<const TableColumn> columns,
+                                const std::map<std::string, std::string>& heads, const Node& where,
+                                Diagnostics& diagnostics) {
+  return TableReader(columns, heads, where, diagnostics).read(path);
+}
+
+}  // namespace flyrock
