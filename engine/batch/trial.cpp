@@ -16,6 +16,7 @@
 #include "batch/rock_surface.h"
 #include "batch/safe_file.h"
 #include "batch/series_rows.h"
+#include "flight/decided.h"
 #include "flight/point_run.h"
 #include "flight/run.h"
 #include "solver/fclib.h"
@@ -143,7 +144,9 @@ class TrialRunner::Trials : public OfDimension {
   /// The rocks of a trial by the methods of points.
   void run_points(Trial<D>& trial, const RunSettings& settings);
   void record(std::uint64_t trial, int index, const TrialRock& rock, const World<D>* world,
-              const BodyHistory& history, TrialRecords& out) const;
+              const BodyHistory& history, TrialRecords& out);
+  /// A rock that left the domain: the gates and barriers at which it can no longer arrive.
+  void decide(const World<D>& world, double mass, const BodyHistory& history, RockRecord& row);
   /// Adds a rock to the maps.
   void map(const TrialRock& rock, const BodyHistory& history, PlanCells& cells, TrialRecords& out) const;
   void record_inputs(std::uint64_t trial, int index, const TrialRock& rock, TrialRecords& out) const;
@@ -157,6 +160,7 @@ class TrialRunner::Trials : public OfDimension {
   Course course_;
   std::vector<Gate> gates_;
   std::vector<Barrier> barriers_;
+  DecidedLines<D> decided_gates_, decided_barriers_;
   std::shared_ptr<const Forest> forest_;  ///< null: no trees
   RunForest run_forest_;
   std::vector<std::vector<int>> impact_draws_;  ///< of each material, those `per: impact`
@@ -381,8 +385,7 @@ void TrialRunner::Trials<D>::run_points(Trial<D>& trial, const RunSettings& sett
 
 template <int D>
 void TrialRunner::Trials<D>::record(std::uint64_t trial, int index, const TrialRock& rock,
-                                    const World<D>* world, const BodyHistory& history,
-                                    TrialRecords& out) const {
+                                    const World<D>* world, const BodyHistory& history, TrialRecords& out) {
   RockRecord row;
   row.trial = trial;
   row.rock = index;
@@ -403,6 +406,7 @@ void TrialRunner::Trials<D>::record(std::uint64_t trial, int index, const TrialR
     row.stop_x = history.last.position.x();
     row.stop_y = history.last.position.y();
     row.stop_z = history.last.position.z();
+    if (row.reason == StopReason::left_domain) decide(*world, body.mass, history, row);
     if (row.reason == StopReason::timed_out)
       row.end_part = part_under(world->terrain(), body, scenario_.method);
     row.landed = history.landed;
@@ -425,6 +429,22 @@ void TrialRunner::Trials<D>::record(std::uint64_t trial, int index, const TrialR
         out.shapes.push_back({trial, index, corner});
   }
   out.rocks.push_back(row);
+}
+
+template <int D>
+void TrialRunner::Trials<D>::decide(const World<D>& world, double mass, const BodyHistory& history,
+                                    RockRecord& row) {
+  const Vec3 origin = scenario_.terrain.origin;
+  const auto place = [&](const BodyState& state) {
+    return Vec<D>((state.position - origin).template head<D>());
+  };
+  const Vec<D> end = place(history.last);
+  const double weight = -mass * world.gravity()[D - 1];
+  const double lift = weight > 0 ? end[D - 1] + history.last.kinetic_energy / weight
+                                 : std::numeric_limits<double>::infinity();
+  const Departure departure{in_plan(place(history.first)), in_plan(end), lift};
+  row.decided_gates = decided_gates_.of(gates_, trial_.terrain, departure);
+  row.decided_barriers = decided_barriers_.of(barriers_, trial_.terrain, departure);
 }
 
 template <int D>

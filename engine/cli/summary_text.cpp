@@ -131,6 +131,49 @@ std::string verdict_line(const Verdict& verdict, bool sweep) {
 
 namespace {
 
+/// "+3.2 m (95 % interval 2.9 to 3.5 m)": the difference of the runout from point 0 of a group; empty
+/// without.
+std::string difference_text(const Results& results, std::size_t point, std::size_t group) {
+  if (point == 0 || results.differences.size() < point) return "";
+  const PointDifferences& of_point = results.differences[point - 1];
+  if (!of_point.reason.empty()) return "";
+  const Difference& difference = of_point.groups.at(group).numbers.at(rock_statistic("runout"));
+  if (std::isnan(difference.mean)) return "";
+  const std::string text =
+      fmt::format("{}{} m", difference.mean > 0 ? "+" : "", three_digits(difference.mean));
+  if (difference.differing == 0) return text + " (no pair differs)";
+  if (difference.interval.trials_needed > 0) return text + " (too few trials that differ)";
+  if (std::isnan(difference.interval.lower)) return text;
+  return fmt::format("{} (95 % interval {} to {} m)", text, three_digits(difference.interval.lower),
+                     three_digits(difference.interval.upper));
+}
+
+/// The differences of a point in the table of all points: a line for each group.
+std::string differences_lines(const Plan& plan, const Results& results, std::size_t point) {
+  std::string text;
+  const char* what = plan.all_end_at_landing() ? "first landing" : "runout";
+  const std::vector<GroupSummary>& groups = results.points[point].groups;
+  for (std::size_t g = groups.size() > 1 ? 1 : 0; g < groups.size(); ++g)
+    if (const std::string difference = difference_text(results, point, g); !difference.empty())
+      text +=
+          fmt::format("  {} against point 0, same rocks, {}: {}\n", what, row_name(groups[g]), difference);
+  return text;
+}
+
+/// The points that are not the best because they do not keep the limits, and by how much.
+std::string short_points_text(const Plan& plan, const Results& results) {
+  constexpr std::size_t most_named = 3;
+  std::string text;
+  std::size_t count = 0;
+  for (std::size_t p = 0; results.best && p < results.best->points.size(); ++p) {
+    const BestPoint::Point& point = results.best->points[p];
+    if (point.holds() || ++count > most_named) continue;
+    text += fmt::format("  point {} falls short: {}\n", p, short_text(plan, point));
+  }
+  if (count > most_named) text += fmt::format("  {} more points fall short\n", count - most_named);
+  return text.empty() ? text : text + '\n';
+}
+
 /// What the terminal says of each point: the ends of its rocks, its gates and barriers.
 std::string points_text(const Plan& plan, const Results& results) {
   const std::size_t width = name_width(results);
@@ -145,12 +188,13 @@ std::string points_text(const Plan& plan, const Results& results) {
     text += reasons_line(plan.points[p], results.points[p].groups.front());
     text += is_lost ? fmt::format("  {}\n", lost_text(results.points[p]))
                     : places_text(plan.points[p], results.points[p]);
+    text += differences_lines(plan, results, p);
   }
   return text;
 }
 
 constexpr std::ptrdiff_t most_lines = 40;
-constexpr std::size_t most_point_lines = 30;
+constexpr std::size_t most_point_lines = 28;
 
 /// Many points: a line for each, with the p95 of the group that goes farthest at point 0.
 std::string brief_points_text(const Plan& plan, const Results& results) {
@@ -169,9 +213,11 @@ std::string brief_points_text(const Plan& plan, const Results& results) {
       text += fmt::format("  point {}: {}: {}\n", p, point_text(plan, p), lost_text(results.points[p]));
       continue;
     }
-    text += fmt::format("  point {}: {}: {}\n", p, point_text(plan, p),
+    const std::string difference = difference_text(results, p, farthest);
+    text += fmt::format("  point {}: {}: {}{}\n", p, point_text(plan, p),
                         with_interval(group.at(runout, Statistic::p95),
-                                      group.interval(runout, Statistic::p95), stated_confidence));
+                                      group.interval(runout, Statistic::p95), stated_confidence),
+                        difference.empty() ? "" : "; mean against point 0: " + difference);
   }
   if (results.points.size() > most_point_lines)
     text += fmt::format("  {} more points are in the report\n", results.points.size() - most_point_lines);
@@ -185,7 +231,7 @@ std::string summary_text(const Plan& plan, const Results& results, const std::ve
   std::string text = fault_line(plan, results);
   if (!text.empty()) text = bold(text) + "\n\n";
   text += bold(plan.points.front().title.empty() ? "flyrock" : plan.points.front().title) + '\n';
-  text += answer(plan, results) + "\n\n";
+  text += answer(plan, results) + "\n\n" + short_points_text(plan, results);
   if (plan.points.front().bodies.empty()) {
     std::string points = points_text(plan, results);
     if (sweep && std::count(points.begin(), points.end(), '\n') > most_lines)

@@ -89,6 +89,26 @@ PlanLine::PlanLine(const std::vector<Vec2>& points) {
   }
 }
 
+int PlanLine::side(const Vec2& place) const {
+  const bool is_closed =
+      pieces_.size() > 1 &&
+      (pieces_.back().start + pieces_.back().length * pieces_.back().along - pieces_.front().start).norm() <=
+          nanometre;
+  double nearest = endless, across = 0;
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    const Piece& piece = pieces_[i];
+    const double first = i > 0 || is_closed ? 0 : -endless,
+                 last = i + 1 < pieces_.size() || is_closed ? piece.length : endless;
+    const double s = std::clamp(piece.along.dot(place - piece.start), first, last);
+    const double distance = (piece.start + s * piece.along - place).norm(), side = piece.distance(place);
+    // At a corner two pieces are equally near. The side is that of the one that the place is farther beside.
+    const bool is_tie = std::abs(distance - nearest) <= nanometre;
+    if (is_tie ? std::abs(side) > std::abs(across) : distance < nearest) across = side;
+    nearest = std::min(nearest, distance);
+  }
+  return across < 0 ? -1 : 1;
+}
+
 bool stretches_meet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   const double left = cross(Vec2(b - a), Vec2(c - a)), right = cross(Vec2(b - a), Vec2(d - a));
   const double above = cross(Vec2(d - c), Vec2(a - c)), below = cross(Vec2(d - c), Vec2(b - c));

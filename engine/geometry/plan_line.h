@@ -34,6 +34,9 @@ class PlanLine {
   explicit PlanLine(const std::vector<Vec2>& points);
 
   const std::vector<Piece>& pieces() const { return pieces_; }
+  /// +1 or -1: the side of the line on which a place lies, that of the piece nearest to it. An open line goes
+  /// on straight beyond its ends.
+  int side(const Vec2& place) const;
 
  private:
   std::vector<Piece> pieces_;

@@ -23,7 +23,10 @@ struct RockRecord {
   double mass = 0, volume = 0;
   double launch_speed = 0, launch_elevation = 0;  ///< m/s, rad
   StopReason reason = StopReason::timed_out;
-  bool censored = false;            ///< left_domain or timed_out: its distances are lower bounds
+  bool censored = false;  ///< left_domain or timed_out: its distances are lower bounds
+  /// The gates and barriers, a bit for each, at which it can no longer arrive although it is censored
+  /// (flight/decided.h).
+  std::uint64_t decided_gates = 0, decided_barriers = 0;
   double start_x = 0, start_y = 0;  ///< centre of mass at its release
   double runout = 0;                ///< |x_stop - x_release|
   double max_distance = 0;

@@ -58,6 +58,8 @@ constexpr void visit_rocks(Visit&& visit) {
   visit(Column{.name = "stop_reason", .doc = "why its path ended"}, &R::reason);
   visit(Column{.name = "censored", .doc = "1: the path was cut short, its distances are lower bounds"},
         &R::censored);
+  visit(Column{}, &R::decided_gates);
+  visit(Column{}, &R::decided_barriers);
   visit(Column{}, &R::start_x);
   visit(Column{}, &R::start_y);
   visit(Column{.name = "runout_m",

@@ -16,6 +16,7 @@
 #include "report/runout_data.h"
 #include "report/scenario_text.h"
 #include "report/summary_data.h"
+#include "results/alarms.h"
 #include "results/cell_size.h"
 #include "units/units.h"
 
@@ -185,6 +186,15 @@ Json expectation_units(const Results& results) {
   return list;
 }
 
+/// The units of an answer: of what is least, and of each limit.
+Json answer_units(const Plan& plan) {
+  const std::optional<AnswerPlan>& answer = plan.points.front().answer;
+  if (!answer) return nullptr;
+  Json limits = Json::array();
+  for (const AnswerPlan::Limit& limit : answer->limits) limits.push_back(unit_data(limit.unit));
+  return {{"least", unit_data(answer->unit)}, {"such_that", limits}};
+}
+
 }  // namespace
 
 ReportData::ReportData(const LoadedScenario& scenario) : scenario_(scenario) { open_point(); }
@@ -240,10 +250,11 @@ Json ReportData::finish(const Results& results, const GroundPictures& grounds,
                     bodies_data(plan.points[p], point.totals)));
     if (point.forest) points.back()["stems"] = stems_data(point, most_stems / closed_.size());
   }
-  return json_object("summary", summary_data(plan, results), "source", source_data(scenario_), "scenario",
-                     scenario_text(plan.resolved), "groups", group_names(plan.points.front()), "numbers",
-                     numbers_data(), "map_units", map_unit_data(), "axes", axes_data(plan),
-                     "expectation_units", expectation_units(results), "drawn",
+  return json_object("summary", summary_data(plan, results), "alarms", alarms(results.points), "source",
+                     source_data(scenario_), "scenario", scenario_text(plan.resolved), "groups",
+                     group_names(plan.points.front()), "numbers", numbers_data(), "map_units",
+                     map_unit_data(), "axes", axes_data(plan), "expectation_units",
+                     expectation_units(results), "answer_units", answer_units(plan), "drawn",
                      drawn_data(plan.points.front()), "grounds", grounds_data(grounds), "points",
                      std::move(points));
 }

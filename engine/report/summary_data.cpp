@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "report/azimuth_data.h"
+#include "report/comparison_data.h"
 #include "report/json_object.h"
 #include "report/reach_data.h"
 #include "results/answer.h"
@@ -457,7 +458,9 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
                {"trials", first.trials},
                {"complete", results.ended_early.empty()}};
   if (!results.ended_early.empty()) data["ended_early"] = results.ended_early;
+  if (results.best) data["best_point"] = best_point_data(plan, *results.best);
   data["points"] = points;
+  if (!results.differences.empty()) data["differences"] = differences_data(plan, results);
   data["expectations"] = verdicts;
   data["fault_count"] = results.fault_count;
   data["faults"] = faults;

@@ -240,15 +240,16 @@ std::string answer(const Plan& plan, const Results& results) {
   for (const PointResult& point : results.points)
     known += point.groups.front().count - point.groups.front().faults;
   std::string text;
+  if (results.best) text = best_point_text(plan, *results.best);
   if (known == 0) {
-    text = fmt::format("All {} rocks failed.", rocks);
+    text += fmt::format("All {} rocks failed.", rocks);
   } else if (!plan.points.front().bodies.empty()) {
-    text = trees_answer(plan, results) + barriers_answer(plan, results) + bodies_answer(plan, results);
+    text += trees_answer(plan, results) + barriers_answer(plan, results) + bodies_answer(plan, results);
   } else if (lost_points(plan, results) == results.points.size()) {
-    text = lost_answer(plan, results);
+    text += lost_answer(plan, results);
   } else {
-    text = lost_answer(plan, results) + barriers_answer(plan, results) + gates_answer(plan, results) +
-           trees_answer(plan, results);
+    text += lost_answer(plan, results) + barriers_answer(plan, results) + gates_answer(plan, results) +
+            trees_answer(plan, results);
     text += fmt::format(
         "The {} that 95 % of the rocks do not exceed is {}; that of 99 % is {}; the greatest is {}.",
         plan.all_end_at_landing() ? "distance of the first landing" : "runout",

@@ -3,17 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "results/rows_of_rock.h"
+
 namespace flyrock {
 
 namespace {
-
-/// The rows of a rock, from `row` on. Rows are sorted as the rocks are.
-template <class Row>
-std::span<const Row> rows_of_rock(const std::vector<Row>& rows, std::size_t& row, const RockRecord& rock) {
-  const std::size_t first = row;
-  while (row < rows.size() && rows[row].trial == rock.trial && rows[row].rock == rock.rock) ++row;
-  return {rows.data() + first, row - first};
-}
 
 /// `open`: more rocks may still arrive.
 Statistics lower_bounds(const Sample& sample, bool open) {
@@ -36,7 +30,7 @@ void TreeTally::add(const TrialRecords& chunk) {
     for (const auto& [share, counts] : {std::pair{hit, !hits.empty()}, std::pair{stops, stopped}}) {
       if (counts)
         shares_.count(share);
-      else if (rock.censored)
+      else if (rock.reason == StopReason::timed_out)
         shares_.leave_open(share);
     }
   }
@@ -52,6 +46,11 @@ TreeSummary TreeTally::summary() {
   summary.stopped_share = shares_.of_rocks(stops);
   summary.mean_hits = static_cast<double>(hits_) / static_cast<double>(shares_.rocks());
   return summary;
+}
+
+void CrossingTally::leave_open(const RockRecord& rock, std::vector<Arrivals>& places, std::uint64_t decided) {
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (!places[i].has_arrived && may_still_arrive(rock, decided, i)) places[i].of_all.leave_all_open();
 }
 
 CrossingTally::CrossingTally(std::size_t gates, std::size_t barriers)
@@ -90,10 +89,8 @@ void CrossingTally::count(const RockRecord& rock, std::span<const GateRecord> ga
       at.count(rock.trial, {outcome, past, reached});
     }
   }
-  if (!rock.censored) return;
-  for (std::vector<Arrivals>* places : {&gates_, &barriers_})
-    for (Arrivals& at : *places)
-      if (!at.has_arrived) at.of_all.leave_all_open();
+  leave_open(rock, gates_, rock.decided_gates);
+  leave_open(rock, barriers_, rock.decided_barriers);
 }
 
 void CrossingTally::Arrivals::count(std::uint64_t trial, std::initializer_list<std::size_t> shares) {

@@ -20,8 +20,8 @@ struct Shares {
 };
 
 /// The rocks without faults of one sweep point, or of one of its groups, at one place. A censored rock that
-/// has not arrived might have arrived later. If there is such a rock, the numbers of the place are lower
-/// bounds.
+/// has not arrived might have arrived later, unless it is decided (flight/decided.h). If there is such a
+/// rock, the numbers of the place are lower bounds.
 struct GateSummary {
   std::uint64_t passed = 0;  ///< rocks
   Shares shares;
@@ -53,13 +53,14 @@ struct CrossingSummary {
   Share caught;                          ///< by any barrier, of all rocks
 };
 
-/// The rocks without faults of one sweep point and the trees.
+/// The rocks without faults of one sweep point and the trees. A rock that left the domain hits no more trees,
+/// because they stand on its ground.
 struct TreeSummary {
   std::uint64_t hits = 0;     ///< of all rocks
   std::uint64_t hit = 0;      ///< rocks that hit at least one
   std::uint64_t stopped = 0;  ///< rocks that a tree stopped
   Share hit_share, stopped_share;
-  double mean_hits = 0;  ///< of a rock; a lower bound if there are censored rocks
+  double mean_hits = 0;  ///< of a rock; a lower bound where `stopped_share` is one
 };
 
 /// Counts the hits of trees, in one pass.
@@ -101,6 +102,7 @@ class CrossingTally {
 
   void count(const RockRecord& rock, std::span<const GateRecord> gates,
              std::span<const BarrierRecord> barriers);
+  static void leave_open(const RockRecord& rock, std::vector<Arrivals>& places, std::uint64_t decided);
 
   bool counted_ = false;  ///< first pass is done
   std::vector<Arrivals> gates_, barriers_;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "results/unknown.h"
 #include "scenario/measure.h"
 
 namespace flyrock {
@@ -149,6 +150,39 @@ Measured Measure::value(const PointResult& result) const {
   const BodyHistory& body = result.totals.bodies[index_];
   if (is_fault(body.reason)) return {0, false, fmt::format("{}: {}", name_of(body.reason), body.fault)};
   return body_value(body);
+}
+
+Interval Measure::interval(const PointResult& result) const {
+  const auto at = [](const Intervals& intervals, Statistic statistic) {
+    return intervals[static_cast<std::size_t>(statistic)];
+  };
+  switch (kind_) {
+    case Kind::statistic:
+      return result.groups.at(index_).interval(quantity_, statistic_);
+    case Kind::censored:
+      return result.groups.at(index_).censored_share.interval;
+    case Kind::gate: {
+      const GateSummary& gate = result.crossings.front().gates.at(index_);
+      if (field_ == "mean_energy") return at(gate.energy_intervals, Statistic::mean);
+      if (field_ == "p95_energy") return at(gate.energy_intervals, Statistic::p95);
+      if (field_ == "p95_height") return at(gate.height_intervals, Statistic::p95);
+      return (gate.shares.*sense_).interval;
+    }
+    case Kind::barrier: {
+      const BarrierSummary& barrier = result.crossings.front().barriers.at(index_);
+      return (barrier.shares[index_of(field_, barrier_share_names)].*sense_).interval;
+    }
+    case Kind::trees:
+      if (field_ == "hit") return result.trees.value().hit_share.interval;
+      if (field_ == "stopped") return result.trees.value().stopped_share.interval;
+      break;
+    case Kind::clearance:
+      if (field_ == "distance") return result.clearances.at(index_).interval;
+      break;
+    default:
+      break;
+  }
+  return {unknown, unknown};
 }
 
 Measured Measure::solver_value(const PointResult& result, const std::string& field) {

@@ -60,6 +60,8 @@ class Measure {
     return kind_ != Kind::body && kind_ != Kind::contact && kind_ != Kind::energy && kind_ != Kind::solver;
   }
   Measured value(const PointResult& result) const;
+  /// The interval beside the value; NaN if there is none.
+  Interval interval(const PointResult& result) const;
 
  private:
   enum class Kind {

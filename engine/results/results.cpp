@@ -8,6 +8,7 @@
 
 #include "batch/hard_contacts.h"
 #include "math/sphere.h"
+#include "results/alarms.h"
 
 namespace flyrock {
 
@@ -119,13 +120,10 @@ namespace {
 
 constexpr double most_sunk = 0.1;  ///< share of the size
 
-/// The diameter of the sphere with the volume of the smallest rock of all first trials [m]; infinite if there
-/// is none.
-double least_size(const std::vector<PointResult>& points) {
+/// The size of the smallest rock of all points [m]; infinite if there is none.
+double least_size_of_all(const std::vector<PointResult>& points) {
   double least = std::numeric_limits<double>::infinity();
-  for (const PointResult& point : points)
-    for (const RockRecord& rock : point.first_trial)
-      if (rock.volume > 0) least = std::min(least, 2 * sphere_radius(rock.volume));
+  for (const PointResult& point : points) least = std::min(least, least_size(point));
   return least;
 }
 
@@ -148,7 +146,7 @@ std::vector<std::string> solver_warnings(const Plan& plan, const std::vector<Poi
         fmt::format("solver: {} shock{} without collision: a sliding contact jammed and its velocity jumped "
                     "within one step (Painlevé's paradox); each has a row among the impacts",
                     quality.shocks, quality.shocks == 1 ? "" : "s"));
-  if (const double size = least_size(points); quality.max_penetration > most_sunk * size)
+  if (const double size = least_size_of_all(points); quality.max_penetration > most_sunk * size)
     warnings.push_back(
         fmt::format("solver: a rock sank {:.3g} m into the ground or into another rock; the smallest rock is "
                     "{:.3g} m across. "
@@ -205,6 +203,8 @@ Results ResultTally::finish(const std::vector<Rows>& rows, const RunFacts& facts
     results_.points.back().trials = facts.trials.at(p);
   }
   results_.verdicts = judge(plan_, results_.points, facts.full && facts.ended_early.empty());
+  results_.differences = make_differences(plan_, results_.points, rows);
+  if (plan_.points.front().answer) results_.best = find_best_point(plan_, results_.points);
   results_.warnings = solver_warnings(plan_, results_.points);
   for (const std::vector<std::string>& list : {facts.warnings, launch_notes(results_.points)})
     results_.warnings.insert(results_.warnings.end(), list.begin(), list.end());

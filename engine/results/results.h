@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "record/rows.h"
+#include "results/best_point.h"
+#include "results/differences.h"
 #include "results/expectations.h"
 #include "results/measures.h"
 
@@ -23,6 +25,8 @@ struct Fault {
 struct Results {
   std::vector<PointResult> points;
   std::vector<Verdict> verdicts;
+  std::vector<PointDifferences> differences;  ///< of the points after point 0; empty without a sweep of rocks
+  std::optional<BestPoint> best;              ///< where the scenario has an `answer`
   std::vector<std::string>
       warnings;  ///< what may make the numbers wrong: from the solver, the reader, the launches
   std::vector<std::string>

@@ -57,6 +57,8 @@ class DocumentDecoder {
     check_sweep();
     if (const auto expect = root_.find("expect"))
       scenario_.expect = decode_expect(*expect, measure_names(root_, scenario_.dimension));
+    if (const auto answer = root_.find("answer"))
+      scenario_.answer = decode_answer(*answer, measure_names(root_, scenario_.dimension));
     scenario_.draws = context_.draws;
     return std::move(scenario_);
   }

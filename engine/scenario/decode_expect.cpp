@@ -34,4 +34,22 @@ std::vector<Expectation> decode_expect(const Node& node, const MeasureNames& nam
   return decode_list<Expectation>(node, [&](const Node& item) { return decode_expectation(item, names); });
 }
 
+std::optional<AnswerPlan> decode_answer(const Node& node, const MeasureNames& names) {
+  const Value* least = node.value->find("least");
+  if (!least || !least->text()) return std::nullopt;  // reported
+  const auto unit_of = [&](const std::string& measure) {
+    return si_unit(check_measure(measure, names).dimension);
+  };
+  AnswerPlan plan{*least->text(), unit_of(*least->text()), {}};
+  const auto limits = node.find("such_that");
+  for (const Node& item : limits ? limits->items() : std::vector<Node>()) {
+    const Value* measure = item.value->find("measure");
+    const Value *below = item.value->find("below"), *above = item.value->find("above");
+    if (!measure || !measure->text() || (!below && !above)) continue;
+    plan.limits.push_back(
+        {*measure->text(), below != nullptr, si_of(below ? *below : *above), unit_of(*measure->text())});
+  }
+  return plan;
+}
+
 }  // namespace flyrock

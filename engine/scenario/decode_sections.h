@@ -81,6 +81,8 @@ StopPlan decode_stop(DecodeContext& context, const Node& node);
 OutputPlan decode_output(DecodeContext& context, const Node& node, const std::vector<std::string>& names);
 
 std::vector<Expectation> decode_expect(const Node& node, const MeasureNames& names);
+/// Nothing if it is wrong, which is reported.
+std::optional<AnswerPlan> decode_answer(const Node& node, const MeasureNames& names);
 
 /// Keys that the document gives and this run does not read.
 std::vector<std::string> find_not_used(const Node& root, const Scenario& scenario);

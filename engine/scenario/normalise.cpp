@@ -62,6 +62,9 @@ class Normaliser {
     put_part("expect", false, [&](const Node& node) {
       return normalise_expectations(context_, node, measure_names(root_, context_.dimension));
     });
+    put_part("answer", false, [&](const Node& node) {
+      return normalise_answer(context_, node, measure_names(root_, context_.dimension));
+    });
     Value tree = map_value(std::move(result_));
     tree.at = root_.value->at;
     return tree;

@@ -20,6 +20,9 @@ Value normalise_pairs(DecodeContext& context, const Node& node);
 Value normalise_rocks(DecodeContext& context, const Node& list);
 Value normalise_bodies(DecodeContext& context, const Node& list);
 Value normalise_expectations(DecodeContext& context, const Node& node, const MeasureNames& names);
+Value normalise_answer(DecodeContext& context, const Node& node, const MeasureNames& names);
+/// What a measure is compared with: a number in its unit.
+Value normalise_expected(DecodeContext& context, const Node& node, const Dimension& dimension);
 
 /// The key of a release that says of which kind it is: "from", "x", "position", ...; nothing if it has none.
 std::optional<Node> key_of_release(const Node& release, int dimension);

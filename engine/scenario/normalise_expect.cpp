@@ -11,20 +11,14 @@ namespace {
 
 constexpr NumberRules expect_rules{.bare_angles = true};  // bare numbers are SI, angles too
 
-Value expected_value(DecodeContext& context, const Node& node, const Dimension& dimension) {
-  const std::string text = dimension == dimension::none ? "a number" : "a number in " + si_unit(dimension);
-  const auto si = quantity_of(context, node, dimension, expect_rules, text);
-  return si ? number_value(*si, dimension::none) : Value{};
-}
-
 Value expected_range(DecodeContext& context, const Node& node, const Dimension& dimension) {
   const std::vector<Node> ends = node.items();
   if (ends.size() != 2) {
     node.error(context.diagnostics, "expected [low, high]");
     return {};
   }
-  const Value low = expected_value(context, ends[0], dimension),
-              high = expected_value(context, ends[1], dimension);
+  const Value low = normalise_expected(context, ends[0], dimension),
+              high = normalise_expected(context, ends[1], dimension);
   if (si_of(low) > si_of(high)) node.error(context.diagnostics, "the low end must not be above the high end");
   return list_value({low, high});
 }
@@ -37,7 +31,7 @@ void put_tolerances(DecodeContext& context, const Node& item, const Dimension& d
   if (tolerance && relative)
     relative->error(context.diagnostics, "stands in place of `tolerance`, not beside it");
   const auto put_positive = [&](const Node& node, const Dimension& of) {
-    Value value = expected_value(context, node, of);
+    Value value = normalise_expected(context, node, of);
     if (si_of(value) < 0) node.error(context.diagnostics, "must be at least 0");
     put(map, node, std::move(value));
   };
@@ -75,12 +69,18 @@ void put_values(DecodeContext& context, const Node& item, const Dimension& dimen
   const Node value = *item.find(given[0]);
   put(map, value,
       given[0] == "between" ? expected_range(context, value, dimension)
-                            : expected_value(context, value, dimension));
+                            : normalise_expected(context, value, dimension));
   put_tolerances(context, item, dimension, given[0] == "equals", map);
   put_sweep_points(context, item, map);
 }
 
 }  // namespace
+
+Value normalise_expected(DecodeContext& context, const Node& node, const Dimension& dimension) {
+  const std::string text = dimension == dimension::none ? "a number" : "a number in " + si_unit(dimension);
+  const auto si = quantity_of(context, node, dimension, expect_rules, text);
+  return si ? number_value(*si, dimension::none) : Value{};
+}
 
 Value normalise_expectations(DecodeContext& context, const Node& node, const MeasureNames& names) {
   if (!node.expect_list(context.diagnostics)) return {};

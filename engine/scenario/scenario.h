@@ -288,6 +288,20 @@ struct Expectation {
   std::string unit;  ///< SI, of the measure
 };
 
+/// What is asked of the points of a sweep (`answer`): the one with the least number of those that keep the
+/// limits.
+struct AnswerPlan {
+  struct Limit {
+    std::string measure;
+    bool is_below = true;  ///< the measure must be below the value; else above it
+    double value = 0;      ///< SI
+    std::string unit;      ///< SI, of the measure
+  };
+  std::string least;  ///< a measure
+  std::string unit;   ///< SI, of `least`
+  std::vector<Limit> limits;
+};
+
 /// The largest number of trials of all sweep points together.
 inline constexpr std::uint64_t most_trials = 1'000'000'000;
 
@@ -317,6 +331,7 @@ struct Scenario {
   StopPlan stop;
   OutputPlan output;
   std::vector<Expectation> expect;
+  std::optional<AnswerPlan> answer;  ///< absent: no point is called best
   std::vector<Draw> draws;
 };
 

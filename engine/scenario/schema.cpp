@@ -107,7 +107,7 @@ SectionSpec document() {
            or_else(choice("body_contacts", {"on", "off"}, "off: bodies meet the terrain only"), "on"),
            or_else(at_most(at_least(number("gravity", "m/s2", "along -y in 2D, -z in 3D"), 0), 1000), 9.81)},
           {"plugins", "air", "terrain", "materials", "pairs", "blast", "rocks", "bodies", "barriers", "gates",
-           "forest", "clearance", "solver", "stop", "output", "sweep", "expect"}};
+           "forest", "clearance", "solver", "stop", "output", "sweep", "expect", "answer"}};
 }
 
 /// The fields of the blast below `prefix` ("" or "hole."), from the table that velocity models also use.
@@ -413,6 +413,8 @@ std::vector<SectionSpec> make_sections() {
       {"expect",
        {text("measure", "what is compared")},
        {"equals", "tolerance", "relative", "below", "above", "between", "at"}},
+      {"answer", {text("least", "the measure whose least number makes a point the best")}, {"such_that"}},
+      {"answer.such_that", {text("measure", "what has a limit")}, {"below", "above"}},
   };
 }
 

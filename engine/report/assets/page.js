@@ -4,7 +4,7 @@ const data = JSON.parse(document.getElementById("data").textContent);
 const summary = data.summary;
 const root = document.getElementById("report");
 // Okabe and Ito: told apart with any colour vision; line styles and forms tell them apart in print.
-const colour = { blue: "#0072b2", vermillion: "#d55e00", green: "#009e73", purple: "#cc79a7", orange: "#e69f00", sky: "#56b4e9", ink: "#1a1d21", brick: "#a63a00" };
+const colour = { blue: "#0072b2", vermillion: "#d55e00", green: "#009e73", purple: "#cc79a7", orange: "#e69f00", sky: "#56b4e9", ink: "#1a1d21", brick: "#a63a00", quiet: "#5a6370" };
 const modes = ["flight", "bounce", "slide", "roll"];  // by number, as in the data
 const of_bodies = data.points.some((point) => point.bodies.length > 0);
 const many_points = data.points.length > 1;
@@ -158,8 +158,8 @@ const log_axis = (title, values) => {
   for (let decade = Math.floor(Math.log10(low)); decade <= Math.log10(high); ++decade) ticks.push(...[1, 2, 5].map((digit) => digit * 10 ** decade));
   return { ...axis(title), type: "log", tickvals: ticks, ticktext: ticks.map(show) };
 };
-/** Above a plot that moves: its buttons, above a legend of two rows. */
-const movable_top = 84;
+/** Above a plot that moves: its buttons, above a legend of three rows. */
+const movable_top = 104;
 /** A bin, a count and a share cannot be dragged to a better place: only the trajectories and the plan move and zoom. */
 function plot(node, traces, layout, movable = false) {
   if (typeof Plotly === "undefined") return no_plot(node, "Plotly was not installed when this report was made (make deps): no picture.");

@@ -24,7 +24,8 @@ function facts_section() {
     (summary.dimension === 2 ? " Mass, inertia and energy are of the whole rock, never per metre." : "") +
     (summary.points[0].rows ? ` Rows, paths and inputs are of the first rocks (${summary.points[0].rows}); statistics are of all.` : "")));
   const badges = element("p", {});
-  const badge = (good, text) => badges.append(element("span", { class: `badge ${good ? "good" : "bad"}` }, `${good ? "✓" : "!"} ${text}`));
+  /** Red is for what makes numbers wrong (data.alarms, and rocks that failed); all else to be looked at is grey. */
+  const badge = (good, text) => badges.append(element("span", { class: `badge ${good ? "good" : "quiet"}` }, `${good ? "✓" : "!"} ${text}`));
   const judged = summary.expectations.filter((e) => e.passed !== null);
   if (judged.length > 0) badge(judged.every((e) => e.passed), `${judged.filter((e) => e.passed).length} of ${judged.length} expectations hold`);
   if (!summary.complete) badge(false, "the run ended early");
@@ -33,12 +34,13 @@ function facts_section() {
   if (solved > 0) badge(open === 0, open === 0 ? "every contact problem converged" : `${open} contact problems did not converge`);
   const gains = summary.points.reduce((sum, point) => sum + point.solver.energy_gains, 0);
   if (gains > 0) badge(false, `${counted(gains, "impact", "impacts")} gained energy (see Solver quality)`);
-  root.append(badges);
+  root.append(badges, ...(data.alarms ?? []).map((alarm) => paragraph("badge bad", `! ${alarm}`)));
   root.append(...warnings_parts());
   root.append(choosers());
 }
 
 facts_section();
+best_point_section();
 reach_section();
 tracks_section();
 motion_section();
@@ -54,6 +56,7 @@ maps_section();
 envelopes_section();
 sensitivity_section();
 sweep_section();
+differences_section();
 convergence_section();
 travel_section();
 reasons_section();

@@ -81,7 +81,7 @@ function path_traces_3d(lines, ends, offset) {
   });
   for (const reason of reasons_of(ends))
     traces.push({ ...drawn(ends.get(reason)), mode: "markers", name: end_name(reason), text: told(ends.get(reason), false), hovertemplate: `${end_name(reason)}<br>%{text}<extra></extra>`,
-      marker: { symbol: space_symbols[reason], size: reason === "stopped" ? 3 : 5, color: reason === "stopped" ? colour.ink : colour.brick } });
+      marker: { symbol: space_symbols[reason], size: reason === "stopped" ? 3 : 5, color: end_colour(reason) } });
   return traces;
 }
 

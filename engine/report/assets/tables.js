@@ -154,7 +154,7 @@ function warnings_parts() {
   const list = (texts) => element("ul", { class: "warnings" }, ...texts.map((text) => element("li", {}, text)));
   const fold = (line, ...content) => element("details", {}, element("summary", {}, line), ...content);
   const { warnings, not_used, not_asked } = summary, parts = [];
-  if (warnings.length > 0) parts.push(paragraph("badge bad", `! ${counted(warnings.length, "warning", "warnings")}`), list(warnings.slice(0, most_warnings)));
+  if (warnings.length > 0) parts.push(paragraph("badge quiet", `! ${counted(warnings.length, "warning", "warnings")}`), list(warnings.slice(0, most_warnings)));
   if (warnings.length > most_warnings) parts.push(fold(`${warnings.length - most_warnings} more`, list(warnings.slice(most_warnings))));
   const idle = [...not_used, ...not_asked];
   if (idle.length > 0)

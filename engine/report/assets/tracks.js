@@ -17,6 +17,9 @@ const end_meanings = {
   not_started: "fault: this rock could not start",
 };
 
+/** Red is for rocks that failed. */
+const end_colour = (reason) => (["diverged", "plugin_error", "not_started"].includes(reason) ? colour.brick : reason === "stopped" ? colour.ink : colour.quiet);
+
 /** The mode of each point of a track. */
 function modes_of(track) {
   const list = [];
@@ -81,7 +84,7 @@ function track_traces(lines, ends, seen, names, ends_move = true) {
   for (const reason of reasons_of(ends))
     traces.push({
       ...drawn(ends.get(reason)), mode: "markers", name: end_name(reason), hovertemplate: told_of(end_name(reason), names, ends_move),
-      marker: reason === "stopped" ? { symbol: end_symbols[reason], size: 5, color: colour.ink, opacity: 0.5 } : { symbol: end_symbols[reason], size: 10, color: colour.brick },
+      marker: reason === "stopped" ? { symbol: end_symbols[reason], size: 5, color: colour.ink, opacity: 0.5 } : { symbol: end_symbols[reason], size: 10, color: end_colour(reason) },
     });
   return traces;
 }

@@ -87,3 +87,24 @@ TEST_CASE("the points of a line that is none are refused with their place") {
   CHECK(line_fault({{0, 0}, {10, 0}, {10, 5}, {0, 0}}).empty());                                 // a ring
   CHECK(line_fault({{2600000, 1200000}, {2600010, 1200000}, {2600020, 1200005}}).empty());
 }
+
+TEST_CASE("a place lies on the side of the nearest piece of a line, which goes on beyond its ends") {
+  const PlanLine corner({{0, -10}, {0, 0}, {10, 0}});
+  CHECK(corner.side({-1, -5}) == 1);
+  CHECK(corner.side({1, -5}) == -1);
+  CHECK(corner.side({-3, 4}) == 1);  // nearest to the corner, from outside
+  CHECK(corner.side({0.1, -0.2}) == -1);
+  CHECK(corner.side({5, 1e6}) == 1);
+  CHECK(corner.side({1e6, -1}) == -1);  // beyond its end
+  CHECK(corner.side({-1, -1e6}) == 1);  // beyond its start
+  const PlanLine sharp({{0, 0}, {10, 1}, {0, 2}});
+  for (const double y : {-3.0, 0.5, 1.0, 1.5, 5.0}) CHECK(sharp.side({11, y}) == -1);  // beyond the tip
+  CHECK(sharp.side({5, 1}) == 1);
+  const PlanLine ring({{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0}});
+  for (const Vec2& outside :
+       {Vec2(-1, -1), Vec2(11, -1), Vec2(11, 11), Vec2(-1, 11), Vec2(5, -3), Vec2(-3, 5)})
+    CHECK(ring.side(outside) == -1);
+  CHECK(ring.side({5, 5}) == 1);
+  CHECK(ring.side({0.1, 0.1}) == 1);
+  CHECK(PlanLine(5).side({4, 1e9}) == -PlanLine(5).side({6, -1e9}));
+}

@@ -119,3 +119,14 @@ TEST_CASE("A rock lost before it arrived makes the numbers of a gate lower bound
   rows.gates.push_back({3, 0, {{.speed = 1, .kinetic_energy = 10, .height = 0}, 0}});
   CHECK_FALSE(result(rows).crossings[0].gates[0].shares.of_all.censored);
 }
+
+TEST_CASE("A censored rock leaves a gate or barrier open unless it is decided for it") {
+  TrialRecords r = records(true);
+  r.rocks[3].decided_gates = 0b01;
+  r.rocks[3].decided_barriers = 0b1;
+  const CrossingSummary decided = result(r).crossings.front();
+  CHECK_FALSE(decided.gates[0].shares.of_all.censored);
+  CHECK(decided.gates[1].shares.of_all.censored);
+  CHECK_FALSE(decided.barriers[0].share(BarrierShare::reached).of_all.censored);
+  CHECK(decided.gates[0].shares.of_all.value == Approx(2.0 / 3));
+}
