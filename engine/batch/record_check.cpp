@@ -34,12 +34,17 @@ bool has_finite_numbers(const RockRecord& rock) {
   return finite;
 }
 
-std::string rock_fault(const RockRecord& rock, const ChunkRange& range, std::size_t groups) {
+std::string rock_fault(const RockRecord& rock, const ChunkRange& range, std::size_t groups, std::size_t holes,
+                       std::size_t branches) {
   if (rock.trial < range.first || rock.trial - range.first >= range.count)
     return fmt::format("a rock of trial {}, expected trials {} to {}", rock.trial, range.first,
                        range.first + range.count - 1);
   if (!is_index(rock.group, groups))
     return fmt::format("a rock of group {}, the scenario has {}", rock.group, groups);
+  if (!is_index(rock.hole, holes))
+    return fmt::format("a rock of hole {}, the scenario has {}", rock.hole, holes);
+  if (!is_index(rock.branch, branches))
+    return fmt::format("a rock of branch {}, the scenario has {}", rock.branch, branches);
   if (!is_value(rock.reason, StopReason::not_started)) return "a rock that stopped for no known reason";
   if (!is_fault(rock.reason) && !has_finite_numbers(rock))
     return fmt::format("rock {} of trial {} has numbers that are not finite", rock.rock, rock.trial);
@@ -105,8 +110,10 @@ bool arrives_twice(const std::vector<Row>& rows, Place&& place) {
 
 std::string records_fault(const TrialRecords& records, const ChunkRange& range, const Scenario& scenario) {
   const std::size_t groups = group_names(scenario).size();
+  const std::size_t holes = scenario.blast ? static_cast<std::size_t>(scenario.blast->pattern.holes()) : 1;
+  const std::size_t branches = scenario.branches.size() + 1;
   for (const RockRecord& rock : records.rocks)
-    if (std::string fault = rock_fault(rock, range, groups); !fault.empty()) return fault;
+    if (std::string fault = rock_fault(rock, range, groups, holes, branches); !fault.empty()) return fault;
   const auto& rocks = records.rocks;
   if (!in_order(rocks)) return "rocks out of order";
   bool all_of_rocks = true;

@@ -20,6 +20,7 @@
 #include "flight/point_run.h"
 #include "flight/run.h"
 #include "solver/fclib.h"
+#include "trial/blast_at.h"
 #include "trial/dimensions.h"
 #include "trial/make_forest.h"
 #include "trial/scenario_error.h"
@@ -135,6 +136,13 @@ class TrialRunner::Trials : public OfDimension {
   /// Whether inputs, impacts and paths of a trial are recorded. The first rocks lie in the first trials.
   bool has_rows(std::uint64_t trial) const {
     return scenario_.output.rocks || trial < static_cast<std::uint64_t>(scenario_.output.first);
+  }
+  /// What a branch draws in place of a draw of the regular scenario; null: nothing.
+  const Draw* draw_of_branch(std::size_t draw, int branch) const {
+    if (branch == 0) return &scenario_.draws[draw];
+    const BranchPlan& plan = scenario_.branches[static_cast<std::size_t>(branch) - 1];
+    const int own = plan.own_draw[draw];
+    return own < 0 ? nullptr : &plan.scenario->draws[static_cast<std::size_t>(own)];
   }
   bool is_drawn_per_impact(const Number& number) const {
     return !number.is_constant() && scenario_.draws[number.draw].scope == Scope::impact;
@@ -390,6 +398,8 @@ void TrialRunner::Trials<D>::record(std::uint64_t trial, int index, const TrialR
   row.trial = trial;
   row.rock = index;
   row.group = rock.group;
+  row.branch = rock.branch;
+  row.hole = hole_of(rock.key);
   row.launch_speed = rock.launch_speed;
   row.launch_elevation = rock.launch_elevation;
   row.reason = rock.fault.empty() ? history.reason : rock.reason;
@@ -466,7 +476,9 @@ void TrialRunner::Trials<D>::record_inputs(std::uint64_t trial, int index, const
                                            TrialRecords& out) const {
   if (!has_rows(trial)) return;
   for (std::size_t d = 0; d < scenario_.draws.size(); ++d) {
-    const Draw& draw = scenario_.draws[d];
+    const Draw* of_branch = draw_of_branch(d, rock.branch);
+    if (!of_branch) continue;  // the branch has a constant in its place
+    const Draw& draw = *of_branch;
     if (draw.scope == Scope::impact || (draw.group >= 0 && draw.group != rock.group)) continue;
     out.inputs.push_back({trial, index, static_cast<int>(d), 0, draw.value(scenario_.seed, rock.key)});
   }

@@ -24,7 +24,11 @@ enum class BlastField {
   hole_charge_length,
   hole_subdrilling,
   hole_deviation,
-  burden,  ///< the smallest burden along the charge
+  hole_dip,
+  hole_azimuth,
+  hole_charge,         ///< kg
+  hole_linear_charge,  ///< kg/m
+  burden,              ///< the smallest burden along the charge
   burden_crest,
   burden_toe,
   spacing,

@@ -52,18 +52,38 @@ void complete_burden(Blast& blast) {
                     blast[hole_deviation] * floor));
 }
 
+/// The charge per length that a table or a plan gives takes the place of the one that fills the hole: models
+/// that read diameter and density of the explosive then see it without a change. Without a diameter the hole
+/// is the one that this explosive fills.
+void complete_charge(Blast& blast) {
+  if (!given(blast, hole_linear_charge) && given(blast, hole_charge) && given(blast, hole_charge_length))
+    blast[hole_linear_charge] = blast[hole_charge] / blast[hole_charge_length];
+  if (given(blast, hole_linear_charge)) {
+    const double linear = blast[hole_linear_charge];
+    if (given(blast, hole_diameter))
+      blast[explosive_density] = linear / (pi / 4 * blast[hole_diameter] * blast[hole_diameter]);
+    else if (given(blast, explosive_density))
+      blast[hole_diameter] = std::sqrt(linear / (pi / 4 * blast[explosive_density]));
+  } else {
+    blast[hole_linear_charge] =
+        pi / 4 * blast[hole_diameter] * blast[hole_diameter] * blast[explosive_density];
+  }
+  if (!given(blast, hole_charge)) blast[hole_charge] = blast[hole_linear_charge] * blast[hole_charge_length];
+}
+
 }  // namespace
 
 void complete(Blast& blast) {
   complete_hole(blast);
+  complete_charge(blast);
   complete_burden(blast);
 }
 
 BlastDesign design_of(const Blast& blast, const Pattern& pattern) {
   BlastDesign design;
   const double diameter = blast[hole_diameter];
-  design.linear_charge = pi / 4 * diameter * diameter * blast[explosive_density];
-  design.charge_per_hole = design.linear_charge * blast[hole_charge_length];
+  design.linear_charge = blast[hole_linear_charge];
+  design.charge_per_hole = blast[hole_charge];
   design.explosive = pattern.holes() * design.charge_per_hole;
   const double height = blast[hole_length] - or_zero(blast, hole_subdrilling);
   const double behind = pattern.row_distance > 0 ? pattern.row_distance : blast[burden];
@@ -74,6 +94,7 @@ BlastDesign design_of(const Blast& blast, const Pattern& pattern) {
   const double share = design.linear_charge / (blast[burden] * blast[burden] * tangent);  // rho c/m
   design.powder_factor_shallow = 0.5 * share;
   design.powder_factor_deep = 0.8 * share;
+  design.charge_to_mass = share / blast[rock_density];
   design.last_time = pattern.time(pattern.holes() - 1);
   design.depth_of_burial = design.fragment = std::numeric_limits<double>::quiet_NaN();
   if (blast[hole_stemming] > 0 && design.charge_per_hole > 0) {
@@ -81,6 +102,26 @@ BlastDesign design_of(const Blast& blast, const Pattern& pattern) {
     design.fragment = mckenzie_fragment(design.depth_of_burial, diameter, blast[rock_density]);
   }
   return design;
+}
+
+BlastDesign design_of_holes(const std::vector<BlastDesign>& holes, const Pattern& pattern) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  BlastDesign sum;
+  sum.linear_charge = sum.depth_of_burial = sum.fragment = sum.charge_to_mass = none;
+  double shallow = 0;
+  for (const BlastDesign& hole : holes) {
+    sum.explosive += hole.explosive;
+    sum.rock += hole.rock;
+    shallow += hole.powder_factor_shallow * hole.rock;
+  }
+  const auto n = static_cast<double>(holes.size());
+  sum.charge_per_hole = sum.explosive / n;
+  sum.powder_factor = sum.explosive / sum.rock;
+  sum.powder_factor_shallow = shallow / sum.rock;
+  sum.powder_factor_deep = sum.powder_factor_shallow * 0.8 / 0.5;
+  for (int hole = 0; hole < pattern.holes(); ++hole)
+    sum.last_time = std::max(sum.last_time, pattern.time(hole));
+  return sum;
 }
 
 std::string disagreement(const Blast& blast, const BlastDesign& design) {

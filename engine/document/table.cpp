@@ -231,8 +231,22 @@ class TableReader {
               trailing_unit(std::string_view(head.text).substr(column.name.size()), column.dimension))
         return taken(head, column, *unit);
     }
+    for (const TableColumn& column : columns_)
+      if (const auto unit = unit_by_other_name(head.text, text, column)) return taken(head, column, *unit);
     table_.ignored_.push_back(head.text);
     return {};
+  }
+
+  /// The unit of a head that begins with another name of a column; nothing if it does not.
+  std::optional<Unit> unit_by_other_name(std::string_view head, std::string_view lowered,
+                                         const TableColumn& column) const {
+    if (heads_.contains(column.name)) return std::nullopt;
+    for (const std::string& name : column.also) {
+      if (lowered == name) return Unit{1, column.dimension};
+      if (!lowered.starts_with(name)) continue;
+      if (const auto unit = trailing_unit(head.substr(name.size()), column.dimension)) return unit;
+    }
+    return std::nullopt;
   }
 
   Use taken(const Field& head, const TableColumn& column, const Unit& unit) {

@@ -17,9 +17,10 @@ namespace flyrock {
 /// A column that a table may have.
 struct TableColumn {
   std::string name;
-  Dimension dimension;    ///< of its numbers
-  bool is_text = false;   ///< names in place of numbers
-  bool required = false;  ///< the table must have it, and a value in each line
+  Dimension dimension;                 ///< of its numbers
+  bool is_text = false;                ///< names in place of numbers
+  bool required = false;               ///< the table must have it, and a value in each line
+  std::vector<std::string> also = {};  ///< other names, where no column has them with this unit
 };
 
 /// The cells of a table, numbers in SI units.

@@ -74,6 +74,10 @@ Blast sampled_blast(int number) {
   blast[BlastField::spacing] = rng.uniform(2, 6);
   blast[BlastField::rock_density] = rng.uniform(2400, 2900);
   blast[BlastField::breakout_angle] = rng.uniform(pi / 2, 2 * pi / 3);
+  blast[BlastField::hole_dip] = rng.uniform(pi / 3, pi / 2);
+  blast[BlastField::hole_azimuth] = rng.uniform(-pi, pi);
+  blast[BlastField::hole_linear_charge] = linear_charge(blast);
+  blast[BlastField::hole_charge] = linear_charge(blast) * blast[BlastField::hole_charge_length];
   blast.is_anfo = number % 2 == 0;
   return blast;
 }

@@ -17,11 +17,18 @@
 namespace flyrock {
 
 /// Which list a whole number counts; tables show the name, or of inputs the number in `input_paths`.
-enum class NamesOf { nothing, groups, gates, barriers, inputs };
+enum class NamesOf { nothing, groups, gates, barriers, inputs, holes, branches };
 
 /// From when on a number of a rock is known. The path of a censored rock was cut short, so a number that is
 /// known only at its end is a lower bound.
 enum class KnownFrom { start, landing, end };
+
+/// What a scenario has, where that decides which columns its tables show.
+struct TableContent {
+  int dimension = 2;
+  bool holes = false;     ///< measured ones
+  bool branches = false;  ///< besides the regular blast
+};
 
 struct Column {
   const char* name = nullptr;       ///< in results.db and rocks.csv; none: only in chunk files
@@ -34,6 +41,12 @@ struct Column {
   bool in_csv = true;       ///< also in rocks.csv
   bool in_degrees = false;  ///< shown in degrees, stored in rad
   NamesOf names = NamesOf::nothing;
+
+  /// Whether tables show it: holes and branches only where there are any.
+  bool is_of(const TableContent& content) const {
+    if (names == NamesOf::holes) return content.holes;
+    return names != NamesOf::branches || content.branches;
+  }
 };
 
 template <class Visit>
@@ -42,6 +55,9 @@ constexpr void visit_rocks(Visit&& visit) {
   visit(Column{.name = "trial", .doc = "number of the trial, from 0"}, &R::trial);
   visit(Column{.name = "rock", .doc = "number in the trial, from 0"}, &R::rock);
   visit(Column{.name = "group", .doc = "group of rocks, or body", .names = NamesOf::groups}, &R::group);
+  visit(Column{.name = "hole", .doc = "measured hole that it leaves", .names = NamesOf::holes}, &R::hole);
+  visit(Column{.name = "branch", .doc = "what became of its hole or blast", .names = NamesOf::branches},
+        &R::branch);
   visit(Column{.name = "mass_kg", .unit = "kg", .doc = "of the whole rock"}, &R::mass);
   visit(Column{.name = "volume_m3", .unit = "m3", .doc = "of the whole rock"}, &R::volume);
   visit(Column{.name = "launch_speed_m_s",

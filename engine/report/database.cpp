@@ -141,20 +141,20 @@ void add_maps(const SqliteFile& file, const Results& results) {
 
 }  // namespace
 
-ResultDatabase::Insertions::Insertions(const SqliteFile& file, int dimension)
+ResultDatabase::Insertions::Insertions(const SqliteFile& file, const TableContent& content)
     : rows_of_rock(file, "rows_of_rock", 2 * RowsOfRocks::tables()) {
   visit_tables(none_of_the_records, [&](const Table& table, const auto& rows, auto visit_columns) {
     using Row = typename std::decay_t<decltype(rows)>::value_type;
-    tables.emplace_back(file, stored_name(table), stored_width<Row>(table, visit_columns, dimension));
+    tables.emplace_back(file, stored_name(table), stored_width<Row>(table, visit_columns, content));
   });
 }
 
 ResultDatabase::ResultDatabase(const std::filesystem::path& path, const Plan& plan)
     : plan_(plan), file_(path) {
-  const int dimension = plan.points.front().dimension;
-  file_.execute(schema + map_table_schema() + record_tables_schema(dimension) + inputs_view +
+  const TableContent content = content_of(plan.points.front());
+  file_.execute(schema + map_table_schema() + record_tables_schema(content) + inputs_view +
                 fmt::format("PRAGMA user_version = {};", result_format));
-  insertions_ = std::make_unique<Insertions>(file_, dimension);
+  insertions_ = std::make_unique<Insertions>(file_, content);
   add_plan();
 }
 
@@ -189,14 +189,14 @@ void ResultDatabase::add_input_paths() {
 }
 
 void ResultDatabase::add(int point, const TrialRecords& records) {
-  const int dimension = plan_.points[static_cast<std::size_t>(point)].dimension;
+  const TableContent content = content_of(plan_.points[static_cast<std::size_t>(point)]);
   const RecordNames& names = names_[static_cast<std::size_t>(point)];
   auto insertion = insertions_->tables.begin();
   visit_tables(records, [&](const Table& table, const auto& rows, auto visit_columns) {
     using Row = typename std::decay_t<decltype(rows)>::value_type;
     (insertion++)->rows(rows, [&](Statement& to, const Row& row) {
       const auto put = [&](const Column& column, auto get) {
-        if (is_stored(table, column, dimension))
+        if (is_stored(table, column, content))
           shown_value(column, member_of(row, get), names, [&](const auto& value) { to.put(value); });
       };
       if (!table.many_rows) {

@@ -34,7 +34,7 @@ class ResultDatabase {
 
  private:
   struct Insertions {
-    Insertions(const SqliteFile& file, int dimension);
+    Insertions(const SqliteFile& file, const TableContent& content);
     std::deque<Insertion> tables;  ///< in the order of visit_tables
     Insertion rows_of_rock;
   };

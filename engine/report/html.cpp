@@ -31,7 +31,7 @@ std::string scripts(const std::filesystem::path& assets) {
   for (const char* name :
        {"page.js", "places.js", "reach.js", "tracks.js", "space.js", "trees.js", "contours.js", "plan.js",
         "maps.js", "motion.js", "plots.js", "small_plots.js", "curves.js", "azimuth.js", "area.js",
-        "tables.js", "barrier_design.js", "comparison.js", "report.js"})
+        "tables.js", "holes.js", "barrier_design.js", "comparison.js", "report.js"})
     joined += read_file(assets / name);
   return joined + "})();\n";
 }

@@ -10,10 +10,10 @@ namespace {
 
 /// The declarations of columns: `"mass_kg" REAL`. `visit` visits the columns of Row.
 template <class Row>
-auto declare_into(std::vector<std::string>& columns, const Table& table, int dimension) {
-  return [&columns, table, dimension](const Column& column, auto get) {
+auto declare_into(std::vector<std::string>& columns, const Table& table, const TableContent& content) {
+  return [&columns, table, content](const Column& column, auto get) {
     using T = std::decay_t<std::invoke_result_t<decltype(get), const Row&>>;
-    if (is_stored(table, column, dimension))
+    if (is_stored(table, column, content))
       columns.push_back(fmt::format("\"{}\" {}", column.name, sql_type<T>(column)));
   };
 }
@@ -21,12 +21,12 @@ auto declare_into(std::vector<std::string>& columns, const Table& table, int dim
 /// The + keeps SQLite from building an automatic index over all rows for a query. SQLite estimates this to be
 /// cheaper than reading the few rows of a rock.
 template <class VisitColumns>
-std::string view_of(const Table& table, VisitColumns visit_columns, int dimension) {
+std::string view_of(const Table& table, VisitColumns visit_columns, const TableContent& content) {
   std::string columns;
   visit_columns([&](const Column& column, auto) {
     if (column.name)
-      columns += is_stored(table, column, dimension) ? fmt::format(", +r.{0} AS {0}", column.name)
-                                                     : fmt::format(", 0.0 AS {}", column.name);
+      columns += is_stored(table, column, content) ? fmt::format(", +r.{0} AS {0}", column.name)
+                                                   : fmt::format(", 0.0 AS {}", column.name);
   });
   return fmt::format(
       "CREATE VIEW {1} AS SELECT point, trial, rock{2} FROM rocks CROSS JOIN rows_of_rock AS own ON "
@@ -41,19 +41,19 @@ std::string stored_name(const Table& table) {
   return table.many_rows ? fmt::format("{}_rows", table.many_rows) : table.name;
 }
 
-std::string record_tables_schema(int dimension) {
+std::string record_tables_schema(const TableContent& content) {
   std::string tables, views;
   std::vector<std::string> ranges;
   visit_tables(none_of_the_records, [&](const Table& table, const auto& rows, auto visit_columns) {
     using Row = typename std::decay_t<decltype(rows)>::value_type;
     std::vector<std::string> columns;
-    const auto declare = declare_into<Row>(columns, table, dimension);
+    const auto declare = declare_into<Row>(columns, table, content);
     if (!table.many_rows) {
       columns.push_back("point INTEGER");
       visit_owner<Row>(table, declare);
     } else {
       ranges.push_back(fmt::format("first_{0} INTEGER, last_{0} INTEGER", table.many_rows));
-      views += view_of(table, visit_columns, dimension);
+      views += view_of(table, visit_columns, content);
     }
     visit_columns(declare);
     tables += fmt::format("CREATE TABLE {} ({});\n", stored_name(table), fmt::join(columns, ", "));

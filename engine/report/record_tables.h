@@ -16,21 +16,22 @@
 namespace flyrock {
 
 /// Whether results.db stores a column. Columns of the third dimension are left out of long tables in 2D.
-inline bool is_stored(const Table& table, const Column& column, int dimension) {
-  return column.name && (!table.many_rows || !column.in_space || dimension == 3);
+inline bool is_stored(const Table& table, const Column& column, const TableContent& content) {
+  return column.name && column.is_of(content) &&
+         (!table.many_rows || !column.in_space || content.dimension == 3);
 }
 
 /// The name of the table that stores the rows: "gates", "impact_rows".
 std::string stored_name(const Table& table);
 
 /// CREATE TABLE and CREATE VIEW of all tables, and of rows_of_rock.
-std::string record_tables_schema(int dimension);
+std::string record_tables_schema(const TableContent& content);
 
 /// Number of columns of the stored table.
 template <class Row, class VisitColumns>
-int stored_width(const Table& table, VisitColumns visit_columns, int dimension) {
+int stored_width(const Table& table, VisitColumns visit_columns, const TableContent& content) {
   int width = table.many_rows ? 0 : 1;  // point
-  const auto count = [&](const Column& column, auto) { width += is_stored(table, column, dimension); };
+  const auto count = [&](const Column& column, auto) { width += is_stored(table, column, content); };
   if (!table.many_rows) visit_owner<Row>(table, count);
   visit_columns(count);
   return width;

@@ -18,6 +18,7 @@
 #include "report/summary_data.h"
 #include "results/alarms.h"
 #include "results/cell_size.h"
+#include "scenario/blast_readers.h"
 #include "units/units.h"
 
 namespace flyrock {
@@ -225,6 +226,17 @@ void ReportData::close() {
   while (open_) close_point();
 }
 
+namespace {
+
+/// Whether a launch reads the blast and nothing goes wrong in it: no branch.
+bool is_of_regular_blasts(const Scenario& scenario) {
+  return scenario.branches.empty() && scenario.blast &&
+         std::any_of(scenario.rocks.begin(), scenario.rocks.end(),
+                     [](const RockGroup& group) { return group.launch && reads_blast(*group.launch); });
+}
+
+}  // namespace
+
 Json ReportData::finish(const Results& results, const GroundPictures& grounds,
                         const std::vector<Rows>& rows) {
   close();
@@ -250,13 +262,13 @@ Json ReportData::finish(const Results& results, const GroundPictures& grounds,
                     bodies_data(plan.points[p], point.totals)));
     if (point.forest) points.back()["stems"] = stems_data(point, most_stems / closed_.size());
   }
-  return json_object("summary", summary_data(plan, results), "alarms", alarms(results.points), "source",
-                     source_data(scenario_), "scenario", scenario_text(plan.resolved), "groups",
-                     group_names(plan.points.front()), "numbers", numbers_data(), "map_units",
-                     map_unit_data(), "axes", axes_data(plan), "expectation_units",
-                     expectation_units(results), "answer_units", answer_units(plan), "drawn",
-                     drawn_data(plan.points.front()), "grounds", grounds_data(grounds), "points",
-                     std::move(points));
+  return json_object(
+      "summary", summary_data(plan, results), "alarms", alarms(results.points), "source",
+      source_data(scenario_), "scenario", scenario_text(plan.resolved), "groups",
+      group_names(plan.points.front()), "numbers", numbers_data(), "map_units", map_unit_data(), "axes",
+      axes_data(plan), "expectation_units", expectation_units(results), "answer_units", answer_units(plan),
+      "drawn", drawn_data(plan.points.front()), "regular_only", is_of_regular_blasts(plan.points.front()),
+      "grounds", grounds_data(grounds), "points", std::move(points));
 }
 
 }  // namespace flyrock

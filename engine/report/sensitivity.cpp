@@ -77,7 +77,7 @@ bool Sensitivity::is_ranked(std::size_t group, int input) const {
 /// Adds the numbers that follow from the drawn numbers of one rock. Adds nothing if a draw of its blast is
 /// missing.
 void Sensitivity::add_derived(const std::map<int, double>& drawn, Group& group) const {
-  if (!blast_) return;
+  if (!blast_ || blast_->has_holes()) return;  // measured holes are ranked by their share of the risk
   Blast blast;
   for (const auto& [field, number] : blast_->fields) {
     if (number.is_constant())
@@ -104,6 +104,7 @@ void Sensitivity::add(const TrialRecords& chunk) {
     const auto first = input;
     input = std::find_if(first, chunk.inputs.end(),
                          [&](const InputRecord& i) { return i.trial != rock.trial || i.rock != rock.rock; });
+    if (rock.branch != 0) continue;  // it does not draw all that the others draw
     if (is_fault(rock.reason) || static_cast<std::size_t>(rock.group) >= groups_.size()) continue;
     Group& group = groups_[static_cast<std::size_t>(rock.group)];
     if (group.runout.size() == most_rocks) continue;

@@ -14,17 +14,38 @@ namespace flyrock {
 
 /// The names that whole numbers of records count, for one sweep point.
 struct RecordNames {
-  explicit RecordNames(const Scenario& scenario) : groups(group_names(scenario)) {
+  explicit RecordNames(const Scenario& scenario)
+      : groups(group_names(scenario)), branches(branch_names(scenario)) {
     for (const auto& gate : scenario.gates) gates.push_back(gate.name);
     for (const auto& barrier : scenario.barriers) barriers.push_back(barrier.name);
+    if (scenario.blast)
+      for (const Hole& hole : scenario.blast->pattern.measured) holes.push_back(hole.name);
   }
   const std::vector<std::string>& of(NamesOf list) const {
-    return list == NamesOf::gates ? gates : list == NamesOf::barriers ? barriers : groups;
+    switch (list) {
+      case NamesOf::gates:
+        return gates;
+      case NamesOf::barriers:
+        return barriers;
+      case NamesOf::holes:
+        return holes;
+      case NamesOf::branches:
+        return branches;
+      default:
+        return groups;
+    }
   }
 
-  std::vector<std::string> groups, gates, barriers;
+  std::vector<std::string> groups, gates, barriers, holes, branches;
   std::vector<int> inputs;  ///< their numbers in `input_paths`
 };
+
+/// Which columns the tables of a scenario show.
+inline TableContent content_of(const Scenario& scenario) {
+  return {.dimension = scenario.dimension,
+          .holes = scenario.blast && scenario.blast->has_holes(),
+          .branches = !scenario.branches.empty()};
+}
 
 /// Calls `use` with what a table shows for `value`: a number, a text, or a name.
 template <class T>

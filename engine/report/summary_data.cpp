@@ -8,6 +8,7 @@
 #include "report/comparison_data.h"
 #include "report/json_object.h"
 #include "report/reach_data.h"
+#include "report/risk_data.h"
 #include "results/answer.h"
 #include "results/answer_shares.h"
 #include "results/fault_line.h"
@@ -436,7 +437,12 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
           std::to_string(all);
     }
     if (has_lost(plan.points[p], point)) forget_statistics(points.back());
-    if (plan.points[p].blast) points.back()["blast"] = blast_data(*plan.points[p].blast);
+    if (!plan.points[p].branches.empty())
+      points.back()["branches"] = branches_data(plan.points[p], point.risk);
+    if (const auto& blast = plan.points[p].blast) {
+      points.back()["blast"] = blast_data(*blast);
+      add_hole_data(points.back()["blast"], *blast, point.risk.risks);
+    }
   }
   Json verdicts = Json::array();
   for (const Verdict& verdict : results.verdicts) verdicts.push_back(verdict_data(verdict));

@@ -18,8 +18,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool is_in_csv(const Column& column, int dimension) {
-  return column.name && column.in_csv && (!column.in_space || dimension == 3);
+bool is_in_csv(const Column& column, const TableContent& content) {
+  return column.name && column.in_csv && column.is_of(content) &&
+         (!column.in_space || content.dimension == 3);
 }
 
 /// Appends a comma and a cell to a line.
@@ -46,8 +47,9 @@ Json arguments_data(const std::vector<LuaArgument>& arguments) {
 
 std::string rocks_csv_header(const Plan& plan) {
   std::string header = "point";
+  const TableContent content = content_of(plan.points.front());
   visit_rocks([&](const Column& column, auto) {
-    if (is_in_csv(column, plan.points.front().dimension)) (header += ',') += column.name;
+    if (is_in_csv(column, content)) (header += ',') += column.name;
   });
   return header + '\n';
 }
@@ -55,12 +57,12 @@ std::string rocks_csv_header(const Plan& plan) {
 std::string rocks_csv_rows(const Plan& plan, int point, const std::vector<RockRecord>& rocks) {
   const Scenario& scenario = plan.points[static_cast<std::size_t>(point)];
   const RecordNames names(scenario);
+  const TableContent content = content_of(scenario);
   std::string csv;
   for (const RockRecord& rock : rocks) {
     csv += std::to_string(point);
     visit_rocks([&](const Column& column, auto get) {
-      if (is_in_csv(column, scenario.dimension))
-        shown_value(column, member_of(rock, get), names, AppendCell{csv});
+      if (is_in_csv(column, content)) shown_value(column, member_of(rock, get), names, AppendCell{csv});
     });
     csv += '\n';
   }

@@ -11,6 +11,7 @@
 #include "results/crossing_summary.h"
 #include "results/plan_reach.h"
 #include "results/reach.h"
+#include "results/risk.h"
 #include "results/runout_by_azimuth.h"
 
 namespace flyrock {
@@ -35,6 +36,7 @@ struct PointResult {
   std::optional<TreeSummary> trees;        ///< with a forest
   std::shared_ptr<const Forest> forest;    ///< its stems, counted from the origin; null: none
   std::vector<ClearanceSummary> clearances;
+  RiskSummary risk;                       ///< with measured holes or branches
   std::vector<LaunchReach> reaches;       ///< only with the method ballistic
   std::vector<RunoutByAzimuth> azimuths;  ///< 3D, of rocks: in the order of `groups`
   std::vector<CensoredPlace> censored;    ///< places of censored rocks, most rocks first

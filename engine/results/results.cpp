@@ -27,6 +27,7 @@ class PointTally {
         rocks_(group_names(scenario)),
         crossings_(scenario),
         clearances_(scenario.clearances),
+        risk_(scenario),
         azimuths_(scenario.dimension == 3 && scenario.bodies.empty() ? 1 + scenario.rocks.size() : 0) {}
 
   /// Takes the rows of the first pass. Their faults go into `results`.
@@ -62,6 +63,7 @@ class PointTally {
     rocks_.add(chunk);
     crossings_.add(chunk);
     clearances_.add(chunk);
+    risk_.add(chunk);
     if (azimuths_.empty()) return;
     for (const RockRecord& rock : chunk.rocks) {
       if (is_fault(rock.reason)) continue;
@@ -74,10 +76,20 @@ class PointTally {
   bool needs_another_pass() {
     bool more = rocks_.needs_another_pass();
     more |= crossings_.needs_another_pass();
-    more |= clearances_.needs_another_pass();
+    const bool seeks_distances = clearances_.needs_another_pass();
+    more |= seeks_distances;
+    more |= risk_.needs_another_pass(seeks_distances ? std::nullopt : std::optional(clearance_distances()));
     for (AzimuthTally& azimuths : azimuths_) more |= azimuths.needs_another_pass();
     if (!azimuths_.empty()) more |= diameters_.needs_another_pass();
     return more;
+  }
+
+  /// Those without sectors, which count from the release of each rock.
+  std::vector<double> clearance_distances() const {
+    std::vector<double> distances;
+    for (const ClearanceSummary& clearance : clearances_.summaries())
+      distances.push_back(clearance.area.sectors.empty() ? clearance.distance.value : unknown);
+    return distances;
   }
 
   /// The first pass has ended. Rasters take less memory than the histograms that they are made of.
@@ -93,6 +105,7 @@ class PointTally {
     result_.crossings = crossings_.summaries();
     if (scenario_.forest) result_.trees = trees_.summary();
     result_.clearances = clearances_.summaries();
+    result_.risk = risk_.summary();
     result_.censored = censored_.places();
     if (diameters_.size() > 0)
       result_.diameters = {diameters_.quantile(0.05).value, diameters_.quantile(0.5).value};
@@ -111,6 +124,7 @@ class PointTally {
   CrossingTallies crossings_;
   TreeTally trees_;
   ClearanceTally clearances_;
+  RiskTally risk_;
   Sample diameters_{Questions{{0.05, 0.5}, {}}};
   std::vector<AzimuthTally> azimuths_;  ///< of all rocks, then of each group
   CensoredTally censored_;

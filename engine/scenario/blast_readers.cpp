@@ -46,8 +46,11 @@ bool is_placed_by_rows(const RockGroup& group) {
 bool makes_up(const BlastPlan& blast, BlastField field, BlastField result) {
   using enum BlastField;
   if (field == result) return true;
+  // The charge as loaded decides what the explosive fills, or how densely.
+  if (result == explosive_density || result == hole_diameter || result == hole_linear_charge)
+    if (field == hole_linear_charge || field == hole_charge) return true;
   if (result == gurney_constant) return blast.gurney_follows && field == detonation_velocity;
-  if (blast.fields.contains(result) || !blast.provides(result)) return false;
+  if (blast.gives(result) || !blast.provides(result)) return false;
   const auto is_length = [](BlastField f) {
     return f == hole_length || f == hole_stemming || f == hole_charge_length;
   };
@@ -57,8 +60,12 @@ bool makes_up(const BlastPlan& blast, BlastField field, BlastField result) {
 }
 
 bool depends_on(const BlastPlan& blast, const RockGroup& group, BlastField field) {
-  const bool holds_rows = field == BlastField::burden || field == BlastField::burden_crest;
+  const bool holds_rows =
+      !blast.has_holes() && (field == BlastField::burden || field == BlastField::burden_crest);
   if (holds_rows && is_placed_by_rows(group)) return true;
+  const bool is_before_its_hole =
+      blast.has_holes() && group.release && group.release->kind == ReleaseKind::face;
+  if (is_before_its_hole && field == BlastField::spacing) return true;
   const std::vector<const PluginUse*> readers = blast_readers(group);
   return std::any_of(blast_fields().begin(), blast_fields().end(), [&](const BlastFieldInfo& other) {
     return makes_up(blast, field, other.field) &&

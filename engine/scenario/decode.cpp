@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenario/branches.h"
 #include "scenario/decode_document.h"
 #include "scenario/decode_sections.h"
 #include "scenario/normalise.h"
@@ -97,10 +98,37 @@ class PlanDecoder {
       steps_[a][point[a]] = std::move(*step);
       resolved_values_[a][point[a]] = *value;
     }
+    std::vector<std::string> not_used = find_not_used(Node::root(tree), scenario);
+    decode_branches(scenario, not_used);
+    if (diagnostics_.has_errors()) return;
     plan_.files.merge(context.files);
-    keep_not_used(find_not_used(Node::root(tree), scenario));
+    keep_not_used(not_used);
     if (plan_.points.empty()) plan_.resolved = std::move(tree);
     plan_.points.push_back(std::move(scenario));
+  }
+
+  /// The scenario of each branch: the document of this point with what the branch sets.
+  /// Adds what they set and nothing reads to `not_used`.
+  void decode_branches(Scenario& regular, std::vector<std::string>& not_used) {
+    for (const Node& branch : branches_of(tree_)) {
+      const std::size_t errors_before = diagnostics_.errors_given();
+      const auto is_sound = [&] { return diagnostics_.errors_given() == errors_before; };
+      BranchPlan plan = read_branch(branch, diagnostics_);
+      Value changed = tree_;
+      apply_branch(branch, plan, changed, diagnostics_);
+      if (!is_sound()) continue;
+      DecodeContext context{registry_, folder_, diagnostics_, swept_, earlier_errors_};
+      context.grounds = grounds_;
+      context.forced_fields = fields_of_branch(branch);
+      const Value tree = normalise(context, Node::root(changed));
+      auto own = std::make_shared<Scenario>(decode_document(context, Node::root(tree)));
+      if (!is_sound()) continue;
+      plan_.files.merge(context.files);
+      const std::vector<std::string> idle = settings_not_used(branch, find_not_used(Node::root(tree), *own));
+      not_used.insert(not_used.end(), idle.begin(), idle.end());
+      keep_branch(branch, std::move(plan), std::move(own), regular, diagnostics_);
+    }
+    check_probabilities(tree_, regular, diagnostics_);
   }
 
   /// What one value of a sweep is, normalised: a number with its SI unit, or a choice with its text.

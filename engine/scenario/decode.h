@@ -20,6 +20,11 @@ struct Overrides {
 /// Applies `--set`, `--seed` and `--trials` to the tree. A path must exist in it or be a known key.
 void apply_overrides(Value& root, const Overrides& overrides, Diagnostics& diagnostics);
 
+/// Walks to the place of a path and puts the value there. Adds keys that a map does not have yet: decoding
+/// knows all keys, refuses unknown ones and names the nearest.
+void set_path(Value& root, const std::string& path, Value value, const Location& at,
+              Diagnostics& diagnostics);
+
 /// The files of `plugins: [...]`. They are found before anything else is decoded because they decide which
 /// names are known.
 std::vector<std::pair<std::string, Location>> plugin_files(const Value& root, Diagnostics& diagnostics);

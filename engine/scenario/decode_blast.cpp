@@ -69,10 +69,6 @@ Span field_range(const DecodeContext& context, const BlastPlan& plan, BlastField
   return found == plan.fields.end() ? Span{} : range_of(context, found->second);
 }
 
-double middle_of(const DecodeContext& context, const Number& number) {
-  return number.is_constant() ? number.constant : context.draws[number.draw].quantile(0.5);
-}
-
 std::string metres(const Span& range) {
   if (range.low == range.high) return fmt::format("{:.6g} m", range.low);
   return fmt::format("{:.6g} to {:.6g} m", range.low, range.high);
@@ -136,11 +132,16 @@ void complete_plan(DecodeContext& context, const Node& node, BlastPlan& plan) {
   } catch (const std::invalid_argument& fault) {
     return context.diagnostics.error(node.key_at, "", fault.what());  // the text already begins with the path
   }
+  if (!context.forced_fields.empty()) return;  // a branch is not as designed
   if (const std::string text = disagreement(plan.typical, plan.design); !text.empty())
     context.diagnostics.warning(node.key_at, node.path, text);
 }
 
 }  // namespace
+
+double middle_of(const DecodeContext& context, const Number& number) {
+  return number.is_constant() ? number.constant : context.draws[number.draw].quantile(0.5);
+}
 
 BlastPlan decode_blast(DecodeContext& context, const Node& node) {
   BlastPlan plan;
@@ -163,7 +164,14 @@ BlastPlan decode_blast(DecodeContext& context, const Node& node) {
                       section.constant("distance"),   section.constant("delay_row"),
                       section.constant("delay_hole"), section.constant("delay_in_hole")};
   }
+  decode_holes(context, node, plan);
+  if (const auto face = node.find("face"); face && !plan.has_holes())
+    face->error(context.diagnostics, "gives the burdens of `holes`, the blast has none");
   if (!is_sound()) return plan;  // checks of derived values would mislead
+  if (plan.has_holes()) {
+    complete_holes(context, node, plan);
+    return plan;
+  }
   for (const auto& [field, value] : plan.fields) plan.typical[field] = middle_of(context, value);
   plan.typical.is_anfo = plan.is_anfo;
   if (const auto hole = node.find("hole")) check_lengths(context, *hole, plan);
@@ -176,6 +184,7 @@ void check_hole(DecodeContext& context, const Node& blast, const BlastPlan& plan
                 const TerrainPlan& terrain) {
   const std::optional<Node> hole = blast.find("hole");
   const bool has_length = plan.fields.contains(BlastField::hole_length);
+  if (plan.has_holes()) return;  // their lengths are measured
   if (!hole || !plan.provides(BlastField::hole_charge_length) || !terrain.model.plugin) return;
   if (terrain.model.plugin->spec.name != "benches") return;
   const int index = terrain.model.plugin->spec.find("height");

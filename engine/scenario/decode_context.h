@@ -49,6 +49,8 @@ struct DecodeContext {
   std::map<std::string, std::string> files = {};  ///< that parameters name: name as written -> full path
   std::set<std::string> unsound = {};  ///< paths of plugins and sections in which an error was found
   std::shared_ptr<GroundStore> grounds = nullptr;  ///< of all points
+  std::vector<BlastField> forced_fields = {};      ///< of the blast, that a branch sets for each hole
+  bool has_holes = false;                          ///< the blast has measured holes, at places of their own
 
   bool is_sound(const std::string& path) const { return !unsound.contains(path); }
 };

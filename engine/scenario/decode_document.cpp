@@ -36,6 +36,7 @@ class DocumentDecoder {
       blast_is_sound_ =
           context_.is_sound(blast->path) && context_.diagnostics.errors_given() == errors_before;
       if (blast_is_sound_) check_hole(context_, *blast, *scenario_.blast, scenario_.terrain);
+      context_.has_holes = scenario_.blast->has_holes();
     }
     decode_moving(terrain);
     if (const auto barriers = root_.find("barriers"))
@@ -130,6 +131,7 @@ class DocumentDecoder {
       scenario_.rocks = decode_rocks(context_, *rocks, scenario_.materials, terrain);
       check_group_names(*rocks);
       check_reads(*rocks);
+      check_places_of_holes(*rocks);
       check_materials(*rocks, scenario_.rocks, 0,
                       [&](const RockGroup&, const RockGroup&) { return scenario_.rock_contacts; });
     }
@@ -167,7 +169,34 @@ class DocumentDecoder {
             asks_for(read, *launch->value) && !missing.empty())
           context_.diagnostics.error(
               launch->key_at, launch->path,
-              fmt::format("{} reads `blast.{}`, which the scenario does not give", *type->text(), missing));
+              fmt::format("{} reads `blast.{}`, which {}", *type->text(), missing, who_lacks(missing)));
+    }
+  }
+
+  /// Rocks of a hole need holes, and a place where their hole is if they leave from it.
+  void check_places_of_holes(const Node& rocks) {
+    const std::vector<Node> items = rocks.items();
+    if (items.size() != scenario_.rocks.size() || !blast_is_sound_) return;
+    const bool has_holes = scenario_.blast && scenario_.blast->has_holes();
+    for (std::size_t g = 0; g < items.size(); ++g) {
+      const RockGroup& group = scenario_.rocks[g];
+      if (const auto per_hole = items[g].find("per_hole"); per_hole && !has_holes)
+        per_hole->error(context_.diagnostics, "needs `blast.holes`, the scenario has none");
+      if (!has_holes || !group.release) continue;
+      if (group.release->kind == ReleaseKind::bench_top)
+        items[g].find("release")->error(
+            context_.diagnostics,
+            "`bench_top` ends at the last of `blast.rows`; with `blast.holes` expected `collar` or `face`");
+      const bool needs_place = group.release->kind == ReleaseKind::collar ||
+                               (group.release->kind == ReleaseKind::face && context_.dimension == 3);
+      if (!needs_place) continue;
+      for (const Hole& hole : scenario_.blast->pattern.measured)
+        if (!hole.is_placed(context_.dimension)) {
+          items[g].error(context_.diagnostics,
+                         fmt::format("rocks leave from their hole, and hole {} has no {}", hole.name,
+                                     context_.dimension == 2 ? "`x`" : "`x` and `y`"));
+          break;
+        }
     }
   }
 
@@ -177,6 +206,17 @@ class DocumentDecoder {
     const Value* chosen = use.find(read.param);
     return chosen && chosen->text() &&
            std::find(read.choices.begin(), read.choices.end(), *chosen->text()) != read.choices.end();
+  }
+
+  /// "the scenario does not give", or the first hole that has not got the field.
+  std::string who_lacks(const std::string& path) const {
+    if (!scenario_.blast || !scenario_.blast->has_holes()) return "the scenario does not give";
+    const auto info = std::find_if(blast_fields().begin(), blast_fields().end(),
+                                   [&](const BlastFieldInfo& known) { return known.path == path; });
+    for (std::size_t i = 0; i < scenario_.blast->holes.size(); ++i)
+      if (std::isnan(scenario_.blast->holes[i][info->field]))
+        return fmt::format("hole {} does not have", scenario_.blast->pattern.measured[i].name);
+    return "the scenario does not give";
   }
 
   /// The path of a field that a manifest names and the scenario lacks; empty if there is none.

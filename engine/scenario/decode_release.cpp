@@ -44,6 +44,7 @@ void read_face(DecodeContext& context, const Node& node, const Section& section,
   }
   const int faces = static_cast<int>(terrain.faces.size());
   if (!is_built || release.bench < 1 || release.bench <= faces) return;
+  if (context.has_holes && release.kind == ReleaseKind::collar && !section.given("bench")) return;
   const std::string found =
       faces == 0 ? "the terrain has no bench faces" : fmt::format("the terrain has {}", faces);
   node.error(context.diagnostics, fmt::format("there is no bench {}, {}", release.bench, found));

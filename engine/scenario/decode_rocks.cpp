@@ -54,6 +54,10 @@ RockGroup decode_group(DecodeContext& context, const Node& node, const std::vect
   group.material = decode_material(context, node, materials);
   group.shape = decode_part(context, node, PluginKind::shape, "shape");
   if (const auto release = node.find("release")) group.release = decode_release(context, *release, terrain);
+  if (section.given("per_hole")) {
+    group.per_hole = section.integer("per_hole");
+    if (!group.release) group.release.emplace().kind = ReleaseKind::collar;
+  }
   group.launch = decode_part(context, node, PluginKind::velocity, "launch");
   if (group.launch)
     group.assumed_elevation = assumed_elevation(*node.find("launch"), group.launch->plugin->spec);

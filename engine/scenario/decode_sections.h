@@ -41,6 +41,14 @@ std::shared_ptr<const HeightGrid> read_raster(DecodeContext& context, const Node
 
 BlastPlan decode_blast(DecodeContext& context, const Node& node);
 
+/// The measured holes of a blast, `holes` and `scatter`, into its plan.
+void decode_holes(DecodeContext& context, const Node& blast, BlastPlan& plan);
+/// Completes each of them with all medians and reports what is wrong with it.
+void complete_holes(DecodeContext& context, const Node& blast, BlastPlan& plan);
+
+/// The median of a number.
+double middle_of(const DecodeContext& context, const Number& number);
+
 /// Checks that need both the blast and the terrain: the length of the hole against the height of the bench.
 void check_hole(DecodeContext& context, const Node& blast, const BlastPlan& plan, const TerrainPlan& terrain);
 

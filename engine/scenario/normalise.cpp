@@ -14,6 +14,9 @@ namespace {
 constexpr NumberRules gravity_rules{.varies = true, .scope = Scope::trial, .finest = Scope::trial};
 constexpr NumberRules air_rules{.varies = true, .scope = Scope::trial, .finest = Scope::rock};
 
+/// Added to each hole in each trial.
+constexpr NumberRules scatter_rules{.varies = true, .scope = Scope::hole, .finest = Scope::hole};
+
 /// Rules for one field of the blast. The burden and the hole vary from hole to hole, the rest from trial to
 /// trial.
 NumberRules rules_of_field(std::string_view path) {
@@ -43,6 +46,7 @@ class Normaliser {
     put_part("materials", !flies, [&](const Node& node) { return normalise_materials(context_, node); });
     put_part("pairs", false, [&](const Node& node) { return normalise_pairs(context_, node); });
     put_part("blast", false, [&](const Node& node) { return blast(node); });
+    put_part("branches", false, [&](const Node& node) { return normalise_branches(context_, node); });
     put_part("rocks", false, [&](const Node& node) { return normalise_rocks(context_, node); });
     put_part("bodies", false, [&](const Node& node) { return normalise_bodies(context_, node); });
     if (!root_.find("rocks") && !root_.find("bodies"))
@@ -164,6 +168,11 @@ class Normaliser {
     put_all(map, fields(node, "blast", ""));
     if (const auto rows = node.find("rows"))
       put(map, *rows, normalise_section(context_, *rows, "blast.rows", {}));
+    if (const auto holes = node.find("holes")) put(map, *holes, normalise_holes(context_, *holes));
+    if (const auto scatter = node.find("scatter"))
+      put(map, *scatter, normalise_section(context_, *scatter, "blast.scatter", scatter_rules));
+    if (const auto face = node.find("face"))
+      put(map, *face, normalise_section(context_, *face, "blast.face", {}));
     return map_value(std::move(map));
   }
 

@@ -46,6 +46,12 @@ Value normalise_list_of(DecodeContext& context, const Node& node, const std::str
 /// Reports an error at each element of a list whose `name` is already used by an earlier element.
 void refuse_duplicate_names(DecodeContext& context, const Node& list);
 
+/// Measured holes: `{ file, columns }`, or a list.
+Value normalise_holes(DecodeContext& context, const Node& node);
+
+/// Branches; what they `set` stays as it is written.
+Value normalise_branches(DecodeContext& context, const Node& list);
+
 Value normalise_forest(DecodeContext& context, const Node& node);
 
 /// A list of maps, each normalised by normalise(element), which gives a map. An element that is no map

@@ -75,6 +75,19 @@ void put_turn(DecodeContext& context, Map& map, const Node& parent, const Number
     put(map, *node, normalise_turn(context, *node, rules));
 }
 
+/// Rocks of holes take the place of those of a population that knows no holes.
+void check_per_hole(DecodeContext& context, const Node& node, bool is_independent) {
+  const std::optional<Node> per_hole = node.find("per_hole");
+  if (!per_hole) return;
+  if (node.find("per_trial"))
+    per_hole->error(context.diagnostics, "stands in place of `per_trial`, expected one of them");
+  else if (!is_independent)
+    per_hole->error(
+        context.diagnostics,
+        fmt::format("needs the population `{}`, the other ones say themselves how many rocks there are",
+                    default_population));
+}
+
 Value normalise_group(DecodeContext& context, const Node& node) {
   const SectionSpec& spec = section_spec(context.dimension == 2 ? "rocks" : "rocks 3D");
   Map group = normalise_params(context, node, spec.keys, rock_rules);
@@ -87,9 +100,12 @@ Value normalise_group(DecodeContext& context, const Node& node) {
   if (const auto release = node.find("release")) put(group, *release, normalise_release(context, *release));
   put_plugin(context, group, node, "launch", PluginKind::velocity, rock_rules);
   const std::string* type = population.find("type")->text();
+  if (node.find("per_hole"))  // which takes the place of the default
+    std::erase_if(group, [](const Entry& entry) { return entry.key == "per_trial" && entry.value.assumed; });
+  check_per_hole(context, node, type && *type == default_population);
   if (type && *type == default_population)
     for (const char* key : {"shape", "release"})  // other populations may decide both
-      if (!node.find(key))
+      if (!node.find(key) && !(key == std::string_view("release") && node.find("per_hole")))
         context.diagnostics.error(node.key_at, node.path, fmt::format("`{}` is missing", key));
   return map_value(std::move(group));
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "document/printable.h"
 #include "scenario/blast_readers.h"
 #include "scenario/decode_sections.h"
 
@@ -26,6 +27,16 @@ std::string reason(const Scenario& scenario) {
   return fmt::format("{} {} not read it", fmt::join(readers, ", "), readers.size() == 1 ? "does" : "do");
 }
 
+bool is_of_any_hole(const BlastPlan& blast, BlastField field) {
+  return std::any_of(blast.pattern.measured.begin(), blast.pattern.measured.end(),
+                     [&](const Hole& hole) { return !std::isnan(hole.own[field]); });
+}
+
+bool is_of_each_hole(const BlastPlan& blast, BlastField field) {
+  return blast.has_holes() && std::all_of(blast.pattern.measured.begin(), blast.pattern.measured.end(),
+                                          [&](const Hole& hole) { return !std::isnan(hole.own[field]); });
+}
+
 void find_blast_keys(const Node& blast, const Scenario& scenario, std::vector<std::string>& list) {
   const std::string why = reason(scenario);
   const bool explosive_by_name = blast.value->find("explosive") && blast.value->find("explosive")->text();
@@ -40,9 +51,18 @@ void find_blast_keys(const Node& blast, const Scenario& scenario, std::vector<st
     const std::optional<Node> parent =
         dot == std::string_view::npos ? blast : blast.find(info.path.substr(0, dot));
     const std::string_view key = dot == std::string_view::npos ? info.path : info.path.substr(dot + 1);
-    if (!is_read && parent && find_given(*parent, key))
-      list.push_back(fmt::format("blast.{} ({})", info.path, why));
+    if (parent && find_given(*parent, key)) {
+      if (!is_read)
+        list.push_back(fmt::format("blast.{} ({})", info.path, why));
+      else if (is_of_each_hole(*scenario.blast, info.field))
+        list.push_back(fmt::format("blast.{} (each of the holes has its own)", info.path));
+    }
+    if (!is_read && is_of_any_hole(*scenario.blast, info.field))
+      list.push_back(fmt::format("blast.holes: the column `{}` ({})", key, why));
   }
+  for (const std::string& head : scenario.blast->other_heads)
+    list.push_back(
+        fmt::format("blast.holes: the column `{}` (no column of holes has this name)", printable(head)));
   if (explosive_by_name && !explosive_is_read) list.push_back(fmt::format("blast.explosive ({})", why));
   const auto rows = blast.find("rows");
   if (rows && find_given(*rows, "distance") && !any_is_placed_by_rows(scenario))

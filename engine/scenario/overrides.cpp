@@ -43,37 +43,6 @@ std::vector<std::string> item_names(const List& list) {
   return names;
 }
 
-/// Walks to the place of a path and puts the value there. Adds keys that a map does not have yet: decoding
-/// knows all keys, refuses unknown ones and names the nearest.
-void set_path(Value& root, const std::string& path, Value value, const Location& at,
-              Diagnostics& diagnostics) {
-  Value* place = &root;
-  std::string done;
-  for (std::size_t begin = 0; begin <= path.size();) {
-    const std::size_t end = std::min(path.find('.', begin), path.size());
-    const std::string step = path.substr(begin, end - begin);
-    begin = end + 1;
-    if (place->is_null() && place != &root) place->data = Map{};
-    if (List* list = place->list(); list && !list->empty()) {
-      Value* item = find_item(*list, step);
-      if (!item)
-        return diagnostics.error(
-            at, path,
-            fmt::format("{} has no element `{}`{}", done, step, suggestion(step, item_names(*list))));
-      place = item;
-    } else if (Map* map = place->map()) {
-      if (!place->find(step)) map->push_back({step, at, Value{{}, at}});
-      place = place->find(step);
-    } else {
-      return diagnostics.error(
-          at, path,
-          fmt::format("{} is {}, it has no `{}`", done.empty() ? "the document" : done, place->kind(), step));
-    }
-    done = join_path(done, step);
-  }
-  *place = std::move(value);
-}
-
 void apply(Value& root, const std::string& assignment, Diagnostics& diagnostics) {
   auto source = std::make_shared<Source>();
   source->name = "--set " + assignment;
@@ -104,6 +73,35 @@ void set_number(Value& root, const char* key, std::uint64_t number, Diagnostics&
 }
 
 }  // namespace
+
+void set_path(Value& root, const std::string& path, Value value, const Location& at,
+              Diagnostics& diagnostics) {
+  Value* place = &root;
+  std::string done;
+  for (std::size_t begin = 0; begin <= path.size();) {
+    const std::size_t end = std::min(path.find('.', begin), path.size());
+    const std::string step = path.substr(begin, end - begin);
+    begin = end + 1;
+    if (place->is_null() && place != &root) place->data = Map{};
+    if (List* list = place->list(); list && !list->empty()) {
+      Value* item = find_item(*list, step);
+      if (!item)
+        return diagnostics.error(
+            at, path,
+            fmt::format("{} has no element `{}`{}", done, step, suggestion(step, item_names(*list))));
+      place = item;
+    } else if (Map* map = place->map()) {
+      if (!place->find(step)) map->push_back({step, at, Value{{}, at}});
+      place = place->find(step);
+    } else {
+      return diagnostics.error(
+          at, path,
+          fmt::format("{} is {}, it has no `{}`", done.empty() ? "the document" : done, place->kind(), step));
+    }
+    done = join_path(done, step);
+  }
+  *place = std::move(value);
+}
 
 void apply_overrides(Value& root, const Overrides& overrides, Diagnostics& diagnostics) {
   for (const std::string& assignment : overrides.set) apply(root, assignment, diagnostics);

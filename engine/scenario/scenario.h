@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -87,14 +88,48 @@ struct TerrainPlan {
   std::shared_ptr<GroundStore> grounds;  ///< of all points of the sweep
 };
 
+/// The burden along a measured hole: the distance from its axis to the surveyed face, by the depth along it.
+struct BurdenCurve {
+  std::vector<double> depth, burden;  ///< m
+  std::vector<bool> is_known;         ///< false: the survey ends there, and the face may be nearer
+  double charge_from = 0, charge_to = 0;
+};
+
+/// What the survey of the face says of the burdens of the holes.
+struct SurveyedFace {
+  double noise = std::numeric_limits<double>::quiet_NaN();  ///< m, of its points; NaN: profiles
+  double error = std::numeric_limits<double>::quiet_NaN();  ///< m, of the least burden, because of the noise
+  std::vector<BurdenCurve> curves;  ///< of each hole; empty of holes behind the front row
+};
+
 /// The blast, with the number of each field that is given.
 struct BlastPlan {
   std::map<BlastField, Number> fields;
   bool is_anfo = false;
   bool gurney_follows = false;  ///< the Gurney constant is D/3 and not given separately
   Pattern pattern;              ///< rock k belongs to hole k mod holes
-  Blast typical;                ///< completed, with the medians of all distributions
-  BlastDesign design;           ///< of the typical blast
+  Blast typical;       ///< completed, with the medians of all distributions; of a field the median hole
+  BlastDesign design;  ///< of the typical blast, or of all holes
+  /// Of measured holes: what is added to a field, or to the time, of each hole in each trial.
+  std::map<BlastField, Number> scatter;
+  std::optional<Number> time_scatter;
+  std::vector<Blast> holes;  ///< measured holes, completed, with the medians of all distributions
+  std::vector<BlastDesign> hole_designs;  ///< of each of them
+  std::vector<Location> hole_places;      ///< where each of them is written
+  std::vector<std::string> other_heads;   ///< of the table of holes, which are no columns
+
+  std::optional<SurveyedFace> face;
+  /// What a branch sets: it takes the place of what the measured holes say.
+  std::map<BlastField, Number> forced;
+
+  bool has_holes() const { return !pattern.measured.empty(); }
+  /// Whether a field is given, of measured holes to each of them.
+  bool gives(BlastField field) const {
+    const auto& all = pattern.measured;
+    return fields.contains(field) ||
+           (!all.empty() && std::all_of(all.begin(), all.end(),
+                                        [&](const Hole& hole) { return !std::isnan(hole.own[field]); }));
+  }
 
   /// Whether a field is given or follows from other fields.
   bool provides(BlastField field) const { return !std::isnan(typical[field]); }
@@ -137,6 +172,7 @@ struct TurnPlan {
 struct RockGroup {
   std::string name;
   PluginUse population;
+  std::optional<int> per_hole;  ///< rocks of each measured hole, in place of those of the population
   std::optional<PluginUse> shape;
   std::optional<Release> release;
   std::optional<PluginUse> launch;          ///< absent: at rest
@@ -302,6 +338,18 @@ struct AnswerPlan {
   std::vector<Limit> limits;
 };
 
+struct Scenario;
+
+/// What may become of a hole or of a blast, in place of the regular one.
+struct BranchPlan {
+  std::string name;
+  double probability = 0;
+  bool per_blast = false;                    ///< of all holes at once; else of each hole
+  std::shared_ptr<const Scenario> scenario;  ///< the regular one with what the branch sets
+  std::vector<int>
+      own_draw;  ///< of each draw of the regular scenario, its index in this one; -1: it has none
+};
+
 /// The largest number of trials of all sweep points together.
 inline constexpr std::uint64_t most_trials = 1'000'000'000;
 
@@ -333,6 +381,7 @@ struct Scenario {
   std::vector<Expectation> expect;
   std::optional<AnswerPlan> answer;  ///< absent: no point is called best
   std::vector<Draw> draws;
+  std::vector<BranchPlan> branches;  ///< exclusive; the rest is regular
 };
 
 /// One axis of a sweep: numbers, or choices with their texts.
@@ -369,6 +418,13 @@ struct Plan {
   /// runout; keys of files and measures keep their names.
   bool all_end_at_landing() const { return methods() == std::vector{Method::ballistic}; }
 };
+
+/// What RockRecord::branch counts: "regular", then the branches.
+inline std::vector<std::string> branch_names(const Scenario& scenario) {
+  std::vector<std::string> names{"regular"};
+  for (const BranchPlan& branch : scenario.branches) names.push_back(branch.name);
+  return names;
+}
 
 /// The names of the groups of rocks, or of the bodies: RockRecord::group counts them.
 inline std::vector<std::string> group_names(const Scenario& scenario) {

@@ -97,17 +97,18 @@ ParamSpec usually(ParamSpec spec, const std::optional<UsualRange>& range) {
 }
 
 SectionSpec document() {
-  return {"",
-          {integer("flyrock", "format version"), or_else(text("title", "what the scenario is about"), ""),
-           at_most(at_least(integer("dimension", "2: a vertical plane; 3: space"), 2), 3),
-           choice("method", {"nscd", "lumped_mass", "ballistic"}, "how rocks move"),
-           or_else(at_most(at_least(integer("seed", "of all random numbers"), 0), greatest_whole), 1),
-           or_else(at_least(integer("trials", "realisations of each sweep point"), 1), 1),
-           or_else(choice("rock_contacts", {"off", "on"}, "on: rocks also meet each other"), "off"),
-           or_else(choice("body_contacts", {"on", "off"}, "off: bodies meet the terrain only"), "on"),
-           or_else(at_most(at_least(number("gravity", "m/s2", "along -y in 2D, -z in 3D"), 0), 1000), 9.81)},
-          {"plugins", "air", "terrain", "materials", "pairs", "blast", "rocks", "bodies", "barriers", "gates",
-           "forest", "clearance", "solver", "stop", "output", "sweep", "expect", "answer"}};
+  return {
+      "",
+      {integer("flyrock", "format version"), or_else(text("title", "what the scenario is about"), ""),
+       at_most(at_least(integer("dimension", "2: a vertical plane; 3: space"), 2), 3),
+       choice("method", {"nscd", "lumped_mass", "ballistic"}, "how rocks move"),
+       or_else(at_most(at_least(integer("seed", "of all random numbers"), 0), greatest_whole), 1),
+       or_else(at_least(integer("trials", "realisations of each sweep point"), 1), 1),
+       or_else(choice("rock_contacts", {"off", "on"}, "on: rocks also meet each other"), "off"),
+       or_else(choice("body_contacts", {"on", "off"}, "off: bodies meet the terrain only"), "on"),
+       or_else(at_most(at_least(number("gravity", "m/s2", "along -y in 2D, -z in 3D"), 0), 1000), 9.81)},
+      {"plugins", "air", "terrain", "materials", "pairs", "blast", "branches", "rocks", "bodies", "barriers",
+       "gates", "forest", "clearance", "solver", "stop", "output", "sweep", "expect", "answer"}};
 }
 
 /// The fields of the blast below `prefix` ("" or "hole."), from the table that velocity models also use.
@@ -124,15 +125,54 @@ std::vector<ParamSpec> blast_keys(std::string_view prefix) {
         info.field == BlastField::hole_stemming || info.field == BlastField::hole_subdrilling;
     if (info.field == BlastField::hole_deviation)
       keys.push_back(std::move(spec));  // negative away from the face
+    else if (info.field == BlastField::hole_dip)
+      keys.push_back(at_most(above(std::move(spec), 0), pi));
+    else if (info.field == BlastField::hole_azimuth)
+      keys.push_back(at_most(at_least(std::move(spec), -2 * pi), 2 * pi));
     else
       keys.push_back(may_be_zero ? at_least(std::move(spec), 0) : above(std::move(spec), 0));
   }
   return keys;
 }
 
+/// The columns of a table of holes, also the keys of a hole in a list.
+std::vector<ParamSpec> hole_keys() {
+  std::vector<ParamSpec> keys{optional(text("hole", "its name; else its number, from 1")),
+                              at_least(or_else(integer("row", "from 1, the front row"), 1), 1),
+                              optional(number("x", "m", "of the collar")),
+                              optional(number("y", "m", "of the collar; not read in 2D")),
+                              optional(number("z", "m", "of the collar; else on the ground"))};
+  for (ParamSpec& spec : blast_keys("hole.")) keys.push_back(std::move(spec));
+  for (ParamSpec& spec : blast_keys(""))
+    if (spec.name.starts_with("burden") || spec.name == "spacing") keys.push_back(std::move(spec));
+  keys.push_back(at_least(or_else(number("time", "s", "when it goes off"), 0.0), 0));
+  return keys;
+}
+
+/// What may be added to the numbers of a hole: no places and no names.
+std::vector<ParamSpec> scatter_keys() {
+  std::vector<ParamSpec> keys;
+  for (const ParamSpec& column : hole_keys())
+    if (column.type == ParamType::number && column.name.size() > 1)
+      keys.push_back(optional(number(column.name, column.unit, "added to " + column.name + " of each hole")));
+  return keys;
+}
+
+/// Heads of a table that are not the names of its columns.
+std::vector<ParamSpec> head_keys(const std::vector<ParamSpec>& columns) {
+  std::vector<ParamSpec> keys;
+  for (const ParamSpec& column : columns) keys.push_back(optional(text(column.name, "its head")));
+  return keys;
+}
+
 std::vector<ParamSpec> mass_keys() {
   return {above(usually(optional(number("density", "kg/m3", "of the rock; or `mass`")), usual::density), 0),
           above(optional(number("mass", "kg", "of the rock; or `density`")), 0)};
+}
+
+ParamSpec per_hole() {
+  return at_least(
+      optional(integer("per_hole", "rocks of each hole of `blast.holes`, in place of `per_trial`")), 1);
 }
 
 ParamSpec thickness() {
@@ -192,6 +232,11 @@ std::vector<ParamSpec> tree_law_keys() {
 std::vector<SectionSpec> make_sections() {
   return {
       document(),
+      {"branches",
+       {text("name", "of the branch"),
+        below(above(number("probability", "", "that it happens to a hole, or to a blast"), 0), 1),
+        or_else(choice("per", {"hole", "blast"}, "what it happens to"), "hole")},
+       {"set"}},
       {"air",
        // Bounded, because the steps of a flight shrink as the drag grows.
        {or_else(at_most(above(number("density", "kg/m3", "of the air"), 0), 100), 1.225),
@@ -241,9 +286,21 @@ std::vector<SectionSpec> make_sections() {
            "draw across it")},
        {}},
       {"pairs", {text("material", "in force between the two")}, {"between"}},
-      {"blast", blast_keys(""), {"explosive", "hole", "rows"}},
+      {"blast", blast_keys(""), {"explosive", "hole", "rows", "holes", "scatter", "face"}},
       {"blast.explosive", blast_keys("explosive."), {}},
       {"blast.hole", blast_keys("hole."), {}},
+      {"blast.holes", {file("file", "a table: a line of heads, then a line for each hole")}, {"columns"}},
+      {"blast.holes: list", hole_keys(), {}},
+      {"blast.holes.columns", head_keys(hole_keys()), {}},
+      {"blast.scatter", scatter_keys(), {}},
+      {"blast.face",
+       {optional(file("mesh", "the face as triangles, an OBJ or STL file in metres")),
+        optional(file("points", "a table `x, y, z` of measured points of the face")),
+        optional(file("profiles",
+                      "a table `hole, depth, distance`: the horizontal distance from the axis of a "
+                      "hole to the face, at right angles to its row")),
+        optional(file("track", "a table `hole, depth, x, y, z`: where holes were drilled"))},
+       {}},
       {"blast.rows",
        {or_else(at_least(integer("count", "rows of holes"), 1), 1),
         above(optional(number("distance", "m", "from row to row")), 0),
@@ -253,14 +310,14 @@ std::vector<SectionSpec> make_sections() {
         at_least(optional(number("delay_in_hole", "s", "from the signal to the charge, in every hole")), 0)},
        {}},
       {"rocks",
-       joined(
-           joined({text("name", "of the group")}, mass_keys()),
-           {thickness(), optional(number("orientation", "rad", "random and uniform where it is not given")),
-            optional(text("material", "shown to other rocks"))}),
+       joined(joined({text("name", "of the group")}, mass_keys()),
+              {per_hole(), thickness(),
+               optional(number("orientation", "rad", "random and uniform where it is not given")),
+               optional(text("material", "shown to other rocks"))}),
        {"type", "shape", "release", "launch"}},
       {"rocks 3D",
        joined(joined({text("name", "of the group")}, mass_keys()),
-              {optional(text("material", "shown to other rocks"))}),
+              {per_hole(), optional(text("material", "shown to other rocks"))}),
        {"type", "shape", "orientation", "release", "launch"}},
       {"rocks.release: from",
        {choice(

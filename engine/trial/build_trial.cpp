@@ -7,6 +7,7 @@
 
 #include "flight/ground.h"
 #include "trial/blast_at.h"
+#include "trial/branch_of.h"
 #include "trial/dimensions.h"
 #include "trial/repeat.h"
 #include "trial/scenario_error.h"
@@ -53,6 +54,8 @@ template <int D>
 TrialBuilder<D>::TrialBuilder(const Scenario& scenario) : scenario_(scenario), instances_(scenario) {
   for (const RockGroup& group : scenario.rocks) streams_.emplace_back(group.name);
   made_.resize(scenario.rocks.size());
+  for (const BranchPlan& branch : scenario.branches)
+    branches_.push_back(std::make_unique<TrialBuilder>(*branch.scenario));
   may_repeat_ = may_repeat(scenario);
 }
 
@@ -202,41 +205,57 @@ void TrialBuilder<D>::add_apart(World<D>& world, const RockPlan<D>& plan, TrialR
   }
 }
 
+/// What the population of a group says of its rocks; of rocks of each hole their number only.
+template <int D>
+std::vector<RockPlan<D>> TrialBuilder<D>::plans_of(int g, const TerrainView& ground, const DrawKey& of_trial,
+                                                   RandomStream& rng) {
+  const RockGroup& group = scenario_.rocks[g];
+  if (group.per_hole)
+    return std::vector<RockPlan<D>>(static_cast<std::size_t>(*group.per_hole) *
+                                    static_cast<std::size_t>(scenario_.blast->pattern.holes()));
+  DrawKey first_hole = of_trial;
+  first_hole.hole = 1;
+  return at_path(group.population.path, [&] {
+    return rocks_of<D>(*instances_.groups[g].population, values_of(group.population, scenario_, of_trial),
+                       ground, blast_at(scenario_, first_hole), rng);
+  });
+}
+
 template <int D>
 void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial) {
   const auto holes = static_cast<std::uint64_t>(scenario_.blast ? scenario_.blast->pattern.holes() : 1);
   DrawKey of_trial;
   of_trial.trial = number_of_trial;
-  DrawKey first_hole = of_trial;
-  first_hole.hole = 1;
+  const int of_blast = branch_of_blast(scenario_, number_of_trial);
   if (scenario_.rock_contacts) add_world(trial, of_trial);
 
   const TerrainView ground = view_of(*trial.terrain, origin());
   std::vector<Partner> partners;
   std::uint64_t count = 0;
   for (int g = 0; g < static_cast<int>(scenario_.rocks.size()); ++g) {
-    const RockGroup& group = scenario_.rocks[g];
+    const RockGroup& group = builder_of(of_blast).scenario_.rocks[g];
     RandomStream rng(scenario_.seed, streams_[g].population, of_trial);
-    const auto plans = at_path(group.population.path, [&] {
-      return rocks_of<D>(*instances_.groups[g].population, values_of(group.population, scenario_, of_trial),
-                         ground, blast_at(scenario_, first_hole), rng);
-    });
-    for (const auto& plan : plans) {
+    const auto plans = builder_of(of_blast).plans_of(g, ground, of_trial, rng);
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+      const RockPlan<D>& plan = plans[i];
       TrialRock& rock = trial.rocks.emplace_back();
       rock.group = g;
       rock.population_drew = rng.drawn();
-      rock.key = {number_of_trial, 1 + count % holes, 1 + count, 0};
-      if (scenario_.blast && !scenario_.rock_contacts)
-        rock.start_time = scenario_.blast->pattern.time(hole_of(rock.key));
+      const std::uint64_t hole =
+          group.per_hole ? i / static_cast<std::size_t>(*group.per_hole) : count % holes;
+      rock.key = {number_of_trial, 1 + hole, 1 + count, 0};
+      rock.branch = branch_of_hole(scenario_, number_of_trial, hole);
+      TrialBuilder& by = builder_of(rock.branch);
+      if (scenario_.blast && !scenario_.rock_contacts) rock.start_time = time_of_hole(by.scenario_, rock.key);
       ++count;
       try {
         RandomStream where(scenario_.seed, streams_[g].release, rock.key);
-        Partner partner = partner_of(plan, rock);
+        Partner partner = by.partner_of(plan, rock);
         if (scenario_.rock_contacts) {
-          add_apart(trial.worlds.front(), plan, rock, where);
+          by.add_apart(trial.worlds.front(), plan, rock, where);
           partners.push_back(std::move(partner));
         } else {
-          build_alone(trial, plan, std::move(partner), rock, where);
+          by.build_alone(trial, plan, std::move(partner), rock, where);
           if (plan.material && rock.note.empty())
             rock.note = fmt::format(
                 "the `material` of the rocks of `{}` counts only with `rock_contacts: true`", group.name);

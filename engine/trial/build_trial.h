@@ -21,6 +21,7 @@ StopReason reason_of(const TrialError& error);
 /// A rock of a trial (or a moving body of `bodies`).
 struct TrialRock {
   int group = 0;   ///< index into Scenario::rocks or ::bodies
+  int branch = 0;  ///< of its hole, index into branch_names()
   DrawKey key;     ///< of its draws
   int world = -1;  ///< index into Trial::worlds; -1 if the rock could not be built
   int body = 0;    ///< in that world
@@ -103,6 +104,12 @@ class TrialBuilder {
 
  private:
   void build_rocks(Trial<D>& trial, std::uint64_t number);
+  /// The builder of a branch; this one for 0.
+  TrialBuilder& builder_of(int branch) {
+    return branch == 0 ? *this : *branches_[static_cast<std::size_t>(branch) - 1];
+  }
+  std::vector<RockPlan<D>> plans_of(int group, const TerrainView& ground, const DrawKey& of_trial,
+                                    RandomStream& rng);
   bool starts_alike(const Trial<D>& trial) const;
   void begin_again(Trial<D>& trial, std::uint64_t number);
   void build_bodies(Trial<D>& trial, std::uint64_t number);
@@ -133,7 +140,8 @@ class TrialBuilder {
   Instances instances_;
   std::vector<GroupStreams> streams_;  ///< of Scenario::rocks
   std::vector<MadeBody<D>> made_;      ///< of Scenario::rocks, the last one: the next rock may be alike
-  bool may_repeat_;                    ///< no draw of the scenario lets the starts of trials differ
+  std::vector<std::unique_ptr<TrialBuilder>> branches_;  ///< of Scenario::branches
+  bool may_repeat_;  ///< no draw of the scenario lets the starts of trials differ
   std::shared_ptr<const Terrain>
       kept_terrain_;  ///< terrain of all trials, once it is known that they share it
 };

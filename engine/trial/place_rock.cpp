@@ -74,6 +74,39 @@ double rise_above(const Profile& profile, double x, double from, double to) {
   return highest - profile.height(x);
 }
 
+/// At rest at the place x, on the ground.
+Place<2> on_ground_at(double x, const Body<2>& rock, const Terrain2& terrain) {
+  const Profile& profile = terrain.profile();
+  Place<2> place;
+  const auto [low, high] = extent_along<2>(rock, Vec2::UnitY());
+  const auto [left, right] = extent_along<2>(rock, Vec2::UnitX());
+  place.position = {x, profile.height(x) - low};
+  // On a bench that is not level the rock is lowered until it touches. A wall beside it is no bench.
+  const double rise = rise_above(profile, x, x + left, x + right);
+  if (rise > 0 && rise < high - low) {
+    const Vec2 start = place.position + Vec2(0, rise);
+    if (const auto fall = distance_to_ground<2>(rock, terrain, start, -Vec2::UnitY(), rise + rock.size))
+      place.position = start - Vec2(0, *fall);
+  }
+  return place;
+}
+
+/// At the collar of a measured hole, which throws out of the face of the release if there is one.
+Place<2> at_hole(const Release& release, const Hole& hole, const Body<2>& rock, const Terrain2& terrain) {
+  const Profile& profile = terrain.profile();
+  if (hole.x < profile.x_min() || hole.x > profile.x_max())
+    throw StartError(fmt::format("hole {} at x = {} m lies beyond the terrain, from {} to {} m", hole.name,
+                                 coordinate_text(hole.x), coordinate_text(profile.x_min()),
+                                 coordinate_text(profile.x_max())));
+  Place<2> place = on_ground_at(hole.x, rock, terrain);
+  raise_to_collar(hole, profile.height(hole.x), 0, place.position.y());
+  if (release.bench >= 1 && release.bench <= static_cast<int>(profile.faces.size())) {
+    const Profile::Face& face = face_of(release.bench, profile);
+    place.outward = {face.toe.x() < face.crest.x() ? -1.0 : 1.0, 0, 0};
+  }
+  return place;
+}
+
 /// A place at rest on the bench above a face: at the collar of the rock's hole, or anywhere up to the last
 /// row.
 Place<2> on_top(const Release& release, const Scenario& scenario, const DrawKey& key, RandomStream& rng,
@@ -86,22 +119,26 @@ Place<2> on_top(const Release& release, const Scenario& scenario, const DrawKey&
   const double x = face.crest.x() - out * share * back;
   if (x < profile.x_min() || x > profile.x_max())
     throw StartError(fmt::format("a hole {:.6g} m behind the crest lies beyond the terrain", back));
-  Place<2> place;
-  const auto [low, high] = extent_along<2>(rock, Vec2::UnitY());
-  const auto [left, right] = extent_along<2>(rock, Vec2::UnitX());
-  place.position = {x, profile.height(x) - low};
-  // On a bench that is not level the rock is lowered until it touches. A wall beside it is no bench.
-  const double rise = rise_above(profile, x, x + left, x + right);
-  if (rise > 0 && rise < high - low) {
-    const Vec2 start = place.position + Vec2(0, rise);
-    if (const auto fall = distance_to_ground<2>(rock, terrain, start, -Vec2::UnitY(), rise + rock.size))
-      place.position = start - Vec2(0, *fall);
-  }
+  Place<2> place = on_ground_at(x, rock, terrain);
   place.outward = {out, 0, 0};
   return place;
 }
 
 }  // namespace
+
+const Hole* measured_hole(const Scenario& scenario, const DrawKey& key) {
+  if (!scenario.blast || !scenario.blast->has_holes()) return nullptr;
+  return &scenario.blast->pattern.measured[static_cast<std::size_t>(hole_of(key))];
+}
+
+void raise_to_collar(const Hole& hole, double ground, double origin, double& height) {
+  constexpr double most_below = 1;  // m: surveys of collars and of the ground differ by less
+  if (std::isnan(hole.z)) return;
+  const double above = hole.z - origin - ground;
+  if (above < -most_below)
+    throw StartError(fmt::format("the collar of hole {} lies {:.3g} m below the ground", hole.name, -above));
+  height += std::max(0.0, above);
+}
 
 double depth_of_holes(const Release& release, const Scenario& scenario, const DrawKey& key,
                       const Blast& blast) {
@@ -125,6 +162,8 @@ Place<2> place_rock(const Release& release, const Scenario& scenario, const Draw
     case ReleaseKind::face:
       return on_face(release, rock, terrain, rng);
     case ReleaseKind::collar:
+      if (const Hole* hole = measured_hole(scenario, key)) return at_hole(release, *hole, rock, terrain);
+      [[fallthrough]];
     case ReleaseKind::bench_top:
       return on_top(release, scenario, key, rng, rock, terrain);
     case ReleaseKind::above_ground: {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/place_text.h"
 #include "geometry/plan_zone.h"
@@ -69,6 +70,8 @@ class Placing {
       case ReleaseKind::face:
         return zone_of_face() ? on_zone_face(*zone_of_face()) : on_face();
       case ReleaseKind::collar:
+        if (const Hole* hole = measured_hole(scenario_, key_)) return at_measured(*hole);
+        [[fallthrough]];
       case ReleaseKind::bench_top:
         return on_top();
       case ReleaseKind::position:
@@ -241,7 +244,8 @@ class Placing {
 
   Place<3> on_face() {
     const double height = rng_.uniform();
-    const OnCrest there = on_crest(face(), along_crest(face()));
+    const Hole* hole = measured_hole(scenario_, key_);
+    const OnCrest there = on_crest(face(), hole ? in_front_of(*hole, face()) : along_crest(face()));
     const Vec3 up = (there.crest - there.toe).normalized(), out = there.out();
     const Extent extent = extent_along(rock_, up);
     const double length = (there.crest - there.toe).norm(), room = length - (extent.high - extent.low);
@@ -287,6 +291,49 @@ class Placing {
     Place<3> place = at(lowered(p.head<2>()));
     place.outward = outward;
     return place;
+  }
+
+  /// At the collar of a measured hole, which throws out of the face of the release if there is one.
+  Place<3> at_measured(const Hole& hole) const {
+    const Vec2 p = Vec2(hole.x, hole.y) - origin().head<2>();
+    Place<3> place = at(lowered(p));
+    raise_to_collar(hole, ground_height(p), origin().z(), place.position.z());
+    const auto& faces = terrain_.faces();
+    if (release_.bench >= 1 && release_.bench <= static_cast<int>(faces.size()) && !zone_of_face())
+      place.outward = horizontal_unit(on_crest(face(), nearest_on_crest(face(), p)).out());
+    return place;
+  }
+
+  /// The distance along a crest of its place nearest to p in plan.
+  static double nearest_on_crest(const Mesh::Face& face, const Vec2& p) {
+    double before = 0, nearest = 0, least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < face.crest.size(); ++i) {
+      const Vec3 step = face.crest[i] - face.crest[i - 1];
+      const Vec2 flat = step.head<2>(), to = p - face.crest[i - 1].head<2>();
+      const double share = std::clamp(to.dot(flat) / flat.squaredNorm(), 0.0, 1.0);
+      const double distance = (to - share * flat).norm();
+      if (distance < least) {
+        least = distance;
+        nearest = before + share * step.norm();
+      }
+      before += step.norm();
+    }
+    return nearest;
+  }
+
+  /// A place on the crest in front of a hole: uniform over half its spacing to either side, as far as the
+  /// rock fits between the ends of the crest.
+  double in_front_of(const Hole& hole, const Mesh::Face& here) {
+    const double middle = nearest_on_crest(here, Vec2(hole.x, hole.y) - origin().head<2>());
+    const double spacing = blast_at(scenario_, key_)[BlastField::spacing];
+    const double drawn = rng_.uniform(-0.5, 0.5);
+    const double begin = -extent_along(rock_, on_crest(here, 0).along).low;
+    const double end =
+        crest_length(here) - extent_along(rock_, on_crest(here, crest_length(here)).along).high;
+    if (end < begin)
+      throw StartError(fmt::format("a rock {:.3g} m wide does not fit on the face of {}, {:.3g} m wide",
+                                   begin + crest_length(here) - end, face_text(), crest_length(here)));
+    return std::clamp(middle + (std::isnan(spacing) ? 0 : drawn * spacing), begin, end);
   }
 
   /// The distance of the rock's hole along the crest: hole i of n at (i - (n - 1) / 2) spacings from the

@@ -42,7 +42,9 @@ bool is_native(const PluginUse& use) {
 }
 
 bool may_repeat(const Scenario& scenario) {
-  if (scenario.method == Method::nscd || !scenario.bodies.empty() || scenario.rock_contacts) return false;
+  if (scenario.method == Method::nscd || !scenario.bodies.empty() || scenario.rock_contacts ||
+      !scenario.branches.empty())
+    return false;
   for (const RockGroup& group : scenario.rocks)
     if (!is_native(group.population) || (group.launch && !is_native(*group.launch))) return false;
   const std::vector<bool> of_material = draws_of_materials(scenario);

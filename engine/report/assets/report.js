@@ -35,6 +35,7 @@ function facts_section() {
   const gains = summary.points.reduce((sum, point) => sum + point.solver.energy_gains, 0);
   if (gains > 0) badge(false, `${counted(gains, "impact", "impacts")} gained energy (see Solver quality)`);
   root.append(badges, ...(data.alarms ?? []).map((alarm) => paragraph("badge bad", `! ${alarm}`)));
+  if (data.regular_only) root.append(paragraph("note", "Every blast of this run is a regular one: no stemming fails, no void or weak seam opens. So its farthest rocks are those of a regular blast, and a high percentile says nothing of a blast in which something fails (`branches`)."));
   root.append(...warnings_parts());
   root.append(choosers());
 }
@@ -49,6 +50,8 @@ plan_sections();
 runout_section();
 azimuth_section();
 clearance_section();
+holes_section();
+branches_section();
 area_section();
 crossings_section();
 barrier_design_section();
