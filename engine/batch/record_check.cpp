@@ -45,6 +45,8 @@ std::string rock_fault(const RockRecord& rock, const ChunkRange& range, std::siz
     return fmt::format("a rock of hole {}, the scenario has {}", rock.hole, holes);
   if (!is_index(rock.branch, branches))
     return fmt::format("a rock of branch {}, the scenario has {}", rock.branch, branches);
+  if (!(rock.weight > 0 && std::isfinite(rock.weight)))
+    return fmt::format("rock {} of trial {} has no weight above 0", rock.rock, rock.trial);
   if (!is_value(rock.reason, StopReason::not_started)) return "a rock that stopped for no known reason";
   if (!is_fault(rock.reason) && !has_finite_numbers(rock))
     return fmt::format("rock {} of trial {} has numbers that are not finite", rock.rock, rock.trial);

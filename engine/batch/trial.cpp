@@ -400,6 +400,7 @@ void TrialRunner::Trials<D>::record(std::uint64_t trial, int index, const TrialR
   row.group = rock.group;
   row.branch = rock.branch;
   row.hole = hole_of(rock.key);
+  row.weight = rock.weight;
   row.launch_speed = rock.launch_speed;
   row.launch_elevation = rock.launch_elevation;
   row.reason = rock.fault.empty() ? history.reason : rock.reason;
@@ -427,7 +428,7 @@ void TrialRunner::Trials<D>::record(std::uint64_t trial, int index, const TrialR
     row.impacts = history.impact_count;
     row.time = end_of(history) - rock.start_time;
     row.travel = history.travel;
-    if (!is_fault(row.reason)) out.totals.envelopes.add(row.group, history.path);
+    if (!is_fault(row.reason)) out.totals.envelopes.add(row.group, history.path, row.weight);
     for (const Passage& passage : history.passages) out.gates.push_back({trial, index, passage});
     for (const BarrierHit& hit : history.barriers) out.barriers.push_back({trial, index, hit});
     for (const TreeHit& hit : history.trees) out.trees.push_back({trial, index, hit});
@@ -466,7 +467,7 @@ void TrialRunner::Trials<D>::map(const TrialRock& rock, const BodyHistory& histo
   if (is_fault(reason)) return;
   std::optional<std::uint32_t> stopped;
   if (reason == StopReason::stopped) stopped = map_grid_.index(history.last.position.template head<2>());
-  maps.add(cells.cells(), stopped);
+  maps.add(cells.cells(), stopped, rock.weight);
 }
 
 /// Records every draw of the rock, except draws of other groups and draws per impact, and the outcomes of

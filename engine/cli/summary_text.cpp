@@ -12,6 +12,7 @@
 #include "results/answer_shares.h"
 #include "results/fault_line.h"
 #include "results/lost.h"
+#include "results/weights.h"
 #include "results/wording.h"
 
 namespace flyrock::cli {
@@ -183,8 +184,9 @@ std::string points_text(const Plan& plan, const Results& results) {
   for (std::size_t p = 0; p < results.points.size(); ++p) {
     if (!plan.axes.empty()) text += point_title(plan, p);
     const bool is_lost = has_lost(plan.points[p], results.points[p]);
-    for (const GroupSummary& group : results.points[p].groups)
-      text += is_lost ? lost_line(group, width) : group_line(group, width);
+    const std::vector<GroupSummary>& groups = results.points[p].groups;
+    for (std::size_t g = first_shown_group(plan, results); g < groups.size(); ++g)
+      text += is_lost ? lost_line(groups[g], width) : group_line(groups[g], width);
     text += reasons_line(plan.points[p], results.points[p].groups.front());
     text += is_lost ? fmt::format("  {}\n", lost_text(results.points[p]))
                     : places_text(plan.points[p], results.points[p]);

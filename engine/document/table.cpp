@@ -103,35 +103,35 @@ char separator_of(std::string_view heads) {
 
 }  // namespace
 
-const Table::Cell* Table::cell(std::size_t row, std::string_view column) const {
+const TextTable::Cell* TextTable::cell(std::size_t row, std::string_view column) const {
   const auto found = columns_.find(column);
   return found == columns_.end() ? nullptr : &found->second.at(row);
 }
 
-bool Table::has(std::string_view column) const { return columns_.contains(column); }
+bool TextTable::has(std::string_view column) const { return columns_.contains(column); }
 
-std::optional<double> Table::number(std::size_t row, std::string_view column) const {
+std::optional<double> TextTable::number(std::size_t row, std::string_view column) const {
   const Cell* found = cell(row, column);
   return found && found->is_number ? std::optional(found->number) : std::nullopt;
 }
 
-std::string_view Table::text(std::size_t row, std::string_view column) const {
+std::string_view TextTable::text(std::size_t row, std::string_view column) const {
   const Cell* found = cell(row, column);
   return found ? std::string_view(found->text) : std::string_view();
 }
 
-Location Table::at(std::size_t row, std::string_view column) const {
+Location TextTable::at(std::size_t row, std::string_view column) const {
   const Cell* found = cell(row, column);
   return {source_, lines_.at(row), found ? found->at : 1};
 }
 
-class TableReader {
+class TextTableReader {
  public:
-  TableReader(std::span<const TableColumn> columns, const std::map<std::string, std::string>& heads,
-              const Node& where, Diagnostics& diagnostics)
+  TextTableReader(std::span<const TableColumn> columns, const std::map<std::string, std::string>& heads,
+                  const Node& where, Diagnostics& diagnostics)
       : columns_(columns), heads_(heads), where_(where), diagnostics_(diagnostics) {}
 
-  std::optional<Table> read(const std::string& path) {
+  std::optional<TextTable> read(const std::string& path) {
     const std::size_t before = diagnostics_.errors_given();
     if (read_lines(path) && read_heads()) {
       for (++line_; line_ <= source_->lines.size(); ++line_)
@@ -152,7 +152,7 @@ class TableReader {
  private:
   struct Use {
     const TableColumn* column = nullptr;
-    std::vector<Table::Cell>* cells = nullptr;
+    std::vector<TextTable::Cell>* cells = nullptr;
     Unit unit;
   };
 
@@ -269,8 +269,8 @@ class TableReader {
       if (uses_[i].column) uses_[i].cells->push_back(read_cell(fields[i], uses_[i]));
   }
 
-  Table::Cell read_cell(const Field& field, const Use& use) {
-    Table::Cell cell{field.text, 0, false, field.at};
+  TextTable::Cell read_cell(const Field& field, const Use& use) {
+    TextTable::Cell cell{field.text, 0, false, field.at};
     if (field.text.empty()) {
       if (use.column->required) fail(field.at, fmt::format("`{}` is empty", use.column->name));
     } else if (!use.column->is_text) {
@@ -302,17 +302,17 @@ class TableReader {
   const Node& where_;
   Diagnostics& diagnostics_;
   std::shared_ptr<const Source> source_;
-  Table table_;
+  TextTable table_;
   std::vector<Use> uses_;
   std::size_t line_ = 1;  ///< from 1
   char separator_ = ',';
   std::size_t errors_ = 0;
 };
 
-std::optional<Table> read_table(const std::string& path, std::span<const TableColumn> columns,
-                                const std::map<std::string, std::string>& heads, const Node& where,
-                                Diagnostics& diagnostics) {
-  return TableReader(columns, heads, where, diagnostics).read(path);
+std::optional<TextTable> read_table(const std::string& path, std::span<const TableColumn> columns,
+                                    const std::map<std::string, std::string>& heads, const Node& where,
+                                    Diagnostics& diagnostics) {
+  return TextTableReader(columns, heads, where, diagnostics).read(path);
 }
 
 }  // namespace flyrock

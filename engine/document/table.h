@@ -24,7 +24,7 @@ struct TableColumn {
 };
 
 /// The cells of a table, numbers in SI units.
-class Table {
+class TextTable {
  public:
   std::size_t rows() const { return rows_; }
   bool has(std::string_view column) const;
@@ -38,7 +38,7 @@ class Table {
   const std::vector<std::string>& ignored() const { return ignored_; }
 
  private:
-  friend class TableReader;
+  friend class TextTableReader;
   struct Cell {
     std::string text;
     double number = 0;
@@ -61,8 +61,8 @@ class Table {
 /// the order is free. `heads` gives other heads by name of column: { "mass": "weight_t" }. An empty cell is a
 /// value that is not there. Reports all that is wrong with its line and column, at most 20 places; then, or
 /// if `where`, the value that names the file, is at fault, returns nothing.
-std::optional<Table> read_table(const std::string& path, std::span<const TableColumn> columns,
-                                const std::map<std::string, std::string>& heads, const Node& where,
-                                Diagnostics& diagnostics);
+std::optional<TextTable> read_table(const std::string& path, std::span<const TableColumn> columns,
+                                    const std::map<std::string, std::string>& heads, const Node& where,
+                                    Diagnostics& diagnostics);
 
 }  // namespace flyrock

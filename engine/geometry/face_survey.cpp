@@ -101,10 +101,11 @@ std::vector<Vec2> flattened(const std::vector<Vec3>& points) {
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const Vec3& p : points) spread += (p - centre) * (p - centre).transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
-  std::vector<Vec2> flat;
+  std::vector<Vec2> in_plane;
   for (const Vec3& p : points)
-    flat.emplace_back(axes.eigenvectors().col(2).dot(p - centre), axes.eigenvectors().col(1).dot(p - centre));
-  return flat;
+    in_plane.emplace_back(axes.eigenvectors().col(2).dot(p - centre),
+                          axes.eigenvectors().col(1).dot(p - centre));
+  return in_plane;
 }
 
 /// The residual of a place against the plane z = a + b x + c y through others, in units of its standard

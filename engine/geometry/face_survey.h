@@ -14,13 +14,14 @@ class FaceSurvey {
   /// The triangles of a mesh.
   explicit FaceSurvey(const Mesh& mesh);
   /// Measured points, triangulated (Delaunay) in the plane that fits them best. Triangles with a side longer
-  /// than five times the median side are left out: there the survey has a gap. Throws std::invalid_argument if
-  /// there are fewer than three points, or all lie in a line.
+  /// than five times the median side are left out: there the survey has a gap. Throws std::invalid_argument
+  /// if there are fewer than three points, or all lie in a line.
   explicit FaceSurvey(const std::vector<Vec3>& points);
 
   struct Nearest {
-    double distance = 0;    ///< m
-    bool is_inside = true;  ///< false: the nearest place is at the border of the survey, beyond it nothing is known
+    double distance = 0;  ///< m
+    bool is_inside =
+        true;  ///< false: the nearest place is at the border of the survey, beyond it nothing is known
   };
   Nearest nearest(const Vec3& place) const;
   /// The least distance between the face and the pieces of a line.

@@ -203,10 +203,10 @@ void add(Numbers& answer, const RockPlan<D>& rock) {
   }
   if (rock.orientation) add_orientation(answer, *rock.orientation);
   if (rock.spin) add_spin(answer, *rock.spin);
-  for (const auto& number : {rock.density, rock.mass, rock.diameter}) {
+  for (const auto& number : {rock.density, rock.mass, rock.diameter, rock.weight}) {
     if (!number) continue;
     if (!(*number > 0 && std::isfinite(*number)))
-      fail("a rock of the population has no positive density, mass or diameter");
+      fail("a rock of the population has no positive density, mass, diameter or weight");
     answer.push_back(*number);
   }
 }

@@ -89,7 +89,6 @@ struct RockPlan {
   ShapeAnswer<D> shape;  ///< without contactors: the shape of its group
   /// Of the sphere (2D: circle) of equal volume (area) [m]: its shape is scaled to it.
   std::optional<double> diameter;
-  std::optional<double> weight;    ///< how many real rocks it stands for
   std::optional<Vec<D>> position;  ///< of the centre of mass, in the coordinates of the scenario [m]
   /// Of the contactors as given: an angle [rad] in 2D.
   std::optional<std::conditional_t<D == 2, double, Rotation3>> orientation;
@@ -98,6 +97,7 @@ struct RockPlan {
   std::optional<std::string> material;          ///< towards other rocks
   std::optional<Vec<D>> velocity;               ///< m/s; takes the place of the group's launch
   std::optional<typename Space<D>::Spin> spin;  ///< rad/s, world frame
+  std::optional<double> weight;                 ///< real rocks that it stands for, above 0
 };
 
 /// `population`: the rocks of a group in one trial, in the dimensions that the model supports. Throws

@@ -44,7 +44,7 @@ double CodeScale::value(std::uint32_t code) const {
   return code == 0 ? 0 : least_coded * std::pow(ratio_, static_cast<double>(code) - 0.5);
 }
 
-void add_code(CodeCounts& counts, std::uint32_t code, std::uint32_t rocks) {
+void add_code(CodeCounts& counts, std::uint32_t code, double rocks) {
   const auto at = std::lower_bound(counts.begin(), counts.end(), code,
                                    [](const CodeCount& c, std::uint32_t wanted) { return c.code < wanted; });
   if (at != counts.end() && at->code == code)
@@ -70,17 +70,17 @@ void merge_counts(CodeCounts& counts, const CodeCounts& more) {
   }
 }
 
-std::uint64_t rocks_in(const CodeCounts& counts) {
-  return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0},
-                         [](std::uint64_t sum, const CodeCount& c) { return sum + c.rocks; });
+double rocks_in(const CodeCounts& counts) {
+  return std::accumulate(counts.begin(), counts.end(), 0.0,
+                         [](double sum, const CodeCount& c) { return sum + c.rocks; });
 }
 
-std::uint32_t quantile_code(const CodeCounts& counts, std::uint64_t all, double p) {
-  const double wanted = p * static_cast<double>(all);
-  std::uint64_t seen = 0;
+std::uint32_t quantile_code(const CodeCounts& counts, double all, double p) {
+  const double wanted = p * all;
+  double seen = 0;
   auto at = counts.begin();
   // Always stops at the last count: in a chunk that flyrock did not write, the counts may not agree.
-  while (static_cast<double>(seen += at->rocks) < wanted && at + 1 != counts.end()) ++at;
+  while ((seen += at->rocks) < wanted && at + 1 != counts.end()) ++at;
   return at->code;
 }
 
@@ -89,7 +89,7 @@ void put_counts(std::string& bytes, const CodeCounts& counts) {
   std::uint32_t before = 0;
   for (const auto& [code, rocks] : counts) {
     put_whole(bytes, code - before);
-    put_whole(bytes, rocks);
+    put_weight(bytes, rocks);
     before = code;
   }
 }
@@ -102,7 +102,7 @@ CodeCounts take_counts(std::string_view& bytes) {
     if (code >= most_codes) throw ColumnError("a code of a histogram is too great");
     if (!counts.empty() && code <= counts.back().code)
       throw ColumnError("the codes of a histogram are out of order");
-    counts.push_back({static_cast<std::uint32_t>(code), static_cast<std::uint32_t>(take_whole(bytes))});
+    counts.push_back({static_cast<std::uint32_t>(code), take_weight(bytes)});
   }
   if (counts.empty()) throw ColumnError("a histogram has no rock");
   return counts;

@@ -1,6 +1,7 @@
 #pragma once
 // Histograms of positive numbers over bins of equal ratio, as lists of the bins that occur. Counts are whole
-// numbers, so that the histograms of chunks have the same sum in any order.
+// numbers, so that the histograms of chunks have the same sum in any order; or they are sums of weights, and
+// the chunks must be added in their order.
 
 #include <boost/container/small_vector.hpp>
 #include <cstdint>
@@ -25,16 +26,17 @@ class CodeScale {
 };
 
 struct CodeCount {
-  std::uint32_t code = 0, rocks = 0;
+  std::uint32_t code = 0;
+  double rocks = 0;  ///< or the sum of their weights
 };
 /// In increasing order of the codes. Those of a few rocks need no memory of their own.
 using CodeCounts = boost::container::small_vector<CodeCount, 2>;
 
-void add_code(CodeCounts& counts, std::uint32_t code, std::uint32_t rocks = 1);
+void add_code(CodeCounts& counts, std::uint32_t code, double rocks = 1);
 void merge_counts(CodeCounts& counts, const CodeCounts& more);
-std::uint64_t rocks_in(const CodeCounts& counts);
+double rocks_in(const CodeCounts& counts);
 /// The code of the smallest value that at least a share p of `all` does not exceed. There must be a count.
-std::uint32_t quantile_code(const CodeCounts& counts, std::uint64_t all, double p);
+std::uint32_t quantile_code(const CodeCounts& counts, double all, double p);
 
 /// As compact bytes for chunk files, and back. take_counts() throws ColumnError.
 void put_counts(std::string& bytes, const CodeCounts& counts);

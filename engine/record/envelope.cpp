@@ -31,7 +31,7 @@ double EnvelopeBin::quantile(EnvelopeQuantity quantity, double p) const {
   return one_percent.value(quantile_code(counts[static_cast<std::size_t>(quantity)], rocks(), p));
 }
 
-std::uint64_t EnvelopeBin::rocks() const { return rocks_in(counts[0]); }
+double EnvelopeBin::rocks() const { return rocks_in(counts[0]); }
 
 void EnvelopeBin::add(const EnvelopeBin& other) {
   for (std::size_t q = 0; q < counts.size(); ++q) merge_counts(counts[q], other.counts[q]);
@@ -57,16 +57,16 @@ void EnvelopeBins::add(const EnvelopeBins& more) {
   more.visit([&](std::int64_t number, const EnvelopeBin& bin) { at(number).add(bin); });
 }
 
-void Envelopes::add(int group, const PathBins& path) {
+void Envelopes::add(int group, const PathBins& path, double weight) {
   if (path.bins().empty()) return;
   EnvelopeBins& bins = groups_[group];
   bins.cover(path.first(), path.bins().size());
   for (std::size_t i = 0; i < path.bins().size(); ++i) {
     const PathBin& seen = path.bins()[i];
     auto& counts = bins.at(path.first() + static_cast<std::int64_t>(i)).counts;
-    add_code(counts[0], one_percent.code(seen.height));
-    add_code(counts[1], one_percent.code(seen.speed));
-    add_code(counts[2], one_percent.code(seen.energy));
+    add_code(counts[0], one_percent.code(seen.height), weight);
+    add_code(counts[1], one_percent.code(seen.speed), weight);
+    add_code(counts[2], one_percent.code(seen.energy), weight);
   }
 }
 

@@ -34,7 +34,8 @@ struct EnvelopeBin {
   /// The smallest value that at least a share p of the rocks does not exceed, to 1 %. The bin must not be
   /// empty.
   double quantile(EnvelopeQuantity quantity, double p) const;
-  std::uint64_t rocks() const;
+  /// Rocks, or the sum of their weights.
+  double rocks() const;
   void add(const EnvelopeBin& other);
 };
 
@@ -67,7 +68,7 @@ class EnvelopeBins {
 class Envelopes {
  public:
   /// Adds a rock that has no fault.
-  void add(int group, const PathBins& path);
+  void add(int group, const PathBins& path, double weight = 1);
   void add(const Envelopes& later);
 
   const EnvelopeBins& of_group(int group) const;

@@ -13,23 +13,6 @@ namespace {
 
 constexpr double joules_a_kilojoule = 1000;
 
-void put_real(std::string& bytes, double value) {
-  const auto word = std::bit_cast<std::uint64_t>(value);
-  for (int shift = 0; shift < 64; shift += 8) bytes.push_back(static_cast<char>(word >> shift));
-}
-
-double take_real(std::string_view& bytes) {
-  if (bytes.size() < 8) throw ColumnError("the maps end early");
-  std::uint64_t word = 0;
-  for (int i = 0; i < 8; ++i)
-    word |= static_cast<std::uint64_t>(static_cast<unsigned char>(bytes[static_cast<std::size_t>(i)]))
-            << 8 * i;
-  bytes.remove_prefix(8);
-  const double value = std::bit_cast<double>(word);
-  if (!std::isfinite(value)) throw ColumnError("a number of the maps is not finite");
-  return value;
-}
-
 }  // namespace
 
 void MapCell::add(const MapCell& later) {
@@ -54,20 +37,20 @@ MapCell& Maps::at(std::uint32_t index) {
   return cells_[place - 1];
 }
 
-void Maps::add(const std::vector<PlanCell>& passed, std::optional<std::uint32_t> stopped) {
-  ++rocks_;
+void Maps::add(const std::vector<PlanCell>& passed, std::optional<std::uint32_t> stopped, double weight) {
+  rocks_ += weight;
   for (const PlanCell& seen : passed) {
     MapCell& cell = at(seen.index);
-    ++cell.passages;
-    cell.energy_sum += seen.energy;
-    cell.height_sum += seen.height;
+    cell.passages += weight;
+    cell.energy_sum += weight * seen.energy;
+    cell.height_sum += weight * seen.height;
     cell.energy_max = std::max(cell.energy_max, seen.energy);
     cell.height_max = std::max(cell.height_max, seen.height);
     cell.speed_max = std::max(cell.speed_max, seen.speed);
-    add_code(cell.energies, map_scale.code(seen.energy / joules_a_kilojoule));
-    add_code(cell.heights, map_scale.code(seen.height));
+    add_code(cell.energies, map_scale.code(seen.energy / joules_a_kilojoule), weight);
+    add_code(cell.heights, map_scale.code(seen.height), weight);
   }
-  if (stopped) ++at(*stopped).deposited;
+  if (stopped) at(*stopped).deposited += weight;
 }
 
 void Maps::add(const Maps& later) {
@@ -93,14 +76,14 @@ std::string Maps::bytes() const {
   for (const double number : {grid_.low.x(), grid_.low.y(), grid_.cell}) put_real(bytes, number);
   put_whole(bytes, static_cast<std::uint64_t>(grid_.columns));
   put_whole(bytes, static_cast<std::uint64_t>(grid_.rows));
-  put_whole(bytes, rocks_);
+  put_weight(bytes, rocks_);
   put_whole(bytes, cells_.size());
   std::uint32_t before = 0;
   for (const MapCell* cell : cells()) {
     put_whole(bytes, cell->index - before);
     before = cell->index;
-    put_whole(bytes, cell->passages);
-    put_whole(bytes, cell->deposited);
+    put_weight(bytes, cell->passages);
+    put_weight(bytes, cell->deposited);
     if (cell->passages == 0) continue;
     for (const double number :
          {cell->energy_sum, cell->energy_max, cell->height_sum, cell->height_max, cell->speed_max})
@@ -124,7 +107,7 @@ Maps Maps::read(std::string_view bytes) {
   grid.columns = static_cast<std::int32_t>(columns);
   grid.rows = static_cast<std::int32_t>(rows);
   Maps maps(grid);
-  maps.rocks_ = take_whole(bytes);
+  maps.rocks_ = take_weight(bytes);
   std::uint64_t index = 0;
   bool first = true;
   for (std::uint64_t n = take_whole(bytes); n > 0; --n) {
@@ -133,8 +116,8 @@ Maps Maps::read(std::string_view bytes) {
       throw ColumnError("the cells of the maps are out of order");
     first = false;
     MapCell& cell = maps.at(static_cast<std::uint32_t>(index));
-    cell.passages = take_whole(bytes);
-    cell.deposited = take_whole(bytes);
+    cell.passages = take_weight(bytes);
+    cell.deposited = take_weight(bytes);
     if (cell.passages == 0) continue;
     for (double MapCell::*number : {&MapCell::energy_sum, &MapCell::energy_max, &MapCell::height_sum,
                                     &MapCell::height_max, &MapCell::speed_max})
@@ -148,19 +131,18 @@ Maps Maps::read(std::string_view bytes) {
 
 MapRasters rasters_of(const Maps& maps) {
   MapRasters rasters{maps.grid(), {}};
-  const auto p95 = [](const CodeCounts& counts, std::uint64_t all, double greatest) {
+  const auto p95 = [](const CodeCounts& counts, double all, double greatest) {
     return std::min(map_scale.value(quantile_code(counts, all, 0.95)), greatest);
   };
   for (const MapCell* cell : maps.cells()) {
     if (cell->passages == 0) continue;
-    const auto n = static_cast<double>(cell->passages);
+    const double n = cell->passages;
     const double energy_max = cell->energy_max / joules_a_kilojoule;
-    rasters.cells.push_back(
-        {cell->index,
-         {n, 100 * n / static_cast<double>(maps.rocks()), cell->energy_sum / n / joules_a_kilojoule,
-          p95(cell->energies, cell->passages, energy_max), energy_max, cell->height_sum / n,
-          p95(cell->heights, cell->passages, cell->height_max), cell->height_max, cell->speed_max,
-          static_cast<double>(cell->deposited)}});
+    rasters.cells.push_back({cell->index,
+                             {n, 100 * n / maps.rocks(), cell->energy_sum / n / joules_a_kilojoule,
+                              p95(cell->energies, cell->passages, energy_max), energy_max,
+                              cell->height_sum / n, p95(cell->heights, cell->passages, cell->height_max),
+                              cell->height_max, cell->speed_max, cell->deposited}});
   }
   return rasters;
 }

@@ -21,8 +21,8 @@ inline constexpr std::uint64_t most_map_cells = 250'000;
 
 /// The rocks without faults that passed one cell, each with its greatest values there.
 struct MapCell {
-  std::uint32_t index = 0;  ///< of PlanGrid
-  std::uint64_t passages = 0, deposited = 0;
+  std::uint32_t index = 0;                ///< of PlanGrid
+  double passages = 0, deposited = 0;     ///< rocks, or the sums of their weights; so are the sums below
   double energy_sum = 0, energy_max = 0;  ///< J
   double height_sum = 0, height_max = 0;  ///< m
   double speed_max = 0;                   ///< m/s
@@ -40,12 +40,13 @@ class Maps {
   explicit Maps(const PlanGrid& grid) : grid_(grid) {}
 
   const PlanGrid& grid() const { return grid_; }
-  std::uint64_t rocks() const { return rocks_; }
+  /// All rocks, or the sum of their weights.
+  double rocks() const { return rocks_; }
   /// In the order of their indices.
   std::vector<const MapCell*> cells() const;
 
   /// Adds a rock without a fault; `stopped`: the cell in which it came to rest.
-  void add(const std::vector<PlanCell>& passed, std::optional<std::uint32_t> stopped);
+  void add(const std::vector<PlanCell>& passed, std::optional<std::uint32_t> stopped, double weight = 1);
   void add(const Maps& later);
 
   /// As compact bytes for chunk files, and back. Throws ColumnError if the bytes are no maps.
@@ -56,7 +57,7 @@ class Maps {
   MapCell& at(std::uint32_t index);
 
   PlanGrid grid_;
-  std::uint64_t rocks_ = 0;
+  double rocks_ = 0;
   std::vector<MapCell> cells_;
   std::vector<std::uint32_t> place_;  ///< by index of the grid: 1 + place in cells_, 0 if it is not there
 };

@@ -18,10 +18,11 @@ namespace flyrock {
 /// One rock (or one moving body of `bodies`), as in rocks.csv. docs/results.md describes the columns.
 struct RockRecord {
   std::uint64_t trial = 0;
-  int rock = 0;    ///< number in its trial, from 0
-  int group = 0;   ///< index into the groups of the scenario (or its moving bodies)
-  int hole = 0;    ///< from 0, in the blast; 0 without a blast
-  int branch = 0;  ///< what became of its hole or blast, index into branch_names(); 0: regular
+  int rock = 0;       ///< number in its trial, from 0
+  int group = 0;      ///< index into the groups of the scenario (or its moving bodies)
+  int hole = 0;       ///< from 0, in the blast; 0 without a blast
+  int branch = 0;     ///< what became of its hole or blast, index into branch_names(); 0: regular
+  double weight = 1;  ///< the number of real rocks that it stands for
   double mass = 0, volume = 0;
   double launch_speed = 0, launch_elevation = 0;  ///< m/s, rad
   StopReason reason = StopReason::timed_out;

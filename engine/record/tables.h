@@ -23,11 +23,12 @@ enum class NamesOf { nothing, groups, gates, barriers, inputs, holes, branches }
 /// known only at its end is a lower bound.
 enum class KnownFrom { start, landing, end };
 
-/// What a scenario has, where that decides which columns its tables show.
+/// What a run has, where that decides which columns its tables show.
 struct TableContent {
   int dimension = 2;
   bool holes = false;     ///< measured ones
   bool branches = false;  ///< besides the regular blast
+  bool weights = false;   ///< of rocks
 };
 
 struct Column {
@@ -41,9 +42,11 @@ struct Column {
   bool in_csv = true;       ///< also in rocks.csv
   bool in_degrees = false;  ///< shown in degrees, stored in rad
   NamesOf names = NamesOf::nothing;
+  bool of_weights = false;  ///< only in the tables of a run whose rocks have weights
 
-  /// Whether tables show it: holes and branches only where there are any.
+  /// Whether tables show it: holes, branches and weights only where there are any.
   bool is_of(const TableContent& content) const {
+    if (of_weights) return content.weights;
     if (names == NamesOf::holes) return content.holes;
     return names != NamesOf::branches || content.branches;
   }
@@ -58,6 +61,8 @@ constexpr void visit_rocks(Visit&& visit) {
   visit(Column{.name = "hole", .doc = "measured hole that it leaves", .names = NamesOf::holes}, &R::hole);
   visit(Column{.name = "branch", .doc = "what became of its hole or blast", .names = NamesOf::branches},
         &R::branch);
+  visit(Column{.name = "weight", .doc = "number of real rocks that it stands for", .of_weights = true},
+        &R::weight);
   visit(Column{.name = "mass_kg", .unit = "kg", .doc = "of the whole rock"}, &R::mass);
   visit(Column{.name = "volume_m3", .unit = "m3", .doc = "of the whole rock"}, &R::volume);
   visit(Column{.name = "launch_speed_m_s",

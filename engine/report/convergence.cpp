@@ -36,9 +36,9 @@ Convergence::Convergence(std::uint64_t count) {
   }
 }
 
-void Convergence::add(const Bounded& runout, std::uint64_t trial) {
+void Convergence::add(const Bounded& runout, std::uint64_t trial, double weight) {
   for (Start& start : starts_)
-    if (seen_ < start.count) start.sample.add(runout, trial);
+    if (seen_ < start.count) start.sample.add(runout, trial, weight);
   ++seen_;
 }
 

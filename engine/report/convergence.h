@@ -15,7 +15,7 @@ class Convergence {
   /// `count`: the number of rocks without faults that will be shown.
   explicit Convergence(std::uint64_t count);
 
-  void add(const Bounded& runout, std::uint64_t trial);
+  void add(const Bounded& runout, std::uint64_t trial, double weight);
   bool needs_another_pass();
 
   /// { n: [...], p50: { value, lower, upper, censored: [...] }, p95: ..., p99: ... }

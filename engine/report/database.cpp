@@ -130,10 +130,8 @@ void add_maps(const SqliteFile& file, const Results& results) {
     rows.rows(results.points[p].maps.cells, [&](Statement& to, const MapRasters::Cell& cell) {
       to.put(p, cell.index % columns, cell.index / columns);
       for (std::size_t m = 0; m < map_names.size(); ++m) {
-        if (is_count_map(m))
-          to.put(static_cast<std::int64_t>(cell.values[m]));
-        else
-          to.put(cell.values[m]);
+        // A column of INTEGER stores whole numbers as such.
+        to.put(cell.values[m]);
       }
     });
   }
@@ -150,11 +148,14 @@ ResultDatabase::Insertions::Insertions(const SqliteFile& file, const TableConten
 }
 
 ResultDatabase::ResultDatabase(const std::filesystem::path& path, const Plan& plan)
-    : plan_(plan), file_(path) {
-  const TableContent content = content_of(plan.points.front());
-  file_.execute(schema + map_table_schema() + record_tables_schema(content) + inputs_view +
+    : plan_(plan), file_(path) {}
+
+void ResultDatabase::begin(bool weighted) {
+  content_ = content_of(plan_.points.front());
+  content_.weights = weighted;
+  file_.execute(schema + map_table_schema() + record_tables_schema(content_) + inputs_view +
                 fmt::format("PRAGMA user_version = {};", result_format));
-  insertions_ = std::make_unique<Insertions>(file_, content);
+  insertions_ = std::make_unique<Insertions>(file_, content_);
   add_plan();
 }
 
@@ -189,14 +190,13 @@ void ResultDatabase::add_input_paths() {
 }
 
 void ResultDatabase::add(int point, const TrialRecords& records) {
-  const TableContent content = content_of(plan_.points[static_cast<std::size_t>(point)]);
   const RecordNames& names = names_[static_cast<std::size_t>(point)];
   auto insertion = insertions_->tables.begin();
   visit_tables(records, [&](const Table& table, const auto& rows, auto visit_columns) {
     using Row = typename std::decay_t<decltype(rows)>::value_type;
     (insertion++)->rows(rows, [&](Statement& to, const Row& row) {
       const auto put = [&](const Column& column, auto get) {
-        if (is_stored(table, column, content))
+        if (is_stored(table, column, content_))
           shown_value(column, member_of(row, get), names, [&](const auto& value) { to.put(value); });
       };
       if (!table.many_rows) {

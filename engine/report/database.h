@@ -17,9 +17,11 @@ namespace flyrock {
 
 class ResultDatabase {
  public:
-  /// Opens the file under a temporary name and makes its tables. This and all other functions throw
-  /// FileError.
+  /// Opens the file under a temporary name. This and all other functions throw FileError.
   ResultDatabase(const std::filesystem::path& path, const Plan& plan);
+
+  /// Makes its tables, before all others. `weighted`: rocks have weights.
+  void begin(bool weighted);
 
   /// Adds the rows of a chunk of one point. Chunks must come in order.
   void add(int point, const TrialRecords& records);
@@ -44,6 +46,7 @@ class ResultDatabase {
 
   const Plan& plan_;
   std::vector<RecordNames> names_;  ///< of each point
+  TableContent content_;
   SqliteFile file_;
   std::unique_ptr<Insertions> insertions_;
   RowsOfRocks rows_of_rocks_;

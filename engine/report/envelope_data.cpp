@@ -1,5 +1,6 @@
 #include "report/envelope_data.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "report/rounded.h"
@@ -27,7 +28,10 @@ Json group_data(const std::vector<EnvelopeRow>& rows) {
   Json x = Json::array(), count = Json::array();
   for (const EnvelopeRow& row : rows) {
     x.push_back(rounded(row.x));
-    count.push_back(row.rocks);
+    if (row.rocks == std::floor(row.rocks))
+      count.push_back(static_cast<std::uint64_t>(row.rocks));
+    else
+      count.push_back(rounded(row.rocks));
   }
   Json data = {{"x", x}, {"count", count}};
   for (std::size_t q = 0; q < envelope_quantity_names.size(); ++q) {

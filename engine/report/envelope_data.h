@@ -15,8 +15,8 @@ inline constexpr std::array<std::pair<const char*, double>, 3> envelope_levels =
 
 /// The rocks that passed one bin.
 struct EnvelopeRow {
-  double x = 0;  ///< left end of the bin [m]
-  std::uint64_t rocks = 0;
+  double x = 0;      ///< left end of the bin [m]
+  double rocks = 0;  ///< or the sum of their weights
   std::array<std::array<double, envelope_levels.size()>, envelope_quantity_names.size()>
       levels{};  ///< to 1 %
 };

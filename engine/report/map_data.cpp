@@ -1,5 +1,6 @@
 #include "report/map_data.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "report/rounded.h"
@@ -24,8 +25,10 @@ nlohmann::ordered_json map_data(const MapRasters& maps, std::size_t& room) {
   for (std::size_t m = 0; m < map_names.size(); ++m) {
     Json& values = data[map_names[m]] = Json::array();
     for (const MapRasters::Cell& cell : maps.cells)
-      values.push_back(is_count_map(m) ? Json(static_cast<std::uint64_t>(cell.values[m]))
-                                       : rounded(cell.values[m]));
+      // Counts of rocks are whole numbers, and so are most sums of weights.
+      values.push_back(is_count_map(m) && cell.values[m] == std::floor(cell.values[m])
+                           ? Json(static_cast<std::uint64_t>(cell.values[m]))
+                           : rounded(cell.values[m]));
   }
   return data;
 }

@@ -60,18 +60,15 @@ class Runouts {
  public:
   explicit Runouts(const std::vector<GroupSummary>& groups) {
     for (const GroupSummary& group : groups)
-      groups_.push_back(
-          {RunoutData(group.count - group.faults, group.at(rock_statistic("runout"), Statistic::min).value,
-                      group.at(rock_statistic("runout"), Statistic::max).value),
-           Convergence(group.count - group.faults)});
+      groups_.push_back({RunoutData(group), Convergence(group.count - group.faults)});
   }
 
   void add(const TrialRecords& chunk) {
     for (const RockRecord& rock : chunk.rocks) {
       if (is_fault(rock.reason)) continue;
       const Bounded runout = bounded(rock, rock_statistics[rock_statistic("runout")]);
-      groups_.front().add(runout, rock.trial);
-      if (groups_.size() > 1) groups_.at(1 + static_cast<std::size_t>(rock.group)).add(runout, rock.trial);
+      groups_.front().add(runout, rock);
+      if (groups_.size() > 1) groups_.at(1 + static_cast<std::size_t>(rock.group)).add(runout, rock);
     }
   }
 
@@ -97,9 +94,9 @@ class Runouts {
     RunoutData distribution;
     Convergence convergence;
 
-    void add(const Bounded& runout, std::uint64_t trial) {
-      distribution.add(runout);
-      convergence.add(runout, trial);
+    void add(const Bounded& runout, const RockRecord& rock) {
+      distribution.add(runout, rock.weight);
+      convergence.add(runout, rock.trial, rock.weight);
     }
     bool needs_another_pass() {
       const bool of_distribution = distribution.needs_another_pass(),

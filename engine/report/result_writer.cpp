@@ -21,15 +21,25 @@ ResultWriter::ResultWriter(const std::filesystem::path& folder, const LoadedScen
       database_(folder / "results.db", plan_),
       tally_(plan_),
       report_(scenario) {
-  csv_.write(rocks_csv_header(plan_));
   for (const Scenario& each : plan_.points) rows_left_.push_back(static_cast<std::size_t>(each.output.first));
 }
 
+void ResultWriter::begin(const TrialRecords& first) {
+  const auto gives = [](const Scenario& point) { return point.gives_weights(); };
+  const auto has = [](const RockRecord& rock) { return rock.weight != 1; };
+  weighted_ = std::any_of(plan_.points.begin(), plan_.points.end(), gives) ||
+              std::any_of(first.rocks.begin(), first.rocks.end(), has);
+  csv_.write(rocks_csv_header(plan_, weighted_));
+  database_.begin(weighted_);
+  begun_ = true;
+}
+
 void ResultWriter::add(int point, const TrialRecords& chunk) {
+  if (!begun_) begin(chunk);
   const bool all = plan_.points[static_cast<std::size_t>(point)].output.rocks;
   const TrialRecords first = all ? TrialRecords() : first_rows(point, chunk);
   const TrialRecords& shown = all ? chunk : first;
-  csv_.write(rocks_csv_rows(plan_, point, shown.rocks));
+  csv_.write(rocks_csv_rows(plan_, point, shown.rocks, weighted_));
   database_.add(point, shown);
   tally_.add(point, chunk);
   report_.add(point, chunk, shown);
@@ -60,6 +70,7 @@ TrialRecords ResultWriter::first_rows(int point, const TrialRecords& chunk) {
 
 Results ResultWriter::finish(const std::vector<Rows>& rows, const RunFacts& facts,
                              std::vector<TerrainPicture> terrains, const std::filesystem::path& assets) {
+  if (!begun_) begin({});
   const auto beside = [](auto work) { return std::async(std::launch::async, std::move(work)); };
   std::future<void> closed = beside([&] {
     database_.index();

@@ -29,10 +29,15 @@ class ResultWriter {
                  const std::filesystem::path& assets);
 
  private:
+  /// Heads of tables, which the first chunk decides: a population may answer weights that the scenario does
+  /// not have.
+  void begin(const TrialRecords& first);
   /// Where `output.rocks` is false: the rows of the rocks of a chunk that are among the first of their point.
   TrialRecords first_rows(int point, const TrialRecords& chunk);
 
   std::filesystem::path folder_;
+  bool begun_ = false;
+  bool weighted_ = false;  ///< the rocks have weights
   const Plan& plan_;
   FileWriter csv_;
   ResultDatabase database_;

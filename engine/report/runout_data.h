@@ -7,25 +7,27 @@
 
 namespace flyrock {
 
-/// The counts of a histogram of runout, separately for known and for censored runouts, and the share of rocks
-/// that went farther than x. A million rocks take no more memory than a thousand. Computed from the rocks of
-/// one group, shown in passes.
+/// The counts of a histogram of runout (where the weights of rocks differ, their sums), separately for known
+/// and for censored runouts, and the share of rocks that went farther than x. A million rocks take no more
+/// memory than a thousand. Computed from the rocks of one group, shown in passes.
 class RunoutData {
  public:
-  /// `count` runouts from `least` to `greatest` [m].
-  RunoutData(std::uint64_t count, double least, double greatest);
+  /// The runouts of the rocks without faults of a group.
+  explicit RunoutData(const GroupSummary& group);
 
-  void add(const Bounded& runout);
+  void add(const Bounded& runout, double weight);
   bool needs_another_pass();
   nlohmann::ordered_json data() const;
 
  private:
   std::uint64_t count_;
+  bool is_weighted_;  ///< the weights differ
+  double weight_;     ///< of all: their number without weights
   double step_;
-  bool binned_ = false;                          ///< first pass is done
-  std::vector<std::uint64_t> known_, censored_;  ///< counts for each step
+  bool binned_ = false;                   ///< first pass is done
+  std::vector<double> known_, censored_;  ///< for each step
   double least_censored_ = std::numeric_limits<double>::infinity();
-  std::vector<std::uint64_t> ranks_;  ///< of the points of the curve
+  std::vector<double> ranks_;  ///< of the points of the curve
   Selection curve_;
 };
 

@@ -13,6 +13,7 @@
 #include "results/answer_shares.h"
 #include "results/fault_line.h"
 #include "results/lost.h"
+#include "results/weights.h"
 
 namespace flyrock {
 
@@ -412,11 +413,15 @@ Json blast_data(const BlastPlan& plan) {
 
 nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
   const Scenario& first = plan.points.front();
+  const bool weighted = has_weights(plan, results);
   Json points = Json::array();
   for (std::size_t p = 0; p < results.points.size(); ++p) {
     const PointResult& point = results.points[p];
     Json groups = Json::array();
-    for (const GroupSummary& group : point.groups) groups.push_back(group_data(group));
+    for (const GroupSummary& group : point.groups) {
+      groups.push_back(group_data(group));
+      if (weighted) groups.back()["weight"] = group.weight;
+    }
     points.push_back({{"point", p},
                       {"at", at_point(plan, p)},
                       {"trials", point.trials},
@@ -465,6 +470,7 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
                {"complete", results.ended_early.empty()}};
   if (!results.ended_early.empty()) data["ended_early"] = results.ended_early;
   if (results.best) data["best_point"] = best_point_data(plan, *results.best);
+  if (weighted) data["weights"] = meaning_of_weights;
   data["points"] = points;
   if (!results.differences.empty()) data["differences"] = differences_data(plan, results);
   data["expectations"] = verdicts;

@@ -18,6 +18,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+TableContent content_with(const Scenario& scenario, bool weights) {
+  TableContent content = content_of(scenario);
+  content.weights = weights;
+  return content;
+}
+
 bool is_in_csv(const Column& column, const TableContent& content) {
   return column.name && column.in_csv && column.is_of(content) &&
          (!column.in_space || content.dimension == 3);
@@ -45,19 +51,19 @@ Json arguments_data(const std::vector<LuaArgument>& arguments) {
 
 }  // namespace
 
-std::string rocks_csv_header(const Plan& plan) {
+std::string rocks_csv_header(const Plan& plan, bool weighted) {
   std::string header = "point";
-  const TableContent content = content_of(plan.points.front());
+  const TableContent content = content_with(plan.points.front(), weighted);
   visit_rocks([&](const Column& column, auto) {
     if (is_in_csv(column, content)) (header += ',') += column.name;
   });
   return header + '\n';
 }
 
-std::string rocks_csv_rows(const Plan& plan, int point, const std::vector<RockRecord>& rocks) {
+std::string rocks_csv_rows(const Plan& plan, int point, const std::vector<RockRecord>& rocks, bool weighted) {
   const Scenario& scenario = plan.points[static_cast<std::size_t>(point)];
   const RecordNames names(scenario);
-  const TableContent content = content_of(scenario);
+  const TableContent content = content_with(scenario, weighted);
   std::string csv;
   for (const RockRecord& rock : rocks) {
     csv += std::to_string(point);

@@ -15,9 +15,11 @@ namespace flyrock {
 inline constexpr int result_format = 14;
 
 /// One row for each rock, in the order of point, trial and rock. Numbers are the shortest decimals that read
-/// back as the same double; a missing number is an empty field; censored is 0 or 1.
-std::string rocks_csv_header(const Plan& plan);
-std::string rocks_csv_rows(const Plan& plan, int point, const std::vector<RockRecord>& rocks);
+/// back as the same double; a missing number is an empty field; censored is 0 or 1. `weighted`: the rocks
+/// have weights.
+std::string rocks_csv_header(const Plan& plan, bool weighted = false);
+std::string rocks_csv_rows(const Plan& plan, int point, const std::vector<RockRecord>& rocks,
+                           bool weighted = false);
 
 /// Statistics of each point, expectations, solver quality, warnings. Holds no path, file name or hash.
 std::string summary_json(const Plan& plan, const Results& results);

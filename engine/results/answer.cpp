@@ -9,6 +9,7 @@
 
 #include "results/answer_shares.h"
 #include "results/lost.h"
+#include "results/weights.h"
 #include "results/wording.h"
 
 namespace flyrock {
@@ -196,19 +197,22 @@ std::string runouts_of(const Plan& plan, const Results& results, Statistic stati
   constexpr std::size_t most_named = 4;  // more are too many for a sentence
   if (groups.size() < 2) return runout_of(plan, results, statistic, 0);
   const auto of = [&](std::size_t group) {
-    return fmt::format("{} {}", groups[group].name, runout_of(plan, results, statistic, group));
+    return fmt::format("{} {}", group == 0 ? "all (weighted)" : groups[group].name,
+                       runout_of(plan, results, statistic, group));
   };
+  const std::size_t first = first_shown_group(plan, results);
   if (groups.size() > most_named + 1) {
     const auto shorter = [&](const GroupSummary& a, const GroupSummary& b) {
       return a.at(rock_statistic("runout"), statistic).value <
              b.at(rock_statistic("runout"), statistic).value;
     };
     const auto [least, most] = std::minmax_element(groups.begin() + 1, groups.end(), shorter);
-    return fmt::format("from {} to {}", of(static_cast<std::size_t>(least - groups.begin())),
+    return fmt::format("{}from {} to {}", first == 0 ? of(0) + ", " : "",
+                       of(static_cast<std::size_t>(least - groups.begin())),
                        of(static_cast<std::size_t>(most - groups.begin())));
   }
   std::vector<std::string> parts;
-  for (std::size_t g = 1; g < groups.size(); ++g) parts.push_back(of(g));
+  for (std::size_t g = first; g < groups.size(); ++g) parts.push_back(of(g));
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
@@ -257,6 +261,7 @@ std::string answer(const Plan& plan, const Results& results) {
         runouts_of(plan, results, Statistic::max));
     text += clearances_answer(plan, results);
     text += censored_answer(plan, results);
+    if (has_weights(plan, results)) text += fmt::format(" {}", meaning_of_weights);
   }
   if (known > 0 && known < rocks)
     text += fmt::format(" {} rocks failed and are in no statistic.", rocks - known);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "results/weights.h"
 #include "results/wording.h"
 
 namespace flyrock {
@@ -45,12 +46,13 @@ std::string of_bodies(const std::string& name, const BarrierSummary& barrier) {
 constexpr std::size_t most_groups_named = 4;  // more are too many for sentences
 
 /// The groups of which sentences speak: all rocks, where there is one group, else those of which `is_there`
-/// is true at some point.
+/// is true at some point. With weights all rocks come first.
 template <class IsThere>
-std::vector<std::size_t> named_groups(const Results& results, IsThere is_there) {
+std::vector<std::size_t> named_groups(const Plan& plan, const Results& results, IsThere is_there) {
   const std::size_t count = results.points.front().crossings.size();
   if (count == 1) return {0};
   std::vector<std::size_t> groups;
+  if (first_shown_group(plan, results) == 0) groups.push_back(0);
   for (std::size_t g = 1; g < count && groups.size() < most_groups_named; ++g)
     if (std::any_of(results.points.begin(), results.points.end(),
                     [&](const PointResult& point) { return is_there(point.crossings[g]); }))
@@ -59,7 +61,9 @@ std::vector<std::size_t> named_groups(const Results& results, IsThere is_there) 
 }
 
 std::string group_suffix(const Results& results, std::size_t group) {
-  return group == 0 ? "" : ", " + results.points.front().groups.at(group).name;
+  const std::vector<GroupSummary>& groups = results.points.front().groups;
+  if (group == 0) return groups.size() > 1 ? ", all rocks (weighted)" : "";
+  return ", " + groups.at(group).name;
 }
 
 /// A share over the points: share_at(point).
@@ -80,7 +84,7 @@ std::string of_rocks(const std::string& name, const Plan& plan, const Results& r
   const auto arrives = [b](const CrossingSummary& crossings) {
     return crossings.barriers.at(b).count(BarrierShare::reached) > 0;
   };
-  const std::vector<std::size_t> groups = named_groups(results, arrives);
+  const std::vector<std::size_t> groups = named_groups(plan, results, arrives);
   const auto reached = [b](const CrossingSummary& crossings) {
     return crossings.barriers.at(b).share(BarrierShare::reached).per_trial;
   };
@@ -199,7 +203,7 @@ std::string gates_answer(const Plan& plan, const Results& results) {
   std::string text;
   for (std::size_t g = 0; g < scenario.gates.size(); ++g) {
     std::vector<std::size_t> groups = named_groups(
-        results, [g](const CrossingSummary& crossings) { return crossings.gates.at(g).passed > 0; });
+        plan, results, [g](const CrossingSummary& crossings) { return crossings.gates.at(g).passed > 0; });
     if (groups.empty()) groups = {0};  // of no group a rock passes
     for (const std::size_t group : groups) {
       const auto of = [&](Share Shares::*sense) {

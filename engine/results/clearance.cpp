@@ -19,7 +19,7 @@ std::uint64_t add_distances(const std::vector<RockRecord>& rocks, const Clearanc
     if (!is_fault(rocks[i].reason) && plan.counts(rocks[i].group)) {
       ++count;
       const Bounded value = bounded(rocks[i], distance);
-      if (!plan.per_blast) sample.add(value, rocks[i].trial);
+      if (!plan.per_blast) sample.add(value, rocks[i].trial, rocks[i].weight);
       // A censored rock may have gone farther than the farthest known one.
       farthest = farthest
                      ? Bounded{std::max(farthest->value, value.value), farthest->censored || value.censored}

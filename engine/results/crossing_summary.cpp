@@ -26,7 +26,9 @@ void TreeTally::add(const TrialRecords& chunk) {
     const bool stopped =
         rock.reason == StopReason::caught && !hits.empty() && hits.back().hit.energy_after == 0;
     hits_ += hits.size();
-    shares_.add(rock.trial);
+    weighted_hits_ += rock.weight * static_cast<double>(hits.size());
+    weight_ += rock.weight;
+    shares_.add(rock.trial, rock.weight);
     for (const auto& [share, counts] : {std::pair{hit, !hits.empty()}, std::pair{stops, stopped}}) {
       if (counts)
         shares_.count(share);
@@ -44,7 +46,7 @@ TreeSummary TreeTally::summary() {
   summary.stopped = shares_.counted(stops);
   summary.hit_share = shares_.of_rocks(hit);
   summary.stopped_share = shares_.of_rocks(stops);
-  summary.mean_hits = static_cast<double>(hits_) / static_cast<double>(shares_.rocks());
+  summary.mean_hits = weighted_hits_ / weight_;
   return summary;
 }
 
@@ -60,9 +62,9 @@ void CrossingTally::add(const RockRecord& rock, std::span<const GateRecord> gate
                         std::span<const BarrierRecord> barriers) {
   if (!counted_) count(rock, gates, barriers);
   for (const GateRecord& row : gates)
-    gates_.at(static_cast<std::size_t>(row.passage.gate)).add(row.passage, rock.trial);
+    gates_.at(static_cast<std::size_t>(row.passage.gate)).add(row.passage, rock);
   for (const BarrierRecord& row : barriers)
-    barriers_.at(static_cast<std::size_t>(row.hit.barrier)).add(row.hit, rock.trial);
+    barriers_.at(static_cast<std::size_t>(row.hit.barrier)).add(row.hit, rock);
 }
 
 /// In the first pass: a rock at all places, also at those that it does not reach.
@@ -70,12 +72,11 @@ void CrossingTally::count(const RockRecord& rock, std::span<const GateRecord> ga
                           std::span<const BarrierRecord> barriers) {
   for (std::vector<Arrivals>* places : {&gates_, &barriers_})
     for (Arrivals& at : *places) {
-      at.of_all.add(rock.trial);
+      at.of_all.add(rock.trial, rock.weight);
       at.has_arrived = false;
     }
-  for (const GateRecord& row : gates)
-    gates_.at(static_cast<std::size_t>(row.passage.gate)).count(rock.trial, {0});
-  caught_.add(rock.trial);
+  for (const GateRecord& row : gates) gates_.at(static_cast<std::size_t>(row.passage.gate)).count(rock, {0});
+  caught_.add(rock.trial, rock.weight);
   for (const BarrierRecord& row : barriers) {
     const bool is_caught = row.hit.outcome == BarrierOutcome::caught;
     Arrivals& at = barriers_.at(static_cast<std::size_t>(row.hit.barrier));
@@ -84,28 +85,28 @@ void CrossingTally::count(const RockRecord& rock, std::span<const GateRecord> ga
                reached = static_cast<std::size_t>(BarrierShare::reached);
     if (is_caught) {
       caught_.count();
-      at.count(rock.trial, {outcome, reached});
+      at.count(rock, {outcome, reached});
     } else {
-      at.count(rock.trial, {outcome, past, reached});
+      at.count(rock, {outcome, past, reached});
     }
   }
   leave_open(rock, gates_, rock.decided_gates);
   leave_open(rock, barriers_, rock.decided_barriers);
 }
 
-void CrossingTally::Arrivals::count(std::uint64_t trial, std::initializer_list<std::size_t> shares) {
+void CrossingTally::Arrivals::count(const RockRecord& rock, std::initializer_list<std::size_t> shares) {
   has_arrived = true;
-  of_arriving.add(trial);
+  of_arriving.add(rock.trial, rock.weight);
   for (const std::size_t share : shares) {
     of_all.count(share);
     of_arriving.count(share);
   }
 }
 
-void CrossingTally::Arrivals::add(const Arrival& arrival, std::uint64_t trial) {
-  speed.add({arrival.speed, false}, trial);
-  energy.add({arrival.kinetic_energy, false}, trial);
-  height.add({arrival.height, false}, trial);
+void CrossingTally::Arrivals::add(const Arrival& arrival, const RockRecord& rock) {
+  speed.add({arrival.speed, false}, rock.trial, rock.weight);
+  energy.add({arrival.kinetic_energy, false}, rock.trial, rock.weight);
+  height.add({arrival.height, false}, rock.trial, rock.weight);
 }
 
 bool CrossingTally::Arrivals::needs_another_pass() {
@@ -127,6 +128,11 @@ bool CrossingTally::needs_another_pass() {
   for (auto* places : {&gates_, &barriers_})
     for (Arrivals& at : *places) more |= at.needs_another_pass();
   return more;
+}
+
+void CrossingTally::use_chances() {
+  for (auto* places : {&gates_, &barriers_})
+    for (Arrivals& at : *places) at.of_all.use_chances();
 }
 
 CrossingSummary CrossingTally::summary() const {
@@ -174,6 +180,9 @@ void CrossingTallies::add(const TrialRecords& chunk) {
 
 bool CrossingTallies::needs_another_pass() {
   bool more = false;
+  // What is true of all rocks is true of each group, also of one whose weights are 1.
+  if (tallies_.front().has_weights())
+    for (CrossingTally& tally : tallies_) tally.use_chances();
   for (CrossingTally& tally : tallies_) more |= tally.needs_another_pass();
   return more;
 }

@@ -73,6 +73,7 @@ class TreeTally {
   static constexpr std::size_t hit = 0, stops = 1;  ///< shares
   ShareTally shares_{2};
   std::uint64_t hits_ = 0;
+  double weighted_hits_ = 0, weight_ = 0;  ///< of the rocks
 };
 
 /// Summarises the arrivals of some rocks at gates and barriers, in passes.
@@ -84,6 +85,9 @@ class CrossingTally {
            std::span<const BarrierRecord> barriers);
   bool needs_another_pass();
   CrossingSummary summary() const;
+  bool has_weights() const { return caught_.has_weights(); }
+  /// See ShareTally.
+  void use_chances();
 
  private:
   /// The arrivals at one place.
@@ -94,8 +98,8 @@ class CrossingTally {
 
     bool has_arrived = false;  ///< the rock that is being counted
 
-    void count(std::uint64_t trial, std::initializer_list<std::size_t> shares);
-    void add(const Arrival& arrival, std::uint64_t trial);
+    void count(const RockRecord& rock, std::initializer_list<std::size_t> shares);
+    void add(const Arrival& arrival, const RockRecord& rock);
     Shares shares(std::size_t share) const;
     bool needs_another_pass();
   };

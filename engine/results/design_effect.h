@@ -6,27 +6,70 @@
 // variance m / (m - 1) sum (k_t - p n_t)^2 / N^2 with N = sum n_t (linearised ratio), and independent rocks
 // p (1 - p) / N. Sources: Kish 1965, Survey Sampling; Korn and Graubard 1998, Confidence intervals for
 // proportions with small expected number of positive counts estimated from survey data.
+//
+// Rocks may have weights, the number of real rocks that each stands for. n_t and k_t are then sums of
+// weights, and unequal weights add to the design effect: n rocks of one trial each say as much as (sum w)^2 /
+// sum w^2 of equal weight (Kish). Equal weights change nothing.
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 
 namespace flyrock {
 
 /// An interval needs so many trials beyond its number.
 inline constexpr std::uint64_t least_trials = 10;
 
-/// Sums over trials of whole numbers, which have the same value in any order.
+/// Rocks and the sum of their weights.
+struct Weighed {
+  std::uint64_t count = 0;
+  double weight = 0;
+
+  void add(double w) {
+    ++count;
+    weight += w;
+  }
+};
+
+/// Whether the weights of some rocks differ.
+class WeightRange {
+ public:
+  void add(double weight) {
+    least_ = std::min(least_, weight);
+    greatest_ = std::max(greatest_, weight);
+  }
+  bool differ() const { return least_ < greatest_; }
+  /// Whether a rock stands for more or less than itself.
+  bool any() const { return differ() || (least_ == greatest_ && least_ != 1); }
+
+ private:
+  double least_ = std::numeric_limits<double>::infinity(), greatest_ = -least_;
+};
+
+/// Sums over trials. Those of counts have the same value in any order.
 class TrialCounts {
  public:
   /// A trial with n rocks, of which k count.
-  void add(std::uint64_t n, std::uint64_t k);
+  void add(const Weighed& n, const Weighed& k);
+  void add(std::uint64_t n, std::uint64_t k) {
+    add(Weighed{n, static_cast<double>(n)}, Weighed{k, static_cast<double>(k)});
+  }
+  /// From now on its numbers are those of weights. To be called where the weights differ.
+  void weigh() { is_weighted_ = true; }
 
   std::uint64_t rocks() const { return n_; }
   std::uint64_t counted() const { return k_; }
-  std::uint64_t trials() const { return trials_; }           ///< with at least one rock
-  std::uint64_t trials_with() const { return with_; }        ///< with at least one rock that counts
-  std::uint64_t trials_without() const { return without_; }  ///< with at least one rock that does not
-  bool is_clustered() const { return n_ > trials_; }         ///< some trial has several rocks
-  double share() const { return static_cast<double>(k_) / static_cast<double>(n_); }
+  std::uint64_t trials() const { return trials_; }     ///< with at least one rock
+  std::uint64_t trials_with() const { return with_; }  ///< with at least one rock that counts
+  /// The trials with a rock that counts, and with one that does not; with weights at most as many as trials
+  /// of equal weight that say as much.
+  double evidence_with() const;
+  double evidence_without() const;
+  /// The same of all trials.
+  double effective_trials() const;
+  /// Some trial has several rocks, or their weights differ.
+  bool is_by_trial() const { return n_ > trials_ || is_weighted_; }
+  double share() const { return sums().k / sums().n; }
 
   /// The design effect of the share, at least 1. Where fewer than least_trials trials have a rock that
   /// counts, or one that does not, they cannot show what rocks have in common: then that of trials whose
@@ -39,11 +82,19 @@ class TrialCounts {
   double effective_size(double confidence) const;
 
  private:
+  /// Of n_t and k_t over trials: sums of n_t, k_t, n_t^2, k_t n_t, k_t^2.
+  struct Sums {
+    double n = 0, k = 0, nn = 0, kn = 0, kk = 0;
+    void add(double n_t, double k_t);
+  };
+  const Sums& sums() const { return is_weighted_ ? weights_ : counts_; }
+
   std::uint64_t n_ = 0, k_ = 0, trials_ = 0, with_ = 0, without_ = 0;
-  std::uint64_t nn_ = 0, kn_ = 0, kk_ = 0;  ///< sums of n_t^2, k_t n_t, k_t^2
+  Sums counts_, weights_;
+  bool is_weighted_ = false;
 };
 
 /// The trials that it takes until least_trials of them have what `with` of `trials` have; 0 if they have.
-std::uint64_t trials_needed(std::uint64_t with, std::uint64_t trials);
+std::uint64_t trials_needed(double with, std::uint64_t trials);
 
 }  // namespace flyrock

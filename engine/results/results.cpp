@@ -67,7 +67,7 @@ class PointTally {
     if (azimuths_.empty()) return;
     for (const RockRecord& rock : chunk.rocks) {
       if (is_fault(rock.reason)) continue;
-      diameters_.add({2 * sphere_radius(rock.volume), false}, rock.trial);
+      diameters_.add({2 * sphere_radius(rock.volume), false}, rock.trial, rock.weight);
       azimuths_.front().add(rock);
       azimuths_.at(1 + static_cast<std::size_t>(rock.group)).add(rock);
     }

@@ -22,13 +22,13 @@ void AzimuthTally::add(const RockRecord& rock) {
   }
   const std::size_t at = sector_of(way, azimuth_sectors);
   if (!counted_) {
-    shares_.add(rock.trial);
+    shares_.add(rock.trial, rock.weight);
     shares_.count(at);
   }
   Sector& sector = sectors_[at];
   const Bounded runout = bounded(rock, rock_statistics[rock_statistic("runout")]);
   sector.greatest = farther(sector.greatest, runout);
-  sector.sample.add(runout, rock.trial);
+  sector.sample.add(runout, rock.trial, rock.weight);
 }
 
 bool AzimuthTally::needs_another_pass() {

@@ -33,20 +33,6 @@ std::int64_t last_that(std::int64_t n, double guess, Holds holds) {
   return low;
 }
 
-/// The position of a quantile: this share of the way from x_low to x_low+1.
-struct Rank {
-  std::uint64_t low;
-  double share;
-};
-
-Rank rank_of(double p, std::uint64_t n) {
-  double h = static_cast<double>(n - 1) * p;
-  // 0.95 of 100 must be 95, although 0.95 is not exact as a double.
-  if (std::abs(h - std::round(h)) <= 4 * std::numeric_limits<double>::epsilon() * static_cast<double>(n))
-    h = std::round(h);
-  return {static_cast<std::uint64_t>(h), h - std::floor(h)};
-}
-
 /// Ranks, from 0, of the ends of an interval. A rank below 0 or above the last one means that the sample is
 /// too small.
 struct Ends {
@@ -72,61 +58,67 @@ Ends ends_of(double p, double confidence, std::uint64_t count) {
 
 }  // namespace
 
-void Sample::add(const Bounded& value, std::uint64_t trial) {
+void Sample::add(const Bounded& value, std::uint64_t trial, double weight) {
   if (stage_ == Stage::done) return;
-  if (is_clustered_ || stage_ == Stage::first) {
-    if (in_trial_ > 0 && trial != trial_) end_trial();
+  if (stage_ != Stage::first && !is_weighted_) weight = 1;
+  if (stage_ == Stage::first || is_by_trial()) {
+    if (in_trial_.count > 0 && trial != trial_) end_trial();
     trial_ = trial;
-    ++in_trial_;
+    in_trial_.add(weight);
   }
   switch (stage_) {
     case Stage::first:
-      return add_first(value);
+      return add_first(value, weight);
     case Stage::quantiles:
-      quantiles_.add(value.value);
-      if (!squared_) add_square(value);
+      quantiles_.add(value.value, weight);
+      if (!squared_) add_square(value, weight);
       return;
     case Stage::shares:
       for (Asked& asked : asked_)
-        asked.in_trial += asked.upper_tail ? value.value < asked.quantile : value.value <= asked.quantile;
+        if (asked.upper_tail ? value.value < asked.quantile : value.value <= asked.quantile)
+          asked.in_trial.add(weight);
       return;
     case Stage::ends:
-      return ends_.add(value.value);
+      return ends_.add(value.value, weight);
     case Stage::done:
       return;
   }
 }
 
-void Sample::add_first(const Bounded& value) {
+void Sample::add_first(const Bounded& value, double weight) {
   const double x = value.value;
   ++count_;
+  weights_.add(weight);
+  weight_ += weight;
   sum_ += x;
+  weighted_sum_ += weight * x;
   least_ = std::min(least_, x);
   greatest_ = std::max(greatest_, x);
   if (value.censored) least_censored_ = std::min(least_censored_, x);
 }
 
-void Sample::add_square(const Bounded& value) {
-  const double deviation = value.value - sum_ / static_cast<double>(count_);
-  squares_ += deviation * deviation;
-  deviation_ += deviation;
-  first_censored_ += !value.censored && value.value <= least_censored_;
+void Sample::add_square(const Bounded& value, double weight) {
+  const double deviation = value.value - (is_weighted_ ? weighted_sum_ : sum_) / total();
+  squares_ += weight * (deviation * deviation);
+  deviation_ += weight * deviation;
+  if (!value.censored && value.value <= least_censored_) first_censored_ += weight;
 }
 
 void Sample::end_trial() {
-  if (in_trial_ == 0) return;
+  if (in_trial_.count == 0) return;
   if (stage_ == Stage::first) {
     ++trials_;
-    is_clustered_ = is_clustered_ || in_trial_ > 1;
+    is_clustered_ = is_clustered_ || in_trial_.count > 1;
+    weight_squares_ += in_trial_.weight * in_trial_.weight;
   } else if (stage_ == Stage::quantiles) {
     trial_squares_ += deviation_ * deviation_;
   } else if (stage_ == Stage::shares) {
     for (Asked& asked : asked_) {
       asked.before.add(in_trial_, asked.in_trial);
-      asked.in_trial = 0;
+      asked.in_trial = {};
     }
   }
-  in_trial_ = 0;
+  in_trial_ = {};
   deviation_ = 0;
 }
 
@@ -135,14 +127,15 @@ bool Sample::needs_another_pass() {
   end_trial();
   switch (stage_) {
     case Stage::first: {
+      is_weighted_ = weights_.differ();
       asked_.resize(questions_.intervals.size());
-      if (!is_clustered_) find_exact_ends();
-      std::vector<std::uint64_t> ranks = quantile_ranks();
-      if (!is_clustered_) {
-        const std::vector<std::uint64_t> more = end_ranks();
+      if (!is_by_trial()) find_exact_ends();
+      std::vector<double> ranks = quantile_ranks();
+      if (!is_by_trial()) {
+        const std::vector<double> more = end_ranks();
         ranks.insert(ranks.end(), more.begin(), more.end());
       }
-      quantiles_ = Selection(std::move(ranks), count_, least_, greatest_);
+      quantiles_ = Selection(std::move(ranks), count_, total(), least_, greatest_);
       stage_ = Stage::quantiles;
       break;
     }
@@ -150,14 +143,14 @@ bool Sample::needs_another_pass() {
       squared_ = true;
       quantiles_.end_pass();
       if (quantiles_.open()) break;
-      stage_ = is_clustered_ && !asked_.empty() ? Stage::shares : Stage::done;
+      stage_ = is_by_trial() && !asked_.empty() ? Stage::shares : Stage::done;
       for (std::size_t i = 0; i < asked_.size(); ++i)
         asked_[i].quantile = quantile(questions_.intervals[i].p).value;
       for (std::size_t i = 0; i < asked_.size(); ++i) asked_[i].upper_tail = questions_.intervals[i].p >= 0.5;
       break;
     case Stage::shares:
       find_clustered_ends();
-      ends_ = Selection(end_ranks(), count_, least_, greatest_);
+      ends_ = Selection(end_ranks(), count_, total(), least_, greatest_);
       stage_ = ends_.open() ? Stage::ends : Stage::done;
       break;
     case Stage::ends:
@@ -170,25 +163,33 @@ bool Sample::needs_another_pass() {
   return stage_ != Stage::done;
 }
 
-std::vector<std::uint64_t> Sample::quantile_ranks() const {
-  std::vector<std::uint64_t> ranks;
+Sample::Rank Sample::rank_of(double p) const {
+  if (is_weighted_) return {std::min(p * weight_, std::nextafter(weight_, 0.0)), 0};
+  double h = static_cast<double>(count_ - 1) * p;
+  // 0.95 of 100 must be 95, although 0.95 is not exact as a double.
+  if (std::abs(h - std::round(h)) <= 4 * std::numeric_limits<double>::epsilon() * static_cast<double>(count_))
+    h = std::round(h);
+  return {std::floor(h), h - std::floor(h)};
+}
+
+std::vector<double> Sample::quantile_ranks() const {
+  std::vector<double> ranks;
   const auto want = [&](double p) {
-    const Rank rank = rank_of(p, count_);
+    const Rank rank = rank_of(p);
     ranks.push_back(rank.low);
     if (rank.share > 0) ranks.push_back(rank.low + 1);
   };
   for (const double p : questions_.quantiles) want(p);
-  if (is_clustered_)
+  if (is_by_trial())
     for (const auto& asked : questions_.intervals) want(asked.p);
   return ranks;
 }
 
-std::vector<std::uint64_t> Sample::end_ranks() const {
-  std::vector<std::uint64_t> ranks;
+std::vector<double> Sample::end_ranks() const {
+  std::vector<double> ranks;
   for (const Asked& asked : asked_)
-    for (const std::int64_t end : {asked.lower, asked.upper})
-      if (end >= 0 && end < static_cast<std::int64_t>(count_))
-        ranks.push_back(static_cast<std::uint64_t>(end));
+    for (const double end : {asked.lower, asked.upper})
+      if (end >= 0 && end < total()) ranks.push_back(end);
   return ranks;
 }
 
@@ -196,38 +197,44 @@ void Sample::find_exact_ends() {
   for (std::size_t i = 0; i < asked_.size(); ++i) {
     const auto [p, confidence] = questions_.intervals[i];
     const Ends ends = ends_of(p, confidence, count_);
-    asked_[i].lower = ends.lower;
-    asked_[i].upper = ends.upper;
+    asked_[i].lower = static_cast<double>(ends.lower);
+    asked_[i].upper = static_cast<double>(ends.upper);
   }
 }
 
 void Sample::find_clustered_ends() {
-  const auto n = static_cast<double>(count_);
   for (std::size_t i = 0; i < asked_.size(); ++i) {
     const auto [p, confidence] = questions_.intervals[i];
     Asked& asked = asked_[i];
+    if (is_weighted_) asked.before.weigh();
     asked.lower = -1;
-    asked.upper = static_cast<std::int64_t>(count_);
+    asked.upper = total();
     asked.design_effect = asked.before.design_effect();
-    asked.trials_needed =
-        trials_needed(asked.upper_tail ? asked.before.trials_without() : asked.before.trials_with(), trials_);
+    asked.trials_needed = trials_needed(
+        asked.upper_tail ? asked.before.evidence_without() : asked.before.evidence_with(), trials_);
     if (asked.trials_needed > 0) continue;
     const double size = asked.before.effective_size(confidence);
     const Interval share = share_interval(p * size, size, confidence);
-    asked.lower = static_cast<std::int64_t>(std::floor(n * share.lower)) - 1;
-    asked.upper = static_cast<std::int64_t>(std::ceil(n * share.upper));
+    if (is_weighted_) {
+      if (share.lower > 0) asked.lower = weight_ * share.lower;
+      asked.upper = weight_ * share.upper;
+    } else {
+      asked.lower = std::floor(total() * share.lower) - 1;
+      asked.upper = std::ceil(total() * share.upper);
+    }
   }
 }
 
 Moments Sample::moments() const {
   if (count_ == 0) return {unknown, unknown};
   const auto n = static_cast<double>(count_);
+  if (is_weighted_) return {weighted_sum_ / weight_, std::sqrt(n / (n - 1) * squares_ / weight_)};
   return {sum_ / n, count_ > 1 ? std::sqrt(squares_ / (n - 1)) : unknown};
 }
 
 Bounded Sample::quantile(double p) const {
   if (count_ == 0) return {unknown, false};
-  const auto [low, share] = rank_of(p, count_);
+  const auto [low, share] = rank_of(p);
   const double value = quantiles_.at(low);
   if (share == 0) return {value, first_censored_ <= low};
   return {value + share * (quantiles_.at(low + 1) - value), first_censored_ <= low + 1};
@@ -241,29 +248,29 @@ Interval Sample::quantile_interval(double p, double confidence) const {
     return each.p == p && each.confidence == confidence;
   });
   const Asked& asked = asked_.at(static_cast<std::size_t>(question - questions.begin()));
-  const Selection& found = is_clustered_ ? ends_ : quantiles_;
+  const Selection& found = is_by_trial() ? ends_ : quantiles_;
   interval.design_effect = asked.design_effect;
   interval.trials_needed = asked.trials_needed;
-  if (asked.lower >= 0) interval.lower = found.at(static_cast<std::uint64_t>(asked.lower));
-  if (asked.upper < static_cast<std::int64_t>(first_censored_))
-    interval.upper = found.at(static_cast<std::uint64_t>(asked.upper));
+  if (asked.lower >= 0) interval.lower = found.at(asked.lower);
+  if (asked.upper < first_censored_) interval.upper = found.at(asked.upper);
   return interval;
 }
 
 Interval Sample::mean_interval(double confidence) const {
   if (count_ < 2 || any_censored()) return {unknown, unknown};
   const auto n = static_cast<double>(count_), m = static_cast<double>(trials_);
+  const double effective_trials = is_weighted_ ? weight_ * weight_ / weight_squares_ : m;
   const auto [mean, sd] = moments();
   Interval interval{unknown, unknown};
   double error = sd / std::sqrt(n);
-  if (is_clustered_) {
-    interval.trials_needed = trials_needed(trials_, trials_);
+  if (is_by_trial()) {
+    interval.trials_needed = trials_needed(effective_trials, trials_);
     if (interval.trials_needed > 0) return interval;
-    const double clustered = std::sqrt(m / (m - 1) * trial_squares_) / n;
+    const double clustered = std::sqrt(m / (m - 1) * trial_squares_) / total();
     interval.design_effect = error > 0 ? std::max(1.0, clustered * clustered / (error * error)) : 1;
     error = std::max(error, clustered);
   }
-  const boost::math::students_t_distribution<> student(m - 1);
+  const boost::math::students_t_distribution<> student(effective_trials - 1);
   const double half = boost::math::quantile(boost::math::complement(student, 0.5 * (1 - confidence))) * error;
   interval.lower = mean - half;
   interval.upper = mean + half;

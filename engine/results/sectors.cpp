@@ -58,7 +58,7 @@ void SectorTally::add(const TrialRecords& chunk) {
     if (stage_ == Stage::releases)
       widen(rock);
     else
-      add(end_of(rock), rock.trial);
+      add(end_of(rock), rock.trial, rock.weight);
   }
 }
 
@@ -66,6 +66,8 @@ void SectorTally::add(const TrialRecords& chunk) {
 void SectorTally::widen(const RockRecord& rock) {
   constexpr std::size_t most = 4096;
   ++rocks_;
+  weights_.add(rock.weight);
+  weight_ += rock.weight;
   trials_ += rocks_ == 1 || rock.trial != last_trial_;
   last_trial_ = rock.trial;
   if (plan_.about) return;
@@ -93,23 +95,28 @@ void SectorTally::add_farthest(const std::vector<RockRecord>& rocks) {
         farthest->distance.censored |= end.distance.censored;
     }
     if (i + 1 < rocks.size() && rocks[i + 1].trial == rocks[i].trial) continue;
-    if (farthest) add(*farthest, rocks[i].trial);
+    if (farthest) add(*farthest, rocks[i].trial, 1);
     farthest.reset();
   }
 }
 
-void SectorTally::add(const End& end, std::uint64_t trial) {
+void SectorTally::add(const End& end, std::uint64_t trial, double weight) {
   const std::size_t at = sector_of(end.place - centre_, sectors_.size());
-  shares_.add(trial);
+  shares_.add(trial, weight);
   shares_.count(at);
   Sector& sector = sectors_[at];
   sector.greatest = farther(sector.greatest, end.distance);
-  const auto least_first = std::greater<>();
-  sector.farthest.push_back(end.distance.value);
-  std::push_heap(sector.farthest.begin(), sector.farthest.end(), least_first);
-  if (sector.farthest.size() <= beyond_.value_or(0) + 1) return;
-  std::pop_heap(sector.farthest.begin(), sector.farthest.end(), least_first);
-  sector.farthest.pop_back();
+  const auto nearest_first = std::greater<>();
+  const double units = weights_.differ() ? weight * static_cast<double>(rocks_) / weight_ : 1;
+  const auto needed = static_cast<double>(beyond_.value_or(0) + 1);
+  sector.farthest.push_back({end.distance.value, units});
+  sector.weight += units;
+  std::push_heap(sector.farthest.begin(), sector.farthest.end(), nearest_first);
+  while (sector.weight - sector.farthest.front().weight >= needed) {
+    sector.weight -= sector.farthest.front().weight;
+    std::pop_heap(sector.farthest.begin(), sector.farthest.end(), nearest_first);
+    sector.farthest.pop_back();
+  }
 }
 
 bool SectorTally::needs_another_pass(std::optional<double> design_effect) {
@@ -161,7 +168,8 @@ AreaSummary SectorTally::summary() const {
     summary.share = shares_.of_rocks(i);
     if (summary.count > 0) summary.greatest = sector.greatest;
     if (!beyond_) continue;
-    summary.distance = {summary.count > *beyond_ ? sector.farthest.front() : 0, sector.greatest.censored};
+    const bool reaches = sector.weight >= static_cast<double>(*beyond_ + 1);
+    summary.distance = {reaches ? sector.farthest.front().distance : 0, sector.greatest.censored};
     if (plan_.factor) summary.with_factor = *plan_.factor * summary.distance.value;
   }
   return area;

@@ -39,7 +39,8 @@ struct SectorSummary {
 /// Of N independent rocks, k stop outside in each of s sectors. The share of new rocks that stop outside is
 /// then distributed as Beta(s (k + 1), N + 1 - s (k + 1)) or less (order statistics; Wald 1943, An extension
 /// of Wilks' method for setting tolerance limits). k is the greatest for which its 95 % quantile is at most
-/// the probability. Without any, the number of sectors is halved; without any in one sector there is no area.
+/// the probability. With weights a sector ends where the rocks from there on weigh k + 1 times the mean
+/// weight. Without any, the number of sectors is halved; without any in one sector there is no area.
 struct AreaSummary {
   Vec2 centre = Vec2::Zero();
   std::vector<Vec2> hull;               ///< counter-clockwise
@@ -67,8 +68,14 @@ class SectorTally {
 
  private:
   enum class Stage { releases, waiting, distances, done };
+  struct Far {
+    double distance, weight;  ///< in units of the mean weight
+    bool operator>(const Far& other) const { return distance > other.distance; }
+  };
   struct Sector {
-    std::vector<double> farthest;  ///< the greatest distances, at most k + 1: a heap, the least in front
+    std::vector<Far>
+        farthest;       ///< that weigh k + 1 together, and not without the nearest: a heap, it in front
+    double weight = 0;  ///< of these
     Bounded greatest{0, false};
   };
   /// The end of a rock, or of the farthest rock of a trial.
@@ -78,7 +85,7 @@ class SectorTally {
   };
   void widen(const RockRecord& rock);
   End end_of(const RockRecord& rock) const;
-  void add(const End& end, std::uint64_t trial);
+  void add(const End& end, std::uint64_t trial, double weight);
   void add_farthest(const std::vector<RockRecord>& rocks);
   void choose_sectors(double design_effect);
 
@@ -87,6 +94,8 @@ class SectorTally {
   std::vector<Vec2> releases_;  ///< corners of the hull of the places so far, and some others; later the hull
   Vec2 centre_ = Vec2::Zero();
   std::uint64_t rocks_ = 0, trials_ = 0, last_trial_ = 0;
+  WeightRange weights_;
+  double weight_ = 0;  ///< of all rocks
   double effective_ = 0;
   std::optional<std::uint64_t> beyond_;
   std::vector<Sector> sectors_;

@@ -22,16 +22,17 @@ double value_of(std::uint64_t key) { return std::bit_cast<double>(key & sign ? k
 
 }  // namespace
 
-Selection::Selection(std::vector<std::uint64_t> ranks, std::uint64_t count, double least, double greatest)
+Selection::Selection(std::vector<double> ranks, std::uint64_t count, double weight, double least,
+                     double greatest)
     : ranks_(std::move(ranks)) {
   std::sort(ranks_.begin(), ranks_.end());
   ranks_.erase(std::unique(ranks_.begin(), ranks_.end()), ranks_.end());
   values_.resize(ranks_.size());
-  if (!ranks_.empty() && ranks_.back() >= count) throw std::out_of_range("a rank beyond the last number");
-  look_within(key_of(least), key_of(greatest), 0, count);
+  if (!ranks_.empty() && ranks_.back() >= weight) throw std::out_of_range("a rank beyond the last number");
+  look_within(key_of(least), key_of(greatest), 0, count, {0, ranks_.size()});
 }
 
-void Selection::add(double value) {
+void Selection::add(double value, double weight) {
   const std::uint64_t key = key_of(value);
   const auto above =
       std::upper_bound(open_.begin(), open_.end(), key,
@@ -39,10 +40,13 @@ void Selection::add(double value) {
   if (above == open_.begin()) return;
   Stretch& stretch = *std::prev(above);
   if (key > stretch.high) return;
-  if (stretch.parts.empty())
-    stretch.kept.push_back(value + 0.0);
-  else
-    ++stretch.parts[(key - stretch.low) >> stretch.shift];
+  if (stretch.parts.empty()) {
+    stretch.kept.push_back({value + 0.0, weight});
+  } else {
+    Heap& part = stretch.parts[(key - stretch.low) >> stretch.shift];
+    ++part.count;
+    part.weight += weight;
+  }
 }
 
 void Selection::end_pass() {
@@ -56,55 +60,70 @@ void Selection::end_pass() {
   }
 }
 
-double Selection::at(std::uint64_t rank) const {
+double Selection::at(double rank) const {
   const auto found = std::lower_bound(ranks_.begin(), ranks_.end(), rank);
   if (found == ranks_.end() || *found != rank)
     throw std::out_of_range("an order statistic that nobody looked for");
   return values_[static_cast<std::size_t>(found - ranks_.begin())];
 }
 
-bool Selection::wants(std::uint64_t before, std::uint64_t count) const {
-  const auto next = std::lower_bound(ranks_.begin(), ranks_.end(), before);
-  return next != ranks_.end() && *next < before + count;
-}
-
-void Selection::look_within(std::uint64_t low, std::uint64_t high, std::uint64_t before,
-                            std::uint64_t count) {
-  if (!wants(before, count)) return;
+void Selection::look_within(std::uint64_t low, std::uint64_t high, double before, std::uint64_t count,
+                            Wanted wanted) {
+  if (wanted.first == wanted.end) return;
   if (low == high) {
-    const double value = value_of(low);
-    return answer(before, count, &value, 0);
+    std::fill(values_.begin() + static_cast<std::ptrdiff_t>(wanted.first),
+              values_.begin() + static_cast<std::ptrdiff_t>(wanted.end), value_of(low));
+    return;
   }
   Stretch stretch{
-      low, high, before, count, std::max(0, static_cast<int>(std::bit_width(high - low)) - part_bits),
+      low, high, before, wanted, std::max(0, static_cast<int>(std::bit_width(high - low)) - part_bits),
       {},  {}};
   if (count > most_kept)
-    stretch.parts.assign(((high - low) >> stretch.shift) + 1, 0);
+    stretch.parts.resize(((high - low) >> stretch.shift) + 1);
   else
     stretch.kept.reserve(count);
   open_.push_back(std::move(stretch));
 }
 
+/// The ranks below `end`, which leave `left`.
+Selection::Wanted Selection::take(Wanted& left, double end) const {
+  Wanted taken{left.first, left.first};
+  while (taken.end < left.end && ranks_[taken.end] < end) ++taken.end;
+  left.first = taken.end;
+  return taken;
+}
+
+// Sums of weights are rounded: the last number, or the last part with numbers, has all ranks that are left.
+
 void Selection::settle(Stretch& stretch) {
-  std::sort(stretch.kept.begin(), stretch.kept.end());
-  answer(stretch.before, stretch.kept.size(), stretch.kept.data(), 1);
+  std::stable_sort(stretch.kept.begin(), stretch.kept.end(),
+                   [](const Kept& a, const Kept& b) { return a.value < b.value; });
+  double before = stretch.before;
+  Wanted left = stretch.wanted;
+  for (const auto& [value, weight] : stretch.kept) {
+    before += weight;
+    const Wanted taken = take(left, before);
+    for (std::size_t i = taken.first; i < taken.end; ++i) values_[i] = value;
+  }
+  for (std::size_t i = left.first; i < left.end && !stretch.kept.empty(); ++i)
+    values_[i] = stretch.kept.back().value;
 }
 
 void Selection::narrow(const Stretch& stretch) {
-  std::uint64_t before = stretch.before;
+  const auto is_filled = [](const Heap& part) { return part.count > 0; };
+  const auto last = std::find_if(stretch.parts.rbegin(), stretch.parts.rend(), is_filled);
+  double before = stretch.before;
+  Wanted left = stretch.wanted;
   for (std::size_t part = 0; part < stretch.parts.size(); ++part) {
+    const auto& [count, weight] = stretch.parts[part];
+    if (count == 0) continue;
     const std::uint64_t low = stretch.low + (std::uint64_t{part} << stretch.shift);
-    const std::uint64_t last = low + ((std::uint64_t{1} << stretch.shift) - 1);
-    look_within(low, std::min(last, stretch.high), before, stretch.parts[part]);
-    before += stretch.parts[part];
+    const std::uint64_t high = std::min(low + ((std::uint64_t{1} << stretch.shift) - 1), stretch.high);
+    Wanted taken = take(left, before + weight);
+    if (&stretch.parts[part] == &*last) taken.end = left.first = left.end;
+    look_within(low, high, before, count, taken);
+    before += weight;
   }
-}
-
-/// Answers the wanted ranks from `before` on, at most `count` of them.
-void Selection::answer(std::uint64_t before, std::uint64_t count, const double* sorted, std::size_t stride) {
-  auto rank = std::lower_bound(ranks_.begin(), ranks_.end(), before);
-  for (; rank != ranks_.end() && *rank < before + count; ++rank)
-    values_[static_cast<std::size_t>(rank - ranks_.begin())] = sorted[(*rank - before) * stride];
 }
 
 }  // namespace flyrock

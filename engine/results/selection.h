@@ -8,6 +8,9 @@
 // kept and sorted instead. Each pass narrows a stretch by a factor of 1024, so at most seven passes are
 // needed. A million values of similar size take two passes, a column of at most 1024 values takes one.
 // Source: Munro and Paterson 1980, Selection and sorting with limited storage.
+//
+// A number may count with a weight. The order statistic of rank r is then the least number x for which the
+// numbers up to x weigh more than r; with weights of 1 that is the r-th one, counted from 0.
 
 #include <cstdint>
 #include <vector>
@@ -18,39 +21,51 @@ class Selection {
  public:
   /// Looks for nothing and needs no pass.
   Selection() = default;
-  /// Looks for x_r for each r in `ranks` (from 0, below `count`, in any order) among `count` numbers from
-  /// `least` to `greatest`. No number may be NaN.
-  Selection(std::vector<std::uint64_t> ranks, std::uint64_t count, double least, double greatest);
+  /// Looks for x_r for each r in `ranks` (from 0, below `weight`, in any order) among `count` numbers from
+  /// `least` to `greatest` that weigh `weight` together. No number may be NaN.
+  Selection(std::vector<double> ranks, std::uint64_t count, double weight, double least, double greatest);
 
   /// Whether a pass, or another pass, is needed.
   bool open() const { return !open_.empty(); }
-  /// Adds a number of the column, in any order.
-  void add(double value);
+  /// Adds a number of the column, in any order if all weights are whole, else in the same order in each pass.
+  void add(double value, double weight = 1);
   /// Ends a pass.
   void end_pass();
 
   /// x_rank, after the last pass. Throws std::out_of_range if the rank was not in `ranks`.
-  double at(std::uint64_t rank) const;
+  double at(double rank) const;
 
  private:
+  /// Numbers of a column that lie close to each other.
+  struct Heap {
+    std::uint64_t count = 0;
+    double weight = 0;
+  };
+  struct Kept {
+    double value, weight;
+  };
+  /// Ranks that are looked for, by their places in ranks_: from `first` to before `end`.
+  struct Wanted {
+    std::size_t first, end;
+  };
   /// The numbers whose keys are from `low` to `high`.
   struct Stretch {
     std::uint64_t low, high;
-    std::uint64_t before, count;       ///< number of values below `low`, and within
-    int shift;                         ///< part of a key = (key - low) >> shift
-    std::vector<std::uint64_t> parts;  ///< number of values in each part; empty if the values are kept
-    std::vector<double> kept;
+    double before;  ///< weight of the values below `low`
+    Wanted wanted;
+    int shift;                ///< part of a key = (key - low) >> shift
+    std::vector<Heap> parts;  ///< empty if the values are kept
+    std::vector<Kept> kept;
   };
 
-  void look_within(std::uint64_t low, std::uint64_t high, std::uint64_t before, std::uint64_t count);
-  bool wants(std::uint64_t before, std::uint64_t count) const;
+  void look_within(std::uint64_t low, std::uint64_t high, double before, std::uint64_t count, Wanted wanted);
+  Wanted take(Wanted& left, double end) const;
   void settle(Stretch& stretch);
   void narrow(const Stretch& stretch);
-  void answer(std::uint64_t before, std::uint64_t count, const double* sorted, std::size_t stride);
 
-  std::vector<std::uint64_t> ranks_;  ///< sorted, each once
-  std::vector<double> values_;        ///< for each rank
-  std::vector<Stretch> open_;         ///< sorted
+  std::vector<double> ranks_;   ///< sorted, each once
+  std::vector<double> values_;  ///< for each rank
+  std::vector<Stretch> open_;   ///< sorted
 };
 
 }  // namespace flyrock

@@ -1,6 +1,8 @@
 #include "results/share.h"
 
+#include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
+#include <cmath>
 
 #include "results/unknown.h"
 
@@ -33,44 +35,84 @@ Interval clustered_interval(const TrialCounts& counts) {
 
 Share share_of(const TrialCounts& counts, const TrialCounts& or_open) {
   const std::uint64_t open = or_open.counted() - counts.counted();
-  if (!counts.is_clustered()) return share_of(counts.counted(), counts.rocks(), open);
+  if (!counts.is_by_trial()) return share_of(counts.counted(), counts.rocks(), open);
   Share share{{counts.share(), open > 0}, {unknown, unknown}};
   share.interval.design_effect = counts.design_effect();
   if (counts.counted() == 0) {  // a rock does what no trial shows at most as often as a trial does
-    const auto n = static_cast<double>(counts.trials());
-    const double upper =
-        share_interval(static_cast<double>(or_open.trials_with()), n, stated_confidence).upper;
+    const double n = counts.effective_trials();
+    const double with = std::min(static_cast<double>(or_open.trials_with()), n);
     share.interval.lower = 0;
-    share.interval.upper = upper;
+    share.interval.upper = share_interval(with, n, stated_confidence).upper;
     return share;
   }
-  share.interval.trials_needed = trials_needed(counts.trials_with(), counts.trials());
+  share.interval.trials_needed = trials_needed(counts.evidence_with(), counts.trials());
   if (share.interval.trials_needed > 0) return share;
   share.interval.lower = clustered_interval(counts).lower;
   share.interval.upper = clustered_interval(or_open).upper;
   return share;
 }
 
-void ShareTally::add(std::uint64_t trial) {
+void ShareTally::add(std::uint64_t trial, double weight) {
   if (trial != trial_) close();
   trial_ = trial;
-  ++in_trial_;
+  weight_ = weight;
+  weights_.add(weight);
+  in_trial_.add(weight);
+}
+
+void ShareTally::Chances::add(const Weighed& rocks) {
+  const double chance = rocks.count > 0 ? -std::expm1(-rocks.weight) : 0;
+  sum += chance;
+  squares += chance * chance;
 }
 
 void ShareTally::close() {
-  if (in_trial_ == 0) return;
-  rocks_ += in_trial_;
-  for (Sums& share : shares_) {
-    share.counts.add(in_trial_, share.counted);
-    share.or_open.add(in_trial_, share.counted + share.open);
-    share.counted = share.open = 0;
+  if (in_trial_.count > 0) {
+    rocks_ += in_trial_.count;
+    for (Sums& share : shares_) {
+      share.counts.add(in_trial_, share.counted);
+      share.or_open.add(in_trial_, share.or_open_now);
+      share.chances.add(share.counted);
+      share.chances_or_open.add(share.or_open_now);
+      share.counted = share.or_open_now = {};
+    }
+    in_trial_ = {};
   }
-  in_trial_ = 0;
+  if (!weights_.differ()) return;
+  for (Sums& share : shares_) {
+    share.counts.weigh();
+    share.or_open.weigh();
+  }
 }
 
 Share ShareTally::per_trial(std::size_t share) const {
-  const auto& [counts, or_open, counted, open] = shares_[share];
-  return share_of(counts.trials_with(), counts.trials(), or_open.trials_with() - counts.trials_with());
+  const Sums& sums = shares_[share];
+  if (weights_.any() || use_chances_) return of_chances(sums);
+  const std::uint64_t with = sums.counts.trials_with();
+  return share_of(with, sums.counts.trials(), sums.or_open.trials_with() - with);
+}
+
+/// The mean of the chances of trials. Its interval is that of Clopper and Pearson for as many trials with or
+/// without such a rock as have its variance, and at least as many as there are trials: a chance varies less
+/// than what it is the chance of.
+Share ShareTally::of_chances(const Sums& sums) const {
+  const std::uint64_t trials = sums.counts.trials();
+  const auto m = static_cast<double>(trials);
+  const auto interval_of = [&](const Chances& chances) {
+    const double p = chances.sum / m;
+    const double variance = (chances.squares / m - p * p) / (m - 1);
+    const double size = variance > 0 ? std::max(m, p * (1 - p) / variance) : m;
+    return share_interval(p * size, size, stated_confidence);
+  };
+  Share share{{trials > 0 ? sums.chances.sum / m : unknown, sums.or_open.counted() > sums.counts.counted()},
+              {unknown, unknown}};
+  if (trials == 0) return share;
+  if (sums.counts.counted() > 0)
+    share.interval.trials_needed = trials_needed(static_cast<double>(sums.counts.trials_with()), trials);
+  if (share.interval.trials_needed > 0) return share;
+  share.interval.lower = interval_of(sums.chances).lower;
+  share.interval.upper = interval_of(sums.chances_or_open).upper;
+  return share;
 }
 
 Complement complement_of(const Share& share) {

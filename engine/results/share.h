@@ -35,38 +35,60 @@ class ShareTally {
   explicit ShareTally(std::size_t shares = 1) : shares_(shares) {}
 
   /// A rock, of which count() and leave_open() then speak.
-  void add(std::uint64_t trial);
+  void add(std::uint64_t trial, double weight = 1);
   /// It counts for a share.
-  void count(std::size_t share = 0) { ++shares_[share].counted; }
+  void count(std::size_t share = 0) {
+    shares_[share].counted.add(weight_);
+    shares_[share].or_open_now.add(weight_);
+  }
   /// It does not count, but might have if its path had not been cut short.
-  void leave_open(std::size_t share = 0) { ++shares_[share].open; }
+  void leave_open(std::size_t share = 0) { shares_[share].or_open_now.add(weight_); }
   /// The same for all shares.
   void leave_all_open() {
-    for (Sums& share : shares_) ++share.open;
+    for (std::size_t share = 0; share < shares_.size(); ++share) leave_open(share);
   }
   /// After the last rock.
   void close();
+
+  /// Whether a rock stands for more or less than itself.
+  bool has_weights() const { return weights_.any(); }
+  /// Other rocks of the run have weights: those of weight 1 then stand for one real rock on the mean.
+  void use_chances() { use_chances_ = true; }
 
   std::uint64_t rocks() const { return rocks_; }
   std::uint64_t counted(std::size_t share = 0) const { return shares_[share].counts.counted(); }
   std::uint64_t open(std::size_t share = 0) const {
     return shares_[share].or_open.counted() - counted(share);
   }
-  /// Of the rocks.
+  /// Of the rocks, or of their weights.
   Share of_rocks(std::size_t share = 0) const {
     return share_of(shares_[share].counts, shares_[share].or_open);
   }
-  /// Of the trials that have a rock: those in which at least one counts.
+  /// Of the trials that have a rock: those in which at least one counts. With weights the mean over them of
+  /// the probability that at least one real rock does, 1 - exp(-sum of the weights of those that count): real
+  /// rocks that come independently of each other, in this number on the mean.
   Share per_trial(std::size_t share = 0) const;
 
  private:
+  /// Over the trials: sums of a probability and of its square.
+  struct Chances {
+    double sum = 0, squares = 0;
+    void add(const Weighed& rocks);
+  };
   struct Sums {
     TrialCounts counts, or_open;
-    std::uint64_t counted = 0, open = 0;  ///< of the open trial
+    Chances chances, chances_or_open;
+    Weighed counted, or_open_now;  ///< of the open trial
   };
+  Share of_chances(const Sums& share) const;
+
   std::vector<Sums> shares_;
   std::uint64_t rocks_ = 0;
-  std::uint64_t trial_ = 0, in_trial_ = 0;  ///< the open trial and its rocks
+  WeightRange weights_;
+  bool use_chances_ = false;
+  double weight_ = 1;        ///< of the rock
+  std::uint64_t trial_ = 0;  ///< the open trial
+  Weighed in_trial_;         ///< its rocks
 };
 
 /// The share of the other rocks. Where `share` is a lower bound, that of the others is an upper bound.

@@ -67,17 +67,20 @@ GroupTally::GroupTally(const std::string& name)
 void GroupTally::add(const RockRecord& rock) {
   const bool fault = is_fault(rock.reason);
   if (!counted_) {
-    reasons_.add(rock.trial);
+    weights_.add(rock.weight);
+    reasons_.add(rock.trial, rock.weight);
     reasons_.count(static_cast<std::size_t>(rock.reason));
     if (!fault) {
-      censored_.add(rock.trial);
+      weight_ += rock.weight;
+      censored_.add(rock.trial, rock.weight);
       if (rock.censored) censored_.count();
     }
     for (std::size_t m = 0; m < travel_mode_names.size() && !fault; ++m)
-      travel_.add(static_cast<TravelMode>(m), rock.travel.time[m], rock.travel.distance[m]);
+      travel_.add(static_cast<TravelMode>(m), rock.weight * rock.travel.time[m],
+                  rock.weight * rock.travel.distance[m]);
   }
   for (std::size_t q = 0; q < samples_.size() && !fault; ++q)
-    samples_[q].add(bounded(rock, rock_statistics[q]), rock.trial);
+    samples_[q].add(bounded(rock, rock_statistics[q]), rock.trial, rock.weight);
 }
 
 bool GroupTally::needs_another_pass() {
@@ -95,6 +98,8 @@ GroupSummary GroupTally::summary() const {
   summary.count = reasons_.rocks();
   summary.faults = reasons_.rocks() - censored_.rocks();
   summary.censored = censored_.counted();
+  summary.weight = weight_;
+  summary.weights = weights_;
   for (std::size_t r = 0; r < stop_reasons; ++r) {
     summary.reasons[r] = reasons_.counted(r);
     summary.reason_shares[r] = reasons_.of_rocks(r);

@@ -37,6 +37,8 @@ struct GroupSummary {
   std::uint64_t count = 0;   ///< rocks, including those with faults
   std::uint64_t faults = 0;  ///< rocks that failed; they are in no statistic
   std::uint64_t censored = 0;
+  double weight = 0;                                  ///< of the rocks without faults
+  WeightRange weights;                                ///< of all rocks
   std::array<std::uint64_t, stop_reasons> reasons{};  ///< indexed by StopReason
   std::array<Share, stop_reasons> reason_shares{};    ///< of all rocks
   Share censored_share;                               ///< of the rocks without faults; 0 without any
@@ -67,6 +69,8 @@ class GroupTally {
  private:
   bool counted_ = false;  ///< first pass is done
   std::string name_;
+  WeightRange weights_;
+  double weight_ = 0;                 ///< of the rocks without faults
   ShareTally reasons_{stop_reasons};  ///< of all rocks
   ShareTally censored_;               ///< of the rocks without faults
   Travel travel_;

@@ -51,6 +51,7 @@ class DocumentDecoder {
       std::vector<std::string> groups;
       for (const RockGroup& group : scenario_.rocks) groups.push_back(group.name);
       scenario_.clearances = decode_clearances(context_, *clearances, groups);
+      check_clearances_per_blast(*clearances);
     }
     scenario_.solver = decode_solver(context_, *root_.find("solver"));
     if (const auto stop = root_.find("stop")) scenario_.stop = decode_stop(context_, *stop);
@@ -141,6 +142,20 @@ class DocumentDecoder {
       check_materials(*bodies, scenario_.bodies, 1, [&](const BodyPlan& a, const BodyPlan& b) {
         return scenario_.method == Method::nscd && scenario_.body_contacts && (is_free(a) || is_free(b));
       });
+    }
+  }
+
+  /// The farthest rock of a blast depends on how many it has.
+  void check_clearances_per_blast(const Node& clearances) {
+    const std::vector<Node> items = clearances.items();
+    for (std::size_t c = 0; c < scenario_.clearances.size() && c < items.size(); ++c) {
+      const ClearancePlan& clearance = scenario_.clearances[c];
+      for (std::size_t g = 0; g < scenario_.rocks.size() && clearance.per_blast; ++g) {
+        if (!clearance.counts(static_cast<int>(g)) || !scenario_.rocks[g].weight) continue;
+        items[c].find("per").value_or(items[c]).error(
+            context_.diagnostics, fmt::format("{}: `rocks.{}` has a weight", weighted_blast, g));
+        break;
+      }
     }
   }
 

@@ -41,6 +41,7 @@ RockGroup decode_group(DecodeContext& context, const Node& node, const std::vect
   const Section section = decode_section(context, node, plane ? "rocks" : "rocks 3D");
   RockGroup group;
   group.name = section.text("name");
+  if (section.given("weight")) group.weight = section.constant("weight");
   if (const auto population = decode_plugin(context, node, PluginKind::population))
     group.population = *population;
   group.density = section.number("density");

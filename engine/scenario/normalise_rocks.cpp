@@ -94,6 +94,10 @@ Value normalise_group(DecodeContext& context, const Node& node) {
   const Value population = normalise_plugin(context, node, PluginKind::population, population_rules,
                                             spec.key_names(), default_population);
   put_all(group, *population.map());
+  if (const auto weight = node.find("weight"); weight && weight->value->map())
+    weight->error(context.diagnostics,
+                  "takes no distribution: it is the number of real rocks that each rock "
+                  "of the group stands for");
   check_mass(context, node, false);
   put_turn(context, group, node, rock_rules);
   put_plugin(context, group, node, "shape", PluginKind::shape, rock_rules);

@@ -177,12 +177,13 @@ struct RockGroup {
   std::optional<Release> release;
   std::optional<PluginUse> launch;          ///< absent: at rest
   std::optional<double> assumed_elevation;  ///< rad, of a launch whose elevation the scenario does not give
-  Number density;                           ///< kg/m3
-  std::optional<Number> mass;               ///< kg; in place of density
-  std::optional<Number> thickness;          ///< m; absent: default_thickness
-  std::optional<Number> orientation;        ///< 2D, rad; absent: random and uniform
-  std::optional<TurnPlan> turn;             ///< 3D; absent: random and uniform
-  int material = -1;                        ///< for contacts with other rocks; -1: none
+  std::optional<double> weight;       ///< real rocks that a rock stands for; absent: 1, or its population's
+  Number density;                     ///< kg/m3
+  std::optional<Number> mass;         ///< kg; in place of density
+  std::optional<Number> thickness;    ///< m; absent: default_thickness
+  std::optional<Number> orientation;  ///< 2D, rad; absent: random and uniform
+  std::optional<TurnPlan> turn;       ///< 3D; absent: random and uniform
+  int material = -1;                  ///< for contacts with other rocks; -1: none
 };
 
 struct BodyPlan {
@@ -382,7 +383,19 @@ struct Scenario {
   std::optional<AnswerPlan> answer;  ///< absent: no point is called best
   std::vector<Draw> draws;
   std::vector<BranchPlan> branches;  ///< exclusive; the rest is regular
+
+  /// Whether a group has a weight. A population may answer weights too.
+  bool gives_weights() const {
+    return std::any_of(rocks.begin(), rocks.end(),
+                       [](const RockGroup& group) { return group.weight.has_value(); });
+  }
 };
+
+/// Why a clearance per blast cannot have weights.
+inline constexpr const char* weighted_blast =
+    "`per: blast` counts the rocks of a blast as they are and cannot have weights; use `per: rock`, or as "
+    "many "
+    "rocks as the blast has";
 
 /// One axis of a sweep: numbers, or choices with their texts.
 struct SweepAxis {

@@ -175,6 +175,10 @@ ParamSpec per_hole() {
       optional(integer("per_hole", "rocks of each hole of `blast.holes`, in place of `per_trial`")), 1);
 }
 
+ParamSpec weight() {
+  return above(optional(number("weight", "", "the number of real rocks that a rock stands for")), 0);
+}
+
 ParamSpec thickness() {
   return above(
       optional(number("thickness", "m", "by default that of the sphere of equal cross-section area")), 0);
@@ -313,11 +317,11 @@ std::vector<SectionSpec> make_sections() {
        joined(joined({text("name", "of the group")}, mass_keys()),
               {per_hole(), thickness(),
                optional(number("orientation", "rad", "random and uniform where it is not given")),
-               optional(text("material", "shown to other rocks"))}),
+               optional(text("material", "shown to other rocks")), weight()}),
        {"type", "shape", "release", "launch"}},
       {"rocks 3D",
        joined(joined({text("name", "of the group")}, mass_keys()),
-              {per_hole(), optional(text("material", "shown to other rocks"))}),
+              {per_hole(), optional(text("material", "shown to other rocks")), weight()}),
        {"type", "shape", "orientation", "release", "launch"}},
       {"rocks.release: from",
        {choice(

@@ -221,6 +221,19 @@ std::vector<RockPlan<D>> TrialBuilder<D>::plans_of(int g, const TerrainView& gro
   });
 }
 
+/// The weights that a population answers.
+template <int D>
+void TrialBuilder<D>::check_weights(int group, const std::vector<RockPlan<D>>& plans) const {
+  const auto has = [](const RockPlan<D>& plan) { return plan.weight.has_value(); };
+  if (std::none_of(plans.begin(), plans.end(), has)) return;
+  const std::string& path = scenario_.rocks[static_cast<std::size_t>(group)].population.path;
+  if (!std::all_of(plans.begin(), plans.end(), has))
+    throw ScenarioError(path, "its population answers `weight` for some rocks, expected for all or for none");
+  for (const ClearancePlan& clearance : scenario_.clearances)
+    if (clearance.per_blast && clearance.counts(group))
+      throw ScenarioError(path, fmt::format("{}: clearance `{}`", weighted_blast, clearance.name));
+}
+
 template <int D>
 void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial) {
   const auto holes = static_cast<std::uint64_t>(scenario_.blast ? scenario_.blast->pattern.holes() : 1);
@@ -236,10 +249,12 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
     const RockGroup& group = builder_of(of_blast).scenario_.rocks[g];
     RandomStream rng(scenario_.seed, streams_[g].population, of_trial);
     const auto plans = builder_of(of_blast).plans_of(g, ground, of_trial, rng);
+    check_weights(g, plans);
     for (std::size_t i = 0; i < plans.size(); ++i) {
       const RockPlan<D>& plan = plans[i];
       TrialRock& rock = trial.rocks.emplace_back();
       rock.group = g;
+      rock.weight = plan.weight.value_or(group.weight.value_or(1));
       rock.population_drew = rng.drawn();
       const std::uint64_t hole =
           group.per_hole ? i / static_cast<std::size_t>(*group.per_hole) : count % holes;

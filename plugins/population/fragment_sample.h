@@ -16,7 +16,7 @@ class FragmentSample {
   /// n rocks for a volume [m3] of broken rock of which a share is thrown. The mass between the least and the
   /// greatest size is cut into n equal parts, and a size x is drawn in each: all sizes are met, large blocks
   /// as surely as gravel. A rock then stands for (volume x share x F / n) / (pi/6 x^3) real ones, F the share
-  /// of the mass between those sizes. Throws PluginError if there is no such mass.
+  /// of the mass between those sizes. None if less than 1e-9 of the mass is between them.
   template <int D>
   std::vector<RockPlan<D>> rocks(Values values, const FragmentSizes& sizes, double volume,
                                  RandomStream& rng) const;

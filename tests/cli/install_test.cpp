@@ -6,7 +6,7 @@
 
 namespace {
 
-const std::string slope = R"(flyrock: 1
+const std::string installed_slope = R"(flyrock: 1
 dimension: 2
 method: nscd
 trials: 3
@@ -24,14 +24,14 @@ rocks:
 stop: { time: 60 s }
 )";
 
-std::string slope_with(const std::string& type, const std::string& law) {
-  std::string text = slope;
+std::string installed_slope_with(const std::string& type, const std::string& law) {
+  std::string text = installed_slope;
   text.replace(text.find("TYPE"), 4, type);
   text.replace(text.find("[LAW]"), 5, law);
   return text;
 }
 
-void write_plugin(const Folder& folder) {
+void write_installed_plugin(const Folder& folder) {
   fs::create_directories(folder.path() / "own");
   folder.write("own/plugin.lua", R"(local fr = require "flyrock"
 return fr.plugin {
@@ -84,19 +84,19 @@ TEST_CASE("the installed program runs by itself, and a plugin is built against w
   // Moved as a whole, it still finds its parts.
   fs::rename(folder.path() / "there", folder.path() / "moved");
   const std::string flyrock = "'" + (folder.path() / "moved/usr/bin/flyrock").string() + "' ";
-  folder.write("newton.yaml", slope_with("newton", "[]"));
+  folder.write("newton.yaml", installed_slope_with("newton", "[]"));
   const Output run = shell(folder, flyrock + "run newton.yaml -o newton");
   INFO(run.err);
   REQUIRE(run.code == 0);
   CHECK(shell(folder, flyrock + "course --list").code == 0);
 
-  write_plugin(folder);
+  write_installed_plugin(folder);
   const Output made = shell(
       folder, "cmake -S own -B own/build -DCMAKE_PREFIX_PATH=\"$PWD/moved/usr\" && cmake --build own/build");
   INFO(made.out << made.err);
   REQUIRE(made.code == 0);
   REQUIRE(folder.has("own/own.so"));
-  folder.write("own.yaml", slope_with("own", "[own]"));
+  folder.write("own.yaml", installed_slope_with("own", "[own]"));
   const Output own = shell(folder, flyrock + "run own.yaml -o own_run");
   INFO(own.err);
   REQUIRE(own.code == 0);

@@ -291,7 +291,7 @@ std::string geotiff(const std::vector<std::vector<float>>& rows, double cell, co
 }  // namespace
 
 TEST_CASE("a GeoTIFF is the same ground as its ESRI ASCII grid") {
-  if (!std::filesystem::exists(FLYROCK_SHARE_DIR "/flyrock_gdal.so")) {
+  if (!std::filesystem::exists(FLYROCK_MODULE_DIR "/flyrock_gdal.so")) {
     WARN("SKIPPED: built without GDAL");
     return;
   }
@@ -320,7 +320,7 @@ TEST_CASE("a GeoTIFF is the same ground as its ESRI ASCII grid") {
 TEST_CASE("a GeoTIFF is read by the module of GDAL, or its error names the package") {
   const TemporaryFile file("text.tif", "no image");
   const std::string error = error_of(file, [](const std::string& path) { grid_of(path); });
-  if (std::filesystem::exists(FLYROCK_SHARE_DIR "/flyrock_gdal.so"))
+  if (std::filesystem::exists(FLYROCK_MODULE_DIR "/flyrock_gdal.so"))
     CHECK(error.find("not recognized as a supported file format") != std::string::npos);
   else
     CHECK(error.find(

@@ -77,6 +77,8 @@ function sums(differences) {
   return differences.map((d) => (sum += d) / 1000);
 }
 const group_name = (group) => group.group ?? (of_bodies ? "all bodies" : "all rocks");
+/** The groups that tables show: without weights each of several groups, because all together depend on how many of each were run. */
+const shown_groups = (point) => (point.rocks.length > 1 && !summary.weights ? point.rocks.slice(1) : point.rocks);
 const is_choice = (axis) => typeof summary.points[0].at[axis.path] === "string";
 /** The value of an axis of the sweep at a point: a number in the unit that people read, or a choice. */
 const at_axis = (axis, point) => (is_choice(axis) ? point.at[axis.path] : point.at[axis.path] * axis.per_si);

@@ -50,7 +50,7 @@ function travel_section() {
   if (of_bodies || ends_at_landing) return;  // all of such a path is flight
   section_of_point("Modes of travel", (point) => [table("Shares of all time and of all path",
     ["rocks", ...modes.map((mode) => `${mode}, time`), ...modes.map((mode) => `${mode}, path`)],
-    point.rocks.map((group) => [group_name(group), ...["time", "distance"].flatMap((what) => modes.map((mode) => right(group.travel[what][mode] === null ? "–" : percent(group.travel[what][mode]))))])),
+    shown_groups(point).map((group) => [group_name(group), ...["time", "distance"].flatMap((what) => modes.map((mode) => right(group.travel[what][mode] === null ? "–" : percent(group.travel[what][mode]))))])),
     caption("Flight: until the first landing; bounce: in flight after it. Roll: in contact, slipping slower than a twentieth of the speed; slide: in contact otherwise.")]);
 }
 
@@ -90,7 +90,7 @@ function statistics_section() {
     return parts.length === 0 ? "" : paragraph("note", `${group_name(group)}: design effects above 1.5, which say how many rocks count as one independent rock: ${parts.join("; ")}.`);
   };
   const head = (number) => [{ text: element("span", { title: number.doc }, quantity_name(number.name)) }, number.unit || "–"];
-  const sound = (point) => point.rocks.filter((group) => group.count > group.faults);
+  const sound = (point) => shown_groups(point).filter((group) => group.count > group.faults);
   section_of_point("Statistics", (point) => sound(point).length === 0 ? [paragraph("", "There are none: no rock came through.")] : [
     ...sound(point).map((group) => table(`${group_name(group)}: ${group.count - group.faults}`, ["quantity", "unit", ...names],
       data.numbers.map((number) => [...head(number), ...names.map((name) => statistic(group, number.name, name))]))),

@@ -8,23 +8,23 @@ using namespace flyrock;
 
 namespace {
 
-const std::vector<TableColumn> columns = {{"name", {}, true},
-                                          {"mass", dimension::mass, false, true},
-                                          {"vx", dimension::speed},
-                                          {"time", dimension::time},
-                                          {"charge", {-1, 1, 0, 0}}};
+const std::vector<TableColumn> test_columns = {{"name", {}, true},
+                                               {"mass", dimension::mass, false, true},
+                                               {"vx", dimension::speed},
+                                               {"time", dimension::time},
+                                               {"charge", {-1, 1, 0, 0}}};
 
-struct Read {
-  std::optional<Table> table;
+struct TableRead {
+  std::optional<TextTable> table;
   std::string errors;
 };
 
-Read read(const std::string& text, const std::map<std::string, std::string>& heads = {}) {
+TableRead read_csv(const std::string& text, const std::map<std::string, std::string>& heads = {}) {
   const TemporaryFile file("table.csv", text);
   Value value;
   Diagnostics diagnostics;
-  Read result;
-  result.table = read_table(file.path, columns, heads, Node{&value, {}, "rocks", "", ""}, diagnostics);
+  TableRead result;
+  result.table = read_table(file.path, test_columns, heads, Node{&value, {}, "rocks", "", ""}, diagnostics);
   for (const Diagnostic& one : diagnostics.all())
     result.errors +=
         std::to_string(one.at.line) + ":" + std::to_string(one.at.column) + ": " + one.text + "\n";
@@ -34,10 +34,10 @@ Read read(const std::string& text, const std::map<std::string, std::string>& hea
 }  // namespace
 
 TEST_CASE("a table has heads in any order with units, and further columns") {
-  const Read file =
-      read("vx_m_s,colour,charge_kg_per_m,mass_t,time_ms,name\n2,red,7.5,0.25,17,\"a, b\"\n,,,1e-3,,c\n");
+  const TableRead file =
+      read_csv("vx_m_s,colour,charge_kg_per_m,mass_t,time_ms,name\n2,red,7.5,0.25,17,\"a, b\"\n,,,1e-3,,c\n");
   REQUIRE(file.errors == "");
-  const Table& table = *file.table;
+  const TextTable& table = *file.table;
   CHECK(table.rows() == 2);
   CHECK(table.number(0, "vx") == 2.0);
   CHECK(table.number(0, "charge") == 7.5);
@@ -51,22 +51,23 @@ TEST_CASE("a table has heads in any order with units, and further columns") {
 }
 
 TEST_CASE("a table of a spreadsheet: byte order mark, semicolons, commas of decimals, CRLF, other heads") {
-  const Read file = read("\xef\xbb\xbfGewicht [t];mass_old\r\n1,5;3\r\n\r\n", {{"mass", "Gewicht [t]"}});
+  const TableRead file =
+      read_csv("\xef\xbb\xbfGewicht [t];mass_old\r\n1,5;3\r\n\r\n", {{"mass", "Gewicht [t]"}});
   REQUIRE(file.errors == "");
   CHECK(file.table->rows() == 1);
   CHECK(file.table->number(0, "mass") == 1500.0);
 }
 
 TEST_CASE("a table names each fault with line and column") {
-  CHECK(read("mass,vx\n1,fast\n,2\n1,2,3\nnan,1\n").errors ==
+  CHECK(read_csv("mass,vx\n1,fast\n,2\n1,2,3\nnan,1\n").errors ==
         "2:3: `fast` is not a number, expected `vx`\n"
         "3:1: `mass` is empty\n"
         "4:1: the line has 3 values, the heads are 2\n"
         "5:1: `nan` is not a number, expected `mass`\n");
-  CHECK(read("mas,vx\n1,2\n").errors ==
+  CHECK(read_csv("mas,vx\n1,2\n").errors ==
         "1:1: no column is `mass` (in kg, or `mass` with a unit), did you mean `mas`?\n");
-  CHECK(read("mass,mass_kg\n1,2\n").errors == "1:6: `mass_kg` is a second column of `mass`\n");
-  CHECK(read("mass\n").errors == "1:1: the table has no line but its heads\n");
-  CHECK(read("mass\n1\n", {{"vx", "speed"}}).errors ==
+  CHECK(read_csv("mass,mass_kg\n1,2\n").errors == "1:6: `mass_kg` is a second column of `mass`\n");
+  CHECK(read_csv("mass\n").errors == "1:1: the table has no line but its heads\n");
+  CHECK(read_csv("mass\n1\n", {{"vx", "speed"}}).errors ==
         "1:1: no head is `speed`, which `columns` names for `vx`, expected `mass`\n");
 }

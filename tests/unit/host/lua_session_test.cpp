@@ -24,7 +24,7 @@ TEST_CASE("every built-in plugin is registered with its documentation") {
 }
 
 TEST_CASE("a broken installation names the file") {
-  CHECK_THROWS_WITH(LuaSession("/nowhere"), Catch::Contains("/nowhere/flyrock_plugins.so"));
+  CHECK_THROWS_WITH(LuaSession("/nowhere"), Catch::Contains("the folder /nowhere is missing"));
 }
 
 TEST_CASE("limits and defaults are converted from the declared unit") {
@@ -151,7 +151,7 @@ TEST_CASE("a native plugin comes from the folder of its manifest, and nothing el
            native + "' }\n";
   };
   const std::string object = (lua.folder / "outside.so").string();
-  fs::copy_file(fs::path(FLYROCK_SHARE_DIR) / "flyrock_plugins.so", object);
+  fs::copy_file(fs::path(FLYROCK_MODULE_DIR) / "flyrock_plugins.so", object);
   fs::create_directories(lua.folder / "in");
   fs::create_symlink("../outside.so", lua.folder / "in/link.so");
   fs::create_symlink("..", lua.folder / "in/up");

@@ -212,7 +212,7 @@ TEST_CASE("A percentile converges to that of all rocks") {
   Convergence convergence(count);
   do {
     for (int i = 0; i < count; ++i)
-      convergence.add({static_cast<double>((i * 997) % count), i == 1999}, static_cast<std::uint64_t>(i));
+      convergence.add({static_cast<double>((i * 997) % count), i == 1999}, static_cast<std::uint64_t>(i), 1);
   } while (convergence.needs_another_pass());
   const auto data = convergence.data();
   const auto& n = data["n"];

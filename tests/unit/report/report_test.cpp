@@ -36,9 +36,12 @@ nlohmann::ordered_json data_of(const Plan& plan, std::uint64_t trials) {
 }
 
 RunoutData runouts(const std::vector<Bounded>& values, double greatest) {
-  RunoutData data(values.size(), 0, greatest);
+  GroupSummary group;
+  group.count = values.size();
+  group.statistics[rock_statistic("runout")][static_cast<int>(Statistic::max)].value = greatest;
+  RunoutData data(group);
   do {
-    for (const Bounded& value : values) data.add(value);
+    for (const Bounded& value : values) data.add(value, 1);
   } while (data.needs_another_pass());
   return data;
 }

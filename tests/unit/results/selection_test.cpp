@@ -15,13 +15,14 @@ namespace {
 std::vector<double> select(const std::vector<double>& values, const std::vector<std::uint64_t>& ranks,
                            int& passes) {
   const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
-  Selection selection(ranks, values.size(), *least, *greatest);
+  Selection selection({ranks.begin(), ranks.end()}, values.size(), static_cast<double>(values.size()), *least,
+                      *greatest);
   for (passes = 0; selection.open(); ++passes) {
     for (const double value : values) selection.add(value);
     selection.end_pass();
   }
   std::vector<double> found;
-  for (const std::uint64_t rank : ranks) found.push_back(selection.at(rank));
+  for (const std::uint64_t rank : ranks) found.push_back(selection.at(static_cast<double>(rank)));
   return found;
 }
 
@@ -70,11 +71,38 @@ TEST_CASE("Order statistics are those of the sorted column, in a few passes") {
 }
 
 TEST_CASE("What nobody looked for has no answer") {
-  Selection selection({1}, 3, 1, 3);
+  Selection selection({1}, 3, 3, 1, 3);
   for (const double value : {3.0, 1.0, 2.0}) selection.add(value);
   selection.end_pass();
   CHECK(selection.at(1) == 2);
   CHECK_THROWS_AS(selection.at(0), std::out_of_range);
-  CHECK_THROWS_AS(Selection({3}, 3, 1, 3), std::out_of_range);
+  CHECK_THROWS_AS(Selection({3}, 3, 3, 1, 3), std::out_of_range);
   CHECK_FALSE(Selection().open());
+}
+
+TEST_CASE("With weights an order statistic is the number at which the weights exceed its rank") {
+  std::vector<double> values, weights;
+  double total = 0;
+  for (std::uint64_t i = 0; i < 20'000; ++i) {
+    values.push_back(std::pow(uniform(i), -0.5));
+    weights.push_back(uniform(30'000 + i) < 0.5 ? 0.1 : 7.3);
+    total += weights.back();
+  }
+  const std::vector<double> ranks = {0, 0.5 * total, 0.95 * total, 0.999 * total};
+  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+  Selection selection(ranks, values.size(), total, *least, *greatest);
+  while (selection.open()) {
+    for (std::size_t i = 0; i < values.size(); ++i) selection.add(values[i], weights[i]);
+    selection.end_pass();
+  }
+  std::vector<std::size_t> order(values.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  double below = 0;
+  std::size_t next = 0;
+  for (const std::size_t i : order) {
+    below += weights[i];
+    for (; next < ranks.size() && ranks[next] < below; ++next) CHECK(selection.at(ranks[next]) == values[i]);
+  }
+  CHECK(next == ranks.size());
 }
