@@ -28,6 +28,7 @@ Checks all_checks(const std::string& share) {
   check_painleve_rod(checks);
   check_random_impacts(checks);
   check_lumped_mass(checks);
+  check_turning_contacts(checks);
   check_launch_formulas(checks);
   check_scenarios(checks, share);
   return checks;

@@ -44,6 +44,9 @@ void check_random_impacts(Checks& checks);
 /// Bounces and slides of a lumped mass on inclines.
 void check_lumped_mass(Checks& checks);
 
+/// The order in the step where the normal, or the other surface, turns: drum, turntable.
+void check_turning_contacts(Checks& checks);
+
 /// Launch speeds and ranges of blasts: Roth, the fit of bench blasts, Richards and Moore, McKenzie.
 void check_launch_formulas(Checks& checks);
 

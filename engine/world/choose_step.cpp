@@ -20,6 +20,20 @@ double World<D>::step_length() {
   return std::min(control_.length(bodies, touching_), longest_of_springs());
 }
 
+/// For how many usual phases the error of a step acts. Where a contact turns (swings in a drum, a ball on a
+/// turntable, a rock on a crest), errors add up over a phase that nothing ends, and go on in the flight from
+/// a crest. At least 1; what hardly turns does not count.
+template <int D>
+double World<D>::phases_so_far() const {
+  constexpr double hardly = 0.01;     // of g
+  constexpr double usual_flight = 1;  // s, from a crest
+  double longest = usual_phase;
+  for (const Contact& c : contacts_)
+    if (c.lasts && c.impulse[0] > 0 && c.turning.template head<D>().norm() > hardly * g_)
+      longest = std::max(longest, c.age + usual_flight);
+  return longest / usual_phase;
+}
+
 /// The greatest angular frequency of the radii that move [rad/s]; 0 if all bodies are rigid.
 template <int D>
 double World<D>::fastest_breath() const {
@@ -95,6 +109,7 @@ std::span<const double> World<D>::doubt_of_friction(double h) {
 
 #define FLYROCK_INSTANTIATE(D)                          \
   template double World<D>::step_length();              \
+  template double World<D>::phases_so_far() const;    \
   template double World<D>::fastest_breath() const;     \
   template double World<D>::longest_of_springs() const; \
   template std::span<const double> World<D>::doubt_of_friction(double)

@@ -53,6 +53,7 @@ template <int D>
 void World<D>::forget_steps() {
   control_.forget();
   by_contacts_.clear();
+  gains_.clear();
 }
 
 /// The Moreau-Jean step:
@@ -114,7 +115,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
     drift(theta * h);
     measure_after(h);
     if (chooses && refusals++ < most_refusals) {
-      error = control_.error(bodies, starts_, doubt_of_friction(h), h);
+      error = phases_so_far() * control_.error(bodies, starts_, doubt_of_friction(h), h);
       const double of_springs = longest_of_springs();
       const double fits = error > 1 ? StepControl<D>::shorter(h, error) : h;
       if (std::min(fits, of_springs) < h) {
@@ -155,6 +156,12 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
     if (!bodies[i].moves()) continue;
     by_contacts_[i] = (bodies[i].w - free_spins_[i]) / h;
     stop_if_still(bodies[i]);
+  }
+  gains_.resize(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    typename Body<D>::Rows before;
+    before << starts_[i].v, starts_[i].w;
+    gains_[i] = (bodies[i].velocity() - before) / h;
   }
   quality_.count_step(h, new_touch);
   return keep(h, new_touch);

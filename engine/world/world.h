@@ -7,6 +7,7 @@
 
 #include "collision/broad_phase.h"
 #include "collision/contact.h"
+#include "collision/contact_motion.h"
 #include "collision/geometry.h"
 #include "collision/time_of_contact.h"
 #include "record/observe.h"
@@ -44,7 +45,8 @@ struct WorldContact {
   ContactHistory history{};  ///< memory of the laws of this contact
   Row impulse = Row::Zero();
   Row before = Row::Zero();   ///< velocity at the start of the step or impact
-  Row turning = Row::Zero();  ///< acceleration by which the lever arms change the velocity as they turn
+  Row turning = Row::Zero();  ///< acceleration of its velocity by geometry alone (World::turning_of)
+  bool lasts = false;         ///< it turns in a way that may go on for long (World::Turning)
   double mu_before = 0;       ///< coefficient of friction in the last step, if the contact is carried on
   double c_t_before = 0;      ///< N, its tangential cohesion
   Vec<D> stretch = Vec<D>::Zero();  ///< m, of the tangential spring of `penalty` at the end of the last step
@@ -226,7 +228,13 @@ class World {
   double shape_speed(const Contact& contact) const;
   double mobility_of_shape(int body) const;
   Row relative_velocity(const Contact& contact) const;
-  Row turning_of(const Contact& contact) const;
+  TouchingPart<D> touching_part_of(const Contact& contact, int body, FeatureId feature) const;
+  struct Turning {
+    Row rate = Row::Zero();  ///< m/s2, in the spin rows rad/s2
+    bool bends = false;      ///< the normal turns or the contact walks: more than the levers turn
+    bool lasts = false;      ///< and it may go on for long: a round part, or a driven body
+  };
+  Turning turning_of(const Contact& contact, double ahead) const;
   void measure_before(double h);
   void assemble(double h, bool warm);
   template <int N>
@@ -255,6 +263,7 @@ class World {
 
   // choose_step.cpp: the length of a step by its error
   bool chooses_steps() const { return settings_.step_tolerance > 0; }
+  double phases_so_far() const;
   double fastest_breath() const;
   double longest_of_springs() const;
   std::span<const double> doubt_of_friction(double h);
@@ -318,7 +327,9 @@ class World {
   /// rad/s2, of each body: the change of its spin by contacts in the last step; empty: unknown, taken as zero
   std::vector<typename Space<D>::Spin> by_contacts_;
   std::vector<typename Space<D>::Spin>
-      free_spins_;                     ///< rad/s, of each body, without the contacts of the step
+      free_spins_;  ///< rad/s, of each body, without the contacts of the step
+  /// m/s2 and rad/s2, of each body: the rate of its velocity in the last step; empty: unknown
+  std::vector<typename Body<D>::Rows> gains_;
   std::vector<double> doubt_;          ///< m/s, of each body
   std::vector<char> touching_;         ///< [body], a mark that the functions of a step set anew
   std::vector<char> island_collides_;  ///< whether the island has an impact in this step
