@@ -19,6 +19,7 @@ help:
 	@echo "make golden write tests/golden, the hashes of the results of all scenarios, anew"
 	@echo "make bench  rocks per second, the share of time by phase, the cost of each pair of shapes and of a law in Lua"
 	@echo "make fuzz SECONDS=600 SEED=1   tries mutants of every kind of input, with sanitizers; what it finds is in out/fuzz"
+	@echo "make fuzz KIND=scenes SECONDS=600 SEED=1   runs random scenes and judges their motion; slow, so not among the others"
 	@echo "make reference   write docs/reference from the manifests of the plugins and the examples of shapes"
 	@echo "make course write the pictures of the course's pages"
 	@echo "make format lay out the sources as .clang-format says, which a test checks"
@@ -88,7 +89,7 @@ test-heavy: build-release golden-unoptimised golden-optimised golden-threads
 SECONDS := 60
 SEED := 1
 fuzz: build-dev
-	build/dev/bin/flyrock_fuzz --seconds $(SECONDS) --seed $(SEED) -o out/fuzz
+	build/dev/bin/flyrock_fuzz --seconds $(SECONDS) --seed $(SEED) $(if $(KIND),--kind $(KIND)) -o out/fuzz
 
 golden-%: deps
 	cmake --preset $* > build-$*.log 2>&1 || { cat build-$*.log; rm -f build-$*.log; exit 1; }

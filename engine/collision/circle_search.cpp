@@ -14,6 +14,9 @@ namespace {
 
 constexpr double forever = std::numeric_limits<double>::infinity();
 constexpr double closed = 1e-6;  // of the size: greater gaps are of no contact that exists
+// Of the size: by how much pieces that contacts hold may sink in a step. A rim is held at some places only,
+// and sinks with others where they come down.
+constexpr double most_sinking = 1e-5;
 
 class CircleSearch {
  public:
@@ -26,7 +29,8 @@ class CircleSearch {
         axis_a_(a),
         axis_b_(b),
         held_a_(pieces_of(a.shape), Held::no),
-        held_b_(pieces_of(b.shape), Held::no) {
+        held_b_(pieces_of(b.shape), Held::no),
+        are_solved_(search.held_are_solved) {
     find_held();
   }
 
@@ -41,22 +45,22 @@ class CircleSearch {
     const auto attempt = [&](const Direction& d) {
       if (best < left) best = std::max(best, separates(d, sa, sb, body_a, body_b, t));
     };
-    if (b_.facet) attempt(with_b(b_.facet->normal, sb, true));
+    if (b_.facet) attempt(with_b(b_.facet->normal, sb, 0));
     if (best >= left || (b_.facet && b_.facet->unbounded)) return best;
     const Placed3 a{a_.shape, {sa.x, sa.turn.rotation}}, b{b_.shape, {sb.x, sb.turn.rotation}};
     const FacingPair pair = facing_pair(a, b);
     nearest_ = pair.apart.normal;
     touches_ = pair.apart.distance - a_.shape.radius - b_.shape.radius < closed * search_.size;
     const Patch &of_a = pair.of_a, &of_b = pair.of_b;
-    if (of_b.normal.squaredNorm() > 0) attempt(with_b(of_b.normal, sb, true));
-    if (of_a.normal.squaredNorm() > 0) attempt(with_a(-of_a.normal, sa, true));
+    if (of_b.normal.squaredNorm() > 0) attempt(with_b(of_b.normal, sb, of_b.feature.index));
+    if (of_a.normal.squaredNorm() > 0) attempt(with_a(-of_a.normal, sa, of_a.feature.index));
     if (of_a.kind == Patch::Kind::segment && of_b.kind == Patch::Kind::segment)
       attempt(across(of_a.places[1].at - of_a.places[0].at, sa, of_b.places[1].at - of_b.places[0].at, sb));
-    attempt(with_b(nearest_, sb, false));
-    attempt(with_a(nearest_, sa, false));
+    attempt(with_b(nearest_, sb));
+    attempt(with_a(nearest_, sa));
     if (b_.facet)
       for (const HeldOnGround& h : b_.held)
-        if (kind_of(h.against) == FeatureKind::face) attempt(with_b(h.normal, sb, false));
+        if (kind_of(h.against) == FeatureKind::face) attempt(with_b(h.normal, sb));
     return best;
   }
 
@@ -69,7 +73,7 @@ class CircleSearch {
     enum class Turns { with_a, with_b, with_both } turns;
     Vec3 normal, rate;
     double turn, turn_rate, horizon;
-    bool of_plane;  ///< the normal of a face or cap
+    int face;  ///< of the contactor with which it turns: the face or cap that it is the normal of; -1: none
   };
 
   /// A rim that is held at places all round is held whole: no half of it is without one.
@@ -102,6 +106,7 @@ class CircleSearch {
         if (contactor_of(h.feature) != a_.index || contactor_of(h.against) != b_.index) continue;
         mark(held_a_, places_a_, a_.shape, feature_of(h.feature));
         mark(held_b_, places_b_, b_.shape, feature_of(h.against));
+        are_solved_ = are_solved_ && !h.opened;
         holds_ = true;
       }
       return;
@@ -120,21 +125,22 @@ class CircleSearch {
         of_facet = true;
       }
       if (!of_facet) continue;
+      are_solved_ = are_solved_ && !h.opened;
       mark(held_a_, places_a_, a_.shape, feature_of(h.feature));
       holds_ = true;
       holds_plane_ = holds_plane_ || in_plane;
     }
   }
 
-  static Direction with(Direction::Turns turns, const Vec3& normal, const MovingState& s, bool of_plane) {
+  static Direction with(Direction::Turns turns, const Vec3& normal, const MovingState& s, int face) {
     const double turn = s.w_max;
-    return {turns, normal, s.turn.spin.cross(normal), turn, turn * turn + s.w_rate, forever, of_plane};
+    return {turns, normal, s.turn.spin.cross(normal), turn, turn * turn + s.w_rate, forever, face};
   }
-  static Direction with_a(const Vec3& normal, const MovingState& sa, bool of_plane) {
-    return with(Direction::Turns::with_a, normal, sa, of_plane);
+  static Direction with_a(const Vec3& normal, const MovingState& sa, int face = -1) {
+    return with(Direction::Turns::with_a, normal, sa, face);
   }
-  static Direction with_b(const Vec3& normal, const MovingState& sb, bool of_plane) {
-    return with(Direction::Turns::with_b, normal, sb, of_plane);
+  static Direction with_b(const Vec3& normal, const MovingState& sb, int face = -1) {
+    return with(Direction::Turns::with_b, normal, sb, face);
   }
 
   /// The cross product of a line of each contactor; bounds as those of two edges in advancement3.cpp.
@@ -152,7 +158,38 @@ class CircleSearch {
             turn,
             (w * w + sa.w_rate + sb.w_rate) / least + 3 * turn * turn,
             w > 0 ? least / w : forever,
-            false};
+            -1};
+  }
+
+  /// The least height of some pieces after a time.
+  template <class Some>
+  static double lowest(const std::vector<PieceHeight>& pieces, const Some& some, double time) {
+    double low = forever;
+    for (int i = 0; i < static_cast<int>(pieces.size()); ++i)
+      if (some(i)) low = std::min(low, pieces[i].at(time));
+    return low;
+  }
+
+  /// How deep held pieces may sink, of which the lowest has this gap along the direction at hand: no deeper
+  /// than where they were when the search first met them held, and a little.
+  double may_sink(double gap, double t) {
+    if (!sunk_since_) sunk_since_ = t;
+    if (t == *sunk_since_) sunk_ = std::min(sunk_, std::max(0.0, -gap));
+    return sunk_ + most_sinking * search_.size;
+  }
+
+  /// Whether a direction stays the normal of a held contact while the bodies move: that of its face or cap.
+  bool is_exact(const Direction& d) const {
+    if (d.face < 0) return false;
+    if (b_.facet && d.turns == Direction::Turns::with_b) return holds_plane_;
+    const bool with_a = d.turns == Direction::Turns::with_a;
+    const MovingContactor& c = with_a ? a_ : b_;
+    const FeatureId face = feature_id(c.index, FeatureKind::face, d.face);
+    const auto is_of = [&](const auto& held) {
+      return std::any_of(held.begin(), held.end(),
+                         [&](const auto& h) { return (with_a ? h.feature : h.against) == face; });
+    };
+    return b_.facet ? is_of(b_.held) : is_of(search_.held);
   }
 
   /// How long a direction separates the pair from t on [s]. `sa`, `sb`: as AxisState gives them.
@@ -177,14 +214,8 @@ class CircleSearch {
     double least = within(horizon, left, forever);
 
     /// The pairs of some pieces of a with some of b.
-    const auto see = [&](const auto& some_a, const auto& some_b, bool opened) {
+    const auto see = [&](const auto& some_a, const auto& some_b, bool opened, double sinking = 0) {
       if (least <= 0) return;
-      const auto lowest = [](const std::vector<PieceHeight>& pieces, const auto& some, double time) {
-        double low = forever;
-        for (int i = 0; i < static_cast<int>(pieces.size()); ++i)
-          if (some(i)) low = std::min(low, pieces[i].at(time));
-        return low;
-      };
       const auto slope_of = [&](const std::vector<PieceHeight>& pieces, const auto& some) {
         const double low = lowest(pieces, some, 0) + 1e-12 * search_.size;
         double slope = forever;
@@ -193,7 +224,8 @@ class CircleSearch {
         return slope;
       };
       const auto gap = [&](double time) {
-        return lowest(of_a_, some_a, time) + lowest(of_b_, some_b, time) + offset - 0.5 * bend * time * time;
+        return lowest(of_a_, some_a, time) + lowest(of_b_, some_b, time) + offset + sinking -
+               0.5 * bend * time * time;
       };
       if (gap(0) == forever) return;
       const double time =
@@ -210,11 +242,12 @@ class CircleSearch {
     see([&](int i) { return !held_a(i); }, all, false);
     see(
         held_a, [&](int i) { return !held_b(i); }, false);
-    if (!search_.held_are_solved) {
+    if (!are_solved_) {
       see(held_a, held_b, t == 0);
       return least;
     }
-    if (!d.of_plane) {
+    see(held_a, held_b, false, may_sink(lowest(of_a_, held_a, 0) + lowest(of_b_, held_b, 0) + offset, t));
+    if (!is_exact(d)) {
       constexpr double small = 1e-3;  // rad, by which the normal of the contact may drift from the direction
       const double rate = sa.w_max + sb.w_max + speed / std::min(search_.size, a_.shape.bound);
       if (rate > 0) least = std::min(least, within(small / rate, left, forever));
@@ -224,14 +257,17 @@ class CircleSearch {
     const double turning = w * w + body_a.w_rate + body_b.w_rate + d.turn_rate;
     const Heights rims_a(d.normal, d.rate, body_a, sb.x, sb.v),
         rims_b(-d.normal, -d.rate, body_b, sb.x, sb.v);
-    quarter_turns(held_a_, first_a_, a_.shape, rims_a, turning, horizon, left, least);
-    quarter_turns(held_b_, first_b_, b_.shape, rims_b, turning, horizon, left, least);
+    if (a_moves || d.face < 0)
+      quarter_turns(held_a_, first_a_, a_.shape, rims_a, turning, horizon, left, least);
+    if (b_moves || d.face < 0)
+      quarter_turns(held_b_, first_b_, b_.shape, rims_b, turning, horizon, left, least);
     return least;
   }
 
   /// Limits a time to the one at which the lowest place of a rim that is held there only has walked a quarter
   /// of a turn around it; then the cap is level, or nearly so, and another place touches. `turning` is a
-  /// bound on the second rate of the normal, as the contactor sees it.
+  /// bound on the second rate of the normal, as the contactor sees it. Over the plane of its own cap, no
+  /// place of a rim is lowest.
   void quarter_turns(const std::vector<Held>& held, std::vector<Vec3>& first, const Contactor3& shape,
                      const Heights& heights, double turning, double horizon, double left,
                      double& least) const {
@@ -253,8 +289,8 @@ class CircleSearch {
   /// contact has another normal.
   bool is_held_along(const Direction& d) const {
     constexpr double same_direction = 1 - 5e-7;  // cosine of 1e-3 rad
-    if (!holds_) return false;
-    if (b_.facet && d.of_plane && d.turns == Direction::Turns::with_b && holds_plane_) return true;
+    if (!holds_ || (d.face >= 0 && !is_exact(d))) return false;
+    if (b_.facet && d.face == 0 && d.turns == Direction::Turns::with_b && holds_plane_) return true;
     return (touches_ || holds_plane_) && d.normal.dot(nearest_) > same_direction;
   }
 
@@ -267,8 +303,11 @@ class CircleSearch {
   std::vector<Held> held_a_, held_b_;          ///< of each piece
   std::vector<unsigned> places_a_, places_b_;  ///< that hold each rim, as bits
   bool holds_ = false, holds_plane_ = false;
+  bool are_solved_;                       ///< held contacts are solved in the step: none has just opened
   Vec3 nearest_ = Vec3::Zero();           ///< the normal of the pair
   bool touches_ = false;                  ///< along it
+  std::optional<double> sunk_since_;      ///< s, when held pieces were first met,
+  double sunk_ = forever;                 ///< m, and how deep they lay then along the best direction
   std::vector<PieceHeight> of_a_, of_b_;  ///< along the direction at hand
   std::vector<Vec3> first_a_, first_b_;   ///< towards the highest place of each rim at the start; unit
 };

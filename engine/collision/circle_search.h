@@ -14,9 +14,9 @@ namespace flyrock {
 /// (piece_heights.h), and the pair stays apart along n until
 ///   lowest of a (t) - highest of b (t) - M t^2/2 = 0,
 /// whose left side is concave in t: a chord is below it, so the search for its root stays on the safe side.
-/// Held contacts: the pieces that their features contain are left out along their normal, which all contacts
-/// of two convex contactors share. A rim that is held at one place counts as touching elsewhere when this
-/// place has walked a quarter of a turn around it.
+/// Held contacts: along their normal, which all contacts of two convex contactors share, the pieces that
+/// their features contain may sink by no more than a hundred-thousandth of the size. A rim that is held at
+/// one place counts as touching elsewhere when this place has walked a quarter of a turn around it, too.
 std::optional<double> advance_with_circles(const MovingContactor& a, const MovingContactor& b,
                                            const TimeWindow& window, const TouchSearch& search);
 

@@ -66,8 +66,33 @@ std::optional<Vec3> place_of(const Placed3& shape, FeatureId feature, const Vec3
   return rim_place(shape, i, direction);
 }
 
-/// The gap of a pair one of which has circles, along the normal of the pair.
+/// The plane of a face or cap: a place on it and its normal.
+struct FacePlane {
+  Vec3 at, normal;
+};
+std::optional<FacePlane> plane_of(const Placed3& shape, FeatureId feature) {
+  if (kind_of(feature) != FeatureKind::face) return std::nullopt;
+  const int i = index_of(feature);
+  if (!shape.shape.has_circles()) return FacePlane{shape.corner(i, 0), shape.normal(i)};
+  if (i == side_face) return std::nullopt;
+  const Contactor3::Circle& circle = shape.shape.circles[i];
+  return FacePlane{shape.pose * circle.centre, shape.pose.r * circle.axis};
+}
+
+/// The height of a vertex, or of the place of a rim that faces a plane, over this plane.
+std::optional<double> over_plane(const Placed3& shape, FeatureId feature,
+                                 const std::optional<FacePlane>& plane) {
+  if (!plane) return std::nullopt;
+  const auto place = place_of(shape, feature, -plane->normal);
+  if (!place) return std::nullopt;
+  return plane->normal.dot(*place - plane->at);
+}
+
+/// The gap of a pair one of which has circles: over the plane of a face, else along the normal of the pair.
 double gap_with_circles(const Placed3& a, FeatureId feature, const Placed3& b, FeatureId against) {
+  for (const auto& height :
+       {over_plane(a, feature, plane_of(b, against)), over_plane(b, against, plane_of(a, feature))})
+    if (height) return *height - a.shape.radius - b.shape.radius;
   const FacingPair pair = facing_pair(a, b);
   const Vec3& normal = pair.apart.normal;
   const double radii = a.shape.radius + b.shape.radius;

@@ -148,9 +148,11 @@ class MeetingPatches {
   void places_inside(bool of_a) {
     const Patch &own = of_a ? of_a_ : of_b_, &other = of_a ? of_b_ : of_a_;
     if (own.kind == Patch::Kind::disc) {
+      // The places count from the one that is lowest over the other plane. The normal of the pair may be that
+      // of this cap, over which no place of its rim is lowest.
       for (int i = 0; i < rim_places; ++i) {
         const int index = rim_index(own.circle, i);
-        const Vec3 at = rim_place(of_a ? a_ : b_, index, of_a ? Vec3(-n_) : n_);
+        const Vec3 at = rim_place(of_a ? a_ : b_, index, -other.normal);
         if (is_inside(other, at)) add(of_a, at, {FeatureKind::edge, index}, other.feature);
       }
     } else {

@@ -4,6 +4,7 @@
 
 #include "collision/feature_gap.h"
 #include "collision/narrow_phase.h"
+#include "collision/safe_time.h"
 #include "collision/terrain_contact.h"
 #include "world/manifold.h"
 #include "world/world.h"
@@ -37,6 +38,21 @@ double World<D>::contact_size(int candidate, int antagonist) const {
 template <int D>
 double World<D>::carry_reach(int candidate, int antagonist) const {
   return carry_share * contact_size(candidate, antagonist) + 0.25 * g_ * reach_time_ * reach_time_;
+}
+
+/// The same for a step of h seconds alone [m].
+template <int D>
+double World<D>::reach_within(double h, const Contact& c) const {
+  return carry_share * contact_size(c.candidate, c.antagonist) + 0.25 * g_ * h * h;
+}
+
+/// Whether a contact carries on one of other features.
+template <int D>
+bool World<D>::is_passed_on(const Contact& c) const {
+  return c.carried && std::none_of(last_.begin(), last_.end(), [&](const Contact& old) {
+           return old.candidate == c.candidate && old.antagonist == c.antagonist &&
+                  old.at.feature == c.at.feature && old.at.against == c.at.against;
+         });
 }
 
 template <int D>
@@ -224,16 +240,21 @@ void World<D>::keep_closed(double share_of_size) {
 /// Keeps the contacts, detected in the middle of a step, whose features were closed at its start. A contact
 /// that closed since then is a touch at which the step must be cut. A contact whose features have changed,
 /// but not its position, was closed. A new feature pair that starts deeper than one step can push it was not
-/// touching before: drop it. Springs are left out of the share, because they penetrate by design.
+/// touching before, unless a search at the start finds the depth, too: drop it. A contact that is carried on
+/// by its neighbour, as a vertex that slides from one side of a valley to the other, touches where it closes
+/// by more than drift would. Springs are left out of the share, because they penetrate by design.
 template <int D>
-typename World<D>::Drift World<D>::keep_closed_at_start() {
+typename World<D>::Drift World<D>::keep_closed_at_start(double h) {
   Drift drift;
   std::erase_if(contacts_, [&](const Contact& c) {
-    const double reach = carry_reach(c.candidate, c.antagonist),
-                 closed = c.carried ? reach : 1e-12 + 1e-9 * contact_size(c.candidate, c.antagonist);
+    const double reach = carry_reach(c.candidate, c.antagonist);
+    const double closed_alone = 1e-12 + 1e-9 * contact_size(c.candidate, c.antagonist);
+    const double closed = c.carried ? reach : closed_alone;
     const double gap = gap_at(c, true);
     const double may_drift = 3 * reach;
-    if (c.at.gap > reach || gap > closed || (!c.carried && gap < -may_drift)) return true;
+    if (c.at.gap > reach || gap > closed || (!c.carried && gap < -may_drift && !was_deep(c, gap)))
+      return true;
+    if (is_passed_on(c) && gap - c.at.gap > 3 * reach_within(h, c) && gap > closed_alone) return true;
     // On the next segment of the terrain, the gap at the start is measured to the line beyond the end of the
     // segment. The larger of the two gaps is therefore the true one.
     drift.penetration = std::max(drift.penetration, -std::max(gap, c.at.gap));
@@ -244,23 +265,42 @@ typename World<D>::Drift World<D>::keep_closed_at_start() {
   return drift;
 }
 
+/// The contactor of a body that has a feature, now or at the start of the step.
+template <int D>
+typename World<D>::Placed World<D>::placed(int body, FeatureId feature, bool at_start) const {
+  if (!at_start) return {bodies[body].contactor_with(feature), bodies[body].pose()};
+  const Moment<D>& start = starts_[body];
+  return {bodies[body].contactor_with(feature), {start.x, start.attitude.rotation}};
+}
+
+/// Whether the contactors of a contact lay in each other at the start of the step about as deep as the gap of
+/// its features says. The features alone may have been beside each other.
+template <int D>
+bool World<D>::was_deep(const Contact& c, double gap) {
+  const Placed candidate = placed(c.candidate, c.at.feature, true);
+  points_.clear();
+  if (c.antagonist < 0)
+    terrain_contacts(candidate, contactor_of(c.at.feature), *terrain_, 0, 0, points_);
+  else
+    body_contacts(candidate, contactor_of(c.at.feature), placed(c.antagonist, c.at.against, true),
+                  contactor_of(c.at.against), 0, points_, 0);
+  return std::any_of(points_.begin(), points_.end(), [&](const ContactPoint<D>& p) {
+    return p.gap < 0.5 * gap && same_direction<D>(p.normal, c.at.normal);
+  });
+}
+
 /// The gap between the features of a contact, now or at the start of the step [m].
 template <int D>
 double World<D>::gap_at(const Contact& c, bool at_start) const {
-  const auto placed = [&](int body, FeatureId feature) {
-    if (!at_start) return Placed{bodies[body].contactor_with(feature), bodies[body].pose()};
-    const Moment<D>& start = starts_[body];
-    const typename Geometry<D>::Pose pose{start.x, start.attitude.rotation};
-    return Placed{bodies[body].contactor_with(feature), pose};
-  };
   // What the radii have opened of it since the start
   double opened = 0;
   for (const int i : {c.candidate, c.antagonist})
     if (at_start && i >= 0 && bodies[i].breathes())
       opened += bodies[i].breathing.side * (bodies[i].breathing.now.radius - starts_[i].shape.radius);
-  const Placed candidate = placed(c.candidate, c.at.feature);
+  const Placed candidate = placed(c.candidate, c.at.feature, at_start);
   if (c.antagonist < 0) return feature_gap(candidate, c.at.feature, *terrain_, c.at.against) - opened;
-  return feature_gap(candidate, c.at.feature, placed(c.antagonist, c.at.against), c.at.against) - opened;
+  return feature_gap(candidate, c.at.feature, placed(c.antagonist, c.at.against, at_start), c.at.against) -
+         opened;
 }
 
 template <int D>
@@ -281,6 +321,15 @@ void World<D>::measure_penetration() {
   quality_.max_penetration = std::max(quality_.max_penetration, deepest_overlap().depth);
 }
 
+/// Whether one of the contactors of a contact has circles.
+template <int D>
+bool World<D>::has_rims(const Contact& c) const {
+  if constexpr (D == 3)
+    return bodies[c.candidate].contactor_with(c.at.feature).has_circles() ||
+           (c.antagonist >= 0 && bodies[c.antagonist].contactor_with(c.at.against).has_circles());
+  return false;
+}
+
 template <int D>
 std::span<const HeldContact> World<D>::held(int body, int other) {
   held_.clear();
@@ -291,8 +340,10 @@ std::span<const HeldContact> World<D>::held(int body, int other) {
 }
 
 /// The same for a step that began at starts_: without the contacts that the last impact opened and that the
-/// step does not hold. They may touch again within the step, while others hold the body. A point that leaves
-/// one side of a valley along the other side is at once beside the strip of the side that it leaves.
+/// step does not hold. They may touch again within the step, while others hold the body. One that opens from
+/// a gap of zero counts as open from the start, unless it is so deep that a search would stop there: of two
+/// bodies; on the ground, only rims do. A point that leaves one side of a valley along the other side is at
+/// once beside the strip of the side that it leaves.
 template <int D>
 std::span<const HeldContact> World<D>::held_in_step(int body, int other) {
   constexpr double apart = 1e-8;    // of the size; nearer ones would be found at the start of the step
@@ -300,12 +351,22 @@ std::span<const HeldContact> World<D>::held_in_step(int body, int other) {
   held_.clear();
   for (const Contact& c : contacts_)
     if (c.candidate == body && c.antagonist == other) held_.push_back({c.at.feature, c.at.against});
-  for (const Contact& c : last_) {
+  const std::size_t solved = held_.size();
+  const auto is_solved = [&](const Contact& c) {
+    return std::any_of(
+        held_.begin(), held_.begin() + static_cast<std::ptrdiff_t>(solved),
+        [&](const HeldContact& h) { return h.feature == c.at.feature && h.against == c.at.against; });
+  };
+  for (std::size_t a = 0; a < last_.size(); ++a) {
+    const Contact& c = last_[a];
     if (c.candidate != body || c.antagonist != other) continue;
-    const bool opened = !c.carried && gap_at(c, true) > apart * contact_size(body, other);
+    const double gap = c.carried ? 0 : gap_at(c, true), size = contact_size(body, other);
+    const bool opens = !c.carried && last_after_[a][0] > opening && !is_solved(c);
+    const bool opened = !c.carried && gap > apart * size;
+    if (opens && other >= 0 && !has_rims(c) && gap >= -GapScale(size).deep) continue;
     const bool leaves = other < 0 && is_point(bodies[body].contactor_with(c.at.feature)) &&
                         starts_[body].v.dot(c.at.normal) > opening;
-    if (!opened && !leaves) held_.push_back({c.at.feature, c.at.against});
+    if (!opened && !leaves) held_.push_back({c.at.feature, c.at.against, opens && solved == 0});
   }
   return held_;
 }
@@ -321,7 +382,12 @@ std::span<const HeldContact> World<D>::held_in_step(int body, int other) {
   template void World<D>::match_last();                                                            \
   template double World<D>::gap_of_solver(const Contact&) const;                                   \
   template void World<D>::keep_closed(double);                                                     \
-  template World<D>::Drift World<D>::keep_closed_at_start();                                       \
+  template World<D>::Drift World<D>::keep_closed_at_start(double);                                 \
+  template double World<D>::reach_within(double, const Contact&) const;                            \
+  template bool World<D>::is_passed_on(const Contact&) const;                                      \
+  template bool World<D>::has_rims(const Contact&) const;                                          \
+  template World<D>::Placed World<D>::placed(int, FeatureId, bool) const;                          \
+  template bool World<D>::was_deep(const Contact&, double);                                        \
   template double World<D>::gap_at(const Contact&, bool) const;                                    \
   template World<D>::Overlap World<D>::deepest_overlap();                                          \
   template void World<D>::measure_penetration();                                                   \

@@ -86,7 +86,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
     detect((1 - theta) * h);
     drifted = {};
     if (cut)
-      drifted = keep_closed_at_start();
+      drifted = keep_closed_at_start(h);
     else
       keep_closed(0);
     // The drift of an edge that turns fast about a corner while it slides grows with h^2: repeat with a
@@ -297,8 +297,8 @@ void World<D>::project_drift(bool exact) {
   if (contacts_.empty()) return;
   const int closing = contacts_.size() == 1 ? 1 : 3;  // passes; the first one closes a single contact
   constexpr int most_pushes = 20;
-  // Shares of the size. A deeper penetration than `deepest` has another cause, and its projection would throw
-  // the body; one less deep than `left` waits for the next step.
+  // Shares of the size. A step pushes a body out by no more than `deepest`, because more would throw it; a
+  // penetration less deep than `left` waits for the next step.
   constexpr double deepest = 1e-3, left = 1e-6;
   drift_.assign(bodies.size(), Body<D>::Rows::Zero());
   swell_.assign(bodies.size(), 0.0);
@@ -306,10 +306,10 @@ void World<D>::project_drift(bool exact) {
   for (const Contact& c : contacts_) {
     const double gap = gap_at(c, false);
     const double reach = carry_reach(c.candidate, c.antagonist);
-    const bool near =
-        gap <= reach &&
-        gap >= -(exact ? std::max(reach, deepest * contact_size(c.candidate, c.antagonist)) : reach);
-    gaps_.push_back(near && c.law.condition != NormalCondition::penalty ? std::optional(gap) : std::nullopt);
+    const double most = exact ? std::max(reach, deepest * contact_size(c.candidate, c.antagonist)) : reach;
+    const bool near = gap <= reach && (exact || gap >= -most);
+    gaps_.push_back(near && c.law.condition != NormalCondition::penalty ? std::optional(std::max(gap, -most))
+                                                                        : std::nullopt);
   }
   const auto gap_of = [&](std::size_t a) {
     const Contact& c = contacts_[a];

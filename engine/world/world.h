@@ -212,7 +212,12 @@ class World {
                             std::span<const Contact> now) const;
   void keep_closed(double share_of_size);
   std::span<const HeldContact> held_in_step(int body, int other);
-  Drift keep_closed_at_start();
+  Drift keep_closed_at_start(double h);
+  double reach_within(double h, const Contact& contact) const;
+  bool is_passed_on(const Contact& contact) const;
+  Placed placed(int body, FeatureId feature, bool at_start) const;
+  bool was_deep(const Contact& contact, double gap);
+  bool has_rims(const Contact& contact) const;
   double gap_of_solver(const Contact& contact) const;
   double gap_at(const Contact& contact, bool at_start) const;
   const std::vector<std::pair<int, int>>& close_pairs();

@@ -34,6 +34,12 @@ class Calls {
   /// (to look at one mutant) the command prints as usual and is not judged.
   int operator()(const cli::Arguments& arguments, ErrorForm form);
 
+  /// A fault that the kind has found itself; empty: none.
+  void blame(const std::string& fault) {
+    if (fault_.empty()) fault_ = fault;
+    if (!capture_ && !fault.empty()) std::printf("wrong: %s\n", fault.c_str());
+  }
+
   const std::vector<std::string>& lines() const { return lines_; }  ///< command lines so far
   int gravest() const { return gravest_; }                          ///< exit code
   const std::string& fault() const { return fault_; }               ///< the first found by fault_of()

@@ -21,3 +21,17 @@ TEST_CASE("2000 fixed mutants give no signal, no hang, documented exit codes and
   REQUIRE(sum_of(tallies).findings() == 0);
   std::filesystem::remove_all(settings.findings);
 }
+
+TEST_CASE("100 fixed scenes of bodies on the ground and on each other move as bodies do", "[slow]") {
+  FuzzSettings settings;
+  settings.mutants = 100;
+  settings.kind = "scenes";
+  settings.seed = 1;
+  settings.findings =
+      std::filesystem::temp_directory_path() / ("flyrock_scene_findings_" + std::to_string(::getpid()));
+  const std::vector<KindTally> tallies = fuzz(settings);
+  INFO(table_of(tallies) << settings.findings << " has the scenes");
+  CHECK(sum_of(tallies).mutants == 100);
+  REQUIRE(sum_of(tallies).findings() == 0);
+  std::filesystem::remove_all(settings.findings);
+}

@@ -56,7 +56,7 @@ std::vector<KindTally> fuzz(const FuzzSettings& settings) {
   std::filesystem::remove_all(settings.findings);
   std::vector<KindTally> tallies;
   for (const KindEntry& kind : kinds) {
-    if (!settings.kind.empty() && kind.name != settings.kind) continue;
+    if (settings.kind.empty() ? kind.share == 0 : kind.name != settings.kind) continue;
     if (kind.make == make_problem_kind && !has_hdf5()) continue;
     tallies.push_back({std::string(kind.name), tally_of(settings, kind)});
   }

@@ -25,14 +25,15 @@ std::unique_ptr<Kind> make_chunk_kind();      ///< shards: chunk files, request.
 std::unique_ptr<Kind> make_problem_kind();    ///< friction problems in HDF5; null if the build has no HDF5
 std::unique_ptr<Kind> make_result_kind();     ///< results.db, manifest.json, summary.json
 std::unique_ptr<Kind> make_arguments_kind();  ///< words of the command line
+std::unique_ptr<Kind> make_scene_kind();      ///< random scenes, judged by their motion
 
 struct KindEntry {
   std::string_view name;
   std::unique_ptr<Kind> (*make)();
-  int share;  ///< percent of the time and of the mutants
+  int share;  ///< percent of the time and of the mutants; 0: only if it is asked for
 };
 
-inline constexpr std::array<KindEntry, 7> kinds = {{
+inline constexpr std::array<KindEntry, 8> kinds = {{
     {"yaml", make_yaml_kind, 30},
     {"lua", make_lua_kind, 15},
     {"plugin", make_plugin_kind, 15},
@@ -40,6 +41,7 @@ inline constexpr std::array<KindEntry, 7> kinds = {{
     {"hdf5", make_problem_kind, 10},
     {"result", make_result_kind, 10},
     {"arguments", make_arguments_kind, 10},
+    {"scenes", make_scene_kind, 0},
 }};
 
 }  // namespace flyrock::fuzz

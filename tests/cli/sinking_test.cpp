@@ -1,0 +1,17 @@
+// Scenes whose bodies once sank into each other or into the ground.
+
+#include "program.h"
+
+using namespace flyrock::test;
+
+TEST_CASE("Contacts that close again, or elsewhere, within a step let no body sink") {
+  const char* name =
+      GENERATE("cylinder_sinks_into_box", "cylinder_sinks_into_box_no_spin", "cylinder_sinks_into_free_block",
+               "coin_through_thin_plate_depth", "coin_through_thin_plate_hangs",
+               "disk_wobble_penetration_on_terrain", "pen-183", "pen-wall-301");
+  const Folder folder;
+  const Output run = call(folder, std::string("run " FLYROCK_SOURCE_DIR "/tests/data/sinking/") + name +
+                                      ".yaml --quiet -o out -j1");
+  INFO(name << '\n' << run.out << run.err);
+  CHECK(run.code == 0);  // what they expect of depth and place holds
+}

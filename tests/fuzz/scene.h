@@ -1,0 +1,32 @@
+#pragma once
+// Random scenes: a few bodies of all shapes on a ground, whose motion a judge can check.
+
+#include <string>
+#include <vector>
+
+#include "dice.h"
+#include "math/space.h"
+
+namespace flyrock::fuzz {
+
+/// A scene as text, and what its judge knows about it beforehand.
+struct Scene {
+  std::string text;  ///< YAML
+  int dimension = 3;
+  bool gives_energy = false;  ///< driven bodies, or springs whose energy is in no table: the sum may grow
+  bool may_jam = false;       ///< a driven body may press others without a way out: no run can go on then
+  bool is_spring = false;     ///< contacts penetrate by design
+  double fall = 1;            ///< m, the greatest height of a body over the lowest ground
+  /// The ground: the points of a profile in 2D; in 3D a plane (a place and its normal) or a grid.
+  std::vector<Vec2> profile;
+  Vec3 place = Vec3::Zero(), normal = Vec3::UnitZ();
+  int columns = 0;              ///< of the grid, which is square; 0: a plane
+  double cell = 1;              ///< m
+  Vec2 corner = Vec2::Zero();   ///< south-western, centre of the first cell
+  std::vector<double> heights;  ///< m, row by row from the south
+};
+
+/// A function of the dice alone. Writes the files that the text names into the current folder.
+Scene make_scene(Dice& dice);
+
+}  // namespace flyrock::fuzz

@@ -1,0 +1,68 @@
+// The judge of scenes finds what it is told to look for.
+
+#include "scene_judge.h"
+
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+
+#include "cli/dispatch.h"
+
+using namespace flyrock;
+using namespace flyrock::fuzz;
+
+namespace {
+
+/// A block that lies on the ground, and a disk of 10 cm that falls on it, on springs that give way by
+/// centimetres.
+constexpr const char* soft_block = R"(flyrock: 1
+dimension: 3
+method: nscd
+terrain: { type: plane, point: [0, 0, 0], material: m }
+materials: { m: { unilateral: { type: penalty, stiffness: 1e4 N/m, damping: 10 N s/m } } }
+bodies:
+  - { name: block, shape: { type: box, size: [1, 1, 0.4] }, density: 2700, fixed: true, material: m, position: [0, 0, 0.2] }
+  - { name: disk, shape: { type: cylinder, radius: 0.1, height: 0.1 }, density: 2700, material: m, position: [0, 0, 0.6], velocity: [0, 0, -1] }
+stop: { time: 0.5 s }
+output: { series: { every: step }, trajectories: { first: 1 } }
+)";
+
+std::string verdict_of(const Scene& scene) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::temp_directory_path() / ("flyrock_judge_" + std::to_string(::getpid()));
+  fs::create_directories(folder);
+  std::ofstream(folder / "s.yaml") << scene.text;
+  const std::string out = (folder / "out").string();
+  const int code =
+      cli::dispatch({"run", (folder / "s.yaml").string(), "-o", out, "--force", "--quiet", "-j", "1"});
+  REQUIRE(code == cli::done);
+  const std::string verdict = fault_of_scene(scene, out);
+  fs::remove_all(folder);
+  return verdict;
+}
+
+bool says(const std::string& verdict, const std::string& what) {
+  INFO(verdict);
+  return verdict.find(what) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("The judge of scenes finds bodies in the ground and in each other, and energy from nowhere") {
+  Scene scene;
+  scene.text = soft_block;
+  scene.is_spring = scene.gives_energy = true;
+  CHECK(verdict_of(scene).empty());
+  scene.is_spring = false;  // so that the depth of its springs counts
+  CHECK(says(verdict_of(scene), "disk lies"));
+  CHECK(says(verdict_of(scene), "in block"));
+  scene.is_spring = true;
+  scene.gives_energy = false;  // and the energy that they give back
+  CHECK(says(verdict_of(scene), "more than before"));
+  scene.is_spring = false;
+  scene.gives_energy = true;
+  scene.place.z() = 0.7;  // the ground is said to be higher than it was in the run
+  CHECK(says(verdict_of(scene), "in the ground"));
+}
