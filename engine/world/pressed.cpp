@@ -13,8 +13,12 @@ namespace {
 /// Of solves with more contacts than `easy_contacts`, each 32nd is looked at; of those with more than
 /// `most_contacts`, where the search would take seconds, none.
 constexpr std::size_t easy_contacts = 64, look_every = 32, most_contacts = 200;
-/// No motion of the free bodies slower than this many times the driven one keeps all contacts closed or open.
+/// Times the driven one: a motion of the free bodies that has to be faster than this is no way out.
 constexpr double most_speed_ratio = 1e4;
+/// The same for chosen steps, times the tolerance. Over a long phase, the places of both bodies of a contact
+/// may be off by 2.5 tolerances each, and a normal by as much as an angle. A way out that is narrower exists
+/// by these errors alone; friction of a few thousandths closes it, too.
+constexpr double most_speed_ratio_by_tolerance = 0.2;
 /// Share of the driven approach that is rounding: two driven bodies hold a body and move together.
 constexpr double rounding_share = 1e-6;
 /// Share of the driven approach that the answer of a failed solve leaves open, from which on friction is
@@ -24,14 +28,14 @@ constexpr double missed_share = 1e-2;
 constexpr double boundless = 1e6;
 
 /// Whether r >= 0 with the columns of `a` has no resultant (all rows but the last) while the driven bodies
-/// approach (the last row), and this r; empty if there is none. It is the least squares of (H r, b . r) and
-/// (0, 1).
-Eigen::VectorXd self_stress(const Eigen::MatrixXd& a) {
+/// approach (the last row), and this r; empty if there is none. A resultant that a motion of `most_ratio`
+/// times the approach balances is none. It is the least squares of (H r, b . r) and (0, 1).
+Eigen::VectorXd self_stress(const Eigen::MatrixXd& a, double most_ratio) {
   const Eigen::Index last = a.rows() - 1;
   const Eigen::VectorXd r = nonnegative_least_squares(a, Eigen::VectorXd::Unit(a.rows(), last));
   const double closes = a.row(last).dot(r), resultant = (a.topRows(last) * r).norm();
   const bool is_rounding = closes <= rounding_share * a.row(last).cwiseAbs().dot(r);
-  if (is_rounding || closes < most_speed_ratio * resultant) return {};
+  if (is_rounding || closes < most_ratio * resultant) return {};
   return r;
 }
 
@@ -51,10 +55,54 @@ std::vector<Eigen::Matrix<double, D - 1, 1>> slip_directions() {
 
 }  // namespace
 
-/// Whether the contacts of a solve that failed leave the free bodies no motion at all, and which of them are
-/// pressed. Let H map impulses r to the free bodies, and b be the speeds at which the driven bodies alone
-/// approach at the contacts. A motion v keeps the contacts if H^T v >= b along the normals. For any normal
-/// impulses r >= 0 then
+template <int D>
+double World<D>::most_ratio_of_speeds() const {
+  return chooses_steps()
+             ? std::min(most_speed_ratio, most_speed_ratio_by_tolerance / settings_.step_tolerance)
+             : most_speed_ratio;
+}
+
+/// The speeds at which the driven bodies alone approach at a contact, along its normal and tangents [m/s].
+template <int D>
+Vec<D> World<D>::driven_approach(std::size_t a) const {
+  const Contact& c = contacts_[a];
+  Vec<D> approach = Vec<D>::Zero();
+  const auto add = [&](int i, const auto& of_body) {
+    if (i >= 0 && bodies[i].kind == BodyKind::driven)
+      approach -= of_body.template leftCols<D>().transpose() * bodies[i].velocity();
+  };
+  add(c.candidate, rows_[a].candidate);
+  add(c.antagonist, rows_[a].antagonist);
+  return approach;
+}
+
+/// Whether the impulses of a solve give a free body a speed that only a jam explains: a way out that is
+/// narrower than places are known, along which driven bodies would throw it.
+template <int D>
+bool World<D>::throws() {
+  double fastest = 0, approach = 0;
+  for (std::size_t a = 0; a < contacts_.size(); ++a) {
+    fastest = std::max(fastest, driven_approach(a)[0]);
+    approach = std::max(approach, contacts_[a].approach());
+  }
+  if (!(fastest > 0)) return false;
+  drift_.assign(bodies.size(), Body<D>::Rows::Zero());  // of velocity
+  for (std::size_t a = 0; a < contacts_.size(); ++a) {
+    const auto add = [&](int i, const auto& rows) {
+      if (i >= 0 && bodies[i].moves()) drift_[i] += bodies[i].inverse_mass_times(rows * impulses_[a]);
+    };
+    add(contacts_[a].candidate, rows_[a].candidate);
+    add(contacts_[a].antagonist, rows_[a].antagonist);
+  }
+  const double most = most_ratio_of_speeds() * std::max(fastest, approach);
+  return std::any_of(drift_.begin(), drift_.end(),
+                     [&](const auto& gain) { return gain.template head<D>().norm() > most; });
+}
+
+/// Whether the contacts of a solve that failed or throws leave the free bodies no motion at all, and which of
+/// them are pressed. Let H map impulses r to the free bodies, and b be the speeds at which the driven bodies
+/// alone approach at the contacts. A motion v keeps the contacts if H^T v >= b along the normals. For any
+/// normal impulses r >= 0 then
 ///   |v| >= b . r / |H r|,
 /// so that none exists if r >= 0 has no resultant and b . r > 0 (Farkas). Where the answer is far from the
 /// driven approach, friction takes part: r lies in the cones of friction, and bodies that it wedges are held
@@ -64,19 +112,8 @@ template <int D>
 void World<D>::find_pressed() {
   const std::size_t count = contacts_.size();
   if (count > most_contacts || (count > easy_contacts && quality_.problems % look_every != 0)) return;
-  const auto approach_of = [&](std::size_t a) -> Vec<D> {  // along the normal and the tangents
-    const Contact& c = contacts_[a];
-    Vec<D> approach = Vec<D>::Zero();
-    const auto add = [&](int i, const auto& of_body) {
-      if (i >= 0 && bodies[i].kind == BodyKind::driven)
-        approach -= of_body.template leftCols<D>().transpose() * bodies[i].velocity();
-    };
-    add(c.candidate, rows_[a].candidate);
-    add(c.antagonist, rows_[a].antagonist);
-    return approach;
-  };
   double fastest = 0;
-  for (std::size_t a = 0; a < count; ++a) fastest = std::max(fastest, approach_of(a)[0]);
+  for (std::size_t a = 0; a < count; ++a) fastest = std::max(fastest, driven_approach(a)[0]);
   if (!(fastest > 0)) return;
 
   constexpr int dof = Space<D>::dof;
@@ -103,7 +140,7 @@ void World<D>::find_pressed() {
     };
     add(c.candidate, rows_[k].candidate);
     add(c.antagonist, rows_[k].antagonist);
-    const Vec<D> approach = approach_of(k);
+    const Vec<D> approach = driven_approach(k);
     column[rows] = (approach[0] + share.dot(approach.template tail<D - 1>())) / fastest;
   };
   const auto search = [&](const std::vector<Vec<D - 1>>& directions, bool rubs) {
@@ -113,7 +150,7 @@ void World<D>::find_pressed() {
       for (Eigen::Index d = 0; d < each; ++d)
         put(a.col(static_cast<Eigen::Index>(k) * each + d), k,
             (rubs ? problem_.contacts[k].mu : 0) * directions[static_cast<std::size_t>(d)]);
-    const Eigen::VectorXd r = self_stress(a);
+    const Eigen::VectorXd r = self_stress(a, most_ratio_of_speeds());
     if (r.size() == 0) return;
     const double least = 1e-3 * r.maxCoeff();
     for (Eigen::Index column = 0; column < r.size(); ++column)
@@ -130,8 +167,8 @@ void World<D>::find_pressed() {
     for (std::size_t k = 0; k < count; ++k) {
       fastest = std::max(fastest, contacts_[k].approach());
       greatest = std::max(greatest, impulses_[k][0]);
-      work += impulses_[k][0] * approach_of(k)[0];
-      work_in_all += std::abs(impulses_[k][0] * approach_of(k)[0]);
+      work += impulses_[k][0] * driven_approach(k)[0];
+      work_in_all += std::abs(impulses_[k][0] * driven_approach(k)[0]);
     }
     if (greatest > boundless * mass * fastest && work > missed_share * work_in_all)
       for (std::size_t k = 0; k < count; ++k)
@@ -142,6 +179,12 @@ void World<D>::find_pressed() {
   pressed_.erase(std::unique(pressed_.begin(), pressed_.end()), pressed_.end());
 }
 
+template double World<2>::most_ratio_of_speeds() const;
+template double World<3>::most_ratio_of_speeds() const;
+template Vec<2> World<2>::driven_approach(std::size_t) const;
+template Vec<3> World<3>::driven_approach(std::size_t) const;
+template bool World<2>::throws();
+template bool World<3>::throws();
 template void World<2>::find_pressed();
 template void World<3>::find_pressed();
 

@@ -236,8 +236,8 @@ class World {
   TouchingPart<D> touching_part_of(const Contact& contact, int body, FeatureId feature) const;
   struct Turning {
     Row rate = Row::Zero();  ///< m/s2, in the spin rows rad/s2
-    bool bends = false;      ///< the normal turns or the contact walks: more than the levers turn
-    bool lasts = false;      ///< and it may go on for long: a round part, or a driven body
+    bool bends = false;  ///< the normal turns or the contact walks, as velocities alone tell: not over a rim
+    bool lasts = false;  ///< and it may go on for long: a round part, or a driven body
   };
   Turning turning_of(const Contact& contact, double ahead) const;
   void measure_before(double h);
@@ -253,6 +253,9 @@ class World {
   void apply_laws(double h);
   void apply_spring(int a, double h);
   void solve_and_apply();
+  double most_ratio_of_speeds() const;
+  Vec<D> driven_approach(std::size_t a) const;
+  bool throws();
   void find_pressed();
   Row velocity_after(int a, double h) const;
   void measure_after(double h);

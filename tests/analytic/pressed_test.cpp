@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 
 #include "analytic/lab_3d.h"
+#include "dice.h"
+#include "samples.h"
 
 using namespace flyrock;
 using namespace flyrock::lab;
@@ -133,6 +135,41 @@ TEST_CASE("a plate that is driven into a box of disks ends at the jam, and throw
         CHECK(bench.world.quality().max_penetration < 2e-3);
         for (const BodyHistory& history : bench.histories) CHECK(history.max_speed < 3);
       }
+}
+
+TEST_CASE("a box of frictionless disks jams where chosen steps have left them, and throws none") {
+  constexpr double most_ratio = 200;  // a way out that asks for more is narrower than places are known
+  Dice dice(3);
+  Material material(0, 0);
+  for (int n = 0; n < samples(12); ++n) {
+    const double speed = dice(0.1, 0.4), radius = dice(0.24, 0.248), shift = dice(0.005, 0.03);
+    CAPTURE(speed, radius, shift);
+    WorldSettings settings;
+    settings.step_tolerance = 1e-3;
+    Bench bench(ground(50), material, settings);
+    bench.run_settings.stop_speed = 0;
+    add_box_of_disks(bench, speed, radius, shift);
+    bench.run(1.2 / speed);
+    CHECK(ends_as_pressed(bench.histories[2]));
+    for (const BodyHistory& history : bench.histories) CHECK(history.max_speed < most_ratio * speed);
+  }
+}
+
+TEST_CASE("a disk that frictionless plates squeeze out at a small angle is not taken for pressed") {
+  for (const double angle : {0.02, 0.1}) {
+    Material material(0, 0);
+    WorldSettings settings;
+    settings.step_tolerance = 1e-3;
+    Bench bench(ground(50), material, settings);
+    bench.run_settings.stop_speed = 0;
+    bench.add(disk(0.5, 1000, {0, 0.5}));
+    Body<2> plate = box(6, 0.2, 1, Vec2(0, 0.5) + 0.602 * Vec2(-std::sin(angle), std::cos(angle)), angle);
+    bench.add(driven(std::move(plate), {0, -0.02}));
+    const BodyHistory& history = bench.run(0.5);
+    INFO(history.fault);
+    CHECK(history.reason != StopReason::diverged);
+    CHECK(history.max_speed > 0.5 * 0.02 / angle);
+  }
 }
 
 TEST_CASE("a body that can leave a driven one is not taken for pressed") {
