@@ -16,6 +16,8 @@ namespace {
 // A contact that carried an impulse in the last step stays active up to a gap of this share of its size. If a
 // sliding contact is missed for one step, its velocity error is mu g h.
 constexpr double carry_share = 1e-6;
+// Of the size: a contact that the last impact opened, and that is nearer, would be found as a touch at once.
+constexpr double apart = 1e-8;
 
 /// Whether a contactor is a point at the centre of mass.
 template <class Contactor>
@@ -46,13 +48,13 @@ double World<D>::reach_within(double h, const Contact& c) const {
   return carry_share * contact_size(c.candidate, c.antagonist) + 0.25 * g_ * h * h;
 }
 
-/// Whether a contact carries on one of other features.
+/// Whether the last step or impact had a contact of the same features.
 template <int D>
-bool World<D>::is_passed_on(const Contact& c) const {
-  return c.carried && std::none_of(last_.begin(), last_.end(), [&](const Contact& old) {
-           return old.candidate == c.candidate && old.antagonist == c.antagonist &&
-                  old.at.feature == c.at.feature && old.at.against == c.at.against;
-         });
+bool World<D>::was_there(const Contact& c) const {
+  return std::any_of(last_.begin(), last_.end(), [&](const Contact& old) {
+    return old.candidate == c.candidate && old.antagonist == c.antagonist && old.at.feature == c.at.feature &&
+           old.at.against == c.at.against;
+  });
 }
 
 template <int D>
@@ -249,17 +251,25 @@ typename World<D>::Drift World<D>::keep_closed_at_start(double h) {
   std::erase_if(contacts_, [&](const Contact& c) {
     const double reach = carry_reach(c.candidate, c.antagonist);
     const double closed_alone = 1e-12 + 1e-9 * contact_size(c.candidate, c.antagonist);
-    const double closed = c.carried ? reach : closed_alone;
     const double gap = gap_at(c, true);
+    // One that the last impact opened may close again at once; the search for touches takes it for closed.
+    const bool is_near = gap > closed_alone && gap <= apart * contact_size(c.candidate, c.antagonist);
+    const double closed = c.carried || (is_near && was_there(c)) ? reach : closed_alone;
     const double may_drift = 3 * reach;
     if (c.at.gap > reach || gap > closed || (!c.carried && gap < -may_drift && !was_deep(c, gap)))
       return true;
-    if (is_passed_on(c) && gap - c.at.gap > 3 * reach_within(h, c) && gap > closed_alone) return true;
+    if (c.carried && !was_there(c) && gap - c.at.gap > 3 * reach_within(h, c) && gap > closed_alone)
+      return true;
     // On the next segment of the terrain, the gap at the start is measured to the line beyond the end of the
     // segment. The larger of the two gaps is therefore the true one.
     drift.penetration = std::max(drift.penetration, -std::max(gap, c.at.gap));
+    // A chosen step may be so long that the drift of bodies on others would be seen as overlap.
+    constexpr double most_drift = 5e-5;  // of the size
+    const double size = contact_size(c.candidate, c.antagonist);
+    const double most =
+        chooses_steps() && c.antagonist >= 0 ? std::min(may_drift, most_drift * size) : may_drift;
     if (c.law.condition != NormalCondition::penalty)
-      drift.share = std::max(drift.share, (std::min(gap, 0.0) - c.at.gap) / may_drift);
+      drift.share = std::max(drift.share, (std::min(gap, 0.0) - c.at.gap) / most);
     return false;
   });
   return drift;
@@ -346,7 +356,6 @@ std::span<const HeldContact> World<D>::held(int body, int other) {
 /// once beside the strip of the side that it leaves.
 template <int D>
 std::span<const HeldContact> World<D>::held_in_step(int body, int other) {
-  constexpr double apart = 1e-8;    // of the size; nearer ones would be found at the start of the step
   constexpr double opening = 1e-8;  // m/s, above rounding
   held_.clear();
   for (const Contact& c : contacts_)
@@ -360,9 +369,10 @@ std::span<const HeldContact> World<D>::held_in_step(int body, int other) {
   for (std::size_t a = 0; a < last_.size(); ++a) {
     const Contact& c = last_[a];
     if (c.candidate != body || c.antagonist != other) continue;
-    const double gap = c.carried ? 0 : gap_at(c, true), size = contact_size(body, other);
-    const bool opens = !c.carried && last_after_[a][0] > opening && !is_solved(c);
-    const bool opened = !c.carried && gap > apart * size;
+    if (is_solved(c)) continue;
+    const double gap = gap_at(c, true), size = contact_size(body, other);
+    const bool opens = !c.carried && last_after_[a][0] > opening;
+    const bool opened = gap > apart * size;
     if (opens && other >= 0 && !has_rims(c) && gap >= -GapScale(size).deep) continue;
     const bool leaves = other < 0 && is_point(bodies[body].contactor_with(c.at.feature)) &&
                         starts_[body].v.dot(c.at.normal) > opening;
@@ -384,7 +394,7 @@ std::span<const HeldContact> World<D>::held_in_step(int body, int other) {
   template void World<D>::keep_closed(double);                                                     \
   template World<D>::Drift World<D>::keep_closed_at_start(double);                                 \
   template double World<D>::reach_within(double, const Contact&) const;                            \
-  template bool World<D>::is_passed_on(const Contact&) const;                                      \
+  template bool World<D>::was_there(const Contact&) const;                                         \
   template bool World<D>::has_rims(const Contact&) const;                                          \
   template World<D>::Placed World<D>::placed(int, FeatureId, bool) const;                          \
   template bool World<D>::was_deep(const Contact&, double);                                        \

@@ -214,7 +214,7 @@ class World {
   std::span<const HeldContact> held_in_step(int body, int other);
   Drift keep_closed_at_start(double h);
   double reach_within(double h, const Contact& contact) const;
-  bool is_passed_on(const Contact& contact) const;
+  bool was_there(const Contact& contact) const;
   Placed placed(int body, FeatureId feature, bool at_start) const;
   bool was_deep(const Contact& contact, double gap);
   bool has_rims(const Contact& contact) const;
