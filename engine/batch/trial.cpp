@@ -417,6 +417,7 @@ void TrialRunner::Trials<D>::record(std::uint64_t trial, int index, const TrialR
     row.stop_x = history.last.position.x();
     row.stop_y = history.last.position.y();
     row.stop_z = history.last.position.z();
+    row.end_energy = history.last.kinetic_energy;
     if (row.reason == StopReason::left_domain) decide(*world, body.mass, history, row);
     if (row.reason == StopReason::timed_out)
       row.end_part = part_under(world->terrain(), body, scenario_.method);

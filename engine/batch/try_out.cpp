@@ -247,6 +247,16 @@ void find_lost_places(const Scenario& scenario, const Trial<3>& trial, TriedOut&
                           terrain.high().y()));
     }
   };
+  for (std::size_t i = 0; i < scenario.exposures.size(); ++i) {
+    const ExposurePlan& exposed = scenario.exposures[i];
+    const std::vector<Vec2> places = exposed.line.empty() ? std::vector<Vec2>{exposed.at} : exposed.line;
+    for (const Vec2& place : places)
+      if (!terrain.height(place.x(), place.y()))
+        add(tried.errors, fmt::format("exposure.{}.{}", i, exposed.line.empty() ? "at" : "line"),
+            fmt::format("{} is not on the terrain, which spans x from {:.10g} m to {:.10g} m and y from "
+                        "{:.10g} m to {:.10g} m",
+                        place_text(place), low, high, terrain.low().y(), terrain.high().y()));
+  }
   find("gates", scenario.gates);
   find("barriers", scenario.barriers);
 }

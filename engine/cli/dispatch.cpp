@@ -24,7 +24,8 @@ namespace {
 constexpr std::array<Command, 13> commands = {{
     {"run", "run SCENARIO [options]", "runs a scenario and writes its tables and report", run},
     {"merge", "merge DIR... -o DIR", "puts the shards of a run together", merge},
-    {"report", "report DIR", "builds report.html of a result folder again", report},
+    {"report", "report DIR [--against DIR] [--pdf]",
+     "builds report.html of a result folder again, beside another run or as a PDF", report},
     {"export", "export DIR --to csv|vtk|asc|tif [-o PATH]",
      "writes a result as CSV tables, for ParaView or as maps for a GIS", export_result},
     {"animate", "animate DIR [-o FILE.svg]",

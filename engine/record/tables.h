@@ -97,6 +97,7 @@ constexpr void visit_rocks(Visit&& visit) {
   visit(Column{.name = "stop_y_m", .unit = "m", .doc = "centre of mass at the end"}, &R::stop_y);
   visit(Column{.name = "stop_z_m", .unit = "m", .doc = "centre of mass at the end", .in_space = true},
         &R::stop_z);
+  visit(Column{}, &R::end_energy);
   visit(Column{}, &R::end_part);
   visit(Column{}, &R::landed);
   visit(Column{.name = "flight_range_m",

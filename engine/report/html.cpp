@@ -19,6 +19,18 @@ std::string replace_all(std::string text, std::string_view what, std::string_vie
 /// "</script" ends a script anywhere in it, so it is escaped.
 std::string script(std::string source) { return replace_all(std::move(source), "</script", "<\\/script"); }
 
+/// "Number 7 · Site North quarry · ...", the head of a document; empty without one.
+std::string head_of(const nlohmann::ordered_json& summary) {
+  if (!summary.contains("document")) return "";
+  std::string text;
+  for (const auto& [key, value] : summary.at("document").items()) {
+    std::string name = key;
+    name.front() = static_cast<char>(name.front() - 'a' + 'A');
+    text += fmt::format("{}<b>{}</b> {}", text.empty() ? "" : " · ", name, escaped(value.get<std::string>()));
+  }
+  return fmt::format("<p class=\"document\">{}</p>\n", text);
+}
+
 /// A library with a statement after it; empty if it is not installed.
 std::string bundle(const std::filesystem::path& file, const std::string& then) {
   if (!std::filesystem::exists(file)) return "";
@@ -28,10 +40,11 @@ std::string bundle(const std::filesystem::path& file, const std::string& then) {
 /// The scripts of the page, in one scope. Their order matters, because each uses the ones before it.
 std::string scripts(const std::filesystem::path& assets) {
   std::string joined = "\"use strict\";\n(() => {\n";
-  for (const char* name : {"page.js",   "places.js",      "reach.js",          "tracks.js",     "space.js",
-                           "trees.js",  "contours.js",    "plan.js",           "maps.js",       "motion.js",
-                           "plots.js",  "small_plots.js", "curves.js",         "azimuth.js",    "area.js",
-                           "tables.js", "holes.js",       "barrier_design.js", "comparison.js", "report.js"})
+  for (const char* name :
+       {"page.js",       "places.js",  "reach.js", "tracks.js", "space.js", "trees.js",
+        "contours.js",   "plan.js",    "maps.js",  "motion.js", "plots.js", "small_plots.js",
+        "curves.js",     "azimuth.js", "area.js",  "tables.js", "holes.js", "barrier_design.js",
+        "comparison.js", "against.js", "report.js"})
     joined += read_file(assets / name);
   return joined + "})();\n";
 }
@@ -51,6 +64,7 @@ std::string report_html(const nlohmann::ordered_json& data, const std::filesyste
   page += "</style>\n</head>\n<body>\n<main>\n";
   if (const std::string faults = text("fault_line"); !faults.empty())
     page += fmt::format("<p class=\"alarm\">{}</p>\n", escaped(faults));
+  page += head_of(data.at("summary"));
   page += fmt::format("<h1>{}</h1>\n<p class=\"answer\">{}</p>\n<p class=\"facts\">{}</p>\n", title,
                       escaped(replace_all(replace_all(text("answer"), ">= ", "≥ "), "<= ", "≤ ")),
                       escaped(text("assumptions")));

@@ -6,6 +6,7 @@
 
 #include "report/azimuth_data.h"
 #include "report/comparison_data.h"
+#include "report/exposure_data.h"
 #include "report/json_object.h"
 #include "report/reach_data.h"
 #include "report/risk_data.h"
@@ -130,10 +131,15 @@ void forget_statistics(Json& point) {
                   "energy_factor", "height_factor", "held_height_m", "held_energy_J", "rocks", "counts"});
   if (point.contains("trees")) forget_numbers(point["trees"], {"hits", "counts"});
   for (Json& clearance : point["clearance"]) {
-    forget_numbers(clearance, {"clearance", "group", "probability", "per", "of", "count", "rocks_per_blast",
-                               "needed", "confidence", "factor", "area"});
+    forget_numbers(clearance,
+                   {"clearance", "group", "probability", "per", "of", "count", "rocks_per_blast", "needed",
+                    "confidence", "factor", "area", "customary", "known_throw", "beyond_known_throw"});
     if (clearance.contains("area")) clearance["area"]["sectors"] = Json::array();
   }
+  if (point.contains("exposure"))
+    for (Json& exposed : point["exposure"])
+      forget_numbers(exposed,
+                     {"exposure", "at", "line", "area_m2", "energy_J", "occupied", "blasts_per_year"});
   for (Json& azimuths : point["runout_by_azimuth"])
     if (azimuths.contains("sectors")) azimuths["sectors"] = Json::array();
 }
@@ -314,6 +320,11 @@ Json clearances_data(const Scenario& scenario, const std::vector<ClearanceSummar
           clearance.interval.trials_needed > 0 ? Json(clearance.interval.trials_needed) : Json(nullptr)},
          {"factor", plan.factor ? Json(*plan.factor) : Json(nullptr)},
          {"with_factor", number(clearance.with_factor)}});
+    if (plan.customary) list.back()["customary"] = *plan.customary;
+    if (plan.known_throw) {
+      list.back()["known_throw"] = *plan.known_throw;
+      list.back()["beyond_known_throw"] = beyond_known_throw * *plan.known_throw;
+    }
     if (plan.sectors > 0) list.back()["area"] = area_data(clearance.area);
   }
   return list;
@@ -392,6 +403,19 @@ Json verdict_data(const Verdict& verdict) {
   return data;
 }
 
+/// The head of the report, what is given of it.
+Json document_data(const DocumentPlan& head) {
+  Json data = Json::object();
+  for (const auto& [key, text] :
+       std::initializer_list<std::pair<const char*, const std::string&>>{{"number", head.number},
+                                                                         {"site", head.site},
+                                                                         {"client", head.client},
+                                                                         {"author", head.author},
+                                                                         {"date", head.date}})
+    if (!text.empty()) data[key] = text;
+  return data;
+}
+
 /// The design of the blast, with the medians of distributions; null if the scenario does not give enough.
 Json blast_data(const BlastPlan& plan) {
   const BlastDesign& design = plan.design;
@@ -441,6 +465,8 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
           std::to_string(std::min<std::uint64_t>(all, static_cast<std::uint64_t>(output.first))) + " of " +
           std::to_string(all);
     }
+    if (!plan.points[p].exposures.empty())
+      points.back()["exposure"] = exposures_data(plan.points[p], point.exposures);
     if (has_lost(plan.points[p], point)) forget_statistics(points.back());
     if (!plan.points[p].branches.empty())
       points.back()["branches"] = branches_data(plan.points[p], point.risk);
@@ -468,6 +494,7 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
                {"seed", first.seed},
                {"trials", first.trials},
                {"complete", results.ended_early.empty()}};
+  if (const Json head = document_data(first.document); !head.empty()) data["document"] = head;
   if (!results.ended_early.empty()) data["ended_early"] = results.ended_early;
   if (results.best) data["best_point"] = best_point_data(plan, *results.best);
   if (weighted) data["weights"] = meaning_of_weights;

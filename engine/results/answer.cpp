@@ -108,10 +108,61 @@ std::string clearance_answer(const Plan& plan, const Results& results, std::size
   return text;
 }
 
+/// " Beside it: the customary distance is 300 m; 1.5 times the farthest known throw is 270 m."
+std::string beside_clearance(const ClearancePlan& asked) {
+  if (!asked.customary && !asked.known_throw) return {};
+  std::string text = " Beside it:";
+  if (asked.customary)
+    text += fmt::format(" the legal or customary distance is {} m", three_digits(*asked.customary));
+  if (asked.customary && asked.known_throw) text += ";";
+  if (asked.known_throw)
+    text += fmt::format(" {} times the farthest known throw is {} m", three_digits(beyond_known_throw),
+                        three_digits(beyond_known_throw * *asked.known_throw));
+  return text + '.';
+}
+
 std::string clearances_answer(const Plan& plan, const Results& results) {
   std::string text;
   for (std::size_t c = 0; c < plan.points.front().clearances.size(); ++c)
-    text += clearance_answer(plan, results, c);
+    text += clearance_answer(plan, results, c) + beside_clearance(plan.points.front().clearances[c]);
+  return text;
+}
+
+/// " Exposure house: a blast hits it with probability 0.012 % (one blast in 8,300; 95 % interval 0.009 to
+/// 0.016
+/// %), and in a year of 50 blasts with 0.6 %." Of one that no rock came near, the bound.
+std::string exposure_answer(const Plan& plan, const Results& results, std::size_t e) {
+  const ExposurePlan& asked = plan.points.front().exposures[e];
+  const auto at = [&](std::size_t p) -> const ExposureSummary& { return results.points[p].exposures.at(e); };
+  const auto text_of = [&](std::size_t p) {
+    const ExposureSummary& found = at(p);
+    if (found.landings == 0)
+      return fmt::format("below {} (no rock of {} blasts landed within {} m; 95 % bound)",
+                         percent(found.interval.upper), results.points[p].trials, three_digits(found.radius));
+    return fmt::format("{} (one blast in {}; 95 % interval {} to {} %)", percent(found.per_blast),
+                       three_digits(1 / found.per_blast), three_digits(100 * found.interval.lower),
+                       three_digits(100 * found.interval.upper));
+  };
+  std::string text = fmt::format(" Exposure {}: a blast hits it with the probability {}", asked.name,
+                                 over_points(
+                                     plan, results, [&](std::size_t p) { return at(p).per_blast; }, text_of));
+  if (asked.blasts_per_year != 1 || asked.occupied != 1)
+    text += fmt::format(
+        ", in a year of {} blast{} and occupied {} of the time with {}", three_digits(asked.blasts_per_year),
+        asked.blasts_per_year == 1 ? "" : "s", percent(asked.occupied),
+        over_points(
+            plan, results, [&](std::size_t p) { return at(p).per_year; },
+            [&](std::size_t p) {
+              const bool none = at(p).landings == 0;
+              return (none ? "below " : "") + percent(none ? at(p).per_year_interval.upper : at(p).per_year);
+            }));
+  return text + '.';
+}
+
+std::string exposures_answer(const Plan& plan, const Results& results) {
+  std::string text;
+  for (std::size_t e = 0; e < plan.points.front().exposures.size(); ++e)
+    text += exposure_answer(plan, results, e);
   return text;
 }
 
@@ -259,7 +310,7 @@ std::string answer(const Plan& plan, const Results& results) {
         plan.all_end_at_landing() ? "distance of the first landing" : "runout",
         runouts_of(plan, results, Statistic::p95), runouts_of(plan, results, Statistic::p99),
         runouts_of(plan, results, Statistic::max));
-    text += clearances_answer(plan, results);
+    text += clearances_answer(plan, results) + exposures_answer(plan, results);
     text += censored_answer(plan, results);
     if (has_weights(plan, results)) text += fmt::format(" {}", meaning_of_weights);
   }

@@ -31,6 +31,7 @@ std::vector<std::string> names_of(const std::vector<Plan>& plans) {
 constexpr std::array<std::string_view, 4> gate_fields = {"passed", "mean_energy", "p95_energy", "p95_height"};
 constexpr std::array<std::string_view, 3> tree_fields = {"hit", "stopped", "hits"};
 constexpr std::array<std::string_view, 4> clearance_fields = {"distance", "lower", "upper", "with_factor"};
+constexpr std::array<std::string_view, 3> exposure_fields = {"per_blast", "per_year", "hits_per_m2"};
 constexpr std::array<std::string_view, 6> solver_fields = {"max_residual",    "not_converged",
                                                            "max_penetration", "energy_gains",
                                                            "iterations",      "max_iterations_of_a_step"};
@@ -71,6 +72,10 @@ Measure::Measure(const std::string& name, const Scenario& scenario) : dimension_
   } else if (words[0] == "clearance") {
     kind_ = Kind::clearance;
     index_ = index_of(words[1], names_of(scenario.clearances));
+    field_ = words[2];
+  } else if (words[0] == "exposure") {
+    kind_ = Kind::exposure;
+    index_ = index_of(words[1], names_of(scenario.exposures));
     field_ = words[2];
   } else {
     kind_ = words[0] == "energy" ? Kind::energy : Kind::solver;
@@ -142,6 +147,8 @@ Measured Measure::value(const PointResult& result) const {
       return trees_value(result.trees.value(), field_);
     case Kind::clearance:
       return clearance_value(result.clearances.at(index_), field_);
+    case Kind::exposure:
+      return exposure_value(result.exposures.at(index_), field_);
     case Kind::body:
       break;
   }
@@ -178,6 +185,10 @@ Interval Measure::interval(const PointResult& result) const {
       break;
     case Kind::clearance:
       if (field_ == "distance") return result.clearances.at(index_).interval;
+      break;
+    case Kind::exposure:
+      if (field_ == "per_blast") return result.exposures.at(index_).interval;
+      if (field_ == "per_year") return result.exposures.at(index_).per_year_interval;
       break;
     default:
       break;
@@ -234,6 +245,13 @@ Measured Measure::clearance_value(const ClearanceSummary& clearance, const std::
   const Bounded& number = values[index_of(field, clearance_fields)];
   return {number.value, number.censored,
           std::isnan(number.value) ? "censored rocks hide that end of the interval" : ""};
+}
+
+Measured Measure::exposure_value(const ExposureSummary& exposure, const std::string& field) {
+  const std::array<double, exposure_fields.size()> values = {exposure.per_blast, exposure.per_year,
+                                                             exposure.hits_per_m2};
+  const double value = values[index_of(field, exposure_fields)];
+  return {value, false, std::isnan(value) ? "no rock landed" : ""};
 }
 
 Measured Measure::body_value(const BodyHistory& body) const {

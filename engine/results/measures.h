@@ -9,6 +9,7 @@
 #include "results/clearance.h"
 #include "results/contact_measure.h"
 #include "results/crossing_summary.h"
+#include "results/exposure.h"
 #include "results/plan_reach.h"
 #include "results/reach.h"
 #include "results/risk.h"
@@ -36,6 +37,7 @@ struct PointResult {
   std::optional<TreeSummary> trees;        ///< with a forest
   std::shared_ptr<const Forest> forest;    ///< its stems, counted from the origin; null: none
   std::vector<ClearanceSummary> clearances;
+  std::vector<ExposureSummary> exposures;
   RiskSummary risk;                       ///< with measured holes or branches
   std::vector<LaunchReach> reaches;       ///< only with the method ballistic
   std::vector<RunoutByAzimuth> azimuths;  ///< 3D, of rocks: in the order of `groups`
@@ -51,7 +53,8 @@ struct Measured {
 /// One measure of a scenario, given by its name: body.<name>.final.x, body.<name>.impact[2].vn_after,
 /// contact.<a>.<b>.rn.max, energy.total.relative_change, solver.max_residual, rocks[.<group>].runout.p95,
 /// rocks[.<group>].count, gate.<name>.passed, barrier.<name>.caught, trees.stopped,
-/// clearance.<name>.distance. scenario/measure.h holds the grammar; docs/results.md describes each measure.
+/// clearance.<name>.distance, exposure.<name>.per_blast. scenario/measure.h holds the grammar;
+/// docs/results.md describes each measure.
 class Measure {
  public:
   /// `name` must be a measure of `scenario`; the decoder has checked it.
@@ -74,6 +77,7 @@ class Measure {
     barrier,
     trees,
     clearance,
+    exposure,
     body,
     contact,
     energy,
@@ -89,11 +93,12 @@ class Measure {
   Measured barrier_value(const BarrierSummary& barrier) const;
   static Measured trees_value(const TreeSummary& trees, const std::string& field);
   static Measured clearance_value(const ClearanceSummary& clearance, const std::string& field);
+  static Measured exposure_value(const ExposureSummary& exposure, const std::string& field);
   Measured body_value(const BodyHistory& body) const;
   double state_value(const BodyHistory& body) const;
 
   Kind kind_ = Kind::statistic;
-  int index_ = 0;   ///< of the group (0: all rocks), gate, barrier, clearance or body
+  int index_ = 0;   ///< of the group (0: all rocks), gate, barrier, clearance, exposure or body
   int number_ = 0;  ///< of an impact or apex, from 1
   int dimension_ = 2;
   std::string table_;  ///< body: final, max, min, stop_time, contact_time, impact, apex

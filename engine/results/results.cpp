@@ -28,6 +28,7 @@ class PointTally {
         crossings_(scenario),
         clearances_(scenario.clearances),
         risk_(scenario),
+        exposures_(scenario),
         azimuths_(scenario.dimension == 3 && scenario.bodies.empty() ? 1 + scenario.rocks.size() : 0) {}
 
   /// Takes the rows of the first pass. Their faults go into `results`.
@@ -64,6 +65,7 @@ class PointTally {
     crossings_.add(chunk);
     clearances_.add(chunk);
     risk_.add(chunk);
+    exposures_.add(chunk);
     if (azimuths_.empty()) return;
     for (const RockRecord& rock : chunk.rocks) {
       if (is_fault(rock.reason)) continue;
@@ -79,6 +81,7 @@ class PointTally {
     const bool seeks_distances = clearances_.needs_another_pass();
     more |= seeks_distances;
     more |= risk_.needs_another_pass(seeks_distances ? std::nullopt : std::optional(clearance_distances()));
+    more |= exposures_.needs_another_pass();
     for (AzimuthTally& azimuths : azimuths_) more |= azimuths.needs_another_pass();
     if (!azimuths_.empty()) more |= diameters_.needs_another_pass();
     return more;
@@ -99,13 +102,16 @@ class PointTally {
     result_.totals.maps = {};
   }
 
-  PointResult result() {
+  /// `trials`: all that ran.
+  PointResult result(std::uint64_t trials) {
     end_first();
+    result_.trials = trials;
     result_.groups = rocks_.summaries();
     result_.crossings = crossings_.summaries();
     if (scenario_.forest) result_.trees = trees_.summary();
     result_.clearances = clearances_.summaries();
     result_.risk = risk_.summary();
+    result_.exposures = exposures_.summaries(trials);
     result_.censored = censored_.places();
     if (diameters_.size() > 0)
       result_.diameters = {diameters_.quantile(0.05).value, diameters_.quantile(0.5).value};
@@ -125,6 +131,7 @@ class PointTally {
   TreeTally trees_;
   ClearanceTally clearances_;
   RiskTally risk_;
+  ExposureTally exposures_;
   Sample diameters_{Questions{{0.05, 0.5}, {}}};
   std::vector<AzimuthTally> azimuths_;  ///< of all rocks, then of each group
   CensoredTally censored_;
@@ -213,8 +220,7 @@ void ResultTally::add(int point, const TrialRecords& chunk) {
 Results ResultTally::finish(const std::vector<Rows>& rows, const RunFacts& facts) {
   for (std::size_t p = 0; p < tallies_.size(); ++p) {
     if (tallies_[p].needs_another_pass()) read_in_passes(rows.at(p), tallies_[p]);
-    results_.points.push_back(tallies_[p].result());
-    results_.points.back().trials = facts.trials.at(p);
+    results_.points.push_back(tallies_[p].result(facts.trials.at(p)));
   }
   results_.verdicts = judge(plan_, results_.points, facts.full && facts.ended_early.empty());
   results_.differences = make_differences(plan_, results_.points, rows);

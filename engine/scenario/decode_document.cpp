@@ -18,6 +18,7 @@ class DocumentDecoder {
 
   Scenario decode() {
     decode_keys();
+    if (const auto document = root_.find("document")) decode_head(*document);
     if (const auto air = root_.find("air")) scenario_.air = decode_air(context_, *air);
     check_method();
     const bool flies = scenario_.method == Method::ballistic;
@@ -53,6 +54,10 @@ class DocumentDecoder {
       scenario_.clearances = decode_clearances(context_, *clearances, groups);
       check_clearances_per_blast(*clearances);
     }
+    if (const auto exposures = root_.find("exposure")) {
+      scenario_.exposures = decode_exposures(context_, *exposures, terrain.profile);
+      check_exposures(*exposures);
+    }
     scenario_.solver = decode_solver(context_, *root_.find("solver"));
     if (const auto stop = root_.find("stop")) scenario_.stop = decode_stop(context_, *stop);
     scenario_.output = decode_output(context_, *root_.find("output"), names_for_series());
@@ -83,6 +88,13 @@ class DocumentDecoder {
     scenario_.rock_contacts = section.text("rock_contacts") == "on";
     scenario_.body_contacts = section.text("body_contacts") == "on";
     scenario_.gravity = section.number("gravity");
+  }
+
+  void decode_head(const Node& node) {
+    const Section section = decode_section(context_, node, "document");
+    DocumentPlan& head = scenario_.document;
+    head = {section.text("number"), section.text("site"), section.text("client"), section.text("author"),
+            section.text("date")};
   }
 
   /// Reports what the method cannot do.
@@ -157,6 +169,18 @@ class DocumentDecoder {
         break;
       }
     }
+  }
+
+  /// What hits is told by where rocks first land, rock by rock.
+  void check_exposures(const Node& exposures) {
+    if (!root_.find("rocks")) exposures.error(context_.diagnostics, "needs `rocks`, the scenario has none");
+    if (scenario_.method != Method::ballistic)
+      exposures.error(context_.diagnostics,
+                      "needs `method: ballistic`: who is hit is told by where rocks first land");
+    const auto output = root_.find("output");
+    if (const auto rocks = output ? output->find("rocks") : std::nullopt;
+        rocks && rocks->value->boolean() && !*rocks->value->boolean())
+      rocks->error(context_.diagnostics, "`exposure` needs the row of each rock");
   }
 
   /// Refuses groups with the name of a quantity: `rocks.runout.p95` would be ambiguous.

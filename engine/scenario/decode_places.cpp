@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "scenario/decode_sections.h"
 
@@ -64,6 +65,53 @@ void decode_sectors(DecodeContext& context, const Node& item, const Section& sec
   if (plan.of_max_distance) error_at("of", "max_distance has no direction: `sectors` go with runout");
 }
 
+/// The part of the time in which someone is there, of the traffic if that is given.
+double decode_occupied(DecodeContext& context, const Node& item, const Section& section) {
+  const bool of_traffic = section.given("vehicles_per_hour");
+  if (of_traffic != section.given("speed") || (of_traffic && !section.given("length"))) {
+    item.error(context.diagnostics, "expected `vehicles_per_hour`, `length` and `speed` together");
+    return 1;
+  }
+  if (!of_traffic) return section.given("occupied") ? section.constant("occupied") : 1;
+  if (section.given("occupied"))
+    item.find("occupied")
+        ->error(context.diagnostics, "follows from `vehicles_per_hour`, expected one of them");
+  const double occupied =
+      section.constant("vehicles_per_hour") / 3600 * section.constant("length") / section.constant("speed");
+  if (occupied > 1)
+    item.find("vehicles_per_hour")
+        ->error(context.diagnostics, fmt::format("fill {:.3g} times the road at this speed", occupied));
+  return occupied;
+}
+
+/// Reads where someone is exposed into its plan.
+void read_exposed_place(DecodeContext& context, const Node& item, const Section& section,
+                        const std::optional<Profile>& profile, ExposurePlan& plan) {
+  if (context.dimension == 2) {
+    plan.at = {section.constant("at"), 0};
+    plan.spread = section.constant("spread");
+    if (profile && section.given("at") && !(plan.at.x() > profile->x_min() && plan.at.x() < profile->x_max()))
+      item.find("at")->error(
+          context.diagnostics,
+          fmt::format("{:.6g} m is not on the terrain, which spans x from {:.6g} m to {:.6g} m", plan.at.x(),
+                      profile->x_min(), profile->x_max()));
+    return;
+  }
+  if (section.given("at") == section.given("line"))
+    return item.error(context.diagnostics, section.given("at")
+                                               ? "has both `at` and `line`, expected one of them"
+                                               : "expected `at` or `line`, which say where it is");
+  for (const Vec3& point : section.points("line")) plan.line.emplace_back(point.x(), point.y());
+  if (const std::vector<Number>& at = section.vector("at"); section.given("at") && at.size() == 2)
+    plan.at = {at[0].constant, at[1].constant};
+  if (!section.given("radius")) return;
+  plan.radius = section.constant("radius");
+  if (const double least = plan.least_radius(); plan.radius < least)
+    item.find("radius")->error(
+        context.diagnostics,
+        fmt::format("is too small for an area of {:.4g} m2, expected at least {:.3g} m", plan.area, least));
+}
+
 }  // namespace
 
 std::vector<BarrierPlan> decode_barriers(DecodeContext& context, const Node& node,
@@ -107,9 +155,28 @@ std::vector<ClearancePlan> decode_clearances(DecodeContext& context, const Node&
                        .probability = section.constant("probability"),
                        .confidence = section.constant("confidence")};
     if (section.given("factor")) plan.factor = section.constant("factor");
+    if (section.given("customary")) plan.customary = section.constant("customary");
+    if (section.given("known_throw")) plan.known_throw = section.constant("known_throw");
     plan.per_blast = section.text("per") == "blast";
     plan.of_max_distance = section.text("of") == "max_distance";
     decode_sectors(context, item, section, plan);
+    return plan;
+  });
+}
+
+std::vector<ExposurePlan> decode_exposures(DecodeContext& context, const Node& node,
+                                           const std::optional<Profile>& profile) {
+  return decode_list<ExposurePlan>(node, [&](const Node& item) {
+    const int dimension = std::exchange(context.dimension, 2);  // places in plan have two coordinates
+    const Section section = decode_section(context, item, place_section("exposure", dimension));
+    context.dimension = dimension;
+    ExposurePlan plan{.name = section.text("name"),
+                      .area = section.constant("area"),
+                      .length = section.given("length") ? section.constant("length") : 0,
+                      .blasts_per_year = section.constant("blasts_per_year"),
+                      .energy = section.constant("energy")};
+    plan.occupied = decode_occupied(context, item, section);
+    read_exposed_place(context, item, section, profile, plan);
     return plan;
   });
 }

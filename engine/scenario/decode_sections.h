@@ -81,6 +81,10 @@ std::optional<ForestPlan> decode_forest(DecodeContext& context, const Node& node
 std::vector<ClearancePlan> decode_clearances(DecodeContext& context, const Node& node,
                                              const std::vector<std::string>& groups);
 
+/// Also checks that they lie within the profile.
+std::vector<ExposurePlan> decode_exposures(DecodeContext& context, const Node& node,
+                                           const std::optional<Profile>& profile);
+
 AirPlan decode_air(DecodeContext& context, const Node& node);
 
 SolverPlan decode_solver(DecodeContext& context, const Node& node);

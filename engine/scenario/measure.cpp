@@ -88,6 +88,8 @@ const Table clearance_quantities{{"distance", dimension::length},
                                  {"lower", dimension::length},
                                  {"upper", dimension::length},
                                  {"with_factor", dimension::length}};
+const Table exposure_quantities{
+    {"per_blast", dimension::none}, {"per_year", dimension::none}, {"hits_per_m2", {-2, 0, 0, 0}}};
 const std::vector<std::string> statistics{"mean", "sd", "min", "max", "p50", "p90", "p95", "p99"};
 
 std::vector<std::string> names_of(const Table& table) {
@@ -103,8 +105,8 @@ class MeasureParser {
       : measure_(measure), names_(names), steps_(measure_steps(measure)) {}
 
   MeasureInfo parse() {
-    static const std::vector<std::string> kinds{"body",  "contact",   "rocks",  "gate",  "barrier",
-                                                "trees", "clearance", "energy", "solver"};
+    static const std::vector<std::string> kinds{"body",  "contact",   "rocks",    "gate",   "barrier",
+                                                "trees", "clearance", "exposure", "energy", "solver"};
     const std::string kind = next(kinds);
     if (kind == "body") parse_body();
     if (kind == "contact") parse_contact();
@@ -122,6 +124,7 @@ class MeasureParser {
       finish(tree_quantities);
     }
     if (kind == "clearance") parse_clearance();
+    if (kind == "exposure") parse_named("exposure", names_.exposures, exposure_quantities);
     if (kind == "solver") {
       finish(solver_quantities);
       if (steps_.size() > 1 && steps_[1] == "max_iterations_of_a_step") need_series();

@@ -19,6 +19,7 @@ struct MeasureNames {
   std::vector<std::string> barriers;
   std::vector<std::string> clearances;
   std::vector<std::string> with_factor;  ///< clearances that have a factor
+  std::vector<std::string> exposures;
   bool forest = false;                   ///< the scenario has trees
   bool series = false;                   ///< the scenario asks for output.series
 };
@@ -37,7 +38,8 @@ struct MeasureInfo {
 ///   gate.<name>.passed[.per_trial]|mean_energy|p95_energy|p95_height,
 ///   barrier.<name>.reached|caught|over_top|over_energy|past[.of_arriving|.per_trial],
 ///   trees.hit|stopped|hits,
-///   clearance.<name>.distance|lower|upper|with_factor
+///   clearance.<name>.distance|lower|upper|with_factor,
+///   exposure.<name>.per_blast|per_year|hits_per_m2
 MeasureInfo check_measure(std::string_view measure, const MeasureNames& names);
 
 /// The steps of a measure: "contact", "ball", "terrain", "rn", "at[0.5 s]".

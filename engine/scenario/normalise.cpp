@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <utility>
 
 #include "scenario/decode.h"
 #include "scenario/scenario.h"
@@ -41,6 +42,7 @@ class Normaliser {
     const Value* method = keys.find("method");
     const bool flies = method && method->text() && *method->text() == "ballistic";
     plugins();
+    section("document", {});
     section("air", air_rules);
     put_part("terrain", true, [&](const Node& node) { return normalise_terrain(context_, node); });
     put_part("materials", !flies, [&](const Node& node) { return normalise_materials(context_, node); });
@@ -58,6 +60,7 @@ class Normaliser {
     put_part("forest", false, [&](const Node& node) { return normalise_forest(context_, node); });
     put_part("clearance", false,
              [&](const Node& node) { return normalise_list_of(context_, node, "clearance"); });
+    put_part("exposure", false, [&](const Node& node) { return exposures(node); });
     put_part_or_default("solver",
                         [&](const auto& node) { return normalise_section(context_, node, "solver", {}); });
     put_part("stop", true, [&](const Node& node) { return normalise_section(context_, node, "stop", {}); });
@@ -75,6 +78,14 @@ class Normaliser {
   }
 
  private:
+  /// Places in plan have two coordinates, in 3D too.
+  Value exposures(const Node& node) {
+    const int dimension = std::exchange(context_.dimension, 2);
+    Value list = normalise_list_of(context_, node, place_section("exposure", dimension));
+    context_.dimension = dimension;
+    return list;
+  }
+
   template <class Part>
   void put_part(const char* key, bool is_required, Part&& part) {
     const std::optional<Node> node = root_.find(key);
@@ -208,6 +219,7 @@ MeasureNames measure_names(const Node& root, int dimension) {
                      .barriers = element_names(root.find("barriers")),
                      .clearances = element_names(root.find("clearance")),
                      .with_factor = {},
+                     .exposures = element_names(root.find("exposure")),
                      .forest = root.find("forest").has_value()};
   if (const auto output = root.find("output")) names.series = output->find("series").has_value();
   if (const auto clearances = root.find("clearance"))

@@ -256,13 +256,35 @@ struct ClearancePlan {
   double confidence = 0.95;           ///< of the interval
   std::optional<double> factor = {};  ///< safety factor; absent: none is applied
   bool per_blast = false;
-  bool of_max_distance = false;  ///< use max_distance instead of runout
-  int sectors = 0;               ///< 3D: number of sectors by azimuth; 0: no sectors
+  bool of_max_distance = false;            ///< use max_distance instead of runout
+  int sectors = 0;                         ///< 3D: number of sectors by azimuth; 0: no sectors
+  std::optional<double> customary = {};    ///< m, the legal or customary distance, to stand beside it
+  std::optional<double> known_throw = {};  ///< m, the farthest throw that is known of the site
   std::optional<Vec2> about =
       {};  ///< m: origin of distances and azimuths; absent: distances from the hull of all release places
 
   bool counts(int rock_group) const { return group < 0 || group == rock_group; }
 };
+
+/// People, a vehicle or a building that rocks may hit: at a place, or 3D somewhere along a line in plan.
+struct ExposurePlan {
+  std::string name;
+  Vec2 at = Vec2::Zero();  ///< m, in plan; (x, 0) in 2D
+  std::vector<Vec2> line;  ///< m; empty: at one place
+  double area = 0;         ///< m2, in plan
+  double spread = 0;       ///< rad, 2D: the directions in plan over which rocks are thrown evenly
+  double radius = 0;       ///< m, of the kernel; 0: chosen from the landings (results/exposure.h)
+  double length = 0;       ///< m, of a vehicle; 0: none is given
+  double occupied = 1;     ///< part of the time in which someone is there
+  double blasts_per_year = 1;
+  double energy = 0;  ///< J, of the landings that count
+
+  /// The least radius of the kernel [m]: under a smaller one, a rock hits the area more than once.
+  double least_radius() const { return std::sqrt(2 * area / pi); }
+};
+
+/// How far beyond the farthest throw that is known of a site people are kept, by custom.
+inline constexpr double beyond_known_throw = 1.5;
 
 enum class FlightMode { exact, stepped };
 
@@ -339,6 +361,11 @@ struct AnswerPlan {
   std::vector<Limit> limits;
 };
 
+/// Who asked for a run and who answers for it, as the head of the report says.
+struct DocumentPlan {
+  std::string number, site, client, author, date;  ///< empty: not given
+};
+
 struct Scenario;
 
 /// What may become of a hole or of a blast, in place of the regular one.
@@ -358,6 +385,7 @@ inline constexpr std::uint64_t most_trials = 1'000'000'000;
 /// stands inside a distribution.
 struct Scenario {
   std::string title;
+  DocumentPlan document;
   int dimension = 2;
   Method method = Method::nscd;
   std::uint64_t seed = 1;
@@ -376,6 +404,7 @@ struct Scenario {
   std::vector<GatePlan> gates;
   std::optional<ForestPlan> forest;
   std::vector<ClearancePlan> clearances;
+  std::vector<ExposurePlan> exposures;
   SolverPlan solver;
   StopPlan stop;
   OutputPlan output;

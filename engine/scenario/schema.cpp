@@ -97,18 +97,18 @@ ParamSpec usually(ParamSpec spec, const std::optional<UsualRange>& range) {
 }
 
 SectionSpec document() {
-  return {
-      "",
-      {integer("flyrock", "format version"), or_else(text("title", "what the scenario is about"), ""),
-       at_most(at_least(integer("dimension", "2: a vertical plane; 3: space"), 2), 3),
-       choice("method", {"nscd", "lumped_mass", "ballistic"}, "how rocks move"),
-       or_else(at_most(at_least(integer("seed", "of all random numbers"), 0), greatest_whole), 1),
-       or_else(at_least(integer("trials", "realisations of each sweep point"), 1), 1),
-       or_else(choice("rock_contacts", {"off", "on"}, "on: rocks also meet each other"), "off"),
-       or_else(choice("body_contacts", {"on", "off"}, "off: bodies meet the terrain only"), "on"),
-       or_else(at_most(at_least(number("gravity", "m/s2", "along -y in 2D, -z in 3D"), 0), 1000), 9.81)},
-      {"plugins", "air", "terrain", "materials", "pairs", "blast", "branches", "rocks", "bodies", "barriers",
-       "gates", "forest", "clearance", "solver", "stop", "output", "sweep", "expect", "answer"}};
+  return {"",
+          {integer("flyrock", "format version"), or_else(text("title", "what the scenario is about"), ""),
+           at_most(at_least(integer("dimension", "2: a vertical plane; 3: space"), 2), 3),
+           choice("method", {"nscd", "lumped_mass", "ballistic"}, "how rocks move"),
+           or_else(at_most(at_least(integer("seed", "of all random numbers"), 0), greatest_whole), 1),
+           or_else(at_least(integer("trials", "realisations of each sweep point"), 1), 1),
+           or_else(choice("rock_contacts", {"off", "on"}, "on: rocks also meet each other"), "off"),
+           or_else(choice("body_contacts", {"on", "off"}, "off: bodies meet the terrain only"), "on"),
+           or_else(at_most(at_least(number("gravity", "m/s2", "along -y in 2D, -z in 3D"), 0), 1000), 9.81)},
+          {"document", "plugins", "air",    "terrain",  "materials", "pairs",  "blast",
+           "branches", "rocks",   "bodies", "barriers", "gates",     "forest", "clearance",
+           "exposure", "solver",  "stop",   "output",   "sweep",     "expect", "answer"}};
 }
 
 /// The fields of the blast below `prefix` ("" or "hole."), from the table that velocity models also use.
@@ -204,6 +204,18 @@ std::vector<ParamSpec> heights() {
 std::vector<ParamSpec> lines(const std::string& what) {
   return {text("name", "of the " + what), optional(number("x", "m", "where it stands, across x")),
           optional(plan_points("line", "in plan, along which it stands; in place of `x`"))};
+}
+
+/// What is exposed at a place, and how often.
+std::vector<ParamSpec> exposure_keys() {
+  return {
+      at_most(above(or_else(number("area", "m2", "in plan: of a person, a vehicle, a roof"), 0.5), 0), 1e4),
+      at_most(above(optional(number("occupied", "", "part of the time in which someone is there; 1")), 0), 1),
+      above(optional(number("vehicles_per_hour", "", "both ways; with `length` and `speed`")), 0),
+      above(optional(number("length", "m", "of a vehicle")), 0),
+      above(optional(number("speed", "m/s", "of the vehicles")), 0),
+      above(or_else(number("blasts_per_year", "", "for the probability per year"), 1.0), 0),
+      at_least(or_else(number("energy", "J", "of the landings that count, at least"), 0.0), 0)};
 }
 
 std::vector<ParamSpec> barrier_keys() {
@@ -405,12 +417,19 @@ std::vector<SectionSpec> make_sections() {
        {text("name", "as in the file"),
         at_least(number("factor", "", "on the energy that trees of the species take"), 0)},
        {}},
+      {"document",
+       {optional(text("number", "of the document")), optional(text("site", "where the blast is")),
+        optional(text("client", "who asked")), optional(text("author", "who answers for it")),
+        optional(text("date", "of the document, as it is to be printed"))},
+       {}},
       {"clearance",
        {text("name", "of the clearance"),
         optional(text("group", "the group of rocks that the clearance applies to; all groups by default")),
         below(above(number("probability", "", "probability with which a rock exceeds the distance"), 0), 1),
         or_else(below(above(number("confidence", "", "of the interval"), 0), 1), 0.95),
         at_least(optional(number("factor", "", "safety factor on the distance; none by default")), 1),
+        above(optional(number("customary", "m", "the legal or customary distance, to stand beside it")), 0),
+        above(optional(number("known_throw", "m", "the farthest throw that is known of the site")), 0),
         or_else(choice("per", {"rock", "blast"}, "blast: the farthest rock of a trial"), "rock"),
         or_else(choice("of", {"runout", "max_distance"}, "which distance"), "runout"),
         at_most(at_least(optional(integer("sectors",
@@ -419,6 +438,20 @@ std::vector<SectionSpec> make_sections() {
                 360),
         optional(number("x", "m", "x of the point about which the sectors lie; 0 if only y is given")),
         optional(number("y", "m", "y of that point; 0 if only x is given"))},
+       {}},
+      {"exposure",
+       joined({text("name", "of who or what is exposed"), number("at", "m", "x where it is"),
+               at_most(above(number("spread", "rad", "angle in plan over which rocks are thrown evenly"), 0),
+                       2 * pi)},
+              exposure_keys()),
+       {}},
+      {"exposure 3D",
+       joined(
+           {text("name", "of who or what is exposed"), optional(vector("at", "m", "place in plan, [x, y]")),
+            optional(plan_points("line", "in plan, somewhere on it, as on a road; in place of `at`")),
+            above(optional(number("radius", "m", "of the kernel; else that of the 100 nearest landings")),
+                  0)},
+           exposure_keys()),
        {}},
       {"solver",
        {or_else(choice("name", {"auto", "nlgs", "proximal_newton"}, "which contact solver"), "auto"),

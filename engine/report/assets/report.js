@@ -41,6 +41,7 @@ function facts_section() {
 }
 
 facts_section();
+against_section();
 best_point_section();
 reach_section();
 tracks_section();
@@ -50,6 +51,7 @@ plan_sections();
 runout_section();
 azimuth_section();
 clearance_section();
+exposure_section();
 holes_section();
 branches_section();
 area_section();

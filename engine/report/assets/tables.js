@@ -40,9 +40,26 @@ function clearance_section() {
         return [c.clearance, c.group ?? "all groups", `${percent(c.probability)} of ${c.count} ${one}`, of, bound(c.distance),
           percent(c.confidence), c.lower, c.upper, c.factor === null ? "none" : right(show(c.factor)), bound(c.with_factor)];
       })),
+    ...point.clearance.filter((c) => c.customary || c.known_throw).map((c) => paragraph("", `Beside ${c.clearance}: ` +
+      [c.customary ? `the legal or customary distance is ${show(c.customary)} m` : "", c.known_throw ? `1.5 times the farthest known throw of ${show(c.known_throw)} m is ${show(c.beyond_known_throw)} m` : ""].filter(Boolean).join("; ") + ".")),
     caption("The share of rocks, or of blasts by their farthest rock, that goes beyond the distance in this model. A factor is yours, and is applied once, to the distance.",
       "The interval is that of the order statistics (binomial), whatever the distribution. It holds the scatter of this many trials, not the error of the model.",
       "≥: censored rocks reach it."),
+  ]);
+}
+
+function exposure_section() {
+  if (!summary.points[0].exposure) return;
+  const interval = ([low, high]) => right(low === null ? "–" : `${in_percent(low)} to ${in_percent(high)}`);
+  const place = (e) => (e.line ? "along its line" : [e.at].flat().map(show).join(", "));
+  section_of_point("Exposure", (point) => [
+    table("Probability that at least one rock hits, if someone is there, and in a year",
+      ["who or what", "at m", "m2", "occupied", "landings near it", "within m", "hits per m2", "a blast hits", "95 %", "blasts a year", "in a year", "95 %"],
+      point.exposure.map((e) => [e.exposure, place(e), e.area_m2, right(percent(e.occupied)), e.landings, e.radius_m, e.hits_per_m2,
+        right(e.per_blast === null ? "–" : e.landings === 0 ? `below ${percent(e.interval[1])}` : percent(e.per_blast)), interval(e.interval), e.blasts_per_year,
+        right(e.per_year === null ? "–" : e.landings === 0 ? `below ${percent(e.per_year_interval[1])}` : percent(e.per_year)), interval(e.per_year_interval)])),
+    caption("Landings near it are spread over a disc (Epanechnikov's kernel), because so small an area is hit in none of a few thousand blasts. The interval holds the scatter between blasts, not the error of the model.",
+      "In a year: 1 - (1 - p occupied)^blasts. Where no rock landed within the radius, the bound of three landings in all blasts of the run."),
   ]);
 }
 

@@ -1,0 +1,14 @@
+// What changed since another run: `flyrock report A --against B`.
+
+function against_section() {
+  const against = data.against;
+  if (!against) return;
+  const value = (text) => (text === null ? "–" : text);
+  const number = (n) => (n.value === null ? "–" : `${n.lower_bound ? "≥ " : ""}${n.unit === "" ? percent(n.value) : show(n.value)}${n.interval[0] === null ? "" : ` (${(n.unit === "" ? in_percent : show)(n.interval[0])} to ${(n.unit === "" ? in_percent : show)(n.interval[1])})`}`);
+  section("Since the other run", element("div", {},
+    paragraph("note", `Against: ${against.title || "a run without a title"}.`),
+    against.inputs.length === 0 ? paragraph("", "No input differs.") : table("Inputs that differ, in SI units", ["input", "other run", "this run"], against.inputs.map((i) => [i.path, value(i.before), value(i.now)])),
+    against.numbers.length === 0 ? paragraph("", "The runs have no number in common.") : table("Numbers of both, with their 95 % intervals",
+      ["number", "unit", "other run", "this run", ""], against.numbers.map((n) => [n.what, n.unit === "" ? "" : n.unit, right(number({ ...n, ...n.before })), right(number({ ...n, ...n.now })), n.apart ? "differs" : "within the scatter"])),
+    caption("Within the scatter: the intervals of the two runs overlap. A sweep in one scenario compares designs more sharply, because its points share their random numbers.")));
+}

@@ -1,0 +1,39 @@
+#include "report/exposure_data.h"
+
+#include <nlohmann/json.hpp>
+
+#include "report/json_object.h"
+
+namespace flyrock {
+
+namespace {
+
+nlohmann::ordered_json place_data(const ExposurePlan& plan, int dimension) {
+  if (plan.line.empty())
+    return dimension == 2 ? nlohmann::ordered_json(plan.at.x())
+                          : nlohmann::ordered_json({plan.at.x(), plan.at.y()});
+  nlohmann::ordered_json line = nlohmann::ordered_json::array();
+  for (const Vec2& point : plan.line) line.push_back({point.x(), point.y()});
+  return line;
+}
+
+}  // namespace
+
+nlohmann::ordered_json exposures_data(const Scenario& scenario,
+                                      const std::vector<ExposureSummary>& exposures) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < exposures.size(); ++i) {
+    const ExposurePlan& plan = scenario.exposures[i];
+    const ExposureSummary& exposed = exposures[i];
+    list.push_back(json_object(
+        "exposure", plan.name, plan.line.empty() ? "at" : "line", place_data(plan, scenario.dimension),
+        "area_m2", plan.area, "energy_J", plan.energy, "occupied", plan.occupied, "blasts_per_year",
+        plan.blasts_per_year, "radius_m", number(exposed.radius), "landings", exposed.landings, "trials",
+        exposed.trials, "hits_per_m2", number(exposed.hits_per_m2), "per_blast", number(exposed.per_blast),
+        "interval", interval_data(exposed.interval), "per_year", number(exposed.per_year),
+        "per_year_interval", interval_data(exposed.per_year_interval)));
+  }
+  return list;
+}
+
+}  // namespace flyrock
