@@ -3,7 +3,7 @@
 # The one list of Debian packages; `deps` installs what is missing.
 PACKAGES := g++ cmake ninja-build libeigen3-dev libyaml-cpp-dev liblua5.4-dev libboost-dev \
   libboost-program-options-dev libboost-math-dev librandom123-dev \
-  nlohmann-json3-dev libfmt-dev libsqlite3-dev zlib1g-dev libqhull-dev libhdf5-dev \
+  nlohmann-json3-dev libfmt-dev libsqlite3-dev zlib1g-dev libqhull-dev libnlopt-dev libhdf5-dev \
   libtinyobjloader-dev catch2 npm
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 JOBS := $(shell nproc)

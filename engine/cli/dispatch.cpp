@@ -21,11 +21,13 @@ namespace flyrock::cli {
 
 namespace {
 
-constexpr std::array<Command, 13> commands = {{
+constexpr std::array<Command, 14> commands = {{
     {"run", "run SCENARIO [options]", "runs a scenario and writes its tables and report", run},
     {"merge", "merge DIR... -o DIR", "puts the shards of a run together", merge},
     {"report", "report DIR [--against DIR] [--pdf]",
      "builds report.html of a result folder again, beside another run or as a PDF", report},
+    {"calibrate", "calibrate SCENARIO --vary PATH=LOW:HIGH [options]",
+     "fits numbers of a scenario to what was measured (`observed`)", calibrate},
     {"export", "export DIR --to csv|vtk|asc|tif [-o PATH]",
      "writes a result as CSV tables, for ParaView or as maps for a GIS", export_result},
     {"animate", "animate DIR [-o FILE.svg]",

@@ -8,6 +8,7 @@
 #include "report/comparison_data.h"
 #include "report/exposure_data.h"
 #include "report/json_object.h"
+#include "report/observation_data.h"
 #include "report/reach_data.h"
 #include "report/risk_data.h"
 #include "results/answer.h"
@@ -468,6 +469,10 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
     if (!plan.points[p].exposures.empty())
       points.back()["exposure"] = exposures_data(plan.points[p], point.exposures);
     if (has_lost(plan.points[p], point)) forget_statistics(points.back());
+    if (point.observation)
+      points.back()["observed"] = has_lost(plan.points[p], point)
+                                      ? Json{{"reason", "lost"}}
+                                      : observation_data(*plan.points[p].observed, *point.observation);
     if (!plan.points[p].branches.empty())
       points.back()["branches"] = branches_data(plan.points[p], point.risk);
     if (const auto& blast = plan.points[p].blast) {

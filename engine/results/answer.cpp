@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 
 #include "results/answer_shares.h"
@@ -312,6 +313,8 @@ std::string answer(const Plan& plan, const Results& results) {
         runouts_of(plan, results, Statistic::max));
     text += clearances_answer(plan, results) + exposures_answer(plan, results);
     text += censored_answer(plan, results);
+    if (const PointResult& first = results.points.front(); first.observation && results.points.size() == 1)
+      text += " " + observation_text(*plan.points.front().observed, *first.observation);
     if (has_weights(plan, results)) text += fmt::format(" {}", meaning_of_weights);
   }
   if (known > 0 && known < rocks)
@@ -332,6 +335,37 @@ std::string assumed_elevations(const Plan& plan) {
   for (const auto& [elevation, names] : groups)
     text += fmt::format("{}The launch of {} gives no elevation, {:.4g} deg is assumed.",
                         text.empty() ? "" : " ", fmt::join(names, ", "), elevation * 180 / pi);
+  return text;
+}
+
+std::string scales_of_tables(const Scenario& scenario) {
+  std::string text;
+  for (const RockGroup& group : scenario.rocks) {
+    if (!group.table) continue;
+    std::vector<double> scales;
+    const double density =
+        group.table->own_density || !group.density.is_constant()
+            ? group.table->own_density
+                  ? 1
+                  : scenario.draws[static_cast<std::size_t>(group.density.draw)].quantile(0.5)
+            : group.density.constant;
+    for (const TableRock& rock : group.table->rocks)
+      if (rock.lengths || rock.diameter)
+        scales.push_back(group.mass ? 1 : group.table->scale_of(rock, density));
+    text +=
+        fmt::format("{}`{}` are the {} rocks of {}", text.empty() ? "" : " ", group.name,
+                    group.table->rocks.size(), std::filesystem::path(group.table->file).filename().string());
+    const SortedSample sorted(scales);
+    if (scales.empty())
+      text += ".";
+    else if (sorted.values().front() == 1 && sorted.values().back() == 1)
+      text += " with their lengths as measured.";
+    else
+      text += fmt::format(
+          ", with the masses of the table; their lengths are scaled by {} to {} (median {}) to {} kg/m3.",
+          three_digits(sorted.values().front()), three_digits(sorted.values().back()),
+          three_digits(sorted.quantile(0.5)), three_digits(density));
+  }
   return text;
 }
 
@@ -385,6 +419,7 @@ std::string assumptions(const Plan& plan) {
   if (const std::string trees = assumed_trees(plan); !trees.empty()) text += " " + trees;
   if (!scenario.bodies.empty()) return text;
   if (const std::string elevations = assumed_elevations(plan); !elevations.empty()) text += " " + elevations;
+  if (const std::string tables = scales_of_tables(scenario); !tables.empty()) text += " " + tables;
   return text +
          " Percentiles are those of this model and of the numbers given to it: whether it is the bench in "
          "question is not "

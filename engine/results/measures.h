@@ -10,6 +10,7 @@
 #include "results/contact_measure.h"
 #include "results/crossing_summary.h"
 #include "results/exposure.h"
+#include "results/observation.h"
 #include "results/plan_reach.h"
 #include "results/reach.h"
 #include "results/risk.h"
@@ -38,10 +39,11 @@ struct PointResult {
   std::shared_ptr<const Forest> forest;    ///< its stems, counted from the origin; null: none
   std::vector<ClearanceSummary> clearances;
   std::vector<ExposureSummary> exposures;
-  RiskSummary risk;                       ///< with measured holes or branches
-  std::vector<LaunchReach> reaches;       ///< only with the method ballistic
-  std::vector<RunoutByAzimuth> azimuths;  ///< 3D, of rocks: in the order of `groups`
-  std::vector<CensoredPlace> censored;    ///< places of censored rocks, most rocks first
+  RiskSummary risk;                               ///< with measured holes or branches
+  std::vector<LaunchReach> reaches;               ///< only with the method ballistic
+  std::vector<RunoutByAzimuth> azimuths;          ///< 3D, of rocks: in the order of `groups`
+  std::optional<ObservationSummary> observation;  ///< where the scenario has `observed`
+  std::vector<CensoredPlace> censored;            ///< places of censored rocks, most rocks first
 };
 
 struct Measured {

@@ -29,13 +29,16 @@ class PointTally {
         clearances_(scenario.clearances),
         risk_(scenario),
         exposures_(scenario),
-        azimuths_(scenario.dimension == 3 && scenario.bodies.empty() ? 1 + scenario.rocks.size() : 0) {}
+        azimuths_(scenario.dimension == 3 && scenario.bodies.empty() ? 1 + scenario.rocks.size() : 0) {
+    if (scenario.observed) simulated_.emplace(scenario);
+  }
 
   /// Takes the rows of the first pass. Their faults go into `results`.
   void see_first(const TrialRecords& chunk, Results& results) {
     result_.totals.add(chunk.totals);
     if (scenario_.dimension == 3) result_.reach.add(chunk);
     if (scenario_.forest) trees_.add(chunk);
+    if (simulated_) simulated_->add(chunk);
     keep_series(chunk);
     for (const RockRecord& rock : chunk.rocks) {
       if (result_.first_trial.empty() || rock.trial == result_.first_trial.front().trial)
@@ -113,6 +116,7 @@ class PointTally {
     result_.risk = risk_.summary();
     result_.exposures = exposures_.summaries(trials);
     result_.censored = censored_.places();
+    if (simulated_) result_.observation = compare(*scenario_.observed, simulated_->result(), scenario_.seed);
     if (diameters_.size() > 0)
       result_.diameters = {diameters_.quantile(0.05).value, diameters_.quantile(0.5).value};
     for (std::size_t g = 0; g < result_.groups.size() && g < azimuths_.size(); ++g)
@@ -134,6 +138,7 @@ class PointTally {
   ExposureTally exposures_;
   Sample diameters_{Questions{{0.05, 0.5}, {}}};
   std::vector<AzimuthTally> azimuths_;  ///< of all rocks, then of each group
+  std::optional<SimulatedTally> simulated_;
   CensoredTally censored_;
 };
 

@@ -58,9 +58,12 @@ class DocumentDecoder {
       scenario_.exposures = decode_exposures(context_, *exposures, terrain.profile);
       check_exposures(*exposures);
     }
+    if (const auto observed = root_.find("observed")) decode_measured(*observed);
     scenario_.solver = decode_solver(context_, *root_.find("solver"));
     if (const auto stop = root_.find("stop")) scenario_.stop = decode_stop(context_, *stop);
     scenario_.output = decode_output(context_, *root_.find("output"), names_for_series());
+    if (scenario_.observed && !scenario_.output.rocks)
+      error_at("observed", "compares each rock, which needs `output.rocks: true`");
     check_sweep();
     if (const auto expect = root_.find("expect"))
       scenario_.expect = decode_expect(*expect, measure_names(root_, scenario_.dimension));
@@ -181,6 +184,12 @@ class DocumentDecoder {
     if (const auto rocks = output ? output->find("rocks") : std::nullopt;
         rocks && rocks->value->boolean() && !*rocks->value->boolean())
       rocks->error(context_.diagnostics, "`exposure` needs the row of each rock");
+  }
+
+  void decode_measured(const Node& observed) {
+    if (!root_.find("rocks"))
+      return observed.error(context_.diagnostics, "is compared with `rocks`, the scenario has none");
+    scenario_.observed = decode_observed(context_, observed, scenario_.rocks);
   }
 
   /// Refuses groups with the name of a quantity: `rocks.runout.p95` would be ambiguous.

@@ -11,6 +11,7 @@
 #include "scenario/decode_face.h"
 #include "scenario/decode_sections.h"
 #include "scenario/normalise.h"
+#include "scenario/table_cells.h"
 
 namespace flyrock {
 
@@ -46,36 +47,18 @@ std::string called(const Hole& hole) { return "hole " + hole.name; }
 // A table.
 
 std::vector<TableColumn> columns_of_holes() {
-  std::vector<TableColumn> columns;
-  for (const ParamSpec& spec : section_spec(hole_list).keys)
-    columns.push_back({.name = spec.name,
-                       .dimension = spec.dimension,
-                       .is_text = spec.type == ParamType::text,
-                       .also = spec.name == "linear_charge" ? std::vector<std::string>{"charge"}
-                               : spec.name == "time"        ? std::vector<std::string>{"delay"}
-                                                            : std::vector<std::string>{}});
-  return columns;
-}
-
-/// Why a number of a table is not what its column takes; empty if it is.
-std::string fault_of_cell(const ParamSpec& column, double value) {
-  if (const std::string fault = limit_fault(column, value, value); !fault.empty()) {
-    const bool is_angle = column.dimension == dimension::angle;
-    return fmt::format("is {}, {}{}", with_unit(value, column), fault,
-                       is_angle ? fmt::format("; write angles with their unit: `{}_deg`", column.name) : "");
+  std::vector<TableColumn> columns = table_columns(section_spec(hole_list).keys);
+  for (TableColumn& column : columns) {
+    if (column.name == "linear_charge") column.also = {"charge"};
+    if (column.name == "time") column.also = {"delay"};
   }
-  if (column.type == ParamType::integer && value != std::round(value))
-    return fmt::format("is {:.6g}, expected a whole number", value);
-  return {};
+  return columns;
 }
 
 std::vector<LocatedHole> read_hole_table(DecodeContext& context, const Node& node, BlastPlan& plan) {
   std::vector<LocatedHole> holes;
   const Section section = decode_section(context, node, "blast.holes");
-  std::map<std::string, std::string> heads;
-  if (const auto columns = node.find("columns"))
-    for (const Node& entry : columns->entries())
-      if (const std::string* head = entry.value->text()) heads[entry.key] = *head;
+  const std::map<std::string, std::string> heads = heads_of(node);
   const auto file = node.find("file");
   if (!file || !file->value->text()) return holes;  // reported
   const std::vector<TableColumn> columns = columns_of_holes();
@@ -196,8 +179,7 @@ Value normalise_holes(DecodeContext& context, const Node& node) {
   if (node.value->map() && !node.value->map()->empty()) {
     node.refuse_unknown_keys(section_spec("blast.holes").key_names(), context.diagnostics);
     Map map = normalise_params(context, node, section_spec("blast.holes").keys, {});
-    if (const auto columns = node.find("columns"))
-      put(map, *columns, normalise_section(context, *columns, "blast.holes.columns", {}));
+    put_columns(context, map, node, "blast.holes.columns");
     return map_value(std::move(map));
   }
   if (!node.value->list()) {

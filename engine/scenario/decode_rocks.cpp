@@ -35,6 +35,13 @@ std::optional<double> assumed_elevation(const Node& launch, const PluginSpec& sp
   return spec.params[elevation].default_number.value_or(of_every_model);
 }
 
+/// Whether the shape has the lengths of a table, and no plugin says it.
+bool has_lengths_of_table(const Node& group) {
+  const std::optional<Node> shape = group.find("shape");
+  const Value* type = shape ? shape->value->find("type") : nullptr;
+  return type && type->text() && *type->text() == from_lengths;
+}
+
 RockGroup decode_group(DecodeContext& context, const Node& node, const std::vector<Material>& materials,
                        const DecodedTerrain& terrain) {
   const bool plane = context.dimension == 2;
@@ -53,7 +60,8 @@ RockGroup decode_group(DecodeContext& context, const Node& node, const std::vect
     group.turn = decode_orientation(context, node);
   }
   group.material = decode_material(context, node, materials);
-  group.shape = decode_part(context, node, PluginKind::shape, "shape");
+  if (section.given("table")) group.table = decode_rock_table(context, node, section);
+  if (!has_lengths_of_table(node)) group.shape = decode_part(context, node, PluginKind::shape, "shape");
   if (const auto release = node.find("release")) group.release = decode_release(context, *release, terrain);
   if (section.given("per_hole")) {
     group.per_hole = section.integer("per_hole");

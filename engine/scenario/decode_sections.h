@@ -55,6 +55,14 @@ void check_hole(DecodeContext& context, const Node& blast, const BlastPlan& plan
 std::vector<RockGroup> decode_rocks(DecodeContext& context, const Node& node,
                                     const std::vector<Material>& materials, const DecodedTerrain& terrain);
 
+/// The table of a group of rocks; never null. Also checks that it and the other keys of the group together
+/// say all of a rock, each only once.
+std::shared_ptr<const RockTable> decode_rock_table(DecodeContext& context, const Node& group,
+                                                   const Section& section);
+
+/// What is measured. `groups` are those of the scenario, whose tables may have the rocks of the rows.
+ObservedPlan decode_observed(DecodeContext& context, const Node& node, const std::vector<RockGroup>& groups);
+
 /// Where the rocks of a group start.
 std::optional<Release> decode_release(DecodeContext& context, const Node& node,
                                       const DecodedTerrain& terrain);

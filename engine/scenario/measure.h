@@ -20,8 +20,8 @@ struct MeasureNames {
   std::vector<std::string> clearances;
   std::vector<std::string> with_factor;  ///< clearances that have a factor
   std::vector<std::string> exposures;
-  bool forest = false;                   ///< the scenario has trees
-  bool series = false;                   ///< the scenario asks for output.series
+  bool forest = false;  ///< the scenario has trees
+  bool series = false;  ///< the scenario asks for output.series
 };
 
 struct MeasureInfo {

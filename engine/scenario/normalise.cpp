@@ -61,6 +61,7 @@ class Normaliser {
     put_part("clearance", false,
              [&](const Node& node) { return normalise_list_of(context_, node, "clearance"); });
     put_part("exposure", false, [&](const Node& node) { return exposures(node); });
+    put_part("observed", false, [&](const Node& node) { return observed(node); });
     put_part_or_default("solver",
                         [&](const auto& node) { return normalise_section(context_, node, "solver", {}); });
     put_part("stop", true, [&](const Node& node) { return normalise_section(context_, node, "stop", {}); });
@@ -111,6 +112,12 @@ class Normaliser {
     List list;
     for (const auto& [name, at] : plugin_files(*root_.value, diagnostics_)) list.push_back(text_value(name));
     put(result_, "plugins", list_value(std::move(list)));
+  }
+
+  Value observed(const Node& node) {
+    Value observed = normalise_section(context_, node, "observed", {});
+    if (observed.map()) put_columns(context_, *observed.map(), node, "observed.columns");
+    return observed;
   }
 
   Value output(const std::optional<Node>& node) {
@@ -196,6 +203,11 @@ class Normaliser {
 }  // namespace
 
 Value normalise(DecodeContext& context, const Node& root) { return Normaliser(context, root).normalise(); }
+
+void put_columns(DecodeContext& context, Map& map, const Node& section, std::string_view columns_section) {
+  if (const auto columns = section.find("columns"))
+    put(map, *columns, normalise_section(context, *columns, columns_section, {}));
+}
 
 Value normalise_list_of(DecodeContext& context, const Node& node, const std::string& section) {
   return normalise_list(context, node,

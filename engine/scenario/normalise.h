@@ -46,6 +46,9 @@ Value normalise_list_of(DecodeContext& context, const Node& node, const std::str
 /// Reports an error at each element of a list whose `name` is already used by an earlier element.
 void refuse_duplicate_names(DecodeContext& context, const Node& list);
 
+/// The `columns` of a section that names a table, if it has any: other heads by name of column.
+void put_columns(DecodeContext& context, Map& map, const Node& section, std::string_view columns_section);
+
 /// Measured holes: `{ file, columns }`, or a list.
 Value normalise_holes(DecodeContext& context, const Node& node);
 

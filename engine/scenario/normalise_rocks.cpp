@@ -75,17 +75,52 @@ void put_turn(DecodeContext& context, Map& map, const Node& parent, const Number
     put(map, *node, normalise_turn(context, *node, rules));
 }
 
-/// Rocks of holes take the place of those of a population that knows no holes.
-void check_per_hole(DecodeContext& context, const Node& node, bool is_independent) {
-  const std::optional<Node> per_hole = node.find("per_hole");
-  if (!per_hole) return;
+/// What says how many rocks there are, in place of the number of the population: rocks of holes and of a
+/// table.
+constexpr std::array counting_keys = {"per_hole", "table"};
+
+std::optional<Node> counting_key(const Node& node) {
+  for (const char* key : counting_keys)
+    if (auto found = node.find(key)) return found;
+  return std::nullopt;
+}
+
+void check_counting_key(DecodeContext& context, const Node& node, bool is_independent) {
+  const std::optional<Node> key = counting_key(node);
+  if (!key) return;
   if (node.find("per_trial"))
-    per_hole->error(context.diagnostics, "stands in place of `per_trial`, expected one of them");
+    key->error(context.diagnostics, "stands in place of `per_trial`, expected one of them");
+  else if (node.find("per_hole") && node.find("table"))
+    node.find("table")->error(context.diagnostics, "stands in place of `per_hole`, expected one of them");
   else if (!is_independent)
-    per_hole->error(
+    key->error(
         context.diagnostics,
         fmt::format("needs the population `{}`, the other ones say themselves how many rocks there are",
                     default_population));
+}
+
+/// The form of the lengths of a table, or a shape of a plugin.
+void put_shape(DecodeContext& context, Map& group, const Node& node) {
+  const std::optional<Node> shape = node.find("shape");
+  if (!shape) return;
+  const Value* type = shape->value->find("type");
+  if (!type || !type->text() || *type->text() != from_lengths)
+    return put_plugin(context, group, node, "shape", PluginKind::shape, rock_rules);
+  Value form = normalise_section(context, *shape, "rocks.shape: from_lengths", {});
+  if (Map* keys = form.map()) keys->insert(keys->begin(), Entry{"type", type->at, *type});
+  if (!node.find("table"))
+    shape->error(context.diagnostics, "has the lengths of a `table`, the group has none");
+  put(group, *shape, std::move(form));
+}
+
+/// What belongs to a table only.
+void check_words_of_table(DecodeContext& context, const Node& node) {
+  if (node.find("table")) return;
+  if (const auto columns = node.find("columns"))
+    columns->error(context.diagnostics, "are the heads of a `table`, the group has none");
+  if (const auto density = node.find("density");
+      density && density->value->text() && *density->value->text() == from_table)
+    density->error(context.diagnostics, "needs a `table` with masses and lengths, the group has none");
 }
 
 Value normalise_group(DecodeContext& context, const Node& node) {
@@ -100,16 +135,18 @@ Value normalise_group(DecodeContext& context, const Node& node) {
                   "of the group stands for");
   check_mass(context, node, false);
   put_turn(context, group, node, rock_rules);
-  put_plugin(context, group, node, "shape", PluginKind::shape, rock_rules);
+  put_columns(context, group, node, "rocks.columns");
+  put_shape(context, group, node);
+  check_words_of_table(context, node);
   if (const auto release = node.find("release")) put(group, *release, normalise_release(context, *release));
   put_plugin(context, group, node, "launch", PluginKind::velocity, rock_rules);
   const std::string* type = population.find("type")->text();
-  if (node.find("per_hole"))  // which takes the place of the default
+  if (counting_key(node))  // which takes the place of the default
     std::erase_if(group, [](const Entry& entry) { return entry.key == "per_trial" && entry.value.assumed; });
-  check_per_hole(context, node, type && *type == default_population);
+  check_counting_key(context, node, type && *type == default_population);
   if (type && *type == default_population)
     for (const char* key : {"shape", "release"})  // other populations may decide both
-      if (!node.find(key) && !(key == std::string_view("release") && node.find("per_hole")))
+      if (!node.find(key) && !(key == std::string_view("release") && counting_key(node)))
         context.diagnostics.error(node.key_at, node.path, fmt::format("`{}` is missing", key));
   return map_value(std::move(group));
 }

@@ -118,6 +118,31 @@ void find_body_contacts(const Node& root, const Scenario& scenario, std::vector<
   }
 }
 
+/// Heads of tables of rocks and of measured places that are no columns.
+void find_other_heads(const Scenario& scenario, std::vector<std::string>& list) {
+  struct Use {
+    std::string where, file;
+    const std::vector<std::string>& heads;
+  };
+  std::vector<Use> uses;
+  for (const RockGroup& group : scenario.rocks)
+    if (group.table)
+      uses.push_back({"rocks." + group.name + ".table", group.table->file, group.table->other_heads});
+  if (scenario.observed)
+    uses.push_back({"observed", scenario.observed->file, scenario.observed->other_heads});
+  for (const Use& use : uses)
+    for (const std::string& head : use.heads) {
+      // One file may hold rocks and where they stopped.
+      const bool is_read = std::any_of(uses.begin(), uses.end(), [&](const Use& other) {
+        return other.file == use.file &&
+               std::find(other.heads.begin(), other.heads.end(), head) == other.heads.end();
+      });
+      if (!is_read)
+        list.push_back(fmt::format("{}: the column `{}` (no column of the table has this name)", use.where,
+                                   printable(head)));
+    }
+}
+
 /// Keys about contacts between rocks, in a scenario where rocks do not meet each other.
 void find_rock_contacts(const Node& root, const Scenario& scenario, std::vector<std::string>& list) {
   if (scenario.rocks.empty()) {
@@ -159,6 +184,7 @@ void find_keys_of_bodies(const Node& root, const Scenario& scenario, std::vector
 std::vector<std::string> find_not_used(const Node& root, const Scenario& scenario) {
   std::vector<std::string> list;
   if (const auto blast = root.find("blast")) find_blast_keys(*blast, scenario, list);
+  find_other_heads(scenario, list);
   find_materials(scenario, list);
   if (scenario.method == Method::ballistic && find_given(root, "solver"))
     list.emplace_back("solver (the method ballistic has no contacts)");

@@ -20,6 +20,8 @@
 #include "math/space.h"
 #include "plugin/registry.h"
 #include "scenario/ground_store.h"
+#include "scenario/observed.h"
+#include "scenario/rock_table.h"
 
 namespace flyrock {
 
@@ -172,6 +174,8 @@ struct TurnPlan {
 struct RockGroup {
   std::string name;
   PluginUse population;
+  /// Its lines are the rocks of each trial, in place of those of the population; null: none.
+  std::shared_ptr<const RockTable> table;
   std::optional<int> per_hole;  ///< rocks of each measured hole, in place of those of the population
   std::optional<PluginUse> shape;
   std::optional<Release> release;
@@ -405,6 +409,7 @@ struct Scenario {
   std::optional<ForestPlan> forest;
   std::vector<ClearancePlan> clearances;
   std::vector<ExposurePlan> exposures;
+  std::optional<ObservedPlan> observed;  ///< absent: nothing is compared
   SolverPlan solver;
   StopPlan stop;
   OutputPlan output;

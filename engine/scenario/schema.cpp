@@ -106,9 +106,9 @@ SectionSpec document() {
            or_else(choice("rock_contacts", {"off", "on"}, "on: rocks also meet each other"), "off"),
            or_else(choice("body_contacts", {"on", "off"}, "off: bodies meet the terrain only"), "on"),
            or_else(at_most(at_least(number("gravity", "m/s2", "along -y in 2D, -z in 3D"), 0), 1000), 9.81)},
-          {"document", "plugins", "air",    "terrain",  "materials", "pairs",  "blast",
-           "branches", "rocks",   "bodies", "barriers", "gates",     "forest", "clearance",
-           "exposure", "solver",  "stop",   "output",   "sweep",     "expect", "answer"}};
+          {"document", "plugins", "air",      "terrain", "materials", "pairs",     "blast",    "branches",
+           "rocks",    "bodies",  "barriers", "gates",   "forest",    "clearance", "exposure", "observed",
+           "solver",   "stop",    "output",   "sweep",   "expect",    "answer"}};
 }
 
 /// The fields of the blast below `prefix` ("" or "hole."), from the table that velocity models also use.
@@ -168,6 +168,18 @@ std::vector<ParamSpec> head_keys(const std::vector<ParamSpec>& columns) {
 std::vector<ParamSpec> mass_keys() {
   return {above(usually(optional(number("density", "kg/m3", "of the rock; or `mass`")), usual::density), 0),
           above(optional(number("mass", "kg", "of the rock; or `density`")), 0)};
+}
+
+/// The mass of rocks, whose table may say it.
+std::vector<ParamSpec> mass_keys_of_rocks() {
+  std::vector<ParamSpec> keys = mass_keys();
+  keys.front().choices = {from_table};
+  return keys;
+}
+
+/// A table of rocks, which takes the place of `per_trial`.
+ParamSpec table() {
+  return optional(file("table", "a line of heads, then a line for each rock of every trial"));
 }
 
 ParamSpec per_hole() {
@@ -243,6 +255,35 @@ std::vector<ParamSpec> tree_law_keys() {
       or_else(
           at_most(at_least(number("turn", "rad", "of the direction at a hit, away from the stem"), -pi), pi),
           0.0)};
+}
+
+/// What a rock of a table, or a measured place, is called.
+std::vector<ParamSpec> label_columns() {
+  return {optional(text("name", "of the rock; a measured place has the name of its rock")),
+          optional(text("group", "a label of rocks that belong together"))};
+}
+
+std::vector<ParamSpec> make_rock_columns() {
+  const auto length = [](const char* name, std::string doc) {
+    return above(usually(optional(number(name, "m", std::move(doc))), UsualRange{0.001, 20}), 0);
+  };
+  std::vector<ParamSpec> keys = label_columns();
+  keys.push_back(above(optional(number("mass", "kg", "of the rock")), 0));
+  for (const char* name : {"l1", "l2", "l3"}) keys.push_back(length(name, "a length of its bounding box"));
+  keys.push_back(length("diameter", "of the sphere of equal volume, in place of the lengths"));
+  for (const char* name : {"x", "y", "z"})
+    keys.push_back(optional(number(name, "m", "of the centre of mass; not `y` in 2D")));
+  for (const char* name : {"vx", "vy", "vz"})
+    keys.push_back(optional(number(name, "m/s", "of its velocity; not `vy` in 2D")));
+  return keys;
+}
+
+std::vector<ParamSpec> make_observed_columns() {
+  std::vector<ParamSpec> keys = label_columns();
+  for (const char* name : {"x", "y", "z"})
+    keys.push_back(optional(number(name, "m", "of the place where it stopped; not `y` in 2D")));
+  keys.push_back(at_least(optional(number("distance", "m", "from its start, in place of the place")), 0));
+  return keys;
 }
 
 std::vector<SectionSpec> make_sections() {
@@ -326,15 +367,22 @@ std::vector<SectionSpec> make_sections() {
         at_least(optional(number("delay_in_hole", "s", "from the signal to the charge, in every hole")), 0)},
        {}},
       {"rocks",
-       joined(joined({text("name", "of the group")}, mass_keys()),
+       joined(joined({text("name", "of the group"), table()}, mass_keys_of_rocks()),
               {per_hole(), thickness(),
                optional(number("orientation", "rad", "random and uniform where it is not given")),
                optional(text("material", "shown to other rocks")), weight()}),
-       {"type", "shape", "release", "launch"}},
+       {"type", "columns", "shape", "release", "launch"}},
       {"rocks 3D",
-       joined(joined({text("name", "of the group")}, mass_keys()),
+       joined(joined({text("name", "of the group"), table()}, mass_keys_of_rocks()),
               {per_hole(), optional(text("material", "shown to other rocks")), weight()}),
-       {"type", "shape", "orientation", "release", "launch"}},
+       {"type", "columns", "shape", "orientation", "release", "launch"}},
+      {"rocks.columns", head_keys(rock_columns()), {}},
+      {"rocks.shape: from_lengths",
+       {choice(
+           "form", {"box", "cut", "ellipsoid", "sphere"},
+           "of the lengths of the table: a box, a box with its edges and corners cut (EOTA), an ellipsoid "
+           "of 20 corners, the sphere of the ellipsoid's volume")},
+       {"type"}},
       {"rocks.release: from",
        {choice(
             "from", {"face", "collar", "bench_top"},
@@ -453,6 +501,14 @@ std::vector<SectionSpec> make_sections() {
                   0)},
            exposure_keys()),
        {}},
+      {"observed",
+       {file("file", "a table of measured places: a line of heads, then a line for each"),
+        choice(
+            "of", {"runout", "place", "distance"},
+            "what is compared: the runout, the place where it stops, the greatest distance from the start"),
+        or_else(choice("per", {"rock", "blast"}, "blast: a line is the farthest rock of a trial"), "rock")},
+       {"columns"}},
+      {"observed.columns", head_keys(observed_columns()), {}},
       {"solver",
        {or_else(choice("name", {"auto", "nlgs", "proximal_newton"}, "which contact solver"), "auto"),
         or_word(at_most(at_least(number("time_step", "s", "of the contact scheme"), 1e-7), 0.1), "auto"),
@@ -523,6 +579,16 @@ std::vector<std::string> SectionSpec::key_names() const {
 
 std::string place_section(std::string_view name, int dimension) {
   return std::string(name) + (dimension == 3 ? " 3D" : "");
+}
+
+const std::vector<ParamSpec>& rock_columns() {
+  static const std::vector<ParamSpec> columns = make_rock_columns();
+  return columns;
+}
+
+const std::vector<ParamSpec>& observed_columns() {
+  static const std::vector<ParamSpec> columns = make_observed_columns();
+  return columns;
 }
 
 const std::vector<SectionSpec>& section_specs() {

@@ -29,6 +29,15 @@ std::string place_section(std::string_view name, int dimension);
 /// All sections, in the order of the document.
 const std::vector<SectionSpec>& section_specs();
 
+/// The columns of a table of rocks, and those of a table of measured places.
+const std::vector<ParamSpec>& rock_columns();
+const std::vector<ParamSpec>& observed_columns();
+
+/// In place of a density: the one that follows from the masses and lengths of a table.
+inline constexpr const char* from_table = "from_table";
+/// The type of a shape that has the lengths of a table.
+inline constexpr std::string_view from_lengths = "from_lengths";
+
 /// The population of a group that gives no `type`.
 inline constexpr std::string_view default_population = "independent";
 

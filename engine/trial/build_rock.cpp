@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "document/wording.h"
 #include "geometry/volume_properties.h"
@@ -12,6 +13,7 @@
 #include "trial/repeat.h"
 #include "trial/scenario_error.h"
 #include "trial/start_checks.h"
+#include "trial/table_rock.h"
 
 namespace flyrock {
 
@@ -57,27 +59,66 @@ auto key_path(const TrialRock& rock, std::string_view key) {
 
 }  // namespace
 
+/// Mass and size of a rock of a table. Its lengths are scaled so that its mass and the density of the group
+/// agree. With a shape of another type, this shape is scaled to the volume.
+template <int D>
+void TrialBuilder<D>::set_size_of_line(const TableRock& line, const TrialRock& rock,
+                                       MadeBody<D>& made) const {
+  const RockGroup& group = scenario_.rocks[rock.group];
+  const RockTable& table = *group.table;
+  const double density = group.mass || table.own_density ? 0 : number(group.density, rock.key);
+  if (line.mass)
+    made.mass = *line.mass;
+  else if (group.mass)
+    made.mass = number(*group.mass, rock.key);
+  else
+    made.density = density;
+  if (table.form) {
+    made.lengths = table.lengths_of(line, density);
+    if (D == 2) made.thickness = thickness_of(*table.form, made.lengths);
+  } else if (line.mass && density > 0) {
+    made.diameter = std::cbrt(6 / pi * *line.mass / density);
+  } else if (line.diameter || line.lengths) {
+    made.diameter =
+        line.diameter ? *line.diameter : std::cbrt(6 / pi * volume_of(RockForm::ellipsoid, *line.lengths));
+  }
+}
+
+/// Mass, thickness, and the diameter to which the shape is scaled.
+template <int D>
+void TrialBuilder<D>::set_size(const RockPlan<D>& plan, const TrialRock& rock, MadeBody<D>& made) const {
+  const RockGroup& group = scenario_.rocks[rock.group];
+  if (const TableRock* line = line_of(rock)) {
+    set_size_of_line(*line, rock, made);
+  } else if (plan.mass) {
+    made.mass = *plan.mass;
+  } else if (plan.density) {
+    made.density = *plan.density;
+  } else if (group.mass) {
+    made.mass = number(*group.mass, rock.key);
+  } else {
+    made.density = number(group.density, rock.key);
+  }
+  if (D == 2 && group.thickness) made.thickness = number(*group.thickness, rock.key);
+  if (plan.diameter) made.diameter = *plan.diameter;
+}
+
 /// The body of a rock before it is placed: its own shape, or that of its group.
 template <int D>
 const MadeBody<D>& TrialBuilder<D>::made_body(const RockPlan<D>& plan, const TrialRock& rock) {
   const RockGroup& group = scenario_.rocks[rock.group];
-  MadeBody<D>& last = made_[static_cast<std::size_t>(rock.group)];
+  MadeBody<D>& last = last_made(rock);
   MadeBody<D> made;
-  if (plan.mass)
-    made.mass = *plan.mass;
-  else if (plan.density)
-    made.density = *plan.density;
-  else if (group.mass)
-    made.mass = number(*group.mass, rock.key);
-  else
-    made.density = number(group.density, rock.key);
-  if (D == 2 && group.thickness) made.thickness = number(*group.thickness, rock.key);
-  made.diameter = plan.diameter.value_or(0);
+  set_size(plan, rock, made);
 
   ShapeAnswer<D> shape;
   if (!plan.shape.contactors.empty()) {
     shape = plan.shape;
     made.is_drawn = rock.population_drew;
+  } else if (group.table && group.table->form) {
+    made.is_kept = true;
+    if (last.serves(made)) return last;
+    shape = shape_of<D>(*group.table->form, made.lengths);
   } else {
     if (!group.shape)
       throw ScenarioError(key_path(rock, "shape")(),
@@ -90,7 +131,7 @@ const MadeBody<D>& TrialBuilder<D>::made_body(const RockPlan<D>& plan, const Tri
     made.is_drawn = rng.drawn();
     made.is_kept = !made.is_drawn && is_native(*group.shape);
   }
-  if (plan.diameter) at_path(key_path(rock, "shape"), [&] { scale_to(shape, *plan.diameter); });
+  if (made.diameter > 0) at_path(key_path(rock, "shape"), [&] { scale_to(shape, made.diameter); });
   made.has_own_mass = shape.own.mass.has_value();
   made.has_own_inertia = shape.own.inertia.has_value();
   if constexpr (D == 2) {
@@ -137,6 +178,33 @@ void TrialBuilder<D>::turn_at_random(TrialRock& rock, Body<D>& body) {
   }
 }
 
+/// Where a rock starts: at the place of its population or table, or where the release of its group says.
+template <int D>
+Place<D> TrialBuilder<D>::place_of(const RockPlan<D>& plan, const TrialRock& rock, const Body<D>& body,
+                                   const Terrain& terrain, RandomStream& where) const {
+  const RockGroup& group = scenario_.rocks[rock.group];
+  Place<D> place;
+  if (plan.position) {
+    place.position = *plan.position - origin().template head<D>();
+    return place;
+  }
+  const TableRock* line = line_of(rock);
+  if (line && line->place) {
+    Release release;
+    release.kind = ReleaseKind::above_ground;
+    release.in_plan = release.on_ground = true;
+    release.x.constant = line->place->x();
+    release.y.constant = line->place->y();
+    return at_path(key_path(rock, "table"),
+                   [&] { return place_rock(release, scenario_, rock.key, where, body, terrain); });
+  }
+  if (!group.release)
+    throw ScenarioError(key_path(rock, "release")(),
+                        "neither the population nor `release` says where a rock starts");
+  return at_path(key_path(rock, "release"),
+                 [&] { return place_rock(*group.release, scenario_, rock.key, where, body, terrain); });
+}
+
 /// Shape, mass, pose and launch of one rock.
 template <int D>
 Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, const Terrain& terrain,
@@ -150,20 +218,14 @@ Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, con
   if (made.is_drawn) rock.outcomes.set_shape(body);
   rock.start_is_drawn = rock.population_drew || !made.is_kept;
   const auto mass_path = [&] {
+    if (rock.line >= 0) return key_of("table")();
     if (plan.mass || plan.density) return group.population.path;
     return key_of(made.has_own_mass ? "shape" : mass_key(group))();
   };
   at_path(key_of("shape"), [&] { refuse_massless(body); });
   at_path(mass_path, [&] { refuse_extremes(body); });
   at_path(key_of("shape"), [&] { refuse_slender(body); });
-  Place<D> place;
-  if (plan.position)
-    place.position = *plan.position - origin().template head<D>();
-  else if (group.release)
-    place = at_path(key_of("release"),
-                    [&] { return place_rock(*group.release, scenario_, rock.key, where, body, terrain); });
-  else
-    throw ScenarioError(key_of("release")(), "neither the population nor `release` says where a rock starts");
+  const Place<D> place = place_of(plan, rock, body, terrain, where);
   body.x = place.position;
   rock.face_angle = place.face_angle;
   rock.start_is_drawn |= where.drawn();
@@ -242,12 +304,14 @@ Partner TrialBuilder<D>::partner_of(const RockPlan<D>& plan, const TrialRock& ro
   return partner;
 }
 
-#define FLYROCK_INSTANTIATE(D)                                                                  \
-  template Air<D> TrialBuilder<D>::air_of(const Body<D>&, const DrawKey&) const;                \
-  template const MadeBody<D>& TrialBuilder<D>::made_body(const RockPlan<D>&, const TrialRock&); \
-  template Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>&, TrialRock&, const Terrain&,   \
-                                              RandomStream&);                                   \
-  template void TrialBuilder<D>::turn_at_random(TrialRock&, Body<D>&);                          \
+#define FLYROCK_INSTANTIATE(D)                                                                      \
+  template Air<D> TrialBuilder<D>::air_of(const Body<D>&, const DrawKey&) const;                    \
+  template const MadeBody<D>& TrialBuilder<D>::made_body(const RockPlan<D>&, const TrialRock&);     \
+  template Place<D> TrialBuilder<D>::place_of(const RockPlan<D>&, const TrialRock&, const Body<D>&, \
+                                              const Terrain&, RandomStream&) const;                 \
+  template Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>&, TrialRock&, const Terrain&,       \
+                                              RandomStream&);                                       \
+  template void TrialBuilder<D>::turn_at_random(TrialRock&, Body<D>&);                              \
   template Partner TrialBuilder<D>::partner_of(const RockPlan<D>&, const TrialRock&) const
 FLYROCK_INSTANTIATE(2);
 FLYROCK_INSTANTIATE(3);

@@ -12,6 +12,7 @@
 #include "trial/repeat.h"
 #include "trial/scenario_error.h"
 #include "trial/start_checks.h"
+#include "trial/table_rock.h"
 
 namespace flyrock {
 
@@ -53,7 +54,8 @@ GroupStreams::GroupStreams(const std::string& group)
 template <int D>
 TrialBuilder<D>::TrialBuilder(const Scenario& scenario) : scenario_(scenario), instances_(scenario) {
   for (const RockGroup& group : scenario.rocks) streams_.emplace_back(group.name);
-  made_.resize(scenario.rocks.size());
+  for (const RockGroup& group : scenario.rocks)
+    made_.emplace_back(group.table ? group.table->rocks.size() : 1);
   for (const BranchPlan& branch : scenario.branches)
     branches_.push_back(std::make_unique<TrialBuilder>(*branch.scenario));
   may_repeat_ = may_repeat(scenario);
@@ -205,11 +207,16 @@ void TrialBuilder<D>::add_apart(World<D>& world, const RockPlan<D>& plan, TrialR
   }
 }
 
-/// What the population of a group says of its rocks; of rocks of each hole their number only.
+/// What the table or the population of a group says of its rocks; of rocks of each hole their number only.
 template <int D>
 std::vector<RockPlan<D>> TrialBuilder<D>::plans_of(int g, const TerrainView& ground, const DrawKey& of_trial,
                                                    RandomStream& rng) {
   const RockGroup& group = scenario_.rocks[g];
+  if (group.table) {
+    std::vector<RockPlan<D>> plans;
+    for (const TableRock& line : group.table->rocks) plans.push_back(plan_of<D>(line));
+    return plans;
+  }
   if (group.per_hole)
     return std::vector<RockPlan<D>>(static_cast<std::size_t>(*group.per_hole) *
                                     static_cast<std::size_t>(scenario_.blast->pattern.holes()));
@@ -254,6 +261,7 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
       const RockPlan<D>& plan = plans[i];
       TrialRock& rock = trial.rocks.emplace_back();
       rock.group = g;
+      if (group.table) rock.line = static_cast<int>(i);
       rock.weight = plan.weight.value_or(group.weight.value_or(1));
       rock.population_drew = rng.drawn();
       const std::uint64_t hole =

@@ -1,6 +1,7 @@
 #pragma once
 // One trial of a scenario: its terrain, its worlds, and what is known of each rock before it moves.
 
+#include <algorithm>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -22,6 +23,7 @@ StopReason reason_of(const TrialError& error);
 struct TrialRock {
   int group = 0;      ///< index into Scenario::rocks or ::bodies
   int branch = 0;     ///< of its hole, index into branch_names()
+  int line = -1;      ///< of the table of its group, from 0; -1: it has none
   double weight = 1;  ///< the number of real rocks that it stands for
   DrawKey key;        ///< of its draws
   int world = -1;     ///< index into Trial::worlds; -1 if the rock could not be built
@@ -57,6 +59,7 @@ struct Trial {
 template <int D>
 struct MadeBody {
   std::vector<double> shape;                    ///< the parameters of the shape of its group
+  Vec3 lengths = Vec3::Zero();                  ///< of a form of a table [m]
   double density = 0, mass = 0, thickness = 0;  ///< of density and mass the one that is given
   double diameter = 0;                          ///< to which the shape is scaled; 0: not
   bool is_kept = false;                         ///< another rock of its group may have it
@@ -67,7 +70,7 @@ struct MadeBody {
   /// Whether the rock for which `other` is to be made has this body.
   bool serves(const MadeBody& other) const {
     return is_kept && shape == other.shape && density == other.density && mass == other.mass &&
-           thickness == other.thickness && diameter == other.diameter;
+           thickness == other.thickness && diameter == other.diameter && lengths == other.lengths;
   }
 };
 
@@ -122,6 +125,18 @@ class TrialBuilder {
   void turn_rock(const RockPlan<D>& plan, TrialRock& rock, Body<D>& body);
   void turn_at_random(TrialRock& rock, Body<D>& body);
   const MadeBody<D>& made_body(const RockPlan<D>& plan, const TrialRock& rock);
+  void set_size(const RockPlan<D>& plan, const TrialRock& rock, MadeBody<D>& made) const;
+  void set_size_of_line(const TableRock& line, const TrialRock& rock, MadeBody<D>& made) const;
+  /// The line of the table of a rock; null: its group has none.
+  const TableRock* line_of(const TrialRock& rock) const {
+    return rock.line < 0 ? nullptr
+                         : &scenario_.rocks[rock.group].table->rocks[static_cast<std::size_t>(rock.line)];
+  }
+  MadeBody<D>& last_made(const TrialRock& rock) {
+    return made_[static_cast<std::size_t>(rock.group)][static_cast<std::size_t>(std::max(0, rock.line))];
+  }
+  Place<D> place_of(const RockPlan<D>& plan, const TrialRock& rock, const Body<D>& body,
+                    const Terrain& terrain, RandomStream& where) const;
   void launch(const RockPlan<D>& plan, TrialRock& rock, const Place<D>& place, const Terrain& terrain,
               Body<D>& body);
   void ask_launch(TrialRock& rock, const Place<D>& place, const Terrain& terrain, Body<D>& body);
@@ -141,7 +156,8 @@ class TrialBuilder {
   const Scenario& scenario_;
   Instances instances_;
   std::vector<GroupStreams> streams_;  ///< of Scenario::rocks
-  std::vector<MadeBody<D>> made_;      ///< of Scenario::rocks, the last one: the next rock may be alike
+  /// Of Scenario::rocks, the last one: the next rock may be alike. Of a table one for each line.
+  std::vector<std::vector<MadeBody<D>>> made_;
   std::vector<std::unique_ptr<TrialBuilder>> branches_;  ///< of Scenario::branches
   bool may_repeat_;  ///< no draw of the scenario lets the starts of trials differ
   std::shared_ptr<const Terrain>

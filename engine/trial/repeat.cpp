@@ -30,6 +30,8 @@ bool needs_orientation(const std::optional<Release>& release) {
   return release->kind != ReleaseKind::above_ground || release->on_ground;
 }
 
+bool is_lowered(const TableRock* line) { return line && line->on_ground; }
+
 }  // namespace
 
 bool is_native(const PluginUse& use) {
@@ -59,7 +61,7 @@ bool TrialBuilder<D>::starts_alike(const Trial<D>& trial) const {
   return std::all_of(trial.rocks.begin(), trial.rocks.end(), [&](const TrialRock& rock) {
     const bool turned = !std::isnan(rock.outcomes[Outcome::orientation]);
     return rock.world >= 0 && !rock.start_is_drawn &&
-           !(turned && needs_orientation(scenario_.rocks[rock.group].release));
+           !(turned && (needs_orientation(scenario_.rocks[rock.group].release) || is_lowered(line_of(rock))));
   });
 }
 
@@ -75,7 +77,7 @@ void TrialBuilder<D>::begin_again(Trial<D>& trial, std::uint64_t number) {
     world.quality() = {};
     body.x = trial.starts[rock.world];
     if (!std::isnan(rock.outcomes[Outcome::orientation])) {
-      body.attitude = made_[rock.group].body.attitude;
+      body.attitude = last_made(rock).body.attitude;
       turn_at_random(rock, body);
     }
     if (scenario_.method == Method::lumped_mass) trial.surfaces[rock.world].begin_rock(rock.key);

@@ -6,6 +6,8 @@
 
 namespace {
 
+using namespace flyrock::test;
+
 const std::string installed_slope = R"(flyrock: 1
 dimension: 2
 method: nscd

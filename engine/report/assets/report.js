@@ -50,6 +50,7 @@ space_section();
 plan_sections();
 runout_section();
 azimuth_section();
+observed_section();
 clearance_section();
 exposure_section();
 holes_section();

@@ -1,0 +1,72 @@
+#include "results/simulated_rows.h"
+
+#include <algorithm>
+
+namespace flyrock {
+
+SimulatedTally::SimulatedTally(const Scenario& scenario)
+    : plan_(*scenario.observed), seen_(scenario.rocks.size(), 0) {
+  for (const RockGroup& group : scenario.rocks)
+    row_of_line_.emplace_back(group.table ? group.table->rocks.size() : 0, -1);
+  for (std::size_t r = 0; r < plan_.rows.size() && plan_.is_paired(); ++r)
+    row_of_line_[static_cast<std::size_t>(plan_.rows[r].rock_group)]
+                [static_cast<std::size_t>(plan_.rows[r].rock_line)] = static_cast<int>(r);
+  rows_.rows.resize(plan_.is_paired() ? plan_.rows.size() : 1);
+  starts_.assign(rows_.rows.size(), 0);
+}
+
+void SimulatedTally::end_trial() {
+  if (!is_open_) return;
+  is_open_ = false;
+  ++rows_.trials;
+  if (farthest_) rows_.rows.front().values.push_back(*farthest_);
+  farthest_.reset();
+  std::fill(seen_.begin(), seen_.end(), std::size_t{0});
+  is_full_ = values_ >= most_values;
+}
+
+SimulatedRow* SimulatedTally::row_of(const RockRecord& rock) {
+  const std::size_t line = seen_[static_cast<std::size_t>(rock.group)]++;
+  if (!plan_.is_paired()) return &rows_.rows.front();
+  const std::vector<int>& of_line = row_of_line_[static_cast<std::size_t>(rock.group)];
+  const int row = line < of_line.size() ? of_line[line] : -1;
+  return row < 0 ? nullptr : &rows_.rows[static_cast<std::size_t>(row)];
+}
+
+Vec2 SimulatedTally::value_of(const RockRecord& rock) const {
+  if (plan_.of == ObservedNumber::place) return {rock.stop_x, rock.stop_y};
+  return {plan_.of == ObservedNumber::runout ? rock.runout : rock.max_distance, 0};
+}
+
+void SimulatedTally::add(const TrialRecords& chunk) {
+  for (const RockRecord& rock : chunk.rocks) {
+    if (is_open_ && rock.trial != trial_) end_trial();
+    if (is_full_) return;
+    is_open_ = true;
+    trial_ = rock.trial;
+    SimulatedRow* row = row_of(rock);
+    if (!row) continue;
+    if (is_fault(rock.reason)) {
+      ++row->lost;
+      continue;
+    }
+    row->start += Vec2(rock.start_x, rock.start_y);
+    ++starts_[static_cast<std::size_t>(row - rows_.rows.data())];
+    const SimulatedValue value{rock.trial, value_of(rock), rock.censored};
+    if (!plan_.per_blast) {
+      row->values.push_back(value);
+      ++values_;
+    } else if (!farthest_ || farthest_->value.x() < value.value.x()) {
+      farthest_ = value;
+    }
+  }
+}
+
+SimulatedRows SimulatedTally::result() {
+  end_trial();
+  for (std::size_t r = 0; r < rows_.rows.size(); ++r)
+    rows_.rows[r].start /= static_cast<double>(starts_[r]);  // NaN where none started
+  return std::move(rows_);
+}
+
+}  // namespace flyrock

@@ -1,0 +1,114 @@
+// Rocks from tables and their comparison with what was measured, as a user runs it.
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+
+namespace flyrock::measured_test {
+
+namespace {
+
+using namespace flyrock::test;
+using Json = nlohmann::json;
+
+Json summary_of(const Folder& folder, const std::string& scenario, const std::string& out = "out") {
+  const Output run = call(folder, "run " + scenario + " --quiet --force -o " + out);
+  INFO(run.err << run.out);
+  REQUIRE(run.code == 0);
+  return Json::parse(read(folder.path() / out / "summary.json"));
+}
+
+/// Rocks that are thrown to the ground and stay where they land: at x + 2 v^2/g sin cos.
+std::string thrown(int dimension, const std::string& rocks, const std::string& observed) {
+  const std::string d = std::to_string(dimension);
+  return "flyrock: 1\ndimension: " + d + "\nmethod: ballistic\ntrials: 40\nterrain: " +
+         (dimension == 2 ? "{ type: profile, points: [[-500, 0], [500, 0]] }" : "{ type: plane }") +
+         "\nrocks:\n  - { name: r, density: 2500, shape: { type: from_lengths, form: sphere }, " + rocks +
+         " }\nobserved: " + observed + "\nstop: { time: 100 s }\n";
+}
+
+}  // namespace
+
+TEST_CASE("a table with velocities flies each rock by its own; distances measured so have no bias") {
+  for (const int dimension : {2, 3}) {
+    const Folder folder;
+    std::string rocks = "name,mass_kg,x_m,y_m,z_m,vx_m_s,vy_m_s,vz_m_s\n";
+    for (int i = 0; i < 12; ++i)
+      rocks += "r" + std::to_string(i) + "," + std::to_string(10 + i) + ",5,0,0.5," + std::to_string(3 + i) +
+               ",0," + std::to_string(4 + 0.5 * i) + "\n";
+    // In the other order: names pair them.
+    std::string measured = "name,distance_m\n";
+    for (int i = 11; i >= 0; --i) {
+      const double vx = 3 + i, vz = 4 + 0.5 * i;
+      measured += "r" + std::to_string(i) + "," +
+                  std::to_string(vx * (vz + std::sqrt(vz * vz + 2 * 9.81 * 0.5)) / 9.81) + "\n";
+    }
+    folder.write("rocks.csv", rocks);
+    folder.write("stops.csv", measured);
+    folder.write("s.yaml", thrown(dimension, "table: rocks.csv", "{ file: stops.csv, of: runout }"));
+    const Json summary = summary_of(folder, "s.yaml");
+    const Json observed = summary["points"][0]["observed"];
+    CHECK(observed["paired"] == true);
+    CHECK(observed["rows"] == 12);
+    CHECK(std::abs(observed["bias"].get<double>()) < 1e-4);
+    CHECK(observed["energy_distance"].get<double>() < 1e-4);
+    // Every trial is alike, and the page says so.
+    CHECK(observed["scatter"] == false);
+    CHECK(observed["inside_90"]["share"].is_null());
+    CHECK(summary["answer"].get<std::string>().find("no scatter") != std::string::npos);
+  }
+}
+
+TEST_CASE("a model with scatter has bands; the comparison does not change other results") {
+  const Folder folder;
+  folder.write("rocks.csv", "mass,x,y,z\n100,0,0,1\n200,0,0,1\n300,0,0,1\n");
+  folder.write("stops.csv", "x,y\n20,0\n0,25\n300,0\n");
+  const std::string launch =
+      "table: rocks.csv, launch: { type: fixed, speed: { uniform: [10, 18] }, elevation: 45 deg }";
+  folder.write("with.yaml", thrown(3, launch, "{ file: stops.csv, of: runout }"));
+  const Json observed = summary_of(folder, "with.yaml")["points"][0]["observed"];
+  CHECK(observed["scatter"] == true);
+  CHECK(observed["inside_90"]["of"] == 3);
+  CHECK(observed["inside_90"]["rows"] == 2);
+  CHECK(observed["energy_noise_p90"].get<double>() > 0);
+  CHECK(observed["energy_distance"].get<double>() > observed["energy_noise_p90"].get<double>());
+  CHECK(observed["bias"].get<double>() == Approx(-93).margin(8));
+  std::string without = thrown(3, launch, "");
+  without.erase(without.find("observed: \n"), 11);
+  folder.write("without.yaml", without);
+  const Json other = summary_of(folder, "without.yaml", "other");
+  CHECK_FALSE(other["points"][0].contains("observed"));
+  CHECK(read(folder.path() / "out/rocks.csv") == read(folder.path() / "other/rocks.csv"));
+}
+
+TEST_CASE("the farthest rock of each blast is compared with distances of blasts") {
+  const Folder folder;
+  folder.write("throws.csv", "distance\n30\n33\n36\n");
+  folder.write("s.yaml", thrown(3,
+                                "per_trial: 50, launch: { type: fixed, speed: { uniform: [10, 18] }, "
+                                "elevation: 45 deg }, release: { position: [0, 0, 0.1] }",
+                                "{ file: throws.csv, of: distance, per: blast }"));
+  std::string text = read(folder.path() / "s.yaml");
+  const std::string form = "{ type: from_lengths, form: sphere }";
+  text.replace(text.find(form), form.size(), "{ type: sphere, radius: 0.1 }");
+  folder.write("s.yaml", text);
+  const Json observed = summary_of(folder, "s.yaml")["points"][0]["observed"];
+  CHECK(observed["paired"] == false);
+  CHECK(observed["values"] == 40);                              // one a trial
+  CHECK(observed["quantiles"][3]["model"].get<double>() > 31);  // near the farthest possible, 33 m
+  CHECK(observed["quantiles"][6]["model"].get<double>() < 33.2);
+}
+
+TEST_CASE("check says by how much lengths are scaled, and warns of units that are wrong") {
+  const Folder folder;
+  folder.write("rocks.csv", "mass,l1,l2,l3,x,y,z\n500000,1,0.5,0.4,0,0,5\n");
+  folder.write("s.yaml", thrown(3, "table: rocks.csv", "{ file: stops.csv, of: runout }"));
+  folder.write("stops.csv", "distance\n10\n");
+  const Output check = call(folder, "check s.yaml");
+  CHECK(check.code == 0);
+  CHECK((check.out + check.err).find("check the units of the table") != std::string::npos);
+}
+
+}  // namespace flyrock::measured_test
