@@ -44,6 +44,8 @@ int solve(const Command&, const Arguments&);
 int explain(const Command&, const Arguments&);
 int animate(const Command&, const Arguments&);
 int course(const Command&, const Arguments&);
+int grade(const Command&, const Arguments&);
+int new_file(const Command&, const Arguments&);
 int calibrate(const Command&, const Arguments&);
 
 /// A parsed command line: options by name, and the words between them.

@@ -4,14 +4,10 @@
 
 #include <chrono>
 #include <filesystem>
-#include <nlohmann/json.hpp>
-#include <regex>
-#include <sstream>
 
 #include "batch/safe_file.h"
+#include "cli/labs.h"
 #include "cli/loading.h"
-#include "document/wording.h"
-#include "host/share.h"
 
 namespace flyrock::cli {
 
@@ -20,55 +16,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Lab {
-  std::string week, name, question;
-
-  fs::path page() const { return fs::path(share_folder()) / "course" / (name + ".md"); }
-  fs::path scenario() const {
-    const fs::path stem = fs::path(share_folder()) / "scenarios" / "course" / name;
-    return fs::exists(stem.string() + ".lua") ? stem.string() + ".lua" : stem.string() + ".yaml";
-  }
-};
-
-/// The rows of the table in the course's README: `| 1 | [name](name.md) | question |`.
-std::vector<Lab> labs() {
-  static const std::regex row(R"(\| *(\d+) *\| *\[[^\]]*\]\((\w+)\.md\) *\| *(.*?) *\|)");
-  std::istringstream text(read_file(fs::path(share_folder()) / "course" / "README.md"));
-  std::vector<Lab> list;
-  std::smatch found;
-  for (std::string line; std::getline(text, line);)
-    if (std::regex_match(line, found, row)) list.push_back({found[1], found[2], found[3]});
-  return list;
-}
-
-/// How many expectations of a result hold. A run with fewer trials than its scenario has does not judge those
-/// that need all.
-struct Verdicts {
-  std::size_t held = 0, judged = 0, not_judged = 0;
-};
-
-Verdicts verdicts_in(const fs::path& folder) {
-  const auto summary = nlohmann::json::parse(read_file(folder / "summary.json"));
-  Verdicts verdicts;
-  for (const auto& expectation : summary.at("expectations")) {
-    const auto& passed = expectation.at("passed");
-    verdicts.not_judged += passed.is_null();
-    if (passed.is_null()) continue;
-    ++verdicts.judged;
-    verdicts.held += passed.get<bool>();
-  }
-  return verdicts;
-}
-
 int run_lab(const Lab& lab, const fs::path& folder, const Arguments& more) {
   static const Command command = {"run", "run SCENARIO [options]", "", run};
   Arguments words = {lab.scenario().string(), "-o", folder.string()};
   words.insert(words.end(), more.begin(), more.end());
   return run(command, words);
-}
-
-bool ended_without_results(int code, const fs::path& folder) {
-  return code == bad_input || code == interrupted || !fs::exists(folder / "summary.json");
 }
 
 /// Runs all labs into folders of their own, with a line for each.
@@ -116,15 +68,6 @@ Arguments for_the_run(const CommandLine& line) {
   for (const char* option : {"seed", "trials"})
     if (line.has(option)) words.insert(words.end(), {fmt::format("--{}", option), line.text(option)});
   return words;
-}
-
-const Lab& lab_named(const std::string& name, const std::vector<Lab>& list) {
-  std::vector<std::string> names;
-  for (const Lab& lab : list) {
-    if (lab.name == name) return lab;
-    names.push_back(lab.name);
-  }
-  throw UsageError(fmt::format("unknown lab `{}`{}", name, suggestion(name, names)));
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ namespace flyrock::cli {
 
 namespace {
 
-constexpr std::array<Command, 14> commands = {{
+constexpr std::array<Command, 16> commands = {{
     {"run", "run SCENARIO [options]", "runs a scenario and writes its tables and report", run},
     {"merge", "merge DIR... -o DIR", "puts the shards of a run together", merge},
     {"report", "report DIR [--against DIR] [--pdf]",
@@ -40,6 +40,9 @@ constexpr std::array<Command, 14> commands = {{
     {"law", "law KIND/NAME|FILE [-o FILE] [--set PARAMETER=VALUE]...",
      "draws the graph of a contact law from solved contacts", law},
     {"course", "course [LAB | --list] [options]", "runs the labs of the course on contact mechanics", course},
+    {"grade", "grade STUDENT... --with LAB", "judges scenarios by the expectations of a lab", grade},
+    {"new", "new [PATH] [-o DIR]", "copies a scenario, a lab or the template of a plugin to start from",
+     new_file},
     {"verify", "verify [--data DIR] [--json]", "computes problems with known answers and compares", verify},
     {"explain", "explain SCENARIO --impact N | --step N [options]",
      "shows the contact problem of an impact or a step, and its solution sweep by sweep", explain},
