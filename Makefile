@@ -103,6 +103,11 @@ golden: deps
 	cmake --build --preset release -j $(JOBS) --target flyrock_golden_tests
 	FLYROCK_UPDATE_GOLDEN=1 build/release/bin/flyrock_golden_tests '~[slow]'
 
+# Fits to measured sites in DATA (docs/validation.md); a site that is absent is SKIPPED.
+DATA := ../shared/data/field
+validation: build-bench
+	tests/validation/run.sh build/bench/bin/flyrock $(DATA)
+
 bench: build-bench
 	tests/bench/run.sh build/bench/bin
 
@@ -127,4 +132,4 @@ drawings:
 clean:
 	rm -rf build out
 
-.PHONY: help install deb deps deps-browser deps-format format tidy demo test test-heavy golden fuzz bench reference course drawings clean
+.PHONY: help install deb deps deps-browser deps-format format tidy demo test test-heavy golden fuzz bench validation reference course drawings clean

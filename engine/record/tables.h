@@ -37,6 +37,8 @@ struct Column {
   const char* doc = "";             ///< what it is, in a few words
   const char* statistic = nullptr;  ///< its name in measures, if there are statistics of it
   KnownFrom known = KnownFrom::end;
+  /// A place along x: of a censored rock that went towards smaller x it is no lower bound, and is taken as it is.
+  bool along_x = false;
   /// zero in 2D: then left out of rocks.csv and of tables with many rows for each rock
   bool in_space = false;
   bool in_csv = true;       ///< also in rocks.csv
@@ -93,7 +95,12 @@ constexpr void visit_rocks(Visit&& visit) {
                .doc = "greatest horizontal distance from the release",
                .statistic = "max_distance"},
         &R::max_distance);
-  visit(Column{.name = "stop_x_m", .unit = "m", .doc = "centre of mass at the end"}, &R::stop_x);
+  visit(Column{.name = "stop_x_m",
+               .unit = "m",
+               .doc = "centre of mass at the end",
+               .statistic = "stop_x",
+               .along_x = true},
+        &R::stop_x);
   visit(Column{.name = "stop_y_m", .unit = "m", .doc = "centre of mass at the end"}, &R::stop_y);
   visit(Column{.name = "stop_z_m", .unit = "m", .doc = "centre of mass at the end", .in_space = true},
         &R::stop_z);

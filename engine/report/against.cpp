@@ -52,11 +52,11 @@ Json inputs_that_differ(const Json& before, const Json& now) {
   return list;
 }
 
-struct Number {
+struct Shown {
   std::string unit;
   Json value, interval, lower_bound;
 };
-using Numbers = std::vector<std::pair<std::string, Number>>;
+using Numbers = std::vector<std::pair<std::string, Shown>>;
 
 void add_share(const std::string& what, const Json& share, Numbers& numbers) {
   numbers.push_back({what, {"", share.at("share"), share.at("interval"), share.at("lower_bound")}});
@@ -100,7 +100,7 @@ Numbers numbers_of(const Json& point) {
   return numbers;
 }
 
-Json number_data(const Number& number) {
+Json number_data(const Shown& number) {
   return {{"value", number.value}, {"interval", number.interval}, {"lower_bound", number.lower_bound}};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // calibration.json, evaluations.csv and fitted.yaml: what `flyrock calibrate` found.
 
+#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>

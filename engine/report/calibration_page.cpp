@@ -27,7 +27,6 @@ double written_at(const VariedNumber& varied, int place) {
 }
 
 // ---- the map of the misfit
-// -----------------------------------------------------------------------------------
 
 /// Of one number: energy distance and its noise over the number.
 std::string misfit_curve(const FittedModel& model) {
@@ -123,7 +122,6 @@ std::string misfit_pictures(const FittedModel& model) {
 }
 
 // ---- a comparison
-// --------------------------------------------------------------------------------------------
 
 std::string distributions(const ObservationSummary& summary) {
   Curve measured{.name = "measured", .x = {}, .y = {}}, simulated{.name = "model", .x = {}, .y = {}};

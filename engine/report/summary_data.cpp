@@ -179,8 +179,21 @@ Json arrivals_data(const Statistics& statistics, const Intervals& intervals) {
   return data;
 }
 
+/// { bin_m, from_m, rocks: [...] }: arrivals along the line of a gate, in 3D.
+Json along_data(const std::map<int, double>& bins) {
+  Json rocks = Json::array();
+  if (bins.empty()) return {{"bin_m", bin_along}, {"from_m", 0}, {"rocks", rocks}};
+  const int first = bins.begin()->first, last = bins.rbegin()->first;
+  for (int bin = first; bin <= last; ++bin) {
+    const auto found = bins.find(bin);
+    rocks.push_back(found == bins.end() ? 0 : found->second);
+  }
+  return {{"bin_m", bin_along}, {"from_m", first * bin_along}, {"rocks", rocks}};
+}
+
 /// What rocks of one group, or all rocks, did at a gate: { rocks, passed, share_intervals, ... }.
-void add_gate(Json& data, const GateSummary& gate) {
+void add_gate(Json& data, const GateSummary& gate, int dimension) {
+  if (dimension == 3) data["along"] = along_data(gate.along);
   data["rocks"] = gate.passed;
   data["passed"] = number(gate.shares.of_all.value);
   data["share_intervals"] = {{"passed", interval_data(gate.shares.of_all.interval)}};
@@ -230,9 +243,10 @@ Json gates_data(const Scenario& scenario, const PointResult& point) {
   for (std::size_t g = 0; g < scenario.gates.size(); ++g) {
     const GatePlan& plan = scenario.gates[g];
     Json& data = list.emplace_back(Json{{"gate", plan.name}, {"x", x_of(plan)}, {"line", line_of(plan)}});
-    add_gate(data, point.crossings.front().gates[g]);
-    data["groups"] =
-        groups_data(point, [g](Json& to, const CrossingSummary& group) { add_gate(to, group.gates[g]); });
+    add_gate(data, point.crossings.front().gates[g], scenario.dimension);
+    data["groups"] = groups_data(point, [&](Json& to, const CrossingSummary& group) {
+      add_gate(to, group.gates[g], scenario.dimension);
+    });
   }
   return list;
 }

@@ -1,6 +1,7 @@
 #include "results/crossing_summary.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "results/rows_of_rock.h"
@@ -75,7 +76,11 @@ void CrossingTally::count(const RockRecord& rock, std::span<const GateRecord> ga
       at.of_all.add(rock.trial, rock.weight);
       at.has_arrived = false;
     }
-  for (const GateRecord& row : gates) gates_.at(static_cast<std::size_t>(row.passage.gate)).count(rock, {0});
+  for (const GateRecord& row : gates) {
+    Arrivals& at = gates_.at(static_cast<std::size_t>(row.passage.gate));
+    at.count(rock, {0});
+    at.along[static_cast<int>(std::floor(row.passage.along / bin_along))] += rock.weight;
+  }
   caught_.add(rock.trial, rock.weight);
   for (const BarrierRecord& row : barriers) {
     const bool is_caught = row.hit.outcome == BarrierOutcome::caught;
@@ -141,7 +146,8 @@ CrossingSummary CrossingTally::summary() const {
     const bool open = at.of_all.open() > 0;
     summary.gates.push_back({at.of_all.counted(), at.shares(0), lower_bounds(at.speed, open),
                              lower_bounds(at.energy, open), lower_bounds(at.height, open),
-                             intervals_of(at.speed), intervals_of(at.energy), intervals_of(at.height)});
+                             intervals_of(at.speed), intervals_of(at.energy), intervals_of(at.height),
+                             at.along});
   }
   for (const Arrivals& at : barriers_) {
     BarrierSummary& barrier = summary.barriers.emplace_back();

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -27,7 +28,11 @@ struct GateSummary {
   Shares shares;
   Statistics speed{}, energy{}, height{};  ///< of the rocks that passed, at the gate
   Intervals speed_intervals{}, energy_intervals{}, height_intervals{};
+  std::map<int, double> along = {};  ///< rocks (or their weights) that passed, by bin along the line
 };
+
+/// The width of the bins along the line of a gate [m]. Bin i starts at i times that.
+inline constexpr double bin_along = 5;
 
 /// What may happen to rocks at a barrier: the outcomes of BarrierOutcome, then `past`, over the top or
 /// through, and `reached`.
@@ -95,6 +100,8 @@ class CrossingTally {
     explicit Arrivals(std::size_t shares) : of_all(shares), of_arriving(shares) {}
     ShareTally of_all, of_arriving;  ///< gates: passed; barriers: BarrierShare
     Sample speed{stated_questions()}, energy{stated_questions()}, height{stated_questions()};
+
+    std::map<int, double> along;  ///< of gates: arrivals by bin
 
     bool has_arrived = false;  ///< the rock that is being counted
 

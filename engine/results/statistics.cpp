@@ -30,7 +30,8 @@ bool has_interval(double p) { return p > 0 && p < 1; }
 
 Bounded bounded(const RockRecord& rock, const RockStatistic& number) {
   const KnownFrom known = number.column.known;
-  const bool is_known = known == KnownFrom::start || (known == KnownFrom::landing && rock.landed);
+  const bool is_known = known == KnownFrom::start || (known == KnownFrom::landing && rock.landed) ||
+                        (number.column.along_x && rock.stop_x < rock.start_x);
   return {number.of(rock), rock.censored && !is_known};
 }
 

@@ -1,5 +1,15 @@
 // The sections that are tables.
 
+/** How many rocks arrive along the line of each gate, in 3D. */
+function gate_plots(gates) {
+  return gates.filter((g) => g.along && g.along.rocks.length > 0).flatMap((g) => {
+    const node = element("div"), { bin_m, from_m, rocks } = g.along;
+    queueMicrotask(() => plot(node, [{ type: "bar", x: rocks.map((_, i) => from_m + (i + 0.5) * bin_m), y: rocks, marker: { color: colour.blue }, hovertemplate: `%{x:.0f} m: %{y}<extra></extra>` }],
+      { height: 220, bargap: 0, xaxis: axis(g.line ? "m along the line" : "y in m"), yaxis: axis("rocks") }, true));
+    return [paragraph("note", `Where rocks arrive at gate ${g.gate}:`), node];
+  });
+}
+
 function crossings_section() {
   const { gates, barriers } = summary.points[0];
   if (gates.length + barriers.length === 0) return;
@@ -13,6 +23,7 @@ function crossings_section() {
       ["gate", "where", "rocks", "of all rocks (95 %)", "of trials (95 %)", "speed mean m/s", "p95", "energy mean kJ", "p95", "max", "height p95 m", "max"],
       point.gates.map(of_group).map((g) => [g.gate, where(g), g.rocks, of_all(g, "passed"), per_trial(g, "passed"), number(g, "speed", "mean"), number(g, "speed", "p95"),
         number(g, "energy", "mean"), number(g, "energy", "p95"), number(g, "energy", "max"), number(g, "height", "p95"), number(g, "height", "max")])),
+    ...gate_plots(point.gates.map(of_group)),
     point.barriers.length === 0 ? "" : table("Barriers: shares of the rocks that arrive, and of the trials in which at least one gets past, with 95 % intervals",
       ["barrier", "arrive", "caught", "over the top", "through", "trials with one past"],
       point.barriers.map(of_group).map((b) => [b.barrier, b.rocks, ...["caught", "over_top", "over_energy"].map((what) => arriving(b, what)), per_trial(b, "past")])),

@@ -8,7 +8,7 @@
 
 #include "random/stream.h"
 
-using namespace flyrock;
+namespace flyrock::energy_distance_test {
 
 namespace {
 
@@ -102,3 +102,5 @@ TEST_CASE("quantiles are linear between the middles of equal shares") {
   CHECK(sample.mean() == Approx(2.5));
   CHECK(sample.standard_deviation() == Approx(std::sqrt(5.0 / 3)));
 }
+
+}  // namespace flyrock::energy_distance_test

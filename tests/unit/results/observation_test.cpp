@@ -7,7 +7,7 @@
 
 #include "random/stream.h"
 
-using namespace flyrock;
+namespace flyrock::observation_test {
 
 namespace {
 
@@ -131,3 +131,5 @@ TEST_CASE("places are compared along the way and across it") {
   CHECK(summary.across == Approx(1).margin(1e-9));
   CHECK(summary.energy > 0);
 }
+
+}  // namespace flyrock::observation_test

@@ -9,7 +9,7 @@
 #include "trial/build_trial.h"
 #include "unit/lua_fixture.h"
 
-using namespace flyrock;
+namespace flyrock::table_rock_test {
 
 namespace {
 
@@ -132,3 +132,5 @@ stop: {{ time: 1 s }}
     }
   }
 }
+
+}  // namespace flyrock::table_rock_test

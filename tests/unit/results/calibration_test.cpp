@@ -1,0 +1,201 @@
+// The fit of numbers to what was measured, on models that are known.
+
+#include "results/calibration.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
+
+#include "random/stream.h"
+#include "results/misfit.h"
+#include "results/varied_number.h"
+
+namespace flyrock::calibration_test {
+
+namespace {
+
+/// 41 rocks whose distances are normal, with a mean and a deviation that are both fitted. All points have the
+/// same random numbers.
+class TwoNumberModel {
+ public:
+  static constexpr std::size_t rows = 41;
+
+  static double mean_at(int place) { return 30 + 40.0 * place / lattice; }
+  static double deviation_at(int place) { return 2 + 16.0 * place / lattice; }
+
+  const MisfitPool& pool(const LatticePoint& at) { return model(at).pool; }
+  double noise_p90(const LatticePoint& at) { return model(at).noise_p90; }
+
+  std::vector<Vec2> measured(const LatticePoint& truth, std::uint64_t repeat) const {
+    std::vector<Vec2> values;
+    for (std::size_t r = 0; r < rows; ++r) values.emplace_back(value(truth, "measured", r, repeat), 0);
+    return values;
+  }
+
+ private:
+  struct Model {
+    MisfitPool pool;
+    double noise_p90;
+  };
+
+  static double value(const LatticePoint& at, const char* stream, std::size_t row, std::uint64_t trial) {
+    DrawKey key;
+    key.trial = trial;
+    key.rock = row;
+    RandomStream rng(3, stream, key);
+    return mean_at(at[0]) + deviation_at(at.size() > 1 ? at[1] : lattice / 2) * rng.normal();
+  }
+
+  Model& model(const LatticePoint& at) {
+    if (const auto known = models_.find(at); known != models_.end()) return known->second;
+    constexpr std::uint64_t trials = 60;
+    std::vector<SimulatedRow> simulated(rows);
+    std::vector<const SimulatedRow*> list;
+    for (std::size_t r = 0; r < rows; ++r) {
+      for (std::uint64_t t = 0; t < trials; ++t)
+        simulated[r].values.push_back({t, {value(at, "model", r, t), 0}, false});
+      list.push_back(&simulated[r]);
+    }
+    MisfitPool pool(list, false, Censored::at_their_end);
+    const double p90 = SortedSample(pool.energies_of_draws(rows, 1)).quantile(0.9);
+    return models_.emplace(at, Model{std::move(pool), p90}).first->second;
+  }
+
+  std::map<LatticePoint, Model> models_;
+};
+
+/// Calibrates to one more trial of the model at `truth`.
+Calibration fit(TwoNumberModel& model, const LatticePoint& truth, std::uint64_t repeat,
+                int evaluations = 80) {
+  const std::vector<Vec2> measured = model.measured(truth, repeat);
+  return calibrate(
+      truth.size(),
+      [&](const LatticePoint& at) {
+        const double energy = model.pool(at).energy_of(measured);
+        return Evaluation{
+            .at = {}, .misfit = energy, .energy = energy, .noise_p90 = model.noise_p90(at), .stage = ""};
+      },
+      evaluations);
+}
+
+}  // namespace
+
+TEST_CASE("the region of 41 deposits covers the truth in 85 to 95 % of 200 repeats") {
+  TwoNumberModel model;
+  const LatticePoint truth = {400};
+  int covered = 0;
+  double sum = 0, squares = 0;
+  constexpr int repeats = 200;
+  for (int repeat = 0; repeat < repeats; ++repeat) {
+    const Calibration found = fit(model, truth, static_cast<std::uint64_t>(repeat));
+    const double share = truth[0] / static_cast<double>(lattice);
+    const double error = found.best.at[0] / static_cast<double>(lattice) - share;
+    sum += error;
+    squares += error * error;
+    covered += found.region && found.region->front().low <= share && share <= found.region->front().high;
+  }
+  CHECK(covered >= 170);
+  CHECK(covered <= 190);
+  // The best point is that of the mean: 10 m / sqrt(41), of a way of 40 m.
+  CHECK(std::abs(sum / repeats) < 0.01);
+  CHECK(std::sqrt(squares / repeats) == Approx(10 / std::sqrt(41.0) / 40).epsilon(0.2));
+}
+
+TEST_CASE("two numbers are found together, and a true point is in the region about as often as it should") {
+  TwoNumberModel model;
+  const LatticePoint truth = {420, 480};
+  int covered = 0;
+  constexpr int repeats = 60;
+  for (int repeat = 0; repeat < repeats; ++repeat) {
+    const std::vector<Vec2> measured = model.measured(truth, static_cast<std::uint64_t>(repeat));
+    covered += model.pool(truth).energy_of(measured) <= model.noise_p90(truth);
+  }
+  CHECK(covered >= 47);
+  CHECK(covered <= 59);
+  const Calibration found = fit(model, truth, 1, 120);
+  CHECK(TwoNumberModel::mean_at(found.best.at[0]) ==
+        Approx(TwoNumberModel::mean_at(truth[0])).margin(3 * 10 / std::sqrt(41.0)));
+  CHECK(TwoNumberModel::deviation_at(found.best.at[1]) == Approx(10).margin(4));
+  REQUIRE(found.region);
+  CHECK((*found.region)[0].is_determined());
+  CHECK_FALSE(found.any_on_bound());
+  REQUIRE(found.correlation);
+  CHECK((*found.correlation)[0][1] == (*found.correlation)[1][0]);
+  CHECK(std::abs((*found.correlation)[0][1]) < 0.7);
+  std::map<LatticePoint, int> seen;
+  for (const Evaluation& evaluation : found.evaluations) ++seen[evaluation.at];
+  CHECK(seen.size() == found.evaluations.size());  // no point is asked for twice
+}
+
+TEST_CASE("a best point at the end of a way is on the bound, and its region is open there") {
+  TwoNumberModel model;
+  const std::vector<Vec2> far = {{200, 0}, {210, 0}, {220, 0}};
+  const Calibration found = calibrate(
+      1,
+      [&](const LatticePoint& at) {
+        const double energy = model.pool(at).energy_of(far);
+        return Evaluation{
+            .at = {}, .misfit = energy, .energy = energy, .noise_p90 = model.noise_p90(at), .stage = ""};
+      },
+      40);
+  CHECK(found.any_on_bound());
+  CHECK(found.best.at[0] == lattice);
+  CHECK_FALSE(found.region);  // and no point agrees
+}
+
+TEST_CASE("a number that the model does not read is not determined") {
+  TwoNumberModel model;
+  const std::vector<Vec2> measured = model.measured({400}, 7);
+  const Calibration found = calibrate(
+      2,
+      [&](const LatticePoint& at) {
+        const double energy = model.pool({at[0]}).energy_of(measured);
+        return Evaluation{
+            .at = {}, .misfit = energy, .energy = energy, .noise_p90 = model.noise_p90({at[0]}), .stage = ""};
+      },
+      80);
+  REQUIRE(found.region);
+  CHECK((*found.region)[0].is_determined());
+  CHECK_FALSE((*found.region)[1].is_determined());
+  CHECK((*found.region)[1].is_open_below);
+  CHECK((*found.region)[1].is_open_above);
+}
+
+TEST_CASE("an error of a point ends the search as itself") {
+  struct Stop {};
+  int asked = 0;
+  const auto evaluate = [&](const LatticePoint& at) {
+    if (++asked == 40) throw Stop{};  // in the search, inside of the library
+    return Evaluation{.at = {}, .misfit = std::abs(at[0] - 501.5), .energy = 1, .noise_p90 = 0, .stage = ""};
+  };
+  CHECK_THROWS_AS(calibrate(1, evaluate, 40), Stop);
+  CHECK(asked == 40);
+}
+
+TEST_CASE("a number to vary is read with its unit, and written so that nothing of it is lost") {
+  std::string fault;
+  const auto angle = read_varied("materials.r.roughness.angle.normal.sd=2 deg:20 deg", fault);
+  REQUIRE(angle);
+  CHECK(angle->path == "materials.r.roughness.angle.normal.sd");
+  CHECK(angle->text_at(0.5) == "11 deg");
+  CHECK(angle->si_at(1) == Approx(pi / 9));
+  const auto mixed = read_varied("a=10 cm:2 m", fault);
+  REQUIRE(mixed);
+  CHECK(mixed->text_at(1) == "200 cm");
+  CHECK(read_varied("mu=0.3:0.7", fault)->text_at(0.25) == "0.4");
+  for (const auto& [text, what] :
+       std::vector<std::pair<std::string, std::string>>{{"mu", "PATH=LOW:HIGH"},
+                                                        {"=1:2", "PATH=LOW:HIGH"},
+                                                        {"mu=0.3", "PATH=LOW:HIGH"},
+                                                        {"mu=a:2", "`a` is no number"},
+                                                        {"mu=1:", "`` is no number"},
+                                                        {"mu=1 m:2 kg", "different kinds"},
+                                                        {"mu=2:1", "below the greatest"},
+                                                        {"mu=1:1", "below the greatest"}}) {
+    INFO(text);
+    CHECK_FALSE(read_varied(text, fault));
+    CHECK(fault.find(what) != std::string::npos);
+  }
+}
+
+}  // namespace flyrock::calibration_test
