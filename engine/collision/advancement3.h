@@ -16,7 +16,7 @@ namespace flyrock {
 struct HeldOnGround {
   FeatureId feature = 0;  ///< of the body
   FeatureId against = 0;
-  bool opened = false;  ///< as HeldContact
+  bool opened = false, yields = false;  ///< as HeldContact
   std::array<std::uint64_t, 3> vertex{};
   int vertices = 0;
   Vec3 normal = Vec3::UnitZ();  ///< of a facet

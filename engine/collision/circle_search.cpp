@@ -16,7 +16,7 @@ constexpr double forever = std::numeric_limits<double>::infinity();
 constexpr double closed = 1e-6;  // of the size: greater gaps are of no contact that exists
 // Of the size: by how much pieces that contacts hold may sink in a step. A rim is held at some places only,
 // and sinks with others where they come down.
-constexpr double most_sinking = 1e-5;
+constexpr double rim_sinking = 1e-5;
 
 class CircleSearch {
  public:
@@ -107,6 +107,7 @@ class CircleSearch {
         mark(held_a_, places_a_, a_.shape, feature_of(h.feature));
         mark(held_b_, places_b_, b_.shape, feature_of(h.against));
         are_solved_ = are_solved_ && !h.opened;
+        yields_ = yields_ || h.yields;
         holds_ = true;
       }
       return;
@@ -126,6 +127,7 @@ class CircleSearch {
       }
       if (!of_facet) continue;
       are_solved_ = are_solved_ && !h.opened;
+      yields_ = yields_ || h.yields;
       mark(held_a_, places_a_, a_.shape, feature_of(h.feature));
       holds_ = true;
       holds_plane_ = holds_plane_ || in_plane;
@@ -175,7 +177,7 @@ class CircleSearch {
   double may_sink(double gap, double t) {
     if (!sunk_since_) sunk_since_ = t;
     if (t == *sunk_since_) sunk_ = std::min(sunk_, std::max(0.0, -gap));
-    return sunk_ + most_sinking * search_.size;
+    return sunk_ + rim_sinking * search_.size;
   }
 
   /// Whether a direction stays the normal of a held contact while the bodies move: that of its face or cap.
@@ -246,7 +248,8 @@ class CircleSearch {
       see(held_a, held_b, t == 0);
       return least;
     }
-    see(held_a, held_b, false, may_sink(lowest(of_a_, held_a, 0) + lowest(of_b_, held_b, 0) + offset, t));
+    if (!yields_)
+      see(held_a, held_b, false, may_sink(lowest(of_a_, held_a, 0) + lowest(of_b_, held_b, 0) + offset, t));
     if (!is_exact(d)) {
       constexpr double small = 1e-3;  // rad, by which the normal of the contact may drift from the direction
       const double rate = sa.w_max + sb.w_max + speed / std::min(search_.size, a_.shape.bound);
@@ -304,6 +307,7 @@ class CircleSearch {
   std::vector<unsigned> places_a_, places_b_;  ///< that hold each rim, as bits
   bool holds_ = false, holds_plane_ = false;
   bool are_solved_;                       ///< held contacts are solved in the step: none has just opened
+  bool yields_ = false;                   ///< a held contact is a spring
   Vec3 nearest_ = Vec3::Zero();           ///< the normal of the pair
   bool touches_ = false;                  ///< along it
   std::optional<double> sunk_since_;      ///< s, when held pieces were first met,

@@ -96,7 +96,7 @@ std::optional<double> surface_touch(const typename Geometry<D>::Contactor& a, in
     return time_of_contact(a, a_index, seen_from(b_motion, a_motion), *b.surface, t_max, search);
   thread_local std::vector<HeldContact> held;  // keeps its memory between calls
   held.clear();
-  for (const HeldContact& h : search.held) held.push_back({h.against, h.feature});
+  for (const HeldContact& h : search.held) held.push_back({h.against, h.feature, h.opened, h.yields});
   TouchSearch from_b = search;
   from_b.held = held;
   return time_of_contact(b, b_index, seen_from(a_motion, b_motion), *a.surface, t_max, from_b);

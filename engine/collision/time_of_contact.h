@@ -18,6 +18,7 @@ struct HeldContact {
   FeatureId feature = 0;
   FeatureId against = 0;
   bool opened = false;  ///< in a step: the last impact opened it, and the step holds no contact of the pair
+  bool yields = false;  ///< a spring: its bodies sink into each other
 };
 
 /// What is known at the start of a search. In free flight, the held contacts are those that have just opened.

@@ -175,7 +175,7 @@ const std::vector<HeldOnGround>& held_on(const Ground3& ground, std::span<const 
   thread_local std::vector<HeldOnGround> found;  // keeps its memory between calls
   found.clear();
   for (const HeldContact& contact : held) {
-    HeldOnGround on{contact.feature, contact.against, contact.opened, {}, 1};
+    HeldOnGround on{contact.feature, contact.against, contact.opened, contact.yields, {}, 1};
     if (kind_of(contact.against) == FeatureKind::vertex) {
       on.vertex[0] = ground_index(contact.against);
       on.place = ground.vertex(on.vertex[0]);

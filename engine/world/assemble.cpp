@@ -112,9 +112,10 @@ typename World<D>::Turning World<D>::turning_of(const Contact& contact, double a
       move(a, contact.candidate, contact.at.feature, contact.antagonist, contact.at.against, is_plane(b), 1);
   change -=
       move(b, contact.antagonist, contact.at.against, contact.candidate, contact.at.feature, is_plane(a), -1);
-  const auto [normal_rate, over_a, over_b] = contact_motion(a, b, normal);
   Turning turning;
   turning.rate = contact_velocity<D>(normal, change, Body<D>::no_spin());
+  if (contact.antagonist < 0 && is_plane(b)) return turning;  // a face of the ground keeps its normal
+  const auto [normal_rate, over_a, over_b] = contact_motion(a, b, normal);
   Row bend;
   if constexpr (D == 2) {
     const Vec2 more = cross(a.spin, over_a) - cross(b.spin, over_b) - cross(cross(normal, normal_rate), slip);

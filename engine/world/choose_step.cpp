@@ -109,7 +109,7 @@ std::span<const double> World<D>::doubt_of_friction(double h) {
 
 #define FLYROCK_INSTANTIATE(D)                          \
   template double World<D>::step_length();              \
-  template double World<D>::phases_so_far() const;    \
+  template double World<D>::phases_so_far() const;      \
   template double World<D>::fastest_breath() const;     \
   template double World<D>::longest_of_springs() const; \
   template std::span<const double> World<D>::doubt_of_friction(double)

@@ -17,12 +17,19 @@ namespace {
 // sliding contact is missed for one step, its velocity error is mu g h.
 constexpr double carry_share = 1e-6;
 // Of the size: a contact that the last impact opened, and that is nearer, would be found as a touch at once.
-constexpr double apart = 1e-8;
+constexpr double apart_share = 1e-8;
 
 /// Whether a contactor is a point at the centre of mass.
 template <class Contactor>
 bool is_point(const Contactor& shape) {
   return shape.radius == 0 && shape.points.size() == 1 && shape.points[0].isZero();
+}
+
+/// Whether two contacts have the same features of the same bodies.
+template <class Contact>
+bool is_same(const Contact& a, const Contact& b) {
+  return a.candidate == b.candidate && a.antagonist == b.antagonist && a.at.feature == b.at.feature &&
+         a.at.against == b.at.against;
 }
 
 }  // namespace
@@ -51,10 +58,13 @@ double World<D>::reach_within(double h, const Contact& c) const {
 /// Whether the last step or impact had a contact of the same features.
 template <int D>
 bool World<D>::was_there(const Contact& c) const {
-  return std::any_of(last_.begin(), last_.end(), [&](const Contact& old) {
-    return old.candidate == c.candidate && old.antagonist == c.antagonist && old.at.feature == c.at.feature &&
-           old.at.against == c.at.against;
-  });
+  return std::any_of(last_.begin(), last_.end(), [&](const Contact& old) { return is_same(old, c); });
+}
+
+/// Whether the step has a contact of the same features.
+template <int D>
+bool World<D>::is_solved(const Contact& c) const {
+  return std::any_of(contacts_.begin(), contacts_.end(), [&](const Contact& now) { return is_same(now, c); });
 }
 
 template <int D>
@@ -253,10 +263,10 @@ typename World<D>::Drift World<D>::keep_closed_at_start(double h) {
     const double closed_alone = 1e-12 + 1e-9 * contact_size(c.candidate, c.antagonist);
     const double gap = gap_at(c, true);
     // One that the last impact opened may close again at once; the search for touches takes it for closed.
-    const bool is_near = gap > closed_alone && gap <= apart * contact_size(c.candidate, c.antagonist);
+    const bool is_near = gap > closed_alone && gap <= apart_share * contact_size(c.candidate, c.antagonist);
     const double closed = c.carried || (is_near && was_there(c)) ? reach : closed_alone;
     const double may_drift = 3 * reach;
-    if (c.at.gap > reach || gap > closed || (!c.carried && gap < -may_drift && !was_deep(c, gap)))
+    if (c.at.gap > reach || gap > closed || (!c.carried && gap < -may_drift && !is_deep(c, gap, true)))
       return true;
     if (c.carried && !was_there(c) && gap - c.at.gap > 3 * reach_within(h, c) && gap > closed_alone)
       return true;
@@ -283,16 +293,16 @@ typename World<D>::Placed World<D>::placed(int body, FeatureId feature, bool at_
   return {bodies[body].contactor_with(feature), {start.x, start.attitude.rotation}};
 }
 
-/// Whether the contactors of a contact lay in each other at the start of the step about as deep as the gap of
-/// its features says. The features alone may have been beside each other.
+/// Whether the contactors of a contact lie in each other now, or lay so at the start of the step, about as
+/// deep as the gap of its features says. The features alone may be beside each other.
 template <int D>
-bool World<D>::was_deep(const Contact& c, double gap) {
-  const Placed candidate = placed(c.candidate, c.at.feature, true);
+bool World<D>::is_deep(const Contact& c, double gap, bool at_start) {
+  const Placed candidate = placed(c.candidate, c.at.feature, at_start);
   points_.clear();
   if (c.antagonist < 0)
     terrain_contacts(candidate, contactor_of(c.at.feature), *terrain_, 0, 0, points_);
   else
-    body_contacts(candidate, contactor_of(c.at.feature), placed(c.antagonist, c.at.against, true),
+    body_contacts(candidate, contactor_of(c.at.feature), placed(c.antagonist, c.at.against, at_start),
                   contactor_of(c.at.against), 0, points_, 0);
   return std::any_of(points_.begin(), points_.end(), [&](const ContactPoint<D>& p) {
     return p.gap < 0.5 * gap && same_direction<D>(p.normal, c.at.normal);
@@ -357,28 +367,45 @@ std::span<const HeldContact> World<D>::held(int body, int other) {
 template <int D>
 std::span<const HeldContact> World<D>::held_in_step(int body, int other) {
   constexpr double opening = 1e-8;  // m/s, above rounding
+  const auto is_a_spring = [](const Contact& c) { return c.law.condition == NormalCondition::penalty; };
   held_.clear();
   for (const Contact& c : contacts_)
-    if (c.candidate == body && c.antagonist == other) held_.push_back({c.at.feature, c.at.against});
-  const std::size_t solved = held_.size();
-  const auto is_solved = [&](const Contact& c) {
-    return std::any_of(
-        held_.begin(), held_.begin() + static_cast<std::ptrdiff_t>(solved),
-        [&](const HeldContact& h) { return h.feature == c.at.feature && h.against == c.at.against; });
-  };
+    if (c.candidate == body && c.antagonist == other)
+      held_.push_back({c.at.feature, c.at.against, false, is_a_spring(c)});
+  const bool holds = !held_.empty();
   for (std::size_t a = 0; a < last_.size(); ++a) {
     const Contact& c = last_[a];
     if (c.candidate != body || c.antagonist != other) continue;
     if (is_solved(c)) continue;
     const double gap = gap_at(c, true), size = contact_size(body, other);
     const bool opens = !c.carried && last_after_[a][0] > opening;
-    const bool opened = gap > apart * size;
+    const bool opened = gap > apart_share * size;
     if (opens && other >= 0 && !has_rims(c) && gap >= -GapScale(size).deep) continue;
     const bool leaves = other < 0 && is_point(bodies[body].contactor_with(c.at.feature)) &&
                         starts_[body].v.dot(c.at.normal) > opening;
-    if (!opened && !leaves) held_.push_back({c.at.feature, c.at.against, opens && solved == 0});
+    if (!opened && !leaves) held_.push_back({c.at.feature, c.at.against, opens && !holds, is_a_spring(c)});
   }
   return held_;
+}
+
+/// When the first contact of the last step that this one does not solve, and over which the search passes,
+/// has closed again [s]: it opened, and other contacts have turned its body back. Its gap is taken for a
+/// parabola. Of rims, whose features change all the time, the search bounds how deep they sink.
+template <int D>
+std::optional<double> World<D>::first_return(double h) {
+  constexpr double sunk = 2e-5, soon = 1e-3;  // of the size; of the step
+  std::optional<double> first;
+  for (std::size_t a = 0; a < last_.size(); ++a) {
+    const Contact& c = last_[a];
+    if (c.law.condition == NormalCondition::penalty || has_rims(c) || is_solved(c)) continue;
+    const double end = gap_at(c, false);
+    if (end > -sunk * contact_size(c.candidate, c.antagonist) || !is_deep(c, end, false)) continue;
+    const double start = std::max(gap_at(c, true), 0.0);
+    const double opens = h * std::max(last_after_[a][0], 0.0);
+    const double returns = h * std::max(soon, (start + opens) / (start + opens - end));
+    if (!first || returns < *first) first = returns;
+  }
+  return first;
 }
 
 #define FLYROCK_INSTANTIATE(D)                                                                     \
@@ -397,7 +424,9 @@ std::span<const HeldContact> World<D>::held_in_step(int body, int other) {
   template bool World<D>::was_there(const Contact&) const;                                         \
   template bool World<D>::has_rims(const Contact&) const;                                          \
   template World<D>::Placed World<D>::placed(int, FeatureId, bool) const;                          \
-  template bool World<D>::was_deep(const Contact&, double);                                        \
+  template bool World<D>::is_deep(const Contact&, double, bool);                                   \
+  template bool World<D>::is_solved(const Contact&) const;                                         \
+  template std::optional<double> World<D>::first_return(double);                                   \
   template double World<D>::gap_at(const Contact&, bool) const;                                    \
   template World<D>::Overlap World<D>::deepest_overlap();                                          \
   template void World<D>::measure_penetration();                                                   \

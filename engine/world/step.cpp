@@ -267,6 +267,7 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
     for (const int k : parts_)
       consider(time_of_contact(body.contactors[k], k, motions_[i], *terrain_, first.value_or(h), search));
   }
+  if (!pass_held) consider(first_return(h));
   if (!bodies_meet()) return first;
   boxes_.clear();
   for (std::size_t i = 0; i < bodies.size(); ++i)

@@ -216,7 +216,9 @@ class World {
   double reach_within(double h, const Contact& contact) const;
   bool was_there(const Contact& contact) const;
   Placed placed(int body, FeatureId feature, bool at_start) const;
-  bool was_deep(const Contact& contact, double gap);
+  bool is_solved(const Contact& contact) const;
+  bool is_deep(const Contact& contact, double gap, bool at_start);
+  std::optional<double> first_return(double h);
   bool has_rims(const Contact& contact) const;
   double gap_of_solver(const Contact& contact) const;
   double gap_at(const Contact& contact, bool at_start) const;
