@@ -95,6 +95,7 @@ class SceneMaker {
     const auto add = [&](const std::string& law) { laws += (laws.empty() ? " " : ", ") + law; };
     if (!dice_.one_in(6)) {
       const std::string law = fmt::format(fmt::runtime(dice_.pick(restitutions)), number(0, 0.9));
+      scene_.law_gains = law.find("form") == std::string::npos;
       add(fmt::format("restitution: {{ type: {} }}", law));
     }
     if (!dice_.one_in(4)) {
@@ -108,7 +109,7 @@ class SceneMaker {
     if (dice_.one_in(12)) {
       scene_.is_spring = scene_.gives_energy = true;
       add(fmt::format("unilateral: {{ type: penalty, stiffness: {} N/m, damping: {} N s/m }}",
-                      number(1e4, 1e6), number(0, 1e3)));
+                      number(3e6, 3e7), number(0, 1e4)));
     }
     return fmt::format("materials: {{ m: {{{} }} }}\n", laws);
   }

@@ -14,6 +14,7 @@ struct Scene {
   std::string text;  ///< YAML
   int dimension = 3;
   bool gives_energy = false;  ///< driven bodies, or springs whose energy is in no table: the sum may grow
+  bool law_gains = false;     ///< Newton's form of restitution: an impact may gain the energy that it reports
   bool may_jam = false;       ///< a driven body may press others without a way out: no run can go on then
   bool is_spring = false;     ///< contacts penetrate by design
   double fall = 1;            ///< m, the greatest height of a body over the lowest ground

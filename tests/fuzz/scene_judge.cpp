@@ -171,6 +171,7 @@ class SceneJudge {
   std::string verdict() {
     read_shapes();
     read_ends();
+    read_gains();
     if (fault_.empty()) follow();
     return fault_;
   }
@@ -223,7 +224,7 @@ class SceneJudge {
   }
 
   void follow() {
-    double now = -1, last = infinite, scale = 0;
+    double now = -1, since = -1, last = infinite, scale = 0;
     const auto instant = [&] {
       if (remove_gone(now)) last = infinite;
       if (now < 0 || !is_complete(now)) return;
@@ -231,9 +232,11 @@ class SceneJudge {
       for (const auto& [name, state] : states_) energy += state.energy, moving += state.kinetic;
       look_for_depth(now);
       scale = std::max(scale, moving);
-      if (!scene_.gives_energy && energy > last + most_gain * scale)
+      const double gained = gained_by_law(since, now);
+      if (!scene_.gives_energy && energy > last + gained + most_gain * scale)
         blame(fmt::format("at {} s the bodies have {:.3g} J more than before", now, energy - last));
-      last = std::min(last, energy);
+      last = std::min(last + gained, energy);
+      since = now;
     };
     rows_.each(
         "SELECT body, time_s, x_m, y_m, z_m, angle_rad, kinetic_energy_J, potential_energy_J, qw, qx, qy, qz "
@@ -246,6 +249,21 @@ class SceneJudge {
           take(text_of(row, 0), row);
         });
     if (fault_.empty()) instant();
+  }
+
+  /// The impacts that gain energy by their law, as they report it.
+  void read_gains() {
+    if (!scene_.law_gains) return;
+    rows_.each("SELECT time_s, energy_change_J FROM impacts WHERE energy_change_J > 0",
+               [&](sqlite3_stmt* row) {
+                 gains_.emplace_back(sqlite3_column_double(row, 0), sqlite3_column_double(row, 1));
+               });
+  }
+  double gained_by_law(double since, double now) const {
+    double gained = 0;
+    for (const auto& [time, gain] : gains_)
+      if (time >= since && time <= now) gained += gain;
+    return gained;
   }
 
   void take(const std::string& name, sqlite3_stmt* row) {
@@ -361,7 +379,8 @@ class SceneJudge {
   std::map<std::string, JudgedBody> bodies_;
   std::map<std::string, std::vector<PartDepth>> depths_;
   std::map<std::string, JudgedState> states_;
-  std::map<std::string, double> leaves_;  ///< s
+  std::vector<std::pair<double, double>> gains_;  ///< s, J
+  std::map<std::string, double> leaves_;          ///< s
   std::string fault_;
 };
 
