@@ -34,9 +34,6 @@ std::vector<std::array<int, 3>> neighbours_of(const std::vector<std::array<int, 
   return across;
 }
 
-namespace {
-
-/// Gives equal places one vertex, the first of them.
 void join_equal_places(Mesh& mesh) {
   std::vector<int> order(mesh.vertices.size());
   std::iota(order.begin(), order.end(), 0);
@@ -53,6 +50,8 @@ void join_equal_places(Mesh& mesh) {
   for (auto& triangle : mesh.triangles)
     for (int& corner : triangle) corner = joined[corner];
 }
+
+namespace {
 
 /// Repeats a vertex for each fan of triangles about it after the first.
 void part_fans(Mesh& mesh) {

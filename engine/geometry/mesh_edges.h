@@ -26,6 +26,9 @@ std::vector<MeshSide> sorted_sides(const std::vector<std::array<int, 3>>& triang
 std::vector<std::array<int, 3>> neighbours_of(const std::vector<std::array<int, 3>>& triangles,
                                               const std::vector<MeshSide>& sides);
 
+/// Gives equal places one vertex, the first of them. Other vertices stay, without a triangle.
+void join_equal_places(Mesh& mesh);
+
 /// The mesh with equal places joined into one vertex: triangles of files that repeat their corners meet at
 /// edges only afterwards. A vertex where several fans of triangles meet without a common edge is repeated,
 /// one for each fan, so that the triangles about a vertex always are one fan. Vertices without a triangle

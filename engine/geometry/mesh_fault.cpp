@@ -12,22 +12,40 @@ namespace flyrock {
 
 namespace {
 
-/// A triangle lower than this share of its longest side, or than this length [m], has no normal that can be
-/// trusted at 100 km from the origin, where a double resolves 1e-11 m.
-constexpr double least_share = 1e-6, least_height = 1e-6;
+constexpr double least_share = 1e-6, least_height = 1e-6;  // see has_area
+
+struct TriangleSize {
+  double longest = 0, height = 0;  ///< m
+};
+
+TriangleSize size_of(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double longest =
+      std::sqrt(std::max({(b - a).squaredNorm(), (c - a).squaredNorm(), (c - b).squaredNorm()}));
+  return {longest, longest > 0 ? (b - a).cross(c - a).norm() / longest : 0};
+}
+
+std::string more_text(std::size_t count) {
+  return count < 2 ? std::string() : fmt::format(", and so {} other{}", count - 1, count == 2 ? "" : "s");
+}
 
 class Checks {
  public:
   Checks(const Mesh& mesh, const std::vector<int>& lines) : mesh_(mesh), lines_(lines) {}
 
-  std::string first_fault() {
-    if (std::string found = indices(); !found.empty()) return found;
-    if (std::string found = degenerate(); !found.empty()) return found;
+  std::vector<MeshFault> all() {
+    if (std::string found = indices(); !found.empty()) return {{MeshFault::Kind::broken, found}};
+    std::vector<MeshFault> found;
+    const auto add = [&](MeshFault::Kind kind, std::string text) {
+      if (!text.empty()) found.push_back({kind, std::move(text)});
+    };
     sides_ = sorted_sides(mesh_.triangles);
-    if (std::string found = crowded_edges(); !found.empty()) return found;
-    if (std::string found = flipped_neighbours(); !found.empty()) return found;
+    add(MeshFault::Kind::flat, degenerate());
+    add(MeshFault::Kind::crowded, crowded_edges());
+    add(MeshFault::Kind::flipped, flipped_neighbours());
+    if (!found.empty()) return found;  // no piece has an inside then
     neighbours_ = neighbours_of(mesh_.triangles, sides_);
-    return pieces();
+    add_pieces(found);
+    return found;
   }
 
  private:
@@ -63,17 +81,17 @@ class Checks {
   }
 
   std::string degenerate() const {
+    std::size_t count = 0;
+    std::string first;
     for (int t = 0; t < static_cast<int>(mesh_.triangles.size()); ++t) {
-      const Vec3 a = corner(t, 1) - corner(t, 0), b = corner(t, 2) - corner(t, 0);
-      const double longest = std::sqrt(std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()}));
-      const double height = longest > 0 ? a.cross(b).norm() / longest : 0;
-      if (!(height > least_height && height > least_share * longest))
-        return fmt::format(
-            "{} has no area: it is {:.3g} m long and {:.3g} m high, expected a height above "
-            "{:.0e} m and above {:.0e} of its length",
-            triangle_text(t), longest, height, least_height, least_share);
+      if (has_area(corner(t, 0), corner(t, 1), corner(t, 2)) || count++ > 0) continue;
+      const TriangleSize size = size_of(corner(t, 0), corner(t, 1), corner(t, 2));
+      first = fmt::format(
+          "{} has no area: it is {:.3g} m long and {:.3g} m high, expected a height above "
+          "{:.0e} m and above {:.0e} of its length",
+          triangle_text(t), size.longest, size.height, least_height, least_share);
     }
-    return {};
+    return first + more_text(count);
   }
 
   std::string edge_text(const MeshSide& side) const {
@@ -82,18 +100,24 @@ class Checks {
   }
 
   std::string crowded_edges() const {
-    for (std::size_t i = 0; i + 2 < sides_.size(); ++i) {
-      if (!sides_[i].same_edge(sides_[i + 2])) continue;
-      std::size_t end = i;
+    std::size_t count = 0;
+    std::string first;
+    for (std::size_t i = 0; i + 2 < sides_.size();) {
+      std::size_t end = i + 1;
       while (end < sides_.size() && sides_[end].same_edge(sides_[i])) ++end;
-      std::string lines;
-      for (std::size_t j = i; j < end && !lines_.empty(); ++j)
-        lines += fmt::format("{}{}", j == i ? " (lines " : ", ", lines_[sides_[j].triangle]);
-      if (!lines.empty()) lines += ")";
-      return fmt::format("the edge {} has {} triangles{}, expected one or two", edge_text(sides_[i]), end - i,
-                         lines);
+      if (end - i > 2 && count++ == 0) first = crowded_text(i, end);
+      i = end;
     }
-    return {};
+    return first + more_text(count);
+  }
+
+  std::string crowded_text(std::size_t begin, std::size_t end) const {
+    std::string lines;
+    for (std::size_t j = begin; j < end && !lines_.empty(); ++j)
+      lines += fmt::format("{}{}", j == begin ? " (lines " : ", ", lines_[sides_[j].triangle]);
+    if (!lines.empty()) lines += ")";
+    return fmt::format("the edge {} has {} triangles{}, expected one or two", edge_text(sides_[begin]),
+                       end - begin, lines);
   }
 
   std::string flipped_neighbours() const {
@@ -115,8 +139,8 @@ class Checks {
         edge_text(*first), lines, more);
   }
 
-  /// Triangles that hang together by edges, and their borders.
-  std::string pieces() {
+  /// The faults of pieces: each that faces down, and all holes together.
+  void add_pieces(std::vector<MeshFault>& found) {
     piece_.assign(mesh_.triangles.size(), -1);
     std::vector<int> triangles;
     for (int seed = 0; seed < static_cast<int>(mesh_.triangles.size()); ++seed) {
@@ -129,9 +153,13 @@ class Checks {
             piece_[other] = seed;
             triangles.push_back(other);
           }
-      if (std::string found = piece_fault(triangles); !found.empty()) return found;
+      if (std::string text = piece_fault(triangles); !text.empty())
+        found.push_back({MeshFault::Kind::down, std::move(text)});
     }
-    return {};
+    if (holes_.empty()) return;
+    int most = 0;
+    for (const Loop& hole : holes_) most = std::max(most, hole.edges);
+    found.push_back({MeshFault::Kind::hole, hole_text(), static_cast<double>(most)});
   }
 
   std::string piece_fault(const std::vector<int>& triangles) {
@@ -144,7 +172,7 @@ class Checks {
       surface += twice.norm() / 2;
       volume += a.dot(b.cross(c)) / 6;
     }
-    const std::vector<Loop> loops = borders(triangles);
+    std::vector<Loop> loops = borders(triangles);
     const std::string piece =
         fmt::format("the piece of {} triangles with {}", triangles.size(), triangle_text(triangles.front()));
     if (loops.empty() && volume <= 0)
@@ -157,7 +185,8 @@ class Checks {
           "{} faces down{}: it has the ground above it; expected the corners of its triangles "
           "counter-clockwise, seen from above",
           piece, area < -1e-12 * surface ? "" : " or stands upright");
-    return loops.size() < 2 ? std::string() : hole_text(loops);
+    keep_holes(std::move(loops));
+    return {};
   }
 
   struct Loop {
@@ -165,6 +194,13 @@ class Checks {
     Vec3 low = Vec3::Constant(1e300), high = Vec3::Constant(-1e300);
     double size() const { return (high - low).norm(); }
   };
+
+  /// All borders of a piece but the greatest, which is its end.
+  void keep_holes(std::vector<Loop> loops) {
+    std::stable_sort(loops.begin(), loops.end(),
+                     [](const Loop& a, const Loop& b) { return a.size() > b.size(); });
+    if (loops.size() > 1) holes_.insert(holes_.end(), loops.begin() + 1, loops.end());
+  }
 
   std::vector<Loop> borders(const std::vector<int>& triangles) {
     std::vector<Loop> loops;
@@ -197,11 +233,10 @@ class Checks {
     }
   }
 
-  static std::string hole_text(std::vector<Loop> loops) {
-    std::stable_sort(loops.begin(), loops.end(),
-                     [](const Loop& a, const Loop& b) { return a.size() > b.size(); });
-    const Loop& hole = loops[1];  // the greatest border is the end of the piece
-    const std::string more = loops.size() == 2 ? "" : fmt::format(", and {} more", loops.size() - 2);
+  std::string hole_text() const {
+    const Loop& hole = *std::max_element(holes_.begin(), holes_.end(),
+                                         [](const Loop& a, const Loop& b) { return a.size() < b.size(); });
+    const std::string more = holes_.size() == 1 ? "" : fmt::format(", and {} more", holes_.size() - 1);
     return fmt::format(
         "the mesh has a hole of {} edges from {} to {}{}; expected ground without holes inside", hole.edges,
         place_text(hole.low), place_text(hole.high), more);
@@ -213,12 +248,50 @@ class Checks {
   std::vector<std::array<int, 3>> neighbours_;
   std::vector<int> piece_;
   std::vector<std::array<bool, 3>> visited_;
+  std::vector<Loop> holes_;
 };
 
 }  // namespace
 
+bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const TriangleSize size = size_of(a, b, c);
+  return size.height > least_height && size.height > least_share * size.longest;
+}
+
+std::string lines_text(const std::vector<int>& lines, int triangle, int other) {
+  if (lines.empty()) return {};
+  if (other < 0) return fmt::format(" (line {})", lines[triangle]);
+  return fmt::format(" (lines {} and {})", lines[triangle], lines[other]);
+}
+
+MeshPieces pieces_of(const std::vector<std::array<int, 3>>& across) {
+  MeshPieces pieces;
+  pieces.of.assign(across.size(), -1);
+  std::vector<int> reached;
+  for (int seed = 0; seed < static_cast<int>(across.size()); ++seed) {
+    if (pieces.of[seed] >= 0) continue;
+    const int piece = pieces.count();
+    pieces.is_open.push_back(false);
+    reached.assign(1, seed);
+    pieces.of[seed] = piece;
+    for (std::size_t next = 0; next < reached.size(); ++next)
+      for (const int other : across[reached[next]]) {
+        if (other < 0) pieces.is_open[piece] = true;
+        if (other < 0 || pieces.of[other] >= 0) continue;
+        pieces.of[other] = piece;
+        reached.push_back(other);
+      }
+  }
+  return pieces;
+}
+
+std::vector<MeshFault> faults(const Mesh& mesh, const std::vector<int>& lines) {
+  return Checks(mesh, lines).all();
+}
+
 std::string fault(const Mesh& mesh, const std::vector<int>& lines) {
-  return Checks(mesh, lines).first_fault();
+  const std::vector<MeshFault> found = faults(mesh, lines);
+  return found.empty() ? std::string() : found.front().text;
 }
 
 }  // namespace flyrock
