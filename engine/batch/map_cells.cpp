@@ -28,6 +28,20 @@ PlanGrid grid_over(const Vec2& low, const Vec2& high, double cell) {
 
 bool is_too_fine(const PlanGrid& grid) { return cells_of(grid) > most_map_cells; }
 
+/// A coordinate without the rounding of sums of cells and their halves, to a micrometre.
+double without_rounding(double x) { return std::round(x * 1e6) / 1e6; }
+
+/// Moves the corners of a region outwards to those of the cells of a raster. `corner`: of the raster.
+void snap_to_cells(const Vec2& corner, double cell, Vec2& low, Vec2& high) {
+  constexpr double slack = 1e-6;  // of a cell: a corner of the region that lies on one of the raster stays
+  for (int k = 0; k < 2; ++k) {
+    const double first = std::floor((low[k] - corner[k]) / cell + slack);
+    const double last = std::ceil((high[k] - corner[k]) / cell - slack);
+    low[k] = without_rounding(corner[k] + first * cell);
+    high[k] = without_rounding(corner[k] + last * cell);
+  }
+}
+
 /// The cells over a ground that counts from `origin`. There may be too many only where the plan gives `cell`.
 PlanGrid grid_of(const MapsPlan& plan, const Ground3& ground, const Vec2& origin) {
   if (!plan.wanted) return {};
@@ -39,6 +53,16 @@ PlanGrid grid_of(const MapsPlan& plan, const Ground3& ground, const Vec2& origin
   if (!low.allFinite() || !high.allFinite()) return {};
   if (plan.cell > 0) return grid_over(low, high, plan.cell);
   const bool raster = dynamic_cast<const GridGround*>(&ground) != nullptr && ground.cell() > 0;
+  if (raster) {
+    // The ground ends at the centres of its outermost cells.
+    const Vec2 half = Vec2::Constant(0.5 * ground.cell());
+    const Vec2 corner = ground.extent().low.head<2>() + origin - half;
+    if (plan.region.empty()) {
+      low -= half;
+      high += half;
+    }
+    snap_to_cells(corner, ground.cell(), low, high);
+  }
   double cell = raster ? ground.cell() : round_step((high - low).maxCoeff() / 200);
   PlanGrid grid = grid_over(low, high, cell);
   for (int n = 2; is_too_fine(grid); ++n) grid = grid_over(low, high, n * cell);

@@ -106,8 +106,10 @@ Mesh lattice_of(const Ground3& ground, const Box2& window, double spacing) {
   };
   const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 middle = (a + b + c) / 3;
-    const double z = ground.height(middle.x(), middle.y()).value_or(middle.z());
-    const auto nearest = ground.nearest({middle.x(), middle.y(), z}, spacing);
+    const auto z = ground.height(middle.x(), middle.y());
+    constexpr double on_it = 1e-3;  // m: around a place on the ground few facets are asked
+    const auto nearest =
+        ground.nearest({middle.x(), middle.y(), z.value_or(middle.z())}, z ? on_it : spacing);
     surface.add({a, b, c}, nearest ? ground.part(nearest->facet) : 0);
   };
   std::vector<std::optional<Vec3>> below, row;
