@@ -13,13 +13,21 @@ namespace flyrock::plugins {
 
 namespace {
 
+/// What another separator makes of numbers.
+std::string separator_hint(const std::string& word) {
+  return word.find(';') == word.npos
+             ? ""
+             : ": its values are apart by `;`, expected commas or blanks, and a point in decimals";
+}
+
 std::vector<double> numbers_of(std::string line, const std::string& where) {
   std::replace(line.begin(), line.end(), ',', ' ');
   std::istringstream words(line);
   std::vector<double> numbers;
   for (std::string word; words >> word;) {
     const auto number = parse_number(word);
-    if (!number) throw PluginError(fmt::format("{}: `{}` is not a number", where, word));
+    if (!number)
+      throw PluginError(fmt::format("{}: `{}` is not a number{}", where, word, separator_hint(word)));
     numbers.push_back(*number);
   }
   return numbers;

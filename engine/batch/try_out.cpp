@@ -272,10 +272,13 @@ void find_map_cells(const Scenario& scenario, const Trial<3>& trial, TriedOut& t
 }
 void find_map_cells(const Scenario&, const Trial<2>&, TriedOut&) {}
 
-/// Finds trees that cannot be drawn.
+/// Finds trees that cannot be drawn, and trees of a file beside the ground.
 void find_forest_faults(const Scenario& scenario, const Trial<3>& trial, TriedOut& tried) {
   try {
-    make_forest(scenario, trial.terrain->ground());
+    const auto forest = make_forest(scenario, trial.terrain->ground());
+    if (!forest) return;
+    if (const std::string off = trees_off_ground(scenario, *forest, trial.terrain->ground()); !off.empty())
+      add(tried.warnings, "forest.file", off);
   } catch (const ScenarioError& error) {
     add(tried.errors, error.path, error.what());
   }

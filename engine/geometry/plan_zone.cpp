@@ -181,6 +181,12 @@ bool is_inside(const std::vector<Vec2>& polygon, const Vec2& place) {
   return inside;
 }
 
+bool is_inside(const std::vector<std::vector<Vec2>>& outlines, const Vec2& place) {
+  bool inside = false;
+  for (const std::vector<Vec2>& outline : outlines) inside = inside != is_inside(outline, place);
+  return inside;
+}
+
 std::string polygon_fault(const std::vector<Vec2>& polygon) {
   const std::size_t n = polygon.size();
   if (n < 3) return fmt::format("a polygon has {} corners, at least 3 are needed", n);
@@ -200,10 +206,16 @@ std::string polygon_fault(const std::vector<Vec2>& polygon) {
 }
 
 TerrainShape3 with_zone(TerrainShape3 shape, const std::string& name, const std::vector<Vec2>& polygon) {
+  return with_outlined_zone(std::move(shape), name, {polygon});
+}
+
+TerrainShape3 with_outlined_zone(TerrainShape3 shape, const std::string& name,
+                                 const std::vector<std::vector<Vec2>>& outlines) {
   if (const Plane* plane = std::get_if<Plane>(&shape)) shape = square_of(*plane);
-  if (Mesh* mesh = std::get_if<Mesh>(&shape)) Cutter(*mesh).cut(polygon);
+  if (Mesh* mesh = std::get_if<Mesh>(&shape))
+    for (const std::vector<Vec2>& outline : outlines) Cutter(*mesh).cut(outline);
   return with_zone(std::move(shape), name,
-                   [&polygon](const Vec2& place) { return is_inside(polygon, place); });
+                   [&outlines](const Vec2& place) { return is_inside(outlines, place); });
 }
 
 TerrainShape3 with_zone(TerrainShape3 shape, const std::string& name,

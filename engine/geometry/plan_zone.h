@@ -12,6 +12,9 @@ namespace flyrock {
 /// Whether a place lies inside of a simple polygon (its corners in order, either way round).
 bool is_inside(const std::vector<Vec2>& polygon, const Vec2& place);
 
+/// Whether an odd number of outlines is about a place.
+bool is_inside(const std::vector<std::vector<Vec2>>& outlines, const Vec2& place);
+
 /// Why corners do not outline a simple polygon; empty if they do: at least three, no two edges that cross or
 /// touch, an area.
 std::string polygon_fault(const std::vector<Vec2>& polygon);
@@ -20,6 +23,11 @@ std::string polygon_fault(const std::vector<Vec2>& polygon);
 /// the outline, to 1 mm. A cell of a grid belongs to the region if its centre does. A plane becomes a square
 /// mesh that reaches 1 km from its point.
 TerrainShape3 with_zone(TerrainShape3 shape, const std::string& name, const std::vector<Vec2>& polygon);
+
+/// The same for several outlines, of polygons and their holes: a place is inside where an odd number of them
+/// is about it.
+TerrainShape3 with_outlined_zone(TerrainShape3 shape, const std::string& name,
+                                 const std::vector<std::vector<Vec2>>& outlines);
 
 /// The same for a region that `covers` describes: a triangle, or a cell of a grid, belongs to it if its
 /// centre does.

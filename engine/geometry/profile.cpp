@@ -39,8 +39,11 @@ std::string Profile::fault() const {
     if (a == b) return fmt::format("a profile has the point ({:.6g}, {:.6g}) twice in a row", a.x(), a.y());
     if (b.x() < a.x())
       return fmt::format(
-          "x decreases from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}); a profile goes from left to right", a.x(),
-          a.y(), b.x(), b.y());
+          "x decreases from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}); a profile goes from left to right: sort "
+          "the "
+          "points, or, if the wall overhangs there, run in `dimension: 3` with the section extruded as a "
+          "`mesh`",
+          a.x(), a.y(), b.x(), b.y());
     const bool back = i > 0 && points[i - 1].x() == a.x() && a.x() == b.x() &&
                       (a.y() - points[i - 1].y()) * (b.y() - a.y()) < 0;
     if (back) return fmt::format("a profile turns straight back at ({:.6g}, {:.6g})", a.x(), a.y());

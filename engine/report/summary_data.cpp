@@ -514,6 +514,7 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
                {"trials", first.trials},
                {"complete", results.ended_early.empty()}};
   if (const Json head = document_data(first.document); !head.empty()) data["document"] = head;
+  if (!first.terrain.crs.empty()) data["crs"] = first.terrain.crs;
   if (!results.ended_early.empty()) data["ended_early"] = results.ended_early;
   if (results.best) data["best_point"] = best_point_data(plan, *results.best);
   if (weighted) data["weights"] = meaning_of_weights;

@@ -381,6 +381,18 @@ std::string assumed_trees(const Plan& plan) {
   return any(true) ? "Trees are upright cylinders that all take the same energy at most." : "";
 }
 
+std::string surveyed_ground(const Plan& plan) {
+  std::vector<std::string> lines;
+  for (const Scenario& point : plan.points) {
+    const TerrainPlan& terrain = point.terrain;
+    if (terrain.survey.empty()) continue;
+    std::string line =
+        fmt::format("terrain: {}{}{}", terrain.survey, terrain.crs.empty() ? "" : ", ", terrain.crs);
+    if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(std::move(line));
+  }
+  return fmt::format("{}", fmt::join(lines, "\n"));
+}
+
 std::string assumptions(const Plan& plan) {
   const Scenario& scenario = plan.points.front();
   std::string text =

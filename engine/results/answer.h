@@ -22,6 +22,10 @@ std::string scales_of_tables(const Scenario& scenario);
 /// What is assumed of trees, and that their law is unverified; empty without a forest.
 std::string assumed_trees(const Plan& plan);
 
+/// "terrain: 227,000 cells of 5 m, 412 to 1,180 m, EPSG:2056", for each ground that comes from a file; empty
+/// without one.
+std::string surveyed_ground(const Plan& plan);
+
 /// The assumptions of the answer: dimension, method, elevations, what is left out.
 std::string assumptions(const Plan& plan);
 

@@ -19,19 +19,21 @@ const char* section_of(const Node& node) {
   return node.find("file") ? "forest: file 3D" : "forest: density 3D";
 }
 
-std::vector<Stem> stems_of_file(DecodeContext& context, const Node& node, const Section& section) {
+void read_file(DecodeContext& context, const Node& node, const Section& section, ForestPlan& plan) {
   std::map<std::string, double> strengths;
   if (const auto species = node.find("species"))
     for (const Section& one : decode_list<Section>(
              *species, [&](const Node& item) { return decode_section(context, item, "forest.species 3D"); }))
       strengths[one.text("name")] = one.constant("factor");
-  if (section.text("file").empty()) return {};  // reported
-  try {
-    return read_trees(section.text("file"), strengths);
-  } catch (const PluginError& error) {
-    node.find("file")->error(context.diagnostics, error.what());
-    return {};
-  }
+  std::map<std::string, std::string> heads;
+  if (const auto columns = node.find("columns"))
+    for (const Node& entry : columns->entries())
+      if (const std::string* head = entry.value->text()) heads[entry.key] = *head;
+  if (section.text("file").empty()) return;  // reported
+  auto trees = read_trees(section.text("file"), strengths, heads, *node.find("file"), context.diagnostics);
+  if (!trees) return;
+  plan.stems = std::move(trees->stems);
+  plan.other_heads = std::move(trees->other_heads);
 }
 
 void check_zone(DecodeContext& context, const Node& node, const std::string& zone,
@@ -57,6 +59,8 @@ Value normalise_forest(DecodeContext& context, const Node& node) {
                                   : key.name == "turn" ? of_hit
                                                        : NumberRules{}));
   }
+  if (const auto columns = node.find("columns"); columns && node.find("file"))
+    put(map, *columns, normalise_section(context, *columns, "forest.columns 3D", {}));
   if (const auto species = node.find("species"); species && node.find("file"))
     put(map, *species, normalise_list_of(context, *species, "forest.species 3D"));
   return map_value(std::move(map));
@@ -84,7 +88,7 @@ std::optional<ForestPlan> decode_forest(DecodeContext& context, const Node& node
   plan.factor = section.constant("energy_factor");
   plan.turn = section.number("turn");
   if (node.find("file")) {
-    plan.stems = stems_of_file(context, node, section);
+    read_file(context, node, section, plan);
   } else {
     plan.density = section.constant("density");
     plan.diameter = section.number("diameter");

@@ -26,6 +26,8 @@ struct DecodedTerrain {
   std::vector<std::string> faces;
   std::optional<Profile> profile;
   Vec3 automatic_origin = Vec3::Zero();  ///< 3D: the origin where the scenario gives none
+  std::string survey = {};               ///< what was read of its file, "525 cells of 5 m, 2 to 31 m"
+  std::string crs_of_file = {};          ///< "EPSG:2056"
 };
 DecodedTerrain decode_terrain(DecodeContext& context, const Node& node,
                               const std::vector<Material>& materials, bool needs_materials,

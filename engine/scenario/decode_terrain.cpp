@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "geometry/terrain_place.h"
+#include "plugin/surveyed_terrain.h"
 #include "scenario/decode_sections.h"
 #include "scenario/ground_store.h"
 #include "scenario/normalise_number.h"
@@ -26,9 +27,17 @@ std::vector<std::string> names_of(const std::vector<Material>& materials) {
   return names;
 }
 
+/// What a terrain says of its file: one line, the coordinate system, and warnings.
+void take_report(DecodeContext& context, const Node& node, const SurveyReport& report,
+                 DecodedTerrain& terrain) {
+  terrain.survey = report.size;
+  terrain.crs_of_file = report.crs;
+  for (const std::string& note : report.notes) context.diagnostics.warning(node.key_at, node.path, note);
+}
+
 /// What other sections need of the terrain of trial 0. Its shape in 3D goes to `shape` unless it may be
 /// another in other trials.
-DecodedTerrain outline_of(DecodeContext& context, const PluginUse& use,
+DecodedTerrain outline_of(DecodeContext& context, const Node& node, const PluginUse& use,
                           const std::optional<SectionPlan>& section, std::uint64_t seed,
                           std::shared_ptr<TerrainShape3>& shape) {
   const DrawKey key;
@@ -39,6 +48,8 @@ DecodedTerrain outline_of(DecodeContext& context, const PluginUse& use,
   const auto model = make_instance<TerrainModel>(use, section ? 3 : context.dimension);
   if (section || context.dimension == 3)
     shape = std::make_shared<TerrainShape3>(model->build_3d(values, rng));
+  if (const auto* surveyed = dynamic_cast<const SurveyedTerrain*>(model.get()))
+    take_report(context, node, surveyed->report(), terrain);
   if (context.dimension == 3) {
     terrain.parts = parts_of(*shape);
     terrain.automatic_origin = automatic_origin(*shape);
@@ -64,13 +75,15 @@ std::shared_ptr<TerrainShape3> try_to_build(DecodeContext& context, const Node& 
   try {
     const auto outline = context.grounds->get(fmt::format("outline {} {}", seed, text), [&] {
       return GroundStore::Made{std::make_shared<const DecodedTerrain>(
-          outline_of(context, use, terrain.plan.section, seed, shape))};
+          outline_of(context, node, use, terrain.plan.section, seed, shape))};
     });
     TerrainPlan plan = std::move(terrain.plan);
     terrain = *std::static_pointer_cast<const DecodedTerrain>(outline);
     terrain.plan = std::move(plan);
   } catch (const SectionError& error) {
     context.diagnostics.error(node.key_at, node.path, error.what());
+  } catch (const FileFaults& found) {
+    for (const std::string& wrong : found.faults) context.diagnostics.error(node.key_at, node.path, wrong);
   } catch (const PluginError& error) {
     context.diagnostics.error(node.key_at, node.path, error.what());
   }
@@ -98,7 +111,8 @@ std::optional<PluginUse> decode_section_terrain(DecodeContext& context, const No
 std::string text_of_ground(const Node& node) {
   Map ground;
   for (const Entry& entry : *node.value->map()) {
-    constexpr std::array<std::string_view, 5> others{"zones", "faces", "origin", "material", "materials"};
+    constexpr std::array<std::string_view, 6> others{"zones", "faces",    "origin",
+                                                     "crs",   "material", "materials"};
     if (std::find(others.begin(), others.end(), entry.key) == others.end()) ground.push_back(entry);
   }
   return to_json(map_value(std::move(ground)));

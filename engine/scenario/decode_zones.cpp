@@ -5,18 +5,39 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plugin/ascii_grid.h"
+#include "plugin/params.h"
+#include "plugin/raster_file.h"
 #include "scenario/decode_sections.h"
+#include "scenario/geojson_zone.h"
 #include "scenario/normalise.h"
 
 namespace flyrock {
 
 namespace {
 
+std::vector<std::vector<Vec2>> read_geojson(DecodeContext& context, const Node& item,
+                                            const Section& section) {
+  if (section.given("property") != section.given("is")) {
+    item.error(context.diagnostics,
+               "`property` and `is` belong together: the features whose property has the value");
+    return {};
+  }
+  if (section.text("geojson").empty()) return {};  // already reported
+  FeatureFilter filter;
+  if (section.given("property")) filter = {section.text("property"), section.text("is")};
+  try {
+    return read_outlines(section.text("geojson"), filter);
+  } catch (const PluginError& error) {
+    item.find("geojson")->error(context.diagnostics, error.what());
+    return {};
+  }
+}
+
 void read_zone_3d(DecodeContext& context, const Node& item, const Section& section, const std::string& kind,
                   const std::vector<std::string>& parts, Zone& zone) {
   if (kind == "polygon")
     for (const Vec3& corner : section.points("polygon")) zone.polygon.emplace_back(corner.x(), corner.y());
+  if (kind == "geojson") zone.outlines = read_geojson(context, item, section);
   if (kind == "raster") {
     zone.raster = read_raster(context, *item.find("raster"), section, "raster");
     zone.value = section.constant("value");
@@ -102,6 +123,23 @@ void decode_origin(DecodeContext& context, const Node& node, TerrainPlan& plan) 
   }
 }
 
+/// That of the scenario, which must be that of the file if both are given.
+void decode_crs(DecodeContext& context, const Node& node, DecodedTerrain& terrain) {
+  terrain.plan.crs = terrain.crs_of_file;
+  const std::optional<Node> key = node.find("crs");
+  if (!key) return;
+  const std::string& crs = decode_section(context, node, "terrain 3D").text("crs");
+  const bool is_epsg = crs.starts_with("EPSG:") && crs.size() > 5 && crs.size() <= 11 &&
+                       crs.find_first_not_of("0123456789", 5) == crs.npos;
+  if (!is_epsg)
+    return key->error(context.diagnostics,
+                      fmt::format("expected EPSG:n, such as EPSG:2056, found `{}`", crs));
+  if (!terrain.crs_of_file.empty() && terrain.crs_of_file != crs)
+    key->error(context.diagnostics, fmt::format("is {}, the file says {}: leave it out, or project the file",
+                                                crs, terrain.crs_of_file));
+  terrain.plan.crs = crs;
+}
+
 }  // namespace
 
 std::shared_ptr<const HeightGrid> read_raster(DecodeContext& context, const Node& node,
@@ -109,7 +147,7 @@ std::shared_ptr<const HeightGrid> read_raster(DecodeContext& context, const Node
   const std::string& path = section.text(key);
   if (path.empty()) return nullptr;  // already reported
   try {
-    return std::make_shared<const HeightGrid>(read_ascii_grid("raster", path));
+    return std::make_shared<const HeightGrid>(read_raster_file("raster", path, {}).grid);
   } catch (const PluginError& error) {
     node.error(context.diagnostics, error.what());
     return nullptr;
@@ -127,6 +165,8 @@ void decode_places_of_terrain(DecodeContext& context, const Node& node, DecodedT
     terrain.plan.origin = terrain.automatic_origin;
     if (node.find("origin")) decode_origin(context, node, terrain.plan);
   }
+  terrain.plan.survey = terrain.survey;
+  decode_crs(context, node, terrain);
 }
 
 }  // namespace flyrock

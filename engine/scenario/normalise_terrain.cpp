@@ -49,7 +49,7 @@ Value normalise_ground(DecodeContext& context, const Node& node) {
   if (context.dimension == 2 && type && type->value->text() && *type->value->text() == "section")
     return section_terrain(context, node);
   std::vector<std::string> others = {"material", "materials", "zones", "faces"};
-  if (context.dimension == 3) others.emplace_back("origin");
+  if (context.dimension == 3) others.insert(others.end(), {"origin", "crs"});
   return normalise_plugin(context, node, PluginKind::terrain, terrain_rules, others);
 }
 
@@ -58,9 +58,10 @@ Value normalise_zones(DecodeContext& context, const Node& node) {
     if (context.dimension == 2) return normalise_section(context, item, section_of_zone(std::nullopt), {});
     const std::optional<Node> key = key_of_zone(item);
     if (!key)
-      item.error(context.diagnostics,
-                 "expected `polygon`, `raster` with `value`, or `group` in a zone of a terrain in 3D");
-    for (const char* other : {"polygon", "raster", "group"})
+      item.error(
+          context.diagnostics,
+          "expected `polygon`, `geojson`, `raster` with `value`, or `group` in a zone of a terrain in 3D");
+    for (const char* other : {"polygon", "geojson", "raster", "group"})
       if (key && key->key != other && item.find(other)) {
         item.error(context.diagnostics,
                    fmt::format("has both `{}` and `{}`, expected one of them", key->key, other));
@@ -133,7 +134,7 @@ Value normalise_pairs(DecodeContext& context, const Node& node) {
 }
 
 std::optional<Node> key_of_zone(const Node& zone) {
-  for (const char* key : {"polygon", "raster", "group"})
+  for (const char* key : {"polygon", "geojson", "raster", "group"})
     if (std::optional<Node> node = zone.find(key)) return node;
   return std::nullopt;
 }

@@ -73,6 +73,13 @@ void find_blast_keys(const Node& blast, const Scenario& scenario, std::vector<st
         list.push_back(fmt::format("blast.rows.{} (rocks that meet each other leave together)", key));
 }
 
+void find_heads_of_trees(const Scenario& scenario, std::vector<std::string>& list) {
+  if (!scenario.forest) return;
+  for (const std::string& head : scenario.forest->other_heads)
+    list.push_back(
+        fmt::format("forest.file: the column `{}` (no column of trees has this name)", printable(head)));
+}
+
 void find_materials(const Scenario& scenario, std::vector<std::string>& list) {
   if (scenario.method == Method::ballistic) {
     for (const Material& material : scenario.materials)
@@ -185,6 +192,7 @@ std::vector<std::string> find_not_used(const Node& root, const Scenario& scenari
   std::vector<std::string> list;
   if (const auto blast = root.find("blast")) find_blast_keys(*blast, scenario, list);
   find_other_heads(scenario, list);
+  find_heads_of_trees(scenario, list);
   find_materials(scenario, list);
   if (scenario.method == Method::ballistic && find_given(root, "solver"))
     list.emplace_back("solver (the method ballistic has no contacts)");

@@ -59,6 +59,7 @@ struct Zone {
   std::string name;
   double from = 0, to = 0;
   std::vector<Vec2> polygon;
+  std::vector<std::vector<Vec2>> outlines;  ///< of a file: an odd number of them is about a place inside
   std::shared_ptr<const HeightGrid> raster;
   double value = 0;
   std::string group;
@@ -86,6 +87,8 @@ struct TerrainPlan {
   std::vector<FacePlan> faces;
   /// 3D: the place from which the engine counts [m]. Scenario and results have the coordinates of files.
   Vec3 origin = Vec3::Zero();
+  std::string crs;                       ///< "EPSG:2056", of the scenario or its file; empty: not known
+  std::string survey;                    ///< what was read of its file, "525 cells of 5 m, 2 to 31 m"
   std::string text;                      ///< of all of it, resolved: equal texts make equal grounds
   std::shared_ptr<GroundStore> grounds;  ///< of all points of the sweep
 };
@@ -240,13 +243,14 @@ struct BarrierPlan {
 struct ForestPlan {
   std::vector<Stem> stems;  ///< of the file, in its coordinates
   bool is_drawn = false;
-  double density = 0;       ///< of drawn trees, stems a m2
-  Number diameter, height;  ///< of drawn trees [m]; their draws are those of this plan
-  std::string zone;         ///< part of the terrain where trees are drawn; empty: all of it
-  bool is_fixed = false;    ///< the law: each tree takes the same energy
-  double energy = 0;        ///< J, of that law
-  double factor = 1;        ///< on the energy of each tree
-  Number turn;              ///< rad, at each hit
+  double density = 0;                    ///< of drawn trees, stems a m2
+  Number diameter, height;               ///< of drawn trees [m]; their draws are those of this plan
+  std::string zone;                      ///< part of the terrain where trees are drawn; empty: all of it
+  std::vector<std::string> other_heads;  ///< of the file, which are no columns
+  bool is_fixed = false;                 ///< the law: each tree takes the same energy
+  double energy = 0;                     ///< J, of that law
+  double factor = 1;                     ///< on the energy of each tree
+  Number turn;                           ///< rad, at each hit
   std::vector<Draw> draws;
   std::string text;  ///< of all of it, resolved: equal texts over equal grounds make equal trees
 };

@@ -2,127 +2,140 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <fstream>
-#include <string_view>
 
 #include "document/printable.h"
+#include "document/table.h"
 #include "document/wording.h"
-#include "plugin/params.h"
-#include "plugin/words.h"
 
 namespace flyrock {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> columns = {"x", "y", "dbh_cm", "height_m", "species"};
-constexpr std::size_t numbers = 4;
+const std::vector<TableColumn>& tree_columns() {
+  static const std::vector<TableColumn> columns = {
+      {.name = "x",
+       .dimension = dimension::length,
+       .required = true,
+       .also = {"east", "easting", "e", "xcoord", "x_coord", "rechtswert"}},
+      {.name = "y",
+       .dimension = dimension::length,
+       .required = true,
+       .also = {"north", "northing", "n", "ycoord", "y_coord", "hochwert"}},
+      {.name = "dbh",
+       .dimension = dimension::length,
+       .required = true,
+       .also = {"diameter", "d", "d130", "d13", "bhd", "dap"}},
+      {.name = "height",
+       .dimension = dimension::length,
+       .required = true,
+       .also = {"h", "tree_height", "hoehe"}},
+      {.name = "species", .dimension = {}, .is_text = true, .also = {"sp", "tree_species", "baumart"}},
+  };
+  return columns;
+}
 
-class TreeFile {
+/// A size of trees: what one tree may have, and what the median of a wood may be [m].
+struct TreeSize {
+  const char* column;
+  double least, most;
+  double least_median, most_median;
+};
+constexpr std::array<TreeSize, 2> tree_sizes = {
+    {{"dbh", 0.001, 10, 0.02, 3}, {"height", 0.1, 200, 0.5, 120}}};
+
+class TreeReader {
  public:
-  TreeFile(const std::string& path, const std::map<std::string, double>& strengths)
-      : path_(path), strengths_(strengths), file_(path, std::ios::binary) {
-    if (!file_) throw PluginError(fmt::format("cannot read the file {}", path));
-  }
+  TreeReader(const TextTable& table, const std::map<std::string, double>& strengths, const Node& where,
+             Diagnostics& diagnostics)
+      : table_(table), strengths_(strengths), where_(where), diagnostics_(diagnostics) {}
 
-  std::vector<Stem> read() {
-    if (!next_line()) fail(1, fmt::format("the file is empty, expected the header {}", header()));
-    read_header();
-    std::vector<Stem> stems;
-    while (next_line()) stems.push_back(stem());
-    return stems;
+  std::optional<TreeFile> read() {
+    const std::size_t before = diagnostics_.errors_given();
+    for (const TreeSize& size : tree_sizes) check_median(size);
+    if (diagnostics_.errors_given() > before) return std::nullopt;
+    TreeFile file;
+    for (std::size_t row = 0; row < table_.rows(); ++row) file.stems.push_back(stem(row));
+    file.other_heads = table_.ignored();
+    if (diagnostics_.errors_given() > before) return std::nullopt;
+    return file;
   }
 
  private:
-  struct Field {
-    std::string_view text;
-    std::size_t column;  ///< from 1
-  };
-
-  [[noreturn]] void fail(std::size_t column, const std::string& text) const {
-    throw PluginError(fmt::format("{}:{}:{}: {}", path_, std::max(line_, 1), column, text));
+  /// Of numbers in another unit than their head says, the median is off.
+  void check_median(const TreeSize& size) {
+    std::vector<double> values;
+    for (std::size_t row = 0; row < table_.rows(); ++row)
+      if (const auto value = table_.number(row, size.column)) values.push_back(*value);
+    if (values.empty()) return;
+    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                     values.end());
+    const double median = values[values.size() / 2];
+    if (median >= size.least_median && median <= size.most_median) return;
+    const std::string name = size.column;
+    diagnostics_.error(
+        table_.at(0, name), where_.path,
+        fmt::format(
+            "the median of `{}` is {:.4g} m, expected {:g} m to {:g} m of trees: name the unit of its "
+            "numbers in its head, `{}_cm` or `{}_m`",
+            name, median, size.least_median, size.most_median, name, name));
   }
 
-  static std::string header() { return fmt::format("{}", fmt::join(columns, ",")); }
-
-  /// The next line that is not empty, cut into its fields without blanks around them.
-  bool next_line() {
-    while (std::getline(file_, text_)) {
-      ++line_;
-      fields_.clear();
-      std::string_view rest = text_;
-      if (line_ == 1 && rest.starts_with("\xef\xbb\xbf")) rest.remove_prefix(3);
-      if (rest.find_first_not_of(" \t\r") == std::string_view::npos) continue;
-      for (std::size_t at = 0; at <= rest.size();) {
-        const std::size_t end = std::min(rest.find(',', at), rest.size());
-        const std::size_t first = std::min(rest.find_first_not_of(" \t\r", at), end);
-        std::size_t last = end;
-        while (last > first && std::string_view(" \t\r").find(rest[last - 1]) != std::string_view::npos)
-          --last;
-        fields_.push_back({rest.substr(first, last - first), first + 1});
-        at = end + 1;
-      }
-      return true;
-    }
-    return false;
-  }
-
-  void read_header() {
-    for (std::size_t i = 0; i < fields_.size(); ++i)
-      if (i >= columns.size() || fields_[i].text != columns[i])
-        fail(fields_[i].column, fmt::format("`{}` is not the name of column {}, expected the header {}",
-                                            printable(fields_[i].text), i + 1, header()));
-    if (fields_.size() < numbers)
-      fail(text_.size() + 1, fmt::format("the header ends here, expected {}", header()));
-    count_ = fields_.size();
-  }
-
-  double number(std::size_t column, double least, double most) {
-    double value = 0;
-    const Field& field = fields_[column];
-    if (!to_number(field.text, value))
-      fail(field.column,
-           fmt::format("`{}` is not a number, expected `{}`", printable(field.text), columns[column]));
-    if (!(value >= least && value <= most))
-      fail(field.column, fmt::format("`{}` is {:.10g}, expected a number from {:g} to {:g}", columns[column],
-                                     value, least, most));
-    return value;
-  }
-
-  Stem stem() {
-    if (fields_.size() != count_)
-      fail(fields_.size() < count_ ? text_.size() + 1 : fields_[count_].column,
-           fmt::format("the line has {} values, expected {}", fields_.size(), count_));
+  Stem stem(std::size_t row) {
     Stem stem;
-    stem.place = {number(0, -1e8, 1e8), number(1, -1e8, 1e8)};
-    stem.radius = number(2, 0.1, 1000) / 200;
-    stem.height = number(3, 0.1, 200);
-    if (count_ <= numbers || strengths_.empty()) return stem;
-    const Field& species = fields_[numbers];
-    const auto known = strengths_.find(std::string(species.text));
-    if (known == strengths_.end()) {
-      std::vector<std::string> names;
-      for (const auto& [name, strength] : strengths_) names.push_back(name);
-      fail(species.column, fmt::format("`{}` is not a species of `forest.species`{}", printable(species.text),
-                                       suggestion(std::string(species.text), names)));
-    }
-    stem.strength = known->second;
+    stem.place = {table_.number(row, "x").value_or(0), table_.number(row, "y").value_or(0)};
+    if (!(stem.place.cwiseAbs().maxCoeff() <= 1e8))
+      fail(row, "x", fmt::format("the place ({:.6g}, {:.6g}) is on no map", stem.place.x(), stem.place.y()));
+    for (const TreeSize& size : tree_sizes) check_size(row, size);
+    stem.radius = table_.number(row, "dbh").value_or(0) / 2;
+    stem.height = table_.number(row, "height").value_or(0);
+    stem.strength = strength(row);
     return stem;
   }
 
-  const std::string& path_;
+  void check_size(std::size_t row, const TreeSize& size) {
+    const double value = table_.number(row, size.column).value_or(0);
+    if (!(value >= size.least && value <= size.most))
+      fail(row, size.column,
+           fmt::format("`{}` is {:.6g} m, expected {:g} m to {:g} m", size.column, value, size.least,
+                       size.most));
+  }
+
+  double strength(std::size_t row) {
+    if (!table_.has("species") || strengths_.empty()) return 1;
+    const std::string species(table_.text(row, "species"));
+    const auto known = strengths_.find(species);
+    if (known != strengths_.end()) return known->second;
+    std::vector<std::string> names;
+    for (const auto& [name, factor] : strengths_) names.push_back(name);
+    fail(row, "species",
+         fmt::format("`{}` is not a species of `forest.species`{}", printable(species),
+                     suggestion(species, names)));
+    return 1;
+  }
+
+  /// All lines may be wrong in the same way: the first 20 say so.
+  void fail(std::size_t row, const char* column, const std::string& text) {
+    constexpr int most = 20;
+    if (++faults_ <= most) diagnostics_.error(table_.at(row, column), where_.path, text);
+  }
+
+  const TextTable& table_;
   const std::map<std::string, double>& strengths_;
-  std::ifstream file_;
-  std::string text_;
-  int line_ = 0;
-  std::vector<Field> fields_;
-  std::size_t count_ = 0;  ///< of columns
+  const Node& where_;
+  Diagnostics& diagnostics_;
+  int faults_ = 0;
 };
 
 }  // namespace
 
-std::vector<Stem> read_trees(const std::string& path, const std::map<std::string, double>& strengths) {
-  return TreeFile(path, strengths).read();
+std::optional<TreeFile> read_trees(const std::string& path, const std::map<std::string, double>& strengths,
+                                   const std::map<std::string, std::string>& heads, const Node& where,
+                                   Diagnostics& diagnostics) {
+  const auto table = read_table(path, tree_columns(), heads, where, diagnostics);
+  if (!table) return std::nullopt;
+  return TreeReader(*table, strengths, where, diagnostics).read();
 }
 
 }  // namespace flyrock

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/place_text.h"
 #include "trial/scenario_error.h"
 
 namespace flyrock {
@@ -13,16 +14,19 @@ namespace {
 
 constexpr double most_trees = 2e6;
 
-/// The box in plan in which trees are drawn: of the polygon of the zone, else of the ground.
+/// The box in plan in which trees are drawn: of the outline of the zone, else of the ground.
 Box2 box_of(const Scenario& scenario, const Ground3& ground) {
   const std::string& name = scenario.forest->zone;
   for (const Zone& zone : scenario.terrain.zones) {
-    if (zone.name != name || zone.polygon.empty()) continue;
-    Box2 box{zone.polygon.front(), zone.polygon.front()};
-    for (const Vec2& corner : zone.polygon) {
-      box.low = box.low.cwiseMin(corner);
-      box.high = box.high.cwiseMax(corner);
-    }
+    if (zone.name != name || (zone.polygon.empty() && zone.outlines.empty())) continue;
+    const std::vector<std::vector<Vec2>> outlines =
+        zone.polygon.empty() ? zone.outlines : std::vector<std::vector<Vec2>>{zone.polygon};
+    Box2 box{outlines.front().front(), outlines.front().front()};
+    for (const std::vector<Vec2>& outline : outlines)
+      for (const Vec2& corner : outline) {
+        box.low = box.low.cwiseMin(corner);
+        box.high = box.high.cwiseMax(corner);
+      }
     const Vec2 origin = scenario.terrain.origin.head<2>();
     return {box.low - origin, box.high - origin};
   }
@@ -84,6 +88,22 @@ std::shared_ptr<const Forest> make_forest(const Scenario& scenario, const Ground
     const std::shared_ptr<const Forest> forest = make();
     return GroundStore::Made{forest, forest->stems().size() * (sizeof(Stem) + 2 * sizeof(int))};
   }));
+}
+
+std::string trees_off_ground(const Scenario& scenario, const Forest& forest, const Ground3& ground) {
+  if (scenario.forest->is_drawn || forest.stems().empty()) return {};
+  const Vec2 origin = scenario.terrain.origin.head<2>();
+  std::size_t off = 0;
+  Vec2 first = Vec2::Zero();
+  for (const Stem& stem : forest.stems())
+    if (!ground.top(stem.place.x(), stem.place.y()) && off++ == 0) first = stem.place + origin;
+  if (off == 0) return {};
+  const Vec2 low = ground.extent().low.head<2>() + origin, high = ground.extent().high.head<2>() + origin;
+  const std::string text =
+      fmt::format("{} of {} trees have no ground below them, the first at {}; the terrain spans {} to {}",
+                  off, forest.stems().size(), place_text(first), place_text(low), place_text(high));
+  if (off == forest.stems().size()) throw ScenarioError("forest.file", text);
+  return text;
 }
 
 }  // namespace flyrock

@@ -18,4 +18,8 @@ namespace flyrock {
 /// there are more than 2,000,000 trees.
 std::shared_ptr<const Forest> make_forest(const Scenario& scenario, const Ground3& ground);
 
+/// "3 of 120 trees have no ground below them, ..."; empty if all stand on the ground. Of a file only: drawn
+/// trees do. Throws ScenarioError if none of the trees of a file stands on the ground.
+std::string trees_off_ground(const Scenario& scenario, const Forest& forest, const Ground3& ground);
+
 }  // namespace flyrock

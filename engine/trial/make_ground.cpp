@@ -77,6 +77,8 @@ Terrain3 shaped_ground(TerrainShape3 shape, const TerrainPlan& plan) {
   for (const Zone& zone : plan.zones) {
     if (!zone.polygon.empty())
       shape = with_zone(std::move(shape), zone.name, zone.polygon);
+    else if (!zone.outlines.empty())
+      shape = with_outlined_zone(std::move(shape), zone.name, zone.outlines);
     else if (zone.raster)
       shape =
           with_zone(std::move(shape), zone.name, [&zone](const Vec2& place) { return covers(zone, place); });
@@ -115,6 +117,7 @@ Profile with_zones(Profile profile, const std::vector<Zone>& zones) {
 
 bool covers(const Zone& zone, const Vec2& place) {
   if (!zone.polygon.empty()) return is_inside(zone.polygon, place);
+  if (!zone.outlines.empty()) return is_inside(zone.outlines, place);
   return zone.raster && value_at(*zone.raster, place) == zone.value;
 }
 

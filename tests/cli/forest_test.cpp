@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "program.h"
+#include "rows.h"
 
 using namespace flyrock::test;
 
@@ -124,19 +125,54 @@ TEST_CASE("a malformed file of trees is refused with line and column") {
     const std::size_t at = check.err.find("t.csv:");
     return at == std::string::npos ? check.err : check.err.substr(at, check.err.find('\n', at) - at);
   };
-  const std::string header = "x,y,dbh_cm,height_m,species\n";
-  CHECK(says("") == "t.csv:1:1: the file is empty, expected the header x,y,dbh_cm,height_m,species");
-  CHECK(says("x,y,dbh,height_m\n") ==
-        "t.csv:1:5: `dbh` is not the name of column 3, expected the header x,y,dbh_cm,height_m,species");
-  CHECK(says("x,y\n") == "t.csv:1:4: the header ends here, expected x,y,dbh_cm,height_m,species");
+  const std::string header = "x,y,dbh_cm,height_m,species\n", where = "error: forest.file: ";
+  CHECK(says("").find("forest.file: the file t.csv is empty") != std::string::npos);
+  CHECK(says("x,y\n") == "t.csv:1:1: " + where + "no column is `dbh` (in m, or `dbh` with a unit)");
   CHECK(says(header + "1,2,30,20,beech\n\n1, 2, 3O, 20, beech\n") ==
-        "t.csv:4:7: `3O` is not a number, expected `dbh_cm`");
-  CHECK(says(header + "1,2,30\n") == "t.csv:2:7: the line has 3 values, expected 5");
-  CHECK(says(header + "1,2,30,20,beech,7\n") == "t.csv:2:17: the line has 6 values, expected 5");
-  CHECK(says(header + "1,2,-30,20,beech\n") ==
-        "t.csv:2:5: `dbh_cm` is -30, expected a number from 0.1 to 1000");
+        "t.csv:4:7: " + where + "`3O` is not a number, expected `dbh`");
+  CHECK(says(header + "1,2,30\n") == "t.csv:2:1: " + where + "the line has 3 values, the heads are 5");
+  CHECK(says(header + "1,2,30,20,beech\n1,2,-30,20,beech\n1,2,30,20,beech\n") ==
+        "t.csv:3:5: " + where + "`dbh` is -0.3 m, expected 0.001 m to 10 m");
   CHECK(says(header + "1,2,30,20,baech\n") ==
-        "t.csv:2:11: `baech` is not a species of `forest.species`, did you mean `beech`?");
+        "t.csv:2:11: " + where + "`baech` is not a species of `forest.species`, did you mean `beech`?");
+  // Metres under a head in centimetres, and centimetres under a head without unit.
+  CHECK(says(header + "1,2,0.3,20,beech\n3,4,0.4,20,beech\n") ==
+        "t.csv:2:5: " + where +
+            "the median of `dbh` is 0.004 m, expected 0.02 m to 3 m of trees: name the unit of its numbers "
+            "in its "
+            "head, `dbh_cm` or `dbh_m`");
+  CHECK(says("x,y,dbh,height\n1,2,35,20\n").find("the median of `dbh` is 35 m") != std::string::npos);
   folder.write("t.csv", "\xef\xbb\xbfx,y,dbh_cm,height_m\r\n5,0,30,20\r\n");
   CHECK(call(folder, "check s.yaml").code == 0);
+}
+
+TEST_CASE("a file of trees has its columns in any order, under other heads, with others between") {
+  const Folder folder;
+  const auto stems = [&](const std::string& keys, const std::string& text) {
+    folder.write("s.yaml", slope("ballistic", "forest: { file: t.csv" + keys + " }\n"));
+    folder.write("t.csv", text);
+    const Output run = call(folder, "run s.yaml --quiet --trials 1 -o out --force");
+    CHECK(run.err == "");
+    REQUIRE(run.code == 0);
+    return query(folder.path() / "out" / "results.db",
+                 "SELECT x_m || ' ' || y_m || ' ' || round(diameter_m, 6) || ' ' || height_m FROM stems");
+  };
+  const std::vector<std::string> plain = stems("", "x,y,dbh_cm,height_m\n5,0.5,30,20\n");
+  CHECK(stems("", "id;Height [m];North;East;DBH (mm);vigour\n7;20;0,5;5;300;good\n") == plain);
+  CHECK(stems("", "d130_m\ty_m\tx_m\th\n0.3\t0.5\t5\t20\n") == plain);
+  CHECK(stems(", columns: { dbh: BHD_2019_cm, height: top }", "top,BHD_2019_cm,x,y\n20,30,5,0.5\n") == plain);
+}
+
+TEST_CASE("trees of a file off the ground are counted, and refused if that is all of them") {
+  const Folder folder;
+  folder.write("s.yaml", slope("ballistic", "forest: { file: t.csv }\n"));
+  folder.write("t.csv", "x,y,dbh_cm,height_m\n5,0,30,20\n2600000,1200000,30,20\n");
+  Output check = call(folder, "check s.yaml");
+  CHECK(check.code == 0);
+  CHECK(check.err.find("1 of 2 trees have no ground below them, the first at (2600000, 1200000)") !=
+        std::string::npos);
+  folder.write("t.csv", "x,y,dbh_cm,height_m\n2600000,1200000,30,20\n");
+  check = call(folder, "check s.yaml");
+  CHECK(check.code == 2);
+  CHECK(check.err.find("1 of 1 trees have no ground below them") != std::string::npos);
 }

@@ -83,7 +83,9 @@ TEST_CASE("a profile's file is read strictly") {
   CHECK(fault("0 1\n,\n") == "plugin profile: FILE:2: expected two numbers, x and y, found 0");
   CHECK(fault("") == "plugin profile: a profile has 0 points, at least 2 are needed");
   CHECK(fault("1 0\n0 0\n") ==
-        "plugin profile: x decreases from (1, 0) to (0, 0); a profile goes from left to right");
+        "plugin profile: x decreases from (1, 0) to (0, 0); a profile goes from left to right: sort the "
+        "points, or, if the wall overhangs there, "
+        "run in `dimension: 3` with the section extruded as a `mesh`");
 }
 
 }  // namespace terrains_test

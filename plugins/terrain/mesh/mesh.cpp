@@ -1,6 +1,11 @@
 #include <fmt/format.h>
 
-#include "geometry/mesh_fault.h"
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/mesh_gaps.h"
+#include "geometry/mesh_repair.h"
+#include "plugin/surveyed_terrain.h"
 #include "plugins/factories.h"
 #include "plugins/terrain/mesh/mesh_file.h"
 
@@ -8,25 +13,101 @@ namespace flyrock::plugins {
 
 namespace {
 
-class MeshTerrain : public TerrainModel {
+/// A length with two digits, rounded up.
+std::string rounded_up(double length) {
+  const double unit = std::pow(10.0, std::floor(std::log10(length)) - 1);
+  return fmt::format("{:.6g} m", std::ceil(length / unit * 1.05) * unit);
+}
+
+/// What to write in the scenario, or to do in the program of the survey.
+std::string cure_of(const MeshFault& fault) {
+  constexpr double least_weld = 1e-4;  // m, for gaps by rounding
+  switch (fault.kind) {
+    case MeshFault::Kind::gap:
+      return fmt::format("`repair: {{ weld: {} }}` joins them", rounded_up(std::max(fault.size, least_weld)));
+    case MeshFault::Kind::over:
+      return "cut them to one in the program that made them, or write `repair: { keep: largest }`";
+    case MeshFault::Kind::hole:
+      return fault.size <= 200 ? fmt::format("`repair: {{ fill_holes: {:.0f} }}` fills it", fault.size)
+                               : "close it in the program that made it";
+    case MeshFault::Kind::down:
+      return "if y points up in the file, write `up: y`";
+    default:
+      return "clean the mesh in the program that made it";
+  }
+}
+
+class MeshTerrain : public SurveyedTerrain {
  public:
   explicit MeshTerrain(Params& params)
       : file_(params.text("file")), y_is_up_(params.text("up") == "y"), scale_(params.slot("scale")) {
     params.require_dimension(3);
+    if (params.slot("repair.weld") >= 0) repair_.weld = params.constant("repair.weld");
+    if (params.slot("repair.fill_holes") >= 0)
+      repair_.fill_holes = static_cast<int>(params.constant("repair.fill_holes"));
+    repair_.keep_largest = params.text("repair.keep") == "largest";
+    const std::string parts = params.text("parts");
+    parts_ = parts == "groups"      ? PartsOf::groups
+             : parts == "materials" ? PartsOf::materials
+                                    : PartsOf::either;
   }
 
   TerrainShape3 build_3d(Values values, RandomStream&) const override {
-    MeshFile read = read_mesh("mesh", file_);
+    MeshFile read = read_mesh("mesh", file_, parts_);
     Mesh mesh = to_metres("mesh", std::move(read.mesh), values[scale_], y_is_up_);
-    if (const std::string wrong = fault(mesh, read.lines); !wrong.empty())
-      throw PluginError(fmt::format("plugin mesh: {}: {}", file_, wrong));
+    report_ = {};
+    report_.notes = std::move(read.notes);
+    for (std::string& note : mend(mesh, read.lines, repair_)) report_.notes.push_back(std::move(note));
+    for (std::string& note : report_.notes) note = fmt::format("{}: {}", file_, note);
+    refuse(mesh, read.lines);
+    report_.size = fmt::format("{} triangles, {}", with_commas(mesh.triangles.size()), heights_of(mesh));
     return mesh;
   }
 
+  SurveyReport report() const override { return report_; }
+
  private:
+  /// All faults at once, each with what to write.
+  void refuse(const Mesh& mesh, const std::vector<int>& lines) const {
+    if (mesh.triangles.empty())
+      throw PluginError(fmt::format("plugin mesh: {}: no triangle has an area", file_));
+    refuse_heights(mesh, lines);
+    std::vector<MeshFault> found = faults(mesh, lines);
+    if (found.empty() || found.front().kind != MeshFault::Kind::broken)
+      for (MeshFault& gap : gap_faults(mesh, lines)) found.push_back(std::move(gap));
+    constexpr std::size_t most = 20;
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < std::min(most, found.size()); ++i)
+      texts.push_back(fmt::format("plugin mesh: {}: {}; {}", file_, found[i].text, cure_of(found[i])));
+    if (found.size() > most)
+      texts.push_back(fmt::format("plugin mesh: {}: {} more faults", file_, found.size() - most));
+    if (!texts.empty()) throw FileFaults(std::move(texts));
+  }
+
+  /// Heights that no ground has, because of another unit or another axis.
+  void refuse_heights(const Mesh& mesh, const std::vector<int>& lines) const {
+    std::size_t count = 0;
+    std::string first;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      for (const int corner : mesh.triangles[t]) {
+        const double z = mesh.vertices[corner].z();
+        if (is_height_of_ground(z) || count++ > 0) continue;
+        first = fmt::format("a corner{} has the height {:.10g} m", lines_text(lines, static_cast<int>(t)), z);
+      }
+    if (count == 0) return;
+    throw PluginError(
+        fmt::format("plugin mesh: {}: {}, and {} corners in all are below {:g} m or above {:g} m, which no "
+                    "ground is; write "
+                    "`up: y` if y points up in the file, or `scale` if it is not in m",
+                    file_, first, count, lowest_ground, highest_ground));
+  }
+
   std::string file_;
   bool y_is_up_;
   int scale_;
+  PartsOf parts_ = PartsOf::either;
+  MeshRepair repair_;
+  mutable SurveyReport report_;  ///< of the last build_3d
 };
 
 }  // namespace

@@ -9,6 +9,19 @@ return fr.plugin {
     file = fr.file { doc = "an OBJ or STL file in metres; corners counter-clockwise, seen from outside of the ground" },
     up = fr.choice { choices = { "z", "y" }, default = "z", doc = "which axis of the file points up" },
     scale = fr.number { default = 1, above = 0, doc = "metres per unit of the file" },
+    parts = fr.choice {
+      choices = { "groups", "materials" },
+      optional = true,
+      doc = "of an OBJ file: its groups and objects, or the names after `usemtl`; these where no face has a group",
+    },
+    repair = fr.group {
+      doc = "what may be changed in a mesh that is no ground",
+      params = {
+        weld = fr.number { default = 0, min = 0, max = 10, unit = "m", doc = "joins borders that are no farther apart" },
+        fill_holes = fr.integer { default = 0, min = 0, max = 200, doc = "fills holes of at most so many edges" },
+        keep = fr.choice { choices = { "all", "largest" }, default = "all", doc = "which pieces stay" },
+      },
+    },
   },
   native = "mesh",
 }

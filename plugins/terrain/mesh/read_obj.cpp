@@ -54,11 +54,16 @@ class CheckedLines : public std::streambuf {
     throw PluginError(fmt::format("plugin {}: {}:{}: {}", plugin_, path_, line_, text));
   }
 
+  [[noreturn]] void fail_in_file(const std::string& text) const {
+    throw PluginError(fmt::format("plugin {}: {}: {}", plugin_, path_, text));
+  }
+
  protected:
   int_type underflow() override {
     if (!std::getline(file_, text_)) return traits_type::eof();
     ++lines_read_;
     line_ = lines_read_;
+    if (line_ == 1 && text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3);  // byte order mark
     std::string more;
     while (text_.ends_with('\\') || text_.ends_with("\\\r")) {
       text_.resize(text_.rfind('\\'));
@@ -112,6 +117,7 @@ class CheckedLines : public std::streambuf {
 
 /// A part's name from that of a group.
 std::string part_name(std::string name) {
+  name.resize(name.find_last_not_of(" \t\r") + 1);
   for (char& c : name)
     if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-') c = '_';
   return name;
@@ -119,18 +125,36 @@ std::string part_name(std::string name) {
 
 /// What the callbacks fill.
 struct Reading {
+  /// The names of one kind, and the name of each triangle.
+  struct Names {
+    std::string now = {};
+    std::vector<std::string> all = {};
+    std::vector<int> of_triangle = {};
+
+    void add_triangles(int count) {
+      const auto found = std::find(all.begin(), all.end(), now);
+      const auto index = static_cast<int>(found - all.begin());
+      if (found == all.end()) all.push_back(now);
+      of_triangle.insert(of_triangle.end(), static_cast<std::size_t>(count), index);
+    }
+    bool has_any() const { return all.size() > 1 || (all.size() == 1 && !all[0].empty()); }
+  };
+
   CheckedLines& text;
   MeshFile& file;
-  std::string part = {};
+  Names groups = {}, materials = {};
 
-  void name_part(const char* name) { part = part_name(name ? name : ""); }
-
-  int part_index() {
-    auto& parts = file.mesh.parts;
-    const auto found = std::find(parts.begin(), parts.end(), part);
-    if (found != parts.end()) return static_cast<int>(found - parts.begin());
-    parts.push_back(part);
-    return static_cast<int>(parts.size()) - 1;
+  void take_parts(PartsOf parts) {
+    if (parts == PartsOf::materials && !materials.has_any())
+      text.fail_in_file("has no line `usemtl`, which `parts: materials` asks for");
+    const bool by_material = parts == PartsOf::materials || (parts == PartsOf::either && !groups.has_any());
+    if (!by_material && parts == PartsOf::either && groups.all.size() == 1 && materials.all.size() > 1)
+      file.notes.push_back(fmt::format(
+          "all faces are of the group `{}`; `parts: materials` makes parts of its {} materials ({})",
+          groups.all[0], materials.all.size(), fmt::join(materials.all, ", ")));
+    Names& names = by_material ? materials : groups;
+    file.mesh.parts = std::move(names.all);
+    file.mesh.part = std::move(names.of_triangle);
   }
 
   void add_face(const tinyobj::index_t* corners, int count) {
@@ -142,10 +166,10 @@ struct Reading {
       face.push_back(index > 0 ? index - 1 : vertices + index);
     }
     if (count > 3) require_convex(face);
-    const int of = part_index();
+    groups.add_triangles(count - 2);
+    materials.add_triangles(count - 2);
     for (int i = 1; i + 1 < count; ++i) {
       mesh.triangles.push_back({face[0], face[i], face[i + 1]});
-      mesh.part.push_back(of);
       file.lines.push_back(text.line());
     }
   }
@@ -168,7 +192,7 @@ Reading& of(void* user) { return *static_cast<Reading*>(user); }
 
 }  // namespace
 
-MeshFile read_obj(const std::string& plugin, const std::string& path) {
+MeshFile read_obj(const std::string& plugin, const std::string& path, PartsOf parts) {
   MeshFile file;
   CheckedLines text(plugin, path);
   Reading reading{text, file};
@@ -180,17 +204,23 @@ MeshFile read_obj(const std::string& plugin, const std::string& path) {
     of(user).add_face(corners, count);
   };
   callbacks.group_cb = [](void* user, const char** names, int count) {
-    of(user).name_part(count > 0 ? names[0] : "");
+    std::string name;  // programs write names with blanks: `g pit floor`
+    for (int i = 0; i < count; ++i) name += fmt::format("{}{}", i == 0 ? "" : " ", names[i]);
+    of(user).groups.now = part_name(name);
   };
-  callbacks.object_cb = [](void* user, const char* name) { of(user).name_part(name); };
+  callbacks.object_cb = [](void* user, const char* name) {
+    of(user).groups.now = part_name(name ? name : "");
+  };
+  callbacks.usemtl_cb = [](void* user, const char* name, int) {
+    of(user).materials.now = part_name(name ? name : "");
+  };
   std::istream stream(&text);
   stream.exceptions(std::ios::badbit);  // lets an error of a line through
   std::string error;
   if (!tinyobj::LoadObjWithCallback(stream, callbacks, &reading, nullptr, nullptr, &error) || !error.empty())
     text.fail(error.empty() ? "is no OBJ file" : error);
-  if (file.mesh.triangles.empty())
-    throw PluginError(
-        fmt::format("plugin {}: {}: has no faces, expected lines that begin with `f`", plugin, path));
+  if (file.mesh.triangles.empty()) text.fail_in_file("has no faces, expected lines that begin with `f`");
+  reading.take_parts(parts);
   file.mesh = welded(std::move(file.mesh));
   return file;
 }

@@ -24,20 +24,39 @@ constexpr std::size_t header = 80, record = 50;
 
 static_assert(std::endian::native == std::endian::little);
 
-/// The number of triangles of a binary file; nothing if the file is text. A binary file may begin with the
-/// word "solid" too: its size tells.
-std::int64_t binary_triangles(const std::string& plugin, const std::string& path) {
+std::string in_small_letters(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return lower;
+}
+
+/// Whether the start of a file is text that begins with `solid`, in any letters. A text has no byte 0; a
+/// binary file of fewer than 16 million triangles has one in their number.
+bool is_text(std::string_view start) {
+  if (start.starts_with("\xEF\xBB\xBF")) start.remove_prefix(3);  // byte order mark
+  start.remove_prefix(std::min(start.find_first_not_of(" \t\r\n"), start.size()));
+  return in_small_letters(start.substr(0, 5)) == "solid" && start.find('\0') == start.npos;
+}
+
+/// The number of triangles of a binary file; nothing if the file is text. What follows the last triangle is
+/// not read, which a note says.
+std::int64_t binary_triangles(const std::string& plugin, const std::string& path, MeshFile& mesh) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw PluginError(fmt::format("plugin {}: cannot read the file {}", plugin, path));
   std::array<char, header + 4> start{};
   file.read(start.data(), start.size());
-  const bool is_solid = std::memcmp(start.data(), "solid", 5) == 0;
+  const std::string_view read(start.data(), static_cast<std::size_t>(file.gcount()));
   std::uint32_t count = 0;
   std::memcpy(&count, start.data() + header, sizeof count);
   const auto size = static_cast<std::int64_t>(std::filesystem::file_size(path));
   const std::int64_t expected = header + 4 + static_cast<std::int64_t>(record) * count;
   if (file && size == expected) return count;
-  if (is_solid) return -1;
+  if (is_text(read)) return -1;
+  if (file && size > expected && count > 0) {
+    mesh.notes.push_back(fmt::format("{} bytes follow the {} triangles that the file announces: not read",
+                                     size - expected, count));
+    return count;
+  }
   throw PluginError(
       fmt::format("plugin {}: {}: is neither STL as text (its first word is not `solid`) nor binary: {} "
                   "triangles need {} bytes, the file has {}",
@@ -73,7 +92,7 @@ void read_binary(const std::string& plugin, const std::string& path, std::int64_
 
 void expect(Words& words, std::string_view expected) {
   const std::string found(words.next());
-  if (found == expected) return;
+  if (in_small_letters(found) == expected) return;
   words.fail(found.empty() ? fmt::format("the file ends, expected `{}`", expected)
                            : fmt::format("expected `{}`, found `{}`", expected, found));
 }
@@ -104,7 +123,7 @@ void read_text(const std::string& plugin, const std::string& path, MeshFile& mes
   };
   skip_name();
   while (true) {
-    const std::string word(words.next());
+    const std::string word = in_small_letters(words.next());
     if (word == "facet") {
       read_facet(words, mesh);
     } else if (word == "endsolid") {
@@ -124,7 +143,7 @@ void read_text(const std::string& plugin, const std::string& path, MeshFile& mes
 MeshFile read_stl(const std::string& plugin, const std::string& path) {
   MeshFile file;
   file.mesh.parts = {""};
-  const std::int64_t triangles = binary_triangles(plugin, path);
+  const std::int64_t triangles = binary_triangles(plugin, path, file);
   if (triangles >= 0)
     read_binary(plugin, path, triangles, file);
   else
@@ -135,10 +154,10 @@ MeshFile read_stl(const std::string& plugin, const std::string& path) {
   return file;
 }
 
-MeshFile read_mesh(const std::string& plugin, const std::string& path) {
+MeshFile read_mesh(const std::string& plugin, const std::string& path, PartsOf parts) {
   std::string ending = path.substr(std::min(path.rfind('.'), path.size()));
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (ending == ".obj") return read_obj(plugin, path);
+  if (ending == ".obj") return read_obj(plugin, path, parts);
   if (ending == ".stl") return read_stl(plugin, path);
   throw PluginError(
       fmt::format("plugin {}: {}: expected a file whose name ends in .obj or .stl", plugin, path));

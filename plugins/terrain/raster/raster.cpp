@@ -1,64 +1,108 @@
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <cmath>
+#include <map>
 
+#include "geometry/fill_voids.h"
 #include "geometry/terrain_fault.h"
-#include "plugin/ascii_grid.h"
+#include "plugin/raster_file.h"
+#include "plugin/surveyed_terrain.h"
 #include "plugins/factories.h"
-#include "plugins/terrain/raster/raster_file.h"
 
 namespace flyrock::plugins {
 
-HeightGrid read_with_gdal(const std::string& plugin, const std::string& path) {
-  // The module stands beside the shared object that this function is in.
-  Dl_info here{};
-  ::dladdr(reinterpret_cast<void*>(&read_with_gdal), &here);
-  const auto module =
-      std::filesystem::path(here.dli_fname ? here.dli_fname : "").parent_path() / "flyrock_gdal.so";
-  void* handle = ::dlopen(module.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (!handle) {
-    if (!std::filesystem::exists(module))
-      throw PluginError(
-          fmt::format("plugin {}: {}: reading this format needs GDAL, which this build does not have: "
-                      "install the Debian package "
-                      "libgdal-dev and build again, or convert the file to an ESRI ASCII grid (.asc)",
-                      plugin, path));
-    const char* reason = ::dlerror();
-    throw PluginError(fmt::format("plugin {}: {}: cannot load {}: {}", plugin, path, module.string(),
-                                  reason ? reason : "unknown reason"));
-  }
-  const auto read = reinterpret_cast<GdalReader>(::dlsym(handle, gdal_entry));
-  HeightGrid grid;
-  std::string wrong = fmt::format("{} has no reader", module.string());
-  if (read) read(path, grid, wrong);
-  if (!wrong.empty()) throw PluginError(fmt::format("plugin {}: {}: {}", plugin, path, wrong));
-  return grid;
-}
-
-HeightGrid read_raster(const std::string& plugin, const std::string& path) {
-  std::string ending = path.substr(std::min(path.rfind('.'), path.size()));
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  const bool is_text = ending == ".asc" || ending == ".txt" || ending == ".grd";
-  return is_text ? read_ascii_grid("plugin " + plugin, path) : read_with_gdal(plugin, path);
-}
-
 namespace {
 
-class RasterTerrain : public TerrainModel {
- public:
-  explicit RasterTerrain(Params& params) : file_(params.text("file")) { params.require_dimension(3); }
+/// Heights that no ground has: the commonest of them is the value that a program writes for no data.
+/// `metres`: of one unit of the heights.
+std::string impossible_heights(const RasterFile& file, double metres) {
+  std::map<double, std::size_t> counts;
+  std::size_t all = 0;
+  constexpr std::size_t most_values = 10'000;
+  for (const double z : file.grid.heights) {
+    if (std::isnan(z) || is_height_of_ground(z)) continue;
+    ++all;
+    if (counts.size() < most_values || counts.contains(z)) ++counts[z];
+  }
+  if (all == 0) return {};
+  const auto common = std::max_element(counts.begin(), counts.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  const double value = (common->first / metres - file.value_offset) / file.value_scale;
+  return fmt::format(
+      "{} cell{} {:.10g} m, and {} in all are below {:g} m or above {:g} m, which no ground is; write "
+      "`no_data: {:.10g}` if these cells have no data, or `unit` or `scale` if the heights are not in m",
+      common->second, common->second == 1 ? " is" : "s are", common->first, all, lowest_ground,
+      highest_ground, value);
+}
 
-  TerrainShape3 build_3d(Values, RandomStream&) const override {
-    HeightGrid grid = read_raster("raster", file_);
-    if (const std::string wrong = fault(grid); !wrong.empty())
-      throw PluginError(fmt::format("plugin raster: {}: {}", file_, wrong));
-    return grid;
+class RasterTerrain : public SurveyedTerrain {
+ public:
+  explicit RasterTerrain(Params& params) : file_(params.text("file")), unit_(params.text("unit")) {
+    params.require_dimension(3);
+    scale_ = params.constant("scale");
+    if (params.slot("no_data") >= 0) no_data_ = params.constant("no_data");
+    if (params.slot("fill") >= 0) fill_ = static_cast<int>(params.constant("fill"));
+    plan_unit_ = params.text("plan_unit");
   }
 
+  TerrainShape3 build_3d(Values, RandomStream&) const override {
+    RasterFile read = read_raster_file("plugin raster", file_, no_data_);
+    plan_to_metres(read);
+    const double metres = heights_to_metres(read);
+    if (const std::string wrong = impossible_heights(read, metres); !wrong.empty()) fail(wrong);
+    if (fill_ > 0)
+      if (const FilledVoids filled = fill_voids(read.grid, fill_); filled.count > 0)
+        read.notes.push_back(fmt::format("filled {} void{} of {} cell{} in all", filled.count,
+                                         filled.count == 1 ? "" : "s", filled.cells,
+                                         filled.cells == 1 ? "" : "s"));
+    if (const std::string wrong = fault(read.grid); !wrong.empty()) fail(wrong);
+    report_ = {fmt::format("{} cells of {:.6g} m, {}", with_commas(read.grid.heights.size()), read.grid.cell,
+                           heights_of(read.grid)),
+               read.crs,
+               {}};
+    for (const std::string& note : read.notes) report_.notes.push_back(fmt::format("{}: {}", file_, note));
+    return std::move(read.grid);
+  }
+
+  SurveyReport report() const override { return report_; }
+
  private:
-  std::string file_;
+  [[noreturn]] void fail(const std::string& text) const {
+    throw PluginError(fmt::format("plugin raster: {}: {}", file_, text));
+  }
+
+  void plan_to_metres(RasterFile& read) const {
+    if (plan_unit_.empty() && !read.plan_unit.empty() && read.plan_unit != "m")
+      fail(fmt::format(
+          "its coordinates are in {}: write `plan_unit: {}`, which converts them to m (places of the "
+          "scenario are then in m too), or project the grid first",
+          read.plan_unit == "ft" ? "feet" : "US survey feet", read.plan_unit));
+    if (plan_unit_.empty() || plan_unit_ == "m") return;
+    read.grid.cell *= metres_in(plan_unit_);
+    read.grid.corner *= metres_in(plan_unit_);
+  }
+
+  /// Returns the metres of one unit.
+  double heights_to_metres(RasterFile& read) const {
+    const bool is_plan_in_feet = !read.plan_unit.empty() && read.plan_unit != "m";
+    if (unit_.empty() && read.height_unit.empty() && is_plan_in_feet)
+      fail(fmt::format(
+          "its coordinates are in feet, and it does not say the unit of its heights: write `unit: {}` or "
+          "`unit: m`",
+          read.plan_unit));
+    const std::string& unit = unit_.empty() ? read.height_unit : unit_;
+    const double metres = scale_ * (unit.empty() ? 1 : metres_in(unit));
+    if (metres != 1)
+      for (double& z : read.grid.heights) z *= metres;
+    return metres;
+  }
+
+  std::string file_, unit_, plan_unit_;
+  double scale_ = 1;
+  std::optional<double> no_data_;
+  int fill_ = 0;                 ///< cells
+  mutable SurveyReport report_;  ///< of the last build_3d
 };
 
 }  // namespace

@@ -34,7 +34,9 @@ TEST_CASE("a profile says what is wrong with it") {
   CHECK(line({{0, 0}}).fault() == "a profile has 1 points, at least 2 are needed");
   CHECK(line({{0, 0}, {0, 0}, {1, 0}}).fault() == "a profile has the point (0, 0) twice in a row");
   CHECK(line({{0, 0}, {2, 1}, {1, 2}}).fault() ==
-        "x decreases from (2, 1) to (1, 2); a profile goes from left to right");
+        "x decreases from (2, 1) to (1, 2); a profile goes from left to right: sort the points, or, if the "
+        "wall overhangs there, "
+        "run in `dimension: 3` with the section extruded as a `mesh`");
   CHECK(line({{0, 0}, {1, 0}, {1, 2}, {1, 1}, {2, 1}}).fault() == "a profile turns straight back at (1, 2)");
   CHECK(line({{1, 0}, {1, 2}}).fault() == "a profile has no width: all its points have x = 1");
   Profile parts = line({{0, 0}, {1, 0}});
