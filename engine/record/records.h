@@ -35,8 +35,8 @@ struct RockRecord {
   double max_distance = 0;
   double stop_x = 0, stop_y = 0, stop_z = 0;
   double end_energy = 0;  ///< kinetic, J, with which its path ends
-  int end_part = -1;    ///< timed_out: the part of the terrain that it was on; -1: it was in the air
-  bool landed = false;  ///< it flew and has touched the terrain since: its flight range is known
+  int end_part = -1;      ///< timed_out: the part of the terrain that it was on; -1: it was in the air
+  bool landed = false;    ///< it flew and has touched the terrain since: its flight range is known
   double flight_range = 0;
   double bounce_height = 0;
   double max_speed = 0;

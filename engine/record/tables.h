@@ -37,7 +37,8 @@ struct Column {
   const char* doc = "";             ///< what it is, in a few words
   const char* statistic = nullptr;  ///< its name in measures, if there are statistics of it
   KnownFrom known = KnownFrom::end;
-  /// A place along x: of a censored rock that went towards smaller x it is no lower bound, and is taken as it is.
+  /// A place along x: of a censored rock that went towards smaller x it is no lower bound, and is taken as it
+  /// is.
   bool along_x = false;
   /// zero in 2D: then left out of rocks.csv and of tables with many rows for each rock
   bool in_space = false;

@@ -37,14 +37,14 @@ std::string value_with_region(const FittedModel& model, std::size_t k) {
 Json parameter_data(const FittedModel& model, std::size_t k) {
   const VariedNumber& varied = model.varied[k];
   const Calibration& calibration = model.calibration;
-  const int place = calibration.best.at[k];
+  const WayEnd end = end_at(calibration.best.at[k]);
   Json data =
       json_object("path", varied.path, "value", varied.si_at(best_share(model, k)), "low", Json(nullptr),
                   "high", Json(nullptr), "unit", varied.si, "text", varied.text_at(best_share(model, k)),
                   "range", Json{varied.si_at(0), varied.si_at(1)}, "bound",
-                  place == 0         ? Json("low")
-                  : place == lattice ? Json("high")
-                                     : Json(nullptr),
+                  end == WayEnd::low    ? Json("low")
+                  : end == WayEnd::high ? Json("high")
+                                        : Json(nullptr),
                   "determined", Json(nullptr));
   if (calibration.region) {
     const RegionRange& range = (*calibration.region)[k];

@@ -82,7 +82,7 @@ class Calibrating {
     };
     result_.best = *std::min_element(result_.evaluations.begin(), result_.evaluations.end(), less);
     result_.on_bound.clear();
-    for (const int place : result_.best.at) result_.on_bound.push_back(place == 0 || place == lattice);
+    for (const int place : result_.best.at) result_.on_bound.push_back(end_at(place) != WayEnd::none);
   }
 
   // The search.
@@ -217,6 +217,13 @@ class Calibrating {
 };
 
 }  // namespace
+
+WayEnd end_at(int place) {
+  constexpr int near = lattice / 100;
+  if (place <= near) return WayEnd::low;
+  if (place >= lattice - near) return WayEnd::high;
+  return WayEnd::none;
+}
 
 bool Calibration::any_on_bound() const {
   return std::find(on_bound.begin(), on_bound.end(), true) != on_bound.end();

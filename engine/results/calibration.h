@@ -22,6 +22,11 @@ inline constexpr int lattice = 960;  ///< steps of a number; a coarse grid's ste
 /// A place on the lattice: of each number from 0 to `lattice`.
 using LatticePoint = std::vector<int>;
 
+/// Which end of its way a best point is at. Within a hundredth of the way counts as the end: the misfit of a
+/// simulation is not smooth, so where a model is best beyond an end, the least misfit is found near it.
+enum class WayEnd { none, low, high };
+WayEnd end_at(int place);
+
 /// What is known of one point.
 struct Evaluation {
   LatticePoint at;

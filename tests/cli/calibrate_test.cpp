@@ -56,7 +56,7 @@ const std::string vary_mu = " --vary materials.rock.friction.mu=0.2:0.8 --evalua
 
 }  // namespace
 
-TEST_CASE("a number is found again, is judged on what was held back, and its scenario runs") {
+TEST_CASE("a number is found again, is judged on what was held back, and its scenario runs", "[slow]") {
   const Folder folder;
   write_measurements(folder);
   folder.write("site.yaml", slope("0.3", compared));
@@ -92,7 +92,7 @@ TEST_CASE("a number is found again, is judged on what was held back, and its sce
   CHECK(call(folder, "calibrate site.yaml" + vary_mu + " -o one").code == 2);  // it is finished
 }
 
-TEST_CASE("what was held back may be a table, or another scenario") {
+TEST_CASE("what was held back may be a table, or another scenario", "[slow]") {
   const Folder folder;
   write_measurements(folder);
   folder.write("site.yaml", slope("0.3", compared));
@@ -109,8 +109,8 @@ TEST_CASE("what was held back may be a table, or another scenario") {
   }
 }
 
-TEST_CASE(
-    "the best point at the end of its way is exit code 1; a number that does nothing is not determined") {
+TEST_CASE("the best point at the end of its way is exit code 1; a number that does nothing is not determined",
+          "[slow]") {
   const Folder folder;
   write_measurements(folder);
   folder.write("site.yaml", slope("0.3", compared));
@@ -128,7 +128,7 @@ TEST_CASE(
   CHECK(calibration_of(folder, "idle")["parameters"][0]["determined"] == false);
 }
 
-TEST_CASE("an interrupted calibration goes on and ends in the same bytes") {
+TEST_CASE("an interrupted calibration goes on and ends in the same bytes", "[slow]") {
   const Folder folder;
   write_measurements(folder);
   folder.write("site.yaml", slope("0.3", compared));
