@@ -112,9 +112,10 @@ class Gaps {
   }
 
   MeshFault gap_fault(const Pair& pair, const Gap& gap) const {
-    const std::string width = gap.least == gap.greatest
-                                  ? fmt::format("{:.3g} mm", 1e3 * gap.greatest)
-                                  : fmt::format("{:.3g} to {:.3g} mm", 1e3 * gap.least, 1e3 * gap.greatest);
+    const std::string least = fmt::format("{:.3g}", 1e3 * gap.least),
+                      greatest = fmt::format("{:.3g}", 1e3 * gap.greatest);
+    const std::string width =
+        least == greatest ? greatest + " mm" : fmt::format("{} to {} mm", least, greatest);
     const std::string where =
         fmt::format("at {}{}", place_text(at(gap.vertex)), lines_text(lines_, gap.triangle));
     const std::string more = gap.places == 1 ? "" : fmt::format(", and at {} other places", gap.places - 1);

@@ -4,7 +4,7 @@
 
 #include "program.h"
 
-namespace {
+namespace flyrock::install_test {
 
 using namespace flyrock::test;
 
@@ -74,8 +74,6 @@ flyrock_add_plugin(own own.cpp)
 )");
 }
 
-}  // namespace
-
 TEST_CASE("the installed program runs by itself, and a plugin is built against what is installed", "[slow]") {
   const Folder folder;
   const std::string build = fs::path(FLYROCK_BINARY).parent_path().parent_path().string();
@@ -113,3 +111,5 @@ TEST_CASE("the installed program runs by itself, and a plugin is built against w
   CHECK(other.code == 2);
   CHECK(other.err.find("version") != std::string::npos);
 }
+
+}  // namespace flyrock::install_test

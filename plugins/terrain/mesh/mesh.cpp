@@ -75,6 +75,11 @@ class MeshTerrain : public SurveyedTerrain {
     std::vector<MeshFault> found = faults(mesh, lines);
     if (found.empty() || found.front().kind != MeshFault::Kind::broken)
       for (MeshFault& gap : gap_faults(mesh, lines)) found.push_back(std::move(gap));
+    double widest = 0;  // one weld must join all gaps
+    for (const MeshFault& one : found)
+      if (one.kind == MeshFault::Kind::gap) widest = std::max(widest, one.size);
+    for (MeshFault& one : found)
+      if (one.kind == MeshFault::Kind::gap) one.size = widest;
     constexpr std::size_t most = 20;
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < std::min(most, found.size()); ++i)
