@@ -21,9 +21,11 @@ namespace flyrock::cli {
 
 namespace {
 
-constexpr std::array<Command, 16> commands = {{
+constexpr std::array<Command, 17> commands = {{
     {"run", "run SCENARIO [options]", "runs a scenario and writes its tables and report", run},
     {"merge", "merge DIR... -o DIR", "puts the shards of a run together", merge},
+    {"submit", "submit SCENARIO --slurm -n N [-j CORES] [-o DIR]",
+     "writes the scripts that run a scenario in shards on a cluster, and merge them", submit},
     {"report", "report DIR [--against DIR] [--pdf]",
      "builds report.html of a result folder again, beside another run or as a PDF", report},
     {"calibrate", "calibrate SCENARIO --vary PATH=LOW:HIGH [options]",

@@ -10,6 +10,7 @@
 #include "cli/loading.h"
 #include "cli/result_folder.h"
 #include "cli/runners.h"
+#include "cli/shard.h"
 #include "cli/summary_text.h"
 #include "cli/terminal.h"
 
@@ -48,16 +49,6 @@ void prepare(const Only& only, Plan& plan) {
       std::max(scenario.output.trajectories_first, static_cast<int>(only.trial) + 1);
 }
 
-/// "2/3"
-Shard read_shard(const std::string& text) {
-  const std::size_t slash = text.find('/');
-  if (slash == std::string::npos) throw UsageError(fmt::format("--shard: `{}`, expected i/n, as 1/3", text));
-  const Shard shard{whole_number(text.substr(0, slash), "--shard i", 1),
-                    whole_number(text.substr(slash + 1), "--shard n", 1)};
-  if (shard.number > shard.of) throw UsageError(fmt::format("--shard: `{}`, expected i from 1 to n", text));
-  return shard;
-}
-
 std::vector<ChunkRange> all_chunks(const Plan& plan) {
   return plan_chunks(static_cast<int>(plan.points.size()), plan.points.front().trials);
 }
@@ -87,6 +78,7 @@ struct Job {
   Request request;
   std::optional<Only> only;
   std::optional<Shard> shard;
+  bool in_shard_folder = false;  ///< shard-i of the folder
   int threads = 1;
   bool resume = false, force = false, quiet = false, strict = false;
 };
@@ -160,7 +152,8 @@ po::options_description run_options() {
   options.add_options()("only", po::value<std::string>()->value_name("point=P,trial=T"),
                         "replays one trial and shows its rocks")(
       "jobs,j", po::value<std::string>()->value_name("N"), "threads; default all cores")(
-      "shard", po::value<std::string>()->value_name("i/n"), "runs shard i of n, for `flyrock merge`")(
+      "shard", po::value<std::string>()->value_name("i/n|auto"),
+      "runs shard i of n, for `flyrock merge`; auto: as the cluster's task says, into shard-i of the folder")(
       "resume", "continues a run that was interrupted or killed")(
       "force", "replaces the results in an existing folder")("quiet", "no progress and no summary")(
       "strict",
@@ -176,7 +169,10 @@ Job read_job(const CommandLine& line) {
   job.request.overrides = overrides_of(line);
   job.threads = threads_of(line);
   if (line.has("only")) job.only = read_only(line.text("only"));
-  if (line.has("shard")) job.shard = job.request.shard = read_shard(line.text("shard"));
+  if (line.has("shard")) {
+    job.in_shard_folder = line.text("shard") == "auto";
+    job.shard = job.request.shard = job.in_shard_folder ? shard_of_task() : read_shard(line.text("shard"));
+  }
   job.resume = line.has("resume");
   job.force = line.has("force");
   job.quiet = line.has("quiet");
@@ -187,7 +183,8 @@ Job read_job(const CommandLine& line) {
 std::string default_folder(const Job& job, const std::string& scenario) {
   std::string name = "out/" + scenario;
   if (job.only) name += fmt::format("-p{}-t{}", job.only->point, job.only->trial);
-  if (job.shard) name += fmt::format("-shard-{}-of-{}", job.shard->number, job.shard->of);
+  if (job.shard && !job.in_shard_folder)
+    name += fmt::format("-shard-{}-of-{}", job.shard->number, job.shard->of);
   return name;
 }
 
@@ -233,7 +230,9 @@ int run(const Command& command, const Arguments& arguments) {
   if (!loaded) return bad_input;
   if (job.only) prepare(*job.only, loaded->plan);
   if (job.shard) warn_of_empty(*job.shard, loaded->plan);
-  ResultFolder folder(line.has("output") ? line.text("output") : default_folder(job, loaded->name), *loaded,
+  std::filesystem::path path = line.has("output") ? line.text("output") : default_folder(job, loaded->name);
+  if (job.in_shard_folder) path /= fmt::format("shard-{}", job.shard->number);
+  ResultFolder folder(path, *loaded,
                       job.resume  ? Existing::continued
                       : job.force ? Existing::replaced
                                   : Existing::refused);
