@@ -146,7 +146,8 @@ std::string residuals(const ObservationSummary& summary) {
   std::vector<ObservedRock> sorted;
   for (const ObservedRock& rock : summary.rocks)
     if (!std::isnan(rock.p50)) sorted.push_back(rock);
-  if (sorted.empty()) return "";
+  if (sorted.empty())
+    return paragraph("note", "Residuals and bands need at least 20 trials of each measured rock.");
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const ObservedRock& x, const ObservedRock& y) { return x.observed < y.observed; });
   for (std::size_t i = 0; i < sorted.size(); ++i) {
@@ -214,7 +215,7 @@ constexpr const char* style =
     "body{max-width:1000px;margin:0 auto;padding:24px;font:16px/1.5 system-ui,\"DejaVu Sans\",sans-serif;"
     "color:#1a1d21}h1{font-size:26px}h2{font-size:20px;border-top:1px solid #d5dae0;padding-top:12px}"
     ".note{color:#5a6370;font-size:14px}table{border-collapse:collapse;margin:8px 0}td,th{border:1px solid "
-    "#d5dae0;padding:2px 10px;text-align:left}svg{max-width:100%;height:auto}";
+    "#d5dae0;padding:2px 10px;text-align:left;overflow-wrap:anywhere}svg{max-width:100%;height:auto}";
 
 }  // namespace
 
