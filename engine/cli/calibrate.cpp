@@ -258,22 +258,26 @@ void judge_held(const CalibrationJob& job, const LoadedScenario& base, const Row
 /// Refuses a folder of something else; a calibration of the same scenario goes on.
 void open_calibration(const CalibrationJob& job) {
   const fs::path& folder = job.folder;
-  if (fs::exists(folder) && !fs::is_directory(folder))
+  std::error_code error;
+  const fs::file_status status = fs::status(folder, error);
+  if (error && status.type() != fs::file_type::not_found)
+    throw InputError(fmt::format("{}: {}", folder.string(), error.message()));
+  if (fs::exists(status) && !fs::is_directory(status))
     throw InputError(fmt::format("{} is no folder", folder.string()));
+  try {
+    make_folder(folder);
+  } catch (const FileError& fault) {
+    throw InputError(fault.what());
+  }
   if (job.force) {
     for (const char* name : {"calibration.json", "calibration.html", "evaluations.csv", "fitted.yaml"})
       fs::remove(folder / name);
     fs::remove_all(folder / "evaluations");
   } else if (fs::exists(folder / "calibration.json")) {
     throw UsageError(fmt::format("{} holds a finished calibration; --force replaces it", folder.string()));
-  } else if (fs::exists(folder) && !fs::is_empty(folder) && !fs::exists(folder / "evaluations")) {
+  } else if (!fs::is_empty(folder) && !fs::exists(folder / "evaluations")) {
     throw UsageError(
         fmt::format("{} is not empty and holds no calibration; --force writes into it", folder.string()));
-  }
-  try {
-    make_folder(folder);
-  } catch (const FileError& error) {
-    throw InputError(error.what());
   }
 }
 

@@ -50,7 +50,9 @@ std::vector<fs::path> with_its_files(const fs::path& scenario) {
 /// Copies what does not exist yet. Throws InputError.
 void copy_new(const fs::path& from, const fs::path& to) {
   std::error_code error;
-  if (fs::exists(to)) throw InputError(fmt::format("{}: exists already and is left as it is", to.string()));
+  if (fs::exists(to, error))
+    throw InputError(fmt::format("{}: exists already and is left as it is", to.string()));
+  error.clear();  // what cannot be asked cannot be made either
   fs::create_directories(to.parent_path(), error);
   if (!error) fs::copy(from, to, fs::copy_options::recursive, error);
   if (error) throw InputError(fmt::format("{}: cannot be written: {}", to.string(), error.message()));
@@ -82,8 +84,9 @@ int new_file(const Command& command, const Arguments& arguments) {
   if (folder.empty()) throw UsageError("--output: expected a folder");
   const std::vector<fs::path> files =
       wanted.find('/') == std::string::npos ? std::vector<fs::path>{from} : with_its_files(from);
+  std::error_code ignored;
   for (const fs::path& file : files)
-    if (const fs::path to = folder / file.filename(); fs::exists(to))
+    if (const fs::path to = folder / file.filename(); fs::exists(to, ignored))
       throw InputError(fmt::format("{}: exists already and is left as it is", to.string()));
   for (const fs::path& file : files) copy_new(file, folder / file.filename());
   return done;

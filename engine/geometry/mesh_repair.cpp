@@ -95,20 +95,20 @@ class Mender {
   /// A pass may leave others flat, which the next one drops.
   void drop_flat() {
     const int before = triangles();
-    std::vector<int> flat;
+    std::vector<int> without_area;
     for (int t = 0; t < before; ++t)
-      if (is_flat(t)) flat.push_back(t);
-    if (flat.empty()) return;
-    const std::string where =
-        fmt::format("{}, the first with a corner at {}", lines_of(flat), place_text(corner(flat[0], 0)));
+      if (is_flat(t)) without_area.push_back(t);
+    if (without_area.empty()) return;
+    const std::string where = fmt::format("{}, the first with a corner at {}", lines_of(without_area),
+                                          place_text(corner(without_area[0], 0)));
     join_equal_places(mesh_);
     constexpr int most_passes = 20;
     for (int pass = 0; pass < most_passes && drop_flat_once(); ++pass) {
     }
     mesh_ = welded(std::move(mesh_));
-    notes_.push_back(
-        fmt::format("dropped {}{}",
-                    counted(flat.size(), "triangle without an area", "triangles without an area"), where));
+    notes_.push_back(fmt::format(
+        "dropped {}{}", counted(without_area.size(), "triangle without an area", "triangles without an area"),
+        where));
   }
 
   bool drop_flat_once() {

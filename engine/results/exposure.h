@@ -54,8 +54,8 @@ class ExposureTally {
  private:
   struct Exposed {
     ExposurePlan plan;
-    double radius = 0;            ///< m; 0: not known yet
-    std::vector<double> nearest;  ///< m, a heap of the distances of the nearest landings
+    double radius = 0;                 ///< m; 0: not known yet
+    std::vector<double> nearest = {};  ///< m, a heap of the distances of the nearest landings
     std::uint64_t landings = 0, trials = 0;
     double density = 0;           ///< sum of w q / A
     double log_missed = 0;        ///< of the open trial: sum of w ln(1 - q)

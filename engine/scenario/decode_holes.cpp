@@ -251,12 +251,11 @@ void complete_holes(DecodeContext& context, const Node& blast, BlastPlan& plan) 
       if (face) face->put_burden(i, completed, plan);
       for (const auto& [field, value] : plan.forced) force(field, middle_of(context, value), completed);
       if (!plan.forced.empty()) complete(completed);
+      plan.hole_designs.push_back(design_of(completed, Pattern{}));
     } catch (const std::invalid_argument& fault) {
       context.diagnostics.error(plan.hole_places[i], blast.path + ".holes",
                                 fmt::format("{}: {}", called(hole), fault.what()));
-      continue;
     }
-    plan.hole_designs.push_back(design_of(completed, Pattern{}));
   }
   if (context.diagnostics.errors_given() != errors_before) return;
   if (face) warn_of_gaps(context, blast, plan);

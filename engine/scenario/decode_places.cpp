@@ -170,11 +170,12 @@ std::vector<ExposurePlan> decode_exposures(DecodeContext& context, const Node& n
     const int dimension = std::exchange(context.dimension, 2);  // places in plan have two coordinates
     const Section section = decode_section(context, item, place_section("exposure", dimension));
     context.dimension = dimension;
-    ExposurePlan plan{.name = section.text("name"),
-                      .area = section.constant("area"),
-                      .length = section.given("length") ? section.constant("length") : 0,
-                      .blasts_per_year = section.constant("blasts_per_year"),
-                      .energy = section.constant("energy")};
+    ExposurePlan plan;
+    plan.name = section.text("name");
+    plan.area = section.constant("area");
+    if (section.given("length")) plan.length = section.constant("length");
+    plan.blasts_per_year = section.constant("blasts_per_year");
+    plan.energy = section.constant("energy");
     plan.occupied = decode_occupied(context, item, section);
     read_exposed_place(context, item, section, profile, plan);
     return plan;

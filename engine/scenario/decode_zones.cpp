@@ -128,7 +128,7 @@ void decode_crs(DecodeContext& context, const Node& node, DecodedTerrain& terrai
   terrain.plan.crs = terrain.crs_of_file;
   const std::optional<Node> key = node.find("crs");
   if (!key) return;
-  const std::string& crs = decode_section(context, node, "terrain 3D").text("crs");
+  const std::string crs = decode_section(context, node, "terrain 3D").text("crs");
   const bool is_epsg = crs.starts_with("EPSG:") && crs.size() > 5 && crs.size() <= 11 &&
                        crs.find_first_not_of("0123456789", 5) == crs.npos;
   if (!is_epsg)

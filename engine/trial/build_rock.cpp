@@ -75,7 +75,9 @@ void TrialBuilder<D>::set_size_of_line(const TableRock& line, const TrialRock& r
     made.density = density;
   if (table.form) {
     made.lengths = table.lengths_of(line, density);
-    if (D == 2) made.thickness = thickness_of(*table.form, made.lengths);
+    if (D == 2)
+      made.thickness =
+          at_path(key_path(rock, "table"), [&] { return thickness_of(*table.form, made.lengths); });
   } else if (line.mass && density > 0) {
     made.diameter = std::cbrt(6 / pi * *line.mass / density);
   } else if (line.diameter || line.lengths) {
@@ -118,7 +120,7 @@ const MadeBody<D>& TrialBuilder<D>::made_body(const RockPlan<D>& plan, const Tri
   } else if (group.table && group.table->form) {
     made.is_kept = true;
     if (last.serves(made)) return last;
-    shape = shape_of<D>(*group.table->form, made.lengths);
+    shape = at_path(key_path(rock, "table"), [&] { return shape_of<D>(*group.table->form, made.lengths); });
   } else {
     if (!group.shape)
       throw ScenarioError(key_path(rock, "shape")(),

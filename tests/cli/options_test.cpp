@@ -35,6 +35,10 @@ const std::map<std::string, Sound>& sound_calls() {
       {"plugins", {""}},
       {"law", {"restitution/newton"}},
       {"course", {"signorini_coulomb"}},
+      {"grade", {FLYROCK_SOURCE_DIR "/scenarios/course/bouncing_ball.yaml", {{"with", "bouncing_ball"}}}},
+      {"new", {"restitution"}},
+      {"submit", {scenario + " --slurm", {{"shards", "2"}}}},
+      {"calibrate", {"fit.yaml --quiet --force", {{"vary", "rocks.r.launch.speed=5:15"}}}},
       {"verify", {""}},
       {"explain", {scenario, {{"impact", "1"}}}},
       {"solve", {"p.hdf5"}},
@@ -136,6 +140,14 @@ void fill(const Folder& folder) {
     REQUIRE(
         call(folder, "run " + scenario + " --quiet -o shard-" + shard + " --shard " + shard + "/2").code ==
         0);
+  folder.write("stops.csv", "distance\n9\n10\n11\n");
+  folder.write(
+      "fit.yaml",
+      "flyrock: 1\ndimension: 2\nmethod: ballistic\ntrials: 2\n"
+      "terrain: { type: profile, points: [[-10, 0], [500, 0]] }\n"
+      "rocks: [{ name: r, mass: 1, shape: { type: disk, radius: 0.1 }, release: { position: [0, 0.1] }, "
+      "launch: { type: fixed, speed: 9, elevation: 45 deg } }]\n"
+      "observed: { file: stops.csv, of: distance }\nstop: { time: 30 s }\n");
   call(folder,
        "explain " + scenario + " --impact 1 --save p.hdf5");  // without HDF5 `solve` refuses every file
 }

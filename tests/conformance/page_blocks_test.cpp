@@ -66,6 +66,21 @@ rocks:
     launch: { type: fixed, speed: 5 m/s, elevation: 20 deg }
 stop: { time: 60 s }
 )",
+    // points that fly, in 3D
+    R"(flyrock: 1
+dimension: 3
+method: ballistic
+terrain: { type: plane }
+materials:
+  rock: { restitution: { type: newton, en: 0.4 }, friction: { type: coulomb, mu: 0.6 } }
+rocks:
+  - name: thrown
+    density: 2700
+    shape: { type: sphere, radius: 0.1 }
+    release: { position: [0, 0, 2] }
+    launch: { type: fixed, speed: 40 m/s, elevation: 45 deg }
+stop: { time: 60 s }
+)",
 };
 
 const char* const trees = "x,y,dbh_cm,height_m,species\n20,3,40,25,fir\n25,-4,55,28,beech\n";
@@ -147,6 +162,8 @@ TEST_CASE("every YAML block of docs/scenario.md is accepted in a scenario") {
   const fs::path folder = fs::temp_directory_path() / ("flyrock_page_" + std::to_string(::getpid()));
   fs::create_directories(folder);
   std::ofstream(folder / "trees.csv") << trees;
+  std::ofstream(folder / "blocks.csv") << "block,weight_t,l1,l2,l3\na,0.5,0.8,0.6,0.5\nb,0.7,0.9,0.7,0.5\n";
+  std::ofstream(folder / "stops.csv") << "east_m,north_m\n30,1\n35,-2\n";
   int count = 0;
   for (const std::string& block : yaml_blocks(text_of(FLYROCK_SOURCE_DIR "/docs/scenario.md")))
     for (const std::string& example : examples_in(block)) {

@@ -53,6 +53,8 @@ TEST_CASE("every floor includes only itself and the floors below it") {
       const std::string extension = entry.path().extension();
       if (extension != ".h" && extension != ".cpp") continue;
       if (entry.path().parent_path() == tree) continue;  // the precompiled headers
+      if (entry.path().string().find("/templates/") != std::string::npos)
+        continue;  // of other people's plugins
       const std::string floor =
           tree.filename() == "plugins" ? "plugins" : entry.path().parent_path().filename().string();
       INFO("no floor: " << entry.path());

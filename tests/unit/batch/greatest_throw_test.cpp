@@ -91,6 +91,7 @@ TEST_CASE("Of a sweep the point that falls shortest is named") {
 TEST_CASE("The quarry's scenarios have one k a site and fly their distance models as they were fitted") {
   int seen = 0;
   for (const auto& entry : fs::directory_iterator(FLYROCK_SOURCE_DIR "/scenarios/quarry")) {
+    if (entry.path().extension() == ".csv") continue;  // a table of a scenario
     Diagnostics diagnostics;
     const auto loaded = load_scenario(entry.path().string(), {}, diagnostics);
     INFO(entry.path() << diagnostics.to_text());
