@@ -358,27 +358,19 @@ void TrialRunner::Trials<D>::run_points(Trial<D>& trial, const RunSettings& sett
     World<D>& world = trial.worlds[rock.world];
     Body<D>& body = world.bodies[rock.body];
     PointRun<D> run;
+    static_cast<AnyRun&>(run) = settings;
     run.forces = {world.gravity(), body.air};
     run.start_time = rock.start_time;
-    run.stop_time = settings.stop_time;
-    run.trajectory_every = settings.trajectory_every;
-    run.bin_width = settings.bin_width;
     if (!map_grid_.empty()) run.cells = &cells[rock.world][rock.body];
-    run.gates = gates_;
-    run.barriers = barriers_;
-    run.forest = run_forest_;
     run.key = rock.key;
     run.ends_at_touch = scenario_.method == Method::ballistic;
     if (!run.ends_at_touch) {
-      run.stop_speed = settings.stop_speed;
       run.rest_speed = world.settings().rest_speed;
-      run.keep_impacts = settings.keep_impacts;
       run.keep_extremes = !scenario_.bodies.empty();
       run.origin = world.origin;
       Surfaces& laws = trial.surfaces[rock.world];
       run.surfaces = laws.of_point(world, rock.body);
       run.quality = &world.quality();
-      run.interrupted = interrupted;
     }
     try {
       BodyHistory& history = histories[rock.world][rock.body];

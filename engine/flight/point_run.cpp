@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flight/crossing.h"
 #include "flight/faults.h"
-#include "flight/flight_log.h"
 #include "flight/ground.h"
+#include "flight/point_log.h"
 #include "flight/point_support.h"
 #include "flight/rest.h"
-#include "flight/run.h"
 
 namespace flyrock {
 
@@ -66,13 +66,12 @@ class PointRunner {
         run_(run),
         body_(body),
         now_{false, false, run.start_time, body.x, body.v},
-        log_(body, terrain, run),
-        rest_(RestWatch::Kind::point, run.stop_speed, log_.history()),
+        log_(body, terrain, run, history_),
+        rest_(RestWatch::Kind::point, run.stop_speed, history_),
         contact_(body, terrain, run.origin, run.surfaces),
         audit_(body, run.forces.gravity),
         slow_(std::max(0.05 * run.rest_speed, 1e-9)),
-        to_barriers_(approaches(run.barriers, in_plan(body.x))),
-        trees_(run.forest, terrain, body.volume, run.key) {}
+        crossing_(run, terrain, body.x, body.volume, run.key, history_) {}
 
   BodyHistory run() {
     if (run_.ends_at_touch) return fly_to_touch();
@@ -99,10 +98,10 @@ class PointRunner {
   BodyHistory fly_to_touch() {
     while (true) {
       const bool caught = fly_by_arcs(ground_of(terrain_));
-      if (caught) return log_.finish(now_, StopReason::caught);
-      if (now_.on_ground) return log_.finish(now_, StopReason::stopped);
-      if (now_.left) return log_.finish(now_, StopReason::left_domain);
-      if (now_.time >= run_.stop_time) return log_.finish(now_, StopReason::timed_out);
+      if (caught) return finish(StopReason::caught);
+      if (now_.on_ground) return finish(StopReason::stopped);
+      if (now_.left) return finish(StopReason::left_domain);
+      if (now_.time >= run_.stop_time) return finish(StopReason::timed_out);
     }
   }
 
@@ -115,7 +114,7 @@ class PointRunner {
                 run_.stop_time, [&](const Arc<D>& arc, ArcEnd& end) {
                   obstacle = first_obstacle(arc, end);
                   near_ = end.segment;
-                  log_.flew(arc, end.s);
+                  follow(arc, end.s);
                 });
     return stops_at(obstacle);
   }
@@ -127,9 +126,15 @@ class PointRunner {
     ArcEnd end = end_of(path, PointGround<D>{terrain_, near_});
     const Obstacle obstacle = first_obstacle(path, end);
     near_ = end.segment;
-    log_.flew(path, end.s);
+    follow(path, end.s);
     now_ = {end.on_ground, end.left, path.time(end.s), path.position(end.s), path.velocity(end.s)};
     return stops_at(obstacle);
+  }
+
+  template <class Curve>
+  void follow(const Curve& curve, double end) {
+    log_.flew(curve, end);
+    pass_gates(curve, end);
   }
 
   bool fly() {
@@ -168,7 +173,7 @@ class PointRunner {
         if (const double of_face = -v.dot(face.normal); of_face > approach) first = &face, approach = of_face;
       const double rounding = rounding_of_speed(v.norm());
       if (!(approach > rounding)) return approach < -rounding;
-      log_.landed(now_);
+      log_.touches(now_);
       if (approach > run_.rest_speed && i < most_impacts)
         collide(*first);
       else
@@ -179,7 +184,8 @@ class PointRunner {
   void collide(const Face<D>& face) {
     const auto bounce = contact_.strike(face, now_.time, now_.position, now_.velocity);
     log_.struck(now_);
-    if (run_.keep_impacts) log_.keep(contact_.record(face, now_.time, now_.position, bounce));
+    if (run_.keep_impacts)
+      history_.impacts.push_back(contact_.record(face, now_.time, now_.position, bounce));
     if (run_.quality) ++run_.quality->impact_problems;
     const double gain = contact_.energy_change(bounce);
     if (gain <= 0) return;
@@ -217,7 +223,7 @@ class PointRunner {
   /// Slides until the point leaves the face, stops, or its friction may change. Returns whether a barrier or
   /// a tree has caught the point.
   bool slide_on(const Support<D>& support) {
-    log_.landed(now_);
+    log_.touches(now_);
     const Sliding<D>& sliding = support.sliding;
     const double speed = sliding.velocity.norm(), slow = run_.stop_speed;
     double longest = run_.stop_time - now_.time;
@@ -240,8 +246,9 @@ class PointRunner {
         end = {*exit, false, true};
     }
     const Obstacle obstacle = first_obstacle(arc, end);
-    const Travel before = log_.history().travel;
+    const Travel before = history_.travel;
     log_.slid(arc, end.s, support.rolls ? TravelMode::roll : TravelMode::slide);
+    pass_gates(arc, end.s);
     const bool whole = end.s == 1;
     const double energy = run_.forces.air.drag > 0 ? audit_.energy(now_.position, now_.velocity) : 0;
     const double start = now_.time;
@@ -258,7 +265,7 @@ class PointRunner {
     const double left = rest_.time_to_rest(now_.time);
     return std::isinf(left) ? left : std::max(0.0, left) * (1 + 1e-12) + 1e-12;
   }
-  bool is_at_rest() { return !std::isnan(log_.history().stop_time); }
+  bool is_at_rest() { return !std::isnan(history_.stop_time); }
 
   std::optional<std::string> find_fault() {
     if (!std::isfinite(now_.position.squaredNorm()) ||
@@ -274,103 +281,95 @@ class PointRunner {
     return audit_.fault(now_.position, now_.velocity);
   }
 
+  BodyHistory finish(StopReason reason) {
+    log_.ended(now_, reason);
+    return std::move(history_);
+  }
   BodyHistory diverged(const std::string& why) {
-    log_.history().fault = why;
-    const BodyState last = log_.history().last;
-    BodyHistory history = log_.finish(now_, StopReason::diverged);
-    if (!now_.position.allFinite() || !now_.velocity.allFinite()) history.last = last;
-    return history;
+    history_.fault = why;
+    const BodyState last = history_.last;
+    log_.ended(now_, StopReason::diverged);
+    if (!now_.position.allFinite() || !now_.velocity.allFinite()) history_.last = last;
+    return std::move(history_);
   }
   BodyHistory left() {
-    log_.history().fault = left_text(domain_of(terrain_), now_.position);
-    return log_.finish(now_, StopReason::left_domain);
+    history_.fault = left_text(domain_of(terrain_), now_.position);
+    return finish(StopReason::left_domain);
   }
   BodyHistory end(StopReason reason) {
     if (is_at_rest()) {
       reason = StopReason::stopped;
-      log_.history().travel = rest_.travel();
+      history_.travel = rest_.travel();
     }
-    return log_.finish(now_, reason);
+    return finish(reason);
+  }
+
+  /// What is recorded of an arrival at a gate or barrier.
+  Arrival arrival(const Approach::Arrival& at, double time, const Vec<D>& position,
+                  const Vec<D>& velocity) const {
+    return {time, velocity.norm(), log_.energy(velocity.squaredNorm()),
+            log_.height(moved_to<D>(position, at.place)), at.along};
+  }
+  template <class Curve>
+  void pass_gates(const Curve& curve, double end) {
+    // Slightly beyond the end, because a path that ends at a barrier may end before a gate there by rounding.
+    const double until = std::min(curve.end(), end + 1e-12 * curve.end());
+    crossing_.pass_gates(curve, end, until, [&](const Approach::Arrival& at) {
+      return arrival(at, curve.time(at.time), curve.position(at.time), curve.velocity(at.time));
+    });
   }
 
   /// What ends a curve before its end: a barrier, a tree, or nothing.
   struct Obstacle {
-    int barrier = -1, tree = -1;
+    std::optional<typename Crossing<D>::AtBarrier> barrier;
+    int tree = -1;
   };
   template <class Curve>
   Obstacle first_obstacle(const Curve& curve, ArcEnd& end) {
     Obstacle first;
-    if (trees_.any() && !trees_.passive())
-      if (const auto touch = trees_.first(curve, end.s)) {
-        end = {touch->time, false, false, true};
+    const auto cut = [&](double s) { end = {s, false, false, true}; };
+    if (crossing_.has_trees())
+      if (const auto touch = crossing_.first_tree(curve, end.s)) {
+        cut(touch->time);
         first.tree = touch->tree;
       }
-    if (!to_barriers_.empty()) first.barrier = first_barrier(curve, end);
-    if (first.barrier >= 0) first.tree = -1;
-    if (trees_.any() && trees_.passive()) count_trees(curve, end.s);
+    if (crossing_.has_barriers()) first.barrier = crossing_.first_barrier(curve, end.s);
+    if (first.barrier) {
+      cut(first.barrier->at.time);
+      first.tree = -1;
+    }
+    crossing_.pass_trees(
+        curve, end.s, [&](double s) { return log_.energy(curve.velocity(s).squaredNorm()); },
+        [&](double s) { return curve.time(s); });
     return first;
   }
+  /// Whether a barrier or a tree catches the rock. Otherwise it goes on, slower if it went through.
   bool stops_at(const Obstacle& obstacle) {
-    if (obstacle.barrier >= 0) return catches(obstacle.barrier);
-    return obstacle.tree >= 0 && caught_by_tree(obstacle.tree);
-  }
-  bool caught_by_tree(int tree) {
-    double left = 1;
-    const double energy = log_.energy(now_.velocity.squaredNorm());
-    const TreeHit hit = trees_.hit(tree, now_.time, energy, now_.position, now_.velocity, left);
-    log_.met(hit, left);
-    return left == 0;
-  }
-  /// Trees that change nothing: the path goes on through them.
-  template <class Curve>
-  void count_trees(const Curve& curve, double end) {
-    while (const auto touch = trees_.first(curve, end)) {
-      Vec<D> velocity = curve.velocity(touch->time);
-      double left = 1;
-      log_.met(trees_.hit(touch->tree, curve.time(touch->time), log_.energy(velocity.squaredNorm()),
-                          curve.position(touch->time), velocity, left),
-               left);
+    typename Crossing<D>::Effect effect;
+    if (obstacle.barrier) {
+      const auto& [barrier, at] = *obstacle.barrier;
+      effect = crossing_.meets_barrier(barrier, arrival(at, now_.time, now_.position, now_.velocity));
+      now_.velocity *= effect.left;
+      log_.slowed(now_.time, effect.left);
+    } else if (obstacle.tree >= 0) {
+      const double energy = log_.energy(now_.velocity.squaredNorm());
+      effect = crossing_.hits_tree(obstacle.tree, now_.time, energy, now_.position, now_.velocity);
+      if (effect.left != 1) log_.slowed(now_.time, effect.left);
     }
-  }
-
-  /// The first barrier that the curve meets before its end; it then ends there. -1: none.
-  template <class Curve>
-  int first_barrier(const Curve& curve, ArcEnd& end) {
-    int first = -1;
-    for (std::size_t b = 0; b < to_barriers_.size(); ++b) {
-      const auto arrival = to_barriers_[b].arrival(in_plan(curve), end.s);
-      if (!arrival || (first >= 0 && arrival->time >= end.s)) continue;
-      end = {arrival->time, false, false, true};
-      first = static_cast<int>(b);
-      at_ = *arrival;
-    }
-    for (Approach& to_barrier : to_barriers_) to_barrier.move_to(in_plan(curve.position(end.s)));
-    return first;
-  }
-
-  /// Whether the barrier catches the rock. Otherwise the rock goes on, slower if it went through the barrier.
-  bool catches(int barrier) {
-    const Barrier& fence = run_.barriers[barrier];
-    to_barriers_[barrier].arrive();
-    const BarrierHit hit = meet(fence, barrier, log_.arrival(at_, now_), body_.volume);
-    const double left = velocity_left(fence, hit);
-    now_.velocity *= left;
-    log_.met(hit, left);
-    return hit.outcome == BarrierOutcome::caught;
+    return effect.caught;
   }
 
   const Terrain& terrain_;
   const PointRun<D>& run_;
   const Body<D>& body_;
   Landing<D> now_;
-  FlightLog<D> log_;
+  BodyHistory history_;
+  PointLog<D> log_;
   RestWatch rest_;
   PointContact<D> contact_;
   EnergyAudit<D> audit_;
   double slow_;  ///< m/s
-  std::vector<Approach> to_barriers_;
-  TreeWatch<D> trees_;
-  Approach::Arrival at_;                           ///< where the path met the last barrier
+  Crossing<D> crossing_;
   std::vector<Face<D>>& faces_ = kept_faces<D>();  ///< on which the point is
   int near_ = -1;                                  ///< the segment of its last touch, in 2D; -1: not known
   Vec<D> force_ = Vec<D>::Zero();                  ///< m/s2, gravity and the push of the air in the next leg

@@ -1,38 +1,27 @@
 #pragma once
 // One rock as a point at its centre of mass: the methods `ballistic` and `lumped_mass`.
 
+#include "flight/any_run.h"
 #include "flight/point_contact.h"
-#include "flight/tree_watch.h"
 #include "record/plan_cells.h"
 #include "world/body.h"
-#include "world/places.h"
 
 namespace flyrock {
 
 /// A ballistic run is a lumped mass that ends at its first touch of the ground.
 template <int D>
-struct PointRun {
+struct PointRun : AnyRun {
   Forces<D> forces;
-  /// s; a flight whose start_time is later than its stop_time is timed out at its start
-  double start_time = 0, stop_time = 60;
-  double trajectory_every = 0;  ///< s between stored points; 0: none
-  double bin_width = 0;         ///< m, of BodyHistory::path; 0: no bins are kept; 2D only
-  PlanCells* cells = nullptr;   ///< where the path is recorded for maps; null: nowhere; 3D only
-  std::span<const Gate> gates;
-  std::span<const Barrier> barriers;
-  RunForest forest;
-  DrawKey key;  ///< of the draws of the rock, for trees
+  double start_time = 0;       ///< s
+  PlanCells* cells = nullptr;  ///< where the path is recorded for maps; null: nowhere; 3D only
+  DrawKey key;                 ///< of the draws of the rock, for trees
 
-  bool ends_at_touch = true;  ///< all below is of a run that goes on
-  double stop_speed =
-      0.05;  ///< m/s; a point that is slower for `rest_time` on the ground is at rest; 0: never
-  double rest_speed = 0.02;  ///< m/s; an approach that is not faster has no restitution
-  bool keep_impacts = true;
-  bool keep_extremes = true;           ///< of each component of the state, BodyHistory::min and max
-  Vec<D> origin = Vec<D>::Zero();      ///< from where the engine counts, for the laws [m]
+  bool ends_at_touch = true;       ///< all below, and stop_speed and keep_impacts, are of a run that goes on
+  double rest_speed = 0.02;        ///< m/s; an approach that is not faster has no restitution
+  bool keep_extremes = true;       ///< of each component of the state, BodyHistory::min and max
+  Vec<D> origin = Vec<D>::Zero();  ///< from where the engine counts, for the laws [m]
   std::span<Surface* const> surfaces;  ///< of each part of the terrain; null: no laws
   SolverQuality* quality = nullptr;    ///< where impacts and gains of energy are counted; may be null
-  bool (*interrupted)() = [] { return false; };  ///< true: throw Interrupted
 };
 
 /// Moves the body from its position with its velocity. Its spin counts only in a run that ends at the first

@@ -7,11 +7,14 @@
 #include <optional>
 #include <string>
 
+#include "flight/body_log.h"
+#include "flight/crossing.h"
 #include "flight/faults.h"
 #include "flight/ground.h"
 #include "flight/jam.h"
-#include "flight/observer.h"
 #include "flight/rest.h"
+#include "flight/series_recorder.h"
+#include "math/travel_time.h"
 
 namespace flyrock {
 
@@ -40,15 +43,11 @@ class Runner {
       : world_(world),
         settings_(settings),
         histories_(histories),
-        observer_(world, settings.trajectory_every, settings.keep_impacts, settings.bin_width, settings.cells,
-                  histories),
-        crossings_(world, settings.gates, settings.barriers, settings.forest, settings.keys, histories),
         faults_(world, settings.exact_flight),
         jam_(world),
         running_(world.bodies.size()) {
     for (std::size_t i = 0; i < running_.size(); ++i) running_[i] = world.bodies[i].kind == BodyKind::dynamic;
-    for (BodyHistory& history : histories)
-      rest_.emplace_back(RestWatch::Kind::body, settings.stop_speed, history);
+    watch_bodies();
     breathes_ = std::any_of(world.bodies.begin(), world.bodies.end(),
                             [](const Body<D>& b) { return b.breathing.moves(); });
     in_air_ = std::any_of(world.bodies.begin(), world.bodies.end(),
@@ -91,6 +90,20 @@ class Runner {
   }
 
  private:
+  /// What follows each body. The histories stay where they are from now on.
+  void watch_bodies() {
+    histories_.resize(world_.bodies.size());
+    for (std::size_t i = 0; i < world_.bodies.size(); ++i) {
+      const Body<D>& body = world_.bodies[i];
+      BodyHistory& history = histories_[i];
+      logs_.emplace_back(world_, static_cast<int>(i), settings_,
+                         settings_.cells.empty() ? nullptr : &settings_.cells[i], history);
+      crossings_.emplace_back(settings_, world_.terrain(), body.x, body.volume,
+                              i < settings_.keys.size() ? settings_.keys[i] : DrawKey(), history);
+      rest_.emplace_back(RestWatch::Kind::body, settings_.stop_speed, history);
+    }
+  }
+
   int bodies() const { return static_cast<int>(world_.bodies.size()); }
   bool anybody() const {
     return std::any_of(running_.begin(), running_.end(), [](bool r) { return r; });
@@ -101,7 +114,7 @@ class Runner {
   void end(int body, StopReason reason) {
     running_[body] = false;
     if (reason == StopReason::stopped) histories_[body].travel = rest_[body].travel();
-    observer_.ended(body, reason);
+    logs_[body].ended(reason);
   }
 
   /// Ends the run where a driven body presses others and something has to give way.
@@ -151,9 +164,17 @@ class Runner {
               " impacts one by one at one instant do not end: their losses do not "
               "stop these contacts");
     if (outcome.new_touch) hit();
-    observer_.arrived();
+    arrived();
     for (const auto& contact : world_.contacts()) land(contact);
     return outcome.in_contact;
+  }
+
+  /// Records the end of a step or an impact: its impacts and the present state of all bodies.
+  void arrived() {
+    for (const Impact& impact : world_.impacts())
+      for (const int body : {impact.body, impact.other})
+        if (body >= 0) logs_[body].struck(impact);
+    for (BodyLog<D>& log : logs_) log.arrived();
   }
 
   /// Keeps the impact that was solved now.
@@ -163,7 +184,7 @@ class Runner {
   }
 
   void land(const typename World<D>::Contact& contact) {
-    if (contact.antagonist < 0) observer_.landed(contact.candidate);
+    if (contact.antagonist < 0) logs_[contact.candidate].touches();
   }
 
   /// Flies all bodies to the next touch, or to the end of the domain, of the run or of a leg through air.
@@ -197,7 +218,7 @@ class Runner {
         if (!world_.bodies[i].moves()) continue;
         const Body<D>& body = world_.bodies[i];
         const Motion flight = world_.flight_of(i);
-        dt = std::min({dt, time_in_domain(flight), running_[i] ? crossings_.time_to_barrier(i, flight) : dt});
+        dt = std::min({dt, time_in_domain(flight), running_[i] ? crossings_[i].time_to_barrier(flight) : dt});
         const TouchSearch search{world_.held(i, -1), false, 0, body.size, &world_.quality().toc_iterations};
         near_parts(body.parts, body.pose(), world_.terrain(), greatest_travel(flight, body.size, dt), parts_);
         for (const int k : parts_)
@@ -207,7 +228,7 @@ class Runner {
     }
     for (int i = 0; i < bodies(); ++i)
       if (running_[i] && world_.bodies[i].moves())
-        if (const double tree = crossings_.time_to_tree(i, world_.flight_of(i), dt); tree < dt)
+        if (const double tree = crossings_[i].time_to_tree(world_.flight_of(i), dt); tree < dt)
           dt = tree, touch = false;
     for (int i = 0; i < bodies(); ++i) {
       if (!running_[i] || !world_.bodies[i].moves()) continue;
@@ -228,7 +249,7 @@ class Runner {
     for (int i = 0; i < bodies(); ++i) {
       flights_.push_back(world_.flight_of(i));
       if (!running_[i]) continue;
-      observer_.flew(i, flights_[i], start, dt);
+      logs_[i].flew(flights_[i], start, dt);
       // a resting body may lose contact for a shorter time
       if (dt > world_.settings().time_step) rest_[i].moves();
     }
@@ -275,7 +296,8 @@ class Runner {
   static double departure(const Path<D>& path, double x, int side, int axis) {
     const double speed = side * path.v[axis], push = side * path.a[axis];
     const bool inside = side * (x - path.x[axis]) > 0;
-    if (inside || speed > 0 || (speed == 0 && push > 0)) return arrival(path, x, side, axis);
+    if (inside || speed > 0 || (speed == 0 && push > 0))
+      return travel_times(side * (x - path.x[axis]), speed, push)[0];
     return push > 0 ? -2 * speed / push : std::numeric_limits<double>::infinity();
   }
 
@@ -332,17 +354,16 @@ class Runner {
       if (!running_[i]) continue;
       const Travel before = histories_[i].travel;
       if (touching_[i]) {
-        observer_.stepped(i, flights_[i], outcome.duration,
-                          slipping_[i] ? TravelMode::slide : TravelMode::roll);
+        logs_[i].stepped(flights_[i], outcome.duration, slipping_[i] ? TravelMode::slide : TravelMode::roll);
         const Vec<D>* pivot = touching_[i] == 1 ? &normals_[i] : nullptr;
         rest_[i].rests(start, world_.time, pace_of(starts_[i].v, starts_[i].w, body.radius, pivot),
                        pace_of(body.v, body.w, body.radius, pivot), before);
       } else {
-        if (outcome.duration > 0) observer_.flew(i, flights_[i], start, outcome.duration);
+        if (outcome.duration > 0) logs_[i].flew(flights_[i], start, outcome.duration);
         rest_[i].moves();
       }
     }
-    observer_.arrived();
+    arrived();
     arrive(start, outcome.duration);
     return outcome.new_touch ? collide() : outcome.in_contact;
   }
@@ -361,7 +382,7 @@ class Runner {
       if (!running_[i]) continue;
       const Path<D> ahead{world_.bodies[i].x, world_.bodies[i].v};
       const double meets =
-          std::min(crossings_.time_to_barrier(i, ahead), crossings_.time_to_tree(i, ahead, h));
+          std::min(crossings_[i].time_to_barrier(ahead), crossings_[i].time_to_tree(ahead, h));
       h = std::min(h, std::max(meets, 0.01 * chosen));
     }
     return h;
@@ -377,7 +398,8 @@ class Runner {
         continue;
       }
       const double energy = faults_.energy_of(i);
-      if (crossings_.moved(i, flights_[i], start, dt)) leave(i, StopReason::caught);
+      if (crossings_[i].moved(world_.bodies[i], flights_[i], start, dt, world_.time))
+        leave(i, StopReason::caught);
       faults_.take(energy - faults_.energy_of(i));
     }
   }
@@ -437,12 +459,13 @@ class Runner {
   World<D>& world_;
   const RunSettings& settings_;
   std::vector<BodyHistory>& histories_;
-  Observer<D> observer_;
   std::optional<SeriesRecorder<D>> series_;
-  Crossings<D> crossings_;
   Faults<D> faults_;
   ProgressWatch progress_;
   JamWatch<D> jam_;
+  // Of each body:
+  std::vector<BodyLog<D>> logs_;
+  std::vector<Crossing<D>> crossings_;
   std::vector<RestWatch> rest_;
   std::vector<char> running_;  ///< of characters, because bits cost more to set than they save
   std::vector<int> touching_;  ///< the number of contacts of each body in the last step

@@ -4,32 +4,20 @@
 #include <functional>
 #include <vector>
 
-#include "flight/crossings.h"
+#include "flight/any_run.h"
 #include "flight/series_recorder.h"
 #include "record/plan_cells.h"
 
 namespace flyrock {
 
-struct RunSettings {
-  bool exact_flight = true;  ///< false: fixed steps throughout, for comparison with the literature
-  double stop_time = 60;     ///< s
-  double stop_speed = 0.05;  ///< m/s; a body that is slower for `rest_time` in contact is at rest; 0: never
-  double trajectory_every = 0;  ///< s between stored points; 0: none
-  bool keep_impacts = true;
-  double bin_width = 0;        ///< m, of BodyHistory::path; 0: no bins are kept; needs a terrain with ends
+struct RunSettings : AnyRun {
+  bool exact_flight = true;    ///< false: fixed steps throughout, for comparison with the literature
   std::span<PlanCells> cells;  ///< of each body, where its path is recorded for maps; empty: for none
   const SeriesRequest* series = nullptr;  ///< null: no rows over time
   /// Called after each step with its length [s], and after each impact with 0. May be empty.
   std::function<void(double step)> advanced;
-  std::span<const Gate> gates;
-  std::span<const Barrier> barriers;
-  RunForest forest;
-  std::span<const DrawKey> keys;                 ///< of the draws of each body, for trees
-  bool (*interrupted)() = [] { return false; };  ///< called at each step and flight; true: throw Interrupted
+  std::span<const DrawKey> keys;  ///< of the draws of each body, for trees
 };
-
-/// Thrown by a run that was interrupted. Its results are incomplete and must not be used.
-struct Interrupted {};
 
 /// Runs the world until every dynamic body has stopped or left the terrain, or the time is up. With exact
 /// flight:

@@ -49,7 +49,7 @@ enum class StopReason { stopped, left_domain, timed_out, caught, diverged, plugi
 inline constexpr std::size_t stop_reasons = 7;
 const char* name_of(StopReason reason);
 
-/// The arrival of a body's centre of mass at a gate or barrier; see flight/crossings.h.
+/// The arrival of a body's centre of mass at a gate or barrier; see flight/crossing.h.
 struct Arrival {
   double time = 0;
   double speed = 0;           ///< m/s

@@ -1,10 +1,9 @@
-#include "flight/flight_log.h"
+#include "flight/point_log.h"
 
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
-#include "flight/over_cells.h"
 #include "math/polynomial.h"
 
 namespace flyrock {
@@ -68,70 +67,57 @@ void visit_highest(const Arc<3>& arc, const Ground3& ground, double end, Look lo
 }  // namespace
 
 template <int D>
-FlightLog<D>::FlightLog(const Body<D>& body, const Terrain& terrain, const PointRun<D>& run)
+PointLog<D>::PointLog(const Body<D>& body, const Terrain& terrain, const PointRun<D>& run,
+                      BodyHistory& history)
     : body_(body),
       terrain_(terrain),
       run_(run),
+      history_(history),
+      log_(run, terrain, run.start_time, run.cells, history),
       spin_(Body<D>::no_spin()),
       spin_since_(run.start_time),
       attitude_(body.attitude),
-      twice_spin_energy_(0),
-      next_sample_(run.start_time),
-      to_gates_(approaches(run.gates, in_plan(body.x))) {
+      twice_spin_energy_(0) {
   if (run.ends_at_touch) {
     spin_ = body.w;
     twice_spin_energy_ = twice_spin_energy(body, body.attitude, body.w);
   }
-  history_.begin(state(run.start_time, body.x, body.v));
-  history_.bounce_height = height(body.x);
-  history_.path = bins_over(ground_of(terrain), run.bin_width);
+  log_.begin(state(run.start_time, body.x, body.v), bins_over(ground_of(terrain), run.bin_width));
+  history.bounce_height = height(body.x);
 }
 
 template <int D>
-template <class Curve>
-void FlightLog<D>::flew(const Curve& curve, double end) {
-  if (end * curve.length > 0) has_flown_ = true;
-  see(curve, end, history_.landed ? TravelMode::bounce : TravelMode::flight);
-}
-
-template <int D>
-void FlightLog<D>::slid(const Arc<D>& arc, double end, TravelMode mode) {
+void PointLog<D>::slid(const Arc<D>& arc, double end, TravelMode mode) {
   history_.contact_time += end * arc.length;
   see(arc, end, mode);
 }
 
+/// A run that ends at its touch stores no ends of arcs.
 template <int D>
 template <class Curve>
-void FlightLog<D>::see(const Curve& curve, double end, TravelMode mode) {
-  mode_ = mode;
-  if (run_.trajectory_every > 0) sample(curve, end);
-  follow(curve, end);
-  if (!to_gates_.empty()) pass_gates(curve, end);
-  if (run_.trajectory_every > 0 && !run_.ends_at_touch) store(at(curve, end));
-}
-
-/// Stores the points of a trajectory along a curve.
-template <int D>
-template <class Curve>
-void FlightLog<D>::sample(const Curve& curve, double end) {
-  for (; next_sample_ < curve.time(end); next_sample_ += run_.trajectory_every)
-    store(at(curve, (next_sample_ - curve.start) * (curve.end() / curve.length)));
+void PointLog<D>::see(const Curve& curve, double end, TravelMode mode) {
+  follow(curve, end, mode);
+  if (!log_.stores()) return;
+  log_.visit_due(curve.time(end),
+                 [&](double time) { store(at(curve, (time - curve.start) * (curve.end() / curve.length))); });
+  if (!run_.ends_at_touch) store(at(curve, end));
 }
 
 /// As for bodies: in closed form, over a straight line in plan.
 template <int D>
-void FlightLog<D>::follow(const Parabola<D>& path, double end) {
+void PointLog<D>::follow(const Parabola<D>& path, double end, TravelMode mode) {
+  log_.travels(mode, end, path_length<D>(path, end));
   if (run_.keep_extremes || run_.keep_impacts) apex(path, end);
   widen(path, end);
-  over_ground(path, end);
-  if (run_.cells) map(path, end);
-  history_.travel.add(mode_, end, path_length<D>(path, end));
+  log_.passes(
+      path, end, [&](double t) { return path.velocity(t).squaredNorm(); },
+      [&](double squared) { return energy(squared); });
 }
 
 template <int D>
-void FlightLog<D>::follow(const Arc<D>& arc, double end) {
-  if (!run_.ends_at_touch && arc.is_parabola) return follow(arc.parabola(), end * arc.length);
-  history_.travel.add(mode_, end * arc.length, path_length(arc, end));
+void PointLog<D>::follow(const Arc<D>& arc, double end, TravelMode mode) {
+  if (!run_.ends_at_touch && arc.is_parabola) return follow(arc.parabola(), end * arc.length, mode);
+  log_.travels(mode, end * arc.length, path_length(arc, end));
   turns(arc, end);
   widen(arc, end);
   highest(arc, end);
@@ -141,16 +127,16 @@ void FlightLog<D>::follow(const Arc<D>& arc, double end) {
 
 /// The highest place of a parabola. Speed and distance are greatest at the ends of an arc.
 template <int D>
-void FlightLog<D>::apex(const Parabola<D>& path, double end) {
+void PointLog<D>::apex(const Parabola<D>& path, double end) {
   const double apex = path.a[D - 1] < 0 ? path.v[D - 1] / -path.a[D - 1] : -1;
   if (!(apex > 0 && apex <= end)) return;
   if (run_.keep_extremes) widen(path, apex);
-  if (run_.keep_impacts && history_.impact_count > 0 && mode_ == TravelMode::bounce)
-    history_.apexes.push_back({path.time(apex), path.position(apex)[D - 1] - first_contact_height_});
+  if (run_.keep_impacts && history_.impact_count > 0 && log_.mode() == TravelMode::bounce)
+    log_.apex(path.time(apex), path.position(apex));
 }
 
 template <int D>
-void FlightLog<D>::turns(const Arc<D>& arc, double end) {
+void PointLog<D>::turns(const Arc<D>& arc, double end) {
   const Vec<D> up = Vec<D>::Unit(D - 1);
   if (const auto apex = first_fall(arc.rate_along(up), 0, end); apex && *apex > 0) widen(arc, *apex);
   for (int k = 0; k < D - 1; ++k)  // points at which wind reverses the rock
@@ -160,39 +146,14 @@ void FlightLog<D>::turns(const Arc<D>& arc, double end) {
 }
 
 template <int D>
-void FlightLog<D>::land(const Landing<D>& now) {
-  history_.landed = true;
-  history_.flight_range = horizontal(Vec<D>(now.position - body_.x));
-}
-
-template <int D>
-void FlightLog<D>::struck(const Landing<D>& after) {
-  if (history_.impact_count++ == 0) first_contact_height_ = after.position[D - 1];
+void PointLog<D>::struck(const Landing<D>& after) {
+  log_.struck(after.position);
   include(after.time, after.position, after.velocity);
-  if (run_.trajectory_every > 0) store(state(after.time, after.position, after.velocity));
+  if (log_.stores()) store(state(after.time, after.position, after.velocity));
 }
 
 template <int D>
-Arrival FlightLog<D>::arrival(const Approach::Arrival& at, const Landing<D>& now) const {
-  return {now.time, now.velocity.norm(), energy(now.velocity.squaredNorm()),
-          height(moved_to<D>(now.position, at.place)), at.along};
-}
-
-template <int D>
-void FlightLog<D>::met(const BarrierHit& hit, double left) {
-  slow(hit.time, left);
-  history_.barriers.push_back(hit);
-}
-
-template <int D>
-void FlightLog<D>::met(const TreeHit& hit, double left) {
-  if (left != 1) slow(hit.time, left);
-  history_.trees.push_back(hit);
-}
-
-/// The spin is scaled.
-template <int D>
-void FlightLog<D>::slow(double time, double left) {
+void PointLog<D>::slowed(double time, double left) {
   attitude_ = attitude(time);
   spin_since_ = time;
   spin_ *= left;
@@ -200,7 +161,7 @@ void FlightLog<D>::slow(double time, double left) {
 }
 
 template <int D>
-BodyHistory FlightLog<D>::finish(const Landing<D>& end, StopReason reason) {
+void PointLog<D>::ended(const Landing<D>& end, StopReason reason) {
   history_.reason = reason;
   if (!run_.keep_extremes) {
     history_.max_speed = std::max(history_.max_speed, std::sqrt(max_squared_speed_));
@@ -208,18 +169,15 @@ BodyHistory FlightLog<D>::finish(const Landing<D>& end, StopReason reason) {
   }
   history_.last = state(end.time, end.position, end.velocity);
   if (run_.ends_at_touch && reason == StopReason::stopped) {
-    landed(end);
-    history_.landed = true;
+    log_.lands(end.position);
     history_.stop_time = end.time;
   }
-  if (!history_.landed && (has_flown_ || run_.ends_at_touch))
-    history_.flight_range = horizontal(Vec<D>(end.position - body_.x));
-  if (run_.trajectory_every > 0) store(history_.last);
-  return std::move(history_);
+  if (!history_.landed && (log_.has_flown() || run_.ends_at_touch)) log_.ends_flight(end.position);
+  if (log_.stores()) store(history_.last);
 }
 
 template <int D>
-BodyState FlightLog<D>::state(double time, const Vec<D>& position, const Vec<D>& velocity) const {
+BodyState PointLog<D>::state(double time, const Vec<D>& position, const Vec<D>& velocity) const {
   BodyState state;
   state.time = time;
   state.position.template head<D>() = position;
@@ -236,57 +194,25 @@ BodyState FlightLog<D>::state(double time, const Vec<D>& position, const Vec<D>&
 
 template <int D>
 template <class Curve>
-BodyState FlightLog<D>::at(const Curve& curve, double s) const {
-  return state(curve.time(s), curve.position(s), curve.velocity(s));
-}
-
-template <int D>
-void FlightLog<D>::store(const BodyState& s) {
-  auto& points = history_.trajectory;
-  if (!run_.ends_at_touch && !points.empty() && points.back().state.time == s.time)
-    points.back().state = s;  // an impact changes the velocity, but not the mode in which the point arrived
-  else
-    points.push_back({s, mode_, quaternion_of(attitude(s.time))});
-}
-
-template <int D>
-template <class Curve>
-void FlightLog<D>::widen(const Curve& curve, double s) {
+void PointLog<D>::widen(const Curve& curve, double s) {
   const Vec<D> position = curve.position(s);
   include(curve.time(s), position, curve.velocity(s));
-  history_.max_distance = std::max(history_.max_distance, horizontal(Vec<D>(position - body_.x)));
+  log_.reaches(position);
 }
 
 template <int D>
-void FlightLog<D>::include(double time, const Vec<D>& position, const Vec<D>& velocity) {
+void PointLog<D>::include(double time, const Vec<D>& position, const Vec<D>& velocity) {
   if (run_.keep_extremes) return history_.include(state(time, position, velocity));
   max_squared_speed_ = std::max(max_squared_speed_, velocity.squaredNorm());
 }
 
 template <int D>
-double FlightLog<D>::height(const Vec<D>& p) const {
+double PointLog<D>::height(const Vec<D>& p) const {
   return p[D - 1] - ground_at(ground_of(terrain_), p);
 }
 
 template <int D>
-template <class Curve>
-void FlightLog<D>::pass_gates(const Curve& curve, double end) {
-  // Slightly beyond the end, because a path that ends at a barrier may end before a gate there by rounding.
-  const double until = std::min(curve.end(), end + 1e-12 * curve.end());
-  for (std::size_t g = 0; g < to_gates_.size(); ++g) {
-    const auto arrival = to_gates_[g].arrival(in_plan(curve), until);
-    to_gates_[g].move_to(in_plan(curve.position(end)));
-    if (!arrival) continue;
-    to_gates_[g].arrive();
-    const Vec<D> velocity = curve.velocity(arrival->time), position = curve.position(arrival->time);
-    history_.passages.push_back({{curve.time(arrival->time), velocity.norm(), energy(velocity.squaredNorm()),
-                                  height(moved_to<D>(position, arrival->place)), arrival->along},
-                                 static_cast<int>(g)});
-  }
-}
-
-template <int D>
-void FlightLog<D>::highest(const Arc<D>& arc, double end) {
+void PointLog<D>::highest(const Arc<D>& arc, double end) {
   const auto look = [&](double s) {
     history_.bounce_height = std::max(history_.bounce_height, height(arc.position(s)));
   };
@@ -297,8 +223,8 @@ void FlightLog<D>::highest(const Arc<D>& arc, double end) {
 /// Fills the bins along x. Within a piece of an arc, x is taken as linear in time. Without wind the error is
 /// k v^2 t^2 / 8, a few centimetres.
 template <int D>
-void FlightLog<D>::bins(const Arc<D>& arc, double end) {
-  if (run_.bin_width <= 0) return;
+void PointLog<D>::bins(const Arc<D>& arc, double end) {
+  if (!log_.has_bins()) return;
   const int pieces = arc.is_parabola ? 1 : 4;
   for (int i = 0; i < pieces; ++i) {
     const double from = end * i / pieces, to = end * (i + 1) / pieces;
@@ -315,35 +241,10 @@ void FlightLog<D>::bins(const Arc<D>& arc, double end) {
   }
 }
 
-/// The greatest height above the ground, and the bins along x.
-template <int D>
-void FlightLog<D>::over_ground(const Path<D>& path, double dt) {
-  const double rate = rate_along_x(path, dt);
-  const auto see = [&](double from, double to, const auto& highest) {
-    history_.bounce_height = std::max(history_.bounce_height, highest(from, to));
-    if (run_.bin_width <= 0) return;
-    history_.path.visit(path.x.x(), rate, from, to, [&](PathBin& bin, double t0, double t1) {
-      bin.height = std::max(bin.height, highest(t0, t1));
-      const double squared = std::max(path.velocity(t0).squaredNorm(), path.velocity(t1).squaredNorm());
-      bin.speed = std::max(bin.speed, std::sqrt(squared));
-      bin.energy = std::max(bin.energy, energy(squared));
-    });
-  };
-  visit_heights(terrain_, path, dt, see, near_);
-}
-
-/// Records a path for maps.
-template <int D>
-void FlightLog<D>::map(const Path<D>& path, double dt) {
-  over_cells(
-      terrain_, path, dt, *run_.cells, [&](double t) { return path.velocity(t).squaredNorm(); },
-      [&](double squared) { return energy(squared); });
-}
-
 /// In air, a quarter of an arc is a parabola between its ends, straight in plan: an error of at most
 /// |a| dt^2 / 8, some centimetres.
 template <int D>
-void FlightLog<D>::map(const Arc<D>& arc, double end) {
+void PointLog<D>::map(const Arc<D>& arc, double end) {
   const int pieces = arc.is_parabola ? 1 : 4;
   for (int i = 0; i < pieces; ++i) {
     const double from = end * i / pieces, dt = end * (i + 1) / pieces * arc.length - from * arc.length;
@@ -351,15 +252,17 @@ void FlightLog<D>::map(const Arc<D>& arc, double end) {
     Path<D> path{arc.position(from), arc.velocity(from)};
     const double half = 0.5 * dt * dt;
     if (half > 0) path.a = (arc.position(end * (i + 1) / pieces) - path.x - dt * path.v) / half;
-    map(path, dt);
+    log_.map(
+        path, dt, [&](double t) { return path.velocity(t).squaredNorm(); },
+        [&](double squared) { return energy(squared); });
   }
 }
 
-template class FlightLog<2>;
-template class FlightLog<3>;
-template void FlightLog<2>::flew(const Parabola<2>&, double);
-template void FlightLog<3>::flew(const Parabola<3>&, double);
-template void FlightLog<2>::flew(const Arc<2>&, double);
-template void FlightLog<3>::flew(const Arc<3>&, double);
+template class PointLog<2>;
+template class PointLog<3>;
+template void PointLog<2>::see(const Parabola<2>&, double, TravelMode);
+template void PointLog<3>::see(const Parabola<3>&, double, TravelMode);
+template void PointLog<2>::see(const Arc<2>&, double, TravelMode);
+template void PointLog<3>::see(const Arc<3>&, double, TravelMode);
 
 }  // namespace flyrock
