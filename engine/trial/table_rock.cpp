@@ -36,21 +36,6 @@ Contactor3 ellipsoid(const Vec3& lengths) {
   return body;
 }
 
-/// The points (+-1/2, +-1/4, +-1/4) and their permutations, with each axis scaled: 17/24 of the volume of the
-/// bounding box.
-Contactor3 cut_box(const Vec3& lengths) {
-  std::vector<Vec3> corners;
-  for (int axis = 0; axis < 3; ++axis)
-    for (int corner = 0; corner < 8; ++corner) {
-      Vec3 p = Vec3::Constant(0.25);
-      p[axis] = 0.5;
-      for (int k = 0; k < 3; ++k)
-        if (corner >> k & 1) p[k] = -p[k];
-      corners.push_back(p.cwiseProduct(lengths));
-    }
-  return convex_hull(corners);
-}
-
 /// The shorter two lengths, the longer one first.
 Vec2 cross_section(Vec3 lengths) {
   std::sort(lengths.begin(), lengths.end());
@@ -87,7 +72,7 @@ ShapeAnswer<2> shape_of<2>(RockForm form, const Vec3& lengths) {
 template <>
 ShapeAnswer<3> shape_of<3>(RockForm form, const Vec3& lengths) {
   if (form == RockForm::box) return {{Contactor3::box(lengths)}};
-  if (form == RockForm::cut) return {{cut_box(lengths)}};
+  if (form == RockForm::cut) return {{norm_block(lengths)}};
   if (form == RockForm::ellipsoid) return {{ellipsoid(lengths)}};
   return {{Contactor3::sphere(std::cbrt(lengths.prod()) / 2)}};
 }

@@ -9,21 +9,6 @@ namespace flyrock::plugins {
 
 namespace {
 
-/// The hull of the points (+-L/2, +-L/4, +-L/4) and their permutations, with each axis scaled. It has 24
-/// vertices, 26 faces and 17/24 of the volume of its bounding box.
-Contactor3 norm_block(const Vec3& size) {
-  std::vector<Vec3> points;
-  for (int axis = 0; axis < 3; ++axis)
-    for (int corner = 0; corner < 8; ++corner) {
-      Vec3 p = Vec3::Constant(0.25);
-      p[axis] = 0.5;
-      for (int k = 0; k < 3; ++k)
-        if (corner >> k & 1) p[k] = -p[k];
-      points.push_back(p.cwiseProduct(size));
-    }
-  return convex_hull(points);
-}
-
 class NormBlock : public ShapeModel {
  public:
   NormBlock(Params& params, const char* name, const Vec3& sides)

@@ -21,15 +21,7 @@ TEST_CASE("the hull of a cube's corners, edge middles and centre is the cube, fa
 }
 
 TEST_CASE("the EOTA block: 24 vertices, 26 faces, 17/24 of the cube") {
-  std::vector<Vec3> points;
-  for (int axis = 0; axis < 3; ++axis)
-    for (int signs = 0; signs < 8; ++signs) {
-      Vec3 p(0.25, 0.25, 0.25);
-      p[axis] = 0.5;
-      for (int k = 0; k < 3; ++k) p[k] *= signs >> k & 1 ? 1 : -1;
-      points.push_back(p);
-    }
-  const Contactor3 block = convex_hull(points);
+  const Contactor3 block = norm_block({1, 1, 1});
   CHECK(block.points.size() == 24);
   CHECK(block.faces.size() == 26);
   CHECK(block.edges.size() == 48);
