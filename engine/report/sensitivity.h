@@ -7,13 +7,16 @@
 #include <vector>
 
 #include "report/ranked_inputs.h"
+#include "results/rank_correlation.h"
 #include "results/statistics.h"
 
 namespace flyrock {
 
 /// The rank correlation of each drawn number that the run reads (ranked_inputs.h) with the runout, for each
-/// group of rocks. Only the first 10,000 rocks without faults of a group count: more would add nothing to a
-/// plot and would take more memory. A censored runout has the rank of its lower bound.
+/// group of rocks, with the weights of the rocks. Only the first 10,000 rocks without faults of a group
+/// count: more would add nothing to a plot and would take more memory. A censored runout has the rank of its
+/// lower bound. A number that is drawn at every impact has its mean over the impacts of a rock; rocks without
+/// it are left out.
 ///
 /// With many numbers, some seem to have an influence by chance alone. Therefore the intervals of one group
 /// hold together: with m inputs each has the confidence 1 - 0.05/m (Bonferroni). In 19 of 20 runs, all inputs
@@ -30,25 +33,35 @@ class Sensitivity {
   /// Takes chunks in order, with their inputs.
   void add(const TrialRecords& chunk);
 
-  /// One entry for each group: { count, confidence, inputs: [{ path, unit, r, lower, upper, curve }] },
-  /// strongest first. Inputs with the same value in all rocks are left out. confidence is that of one
-  /// interval; unit is a unit for readers (readable_unit). curve: { x, low, middle, high }, the median of the
-  /// number in that unit and p10, p50 and p90 of the runout, in each tenth.
+  /// One entry for each group: { count, confidence, inputs: [{ path, unit, r, lower, upper, design_effect,
+  /// curve }] }, strongest first. Inputs with the same value in all rocks are left out. confidence is that of
+  /// one interval, whose unit is the trial (design_effect: results/rank_correlation.h); unit is a unit for
+  /// readers (readable_unit). curve: { x, low, middle, high }, the median of the number in that unit and p10,
+  /// p50 and p90 of the runout, in each tenth.
   nlohmann::ordered_json data() const;
 
  private:
   struct Group {
+    PairUnits rocks;
     std::vector<double> runout;
-    std::map<int, std::vector<double>> inputs;  ///< by the index of batch/inputs.h, then the derived numbers
+    /// By the index of batch/inputs.h, then the derived numbers; unknown for a rock without the number.
+    std::map<int, std::vector<double>> inputs;
+  };
+  /// The rocks of a group that have a number.
+  struct Column {
+    PairUnits rocks;
+    std::vector<double> value, runout;
   };
   /// One ranked input.
   struct Line {
     int input = 0;
-    double r = 0;
+    Column column;
+    RankCorrelation found;
   };
+  static Column column(const Group& group, const std::vector<double>& values);
   int first_derived() const { return static_cast<int>(names_.size()) - derived_inputs; }
   bool is_ranked(std::size_t group, int input) const;
-  void add_derived(const std::map<int, double>& drawn, Group& group) const;
+  void add_derived(std::map<int, double>& drawn) const;
   std::vector<Line> ranked(std::size_t group) const;
   nlohmann::ordered_json group_data(std::size_t group) const;
 

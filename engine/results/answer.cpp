@@ -70,7 +70,7 @@ std::string not_given(const ClearancePlan& asked, const ClearanceSummary& found)
   return fmt::format("it needs {} {} and there are {}", found.needed, of, found.count);
 }
 
-/// " Clearance road: at most 0.1 % of the rocks go farther than 320 m (95 % interval 301 to 345 m). With the
+/// "Clearance road: at most 0.1 % of the rocks go farther than 320 m (95 % interval 301 to 345 m). With the
 /// factor 1.5 that is 480 m." With sectors, the greatest distance of the area. In a sweep, the least to the
 /// greatest distance with their points.
 std::string clearance_answer(const Plan& plan, const Results& results, std::size_t c) {
@@ -81,7 +81,7 @@ std::string clearance_answer(const Plan& plan, const Results& results, std::size
   const ClearanceSummary& first = at(0);
   const bool one = results.points.size() == 1;
   if (one && !first.enough())
-    return fmt::format(" Clearance {}: not given, {}.", asked.name, not_given(asked, first));
+    return fmt::format("Clearance {}: not given, {}.", asked.name, not_given(asked, first));
   const auto distance_text = [&](std::size_t p) {
     if (asked.sectors > 0) return display(at(p).distance, "m");
     return with_interval(at(p).distance, at(p).interval, asked.confidence);
@@ -90,14 +90,14 @@ std::string clearance_answer(const Plan& plan, const Results& results, std::size
   const std::string distance = over_points(plan, results, value_at, distance_text);
   std::string text;
   if (asked.sectors > 0) {
-    text = fmt::format(" Area of {}: with {} confidence at most {} of new {} outside; it reaches {} from {}",
+    text = fmt::format("Area of {}: with {} confidence at most {} of new {} outside; it reaches {} from {}",
                        asked.name, percent(stated_confidence), percent(asked.probability),
                        asked.per_blast ? "blasts throw a rock" : "rocks stop", distance,
                        asked.about ? "the given point" : "the hull of the release places");
     if (one)
       text += fmt::format(", at azimuth {} deg", three_digits(first.area.farthest()->azimuth * 180 / pi));
   } else {
-    text = fmt::format(" Clearance {}: at most {} of the {} farther than {}", asked.name,
+    text = fmt::format("Clearance {}: at most {} of the {} farther than {}", asked.name,
                        percent(asked.probability), who_goes(plan.points.front(), asked, first), distance);
   }
   text += '.';
@@ -125,11 +125,11 @@ std::string beside_clearance(const ClearancePlan& asked) {
 std::string clearances_answer(const Plan& plan, const Results& results) {
   std::string text;
   for (std::size_t c = 0; c < plan.points.front().clearances.size(); ++c)
-    text += clearance_answer(plan, results, c) + beside_clearance(plan.points.front().clearances[c]);
+    text += clearance_answer(plan, results, c) + beside_clearance(plan.points.front().clearances[c]) + ' ';
   return text;
 }
 
-/// " Exposure house: a blast hits it with probability 0.012 % (one blast in 8,300; 95 % interval 0.009 to
+/// "Exposure house: a blast hits it with probability 0.012 % (one blast in 8,300; 95 % interval 0.009 to
 /// 0.016
 /// %), and in a year of 50 blasts with 0.6 %." Of one that no rock came near, the bound.
 std::string exposure_answer(const Plan& plan, const Results& results, std::size_t e) {
@@ -144,7 +144,7 @@ std::string exposure_answer(const Plan& plan, const Results& results, std::size_
                        three_digits(1 / found.per_blast), three_digits(100 * found.interval.lower),
                        three_digits(100 * found.interval.upper));
   };
-  std::string text = fmt::format(" Exposure {}: a blast hits it with the probability {}", asked.name,
+  std::string text = fmt::format("Exposure {}: a blast hits it with the probability {}", asked.name,
                                  over_points(
                                      plan, results, [&](std::size_t p) { return at(p).per_blast; }, text_of));
   if (asked.blasts_per_year != 1 || asked.occupied != 1)
@@ -163,8 +163,14 @@ std::string exposure_answer(const Plan& plan, const Results& results, std::size_
 std::string exposures_answer(const Plan& plan, const Results& results) {
   std::string text;
   for (std::size_t e = 0; e < plan.points.front().exposures.size(); ++e)
-    text += exposure_answer(plan, results, e);
+    text += exposure_answer(plan, results, e) + ' ';
   return text;
+}
+
+/// What the scenario asks: places, clearances and exposures come before the distances that every run has.
+std::string asked_answer(const Plan& plan, const Results& results) {
+  return barriers_answer(plan, results) + gates_answer(plan, results) + clearances_answer(plan, results) +
+         exposures_answer(plan, results) + trees_answer(plan, results);
 }
 
 /// A stone of an arch or a stack that stands: the error of the solver is all that it moves by. A body that
@@ -304,14 +310,12 @@ std::string answer(const Plan& plan, const Results& results) {
   } else if (lost_points(plan, results) == results.points.size()) {
     text += lost_answer(plan, results);
   } else {
-    text += lost_answer(plan, results) + barriers_answer(plan, results) + gates_answer(plan, results) +
-            trees_answer(plan, results);
+    text += lost_answer(plan, results) + asked_answer(plan, results);
     text += fmt::format(
         "The {} that 95 % of the rocks do not exceed is {}; that of 99 % is {}; the greatest is {}.",
         plan.all_end_at_landing() ? "distance of the first landing" : "runout",
         runouts_of(plan, results, Statistic::p95), runouts_of(plan, results, Statistic::p99),
         runouts_of(plan, results, Statistic::max));
-    text += clearances_answer(plan, results) + exposures_answer(plan, results);
     text += censored_answer(plan, results);
     if (const PointResult& first = results.points.front(); first.observation && results.points.size() == 1)
       text += " " + observation_text(*plan.points.front().observed, *first.observation);

@@ -167,15 +167,17 @@ TEST_CASE("The inputs of a law that no contact asked are not ranked") {
   CHECK(ranked_after(9).size() == 2);
 }
 
-TEST_CASE("Outcomes of what plugins draw are ranked only if the scenario asks, draws per impact never") {
+TEST_CASE(
+    "Outcomes of what plugins draw are ranked only if the scenario asks, draws per impact by their mean") {
   Scenario scenario = with_draws();
   const auto paths = [&] {
     TrialRecords chunk = rocks_with_inputs(100);
     std::vector<InputRecord> inputs;
     for (const InputRecord& input : chunk.inputs) {
-      if (input.input == 1) {  // not drawn for the rock, but for its impacts
-        inputs.push_back({input.trial, 0, 1, 1, input.value});
-        inputs.push_back({input.trial, 0, 1, 2, 1 - input.value});
+      if (input.input == 1) {                 // not drawn for the rock, but for its impacts
+        if (input.trial % 10 == 3) continue;  // this rock had no impact
+        inputs.push_back({input.trial, 0, 1, 1, input.value - 0.3});
+        inputs.push_back({input.trial, 0, 1, 2, input.value + 0.3});
       } else {
         inputs.push_back(input);
       }
@@ -191,9 +193,9 @@ TEST_CASE("Outcomes of what plugins draw are ranked only if the scenario asks, d
     for (const auto& line : data[0]["inputs"]) names.push_back(line["path"]);
     return names;
   };
-  CHECK(paths() == std::vector<std::string>{"input 0"});
+  CHECK(paths() == std::vector<std::string>{"input 0", "input 1"});
   scenario.output.rank_outcomes = true;
-  CHECK(paths() == std::vector<std::string>{"rock.volume", "input 0"});
+  CHECK(paths() == std::vector<std::string>{"rock.volume", "input 0", "input 1"});
 }
 
 TEST_CASE("Angles are read in degrees") {
