@@ -57,7 +57,7 @@ TEST_CASE("The interval of a rank correlation holds the true one as often as sta
   CHECK(held < 0.965 * samples);
 }
 
-TEST_CASE("Where rocks share the draws of their trial, the interval takes the trial as its unit") {
+TEST_CASE("Where rocks share the draws of their trial, the interval takes the trial as its unit", "[slow]") {
   // The first number is one draw a trial; of the second a part is the trial's own, the rest the rock's.
   constexpr int studies = 400, trials = 60;
   const double rho = GENERATE(0.0, 0.6);
