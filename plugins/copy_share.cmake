@@ -1,11 +1,12 @@
 # Run as a script: SOURCE is the project's root, SHARE the folder to fill.
-foreach(folder plugins lua report scenarios course templates)
+foreach(folder plugins lua report scenarios course templates library)
   file(REMOVE_RECURSE ${SHARE}/${folder})
 endforeach()
 file(COPY ${SOURCE}/plugins DESTINATION ${SHARE} FILES_MATCHING PATTERN "*.lua" PATTERN "*.yaml" PATTERN "*.csv"
   PATTERN "*.obj" PATTERN "*.asc")
 file(COPY ${SOURCE}/scenarios DESTINATION ${SHARE})
 file(COPY ${SOURCE}/lua/templates DESTINATION ${SHARE})
+file(COPY ${SOURCE}/library DESTINATION ${SHARE})
 file(COPY ${SOURCE}/docs/course DESTINATION ${SHARE} FILES_MATCHING PATTERN "*.md" PATTERN "*.svg")
 file(COPY ${SOURCE}/lua/flyrock DESTINATION ${SHARE}/lua FILES_MATCHING PATTERN "*.lua")
 file(COPY ${SOURCE}/engine/report/assets/ DESTINATION ${SHARE}/report)

@@ -5,6 +5,7 @@
 
 #include "batch/clearance_check.h"
 #include "batch/greatest_throw.h"
+#include "batch/include.h"
 #include "batch/safe_file.h"
 #include "batch/sha256.h"
 #include "document/yaml_reader.h"
@@ -97,8 +98,10 @@ std::optional<LoadedScenario> load_scenario(const std::string& path, const Overr
   Value& root = loaded.root = std::move(*tree);
   loaded.defines_plugins = loaded.session->registry().size() > builtin;
   loaded.own_trials = trials_of(root);
-  apply_overrides(root, overrides, diagnostics);
   const fs::path folder = fs::path(path).parent_path();
+  std::map<std::string, std::string> included;
+  if (root.map()) include_files(root, folder, fs::path(share_folder()) / "library", included, diagnostics);
+  apply_overrides(root, overrides, diagnostics);
   load_plugin_files(root, folder, *loaded.session, diagnostics);
   loaded.session->arguments().refuse_unasked(diagnostics);
 
@@ -106,6 +109,7 @@ std::optional<LoadedScenario> load_scenario(const std::string& path, const Overr
                                     before ? before->plan.points.front().terrain.grounds : nullptr);
   if (!plan || diagnostics.has_errors()) return std::nullopt;
   loaded.plan = std::move(*plan);
+  loaded.plan.files.merge(included);
   // A run shorter than the scenario asks for may lack answers and lists them. A full run must give all
   // answers.
   check_clearances(root, loaded.plan, loaded.plan.points.front().trials >= loaded.own_trials, diagnostics);

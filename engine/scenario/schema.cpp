@@ -106,9 +106,9 @@ SectionSpec document() {
            or_else(choice("rock_contacts", {"off", "on"}, "on: rocks also meet each other"), "off"),
            or_else(choice("body_contacts", {"on", "off"}, "off: bodies meet the terrain only"), "on"),
            or_else(at_most(at_least(number("gravity", "m/s2", "along -y in 2D, -z in 3D"), 0), 1000), 9.81)},
-          {"document", "plugins", "air",      "terrain", "materials", "pairs",     "blast",    "branches",
-           "rocks",    "bodies",  "barriers", "gates",   "forest",    "clearance", "exposure", "observed",
-           "solver",   "stop",    "output",   "sweep",   "expect",    "answer"}};
+          {"document", "include", "plugins", "air",      "terrain", "materials", "pairs",     "blast",
+           "branches", "rocks",   "bodies",  "barriers", "gates",   "forest",    "clearance", "exposure",
+           "observed", "solver",  "stop",    "output",   "sweep",   "expect",    "answer"}};
 }
 
 /// The fields of the blast below `prefix` ("" or "hole."), from the table that velocity models also use.

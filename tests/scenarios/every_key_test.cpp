@@ -183,7 +183,7 @@ TEST_CASE("every key of the schema stands in a scenario of tests/scenarios/every
     const bool is_3d = place.find("3D") != std::string::npos;
     place = place.substr(0, std::min(place.find(':'), place.find(" 3D")));
     for (const std::string& key : section.key_names()) {
-      if (key == "plugins") continue;  // are loaded before anything is decoded
+      if (key == "plugins" || key == "include") continue;  // are read before anything is decoded
       if (place == "orientation" && key != "type") place = "rocks.orientation";
       const std::string wanted = place.empty() ? key : place + "." + key;
       INFO(section.name << ": " << wanted);
