@@ -145,11 +145,12 @@ std::string_view section(std::string_view bytes, std::size_t& at) {
 std::string ChunkRange::file_name() const { return fmt::format("p{}-c{}.chunk", point, index); }
 
 std::uint64_t chunk_size(std::uint64_t trials) {
-  return std::clamp<std::uint64_t>((trials + 99) / 100, 1, 250);
+  const std::uint64_t of_few = std::min<std::uint64_t>((trials + 99) / 100, 10);
+  return std::clamp<std::uint64_t>((trials + 999) / 1000, std::max<std::uint64_t>(of_few, 1), 250);
 }
 
-std::vector<ChunkRange> plan_chunks(int points, std::uint64_t trials) {
-  const std::uint64_t size = chunk_size(trials);
+std::vector<ChunkRange> plan_chunks(int points, std::uint64_t trials, std::uint64_t size) {
+  if (size == 0) size = chunk_size(trials);
   std::vector<ChunkRange> plan;
   for (int point = 0; point < points; ++point)
     for (std::uint64_t first = 0; first < trials; first += size)

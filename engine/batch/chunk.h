@@ -31,13 +31,14 @@ struct ChunkRange {
   std::string file_name() const;
 };
 
-/// The number of trials in a chunk: a hundredth of the trials of a point, rounded up, but at most 250, which
-/// bounds the memory of a chunk. It depends on nothing else, so chunks of any two runs of a scenario fit
-/// together.
+/// The number of trials in a chunk where the scenario gives none (`output.chunk`): a thousandth of the trials
+/// of a point, rounded up, but from 10 to 250. The upper limit bounds the memory of a chunk. Below 1000
+/// trials it is a hundredth, because a few slow trials shall occupy all threads. It depends on nothing else,
+/// so chunks of any two runs of a scenario fit together.
 std::uint64_t chunk_size(std::uint64_t trials);
 
-/// All chunks of a run, in the order of merging.
-std::vector<ChunkRange> plan_chunks(int points, std::uint64_t trials);
+/// All chunks of a run, in the order of merging, of `size` trials; 0: of chunk_size().
+std::vector<ChunkRange> plan_chunks(int points, std::uint64_t trials, std::uint64_t size = 0);
 
 /// The bytes of a chunk file. `scenario_hash` is the hash of the resolved scenario.
 std::string encode_chunk(const ChunkRange& range, const std::string& scenario_hash,

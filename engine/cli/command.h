@@ -47,6 +47,7 @@ int course(const Command&, const Arguments&);
 int grade(const Command&, const Arguments&);
 int new_file(const Command&, const Arguments&);
 int submit(const Command&, const Arguments&);
+int status(const Command&, const Arguments&);
 int calibrate(const Command&, const Arguments&);
 
 /// A parsed command line: options by name, and the words between them.

@@ -21,11 +21,13 @@ namespace flyrock::cli {
 
 namespace {
 
-constexpr std::array<Command, 17> commands = {{
+constexpr std::array<Command, 18> commands = {{
     {"run", "run SCENARIO [options]", "runs a scenario and writes its tables and report", run},
     {"merge", "merge DIR... -o DIR", "puts the shards of a run together", merge},
     {"submit", "submit SCENARIO --slurm -n N [-j CORES] [-o DIR]",
      "writes the scripts that run a scenario in shards on a cluster, and merge them", submit},
+    {"status", "status DIR", "says how far the shards of a folder are, and what runs the lost ones again",
+     status},
     {"report", "report DIR [--against DIR] [--pdf]",
      "builds report.html of a result folder again, beside another run or as a PDF", report},
     {"calibrate", "calibrate SCENARIO --vary PATH=LOW:HIGH [options]",

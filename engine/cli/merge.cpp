@@ -3,17 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <numeric>
 #include <set>
 
+#include "batch/plan_chunks.h"
 #include "batch/record_check.h"
 #include "batch/safe_file.h"
 #include "cli/conclude.h"
 #include "cli/loading.h"
 #include "cli/result_folder.h"
 #include "cli/runners.h"
+#include "cli/shard_command.h"
 #include "cli/summary_text.h"
 #include "cli/terminal.h"
 
@@ -84,29 +85,6 @@ std::vector<ChunkFile> find_chunks(const std::vector<ChunkRange>& chunks, std::v
     }
   }
   return files;
-}
-
-/// A word as a shell reads it.
-std::string shell_word(const std::string& word) {
-  const std::string harmless = "/._-+=:,%@";
-  const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [&](const unsigned char c) {
-    return std::isalnum(c) || harmless.find(static_cast<char>(c)) != std::string::npos;
-  });
-  if (plain) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
-
-/// The command that runs a shard: "flyrock run s.yaml --seed 3 --shard 2/3".
-std::string command_of(const Request& request, const Shard& shard) {
-  const std::string near = fs::proximate(request.scenario).string();
-  std::string command = "flyrock run " + shell_word(near.starts_with("..") ? request.scenario : near);
-  for (const std::string& set : request.overrides.set) command += " --set " + shell_word(set);
-  if (request.overrides.seed) command += fmt::format(" --seed {}", *request.overrides.seed);
-  if (request.overrides.trials) command += fmt::format(" --trials {}", *request.overrides.trials);
-  if (shard.of > 1) command += fmt::format(" --shard {}/{}", shard.number, shard.of);
-  return command;
 }
 
 /// The shards of which no folder is given. The folders may be shards of different numbers of shards: the
@@ -211,8 +189,7 @@ int merge(const Command& command, const Arguments& arguments) {
   std::optional<LoadedScenario> loaded = load_again(line, hash, request);
   if (!loaded) return bad_input;
   const Plan& plan = loaded->plan;
-  const std::vector<ChunkRange> chunks =
-      plan_chunks(static_cast<int>(plan.points.size()), plan.points.front().trials);
+  const std::vector<ChunkRange> chunks = plan_chunks(plan);
   std::vector<Piece> pieces = pieces_of(shards);
   const std::vector<ChunkFile> files = find_chunks(chunks, pieces);
   std::vector<ChunkRange> found;

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <thread>
 
+#include "batch/plan_chunks.h"
 #include "batch/safe_file.h"
 #include "cli/conclude.h"
 #include "cli/loading.h"
@@ -49,13 +50,9 @@ void prepare(const Only& only, Plan& plan) {
       std::max(scenario.output.trajectories_first, static_cast<int>(only.trial) + 1);
 }
 
-std::vector<ChunkRange> all_chunks(const Plan& plan) {
-  return plan_chunks(static_cast<int>(plan.points.size()), plan.points.front().trials);
-}
-
 /// A run cannot be divided further than into its chunks.
 void warn_of_empty(const Shard& shard, const Plan& plan) {
-  if (const std::size_t chunks = all_chunks(plan).size(); shard.of > chunks)
+  if (const std::size_t chunks = plan_chunks(plan).size(); shard.of > chunks)
     tell("warning: --shard {}/{}: the run has only {} chunk{}: {}\n", shard.number, shard.of, chunks,
          chunks == 1 ? "" : "s",
          shard.number > chunks ? "this shard has nothing to do"
@@ -65,7 +62,7 @@ void warn_of_empty(const Shard& shard, const Plan& plan) {
 std::vector<ChunkRange> chunks_of(const Plan& plan, const std::optional<Only>& only,
                                   const std::optional<Shard>& shard) {
   if (only) return {{static_cast<int>(only->point), only->trial, only->trial, 1}};
-  const std::vector<ChunkRange> all = all_chunks(plan);
+  const std::vector<ChunkRange> all = plan_chunks(plan);
   if (!shard) return all;
   std::vector<ChunkRange> chunks;
   for (std::size_t i = 0; i < all.size(); ++i)

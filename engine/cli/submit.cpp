@@ -6,6 +6,7 @@
 
 #include "batch/safe_file.h"
 #include "cli/loading.h"
+#include "cli/shard_command.h"
 
 namespace flyrock::cli {
 
@@ -13,13 +14,6 @@ namespace po = boost::program_options;
 namespace fs = std::filesystem;
 
 namespace {
-
-/// A word of a shell as it stands.
-std::string quoted(const std::string& word) {
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
 
 struct Submission {
   std::string program, scenario, more;  ///< quoted; `more`: overrides
@@ -37,7 +31,7 @@ std::string array_script(const Submission& job) {
       "export FLYROCK_SHARDS={0}\n"
       "exec {3} run {4}{5} --shard auto --resume --quiet -j {1} -o {6}\n",
       job.shards, job.cores, (job.folder / "log-%a.txt").string(), job.program, job.scenario, job.more,
-      quoted(job.folder.string()));
+      shell_word(job.folder.string()));
 }
 
 std::string merge_script(const Submission& job) {
@@ -45,8 +39,8 @@ std::string merge_script(const Submission& job) {
       "#!/bin/bash\n"
       "#SBATCH --job-name=flyrock-merge --output={0}\n"
       "exec {1} merge {2}/shard-* --force -o {3}\n",
-      (job.folder / "log-merge.txt").string(), job.program, quoted(job.folder.string()),
-      quoted((job.folder / "merged").string()));
+      (job.folder / "log-merge.txt").string(), job.program, shell_word(job.folder.string()),
+      shell_word((job.folder / "merged").string()));
 }
 
 }  // namespace
@@ -66,27 +60,23 @@ int submit(const Command& command, const Arguments& arguments) {
   Submission job;
   job.shards = whole_number(line.text("shards"), "-n", 1);
   if (line.has("jobs")) job.cores = whole_number(line.text("jobs"), "-j", 1);
-  const std::optional<LoadedScenario> loaded = load(line.words[0], overrides_of(line), false);
+  const Overrides overrides = overrides_of(line);
+  job.more = override_words(overrides);
+  const std::optional<LoadedScenario> loaded = load(line.words[0], overrides, false);
   if (!loaded) return bad_input;
   const std::string folder = line.has("output") ? line.text("output") : "out/" + loaded->name;
   if (folder.empty()) throw UsageError("--output: expected a folder");
   job.folder = fs::absolute(folder).lexically_normal();
-  job.program = quoted(fs::read_symlink("/proc/self/exe").string());
-  job.scenario = quoted(fs::absolute(line.words[0]).lexically_normal().string());
-  for (const char* option : {"set", "arg"})
-    if (line.has(option))
-      for (const std::string& value : line.options[option].as<Arguments>())
-        job.more += fmt::format(" --{} {}", option, quoted(value));
-  for (const char* option : {"seed", "trials"})
-    if (line.has(option)) job.more += fmt::format(" --{} {}", option, line.text(option));
+  job.program = shell_word(fs::read_symlink("/proc/self/exe").string());
+  job.scenario = shell_word(fs::absolute(line.words[0]).lexically_normal().string());
   std::error_code error;
   fs::create_directories(job.folder, error);
   if (error) throw InputError(fmt::format("{}: cannot be made: {}", job.folder.string(), error.message()));
   const fs::path array = job.folder / "array.sbatch", merge = job.folder / "merge.sbatch";
   write_file(array, array_script(job));
   write_file(merge, merge_script(job));
-  fmt::print("job=$(sbatch --parsable {})\nsbatch --dependency=afterany:$job {}\n", quoted(array.string()),
-             quoted(merge.string()));
+  fmt::print("job=$(sbatch --parsable {})\nsbatch --dependency=afterany:$job {}\n",
+             shell_word(array.string()), shell_word(merge.string()));
   return done;
 }
 

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "batch/chunk.h"
+#include "batch/plan_chunks.h"
 #include "report/csv.h"
 #include "report/hash_data.h"
 #include "report/shown_value.h"
@@ -87,7 +87,7 @@ std::string manifest_json(const LoadedScenario& loaded) {
                          {"seed", first.seed},
                          {"trials", first.trials},
                          {"points", loaded.plan.points.size()},
-                         {"chunk_size", chunk_size(first.trials)},
+                         {"chunk_size", chunk_size(loaded.plan)},
                          {"arguments", arguments_data(loaded.session->arguments().asked())},
                          {"plugins", hash_data(loaded.sources)},
                          {"files", hash_data(loaded.files)},

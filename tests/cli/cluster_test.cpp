@@ -72,4 +72,46 @@ TEST_CASE("the scripts of submit make the bytes of one run") {
   CHECK(call(folder, "submit none.yaml --slurm -n 2").code == 2);
 }
 
+TEST_CASE("status says which shards are done, lost or not begun, and the command that runs them again") {
+  const Folder folder;
+  folder.write("s.yaml", slope);
+  const std::string run = "run s.yaml --quiet --seed 7 --shard auto -o parts";
+  for (const char* task : {"1", "2"})
+    REQUIRE(as_task(folder, std::string("FLYROCK_SHARDS=4 SLURM_ARRAY_TASK_ID=") + task, run).code == 0);
+  fs::remove(folder.path() / "parts/shard-2/chunks/p0-c5.chunk");
+  const Output status = call(folder, "status parts");
+  INFO(status.out << status.err);
+  REQUIRE(status.code == 0);
+  CHECK(status.out.find("parts: 19 of 40 chunks are done (47 %)\n") == 0);
+  CHECK(status.out.find("shard 1 of 4") == std::string::npos);
+  CHECK(call(folder, "status parts --all").out.find("shard 1 of 4: done") != std::string::npos);
+  CHECK(status.out.find("shard 2 of 4: 9 of 10 chunks, the last one 0:") != std::string::npos);
+  CHECK(status.out.find("shard 3 of 4: not begun") != std::string::npos);
+  // The commands that it prints complete the run.
+  const std::string flyrock = "PATH=\"$(dirname '" FLYROCK_BINARY "')\":$PATH; ";
+  CHECK(shell(folder, flyrock + "flyrock status parts | grep '^  flyrock run' | sh -e").code == 0);
+  CHECK(call(folder, "status parts").out.find("all shards are done") != std::string::npos);
+  REQUIRE(call(folder, "merge parts/* --quiet -o merged").code == 0);
+  REQUIRE(call(folder, "run s.yaml --seed 7 --quiet -o whole").code == 0);
+  CHECK(read(folder.path() / "whole/rocks.csv") == read(folder.path() / "merged/rocks.csv"));
+  CHECK(call(folder, "status whole").out.find("done") != std::string::npos);
+  CHECK(call(folder, "status s.yaml").code == 2);
+  CHECK(call(folder, "status nowhere").code == 2);
+}
+
+TEST_CASE("results do not depend on the size of chunks") {
+  const Folder folder;
+  folder.write("s.yaml", slope);
+  for (const char* size : {"1", "7", "40", "1000"}) {
+    REQUIRE(
+        call(folder, std::string("run s.yaml --quiet --set output.chunk=") + size + " -o c" + size).code ==
+        0);
+    CHECK(read(folder.path() / "c1/rocks.csv") ==
+          read(folder.path() / ("c" + std::string(size)) / "rocks.csv"));
+    CHECK(read(folder.path() / "c1/summary.json") ==
+          read(folder.path() / ("c" + std::string(size)) / "summary.json"));
+  }
+  CHECK(call(folder, "run s.yaml --quiet --set output.chunk=0 -o none").code == 2);
+}
+
 }  // namespace flyrock::cluster_test

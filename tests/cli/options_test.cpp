@@ -38,6 +38,7 @@ const std::map<std::string, Sound>& sound_calls() {
       {"grade", {FLYROCK_SOURCE_DIR "/scenarios/course/bouncing_ball.yaml", {{"with", "bouncing_ball"}}}},
       {"new", {"restitution"}},
       {"submit", {scenario + " --slurm", {{"shards", "2"}}}},
+      {"status", {"shard-1"}},
       {"calibrate", {"fit.yaml --quiet --force", {{"vary", "rocks.r.launch.speed=5:15"}}}},
       {"verify", {""}},
       {"explain", {scenario, {{"impact", "1"}}}},

@@ -39,6 +39,7 @@ const std::vector<Template>& templates() {
       {{"export", "?", "--to", "csv"}, "out"},
       {{"report", "?"}, "out"},
       {{"merge", "?", "-o", "merged"}, "out"},
+      {{"status", "?"}, "out"},
       {{"plugins", "?"}, "restitution/newton"},
       {{"law", "?", "-o", "law.svg"}, "friction/coulomb"},
       {{"law", "restitution/newton", "-o", "law.svg", "--set", "?"}, "en=0.5"},

@@ -104,6 +104,7 @@ class Shards : public Kind {
     }
     write_folder("shard", files);
     write_here("s.yaml", scenario_);
+    call({"status", "shard"}, ErrorForm::named);
     call({"merge", "shard", "-o", "out", "--scenario", "s.yaml", "--force", "--quiet"}, ErrorForm::named);
   }
 

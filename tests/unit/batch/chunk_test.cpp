@@ -232,7 +232,11 @@ TEST_CASE("A plan of chunks covers every trial once, in order") {
     CHECK(point == 1);
     CHECK(next == trials);
   }
+  CHECK(chunk_size(20) == 1);
+  CHECK(chunk_size(101) == 2);
   CHECK(chunk_size(1000) == 10);
+  CHECK(chunk_size(10'000) == 10);
+  CHECK(chunk_size(100'001) == 101);
   CHECK(chunk_size(10'000'000) == 250);
   CHECK(ChunkRange{0, 12, 120, 10}.file_name() == "p0-c12.chunk");
 }
