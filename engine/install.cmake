@@ -1,7 +1,8 @@
 # What `make install` and packages contain. The folders are those of the build tree, so that the program finds its
 # data and modules relative to itself in both.
 #   bin/flyrock   lib/flyrock: native plugins, and the archive for others   include/flyrock: the headers of plugins
-#   lib/cmake/flyrock: find_package(flyrock)   share/flyrock: manifests, Lua, report, course   share/doc/flyrock
+#   lib/cmake/flyrock: find_package(flyrock)   share/flyrock: manifests, Lua, report, course, schema   share/doc/flyrock
+#   share/man, share/bash-completion, share/zsh: what the program says of itself
 
 # The floors below the plugins in one archive.
 set(plugin_floors math random units geometry blast plugin)
@@ -36,6 +37,15 @@ endif()
 install(TARGETS flyrock_plugin_archive ARCHIVE DESTINATION lib/flyrock COMPONENT flyrock)
 install(DIRECTORY ${CMAKE_BINARY_DIR}/share/flyrock DESTINATION share COMPONENT flyrock
   PATTERN ".stamp" EXCLUDE PATTERN "*.so" EXCLUDE)
+set(descriptions ${CMAKE_BINARY_DIR}/descriptions)
+add_custom_command(
+  OUTPUT ${descriptions}/.stamp
+  COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:flyrock> -DFOLDER=${descriptions}
+    -P ${PROJECT_SOURCE_DIR}/engine/describe.cmake
+  DEPENDS flyrock flyrock_plugins ${CMAKE_BINARY_DIR}/share/flyrock/.stamp ${PROJECT_SOURCE_DIR}/engine/describe.cmake
+  COMMENT "Writing manual pages, completions and the schema")
+add_custom_target(flyrock_descriptions ALL DEPENDS ${descriptions}/.stamp)
+install(DIRECTORY ${descriptions}/share DESTINATION . COMPONENT flyrock)
 foreach(header ${headers})
   get_filename_component(folder ${header} DIRECTORY)
   install(FILES ${PROJECT_SOURCE_DIR}/engine/${header} DESTINATION include/flyrock/${folder} COMPONENT flyrock)

@@ -19,6 +19,21 @@ std::vector<std::string> option_names(const po::options_description& options) {
   return names;
 }
 
+std::vector<OptionInfo> infos_of(const po::options_description& options) {
+  std::vector<OptionInfo> infos;
+  for (const auto& option : options.options()) {
+    OptionInfo& info = infos.emplace_back();
+    info.name = option->long_name();
+    info.doc = option->description();
+    if (const std::string brief =
+            option->canonical_display_name(po::command_line_style::allow_dash_for_short);
+        brief.starts_with('-'))
+      info.brief = brief;
+    if (option->semantic()->max_tokens() > 0) info.value = option->semantic()->name();
+  }
+  return infos;
+}
+
 }  // namespace
 
 CommandLine parse(const Command& command, const po::options_description& options, const Arguments& arguments,
@@ -26,6 +41,11 @@ CommandLine parse(const Command& command, const po::options_description& options
   CommandLine line;
   po::options_description visible(options);
   visible.add_options()("help,h", "this text");
+  if (command.described) {
+    *command.described = infos_of(visible);
+    line.help = true;
+    return line;
+  }
   po::options_description all(visible);
   all.add_options()("words", po::value<std::vector<std::string>>(&line.words), "");
   po::positional_options_description positions;

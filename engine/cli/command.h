@@ -24,11 +24,21 @@ struct InputError : std::runtime_error {
 
 using Arguments = std::vector<std::string>;
 
+/// An option as man pages and completions show it.
+struct OptionInfo {
+  std::string name;   ///< "output"
+  std::string brief;  ///< "-o"; empty if there is none
+  std::string value;  ///< "DIR"; empty if it takes none
+  std::string doc;
+};
+
 struct Command {
   const char* name;
   const char* usage;    ///< "run SCENARIO [options]"
   const char* summary;  ///< one line
   int (*call)(const Command&, const Arguments&);
+  /// If given, parse() puts the options here, and the command does nothing else.
+  std::vector<OptionInfo>* described = nullptr;
 };
 
 int run(const Command&, const Arguments&);
@@ -48,11 +58,14 @@ int grade(const Command&, const Arguments&);
 int new_file(const Command&, const Arguments&);
 int submit(const Command&, const Arguments&);
 int status(const Command&, const Arguments&);
+int schema(const Command&, const Arguments&);
+int completion(const Command&, const Arguments&);
+int man(const Command&, const Arguments&);
 int calibrate(const Command&, const Arguments&);
 
 /// A parsed command line: options by name, and the words between them.
 struct CommandLine {
-  bool help = false;  ///< help was asked for and is already printed
+  bool help = false;  ///< help was asked for and is already given
   std::vector<std::string> words;
   boost::program_options::variables_map options;
 

@@ -21,7 +21,7 @@ namespace flyrock::cli {
 
 namespace {
 
-constexpr std::array<Command, 18> commands = {{
+constexpr std::array<Command, 21> commands = {{
     {"run", "run SCENARIO [options]", "runs a scenario and writes its tables and report", run},
     {"merge", "merge DIR... -o DIR", "puts the shards of a run together", merge},
     {"submit", "submit SCENARIO --slurm -n N [-j CORES] [-o DIR]",
@@ -51,6 +51,9 @@ constexpr std::array<Command, 18> commands = {{
     {"explain", "explain SCENARIO --impact N | --step N [options]",
      "shows the contact problem of an impact or a step, and its solution sweep by sweep", explain},
     {"solve", "solve PROBLEM.hdf5 [options]", "solves a friction problem in the layout of FCLIB", solve},
+    {"schema", "schema [--lua]", "prints the JSON Schema of scenarios, for editors", schema},
+    {"completion", "completion bash|zsh", "prints the completion of commands for a shell", completion},
+    {"man", "man [COMMAND]", "prints the manual page of flyrock or of a command", man},
 }};
 
 void print_version() {
@@ -128,6 +131,8 @@ int call(const Arguments& arguments) {
 }
 
 }  // namespace
+
+std::span<const Command> all_commands() { return commands; }
 
 int dispatch(const Arguments& arguments) {
   try {

@@ -68,9 +68,10 @@ const Format& format_of(const std::string& name) {
 
 int export_result(const Command& command, const Arguments& arguments) {
   po::options_description options("options");
-  options.add_options()("to", po::value<std::string>()->value_name("FORMAT"),
+  options.add_options()("to", po::value<std::string>()->value_name("csv|vtk|asc|tif"),
                         "csv (every table), vtk (trajectories, for ParaView), asc or tif (maps, for a GIS; "
-                        "tif needs GDAL); required")("output,o", po::value<std::string>()->value_name("PATH"),
+                        "tif needs GDAL); required")("output,o",
+                                                     po::value<std::string>()->value_name("FILE|DIR"),
                                                      "folder of the files; default DIR/<format>");
   const CommandLine line = parse(command, options, arguments, 1, 1);
   if (line.help) return done;

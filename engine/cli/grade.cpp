@@ -6,6 +6,7 @@
 
 #include "cli/labs.h"
 #include "cli/loading.h"
+#include "report/csv.h"
 
 namespace flyrock::cli {
 
@@ -20,14 +21,6 @@ std::optional<std::string> expectations_of(const Lab& lab) {
   if (!loaded) return std::nullopt;
   const Value* expect = loaded->plan.resolved.find("expect");
   return expect ? to_json(*expect, 0) : "[]";
-}
-
-/// One line of the table: a name with a comma or a quote is quoted.
-std::string csv_text(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
 }
 
 struct Grade {

@@ -7,8 +7,8 @@
 
 #include "batch/safe_file.h"
 #include "cli/command.h"
+#include "cli/offers.h"
 #include "document/wording.h"
-#include "host/share.h"
 
 namespace flyrock::cli {
 
@@ -18,21 +18,6 @@ namespace fs = std::filesystem;
 namespace {
 
 bool is_scenario(const fs::path& file) { return file.extension() == ".yaml" || file.extension() == ".lua"; }
-
-/// What may be copied, by its name: quarry/fence_design, course/cradle, restitution.
-std::vector<std::pair<std::string, fs::path>> offers() {
-  std::vector<std::pair<std::string, fs::path>> list;
-  const fs::path share = share_folder();
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(share / "scenarios"))
-    if (entry.is_regular_file() && is_scenario(entry.path())) {
-      const fs::path name = fs::relative(entry.path(), share / "scenarios");
-      list.emplace_back((name.parent_path() / name.stem()).string(), entry.path());
-    }
-  for (const fs::directory_entry& entry : fs::directory_iterator(share / "templates"))
-    list.emplace_back(entry.path().stem().string(), entry.path());
-  std::sort(list.begin(), list.end());
-  return list;
-}
 
 /// A scenario with the files beside it that it names.
 std::vector<fs::path> with_its_files(const fs::path& scenario) {
@@ -47,16 +32,20 @@ std::vector<fs::path> with_its_files(const fs::path& scenario) {
   return files;
 }
 
-/// Copies what does not exist yet. Throws InputError.
-void copy_new(const fs::path& from, const fs::path& to) {
+/// Copies files into a folder in which none of them exists yet. Throws InputError before it copies any.
+void copy_new(const std::vector<fs::path>& files, const fs::path& folder) {
   std::error_code error;
-  if (fs::exists(to, error))
-    throw InputError(fmt::format("{}: exists already and is left as it is", to.string()));
+  for (const fs::path& file : files)
+    if (const fs::path to = folder / file.filename(); fs::exists(to, error))
+      throw InputError(fmt::format("{}: exists already and is left as it is", to.string()));
   error.clear();  // what cannot be asked cannot be made either
-  fs::create_directories(to.parent_path(), error);
-  if (!error) fs::copy(from, to, fs::copy_options::recursive, error);
-  if (error) throw InputError(fmt::format("{}: cannot be written: {}", to.string(), error.message()));
-  fmt::print("{}\n", to.string());
+  fs::create_directories(folder, error);
+  for (const fs::path& file : files) {
+    const fs::path to = folder / file.filename();
+    if (!error) fs::copy(file, to, fs::copy_options::recursive, error);
+    if (error) throw InputError(fmt::format("{}: cannot be written: {}", to.string(), error.message()));
+    fmt::print("{}\n", to.string());
+  }
 }
 
 }  // namespace
@@ -82,13 +71,8 @@ int new_file(const Command& command, const Arguments& arguments) {
   const fs::path from = list[static_cast<std::size_t>(found - names.begin())].second;
   const fs::path folder = line.has("output") ? fs::path(line.text("output")) : fs::path(".");
   if (folder.empty()) throw UsageError("--output: expected a folder");
-  const std::vector<fs::path> files =
-      wanted.find('/') == std::string::npos ? std::vector<fs::path>{from} : with_its_files(from);
-  std::error_code ignored;
-  for (const fs::path& file : files)
-    if (const fs::path to = folder / file.filename(); fs::exists(to, ignored))
-      throw InputError(fmt::format("{}: exists already and is left as it is", to.string()));
-  for (const fs::path& file : files) copy_new(file, folder / file.filename());
+  copy_new(wanted.find('/') == std::string::npos ? std::vector<fs::path>{from} : with_its_files(from),
+           folder);
   return done;
 }
 

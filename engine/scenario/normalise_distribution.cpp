@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "random/pieces_by_mass.h"
+#include "scenario/distribution_forms.h"
 #include "scenario/normalise_number.h"
 
 namespace flyrock {
@@ -270,6 +271,18 @@ std::optional<Map> DistributionNormaliser::normalise(const Node& node) {
 std::optional<Map> normalise_distribution(DecodeContext& context, const Node& node, const ParamSpec& spec,
                                           const NumberRules& rules) {
   return DistributionNormaliser(context, spec, rules).normalise(node);
+}
+
+std::vector<DistributionForm> distribution_forms() {
+  std::vector<DistributionForm> list;
+  for (const Form& form : forms()) {
+    DistributionForm& one = list.emplace_back();
+    one.name = name_of(form.kind);
+    one.is_list = form.is_list;
+    for (const Parameter& parameter : form.parameters)
+      one.numbers.push_back({parameter.name, parameter.has_dimension});
+  }
+  return list;
 }
 
 Distribution read_distribution(const Value& normalised) {
