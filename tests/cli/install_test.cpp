@@ -1,5 +1,5 @@
-// What is installed works by itself: without the build tree, and with plugins that are built against it
-// alone.
+// What is installed works by itself: without the build tree, and with the templates of plugins that are built
+// against it alone.
 #include <catch2/catch.hpp>
 
 #include "program.h"
@@ -8,106 +8,93 @@ namespace flyrock::install_test {
 
 using namespace flyrock::test;
 
-const std::string installed_slope = R"(flyrock: 1
+/// A scenario in 2D that uses a plugin of each kind by the names of the templates.
+const std::string all_kinds = R"(flyrock: 1
 dimension: 2
 method: nscd
 trials: 3
-plugins: [LAW]
-terrain: { type: profile, points: [[-5, 20], [0, 20], [20, 0], [100, 0]], material: rock }
+plugins: [restitutionX, frictionX, rollingX, unilateralX, velocityX, populationX, shapeX, terrainX]
+terrain: { type: my_terrain, drop: 15 m, material: rock }
 materials:
   rock:
-    restitution: { type: TYPE, en: 0.4 }
-    friction: { type: coulomb, mu: 0.6 }
+    restitution: { type: my_restitution, en: 0.4 }
+    friction: { type: my_friction, mu: { uniform: [0.5, 0.7] } }
+    rolling: { type: my_rolling, share: 0.04 }
+    unilateral: { type: my_condition, pull: 1 N }
+blast: { burden: 2.7 m, hole: { diameter: 102 mm }, explosive: { density: 850 kg/m3 } }
 rocks:
   - name: r
+    type: my_population
+    most: 4
     density: 2700 kg/m3
-    shape: { type: polygon, sides: 6, diameter: 0.5 m }
-    release: { position: [1, 25] }
+    shape: { type: my_shape, size: { uniform: [0.3 m, 0.6 m] } }
+    release: { along: [[1, 18], [1, 30]] }
+    launch: { type: my_launch, k: 3 m/s }
 stop: { time: 60 s }
 )";
 
-std::string installed_slope_with(const std::string& type, const std::string& law) {
-  std::string text = installed_slope;
-  text.replace(text.find("TYPE"), 4, type);
-  text.replace(text.find("[LAW]"), 5, law);
+std::string all_kinds_with(const std::string& ending) {
+  std::string text = all_kinds;
+  for (std::size_t at; (at = text.find('X')) != std::string::npos;) text.replace(at, 1, ending);
   return text;
 }
 
-void write_installed_plugin(const Folder& folder) {
-  fs::create_directories(folder.path() / "own");
-  folder.write("own/plugin.lua", R"(local fr = require "flyrock"
-return fr.plugin {
-  kind = "restitution", name = "own", doc = "Newton's law again.", source = "a test", form = "newton",
-  params = { en = fr.number { min = 0, max = 1, doc = "restitution" } },
-  native = "own",
-}
-)");
-  folder.write("own/own.cpp", R"(#include "plugin/module.h"
+const std::vector<std::string> kinds = {"restitution", "friction",   "rolling", "unilateral",
+                                        "velocity",    "population", "shape",   "terrain"};
 
-namespace {
-
-class Own : public flyrock::RestitutionLaw {
- public:
-  explicit Own(flyrock::Params& params) : en_(params.slot("en")) {}
-  bool constant() const override { return true; }
-  std::string origin() const override { return "own"; }
-  flyrock::Restitution impact(flyrock::Values values, const flyrock::ContactState&) const override {
-    return {values[en_], 0, flyrock::RestitutionForm::newton, false};
-  }
-
- private:
-  int en_;
-};
-
-}  // namespace
-
-FLYROCK_MODULE(table) {
-  table[{flyrock::PluginKind::restitution, "own"}] = flyrock::FactoryOf<flyrock::RestitutionLaw>(
-      [](flyrock::Params& params) { return std::make_unique<Own>(params); });
-  return nullptr;
-}
-)");
-  folder.write("own/CMakeLists.txt", R"(cmake_minimum_required(VERSION 3.25)
-project(own LANGUAGES CXX)
-find_package(flyrock 0.1.0 REQUIRED)
-flyrock_add_plugin(own own.cpp)
-)");
-}
-
-TEST_CASE("the installed program runs by itself, and a plugin is built against what is installed", "[slow]") {
+TEST_CASE("the installed program runs by itself, and templates of every kind are built against it",
+          "[slow]") {
   const Folder folder;
   const std::string build = fs::path(FLYROCK_BINARY).parent_path().parent_path().string();
   const Output install = shell(folder, "cmake --install '" + build + "' --prefix there/usr");
   INFO(install.err);
   REQUIRE(install.code == 0);
   CHECK_FALSE(folder.has("there/usr/include/flyrock/solver"));
+  for (const char* file :
+       {"man/man1/flyrock.1", "man/man1/flyrock-run.1", "bash-completion/completions/flyrock",
+        "zsh/site-functions/_flyrock", "flyrock/scenario.schema.json", "flyrock/annotations/flyrock.lua",
+        "flyrock/library/highwall.yaml"}) {
+    INFO(file);
+    CHECK(folder.has(std::string("there/usr/share/") + file));
+  }
   // Moved as a whole, it still finds its parts.
   fs::rename(folder.path() / "there", folder.path() / "moved");
   const std::string flyrock = "'" + (folder.path() / "moved/usr/bin/flyrock").string() + "' ";
-  folder.write("newton.yaml", installed_slope_with("newton", "[]"));
-  const Output run = shell(folder, flyrock + "run newton.yaml -o newton");
-  INFO(run.err);
-  REQUIRE(run.code == 0);
   CHECK(shell(folder, flyrock + "course --list").code == 0);
 
-  write_installed_plugin(folder);
-  const Output made = shell(
-      folder, "cmake -S own -B own/build -DCMAKE_PREFIX_PATH=\"$PWD/moved/usr\" && cmake --build own/build");
+  // What `new` writes, in Lua and in C++, gives the same bytes.
+  std::string project = "cmake_minimum_required(VERSION 3.25)\nproject(all LANGUAGES CXX)\n";
+  for (const std::string& kind : kinds) {
+    REQUIRE(shell(folder, flyrock + "new " + kind).code == 0);
+    REQUIRE(shell(folder, flyrock + "new " + kind + "-native").code == 0);
+    project += "add_subdirectory(" + kind + "-native)\n";
+  }
+  folder.write("CMakeLists.txt", project);
+  const Output made =
+      shell(folder, "cmake -S . -B build -DCMAKE_PREFIX_PATH=\"$PWD/moved/usr\" && cmake --build build -j 2");
   INFO(made.out << made.err);
   REQUIRE(made.code == 0);
-  REQUIRE(folder.has("own/own.so"));
-  folder.write("own.yaml", installed_slope_with("own", "[own]"));
-  const Output own = shell(folder, flyrock + "run own.yaml -o own_run");
-  INFO(own.err);
-  REQUIRE(own.code == 0);
-  CHECK(read(folder.path() / "own_run/rocks.csv") == read(folder.path() / "newton/rocks.csv"));
+  folder.write("lua.yaml", all_kinds_with(".lua"));
+  folder.write("native.yaml", all_kinds_with("-native"));
+  for (const char* name : {"lua", "native"}) {
+    const Output run = shell(folder, flyrock + "run " + name + ".yaml -o " + name);
+    INFO(run.err);
+    REQUIRE(run.code == 0);
+  }
+  CHECK(read(folder.path() / "native/rocks.csv") == read(folder.path() / "lua/rocks.csv"));
+  for (const std::string& kind : kinds) {
+    const Output check = shell(folder, flyrock + "check " + kind + "-native");
+    INFO(kind << check.out << check.err);
+    CHECK(check.code == 0);
+    CHECK(check.out.find("a sound plugin") != std::string::npos);
+  }
 
-  // The program in the build tree has the same tag; another version has not.
+  // A module of another version is refused in one line.
   const Output other =
       shell(folder,
             "sed -i 's/0[.]1[.]0/0.0.9/' moved/usr/lib/cmake/flyrock/flyrock-config.cmake && cmake --build "
-            "own/build --clean-first && " +
-                flyrock + "check own.yaml");
+            "build --clean-first --target my_restitution && " +
+                flyrock + "check native.yaml");
   CHECK(other.code == 2);
   CHECK(other.err.find("version") != std::string::npos);
 }
