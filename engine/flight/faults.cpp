@@ -8,6 +8,10 @@
 
 namespace flyrock {
 
+std::string energy_from_nowhere_text(double excess) {
+  return fmt::format("it has {:.3g} J more than gravity, air and impacts gave it", excess);
+}
+
 template <int D>
 Faults<D>::Faults(const World<D>& world, bool exact_flight) : world_(world), exact_flight_(exact_flight) {
   for (const Body<D>& body : world.bodies) starts_.push_back(body.x);
@@ -47,7 +51,7 @@ std::optional<std::string> Faults<D>::energy_from_nowhere() {
   greatest_ = std::max(greatest_, scale);
   const double excess = energy - (allowed_ + world_.energy_given());
   if (!(excess > share * greatest_ + lift + world_.energy_in_doubt())) return std::nullopt;
-  return fmt::format("it has {:.3g} J more than gravity, air and impacts gave it", excess);
+  return energy_from_nowhere_text(excess);
 }
 
 template class Faults<2>;

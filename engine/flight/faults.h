@@ -14,6 +14,9 @@ namespace flyrock {
 inline constexpr double greatest_speed = 1e5;
 inline constexpr int most_idle = 10'000;
 
+/// The text of a fault: more energy [J] than a body may have.
+std::string energy_from_nowhere_text(double excess);
+
 /// Checks a world while it runs. A fault is an error of the program or of a law, never a result. Instantiated
 /// for D = 2, 3.
 template <int D>

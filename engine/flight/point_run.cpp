@@ -37,7 +37,7 @@ class EnergyAudit {
     if (excess <= 0) return std::nullopt;
     const double scale = 0.5 * v.squaredNorm() + gravity_.norm() * ((x - start_).norm() + size_);
     if (!(excess > 1e-6 * scale)) return std::nullopt;
-    return fmt::format("it has {:.3g} J more than gravity, air and impacts gave it", mass_ * excess);
+    return energy_from_nowhere_text(mass_ * excess);
   }
 
  private:

@@ -26,9 +26,24 @@ nlohmann::ordered_json rocks_data(const ObservationSummary& summary) {
     list.push_back(json_object(
         "name", text(rock.name), "group", text(rock.group), "observed", number(rock.observed), "p5",
         number(rock.p5), "p50", number(rock.p50), "p95", number(rock.p95), "inside",
-        std::isnan(rock.p50) ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(rock.is_inside),
+        std::isnan(rock.p5) ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(rock.is_inside),
         "trials", rock.trials, "censored", rock.censored));
   return list;
+}
+
+nlohmann::ordered_json throws_data(const ThrowSummary& throws) {
+  nlohmann::ordered_json factors = nlohmann::ordered_json::array(), site = nullptr;
+  for (const CoveringFactor& factor : throws.factors)
+    factors.push_back(json_object("covers", factor.covers, "factor", number(factor.factor), "interval",
+                                  interval_data(factor.interval)));
+  if (throws.site)
+    site = json_object("factor", number(throws.site->factor), "fitted", throws.site->fitted, "covered",
+                       number(throws.site->covered.value), "interval",
+                       interval_data(throws.site->covered.interval), "judged", throws.site->judged);
+  return json_object("blasts", throws.blasts, "short", number(throws.short_of.value), "short_interval",
+                     interval_data(throws.short_of.interval), "factors", std::move(factors),
+                     "rank_correlation", number(throws.rank.r), "rank_interval",
+                     interval_data(throws.rank_interval), "site", std::move(site));
 }
 
 }  // namespace
@@ -41,11 +56,11 @@ nlohmann::ordered_json observation_data(const ObservedPlan& plan, const Observat
     levels.push_back(level);
     model.push_back(rounded(summary.model.quantile(level)));
   }
-  return json_object(
-      "of", name_of(plan.of), "per", plan.per_blast ? "blast" : "rock", "rows", summary.rows, "values",
-      summary.values, "censored", summary.censored, "lost", summary.lost, "paired", summary.is_paired,
-      "scatter", summary.has_scatter, "bias", number(summary.bias), "bias_error", number(summary.bias_error),
-      "across", number(summary.across), "across_error", number(summary.across_error), "energy_distance",
+  nlohmann::ordered_json data = json_object(
+      "of", name_of(plan.of), "per", name_of(plan.per), "rows", summary.rows, "values", summary.values,
+      "censored", summary.censored, "lost", summary.lost, "paired", summary.is_paired, "scatter",
+      summary.has_scatter, "bias", number(summary.bias), "bias_error", number(summary.bias_error), "across",
+      number(summary.across), "across_error", number(summary.across_error), "energy_distance",
       number(summary.energy), "energy_noise", number(summary.energy_noise), "energy_noise_p90",
       number(summary.energy_noise_p90), "inside_90",
       json_object("rows", summary.inside, "of", summary.with_band, "share",
@@ -55,6 +70,8 @@ nlohmann::ordered_json observation_data(const ObservedPlan& plan, const Observat
       json_object("value", number(summary.constant), "energy_distance", number(summary.constant_energy)),
       "quantiles", quantiles_data(summary), "rocks", rocks_data(summary), "levels", std::move(levels),
       "model", std::move(model));
+  if (summary.throws) data["throws"] = throws_data(*summary.throws);
+  return data;
 }
 
 }  // namespace flyrock

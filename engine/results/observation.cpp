@@ -73,6 +73,7 @@ class Comparing {
     bias();
     energies();
     bands();
+    if (plan_.per == ObservedUnit::hole) throws();
     return std::move(result_);
   }
 
@@ -173,8 +174,9 @@ class Comparing {
         rock.censored += value.censored;
         if (!value.censored) own.push_back(way_.at(value.value));
       }
-      if (own.size() < least_of_band || !result_.has_scatter) continue;
       const SortedSample sorted(std::move(own));
+      if (plan_.per == ObservedUnit::hole) rock.p50 = sorted.quantile(0.5);
+      if (sorted.size() < least_of_band || !result_.has_scatter) continue;
       rock.p5 = sorted.quantile(0.05);
       rock.p50 = sorted.quantile(0.5);
       rock.p95 = sorted.quantile(0.95);
@@ -187,6 +189,18 @@ class Comparing {
                                                static_cast<double>(result_.with_band), stated_confidence);
   }
 
+  /// Holes that throw nothing in any trial have no distance to compare.
+  void throws() {
+    std::vector<Throw> list;
+    for (const std::size_t r : rows_) {
+      std::vector<double> own;
+      for (const SimulatedValue& value : simulated_.rows[r].values) own.push_back(value.value.x());
+      const double model = SortedSample(std::move(own)).quantile(0.5);
+      if (model > 0) list.push_back({all_[r].x(), model});
+    }
+    result_.throws = summary_of(list);
+  }
+
   const ObservedPlan& plan_;
   const SimulatedRows& simulated_;
   std::vector<std::size_t> rows_;
@@ -195,6 +209,24 @@ class Comparing {
   Way way_;
   ObservationSummary result_;
 };
+
+/// "Of 264 blasts it falls short of the farthest rock on 90 % (95 % interval 86 to 94 %); times 3.2 it covers
+/// 95 % of them ..."
+std::string throws_text(const ThrowSummary& throws) {
+  std::string text = fmt::format("Of {} blasts it falls short of the farthest rock on {}", throws.blasts,
+                                 display(throws.short_of));
+  for (const CoveringFactor& factor : throws.factors)
+    if (factor.covers > 0.5)
+      text += fmt::format("{} times {} it covers {} of them", factor.covers < 0.99 ? ";" : ",",
+                          three_digits(factor.factor), percent(factor.covers));
+  text += fmt::format("; the ranks of model and measurement have the correlation {}.",
+                      three_digits(throws.rank.r));
+  if (throws.site)
+    text += fmt::format(
+        " The factor {} of every other blast, made to cover 95 % of these, covers {} of the others.",
+        three_digits(throws.site->factor), percent(throws.site->covered.value));
+  return text;
+}
 
 }  // namespace
 
@@ -241,6 +273,7 @@ std::string observation_text(const ObservedPlan& plan, const ObservationSummary&
   text += '.';
   if (!summary.has_scatter)
     text += " The model has no scatter between trials, so it has neither bands nor noise.";
+  if (summary.throws && summary.throws->blasts > 0) text += " " + throws_text(*summary.throws);
   if (summary.censored > 0)
     text += fmt::format(
         " {} rocks of the model left the domain or still moved: they are in none of these "

@@ -8,6 +8,7 @@
 #include "results/energy_distance.h"
 #include "results/sample.h"
 #include "results/simulated_rows.h"
+#include "results/throws.h"
 #include "results/unknown.h"
 
 namespace flyrock {
@@ -43,6 +44,7 @@ struct ObservationSummary {
   double constant = unknown;              ///< the best constant: the median measured (of places the mean one)
   double constant_energy = unknown;       ///< its energy distance
   std::vector<ObservedRock> rocks;
+  std::optional<ThrowSummary> throws;  ///< where each row is the farthest rock of a hole
 };
 
 /// Compares the rows with these indices. Their order decides nothing. `seed`: of the draws of the noise.

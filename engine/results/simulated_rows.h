@@ -45,6 +45,7 @@ class SimulatedTally {
 
   const ObservedPlan& plan_;
   std::vector<std::vector<int>> row_of_line_;  ///< by group and line of its table; -1: not measured
+  std::vector<int> row_of_hole_;               ///< of measured holes; -1: not measured
   std::vector<std::size_t> seen_;              ///< rocks of each group in the open trial
   SimulatedRows rows_;
   std::vector<std::uint64_t> starts_;  ///< of each row: number of starts in its sum
@@ -52,7 +53,8 @@ class SimulatedTally {
   bool is_full_ = false;
   bool is_open_ = false;
   std::uint64_t trial_ = 0;
-  std::optional<SimulatedValue> farthest_;  ///< of the open trial, where a row is a blast
+  /// Of the open trial, where a row is a blast or a hole: of each row.
+  std::vector<std::optional<SimulatedValue>> farthest_;
 };
 
 }  // namespace flyrock

@@ -189,7 +189,7 @@ class DocumentDecoder {
   void decode_measured(const Node& observed) {
     if (!root_.find("rocks"))
       return observed.error(context_.diagnostics, "is compared with `rocks`, the scenario has none");
-    scenario_.observed = decode_observed(context_, observed, scenario_.rocks);
+    scenario_.observed = decode_observed(context_, observed, scenario_);
   }
 
   /// Refuses groups with the name of a quantity: `rocks.runout.p95` would be ambiguous.

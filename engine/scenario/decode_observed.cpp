@@ -18,6 +18,11 @@ std::string_view name_of(ObservedNumber of) {
   return names[static_cast<std::size_t>(of)];
 }
 
+std::string_view name_of(ObservedUnit unit) {
+  constexpr std::array<std::string_view, 3> names = {"rock", "blast", "hole"};
+  return names[static_cast<std::size_t>(unit)];
+}
+
 namespace {
 
 constexpr std::size_t most_observed = 100'000;
@@ -29,8 +34,10 @@ struct TableLine {
 
 class ObservedDecoder {
  public:
-  ObservedDecoder(DecodeContext& context, const Node& node, const std::vector<RockGroup>& groups)
-      : context_(context), node_(node), groups_(groups) {}
+  ObservedDecoder(DecodeContext& context, const Node& node, const Scenario& scenario)
+      : context_(context), node_(node), groups_(scenario.rocks) {
+    if (scenario.blast) holes_ = &scenario.blast->pattern.measured;
+  }
 
   ObservedPlan decode() {
     const Section section = decode_section(context_, node_, "observed");
@@ -39,9 +46,14 @@ class ObservedDecoder {
     plan_.file = section.text("file");
     for (const ObservedNumber of : {ObservedNumber::place, ObservedNumber::distance})
       if (section.text("of") == name_of(of)) plan_.of = of;
-    plan_.per_blast = section.text("per") == "blast";
-    if (plan_.per_blast && plan_.of == ObservedNumber::place)
+    for (const ObservedUnit unit : {ObservedUnit::blast, ObservedUnit::hole})
+      if (section.text("per") == name_of(unit)) plan_.per = unit;
+    if (plan_.per != ObservedUnit::rock && plan_.of == ObservedNumber::place)
       node_.find("per")->error(context_.diagnostics, "compares distances, expected `of: runout | distance`");
+    if (plan_.per == ObservedUnit::hole && (!holes_ || holes_->empty())) {
+      node_.find("per")->error(context_.diagnostics, "needs `blast.holes`, with a hole for each line");
+      return std::move(plan_);
+    }
     const auto table = read_table(plan_.file, table_columns(observed_columns()), heads_of(node_), *file,
                                   context_.diagnostics);
     if (!table) return std::move(plan_);
@@ -52,7 +64,9 @@ class ObservedDecoder {
       file->error(context_.diagnostics,
                   fmt::format("has {} lines, must be at most {}", table->rows(), most_observed));
     for (std::size_t row = 0; row < table->rows(); ++row) read(*table, row);
-    if (!plan_.per_blast && plan_.rows.size() == table->rows()) pair(*table);
+    if (plan_.rows.size() != table->rows()) return std::move(plan_);  // reported
+    if (plan_.per == ObservedUnit::rock) pair(*table);
+    if (plan_.per == ObservedUnit::hole) pair_with_holes(*table);
     return std::move(plan_);
   }
 
@@ -137,6 +151,45 @@ class ObservedDecoder {
     }
   }
 
+  /// Gives each row the hole of its name, or where the table has no names that of its line.
+  void pair_with_holes(const TextTable& table) {
+    if (!table.has("name")) {
+      if (holes_->size() == plan_.rows.size()) {
+        for (std::size_t r = 0; r < plan_.rows.size(); ++r) give(plan_.rows[r], r);
+      } else {
+        node_.error(
+            context_.diagnostics,
+            fmt::format("has {} lines, and `blast.holes` has {}; expected as many, or a column `name` "
+                        "with names of holes",
+                        plan_.rows.size(), holes_->size()));
+      }
+      return;
+    }
+    std::vector<std::string> names;
+    std::map<std::string, std::size_t> hole_of;
+    for (std::size_t h = 0; h < holes_->size(); ++h) {
+      names.push_back((*holes_)[h].name);
+      hole_of.emplace(names.back(), h);
+    }
+    std::map<std::string, std::size_t> seen;
+    for (std::size_t r = 0; r < plan_.rows.size(); ++r) {
+      ObservedRow& row = plan_.rows[r];
+      const auto hole = hole_of.find(row.name);
+      if (hole == hole_of.end())
+        fail(table, r, "name",
+             fmt::format("`{}` is no hole of `blast.holes`{}", row.name, did_you_mean(row.name, names)));
+      else if (!seen.emplace(row.name, r).second)
+        fail(table, r, "name", fmt::format("`{}` is measured twice", row.name));
+      else
+        give(row, hole->second);
+    }
+  }
+
+  void give(ObservedRow& row, std::size_t hole) {
+    row.hole = static_cast<int>(hole);
+    if (row.name.empty()) row.name = (*holes_)[hole].name;
+  }
+
   void give(ObservedRow& row, const TableLine& line) {
     row.rock_group = line.group;
     row.rock_line = line.line;
@@ -149,13 +202,14 @@ class ObservedDecoder {
   DecodeContext& context_;
   const Node& node_;
   const std::vector<RockGroup>& groups_;
+  const std::vector<Hole>* holes_ = nullptr;
   ObservedPlan plan_;
 };
 
 }  // namespace
 
-ObservedPlan decode_observed(DecodeContext& context, const Node& node, const std::vector<RockGroup>& groups) {
-  return ObservedDecoder(context, node, groups).decode();
+ObservedPlan decode_observed(DecodeContext& context, const Node& node, const Scenario& scenario) {
+  return ObservedDecoder(context, node, scenario).decode();
 }
 
 }  // namespace flyrock

@@ -63,7 +63,7 @@ std::shared_ptr<const RockTable> decode_rock_table(DecodeContext& context, const
                                                    const Section& section);
 
 /// What is measured. `groups` are those of the scenario, whose tables may have the rocks of the rows.
-ObservedPlan decode_observed(DecodeContext& context, const Node& node, const std::vector<RockGroup>& groups);
+ObservedPlan decode_observed(DecodeContext& context, const Node& node, const Scenario& scenario);
 
 /// Where the rocks of a group start.
 std::optional<Release> decode_release(DecodeContext& context, const Node& node,

@@ -19,6 +19,14 @@ enum class ObservedNumber {
 /// The name as the scenario writes it.
 std::string_view name_of(ObservedNumber of);
 
+/// Of what a line of the table tells.
+enum class ObservedUnit {
+  rock,
+  blast,  ///< the farthest rock of a trial
+  hole    ///< the farthest rock of a measured hole, as of a blast with holes that are all alike
+};
+std::string_view name_of(ObservedUnit unit);
+
 /// A line of the table.
 struct ObservedRow {
   std::string name, group;                                                ///< empty: none
@@ -27,17 +35,18 @@ struct ObservedRow {
   /// The rock of each trial with which it is compared: its group (index into Scenario::rocks) and its line in
   /// the table of that group. -1: all rocks together.
   int rock_group = -1, rock_line = -1;
+  int hole = -1;  ///< the measured hole with whose farthest rock it is compared; -1: none
 };
 
 struct ObservedPlan {
   std::string file;
   ObservedNumber of = ObservedNumber::runout;
-  bool per_blast = false;  ///< a row is the farthest rock of a trial
+  ObservedUnit per = ObservedUnit::rock;
   std::vector<ObservedRow> rows;
   std::vector<std::string> other_heads;  ///< of the table, which are no columns
 
-  /// Whether each row has a rock of its own.
-  bool is_paired() const { return !rows.empty() && rows.front().rock_line >= 0; }
+  /// Whether each row has a rock or a hole of its own.
+  bool is_paired() const { return !rows.empty() && (rows.front().rock_line >= 0 || rows.front().hole >= 0); }
 };
 
 }  // namespace flyrock

@@ -517,7 +517,9 @@ std::vector<SectionSpec> make_sections() {
         choice(
             "of", {"runout", "place", "distance"},
             "what is compared: the runout, the place where it stops, the greatest distance from the start"),
-        or_else(choice("per", {"rock", "blast"}, "blast: a line is the farthest rock of a trial"), "rock")},
+        or_else(choice("per", {"rock", "blast", "hole"},
+                       "of what a line tells: a rock, the farthest rock of a trial, that of a measured hole"),
+                "rock")},
        {"columns"}},
       {"observed.columns", head_keys(observed_columns()), {}},
       {"solver",

@@ -111,4 +111,48 @@ TEST_CASE("check says by how much lengths are scaled, and warns of units that ar
   CHECK((check.out + check.err).find("check the units of the table") != std::string::npos);
 }
 
+TEST_CASE(
+    "a table of blasts is compared hole by hole: how often the model falls short, and by which factor") {
+  const Folder folder;
+  std::string blasts = "blast,burden_m,throw_m\n";
+  for (int i = 0; i < 24; ++i)
+    blasts += "b" + std::to_string(i) + "," + std::to_string(2 + 0.1 * i) + "," +
+              std::to_string(i < 18 ? 60 : 20) + "\n";
+  folder.write("blasts.csv", blasts);
+  const std::string text =
+      "flyrock: 1\ndimension: 2\nmethod: ballistic\ntrials: 2\n"
+      "terrain: { type: profile, points: [[-500, 0], [500, 0]] }\n"
+      "blast: { explosive: ANFO, hole: { diameter: 102 mm, length: 12 m, stemming: 3 m }, spacing: 3 m,\n"
+      "  holes: { file: blasts.csv, columns: { hole: blast } } }\n"
+      "rocks:\n  - { name: r, per_hole: 3, density: 2500, shape: { type: disk, radius: 0.1 },\n"
+      "      launch: { type: fixed, speed: 20 m/s, elevation: 45 deg } }\n"
+      "observed: { file: blasts.csv, of: distance, per: hole, columns: { name: blast, distance: throw_m } }\n"
+      "stop: { time: 100 s }\n";
+  folder.write("s.yaml", text);
+  const Json summary = summary_of(folder, "s.yaml");
+  const Json observed = summary["points"][0]["observed"];
+  CHECK(observed["per"] == "hole");
+  CHECK(observed["rows"] == 24);
+  CHECK(observed["values"] == 48);  // one a hole and trial
+  const double flown = observed["rocks"][0]["p50"];
+  CHECK(flown == Approx(20.0 * 20 / 9.81).epsilon(0.01));
+  const Json throws = observed["throws"];
+  CHECK(throws["blasts"] == 24);
+  CHECK(throws["short"] == Approx(0.75));
+  CHECK(throws["factors"][1]["factor"] == Approx(60 / flown));
+  CHECK(throws["site"]["fitted"] == 12);
+  CHECK(throws["site"]["covered"] == 1);
+  CHECK(summary["answer"].get<std::string>().find("Of 24 blasts it falls short") != std::string::npos);
+
+  blasts.replace(blasts.find("b7"), 2, "bx");
+  folder.write("others.csv", blasts);
+  std::string wrong = text;
+  wrong.replace(wrong.rfind("blasts.csv"), 10, "others.csv");
+  folder.write("wrong.yaml", wrong);
+  const Output check = call(folder, "check wrong.yaml");
+  CHECK(check.code == 2);
+  CHECK(check.err.find("others.csv:9") != std::string::npos);
+  CHECK(check.err.find("`bx` is no hole of `blast.holes`") != std::string::npos);
+}
+
 }  // namespace flyrock::measured_test

@@ -40,6 +40,25 @@ function observed_scores(observed) {
   return table("", ["score", "value"], rows);
 }
 
+/** Each blast: what was measured over what the model says; on the line they are equal. */
+function draw_throws(node, observed) {
+  const rocks = observed.rocks.filter((rock) => rock.p50 !== null), ends = [0, 1.05 * most(rocks.flatMap((rock) => [rock.p50, rock.observed]))];
+  plot(node, [
+    { x: ends, y: ends, mode: "lines", line: { color: colour.ink, width: 1, dash: "dot" }, name: "measured = model", hoverinfo: "skip" },
+    { x: rocks.map((rock) => rock.p50), y: rocks.map((rock) => rock.observed), mode: "markers", marker: { size: 6, color: colour.blue }, name: "blasts", text: rocks.map((rock, i) => rock.name ?? `row ${i + 1}`), hovertemplate: "%{text}: model %{x:.1f} m, measured %{y:.1f} m<extra></extra>" },
+  ], { height: 380, legend, hovermode: "closest", xaxis: { ...axis("farthest rock of the model in m"), range: ends }, yaxis: { ...axis("farthest rock found in m"), range: ends } });
+}
+
+function throw_scores(throws) {
+  const of = (value, [low, high]) => right(`${show(value)} (95 % interval ${show(low)} to ${show(high)})`);
+  return table("Throws", ["score", "value"], [
+    ["blasts", throws.blasts], ["share on which the model falls short", right(with_interval(throws.short, throws.short_interval))],
+    ...throws.factors.map((factor) => [`factor that covers ${show(100 * factor.covers)} % of the blasts`, of(factor.factor, factor.interval)]),
+    ["rank correlation of model and measurement", of(throws.rank_correlation, throws.rank_interval)],
+    ...(throws.site ? [[`one factor for the site, fitted on ${throws.site.fitted} blasts to cover 95 %`, throws.site.factor], [`covers, of the ${throws.site.judged} others`, right(with_interval(throws.site.covered, throws.site.interval))]] : []),
+  ]);
+}
+
 function observed_section() {
   if (summary.points.every((point) => !point.observed)) return;
   section_of_point("Model and measurement", (point) => {
@@ -52,7 +71,13 @@ function observed_section() {
       "The energy distance is 2E|X−Y| − E|X−X'| − E|Y−Y'|, in metres: 0 for equal distributions. Draws of the model itself have the energy distance of the table; a model whose distance is much larger is wrong at this number of rows.",
       "± is one standard error."));
     queueMicrotask(() => draw_observed(node, observed));
-    if (observed.rocks.some((rock) => rock.p50 !== null)) {
+    if (observed.throws) {
+      const pairs = plot_node("Farthest rock found over the farthest rock of the model, blast by blast; the same numbers in the table of rows");
+      parts.push(throw_scores(observed.throws), pairs, caption("Above the line a rock flew farther than the model says. A model that falls short on many blasts says nothing about where people stand.",
+        "The model's distance of a blast is the median over its trials. A factor covers the share of blasts whose measured throw is at most the factor times that distance. The factor of the site is fitted on every other row of the table."));
+      queueMicrotask(() => draw_throws(pairs, observed));
+    }
+    if (!observed.throws && observed.rocks.some((rock) => rock.p50 !== null)) {
       parts.push(bands, caption("Each measured row on the 90 % band of its own trials; crosses are outside. A model with the right scatter has 90 % of the rows inside."));
       queueMicrotask(() => draw_bands(bands, observed));
     }
