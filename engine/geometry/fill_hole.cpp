@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 
+#include "geometry/mesh_border.h"
 #include "geometry/mesh_edges.h"
 #include "geometry/mesh_fault.h"
 
@@ -12,37 +13,13 @@ namespace flyrock {
 std::vector<std::vector<int>> holes_of(const Mesh& mesh) {
   const auto across = neighbours_of(mesh.triangles, sorted_sides(mesh.triangles));
   const MeshPieces pieces = pieces_of(across);
-  std::vector<std::array<bool, 3>> visited(mesh.triangles.size(), {false, false, false});
-  struct Border {
-    std::vector<int> vertices;
-    double size = 0;  ///< m, diagonal of its box
-  };
-  std::map<int, std::vector<Border>> borders;  // by piece
-  for (int seed = 0; seed < static_cast<int>(mesh.triangles.size()); ++seed)
-    for (int side = 0; side < 3; ++side) {
-      if (across[seed][side] >= 0 || visited[seed][side]) continue;
-      Border border;
-      Vec3 low = Vec3::Constant(1e300), high = -low;
-      for (int t = seed, k = side; !visited[t][k];) {
-        visited[t][k] = true;
-        const int vertex = mesh.triangles[t][k], end = mesh.triangles[t][(k + 1) % 3];
-        border.vertices.push_back(vertex);
-        low = low.cwiseMin(mesh.vertices[vertex]);
-        high = high.cwiseMax(mesh.vertices[vertex]);
-        for (k = (k + 1) % 3; across[t][k] >= 0;) {  // turns about the end through its fan
-          t = across[t][k];
-          for (k = 0; mesh.triangles[t][k] != end;) ++k;
-        }
-      }
-      border.size = (high - low).norm();
-      borders[pieces.of[seed]].push_back(std::move(border));
-    }
+  std::map<int, std::vector<MeshBorder>> borders;  // by piece
+  for (MeshBorder& border : borders_of(mesh, across))
+    borders[pieces.of[border.triangle]].push_back(std::move(border));
   std::vector<std::vector<int>> holes;
   for (auto& [piece, list] : borders) {
-    const auto longest = std::max_element(list.begin(), list.end(),
-                                          [](const Border& a, const Border& b) { return a.size < b.size; });
-    for (auto border = list.begin(); border != list.end(); ++border)
-      if (border != longest) holes.push_back(std::move(border->vertices));
+    take_end(list);
+    for (MeshBorder& hole : list) holes.push_back(std::move(hole.vertices));
   }
   return holes;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/mesh_border.h"
 #include "geometry/mesh_edges.h"
 #include "geometry/place_text.h"
 
@@ -135,34 +136,35 @@ class Checks {
     const std::string more = count == 1 ? "" : fmt::format(", and so at {} other edges", count - 1);
     return fmt::format(
         "the two triangles at the edge {}{} face opposite ways{}; expected the corners of all "
-        "triangles counter-clockwise, seen from outside of the ground",
+        "triangles counter-clockwise, seen from outside of the ground: let your mesh program unify the "
+        "normals "
+        "(`Recalculate Outside`, `Re-Orient all faces coherently`) and export again",
         edge_text(*first), lines, more);
   }
 
   /// The faults of pieces: each that faces down, and all holes together.
   void add_pieces(std::vector<MeshFault>& found) {
-    piece_.assign(mesh_.triangles.size(), -1);
-    std::vector<int> triangles;
-    for (int seed = 0; seed < static_cast<int>(mesh_.triangles.size()); ++seed) {
-      if (piece_[seed] >= 0) continue;
-      triangles.assign(1, seed);
-      piece_[seed] = seed;
-      for (std::size_t next = 0; next < triangles.size(); ++next)
-        for (const int other : neighbours_[triangles[next]])
-          if (other >= 0 && piece_[other] < 0) {
-            piece_[other] = seed;
-            triangles.push_back(other);
-          }
-      if (std::string text = piece_fault(triangles); !text.empty())
+    const MeshPieces pieces = pieces_of(neighbours_);
+    std::vector<std::vector<int>> triangles(pieces.is_open.size());
+    for (int t = 0; t < static_cast<int>(mesh_.triangles.size()); ++t) triangles[pieces.of[t]].push_back(t);
+    std::vector<std::vector<MeshBorder>> borders(pieces.is_open.size());
+    for (MeshBorder& border : borders_of(mesh_, neighbours_))
+      borders[pieces.of[border.triangle]].push_back(std::move(border));
+    for (int piece = 0; piece < pieces.count(); ++piece) {
+      if (std::string text = piece_fault(triangles[piece], pieces.is_open[piece]); !text.empty()) {
         found.push_back({MeshFault::Kind::down, std::move(text)});
+        continue;
+      }
+      take_end(borders[piece]);
+      std::move(borders[piece].begin(), borders[piece].end(), std::back_inserter(holes_));
     }
     if (holes_.empty()) return;
     int most = 0;
-    for (const Loop& hole : holes_) most = std::max(most, hole.edges);
+    for (const MeshBorder& hole : holes_) most = std::max(most, hole.edges());
     found.push_back({MeshFault::Kind::hole, hole_text(), static_cast<double>(most)});
   }
 
-  std::string piece_fault(const std::vector<int>& triangles) {
+  std::string piece_fault(const std::vector<int>& triangles, bool is_open) const {
     const Vec3 origin = corner(triangles.front(), 0);  // near it the sums keep their digits
     double area = 0, surface = 0, volume = 0;
     for (const int t : triangles) {
@@ -172,73 +174,28 @@ class Checks {
       surface += twice.norm() / 2;
       volume += a.dot(b.cross(c)) / 6;
     }
-    std::vector<Loop> loops = borders(triangles);
     const std::string piece =
         fmt::format("the piece of {} triangles with {}", triangles.size(), triangle_text(triangles.front()));
-    if (loops.empty() && volume <= 0)
+    if (!is_open && volume <= 0)
       return fmt::format(
           "{} is closed and faces inwards; expected the corners of its triangles "
           "counter-clockwise, seen from outside of the ground",
           piece);
-    if (!loops.empty() && area <= 1e-12 * surface)
+    if (is_open && area <= 1e-12 * surface)
       return fmt::format(
           "{} faces down{}: it has the ground above it; expected the corners of its triangles "
           "counter-clockwise, seen from above",
           piece, area < -1e-12 * surface ? "" : " or stands upright");
-    keep_holes(std::move(loops));
     return {};
   }
 
-  struct Loop {
-    int edges = 0;
-    Vec3 low = Vec3::Constant(1e300), high = Vec3::Constant(-1e300);
-    double size() const { return (high - low).norm(); }
-  };
-
-  /// All borders of a piece but the greatest, which is its end.
-  void keep_holes(std::vector<Loop> loops) {
-    std::stable_sort(loops.begin(), loops.end(),
-                     [](const Loop& a, const Loop& b) { return a.size() > b.size(); });
-    if (loops.size() > 1) holes_.insert(holes_.end(), loops.begin() + 1, loops.end());
-  }
-
-  std::vector<Loop> borders(const std::vector<int>& triangles) {
-    std::vector<Loop> loops;
-    visited_.resize(mesh_.triangles.size(), {false, false, false});
-    for (const int seed : triangles) {
-      for (int side = 0; side < 3; ++side) {
-        if (neighbours_[seed][side] >= 0 || visited_[seed][side]) continue;
-        Loop loop;
-        for (int t = seed, k = side; !visited_[t][k];) {
-          visited_[t][k] = true;
-          ++loop.edges;
-          loop.low = loop.low.cwiseMin(corner(t, k));
-          loop.high = loop.high.cwiseMax(corner(t, k));
-          next_border(t, k);
-        }
-        loops.push_back(loop);
-      }
-    }
-    return loops;
-  }
-
-  /// From a side at the border to the one that follows it: turns about its end through the fan.
-  void next_border(int& triangle, int& side) const {
-    const int end = mesh_.triangles[triangle][(side + 1) % 3];
-    side = (side + 1) % 3;
-    while (neighbours_[triangle][side] >= 0) {
-      triangle = neighbours_[triangle][side];
-      side = 0;
-      while (mesh_.triangles[triangle][side] != end) ++side;
-    }
-  }
-
   std::string hole_text() const {
-    const Loop& hole = *std::max_element(holes_.begin(), holes_.end(),
-                                         [](const Loop& a, const Loop& b) { return a.size() < b.size(); });
+    const MeshBorder& hole =
+        *std::max_element(holes_.begin(), holes_.end(),
+                          [](const MeshBorder& a, const MeshBorder& b) { return a.size() < b.size(); });
     const std::string more = holes_.size() == 1 ? "" : fmt::format(", and {} more", holes_.size() - 1);
     return fmt::format(
-        "the mesh has a hole of {} edges from {} to {}{}; expected ground without holes inside", hole.edges,
+        "the mesh has a hole of {} edges from {} to {}{}; expected ground without holes inside", hole.edges(),
         place_text(hole.low), place_text(hole.high), more);
   }
 
@@ -246,9 +203,7 @@ class Checks {
   const std::vector<int>& lines_;
   std::vector<MeshSide> sides_;
   std::vector<std::array<int, 3>> neighbours_;
-  std::vector<int> piece_;
-  std::vector<std::array<bool, 3>> visited_;
-  std::vector<Loop> holes_;
+  std::vector<MeshBorder> holes_;
 };
 
 }  // namespace
