@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <utility>
 
 #include "cli/result_folder.h"
 #include "cli/run_program.h"
@@ -11,7 +12,9 @@
 #include "document/wording.h"
 #include "report/export_asc.h"
 #include "report/export_csv.h"
+#include "report/export_geojson.h"
 #include "report/export_vtk.h"
+#include "report/stored_scene.h"
 
 namespace flyrock::cli {
 
@@ -22,16 +25,52 @@ namespace {
 
 /// Maps as GeoTIFF with numbers of 64 bits: the ASCII grids, as the program gdal_translate reads them.
 std::vector<fs::path> export_tif(const fs::path& results, const fs::path& folder) {
+  const std::string crs = stored_crs(SqliteReader(results));
   std::vector<fs::path> files = export_asc(results, folder);
   for (fs::path& file : files) {
     const fs::path grid = file;
     file.replace_extension(".tif");
-    const bool made = run_program(
-        {"gdal_translate", "-q", "-of", "GTiff", "-oo", "DATATYPE=Float64", grid.string(), file.string()});
+    std::vector<std::string> words = {"gdal_translate", "-q", "-of", "GTiff", "-oo", "DATATYPE=Float64"};
+    if (!crs.empty()) words.insert(words.end(), {"-a_srs", crs});
+    words.insert(words.end(), {grid.string(), file.string()});
+    const bool made = run_program(words);
     fs::remove(grid);
+    fs::remove(fs::path(grid).replace_extension(".vrt"));
     if (!made) throw InputError(fmt::format("{}: GDAL's gdal_translate cannot write it", file.string()));
   }
   return files;
+}
+
+/// "paths-p0" as its layer, and the sweep point, "p0".
+std::pair<std::string, std::string> layer_and_point(const fs::path& file) {
+  const std::string stem = file.stem().string();
+  const std::size_t cut = stem.rfind('-');
+  return {stem.substr(0, cut), stem.substr(cut + 1)};
+}
+
+/// A GeoPackage for each sweep point: the GeoJSON files as its layers, as the program ogr2ogr reads them.
+std::vector<fs::path> export_gpkg(const fs::path& results, const fs::path& folder) {
+  const std::string crs = stored_crs(SqliteReader(results));
+  std::vector<fs::path> packages;
+  for (const fs::path& layer : export_geojson(results, folder)) {
+    const auto [name, point] = layer_and_point(layer);
+    const fs::path package = folder / fmt::format("results-{}.gpkg", point);
+    const bool is_new = packages.empty() || packages.back() != package;
+    if (is_new) {
+      fs::remove(package);
+      packages.push_back(package);
+    }
+    std::vector<std::string> words = {"ogr2ogr", "-f", "GPKG", "-nln", name};
+    words.insert(words.end(), {"-a_srs", crs.empty() ? "NONE" : crs});
+    // The time of the change would differ in each export.
+    words.insert(words.end(), {"--config", "OGR_CURRENT_DATE", "2000-01-01T00:00:00.000Z"});
+    if (!is_new) words.insert(words.end(), {"-update", "-append"});
+    words.insert(words.end(), {package.string(), layer.string()});
+    const bool made = run_program(words);
+    fs::remove(layer);
+    if (!made) throw InputError(fmt::format("{}: GDAL's ogr2ogr cannot write it", package.string()));
+  }
+  return packages;
 }
 
 struct Format {
@@ -39,27 +78,36 @@ struct Format {
   /// Writes the database into a folder and returns the files.
   std::vector<fs::path> (*write)(const fs::path& results, const fs::path& folder);
   const char* nothing;  ///< message if no file is written
+  /// The program of GDAL that it needs, and the format that writes the same without; null: none.
+  const char* program = nullptr;
+  const char* instead = nullptr;
+  const char* same = nullptr;
 };
 
 constexpr const char* no_maps =
     "this result has no maps (only runs in 3D make maps; see output.maps of the scenario)";
 
-constexpr std::array<Format, 4> formats = {{
+constexpr const char* no_plan = "this result has no places in plan (only runs in 3D do)";
+
+constexpr std::array<Format, 6> formats = {{
     {"asc", export_asc, no_maps},
     {"csv", export_csv, ""},
-    {"tif", export_tif, no_maps},
+    {"geojson", export_geojson, no_plan},
+    {"gpkg", export_gpkg, no_plan, "ogr2ogr", "geojson", "the same layers"},
+    {"tif", export_tif, no_maps, "gdal_translate", "asc", "the same maps"},
     {"vtk", export_vtk, "no trajectory is stored; output.trajectories of the scenario says how many are"},
 }};
 
 const Format& format_of(const std::string& name) {
-  if (name == "tif" && !has_program("gdal_translate"))
-    throw UsageError(
-        "--to tif needs the program gdal_translate (Debian: gdal-bin); --to asc writes the same maps without "
-        "it");
   std::vector<std::string> names;
   for (const Format& format : formats) {
-    if (name == format.name) return format;
     names.emplace_back(format.name);
+    if (name != format.name) continue;
+    if (format.program && !has_program(format.program))
+      throw UsageError(
+          fmt::format("--to {} needs the program {} (Debian: gdal-bin); --to {} writes {} without it", name,
+                      format.program, format.instead, format.same));
+    return format;
   }
   throw UsageError(fmt::format("--to: unknown format `{}`{}", name, suggestion(name, names)));
 }
@@ -68,11 +116,12 @@ const Format& format_of(const std::string& name) {
 
 int export_result(const Command& command, const Arguments& arguments) {
   po::options_description options("options");
-  options.add_options()("to", po::value<std::string>()->value_name("csv|vtk|asc|tif"),
-                        "csv (every table), vtk (trajectories, for ParaView), asc or tif (maps, for a GIS; "
-                        "tif needs GDAL); required")("output,o",
-                                                     po::value<std::string>()->value_name("FILE|DIR"),
-                                                     "folder of the files; default DIR/<format>");
+  options.add_options()(
+      "to", po::value<std::string>()->value_name("csv|vtk|geojson|gpkg|asc|tif"),
+      "csv (every table), vtk (trajectories, for ParaView); for a GIS: geojson or gpkg (paths, "
+      "ends, gates, barriers, trees, zones, area), asc or tif (maps); gpkg and tif need GDAL; "
+      "required")("output,o", po::value<std::string>()->value_name("FILE|DIR"),
+                  "folder of the files; default DIR/<format>");
   const CommandLine line = parse(command, options, arguments, 1, 1);
   if (line.help) return done;
   if (!line.has("to")) throw UsageError(fmt::format("expected --to FORMAT: flyrock {}", command.usage));

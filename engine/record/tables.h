@@ -84,8 +84,10 @@ constexpr void visit_rocks(Visit&& visit) {
         &R::censored);
   visit(Column{}, &R::decided_gates);
   visit(Column{}, &R::decided_barriers);
-  visit(Column{}, &R::start_x);
-  visit(Column{}, &R::start_y);
+  visit(Column{.name = "start_x_m", .unit = "m", .doc = "centre of mass at the release", .in_csv = false},
+        &R::start_x);
+  visit(Column{.name = "start_y_m", .unit = "m", .doc = "centre of mass at the release", .in_csv = false},
+        &R::start_y);
   visit(Column{.name = "runout_m",
                .unit = "m",
                .doc = "horizontal distance from release to stop",

@@ -9,6 +9,7 @@
 #include "report/envelope_data.h"
 #include "report/record_tables.h"
 #include "report/tables.h"
+#include "report/zone_region.h"
 
 namespace flyrock {
 
@@ -27,6 +28,7 @@ CREATE TABLE envelopes (point INTEGER, "group" TEXT, x_m REAL, width_m REAL, roc
   height_p95_m REAL, height_max_m REAL, speed_p50_m_s REAL, speed_p95_m_s REAL, speed_max_m_s REAL, energy_p50_J REAL,
   energy_p95_J REAL, energy_max_J REAL);
 CREATE TABLE map_grids (point INTEGER PRIMARY KEY, x_m REAL, y_m REAL, cell_m REAL, columns INTEGER, rows INTEGER);
+CREATE TABLE zones (point INTEGER, zone INTEGER, name TEXT, polygon INTEGER, ring INTEGER, x_m REAL, y_m REAL);
 CREATE TABLE report (data TEXT);
 CREATE TABLE stems (point INTEGER, tree INTEGER, x_m REAL, y_m REAL, diameter_m REAL, height_m REAL, strength REAL);
 CREATE TABLE expectations (number INTEGER, measure TEXT, point INTEGER, computed REAL, kind TEXT, expected REAL,
@@ -42,6 +44,26 @@ void add_stems(const SqliteFile& file, const Results& results) {
     for (const Stem& stem : point.forest->stems())
       rows.row(p, tree++, stem.place.x() + point.terrain.origin.x(),
                stem.place.y() + point.terrain.origin.y(), 2 * stem.radius, stem.height, stem.strength);
+  }
+}
+
+void add_zones(const SqliteFile& file, const Plan& plan, const Results& results,
+               const GroundPictures& grounds) {
+  Insertion rows(file, "zones", 7);
+  for (std::size_t p = 0; p < results.points.size(); ++p) {
+    const std::vector<Zone>& zones = plan.points[p].terrain.zones;
+    const int ground = grounds.of_point[p];
+    for (std::size_t z = 0; z < zones.size(); ++z) {
+      const auto polygons = region_of(
+          zones[z], ground < 0 ? nullptr : &grounds.grounds[static_cast<std::size_t>(ground)].stored.mesh);
+      for (std::size_t i = 0; i < polygons.size(); ++i) {
+        const auto add_ring = [&](const PlanRing& ring, std::size_t number) {
+          for (const Vec2& corner : ring) rows.row(p, z, zones[z].name, i, number, corner.x(), corner.y());
+        };
+        add_ring(polygons[i].outline, 0);
+        for (std::size_t h = 0; h < polygons[i].holes.size(); ++h) add_ring(polygons[i].holes[h], h + 1);
+      }
+    }
   }
 }
 
@@ -232,6 +254,7 @@ void ResultDatabase::finish(const Results& results, const GroundPictures& ground
     add_envelopes(file_, results);
     add_maps(file_, results);
     add_stems(file_, results);
+    add_zones(file_, plan_, results, grounds);
     add_expectations(file_, results);
   }
   insertions_.reset();  // because a statement keeps its file open

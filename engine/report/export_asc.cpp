@@ -9,6 +9,7 @@
 #include "document/value.h"
 #include "record/maps.h"
 #include "report/sqlite.h"
+#include "report/stored_scene.h"
 
 namespace flyrock {
 
@@ -62,17 +63,40 @@ std::string grid_text(const StoredGrid& grid, const std::vector<double>& values)
   return text;
 }
 
+/// An ASCII grid has no place for the number of a coordinate system, and a file .prj needs all of its
+/// definition. GDAL, and so QGIS, take it from this file, which shows the grid. Source: gdal.org, VRT driver.
+void write_with_crs(const std::filesystem::path& grid_file, const StoredGrid& grid, const std::string& crs) {
+  std::filesystem::path file = grid_file;
+  write_file(file.replace_extension(".vrt"),
+             fmt::format("<VRTDataset rasterXSize=\"{}\" rasterYSize=\"{}\">\n"
+                         "  <SRS>{}</SRS>\n"
+                         "  <GeoTransform>{}, {}, 0, {}, 0, {}</GeoTransform>\n"
+                         "  <VRTRasterBand dataType=\"Float64\" band=\"1\">\n"
+                         "    <NoDataValue>{}</NoDataValue>\n"
+                         "    <SimpleSource>\n"
+                         "      <SourceFilename relativeToVRT=\"1\">{}</SourceFilename>\n"
+                         "      <OpenOptions><OOI key=\"DATATYPE\">Float64</OOI></OpenOptions>\n"
+                         "    </SimpleSource>\n"
+                         "  </VRTRasterBand>\n"
+                         "</VRTDataset>\n",
+                         grid.columns, grid.rows, crs, shortest(grid.x), shortest(grid.cell),
+                         shortest(grid.y + grid.cell * static_cast<double>(grid.rows)), shortest(-grid.cell),
+                         shortest(no_data), grid_file.filename().string()));
+}
+
 }  // namespace
 
 std::vector<std::filesystem::path> export_asc(const std::filesystem::path& results,
                                               const std::filesystem::path& folder) {
   const SqliteReader database(results);
+  const std::string crs = stored_crs(database);
   std::vector<std::filesystem::path> files;
   for (const StoredGrid& grid : stored_grids(database)) {
     make_folder(folder);
     for (const char* name : map_names) {
       files.push_back(folder / fmt::format("{}-p{}.asc", name, grid.point));
       write_file(files.back(), grid_text(grid, stored_values(database, grid, name)));
+      if (!crs.empty()) write_with_crs(files.back(), grid, crs);
     }
   }
   return files;

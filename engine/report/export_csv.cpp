@@ -15,8 +15,8 @@ namespace {
 
 /// The tables that are not made of rows of trials, and the view of inputs with their paths.
 constexpr const char* other_tables[] = {
-    "points", "sweep", "parts",     "ground",    "grounds", "ground_vertices", "ground_triangles",
-    "inputs", "stems", "envelopes", "map_grids", "maps",    "expectations"};
+    "points", "sweep", "parts",     "ground",    "grounds", "ground_vertices", "ground_triangles", "inputs",
+    "stems",  "zones", "envelopes", "map_grids", "maps",    "expectations"};
 
 /// A view returns the rows of a rock in the order in which they were written: report/record_tables.h.
 struct Exported {

@@ -53,13 +53,13 @@ std::vector<VtkArray> cell_data(const std::vector<StoredPath>& paths) {
   return arrays;
 }
 
-void write_lines(const fs::path& file, const std::vector<StoredPath>& paths) {
+void write_lines(const fs::path& file, const std::vector<StoredPath>& paths, const std::string& crs) {
   PointData points;
   for (const StoredPath& path : paths) {
     for (const StoredMoment& moment : path.moments) points.add(moment);
     points.end_line();
   }
-  write_vtp(file, std::move(points).with(cell_data(paths)));
+  write_vtp(file, std::move(points).with(cell_data(paths)), crs);
 }
 
 double end_of(const std::vector<StoredPath>& paths) {
@@ -68,8 +68,9 @@ double end_of(const std::vector<StoredPath>& paths) {
   return end;
 }
 
-void write_contacts(const fs::path& index, double end, const std::vector<StoredContact>& contacts) {
-  write_vtp_series(index, end, most_vtk_steps, [&](double time) {
+void write_contacts(const fs::path& index, double end, const std::vector<StoredContact>& contacts,
+                    const std::string& crs) {
+  write_vtp_series(index, end, most_vtk_steps, crs, [&](double time) {
     VtkPoints now;
     VtkArray forces{"force_N", {}, 3};
     for (const StoredContact& contact : contacts)
@@ -82,8 +83,8 @@ void write_contacts(const fs::path& index, double end, const std::vector<StoredC
   });
 }
 
-void write_series(const fs::path& index, const std::vector<StoredPath>& paths) {
-  write_vtp_series(index, end_of(paths), most_vtk_steps, [&](double time) {
+void write_series(const fs::path& index, const std::vector<StoredPath>& paths, const std::string& crs) {
+  write_vtp_series(index, end_of(paths), most_vtk_steps, crs, [&](double time) {
     PointData points;
     for (const StoredPath& path : paths) points.add(path.at(time));
     return std::move(points).with(cell_data(paths));
@@ -129,32 +130,34 @@ VtkPoints ground_triangles(const SqliteReader& database, std::int64_t ground) {
   return surface;
 }
 
-void write_ground(const fs::path& file, const SqliteReader& database, std::int64_t point) {
+void write_ground(const fs::path& file, const SqliteReader& database, std::int64_t point,
+                  const std::string& crs) {
   const std::optional<std::int64_t> ground = stored_ground(database, point);
-  write_vtp(file, ground ? ground_triangles(database, *ground) : profile_lines(database, point));
+  write_vtp(file, ground ? ground_triangles(database, *ground) : profile_lines(database, point), crs);
 }
 
 }  // namespace
 
 std::vector<fs::path> export_vtk(const fs::path& results, const fs::path& folder) {
   const SqliteReader database(results);
+  const std::string crs = stored_crs(database);
   StoredPaths stored(database);
   std::vector<fs::path> files;
   for (auto paths = stored.next_point(); !paths.empty(); paths = stored.next_point()) {
     if (files.empty()) make_folder(folder);
     const std::int64_t point = paths.front().point;
     files.push_back(folder / fmt::format("trajectories-p{}.vtp", point));
-    write_lines(files.back(), paths);
+    write_lines(files.back(), paths, crs);
     files.push_back(folder / fmt::format("rocks-p{}.pvd", point));
-    write_series(files.back(), paths);
+    write_series(files.back(), paths, crs);
     files.push_back(folder / fmt::format("shapes-p{}.pvd", point));
     write_shapes(files.back(), database, paths);
     if (const auto contacts = stored_contacts(database, point, 0); !contacts.empty()) {
       files.push_back(folder / fmt::format("contacts-p{}.pvd", point));
-      write_contacts(files.back(), end_of(paths), contacts);
+      write_contacts(files.back(), end_of(paths), contacts, crs);
     }
     files.push_back(folder / fmt::format("ground-p{}.vtp", point));
-    write_ground(files.back(), database, point);
+    write_ground(files.back(), database, point, crs);
   }
   return files;
 }

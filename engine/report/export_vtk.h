@@ -20,8 +20,9 @@ namespace flyrock {
 ///   contacts-p<point>.pvd       if the first trial has a series: the contacts that carry a force, as
 ///                               points with the vector force_N on the first body of the pair (in 3D
 ///                               without its tangential part), in the step that contains the time
-/// `mode` is the index in travel_mode_names. Returns the files except those of the steps; none if no
-/// trajectory is stored. Throws FileError.
+/// `mode` is the index in travel_mode_names. The field data `crs` of each file is the coordinate system,
+/// where it is known. Returns the files except those of the steps; none if no trajectory is stored. Throws
+/// FileError.
 std::vector<std::filesystem::path> export_vtk(const std::filesystem::path& results,
                                               const std::filesystem::path& folder);
 

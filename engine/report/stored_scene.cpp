@@ -8,6 +8,11 @@
 
 namespace flyrock {
 
+std::string stored_crs(const SqliteReader& database) {
+  Query row(database, "SELECT json_extract(data, '$.summary.crs') FROM report");
+  return row.next() && row.type(0) == SQLITE_TEXT ? row.text(0) : "";
+}
+
 std::optional<std::int64_t> stored_ground(const SqliteReader& database, std::int64_t point) {
   Query row(database, fmt::format("SELECT ground FROM points WHERE point = {}", point));
   if (!row.next() || row.type(0) == SQLITE_NULL) return std::nullopt;

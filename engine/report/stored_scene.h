@@ -1,8 +1,10 @@
 #pragma once
-// What results.db says of the ground of a sweep point, of the shapes of its rocks and of its fixtures.
+// What results.db says of the coordinates, of the ground of a sweep point, of the shapes of its rocks and of
+// its fixtures.
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "record/scenery.h"
@@ -10,6 +12,9 @@
 #include "report/stored_paths.h"
 
 namespace flyrock {
+
+/// The coordinate system of all places, "EPSG:2056"; empty: not known.
+std::string stored_crs(const SqliteReader& database);
 
 /// The number of the ground of a point in `grounds`; none in 2D.
 std::optional<std::int64_t> stored_ground(const SqliteReader& database, std::int64_t point);

@@ -36,14 +36,14 @@ class VtpWriter {
  public:
   explicit VtpWriter(const std::filesystem::path& path) : file_(path, Sync::no) {}
 
-  void write(const VtkPoints& data) {
+  void write(const VtkPoints& data, const std::string& crs) {
     const Cells cells = cells_of(data);
-    file_.write(
-        fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
-                    "byte_order=\"LittleEndian\">\n<PolyData>\n"
-                    "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" "
-                    "NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n",
-                    data.points.size(), cells.are("Verts"), cells.are("Lines"), cells.are("Polys")));
+    file_.write(fmt::format(
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
+        "byte_order=\"LittleEndian\">\n<PolyData>\n{}"
+        "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" "
+        "NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n",
+        field_data(crs), data.points.size(), cells.are("Verts"), cells.are("Lines"), cells.are("Polys")));
     arrays("PointData", data.of_points);
     arrays("CellData", data.of_cells);
     file_.write("<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n");
@@ -56,6 +56,17 @@ class VtpWriter {
   }
 
  private:
+  /// Text of VTK: the codes of its characters, then 0.
+  static std::string field_data(const std::string& crs) {
+    if (crs.empty()) return "";
+    std::string codes;
+    for (const char c : crs) codes += fmt::format("{} ", static_cast<unsigned char>(c));
+    return fmt::format(
+        "<FieldData>\n<Array type=\"String\" Name=\"crs\" NumberOfTuples=\"1\" format=\"ascii\">\n{}0\n"
+        "</Array>\n</FieldData>\n",
+        codes);
+  }
+
   void arrays(const char* section, const std::vector<VtkArray>& list) {
     file_.write(fmt::format("<{}>\n", section));
     for (const VtkArray& array : list) {
@@ -82,9 +93,11 @@ class VtpWriter {
 
 }  // namespace
 
-void write_vtp(const std::filesystem::path& path, const VtkPoints& data) { VtpWriter(path).write(data); }
+void write_vtp(const std::filesystem::path& path, const VtkPoints& data, const std::string& crs) {
+  VtpWriter(path).write(data, crs);
+}
 
-void write_vtp_series(const std::filesystem::path& index, double end, double steps,
+void write_vtp_series(const std::filesystem::path& index, double end, double steps, const std::string& crs,
                       const std::function<VtkPoints(double time)>& frame) {
   const double step = round_step(end / steps);
   const auto last = static_cast<int>(std::ceil(end / step));
@@ -93,7 +106,7 @@ void write_vtp_series(const std::filesystem::path& index, double end, double ste
   std::string series;
   for (int i = 0; i <= last; ++i) {
     const std::string name = fmt::format("{:04}.vtp", i);
-    write_vtp(folder / name, frame(step * i));
+    write_vtp(folder / name, frame(step * i), crs);
     series += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", shortest(step * i),
                           (index.stem() / name).generic_string());
   }

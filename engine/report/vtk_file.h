@@ -31,15 +31,16 @@ struct VtkPoints {
   std::vector<VtkArray> of_points, of_cells;
 };
 
-/// Throws FileError.
-void write_vtp(const std::filesystem::path& path, const VtkPoints& data);
+/// The coordinate system `crs` ("EPSG:2056"; empty: not known) becomes field data of that name. Throws
+/// FileError.
+void write_vtp(const std::filesystem::path& path, const VtkPoints& data, const std::string& crs);
 
 inline constexpr double most_vtk_steps = 500;  ///< of a time series
 
 /// A time series: an index (.pvd) and, in a folder of its name beside it, one file for each step of a round
 /// number of seconds from 0 to `end` [s], about `steps` of them. frame(time) gives the data of a step. Throws
 /// FileError.
-void write_vtp_series(const std::filesystem::path& index, double end, double steps,
+void write_vtp_series(const std::filesystem::path& index, double end, double steps, const std::string& crs,
                       const std::function<VtkPoints(double time)>& frame);
 
 }  // namespace flyrock

@@ -173,7 +173,7 @@ void write_shapes(const fs::path& index, const SqliteReader& database, const std
     shown.push_back(std::move(fixture.path));
   }
   const double steps = std::clamp(most_bytes / std::max(bytes, 1.0), least_steps, most_vtk_steps);
-  write_vtp_series(index, end, steps, [&](double time) {
+  write_vtp_series(index, end, steps, stored_crs(database), [&](double time) {
     Scene scene;
     for (std::size_t k = 0; k < surfaces.size(); ++k)
       scene.add(shown[k], surfaces[k], shown[k].at(time), in_space);

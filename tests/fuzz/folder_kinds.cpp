@@ -168,6 +168,7 @@ class Results : public Kind {
     call({"report", "result"}, ErrorForm::named);
     call({"export", "result", "--to", "csv"}, ErrorForm::named);
     call({"export", "result", "--to", "vtk"}, ErrorForm::named);
+    call({"export", "result", "--to", "geojson"}, ErrorForm::named);
     call({"run", "s.yaml", "-o", "result", "--resume", "--quiet", "-j", "1"}, ErrorForm::named);
   }
 

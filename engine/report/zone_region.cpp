@@ -1,0 +1,18 @@
+#include "report/zone_region.h"
+
+#include <algorithm>
+
+namespace flyrock {
+
+std::vector<PlanPolygon> region_of(const Zone& zone, const Mesh* ground) {
+  if (!zone.polygon.empty()) return polygons_of({zone.polygon});
+  if (!zone.outlines.empty()) return polygons_of(zone.outlines);
+  if (zone.raster)
+    return polygons_of(rings_around_cells(*zone.raster, [&](double value) { return value == zone.value; }));
+  if (zone.group.empty() || !ground) return {};
+  const auto part = std::find(ground->parts.begin(), ground->parts.end(), zone.name);
+  if (part == ground->parts.end()) return {};
+  return polygons_of(rings_around_part(*ground, static_cast<int>(part - ground->parts.begin())));
+}
+
+}  // namespace flyrock
