@@ -6,58 +6,54 @@
 #include <fstream>
 #include <sstream>
 
-#include "plugin/params.h"
-#include "units/units.h"
+#include "plugin/surveyed_terrain.h"
 
 namespace flyrock::plugins {
 
-namespace {
-
-/// What another separator makes of numbers.
-std::string separator_hint(const std::string& word) {
-  return word.find(';') == word.npos
-             ? ""
-             : ": its values are apart by `;`, expected commas or blanks, and a point in decimals";
-}
-
-std::vector<double> numbers_of(std::string line, const std::string& where) {
-  std::replace(line.begin(), line.end(), ',', ' ');
-  std::istringstream words(line);
-  std::vector<double> numbers;
-  for (std::string word; words >> word;) {
-    const auto number = parse_number(word);
-    if (!number)
-      throw PluginError(fmt::format("{}: `{}` is not a number{}", where, word, separator_hint(word)));
-    numbers.push_back(*number);
+PointFile read_points(const std::string& plugin, const std::string& path,
+                      std::span<const TableColumn> columns) {
+  const Value nowhere;
+  Diagnostics diagnostics;
+  const auto table = read_table(path, columns, {}, Node::root(nowhere), diagnostics, TableForm::points);
+  if (!table) {
+    std::vector<std::string> faults;
+    for (const Diagnostic& fault : diagnostics.all())
+      faults.push_back(fault.at.source ? fmt::format("plugin {}: {}:{}:{}: {}", plugin, fault.at.source->name,
+                                                     fault.at.line, fault.at.column, fault.text)
+                                       : fmt::format("plugin {}: {}", plugin, fault.text));
+    throw FileFaults(std::move(faults));
   }
-  return numbers;
+  PointFile file;
+  file.other_heads = table->ignored();
+  for (std::size_t row = 0; row < table->rows(); ++row) {
+    std::vector<double>& point = file.points.emplace_back();
+    for (const TableColumn& column : columns) point.push_back(table->number(row, column.name).value_or(0));
+  }
+  return file;
 }
 
-}  // namespace
-
-std::vector<std::vector<double>> read_points(const std::string& plugin, const std::string& path,
-                                             int columns) {
+std::vector<Vec3> read_obj_points(const std::string& plugin, const std::string& path) {
   std::ifstream file(path);
   if (!file) throw PluginError(fmt::format("plugin {}: cannot read the file {}", plugin, path));
-  const bool is_obj = path.ends_with(".obj");
-  std::vector<std::vector<double>> points;
+  std::vector<Vec3> points;
   int line_number = 0;
   for (std::string line; std::getline(file, line);) {
-    const std::string where = fmt::format("plugin {}: {}:{}", plugin, path, ++line_number);
-    if (line_number == 1 && line.starts_with("\xEF\xBB\xBF"))
-      line.erase(0, 3);  // byte order mark that spreadsheets write before UTF-8 text
+    ++line_number;
     line.erase(std::min(line.find('#'), line.size()));
-    if (is_obj) {
-      if (!line.starts_with("v ")) continue;
-      line.erase(0, 1);
+    if (!line.starts_with("v ")) continue;
+    std::istringstream words(line.substr(1));
+    std::vector<double> numbers;
+    for (std::string word; words >> word;) {
+      const auto number = parse_number(word);
+      if (!number)
+        throw PluginError(
+            fmt::format("plugin {}: {}:{}: `{}` is not a number", plugin, path, line_number, word));
+      numbers.push_back(*number);
     }
-    std::vector<double> numbers = numbers_of(line, where);
-    if (numbers.empty() && line.find(',') == line.npos) continue;
-    if (static_cast<int>(numbers.size()) != columns)
-      throw PluginError(fmt::format("{}: expected {}, found {}", where,
-                                    columns == 2 ? "two numbers, x and y" : "three numbers, x, y and z",
-                                    numbers.size()));
-    points.push_back(std::move(numbers));
+    if (numbers.size() != 3)
+      throw PluginError(fmt::format("plugin {}: {}:{}: expected three numbers, x, y and z, found {}", plugin,
+                                    path, line_number, numbers.size()));
+    points.emplace_back(numbers[0], numbers[1], numbers[2]);
   }
   return points;
 }

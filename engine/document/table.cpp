@@ -95,10 +95,58 @@ std::vector<Field> fields_of(std::string_view line, char separator) {
   return fields;
 }
 
+/// Cuts a line at its blanks.
+std::vector<Field> words_of(std::string_view line) {
+  std::vector<Field> words;
+  for (std::size_t i = line.find_first_not_of(blanks); i != std::string_view::npos;) {
+    const std::size_t end = std::min(line.find_first_of(blanks, i), line.size());
+    words.push_back({std::string(line.substr(i, end - i)), static_cast<int>(i) + 1});
+    i = line.find_first_not_of(blanks, end);
+  }
+  return words;
+}
+
+std::vector<Field> fields_apart_by(char separator, std::string_view line) {
+  return separator == ' ' ? words_of(line) : fields_of(line, separator);
+}
+
+/// Blanks are separators where nothing else is and no unit stands in brackets.
 char separator_of(std::string_view heads) {
-  for (const char c : {';', '\t'})
+  for (const char c : {';', '\t', ','})
     if (heads.find(c) != std::string_view::npos) return c;
-  return ',';
+  const bool has_brackets = heads.find_first_of("[(\"") != std::string_view::npos;
+  return !has_brackets && words_of(heads).size() > 1 ? ' ' : ',';
+}
+
+/// A word such as 12,5: all its commas stand between digits.
+bool has_decimal_comma(std::string_view word) {
+  const auto is_digit = [&](std::size_t i) { return i < word.size() && word[i] >= '0' && word[i] <= '9'; };
+  const std::size_t comma = word.find(',');
+  return comma != std::string_view::npos && comma > 0 && is_digit(comma - 1) && is_digit(comma + 1) &&
+         word.find(',', comma + 1) == std::string_view::npos;
+}
+
+/// The numbers of a line without heads: apart by semicolons if it has one, else by commas or blanks. Where
+/// blanks alone give the right count, a comma between digits is one of decimals.
+std::vector<Field> bare_fields(std::string_view line, std::size_t expected) {
+  if (line.find(';') != std::string_view::npos) {
+    std::vector<Field> fields = fields_of(line, ';');
+    while (!fields.empty() && fields.back().text.empty()) fields.pop_back();
+    return fields;
+  }
+  std::vector<Field> words = words_of(line);
+  const bool is_plain = std::all_of(words.begin(), words.end(), [](const Field& word) {
+    return word.text.find(',') == std::string::npos || has_decimal_comma(word.text);
+  });
+  if (words.size() == expected && is_plain) return words;
+  std::vector<Field> fields;
+  for (const Field& word : words)
+    for (std::size_t i = 0; i < word.text.size();) {
+      const std::size_t end = std::min(word.text.find(',', i), word.text.size());
+      if (end > i) fields.push_back({word.text.substr(i, end - i), word.at + static_cast<int>(i)});
+      i = end + 1;
+    }
+  return fields;
 }
 
 }  // namespace
@@ -128,14 +176,14 @@ Location TextTable::at(std::size_t row, std::string_view column) const {
 class TextTableReader {
  public:
   TextTableReader(std::span<const TableColumn> columns, const std::map<std::string, std::string>& heads,
-                  const Node& where, Diagnostics& diagnostics)
-      : columns_(columns), heads_(heads), where_(where), diagnostics_(diagnostics) {}
+                  const Node& where, Diagnostics& diagnostics, TableForm form)
+      : columns_(columns), heads_(heads), where_(where), diagnostics_(diagnostics), form_(form) {}
 
   std::optional<TextTable> read(const std::string& path) {
     const std::size_t before = diagnostics_.errors_given();
     if (read_lines(path) && read_heads()) {
       for (++line_; line_ <= source_->lines.size(); ++line_)
-        if (!trimmed(source_->lines[line_ - 1]).empty()) read_row();
+        if (!trimmed(content()).empty()) read_row();
       if (table_.rows_ == 0 && errors_ == 0) {
         line_ = 1;
         fail(1, "the table has no line but its heads");
@@ -184,12 +232,24 @@ class TextTableReader {
     return true;
   }
 
+  /// The text of the line, without its comment.
+  std::string_view content() const {
+    const std::string_view line = source_->lines[line_ - 1];
+    return form_ == TableForm::points ? line.substr(0, line.find('#')) : line;
+  }
+
   bool read_heads() {
     line_ = 1;
-    while (line_ < source_->lines.size() && trimmed(source_->lines[line_ - 1]).empty()) ++line_;
-    const std::string& line = source_->lines[line_ - 1];
+    while (line_ < source_->lines.size() && trimmed(content()).empty()) ++line_;
+    const std::string_view line = content();
+    if (form_ == TableForm::points && begins_with_number(line)) {
+      take_bare_columns();
+      return true;
+    }
     separator_ = separator_of(line);
-    const std::vector<Field> heads = fields_of(line, separator_);
+    for (const auto& [name, head] : heads_)
+      if (trimmed(line) == head) separator_ = ',';  // one column, whose head has blanks
+    const std::vector<Field> heads = fields_apart_by(separator_, line);
     const std::size_t before = errors_;
     for (const Field& head : heads) uses_.push_back(use_of(head));
     for (const TableColumn& column : columns_)
@@ -199,6 +259,21 @@ class TextTableReader {
         fail(1, fmt::format("no head is `{}`, which `columns` names for `{}`{}", printable(head), name,
                             suggestion(head, texts(heads))));
     return errors_ == before;
+  }
+
+  /// No head begins with a digit.
+  static bool begins_with_number(std::string_view line) {
+    const std::size_t first = line.find_first_not_of(" \t+-.");
+    return first != std::string_view::npos && line[first] >= '0' && line[first] <= '9';
+  }
+
+  /// The line is the first record, which is read next.
+  void take_bare_columns() {
+    bare_ = true;
+    separator_ = ' ';
+    for (const TableColumn& column : columns_)
+      uses_.push_back({&column, &table_.columns_[column.name], {1, column.dimension}});
+    --line_;
   }
 
   static std::vector<std::string> texts(const std::vector<Field>& fields) {
@@ -258,15 +333,44 @@ class TextTableReader {
   }
 
   void read_row() {
-    const std::vector<Field> fields = fields_of(source_->lines[line_ - 1], separator_);
-    if (fields.size() != uses_.size()) {
-      fail(1, fmt::format("the line has {} values, the heads are {}", fields.size(), uses_.size()));
-      return;
-    }
+    const std::vector<Field> fields =
+        bare_ ? bare_fields(content(), uses_.size()) : fields_apart_by(separator_, content());
+    if (fields.size() != uses_.size()) return fail(1, wrong_count(fields.size()));
     table_.lines_.push_back(static_cast<int>(line_));
     ++table_.rows_;
     for (std::size_t i = 0; i < fields.size(); ++i)
       if (uses_[i].column) uses_[i].cells->push_back(read_cell(fields[i], uses_[i]));
+  }
+
+  std::string wrong_count(std::size_t found) const {
+    if (bare_) {
+      std::vector<std::string> names;
+      for (const TableColumn& column : columns_) names.push_back(column.name);
+      return fmt::format("expected {} numbers, {} and {}, found {}{}", names.size() == 2 ? "two" : "three",
+                         fmt::join(names.begin(), names.end() - 1, ", "), names.back(), found,
+                         found == 2 * names.size() ? ": with commas in decimals, separate the numbers by "
+                                                     "semicolons"
+                                                   : "");
+    }
+    return fmt::format("the line has {} value{}, the heads are {}{}", found, found == 1 ? "" : "s",
+                       uses_.size(), separator_hint(found));
+  }
+
+  /// Where another separator than that of the heads explains the line.
+  std::string separator_hint(std::size_t found) const {
+    constexpr std::pair<char, const char*> names[] = {
+        {',', "commas"}, {';', "semicolons"}, {'\t', "tabs"}, {' ', "blanks"}};
+    const auto name_of = [&](char separator) {
+      return std::find_if(std::begin(names), std::end(names),
+                          [&](const auto& one) { return one.first == separator; })
+          ->second;
+    };
+    if (separator_ == ',' && found == 2 * uses_.size())
+      return ": with commas in decimals, separate the values by semicolons";
+    for (const auto& [other, name] : names)
+      if (other != separator_ && uses_.size() > 1 && fields_apart_by(other, content()).size() == uses_.size())
+        return fmt::format(": its values are apart by {}, the heads by {}", name, name_of(separator_));
+    return "";
   }
 
   TextTable::Cell read_cell(const Field& field, const Use& use) {
@@ -301,6 +405,8 @@ class TextTableReader {
   const std::map<std::string, std::string>& heads_;
   const Node& where_;
   Diagnostics& diagnostics_;
+  TableForm form_;
+  bool bare_ = false;  ///< without heads
   std::shared_ptr<const Source> source_;
   TextTable table_;
   std::vector<Use> uses_;
@@ -311,8 +417,8 @@ class TextTableReader {
 
 std::optional<TextTable> read_table(const std::string& path, std::span<const TableColumn> columns,
                                     const std::map<std::string, std::string>& heads, const Node& where,
-                                    Diagnostics& diagnostics) {
-  return TextTableReader(columns, heads, where, diagnostics).read(path);
+                                    Diagnostics& diagnostics, TableForm form) {
+  return TextTableReader(columns, heads, where, diagnostics, form).read(path);
 }
 
 }  // namespace flyrock

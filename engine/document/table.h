@@ -23,6 +23,14 @@ struct TableColumn {
   std::vector<std::string> also = {};  ///< other names, where no column has them with this unit
 };
 
+/// How a table begins.
+enum class TableForm {
+  heads,  ///< with a line of heads
+  /// `#` begins a comment. A first line of numbers means that there are no heads: each line then has the
+  /// columns in their order, apart by commas, blanks or semicolons.
+  points
+};
+
 /// The cells of a table, numbers in SI units.
 class TextTable {
  public:
@@ -55,14 +63,14 @@ class TextTable {
   std::vector<std::string> ignored_;
 };
 
-/// Reads a table: a line of heads, then a record a line. Values are apart by commas, semicolons or tabs,
-/// whichever the heads are, and may stand in double quotes; with semicolons and tabs 1,5 is 1.5. A head is
+/// Reads a table: a line of heads, then a record a line. Values are apart by commas, semicolons, tabs or
+/// blanks, whichever the heads are, and may stand in double quotes; except with commas 1,5 is 1.5. A head is
 /// the name of a column, alone (SI units) or with a unit: `mass_kg`, `vx_m_s`, `charge_kg_per_m`, `mass [t]`;
 /// the order is free. `heads` gives other heads by name of column: { "mass": "weight_t" }. An empty cell is a
 /// value that is not there. Reports all that is wrong with its line and column, at most 20 places; then, or
 /// if `where`, the value that names the file, is at fault, returns nothing.
 std::optional<TextTable> read_table(const std::string& path, std::span<const TableColumn> columns,
                                     const std::map<std::string, std::string>& heads, const Node& where,
-                                    Diagnostics& diagnostics);
+                                    Diagnostics& diagnostics, TableForm form = TableForm::heads);
 
 }  // namespace flyrock

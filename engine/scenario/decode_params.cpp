@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "plugin/surveyed_terrain.h"
 #include "scenario/decode_shapes.h"
 #include "scenario/normalise_params.h"
 #include "scenario/param_bounds.h"
@@ -74,6 +75,8 @@ void try_to_make(DecodeContext& context, const Node& node, const PluginUse& use)
   };
   try {
     std::visit(make, use.plugin->make);
+  } catch (const FileFaults& found) {
+    for (const std::string& wrong : found.faults) context.diagnostics.error(node.key_at, node.path, wrong);
   } catch (const PluginError& error) {
     context.diagnostics.error(node.key_at, node.path, error.what());
   }

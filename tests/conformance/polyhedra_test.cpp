@@ -56,7 +56,7 @@ TEST_CASE("a polyhedron by its points, from a text and an OBJ file") {
   CHECK(build("polyhedron", {{"file", obj.c_str()}}).points == given.points);
   std::ofstream(text) << "0 0 0\n1 0\n";
   CHECK_THROWS_WITH(build("polyhedron", {{"file", text.c_str()}}),
-                    "plugin polyhedron: " + text + ":2: expected three numbers, x, y and z, found 2");
+                    "plugin polyhedron: " + text + ":2:1: expected three numbers, x, y and z, found 2");
   std::remove(text.c_str());
   std::remove(obj.c_str());
   CHECK_THROWS_WITH(build("polyhedron", {}), "plugin polyhedron: expected either `points` or a `file`");

@@ -35,7 +35,7 @@ const std::map<std::string, std::set<std::string>>& may_see() {
     add("report", {"results"});
     add("verify", {"results"});
     add("cli", {"report", "verify"});
-    add("plugins", {"plugin"});
+    add("plugins", {"plugin", "document"});
     return sees;
   }();
   return floors;

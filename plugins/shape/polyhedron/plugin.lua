@@ -10,7 +10,7 @@ return fr.plugin {
     file = fr.file {
       optional = true,
       doc = "an OBJ or STL file in metres, a closed convex surface with its faces outwards (an OBJ file without faces: the hull of "
-        .. "its vertices); or a text file of three numbers in metres a line, apart by a comma or blanks, # begins a comment",
+        .. "its vertices); or a text file of three numbers in metres a line, apart by commas, blanks or semicolons, # begins a comment",
     },
   },
   native = "polyhedron",

@@ -44,6 +44,14 @@ Contactor3 hull_of_surface(const std::string& path) {
   return hull;
 }
 
+const std::vector<TableColumn>& columns_of_points() {
+  static const std::vector<TableColumn> columns = {
+      {.name = "x", .dimension = dimension::length, .required = true},
+      {.name = "y", .dimension = dimension::length, .required = true},
+      {.name = "z", .dimension = dimension::length, .required = true}};
+  return columns;
+}
+
 Contactor3 hull_of(Params& params) {
   std::vector<Vec3> points = params.points3("points");
   const std::string file = params.text("file");
@@ -51,7 +59,8 @@ Contactor3 hull_of(Params& params) {
     throw PluginError("plugin polyhedron: expected either `points` or a `file`");
   if (params.given("file")) {
     if (has_faces(file)) return hull_of_surface(file);
-    for (const auto& point : read_points("polyhedron", file, 3))
+    if (file.ends_with(".obj")) return convex_hull(read_obj_points("polyhedron", file));
+    for (const auto& point : read_points("polyhedron", file, columns_of_points()).points)
       points.emplace_back(point[0], point[1], point[2]);
   }
   return convex_hull(points);

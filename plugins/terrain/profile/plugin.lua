@@ -8,7 +8,8 @@ return fr.plugin {
     points = fr.points { optional = true, unit = "m", doc = "[[x, y], ...], in place of a file" },
     file = fr.file {
       optional = true,
-      doc = "a text file of two numbers in metres a line, apart by a comma or blanks; # begins a comment",
+      doc = "a table of x (distance, station, chainage) and y (height, z, elevation) with a line of heads; or without one, "
+        .. "two numbers in metres a line, apart by commas, blanks or semicolons; # begins a comment",
     },
   },
   native = "profile",

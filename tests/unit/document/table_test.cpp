@@ -71,3 +71,17 @@ TEST_CASE("a table names each fault with line and column") {
   CHECK(read_csv("mass\n1\n", {{"vx", "speed"}}).errors ==
         "1:1: no head is `speed`, which `columns` names for `vx`, expected `mass`\n");
 }
+
+TEST_CASE("a table may be apart by blanks, and names the separator where it is another") {
+  const TableRead blanks = read_csv("name mass_t   vx\n a 1,5 2\n");
+  REQUIRE(blanks.errors == "");
+  CHECK(blanks.table->number(0, "mass") == 1500.0);
+  CHECK(read_csv("mass;vx\n1,2\n").errors ==
+        "2:1: the line has 1 value, the heads are 2: its values are apart by commas, the heads by "
+        "semicolons\n");
+  CHECK(read_csv("mass,vx\n1 2\n").errors ==
+        "2:1: the line has 1 value, the heads are 2: its values are apart by blanks, the heads by commas\n");
+  CHECK(read_csv("mass,vx\n1,5,2,5\n").errors ==
+        "2:1: the line has 4 values, the heads are 2: with commas in decimals, separate the values by "
+        "semicolons\n");
+}
