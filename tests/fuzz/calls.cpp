@@ -75,10 +75,10 @@ int Calls::operator()(const cli::Arguments& arguments, ErrorForm form) {
   }
   capture_->clear();
   const int code = cli::dispatch(arguments);
-  const std::string err = capture_->err();
+  err_ = capture_->err();
   gravest_ = std::max(gravest_, code);
-  if (fault_.empty()) fault_ = fault_of(arguments, code, err, form);
-  if (code == cli::faults && rocks_.empty()) rocks_ = err.substr(0, err.find('\n'));
+  if (fault_.empty()) fault_ = fault_of(arguments, code, err_, form);
+  if (code == cli::faults && rocks_.empty()) rocks_ = err_.substr(0, err_.find('\n'));
   return code;
 }
 

@@ -40,6 +40,8 @@ class Calls {
     if (!capture_ && !fault.empty()) std::printf("wrong: %s\n", fault.c_str());
   }
 
+  /// What the last command wrote on stderr; empty without a capture.
+  const std::string& err() const { return err_; }
   const std::vector<std::string>& lines() const { return lines_; }  ///< command lines so far
   int gravest() const { return gravest_; }                          ///< exit code
   const std::string& fault() const { return fault_; }               ///< the first found by fault_of()
@@ -51,7 +53,7 @@ class Calls {
   const Capture* capture_;
   std::vector<std::string> lines_;
   int gravest_ = 0;
-  std::string fault_, rocks_;
+  std::string fault_, rocks_, err_;
 };
 
 }  // namespace flyrock::fuzz

@@ -35,3 +35,17 @@ TEST_CASE("100 fixed scenes of bodies on the ground and on each other move as bo
   REQUIRE(sum_of(tallies).findings() == 0);
   std::filesystem::remove_all(settings.findings);
 }
+
+TEST_CASE("100 fixed files of ground are read as they are meant, or refused with what helps") {
+  FuzzSettings settings;
+  settings.mutants = 100;
+  settings.kind = "terrain";
+  settings.seed = 1;
+  settings.findings =
+      std::filesystem::temp_directory_path() / ("flyrock_terrain_findings_" + std::to_string(::getpid()));
+  const std::vector<KindTally> tallies = fuzz(settings);
+  INFO(table_of(tallies) << settings.findings << " has the files");
+  CHECK(sum_of(tallies).mutants == 100);
+  REQUIRE(sum_of(tallies).findings() == 0);
+  std::filesystem::remove_all(settings.findings);
+}

@@ -26,6 +26,7 @@ std::unique_ptr<Kind> make_problem_kind();    ///< friction problems in HDF5; nu
 std::unique_ptr<Kind> make_result_kind();     ///< results.db, manifest.json, summary.json
 std::unique_ptr<Kind> make_arguments_kind();  ///< words of the command line
 std::unique_ptr<Kind> make_scene_kind();      ///< random scenes, judged by their motion
+std::unique_ptr<Kind> make_terrain_kind();    ///< files of ground, judged by what is read of them
 
 struct KindEntry {
   std::string_view name;
@@ -33,7 +34,7 @@ struct KindEntry {
   int share;  ///< percent of the time and of the mutants; 0: only if it is asked for
 };
 
-inline constexpr std::array<KindEntry, 8> kinds = {{
+inline constexpr std::array<KindEntry, 9> kinds = {{
     {"yaml", make_yaml_kind, 30},
     {"lua", make_lua_kind, 15},
     {"plugin", make_plugin_kind, 15},
@@ -42,6 +43,7 @@ inline constexpr std::array<KindEntry, 8> kinds = {{
     {"result", make_result_kind, 10},
     {"arguments", make_arguments_kind, 10},
     {"scenes", make_scene_kind, 0},
+    {"terrain", make_terrain_kind, 0},
 }};
 
 }  // namespace flyrock::fuzz
