@@ -42,7 +42,7 @@ std::string scripts(const std::filesystem::path& assets) {
   std::string joined = "\"use strict\";\n(() => {\n";
   for (const char* name :
        {"page.js",           "places.js",     "reach.js",   "tracks.js", "space.js",    "trees.js",
-        "contours.js",       "plan.js",       "maps.js",    "motion.js", "plots.js",    "small_plots.js",
+        "contours.js",       "map_frame.js",  "plan.js",     "maps.js", "motion.js",    "plots.js",    "small_plots.js",
         "curves.js",         "azimuth.js",    "area.js",    "tables.js", "observed.js", "holes.js",
         "barrier_design.js", "comparison.js", "against.js", "report.js"})
     joined += read_file(assets / name);

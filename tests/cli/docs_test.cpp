@@ -92,6 +92,21 @@ void follow(const fs::path& page) {
   }
 }
 
+/// Whether a program runs these lines: the packages that a recipe loads.
+bool runs(const Folder& folder, const std::string& program, const std::string& option,
+          const std::string& lines) {
+  return shell(folder, program + " " + option + " '" + lines + "'").code == 0;
+}
+
+/// The lines of a recipe that load its packages.
+std::string loads_of(const Block& block) {
+  std::istringstream lines(block.text);
+  std::string loads;
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("import ") || line.starts_with("library(")) loads += line + '\n';
+  return loads;
+}
+
 /// The words of a page that stand as code, from one heading to another.
 std::set<std::string> code_words(const std::string& page, const std::string& from, const std::string& to) {
   const std::size_t begin = page.find(from);
@@ -268,4 +283,37 @@ TEST_CASE("No page, manifest or scenario takes a distance model on its own for w
 
 TEST_CASE("The pages do what they say", "[slow]") {
   for (const fs::path& page : pages()) follow(page);
+}
+
+TEST_CASE("the recipes for other programs run where these are installed") {
+  const Folder folder;
+  const Output run = call(
+      folder, "run " FLYROCK_SOURCE_DIR
+              "/scenarios/rockfall/natural_slope.lua --trials 20 --set terrain.crs=EPSG:2056 -o out/slope "
+              "--quiet");
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  REQUIRE(call(folder, "export out/slope --to vtk").code == 0);
+  int recipes = 0;
+  std::string skipped;
+  for (const Block& block : blocks_of(read(FLYROCK_SOURCE_DIR "/docs/results-elsewhere.md"))) {
+    if (block.language != "python" && block.language != "r") continue;
+    ++recipes;
+    const std::string file = file_of(block);
+    REQUIRE_FALSE(file.empty());
+    CHECK(std::count(block.text.begin(), block.text.end(), '\n') <= 26);
+    const auto [program, option] =
+        block.language == "r" ? std::pair("Rscript", "-e") : std::pair("python3", "-c");
+    if (!runs(folder, program, option, loads_of(block))) {
+      skipped += "SKIPPED: " + file + " needs " + program + " with\n" + loads_of(block);
+      continue;
+    }
+    folder.write(file, block.text);
+    const Output done = shell(folder, std::string(program) + " " + file);
+    INFO(file << "\n" << done.out << done.err);
+    REQUIRE(done.code == 0);
+    REQUIRE_FALSE(done.out.empty());
+  }
+  REQUIRE(recipes == 3);
+  if (!skipped.empty()) WARN(skipped);  // last, because CTest takes this word for the outcome of the test
 }

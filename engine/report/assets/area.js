@@ -60,7 +60,11 @@ function draw_area(node, clearance) {
   traces.push(line("farthest rock", (s) => s.greatest ?? 0, { line: { color: colour.ink, width: 1, dash: "dot" } }));
   traces.push({ x: [...area.hull, area.hull[0]].map(([x]) => x), y: [...area.hull, area.hull[0]].map(([, y]) => y), mode: "lines", name: "hull of the releases", line: { color: colour.ink, width: 1 }, hoverinfo: "skip" });
   traces.push({ x: [area.x], y: [area.y], mode: "markers", name: "centre", marker: { symbol: "cross", size: 11, color: colour.ink }, hoverinfo: "skip" });
-  plot(node, traces, { height: 650, legend, hovermode: "closest", xaxis: axis("x in m"), yaxis: { ...axis("y in m"), scaleanchor: "x", scaleratio: 1 } }, true);
+  const window = window_of(node, traces.filter((trace) => trace.mode !== "markers"), 700), ground = ground_of_point(), frame = map_frame(ground, window);
+  plot(node, [...frame.traces, ...traces], {
+    height: window.height, legend, hovermode: "closest", shapes: frame.shapes, annotations: frame.annotations,
+    xaxis: { ...place_axis("x in m"), range: window.x }, yaxis: { ...place_axis("y in m"), range: window.y, scaleanchor: "x", scaleratio: 1 },
+  }, true);
 }
 
 function area_section() {
@@ -76,7 +80,7 @@ function area_section() {
         clearance.area.sectors.map((s) => [s.azimuth_deg, s.count, ...[s.share, ...s.share_interval].map((value) => right(value === null ? "–" : percent(value))),
           right(s.greatest === null ? "no data" : `${s.lower_bound ? "≥ " : ""}${show(s.greatest)}`), s.distance, s.with_factor])))]),
       caption("With 95 % confidence at most the given share of new rocks (or blasts) stops outside the area on this plan. Hatched: too few rocks ended there, and the area ends at the hull.",
-        "North is where +y is. Distances count from the hull of all release places, or from the given point.",
+        "North (N) is where +y is. Distances count from the hull of all release places, or from the given point.",
         "In each sector the area ends where the same number of the simulated rocks lies beyond; this number is the greatest for which the share of new rocks outside is at most the probability with 95 % confidence (order statistics of all sectors together). Rocks that share the draws of a trial count as fewer. The factor is yours."));
     clearances.forEach((clearance, i) => draw_area(nodes[i], clearance));
   });

@@ -17,12 +17,12 @@ function draw_plan(node, page, tracks, crossings) {
   const paths = track_traces(lines_of(tracks), ends_in_space(page, tracks), (p) => [p.x, p.across], ["x", "y"], false), s = page.section;
   const cut = { x: [s.from, s.to].map((along) => s.x + along * s.dx), y: [s.from, s.to].map((along) => s.y + along * s.dy), mode: "lines", name: "long section", line: { color: "#5a6370", width: 1, dash: "dash" }, hoverinfo: "skip" };
   const lines = plan_lines(crossings), window = window_of(node, [...paths, ...lines], 700), ground = ground_of_point();
-  const heights = ground ? contours(ground, window) : { traces: [], annotations: [] }, places = place_lines(crossings, window.height);
-  plot(node, [...heights.traces, ...stems_in_plan(page, window), cut, ...paths, ...lines], {
+  const heights = ground ? contours(ground, window) : { traces: [], annotations: [] }, places = place_lines(crossings, window.height), frame = map_frame(ground, window);
+  plot(node, [...frame.traces, ...heights.traces, ...stems_in_plan(page, window), cut, ...paths, ...lines], {
     height: window.height, hovermode: "closest", legend,
     xaxis: { ...place_axis("x in m"), range: window.x },
     yaxis: { ...place_axis("y in m"), range: window.y, scaleanchor: "x", scaleratio: 1 },
-    shapes: places.shapes, annotations: [...heights.annotations, ...places.annotations],
+    shapes: [...places.shapes, ...frame.shapes], annotations: [...heights.annotations, ...places.annotations, ...frame.annotations],
   }, true);
 }
 
@@ -58,7 +58,7 @@ function paths_section(title, label, about, draw) {
 function plan_sections() {
   if (!has_space()) return;
   paths_section("Plan", "Paths and ends in plan, coloured by mode of travel; rocks.csv holds where each rock stopped",
-    caption("The paths from above and where rocks ended, both axes to the same scale. Dashed: the line of the long section, through the mean release towards the mean end.", "Thin lines: equal heights of the ground as it is drawn above.", "Azimuths count from +x towards +y."),
+    caption("The paths from above and where rocks ended, both axes to the same scale. Dashed: the line of the long section, through the mean release towards the mean end.", "Thin lines: equal heights of the ground as it is drawn above; grey: its relief with light from the north-west. North (N) is where +y is.", "Azimuths count from +x towards +y."),
     (node, page, tracks) => draw_plan(node, page, tracks, summary.points[shown.point]));
   paths_section("Long section", "Paths from the side over the ground under the section, coloured by mode of travel; rocks.csv holds where each rock stopped",
     caption("The paths from the side: their places projected onto the line that is dashed in the plan, over the ground under this line.", "A path beside the line runs over other ground than that drawn: it may seem to fly above the ground, or to run below it."), draw_section);
