@@ -15,12 +15,13 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Whether a text stands somewhere in a tree, except as a key.
-bool names(const Value& value, const std::string& text) {
+bool is_said_in(const Value& value, const std::string& text) {
   if (const std::string* own = value.text()) return *own == text;
   if (const List* list = value.list())
-    return std::any_of(list->begin(), list->end(), [&](const Value& item) { return names(item, text); });
+    return std::any_of(list->begin(), list->end(), [&](const Value& item) { return is_said_in(item, text); });
   const Map* map = value.map();
-  return map && std::any_of(map->begin(), map->end(), [&](const Entry& e) { return names(e.value, text); });
+  return map &&
+         std::any_of(map->begin(), map->end(), [&](const Entry& e) { return is_said_in(e.value, text); });
 }
 
 std::vector<std::string> files_in(const fs::path& library) {
@@ -72,7 +73,7 @@ class Includer {
   bool is_named(const std::string& material) const {
     const Map& map = *root_.map();
     return std::any_of(map.begin(), map.end(), [&](const Entry& entry) {
-      return entry.key != "materials" && names(entry.value, material);
+      return entry.key != "materials" && is_said_in(entry.value, material);
     });
   }
 

@@ -21,7 +21,7 @@ namespace flyrock::cli {
 
 namespace {
 
-constexpr std::array<Command, 21> commands = {{
+constexpr std::array<Command, 21> command_table = {{
     {"run", "run SCENARIO [options]", "runs a scenario and writes its tables and report", run},
     {"merge", "merge DIR... -o DIR", "puts the shards of a run together", merge},
     {"submit", "submit SCENARIO --slurm -n N [-j CORES] [-o DIR]",
@@ -68,7 +68,7 @@ void print_version() {
 
 void print_help() {
   fmt::print("flyrock simulates blast fly-rock and rockfall on quarry benches.\n\n");
-  for (const Command& command : commands)
+  for (const Command& command : command_table)
     fmt::print("  flyrock {}\n      {}\n", command.usage, command.summary);
   fmt::print("  flyrock --version\n      says version, build and optional parts\n\n");
   fmt::print(
@@ -111,7 +111,7 @@ int call(const Arguments& arguments) {
     return done;
   }
   std::vector<std::string> names;
-  for (const Command& command : commands) {
+  for (const Command& command : command_table) {
     names.emplace_back(command.name);
     if (word != command.name) continue;
     try {
@@ -132,7 +132,7 @@ int call(const Arguments& arguments) {
 
 }  // namespace
 
-std::span<const Command> all_commands() { return commands; }
+std::span<const Command> all_commands() { return command_table; }
 
 int dispatch(const Arguments& arguments) {
   try {

@@ -39,7 +39,7 @@ struct OtherType {
   Keys keys;
 };
 
-Json list_of(Json item, std::size_t least = 0) {
+Json array_of(Json item, std::size_t least = 0) {
   Json list = {{"type", "array"}, {"items", std::move(item)}};
   if (least) list["minItems"] = least;
   return list;
@@ -191,7 +191,7 @@ Json DocumentSchema::turn() {
   Json about_axis = section("orientation", all_vary).object();
   ParamSpec component;
   const Json number = values_.parameter(component, place(true));
-  Json quaternion = list_of(number, 4);
+  Json quaternion = array_of(number, 4);
   quaternion["maxItems"] = 4;
   return values_.define(named("orientation"),
                         {{"anyOf", Json::array({std::move(about_axis), std::move(quaternion)})}});
@@ -202,7 +202,7 @@ void DocumentSchema::define_parts() {
   may_sweep_ = true;
   Keys beside = section("rocks.shape.parts", all_vary);
   if (dimension_ == 3) beside.add("turn", turn());
-  Json parts = list_of(plugin(PluginKind::shape, beside), 1);
+  Json parts = array_of(plugin(PluginKind::shape, beside), 1);
   parts["maxItems"] = 1000;
   values_.define(named("parts"), std::move(parts));
 }
@@ -214,7 +214,7 @@ Json DocumentSchema::terrain() {
              {{"type", "object"},
               {"additionalProperties", values_.or_sweep(SchemaValues::some_text(), place(false))}});
   beside.add("zones", zones());
-  beside.add("faces", list_of(section("terrain.faces").object()));
+  beside.add("faces", array_of(section("terrain.faces").object()));
   std::vector<OtherType> others;
   if (dimension_ == 2) {
     OtherType cut{"section", beside};
@@ -228,11 +228,11 @@ Json DocumentSchema::terrain() {
 }
 
 Json DocumentSchema::zones() {
-  if (dimension_ == 2) return list_of(section("terrain.zones").object());
+  if (dimension_ == 2) return array_of(section("terrain.zones").object());
   Json branches = Json::array();
   for (const char* key : {"polygon", "geojson", "raster", "group"})
     branches.push_back(section(fmt::format("terrain.zones: {}", key)).object());
-  return list_of({{"oneOf", std::move(branches)}});
+  return array_of({{"oneOf", std::move(branches)}});
 }
 
 Json DocumentSchema::materials() {
@@ -248,10 +248,10 @@ Json DocumentSchema::materials() {
 
 Json DocumentSchema::pairs() {
   Keys keys = section("pairs");
-  Json two = list_of(SchemaValues::some_text(), 2);
+  Json two = array_of(SchemaValues::some_text(), 2);
   two["maxItems"] = 2;
   keys.add("between", std::move(two), true);
-  return list_of(keys.object());
+  return array_of(keys.object());
 }
 
 Json DocumentSchema::blast() {
@@ -265,7 +265,7 @@ Json DocumentSchema::blast() {
   Keys hole = section("blast.holes: list");
   hole.properties["hole"]["type"] = {"string", "number"};  // a name may be a number
   hole.properties["hole"].erase("anyOf");
-  keys.add("holes", {{"anyOf", Json::array({table.object(), list_of(hole.object(), 1)})}});
+  keys.add("holes", {{"anyOf", Json::array({table.object(), array_of(hole.object(), 1)})}});
   keys.add("scatter", section("blast.scatter", all_vary).object());
   keys.add("face", section("blast.face").object());
   return keys.object();
@@ -274,7 +274,7 @@ Json DocumentSchema::blast() {
 Json DocumentSchema::branches() {
   Keys keys = section("branches");
   keys.add("set", {{"type", "object"}, {"minProperties", 1}}, true);
-  return list_of(keys.object());
+  return array_of(keys.object());
 }
 
 Json DocumentSchema::release() {
@@ -316,7 +316,7 @@ Json DocumentSchema::rocks() {
     branch["anyOf"] = one_of({"release", "per_hole", "table"});
     branch["dependencies"] = {{"columns", Json::array({"table"})}};
   }
-  return list_of(values_.define(named("rocks"), std::move(use)), 1);
+  return array_of(values_.define(named("rocks"), std::move(use)), 1);
 }
 
 Json DocumentSchema::bodies() {
@@ -328,20 +328,20 @@ Json DocumentSchema::bodies() {
   Json fixed = {{"properties", {{"fixed", {{"const", true}}}}}, {"required", Json::array({"fixed"})}};
   body["anyOf"] = Json::array({has("density"), has("mass"), has("driven"), std::move(fixed)});
   body["not"] = {{"required", Json::array({"density", "mass"})}};
-  return list_of(values_.define(named("body"), std::move(body)), 1);
+  return array_of(values_.define(named("body"), std::move(body)), 1);
 }
 
 /// A list of gates, barriers or exposures: in 3D at a place or along a line.
 Json DocumentSchema::places(const std::string& name, const std::string& in_place_of_line) {
   Json one = section(name).object();
   if (dimension_ == 3) one["oneOf"] = one_of({in_place_of_line, "line"});
-  return list_of(std::move(one));
+  return array_of(std::move(one));
 }
 
 Json DocumentSchema::forest() {
   Keys file = section("forest: file");
   file.add("columns", section("forest.columns").object());
-  file.add("species", list_of(section("forest.species").object()));
+  file.add("species", array_of(section("forest.species").object()));
   const Keys drawn = section("forest: density", [](const std::string& key) {
     return key == "diameter" || key == "height" || key == "turn";
   });
@@ -358,7 +358,7 @@ Json DocumentSchema::output() {
   Keys keys = section("output");
   keys.add("trajectories", section("output.trajectories").object());
   Keys series = section("output.series");
-  series.add("bodies", list_of(SchemaValues::some_text()));
+  series.add("bodies", array_of(SchemaValues::some_text()));
   keys.add("series", series.object());
   keys.add("maps", {{"anyOf", Json::array({Json{{"type", "boolean"}}, section("output.maps").object()})}});
   return keys.object();
@@ -373,14 +373,14 @@ Json compared() {
 Json DocumentSchema::expect() {
   Keys keys = section("expect");
   for (const char* key : {"equals", "tolerance", "relative", "below", "above"}) keys.add(key, compared());
-  Json range = list_of(compared(), 2);
+  Json range = array_of(compared(), 2);
   range["maxItems"] = 2;
   keys.add("between", std::move(range));
   keys.add("at", {{"type", "object"}});
   Json one = keys.object();
   one["oneOf"] = one_of({"equals", "below", "above", "between"});
   one["dependencies"] = {{"tolerance", Json::array({"equals"})}, {"relative", Json::array({"equals"})}};
-  return list_of(std::move(one));
+  return array_of(std::move(one));
 }
 
 Json DocumentSchema::answer() {
@@ -389,7 +389,7 @@ Json DocumentSchema::answer() {
   Json one = limit.object();
   one["oneOf"] = one_of({"below", "above"});
   Keys keys = section("answer");
-  keys.add("such_that", list_of(std::move(one)));
+  keys.add("such_that", array_of(std::move(one)));
   return keys.object();
 }
 
@@ -414,8 +414,8 @@ Json DocumentSchema::document() {
   const auto plain = [&](const char* name, const Varies& varies = none_varies) {
     add(name, false, [&] { return section(name, varies).object(); });
   };
-  add("include", false, [] { return list_of(SchemaValues::some_text()); });
-  add("plugins", false, [] { return list_of(SchemaValues::some_text()); });
+  add("include", false, [] { return array_of(SchemaValues::some_text()); });
+  add("plugins", false, [] { return array_of(SchemaValues::some_text()); });
   plain("document");
   plain("air", all_vary);
   add("terrain", true, [&] { return terrain(); });
@@ -432,7 +432,7 @@ Json DocumentSchema::document() {
     Json one = section("clearance").object();
     // The point about which sectors lie.
     one["dependencies"] = {{"x", Json::array({"sectors"})}, {"y", Json::array({"sectors"})}};
-    return list_of(std::move(one));
+    return array_of(std::move(one));
   });
   add("exposure", false, [&] {
     coordinates_ = 2;  // places in plan

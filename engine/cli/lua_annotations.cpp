@@ -17,7 +17,7 @@ namespace flyrock::cli {
 namespace {
 
 /// What does not follow from tables: the functions of the module, and the methods of what plugins are given.
-constexpr const char* head = R"(---@meta flyrock
+constexpr const char* fixed_types = R"(---@meta flyrock
 -- Types of flyrock for LuaLS, made by `flyrock schema --lua`.
 
 ---@alias flyrock.Number number|string|table a number in SI units, a quantity "2.7 g/cm3", a distribution or a sweep
@@ -285,7 +285,8 @@ std::string makers_text() {
 }  // namespace
 
 std::string lua_annotations(const Registry& registry) {
-  return head + makers_text() + sections_text() + plugins_text(registry) + views_text() + "\nreturn fr\n";
+  return fixed_types + makers_text() + sections_text() + plugins_text(registry) + views_text() +
+         "\nreturn fr\n";
 }
 
 }  // namespace flyrock::cli

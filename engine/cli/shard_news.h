@@ -17,7 +17,7 @@ struct ShardNews {
   Shard shard;
   std::filesystem::path folder = {};  ///< where it is, or where it belongs
   ShardState state = ShardState::not_begun;
-  std::string writer;  ///< the process that writes it
+  std::string writer = {};  ///< the process that writes it
   std::uint64_t chunks = 0, wanted = 0;
   double first = 0,
          last = 0;  ///< s before now: when its first and its last chunk were written, if `chunks` > 0
