@@ -8,14 +8,13 @@ namespace flyrock {
 
 namespace {
 
-bool is_round(const Contactor2& contactor) { return contactor.points.size() == 1 && contactor.radius > 0; }
-bool is_round(const Contactor3& contactor) {
-  return !contactor.has_faces() && (contactor.radius > 0 || contactor.has_circles());
-}  // a pill rolls about its axis
-
 template <int D>
 bool is_round(const Body<D>& body) {
-  return body.contactors.size() == 1 && is_round(body.contactors.front());
+  if (body.contactors.size() != 1) return false;
+  const auto& contactor = body.contactors.front();
+  if (contactor.form == Form::smooth || contactor.form == Form::hollow) return true;
+  const bool is_pill = D == 3 && contactor.form == Form::pill;  // it rolls about its axis
+  return (is_pill || contactor.form == Form::ball) && contactor.radius > 0;
 }
 
 /// What the ground answers to a body that rolls slowly; null if the law fails.

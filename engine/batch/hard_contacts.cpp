@@ -43,7 +43,7 @@ double greatest_w(const Body<3>& body) {
     turned = std::max(turned, arm.dot(arm.cwiseQuotient(body.inertia)));
   };
   for (const Contactor3& contactor : body.contactors) {
-    if (!contactor.has_faces())
+    if (contactor.faces.empty())
       for (const Vec3& point : contactor.points) turned = std::max(turned, greatest_turned(point, body));
     constexpr int places = 8;  // of a rim
     for (const Contactor3::Circle& circle : contactor.circles)

@@ -1,7 +1,7 @@
 #pragma once
 // The cells of the maps of a scenario.
 
-#include "collision/terrain3.h"
+#include "collision/ground/terrain_3d.h"
 #include "record/maps.h"
 #include "scenario/scenario.h"
 

@@ -11,10 +11,10 @@ namespace {
 /// A point is drawn as a small ball.
 template <class Contactor>
 double drawn_radius(const Contactor& contactor) {
-  return contactor.points.size() == 1 && contactor.radius == 0 ? contactor.bound : contactor.radius;
+  return contactor.form == Form::ball && contactor.radius == 0 ? contactor.bound : contactor.radius;
 }
 
-constexpr int wall_pieces = 48;  // of the wall of a room, around its axis
+constexpr int wall_pieces = 48;  // of the wall of a drum, around its axis
 
 /// The wall of a hollow disk, in pieces.
 void add_ring(const Contactor2& contactor, int index, std::vector<SurfaceCorner>& corners) {
@@ -54,18 +54,17 @@ std::vector<Vec2> counter_clockwise(const Ground2& outline) {
 
 std::vector<SurfaceCorner> surface_of(const std::vector<Contactor2>& contactors) {
   std::vector<SurfaceCorner> corners;
-  for (std::size_t c = 0; c < contactors.size(); ++c) {
-    if (contactors[c].is_room()) {
-      add_ring(contactors[c], static_cast<int>(c), corners);
-      continue;
-    }
-    if (contactors[c].is_surface()) {
-      for (const Vec2& point : counter_clockwise(*contactors[c].surface))
-        corners.push_back({static_cast<int>(c), 0, {point.x(), point.y(), 0}, 0});
-      continue;
-    }
-    for (const Vec2& point : contactors[c].points)
-      corners.push_back({static_cast<int>(c), 0, {point.x(), point.y(), 0}, drawn_radius(contactors[c])});
+  for (int c = 0; c < static_cast<int>(contactors.size()); ++c) {
+    const Contactor2& contactor = contactors[static_cast<std::size_t>(c)];
+    const auto add = [&](const Vec2& at, double grown) {
+      corners.push_back({c, 0, {at.x(), at.y(), 0}, grown});
+    };
+    if (contactor.form == Form::hollow)
+      add_ring(contactor, c, corners);
+    else if (contactor.form == Form::outline)
+      for (const Vec2& point : counter_clockwise(*contactor.ground)) add(point, 0);
+    else
+      for (const Vec2& point : contactor.points) add(point, drawn_radius(contactor));
   }
   return corners;
 }
@@ -134,39 +133,40 @@ void add_with_circles(const Contactor3& contactor, int index, std::vector<Surfac
 
 std::vector<SurfaceCorner> surface_of(const std::vector<Contactor3>& contactors) {
   std::vector<SurfaceCorner> corners;
-  for (std::size_t c = 0; c < contactors.size(); ++c) {
-    const Contactor3& contactor = contactors[c];
-    if (contactor.is_half_space()) {  // a square of 1 m stands for it
-      for (const auto& [x, y] : {std::pair(-0.5, -0.5), {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}})
-        corners.push_back({static_cast<int>(c), 0, {x, y, 0}, 0});
-      continue;
+  for (int c = 0; c < static_cast<int>(contactors.size()); ++c) {
+    const Contactor3& contactor = contactors[static_cast<std::size_t>(c)];
+    const auto add = [&](int face, int point, double grown = 0) {
+      corners.push_back({c, face, contactor.points[static_cast<std::size_t>(point)], grown});
+    };
+    switch (contactor.form) {
+      case Form::ball:
+      case Form::pill:
+        for (int i = 0; i < static_cast<int>(contactor.points.size()); ++i)
+          add(0, i, drawn_radius(contactor));
+        break;
+      case Form::hull:
+        for (int f = 0; f < static_cast<int>(contactor.faces.size()); ++f)
+          for (int i = 0; i < contactor.faces[static_cast<std::size_t>(f)].count; ++i)
+            add(f, contactor.vertex(contactor.faces[static_cast<std::size_t>(f)], i));
+        break;
+      case Form::smooth:
+        add_with_circles(contactor, c, corners);
+        break;
+      case Form::hollow:
+        add_tube(contactor, c, corners);
+        break;
+      case Form::half_space:  // a square of 1 m stands for it
+        for (const auto& [x, y] : {std::pair(-0.5, -0.5), {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}})
+          corners.push_back({c, 0, {x, y, 0}, 0});
+        break;
+      case Form::outline:
+        add_triangles(*contactor.ground, c, corners);
+        break;
+      case Form::cloud:
+        for (int f = 0; f < static_cast<int>(contactor.skin.size()); ++f)
+          for (const int i : contactor.skin[static_cast<std::size_t>(f)]) add(f, i);
+        break;
     }
-    if (contactor.is_surface()) {
-      add_triangles(*contactor.surface, static_cast<int>(c), corners);
-      continue;
-    }
-    if (contactor.is_cloud()) {
-      for (std::size_t f = 0; f < contactor.skin.size(); ++f)
-        for (const int i : contactor.skin[f])
-          corners.push_back(
-              {static_cast<int>(c), static_cast<int>(f), contactor.points[static_cast<std::size_t>(i)], 0});
-      continue;
-    }
-    if (contactor.is_room()) {
-      add_tube(contactor, static_cast<int>(c), corners);
-      continue;
-    }
-    if (contactor.has_circles()) {
-      add_with_circles(contactor, static_cast<int>(c), corners);
-      continue;
-    }
-    if (!contactor.has_faces())
-      for (const Vec3& point : contactor.points)
-        corners.push_back({static_cast<int>(c), 0, point, drawn_radius(contactor)});
-    for (std::size_t f = 0; f < contactor.faces.size(); ++f)
-      for (int i = 0; i < contactor.faces[f].count; ++i)
-        corners.push_back({static_cast<int>(c), static_cast<int>(f),
-                           contactor.points[contactor.vertex(contactor.faces[f], i)], 0});
   }
   return corners;
 }

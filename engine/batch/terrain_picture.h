@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "collision/terrain3.h"
+#include "collision/ground/terrain_3d.h"
 #include "geometry/profile.h"
 
 namespace flyrock {

@@ -4,8 +4,7 @@
 
 #include "cli/loading.h"
 #include "cli/shape_pictures.h"
-#include "collision/narrow_phase.h"
-#include "collision/terrain_contact.h"
+#include "collision/pairs.h"
 #include "trial/build_trial.h"
 
 namespace flyrock::cli {
@@ -36,9 +35,9 @@ NamedShape<D> shape_in(const Scenario& scenario, const std::string& name) {
 }
 
 template <class Contactor>
-bool is_hollow(const std::vector<Contactor>& contactors) {
+bool is_drum(const std::vector<Contactor>& contactors) {
   for (const Contactor& contactor : contactors)
-    if (contactor.is_room() && std::isfinite(contactor.outer)) return true;
+    if (contactor.form == Form::hollow) return true;
   return false;
 }
 
@@ -53,7 +52,7 @@ bool touch_somewhere(const NamedShape<D>& a, const NamedShape<D>& b) {
       for (int k = -D; k <= D; ++k) {
         typename Geometry<D>::Pose aside;
         if (k != 0) aside.x[std::abs(k) - 1] = std::copysign(of_a.bound, k);
-        body_contacts(Placed{of_a, {}}, 0, Placed{of_b, aside}, 1, everything, contacts);
+        body_contacts(Placed{of_a, {}}, Placed{of_b, aside, 1}, everything, contacts);
         if (!contacts.empty()) return true;
       }
   return false;
@@ -62,7 +61,7 @@ bool touch_somewhere(const NamedShape<D>& a, const NamedShape<D>& b) {
 template <int D>
 std::string pair_cell(const NamedShape<D>& a, const NamedShape<D>& b) {
   if (!touch_somewhere(a, b)) return "no";
-  return is_hollow(a.contactors) || is_hollow(b.contactors) ? "inside" : "yes";
+  return is_drum(a.contactors) || is_drum(b.contactors) ? "inside" : "yes";
 }
 
 Terrain2 level_ground(Vec2) {
@@ -76,11 +75,10 @@ Terrain3 level_ground(Vec3) { return Terrain3(TerrainShape3(Plane{})); }
 
 template <int D>
 std::string ground_cell(const NamedShape<D>& shape) {
-  if (!shape.contactors.empty() && shape.contactors.front().is_surface()) return "no";
   const auto ground = level_ground(Vec<D>());
   std::vector<ContactPoint<D>> contacts;
   for (const auto& contactor : shape.contactors)
-    terrain_contacts(typename Geometry<D>::Placed{contactor, {}}, 0, ground, everything, 0, contacts);
+    terrain_contacts(typename Geometry<D>::Placed{contactor, {}}, ground, everything, 0, contacts);
   return contacts.empty() ? "no" : "yes";
 }
 

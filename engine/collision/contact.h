@@ -1,6 +1,8 @@
 #pragma once
 // A contact point as the narrow phase finds it.
 
+#include <vector>
+
 #include "geometry/facet.h"
 
 namespace flyrock {
@@ -14,6 +16,15 @@ struct ContactPoint {
   FeatureId feature = 0;           ///< of the candidate: contactor and its vertex or edge
   /// Of the antagonist: feature of the terrain, or contactor and vertex or edge of a body
   FeatureId against = 0;
+};
+
+template <int D>
+using Contacts = std::vector<ContactPoint<D>>;
+
+/// A vertex, edge or face of a contactor.
+struct ShapeFeature {
+  FeatureKind kind = FeatureKind::vertex;
+  int index = 0;
 };
 
 /// Feature ids of a body. A vertex and an edge of the same index (below Contactor2::most_vertices) differ in
@@ -38,6 +49,7 @@ inline FeatureId feature_id(int contactor, FeatureKind kind, int index) {
          static_cast<FeatureId>(kind);
 }
 inline int index_of(FeatureId feature) { return static_cast<int>(feature >> 2 & 0x3fff); }
+inline ShapeFeature feature_of(FeatureId id) { return {kind_of(id), index_of(id)}; }
 
 /// The index of the contactor in a feature id, in 2D and 3D.
 inline int contactor_of(FeatureId feature) { return static_cast<int>(feature >> 16); }

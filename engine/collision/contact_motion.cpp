@@ -3,7 +3,8 @@
 #include <cmath>
 
 #include "collision/contact.h"
-#include "collision/facing.h"
+#include "collision/rules.h"
+#include "collision/smooth/support_feature.h"
 
 namespace flyrock {
 
@@ -19,24 +20,6 @@ constexpr double least_crossing = 0.1;
 
 Vec2 turned_by(double w, const Vec2& v) { return cross(w, v); }
 Vec3 turned_by(const Vec3& w, const Vec3& v) { return w.cross(v); }
-
-/// Of a contactor with circles.
-TouchingPart<3> touching_part_of_round(const Placed3& shape, FeatureId feature, const Vec3& normal) {
-  constexpr double level = 1e-3;  // sine of the angle between a side and the line of a contact with it
-  using Kind = PartKind<3>;
-  const Contactor3& contactor = shape.shape;
-  const int index = index_of(feature);
-  const FeatureKind kind = kind_of(feature);
-  if (kind == FeatureKind::vertex) return {.kind = Kind::point, .radius = contactor.radius};
-  if (kind == FeatureKind::face && index != side_face)
-    return {.kind = Kind::plane, .radius = contactor.radius};
-  const Contactor3::Circle& circle = contactor.circles.front();
-  const Vec3 axis = shape.pose.r * circle.axis;
-  const bool is_side = kind == FeatureKind::face || place_of_rim(index) == 0;
-  if (contactor.circles.size() < 2 || !is_side || std::abs(axis.dot(normal)) > level)
-    return {.rolls = true, .radius = contactor.radius};
-  return {.kind = Kind::line, .rolls = true, .radius = circle.radius + contactor.radius, .line = axis};
-}
 
 /// The rate of the normal across `line`, as between two points.
 Vec3 rate_across(const Vec3& line, const Vec3& approach, double radii, const Vec3& normal) {
@@ -93,13 +76,16 @@ bool is_plane_with_place(const TouchingPart<D>& a, const TouchingPart<D>& b) {
 
 }  // namespace
 
-TouchingPart<2> touching_part(const Placed2& shape, FeatureId feature, const Vec2&) {
+TouchingPart<2> hull_part(const Placed2& shape, FeatureId feature, const Vec2&) {
   using Kind = PartKind<2>;
-  const Contactor2& contactor = shape.shape;
-  if (contactor.is_surface()) return touching_part(*contactor.surface, feature);
-  return {.kind = feature & 1 ? Kind::plane : Kind::point, .radius = contactor.rounding()};
+  return {.kind = feature & 1 ? Kind::plane : Kind::point, .radius = shape.shape.radius};
 }
-
+TouchingPart<2> hollow_part(const Placed2& shape, FeatureId, const Vec2&) {
+  return {.kind = PartKind<2>::point, .radius = -shape.shape.radius};
+}
+TouchingPart<2> outline_part(const Placed2& shape, FeatureId feature, const Vec2&) {
+  return touching_part(*shape.shape.ground, feature);
+}
 TouchingPart<2> touching_part(const Ground2&, FeatureId feature) {
   return {.kind = is_corner(feature) ? PartKind<2>::point : PartKind<2>::plane};
 }
@@ -111,20 +97,41 @@ TouchingPart<3> touching_part(const Ground3& ground, FeatureId feature) {
   return {.kind = Kind::line, .line = touching_line(ground, feature)->normalized()};
 }
 
-TouchingPart<3> touching_part(const Placed3& shape, FeatureId feature, const Vec3& normal) {
+TouchingPart<3> outline_part(const Placed3& shape, FeatureId feature, const Vec3&) {
+  TouchingPart<3> part = touching_part(*shape.shape.ground, feature);
+  part.line = shape.pose.r * part.line;
+  return part;
+}
+
+TouchingPart<3> half_space_part(const Placed3&, FeatureId, const Vec3&) {
+  return {.kind = PartKind<3>::plane};
+}
+
+TouchingPart<3> hollow_part(const Placed3& shape, FeatureId, const Vec3&) {
+  const Contactor3::Circle& end = shape.shape.circles.front();
+  return {.kind = PartKind<3>::line, .radius = -end.radius, .line = shape.pose.r * end.axis};
+}
+
+TouchingPart<3> smooth_part(const Placed3& shape, FeatureId feature, const Vec3& normal) {
+  constexpr double level = 1e-3;  // sine of the angle between a side and the line of a contact with it
   using Kind = PartKind<3>;
   const Contactor3& contactor = shape.shape;
-  if (contactor.is_surface()) {
-    TouchingPart<3> part = touching_part(*contactor.surface, feature);
-    part.line = shape.pose.r * part.line;
-    return part;
-  }
-  if (contactor.is_half_space()) return {.kind = Kind::plane};
-  if (contactor.is_room()) {
-    const Contactor3::Circle& end = contactor.circles.front();
-    return {.kind = Kind::line, .radius = -end.radius, .line = shape.pose.r * end.axis};
-  }
-  if (contactor.has_circles()) return touching_part_of_round(shape, feature, normal);
+  const int index = index_of(feature);
+  const FeatureKind kind = kind_of(feature);
+  if (kind == FeatureKind::vertex) return {.kind = Kind::point, .radius = contactor.radius};
+  if (kind == FeatureKind::face && index != side_face)
+    return {.kind = Kind::plane, .radius = contactor.radius};
+  const Contactor3::Circle& circle = contactor.circles.front();
+  const Vec3 axis = shape.pose.r * circle.axis;
+  const bool is_side = kind == FeatureKind::face || place_of_rim(index) == 0;
+  if (contactor.circles.size() < 2 || !is_side || std::abs(axis.dot(normal)) > level)
+    return {.rolls = true, .radius = contactor.radius};
+  return {.kind = Kind::line, .rolls = true, .radius = circle.radius + contactor.radius, .line = axis};
+}
+
+TouchingPart<3> core_part(const Placed3& shape, FeatureId feature, const Vec3& normal) {
+  using Kind = PartKind<3>;
+  const Contactor3& contactor = shape.shape;
   switch (kind_of(feature)) {
     case FeatureKind::face:
       return {.kind = Kind::plane, .radius = contactor.radius};

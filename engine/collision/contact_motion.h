@@ -38,9 +38,7 @@ struct TouchingPart {
   typename Space<D>::Spin spin = at_rest();  ///< rad/s, of the body
 };
 
-/// The part that a feature names, at rest. `normal` is that of the contact, of either sign.
-TouchingPart<2> touching_part(const Placed2& shape, FeatureId feature, const Vec2& normal);
-TouchingPart<3> touching_part(const Placed3& shape, FeatureId feature, const Vec3& normal);
+/// The part of the ground that a feature names, at rest. Of contactors: touching_part in pairs.h.
 TouchingPart<2> touching_part(const Ground2& ground, FeatureId feature);
 TouchingPart<3> touching_part(const Ground3& ground, FeatureId feature);
 

@@ -1,10 +1,11 @@
 #pragma once
 // The geometric types of a dimension.
 
+#include "collision/ground/terrain_2d.h"
+#include "collision/ground/terrain_3d.h"
 #include "collision/motion.h"
 #include "collision/placed.h"
-#include "collision/terrain.h"
-#include "collision/terrain3.h"
+#include "collision/touch_search.h"
 
 namespace flyrock {
 
@@ -19,6 +20,8 @@ struct Geometry<2> {
   using Pose = Pose2;
   using Contactor = Contactor2;
   using Placed = Placed2;
+  using Moving = Moving2;
+  using Ground = Ground2;
 };
 
 template <>
@@ -29,6 +32,8 @@ struct Geometry<3> {
   using Pose = Pose3;
   using Contactor = Contactor3;
   using Placed = Placed3;
+  using Moving = Moving3;
+  using Ground = Ground3;
 };
 
 }  // namespace flyrock

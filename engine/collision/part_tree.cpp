@@ -13,7 +13,7 @@ constexpr double rounding = 1e-9;  // share by which a ball is larger than its c
 /// The middle of the box of the points and circles, and the distance of the farthest place from it.
 template <int D>
 typename PartTree<D>::Ball ball_about(const typename Geometry<D>::Contactor& contactor) {
-  if (contactor.is_room()) return {Vec<D>::Zero(), contactor.bound};
+  if (is_hollow(contactor.form)) return {Vec<D>::Zero(), contactor.bound};
   std::vector<std::pair<Vec<D>, double>> balls;
   for (const Vec<D>& point : contactor.points) balls.emplace_back(point, 0);
   if constexpr (D == 3)

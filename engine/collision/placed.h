@@ -1,6 +1,7 @@
 #pragma once
 // A contactor at its pose in the world.
 
+#include "collision/contact.h"
 #include "geometry/box.h"
 #include "geometry/contactor.h"
 #include "geometry/contactor3.h"
@@ -18,7 +19,10 @@ struct Pose2 {
 struct Placed2 {
   const Contactor2& shape;
   Pose2 pose;
+  int index = 0;  ///< of the contactor in its body, for feature ids
 
+  FeatureId vertex(int i) const { return vertex_id(index, i); }
+  FeatureId edge(int i) const { return edge_id(index, i); }
   int count() const { return static_cast<int>(shape.points.size()); }
   Vec2 point(int i) const { return pose * shape.points[i]; }
   Vec2 normal(int edge) const { return pose.r * shape.normals[edge]; }
@@ -39,7 +43,9 @@ struct Pose3 {
 struct Placed3 {
   const Contactor3& shape;
   Pose3 pose;
+  int index = 0;
 
+  FeatureId id(const ShapeFeature& feature) const { return feature_id(index, feature.kind, feature.index); }
   int count() const { return static_cast<int>(shape.points.size()); }
   int faces() const { return static_cast<int>(shape.faces.size()); }
   Vec3 point(int i) const { return pose * shape.points[i]; }
@@ -55,8 +61,22 @@ struct Placed3 {
   }
 };
 
-/// The box of the core, without its radius.
+template <class Placed>
+auto box_of_points(const Placed& placed) {
+  const auto first = placed.point(0);
+  Box<static_cast<int>(decltype(first)::RowsAtCompileTime)> box{first, first};
+  for (int i = 1; i < placed.count(); ++i) {
+    const auto point = placed.point(i);
+    box = {box.low.cwiseMin(point), box.high.cwiseMax(point)};
+  }
+  return box;
+}
+/// The box of the core, without its radius. A half space is everywhere.
+inline Box2 core_box(const Placed2& placed) { return box_of_points(placed); }
 inline Box3 core_box(const Placed3& placed) {
+  const Contactor3& shape = placed.shape;
+  if (shape.form == Form::half_space) return {Vec3::Constant(-shape.bound), Vec3::Constant(shape.bound)};
+  if (shape.circles.empty()) return box_of_points(placed);
   Box3 box;
   for (int k = 0; k < 3; ++k) {
     box.low[k] = placed.support(-Vec3::Unit(k))[k];

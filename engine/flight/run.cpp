@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "collision/pairs.h"
 #include "flight/body_log.h"
 #include "flight/crossing.h"
 #include "flight/faults.h"
@@ -52,8 +53,8 @@ class Runner {
                             [](const Body<D>& b) { return b.breathing.moves(); });
     in_air_ = std::any_of(world.bodies.begin(), world.bodies.end(),
                           [](const Body<D>& b) { return b.air.drag > 0; });
-    has_surfaces_ = std::any_of(world.bodies.begin(), world.bodies.end(),
-                                [](const Body<D>& body) { return body.is_surface(); });
+    has_outlines_ = std::any_of(world.bodies.begin(), world.bodies.end(),
+                                [](const Body<D>& body) { return body.is_outline(); });
   }
 
   ~Runner() { world_.on_hit = nullptr; }
@@ -222,7 +223,7 @@ class Runner {
         const TouchSearch search{world_.held(i, -1), false, 0, body.size, &world_.quality().toc_iterations};
         near_parts(body.parts, body.pose(), world_.terrain(), greatest_travel(flight, body.size, dt), parts_);
         for (const int k : parts_)
-          if (const auto t = time_of_contact(body.contactors[k], k, flight, world_.terrain(), dt, search))
+          if (const auto t = time_of_contact({body.contactors[k], flight, k}, world_.terrain(), dt, search))
             dt = *t, touch = true;
       }
     }
@@ -235,7 +236,7 @@ class Runner {
       if (const double end = time_over_ground(world_.terrain(), world_.flight_of(i), dt); end < dt)
         dt = end * (1 + 1e-9) + 1e-9, touch = false;  // slightly beyond, so that end_bodies finds it there
     }
-    if (const auto t = touch_of_surfaces(dt)) dt = *t, touch = true;
+    if (const auto t = touch_of_outlines(dt)) dt = *t, touch = true;
     // If the swept boxes of two other bodies overlap, the bodies might meet: try a shorter jump, and finally
     // a step.
     if (bodies() > 1) {
@@ -264,7 +265,7 @@ class Runner {
   bool may_meet(double dt) {
     for (const auto& [i, j] : world_.near_pairs(dt)) {
       const Body<D>&a = world_.bodies[i], &b = world_.bodies[j];
-      const bool is_searched = a.is_surface() || b.is_surface();
+      const bool is_searched = a.is_outline() || b.is_outline();
       if (a.present && b.present && (a.moves() || b.moves()) && !is_searched) return true;
     }
     return false;
@@ -272,19 +273,19 @@ class Runner {
 
   /// The first touch of a body with a surface within dt [s]. The box of a surface is full of air, so bodies
   /// in it fly.
-  std::optional<double> touch_of_surfaces(double dt) {
+  std::optional<double> touch_of_outlines(double dt) {
     std::optional<double> first;
-    if (!has_surfaces_) return first;
+    if (!has_outlines_) return first;
     const PhaseTimer timer(world_.clock, &PhaseTimes::flight);
     for (const auto& [i, j] : world_.near_pairs(dt)) {
       const Body<D>&a = world_.bodies[i], &b = world_.bodies[j];
-      if (a.is_surface() == b.is_surface() || !a.present || !b.present || !(a.moves() || b.moves())) continue;
-      const double size = a.is_surface() ? b.size : a.size;
+      if (a.is_outline() == b.is_outline() || !a.present || !b.present || !(a.moves() || b.moves())) continue;
+      const double size = a.is_outline() ? b.size : a.size;
       const TouchSearch search{world_.held(i, j), false, 0, size, &world_.quality().toc_iterations};
       const Motion of_a = world_.flight_of(i), of_b = world_.flight_of(j);
       for (int k = 0; k < static_cast<int>(a.contactors.size()); ++k)
         for (int l = 0; l < static_cast<int>(b.contactors.size()); ++l)
-          if (const auto t = time_of_contact(a.contactors[k], k, of_a, b.contactors[l], l, of_b,
+          if (const auto t = time_of_contact({a.contactors[k], of_a, k}, {b.contactors[l], of_b, l},
                                              first.value_or(dt), search))
             first = t;
     }
@@ -475,7 +476,7 @@ class Runner {
   std::vector<Motion> flights_;  ///< of the last flight or step, from its start
   bool breathes_ = false;        ///< the radius of a body changes in the air too: flights are made of steps
   bool in_air_ = false;
-  bool has_surfaces_ = false;
+  bool has_outlines_ = false;
   std::vector<std::array<Vec<D>, 2>> accelerations_;  ///< accelerations by the air in the current leg
   std::vector<int> parts_;                            ///< of one body near the ground
   int stalled_ = 0;

@@ -72,8 +72,8 @@ void add_contactor(Moments& sum, const Contactor2& contactor, const Vec2& origin
   const std::size_t count = points.size();
   const double r = contactor.radius;
   if (count == 1) {
-    if (contactor.is_room()) add_disk(sum, contactor.outer, points[0] - origin, 1);
-    return add_disk(sum, r, points[0] - origin, contactor.is_room() ? -1 : 1);
+    if (contactor.form == Form::hollow) add_disk(sum, contactor.outer, points[0] - origin, 1);
+    return add_disk(sum, r, points[0] - origin, contactor.form == Form::hollow ? -1 : 1);
   }
   for (std::size_t i = 0; i < count; ++i) {
     const Vec2 a = points[i] - origin, b = points[(i + 1) % count] - origin;
@@ -98,36 +98,43 @@ void add_contactor(Moments& sum, const Contactor2& contactor, const Vec2& origin
 }  // namespace
 
 Contactor2 Contactor2::disk(double radius, const Vec2& centre) {
-  return {{centre}, {}, radius, centre.norm() + radius};
+  return {.points = {centre}, .normals = {}, .radius = radius, .bound = centre.norm() + radius};
 }
 
 Contactor2 Contactor2::hollow_disk(double radius, double outer) {
-  return {.points = {Vec2::Zero()}, .normals = {}, .radius = radius, .bound = outer, .outer = outer};
+  return {.form = Form::hollow,
+          .points = {Vec2::Zero()},
+          .normals = {},
+          .radius = radius,
+          .bound = outer,
+          .outer = outer};
 }
 
 Contactor2 Contactor2::outline(const std::vector<Vec2>& points) {
   Vec2 low = points.front(), high = low;
   for (const Vec2& point : points) low = low.cwiseMin(point), high = high.cwiseMax(point);
-  return {.points = {low, {high.x(), low.y()}, high, {low.x(), high.y()}},
+  return {.form = Form::outline,
+          .points = {low, {high.x(), low.y()}, high, {low.x(), high.y()}},
           .normals = {},
           .bound = bound_of(points, 0),
-          .surface = std::make_shared<const Ground2>(Ground2::outline(points))};
+          .ground = std::make_shared<const Ground2>(Ground2::outline(points))};
 }
 
 Contactor2 Contactor2::hull(std::vector<Vec2> points, double radius) {
   auto normals = edge_normals(points);
   const double bound = bound_of(points, radius);
-  return {std::move(points), std::move(normals), radius, bound};
+  const Form form = points.size() == 1 ? Form::ball : points.size() == 2 ? Form::pill : Form::hull;
+  return {form, std::move(points), std::move(normals), radius, bound};
 }
 
 void Contactor2::translate(const Vec2& by) {
-  if (is_surface()) throw std::logic_error("a surface keeps its frame");
+  if (form == Form::outline) throw std::logic_error("an outline keeps its frame");
   for (Vec2& point : points) point += by;
   bound = bound_of(points, radius);
 }
 
 void Contactor2::scale(double factor) {
-  if (is_surface()) throw std::logic_error("a surface keeps its size");
+  if (form == Form::outline) throw std::logic_error("an outline keeps its size");
   for (Vec2& point : points) point *= factor;
   for (double* length : {&radius, &bound, &outer}) *length *= factor;
 }
@@ -168,7 +175,7 @@ std::string make_convex(std::vector<Vec2>& vertices) {
 }
 
 AreaProperties area_properties(const std::vector<Contactor2>& contactors) {
-  if (contactors.empty() || contactors.front().is_surface()) return {};
+  if (contactors.empty() || contactors.front().form == Form::outline) return {};
   // Use moments about a point of the body, so that a body drawn far from the frame's origin loses no digits.
   const Vec2 origin = contactors.front().points.front();
   Moments sum;

@@ -5,28 +5,30 @@
 #include <string>
 #include <vector>
 
+#include "geometry/form.h"
 #include "geometry/ground2.h"
 #include "math/space.h"
 
 namespace flyrock {
 
 /// A contactor in 2D: the convex hull of `points`, grown by `radius`. One point is a disk, two are a wall
-/// with rounded ends, three or more are a convex polygon, whose corners are round if it has a radius. All
-/// queries see only points and radius. Coordinates in the body's frame, metres.
+/// with rounded ends, three or more are a convex polygon, whose corners are round if it has a radius.
+/// Coordinates in the body's frame, metres.
 ///
-/// A hollow disk is solid outside of the circle of `radius` about the origin, up to the radius `outer`. It is
-/// a room (collision/room.h): other contactors touch it from inside only.
+/// A hollow disk is solid outside of the circle of `radius` about the origin, up to the radius `outer`. Other
+/// contactors touch it from inside only (collision/hollow/hollow_wall.h).
 ///
-/// A contactor with a `surface` is an outline of segments, in general not convex (collision/surface.h). It is
-/// the only one of its body, which does not move freely; `points` are the corners of its box.
+/// An outline is a `ground` of segments (collision/outline/outline.h). It is the only contactor of its body,
+/// which does not move freely; `points` are the corners of its box.
 struct Contactor2 {
+  Form form = Form::ball;
   std::vector<Vec2> points;   ///< from three on, counter-clockwise
   std::vector<Vec2> normals;  ///< outward unit normal of the edge from points[i] to points[i + 1]; none for a
                               ///< disk, two for a wall
   double radius = 0;
   double bound = 0;  ///< radius of the smallest circle about the frame's origin that contains the contactor
   double outer = 0;  ///< m, of a hollow disk; 0 for others
-  std::shared_ptr<const Ground2> surface = nullptr;  ///< closed
+  std::shared_ptr<const Ground2> ground = nullptr;  ///< of an outline; closed
 
   static constexpr std::size_t most_vertices = 1 << 15;  ///< limit of a feature id (collision/contact.h)
 
@@ -42,10 +44,6 @@ struct Contactor2 {
   /// The closed line through the points: clockwise it is solid inside, counter-clockwise outside.
   static Contactor2 outline(const std::vector<Vec2>& points);
 
-  bool is_room() const { return outer > 0; }
-  bool is_surface() const { return surface != nullptr; }
-  /// How far the surface is beyond the core, along the normal out of the contactor [m].
-  double rounding() const { return is_room() ? -radius : radius; }
   void translate(const Vec2& by);
   /// Scales all lengths by a factor about the origin.
   void scale(double factor);
@@ -57,7 +55,7 @@ struct Contactor2 {
 std::string make_convex(std::vector<Vec2>& vertices);
 
 /// Area [m2], centroid and second moments of area about the centroid [m4] of contactors that do not overlap;
-/// 0 for a surface, which does not move freely.
+/// 0 for an outline, which does not move freely.
 struct AreaProperties {
   double area = 0;
   Vec2 centroid = Vec2::Zero();

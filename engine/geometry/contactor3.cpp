@@ -105,6 +105,7 @@ Vec3 Contactor3::support(const Vec3& direction) const {
 
 Contactor3 Contactor3::cylinder(double radius, double height) {
   Contactor3 shape;
+  shape.form = Form::smooth;
   for (const double side : {-1.0, 1.0})
     shape.circles.push_back({{0, 0, 0.5 * side * height}, {0, 0, side}, radius});
   shape.bound = extent_of(shape);
@@ -113,6 +114,7 @@ Contactor3 Contactor3::cylinder(double radius, double height) {
 
 Contactor3 Contactor3::hollow_cylinder(double radius, double outer, double height) {
   Contactor3 shape = cylinder(radius, height);
+  shape.form = Form::hollow;
   shape.outer = outer;
   shape.bound = std::hypot(outer, 0.5 * height);
   return shape;
@@ -121,17 +123,18 @@ Contactor3 Contactor3::hollow_cylinder(double radius, double outer, double heigh
 Contactor3 Contactor3::half_space() {
   constexpr double beyond_all = 1e6;  // m; no place is farther than 100 km from the origin
   Contactor3 shape;
+  shape.form = Form::half_space;
   shape.points = {Vec3::Zero()};
   shape.bound = beyond_all;
-  shape.outer = std::numeric_limits<double>::infinity();
   return shape;
 }
 
 Contactor3 Contactor3::solid(Mesh mesh) {
   Contactor3 shape;
+  shape.form = Form::outline;
   shape.bound = bound_of(mesh.vertices, 0);
-  shape.surface = make_ground(std::move(mesh));
-  const Box3& box = shape.surface->extent();
+  shape.ground = make_ground(std::move(mesh));
+  const Box3& box = shape.ground->extent();
   for (int i = 0; i < 8; ++i)
     shape.points.emplace_back((i & 1 ? box.high : box.low).x(), (i & 2 ? box.high : box.low).y(),
                               (i & 4 ? box.high : box.low).z());
@@ -143,6 +146,7 @@ Contactor3 Contactor3::cloud(const Mesh& mesh) {
     throw std::invalid_argument(
         fmt::format("{} vertices, at most {} are possible", mesh.vertices.size(), most_edges));
   Contactor3 shape;
+  shape.form = Form::cloud;
   shape.points = mesh.vertices;
   shape.skin = mesh.triangles;
   shape.bound = bound_of(shape.points, 0);
@@ -159,6 +163,7 @@ Contactor3 Contactor3::sphere(double radius, const Vec3& centre) {
 
 Contactor3 Contactor3::pill(const Vec3& start, const Vec3& end, double radius) {
   Contactor3 shape;
+  shape.form = Form::pill;
   shape.points = {start, end};
   shape.edges = {{.start = 0, .end = 1, .left = -1, .right = -1}};
   shape.radius = radius;
@@ -176,6 +181,7 @@ Contactor3 Contactor3::box(const Vec3& size) {
 
 Contactor3 Contactor3::polyhedron(std::vector<Vec3> points, const std::vector<std::vector<int>>& faces) {
   Contactor3 shape;
+  shape.form = Form::hull;
   shape.points = std::move(points);
   add_faces(shape, faces);
   add_edges(shape);
@@ -190,7 +196,7 @@ Contactor3 Contactor3::polyhedron(std::vector<Vec3> points, const std::vector<st
 }
 
 std::optional<Vec3> Contactor3::axis_of_revolution() const {
-  if (circles.empty() || has_faces()) return std::nullopt;
+  if (circles.empty()) return std::nullopt;
   constexpr double rounding = 1e-12;
   const Vec3& axis = circles.front().axis;
   const auto on_axis = [&](const Vec3& p) { return p.cross(axis).norm() <= rounding * bound; };
@@ -202,18 +208,18 @@ std::optional<Vec3> Contactor3::axis_of_revolution() const {
 }
 
 void Contactor3::change_frame(const Vec3& origin, const Rotation3& r) {
-  if (is_surface()) throw std::logic_error("a surface keeps its frame");
+  if (form == Form::outline) throw std::logic_error("an outline keeps its frame");
   for (Vec3& point : points) point = r.inverse(point - origin);
   for (Face& face : faces) face.normal = r.inverse(face.normal);
   for (Circle& circle : circles) {
     circle.centre = r.inverse(circle.centre - origin);
     circle.axis = r.inverse(circle.axis);
   }
-  if (!is_room()) bound = extent_of(*this);  // a room stays about the origin
+  if (!is_hollow(form)) bound = extent_of(*this);  // these stay about the origin
 }
 
 void Contactor3::scale(double factor) {
-  if (is_surface()) throw std::logic_error("a surface keeps its size");
+  if (form == Form::outline) throw std::logic_error("an outline keeps its size");
   for (Vec3& point : points) point *= factor;
   for (Circle& circle : circles) {
     circle.centre *= factor;

@@ -2,12 +2,12 @@
 // Contactors, the shapes that touch, in 3D.
 
 #include <array>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "geometry/form.h"
 #include "math/space.h"
 
 namespace flyrock {
@@ -21,12 +21,11 @@ struct Mesh;
 /// metres.
 ///
 /// A hollow cylinder has the two circles at the ends of its inside, and is solid outside up to the radius
-/// `outer`. A half space is solid below the plane z = 0. Both are rooms (collision/room.h): other contactors
-/// touch them from inside.
+/// `outer`. A half space is solid below the plane z = 0. Other contactors touch both from inside
+/// (collision/hollow/hollow_wall.h).
 ///
-/// Two kinds are not convex. A contactor with a `surface` is a solid bounded by triangles, as in 2D. A cloud
-/// touches with its points only, which are the vertices of a closed surface (`skin`); it meets the ground,
-/// surfaces and half spaces.
+/// Two forms are not convex. An outline is a solid bounded by triangles, its `ground`, as in 2D. A cloud
+/// touches with its points only, which are the vertices of a closed surface (`skin`).
 struct Contactor3 {
   /// A circle about an axis. The disk in it is a flat cap of the contactor, which lies behind it.
   struct Circle {
@@ -55,6 +54,7 @@ struct Contactor3 {
   static constexpr int most_edges =
       1 << 14;  ///< limit of a feature id (collision/contact.h); vertices and faces are fewer
 
+  Form form = Form::ball;
   std::vector<Vec3> points;
   std::vector<int> loop;       ///< indices into points, face after face
   std::vector<int> loop_edge;  ///< the edge from a loop's vertex to the next
@@ -63,8 +63,8 @@ struct Contactor3 {
   std::vector<Circle> circles;  ///< about one axis
   double radius = 0;
   double bound = 0;  ///< radius of the smallest sphere about the frame's origin that contains the contactor
-  double outer = 0;  ///< m, of a hollow cylinder; infinite for a half space; 0 for others
-  std::shared_ptr<const Ground3> surface = nullptr;  ///< closed
+  double outer = 0;  ///< m, of a hollow cylinder; 0 for others
+  std::shared_ptr<const Ground3> ground = nullptr;  ///< of an outline; closed
   std::vector<std::array<int, 3>> skin =
       {};  ///< of a cloud: triangles, indices into points, seen from outside
 
@@ -87,24 +87,7 @@ struct Contactor3 {
   /// are too many.
   static Contactor3 polyhedron(std::vector<Vec3> points, const std::vector<std::vector<int>>& faces);
 
-  bool is_room() const { return outer > 0; }
-  bool is_half_space() const { return std::isinf(outer); }
-  bool is_surface() const { return surface != nullptr; }
-  bool is_cloud() const { return !skin.empty(); }
-  /// Whether two contactors can touch: a cloud touches surfaces and half spaces only.
-  bool meets(const Contactor3& other) const {
-    const auto serves = [](const Contactor3& cloud, const Contactor3& c) {
-      return !cloud.is_cloud() || c.is_surface() || c.is_half_space();
-    };
-    return serves(*this, other) && serves(other, *this);
-  }
-  /// Points without extent: no edge and no face touches.
-  bool only_points() const { return radius == 0 && edges.empty() && circles.empty() && !is_room(); }
-  double rounding() const { return radius; }  ///< as in 2D
-  bool round() const { return points.size() == 1 && circles.empty(); }
-  bool has_faces() const { return !faces.empty(); }
   int vertex(const Face& face, int i) const { return loop[face.first + i]; }
-  bool has_circles() const { return !circles.empty(); }
   /// The place of the core, the hull without its radius, that is farthest along a direction.
   Vec3 support(const Vec3& direction) const;
   /// The axis (unit) of a contactor with circles about which it may turn without a change of its places: it

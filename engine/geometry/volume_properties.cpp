@@ -69,40 +69,44 @@ void add_tetrahedron(VolumeMoments& sum, const Vec3& a, const Vec3& b, const Vec
 }  // namespace
 
 VolumeProperties volume_properties(const std::vector<Contactor3>& contactors) {
-  if (contactors.empty() || contactors.front().is_surface()) return {};
+  if (contactors.empty() || contactors.front().form == Form::outline) return {};
   // Use moments about a point of the body, so that a body drawn far from the frame's origin loses no digits.
   const Contactor3& first = contactors.front();
-  const Vec3 origin = first.has_circles() ? first.circles.front().centre : first.points.front();
+  const Vec3 origin = !first.circles.empty() ? first.circles.front().centre : first.points.front();
   VolumeMoments sum;
   for (const Contactor3& shape : contactors) {
-    if (shape.has_circles()) {
-      const Contactor3::Circle& base = shape.circles.front();
-      if (shape.circles.size() == 1)
-        add_cone(sum, base.radius, base.centre - origin, shape.points[0] - origin);
-      else
-        add_cylinder(sum, base.radius, base.centre - origin, shape.circles[1].centre - origin,
-                     shape.is_room() ? -1 : 1);
-      if (shape.is_room())
-        add_cylinder(sum, shape.outer, base.centre - origin, shape.circles[1].centre - origin);
-      continue;
+    const auto circle = [&](std::size_t i) -> Vec3 { return shape.circles[i].centre - origin; };
+    const auto point = [&](int i) -> Vec3 { return shape.points[static_cast<std::size_t>(i)] - origin; };
+    switch (shape.form) {
+      case Form::ball:
+        add_sphere(sum, shape.radius, point(0));
+        break;
+      case Form::pill:
+        add_pill(sum, shape.radius, point(0), point(1));
+        break;
+      case Form::hull:
+        for (const Contactor3::Face& face : shape.faces)
+          for (int i = 1; i + 1 < face.count; ++i)
+            add_tetrahedron(sum, point(shape.vertex(face, 0)), point(shape.vertex(face, i)),
+                            point(shape.vertex(face, i + 1)));
+        break;
+      case Form::smooth:
+        if (shape.circles.size() == 1)
+          add_cone(sum, shape.circles[0].radius, circle(0), point(0));
+        else
+          add_cylinder(sum, shape.circles[0].radius, circle(0), circle(1));
+        break;
+      case Form::hollow:
+        add_cylinder(sum, shape.circles[0].radius, circle(0), circle(1), -1);
+        add_cylinder(sum, shape.outer, circle(0), circle(1));
+        break;
+      case Form::cloud:
+        for (const auto& [a, b, c] : shape.skin) add_tetrahedron(sum, point(a), point(b), point(c));
+        break;
+      case Form::half_space:
+      case Form::outline:
+        break;
     }
-    if (shape.is_half_space()) continue;
-    if (shape.round()) {
-      add_sphere(sum, shape.radius, shape.points[0] - origin);
-      continue;
-    }
-    for (const auto& [a, b, c] : shape.skin)
-      add_tetrahedron(sum, shape.points[a] - origin, shape.points[b] - origin, shape.points[c] - origin);
-    if (shape.is_cloud()) continue;
-    if (!shape.has_faces()) {
-      add_pill(sum, shape.radius, shape.points[0] - origin, shape.points[1] - origin);
-      continue;
-    }
-    for (const Contactor3::Face& face : shape.faces)
-      for (int i = 1; i + 1 < face.count; ++i)
-        add_tetrahedron(sum, shape.points[shape.vertex(face, 0)] - origin,
-                        shape.points[shape.vertex(face, i)] - origin,
-                        shape.points[shape.vertex(face, i + 1)] - origin);
   }
   if (sum.volume == 0) return {0, origin, Eigen::Matrix3d::Zero()};
   const Vec3 centre = sum.first / sum.volume;

@@ -66,19 +66,19 @@ void add(Numbers& answer, const std::vector<Contactor2>& contactors) {
 void check_contactors(const std::vector<Contactor2>& contactors) {
   if (contactors.empty()) fail("a rock has no contactor");
   for (const Contactor2& contactor : contactors) {
-    if (contactor.is_surface()) {
+    if (contactor.form == Form::outline) {
       if (contactors.size() > 1) fail("a surface is one contactor of several, expected it alone");
       return;  // only of a fixed or driven body
     }
     const bool finite = std::all_of(contactor.points.begin(), contactor.points.end(),
                                     [](const Vec2& point) { return point.allFinite(); });
     if (!finite || !std::isfinite(contactor.radius)) fail("a contactor is not finite");
-    if (contactor.points.size() < 3) continue;
+    if (contactor.form != Form::hull) continue;
     auto vertices = contactor.points;
     if (std::string fault = make_convex(vertices); !fault.empty()) fail(fault);
     if (vertices != contactor.points) fail("the vertices of a polygon run clockwise");
   }
-  if (contactors.size() == 1 && contactors[0].points.size() == 1 && contactors[0].radius == 0)
+  if (contactors.size() == 1 && contactors[0].form == Form::ball && contactors[0].radius == 0)
     return;  // a point
   const AreaProperties area = area_properties(contactors);
   if (!(area.area > 0 && area.polar_moment > 0)) fail("a rock has no area or no inertia");
@@ -100,7 +100,7 @@ void add(Numbers& answer, const std::vector<Contactor3>& contactors) {
 void check_contactors(const std::vector<Contactor3>& contactors) {
   if (contactors.empty()) fail("a rock has no contactor");
   for (const Contactor3& contactor : contactors) {
-    if (contactor.is_surface() && contactors.size() > 1)
+    if (contactor.form == Form::outline && contactors.size() > 1)
       fail("a surface is one contactor of several, expected it alone");
     const bool finite = std::all_of(contactor.points.begin(), contactor.points.end(),
                                     [](const Vec3& point) { return point.allFinite(); });
@@ -110,9 +110,12 @@ void check_contactors(const std::vector<Contactor3>& contactors) {
         });
     if (!finite || !circles_finite || !std::isfinite(contactor.radius)) fail("a contactor is not finite");
   }
-  const auto massless = [](const Contactor3& c) { return c.is_half_space() || c.is_surface(); };
+  const auto massless = [](const Contactor3& c) {
+    return c.form == Form::half_space || c.form == Form::outline;
+  };
   if (std::all_of(contactors.begin(), contactors.end(), massless)) return;  // only of a fixed or driven body
-  if (contactors.size() == 1 && contactors[0].round() && contactors[0].radius == 0) return;  // a point
+  if (contactors.size() == 1 && contactors[0].form == Form::ball && contactors[0].radius == 0)
+    return;  // a point
   const VolumeProperties properties = volume_properties(contactors);
   if (!(properties.volume > 0 && properties.inertia.trace() > 0)) fail("a rock has no volume or no inertia");
 }

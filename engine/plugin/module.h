@@ -19,7 +19,7 @@ struct ModuleTag {
   char version[16];
   bool operator==(const ModuleTag&) const = default;
 };
-inline constexpr int module_abi = 9;
+inline constexpr int module_abi = 10;
 constexpr ModuleTag module_tag() {
   return {{'f', 'l', 'y', 'r', 'o', 'c', 'k', 0},
           module_abi,

@@ -1,8 +1,8 @@
 #pragma once
 // The terrain of a trial from what its plugin answers: zones, faces and the origin of a scenario.
 
-#include "collision/terrain.h"
-#include "collision/terrain3.h"
+#include "collision/ground/terrain_2d.h"
+#include "collision/ground/terrain_3d.h"
 #include "scenario/scenario.h"
 
 namespace flyrock {

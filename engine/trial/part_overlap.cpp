@@ -1,7 +1,7 @@
 #include "trial/part_overlap.h"
 
 #include "collision/broad_phase.h"
-#include "collision/narrow_phase.h"
+#include "collision/pairs.h"
 
 namespace flyrock {
 
@@ -40,8 +40,8 @@ std::optional<PartOverlap> deepest_overlap_of_parts(const Body<D>& body) {
   SortAndSweep sweep;
   for (const auto& [a, b] : sweep.pairs<D>(boxes)) {
     points.clear();
-    body_contacts(typename Geometry<D>::Placed{body.contactors[a], own_frame}, a,
-                  typename Geometry<D>::Placed{body.contactors[b], own_frame}, b, 0, points);
+    body_contacts(typename Geometry<D>::Placed{body.contactors[a], own_frame, a},
+                  typename Geometry<D>::Placed{body.contactors[b], own_frame, b}, 0, points);
     for (const ContactPoint<D>& point : points)
       if (-point.gap > deepest.depth)
         deepest = {static_cast<std::size_t>(a), static_cast<std::size_t>(b), -point.gap};

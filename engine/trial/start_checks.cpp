@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "collision/room.h"
-#include "collision/surface.h"
+#include "collision/hollow/hollow_wall.h"
+#include "collision/outline/outline.h"
 #include "flight/ground.h"
 #include "geometry/place_text.h"
 #include "geometry/volume_properties.h"
@@ -25,7 +25,7 @@ double buried(const Body<D>& body, const typename Geometry<D>::Terrain& terrain)
   if (std::isinf(domain_of(terrain).low[0])) return 0;
   double depth = 0;
   for (const auto& contactor : body.contactors)
-    if (!contactor.is_room())  // the ground does not touch it
+    if (!is_hollow(contactor.form))  // the ground does not touch it
       depth = std::max(depth, depth_below_ground(terrain, body.pose() * middle_of(contactor)));
   return depth;
 }
@@ -40,11 +40,11 @@ template <int D>
 InSurface<D> in_surface(const Body<D>& body, const std::vector<Body<D>>& bodies) {
   InSurface<D> deepest;
   for (const Body<D>& other : bodies) {
-    if (!other.is_surface()) continue;
+    if (!other.is_outline()) continue;
     for (const auto& contactor : body.contactors) {
-      if (contactor.is_room()) continue;
+      if (is_hollow(contactor.form)) continue;
       const double depth =
-          depth_in_surface({other.contactors.front(), other.pose()}, body.pose() * middle_of(contactor));
+          depth_in_outline({other.contactors.front(), other.pose()}, body.pose() * middle_of(contactor));
       if (depth > deepest.depth) deepest = {depth, &other};
     }
   }
@@ -70,9 +70,12 @@ double room_at(const Vec3& place, const Terrain3& terrain, double most) {
   return nearest ? nearest->distance : most;
 }
 
+/// Whether a length divided by a thickness says nothing of a contactor.
+bool is_compact(Form form) { return form == Form::ball || form == Form::outline || is_hollow(form); }
+
 /// The length of a contactor divided by its thickness, as if it were a rectangle or a box; exact for these.
 double slenderness(const Contactor2& contactor) {
-  if (contactor.points.size() == 1 || contactor.is_surface()) return 1;  // in addition a hollow disk
+  if (is_compact(contactor.form)) return 1;
   double length = 0;
   for (const Vec2& point : contactor.points)
     length = std::max(length, (point - contactor.points.front()).norm());
@@ -81,7 +84,7 @@ double slenderness(const Contactor2& contactor) {
 }
 
 double slenderness(const Contactor3& contactor) {
-  if (contactor.round() || contactor.is_room() || contactor.is_surface()) return 1;
+  if (is_compact(contactor.form)) return 1;
   const Vec3 moments = principal_frame(volume_properties({contactor}).inertia).moments;
   const Vec3 squares = Vec3::Constant(0.5 * moments.sum()) -
                        moments;  // integrals of x^2, y^2, z^2: proportional to a side squared
@@ -164,12 +167,12 @@ void refuse_extremes(const Body<D>& body) {
 
 template <int D>
 void refuse_massless(const Body<D>& body) {
-  if (body.is_surface())
+  if (body.is_outline())
     throw StartError(fmt::format(
         "`{}` is a surface, which other bodies do not move: expected `fixed: true` or `driven`", body.group));
   if constexpr (D == 3)
     for (const Contactor3& contactor : body.contactors)
-      if (contactor.is_half_space())
+      if (contactor.form == Form::half_space)
         throw StartError(
             fmt::format("`{}` is a plane without end, which has no mass: expected `fixed: true` or `driven`",
                         body.group));
@@ -177,7 +180,7 @@ void refuse_massless(const Body<D>& body) {
 
 template <int D>
 void refuse_turning(const Body<D>& body) {
-  if (body.is_surface() && body.spin_speed() > 0)
+  if (body.is_outline() && body.spin_speed() > 0)
     throw StartError(
         fmt::format("`{}` is a surface, which moves without turning: expected a spin of 0", body.group));
 }

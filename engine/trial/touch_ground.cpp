@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "collision/time_of_contact.h"
+#include "collision/pairs.h"
 
 namespace flyrock {
 
@@ -35,7 +35,7 @@ std::optional<double> distance_to_ground(const Body<D>& body, const typename Geo
   search.size = body.size;
   std::optional<double> first;
   for (std::size_t k = 0; k < body.contactors.size(); ++k)
-    if (const auto touch = time_of_contact(body.contactors[k], static_cast<int>(k), motion, terrain,
+    if (const auto touch = time_of_contact({body.contactors[k], motion, static_cast<int>(k)}, terrain,
                                            first.value_or(most), search))
       first = std::min(*touch, first.value_or(most));
   return first;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "collision/contact_patch.h"
+#include "collision/manifold_reduction.h"
 #include "world/corners.h"
 #include "world/manifold.h"
 #include "world/world.h"

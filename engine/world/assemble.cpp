@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "collision/contact_motion.h"
-#include "collision/facing.h"
+#include "collision/pairs.h"
+#include "collision/smooth/support_feature.h"
 #include "world/world.h"
 
 namespace flyrock {
@@ -15,8 +15,9 @@ std::optional<Vec3> line_of(const Body<3>* body, const Terrain3& terrain, Featur
                             const Vec3& normal) {
   if (!body) return touching_line(terrain, feature);
   const Contactor3& contactor = body->contactor_with(feature);
-  if (!contactor.is_surface()) return touching_line(Placed3{contactor, body->pose()}, feature, normal);
-  const auto line = touching_line(*contactor.surface, feature);
+  if (contactor.form != Form::outline)
+    return touching_line(Placed3{contactor, body->pose()}, feature, normal);
+  const auto line = touching_line(*contactor.ground, feature);
   return line ? std::optional<Vec3>(body->pose().r * *line) : line;
 }
 
@@ -79,14 +80,14 @@ typename World<D>::Turning World<D>::turning_of(const Contact& contact, double a
     const typename Body<D>::Rows now = ahead > 0 ? body.velocity() + ahead * gains_[i] : body.velocity();
     const Vec<D> v = now.template head<D>();
     part.velocity = v;
-    if (body.is_surface()) {  // it does not turn
+    if (body.is_outline()) {  // it does not turn
       slip += side * v;
       return Vec<D>::Zero();
     }
     const auto& contactor = body.contactor_with(feature);
     if (part.rolls && other_is_plane) {
       part.kind = TouchingPart<D>::Kind::place;
-      part.radius = contactor.rounding();
+      part.radius = contactor.radius;
     }
     const Vec<D> arm = contact.at.point - body.x, lever = arm + side * part.radius * normal;
     if constexpr (D == 2) {

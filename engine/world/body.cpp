@@ -29,8 +29,8 @@ void make_point(Body<D>& body) {
 
 template <int D>
 bool is_point(const Body<D>& body) {
-  return body.contactors.size() == 1 && body.contactors[0].points.size() == 1 &&
-         body.contactors[0].radius == 0 && !body.contactors[0].is_room();
+  return body.contactors.size() == 1 && body.contactors[0].form == Form::ball &&
+         body.contactors[0].radius == 0;
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ Body<2> make_body(std::vector<Contactor2> contactors, double density, double mas
   const Vec2 centre = own.centre.value_or(properties.centroid);
   Body<2> body;
   for (Contactor2& contactor : contactors) {
-    if (!contactor.is_surface()) contactor.translate(-centre);
+    if (contactor.form != Form::outline) contactor.translate(-centre);
     body.size = std::max(body.size, contactor.bound);
   }
   body.parts = PartTree<2>(contactors);
@@ -60,7 +60,7 @@ Body<2> make_body(std::vector<Contactor2> contactors, double density, double mas
 
 void make_pneumatic(Body<2>& body, const Pneumatic& filling) {
   const Contactor2& ring = body.contactors.front();
-  const double share = ring.is_room() ? 1 : 0.5;
+  const double share = (ring.form == Form::hollow) ? 1 : 0.5;
   body.inertia = share * body.mass * ring.radius * ring.radius;
   body.breathing = {.now = {ring.radius, 0},
                     .mass = filling.radial_mass.value_or(share * body.mass),
@@ -72,7 +72,7 @@ void make_pneumatic(Body<2>& body, const Pneumatic& filling) {
                     .gamma = filling.gamma,
                     .stiffness = filling.stiffness,
                     .damping = filling.damping,
-                    .side = ring.is_room() ? 1.0 : -1.0};
+                    .side = (ring.form == Form::hollow) ? 1.0 : -1.0};
 }
 
 Body<3> make_body(std::vector<Contactor3> contactors, double density, double mass, const OwnMass<3>& own) {
@@ -81,7 +81,7 @@ Body<3> make_body(std::vector<Contactor3> contactors, double density, double mas
   const Vec3 centre = own.centre.value_or(properties.centroid);
   Body<3> body;
   for (Contactor3& contactor : contactors) {
-    if (!contactor.is_surface()) contactor.change_frame(centre, principal.rotation);
+    if (contactor.form != Form::outline) contactor.change_frame(centre, principal.rotation);
     body.size = std::max(body.size, contactor.bound);
   }
   body.parts = PartTree<3>(contactors);
@@ -94,7 +94,7 @@ Body<3> make_body(std::vector<Contactor3> contactors, double density, double mas
     body.inertia = body.mass / properties.volume * principal.moments;
   body.radius = std::cbrt(0.75 * properties.volume / pi);
   body.attitude = principal.rotation;
-  if (body.contactors[0].circles.empty() && is_point(body)) make_point(body);
+  if (is_point(body)) make_point(body);
   return body;
 }
 
@@ -108,10 +108,11 @@ void Body<2>::set_shape(const Breathing::State& wanted) {
     const double moment = breathing.moment_at(state.radius);
     w *= inertia / moment;
     inertia = moment;
-    if (ring.is_room()) ring.outer *= state.radius / ring.radius;
+    const bool is_drum = ring.form == Form::hollow;
+    if (is_drum) ring.outer *= state.radius / ring.radius;
     ring.radius = state.radius;
-    ring.bound = size = ring.is_room() ? ring.outer : ring.radius;
-    radius = ring.is_room() ? std::sqrt(ring.outer * ring.outer - ring.radius * ring.radius) : ring.radius;
+    ring.bound = size = is_drum ? ring.outer : ring.radius;
+    radius = is_drum ? std::sqrt(ring.outer * ring.outer - ring.radius * ring.radius) : ring.radius;
   }
   breathing.now = state;
 }

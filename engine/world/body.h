@@ -120,10 +120,10 @@ struct Body {
   void move_to(const Vec<D>& position, const Attitude<D>& turned) { x = position, attitude = turned; }
   typename Geometry<D>::Pose pose() const { return {x, attitude.rotation}; }
   double spin_speed() const { return flyrock::spin_speed(w); }  ///< |w|, rad/s
-  bool is_surface() const { return !contactors.empty() && contactors.front().is_surface(); }
-  /// The contactor that a feature id names. A surface is the only one of its body.
+  bool is_outline() const { return !contactors.empty() && contactors.front().form == Form::outline; }
+  /// The contactor that a feature id names. An outline is the only one of its body.
   const Contactor& contactor_with(FeatureId feature) const {
-    return contactors[is_surface() ? 0 : static_cast<std::size_t>(contactor_of(feature))];
+    return contactors[is_outline() ? 0 : static_cast<std::size_t>(contactor_of(feature))];
   }
   /// 1/2 (m v.v + w.I w + m_R R'^2) [J]; 0 for a body that is not dynamic.
   double kinetic_energy() const;

@@ -9,14 +9,11 @@
 namespace flyrock {
 
 /// Whether a contactor has corners. Rounded ends of a wall or a pill are none, and neither is a single point;
-/// a room is touched from inside.
-inline bool has_corners(const Contactor2& contactor) {
-  return contactor.points.size() > 2 || (contactor.points.size() > 1 && contactor.radius == 0);
-}
-inline bool has_corners(const Contactor3& contactor) {
-  const std::size_t points = contactor.points.size();
-  return !contactor.is_room() && (contactor.has_faces() || contactor.has_circles() || points > 2 ||
-                                  (points > 1 && contactor.radius == 0));
+/// a hollow one is touched from inside.
+template <class Contactor>
+bool has_corners(const Contactor& contactor) {
+  if (contactor.form == Form::pill) return contactor.radius == 0;
+  return contactor.form != Form::ball && !is_hollow(contactor.form);
 }
 template <int D>
 bool has_corners(const Body<D>& body) {

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 
-#include "collision/feature_gap.h"
-#include "collision/narrow_phase.h"
+#include "collision/pairs.h"
 #include "collision/safe_time.h"
-#include "collision/terrain_contact.h"
 #include "world/manifold.h"
 #include "world/world.h"
 
@@ -22,7 +20,7 @@ constexpr double apart_share = 1e-8;
 /// Whether a contactor is a point at the centre of mass.
 template <class Contactor>
 bool is_point(const Contactor& shape) {
-  return shape.radius == 0 && shape.points.size() == 1 && shape.points[0].isZero();
+  return shape.form == Form::ball && shape.radius == 0 && shape.points[0].isZero();
 }
 
 /// Whether two contacts have the same features of the same bodies.
@@ -85,21 +83,10 @@ const std::vector<std::pair<int, int>>& World<D>::close_pairs() {
     const double reach = carry_reach(static_cast<int>(i), -1);
     auto& box = boxes_.emplace_back(typename Geometry<D>::Box{pose.x, pose.x});
     for (const auto& contactor : bodies[i].contactors) {
-      if constexpr (D == 3) {
-        if (contactor.is_half_space())
-          box = {Vec3::Constant(-contactor.bound), Vec3::Constant(contactor.bound)};
-        if (contactor.has_circles()) {
-          const Box3 core = core_box({contactor, pose});
-          const double extent = contactor.radius + reach;
-          box.low = box.low.cwiseMin((core.low.array() - extent).matrix());
-          box.high = box.high.cwiseMax((core.high.array() + extent).matrix());
-        }
-      }
-      for (const Vec<D>& local : contactor.points) {
-        const Vec<D> point = pose * local, extent = Vec<D>::Constant(contactor.radius + reach);
-        box.low = box.low.cwiseMin(point - extent);
-        box.high = box.high.cwiseMax(point + extent);
-      }
+      const auto core = core_box(Placed{contactor, pose});
+      const Vec<D> extent = Vec<D>::Constant(contactor.radius + reach);
+      box.low = box.low.cwiseMin(core.low - extent);
+      box.high = box.high.cwiseMax(core.high + extent);
     }
   }
   return broad_phase_.template pairs<D>(boxes_);
@@ -133,7 +120,7 @@ void World<D>::detect(double ahead) {
       const double reach = carry_reach(i, -1);
       near_parts(body.parts, body.pose(), *terrain_, reach, parts_);
       for (const int k : parts_)
-        terrain_contacts(Placed{body.contactors[k], body.pose()}, k, *terrain_, reach,
+        terrain_contacts(Placed{body.contactors[k], body.pose(), k}, *terrain_, reach,
                          body.spin_speed() * ahead, points_);
       append(i, -1);
     }
@@ -144,8 +131,9 @@ void World<D>::detect(double ahead) {
       const double reach = carry_reach(i, pair->second);
       near_parts(body.parts, body.pose(), other.parts, other.pose(), reach, part_pairs_);
       for (const auto& [k, l] : part_pairs_)
-        body_contacts(Placed{body.contactors[k], body.pose()}, k, Placed{other.contactors[l], other.pose()},
-                      l, reach, points_, (body.spin_speed() + other.spin_speed()) * ahead);
+        body_contacts(Placed{body.contactors[k], body.pose(), k},
+                      Placed{other.contactors[l], other.pose(), l}, reach, points_,
+                      (body.spin_speed() + other.spin_speed()) * ahead);
       append(i, pair->second);
     }
   }
@@ -153,7 +141,7 @@ void World<D>::detect(double ahead) {
 }
 
 /// The contact of the last step that this contact continues: the one with the same features; otherwise the
-/// one of the same vertex or edge on the next segment of the terrain or of a surface; otherwise the nearest.
+/// one of the same vertex or edge on the next segment of the terrain or of an outline; otherwise the nearest.
 /// The last two are taken only if their own features are no longer in contact: an edge that rests on one edge
 /// of the terrain passes its memory to none of the neighbours that it is near. The last rule is for surfaces
 /// that lie flush with their corners on each other, because rounding then decides which features are found.
@@ -168,10 +156,10 @@ const typename World<D>::Contact* World<D>::carried_on(const Contact& contact, s
     if (contact.antagonist < 0)
       return from.feature == to.feature && next_to(*terrain_, from.against, to.against);
     const Body<D>&a = bodies[contact.candidate], &b = bodies[contact.antagonist];
-    if (b.is_surface())
-      return from.feature == to.feature && next_to(*b.contactors[0].surface, from.against, to.against);
-    return a.is_surface() && from.against == to.against &&
-           next_to(*a.contactors[0].surface, from.feature, to.feature);
+    if (b.is_outline())
+      return from.feature == to.feature && next_to(*b.contactors[0].ground, from.against, to.against);
+    return a.is_outline() && from.against == to.against &&
+           next_to(*a.contactors[0].ground, from.feature, to.feature);
   };
   const auto still_found = [&](const Contact& old) {
     return std::any_of(now.begin(), now.end(), [&](const Contact& c) { return same_features(c.at, old.at); });
@@ -288,9 +276,11 @@ typename World<D>::Drift World<D>::keep_closed_at_start(double h) {
 /// The contactor of a body that has a feature, now or at the start of the step.
 template <int D>
 typename World<D>::Placed World<D>::placed(int body, FeatureId feature, bool at_start) const {
-  if (!at_start) return {bodies[body].contactor_with(feature), bodies[body].pose()};
+  const auto& contactor = bodies[body].contactor_with(feature);
+  const int index = contactor_of(feature);
+  if (!at_start) return {contactor, bodies[body].pose(), index};
   const Moment<D>& start = starts_[body];
-  return {bodies[body].contactor_with(feature), {start.x, start.attitude.rotation}};
+  return {contactor, {start.x, start.attitude.rotation}, index};
 }
 
 /// Whether the contactors of a contact lie in each other now, or lay so at the start of the step, about as
@@ -300,10 +290,9 @@ bool World<D>::is_deep(const Contact& c, double gap, bool at_start) {
   const Placed candidate = placed(c.candidate, c.at.feature, at_start);
   points_.clear();
   if (c.antagonist < 0)
-    terrain_contacts(candidate, contactor_of(c.at.feature), *terrain_, 0, 0, points_);
+    terrain_contacts(candidate, *terrain_, 0, 0, points_);
   else
-    body_contacts(candidate, contactor_of(c.at.feature), placed(c.antagonist, c.at.against, at_start),
-                  contactor_of(c.at.against), 0, points_, 0);
+    body_contacts(candidate, placed(c.antagonist, c.at.against, at_start), 0, points_);
   return std::any_of(points_.begin(), points_.end(), [&](const ContactPoint<D>& p) {
     return p.gap < 0.5 * gap && same_direction<D>(p.normal, c.at.normal);
   });
@@ -345,8 +334,8 @@ void World<D>::measure_penetration() {
 template <int D>
 bool World<D>::has_rims(const Contact& c) const {
   if constexpr (D == 3)
-    return bodies[c.candidate].contactor_with(c.at.feature).has_circles() ||
-           (c.antagonist >= 0 && bodies[c.antagonist].contactor_with(c.at.against).has_circles());
+    return !bodies[c.candidate].contactor_with(c.at.feature).circles.empty() ||
+           (c.antagonist >= 0 && !bodies[c.antagonist].contactor_with(c.at.against).circles.empty());
   return false;
 }
 

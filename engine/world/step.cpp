@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision/pairs.h"
 #include "world/world.h"
 
 namespace flyrock {
@@ -265,7 +266,7 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
     const TouchSearch search{held_here, true, 0.5 * touch(i), body.size, &quality_.toc_iterations};
     near_parts(body.parts, starts_[i].pose(), *terrain_, greatest_travel(motions_[i], body.size, h), parts_);
     for (const int k : parts_)
-      consider(time_of_contact(body.contactors[k], k, motions_[i], *terrain_, first.value_or(h), search));
+      consider(time_of_contact({body.contactors[k], motions_[i], k}, *terrain_, first.value_or(h), search));
   }
   if (!pass_held) consider(first_return(h));
   if (!bodies_meet()) return first;
@@ -282,7 +283,7 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
     const double travel = greatest_travel(motions_[i], a.size, h) + greatest_travel(motions_[j], b.size, h);
     near_parts(a.parts, starts_[i].pose(), b.parts, starts_[j].pose(), travel, part_pairs_);
     for (const auto& [k, l] : part_pairs_)
-      consider(time_of_contact(a.contactors[k], k, motions_[i], b.contactors[l], l, motions_[j],
+      consider(time_of_contact({a.contactors[k], motions_[i], k}, {b.contactors[l], motions_[j], l},
                                first.value_or(h), search));
   }
   return first;

@@ -9,7 +9,7 @@
 #include "collision/contact.h"
 #include "collision/contact_motion.h"
 #include "collision/geometry.h"
-#include "collision/time_of_contact.h"
+#include "collision/touch_search.h"
 #include "record/observe.h"
 #include "solver/restitution.h"
 #include "world/contact_rows.h"

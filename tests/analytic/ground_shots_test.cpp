@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "analytic/lab_ground.h"
-#include "collision/feature_gap.h"
+#include "collision/pairs.h"
 
 using namespace flyrock;
 using namespace flyrock::lab;
@@ -21,7 +21,7 @@ double deepest(const Ground3& ground, const Body<3>& body) {
   for (const Contactor3& contactor : body.contactors)
     for (const Vec3& point : contactor.points) {
       const Vec3 place = body.pose() * point;
-      if (contactor.round()) {
+      if (contactor.form == Form::ball) {
         const auto nearest = ground.nearest(place, contactor.radius);
         depth = std::max({depth, ground.depth(place), nearest ? contactor.radius - nearest->distance : 0.0});
       } else if (const double below = ground.depth(place); below > 0) {

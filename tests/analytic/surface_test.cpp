@@ -1,10 +1,9 @@
 // Bodies whose surface is a line of segments or a mesh of triangles: others meet them as they meet a terrain
 // of the same form, also where the surface is turned and moves.
-#include "collision/surface.h"
-
 #include <catch2/catch.hpp>
 
 #include "analytic/lab_ground.h"
+#include "collision/outline/outline.h"
 
 using namespace flyrock;
 using namespace flyrock::lab;
@@ -160,7 +159,7 @@ TEST_CASE("fast bodies do not pass through surfaces") {
     const Body<3>& rock = bench.world.bodies[static_cast<std::size_t>(i)];
     const Body<3>& block = bench.world.bodies[0];
     CHECK(!bench.histories[static_cast<std::size_t>(i)].impacts.empty());
-    CHECK(depth_in_surface({block.contactors[0], block.pose()}, rock.x) == 0);
+    CHECK(depth_in_outline({block.contactors[0], block.pose()}, rock.x) == 0);
     CHECK(bench.world.quality().max_penetration < 1e-4);
     // It has not come out at the other side: below the block it would go on in the direction of the shot.
     CHECK((rock.v - block.v).norm() < 1.2 * (body.v - surface.v).norm() + 300 * body.size);

@@ -60,7 +60,7 @@ void draw_motions(const Opponent& opponent, Placement<D>& placement, Dice& dice)
   const Vec<D> other = dice(0, NearTouch::other_speed) * dice.direction<D>();
   const Vec<D> v = opening * placement.contact.normal + other;
   const Vec<D> gravity = -9.81 * Vec<D>::Unit(D - 1), zero = Vec<D>::Zero();
-  const double spin_of_opponent = opponent.is_room() ? 0 : NearTouch::spin;
+  const double spin_of_opponent = opponent.is_hollow() ? 0 : NearTouch::spin;
   placement.motion = motion_from(placement.pose, v, gravity, NearTouch::spin, dice);
   placement.motion_of_opponent = motion_from(placement.pose_of_opponent, zero, zero, spin_of_opponent, dice);
 }
@@ -73,7 +73,7 @@ std::vector<Placement<D>> near_touch_placements(const typename Geometry<D>::Cont
   std::vector<Placement<D>> placements;
   for (int tries = 0; static_cast<int>(placements.size()) < count; ++tries) {
     if (tries == 100 * count) throw std::runtime_error("no placements near touch for a pair of shapes");
-    const double distance = opponent.is_room() ? dice(0.1, 0.5) : dice(0.3, 1.6);
+    const double distance = opponent.is_hollow() ? dice(0.1, 0.5) : dice(0.3, 1.6);
     Placement<D> placement;
     placement.pose = {distance * dice.direction<D>(), dice.flush_rotation<D>()};
     placement.pose_of_opponent = {Vec<D>::Zero(), dice.flush_rotation<D>()};

@@ -9,11 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "collision/feature_gap.h"
 #include "collision/geometry.h"
-#include "collision/narrow_phase.h"
-#include "collision/terrain_contact.h"
-#include "collision/time_of_contact.h"
+#include "collision/pairs.h"
 
 namespace flyrock {
 
@@ -35,15 +32,15 @@ class OpponentBody {
   explicit OpponentBody(Contactor contactor) : contactor_(std::move(contactor)) {}
 
   /// Whether the other contactor touches this one from inside.
-  bool is_room() const { return contactor_.is_room(); }
+  bool is_hollow() const { return flyrock::is_hollow(contactor_.form); }
   /// The size of the smaller body that moves [m]. The time of impact is exact up to a gap of 1e-12 of it.
   double size(const Contactor& of) const {
-    return is_room() ? of.bound : std::min(of.bound, contactor_.bound);
+    return is_hollow() ? of.bound : std::min(of.bound, contactor_.bound);
   }
 
   void contacts(const Contactor& of, const Placement<D>& at, double reach,
                 std::vector<ContactPoint<D>>& out) const {
-    body_contacts(Placed{of, at.pose}, 0, Placed{contactor_, at.pose_of_opponent}, 0, reach, out);
+    body_contacts(Placed{of, at.pose}, Placed{contactor_, at.pose_of_opponent}, reach, out);
   }
   double gap(const Contactor& of, const Placement<D>& at) const {
     return feature_gap(Placed{of, at.pose}, at.contact.feature, Placed{contactor_, at.pose_of_opponent},
@@ -51,7 +48,7 @@ class OpponentBody {
   }
   std::optional<double> touch(const Contactor& of, const Placement<D>& at, double end,
                               const TouchSearch& search) const {
-    return time_of_contact(of, 0, at.motion, contactor_, 0, at.motion_of_opponent, end, search);
+    return time_of_contact({of, at.motion}, {contactor_, at.motion_of_opponent}, end, search);
   }
 
  private:
@@ -67,20 +64,20 @@ class OpponentGround {
 
   explicit OpponentGround(Terrain terrain) : terrain_(std::move(terrain)) {}
 
-  bool is_room() const { return false; }
+  bool is_hollow() const { return false; }
   double size(const Contactor& of) const { return of.bound; }
 
   void contacts(const Contactor& of, const Placement<D>& at, double reach,
                 std::vector<ContactPoint<D>>& out) const {
     constexpr double no_turn = 0;
-    terrain_contacts(Placed{of, at.pose}, 0, terrain_, reach, no_turn, out);
+    terrain_contacts(Placed{of, at.pose}, terrain_, reach, no_turn, out);
   }
   double gap(const Contactor& of, const Placement<D>& at) const {
     return feature_gap(Placed{of, at.pose}, at.contact.feature, terrain_, at.contact.against);
   }
   std::optional<double> touch(const Contactor& of, const Placement<D>& at, double end,
                               const TouchSearch& search) const {
-    return time_of_contact(of, 0, at.motion, terrain_, end, search);
+    return time_of_contact({of, at.motion}, terrain_, end, search);
   }
 
  private:

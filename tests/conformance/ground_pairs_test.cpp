@@ -4,10 +4,10 @@
 #include <catch2/catch.hpp>
 
 #include "analytic/lab_ground.h"
-#include "collision/feature_gap.h"
-#include "collision/gjk.h"
-#include "collision/surface.h"
-#include "collision/terrain_contact.h"
+#include "collision/outline/outline.h"
+#include "collision/pairs.h"
+#include "collision/smooth/gjk.h"
+#include "indexed.h"
 #include "nearest_contact.h"
 #include "placed_shapes.h"
 
@@ -32,7 +32,7 @@ void try_level(const Ground& ground, int placements) {
       for (int k = 0; k < D - 1; ++k) placed.pose.x[k] = dice(-3, 3);
       placed.pose.x[D - 1] = low + gap;
       std::vector<ContactPoint<D>> contacts;
-      terrain_contacts(placed, 1, ground, within, 0, contacts);
+      terrain_contacts(indexed(placed, 1), ground, within, 0, contacts);
       if (contacts.empty()) {
         ++wrong;
         continue;
@@ -102,16 +102,16 @@ void try_hills(int placements) {
       if (distance < 1e-5 || distance > within - 1e-3) continue;
       ++judged;
       std::vector<ContactPoint<3>> contacts, turned;
-      terrain_contacts(placed, 1, terrain, within, 0, contacts);
+      terrain_contacts(indexed(placed, 1), terrain, within, 0, contacts);
       const Pose3 frame{10 * dice.direction<3>(), dice.flush_rotation<3>()};
       const Placed3 there{shape.contactor, {frame * placed.pose.x, frame.r * placed.pose.r}};
-      surface_contacts<3>(there, 1, {solid, frame}, 2, within, 0, turned);
+      body_contacts(indexed(there, 1), {solid, frame, 2}, within, turned);
       bool good = contacts.size() == turned.size();
       for (std::size_t c = 0; c < contacts.size() && good; ++c)
         good = contacts[c].gap > distance - 1e-9 && std::abs(contacts[c].gap - turned[c].gap) < 1e-9 &&
                (frame * contacts[c].point - turned[c].point).norm() < 1e-6 &&
                (frame.r * contacts[c].normal - turned[c].normal).norm() < 1e-6;
-      if (!shape.contactor.has_faces())
+      if (shape.contactor.faces.empty())
         good = good && !contacts.empty() && nearest_of(contacts).gap < distance + 1e-6;
       wrong += !good;
     }

@@ -43,7 +43,7 @@ bool is_near(const std::vector<Point>& core, double radius, const Point& place) 
   return (away - share * along).norm() <= radius;
 }
 bool contains(const Contactor2& contactor, const Vec2& place) {
-  if (contactor.is_room()) return place.norm() >= contactor.radius && place.norm() <= contactor.outer;
+  if (is_hollow(contactor.form)) return place.norm() >= contactor.radius && place.norm() <= contactor.outer;
   if (contactor.points.size() <= 2) return is_near(contactor.points, contactor.radius, place);
   bool in_core = true;
   for (std::size_t i = 0; i < contactor.points.size(); ++i) {
@@ -54,7 +54,7 @@ bool contains(const Contactor2& contactor, const Vec2& place) {
   return in_core;
 }
 bool contains(const Contactor3& contactor, const Vec3& place) {
-  if (contactor.has_circles()) {
+  if (!contactor.circles.empty()) {
     const Contactor3::Circle &base = contactor.circles.front(), &top = contactor.circles.back();
     if (contactor.circles.size() == 1) {
       const Vec3 point = contactor.points[0] - base.centre;
@@ -62,8 +62,9 @@ bool contains(const Contactor3& contactor, const Vec3& place) {
       return share >= 0 && base.across(place - base.centre).norm() <= base.radius * (1 - share);
     }
     return base.axis.dot(place - base.centre) <= 0 && top.axis.dot(place - top.centre) <= 0 &&
-           base.across(place - base.centre).norm() <= (contactor.is_room() ? contactor.outer : base.radius) &&
-           !(contactor.is_room() && base.across(place - base.centre).norm() < base.radius);
+           base.across(place - base.centre).norm() <=
+               (is_hollow(contactor.form) ? contactor.outer : base.radius) &&
+           !(is_hollow(contactor.form) && base.across(place - base.centre).norm() < base.radius);
   }
   if (contactor.points.size() <= 2) return is_near(contactor.points, contactor.radius, place);
   for (const Contactor3::Face& face : contactor.faces)
@@ -105,7 +106,7 @@ Integrals cell_sum(const Contactor& contactor, int cells) {
     }
   low.array() -= contactor.radius;
   high.array() += contactor.radius;
-  if (contactor.is_room()) {
+  if (is_hollow(contactor.form)) {
     low.template head<2>().setConstant(-contactor.outer);
     high.template head<2>().setConstant(contactor.outer);
   }

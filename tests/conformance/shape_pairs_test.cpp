@@ -9,8 +9,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "collision/feature_gap.h"
-#include "collision/narrow_phase.h"
+#include "collision/pairs.h"
+#include "indexed.h"
 #include "placed_shapes.h"
 
 using namespace flyrock;
@@ -41,7 +41,7 @@ double outside(const Contactor2& shape, const Vec2& p) {
   return most > 0 && shape.radius > 0 ? nearest - shape.radius : most - shape.radius;
 }
 double outside(const Contactor3& shape, const Vec3& p) {
-  if (shape.has_circles()) {
+  if (!shape.circles.empty()) {
     const Contactor3::Circle& base = shape.circles.front();
     double most = base.axis.dot(p - base.centre);
     if (shape.circles.size() == 2) {
@@ -64,7 +64,7 @@ double outside(const Contactor3& shape, const Vec3& p) {
 }
 
 bool is_polytope(const Contactor2& shape) { return shape.points.size() > 2 && shape.radius == 0; }
-bool is_polytope(const Contactor3& shape) { return shape.has_faces(); }
+bool is_polytope(const Contactor3& shape) { return !shape.faces.empty(); }
 
 /// Whether the contacts of a placement are true; `tight`: their bounds meet to 1e-9.
 struct Verdict {
@@ -74,7 +74,7 @@ struct Verdict {
 template <int D>
 Verdict judge(Dice& dice, const typename Geometry<D>::Placed& a, const typename Geometry<D>::Placed& b) {
   std::vector<ContactPoint<D>> contacts;
-  body_contacts(a, 1, b, 2, 10, contacts);
+  body_contacts(indexed(a, 1), indexed(b, 2), 10, contacts);
   if (contacts.size() > 4) return {false, false};
   const auto along = [&](const Vec<D>& n) {  // separation of b from a along n, from b to a
     return n.dot(a.pose.x - b.pose.x) - reach(a.shape, a.pose.r.inverse(-n)) -

@@ -88,11 +88,11 @@ class Compound : public ShapeModel {
             fmt::format("plugin compound: parts.{} ({}) changes its radius, expected rigid parts", i,
                         part.shape.plugin->spec.name));
       for (auto& contactor : shape.contactors) {
-        if (contactor.is_room())
+        if (is_hollow(contactor.form))
           throw PluginError(
               fmt::format("plugin compound: parts.{} ({}) is touched from inside only, expected solid parts",
                           i, part.shape.plugin->spec.name));
-        if (contactor.is_surface())
+        if (contactor.form == Form::outline)
           throw PluginError(
               fmt::format("plugin compound: parts.{} ({}) is a surface, expected a body of its own for it", i,
                           part.shape.plugin->spec.name));

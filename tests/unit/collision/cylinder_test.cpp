@@ -6,15 +6,13 @@
 
 #include <catch2/catch.hpp>
 
-#include "collision/facing.h"
-#include "collision/feature_gap.h"
-#include "collision/gjk.h"
-#include "collision/narrow_phase.h"
-#include "collision/terrain3.h"
-#include "collision/terrain_contact.h"
-#include "collision/time_of_contact.h"
+#include "collision/ground/terrain_3d.h"
+#include "collision/pairs.h"
+#include "collision/smooth/gjk.h"
+#include "collision/smooth/support_feature.h"
 #include "geometry/cone.h"
 #include "geometry/hull.h"
+#include "indexed.h"
 #include "nearest_contact.h"
 #include "samples.h"
 #include "unit/collision/shots.h"
@@ -24,8 +22,6 @@ using namespace flyrock;
 namespace cylinder_test {
 
 namespace {
-
-using Contacts = std::vector<ContactPoint<3>>;
 
 /// The place of a core that is nearest to p, in its frame.
 Vec3 nearest_in(const Contactor3& shape, const Vec3& p) {
@@ -42,12 +38,12 @@ Vec3 nearest_in(const Contactor3& shape, const Vec3& p) {
     const double scale = place.x() > 0 ? nearest.x() / place.x() : 0;
     return {scale * p.x(), scale * p.y(), nearest.y()};
   }
-  if (shape.has_circles()) {  // a cylinder about the origin
+  if (!shape.circles.empty()) {  // a cylinder about the origin
     const double radius = shape.circles[0].radius, half = std::abs(shape.circles[0].centre.z());
     const double out = p.head<2>().norm(), scale = out > radius ? radius / out : 1;
     return {scale * p.x(), scale * p.y(), std::clamp(p.z(), -half, half)};
   }
-  if (!shape.has_faces()) {
+  if (shape.faces.empty()) {
     const Vec3 start = shape.points.front(), along = shape.points.back() - start;
     const double square = along.squaredNorm();
     return start + (square > 0 ? std::clamp((p - start).dot(along) / square, 0.0, 1.0) : 0) * along;
@@ -74,7 +70,7 @@ double reach(const Placed3& placed, const Vec3& direction) {
   if (placed.shape.circles.size() == 1)
     most = placed.shape.circles[0].radius * local.head<2>().norm() +
            placed.shape.circles[0].centre.z() * local.z();
-  else if (placed.shape.has_circles())
+  else if (!placed.shape.circles.empty())
     most = placed.shape.circles[0].radius * local.head<2>().norm() +
            std::abs(placed.shape.circles[0].centre.z() * local.z());
   for (const Vec3& point : placed.shape.points) most = std::max(most, local.dot(point));
@@ -109,13 +105,13 @@ TEST_CASE("cylinders at 10,000 random placements have a gap, a normal and places
         Placed3 a{cylinder, {dice(0.3, 1.4) * dice.direction<3>(), dice.flush_rotation<3>()}};
         const Placed3 b{other, {Vec3::Zero(), dice.flush_rotation<3>()}};
         const bool turned = tested % 2;
-        const auto find = [&](Contacts& contacts) {
+        const auto find = [&](Contacts<3>& contacts) {
           if (turned)
-            body_contacts(b, 0, a, 1, 10, contacts);
+            body_contacts(b, indexed(a, 1), 10, contacts);
           else
-            body_contacts(a, 0, b, 1, 10, contacts);
+            body_contacts(a, indexed(b, 1), 10, contacts);
         };
-        Contacts contacts;
+        Contacts<3> contacts;
         find(contacts);
         REQUIRE_FALSE(contacts.empty());
         REQUIRE(contacts.size() <= 4);
@@ -202,8 +198,8 @@ TEST_CASE("no shot cylinder passes through another shape, and it touches at gap 
         motion.x *= std::max(1.0, scale);
         others.rotation =
             FreeRotation({1, 1.2, 1.5}, dice.flush_rotation<3>(), dice(0, 500) * dice.direction<3>());
-        const auto touch = i % 3 ? time_of_contact(cylinder, 0, motion, other, 0, others, end, search)
-                                 : time_of_contact(other, 0, others, cylinder, 0, motion, end, search);
+        const auto touch = i % 3 ? time_of_contact({cylinder, motion}, {other, others}, end, search)
+                                 : time_of_contact({other, others}, {cylinder, motion}, end, search);
         touches += touch.has_value();
         wrong += !agrees(touch, end, 1e-9, 1e-8, [&](double t) {
           const Placed3 a = at(cylinder, motion, t), b = at(other, others, t);
@@ -239,9 +235,9 @@ TEST_CASE(
           TouchSearch search;
           search.size = shape.bound;
           search.iterations = &steps[spins];
-          touch[spins] = time_of_contact(shape, 0, motion, other, 0, rest, end, search);
+          touch[spins] = time_of_contact({shape, motion}, {other, rest}, end, search);
           motion.x += Vec3(0, 0, 3);
-          lands[spins] = time_of_contact(shape, 0, motion, terrain, end, search);
+          lands[spins] = time_of_contact({shape, motion}, terrain, end, search);
         }
         REQUIRE(touch[0].has_value() == touch[1].has_value());
         REQUIRE(lands[0].has_value() == lands[1].has_value());
@@ -269,7 +265,7 @@ TEST_CASE("no shot cylinder passes through the ground, and it touches at gap 0",
       Motion3 motion = shot(dice, {1, 1, 0.7}, &Dice::flush_rotation<3>);
       if (motion.x.z() < 0) motion.x = -motion.x, motion.v = -motion.v;
       motion.x.z() += 1.8;
-      const auto touch = time_of_contact(cylinder, 0, motion, terrain, end, search);
+      const auto touch = time_of_contact({cylinder, motion}, terrain, end, search);
       if (touch && motion.position(*touch).head<2>().norm() > 4) continue;  // near the border
       touches += touch.has_value();
       bool good = true;
@@ -279,8 +275,8 @@ TEST_CASE("no shot cylinder passes through the ground, and it touches at gap 0",
           good = good && height_over(terrain.ground(), at(cylinder, motion, t)) > -1e-9;
       }
       if (touch) {
-        Contacts contacts;
-        terrain_contacts(at(cylinder, motion, *touch), 0, terrain, 1e-8, 0, contacts);
+        Contacts<3> contacts;
+        terrain_contacts(at(cylinder, motion, *touch), terrain, 1e-8, 0, contacts);
         good = good && !contacts.empty() && std::abs(nearest_of(contacts).gap) < 1e-8;
       }
       wrong += !good;
@@ -309,8 +305,8 @@ TEST_CASE("cylinders at random places over a ridge with a peak have the gap of i
       gap = std::min(gap, facing_pair(placed, {triangle, {}}).apart.distance);
     if (gap > 0.4 || gap < 1e-3) continue;
     ++tested;
-    Contacts contacts;
-    terrain_contacts(placed, 0, terrain, 0.5, 0, contacts);
+    Contacts<3> contacts;
+    terrain_contacts(placed, terrain, 0.5, 0, contacts);
     bool good = !contacts.empty();
     if (good) {
       const ContactPoint<3>& c = nearest_of(contacts);

@@ -3,11 +3,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "collision/feature_gap.h"
-#include "collision/narrow_phase.h"
-#include "collision/terrain.h"
-#include "collision/terrain_contact.h"
-#include "collision/time_of_contact.h"
+#include "collision/ground/terrain_2d.h"
+#include "collision/pairs.h"
+#include "indexed.h"
 #include "nearest_contact.h"
 #include "unit/collision/shots.h"
 
@@ -16,8 +14,6 @@ using namespace flyrock;
 namespace grown_hull_test {
 
 namespace {
-
-using Contacts = std::vector<ContactPoint<2>>;
 
 double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
   const Vec2 along = b - a;
@@ -90,11 +86,11 @@ TEST_CASE(
       if (gap <= 1e-6 - hull.radius - other.radius || is_inside(b, a.point(0)) || is_inside(a, b.point(0)))
         continue;
       const bool turned = ++tested % 2;
-      Contacts contacts;
+      Contacts<2> contacts;
       if (turned)
-        body_contacts(b, 0, a, 1, 10, contacts);
+        body_contacts(b, indexed(a, 1), 10, contacts);
       else
-        body_contacts(a, 0, b, 1, 10, contacts);
+        body_contacts(a, indexed(b, 1), 10, contacts);
       REQUIRE_FALSE(contacts.empty());
       const ContactPoint<2>& c = nearest_of(contacts);
       const Vec2 on_a = c.point + (turned ? -0.5 : 0.5) * c.gap * c.normal, on_b = 2 * c.point - on_a;
@@ -114,8 +110,8 @@ TEST_CASE("a wall that lies flush on a wall or a polygon has two contacts, and o
   for (const Contactor2* below : {&wall, &box}) {
     const double height = 0.4;
     for (const double x : {0.0, 0.3}) {
-      Contacts contacts;
-      body_contacts({wall, {{x, height}, {}}}, 0, {*below, {}}, 1, 1e-6, contacts);
+      Contacts<2> contacts;
+      body_contacts({wall, {{x, height}, {}}}, {*below, {}, 1}, 1e-6, contacts);
       REQUIRE(contacts.size() == 2);
       std::sort(contacts.begin(), contacts.end(),
                 [](const auto& a, const auto& b) { return a.point.x() < b.point.x(); });
@@ -123,15 +119,15 @@ TEST_CASE("a wall that lies flush on a wall or a polygon has two contacts, and o
       CHECK((contacts[1].point - Vec2(0.5, 0.2)).norm() < 1e-12);
       for (const auto& c : contacts) CHECK((c.normal - Vec2::UnitY()).norm() < 1e-12);
     }
-    Contacts contacts;
-    body_contacts({wall, {{0, height + 0.5 * std::sin(0.1)}, Rotation2::from_angle(0.1)}}, 0, {*below, {}}, 1,
+    Contacts<2> contacts;
+    body_contacts({wall, {{0, height + 0.5 * std::sin(0.1)}, Rotation2::from_angle(0.1)}}, {*below, {}, 1},
                   1e-3, contacts);
     REQUIRE(contacts.size() == 1);
     CHECK(std::abs(contacts[0].gap) < 1e-12);
   }
   // End to end
-  Contacts contacts;
-  body_contacts({wall, {{1.5, 0}, {}}}, 0, {wall, {}}, 1, 1, contacts);
+  Contacts<2> contacts;
+  body_contacts({wall, {{1.5, 0}, {}}}, {wall, {}, 1}, 1, contacts);
   REQUIRE(contacts.size() == 1);
   CHECK(contacts[0].gap == Approx(0.1).epsilon(1e-12));
   CHECK((contacts[0].normal - Vec2::UnitX()).norm() < 1e-12);
@@ -176,8 +172,8 @@ TEST_CASE("grown hulls at 10,000 random places over a profile have the gap of a 
     const double gap = searched_gap(placed, terrain);
     if (gap > 0.4) continue;
     ++tested;
-    Contacts contacts;
-    terrain_contacts(placed, 0, terrain, 0.4, 0, contacts);
+    Contacts<2> contacts;
+    terrain_contacts(placed, terrain, 0.4, 0, contacts);
     if (contacts.empty()) {
       ++wrong;
       continue;
@@ -206,8 +202,8 @@ TEST_CASE("no shot hull passes through another shape or the profile, and it touc
       Motion2 spinning;
       spinning.w = dice(-500, 500);
       if (i % 2) spinning.v = dice(0, 100) * dice.direction<2>();
-      const auto touch = i % 3 ? time_of_contact(hull, 0, motion, other, 0, spinning, end, search)
-                               : time_of_contact(other, 0, spinning, hull, 0, motion, end, search);
+      const auto touch = i % 3 ? time_of_contact({hull, motion}, {other, spinning}, end, search)
+                               : time_of_contact({other, spinning}, {hull, motion}, end, search);
       touches += touch.has_value();
       wrong += !agrees(touch, end, 1e-10, 1e-10,
                        [&](double t) { return searched_gap(at(hull, motion, t), at(other, spinning, t)); });
@@ -216,7 +212,7 @@ TEST_CASE("no shot hull passes through another shape or the profile, and it touc
   for (int i = 0; i < 1000; ++i) {
     Motion2 motion = shot(dice);
     motion.x.y() = std::abs(motion.x.y()) + 2;
-    const auto touch = time_of_contact(hull, 0, motion, terrain, end, search);
+    const auto touch = time_of_contact({hull, motion}, terrain, end, search);
     touches += touch.has_value();
     wrong += !agrees(touch, end, 1e-10, 1e-10,
                      [&](double t) { return searched_gap(at(hull, motion, t), terrain); });

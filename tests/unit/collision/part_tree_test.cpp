@@ -4,8 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "collision/narrow_phase.h"
-#include "collision/terrain_contact.h"
+#include "collision/pairs.h"
 #include "placed_shapes.h"
 
 using namespace flyrock;
@@ -68,8 +67,8 @@ void compare_bodies(int placements) {
     const double reach = dice(0, 0.05);
     std::vector<ContactPoint<D>> all, near;
     const auto add = [&](int k, int l, auto& list) {
-      body_contacts(typename Geometry<D>::Placed{parts_a[k], pose_a}, k,
-                    typename Geometry<D>::Placed{parts_b[l], pose_b}, l, reach, list);
+      body_contacts(typename Geometry<D>::Placed{parts_a[k], pose_a, k},
+                    typename Geometry<D>::Placed{parts_b[l], pose_b, l}, reach, list);
     };
     for (int k = 0; k < a.parts(); ++k)
       for (int l = 0; l < b.parts(); ++l) add(k, l, all);
@@ -97,7 +96,7 @@ void compare_ground(const typename Geometry<D>::Terrain& ground, int placements)
     const double reach = dice(0, 0.05);
     std::vector<ContactPoint<D>> all, near;
     const auto add = [&](int k, auto& list) {
-      terrain_contacts(typename Geometry<D>::Placed{parts[k], pose}, k, ground, reach, 0, list);
+      terrain_contacts(typename Geometry<D>::Placed{parts[k], pose, k}, ground, reach, 0, list);
     };
     for (int k = 0; k < tree.parts(); ++k) add(k, all);
     near_parts(tree, pose, ground, reach, found);

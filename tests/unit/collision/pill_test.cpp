@@ -2,12 +2,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "collision/feature_gap.h"
-#include "collision/narrow_phase.h"
-#include "collision/terrain3.h"
-#include "collision/terrain_contact.h"
-#include "collision/time_of_contact.h"
+#include "collision/ground/terrain_3d.h"
+#include "collision/pairs.h"
 #include "geometry/hull.h"
+#include "indexed.h"
 #include "nearest_contact.h"
 #include "samples.h"
 #include "unit/collision/shots.h"
@@ -17,8 +15,6 @@ using namespace flyrock;
 namespace pill_test {
 
 namespace {
-
-using Contacts = std::vector<ContactPoint<3>>;
 
 /// The place of a triangle that is nearest to p (Ericson, Real-Time Collision Detection, 5.1.5).
 Vec3 nearest_of_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -109,7 +105,7 @@ bool cores_meet(const Placed3& pill, const Placed3& other) {
     const Vec3 place = pill.point(0) + i / 500.0 * (pill.point(1) - pill.point(0));
     double above = -1e300;
     for (int f = 0; f < other.faces(); ++f) above = std::max(above, other.outside(f, place));
-    if (other.shape.has_faces() && above < 1e-3) return true;
+    if (!other.shape.faces.empty() && above < 1e-3) return true;
   }
   return false;
 }
@@ -148,11 +144,11 @@ TEST_CASE("pills and other shapes at 10,000 random placements have the gap, norm
       if (gap < 0.1 - radii && cores_meet(a, b)) continue;
       ++tested;
       const bool turned = tested % 2;
-      Contacts contacts;
+      Contacts<3> contacts;
       if (turned)
-        body_contacts(b, 0, a, 1, 10, contacts);
+        body_contacts(b, indexed(a, 1), 10, contacts);
       else
-        body_contacts(a, 0, b, 1, 10, contacts);
+        body_contacts(a, indexed(b, 1), 10, contacts);
       REQUIRE_FALSE(contacts.empty());
       const ContactPoint<3>& c = nearest_of(contacts);
       const Vec3 on_a = c.point + (turned ? -0.5 : 0.5) * c.gap * c.normal, on_b = 2 * c.point - on_a;
@@ -169,15 +165,15 @@ TEST_CASE("pills and other shapes at 10,000 random placements have the gap, norm
 
 TEST_CASE("crossed pills have one contact, parallel pills two at the ends of what is common") {
   const Contactor3 pill = Contactor3::pill({-0.5, 0, 0}, {0.5, 0, 0}, 0.2);
-  Contacts contacts;
-  body_contacts({pill, {{0, 0, 0.4}, Rotation3::from_vector({0, 0, 0.3})}}, 0, {pill, {}}, 1, 1e-6, contacts);
+  Contacts<3> contacts;
+  body_contacts({pill, {{0, 0, 0.4}, Rotation3::from_vector({0, 0, 0.3})}}, {pill, {}, 1}, 1e-6, contacts);
   REQUIRE(contacts.size() == 1);
   CHECK(contacts[0].feature == feature_id(0, FeatureKind::edge, 0));
   CHECK(contacts[0].against == feature_id(1, FeatureKind::edge, 0));
   CHECK((contacts[0].point - Vec3(0, 0, 0.2)).norm() < 1e-15);
 
   contacts.clear();
-  body_contacts({pill, {{0.3, 0, 0.4}, {}}}, 0, {pill, {}}, 1, 1e-6, contacts);
+  body_contacts({pill, {{0.3, 0, 0.4}, {}}}, {pill, {}, 1}, 1e-6, contacts);
   REQUIRE(contacts.size() == 2);
   CHECK((contacts[0].point - Vec3(-0.2, 0, 0.2)).norm() < 1e-15);
   CHECK(contacts[0].feature == feature_id(0, FeatureKind::vertex, 0));
@@ -190,9 +186,9 @@ TEST_CASE("a pill that lies on a box, and beyond its side, has two contacts with
   const Contactor3 pill = Contactor3::pill({-0.5, 0, 0}, {0.5, 0, 0}, 0.2);
   const Contactor3 box = Contactor3::box({1, 1, 1});
   for (const double x : {0.0, 0.3}) {
-    Contacts contacts;
+    Contacts<3> contacts;
     const Placed3 lying{pill, {{x, 0.1, 0.7}, {}}}, below{box, {}};
-    body_contacts(lying, 0, below, 1, 1e-6, contacts);
+    body_contacts(lying, indexed(below, 1), 1e-6, contacts);
     REQUIRE(contacts.size() == 2);
     CHECK((contacts[0].point - Vec3(x - 0.5, 0.1, 0.5)).norm() < 1e-12);
     CHECK((contacts[1].point - Vec3(0.5, 0.1, 0.5)).norm() < 1e-12);
@@ -302,8 +298,8 @@ TEST_CASE("pills at 10,000 random places over each ground have the gap of a sear
       const double gap = searched_gap(placed, triangles);
       if (gap > 0.5 || gap < 1e-3 - pill.radius) continue;
       ++tested;
-      Contacts contacts;
-      terrain_contacts(placed, 0, terrain, 0.5, 0, contacts);
+      Contacts<3> contacts;
+      terrain_contacts(placed, terrain, 0.5, 0, contacts);
       if (contacts.empty()) {
         ++wrong;
         continue;
@@ -333,8 +329,8 @@ TEST_CASE("no shot pill passes through another shape, and it touches at gap 0") 
       Motion3 others;
       others.rotation = FreeRotation({1, 1.2, 1.5}, dice.rotation<3>(), dice(0, 500) * dice.direction<3>());
       if (i % 2) others.v = dice(0, 100) * dice.direction<3>();
-      const auto touch = i % 3 ? time_of_contact(pill, 0, motion, other.shape, 0, others, end, search)
-                               : time_of_contact(other.shape, 0, others, pill, 0, motion, end, search);
+      const auto touch = i % 3 ? time_of_contact({pill, motion}, {other.shape, others}, end, search)
+                               : time_of_contact({other.shape, others}, {pill, motion}, end, search);
       touches += touch.has_value();
       wrong += !agrees(touch, end, 1e-9, 1e-8, [&](double t) {
         return searched_gap(at(pill, motion, t), other, at(other.shape, others, t));
@@ -360,7 +356,7 @@ TEST_CASE("no shot pill passes through the ground, and it touches at gap 0") {
       Motion3 motion = shot(dice, {1, 1, 0.2});
       if (motion.x.z() < 0) motion.x = -motion.x, motion.v = -motion.v;
       motion.x.z() += 1.8;
-      const auto touch = time_of_contact(pill, 0, motion, terrain, end, search);
+      const auto touch = time_of_contact({pill, motion}, terrain, end, search);
       if (touch && motion.position(*touch).head<2>().norm() > 4) continue;  // near the border
       touches += touch.has_value();
       wrong += !agrees(touch, end, 1e-9, 1e-8, [&](double t) {

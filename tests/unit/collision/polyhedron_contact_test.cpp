@@ -3,26 +3,23 @@
 #include <set>
 
 #include "collision/broad_phase.h"
-#include "collision/contact_patch.h"
-#include "collision/feature_gap.h"
-#include "collision/narrow_phase.h"
-#include "collision/terrain3.h"
-#include "collision/terrain_contact.h"
+#include "collision/ground/terrain_3d.h"
+#include "collision/manifold_reduction.h"
+#include "collision/pairs.h"
 #include "geometry/hull.h"
+#include "indexed.h"
 #include "samples.h"
 
 using namespace flyrock;
 
 namespace {
 
-using Contacts = std::vector<ContactPoint<3>>;
-
 const Terrain3 level{Plane{}};
 const Contactor3 cube = Contactor3::box({1, 1, 1});
 
-Contacts between(const Placed3& a, const Placed3& b, double reach) {
-  Contacts contacts;
-  body_contacts(a, 1, b, 2, reach, contacts);
+Contacts<3> between(const Placed3& a, const Placed3& b, double reach) {
+  Contacts<3> contacts;
+  body_contacts(indexed(a, 1), indexed(b, 2), reach, contacts);
   for (const auto& c : contacts) {
     CHECK(c.normal.norm() == Approx(1).epsilon(1e-14));
     CHECK(contactor_of(c.feature) == 1);
@@ -34,7 +31,7 @@ Contacts between(const Placed3& a, const Placed3& b, double reach) {
   return contacts;
 }
 
-std::set<std::pair<FeatureId, FeatureId>> ids(const Contacts& contacts) {
+std::set<std::pair<FeatureId, FeatureId>> ids(const Contacts<3>& contacts) {
   std::set<std::pair<FeatureId, FeatureId>> set;
   for (const auto& c : contacts) set.insert({c.feature, c.against});
   return set;
@@ -46,15 +43,15 @@ TEST_CASE("a sphere and a box on a plane") {
   const Plane slope{{0, 0, 1}, Vec3(0, 1, 2).normalized(), {""}};
   const Terrain3 ground{slope};
   const Contactor3 ball = Contactor3::sphere(0.5);
-  Contacts contacts;
-  terrain_contacts({ball, {Vec3(3, 0, 1) + 0.4 * slope.normal, {}}}, 0, ground, 0, 0, contacts);
+  Contacts<3> contacts;
+  terrain_contacts({ball, {Vec3(3, 0, 1) + 0.4 * slope.normal, {}}}, ground, 0, 0, contacts);
   REQUIRE(contacts.size() == 1);
   CHECK(contacts[0].gap == Approx(-0.1));
   CHECK((contacts[0].point - (Vec3(3, 0, 1) - 0.05 * slope.normal)).norm() < 1e-15);
 
   contacts.clear();
   const Placed3 box{cube, {Vec3(0, 0, 0.5 + 1e-7), {}}};
-  terrain_contacts(box, 3, level, 1e-6, 0, contacts);
+  terrain_contacts(indexed(box, 3), level, 1e-6, 0, contacts);
   REQUIRE(contacts.size() == 4);
   for (const auto& c : contacts) {
     CHECK(c.gap == Approx(1e-7).epsilon(1e-6));
@@ -62,12 +59,12 @@ TEST_CASE("a sphere and a box on a plane") {
     CHECK(contactor_of(c.feature) == 3);
   }
   contacts.clear();
-  terrain_contacts(box, 3, level, 1e-8, 0, contacts);
+  terrain_contacts(indexed(box, 3), level, 1e-8, 0, contacts);
   CHECK(contacts.empty());
 }
 
 TEST_CASE("of many contacts the deepest and the widest four are kept, and share the area") {
-  Contacts contacts;
+  Contacts<3> contacts;
   for (int i = 0; i < 12; ++i) {
     const double angle = 2 * pi * i / 12;
     contacts.push_back({{std::cos(angle), std::sin(angle), 0},
@@ -101,7 +98,7 @@ TEST_CASE("a sphere meets the face, edge, vertex and inside of a box") {
                         Case{{0, 0.4, 0.1}, {0, 1, 0}, -0.6, FeatureKind::face}}) {
     const Rotation3 turn = Rotation3::from_vector({0.2, 0.5, -1});
     const Placed3 sphere{ball, {turn * c.centre, {}}}, box{cube, {Vec3::Zero(), turn}};
-    const Contacts there = between(sphere, box, 0), back = between(box, sphere, 0);
+    const Contacts<3> there = between(sphere, box, 0), back = between(box, sphere, 0);
     REQUIRE(there.size() == 1);
     REQUIRE(back.size() == 1);
     CHECK(there[0].gap == Approx(c.gap));
@@ -119,7 +116,7 @@ TEST_CASE("a box on a box: four contacts that keep their ids while it slides and
       return between({cube, {Vec3(0.3 + shift, 0.2, 1 - 1e-8), Rotation3::from_vector(tilt) * turn}}, below,
                      1e-6);
     };
-    const Contacts contacts = at(0, Vec3::Zero());
+    const Contacts<3> contacts = at(0, Vec3::Zero());
     REQUIRE(contacts.size() == 4);
     for (const auto& c : contacts) {
       CHECK(c.gap == Approx(-1e-8));
@@ -134,7 +131,7 @@ TEST_CASE("two edges meet in one contact, a vertex and a face in one") {
   const Placed3 roof{cube, {Vec3::Zero(), Rotation3::from_vector({pi / 4, 0, 0})}};  // an edge along x on top
   const double top = std::sqrt(0.5);
   const Placed3 keel{cube, {Vec3(0, 0, 2 * top - 0.01), Rotation3::from_vector({0, pi / 4, 0})}};
-  const Contacts crossed = between(keel, roof, 0);
+  const Contacts<3> crossed = between(keel, roof, 0);
   REQUIRE(crossed.size() == 1);
   CHECK(crossed[0].gap == Approx(-0.01));
   CHECK((crossed[0].normal - Vec3::UnitZ()).norm() < 1e-12);
@@ -143,7 +140,7 @@ TEST_CASE("two edges meet in one contact, a vertex and a face in one") {
 
   const Rotation3 on_tip =
       Rotation3::from_vector(std::acos(std::sqrt(1.0 / 3)) * Vec3(1, -1, 0).normalized());
-  const Contacts tip =
+  const Contacts<3> tip =
       between({cube, {Vec3(0.1, 0.1, 0.5 + std::sqrt(0.75) + 0.001), on_tip}}, {cube, {}}, 0.01);
   REQUIRE(tip.size() == 1);
   CHECK(tip[0].gap == Approx(0.001));
@@ -168,8 +165,8 @@ TEST_CASE("polyhedra thrown together: overlap gives contacts, their push along t
   for (int k = 0; k < samples(3000); ++k) {
     const Placed3 a{first, {0.8 * any(), Rotation3::from_vector(3 * any())}};
     const Placed3 b{second, {Vec3::Zero(), Rotation3::from_vector(3 * any())}};
-    Contacts contacts;
-    body_contacts(a, 1, b, 2, 0, contacts);
+    Contacts<3> contacts;
+    body_contacts(indexed(a, 1), indexed(b, 2), 0, contacts);
     // By brute force: the greatest gap over all axes of faces and of pairs of edges, in both senses.
     std::vector<Vec3> axes;
     for (int f = 0; f < a.faces(); ++f) axes.push_back(a.normal(f));
@@ -202,7 +199,7 @@ TEST_CASE("polyhedra thrown together: overlap gives contacts, their push along t
     CHECK(deepest == Approx(separation).margin(1e-4));
     const Placed3 pushed{first, {a.pose.x + (-separation + 1e-3) * contacts[0].normal, a.pose.r}};
     contacts.clear();
-    body_contacts(pushed, 1, b, 2, 0, contacts);
+    body_contacts(indexed(pushed, 1), indexed(b, 2), 0, contacts);
     CHECK(contacts.empty());
   }
   CHECK(met > samples(200));
@@ -237,7 +234,7 @@ TEST_CASE(
   const double gap = 0.02;
   for (const double beside : {-0.002, 0.0, 0.002}) {
     std::vector<ContactPoint<3>> contacts;
-    terrain_contacts(Placed3{cube, {Vec3(0.5 + beside, 0, 0.5 + gap), {}}}, 0, terrain, 0.1, 0, contacts);
+    terrain_contacts(Placed3{cube, {Vec3(0.5 + beside, 0, 0.5 + gap), {}}}, terrain, 0.1, 0, contacts);
     const auto at_peak = std::count_if(contacts.begin(), contacts.end(), [](const ContactPoint<3>& c) {
       return c.point.head<2>().norm() < 1e-9;
     });

@@ -4,11 +4,10 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "collision/feature_gap.h"
-#include "collision/narrow_phase.h"
-#include "collision/time_of_contact.h"
+#include "collision/pairs.h"
 #include "geometry/cone.h"
 #include "geometry/hull.h"
+#include "indexed.h"
 #include "math/farthest_on_ellipse.h"
 #include "nearest_contact.h"
 #include "samples.h"
@@ -78,7 +77,8 @@ std::vector<Vec3> sampled(const Contactor3& shape, int of_rim) {
 /// The gap of one place, written once more in the frame of the room.
 double gap_of(const Placed3& room, const Vec3& place) {
   const Vec3 local = room.pose.r.inverse(place - room.pose.x);
-  return room.shape.is_half_space() ? local.z() : room.shape.circles[0].radius - local.head<2>().norm();
+  return room.shape.form == Form::half_space ? local.z()
+                                             : room.shape.circles[0].radius - local.head<2>().norm();
 }
 
 double sampled_gap(const Placed3& room, const Placed3& other, const std::vector<Vec3>& places) {
@@ -135,9 +135,9 @@ void try_placements(int placements) {
         std::vector<ContactPoint<3>> contacts;
         const bool turned = i % 2;
         if (turned)
-          body_contacts(room, 0, other, 3, 10, contacts);
+          body_contacts(room, indexed(other, 3), 10, contacts);
         else
-          body_contacts(other, 3, room, 0, 10, contacts);
+          body_contacts(indexed(other, 3), room, 10, contacts);
         REQUIRE_FALSE(contacts.empty());
         const ContactPoint<3>& c = nearest_of(contacts);
         const Vec3 inward = turned ? -c.normal : c.normal;
@@ -170,7 +170,7 @@ void try_placements(int placements) {
       const Placed2 other{
           other_shape, {room.pose.x + dice(0, 0.4) * dice.direction_2d(), Rotation2::from_angle(dice(0, 6))}};
       std::vector<ContactPoint<2>> contacts;
-      body_contacts(other, 3, room, 0, 10, contacts);
+      body_contacts(indexed(other, 3), room, 10, contacts);
       REQUIRE_FALSE(contacts.empty());
       const ContactPoint<2>& c = nearest_of(contacts);
       wrong += std::abs(c.gap - sampled_gap(room, other)) > 1e-12 ||
@@ -204,15 +204,15 @@ TEST_CASE("nothing that is shot in a room passes through its wall, and it touche
                                  : FreeRotation({1, 1, 0.7}, {}, dice(0, 500) * Vec3::UnitZ());
           const Rotation3 start = still.turn(0).rotation;
           shot.x = start * Vec3(0.1, -0.05, 0.3);
-          if (room_shape.is_half_space()) shot.x = start * Vec3(0, 0, dice(0.5, 2));
+          if (room_shape.form == Form::half_space) shot.x = start * Vec3(0, 0, dice(0.5, 2));
           shot.v = (i % 4 ? dice(0, 300) : dice(0, 3)) * dice.direction();
           shot.a = {0, 0, -9.81};
           shot.rotation = FreeRotation({1, 1.2, 1.5}, dice.rotation(), dice(0, 500) * dice.direction());
           TouchSearch search;
           search.size = other_shape.bound;
           search.iterations = &iterations;
-          const auto touch = i % 2 ? time_of_contact(room_shape, 0, still, other_shape, 0, shot, end, search)
-                                   : time_of_contact(other_shape, 0, shot, room_shape, 0, still, end, search);
+          const auto touch = i % 2 ? time_of_contact({room_shape, still}, {other_shape, shot}, end, search)
+                                   : time_of_contact({other_shape, shot}, {room_shape, still}, end, search);
           touches += touch.has_value();
           const auto gap = [&](double t) {
             return sampled_gap({room_shape, {still.position(t), still.turn(t).rotation}},
@@ -220,7 +220,8 @@ TEST_CASE("nothing that is shot in a room passes through its wall, and it touche
           };
           bool good = true;
           for (int k = 0; k < 40; ++k) good = good && gap(touch.value_or(end) * k / 40) > -1e-9;
-          if (touch) good = good && std::abs(gap(*touch)) < (other_shape.has_circles() ? 2e-3 * size : 1e-9);
+          if (touch)
+            good = good && std::abs(gap(*touch)) < (!other_shape.circles.empty() ? 2e-3 * size : 1e-9);
           wrong += !good;
         }
         CHECK(wrong == 0);
@@ -241,8 +242,8 @@ TEST_CASE("nothing that is shot in a room passes through its wall, and it touche
         shot.w = dice(-500, 500);
         TouchSearch search;
         search.size = other_shape.bound;
-        const auto touch = i % 2 ? time_of_contact(room_shape, 0, still, other_shape, 0, shot, end, search)
-                                 : time_of_contact(other_shape, 0, shot, room_shape, 0, still, end, search);
+        const auto touch = i % 2 ? time_of_contact({room_shape, still}, {other_shape, shot}, end, search)
+                                 : time_of_contact({other_shape, shot}, {room_shape, still}, end, search);
         const auto gap = [&](double t) {
           return sampled_gap({room_shape, {}},
                              {other_shape, {shot.position(t), Rotation2::from_angle(shot.angle_at(t))}});
@@ -260,26 +261,26 @@ TEST_CASE("a room does not touch the ground, another room, or what is outside") 
   const Contactor2 room = Contactor2::hollow_disk(1, 1.05);
   const Contactor2 disk = Contactor2::disk(0.3);
   std::vector<ContactPoint<2>> contacts;
-  body_contacts({room, {}}, 0, {room, {{0.5, 0}, {}}}, 0, 1, contacts);
-  body_contacts({disk, {{1.2, 0}, {}}}, 0, {room, {}}, 0, 1, contacts);
+  body_contacts({room, {}}, {room, {{0.5, 0}, {}}}, 1, contacts);
+  body_contacts({disk, {{1.2, 0}, {}}}, {room, {}}, 1, contacts);
   CHECK(contacts.empty());
   Motion2 motion, still;
   motion.x = {5, 0};
   motion.v = {-10, 0};
-  const auto touch = time_of_contact(disk, 0, motion, room, 0, still, 1, {});
+  const auto touch = time_of_contact({disk, motion}, {room, still}, 1, {});
   REQUIRE(touch);  // it comes in through the wall, and touches from inside on the far side
   CHECK(*touch == Approx((5 + 0.7) / 10));
   const Contactor3 tube = Contactor3::hollow_cylinder(1, 1.05, 2), ball = Contactor3::sphere(0.3);
   std::vector<ContactPoint<3>> in_space;
-  body_contacts({ball, {{0.7, 0, 1.1}, {}}}, 0, {tube, {}}, 0, 1, in_space);
+  body_contacts({ball, {{0.7, 0, 1.1}, {}}}, {tube, {}}, 1, in_space);
   CHECK(in_space.empty());  // beyond the end
-  body_contacts({ball, {{0.7, 0, 0.9}, {}}}, 0, {tube, {}}, 0, 1, in_space);
+  body_contacts({ball, {{0.7, 0, 0.9}, {}}}, {tube, {}}, 1, in_space);
   REQUIRE(in_space.size() == 1);
   CHECK(in_space[0].gap == Approx(0).margin(1e-15));
   Motion3 through, rest;
   through.x = {0.5, 0, -5};
   through.v = {0.05, 0, 10};  // through the tube within 0.4 to 0.6 s, and out of it
-  CHECK_FALSE(time_of_contact(ball, 0, through, tube, 0, rest, 3, {}));
+  CHECK_FALSE(time_of_contact({ball, through}, {tube, rest}, 3, {}));
 }
 
 }  // namespace room_test

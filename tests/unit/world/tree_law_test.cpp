@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "collision/terrain3.h"
+#include "collision/ground/terrain_3d.h"
 #include "flight/point_run.h"
 
 using namespace flyrock;

@@ -1,0 +1,181 @@
+#include "collision/held.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision/smooth/support_feature.h"
+
+namespace flyrock {
+
+namespace {
+
+constexpr double same_direction = 1 - 5e-7;  // cosine of 1e-3 rad
+
+bool contains(const Moving3& c, FeatureId feature, int point) {
+  return contains_piece(c.shape, feature_of(feature), point);
+}
+
+}  // namespace
+
+bool is_in_plane(const HeldOnGround& held, const Facet& facet, double size) {
+  constexpr double same = 1e-10;  // rad, and m per m
+  return kind_of(held.against) == FeatureKind::face &&
+         (held.normal - facet.normal).squaredNorm() <= same * same &&
+         std::abs(facet.distance(held.place)) <= same * size;
+}
+
+bool Held::holds(FeatureId feature, FeatureId against) const {
+  if (by_ != CoreSearch::ball) return search_.holds(feature, against);
+  return std::any_of(search_.held.begin(), search_.held.end(), [&](const HeldContact& h) {
+    return contactor_of(h.feature) == a_.index && of_b(h.against);
+  });
+}
+
+bool Held::of_b(FeatureId feature) const {
+  if (!b_.facet) return contactor_of(feature) == b_.index;
+  bool known = feature == b_.facet->face_feature();
+  for (int i = 0; i < 3; ++i)
+    known = known || feature == b_.facet->edge_feature(i) || feature == b_.facet->vertex_feature(i);
+  return known;
+}
+
+bool Held::over(FeatureId face, int i) const {
+  if (!b_.facet || face != b_.facet->face_feature()) return false;
+  const FeatureId point = a_.id(FeatureKind::vertex, i);
+  return std::any_of(b_.held.begin(), b_.held.end(), [&](const HeldOnGround& h) {
+    return h.feature == point && is_in_plane(h, *b_.facet, search_.size);
+  });
+}
+
+bool Held::along_rim(const Vec3& direction, int i, int j, const MovingState& state_of_a) const {
+  return std::any_of(b_.held.begin(), b_.held.end(), [&](const HeldOnGround& h) {
+    if (contactor_of(h.feature) != a_.index || !contains(a_, h.feature, i) ||
+        !h.contains(b_.facet->vertex[j]))
+      return false;
+    const int feature = index_of(h.feature);
+    if (kind_of(h.feature) == FeatureKind::vertex) return direction.dot(h.normal) > same_direction;
+    if (kind_of(h.feature) == FeatureKind::face)
+      return -direction.dot(state_of_a.arm(a_.shape.faces[feature].normal)) > same_direction;
+    const Contactor3::Edge& edge = a_.shape.edges[feature];
+    const Vec3 along = state_of_a.arm(a_.shape.points[edge.end] - a_.shape.points[edge.start]);
+    for (int rim = 0; rim < 3; ++rim) {
+      if (h.against != b_.facet->edge_feature(rim)) continue;
+      const Vec3 normal = along.cross(b_.facet->along(rim));
+      return std::abs(direction.dot(normal)) > same_direction * normal.norm();
+    }
+    return false;
+  });
+}
+
+Held::Place Held::place_of(const Moving3& c, FeatureId feature, const MovingState& s) {
+  const int i = index_of(feature);
+  Place place{kind_of(feature), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  int point = i;
+  if (place.kind == FeatureKind::edge) {
+    point = c.shape.edges[i].start;
+    place.along = s.arm(c.shape.points[c.shape.edges[i].end] - c.shape.points[point]);
+  } else if (place.kind == FeatureKind::face) {
+    point = c.shape.vertex(c.shape.faces[i], 0);
+    place.normal = s.arm(c.shape.faces[i].normal);
+  }
+  place.at = s.x + s.arm(c.shape.points[point]);
+  return place;
+}
+
+/// Unit, from b to a. A point or a line without an edge has the direction zero.
+Vec3 Held::normal_of(const Place& a, const Place& b) {
+  if (b.kind == FeatureKind::face) return b.normal;
+  if (a.kind == FeatureKind::face) return -a.normal;
+  const Vec3 away = a.at - b.at, across = a.along.cross(b.along);
+  const double most = a.along.norm() * b.along.norm();
+  if (most > 0 && across.norm() > 1e-9 * most) return (across.dot(away) < 0 ? -1 : 1) * across.normalized();
+  const Vec3& along = a.kind == FeatureKind::edge ? a.along : b.along;
+  const double square = along.squaredNorm();
+  return (square > 0 ? Vec3(away - along.dot(away) / square * along) : away).normalized();
+}
+
+bool Held::agrees(const Vec3& direction, const Place& a, const Place& b) const {
+  return direction.dot(normal_of(a, b)) > same_direction;
+}
+
+bool Held::holds_on(const Features& of, int point) const {
+  if (of.of_a) return holds(*of.of_a, b_.id(FeatureKind::vertex, point));
+  return holds(a_.id(FeatureKind::vertex, point), *of.of_b) || over(*of.of_b, point);
+}
+
+bool Held::holds_edges(const Features& of, int i, int j) const {
+  const auto on_edge_of_b = [&] {
+    if (!b_.facet) return contains(b_, *of.of_b, j);
+    for (int rim = 0; rim < 3; ++rim)
+      if (b_.facet->edge_feature(rim) == *of.of_b) return j == rim || j == Facet::next(rim);
+    return false;
+  };
+  return contains(a_, *of.of_a, i) && on_edge_of_b() && holds(*of.of_a, *of.of_b);
+}
+
+Hold Held::hold(const Vec3& direction, const Features& of, int i, int j, const MovingState& sa,
+                const MovingState& sb) const {
+  const bool of_edges = of.of_a && of.of_b;
+  const bool exactly = of_edges ? holds_edges(of, i, j) : holds_on(of, of.of_a ? j : i);
+  if (by_ == CoreSearch::pill) return exactly ? Hold::exactly : for_now(direction, i, j, sa, sb);
+  if (of_edges && b_.facet && !along_rim(direction, i, j, sa)) return Hold::no;
+  return exactly ? Hold::exactly : of_edges && b_.facet ? Hold::for_now : Hold::no;
+}
+
+Hold Held::for_now(const Vec3& direction, int i, int j, const MovingState& sa, const MovingState& sb) const {
+  const auto is_vertex = [](FeatureId feature) { return kind_of(feature) == FeatureKind::vertex; };
+  const auto on_ground = [&](const HeldOnGround& h) {
+    if (contactor_of(h.feature) != a_.index || !contains(a_, h.feature, i)) return false;
+    const bool of_facet = of_b(h.against);
+    if (!(is_vertex(h.feature) && of_facet) && !h.contains(b_.facet->vertex[j])) return false;
+    // Two edges have a normal of their own, which only their cross product follows.
+    if (!is_vertex(h.feature) && !is_vertex(h.against) && of_facet) return false;
+    return agrees(direction, place_of(a_, h.feature, sa), {kind_of(h.against), h.place, h.along, h.normal});
+  };
+  const auto on_body = [&](const HeldContact& h) {
+    if (contactor_of(h.feature) != a_.index || contactor_of(h.against) != b_.index) return false;
+    const bool end_of_a = a_.shape.faces.empty() && h.feature == a_.id(FeatureKind::vertex, i);
+    const bool end_of_b = b_.shape.faces.empty() && h.against == b_.id(FeatureKind::vertex, j);
+    const bool is_vertex_of_both = (is_vertex(h.feature) || is_vertex(h.against)) &&
+                                   contains(a_, h.feature, i) && contains(b_, h.against, j);
+    return (end_of_a || end_of_b || is_vertex_of_both) &&
+           agrees(direction, place_of(a_, h.feature, sa), place_of(b_, h.against, sb));
+  };
+  const bool is_held = b_.facet ? std::any_of(b_.held.begin(), b_.held.end(), on_ground)
+                                : std::any_of(search_.held.begin(), search_.held.end(), on_body);
+  return is_held ? Hold::for_now : Hold::no;
+}
+
+bool Held::touches(int face) const {
+  const FeatureId feature = a_.id(FeatureKind::face, face);
+  return std::any_of(b_.held.begin(), b_.held.end(),
+                     [&](const HeldOnGround& h) { return h.feature == feature; });
+}
+
+HeldPieces::HeldPieces(const Contactor3& shape)
+    : shape_(shape), pieces_(static_cast<std::size_t>(pieces_of(shape))) {}
+
+void HeldPieces::add(const ShapeFeature& feature) {
+  const auto is_all_round = [](unsigned places) {
+    constexpr unsigned half = (1u << rim_places / 2) - 1;
+    for (int start = 0; start < rim_places; ++start)
+      if (((places >> start | places << (rim_places - start)) & half) == 0) return false;
+    return true;
+  };
+  const bool of_rim = !shape_.circles.empty() && feature.kind == FeatureKind::edge;
+  const int place = of_rim ? place_of_rim(feature.index) : rim_places;
+  for (int i = 0; i < static_cast<int>(pieces_.size()); ++i) {
+    if (!contains_piece(shape_, feature, i)) continue;
+    Piece& piece = pieces_[i];
+    ++piece.contacts;
+    if (place < rim_places) piece.places |= 1u << place;
+    piece.whole = piece.whole || place >= rim_places || is_all_round(piece.places);
+  }
+}
+
+void HeldPieces::add_piece(int piece) {
+  ++pieces_[piece].contacts;
+  pieces_[piece].whole = true;
+}
+
+}  // namespace flyrock

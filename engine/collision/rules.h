@@ -1,0 +1,100 @@
+#pragma once
+// The rules of each form: how it touches others and the ground. pairs.cpp puts them into tables.
+
+#include "collision/contact_motion.h"
+#include "collision/geometry.h"
+#include "collision/touch_search.h"
+
+namespace flyrock {
+
+/// A pill lies flush on an edge or a face, and gets two contacts, if the angle between them is less than this
+/// [rad]. The same for a side and a cap.
+inline constexpr double flush_angle = 1e-4;
+
+template <int D>
+using PlacedIn = typename Geometry<D>::Placed;
+template <int D>
+using MovingIn = typename Geometry<D>::Moving;
+template <int D>
+using GroundIn = typename Geometry<D>::Ground;
+
+/// Appends the contacts of a contactor with another one, or with the ground, whose gap is at most `reach`
+/// [m]. `turn` [rad]: see terrain_contacts.
+template <int D, class Other = PlacedIn<D>>
+using FindContacts = void(const PlacedIn<D>& candidate, const Other&, double reach, double turn,
+                          Contacts<D>&);
+/// The gap of the two features that a contact names [m].
+template <int D, class Other = PlacedIn<D>>
+using FindGap = double(const PlacedIn<D>& candidate, FeatureId feature, const Other&, FeatureId against);
+/// The first touch in [0, t_max]; see time_of_contact.
+template <int D, class Other = MovingIn<D>>
+using FindTouch = std::optional<double>(const MovingIn<D>& a, const Other&, double t_max, const TouchSearch&);
+template <int D>
+using FindOnGround = FindContacts<D, GroundIn<D>>;
+template <int D>
+using FindGapToGround = FindGap<D, GroundIn<D>>;
+template <int D>
+using FindTouchOfGround = FindTouch<D, GroundIn<D>>;
+/// The part that a feature names; see touching_part.
+template <int D>
+using FindPart = TouchingPart<D>(const PlacedIn<D>& shape, FeatureId feature, const Vec<D>& normal);
+
+// Balls, pills and hulls in 2D (plane/). The ball of core_contacts is the first.
+FindContacts<2> ball_contacts, core_contacts, hull_contacts;
+FindGap<2> core_gap;
+FindTouch<2> ball_touch, hull_touch;
+FindOnGround<2> hull_on_ground;
+FindGapToGround<2> hull_gap_to_ground;
+FindTouchOfGround<2> hull_touch_of_ground;
+FindPart<2> hull_part;
+
+// Balls, pills and polyhedra in 3D (core_contact.cpp, hull_contact.cpp). The core, a ball or a pill, is
+// the first; of two, the pill.
+FindContacts<3> ball_contacts, core_contacts, hull_contacts;
+FindGap<3> core_gap;
+FindTouch<3> ball_touch, ball_core_touch, pill_touch, hull_touch;
+FindOnGround<3> core_on_ground, hull_on_ground;
+FindGapToGround<3> core_gap_to_ground;
+FindTouchOfGround<3> ball_touch_of_ground, ball_core_touch_of_ground, pill_touch_of_ground,
+    hull_touch_of_ground;
+FindPart<3> core_part;
+
+// Contactors with circles (smooth/).
+FindContacts<3> smooth_contacts;
+FindGap<3> smooth_gap;
+FindTouch<3> smooth_touch;
+FindOnGround<3> smooth_on_ground;
+FindGapToGround<3> smooth_gap_to_ground;
+FindTouchOfGround<3> smooth_touch_of_ground;
+FindPart<3> smooth_part;
+
+/// An edge or a vertex of the ground as a contactor. The first is a segment without a radius, with the
+/// vertices 0, 1 and the edge 0; valid until the next call.
+Placed3 edge_piece(const Facet& facet, int rim);
+Placed3 vertex_piece(const Vec3& at);
+
+// Points without extent.
+FindOnGround<3> cloud_on_ground;
+FindTouchOfGround<3> cloud_touch_of_ground;
+
+// Hollow contactors and half spaces, which are the second (hollow/).
+FindContacts<2> hollow_contacts;
+FindContacts<3> hollow_contacts;
+FindGap<2> hollow_gap;
+FindGap<3> hollow_gap;
+FindTouch<2> hollow_touch;
+FindTouch<3> hollow_touch;
+FindPart<2> hollow_part;
+FindPart<3> hollow_part, half_space_part;
+
+// Outlines, which are the second (outline/).
+FindContacts<2> outline_contacts;
+FindContacts<3> outline_contacts;
+FindGap<2> outline_gap;
+FindGap<3> outline_gap;
+FindTouch<2> outline_touch;
+FindTouch<3> outline_touch;
+FindPart<2> outline_part;
+FindPart<3> outline_part;
+
+}  // namespace flyrock
