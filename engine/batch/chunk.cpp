@@ -149,12 +149,17 @@ std::uint64_t chunk_size(std::uint64_t trials) {
   return std::clamp<std::uint64_t>((trials + 999) / 1000, std::max<std::uint64_t>(of_few, 1), 250);
 }
 
-std::vector<ChunkRange> plan_chunks(int points, std::uint64_t trials, std::uint64_t size) {
+std::vector<ChunkRange> plan_chunks(int points, std::uint64_t trials, std::uint64_t size,
+                                    std::uint64_t runs) {
   if (size == 0) size = chunk_size(trials);
+  const std::uint64_t of_run = trials / runs;
   std::vector<ChunkRange> plan;
-  for (int point = 0; point < points; ++point)
-    for (std::uint64_t first = 0; first < trials; first += size)
-      plan.push_back({point, first / size, first, std::min(size, trials - first)});
+  for (int point = 0; point < points; ++point) {
+    std::uint64_t index = 0;
+    for (std::uint64_t end = of_run; end <= trials; end += of_run)
+      for (std::uint64_t first = end - of_run; first < end; first += size)
+        plan.push_back({point, index++, first, std::min(size, end - first)});
+  }
   return plan;
 }
 

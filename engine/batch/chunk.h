@@ -37,8 +37,10 @@ struct ChunkRange {
 /// so chunks of any two runs of a scenario fit together.
 std::uint64_t chunk_size(std::uint64_t trials);
 
-/// All chunks of a run, in the order of merging, of `size` trials; 0: of chunk_size().
-std::vector<ChunkRange> plan_chunks(int points, std::uint64_t trials, std::uint64_t size = 0);
+/// All chunks of the trials of each point, in the order of merging, of `size` trials; 0: of chunk_size().
+/// Where the trials make several runs (Scenario::outer), no chunk has trials of two of them.
+std::vector<ChunkRange> plan_chunks(int points, std::uint64_t trials, std::uint64_t size = 0,
+                                    std::uint64_t runs = 1);
 
 /// The bytes of a chunk file. `scenario_hash` is the hash of the resolved scenario.
 std::string encode_chunk(const ChunkRange& range, const std::string& scenario_hash,

@@ -20,9 +20,9 @@ std::vector<Rows> rows_in(std::vector<ChunkFile> files, int points, const std::s
   const auto all = std::make_shared<const std::vector<ChunkFile>>(std::move(files));
   std::vector<Rows> rows;
   for (int point = 0; point < points; ++point)
-    rows.push_back([all, point, scenario_hash](Part part, const SeeRows& see) {
+    rows.emplace_back([all, point, scenario_hash](Part part, const TrialRange& trials, const SeeRows& see) {
       for (const ChunkFile& file : *all) {
-        if (file.range.point != point) continue;
+        if (file.range.point != point || !trials.meets(file.range.first, file.range.count)) continue;
         std::string why;
         const std::optional<TrialRecords> records =
             read_chunk(file.path(), file.range, scenario_hash, part, why);

@@ -112,7 +112,8 @@ std::optional<LoadedScenario> load_scenario(const std::string& path, const Overr
   loaded.plan.files.merge(included);
   // A run shorter than the scenario asks for may lack answers and lists them. A full run must give all
   // answers.
-  check_clearances(root, loaded.plan, loaded.plan.points.front().trials >= loaded.own_trials, diagnostics);
+  check_clearances(root, loaded.plan, loaded.plan.points.front().trials_of_run() >= loaded.own_trials,
+                   diagnostics);
   warn_of_short_throws(root, loaded.plan, diagnostics);
   loaded.files = before ? before->files : hashes_of(loaded.plan.files, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;

@@ -9,7 +9,8 @@
 #include "batch/free_rollers.h"
 #include "batch/hard_contacts.h"
 #include "batch/map_cells.h"
-#include "geometry/place_text.h"
+#include "collision/pairs.h"
+#include "geometry/off_terrain.h"
 #include "plugin/sampled_params.h"
 #include "plugin/sampled_states.h"
 #include "trial/build_trial.h"
@@ -156,8 +157,9 @@ void find_passing_bodies(const Scenario& scenario, const Trial<D>& trial, TriedO
       for (std::size_t i = 0; i < world.bodies.size(); ++i)
         for (std::size_t j = 0; j < i && scenario.body_contacts; ++j) {
           const Body<3>&a = world.bodies[i], &b = world.bodies[j];
-          if ((!a.moves() && !b.moves()) || a.contactors.front().meets(b.contactors.front())) continue;
-          const bool is_a = a.contactors.front().is_cloud();
+          const Form of_a = a.contactors.front().form, of_b = b.contactors.front().form;
+          const bool is_a = of_a == Form::cloud;
+          if ((!a.moves() && !b.moves()) || !(is_a || of_b == Form::cloud) || can_touch(of_a, of_b)) continue;
           add(tried.warnings,
               scenario.bodies.empty() ? "rock_contacts" : fmt::format("bodies.{}", is_a ? i : j),
               fmt::format(
@@ -191,17 +193,17 @@ void find_fine_outlines(const Scenario& scenario, const Trial<D>& trial, TriedOu
 
 /// Finds free hollow bodies that nothing can hold: only other bodies touch them, from inside.
 template <int D>
-void find_loose_rooms(const Scenario& scenario, const Trial<D>& trial, TriedOut& tried) {
-  const auto is_room = [](const Body<D>& body) {
+void find_loose_drums(const Scenario& scenario, const Trial<D>& trial, TriedOut& tried) {
+  const auto is_drum = [](const Body<D>& body) {
     return std::all_of(body.contactors.begin(), body.contactors.end(),
-                       [](const auto& contactor) { return contactor.is_room(); });
+                       [](const auto& contactor) { return flyrock::is_hollow(contactor.form); });
   };
   for (const TrialRock& rock : trial.rocks) {
     if (rock.world < 0) continue;
     const World<D>& world = trial.worlds[static_cast<std::size_t>(rock.world)];
     const Body<D>& body = world.bodies[static_cast<std::size_t>(rock.body)];
-    if (!is_room(body) || world.gravity().isZero() ||
-        !std::all_of(world.bodies.begin(), world.bodies.end(), is_room))
+    if (!is_drum(body) || world.gravity().isZero() ||
+        !std::all_of(world.bodies.begin(), world.bodies.end(), is_drum))
       continue;
     add(tried.errors, fmt::format("{}.{}.shape", scenario.bodies.empty() ? "rocks" : "bodies", rock.group),
         fmt::format("`{}` is hollow and falls for ever: only bodies inside of it touch it, not the ground; "
@@ -230,33 +232,26 @@ void find_overlapping_parts(const Scenario& scenario, const Trial<D>& trial, Tri
 /// Finds gates and barriers in 3D that no rock can pass. In 2D the scenario refuses them earlier.
 void find_lost_places(const Scenario& scenario, const Trial<3>& trial, TriedOut& tried) {
   const TerrainView terrain = view_of(*trial.terrain, scenario.terrain.origin);
-  const double low = terrain.low().x(), high = terrain.high().x();
-  const auto find = [&](const char* section, const auto& places) {
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const auto& place = places[i];
-      if (place.line.empty() && !(place.x > low && place.x < high))
-        add(tried.errors, fmt::format("{}.{}.x", section, i),
-            fmt::format("{:.10g} m is not on the terrain, which spans x from {:.10g} m to {:.10g} m", place.x,
-                        low, high));
-      for (std::size_t k = 0; k < place.line.size(); ++k)
-        if (!terrain.height(place.line[k].x(), place.line[k].y()))
+  const Vec2 low = terrain.low().head<2>(), high = terrain.high().head<2>();
+  const auto find_lines = [&](const char* section, const auto& places) {
+    for (std::size_t i = 0; i < places.size(); ++i)
+      for (std::size_t k = 0; k < places[i].line.size(); ++k)
+        if (const Vec2& point = places[i].line[k]; !terrain.height(point.x(), point.y()))
           add(tried.errors, fmt::format("{}.{}.line", section, i),
-              fmt::format("its point {} {} is not on the terrain, which spans x from {:.10g} m to {:.10g} m "
-                          "and y from {:.10g} m to {:.10g} m",
-                          k + 1, place_text(place.line[k]), low, high, terrain.low().y(),
-                          terrain.high().y()));
-    }
+              fmt::format("its point {} {}", k + 1, off_terrain(point, low, high)));
+  };
+  const auto find = [&](const char* section, const auto& places) {
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (const auto& place = places[i]; place.line.empty() && !(place.x > low.x() && place.x < high.x()))
+        add(tried.errors, fmt::format("{}.{}.x", section, i), off_terrain(place.x, low.x(), high.x()));
+    find_lines(section, places);
   };
   for (std::size_t i = 0; i < scenario.exposures.size(); ++i) {
     const ExposurePlan& exposed = scenario.exposures[i];
-    const std::vector<Vec2> places = exposed.line.empty() ? std::vector<Vec2>{exposed.at} : exposed.line;
-    for (const Vec2& place : places)
-      if (!terrain.height(place.x(), place.y()))
-        add(tried.errors, fmt::format("exposure.{}.{}", i, exposed.line.empty() ? "at" : "line"),
-            fmt::format("{} is not on the terrain, which spans x from {:.10g} m to {:.10g} m and y from "
-                        "{:.10g} m to {:.10g} m",
-                        place_text(place), low, high, terrain.low().y(), terrain.high().y()));
+    if (exposed.line.empty() && !terrain.height(exposed.at.x(), exposed.at.y()))
+      add(tried.errors, fmt::format("exposure.{}.at", i), off_terrain(exposed.at, low, high));
   }
+  find_lines("exposure", scenario.exposures);
   find("gates", scenario.gates);
   find("barriers", scenario.barriers);
 }
@@ -327,7 +322,7 @@ void try_trials(const Scenario& scenario, TrialBuilder<D>& builder, const TryLim
       find_passing_bodies(scenario, trial, tried);
       find_fine_outlines(scenario, trial, tried);
       find_overlapping_parts(scenario, trial, tried);
-      find_loose_rooms(scenario, trial, tried);
+      find_loose_drums(scenario, trial, tried);
       find_flat_faces(scenario, trial, tried);
       find_lost_places(scenario, trial, tried);
       if (number == 0) find_forest_faults(scenario, trial, tried);

@@ -203,7 +203,7 @@ int merge(const Command& command, const Arguments& arguments) {
   if (!runners) return bad_input;
   folder.open(*loaded, request);
   const RunFacts facts{.trials = trials_of(found, plan.points.size()),
-                       .full = plan.points.front().trials >= loaded->own_trials,
+                       .full = plan.points.front().trials_of_run() >= loaded->own_trials,
                        .ended_early = missing_text(chunks, files),
                        .warnings = loaded->warnings};
   RunLog log = start_log();

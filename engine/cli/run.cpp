@@ -200,7 +200,7 @@ int carry_out(const Job& job, const LoadedScenario& loaded, Runners& runners, co
   if (job.shard) return conclude_shard(outcome, *job.shard, folder.chunks(), job.quiet);
 
   const RunFacts facts{.trials = trials_of(outcome.chunks, plan.points.size()),
-                       .full = !job.only && plan.points.front().trials >= loaded.own_trials,
+                       .full = !job.only && plan.points.front().trials_of_run() >= loaded.own_trials,
                        .ended_early = outcome.why,
                        .warnings = loaded.warnings};
   const std::vector<Rows> rows = rows_in(chunk_files(outcome.chunks, folder.chunks()),

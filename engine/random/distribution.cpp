@@ -282,7 +282,10 @@ std::string_view name_of(Scope scope) { return scope_names[static_cast<std::size
 
 double Draw::value(std::uint64_t seed, const DrawKey& key) const {
   DrawKey used;
-  if (scope != Scope::run) used.trial = key.trial;
+  if (scope != Scope::run)
+    used.trial = key.trial;
+  else if (trials_of_run > 0)
+    used.trial = key.trial / trials_of_run;  // the number of the run; those of run 0 are drawn as without
   if (scope == Scope::hole) used.hole = key.hole;
   if (scope == Scope::rock || scope == Scope::impact) used.rock = key.rock;
   if (scope == Scope::impact) used.impact = key.impact;

@@ -82,6 +82,7 @@ struct Draw {
   double factor = 1;  ///< above 0, multiplies each value drawn
   std::string unit;   ///< SI, of the values: "m", "rad", "1"
   int group = -1;     ///< the group of rocks (or body) that it belongs to; -1: it belongs to the scenario
+  std::uint64_t trials_of_run = 0;  ///< where a scenario makes several runs (`outer`); 0: all trials are one
 
   /// The value at probability u in (0, 1), and the smallest and the greatest value.
   double quantile(double u) const { return factor * distribution.quantile(u); }

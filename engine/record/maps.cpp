@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "record/whole_numbers.h"
@@ -138,13 +139,19 @@ MapRasters rasters_of(const Maps& maps) {
     if (cell->passages == 0) continue;
     const double n = cell->passages;
     const double energy_max = cell->energy_max / joules_a_kilojoule;
-    rasters.cells.push_back({cell->index,
-                             {n, 100 * n / maps.rocks(), cell->energy_sum / n / joules_a_kilojoule,
-                              p95(cell->energies, cell->passages, energy_max), energy_max,
-                              cell->height_sum / n, p95(cell->heights, cell->passages, cell->height_max),
-                              cell->height_max, cell->speed_max, cell->deposited}});
+    rasters.cells.push_back(
+        {cell->index,
+         {n, 100 * n / maps.rocks(), cell->energy_sum / n / joules_a_kilojoule,
+          p95(cell->energies, cell->passages, energy_max), energy_max, cell->height_sum / n,
+          p95(cell->heights, cell->passages, cell->height_max), cell->height_max, cell->speed_max,
+          cell->deposited, std::numeric_limits<double>::quiet_NaN()}});
   }
   return rasters;
+}
+
+void MapRasters::find_hit_density(std::uint64_t trials) {
+  const double area_of_all = static_cast<double>(trials) * grid.cell * grid.cell;
+  for (Cell& each : cells) each.values[hit_map] = each.values[deposited_map] / area_of_all;
 }
 
 }  // namespace flyrock

@@ -63,14 +63,15 @@ class Maps {
 };
 
 /// The rasters of a map, in the order of their columns in tables and of their files.
-inline constexpr std::array<const char*, 10> map_names = {
-    "Nr_passages", "Reach_probability", "E_mean", "E_p95", "E_max", "Ph_mean", "Ph_p95", "Ph_max",
-    "V_max",       "Nr_deposited"};
-inline constexpr std::array<const char*, 10> map_units = {"",  "%", "kJ", "kJ",  "kJ",
-                                                          "m", "m", "m",  "m/s", ""};
+inline constexpr std::array<const char*, 11> map_names = {
+    "Nr_passages", "Reach_probability", "E_mean",     "E_p95", "E_max", "Ph_mean", "Ph_p95", "Ph_max",
+    "V_max",       "Nr_deposited",      "Hit_density"};
+inline constexpr std::array<const char*, 11> map_units = {"",  "%", "kJ",  "kJ", "kJ",  "m",
+                                                          "m", "m", "m/s", "",   "1/m2"};
+inline constexpr std::size_t deposited_map = 9, hit_map = 10;
 
 /// Whether a raster holds whole numbers of rocks.
-constexpr bool is_count_map(std::size_t raster) { return raster == 0 || raster + 1 == map_names.size(); }
+constexpr bool is_count_map(std::size_t raster) { return raster == 0 || raster == deposited_map; }
 
 /// The rasters of the maps of a point; the other cells have no data.
 struct MapRasters {
@@ -80,6 +81,11 @@ struct MapRasters {
     std::array<double, map_names.size()> values{};  ///< [map_names], in map_units
   };
   std::vector<Cell> cells;  ///< in the order of their indices
+
+  /// The hits per m2 of one blast, where rocks first land: N landings of n trials in a cell of side c give
+  /// N / (n c^2), each with its weight. Their sum over the cells, times c^2, is the mean number of landings
+  /// of a blast. Until then, and with methods that do not end at the landing, Hit_density is NaN.
+  void find_hit_density(std::uint64_t trials);
 };
 MapRasters rasters_of(const Maps& maps);
 

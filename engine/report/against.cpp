@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -104,12 +105,19 @@ Json number_data(const Shown& number) {
   return {{"value", number.value}, {"interval", number.interval}, {"lower_bound", number.lower_bound}};
 }
 
-bool apart(const Json& a, const Json& b) {
-  for (const Json* interval : {&a, &b})
-    if (!interval->is_array() || interval->size() != 2 || !interval->at(0).is_number() ||
-        !interval->at(1).is_number())
-      return false;
-  return a.at(1).get<double>() < b.at(0).get<double>() || b.at(1).get<double>() < a.at(0).get<double>();
+/// Whether the intervals of two numbers do not overlap; null where an end that would tell is not known.
+Json apart(const Json& a, const Json& b) {
+  const auto end = [](const Json& interval, std::size_t which) -> std::optional<double> {
+    if (!interval.is_array() || interval.size() != 2 || !interval.at(which).is_number()) return std::nullopt;
+    return interval.at(which).get<double>();
+  };
+  const auto lies_below = [&](const Json& one, const Json& other) {
+    const std::optional<double> high = end(one, 1), low = end(other, 0);
+    return high && low && *high < *low;
+  };
+  if (lies_below(a, b) || lies_below(b, a)) return true;
+  const bool all_known = end(a, 0) && end(a, 1) && end(b, 0) && end(b, 1);
+  return all_known ? Json(false) : Json(nullptr);
 }
 
 }  // namespace

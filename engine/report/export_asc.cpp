@@ -51,6 +51,13 @@ std::vector<double> stored_values(const SqliteReader& database, const StoredGrid
   return values;
 }
 
+/// Whether the point has the raster: its cells hold numbers.
+bool has_raster(const SqliteReader& database, const StoredGrid& grid, const char* name) {
+  Query row(database,
+            fmt::format("SELECT 1 FROM maps WHERE point = {} AND {} IS NOT NULL LIMIT 1", grid.point, name));
+  return row.next();
+}
+
 std::string grid_text(const StoredGrid& grid, const std::vector<double>& values) {
   std::string text = fmt::format(
       "ncols {}\nnrows {}\nxllcorner {}\nyllcorner {}\ncellsize {}\nNODATA_value {}\n", grid.columns,
@@ -93,7 +100,9 @@ std::vector<std::filesystem::path> export_asc(const std::filesystem::path& resul
   std::vector<std::filesystem::path> files;
   for (const StoredGrid& grid : stored_grids(database)) {
     make_folder(folder);
-    for (const char* name : map_names) {
+    for (std::size_t m = 0; m < map_names.size(); ++m) {
+      const char* name = map_names[m];
+      if (m == hit_map && !has_raster(database, grid, name)) continue;
       files.push_back(folder / fmt::format("{}-p{}.asc", name, grid.point));
       write_file(files.back(), grid_text(grid, stored_values(database, grid, name)));
       if (!crs.empty()) write_with_crs(files.back(), grid, crs);

@@ -23,6 +23,7 @@ nlohmann::ordered_json map_data(const MapRasters& maps, std::size_t& room) {
     before = cell.index;
   }
   for (std::size_t m = 0; m < map_names.size(); ++m) {
+    if (std::isnan(maps.cells.front().values[m])) continue;  // no raster of this method
     Json& values = data[map_names[m]] = Json::array();
     for (const MapRasters::Cell& cell : maps.cells)
       // Counts of rocks are whole numbers, and so are most sums of weights.

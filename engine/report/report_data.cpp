@@ -8,6 +8,7 @@
 #include "report/envelope_data.h"
 #include "report/ground_data.h"
 #include "report/hash_data.h"
+#include "report/input_data.h"
 #include "report/json_object.h"
 #include "report/law_data.h"
 #include "report/map_data.h"
@@ -259,13 +260,14 @@ Json ReportData::finish(const Results& results, const GroundPictures& grounds,
                     bodies_data(plan.points[p], point.totals)));
     if (point.forest) points.back()["stems"] = stems_data(point, most_stems / closed_.size());
   }
-  return json_object(
-      "summary", summary_data(plan, results), "alarms", alarms(results.points), "source",
-      source_data(scenario_), "scenario", scenario_text(plan.resolved), "groups",
-      group_names(plan.points.front()), "numbers", numbers_data(), "map_units", map_unit_data(), "axes",
-      axes_data(plan), "expectation_units", expectation_units(results), "answer_units", answer_units(plan),
-      "drawn", drawn_data(plan.points.front()), "regular_only", is_of_regular_blasts(plan.points.front()),
-      "grounds", grounds_data(grounds), "points", std::move(points));
+  return json_object("summary", summary_data(plan, results), "alarms", alarms(results.points), "source",
+                     source_data(scenario_), "scenario", scenario_text(plan.resolved), "inputs",
+                     input_data(scenario_), "groups", group_names(plan.points.front()), "numbers",
+                     numbers_data(), "map_units", map_unit_data(), "axes", axes_data(plan),
+                     "expectation_units", expectation_units(results), "answer_units", answer_units(plan),
+                     "drawn", drawn_data(plan.points.front()), "regular_only",
+                     is_of_regular_blasts(plan.points.front()), "grounds", grounds_data(grounds), "points",
+                     std::move(points));
 }
 
 }  // namespace flyrock

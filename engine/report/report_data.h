@@ -32,11 +32,11 @@ class ReportData {
   /// Reads `rows` of each point in passes and samples the laws of the scenario (call it in the thread of its
   /// session).
   /// { summary, source: { sha256, plugins, files }, scenario, groups, units, map_units, axes: [{ path, unit,
-  /// per_si }], expectation_units: [{ unit, per_si }], drawn, grounds, points: [{ terrain, ground, section,
-  /// deposits, tracks, cell, azimuths, runout, convergence, envelopes, map, sensitivity, laws, bodies }] }.
-  /// `terrain` is the profile (no points in 3D); `ground` the index into `grounds`, -1 in 2D; `deposits` is
-  /// null in 2D. A value in SI times per_si is in the unit shown to readers. `laws` is null if it equals that
-  /// of point 0.
+  /// per_si }], expectation_units: [{ unit, per_si }], inputs (input_data.h), drawn, grounds, points: [{
+  /// terrain, ground, section, deposits, tracks, cell, azimuths, runout, convergence, envelopes, map,
+  /// sensitivity, laws, bodies }] }. `terrain` is the profile (no points in 3D); `ground` the index into
+  /// `grounds`, -1 in 2D; `deposits` is null in 2D. A value in SI times per_si is in the unit shown to
+  /// readers. `laws` is null if it equals that of point 0.
   nlohmann::ordered_json finish(const Results& results, const GroundPictures& grounds,
                                 const std::vector<Rows>& rows);
 

@@ -34,10 +34,11 @@ void turn_to_degrees(Value& value) {
 
 }  // namespace
 
-std::string scenario_text(const Value& resolved) {
-  Value readable = resolved;
-  turn_to_degrees(readable);
-  return to_yaml(readable);
+Value in_degrees(Value resolved) {
+  turn_to_degrees(resolved);
+  return resolved;
 }
+
+std::string scenario_text(const Value& resolved) { return to_yaml(in_degrees(resolved)); }
 
 }  // namespace flyrock

@@ -7,6 +7,9 @@
 
 namespace flyrock {
 
+/// The tree with angles in degrees, as scenario_text().
+Value in_degrees(Value resolved);
+
 /// to_yaml() with angles in degrees. It reads back as the same scenario: an angle stays in rad if no text in
 /// degrees reads back as the same double.
 std::string scenario_text(const Value& resolved);

@@ -9,6 +9,7 @@
 #include "report/exposure_data.h"
 #include "report/json_object.h"
 #include "report/observation_data.h"
+#include "report/outer_data.h"
 #include "report/reach_data.h"
 #include "report/risk_data.h"
 #include "results/answer.h"
@@ -487,6 +488,7 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
       points.back()["observed"] = has_lost(plan.points[p], point)
                                       ? Json{{"reason", "lost"}}
                                       : observation_data(*plan.points[p].observed, *point.observation);
+    if (point.outer) points.back()["outer"] = outer_data(*point.outer);
     if (!plan.points[p].branches.empty())
       points.back()["branches"] = branches_data(plan.points[p], point.risk);
     if (const auto& blast = plan.points[p].blast) {

@@ -10,6 +10,7 @@
 
 #include "results/answer_shares.h"
 #include "results/lost.h"
+#include "results/outer.h"
 #include "results/weights.h"
 #include "results/wording.h"
 
@@ -173,6 +174,50 @@ std::string asked_answer(const Plan& plan, const Results& results) {
          exposures_answer(plan, results) + trees_answer(plan, results);
 }
 
+/// What a reader asks of several runs: the clearances and exposures, or else the runout.
+std::vector<std::pair<std::string, std::string>> outer_questions(const Plan& plan, const Results& results) {
+  const Scenario& scenario = plan.points.front();
+  std::vector<std::pair<std::string, std::string>> asked;  // words, measure
+  for (const ClearancePlan& clearance : scenario.clearances)
+    asked.emplace_back("clearance " + clearance.name, fmt::format("clearance.{}.distance", clearance.name));
+  for (const ExposurePlan& exposure : scenario.exposures)
+    asked.emplace_back("the probability of exposure " + exposure.name,
+                       fmt::format("exposure.{}.per_blast", exposure.name));
+  if (!asked.empty()) return asked;
+  const std::vector<GroupSummary>& groups = results.points.front().groups;
+  if (groups.size() == 1) return {{"the p95 of the runout", "rocks.runout.p95"}};
+  for (std::size_t g = first_shown_group(plan, results); g < groups.size(); ++g)
+    asked.emplace_back(g == 0 ? "the p95 of the runout of all rocks" : "that of " + groups[g].name,
+                       g == 0 ? "rocks.runout.p95" : fmt::format("rocks.{}.runout.p95", groups[g].name));
+  return asked;
+}
+
+/// " Between 20 runs of 500 trials, which differ by what is drawn `per: run`, clearance people is from 98 to
+/// 131 m (p5 to p95; median 110 m)."
+std::string outer_answer(const Plan& plan, const Results& results) {
+  if (results.points.size() > 1 || !results.points.front().outer) return {};
+  const OuterSummary& outer = *results.points.front().outer;
+  std::vector<std::string> parts;
+  for (const auto& [words, measure] : outer_questions(plan, results)) {
+    const OuterNumber* number = outer.find(measure);
+    if (!number || number->runs == 0) {
+      parts.push_back(words + " is given by none of them");
+      continue;
+    }
+    const bool is_share = number->unit == "1";
+    const auto shown = [&](const Bounded& value) {
+      if (is_share) return (value.censored ? ">= " : "") + percent(value.value);
+      return display(value, number->unit);
+    };
+    parts.push_back(fmt::format(
+        "{} is from {} to {} (p5 to p95; median {}{})", words, shown(number->p5), shown(number->p95),
+        shown(number->p50),
+        number->runs < outer.runs ? fmt::format("; {} runs give it", number->runs) : std::string()));
+  }
+  return fmt::format(" Between {} runs of {} trial{}, which differ by what is drawn `per: run`, {}.",
+                     outer.runs, outer.trials, outer.trials == 1 ? "" : "s", fmt::join(parts, "; "));
+}
+
 /// A stone of an arch or a stack that stands: the error of the solver is all that it moves by. A body that
 /// falls is faster after 10 us.
 bool stood(const RockRecord& body) {
@@ -316,6 +361,7 @@ std::string answer(const Plan& plan, const Results& results) {
         plan.all_end_at_landing() ? "distance of the first landing" : "runout",
         runouts_of(plan, results, Statistic::p95), runouts_of(plan, results, Statistic::p99),
         runouts_of(plan, results, Statistic::max));
+    text += outer_answer(plan, results);
     text += censored_answer(plan, results);
     if (const PointResult& first = results.points.front(); first.observation && results.points.size() == 1)
       text += " " + observation_text(*plan.points.front().observed, *first.observation);

@@ -18,6 +18,8 @@
 
 namespace flyrock {
 
+struct OuterSummary;
+
 /// Percentiles of the diameters of rocks [m], of the sphere with the rock's volume; NaN without rocks.
 struct Diameters {
   double p5 = unknown, p50 = unknown;
@@ -44,6 +46,7 @@ struct PointResult {
   std::vector<RunoutByAzimuth> azimuths;          ///< 3D, of rocks: in the order of `groups`
   std::optional<ObservationSummary> observation;  ///< where the scenario has `observed`
   std::vector<CensoredPlace> censored;            ///< places of censored rocks, most rocks first
+  std::shared_ptr<const OuterSummary> outer;      ///< with several runs; null: one run
 };
 
 struct Measured {

@@ -9,6 +9,7 @@
 #include "batch/hard_contacts.h"
 #include "math/sphere.h"
 #include "results/alarms.h"
+#include "results/outer.h"
 
 namespace flyrock {
 
@@ -108,6 +109,7 @@ class PointTally {
   /// `trials`: all that ran.
   PointResult result(std::uint64_t trials) {
     end_first();
+    if (scenario_.method == Method::ballistic) result_.maps.find_hit_density(trials);
     result_.trials = trials;
     result_.groups = rocks_.summaries();
     result_.crossings = crossings_.summaries();
@@ -226,6 +228,10 @@ Results ResultTally::finish(const std::vector<Rows>& rows, const RunFacts& facts
   for (std::size_t p = 0; p < tallies_.size(); ++p) {
     if (tallies_[p].needs_another_pass()) read_in_passes(rows.at(p), tallies_[p]);
     results_.points.push_back(tallies_[p].result(facts.trials.at(p)));
+    PointResult& point = results_.points.back();
+    const Scenario& scenario = plan_.points[p];
+    if (scenario.outer > 1 && point.trials == scenario.trials)
+      point.outer = std::make_shared<const OuterSummary>(make_outer(scenario, rows.at(p), point.exposures));
   }
   results_.verdicts = judge(plan_, results_.points, facts.full && facts.ended_early.empty());
   results_.differences = make_differences(plan_, results_.points, rows);

@@ -73,6 +73,7 @@ class PlanDecoder {
     for (const auto& point : points) decode_point(point);
     if (diagnostics_.has_errors()) return std::nullopt;
     refuse_too_many_trials();
+    warn_of_equal_runs();
     make_axes(points);
     write_sweeps();
     resolve_expectations();
@@ -129,6 +130,22 @@ class PlanDecoder {
       keep_branch(branch, std::move(plan), std::move(own), regular, diagnostics_);
     }
     check_probabilities(tree_, regular, diagnostics_);
+  }
+
+  /// The runs of `outer` must differ by more than chance.
+  void warn_of_equal_runs() {
+    const auto differs = [](const Scenario& scenario) {
+      return std::any_of(scenario.draws.begin(), scenario.draws.end(),
+                         [](const Draw& draw) { return draw.scope == Scope::run; });
+    };
+    for (const Scenario& point : plan_.points) {
+      if (point.outer == 1 || differs(point)) return;
+      for (const BranchPlan& branch : point.branches)
+        if (differs(*branch.scenario)) return;
+    }
+    const Node outer = *Node::root(tree_).find("outer");
+    diagnostics_.warning(outer.key_at, outer.path,
+                         "no distribution has `per: run`: its runs differ by chance alone");
   }
 
   /// What one value of a sweep is, normalised: a number with its SI unit, or a choice with its text.

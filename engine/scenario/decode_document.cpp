@@ -70,6 +70,7 @@ class DocumentDecoder {
     if (const auto answer = root_.find("answer"))
       scenario_.answer = decode_answer(*answer, measure_names(root_, scenario_.dimension));
     scenario_.draws = context_.draws;
+    spread_runs();
     return std::move(scenario_);
   }
 
@@ -88,6 +89,10 @@ class DocumentDecoder {
     scenario_.title = section.text("title");
     scenario_.seed = static_cast<std::uint64_t>(section.constant("seed"));
     scenario_.trials = static_cast<std::uint64_t>(section.constant("trials"));
+    if (section.given("outer"))  // a number beyond its limits is already reported
+      scenario_.outer = static_cast<std::uint64_t>(
+          std::clamp(section.constant("outer"), 1.0, static_cast<double>(most_outer_runs)));
+    scenario_.trials *= scenario_.outer;
     scenario_.rock_contacts = section.text("rock_contacts") == "on";
     scenario_.body_contacts = section.text("body_contacts") == "on";
     scenario_.gravity = section.number("gravity");
@@ -179,11 +184,22 @@ class DocumentDecoder {
     if (!root_.find("rocks")) exposures.error(context_.diagnostics, "needs `rocks`, the scenario has none");
     if (scenario_.method != Method::ballistic)
       exposures.error(context_.diagnostics,
-                      "needs `method: ballistic`: who is hit is told by where rocks first land");
+                      "needs `method: ballistic`: who is hit is told by where rocks first land. Where rocks "
+                      "bounce, a gate tells how many pass (`gate.NAME.passed.per_trial`)");
     const auto output = root_.find("output");
     if (const auto rocks = output ? output->find("rocks") : std::nullopt;
         rocks && rocks->value->boolean() && !*rocks->value->boolean())
       rocks->error(context_.diagnostics, "`exposure` needs the row of each rock");
+  }
+
+  /// The draws `per: run` of each run of `outer`, and what its numbers need.
+  void spread_runs() {
+    if (scenario_.outer == 1) return;
+    const Node node = *root_.find("outer");
+    if (!root_.find("rocks")) node.error(context_.diagnostics, "needs `rocks`, the scenario has none");
+    if (!scenario_.output.rocks)
+      node.error(context_.diagnostics, "needs the row of each rock: `output.rocks: true`");
+    for (Draw& draw : scenario_.draws) draw.trials_of_run = scenario_.trials_of_run();
   }
 
   void decode_measured(const Node& observed) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/off_terrain.h"
 #include "scenario/decode_sections.h"
 
 namespace flyrock {
@@ -31,9 +32,7 @@ void read_place(DecodeContext& context, const Node& item, const Section& section
   if (!x || !section.given("x") || !profile) return;
   const double at = section.constant("x");
   if (at > profile->x_min() && at < profile->x_max()) return;
-  x->error(context.diagnostics,
-           fmt::format("{:.6g} m is not on the terrain, which spans x from {:.6g} m to {:.6g} m", at,
-                       profile->x_min(), profile->x_max()));
+  x->error(context.diagnostics, off_terrain(at, profile->x_min(), profile->x_max()));
 }
 
 /// The group of rocks of a clearance; -1 for all groups.
@@ -91,10 +90,8 @@ void read_exposed_place(DecodeContext& context, const Node& item, const Section&
     plan.at = {section.constant("at"), 0};
     plan.spread = section.constant("spread");
     if (profile && section.given("at") && !(plan.at.x() > profile->x_min() && plan.at.x() < profile->x_max()))
-      item.find("at")->error(
-          context.diagnostics,
-          fmt::format("{:.6g} m is not on the terrain, which spans x from {:.6g} m to {:.6g} m", plan.at.x(),
-                      profile->x_min(), profile->x_max()));
+      item.find("at")->error(context.diagnostics,
+                             off_terrain(plan.at.x(), profile->x_min(), profile->x_max()));
     return;
   }
   if (section.given("at") == section.given("line"))

@@ -42,6 +42,13 @@ bool has_lengths_of_table(const Node& group) {
   return type && type->text() && *type->text() == from_lengths;
 }
 
+LaunchBySize decode_launch_by_size(DecodeContext& context, const Node& node) {
+  const Section section = decode_section(context, node, "rocks.launch_by_size");
+  return {.reference = section.number("reference"),
+          .exponent = section.number("exponent"),
+          .at_most = section.optional_number("at_most")};
+}
+
 RockGroup decode_group(DecodeContext& context, const Node& node, const std::vector<Material>& materials,
                        const DecodedTerrain& terrain) {
   const bool plane = context.dimension == 2;
@@ -68,6 +75,8 @@ RockGroup decode_group(DecodeContext& context, const Node& node, const std::vect
     if (!group.release) group.release.emplace().kind = ReleaseKind::collar;
   }
   group.launch = decode_part(context, node, PluginKind::velocity, "launch");
+  if (const auto by_size = node.find("launch_by_size"))
+    group.launch_by_size = decode_launch_by_size(context, *by_size);
   if (group.launch)
     group.assumed_elevation = assumed_elevation(*node.find("launch"), group.launch->plugin->spec);
   return group;

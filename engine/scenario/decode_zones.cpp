@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/off_terrain.h"
 #include "plugin/params.h"
 #include "plugin/raster_file.h"
 #include "scenario/decode_sections.h"
@@ -104,8 +105,7 @@ std::vector<FacePlan> decode_faces(DecodeContext& context, const Node& node, con
       if (section.given(key) && is_outside(section.constant(key)))
         item.find(key)->error(
             context.diagnostics,
-            fmt::format("{:.6g} m is not on the terrain, which spans x from {:.6g} m to {:.6g} m",
-                        section.constant(key), terrain.profile->x_min(), terrain.profile->x_max()));
+            off_terrain(section.constant(key), terrain.profile->x_min(), terrain.profile->x_max()));
     const bool has_ends = section.given("from") && section.given("to");
     if (has_ends && face.from == face.to)
       item.error(context.diagnostics, "`from` and `to` are the same place");

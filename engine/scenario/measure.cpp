@@ -241,6 +241,38 @@ class MeasureParser {
   MeasureInfo info_;
 };
 
+std::vector<std::string> list_of_rocks(const MeasureNames& names) {
+  std::vector<std::string> list;
+  const auto add = [&](const std::string& subject, const Table& quantities,
+                       const std::vector<std::string>& ends) {
+    for (const Named& quantity : quantities)
+      for (const std::string& end : ends) list.push_back(fmt::format("{}.{}{}", subject, quantity.name, end));
+  };
+  std::vector<std::string> of_rocks, alone{""};
+  for (const std::string& statistic : statistics) of_rocks.push_back("." + statistic);
+  std::vector<std::string> groups{"rocks"};
+  if (names.groups.size() > 1)
+    for (const std::string& group : names.groups) groups.push_back("rocks." + group);
+  for (const std::string& group : groups) {
+    add(group, rock_totals, alone);
+    add(group, rock_distributions, of_rocks);
+  }
+  for (const std::string& gate : names.gates) {
+    add("gate." + gate, gate_quantities, alone);
+    list.push_back(fmt::format("gate.{}.passed.per_trial", gate));
+  }
+  for (const std::string& barrier : names.barriers)
+    add("barrier." + barrier, barrier_quantities, {"", ".of_arriving", ".per_trial"});
+  if (names.forest) add("trees", tree_quantities, alone);
+  for (const std::string& clearance : names.clearances) {
+    list.push_back(fmt::format("clearance.{}.distance", clearance));
+    if (std::find(names.with_factor.begin(), names.with_factor.end(), clearance) != names.with_factor.end())
+      list.push_back(fmt::format("clearance.{}.with_factor", clearance));
+  }
+  for (const std::string& exposure : names.exposures) add("exposure." + exposure, exposure_quantities, alone);
+  return list;
+}
+
 }  // namespace
 
 std::vector<std::string> measure_steps(std::string_view measure) {
@@ -268,6 +300,8 @@ std::vector<std::string> rock_quantities() {
   for (const Named& entry : rock_totals) names.emplace_back(entry.name);
   return names;
 }
+
+std::vector<std::string> measures_of_rocks(const MeasureNames& names) { return list_of_rocks(names); }
 
 MeasureInfo check_measure(std::string_view measure, const MeasureNames& names) {
   return MeasureParser(measure, names).parse();

@@ -42,6 +42,10 @@ struct MeasureInfo {
 ///   exposure.<name>.per_blast|per_year|hits_per_m2
 MeasureInfo check_measure(std::string_view measure, const MeasureNames& names);
 
+/// All measures of rocks, gates, barriers, trees, clearances and exposures. Of several groups, those of all
+/// rocks come first.
+std::vector<std::string> measures_of_rocks(const MeasureNames& names);
+
 /// The steps of a measure: "contact", "ball", "terrain", "rn", "at[0.5 s]".
 std::vector<std::string> measure_steps(std::string_view measure);
 

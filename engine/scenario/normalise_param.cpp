@@ -76,8 +76,9 @@ Value normalise_vector(DecodeContext& context, const Node& node, const ParamSpec
   if (!node.is_list() || node.value->is_null()) return refuse(context, node, spec);
   const std::vector<Node> items = node.items();
   if (static_cast<int>(items.size()) != context.dimension) {
-    node.error(context.diagnostics, fmt::format("has {} components, expected {} in {}D", items.size(),
-                                                context.dimension, context.dimension));
+    node.error(context.diagnostics,
+               fmt::format("has {} component{}, expected {}", items.size(), items.size() == 1 ? "" : "s",
+                           context.dimension == 2 ? "2: [x, y]" : "3: [x, y, z]"));
     return {};
   }
   ParamSpec component = spec;

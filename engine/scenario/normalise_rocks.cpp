@@ -123,6 +123,14 @@ void check_words_of_table(DecodeContext& context, const Node& node) {
     density->error(context.diagnostics, "needs a `table` with masses and lengths, the group has none");
 }
 
+void put_launch_by_size(DecodeContext& context, Map& group, const Node& node) {
+  const std::optional<Node> by_size = node.find("launch_by_size");
+  if (!by_size) return;
+  if (!node.find("launch"))
+    by_size->error(context.diagnostics, "changes the speed of `launch`, the group has none");
+  put(group, *by_size, normalise_section(context, *by_size, "rocks.launch_by_size", rock_rules));
+}
+
 Value normalise_group(DecodeContext& context, const Node& node) {
   const SectionSpec& spec = section_spec(context.dimension == 2 ? "rocks" : "rocks 3D");
   Map group = normalise_params(context, node, spec.keys, rock_rules);
@@ -140,6 +148,7 @@ Value normalise_group(DecodeContext& context, const Node& node) {
   check_words_of_table(context, node);
   if (const auto release = node.find("release")) put(group, *release, normalise_release(context, *release));
   put_plugin(context, group, node, "launch", PluginKind::velocity, rock_rules);
+  put_launch_by_size(context, group, node);
   const std::string* type = population.find("type")->text();
   if (counting_key(node))  // which takes the place of the default
     std::erase_if(group, [](const Entry& entry) { return entry.key == "per_trial" && entry.value.assumed; });

@@ -174,6 +174,16 @@ struct TurnPlan {
   bool about_axis = false;
 };
 
+/// The launch speed by the size of a rock: that of `launch` times (reference / diameter)^exponent. The
+/// diameter is that of the sphere of equal volume (2D: of the circle of equal area). With the exponent 1
+/// rocks get the same impulse per area, so that speed x size x density is constant, as in Lundborg's model of
+/// the launch.
+struct LaunchBySize {
+  Number reference;  ///< m
+  Number exponent;
+  std::optional<Number> at_most;  ///< m/s
+};
+
 struct RockGroup {
   std::string name;
   PluginUse population;
@@ -182,7 +192,8 @@ struct RockGroup {
   std::optional<int> per_hole;  ///< rocks of each measured hole, in place of those of the population
   std::optional<PluginUse> shape;
   std::optional<Release> release;
-  std::optional<PluginUse> launch;          ///< absent: at rest
+  std::optional<PluginUse> launch;  ///< absent: at rest
+  std::optional<LaunchBySize> launch_by_size;
   std::optional<double> assumed_elevation;  ///< rad, of a launch whose elevation the scenario does not give
   std::optional<double> weight;       ///< real rocks that a rock stands for; absent: 1, or its population's
   Number density;                     ///< kg/m3
@@ -388,6 +399,8 @@ struct BranchPlan {
 
 /// The largest number of trials of all sweep points together.
 inline constexpr std::uint64_t most_trials = 1'000'000'000;
+/// Each run keeps its numbers in memory.
+inline constexpr std::uint64_t most_outer_runs = 10'000;
 
 /// One point of a sweep, fully decoded. All points have the same draws and streams, except where a sweep
 /// stands inside a distribution.
@@ -397,7 +410,8 @@ struct Scenario {
   int dimension = 2;
   Method method = Method::nscd;
   std::uint64_t seed = 1;
-  std::uint64_t trials = 1;
+  std::uint64_t trials = 1;  ///< of all runs
+  std::uint64_t outer = 1;   ///< runs with equally many trials each, one after the other (results/outer.h)
   bool rock_contacts = false;
   bool body_contacts = true;
   Number gravity;
@@ -421,6 +435,8 @@ struct Scenario {
   std::optional<AnswerPlan> answer;  ///< absent: no point is called best
   std::vector<Draw> draws;
   std::vector<BranchPlan> branches;  ///< exclusive; the rest is regular
+
+  std::uint64_t trials_of_run() const { return trials / outer; }
 
   /// Whether a group has a weight. A population may answer weights too.
   bool gives_weights() const {

@@ -103,6 +103,9 @@ SectionSpec document() {
            choice("method", {"nscd", "lumped_mass", "ballistic"}, "how rocks move"),
            or_else(at_most(at_least(integer("seed", "of all random numbers"), 0), greatest_whole), 1),
            or_else(at_least(integer("trials", "realisations of each sweep point"), 1), 1),
+           optional(at_most(
+               at_least(integer("outer", "runs of so many trials, each with its own draws `per: run`; 1"), 1),
+               static_cast<double>(most_outer_runs))),
            or_else(choice("rock_contacts", {"off", "on"}, "on: rocks also meet each other"), "off"),
            or_else(choice("body_contacts", {"on", "off"}, "off: bodies meet the terrain only"), "on"),
            or_else(at_most(at_least(number("gravity", "m/s2", "along -y in 2D, -z in 3D"), 0), 1000), 9.81)},
@@ -198,6 +201,18 @@ ParamSpec thickness() {
 
 ParamSpec spin(std::string doc) {
   return usually(or_else(key(ParamType::spin, "spin", "rad/s", std::move(doc)), 0.0), usual::spin);
+}
+
+/// The launch speed by the size of a rock.
+std::vector<ParamSpec> launch_by_size_keys() {
+  return {
+      above(usually(number("reference", "m", "diameter of the rocks that start with the speed of `launch`"),
+                    UsualRange{0.001, 20}),
+            0),
+      at_most(at_least(
+                  or_else(number("exponent", "", "n of (reference / diameter)^n, the factor on it"), 1.0), 0),
+              4),
+      above(optional(usually(number("at_most", "m/s", "no rock is faster"), usual::launch)), 0)};
 }
 
 std::vector<ParamSpec> joined(std::vector<ParamSpec> first, std::vector<ParamSpec> second) {
@@ -377,12 +392,13 @@ std::vector<SectionSpec> make_sections() {
               {per_hole(), thickness(),
                optional(number("orientation", "rad", "random and uniform where it is not given")),
                optional(text("material", "shown to other rocks")), weight()}),
-       {"type", "columns", "shape", "release", "launch"}},
+       {"type", "columns", "shape", "release", "launch", "launch_by_size"}},
       {"rocks 3D",
        joined(joined({text("name", "of the group"), table()}, mass_keys_of_rocks()),
               {per_hole(), optional(text("material", "shown to other rocks")), weight()}),
-       {"type", "columns", "shape", "orientation", "release", "launch"}},
+       {"type", "columns", "shape", "orientation", "release", "launch", "launch_by_size"}},
       {"rocks.columns", head_keys(rock_columns()), {}},
+      {"rocks.launch_by_size", launch_by_size_keys(), {}},
       {"rocks.shape: from_lengths",
        {choice(
            "form", {"box", "cut", "ellipsoid", "sphere"},
@@ -548,9 +564,7 @@ std::vector<SectionSpec> make_sections() {
        {}},
       {"output",
        {boolean("rocks", true, "whether every rock has its rows; else only the first ones"),
-        at_least(optional(integer("chunk",
-                                  "trials of a chunk; else chosen from `trials`; no result depends on it")),
-                 1),
+        at_least(optional(integer("chunk", "trials of a chunk; else chosen from `trials`")), 1),
         or_else(at_least(integer("first", "rocks of each sweep point with rows where `rocks` is false"), 1),
                 1000),
         boolean("envelopes", true, "whether a run in 2D makes envelopes along x"),

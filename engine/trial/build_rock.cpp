@@ -53,6 +53,20 @@ void scale_to(ShapeAnswer<D>& shape, double diameter) {
   for (auto& contactor : shape.contactors) contactor.scale(factor);
 }
 
+/// By how much the speed of a launch changes with the size of the rock (LaunchBySize).
+double speed_factor(const Scenario& scenario, const TrialRock& rock, double speed, double diameter) {
+  const auto& by_size = scenario.rocks[static_cast<std::size_t>(rock.group)].launch_by_size;
+  if (!by_size || speed == 0) return 1;
+  const auto value = [&](const Number& number) {
+    return number.value(scenario.draws, scenario.seed, rock.key);
+  };
+  if (!(diameter > 0))
+    throw ScenarioError(fmt::format("rocks.{}.launch_by_size", rock.group),
+                        "needs a shape with a size, this rock is a point");
+  const double factor = std::pow(value(by_size->reference) / diameter, value(by_size->exponent));
+  return by_size->at_most ? std::min(factor, value(*by_size->at_most) / speed) : factor;
+}
+
 auto key_path(const TrialRock& rock, std::string_view key) {
   return [&rock, key] { return fmt::format("rocks.{}.{}", rock.group, key); };
 }
@@ -276,14 +290,15 @@ void TrialBuilder<D>::ask_launch(TrialRock& rock, const Place<D>& place, const T
   if (!launch.velocity.allFinite() || !launch.spin.allFinite())
     throw PluginError(fmt::format("plugin {}: launch() returned a velocity or spin that is not finite",
                                   group.launch->plugin->spec.name));
-  body.v = launch.velocity.head<D>();
+  const double factor = speed_factor(scenario_, rock, launch.velocity.norm(), view.diameter);
+  body.v = factor * launch.velocity.head<D>();
   if constexpr (D == 2)
     body.w = launch.spin.z();
   else
     body.w = launch.spin;
   refuse_speed(body);
   rock.note = launch.note;
-  rock.greatest_throw = launch.greatest_throw;
+  rock.greatest_throw = factor * factor * launch.greatest_throw;
 }
 
 /// How a rock meets others: by its own material, or by that of its group.

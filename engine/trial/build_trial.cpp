@@ -83,7 +83,7 @@ std::shared_ptr<const typename TrialBuilder<D>::Terrain> TrialBuilder<D>::terrai
   if (kept_terrain_) return kept_terrain_;
   const PluginUse& model = scenario_.terrain.model;
   const bool same_parameters = std::all_of(model.slots.begin(), model.slots.end(), [&](const Number& n) {
-    return n.is_constant() || scenario_.draws[n.draw].scope == Scope::run;
+    return n.is_constant() || (scenario_.draws[n.draw].scope == Scope::run && scenario_.outer == 1);
   });
   bool draws = !same_parameters;
   const auto make = [&] {

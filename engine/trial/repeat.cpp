@@ -51,7 +51,7 @@ bool may_repeat(const Scenario& scenario) {
     if (!is_native(group.population) || (group.launch && !is_native(*group.launch))) return false;
   const std::vector<bool> of_material = draws_of_materials(scenario);
   for (std::size_t i = 0; i < scenario.draws.size(); ++i)
-    if (scenario.draws[i].scope != Scope::run && !of_material[i]) return false;
+    if ((scenario.draws[i].scope != Scope::run || scenario.outer > 1) && !of_material[i]) return false;
   return true;
 }
 

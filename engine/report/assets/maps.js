@@ -2,7 +2,7 @@
 
 const map_titles = {
   Nr_passages: "rocks that passed", Reach_probability: "share of all rocks that passed", E_mean: "mean energy", E_p95: "energy, p95", E_max: "greatest energy",
-  Ph_mean: "mean height above the ground", Ph_p95: "height above the ground, p95", Ph_max: "greatest height above the ground", V_max: "greatest speed", Nr_deposited: "rocks that stopped",
+  Ph_mean: "mean height above the ground", Ph_p95: "height above the ground, p95", Ph_max: "greatest height above the ground", V_max: "greatest speed", Nr_deposited: "rocks that stopped", Hit_density: "hits per m2 of one blast",
 };
 let raster = "Reach_probability";
 /** The colours: `own` is logarithmic where the values of a raster reach over two decades. */
@@ -57,14 +57,14 @@ function maps_section() {
   const node = plot_node("A raster of the run in plan; flyrock export --to asc writes all of them"), note = paragraph("note", "");
   const update = () => {
     const map = data.points[shown.point].map;
-    if (!map) {
+    if (!map || !(raster in map)) {
       note.textContent = `Shown: ${many_points ? point_name(summary.points[shown.point]) : "all rocks"}.`;
       return no_plot(node, "No map here: no rock passed a cell, or the page has no room for its cells; results.db holds them.");
     }
     note.textContent = `Shown: ${map_titles[raster]}, rocks of all groups${many_points ? `, ${point_name(summary.points[shown.point])}` : ""}; cells of ${show(map.cell)} m, ${counted(map.index.length, "cell", "cells")} with rocks.`;
     draw_map(node, map, raster, data.points[shown.point], summary.points[shown.point]);
   };
-  section("Maps", chooser("Raster", Object.keys(data.map_units).map((name) => [name, `${name}: ${map_titles[name]}`]), raster, (name) => { raster = name; update(); }),
+  section("Maps", chooser("Raster", Object.keys(data.map_units).filter((name) => data.points.some((point) => point.map && name in point.map)).map((name) => [name, `${name}: ${map_titles[name]}`]), raster, (name) => { raster = name; update(); }),
     chooser("Colours", [["own", "as the values need"], ["linear", "linear"], ["logarithmic", "logarithmic"]], scale, (name) => { scale = name; update(); }), note, node,
     caption("Where rocks pass, how often, how high, how fast and with which energy. A rock counts once in a cell, with its greatest value there; cells that no rock passed show the bare relief.",
       "Colours are logarithmic where the values reach over two decades, unless you choose; cells with 0 have none then. Light comes from the north-west, and north (N) is where +y is.",

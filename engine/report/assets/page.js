@@ -174,7 +174,11 @@ function plot(node, traces, layout, movable = false) {
 /** Paper is narrower than a screen: plots are drawn anew for it, and afterwards for the screen again. A view in 3D is not printed. */
 const paper_width = 690;
 function resize_plots(width) {
-  for (const node of document.querySelectorAll(".js-plotly-plot:not(.space)")) Plotly.relayout(node, width ? { autosize: false, width } : { autosize: true, width: undefined });
+  for (const node of document.querySelectorAll(".js-plotly-plot:not(.space)")) {
+    const buttons = node.layout.margin?.t === movable_top || node.dataset.top, top = buttons ? { "margin.t": width ? movable_top - 40 : movable_top } : {};  // paper has no buttons
+    if (buttons) node.dataset.top = "yes";
+    Plotly.relayout(node, width ? { autosize: false, width, ...top } : { autosize: true, width: undefined, ...top });
+  }
 }
 window.addEventListener("beforeprint", () => resize_plots(paper_width));
 window.addEventListener("afterprint", () => resize_plots(null));

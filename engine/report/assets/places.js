@@ -10,9 +10,9 @@ const line_length = (line) => line.slice(1).reduce((sum, [x, y], i) => sum + Mat
 /** Where a gate or barrier stands, for a table. */
 const where = ({ x, line }) => (line === null ? `x = ${show(x)} m` : `line of ${show(line_length(line))} m`);
 
-/** Those across x as lines over the whole height of a plot, named at its top, a line of text apart. */
-function place_lines(point, height) {
-  const places = places_of(point).filter((p) => p.line === null).sort((a, b) => a.x - b.x);
+/** Those across x as lines over the whole height of a plot, named at its top, a line of text apart. `kept`: of which. */
+function place_lines(point, height, kept = () => true) {
+  const places = places_of(point).filter((p) => p.line === null && kept(p)).sort((a, b) => a.x - b.x);
   return {
     shapes: places.map((p) => ({ type: "line", x0: p.x, x1: p.x, yref: "paper", y0: 0, y1: 1, line: p.style })),
     annotations: places.map((p, i) => ({ x: p.x, y: 1 - ((i % 3) * 18) / height, yref: "paper", yanchor: "top", text: p.name, showarrow: false, xanchor: "left", bgcolor: "rgba(255,255,255,0.85)", font: { color: p.style.color } })),
@@ -25,10 +25,29 @@ const plan_lines = (point) => places_of(point).filter((p) => p.line !== null).ma
   line: { ...p.style, width: 3, dash: "solid" }, hovertemplate: `${p.name}<br>x %{x:.2f} m, y %{y:.2f} m<extra></extra>`,
 }));
 
+/** The triangles of the drawn ground by square cells in plan, about as many cells as triangles. */
+function cells_of(ground) {
+  if (ground.cells) return ground.cells;
+  const low = [least(ground.x), least(ground.y)], wide = most(ground.x) - low[0], deep = most(ground.y) - low[1];
+  const side = Math.sqrt((wide * deep) / Math.max(1, ground.corners.length / 3)) || 1, columns = Math.floor(wide / side) + 1, lists = new Map();
+  const column = (x) => Math.floor((x - low[0]) / side), row = (y) => Math.floor((y - low[1]) / side);
+  for (let t = 0; t < ground.corners.length; t += 3) {
+    const at = ground.corners.slice(t, t + 3), xs = at.map((c) => ground.x[c]), ys = at.map((c) => ground.y[c]);
+    for (let r = row(least(ys)); r <= row(most(ys)); ++r)
+      for (let c = column(least(xs)); c <= column(most(xs)); ++c) {
+        const key = r * columns + c;
+        if (!lists.has(key)) lists.set(key, []);
+        lists.get(key).push(t);
+      }
+  }
+  ground.cells = (x, y) => lists.get(row(y) * columns + column(x)) ?? [];
+  return ground.cells;
+}
+
 /** The height of the drawn ground at a place in plan, of the highest triangle; null where there is none. */
 function drawn_height(ground, x, y) {
   let height = null;
-  for (let t = 0; t < ground.corners.length; t += 3) {
+  for (const t of cells_of(ground)(x, y)) {
     const a = ground.corners[t], b = ground.corners[t + 1], c = ground.corners[t + 2], x0 = ground.x[a], y0 = ground.y[a];
     const ux = ground.x[b] - x0, uy = ground.y[b] - y0, vx = ground.x[c] - x0, vy = ground.y[c] - y0, area = ux * vy - uy * vx;
     if (area === 0) continue;

@@ -26,20 +26,36 @@ function draw_plan(node, page, tracks, crossings) {
   }, true);
 }
 
-/** Each path as it is seen from the side of the section, over the ground under the section. */
+/** The height of the section's ground at a distance along it, of the lines that cover it; null where there is none. */
+function section_height(lines, at) {
+  let height = null;
+  for (const { s, z } of lines) {
+    const i = s.findIndex((v) => v >= at);
+    if (i < 0 || (i === 0 && s[0] > at)) continue;
+    const k = Math.max(1, i), here = s[k] === s[k - 1] ? z[k] : z[k - 1] + ((z[k] - z[k - 1]) * (at - s[k - 1])) / (s[k] - s[k - 1]);
+    height = height === null ? here : Math.max(height, here);
+  }
+  return height;
+}
+
+/** Each path as it is seen from the side of the section, as high above the section's ground as it is above the ground below it. Where one of the two grounds is missing it has its own height. */
 function draw_section(node, page, tracks) {
-  const s = page.section, along = (p) => [(p.x - s.x) * s.dx + (p.across - s.y) * s.dy, p.height];
+  const s = page.section, drawn = ground_of_point(), lines = s.lines.map((line) => ({ s: sums(line.s), z: sums(line.z) }));
+  const along = (p) => {
+    const at = (p.x - s.x) * s.dx + (p.across - s.y) * s.dy, below = drawn ? drawn_height(drawn, p.x, p.across) : null, here = section_height(lines, at);
+    return [at, below === null || here === null ? p.height : here + Math.max(0, p.height - below)];
+  };
   const paths = track_traces(lines_of(tracks), ends_in_space(page, tracks), along, ["distance", "z"], false);
   const ground = { x: [], y: [], mode: "lines", name: "ground under the section", line: { color: "#3b3f45", width: 2 }, hoverinfo: "skip" };
-  for (const line of s.lines) {
-    ground.x.push(...sums(line.s), null);
-    ground.y.push(...sums(line.z), null);
+  for (const line of lines) {
+    ground.x.push(...line.s, null);
+    ground.y.push(...line.z, null);
   }
   const window = window_of(node, paths, 620, ground);
   plot(node, [ground, ...paths], {
     height: window.height, hovermode: "closest", legend,
     xaxis: { ...place_axis("distance from the mean release along the section in m"), range: window.x },
-    yaxis: { ...place_axis("height z in m"), range: window.y, scaleanchor: "x", scaleratio: 1 },
+    yaxis: { ...place_axis("height in m"), range: window.y, scaleanchor: "x", scaleratio: 1 },
   }, true);
 }
 
@@ -61,5 +77,5 @@ function plan_sections() {
     caption("The paths from above and where rocks ended, both axes to the same scale. Dashed: the line of the long section, through the mean release towards the mean end.", "Thin lines: equal heights of the ground as it is drawn above; grey: its relief with light from the north-west. North (N) is where +y is.", "Azimuths count from +x towards +y."),
     (node, page, tracks) => draw_plan(node, page, tracks, summary.points[shown.point]));
   paths_section("Long section", "Paths from the side over the ground under the section, coloured by mode of travel; rocks.csv holds where each rock stopped",
-    caption("The paths from the side: their places projected onto the line that is dashed in the plan, over the ground under this line.", "A path beside the line runs over other ground than that drawn: it may seem to fly above the ground, or to run below it."), draw_section);
+    caption("The paths from the side, projected onto the line that is dashed in the plan: each is as high above the drawn ground as it is above the ground below it.", "A path beside the line runs over other ground than that drawn. So its height is counted from its own ground; where the line or the path has no ground, it is its own."), draw_section);
 }

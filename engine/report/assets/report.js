@@ -40,7 +40,10 @@ function facts_section() {
   root.append(choosers());
 }
 
+answer_in_lines();
 facts_section();
+drawing_section();
+inputs_section();
 against_section();
 best_point_section();
 reach_section();
@@ -53,6 +56,7 @@ azimuth_section();
 observed_section();
 clearance_section();
 exposure_section();
+outer_section();
 holes_section();
 branches_section();
 area_section();

@@ -74,6 +74,28 @@ function exposure_section() {
   ]);
 }
 
+/** The numbers of the runs of `outer`: of the shown group, then of places, clearances and exposures. */
+function outer_section() {
+  if (summary.points.every((point) => !point.outer)) return;
+  section_of_point("Between the runs", (point) => {
+    if (!point.outer) return [paragraph("", "Not all trials ran, so there is nothing of its runs.")];
+    const { runs, trials, lost, numbers } = point.outer, group = point.rocks[shown.group].group;
+    const of_group = group && `rocks.${group}.count` in numbers ? `rocks.${group}.` : "rocks.";
+    const measures = [...["runout", "speed", "energy"].flatMap((q) => ["p50", "p95", "p99", "max"].map((s) => `${of_group}${q}.${s}`)),
+      ...Object.keys(numbers).filter((name) => !name.startsWith("rocks."))].filter((name) => name in numbers);
+    const shares = (name) => numbers[name].unit === "1" && !name.endsWith(".hits");
+    const cell = (name, statistic) => {
+      const number = numbers[name], value = number[statistic], bound = number.lower_bounds.includes(statistic) ? "≥ " : "";
+      return right(value === null ? "–" : `${bound}${shares(name) ? in_percent(value) : show(value)}`);
+    };
+    return [table(`${counted(runs, "run", "runs")} of ${counted(trials, "trial", "trials")} each${lost > 0 ? `, ${lost} without numbers because too many rocks failed` : ""}`,
+      ["number", "unit", "runs", "least", "p5", "median", "p95", "greatest"],
+      measures.map((name) => [name, shares(name) ? "%" : numbers[name].unit, numbers[name].runs, ...["min", "p5", "p50", "p95", "max"].map((s) => cell(name, s))])),
+    caption("How far each number scatters between runs that differ by what is drawn `per: run`. All other numbers of the page are over all runs together, and their intervals hold for these runs.",
+      "The scatter also has the chance of the trials of one run, which more trials make smaller. runs: those that give the number. summary.json has all numbers.")];
+  });
+}
+
 function travel_section() {
   if (of_bodies || ends_at_landing) return;  // all of such a path is flight
   section_of_point("Modes of travel", (point) => [table("Shares of all time and of all path",

@@ -119,11 +119,13 @@ function draw_tracks(node, point, crossings, tracks, shrouds) {
     height = Math.min(620, Math.max(280, (drawn * (top - low)) / (window.x[1] - window.x[0]) + 120 + movable_top));
   }
   const ground = { x: terrain_x, y: terrain_y, mode: "lines", name: "ground", line: { color: "#3b3f45", width: 2 }, hoverinfo: "skip" };
+  const names = fences.map((fence, i) => ({ x: fence.x[1], y: fence.y[1], yshift: 4 + 16 * (i % 3), yanchor: "bottom", xanchor: "left", showarrow: false, text: crossings.barriers[i].barrier, bgcolor: "rgba(255,255,255,0.85)", font: { color: colour.brick } }));
+  const lines = place_lines(crossings, height, (place) => place.of.height_m === undefined);  // a barrier is as high as it is drawn
   plot(node, [ground, ...shrouds, ...paths, ...fences], {
     height, hovermode: "closest", legend,
     xaxis: { ...axis("distance x in m"), range: window.x },
     yaxis: { ...axis("height y in m"), range: window.y, scaleanchor: "x", scaleratio: 1 },
-    ...place_lines(crossings, height),
+    shapes: lines.shapes, annotations: [...lines.annotations, ...names],
   }, true);
 }
 
