@@ -10,7 +10,8 @@ std::uint64_t chunk_size(const Plan& plan) {
 }
 
 std::vector<ChunkRange> plan_chunks(const Plan& plan) {
-  return plan_chunks(static_cast<int>(plan.points.size()), plan.points.front().trials, chunk_size(plan));
+  return plan_chunks(static_cast<int>(plan.points.size()), plan.points.front().trials, chunk_size(plan),
+                     plan.points.front().outer);
 }
 
 }  // namespace flyrock

@@ -6,7 +6,7 @@
 
 namespace flyrock {
 
-/// Trials in a chunk. Results never depend on it.
+/// Trials in a chunk. No rock depends on it; sums over trials do in their last digit.
 std::uint64_t chunk_size(const Plan& plan);
 /// All chunks, in the order of merging.
 std::vector<ChunkRange> plan_chunks(const Plan& plan);

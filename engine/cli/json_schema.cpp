@@ -307,6 +307,7 @@ Json DocumentSchema::rocks() {
   group.add("shape", shape(true));
   group.add("release", release());
   group.add("launch", swept_section("launch", plugin(PluginKind::velocity)));
+  group.add("launch_by_size", section("rocks.launch_by_size", all_vary).object());
   if (dimension_ == 3) group.add("orientation", turn());
   Json use = plugin(PluginKind::population, group, std::string(default_population));
   for (Json& branch : use["oneOf"]) {

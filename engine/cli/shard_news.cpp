@@ -24,7 +24,7 @@ namespace {
 struct Extent {
   std::string hash;
   int points = 1;
-  std::uint64_t trials = 1, chunk_size = 1;
+  std::uint64_t trials = 1, runs = 1, chunk_size = 1;
 
   bool operator==(const Extent&) const = default;
 };
@@ -51,12 +51,15 @@ Extent read_extent(const fs::path& folder) {
     extent.hash = manifest.at("scenario_sha256");
     extent.points = static_cast<int>(count_in(manifest, "points", most_points));
     extent.trials = count_in(manifest, "trials", most_of_trials);
+    extent.runs = count_in(manifest, "outer", most_of_trials);
     extent.chunk_size = count_in(manifest, "chunk_size", most_of_trials);
   } catch (const nlohmann::json::exception&) {
     fail("");
   } catch (const UnreadableFile& fault) {
     fail(fmt::format(": {}", fault.what()));
   }
+  if (extent.trials % extent.runs != 0)
+    fail(fmt::format(": {} trials make no {} runs", extent.trials, extent.runs));
   if (static_cast<double>(extent.points) * static_cast<double>(extent.trials) /
           static_cast<double>(extent.chunk_size) >
       most_chunks)
@@ -149,7 +152,8 @@ RunNews read_news(const fs::path& folder) {
   if (static_cast<double>(of) > most_shards)
     throw InputError(fmt::format("{} is one of {} shards, expected at most {:.0e}", folders.front().string(),
                                  of, most_shards));
-  const std::vector<ChunkRange> plan = plan_chunks(extent.points, extent.trials, extent.chunk_size);
+  const std::vector<ChunkRange> plan =
+      plan_chunks(extent.points, extent.trials, extent.chunk_size, extent.runs);
   std::vector<std::optional<fs::path>> folder_of(of);
   for (const fs::path& one : folders) {
     const Shard shard = read_request(one / "chunks").shard;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/doubled_area.h"
 #include "geometry/plan_zone.h"
 
 namespace flyrock {
@@ -11,13 +12,6 @@ namespace {
 // If the directions of two segments differ by less than this angle [rad], the point between them is flat and
 // no feature. A body then does not feel the internal edge.
 constexpr double flat_angle = 1e-9;
-
-double doubled_area(const std::vector<Vec2>& points) {
-  double sum = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    sum += cross(points[i] - points[0], points[(i + 1) % points.size()] - points[0]);
-  return sum;
-}
 }  // namespace
 
 Ground2::Ground2(std::vector<Vec2> points, std::vector<int> part)

@@ -136,9 +136,7 @@ class Checks {
     const std::string more = count == 1 ? "" : fmt::format(", and so at {} other edges", count - 1);
     return fmt::format(
         "the two triangles at the edge {}{} face opposite ways{}; expected the corners of all "
-        "triangles counter-clockwise, seen from outside of the ground: let your mesh program unify the "
-        "normals "
-        "(`Recalculate Outside`, `Re-Orient all faces coherently`) and export again",
+        "triangles counter-clockwise, seen from outside of the ground",
         edge_text(*first), lines, more);
   }
 

@@ -6,19 +6,12 @@
 #include <map>
 #include <utility>
 
+#include "geometry/doubled_area.h"
 #include "geometry/plan_zone.h"
 
 namespace flyrock {
 
 namespace {
-
-/// Twice the area, positive where the ring is counter-clockwise.
-double doubled_area(const PlanRing& ring) {
-  double sum = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    sum += cross(Vec2(ring[i] - ring[0]), Vec2(ring[(i + 1) % ring.size()] - ring[0]));
-  return sum;
-}
 
 /// A place just inside of a counter-clockwise ring, at its longest edge: other rings may share its corners.
 Vec2 place_inside(const PlanRing& ring) {

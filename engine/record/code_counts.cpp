@@ -53,9 +53,14 @@ void add_code(CodeCounts& counts, std::uint32_t code, double rocks) {
     counts.insert(at, {code, rocks});
 }
 
-// Both are sorted by code. Merges in place from the end, because this runs for each bin of each chunk.
+// Both are sorted by code. Merges in place from the end, because this runs for each bin of each chunk. The
+// few codes of a small chunk are searched for: most of them are there already, and nothing has to move.
 void merge_counts(CodeCounts& counts, const CodeCounts& more) {
-  if (more.size() == 1) return add_code(counts, more[0].code, more[0].rocks);  // a chunk of few rocks
+  constexpr std::size_t as_long_as_a_search = 8;
+  if (more.size() == 1 || as_long_as_a_search * more.size() < counts.size()) {
+    for (const CodeCount& next : more) add_code(counts, next.code, next.rocks);
+    return;
+  }
   std::size_t from = counts.size(), to = from;
   auto at = counts.begin();
   for (const CodeCount& next : more) {

@@ -31,9 +31,9 @@ Vec2 place_on_ray(const Vec2& centre, const std::vector<Vec2>& hull, double angl
   constexpr int halvings = 50;
   for (int i = 0; i < halvings; ++i) {
     const double middle = 0.5 * (near + far);
-    (distance_from_hull(hull, centre + middle * direction) < distance ? near : far) = middle;
+    (distance_from_hull(hull, centre + middle * direction) <= distance ? near : far) = middle;
   }
-  return centre + far * direction;
+  return centre + near * direction;
 }
 
 }  // namespace

@@ -87,6 +87,7 @@ std::string manifest_json(const LoadedScenario& loaded) {
                          {"seed", first.seed},
                          {"trials", first.trials},
                          {"points", loaded.plan.points.size()},
+                         {"outer", first.outer},
                          {"chunk_size", chunk_size(loaded.plan)},
                          {"arguments", arguments_data(loaded.session->arguments().asked())},
                          {"plugins", hash_data(loaded.sources)},

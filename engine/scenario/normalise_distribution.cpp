@@ -19,15 +19,15 @@ struct Parameter {
 };
 
 /// How a distribution is written: `uniform: [low, high]` is a list, `normal: { mean, sd }` a map.
-struct Form {
+struct WrittenForm {
   DistributionKind kind;
   bool is_list;
   std::vector<Parameter> parameters;
 };
 
-const std::vector<Form>& forms() {
+const std::vector<WrittenForm>& forms() {
   using D = Distribution;
-  static const std::vector<Form> table{
+  static const std::vector<WrittenForm> table{
       {DistributionKind::uniform, true, {{"low", &D::a, true}, {"high", &D::b, true}}},
       {DistributionKind::normal, false, {{"mean", &D::a, true}, {"sd", &D::b, true}}},
       {DistributionKind::lognormal, false, {{"median", &D::a, true}, {"log_sd", &D::b, false}}},
@@ -51,7 +51,7 @@ const std::vector<Form>& forms() {
 
 std::vector<std::string> kind_names() {
   std::vector<std::string> names;
-  for (const Form& form : forms()) names.emplace_back(name_of(form.kind));
+  for (const WrittenForm& form : forms()) names.emplace_back(name_of(form.kind));
   return names;
 }
 
@@ -64,7 +64,7 @@ std::vector<double> numbers_of(const Value& list) {
 /// The distribution of a normalised map, of pieces or of their mass.
 Distribution written_distribution(const Value& normalised) {
   Distribution distribution;
-  for (const Form& form : forms()) {
+  for (const WrittenForm& form : forms()) {
     const Value* given = normalised.find(name_of(form.kind));
     if (!given) continue;
     distribution.kind = form.kind;
@@ -95,10 +95,10 @@ class DistributionNormaliser {
   std::optional<Map> normalise(const Node& node);
 
  private:
-  std::optional<std::pair<const Form*, Node>> choose(const Node& node);
+  std::optional<std::pair<const WrittenForm*, Node>> choose(const Node& node);
   Value number(const Node& node, bool has_dimension);
-  Value list(const Form& form, const Node& node);
-  Value map(const Form& form, const Node& node);
+  Value list(const WrittenForm& form, const Node& node);
+  Value map(const WrittenForm& form, const Node& node);
   Value discrete(const Node& node);
   Value sieve(const Node& node);
   bool is_by_mass(const Node& node);
@@ -116,12 +116,12 @@ class DistributionNormaliser {
 };
 
 /// The one key that names a distribution.
-std::optional<std::pair<const Form*, Node>> DistributionNormaliser::choose(const Node& node) {
+std::optional<std::pair<const WrittenForm*, Node>> DistributionNormaliser::choose(const Node& node) {
   std::vector<std::string> known = kind_names();
   known.insert(known.end(), {"min", "max", "per", "by"});
-  std::optional<std::pair<const Form*, Node>> chosen;
+  std::optional<std::pair<const WrittenForm*, Node>> chosen;
   int found = 0;
-  for (const Form& form : forms())
+  for (const WrittenForm& form : forms())
     if (std::optional<Node> child = node.find(name_of(form.kind))) {
       if (++found == 1) chosen.emplace(&form, *child);
     }
@@ -145,7 +145,7 @@ Value DistributionNormaliser::number(const Node& node, bool has_dimension) {
   return number_value(si.value_or(0), plain.dimension);
 }
 
-Value DistributionNormaliser::list(const Form& form, const Node& node) {
+Value DistributionNormaliser::list(const WrittenForm& form, const Node& node) {
   std::string names;
   for (const Parameter& parameter : form.parameters)
     names += fmt::format("{}{}", names.empty() ? "" : ", ", parameter.name);
@@ -161,7 +161,7 @@ Value DistributionNormaliser::list(const Form& form, const Node& node) {
   return list_value(std::move(list));
 }
 
-Value DistributionNormaliser::map(const Form& form, const Node& node) {
+Value DistributionNormaliser::map(const WrittenForm& form, const Node& node) {
   if (!node.expect_map(context_.diagnostics)) {
     good_ = false;
     return {};
@@ -275,7 +275,7 @@ std::optional<Map> normalise_distribution(DecodeContext& context, const Node& no
 
 std::vector<DistributionForm> distribution_forms() {
   std::vector<DistributionForm> list;
-  for (const Form& form : forms()) {
+  for (const WrittenForm& form : forms()) {
     DistributionForm& one = list.emplace_back();
     one.name = name_of(form.kind);
     one.is_list = form.is_list;

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "analytic/lab_3d.h"
+#include "math/travel_time.h"
 
 using namespace flyrock;
 using namespace flyrock::lab;
@@ -180,12 +181,8 @@ TEST_CASE("time and path by mode of travel") {
 
 TEST_CASE("an arrival behind a turn keeps its digits") {
   // Away from a place just ahead at 10 m/s, and pushed back by 1 m/s2: it is reached after 20 s.
-  Path<2> path;
-  path.v.x() = -10;
-  path.a.x() = 1;
-  CHECK(arrival<2>(path, 1e-10, 1, 0) == Approx(20).epsilon(1e-11));
-  path.a.x() = -1;
-  CHECK(arrival<2>(path, 1e-10, 1, 0) == std::numeric_limits<double>::infinity());
+  CHECK(travel_times(1e-10, -10, 1)[0] == Approx(20).epsilon(1e-11));
+  CHECK(travel_times(1e-10, -10, -1)[0] == std::numeric_limits<double>::infinity());
 }
 
 }  // namespace crossings_test

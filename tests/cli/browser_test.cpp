@@ -280,13 +280,14 @@ std::vector<MapCell> map_cells(const std::vector<std::string>& lines) {
 const char* const choose_maps = R"(<script>{
 const maps = document.getElementById("maps"), pictures = new Set();
 const choose = (select, value) => { select.value = value; select.dispatchEvent(new Event("change")); };
+choose(maps.querySelector('[aria-label="Colours"]'), "linear");  // logarithmic ones are made of other numbers
 for (const [point, raster] of [[0, "Nr_passages"], [0, "E_max"], [1, "E_max"], [1, "Ph_p95"]]) {
   choose(document.querySelector('[aria-label="Sweep point"]'), point);
   choose(maps.querySelector('[aria-label="Raster"]'), raster);
-  const map = maps.querySelector(".plot").data.find((trace) => trace.type === "heatmap");
+  const map = maps.querySelector(".plot").data.findLast((trace) => trace.type === "heatmap");  // on the relief
   const lines = map.z.flatMap((row, i) => row.flatMap((value, j) =>
     (value === null ? [] : [`${map.x0 + j * map.dx}|${map.y0 + i * map.dy}|${value}`])));
-  pictures.add(maps.querySelector(".heatmaplayer image").href.baseVal);
+  pictures.add([...maps.querySelectorAll(".heatmaplayer image")].at(-1).href.baseVal);
   const told = document.createElement("pre");
   told.textContent = `map ${raster} of ${point}: ${maps.querySelector(".note").textContent}\n${lines.join("\n")}\n`;
   document.body.append(told);

@@ -99,7 +99,7 @@ TEST_CASE("status says which shards are done, lost or not begun, and the command
   CHECK(call(folder, "status nowhere").code == 2);
 }
 
-TEST_CASE("results do not depend on the size of chunks") {
+TEST_CASE("rocks and their statistics do not depend on the size of chunks") {
   const Folder folder;
   folder.write("s.yaml", slope);
   for (const char* size : {"1", "7", "40", "1000"}) {

@@ -125,6 +125,7 @@ TEST_CASE(
       "blast: { explosive: ANFO, hole: { diameter: 102 mm, length: 12 m, stemming: 3 m }, spacing: 3 m,\n"
       "  holes: { file: blasts.csv, columns: { hole: blast } } }\n"
       "rocks:\n  - { name: r, per_hole: 3, density: 2500, shape: { type: disk, radius: 0.1 },\n"
+      "      release: { position: [0, 0.1] },\n"
       "      launch: { type: fixed, speed: 20 m/s, elevation: 45 deg } }\n"
       "observed: { file: blasts.csv, of: distance, per: hole, columns: { name: blast, distance: throw_m } }\n"
       "stop: { time: 100 s }\n";

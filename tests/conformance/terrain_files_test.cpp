@@ -111,6 +111,7 @@ TEST_CASE("a malformed OBJ file is refused with its line") {
   CHECK(obj_error(square + "f 1 2 3\nf 1 4 3\n")
             .find(" the two triangles at the edge from (0, 0, 0) to (1, 1, 0) (lines 5 "
                   "and 6) face opposite ways") == 0);
+  CHECK(obj_error(square + "f 1 2 3\nf 1 4 3\n").find("; turn its normals outwards") != std::string::npos);
   CHECK(obj_error(square + "v 0 0 1\nf 1 2 5\n")
             .find(" the piece of 1 triangles with the triangle (0, 0, 0), (1, 0, 0), (0, 0, 1) in "
                   "line 6 faces down or stands upright") == 0);

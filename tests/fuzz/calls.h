@@ -40,6 +40,8 @@ class Calls {
     if (!capture_ && !fault.empty()) std::printf("wrong: %s\n", fault.c_str());
   }
 
+  /// Whether answers are kept; if not, they are on the terminal.
+  bool captures() const { return capture_ != nullptr; }
   /// What the last command wrote on stderr; empty without a capture.
   const std::string& err() const { return err_; }
   const std::vector<std::string>& lines() const { return lines_; }  ///< command lines so far

@@ -33,6 +33,7 @@ class TerrainFiles : public Kind {
     if (!file.fault.empty()) {
       if (check(file, keys, call) == cli::done)
         return call.blame("a file with a fault is read: " + file.fault);
+      if (!call.captures()) return;  // its words are on the terminal
       if (call.err().find("reading this format needs GDAL") != std::string::npos) return;
       if (call.err().find(file.fault) == std::string::npos)
         return call.blame("the refusal does not say: " + file.fault);

@@ -18,10 +18,10 @@ function place_at(area, angle, distance) {
   let low = 0, high = distance === null ? 0 : distance + Math.max(...area.hull.map(([x, y]) => Math.hypot(x - area.x, y - area.y)));
   for (let i = 0; i < 40; ++i) {
     const middle = (low + high) / 2;
-    if (distance_from_hull(area.hull, area.x + middle * c, area.y + middle * s) < distance) low = middle;
+    if (distance_from_hull(area.hull, area.x + middle * c, area.y + middle * s) <= distance) low = middle;
     else high = middle;
   }
-  return [area.x + high * c, area.y + high * s];
+  return [area.x + low * c, area.y + low * s];
 }
 
 /** The outline of sectors: their arcs, one after the other, closed. */

@@ -32,6 +32,9 @@ std::string cure_of(const MeshFault& fault) {
                                : "close it in the program that made it";
     case MeshFault::Kind::down:
       return "if y points up in the file, write `up: y`";
+    case MeshFault::Kind::flipped:
+      return "turn its normals outwards in the program that made it (Blender: Recalculate Outside; MeshLab: "
+             "Re-Orient all faces coherently)";
     default:
       return "clean the mesh in the program that made it";
   }

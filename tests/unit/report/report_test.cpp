@@ -1,6 +1,10 @@
 #include <catch2/catch.hpp>
+#include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
 
+#include "batch/safe_file.h"
 #include "report/html.h"
 #include "report/report_data.h"
 #include "report/runout_data.h"
@@ -55,6 +59,21 @@ std::string first_lines(const std::string& text, int count) {
 }
 
 }  // namespace
+
+TEST_CASE("the scripts of the page share one scope: each name is defined once") {
+  const std::regex definition("(?:^|\\n)(?:const|let|function) ([A-Za-z_0-9]+)");
+  std::map<std::string, std::string> script_of;
+  for (const auto& entry : std::filesystem::directory_iterator(assets)) {
+    if (entry.path().extension() != ".js" || entry.path().filename().string().ends_with(".min.js")) continue;
+    const std::string text = read_file(entry.path()), name = entry.path().filename().string();
+    for (std::sregex_iterator i(text.begin(), text.end(), definition), end; i != end; ++i) {
+      INFO((*i)[1] << " in " << name << " and " << script_of[(*i)[1]]);
+      CHECK(script_of[(*i)[1]].empty());
+      script_of[(*i)[1]] = name;
+    }
+  }
+  CHECK(script_of.size() > 100);
+}
 
 TEST_CASE("rocks.csv has a row per rock with the shortest decimals") {
   Plan plan = fake::plan(1);

@@ -13,7 +13,7 @@ namespace {
 
 /// Measured throws are a lognormal factor times those of the model: its median, and the deviation of its log.
 std::vector<Throw> blasts(int count, double median, double sd, std::uint64_t seed = 5) {
-  RandomStream rng(seed, "throws");
+  RandomStream rng(seed, "throws", {});
   std::vector<Throw> list;
   for (int i = 0; i < count; ++i) {
     const double model = 50 + 200 * rng.uniform();
