@@ -12,7 +12,8 @@ constexpr int block = 8;  // cells, or blocks of the level below, along each sid
 
 /// Columns and rows of the six neighbours of a vertex, counter-clockwise. Two successive ones and the vertex
 /// form a facet.
-constexpr std::array<std::array<int, 2>, 6> ring{{{1, 0}, {1, 1}, {0, 1}, {-1, 0}, {-1, -1}, {0, -1}}};
+constexpr std::array<std::array<int, 2>, 6> neighbours_around{
+    {{1, 0}, {1, 1}, {0, 1}, {-1, 0}, {-1, -1}, {0, -1}}};
 
 }  // namespace
 
@@ -244,7 +245,7 @@ bool GridGround::peak(std::uint64_t vertex, std::vector<Vec3>& edges) const {
     return false;
   const Vec3 top = place(c, r);
   std::array<Vec3, 6> to, normal;
-  for (int k = 0; k < 6; ++k) to[k] = place(c + ring[k][0], r + ring[k][1]) - top;
+  for (int k = 0; k < 6; ++k) to[k] = place(c + neighbours_around[k][0], r + neighbours_around[k][1]) - top;
   for (int k = 0; k < 6; ++k) normal[k] = to[k].cross(to[(k + 1) % 6]).normalized();
   int convex = 0;
   for (int k = 0; k < 6; ++k)
