@@ -45,6 +45,6 @@ fit authume authume "$authume" \
 fit tschamut2014 tschamut2014 "$tschamut" --hold 4 \
   --vary materials.soil.friction.mu=0.2:0.6 --vary "materials.soil.roughness.angle.normal.sd=2 deg:20 deg" --trials 20
 fit authume_sphere authume "$authume" \
-  --vary materials.rock.rolling.share.normal.mean=0.2:0.6 --vary materials.rock.rolling.share.normal.sd=0.02:0.2
+  --vary materials.rock.rolling.share.normal.mean=0.3:0.6 --trials 20
 fit tschamut2014_sphere tschamut2014 "$tschamut" --hold 4 \
-  --vary materials.soil.rolling.share.normal.mean=0.2:0.6 --vary materials.soil.rolling.share.normal.sd=0.02:0.2
+  --vary materials.soil.rolling.share.normal.mean=0.3:0.6 --trials 5
