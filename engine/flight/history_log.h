@@ -66,7 +66,6 @@ class HistoryLog {
   void map(const Path<D>& path, double dt, SquaredSpeed squared_speed, Energy energy) {
     if (cells_) over_cells(terrain_, path, dt, *cells_, squared_speed, energy);
   }
-  bool has_maps() const { return cells_ != nullptr; }
 
   void reaches(const Vec<D>& place) {
     history_.max_distance = std::max(history_.max_distance, horizontal(Vec<D>(place - start())));
