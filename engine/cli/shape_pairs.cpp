@@ -45,14 +45,14 @@ bool is_drum(const std::vector<Contactor>& contactors) {
 /// border.
 template <int D>
 bool touch_somewhere(const NamedShape<D>& a, const NamedShape<D>& b) {
-  using Placed = typename Geometry<D>::Placed;
-  std::vector<ContactPoint<D>> contacts;
+  Workspace work;
+  Contacts<D> contacts;
   for (const auto& of_a : a.contactors)
     for (const auto& of_b : b.contactors)
       for (int k = -D; k <= D; ++k) {
         typename Geometry<D>::Pose aside;
         if (k != 0) aside.x[std::abs(k) - 1] = std::copysign(of_a.bound, k);
-        body_contacts(Placed{of_a, {}}, Placed{of_b, aside, 1}, everything, contacts);
+        body_contacts(work, Placed<D>{of_a, {}}, Placed<D>{of_b, aside, 1}, everything, contacts);
         if (!contacts.empty()) return true;
       }
   return false;
@@ -76,9 +76,10 @@ Terrain3 level_ground(Vec3) { return Terrain3(TerrainShape3(Plane{})); }
 template <int D>
 std::string ground_cell(const NamedShape<D>& shape) {
   const auto ground = level_ground(Vec<D>());
-  std::vector<ContactPoint<D>> contacts;
+  Workspace work;
+  Contacts<D> contacts;
   for (const auto& contactor : shape.contactors)
-    terrain_contacts(typename Geometry<D>::Placed{contactor, {}}, ground, everything, 0, contacts);
+    terrain_contacts<D>(work, {contactor, {}}, ground, everything, 0, contacts);
   return contacts.empty() ? "no" : "yes";
 }
 

@@ -19,8 +19,6 @@ struct Geometry<2> {
   using Box = Box2;
   using Pose = Pose2;
   using Contactor = Contactor2;
-  using Placed = Placed2;
-  using Moving = Moving2;
   using Ground = Ground2;
 };
 
@@ -31,8 +29,6 @@ struct Geometry<3> {
   using Box = Box3;
   using Pose = Pose3;
   using Contactor = Contactor3;
-  using Placed = Placed3;
-  using Moving = Moving3;
   using Ground = Ground3;
 };
 

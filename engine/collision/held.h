@@ -2,7 +2,7 @@
 // Which contacts hold two contactors apart when a search for their time of impact begins: the solver holds
 // their points, so the search must not stop at them.
 
-#include <vector>
+#include <boost/container/small_vector.hpp>
 
 #include "collision/advance_3d.h"
 #include "collision/pair_search.h"
@@ -81,7 +81,7 @@ class HeldPieces {
     bool whole = false;
   };
   const Contactor3& shape_;
-  std::vector<Piece> pieces_;
+  boost::container::small_vector<Piece, 8> pieces_;
 };
 
 }  // namespace flyrock

@@ -2,7 +2,7 @@
 // Time of impact of two moving contactors in 3D by conservative advancement. The second may be a facet of
 // the ground.
 
-#include "collision/touch_search.h"
+#include "collision/workspace.h"
 
 namespace flyrock {
 
@@ -24,15 +24,15 @@ std::optional<double> advance_cores(const Moving3& a, const Moving3& b, CoreSear
 /// Held contacts: along their normal, which all contacts of two convex contactors share, the pieces that
 /// their features contain may sink by no more than a hundred-thousandth of the size. A rim that is held at
 /// one place counts as touching elsewhere when this place has walked a quarter of a turn around it, too.
-std::optional<double> advance_with_circles(const Moving3& a, const Moving3& b, const TimeWindow& window,
-                                           const TouchSearch& search);
+std::optional<double> advance_with_circles(Workspace& work, const Moving3& a, const Moving3& b,
+                                           const TimeWindow& window, const TouchSearch& search);
 
 /// The first time in the window at which the contactor touches the facet and approaches it; see
 /// time_of_contact. `held`: its contacts with the ground.
-std::optional<double> core_touch_of_facet(const Moving3& core, const Facet& facet,
+std::optional<double> core_touch_of_facet(Workspace& work, const Moving3& core, const Facet& facet,
                                           std::span<const HeldOnGround> held, CoreSearch by,
                                           const TimeWindow& window, const TouchSearch& search);
-std::optional<double> smooth_touch_of_facet(const Moving3& shape, const Facet& facet,
+std::optional<double> smooth_touch_of_facet(Workspace& work, const Moving3& shape, const Facet& facet,
                                             std::span<const HeldOnGround> held, const TimeWindow& window,
                                             const TouchSearch& search);
 /// A point of the cloud that is below the plane of the facet, but beside the facet or deeper than a contact

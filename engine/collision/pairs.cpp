@@ -1,6 +1,4 @@
 // The tables from the forms of two contactors, or of one on the ground, to the rules for them.
-#include "collision/pairs.h"
-
 #include "collision/rules.h"
 
 namespace flyrock {
@@ -26,10 +24,10 @@ struct FormRules {
 
 /// Contacts by a rule that has the two in the opposite order.
 template <int D, FindContacts<D>* rule>
-void mirrored_contacts(const PlacedIn<D>& candidate, const PlacedIn<D>& antagonist, double reach, double turn,
-                       Contacts<D>& out) {
+void mirrored_contacts(Workspace& work, const Placed<D>& candidate, const Placed<D>& antagonist, double reach,
+                       double turn, Contacts<D>& out) {
   const std::size_t begin = out.size();
-  rule(antagonist, candidate, reach, turn, out);
+  rule(work, antagonist, candidate, reach, turn, out);
   for (std::size_t i = begin; i < out.size(); ++i) {
     out[i].normal = -out[i].normal;
     std::swap(out[i].feature, out[i].against);
@@ -37,20 +35,20 @@ void mirrored_contacts(const PlacedIn<D>& candidate, const PlacedIn<D>& antagoni
 }
 
 template <int D, FindGap<D>* rule>
-double mirrored_gap(const PlacedIn<D>& candidate, FeatureId feature, const PlacedIn<D>& antagonist,
-                    FeatureId against) {
-  return rule(antagonist, against, candidate, feature);
+double mirrored_gap(Workspace& work, const Placed<D>& candidate, FeatureId feature,
+                    const Placed<D>& antagonist, FeatureId against, const Vec<D>& normal) {
+  return rule(work, antagonist, against, candidate, feature, -normal);
 }
 
 template <int D, FindTouch<D>* rule>
-std::optional<double> mirrored_touch(const MovingIn<D>& a, const MovingIn<D>& b, double t_max,
+std::optional<double> mirrored_touch(Workspace& work, const Moving<D>& a, const Moving<D>& b, double t_max,
                                      const TouchSearch& search) {
-  thread_local std::vector<HeldContact> held;  // keeps its memory between calls
-  held.clear();
-  for (const HeldContact& h : search.held) held.push_back({h.against, h.feature, h.opened, h.yields});
+  work.mirrored.clear();
+  for (const HeldContact& h : search.held)
+    work.mirrored.push_back({h.against, h.feature, h.opened, h.yields, -h.normal});
   TouchSearch from_b = search;
-  from_b.held = held;
-  return rule(b, a, t_max, from_b);
+  from_b.held = work.mirrored;
+  return rule(work, b, a, t_max, from_b);
 }
 
 constexpr PairRules<2> disks{ball_contacts, core_gap, ball_touch};
@@ -60,9 +58,9 @@ constexpr PairRules<2> polygons{hull_contacts, core_gap, hull_touch};
 constexpr PairRules<2> in_drum{hollow_contacts, hollow_gap, hollow_touch};
 constexpr PairRules<2> drum_with{mirrored_contacts<2, hollow_contacts>, mirrored_gap<2, hollow_gap>,
                                  mirrored_touch<2, hollow_touch>};
-constexpr PairRules<2> on_line{outline_contacts, outline_gap, outline_touch};
-constexpr PairRules<2> line_with{mirrored_contacts<2, outline_contacts>, mirrored_gap<2, outline_gap>,
-                                 mirrored_touch<2, outline_touch>};
+constexpr PairRules<2> on_line{outline_contacts<2>, outline_gap<2>, outline_touch<2>};
+constexpr PairRules<2> line_with{mirrored_contacts<2, outline_contacts<2>>, mirrored_gap<2, outline_gap<2>>,
+                                 mirrored_touch<2, outline_touch<2>>};
 
 constexpr PairRules<3> balls{ball_contacts, core_gap, ball_touch};
 // One is a ball; the core is the first one, or the second.
@@ -76,9 +74,9 @@ constexpr PairRules<3> smooth{smooth_contacts, smooth_gap, smooth_touch};
 constexpr PairRules<3> inside{hollow_contacts, hollow_gap, hollow_touch};
 constexpr PairRules<3> around{mirrored_contacts<3, hollow_contacts>, mirrored_gap<3, hollow_gap>,
                               mirrored_touch<3, hollow_touch>};
-constexpr PairRules<3> on_mesh{outline_contacts, outline_gap, outline_touch};
-constexpr PairRules<3> mesh_with{mirrored_contacts<3, outline_contacts>, mirrored_gap<3, outline_gap>,
-                                 mirrored_touch<3, outline_touch>};
+constexpr PairRules<3> on_mesh{outline_contacts<3>, outline_gap<3>, outline_touch<3>};
+constexpr PairRules<3> mesh_with{mirrored_contacts<3, outline_contacts<3>>, mirrored_gap<3, outline_gap<3>>,
+                                 mirrored_touch<3, outline_touch<3>>};
 
 template <int D>
 constexpr PairRules<D> apart;
@@ -123,77 +121,87 @@ constexpr FormRules<3> forms_3d[form_count<3>] = {
 // clang-format on
 
 constexpr int row(Form form) { return static_cast<int>(form); }
-const PairRules<2>& rules_of(const Contactor2& a, const Contactor2& b) {
-  return pairs_2d[row(a.form)][row(b.form)];
+
+template <int D>
+const PairRules<D>& rules_of(Form a, Form b) {
+  if constexpr (D == 2)
+    return pairs_2d[row(a)][row(b)];
+  else
+    return pairs_3d[row(a)][row(b)];
 }
-const PairRules<3>& rules_of(const Contactor3& a, const Contactor3& b) {
-  return pairs_3d[row(a.form)][row(b.form)];
+template <int D>
+const FormRules<D>& rules_of(Form form) {
+  if constexpr (D == 2)
+    return forms_2d[row(form)];
+  else
+    return forms_3d[row(form)];
 }
-const FormRules<2>& rules_of(const Contactor2& contactor) { return forms_2d[row(contactor.form)]; }
-const FormRules<3>& rules_of(const Contactor3& contactor) { return forms_3d[row(contactor.form)]; }
 
 }  // namespace
 
-bool can_touch(Form a, Form b) { return pairs_3d[row(a)][row(b)].contacts != nullptr; }
+bool can_touch(Form a, Form b) { return rules_of<3>(a, b).contacts != nullptr; }
 
-void terrain_contacts(const Placed2& contactor, const Ground2& ground, double reach, double turn,
-                      Contacts<2>& out) {
-  if (const auto rule = rules_of(contactor.shape).contacts) rule(contactor, ground, reach, turn, out);
-}
-void body_contacts(const Placed2& candidate, const Placed2& antagonist, double reach, Contacts<2>& out,
-                   double turn) {
-  if (const auto rule = rules_of(candidate.shape, antagonist.shape).contacts)
-    rule(candidate, antagonist, reach, turn, out);
-}
-double feature_gap(const Placed2& contactor, FeatureId feature, const Ground2& ground, FeatureId against) {
-  return rules_of(contactor.shape).gap(contactor, feature, ground, against);
-}
-double feature_gap(const Placed2& candidate, FeatureId feature, const Placed2& antagonist,
-                   FeatureId against) {
-  return rules_of(candidate.shape, antagonist.shape).gap(candidate, feature, antagonist, against);
-}
-std::optional<double> time_of_contact(const Moving2& contactor, const Ground2& ground, double t_max,
-                                      const TouchSearch& search) {
-  const auto rule = rules_of(contactor.shape).first_touch;
-  return rule ? rule(contactor, ground, t_max, search) : std::nullopt;
-}
-std::optional<double> time_of_contact(const Moving2& a, const Moving2& b, double t_max,
-                                      const TouchSearch& search) {
-  const auto rule = rules_of(a.shape, b.shape).first_touch;
-  return rule ? rule(a, b, t_max, search) : std::nullopt;
-}
-TouchingPart<2> touching_part(const Placed2& shape, FeatureId feature, const Vec2& normal) {
-  return rules_of(shape.shape).part(shape, feature, normal);
+template <int D>
+void terrain_contacts(Workspace& work, const Placed<D>& contactor, const GroundIn<D>& ground, double reach,
+                      double turn, Contacts<D>& out) {
+  if (const auto rule = rules_of<D>(contactor.shape.form).contacts)
+    rule(work, contactor, ground, reach, turn, out);
 }
 
-void terrain_contacts(const Placed3& contactor, const Ground3& ground, double reach, double turn,
-                      Contacts<3>& out) {
-  if (const auto rule = rules_of(contactor.shape).contacts) rule(contactor, ground, reach, turn, out);
+template <int D>
+void body_contacts(Workspace& work, const Placed<D>& candidate, const Placed<D>& antagonist, double reach,
+                   Contacts<D>& out, double turn) {
+  if (const auto rule = rules_of<D>(candidate.shape.form, antagonist.shape.form).contacts)
+    rule(work, candidate, antagonist, reach, turn, out);
 }
-void body_contacts(const Placed3& candidate, const Placed3& antagonist, double reach, Contacts<3>& out,
-                   double turn) {
-  if (const auto rule = rules_of(candidate.shape, antagonist.shape).contacts)
-    rule(candidate, antagonist, reach, turn, out);
+
+template <int D>
+double feature_gap(Workspace& work, const Placed<D>& contactor, FeatureId feature, const GroundIn<D>& ground,
+                   FeatureId against, const Vec<D>& normal) {
+  return rules_of<D>(contactor.shape.form).gap(work, contactor, feature, ground, against, normal);
 }
-double feature_gap(const Placed3& contactor, FeatureId feature, const Ground3& ground, FeatureId against) {
-  return rules_of(contactor.shape).gap(contactor, feature, ground, against);
+
+template <int D>
+double feature_gap(Workspace& work, const Placed<D>& candidate, FeatureId feature,
+                   const Placed<D>& antagonist, FeatureId against, const Vec<D>& normal) {
+  const auto rule = rules_of<D>(candidate.shape.form, antagonist.shape.form).gap;
+  return rule(work, candidate, feature, antagonist, against, normal);
 }
-double feature_gap(const Placed3& candidate, FeatureId feature, const Placed3& antagonist,
-                   FeatureId against) {
-  return rules_of(candidate.shape, antagonist.shape).gap(candidate, feature, antagonist, against);
+
+template <int D>
+std::optional<double> time_of_contact(Workspace& work, const Moving<D>& contactor, const GroundIn<D>& ground,
+                                      double t_max, const TouchSearch& search) {
+  const auto rule = rules_of<D>(contactor.shape.form).first_touch;
+  return rule ? rule(work, contactor, ground, t_max, search) : std::nullopt;
 }
-std::optional<double> time_of_contact(const Moving3& contactor, const Ground3& ground, double t_max,
+
+template <int D>
+std::optional<double> time_of_contact(Workspace& work, const Moving<D>& a, const Moving<D>& b, double t_max,
                                       const TouchSearch& search) {
-  const auto rule = rules_of(contactor.shape).first_touch;
-  return rule ? rule(contactor, ground, t_max, search) : std::nullopt;
+  const auto rule = rules_of<D>(a.shape.form, b.shape.form).first_touch;
+  return rule ? rule(work, a, b, t_max, search) : std::nullopt;
 }
-std::optional<double> time_of_contact(const Moving3& a, const Moving3& b, double t_max,
-                                      const TouchSearch& search) {
-  const auto rule = rules_of(a.shape, b.shape).first_touch;
-  return rule ? rule(a, b, t_max, search) : std::nullopt;
+
+template <int D>
+TouchingPart<D> touching_part(const Placed<D>& shape, FeatureId feature, const Vec<D>& normal) {
+  return rules_of<D>(shape.shape.form).part(shape, feature, normal);
 }
-TouchingPart<3> touching_part(const Placed3& shape, FeatureId feature, const Vec3& normal) {
-  return rules_of(shape.shape).part(shape, feature, normal);
-}
+
+#define FLYROCK_INSTANTIATE(D)                                                                               \
+  template void terrain_contacts(Workspace&, const Placed<D>&, const GroundIn<D>&, double, double,           \
+                                 Contacts<D>&);                                                              \
+  template void body_contacts(Workspace&, const Placed<D>&, const Placed<D>&, double, Contacts<D>&, double); \
+  template double feature_gap(Workspace&, const Placed<D>&, FeatureId, const GroundIn<D>&, FeatureId,        \
+                              const Vec<D>&);                                                                \
+  template double feature_gap(Workspace&, const Placed<D>&, FeatureId, const Placed<D>&, FeatureId,          \
+                              const Vec<D>&);                                                                \
+  template std::optional<double> time_of_contact(Workspace&, const Moving<D>&, const GroundIn<D>&, double,   \
+                                                 const TouchSearch&);                                        \
+  template std::optional<double> time_of_contact(Workspace&, const Moving<D>&, const Moving<D>&, double,     \
+                                                 const TouchSearch&);                                        \
+  template TouchingPart<D> touching_part(const Placed<D>&, FeatureId, const Vec<D>&)
+FLYROCK_INSTANTIATE(2);
+FLYROCK_INSTANTIATE(3);
+#undef FLYROCK_INSTANTIATE
 
 }  // namespace flyrock

@@ -42,15 +42,15 @@ typename PartTree<D>::Ball ball_about(const typename PartTree<D>::Ball& a,
   return {a.centre + (radius - a.radius) / distance * between, radius * (1 + rounding)};
 }
 
-bool may_touch(const Vec2& centre, double reach, const Ground2& ground) {
+bool may_touch(Workspace&, const Vec2& centre, double reach, const Ground2& ground) {
   const auto run = ground.segments_between(centre.x() - reach, centre.x() + reach);
   for (int i = run.first; i <= run.last; ++i)
     if (ground.normal(i).dot(centre - ground.start(i)) <= reach) return true;
   return false;
 }
 
-bool may_touch(const Vec3& centre, double reach, const Ground3& ground) {
-  thread_local std::vector<Facet> facets;  // keeps its memory between calls
+bool may_touch(Workspace& work, const Vec3& centre, double reach, const Ground3& ground) {
+  std::vector<Facet>& facets = work.facets;
   facets.clear();
   ground.facets({(centre.array() - reach).matrix(), (centre.array() + reach).matrix()}, facets);
   return std::any_of(facets.begin(), facets.end(),
@@ -92,7 +92,7 @@ PartTree<D>::PartTree(const std::vector<typename Geometry<D>::Contactor>& parts)
 }
 
 template <int D>
-void near_parts(const PartTree<D>& body, const typename Geometry<D>::Pose& pose,
+void near_parts(Workspace& work, const PartTree<D>& body, const typename Geometry<D>::Pose& pose,
                 const typename Geometry<D>::Terrain& ground, double reach, std::vector<int>& found) {
   found.clear();
   if (body.parts() <= few_parts) {
@@ -101,7 +101,7 @@ void near_parts(const PartTree<D>& body, const typename Geometry<D>::Pose& pose,
   }
   const auto search = [&](const auto& self, int at) -> void {
     const auto& node = body[at];
-    if (!may_touch(pose * node.ball.centre, node.ball.radius + reach, ground)) return;
+    if (!may_touch(work, pose * node.ball.centre, node.ball.radius + reach, ground)) return;
     if (node.is_leaf()) {
       found.push_back(node.part);
       return;
@@ -114,8 +114,8 @@ void near_parts(const PartTree<D>& body, const typename Geometry<D>::Pose& pose,
 }
 
 template <int D>
-void near_parts(const PartTree<D>& a, const typename Geometry<D>::Pose& pose_a, const PartTree<D>& b,
-                const typename Geometry<D>::Pose& pose_b, double reach,
+void near_parts(Workspace& work, const PartTree<D>& a, const typename Geometry<D>::Pose& pose_a,
+                const PartTree<D>& b, const typename Geometry<D>::Pose& pose_b, double reach,
                 std::vector<std::pair<int, int>>& found) {
   found.clear();
   if (a.parts() <= few_parts && b.parts() <= few_parts) {
@@ -142,11 +142,11 @@ void near_parts(const PartTree<D>& a, const typename Geometry<D>::Pose& pose_a, 
   std::sort(found.begin(), found.end());
 }
 
-#define FLYROCK_INSTANTIATE(D)                                                                        \
-  template class PartTree<D>;                                                                         \
-  template void near_parts(const PartTree<D>&, const Geometry<D>::Pose&, const Geometry<D>::Terrain&, \
-                           double, std::vector<int>&);                                                \
-  template void near_parts(const PartTree<D>&, const Geometry<D>::Pose&, const PartTree<D>&,          \
+#define FLYROCK_INSTANTIATE(D)                                                                           \
+  template class PartTree<D>;                                                                            \
+  template void near_parts(Workspace&, const PartTree<D>&, const Geometry<D>::Pose&,                     \
+                           const Geometry<D>::Terrain&, double, std::vector<int>&);                      \
+  template void near_parts(Workspace&, const PartTree<D>&, const Geometry<D>::Pose&, const PartTree<D>&, \
                            const Geometry<D>::Pose&, double, std::vector<std::pair<int, int>>&)
 FLYROCK_INSTANTIATE(2);
 FLYROCK_INSTANTIATE(3);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "collision/geometry.h"
+#include "collision/workspace.h"
 
 namespace flyrock {
 
@@ -37,13 +38,13 @@ class PartTree {
 /// Replaces `found` by the parts of a body that may have a gap of at most `reach` [m] to the ground, in
 /// order. Up to `few_parts` these are all parts: trying them costs less than the tree.
 template <int D>
-void near_parts(const PartTree<D>& body, const typename Geometry<D>::Pose& pose,
+void near_parts(Workspace& work, const PartTree<D>& body, const typename Geometry<D>::Pose& pose,
                 const typename Geometry<D>::Terrain& ground, double reach, std::vector<int>& found);
 
 /// The same for the pairs of parts of two bodies, in order of the first part and then of the second.
 template <int D>
-void near_parts(const PartTree<D>& a, const typename Geometry<D>::Pose& pose_a, const PartTree<D>& b,
-                const typename Geometry<D>::Pose& pose_b, double reach,
+void near_parts(Workspace& work, const PartTree<D>& a, const typename Geometry<D>::Pose& pose_a,
+                const PartTree<D>& b, const typename Geometry<D>::Pose& pose_b, double reach,
                 std::vector<std::pair<int, int>>& found);
 
 inline constexpr int few_parts = 16;

@@ -16,7 +16,13 @@ struct Pose2 {
 };
 
 /// A view of a contactor, which must outlive it.
-struct Placed2 {
+template <int D>
+struct Placed;
+using Placed2 = Placed<2>;
+using Placed3 = Placed<3>;
+
+template <>
+struct Placed<2> {
   const Contactor2& shape;
   Pose2 pose;
   int index = 0;  ///< of the contactor in its body, for feature ids
@@ -39,8 +45,8 @@ struct Pose3 {
   Vec3 operator*(const Vec3& local) const { return x + r * local; }
 };
 
-/// A view of a contactor, which must outlive it.
-struct Placed3 {
+template <>
+struct Placed<3> {
   const Contactor3& shape;
   Pose3 pose;
   int index = 0;
@@ -61,12 +67,12 @@ struct Placed3 {
   }
 };
 
-template <class Placed>
-auto box_of_points(const Placed& placed) {
-  const auto first = placed.point(0);
-  Box<static_cast<int>(decltype(first)::RowsAtCompileTime)> box{first, first};
+template <int D>
+Box<D> box_of_points(const Placed<D>& placed) {
+  const Vec<D> first = placed.point(0);
+  Box<D> box{first, first};
   for (int i = 1; i < placed.count(); ++i) {
-    const auto point = placed.point(i);
+    const Vec<D> point = placed.point(i);
     box = {box.low.cwiseMin(point), box.high.cwiseMax(point)};
   }
   return box;

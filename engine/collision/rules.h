@@ -1,9 +1,7 @@
 #pragma once
 // The rules of each form: how it touches others and the ground. pairs.cpp puts them into tables.
 
-#include "collision/contact_motion.h"
-#include "collision/geometry.h"
-#include "collision/touch_search.h"
+#include "collision/pairs.h"
 
 namespace flyrock {
 
@@ -11,24 +9,19 @@ namespace flyrock {
 /// [rad]. The same for a side and a cap.
 inline constexpr double flush_angle = 1e-4;
 
-template <int D>
-using PlacedIn = typename Geometry<D>::Placed;
-template <int D>
-using MovingIn = typename Geometry<D>::Moving;
-template <int D>
-using GroundIn = typename Geometry<D>::Ground;
-
 /// Appends the contacts of a contactor with another one, or with the ground, whose gap is at most `reach`
 /// [m]. `turn` [rad]: see terrain_contacts.
-template <int D, class Other = PlacedIn<D>>
-using FindContacts = void(const PlacedIn<D>& candidate, const Other&, double reach, double turn,
+template <int D, class Other = Placed<D>>
+using FindContacts = void(Workspace&, const Placed<D>& candidate, const Other&, double reach, double turn,
                           Contacts<D>&);
-/// The gap of the two features that a contact names [m].
-template <int D, class Other = PlacedIn<D>>
-using FindGap = double(const PlacedIn<D>& candidate, FeatureId feature, const Other&, FeatureId against);
+/// The gap of the two features that a contact names [m]. `normal`: about that of the contact.
+template <int D, class Other = Placed<D>>
+using FindGap = double(Workspace&, const Placed<D>& candidate, FeatureId feature, const Other&,
+                       FeatureId against, const Vec<D>& normal);
 /// The first touch in [0, t_max]; see time_of_contact.
-template <int D, class Other = MovingIn<D>>
-using FindTouch = std::optional<double>(const MovingIn<D>& a, const Other&, double t_max, const TouchSearch&);
+template <int D, class Other = Moving<D>>
+using FindTouch = std::optional<double>(Workspace&, const Moving<D>& a, const Other&, double t_max,
+                                        const TouchSearch&);
 template <int D>
 using FindOnGround = FindContacts<D, GroundIn<D>>;
 template <int D>
@@ -37,7 +30,7 @@ template <int D>
 using FindTouchOfGround = FindTouch<D, GroundIn<D>>;
 /// The part that a feature names; see touching_part.
 template <int D>
-using FindPart = TouchingPart<D>(const PlacedIn<D>& shape, FeatureId feature, const Vec<D>& normal);
+using FindPart = TouchingPart<D>(const Placed<D>& shape, FeatureId feature, const Vec<D>& normal);
 
 // Balls, pills and hulls in 2D (plane/). The ball of core_contacts is the first.
 FindContacts<2> ball_contacts, core_contacts, hull_contacts;
@@ -70,7 +63,7 @@ FindPart<3> smooth_part;
 
 /// An edge or a vertex of the ground as a contactor. The first is a segment without a radius, with the
 /// vertices 0, 1 and the edge 0; valid until the next call.
-Placed3 edge_piece(const Facet& facet, int rim);
+Placed3 edge_piece(Workspace& work, const Facet& facet, int rim);
 Placed3 vertex_piece(const Vec3& at);
 
 // Points without extent.
@@ -88,12 +81,15 @@ FindPart<2> hollow_part;
 FindPart<3> hollow_part, half_space_part;
 
 // Outlines, which are the second (outline/).
-FindContacts<2> outline_contacts;
-FindContacts<3> outline_contacts;
-FindGap<2> outline_gap;
-FindGap<3> outline_gap;
-FindTouch<2> outline_touch;
-FindTouch<3> outline_touch;
+template <int D>
+void outline_contacts(Workspace& work, const Placed<D>& other, const Placed<D>& outline, double reach,
+                      double turn, Contacts<D>& out);
+template <int D>
+double outline_gap(Workspace& work, const Placed<D>& other, FeatureId feature, const Placed<D>& outline,
+                   FeatureId against, const Vec<D>& normal);
+template <int D>
+std::optional<double> outline_touch(Workspace& work, const Moving<D>& other, const Moving<D>& outline,
+                                    double t_max, const TouchSearch& search);
 FindPart<2> outline_part;
 FindPart<3> outline_part;
 

@@ -19,6 +19,7 @@ struct HeldContact {
   FeatureId against = 0;
   bool opened = false;  ///< in a step: the last impact opened it, and the step holds no contact of the pair
   bool yields = false;  ///< a spring: its bodies sink into each other
+  Vec3 normal = Vec3::Zero();  ///< in 3D, from the antagonist; zero where it is not known
 };
 
 /// What is known at the start of a search. In free flight, the held contacts are those that have just opened.
@@ -57,7 +58,13 @@ double point_sinks(const Path<D>& motion, double t, const TouchSearch& search) {
 }
 
 /// A moving contactor. Shape and motion must outlive it.
-struct Moving2 {
+template <int D>
+struct Moving;
+using Moving2 = Moving<2>;
+using Moving3 = Moving<3>;
+
+template <>
+struct Moving<2> {
   const Contactor2& shape;
   const Motion2& motion;
   int index = 0;  ///< of the contactor in its body, for feature ids
@@ -79,7 +86,8 @@ struct HeldOnGround {
   }
 };
 
-struct Moving3 {
+template <>
+struct Moving<3> {
   const Contactor3& shape;
   const Motion3& motion;
   int index = 0;

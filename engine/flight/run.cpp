@@ -221,9 +221,11 @@ class Runner {
         const Motion flight = world_.flight_of(i);
         dt = std::min({dt, time_in_domain(flight), running_[i] ? crossings_[i].time_to_barrier(flight) : dt});
         const TouchSearch search{world_.held(i, -1), false, 0, body.size, &world_.quality().toc_iterations};
-        near_parts(body.parts, body.pose(), world_.terrain(), greatest_travel(flight, body.size, dt), parts_);
+        near_parts(world_.workspace(), body.parts, body.pose(), world_.terrain(),
+                   greatest_travel(flight, body.size, dt), parts_);
         for (const int k : parts_)
-          if (const auto t = time_of_contact({body.contactors[k], flight, k}, world_.terrain(), dt, search))
+          if (const auto t = time_of_contact<D>(world_.workspace(), {body.contactors[k], flight, k},
+                                                world_.terrain(), dt, search))
             dt = *t, touch = true;
       }
     }
@@ -285,8 +287,8 @@ class Runner {
       const Motion of_a = world_.flight_of(i), of_b = world_.flight_of(j);
       for (int k = 0; k < static_cast<int>(a.contactors.size()); ++k)
         for (int l = 0; l < static_cast<int>(b.contactors.size()); ++l)
-          if (const auto t = time_of_contact({a.contactors[k], of_a, k}, {b.contactors[l], of_b, l},
-                                             first.value_or(dt), search))
+          if (const auto t = time_of_contact<D>(world_.workspace(), {a.contactors[k], of_a, k},
+                                                {b.contactors[l], of_b, l}, first.value_or(dt), search))
             first = t;
     }
     return first;

@@ -35,13 +35,14 @@ std::optional<PartOverlap> deepest_overlap_of_parts(const Body<D>& body) {
   std::vector<Box<D>> boxes;
   for (const auto& contactor : body.contactors) boxes.push_back(box_of<D>(contactor));
   const typename Geometry<D>::Pose own_frame;
-  std::vector<ContactPoint<D>> points;
+  Contacts<D> points;
+  Workspace work;
   PartOverlap deepest;
   SortAndSweep sweep;
   for (const auto& [a, b] : sweep.pairs<D>(boxes)) {
     points.clear();
-    body_contacts(typename Geometry<D>::Placed{body.contactors[a], own_frame, a},
-                  typename Geometry<D>::Placed{body.contactors[b], own_frame, b}, 0, points);
+    body_contacts(work, Placed<D>{body.contactors[a], own_frame, a},
+                  Placed<D>{body.contactors[b], own_frame, b}, 0, points);
     for (const ContactPoint<D>& point : points)
       if (-point.gap > deepest.depth)
         deepest = {static_cast<std::size_t>(a), static_cast<std::size_t>(b), -point.gap};

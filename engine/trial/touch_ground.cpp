@@ -33,10 +33,11 @@ std::optional<double> distance_to_ground(const Body<D>& body, const typename Geo
   const auto motion = straight(body, start, direction);  // 1 m/s: a time is a distance
   TouchSearch search;
   search.size = body.size;
+  Workspace work;
   std::optional<double> first;
   for (std::size_t k = 0; k < body.contactors.size(); ++k)
-    if (const auto touch = time_of_contact({body.contactors[k], motion, static_cast<int>(k)}, terrain,
-                                           first.value_or(most), search))
+    if (const auto touch = time_of_contact<D>(work, {body.contactors[k], motion, static_cast<int>(k)},
+                                              terrain, first.value_or(most), search))
       first = std::min(*touch, first.value_or(most));
   return first;
 }

@@ -56,7 +56,7 @@ typename World<D>::Row World<D>::relative_velocity(const Contact& contact) const
 template <int D>
 TouchingPart<D> World<D>::touching_part_of(const Contact& contact, int body, FeatureId feature) const {
   if (body < 0) return touching_part(*terrain_, feature);
-  return touching_part(Placed{bodies[body].contactor_with(feature), bodies[body].pose()}, feature,
+  return touching_part(Placed<D>{bodies[body].contactor_with(feature), bodies[body].pose()}, feature,
                        contact.at.normal);
 }
 
@@ -100,7 +100,7 @@ typename World<D>::Turning World<D>::turning_of(const Contact& contact, double a
       Vec3 rate = w.cross(lever);
       if (part.rolls && part.kind == TouchingPart<3>::Kind::place) {
         const auto line = line_of(other < 0 ? nullptr : &bodies[other], *terrain_, against, normal);
-        rate = lever_rate(Placed{contactor, body.pose()}, feature, -side * normal, w, lever, line);
+        rate = lever_rate(Placed3{contactor, body.pose()}, feature, -side * normal, w, lever, line);
       }
       part.velocity += rate;
       slip += side * (v + w.cross(arm));

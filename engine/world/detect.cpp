@@ -23,6 +23,14 @@ bool is_point(const Contactor& shape) {
   return shape.form == Form::ball && shape.radius == 0 && shape.points[0].isZero();
 }
 
+/// A contact as a search knows it.
+template <int D>
+HeldContact held_contact(const WorldContact<D>& c, bool opened = false) {
+  HeldContact held{c.at.feature, c.at.against, opened, c.law.condition == NormalCondition::penalty};
+  if constexpr (D == 3) held.normal = c.at.normal;
+  return held;
+}
+
 /// Whether two contacts have the same features of the same bodies.
 template <class Contact>
 bool is_same(const Contact& a, const Contact& b) {
@@ -83,7 +91,7 @@ const std::vector<std::pair<int, int>>& World<D>::close_pairs() {
     const double reach = carry_reach(static_cast<int>(i), -1);
     auto& box = boxes_.emplace_back(typename Geometry<D>::Box{pose.x, pose.x});
     for (const auto& contactor : bodies[i].contactors) {
-      const auto core = core_box(Placed{contactor, pose});
+      const auto core = core_box(Placed<D>{contactor, pose});
       const Vec<D> extent = Vec<D>::Constant(contactor.radius + reach);
       box.low = box.low.cwiseMin(core.low - extent);
       box.high = box.high.cwiseMax(core.high + extent);
@@ -118,10 +126,10 @@ void World<D>::detect(double ahead) {
     if (body.moves()) {
       points_.clear();
       const double reach = carry_reach(i, -1);
-      near_parts(body.parts, body.pose(), *terrain_, reach, parts_);
+      near_parts(work_, body.parts, body.pose(), *terrain_, reach, parts_);
       for (const int k : parts_)
-        terrain_contacts(Placed{body.contactors[k], body.pose(), k}, *terrain_, reach,
-                         body.spin_speed() * ahead, points_);
+        terrain_contacts<D>(work_, Placed<D>{body.contactors[k], body.pose(), k}, *terrain_, reach,
+                            body.spin_speed() * ahead, points_);
       append(i, -1);
     }
     for (; pair != pairs.end() && pair->first == i; ++pair) {
@@ -129,10 +137,10 @@ void World<D>::detect(double ahead) {
       if (!body.present || !other.present || (!body.moves() && !other.moves())) continue;
       points_.clear();
       const double reach = carry_reach(i, pair->second);
-      near_parts(body.parts, body.pose(), other.parts, other.pose(), reach, part_pairs_);
+      near_parts(work_, body.parts, body.pose(), other.parts, other.pose(), reach, part_pairs_);
       for (const auto& [k, l] : part_pairs_)
-        body_contacts(Placed{body.contactors[k], body.pose(), k},
-                      Placed{other.contactors[l], other.pose(), l}, reach, points_,
+        body_contacts(work_, Placed<D>{body.contactors[k], body.pose(), k},
+                      Placed<D>{other.contactors[l], other.pose(), l}, reach, points_,
                       (body.spin_speed() + other.spin_speed()) * ahead);
       append(i, pair->second);
     }
@@ -275,7 +283,7 @@ typename World<D>::Drift World<D>::keep_closed_at_start(double h) {
 
 /// The contactor of a body that has a feature, now or at the start of the step.
 template <int D>
-typename World<D>::Placed World<D>::placed(int body, FeatureId feature, bool at_start) const {
+Placed<D> World<D>::placed(int body, FeatureId feature, bool at_start) const {
   const auto& contactor = bodies[body].contactor_with(feature);
   const int index = contactor_of(feature);
   if (!at_start) return {contactor, bodies[body].pose(), index};
@@ -287,12 +295,12 @@ typename World<D>::Placed World<D>::placed(int body, FeatureId feature, bool at_
 /// deep as the gap of its features says. The features alone may be beside each other.
 template <int D>
 bool World<D>::is_deep(const Contact& c, double gap, bool at_start) {
-  const Placed candidate = placed(c.candidate, c.at.feature, at_start);
+  const Placed<D> candidate = placed(c.candidate, c.at.feature, at_start);
   points_.clear();
   if (c.antagonist < 0)
-    terrain_contacts(candidate, *terrain_, 0, 0, points_);
+    terrain_contacts<D>(work_, candidate, *terrain_, 0, 0, points_);
   else
-    body_contacts(candidate, placed(c.antagonist, c.at.against, at_start), 0, points_);
+    body_contacts(work_, candidate, placed(c.antagonist, c.at.against, at_start), 0, points_);
   return std::any_of(points_.begin(), points_.end(), [&](const ContactPoint<D>& p) {
     return p.gap < 0.5 * gap && same_direction<D>(p.normal, c.at.normal);
   });
@@ -306,10 +314,13 @@ double World<D>::gap_at(const Contact& c, bool at_start) const {
   for (const int i : {c.candidate, c.antagonist})
     if (at_start && i >= 0 && bodies[i].breathes())
       opened += bodies[i].breathing.side * (bodies[i].breathing.now.radius - starts_[i].shape.radius);
-  const Placed candidate = placed(c.candidate, c.at.feature, at_start);
-  if (c.antagonist < 0) return feature_gap(candidate, c.at.feature, *terrain_, c.at.against) - opened;
-  return feature_gap(candidate, c.at.feature, placed(c.antagonist, c.at.against, at_start), c.at.against) -
-         opened;
+  const Placed<D> candidate = placed(c.candidate, c.at.feature, at_start);
+  const double gap =
+      c.antagonist < 0
+          ? feature_gap<D>(work_, candidate, c.at.feature, *terrain_, c.at.against, c.at.normal)
+          : feature_gap<D>(work_, candidate, c.at.feature, placed(c.antagonist, c.at.against, at_start),
+                           c.at.against, c.at.normal);
+  return gap - opened;
 }
 
 template <int D>
@@ -344,7 +355,7 @@ std::span<const HeldContact> World<D>::held(int body, int other) {
   held_.clear();
   for (const auto* list : {&contacts_, &last_})
     for (const Contact& c : *list)
-      if (c.candidate == body && c.antagonist == other) held_.push_back({c.at.feature, c.at.against});
+      if (c.candidate == body && c.antagonist == other) held_.push_back(held_contact(c));
   return held_;
 }
 
@@ -356,11 +367,9 @@ std::span<const HeldContact> World<D>::held(int body, int other) {
 template <int D>
 std::span<const HeldContact> World<D>::held_in_step(int body, int other) {
   constexpr double opening = 1e-8;  // m/s, above rounding
-  const auto is_a_spring = [](const Contact& c) { return c.law.condition == NormalCondition::penalty; };
   held_.clear();
   for (const Contact& c : contacts_)
-    if (c.candidate == body && c.antagonist == other)
-      held_.push_back({c.at.feature, c.at.against, false, is_a_spring(c)});
+    if (c.candidate == body && c.antagonist == other) held_.push_back(held_contact(c));
   const bool holds = !held_.empty();
   for (std::size_t a = 0; a < last_.size(); ++a) {
     const Contact& c = last_[a];
@@ -372,7 +381,7 @@ std::span<const HeldContact> World<D>::held_in_step(int body, int other) {
     if (opens && other >= 0 && !has_rims(c) && gap >= -GapScale(size).deep) continue;
     const bool leaves = other < 0 && is_point(bodies[body].contactor_with(c.at.feature)) &&
                         starts_[body].v.dot(c.at.normal) > opening;
-    if (!opened && !leaves) held_.push_back({c.at.feature, c.at.against, opens && !holds, is_a_spring(c)});
+    if (!opened && !leaves) held_.push_back(held_contact(c, opens && !holds));
   }
   return held_;
 }
@@ -412,7 +421,7 @@ std::optional<double> World<D>::first_return(double h) {
   template double World<D>::reach_within(double, const Contact&) const;                            \
   template bool World<D>::was_there(const Contact&) const;                                         \
   template bool World<D>::has_rims(const Contact&) const;                                          \
-  template World<D>::Placed World<D>::placed(int, FeatureId, bool) const;                          \
+  template Placed<D> World<D>::placed(int, FeatureId, bool) const;                                 \
   template bool World<D>::is_deep(const Contact&, double, bool);                                   \
   template bool World<D>::is_solved(const Contact&) const;                                         \
   template std::optional<double> World<D>::first_return(double);                                   \

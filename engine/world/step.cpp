@@ -264,9 +264,11 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
     const auto held_here = held_in_step(i, -1);
     if (pass_held && !held_here.empty()) continue;
     const TouchSearch search{held_here, true, 0.5 * touch(i), body.size, &quality_.toc_iterations};
-    near_parts(body.parts, starts_[i].pose(), *terrain_, greatest_travel(motions_[i], body.size, h), parts_);
+    near_parts(work_, body.parts, starts_[i].pose(), *terrain_, greatest_travel(motions_[i], body.size, h),
+               parts_);
     for (const int k : parts_)
-      consider(time_of_contact({body.contactors[k], motions_[i], k}, *terrain_, first.value_or(h), search));
+      consider(time_of_contact<D>(work_, {body.contactors[k], motions_[i], k}, *terrain_, first.value_or(h),
+                                  search));
   }
   if (!pass_held) consider(first_return(h));
   if (!bodies_meet()) return first;
@@ -281,10 +283,10 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
     const double size = contact_size(i, j);
     const TouchSearch search{held_here, true, 0.5e-9 * size + 0.5e-12, size, &quality_.toc_iterations};
     const double travel = greatest_travel(motions_[i], a.size, h) + greatest_travel(motions_[j], b.size, h);
-    near_parts(a.parts, starts_[i].pose(), b.parts, starts_[j].pose(), travel, part_pairs_);
+    near_parts(work_, a.parts, starts_[i].pose(), b.parts, starts_[j].pose(), travel, part_pairs_);
     for (const auto& [k, l] : part_pairs_)
-      consider(time_of_contact({a.contactors[k], motions_[i], k}, {b.contactors[l], motions_[j], l},
-                               first.value_or(h), search));
+      consider(time_of_contact<D>(work_, {a.contactors[k], motions_[i], k}, {b.contactors[l], motions_[j], l},
+                                  first.value_or(h), search));
   }
   return first;
 }

@@ -94,6 +94,8 @@ class World {
   const Vec<D>& gravity() const { return gravity_; }
   const WorldSettings& settings() const { return settings_; }
   const std::vector<Contact>& contacts() const { return contacts_; }
+  /// The memory of searches, for those that a flight makes between the bodies.
+  Workspace& workspace() { return work_; }
   /// The velocities of contacts() after the last step or impact.
   const std::vector<Row>& velocities_after() const { return after_; }
   /// The gap between the features of a contact now [m].
@@ -180,8 +182,6 @@ class World {
   double touch(int body) const { return 1e-9 * bodies[body].size + 1e-12; }
 
  private:
-  using Placed = typename Geometry<D>::Placed;
-
   /// The columns of H^T of a contact for its two bodies; zero for the terrain.
   struct ContactRows {
     ContactColumns<D> candidate, antagonist;
@@ -215,7 +215,7 @@ class World {
   Drift keep_closed_at_start(double h);
   double reach_within(double h, const Contact& contact) const;
   bool was_there(const Contact& contact) const;
-  Placed placed(int body, FeatureId feature, bool at_start) const;
+  Placed<D> placed(int body, FeatureId feature, bool at_start) const;
   bool is_solved(const Contact& contact) const;
   bool is_deep(const Contact& contact, double gap, bool at_start);
   std::optional<double> first_return(double h);
@@ -318,6 +318,7 @@ class World {
   std::vector<Impact> impacts_;
   std::vector<ImpactSum> sums_;
   std::vector<HeldContact> held_;
+  mutable Workspace work_;  ///< means nothing between two calls
   Problem problem_;
   std::vector<Row> impulses_;
   std::vector<Rebound<D>> rebounds_;

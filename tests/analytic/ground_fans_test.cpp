@@ -4,6 +4,7 @@
 
 #include "analytic/lab_ground.h"
 #include "collision/pairs.h"
+#include "scratch.h"
 
 using namespace flyrock;
 using namespace flyrock::lab;
@@ -85,7 +86,7 @@ TEST_CASE("a sphere on an apex has one contact, whose normal lies in the fan") {
   const Contactor3 ball = Contactor3::sphere(0.3);
   std::vector<ContactPoint<3>> contacts;
   const Vec3 away = Vec3(0.05, -0.02, 1).normalized();
-  terrain_contacts({ball, {0.3 * away, {}}}, terrain, 1e-6, 0, contacts);
+  terrain_contacts<3>(scratch(), {ball, {0.3 * away, {}}}, terrain, 1e-6, 0, contacts);
   REQUIRE(contacts.size() == 1);
   CHECK((contacts[0].normal - away).norm() < 1e-12);
   CHECK(std::abs(contacts[0].gap) < 1e-12);
@@ -98,7 +99,7 @@ TEST_CASE("a box that stands on an apex has one contact there") {
   const Terrain3 terrain(fan(facets, -0.5, false, 1));
   const Contactor3 cube = Contactor3::box({1, 1, 1});
   std::vector<ContactPoint<3>> contacts;
-  terrain_contacts({cube, {{0.1, 0.05, 0.5}, {}}}, terrain, 1e-6, 0, contacts);
+  terrain_contacts<3>(scratch(), {cube, {{0.1, 0.05, 0.5}, {}}}, terrain, 1e-6, 0, contacts);
   REQUIRE(contacts.size() == 1);
   CHECK((contacts[0].normal - Vec3::UnitZ()).norm() < 1e-12);
   CHECK(kind_of(contacts[0].feature) == FeatureKind::face);
@@ -111,7 +112,8 @@ TEST_CASE("a face that lies on two peaks has a contact with each") {
     if (std::abs(v.y()) < 0.1 && std::abs(std::abs(v.x()) - 0.5) < 0.1) v.z() = 0.3;
   const Terrain3 terrain(mesh);
   std::vector<ContactPoint<3>> contacts;
-  terrain_contacts({Contactor3::box({2, 1, 1}), {{0.1, 0.05, 0.8}, {}}}, terrain, 1e-6, 0, contacts);
+  terrain_contacts<3>(scratch(), {Contactor3::box({2, 1, 1}), {{0.1, 0.05, 0.8}, {}}}, terrain, 1e-6, 0,
+                      contacts);
   REQUIRE(contacts.size() == 2);
   for (const ContactPoint<3>& contact : contacts) CHECK(std::abs(contact.gap) < 1e-12);
 }
@@ -124,7 +126,7 @@ TEST_CASE("a box that hangs over a crest is held by its two edges there") {
   const Terrain3 terrain(extruded(crest, 5, 3));
   const Contactor3 cube = Contactor3::box({1, 1, 1});
   std::vector<ContactPoint<3>> contacts;
-  terrain_contacts({cube, {{-0.1, 0.2, 0.5}, {}}}, terrain, 1e-6, 0, contacts);
+  terrain_contacts<3>(scratch(), {cube, {{-0.1, 0.2, 0.5}, {}}}, terrain, 1e-6, 0, contacts);
   REQUIRE(contacts.size() == 4);
   int on_crest = 0;
   for (const ContactPoint<3>& contact : contacts) {

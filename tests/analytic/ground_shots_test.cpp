@@ -4,6 +4,7 @@
 
 #include "analytic/lab_ground.h"
 #include "collision/pairs.h"
+#include "scratch.h"
 
 using namespace flyrock;
 using namespace flyrock::lab;
@@ -161,8 +162,8 @@ TEST_CASE("a sphere past a convex rim has the gap to the facet that it is over")
       if (f.rim[i] != Rim::convex || !f.names_edge(i)) continue;
       const double y = 0.5 * (f.corner[i] + f.corner[Facet::next(i)]).y();
       const auto gap = [&](double x, double z) {
-        return feature_gap(Placed3{sphere, {{x, y, z}, {}}}, feature_id(0, FeatureKind::vertex, 0), terrain,
-                           f.edge_feature(i));
+        return feature_gap(scratch(), Placed3{sphere, {{x, y, z}, {}}}, feature_id(0, FeatureKind::vertex, 0),
+                           terrain, f.edge_feature(i));
       };
       const double over = radius + 0.01, along = 0.2;  // the facet that falls
       const Vec2 beyond(along * std::cos(fall) + over * std::sin(fall),

@@ -5,6 +5,7 @@
 
 #include "analytic/lab.h"
 #include "collision/pairs.h"
+#include "scratch.h"
 
 using namespace flyrock;
 using namespace flyrock::lab;
@@ -139,7 +140,7 @@ TEST_CASE("thrown walls lose energy on a rugged profile and stay above it") {
     CHECK(energy(last) < before);
     const Placed2 placed{last.contactors[0], {last.x, Rotation2::from_angle(last.attitude.angle)}};
     std::vector<ContactPoint<2>> contacts;
-    terrain_contacts(placed, bench.terrain, 0, 0, contacts);
+    terrain_contacts(scratch(), placed, bench.terrain, 0, 0, contacts);
     for (const auto& c : contacts) CHECK(c.gap > -1e-4);
     for (int end = 0; end < 2; ++end)
       CHECK(placed.point(end).y() > bench.terrain.height(placed.point(end).x()));

@@ -11,6 +11,7 @@
 
 #include "collision/geometry.h"
 #include "collision/pairs.h"
+#include "scratch.h"
 
 namespace flyrock {
 
@@ -27,7 +28,6 @@ template <int D>
 class OpponentBody {
  public:
   using Contactor = typename Geometry<D>::Contactor;
-  using Placed = typename Geometry<D>::Placed;
 
   explicit OpponentBody(Contactor contactor) : contactor_(std::move(contactor)) {}
 
@@ -40,15 +40,15 @@ class OpponentBody {
 
   void contacts(const Contactor& of, const Placement<D>& at, double reach,
                 std::vector<ContactPoint<D>>& out) const {
-    body_contacts(Placed{of, at.pose}, Placed{contactor_, at.pose_of_opponent}, reach, out);
+    body_contacts(scratch(), Placed<D>{of, at.pose}, Placed<D>{contactor_, at.pose_of_opponent}, reach, out);
   }
   double gap(const Contactor& of, const Placement<D>& at) const {
-    return feature_gap(Placed{of, at.pose}, at.contact.feature, Placed{contactor_, at.pose_of_opponent},
-                       at.contact.against);
+    return feature_gap(scratch(), Placed<D>{of, at.pose}, at.contact.feature,
+                       Placed<D>{contactor_, at.pose_of_opponent}, at.contact.against, at.contact.normal);
   }
   std::optional<double> touch(const Contactor& of, const Placement<D>& at, double end,
                               const TouchSearch& search) const {
-    return time_of_contact({of, at.motion}, {contactor_, at.motion_of_opponent}, end, search);
+    return time_of_contact<D>(scratch(), {of, at.motion}, {contactor_, at.motion_of_opponent}, end, search);
   }
 
  private:
@@ -59,7 +59,6 @@ template <int D>
 class OpponentGround {
  public:
   using Contactor = typename Geometry<D>::Contactor;
-  using Placed = typename Geometry<D>::Placed;
   using Terrain = typename Geometry<D>::Terrain;
 
   explicit OpponentGround(Terrain terrain) : terrain_(std::move(terrain)) {}
@@ -70,14 +69,15 @@ class OpponentGround {
   void contacts(const Contactor& of, const Placement<D>& at, double reach,
                 std::vector<ContactPoint<D>>& out) const {
     constexpr double no_turn = 0;
-    terrain_contacts(Placed{of, at.pose}, terrain_, reach, no_turn, out);
+    terrain_contacts(scratch(), Placed<D>{of, at.pose}, terrain_, reach, no_turn, out);
   }
   double gap(const Contactor& of, const Placement<D>& at) const {
-    return feature_gap(Placed{of, at.pose}, at.contact.feature, terrain_, at.contact.against);
+    return feature_gap(scratch(), Placed<D>{of, at.pose}, at.contact.feature, terrain_, at.contact.against,
+                       at.contact.normal);
   }
   std::optional<double> touch(const Contactor& of, const Placement<D>& at, double end,
                               const TouchSearch& search) const {
-    return time_of_contact({of, at.motion}, terrain_, end, search);
+    return time_of_contact<D>(scratch(), {of, at.motion}, terrain_, end, search);
   }
 
  private:

@@ -10,6 +10,7 @@
 #include "indexed.h"
 #include "nearest_contact.h"
 #include "placed_shapes.h"
+#include "scratch.h"
 
 using namespace flyrock;
 
@@ -27,20 +28,21 @@ void try_level(const Ground& ground, int placements) {
     INFO(shape.name);
     int wrong = 0;
     for (int i = 0; i < placements; ++i) {
-      typename Geometry<D>::Placed placed{shape.contactor, {Vec<D>::Zero(), dice.flush_rotation<D>()}};
+      Placed<D> placed{shape.contactor, {Vec<D>::Zero(), dice.flush_rotation<D>()}};
       const double gap = dice(-2e-4, 0.03), low = reach(shape.contactor, placed.pose.r.inverse(-up));
       for (int k = 0; k < D - 1; ++k) placed.pose.x[k] = dice(-3, 3);
       placed.pose.x[D - 1] = low + gap;
       std::vector<ContactPoint<D>> contacts;
-      terrain_contacts(indexed(placed, 1), ground, within, 0, contacts);
+      terrain_contacts(scratch(), indexed(placed, 1), ground, within, 0, contacts);
       if (contacts.empty()) {
         ++wrong;
         continue;
       }
       const ContactPoint<D>& c = nearest_of(contacts);
-      const bool good = std::abs(c.gap - gap) < 1e-9 && (c.normal - up).norm() < 1e-12 &&
-                        std::abs(c.point[D - 1] - 0.5 * gap) < 1e-9 &&
-                        std::abs(feature_gap(placed, c.feature, ground, c.against) - gap) < 1e-9;
+      const bool good =
+          std::abs(c.gap - gap) < 1e-9 && (c.normal - up).norm() < 1e-12 &&
+          std::abs(c.point[D - 1] - 0.5 * gap) < 1e-9 &&
+          std::abs(feature_gap(scratch(), placed, c.feature, ground, c.against, c.normal) - gap) < 1e-9;
       wrong += !good;
     }
     CHECK(wrong == 0);
@@ -102,10 +104,10 @@ void try_hills(int placements) {
       if (distance < 1e-5 || distance > within - 1e-3) continue;
       ++judged;
       std::vector<ContactPoint<3>> contacts, turned;
-      terrain_contacts(indexed(placed, 1), terrain, within, 0, contacts);
+      terrain_contacts(scratch(), indexed(placed, 1), terrain, within, 0, contacts);
       const Pose3 frame{10 * dice.direction<3>(), dice.flush_rotation<3>()};
       const Placed3 there{shape.contactor, {frame * placed.pose.x, frame.r * placed.pose.r}};
-      body_contacts(indexed(there, 1), {solid, frame, 2}, within, turned);
+      body_contacts(scratch(), indexed(there, 1), {solid, frame, 2}, within, turned);
       bool good = contacts.size() == turned.size();
       for (std::size_t c = 0; c < contacts.size() && good; ++c)
         good = contacts[c].gap > distance - 1e-9 && std::abs(contacts[c].gap - turned[c].gap) < 1e-9 &&

@@ -12,6 +12,7 @@
 #include "collision/pairs.h"
 #include "indexed.h"
 #include "placed_shapes.h"
+#include "scratch.h"
 
 using namespace flyrock;
 
@@ -72,9 +73,9 @@ struct Verdict {
 };
 
 template <int D>
-Verdict judge(Dice& dice, const typename Geometry<D>::Placed& a, const typename Geometry<D>::Placed& b) {
+Verdict judge(Dice& dice, const Placed<D>& a, const Placed<D>& b) {
   std::vector<ContactPoint<D>> contacts;
-  body_contacts(indexed(a, 1), indexed(b, 2), 10, contacts);
+  body_contacts(scratch(), indexed(a, 1), indexed(b, 2), 10, contacts);
   if (contacts.size() > 4) return {false, false};
   const auto along = [&](const Vec<D>& n) {  // separation of b from a along n, from b to a
     return n.dot(a.pose.x - b.pose.x) - reach(a.shape, a.pose.r.inverse(-n)) -
@@ -99,7 +100,7 @@ Verdict judge(Dice& dice, const typename Geometry<D>::Placed& a, const typename 
   }
   verdict.good = std::abs(c.normal.norm() - 1) < 1e-12 && along(c.normal) < c.gap + 1e-9 &&
                  (polytopes || along(c.normal) > c.gap - flush);
-  const double again = feature_gap(a, c.feature, b, c.against);
+  const double again = feature_gap(scratch(), a, c.feature, b, c.against, c.normal);
   verdict.good = verdict.good && (polytopes || std::abs(again - c.gap) < flush);
   // Two polytopes are measured along the face or edge pair that separates most: less than their distance.
   for (int i = 0; i < 20 && (c.gap <= 0 || !polytopes); ++i)
@@ -129,9 +130,8 @@ void try_pairs(int placements) {
       INFO(first.name << " against " << second.name);
       int wrong = 0, tight = 0;
       for (int i = 0; i < placements; ++i) {
-        const typename Geometry<D>::Placed a{
-            first.contactor, {dice(0.3, 1.6) * dice.direction<D>(), dice.flush_rotation<D>()}};
-        const typename Geometry<D>::Placed b{second.contactor, {Vec<D>::Zero(), dice.flush_rotation<D>()}};
+        const Placed<D> a{first.contactor, {dice(0.3, 1.6) * dice.direction<D>(), dice.flush_rotation<D>()}};
+        const Placed<D> b{second.contactor, {Vec<D>::Zero(), dice.flush_rotation<D>()}};
         const Verdict verdict = judge<D>(dice, a, b);
         wrong += !verdict.good;
         tight += verdict.tight;

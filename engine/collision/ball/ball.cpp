@@ -20,9 +20,16 @@ bool is_centred(const Contactor3& ball) { return ball.points[0].isZero(); }
 /// The times of touch of a sphere with facets, edges and peaks: roots of polynomials of degree 2, 4 and 4.
 class BallSearch {
  public:
-  BallSearch(double radius, FeatureId feature, const Motion3& motion, const Ground3& ground, double end,
-             const TouchSearch& search)
-      : radius_(radius), feature_(feature), motion_(motion), ground_(ground), end_(end), search_(search) {
+  BallSearch(Workspace& work, double radius, FeatureId feature, const Motion3& motion, const Ground3& ground,
+             double end, const TouchSearch& search)
+      : radius_(radius),
+        feature_(feature),
+        motion_(motion),
+        ground_(ground),
+        end_(end),
+        search_(search),
+        seen_(work.vertices),
+        edges_(work.edges) {
     seen_.clear();
   }
 
@@ -150,22 +157,13 @@ class BallSearch {
   const Ground3& ground_;
   double end_;
   const TouchSearch& search_;
-  std::vector<std::uint64_t>& seen_ = vertex_buffer();
-  std::vector<Vec3>& edges_ = edge_buffer();
-
-  static std::vector<std::uint64_t>& vertex_buffer() {
-    thread_local std::vector<std::uint64_t> seen;  // keeps its memory between calls
-    return seen;
-  }
-  static std::vector<Vec3>& edge_buffer() {
-    thread_local std::vector<Vec3> edges;
-    return edges;
-  }
+  std::vector<std::uint64_t>& seen_;
+  std::vector<Vec3>& edges_;
 };
 
 }  // namespace
 
-void ball_contacts(const Placed3& a, const Placed3& b, double reach, double, Contacts<3>& out) {
+void ball_contacts(Workspace&, const Placed3& a, const Placed3& b, double reach, double, Contacts<3>& out) {
   const Vec3 away = a.point(0) - b.point(0);
   const double distance = away.norm(), gap = distance - a.shape.radius - b.shape.radius;
   if (gap > reach || a.shape.radius + b.shape.radius == 0) return;  // two points do not meet
@@ -173,20 +171,20 @@ void ball_contacts(const Placed3& a, const Placed3& b, double reach, double, Con
   out.push_back({b.point(0) + (b.shape.radius + 0.5 * gap) * normal, normal, gap, a.id({}), b.id({})});
 }
 
-std::optional<double> ball_touch_of_ground(const Moving3& ball, const Ground3& ground, double t_max,
-                                           const TouchSearch& search) {
-  if (!is_centred(ball.shape)) return ball_core_touch_of_ground(ball, ground, t_max, search);
-  const BallSearch roots(ball.shape.radius, feature_id(ball.index, FeatureKind::vertex, 0), ball.motion,
+std::optional<double> ball_touch_of_ground(Workspace& work, const Moving3& ball, const Ground3& ground,
+                                           double t_max, const TouchSearch& search) {
+  if (!is_centred(ball.shape)) return ball_core_touch_of_ground(work, ball, ground, t_max, search);
+  const BallSearch roots(work, ball.shape.radius, feature_id(ball.index, FeatureKind::vertex, 0), ball.motion,
                          ground, t_max, search);
-  return along_path(ground, ball.motion, reach_on_path(ball.shape.bound), t_max,
+  return along_path(work, ground, ball.motion, reach_on_path(ball.shape.bound), t_max,
                     [&](const Facet& facet, const TimeWindow& window, std::optional<double>& first) {
                       roots.facet(facet, window, first);
                     });
 }
 
-std::optional<double> ball_touch(const Moving3& a, const Moving3& b, double t_max,
+std::optional<double> ball_touch(Workspace& work, const Moving3& a, const Moving3& b, double t_max,
                                  const TouchSearch& search) {
-  if (!is_centred(a.shape) || !is_centred(b.shape)) return ball_core_touch(a, b, t_max, search);
+  if (!is_centred(a.shape) || !is_centred(b.shape)) return ball_core_touch(work, a, b, t_max, search);
   const bool held =
       search.holds(feature_id(a.index, FeatureKind::vertex, 0), feature_id(b.index, FeatureKind::vertex, 0));
   if (held && search.held_are_solved) return std::nullopt;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "collision/motion.h"
+#include "collision/workspace.h"
 #include "geometry/ground.h"
 
 namespace flyrock {
@@ -19,14 +19,11 @@ inline double reach_on_path(double bound) { return bound * (1 + 1e-6); }
 /// out at once. The search therefore costs nothing for air, however long and fast the flight is. A window is
 /// the part of a piece in which the ball may meet the box of the facet.
 template <class See>
-std::optional<double> along_path(const Ground3& ground, const Path<3>& path, double r, double end, See see) {
+std::optional<double> along_path(Workspace& work, const Ground3& ground, const Path<3>& path, double r,
+                                 double end, See see) {
   constexpr int few = 8;
-  struct Meeting {
-    TimeWindow window;
-    int facet;
-  };
-  thread_local std::vector<Facet> facets;  // keep their memory between calls
-  thread_local std::vector<Meeting> meetings;
+  std::vector<Facet>& facets = work.facets;
+  std::vector<FacetMeeting>& meetings = work.meetings;
   std::optional<double> first;
   const auto search = [&](const auto& self, double from, double to) -> void {
     if (first && *first <= from) return;
@@ -55,10 +52,10 @@ std::optional<double> along_path(const Ground3& ground, const Path<3>& path, dou
       }
       if (!window.empty()) meetings.push_back({window, i});
     }
-    std::sort(meetings.begin(), meetings.end(), [](const Meeting& a, const Meeting& b) {
+    std::sort(meetings.begin(), meetings.end(), [](const FacetMeeting& a, const FacetMeeting& b) {
       return a.window.a != b.window.a ? a.window.a < b.window.a : a.facet < b.facet;
     });
-    for (const Meeting& meeting : meetings) {
+    for (const FacetMeeting& meeting : meetings) {
       if (first && *first <= meeting.window.a) break;
       see(facets[meeting.facet],
           TimeWindow{meeting.window.a, first ? std::min(*first, meeting.window.b) : meeting.window.b}, first);

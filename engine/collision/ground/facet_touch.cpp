@@ -73,56 +73,39 @@ class PointSearch {
   std::array<Vec3, 3> outward_;  ///< of a cloud: unit, out of the sides
 };
 
-/// A facet as a polyhedron of two faces. Where it has an open rim, it reaches as far beyond as a contactor of
-/// this size can, because the ground continues there.
-class FlatPolyhedron {
- public:
-  FlatPolyhedron() {
-    shape_.form = Form::hull;
-    shape_.points.resize(3);
-    shape_.loop = {0, 1, 2, 0, 2, 1};
-    shape_.loop_edge = {0, 1, 2, 2, 1, 0};
-    shape_.faces = {{Vec3::UnitZ(), 0, 3}, {-Vec3::UnitZ(), 3, 3}};
-    for (int i = 0; i < 3; ++i) shape_.edges.push_back({i, Facet::next(i), 0, 1});
-  }
-
-  Moving3 of(const Facet& facet, double size) {
-    rest_.x = facet.corner[0];
-    std::array<Vec3, 3> corner = facet.corner;
-    for (int i = 0; i < 3; ++i) {
-      if (facet.rim[i] != Rim::open) continue;
-      const int j = Facet::next(i), opposite = Facet::next(j);
-      const double wider = 2 * size / facet.inside(i, facet.corner[opposite]);
-      for (const int end : {i, j}) corner[end] += wider * (corner[end] - corner[opposite]);
-    }
-    for (int i = 0; i < 3; ++i) shape_.points[i] = corner[i] - rest_.x;
-    shape_.faces[0].normal = facet.normal;
-    shape_.faces[1].normal = -facet.normal;
-    shape_.bound = bound_of(shape_.points, 0);
-    return {shape_, rest_, 0, &facet};
-  }
-
- private:
-  Contactor3 shape_;
-  Motion3 rest_;
-};
-
-/// The facet as the second contactor of a pair. Valid until the next call.
-Moving3 flat_of(const Facet& facet, double size, std::span<const HeldOnGround> held) {
-  thread_local FlatPolyhedron flat;  // keeps its memory between calls
-  Moving3 ground = flat.of(facet, size);
-  ground.held = held;
-  return ground;
-}
-
 }  // namespace
 
-std::optional<double> core_touch_of_facet(const Moving3& contactor, const Facet& facet,
+FlatPolyhedron::FlatPolyhedron() {
+  shape_.form = Form::hull;
+  shape_.points.resize(3);
+  shape_.loop = {0, 1, 2, 0, 2, 1};
+  shape_.loop_edge = {0, 1, 2, 2, 1, 0};
+  shape_.faces = {{Vec3::UnitZ(), 0, 3}, {-Vec3::UnitZ(), 3, 3}};
+  for (int i = 0; i < 3; ++i) shape_.edges.push_back({i, Facet::next(i), 0, 1});
+}
+
+Moving3 FlatPolyhedron::of(const Facet& facet, double size, std::span<const HeldOnGround> held) {
+  rest_.x = facet.corner[0];
+  std::array<Vec3, 3> corner = facet.corner;
+  for (int i = 0; i < 3; ++i) {
+    if (facet.rim[i] != Rim::open) continue;
+    const int j = Facet::next(i), opposite = Facet::next(j);
+    const double wider = 2 * size / facet.inside(i, facet.corner[opposite]);
+    for (const int end : {i, j}) corner[end] += wider * (corner[end] - corner[opposite]);
+  }
+  for (int i = 0; i < 3; ++i) shape_.points[i] = corner[i] - rest_.x;
+  shape_.faces[0].normal = facet.normal;
+  shape_.faces[1].normal = -facet.normal;
+  shape_.bound = bound_of(shape_.points, 0);
+  return {shape_, rest_, 0, &facet, held};
+}
+
+std::optional<double> core_touch_of_facet(Workspace& work, const Moving3& contactor, const Facet& facet,
                                           std::span<const HeldOnGround> held, CoreSearch by,
                                           const TimeWindow& window, const TouchSearch& search) {
   if (facet.unbounded)
     return advance(PointSearch(contactor, facet, false, window.b, search), window, search.iterations);
-  return advance_cores(contactor, flat_of(facet, contactor.shape.bound, held), by, window, search);
+  return advance_cores(contactor, work.facet_hull.of(facet, contactor.shape.bound, held), by, window, search);
 }
 
 FeatureId Moving3::id(FeatureKind kind, int i) const {
@@ -143,15 +126,16 @@ std::optional<double> cloud_touch_of_facet(const Moving3& cloud, const Facet& fa
   return advance(PointSearch(cloud, facet, true, window.b, search), window, search.iterations);
 }
 
-std::optional<double> smooth_touch_of_facet(const Moving3& shape, const Facet& facet,
+std::optional<double> smooth_touch_of_facet(Workspace& work, const Moving3& shape, const Facet& facet,
                                             std::span<const HeldOnGround> held, const TimeWindow& window,
                                             const TouchSearch& search) {
   if (!facet.unbounded)
-    return advance_with_circles(shape, flat_of(facet, shape.shape.bound, held), window, search);
+    return advance_with_circles(work, shape, work.facet_hull.of(facet, shape.shape.bound, held), window,
+                                search);
   static const Contactor3 point = Contactor3::sphere(0);
   Motion3 rest;
   rest.x = facet.corner[0];
-  return advance_with_circles(shape, {point, rest, 0, &facet, held}, window, search);
+  return advance_with_circles(work, shape, {point, rest, 0, &facet, held}, window, search);
 }
 
 }  // namespace flyrock

@@ -16,8 +16,9 @@ namespace {
 constexpr double opened_share = 1e-4;
 
 /// The contacts that exist at the start, with the vertices of their features. Valid until the next call.
-const std::vector<HeldOnGround>& held_on(const Ground3& ground, std::span<const HeldContact> held) {
-  thread_local std::vector<HeldOnGround> found;  // keeps its memory between calls
+const std::vector<HeldOnGround>& held_on(Workspace& work, const Ground3& ground,
+                                         std::span<const HeldContact> held) {
+  std::vector<HeldOnGround>& found = work.held_on_ground;
   found.clear();
   for (const HeldContact& contact : held) {
     HeldOnGround on{contact.feature, contact.against, contact.opened, contact.yields, {}, 1};
@@ -45,14 +46,14 @@ const std::vector<HeldOnGround>& held_on(const Ground3& ground, std::span<const 
 
 /// The contacts of a search without those of a pill or a cylinder that have opened: it may leave an edge and
 /// come back to it elsewhere, which is a new touch. Valid until the next call.
-std::span<const HeldContact> still_held(const Moving3& c, const Ground3& ground, FindGapToGround<3>* gap,
-                                        const TouchSearch& search) {
-  thread_local std::vector<HeldContact> closed;  // keeps its memory between calls
+std::span<const HeldContact> still_held(Workspace& work, const Moving3& c, const Ground3& ground,
+                                        FindGapToGround<3>* gap, const TouchSearch& search) {
+  std::vector<HeldContact>& closed = work.still_held;
   closed.clear();
   const Placed3 start{c.shape, {c.motion.x, c.motion.turn(0).rotation}};
   for (const HeldContact& h : search.held)
     if (contactor_of(h.feature) != c.index ||
-        gap(start, h.feature, ground, h.against) <= opened_share * search.size)
+        gap(work, start, h.feature, ground, h.against, h.normal) <= opened_share * search.size)
       closed.push_back(h);
   return closed;
 }
@@ -60,17 +61,17 @@ std::span<const HeldContact> still_held(const Moving3& c, const Ground3& ground,
 /// The first touch of a contactor that moves by `travel` at most, a small part of its size. Only the facets
 /// in its box matter, and of these the ones whose planes it does not surely stay above.
 template <class See>
-std::optional<double> near_start(const Ground3& ground, const Moving3& c, double travel, double end,
-                                 const TouchSearch& search, const See& see) {
+std::optional<double> near_start(Workspace& work, const Ground3& ground, const Moving3& c, double travel,
+                                 double end, const TouchSearch& search, const See& see) {
   const MovingState start(c, 0, end);
   Box3 box = core_box({c.shape, {start.x, start.turn.rotation}});
   const double grow = c.shape.radius + travel + 1e-6 * c.shape.bound;
   box.low.array() -= grow;
   box.high.array() += grow;
-  thread_local std::vector<Facet> facets;  // keeps its memory between calls
+  std::vector<Facet>& facets = work.facets;
   facets.clear();
   ground.facets(box, facets);
-  thread_local std::vector<PieceHeight> pieces;
+  std::vector<PieceHeight>& pieces = work.heights_a;
   std::optional<double> first;
   for (const Facet& facet : facets) {
     const Heights heights(facet.normal, Vec3::Zero(), start, facet.corner[0], Vec3::Zero());
@@ -92,7 +93,7 @@ std::optional<double> near_start(const Ground3& ground, const Moving3& c, double
 
 /// The first of the times that touch_of_facet(facet, window) finds.
 template <class TouchOfFacet>
-std::optional<double> touch_of_facets(const Moving3& c, const Ground3& ground, double t_max,
+std::optional<double> touch_of_facets(Workspace& work, const Moving3& c, const Ground3& ground, double t_max,
                                       const TouchSearch& search, const TouchOfFacet& touch_of_facet) {
   const auto see = [&](const Facet& facet, const TimeWindow& window, std::optional<double>& first) {
     const auto t = touch_of_facet(facet, window);
@@ -100,52 +101,55 @@ std::optional<double> touch_of_facets(const Moving3& c, const Ground3& ground, d
   };
   const double reach = reach_on_path(c.shape.bound);
   if (const double travel = greatest_travel(c.motion, c.shape.bound, t_max); travel < 0.25 * reach)
-    return near_start(ground, c, travel, t_max, search, see);
-  return along_path(ground, c.motion, reach, t_max, see);
+    return near_start(work, ground, c, travel, t_max, search, see);
+  return along_path(work, ground, c.motion, reach, t_max, see);
 }
 
-std::optional<double> touch_of_facets(const Moving3& core, const Ground3& ground, double t_max,
-                                      const TouchSearch& search, CoreSearch by) {
-  const auto& held = held_on(ground, search.held);
-  return touch_of_facets(core, ground, t_max, search, [&](const Facet& facet, const TimeWindow& window) {
-    return core_touch_of_facet(core, facet, held, by, window, search);
-  });
+std::optional<double> touch_of_facets(Workspace& work, const Moving3& core, const Ground3& ground,
+                                      double t_max, const TouchSearch& search, CoreSearch by) {
+  const auto& held = held_on(work, ground, search.held);
+  return touch_of_facets(work, core, ground, t_max, search,
+                         [&](const Facet& facet, const TimeWindow& window) {
+                           return core_touch_of_facet(work, core, facet, held, by, window, search);
+                         });
 }
 
 }  // namespace
 
-std::optional<double> ball_core_touch_of_ground(const Moving3& ball, const Ground3& ground, double t_max,
-                                                const TouchSearch& search) {
-  return touch_of_facets(ball, ground, t_max, search, CoreSearch::ball);
+std::optional<double> ball_core_touch_of_ground(Workspace& work, const Moving3& ball, const Ground3& ground,
+                                                double t_max, const TouchSearch& search) {
+  return touch_of_facets(work, ball, ground, t_max, search, CoreSearch::ball);
 }
 
-std::optional<double> pill_touch_of_ground(const Moving3& pill, const Ground3& ground, double t_max,
-                                           const TouchSearch& search) {
+std::optional<double> pill_touch_of_ground(Workspace& work, const Moving3& pill, const Ground3& ground,
+                                           double t_max, const TouchSearch& search) {
   TouchSearch closed = search;
-  closed.held = still_held(pill, ground, core_gap_to_ground, search);
-  return touch_of_facets(pill, ground, t_max, closed, CoreSearch::pill);
+  closed.held = still_held(work, pill, ground, core_gap_to_ground, search);
+  return touch_of_facets(work, pill, ground, t_max, closed, CoreSearch::pill);
 }
 
-std::optional<double> hull_touch_of_ground(const Moving3& hull, const Ground3& ground, double t_max,
-                                           const TouchSearch& search) {
-  return touch_of_facets(hull, ground, t_max, search, CoreSearch::hull);
+std::optional<double> hull_touch_of_ground(Workspace& work, const Moving3& hull, const Ground3& ground,
+                                           double t_max, const TouchSearch& search) {
+  return touch_of_facets(work, hull, ground, t_max, search, CoreSearch::hull);
 }
 
-std::optional<double> smooth_touch_of_ground(const Moving3& shape, const Ground3& ground, double t_max,
-                                             const TouchSearch& search) {
+std::optional<double> smooth_touch_of_ground(Workspace& work, const Moving3& shape, const Ground3& ground,
+                                             double t_max, const TouchSearch& search) {
   TouchSearch closed = search;
-  closed.held = still_held(shape, ground, smooth_gap_to_ground, search);
-  const auto& held = held_on(ground, closed.held);
-  return touch_of_facets(shape, ground, t_max, closed, [&](const Facet& facet, const TimeWindow& window) {
-    return smooth_touch_of_facet(shape, facet, held, window, closed);
-  });
+  closed.held = still_held(work, shape, ground, smooth_gap_to_ground, search);
+  const auto& held = held_on(work, ground, closed.held);
+  return touch_of_facets(work, shape, ground, t_max, closed,
+                         [&](const Facet& facet, const TimeWindow& window) {
+                           return smooth_touch_of_facet(work, shape, facet, held, window, closed);
+                         });
 }
 
-std::optional<double> cloud_touch_of_ground(const Moving3& cloud, const Ground3& ground, double t_max,
-                                            const TouchSearch& search) {
-  return touch_of_facets(cloud, ground, t_max, search, [&](const Facet& facet, const TimeWindow& window) {
-    return cloud_touch_of_facet(cloud, facet, window, search);
-  });
+std::optional<double> cloud_touch_of_ground(Workspace& work, const Moving3& cloud, const Ground3& ground,
+                                            double t_max, const TouchSearch& search) {
+  return touch_of_facets(work, cloud, ground, t_max, search,
+                         [&](const Facet& facet, const TimeWindow& window) {
+                           return cloud_touch_of_facet(cloud, facet, window, search);
+                         });
 }
 
 }  // namespace flyrock

@@ -30,13 +30,13 @@ void drop_repeated(Contacts<3>& contacts, std::size_t begin, double size) {
 }
 
 /// Keeps four contacts of each plane, in the order in which the planes were found.
-void keep_four_of_each_plane(Contacts<3>& contacts, std::size_t begin, double size) {
+void keep_four_of_each_plane(Workspace& work, Contacts<3>& contacts, std::size_t begin, double size) {
   if (contacts.size() - begin <= 4) return;
   const auto one_plane = [&](const ContactPoint<3>& a, const ContactPoint<3>& b) {
     return (a.normal - b.normal).squaredNorm() < 1e-12 &&
            std::abs(a.normal.dot(a.point - b.point)) < 1e-6 * size;
   };
-  thread_local Contacts<3> rest, others, kept;  // keep their memory between calls
+  Contacts<3>&rest = work.rest, &others = work.of_other_planes, &kept = work.kept;
   rest.assign(contacts.begin() + begin, contacts.end());
   kept.clear();
   while (!rest.empty()) {
@@ -80,13 +80,14 @@ void point_contacts(const Vec3& p, double radius, FeatureId feature, const Groun
   out.push_back({p - (radius + 0.5 * gap) * f.normal, f.normal, gap, feature, f.face_feature()});
 }
 
-void reduce_contacts(Contacts<3>& contacts, std::size_t begin, double size, bool has_rims) {
+void reduce_contacts(Workspace& work, Contacts<3>& contacts, std::size_t begin, double size, bool has_rims) {
   if (has_rims) drop_repeated(contacts, begin, size);
-  keep_four_of_each_plane(contacts, begin, size);
+  keep_four_of_each_plane(work, contacts, begin, size);
 }
 
-void cloud_on_ground(const Placed3& cloud, const Ground3& ground, double reach, double, Contacts<3>& out) {
-  contacts_on_ground(cloud, ground, reach, out, [](const GroundNearby&) {});
+void cloud_on_ground(Workspace& work, const Placed3& cloud, const Ground3& ground, double reach, double,
+                     Contacts<3>& out) {
+  contacts_on_ground(work, cloud, ground, reach, out, [](const GroundNearby&) {});
 }
 
 }  // namespace flyrock

@@ -26,14 +26,14 @@ void point_contacts(const Vec3& p, double radius, FeatureId feature, const Groun
                     std::span<const Facet> facets, double reach, double shallow, Contacts<3>& out);
 
 /// Drops what is there twice, if edges and peaks were met, and keeps four contacts of each plane.
-void reduce_contacts(Contacts<3>& contacts, std::size_t begin, double size, bool has_rims);
+void reduce_contacts(Workspace& work, Contacts<3>& contacts, std::size_t begin, double size, bool has_rims);
 
 /// Calls finder.rim(facet, i) for the convex edges of the facets that are near, and finder.peak(facet, i,
 /// ground, edges) for each of their vertices once; peak() fills `edges` with those that leave it.
 template <class Finder>
-void at_rims_and_peaks(const GroundNearby& nearby, Finder&& finder) {
-  thread_local std::vector<std::uint64_t> seen;  // keep their memory between calls
-  thread_local std::vector<Vec3> edges;
+void at_rims_and_peaks(Workspace& work, const GroundNearby& nearby, Finder&& finder) {
+  std::vector<std::uint64_t>& seen = work.vertices;
+  std::vector<Vec3>& edges = work.edges;
   seen.clear();
   for (const Facet& f : nearby.facets) {
     if (!finder.near(f)) continue;
@@ -51,10 +51,10 @@ void at_rims_and_peaks(const GroundNearby& nearby, Finder&& finder) {
 /// more_on_facets(nearby) and, unless the ground is one plane, at_rims(nearby) append.
 template <class AtRims, class MoreOnFacets = void (*)(const GroundNearby&)>
 void contacts_on_ground(
-    const Placed3& contactor, const Ground3& ground, double reach, Contacts<3>& out, const AtRims& at_rims,
-    const MoreOnFacets& more_on_facets = [](const GroundNearby&) {}) {
+    Workspace& work, const Placed3& contactor, const Ground3& ground, double reach, Contacts<3>& out,
+    const AtRims& at_rims, const MoreOnFacets& more_on_facets = [](const GroundNearby&) {}) {
   const double radius = contactor.shape.radius, size = radius > 0 ? radius : contactor.shape.bound;
-  thread_local std::vector<Facet> facets;  // keeps its memory between calls
+  std::vector<Facet>& facets = work.facets;
   Box3 box = core_box(contactor);
   box.low.array() -= radius + reach;
   box.high.array() += radius + reach;
@@ -68,7 +68,7 @@ void contacts_on_ground(
   more_on_facets(nearby);
   const bool has_rims = !facets.empty() && !facets.front().unbounded;
   if (has_rims) at_rims(nearby);
-  reduce_contacts(out, begin, size, has_rims);
+  reduce_contacts(work, out, begin, size, has_rims);
 }
 
 }  // namespace flyrock

@@ -209,12 +209,12 @@ class HollowSearch3 {
 
 }  // namespace
 
-std::optional<double> hollow_touch(const Moving2& other, const Moving2& hollow, double t_max,
+std::optional<double> hollow_touch(Workspace&, const Moving2& other, const Moving2& hollow, double t_max,
                                    const TouchSearch& search) {
   return advance(HollowSearch2(other, hollow, t_max, search), {0, t_max}, search.iterations);
 }
 
-std::optional<double> hollow_touch(const Moving3& other, const Moving3& hollow, double t_max,
+std::optional<double> hollow_touch(Workspace&, const Moving3& other, const Moving3& hollow, double t_max,
                                    const TouchSearch& search) {
   return advance(HollowSearch3(other, hollow, t_max, search), {0, t_max}, search.iterations);
 }

@@ -94,7 +94,8 @@ Ring ring_of(const Placed3& shape, const Contactor3::Circle& circle, const Vec3&
           shape.pose.r * Vec3(circle.radius * circle.axis.cross(first))};
 }
 
-void hollow_contacts(const Placed2& other, const Placed2& hollow, double reach, double, Contacts<2>& out) {
+void hollow_contacts(Workspace&, const Placed2& other, const Placed2& hollow, double reach, double,
+                     Contacts<2>& out) {
   const HollowWall2 wall(hollow);
   const Vec2& origin = hollow.pose.x;
   if (!wall.holds(other.pose * middle_of(other.shape) - origin)) return;
@@ -107,7 +108,8 @@ void hollow_contacts(const Placed2& other, const Placed2& hollow, double reach, 
   }
 }
 
-void hollow_contacts(const Placed3& other, const Placed3& hollow, double reach, double, Contacts<3>& out) {
+void hollow_contacts(Workspace&, const Placed3& other, const Placed3& hollow, double reach, double,
+                     Contacts<3>& out) {
   const HollowWall3 wall(hollow);
   const Vec3& origin = hollow.pose.x;
   if (!wall.holds(other.pose * middle_of(other.shape) - origin)) return;
@@ -139,11 +141,13 @@ void hollow_contacts(const Placed3& other, const Placed3& hollow, double reach, 
   if (wall.is_plane()) keep_four(out, begin);
 }
 
-double hollow_gap(const Placed2& other, FeatureId feature, const Placed2& hollow, FeatureId) {
+double hollow_gap(Workspace&, const Placed2& other, FeatureId feature, const Placed2& hollow, FeatureId,
+                  const Vec2&) {
   return HollowWall2(hollow).gap(other.point(index_2d(feature)) - hollow.pose.x) - other.shape.radius;
 }
 
-double hollow_gap(const Placed3& other, FeatureId feature, const Placed3& hollow, FeatureId) {
+double hollow_gap(Workspace&, const Placed3& other, FeatureId feature, const Placed3& hollow, FeatureId,
+                  const Vec3&) {
   const HollowWall3 wall(hollow);
   const int index = index_of(feature);
   const Vec3 place = kind_of(feature) == FeatureKind::vertex

@@ -56,8 +56,8 @@ double from_rim(const Facet& f, int rim, const Vec3& p) {
 
 }  // namespace
 
-double core_gap_to_ground(const Placed3& contactor, FeatureId feature, const Ground3& ground,
-                          FeatureId against) {
+double core_gap_to_ground(Workspace&, const Placed3& contactor, FeatureId feature, const Ground3& ground,
+                          FeatureId against, const Vec3&) {
   const Facet f = ground.facet(ground.facet_of(against));
   const double radius = contactor.shape.radius;
   switch (kind_of(against)) {
@@ -86,7 +86,8 @@ double core_gap_to_ground(const Placed3& contactor, FeatureId feature, const Gro
   return normal.normalized().dot(edge_start(contactor, index_of(feature)) - f.corner[rim]) - radius;
 }
 
-double core_gap(const Placed3& candidate, FeatureId feature, const Placed3& antagonist, FeatureId against) {
+double core_gap(Workspace&, const Placed3& candidate, FeatureId feature, const Placed3& antagonist,
+                FeatureId against, const Vec3&) {
   const FeatureKind of_candidate = kind_of(feature), of_antagonist = kind_of(against);
   const double radii = candidate.shape.radius + antagonist.shape.radius;
   if (of_candidate == FeatureKind::vertex)

@@ -389,15 +389,15 @@ std::optional<double> advance_cores(const Moving3& a, const Moving3& b, CoreSear
   return advance(PairSearch(a, b, by, window.b, search), window, search.iterations);
 }
 
-std::optional<double> ball_core_touch(const Moving3& a, const Moving3& b, double t_max,
+std::optional<double> ball_core_touch(Workspace&, const Moving3& a, const Moving3& b, double t_max,
                                       const TouchSearch& search) {
   return advance_cores(a, b, CoreSearch::ball, {0, t_max}, search);
 }
-std::optional<double> pill_touch(const Moving3& a, const Moving3& b, double t_max,
+std::optional<double> pill_touch(Workspace&, const Moving3& a, const Moving3& b, double t_max,
                                  const TouchSearch& search) {
   return advance_cores(a, b, CoreSearch::pill, {0, t_max}, search);
 }
-std::optional<double> hull_touch(const Moving3& a, const Moving3& b, double t_max,
+std::optional<double> hull_touch(Workspace&, const Moving3& a, const Moving3& b, double t_max,
                                  const TouchSearch& search) {
   return advance_cores(a, b, CoreSearch::hull, {0, t_max}, search);
 }

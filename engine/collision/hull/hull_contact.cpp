@@ -122,7 +122,7 @@ void face_face(const Placed3& reference, int face, const Placed3& incident, bool
 
 }  // namespace
 
-void hull_contacts(const Placed3& a, const Placed3& b, double reach, double, Contacts<3>& out) {
+void hull_contacts(Workspace&, const Placed3& a, const Placed3& b, double reach, double, Contacts<3>& out) {
   const FaceAxis of_a = best_face_axis(a, b);
   if (of_a.separation > reach) return;
   const FaceAxis of_b = best_face_axis(b, a);

@@ -17,8 +17,9 @@ constexpr double deepest_share = 0.05;
 
 class RimContacts {
  public:
-  RimContacts(const Placed3& polyhedron, const Box3& box, double reach, double slack, Contacts<3>& out)
-      : p_(polyhedron), box_(box), reach_(reach), slack_(slack), out_(out) {}
+  RimContacts(Workspace& work, const Placed3& polyhedron, const Box3& box, double reach, double slack,
+              Contacts<3>& out)
+      : p_(polyhedron), box_(box), reach_(reach), slack_(slack), out_(out), rise_(work.rises) {}
 
   /// Whether the polyhedron comes within reach of the plane of a facet. Otherwise nothing of the facet can
   /// touch it.
@@ -31,7 +32,7 @@ class RimContacts {
     if (!box_.overlaps(box) || lowest_along(f.beyond[i], from) > reach_) return;
     const Contactor3& shape = p_.shape;
     const Vec3 upward = p_.pose.r.inverse(f.normal + f.beyond[i]), local = p_.pose.r.inverse(along);
-    rise_.clear();  // of each face along the rim
+    rise_.clear();
     for (const Contactor3::Face& face : shape.faces) rise_.push_back(local.dot(face.normal));
     const double level = slack_ * along.norm();
     for (int e = 0; e < static_cast<int>(shape.edges.size()); ++e) {
@@ -112,20 +113,15 @@ class RimContacts {
   const Box3& box_;
   double reach_, slack_;
   Contacts<3>& out_;
-  std::vector<double>& rise_ = buffer();
-
-  static std::vector<double>& buffer() {
-    thread_local std::vector<double> values;  // keeps its memory between calls
-    return values;
-  }
+  std::vector<double>& rise_;  ///< of each face along the rim
 };
 
 }  // namespace
 
-void hull_on_ground(const Placed3& polyhedron, const Ground3& ground, double reach, double turn,
-                    Contacts<3>& out) {
-  contacts_on_ground(polyhedron, ground, reach, out, [&](const GroundNearby& nearby) {
-    at_rims_and_peaks(nearby, RimContacts(polyhedron, nearby.box, reach, flush + turn, out));
+void hull_on_ground(Workspace& work, const Placed3& polyhedron, const Ground3& ground, double reach,
+                    double turn, Contacts<3>& out) {
+  contacts_on_ground(work, polyhedron, ground, reach, out, [&](const GroundNearby& nearby) {
+    at_rims_and_peaks(work, nearby, RimContacts(work, polyhedron, nearby.box, reach, flush + turn, out));
   });
 }
 

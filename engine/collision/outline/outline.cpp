@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "collision/pairs.h"
 #include "collision/rules.h"
 
 namespace flyrock {
@@ -54,52 +53,51 @@ double depth_in(const Ground2& ground, const Vec2& place) {
 }
 double depth_in(const Ground3& ground, const Vec3& place) { return std::max(0.0, ground.depth(place)); }
 
+}  // namespace
+
 template <int D>
-void contacts_in_frame(const PlacedIn<D>& other, const PlacedIn<D>& outline, double reach, double turn,
-                       Contacts<D>& out) {
+void outline_contacts(Workspace& work, const Placed<D>& other, const Placed<D>& outline, double reach,
+                      double turn, Contacts<D>& out) {
   const std::size_t begin = out.size();
-  terrain_contacts({other.shape, seen_from(outline.pose, other.pose), other.index}, *outline.shape.ground,
-                   reach, turn, out);
+  terrain_contacts<D>(work, {other.shape, seen_from(outline.pose, other.pose), other.index},
+                      *outline.shape.ground, reach, turn, out);
   for (std::size_t i = begin; i < out.size(); ++i) {
     out[i].point = outline.pose * out[i].point;
     out[i].normal = outline.pose.r * out[i].normal;
   }
 }
 
-}  // namespace
+template <int D>
+double outline_gap(Workspace& work, const Placed<D>& other, FeatureId feature, const Placed<D>& outline,
+                   FeatureId against, const Vec<D>& normal) {
+  const GroundIn<D>& ground = *outline.shape.ground;
+  return feature_gap<D>(work, {other.shape, seen_from(outline.pose, other.pose)}, feature, ground, against,
+                        outline.pose.r.inverse(normal));
+}
 
-void outline_contacts(const Placed2& other, const Placed2& outline, double reach, double turn,
-                      Contacts<2>& out) {
-  contacts_in_frame<2>(other, outline, reach, turn, out);
+template <int D>
+std::optional<double> outline_touch(Workspace& work, const Moving<D>& other, const Moving<D>& outline,
+                                    double t_max, const TouchSearch& search) {
+  const GroundIn<D>& ground = *outline.shape.ground;
+  const auto motion = seen_from(outline.motion, other.motion);
+  return time_of_contact<D>(work, {other.shape, motion, other.index}, ground, t_max, search);
 }
-double outline_gap(const Placed2& other, FeatureId feature, const Placed2& outline, FeatureId against) {
-  return feature_gap({other.shape, seen_from(outline.pose, other.pose)}, feature, *outline.shape.ground,
-                     against);
-}
-std::optional<double> outline_touch(const Moving2& other, const Moving2& outline, double t_max,
-                                    const TouchSearch& search) {
-  return time_of_contact({other.shape, seen_from(outline.motion, other.motion), other.index},
-                         *outline.shape.ground, t_max, search);
-}
-double depth_in_outline(const Placed2& outline, const Vec2& place) {
+
+template <int D>
+double depth_in_outline(const Placed<D>& outline, const Vec<D>& place) {
   return depth_in(*outline.shape.ground, outline.pose.r.inverse(place - outline.pose.x));
 }
 
-void outline_contacts(const Placed3& other, const Placed3& outline, double reach, double turn,
-                      Contacts<3>& out) {
-  contacts_in_frame<3>(other, outline, reach, turn, out);
-}
-double outline_gap(const Placed3& other, FeatureId feature, const Placed3& outline, FeatureId against) {
-  return feature_gap({other.shape, seen_from(outline.pose, other.pose)}, feature, *outline.shape.ground,
-                     against);
-}
-std::optional<double> outline_touch(const Moving3& other, const Moving3& outline, double t_max,
-                                    const TouchSearch& search) {
-  return time_of_contact({other.shape, seen_from(outline.motion, other.motion), other.index},
-                         *outline.shape.ground, t_max, search);
-}
-double depth_in_outline(const Placed3& outline, const Vec3& place) {
-  return depth_in(*outline.shape.ground, outline.pose.r.inverse(place - outline.pose.x));
-}
+#define FLYROCK_INSTANTIATE(D)                                                                         \
+  template void outline_contacts(Workspace&, const Placed<D>&, const Placed<D>&, double, double,       \
+                                 Contacts<D>&);                                                        \
+  template double outline_gap(Workspace&, const Placed<D>&, FeatureId, const Placed<D>&, FeatureId,    \
+                              const Vec<D>&);                                                          \
+  template std::optional<double> outline_touch(Workspace&, const Moving<D>&, const Moving<D>&, double, \
+                                               const TouchSearch&);                                    \
+  template double depth_in_outline(const Placed<D>&, const Vec<D>&)
+FLYROCK_INSTANTIATE(2);
+FLYROCK_INSTANTIATE(3);
+#undef FLYROCK_INSTANTIATE
 
 }  // namespace flyrock

@@ -13,7 +13,7 @@
 namespace flyrock {
 
 /// How deep a place lies in the solid of an outline; 0 outside. In 3D it is measured upwards [m].
-double depth_in_outline(const Placed2& outline, const Vec2& place);
-double depth_in_outline(const Placed3& outline, const Vec3& place);
+template <int D>
+double depth_in_outline(const Placed<D>& outline, const Vec<D>& place);
 
 }  // namespace flyrock

@@ -132,7 +132,8 @@ class CoreContacts {
 
 }  // namespace
 
-void core_contacts(const Placed3& core, const Placed3& other, double reach, double, Contacts<3>& out) {
+void core_contacts(Workspace&, const Placed3& core, const Placed3& other, double reach, double,
+                   Contacts<3>& out) {
   CoreContacts(core, other, reach, out).find();
 }
 

@@ -103,10 +103,11 @@ class CoreRimContacts {
 
 }  // namespace
 
-void core_on_ground(const Placed3& core, const Ground3& ground, double reach, double turn, Contacts<3>& out) {
-  contacts_on_ground(core, ground, reach, out, [&](const GroundNearby& nearby) {
+void core_on_ground(Workspace& work, const Placed3& core, const Ground3& ground, double reach, double turn,
+                    Contacts<3>& out) {
+  contacts_on_ground(work, core, ground, reach, out, [&](const GroundNearby& nearby) {
     if (core.count() > 1 || core.shape.radius > 0)
-      at_rims_and_peaks(nearby, CoreRimContacts(core, reach, turn, out));
+      at_rims_and_peaks(work, nearby, CoreRimContacts(core, reach, turn, out));
   });
 }
 

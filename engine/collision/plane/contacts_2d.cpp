@@ -207,7 +207,7 @@ void sharp_contacts(const Placed2& a, const Placed2& b, double reach, Contacts<2
 
 }  // namespace
 
-void ball_contacts(const Placed2& a, const Placed2& b, double reach, double, Contacts<2>& out) {
+void ball_contacts(Workspace&, const Placed2& a, const Placed2& b, double reach, double, Contacts<2>& out) {
   const Vec2 away = a.point(0) - b.point(0);
   const double distance = away.norm(), gap = distance - a.shape.radius - b.shape.radius;
   if (gap > reach || a.shape.radius + b.shape.radius == 0) return;  // two points do not meet
@@ -215,7 +215,8 @@ void ball_contacts(const Placed2& a, const Placed2& b, double reach, double, Con
   out.push_back({b.point(0) + (b.shape.radius + 0.5 * gap) * normal, normal, gap, a.vertex(0), b.vertex(0)});
 }
 
-void core_contacts(const Placed2& disk, const Placed2& hull, double reach, double, Contacts<2>& out) {
+void core_contacts(Workspace&, const Placed2& disk, const Placed2& hull, double reach, double,
+                   Contacts<2>& out) {
   const double radius = disk.shape.radius, grown = hull.shape.radius;
   const NearestPlace place = nearest_place(hull, disk, 0, reach + radius + grown);
   const double gap = place.distance - radius - grown;
@@ -224,7 +225,7 @@ void core_contacts(const Placed2& disk, const Placed2& hull, double reach, doubl
   out.push_back({point, place.normal, gap, disk.vertex(0), feature_of(place, hull)});
 }
 
-void hull_contacts(const Placed2& a, const Placed2& b, double reach, double, Contacts<2>& out) {
+void hull_contacts(Workspace&, const Placed2& a, const Placed2& b, double reach, double, Contacts<2>& out) {
   if (a.shape.radius + b.shape.radius > 0)
     GrownContacts(a, b, reach, out).find();
   else

@@ -185,8 +185,8 @@ double TouchSearch::start_gap(double gap, bool just_opened) const {
   return just_opened && std::abs(gap) <= 1e-6 * size ? 0.0 : gap + slack;
 }
 
-std::optional<double> hull_touch_of_ground(const Moving2& moving, const Ground2& ground, double t_max,
-                                           const TouchSearch& search) {
+std::optional<double> hull_touch_of_ground(Workspace&, const Moving2& moving, const Ground2& ground,
+                                           double t_max, const TouchSearch& search) {
   const Contactor2& contactor = moving.shape;
   const Motion2& motion = moving.motion;
   const double reach = contactor.bound + motion.swell.greatest(t_max);
@@ -231,13 +231,13 @@ std::optional<double> hull_touch_of_ground(const Moving2& moving, const Ground2&
   return best;
 }
 
-std::optional<double> ball_touch(const Moving2& a, const Moving2& b, double t_max,
+std::optional<double> ball_touch(Workspace& work, const Moving2& a, const Moving2& b, double t_max,
                                  const TouchSearch& search) {
   if (a.shape.radius + b.shape.radius == 0) return std::nullopt;  // two points
-  return hull_touch(a, b, t_max, search);
+  return hull_touch(work, a, b, t_max, search);
 }
 
-std::optional<double> hull_touch(const Moving2& a, const Moving2& b, double t_max,
+std::optional<double> hull_touch(Workspace&, const Moving2& a, const Moving2& b, double t_max,
                                  const TouchSearch& search) {
   return advance_to_contact(hull_of(a), hull_of(b), {0, t_max}, search);
 }

@@ -16,8 +16,8 @@ double from_corner(const Vec2& p, const Ground2& ground, int corner) {
 }
 }  // namespace
 
-double hull_gap_to_ground(const Placed2& contactor, FeatureId feature, const Ground2& ground,
-                          FeatureId against) {
+double hull_gap_to_ground(Workspace&, const Placed2& contactor, FeatureId feature, const Ground2& ground,
+                          FeatureId against, const Vec2&) {
   const int i = terrain_index(against), k = index_2d(feature);
   if (is_edge(feature)) return contactor.outside(k, ground.point(i)) - contactor.shape.radius;
   const Vec2 p = contactor.point(k);
@@ -26,7 +26,8 @@ double hull_gap_to_ground(const Placed2& contactor, FeatureId feature, const Gro
   return distance - contactor.shape.radius;
 }
 
-double core_gap(const Placed2& candidate, FeatureId feature, const Placed2& antagonist, FeatureId against) {
+double core_gap(Workspace&, const Placed2& candidate, FeatureId feature, const Placed2& antagonist,
+                FeatureId against, const Vec2&) {
   const int k = index_2d(feature), j = index_2d(against);
   const double radii = candidate.shape.radius + antagonist.shape.radius;
   if (is_edge(feature)) return candidate.outside(k, antagonist.point(j)) - radii;

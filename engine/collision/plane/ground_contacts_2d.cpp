@@ -194,7 +194,7 @@ Ground2::Run segments_near(const Placed2& contactor, const Ground2& ground, doub
 
 }  // namespace
 
-void hull_on_ground(const Placed2& contactor, const Ground2& ground, double reach, double turn,
+void hull_on_ground(Workspace&, const Placed2& contactor, const Ground2& ground, double reach, double turn,
                     Contacts<2>& out) {
   const auto run = segments_near(contactor, ground, reach);
   vertex_contacts(contactor, ground, run, reach, out);

@@ -1,14 +1,15 @@
 // Time of impact of contactors with circles.
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 
 #include "collision/held.h"
 #include "collision/pair_search.h"
 #include "collision/rules.h"
 #include "collision/safe_root.h"
 #include "collision/smooth/axis_state.h"
+#include "collision/smooth/facing_pair.h"
 #include "collision/smooth/piece_heights.h"
-#include "collision/smooth/support_feature.h"
 
 namespace flyrock {
 
@@ -22,7 +23,7 @@ constexpr double rim_sinking = 1e-5;
 
 class CircleSearch {
  public:
-  CircleSearch(const Moving3& a, const Moving3& b, double end, const TouchSearch& search)
+  CircleSearch(Workspace& work, const Moving3& a, const Moving3& b, double end, const TouchSearch& search)
       : a_(a),
         b_(b),
         end_(end),
@@ -32,7 +33,9 @@ class CircleSearch {
         axis_b_(b),
         held_a_(a.shape),
         held_b_(b.shape),
-        are_solved_(search.held_are_solved) {
+        are_solved_(search.held_are_solved),
+        of_a_(work.heights_a),
+        of_b_(work.heights_b) {
     find_held();
   }
 
@@ -67,6 +70,9 @@ class CircleSearch {
   }
 
  private:
+  /// Towards the highest place of each rim at the start; unit.
+  using FirstPlaces = boost::container::small_vector<Vec3, 2>;
+
   /// A normal from b to a.
   struct Direction : TurningNormal {
     enum class Turns { with_a, with_b, with_both } turns;
@@ -226,7 +232,7 @@ class CircleSearch {
   /// of a turn around it; then the cap is level, or nearly so, and another place touches. `turning` is a
   /// bound on the second rate of the normal, as the contactor sees it. Over the plane of its own cap, no
   /// place of a rim is lowest.
-  void quarter_turns(const HeldPieces& held, std::vector<Vec3>& first, const Contactor3& shape,
+  void quarter_turns(const HeldPieces& held, FirstPlaces& first, const Contactor3& shape,
                      const Heights& heights, double turning, double horizon, double left,
                      double& least) const {
     constexpr double level = 1e-9;  // share of the size
@@ -260,26 +266,26 @@ class CircleSearch {
   AxisState axis_a_, axis_b_;
   HeldPieces held_a_, held_b_;
   bool holds_ = false, holds_plane_ = false;
-  bool are_solved_;                       ///< held contacts are solved in the step: none has just opened
-  bool yields_ = false;                   ///< a held contact is a spring
-  Vec3 nearest_ = Vec3::Zero();           ///< the normal of the pair
-  bool touches_ = false;                  ///< along it
-  std::optional<double> sunk_since_;      ///< s, when held pieces were first met,
-  double sunk_ = forever;                 ///< m, and how deep they lay then along the best direction
-  std::vector<PieceHeight> of_a_, of_b_;  ///< along the direction at hand
-  std::vector<Vec3> first_a_, first_b_;   ///< towards the highest place of each rim at the start; unit
+  bool are_solved_;                        ///< held contacts are solved in the step: none has just opened
+  bool yields_ = false;                    ///< a held contact is a spring
+  Vec3 nearest_ = Vec3::Zero();            ///< the normal of the pair
+  bool touches_ = false;                   ///< along it
+  std::optional<double> sunk_since_;       ///< s, when held pieces were first met,
+  double sunk_ = forever;                  ///< m, and how deep they lay then along the best direction
+  std::vector<PieceHeight>&of_a_, &of_b_;  ///< along the direction at hand
+  FirstPlaces first_a_, first_b_;
 };
 
 }  // namespace
 
-std::optional<double> advance_with_circles(const Moving3& a, const Moving3& b, const TimeWindow& window,
-                                           const TouchSearch& search) {
-  return advance(CircleSearch(a, b, window.b, search), window, search.iterations);
+std::optional<double> advance_with_circles(Workspace& work, const Moving3& a, const Moving3& b,
+                                           const TimeWindow& window, const TouchSearch& search) {
+  return advance(CircleSearch(work, a, b, window.b, search), window, search.iterations);
 }
 
-std::optional<double> smooth_touch(const Moving3& a, const Moving3& b, double t_max,
+std::optional<double> smooth_touch(Workspace& work, const Moving3& a, const Moving3& b, double t_max,
                                    const TouchSearch& search) {
-  return advance_with_circles(a, b, {0, t_max}, search);
+  return advance_with_circles(work, a, b, {0, t_max}, search);
 }
 
 }  // namespace flyrock

@@ -18,7 +18,7 @@ struct Separation {
 /// and n becomes the direction of the nearest place of A - B + L n: the normal of the features that touch is
 /// a fixed point of this, and errors shrink by L / (L + radius of curvature) each time. L is a thousandth of
 /// the smaller core, longer where they overlap more. The normal is good to about 1e-6: facing_pair
-/// (support_feature.h) makes it exact. The distance is that of the two supports along n, so that it errs by
+/// (facing_pair.h) makes it exact. The distance is that of the two supports along n, so that it errs by
 /// the square of n's error where the cores are smooth.
 Separation separation(const Placed3& a, const Placed3& b);
 

@@ -4,8 +4,9 @@
 #include <cmath>
 
 #include "collision/manifold_reduction.h"
+#include "collision/pill/closest.h"
 #include "collision/rules.h"
-#include "collision/smooth/support_feature.h"
+#include "collision/smooth/facing_pair.h"
 
 namespace flyrock {
 
@@ -203,7 +204,7 @@ class MeetingPatches {
 
 }  // namespace
 
-void smooth_contacts(const Placed3& a, const Placed3& b, double reach, double, Contacts<3>& out) {
+void smooth_contacts(Workspace&, const Placed3& a, const Placed3& b, double reach, double, Contacts<3>& out) {
   const double radii = a.shape.radius + b.shape.radius;
   const FacingPair pair = facing_pair(a, b);
   if (pair.apart.distance - radii > reach) return;

@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "collision/rules.h"
-#include "collision/smooth/support_feature.h"
+#include "collision/smooth/facing_pair.h"
 
 namespace flyrock {
 
@@ -41,13 +41,15 @@ std::optional<double> over_plane(const Placed3& shape, FeatureId feature,
 
 }  // namespace
 
-double smooth_gap(const Placed3& a, FeatureId feature, const Placed3& b, FeatureId against) {
+double smooth_gap(Workspace&, const Placed3& a, FeatureId feature, const Placed3& b, FeatureId against,
+                  const Vec3& near) {
   for (const auto& height :
        {over_plane(a, feature, plane_of(b, against)), over_plane(b, against, plane_of(a, feature))})
     if (height) return *height - a.shape.radius - b.shape.radius;
+  const double radii = a.shape.radius + b.shape.radius;
+  if (const auto distance = distance_of_features(a, feature, b, against, near)) return *distance - radii;
   const FacingPair pair = facing_pair(a, b);
   const Vec3& normal = pair.apart.normal;
-  const double radii = a.shape.radius + b.shape.radius;
   if (const auto of_a = place_of(a, feature, -normal)) return normal.dot(*of_a - b.support(normal)) - radii;
   const auto of_b = place_of(b, against, normal);
   if (!of_b) return pair.apart.distance - radii;
@@ -56,11 +58,10 @@ double smooth_gap(const Placed3& a, FeatureId feature, const Placed3& b, Feature
   return normal.dot(a.support(-normal) - *of_b) - radii;
 }
 
-Placed3 edge_piece(const Facet& facet, int rim) {
-  thread_local Contactor3 segment = Contactor3::pill(Vec3::Zero(), Vec3::Zero(), 0);
-  segment.points[1] = facet.along(rim);
-  segment.bound = facet.along(rim).norm();
-  return {segment, {facet.corner[rim], {}}};
+Placed3 edge_piece(Workspace& work, const Facet& facet, int rim) {
+  work.edge.points[1] = facet.along(rim);
+  work.edge.bound = facet.along(rim).norm();
+  return {work.edge, {facet.corner[rim], {}}};
 }
 
 Placed3 vertex_piece(const Vec3& at) {
@@ -68,16 +69,17 @@ Placed3 vertex_piece(const Vec3& at) {
   return {point, {at, {}}};
 }
 
-double smooth_gap_to_ground(const Placed3& contactor, FeatureId feature, const Ground3& ground,
-                            FeatureId against) {
+double smooth_gap_to_ground(Workspace& work, const Placed3& contactor, FeatureId feature,
+                            const Ground3& ground, FeatureId against, const Vec3& near) {
   const Facet f = ground.facet(ground.facet_of(against));
   if (kind_of(against) == FeatureKind::face)
     return f.distance(*place_of(contactor, feature, -f.normal)) - contactor.shape.radius;
   if (kind_of(against) == FeatureKind::vertex)
-    return smooth_gap(contactor, feature, vertex_piece(ground.vertex(ground_index(against))),
-                      feature_id(0, FeatureKind::vertex, 0));
-  return smooth_gap(contactor, feature, edge_piece(f, static_cast<int>(ground_index(against) % 3)),
-                    feature_id(0, FeatureKind::edge, 0));
+    return smooth_gap(work, contactor, feature, vertex_piece(ground.vertex(ground_index(against))),
+                      feature_id(0, FeatureKind::vertex, 0), near);
+  return smooth_gap(work, contactor, feature,
+                    edge_piece(work, f, static_cast<int>(ground_index(against) % 3)),
+                    feature_id(0, FeatureKind::edge, 0), near);
 }
 
 }  // namespace flyrock

@@ -9,15 +9,15 @@ namespace {
 
 class CircleRimContacts {
  public:
-  CircleRimContacts(const Placed3& shape, double reach, double turn, Contacts<3>& out)
-      : shape_(shape), reach_(reach), slack_(flush_angle + turn), out_(out) {}
+  CircleRimContacts(Workspace& work, const Placed3& shape, double reach, double turn, Contacts<3>& out)
+      : work_(work), shape_(shape), reach_(reach), slack_(flush_angle + turn), out_(out) {}
 
   bool near(const Facet& f) const {
     return f.normal.dot(shape_.support(-f.normal) - f.corner[0]) - shape_.shape.radius <= reach_;
   }
 
   void rim(const Facet& f, int i) {
-    meet(edge_piece(f, i), f.edge_feature(i), [&](const ContactPoint<3>& c, std::size_t count) {
+    meet(edge_piece(work_, f, i), f.edge_feature(i), [&](const ContactPoint<3>& c, std::size_t count) {
       // The end of an edge is a peak; two contacts lie along the edge.
       return !(count == 1 && kind_of(c.against) == FeatureKind::vertex) &&
              rim_cone_contains(f, i, c.normal, slack_);
@@ -35,10 +35,10 @@ class CircleRimContacts {
   /// Keeps the contacts with a piece of the ground whose normals are in its cone.
   template <class InCone>
   void meet(const Placed3& piece, FeatureId against, const InCone& in_cone) {
-    constexpr double deepest_share = 0.05;            // as in hull_on_ground.cpp
-    thread_local std::vector<ContactPoint<3>> found;  // keeps its memory between calls
+    constexpr double deepest_share = 0.05;  // as in hull_on_ground.cpp
+    Contacts<3>& found = work_.found;
     found.clear();
-    smooth_contacts(shape_, piece, reach_, 0, found);
+    smooth_contacts(work_, shape_, piece, reach_, 0, found);
     for (ContactPoint<3>& c : found) {
       if (c.gap < -deepest_share * shape_.shape.bound || !in_cone(c, found.size())) continue;
       c.against = against;
@@ -46,6 +46,7 @@ class CircleRimContacts {
     }
   }
 
+  Workspace& work_;
   const Placed3& shape_;
   double reach_, slack_;
   Contacts<3>& out_;
@@ -69,12 +70,12 @@ void rim_places_on_facets(const Placed3& shape, const GroundNearby& nearby, doub
 
 }  // namespace
 
-void smooth_on_ground(const Placed3& shape, const Ground3& ground, double reach, double turn,
+void smooth_on_ground(Workspace& work, const Placed3& shape, const Ground3& ground, double reach, double turn,
                       Contacts<3>& out) {
   contacts_on_ground(
-      shape, ground, reach, out,
+      work, shape, ground, reach, out,
       [&](const GroundNearby& nearby) {
-        at_rims_and_peaks(nearby, CircleRimContacts(shape, reach, turn, out));
+        at_rims_and_peaks(work, nearby, CircleRimContacts(work, shape, reach, turn, out));
       },
       [&](const GroundNearby& nearby) { rim_places_on_facets(shape, nearby, reach, out); });
 }

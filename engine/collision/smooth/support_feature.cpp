@@ -126,85 +126,35 @@ Patch support_feature(const Placed3& placed, const Vec3& direction) {
   return patch;
 }
 
-namespace {
-
-/// How the farthest place of a core moves as the direction turns: R/s t t^T for a rim and a side.
-Eigen::Matrix3d give_of(const Placed3& shape, const Patch& patch, const Vec3& normal) {
-  const ShapeFeature& feature = patch.places.front().feature;
-  if (shape.shape.circles.empty() || feature.kind != FeatureKind::edge) return Eigen::Matrix3d::Zero();
-  const Contactor3::Circle& circle = shape.shape.circles[circle_of_rim(feature.index)];
-  const Vec3 tangent = (shape.pose.r * circle.axis).cross(normal);  // as long as the sine
-  const double sine = tangent.norm();
-  return circle.radius / (sine * sine * sine) * tangent * tangent.transpose();
-}
-
-/// One Newton step for the normal of two patches that are not plane; `with_lines`: lines stay across it.
-Vec3 next_normal(const Placed3& a, const Patch& of_a, const Placed3& b, const Patch& of_b, const Vec3& n,
-                 double least, bool with_lines) {
-  std::array<Vec3, 2> lines;
-  int count = 0;
-  for (const Patch* patch : {&of_a, &of_b})
-    if (with_lines && patch->kind == Patch::Kind::segment)
-      lines[count++] = (patch->places[1].at - patch->places[0].at).normalized();
-  Vec3 normal = n;
-  if (count == 2) {
-    const Vec3 across = lines[0].cross(lines[1]);
-    if (across.norm() > flush_angle) return (across.dot(n) < 0 ? -1 : 1) * across.normalized();
-  }
-  if (count > 0) normal = (n - lines[0].dot(n) * lines[0]).normalized();
-  const Vec3 between = place_on(of_a) - place_on(of_b);
-  const double distance = normal.dot(between);
-  Vec3 miss = between - distance * normal;
-  Eigen::Matrix3d give = give_of(a, of_a, normal) + give_of(b, of_b, normal);
-  give.diagonal().array() += std::max(distance, least);
-  if (count == 0) {
-    // Across the tangent plane the step is 0.
-    give += give.trace() * normal * normal.transpose();
-    return (normal + give.ldlt().solve(miss)).normalized();
-  }
-  const Vec3 across = lines[0].cross(normal);
-  return (normal + across * (across.dot(miss) / across.dot(give * across))).normalized();
-}
-
-double distance_along(const Placed3& a, const Placed3& b, const Vec3& normal) {
-  return normal.dot(a.support(-normal) - b.support(normal));
-}
-
-}  // namespace
-
-FacingPair facing_pair(const Placed3& a, const Placed3& b) {
-  constexpr int most_steps = 6;
-  constexpr double least_share = 1e-4, exact = 1e-15;
-  FacingPair pair{separation(a, b), {}, {}};
-  Vec3& normal = pair.apart.normal;
-  const double size = std::max(a.shape.bound, b.shape.bound);
-  pair.of_a = support_feature(a, -normal);
-  pair.of_b = support_feature(b, normal);
-  const auto is_plane = [](const Patch& patch) { return patch.normal.squaredNorm() > 0; };
-  for (const bool with_lines : {true, false}) {
-    bool better = false;
-    for (int i = 0; i < most_steps && !is_plane(pair.of_a) && !is_plane(pair.of_b); ++i) {
-      const Vec3 next = next_normal(a, pair.of_a, b, pair.of_b, normal, least_share * size, with_lines);
-      const double distance = distance_along(a, b, next), turned = (next - normal).norm();
-      if (!(distance >= pair.apart.distance - 1e-12 * size) || turned > 0.1) break;
-      better = true;
-      normal = next;
-      pair.apart.distance = distance;
-      pair.of_a = support_feature(a, -normal);
-      pair.of_b = support_feature(b, normal);
-      if (turned < exact) break;
+std::optional<Patch> known_feature(const Placed3& placed, FeatureId id, const Vec3& direction) {
+  const Contactor3& shape = placed.shape;
+  const Vec3 local = placed.pose.r.inverse(direction);
+  const ShapeFeature feature = feature_of(id);
+  Patch patch;
+  patch.feature = feature;
+  const auto add_piece = [&](int piece) {
+    patch.places.push_back(
+        {placed.pose * farthest(shape, piece, local), place_feature(shape, piece), feature});
+  };
+  if (feature.kind == FeatureKind::vertex) {
+    add_piece(feature.index);
+  } else if (!shape.circles.empty()) {
+    const bool is_side = feature.kind == FeatureKind::face && feature.index == side_face;
+    if (!is_side && (feature.kind == FeatureKind::face || place_of_rim(feature.index) > 0))
+      return std::nullopt;
+    if (is_side) {
+      patch.kind = Patch::Kind::segment;
+      for (int i = 0; i < pieces_of(shape); ++i) add_piece(i);
+    } else {
+      add_piece(static_cast<int>(shape.points.size()) + circle_of_rim(feature.index));
     }
-    if (better) break;
+  } else if (feature.kind == FeatureKind::edge) {
+    patch.kind = Patch::Kind::segment;
+    for (const int end : {shape.edges[feature.index].start, shape.edges[feature.index].end}) add_piece(end);
+  } else {
+    return std::nullopt;
   }
-  if (is_plane(pair.of_b)) {
-    normal = pair.of_b.normal;
-    pair.of_a = support_feature(a, -normal);
-  } else if (is_plane(pair.of_a)) {
-    normal = -pair.of_a.normal;
-    pair.of_b = support_feature(b, normal);
-  }
-  pair.apart.distance = distance_along(a, b, normal);
-  return pair;
+  return patch;
 }
 
 std::optional<Vec3> touching_line(const Placed3& shape, FeatureId feature, const Vec3& normal) {

@@ -4,8 +4,7 @@
 #include <boost/container/static_vector.hpp>
 #include <optional>
 
-#include "collision/pill/closest.h"
-#include "collision/smooth/gjk.h"
+#include "collision/placed.h"
 #include "geometry/ground.h"
 
 namespace flyrock {
@@ -48,20 +47,12 @@ struct Patch {
 /// side, a vertex or a place of a rim.
 Patch support_feature(const Placed3& shape, const Vec3& direction);
 
+/// The part that a feature names, of which a rim and a side are as they face a direction: nothing for a face
+/// or cap, and for the places where a rim crosses something.
+std::optional<Patch> known_feature(const Placed3& shape, FeatureId feature, const Vec3& direction);
+
 /// A place on a patch: its first one, or the centre of a disc.
 Vec3 place_on(const Patch& patch);
-
-/// The separation of two cores with the parts that face each other. If one of the parts is plane, the normal
-/// is that of the plane; if both are, that of b. Otherwise Newton's method makes the normal n of separation()
-/// exact: n must point along the line between the two nearest places. A place of a rim of radius R moves by
-///   -R/s t (t . dn)
-/// if n changes by dn, with the tangent t of the rim and the sine s of the angle between n and the axis. A
-/// line that touches stays perpendicular to n.
-struct FacingPair {
-  Separation apart;
-  Patch of_a, of_b;
-};
-FacingPair facing_pair(const Placed3& a, const Placed3& b);
 
 /// The line with which a feature touches: an edge, or the tangent of a rim. A vertex gives the zero vector, a
 /// face none. Of any length, world frame; `normal` is that of the contact.

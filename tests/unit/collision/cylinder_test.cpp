@@ -9,12 +9,13 @@
 #include "collision/ground/terrain_3d.h"
 #include "collision/pairs.h"
 #include "collision/smooth/gjk.h"
-#include "collision/smooth/support_feature.h"
+#include "collision/smooth/facing_pair.h"
 #include "geometry/cone.h"
 #include "geometry/hull.h"
 #include "indexed.h"
 #include "nearest_contact.h"
 #include "samples.h"
+#include "scratch.h"
 #include "unit/collision/shots.h"
 
 using namespace flyrock;
@@ -107,9 +108,9 @@ TEST_CASE("cylinders at 10,000 random placements have a gap, a normal and places
         const bool turned = tested % 2;
         const auto find = [&](Contacts<3>& contacts) {
           if (turned)
-            body_contacts(b, indexed(a, 1), 10, contacts);
+            body_contacts(scratch(), b, indexed(a, 1), 10, contacts);
           else
-            body_contacts(a, indexed(b, 1), 10, contacts);
+            body_contacts(scratch(), a, indexed(b, 1), 10, contacts);
         };
         Contacts<3> contacts;
         find(contacts);
@@ -127,8 +128,8 @@ TEST_CASE("cylinders at 10,000 random placements have a gap, a normal and places
           precise += error < 1e-9;
           const double room = c.gap;
           good = good && error < 1e-4 * other.bound;
-          const double known =
-              turned ? feature_gap(b, c.feature, a, c.against) : feature_gap(a, c.feature, b, c.against);
+          const double known = turned ? feature_gap(scratch(), b, c.feature, a, c.against, c.normal)
+                                      : feature_gap(scratch(), a, c.feature, b, c.against, c.normal);
           good = good && std::abs(known - c.gap) < 1e-9;
           // As near, and as deep, as a solver may leave it.
           const double depth = std::pow(10, dice(-11, -4)) * (tested % 4 < 2 ? 1 : -1);
@@ -198,8 +199,9 @@ TEST_CASE("no shot cylinder passes through another shape, and it touches at gap 
         motion.x *= std::max(1.0, scale);
         others.rotation =
             FreeRotation({1, 1.2, 1.5}, dice.flush_rotation<3>(), dice(0, 500) * dice.direction<3>());
-        const auto touch = i % 3 ? time_of_contact({cylinder, motion}, {other, others}, end, search)
-                                 : time_of_contact({other, others}, {cylinder, motion}, end, search);
+        const auto touch =
+            i % 3 ? time_of_contact<3>(scratch(), {cylinder, motion}, {other, others}, end, search)
+                  : time_of_contact<3>(scratch(), {other, others}, {cylinder, motion}, end, search);
         touches += touch.has_value();
         wrong += !agrees(touch, end, 1e-9, 1e-8, [&](double t) {
           const Placed3 a = at(cylinder, motion, t), b = at(other, others, t);
@@ -235,9 +237,9 @@ TEST_CASE(
           TouchSearch search;
           search.size = shape.bound;
           search.iterations = &steps[spins];
-          touch[spins] = time_of_contact({shape, motion}, {other, rest}, end, search);
+          touch[spins] = time_of_contact<3>(scratch(), {shape, motion}, {other, rest}, end, search);
           motion.x += Vec3(0, 0, 3);
-          lands[spins] = time_of_contact({shape, motion}, terrain, end, search);
+          lands[spins] = time_of_contact<3>(scratch(), {shape, motion}, terrain, end, search);
         }
         REQUIRE(touch[0].has_value() == touch[1].has_value());
         REQUIRE(lands[0].has_value() == lands[1].has_value());
@@ -265,7 +267,7 @@ TEST_CASE("no shot cylinder passes through the ground, and it touches at gap 0",
       Motion3 motion = shot(dice, {1, 1, 0.7}, &Dice::flush_rotation<3>);
       if (motion.x.z() < 0) motion.x = -motion.x, motion.v = -motion.v;
       motion.x.z() += 1.8;
-      const auto touch = time_of_contact({cylinder, motion}, terrain, end, search);
+      const auto touch = time_of_contact<3>(scratch(), {cylinder, motion}, terrain, end, search);
       if (touch && motion.position(*touch).head<2>().norm() > 4) continue;  // near the border
       touches += touch.has_value();
       bool good = true;
@@ -276,7 +278,7 @@ TEST_CASE("no shot cylinder passes through the ground, and it touches at gap 0",
       }
       if (touch) {
         Contacts<3> contacts;
-        terrain_contacts(at(cylinder, motion, *touch), terrain, 1e-8, 0, contacts);
+        terrain_contacts(scratch(), at(cylinder, motion, *touch), terrain, 1e-8, 0, contacts);
         good = good && !contacts.empty() && std::abs(nearest_of(contacts).gap) < 1e-8;
       }
       wrong += !good;
@@ -306,13 +308,13 @@ TEST_CASE("cylinders at random places over a ridge with a peak have the gap of i
     if (gap > 0.4 || gap < 1e-3) continue;
     ++tested;
     Contacts<3> contacts;
-    terrain_contacts(placed, terrain, 0.5, 0, contacts);
+    terrain_contacts(scratch(), placed, terrain, 0.5, 0, contacts);
     bool good = !contacts.empty();
     if (good) {
       const ContactPoint<3>& c = nearest_of(contacts);
       const double error = std::abs(c.gap - gap);
       good = error < 1e-9 + 1e-4 * gap &&
-             std::abs(feature_gap(placed, c.feature, terrain, c.against) - c.gap) < 1e-9;
+             std::abs(feature_gap(scratch(), placed, c.feature, terrain, c.against, c.normal) - c.gap) < 1e-9;
     }
     wrong += !good;
   }

@@ -4,6 +4,7 @@
 
 #include "collision/ground/terrain_2d.h"
 #include "collision/pairs.h"
+#include "scratch.h"
 
 using namespace flyrock;
 
@@ -20,9 +21,9 @@ TEST_CASE("a falling square meets the segments of a bench") {
   TouchSearch search;
   search.size = square.bound;
   for (double horizon : {0.5, 1.0, 60.0}) {
-    const auto touch = time_of_contact({square, motion}, terrain, horizon, search);
+    const auto touch = time_of_contact<2>(scratch(), {square, motion}, terrain, horizon, search);
     REQUIRE(touch);
     CHECK(*touch == Approx(std::sqrt(2 / 9.81)).epsilon(1e-9));
   }
-  CHECK_FALSE(time_of_contact({square, motion}, terrain, 0.4, search));
+  CHECK_FALSE(time_of_contact<2>(scratch(), {square, motion}, terrain, 0.4, search));
 }

@@ -4,6 +4,7 @@
 #include "collision/pairs.h"
 #include "geometry/cone.h"
 #include "geometry/mesh.h"
+#include "scratch.h"
 
 using namespace flyrock;
 
@@ -65,17 +66,17 @@ TEST_CASE("two contactors that touch do so in either order, by contacts, gaps an
       CHECK(touch == can_touch(lower.form, upper.form));
       const Placed3 a{upper, above, 1}, b{lower, below, 2};
       Contacts<3> one, other;
-      body_contacts(a, b, 20, one);
-      body_contacts(b, a, 20, other);
+      body_contacts(scratch(), a, b, 20, one);
+      body_contacts(scratch(), b, a, 20, other);
       if (!touch) CHECK((one.empty() && other.empty()));
       CHECK(one.size() == other.size());
       if (!one.empty()) CHECK(least_gap(one) == Approx(least_gap(other)).margin(1e-9));
       for (const ContactPoint<3>& c : one)
-        CHECK(feature_gap(a, c.feature, b, c.against) ==
-              Approx(feature_gap(b, c.against, a, c.feature)).margin(1e-9));
+        CHECK(feature_gap(scratch(), a, c.feature, b, c.against, c.normal) ==
+              Approx(feature_gap(scratch(), b, c.against, a, c.feature, Vec3(-c.normal))).margin(1e-9));
       const TouchSearch search{.held = {}};
-      const auto first = time_of_contact({upper, falls, 1}, {lower, rests, 2}, 3, search);
-      const auto mirrored = time_of_contact({lower, rests, 2}, {upper, falls, 1}, 3, search);
+      const auto first = time_of_contact<3>(scratch(), {upper, falls, 1}, {lower, rests, 2}, 3, search);
+      const auto mirrored = time_of_contact<3>(scratch(), {lower, rests, 2}, {upper, falls, 1}, 3, search);
       CHECK(first.has_value() == mirrored.has_value());
       if (!touch) CHECK_FALSE(first);
       if (first && mirrored) CHECK(*first == Approx(*mirrored).margin(1e-9));

@@ -7,6 +7,7 @@
 #include "collision/pairs.h"
 #include "indexed.h"
 #include "nearest_contact.h"
+#include "scratch.h"
 #include "unit/collision/shots.h"
 
 using namespace flyrock;
@@ -88,14 +89,14 @@ TEST_CASE(
       const bool turned = ++tested % 2;
       Contacts<2> contacts;
       if (turned)
-        body_contacts(b, indexed(a, 1), 10, contacts);
+        body_contacts(scratch(), b, indexed(a, 1), 10, contacts);
       else
-        body_contacts(a, indexed(b, 1), 10, contacts);
+        body_contacts(scratch(), a, indexed(b, 1), 10, contacts);
       REQUIRE_FALSE(contacts.empty());
       const ContactPoint<2>& c = nearest_of(contacts);
       const Vec2 on_a = c.point + (turned ? -0.5 : 0.5) * c.gap * c.normal, on_b = 2 * c.point - on_a;
-      const double known =
-          turned ? feature_gap(b, c.feature, a, c.against) : feature_gap(a, c.feature, b, c.against);
+      const double known = turned ? feature_gap(scratch(), b, c.feature, a, c.against)
+                                  : feature_gap(scratch(), a, c.feature, b, c.against);
       wrong += std::abs(c.gap - gap) > 1e-12 || std::abs(known - gap) > 1e-12 ||
                std::abs(distance_to(a, on_a) - hull.radius) > 1e-12 ||
                std::abs(distance_to(b, on_b) - other.radius) > 1e-12;
@@ -111,7 +112,7 @@ TEST_CASE("a wall that lies flush on a wall or a polygon has two contacts, and o
     const double height = 0.4;
     for (const double x : {0.0, 0.3}) {
       Contacts<2> contacts;
-      body_contacts({wall, {{x, height}, {}}}, {*below, {}, 1}, 1e-6, contacts);
+      body_contacts<2>(scratch(), {wall, {{x, height}, {}}}, {*below, {}, 1}, 1e-6, contacts);
       REQUIRE(contacts.size() == 2);
       std::sort(contacts.begin(), contacts.end(),
                 [](const auto& a, const auto& b) { return a.point.x() < b.point.x(); });
@@ -120,14 +121,14 @@ TEST_CASE("a wall that lies flush on a wall or a polygon has two contacts, and o
       for (const auto& c : contacts) CHECK((c.normal - Vec2::UnitY()).norm() < 1e-12);
     }
     Contacts<2> contacts;
-    body_contacts({wall, {{0, height + 0.5 * std::sin(0.1)}, Rotation2::from_angle(0.1)}}, {*below, {}, 1},
-                  1e-3, contacts);
+    body_contacts<2>(scratch(), {wall, {{0, height + 0.5 * std::sin(0.1)}, Rotation2::from_angle(0.1)}},
+                     {*below, {}, 1}, 1e-3, contacts);
     REQUIRE(contacts.size() == 1);
     CHECK(std::abs(contacts[0].gap) < 1e-12);
   }
   // End to end
   Contacts<2> contacts;
-  body_contacts({wall, {{1.5, 0}, {}}}, {wall, {}, 1}, 1, contacts);
+  body_contacts<2>(scratch(), {wall, {{1.5, 0}, {}}}, {wall, {}, 1}, 1, contacts);
   REQUIRE(contacts.size() == 1);
   CHECK(contacts[0].gap == Approx(0.1).epsilon(1e-12));
   CHECK((contacts[0].normal - Vec2::UnitX()).norm() < 1e-12);
@@ -173,7 +174,7 @@ TEST_CASE("grown hulls at 10,000 random places over a profile have the gap of a 
     if (gap > 0.4) continue;
     ++tested;
     Contacts<2> contacts;
-    terrain_contacts(placed, terrain, 0.4, 0, contacts);
+    terrain_contacts(scratch(), placed, terrain, 0.4, 0, contacts);
     if (contacts.empty()) {
       ++wrong;
       continue;
@@ -181,7 +182,7 @@ TEST_CASE("grown hulls at 10,000 random places over a profile have the gap of a 
     const ContactPoint<2>& c = nearest_of(contacts);
     const Vec2 on_hull = c.point + 0.5 * c.gap * c.normal;
     wrong += std::abs(c.gap - gap) > 1e-12 ||
-             std::abs(feature_gap(placed, c.feature, terrain, c.against) - gap) > 1e-12 ||
+             std::abs(feature_gap(scratch(), placed, c.feature, terrain, c.against) - gap) > 1e-12 ||
              std::abs(distance_to(placed, on_hull) - hull.radius) > 1e-12;
   }
   CHECK(wrong == 0);
@@ -202,8 +203,9 @@ TEST_CASE("no shot hull passes through another shape or the profile, and it touc
       Motion2 spinning;
       spinning.w = dice(-500, 500);
       if (i % 2) spinning.v = dice(0, 100) * dice.direction<2>();
-      const auto touch = i % 3 ? time_of_contact({hull, motion}, {other, spinning}, end, search)
-                               : time_of_contact({other, spinning}, {hull, motion}, end, search);
+      const auto touch = i % 3
+                             ? time_of_contact<2>(scratch(), {hull, motion}, {other, spinning}, end, search)
+                             : time_of_contact<2>(scratch(), {other, spinning}, {hull, motion}, end, search);
       touches += touch.has_value();
       wrong += !agrees(touch, end, 1e-10, 1e-10,
                        [&](double t) { return searched_gap(at(hull, motion, t), at(other, spinning, t)); });
@@ -212,7 +214,7 @@ TEST_CASE("no shot hull passes through another shape or the profile, and it touc
   for (int i = 0; i < 1000; ++i) {
     Motion2 motion = shot(dice);
     motion.x.y() = std::abs(motion.x.y()) + 2;
-    const auto touch = time_of_contact({hull, motion}, terrain, end, search);
+    const auto touch = time_of_contact<2>(scratch(), {hull, motion}, terrain, end, search);
     touches += touch.has_value();
     wrong += !agrees(touch, end, 1e-10, 1e-10,
                      [&](double t) { return searched_gap(at(hull, motion, t), terrain); });
@@ -242,7 +244,7 @@ TEST_CASE("a disk past a convex corner has the gap to the segment that it is ove
   const Contactor2 disk = Contactor2::disk(radius);
   const FeatureId corner = corner_id(2);  // the first point is the end of the level ground before the profile
   const auto gap = [&](const Vec2& centre) {
-    return feature_gap(Placed2{disk, {centre, {}}}, vertex_id(0, 0), terrain, corner);
+    return feature_gap(scratch(), Placed2{disk, {centre, {}}}, vertex_id(0, 0), terrain, corner);
   };
   CHECK(gap({-0.2, radius + 0.01}) == Approx(0.01).epsilon(1e-12));
   CHECK(gap(over_fall(fall, radius + 0.01, 0.2)) == Approx(0.01).epsilon(1e-12));

@@ -6,6 +6,7 @@
 
 #include "collision/pairs.h"
 #include "placed_shapes.h"
+#include "scratch.h"
 
 using namespace flyrock;
 
@@ -67,12 +68,12 @@ void compare_bodies(int placements) {
     const double reach = dice(0, 0.05);
     std::vector<ContactPoint<D>> all, near;
     const auto add = [&](int k, int l, auto& list) {
-      body_contacts(typename Geometry<D>::Placed{parts_a[k], pose_a, k},
-                    typename Geometry<D>::Placed{parts_b[l], pose_b, l}, reach, list);
+      body_contacts(scratch(), Placed<D>{parts_a[k], pose_a, k}, Placed<D>{parts_b[l], pose_b, l}, reach,
+                    list);
     };
     for (int k = 0; k < a.parts(); ++k)
       for (int l = 0; l < b.parts(); ++l) add(k, l, all);
-    near_parts(a, pose_a, b, pose_b, reach, pairs);
+    near_parts(scratch(), a, pose_a, b, pose_b, reach, pairs);
     for (const auto& [k, l] : pairs) add(k, l, near);
     REQUIRE(same<D>(all, near));
     tried += pairs.size();
@@ -96,10 +97,10 @@ void compare_ground(const typename Geometry<D>::Terrain& ground, int placements)
     const double reach = dice(0, 0.05);
     std::vector<ContactPoint<D>> all, near;
     const auto add = [&](int k, auto& list) {
-      terrain_contacts(typename Geometry<D>::Placed{parts[k], pose, k}, ground, reach, 0, list);
+      terrain_contacts(scratch(), Placed<D>{parts[k], pose, k}, ground, reach, 0, list);
     };
     for (int k = 0; k < tree.parts(); ++k) add(k, all);
-    near_parts(tree, pose, ground, reach, found);
+    near_parts(scratch(), tree, pose, ground, reach, found);
     for (const int k : found) add(k, near);
     REQUIRE(same<D>(all, near));
     tried += found.size();
@@ -141,6 +142,6 @@ TEST_CASE("Of a body of few parts, all are tried") {
   Dice dice;
   std::vector<std::pair<int, int>> pairs;
   const PartTree<2> a(many_parts<2>(dice, 3)), b(many_parts<2>(dice, 2));
-  near_parts(a, {}, b, {{100, 0}, {}}, 0, pairs);
+  near_parts(scratch(), a, {}, b, {{100, 0}, {}}, 0, pairs);
   CHECK(pairs == std::vector<std::pair<int, int>>{{0, 0}, {0, 1}, {1, 0}, {1, 1}, {2, 0}, {2, 1}});
 }

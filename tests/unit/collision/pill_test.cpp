@@ -8,6 +8,7 @@
 #include "indexed.h"
 #include "nearest_contact.h"
 #include "samples.h"
+#include "scratch.h"
 #include "unit/collision/shots.h"
 
 using namespace flyrock;
@@ -146,14 +147,14 @@ TEST_CASE("pills and other shapes at 10,000 random placements have the gap, norm
       const bool turned = tested % 2;
       Contacts<3> contacts;
       if (turned)
-        body_contacts(b, indexed(a, 1), 10, contacts);
+        body_contacts(scratch(), b, indexed(a, 1), 10, contacts);
       else
-        body_contacts(a, indexed(b, 1), 10, contacts);
+        body_contacts(scratch(), a, indexed(b, 1), 10, contacts);
       REQUIRE_FALSE(contacts.empty());
       const ContactPoint<3>& c = nearest_of(contacts);
       const Vec3 on_a = c.point + (turned ? -0.5 : 0.5) * c.gap * c.normal, on_b = 2 * c.point - on_a;
-      const double known =
-          turned ? feature_gap(b, c.feature, a, c.against) : feature_gap(a, c.feature, b, c.against);
+      const double known = turned ? feature_gap(scratch(), b, c.feature, a, c.against)
+                                  : feature_gap(scratch(), a, c.feature, b, c.against);
       wrong += std::abs(c.gap - gap) > 1e-9 || std::abs(known - gap) > 1e-9 ||
                std::abs(searched_pill.distance(a, on_a) - pill.radius) > 1e-9 ||
                std::abs(other.distance(b, on_b) - other.shape.radius) > 1e-9 ||
@@ -166,14 +167,15 @@ TEST_CASE("pills and other shapes at 10,000 random placements have the gap, norm
 TEST_CASE("crossed pills have one contact, parallel pills two at the ends of what is common") {
   const Contactor3 pill = Contactor3::pill({-0.5, 0, 0}, {0.5, 0, 0}, 0.2);
   Contacts<3> contacts;
-  body_contacts({pill, {{0, 0, 0.4}, Rotation3::from_vector({0, 0, 0.3})}}, {pill, {}, 1}, 1e-6, contacts);
+  body_contacts<3>(scratch(), {pill, {{0, 0, 0.4}, Rotation3::from_vector({0, 0, 0.3})}}, {pill, {}, 1}, 1e-6,
+                   contacts);
   REQUIRE(contacts.size() == 1);
   CHECK(contacts[0].feature == feature_id(0, FeatureKind::edge, 0));
   CHECK(contacts[0].against == feature_id(1, FeatureKind::edge, 0));
   CHECK((contacts[0].point - Vec3(0, 0, 0.2)).norm() < 1e-15);
 
   contacts.clear();
-  body_contacts({pill, {{0.3, 0, 0.4}, {}}}, {pill, {}, 1}, 1e-6, contacts);
+  body_contacts<3>(scratch(), {pill, {{0.3, 0, 0.4}, {}}}, {pill, {}, 1}, 1e-6, contacts);
   REQUIRE(contacts.size() == 2);
   CHECK((contacts[0].point - Vec3(-0.2, 0, 0.2)).norm() < 1e-15);
   CHECK(contacts[0].feature == feature_id(0, FeatureKind::vertex, 0));
@@ -188,13 +190,13 @@ TEST_CASE("a pill that lies on a box, and beyond its side, has two contacts with
   for (const double x : {0.0, 0.3}) {
     Contacts<3> contacts;
     const Placed3 lying{pill, {{x, 0.1, 0.7}, {}}}, below{box, {}};
-    body_contacts(lying, indexed(below, 1), 1e-6, contacts);
+    body_contacts(scratch(), lying, indexed(below, 1), 1e-6, contacts);
     REQUIRE(contacts.size() == 2);
     CHECK((contacts[0].point - Vec3(x - 0.5, 0.1, 0.5)).norm() < 1e-12);
     CHECK((contacts[1].point - Vec3(0.5, 0.1, 0.5)).norm() < 1e-12);
     for (const auto& c : contacts) {
       CHECK((c.normal - Vec3::UnitZ()).norm() < 1e-15);
-      CHECK(feature_gap(lying, c.feature, below, c.against) == Approx(c.gap).margin(1e-12));
+      CHECK(feature_gap(scratch(), lying, c.feature, below, c.against) == Approx(c.gap).margin(1e-12));
     }
     CHECK(kind_of(contacts[1].feature) == (x > 0 ? FeatureKind::edge : FeatureKind::vertex));
   }
@@ -299,7 +301,7 @@ TEST_CASE("pills at 10,000 random places over each ground have the gap of a sear
       if (gap > 0.5 || gap < 1e-3 - pill.radius) continue;
       ++tested;
       Contacts<3> contacts;
-      terrain_contacts(placed, terrain, 0.5, 0, contacts);
+      terrain_contacts(scratch(), placed, terrain, 0.5, 0, contacts);
       if (contacts.empty()) {
         ++wrong;
         continue;
@@ -307,7 +309,7 @@ TEST_CASE("pills at 10,000 random places over each ground have the gap of a sear
       const ContactPoint<3>& c = nearest_of(contacts);
       const Vec3 on_ground = c.point - 0.5 * c.gap * c.normal, on_pill = c.point + 0.5 * c.gap * c.normal;
       wrong += std::abs(c.gap - gap) > 1e-9 || distance_to(on_ground, triangles) > 1e-9 ||
-               std::abs(feature_gap(placed, c.feature, terrain, c.against) - c.gap) > 1e-9 ||
+               std::abs(feature_gap(scratch(), placed, c.feature, terrain, c.against) - c.gap) > 1e-9 ||
                std::abs(distance_to_segment(on_pill, placed.point(0), placed.point(1)) - pill.radius) > 1e-9;
     }
     CHECK(wrong == 0);
@@ -329,8 +331,9 @@ TEST_CASE("no shot pill passes through another shape, and it touches at gap 0") 
       Motion3 others;
       others.rotation = FreeRotation({1, 1.2, 1.5}, dice.rotation<3>(), dice(0, 500) * dice.direction<3>());
       if (i % 2) others.v = dice(0, 100) * dice.direction<3>();
-      const auto touch = i % 3 ? time_of_contact({pill, motion}, {other.shape, others}, end, search)
-                               : time_of_contact({other.shape, others}, {pill, motion}, end, search);
+      const auto touch =
+          i % 3 ? time_of_contact<3>(scratch(), {pill, motion}, {other.shape, others}, end, search)
+                : time_of_contact<3>(scratch(), {other.shape, others}, {pill, motion}, end, search);
       touches += touch.has_value();
       wrong += !agrees(touch, end, 1e-9, 1e-8, [&](double t) {
         return searched_gap(at(pill, motion, t), other, at(other.shape, others, t));
@@ -356,7 +359,7 @@ TEST_CASE("no shot pill passes through the ground, and it touches at gap 0") {
       Motion3 motion = shot(dice, {1, 1, 0.2});
       if (motion.x.z() < 0) motion.x = -motion.x, motion.v = -motion.v;
       motion.x.z() += 1.8;
-      const auto touch = time_of_contact({pill, motion}, terrain, end, search);
+      const auto touch = time_of_contact<3>(scratch(), {pill, motion}, terrain, end, search);
       if (touch && motion.position(*touch).head<2>().norm() > 4) continue;  // near the border
       touches += touch.has_value();
       wrong += !agrees(touch, end, 1e-9, 1e-8, [&](double t) {

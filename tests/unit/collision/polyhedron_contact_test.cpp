@@ -9,6 +9,7 @@
 #include "geometry/hull.h"
 #include "indexed.h"
 #include "samples.h"
+#include "scratch.h"
 
 using namespace flyrock;
 
@@ -19,14 +20,15 @@ const Contactor3 cube = Contactor3::box({1, 1, 1});
 
 Contacts<3> between(const Placed3& a, const Placed3& b, double reach) {
   Contacts<3> contacts;
-  body_contacts(indexed(a, 1), indexed(b, 2), reach, contacts);
+  body_contacts(scratch(), indexed(a, 1), indexed(b, 2), reach, contacts);
   for (const auto& c : contacts) {
     CHECK(c.normal.norm() == Approx(1).epsilon(1e-14));
     CHECK(contactor_of(c.feature) == 1);
     CHECK(contactor_of(c.against) == 2);
     // Of faces that lean against each other, as deep overlap makes them, the edges have a normal of their
     // own.
-    if (c.gap > -0.011) CHECK(feature_gap(a, c.feature, b, c.against) == Approx(c.gap).margin(1e-9));
+    if (c.gap > -0.011)
+      CHECK(feature_gap(scratch(), a, c.feature, b, c.against) == Approx(c.gap).margin(1e-9));
   }
   return contacts;
 }
@@ -44,22 +46,22 @@ TEST_CASE("a sphere and a box on a plane") {
   const Terrain3 ground{slope};
   const Contactor3 ball = Contactor3::sphere(0.5);
   Contacts<3> contacts;
-  terrain_contacts({ball, {Vec3(3, 0, 1) + 0.4 * slope.normal, {}}}, ground, 0, 0, contacts);
+  terrain_contacts<3>(scratch(), {ball, {Vec3(3, 0, 1) + 0.4 * slope.normal, {}}}, ground, 0, 0, contacts);
   REQUIRE(contacts.size() == 1);
   CHECK(contacts[0].gap == Approx(-0.1));
   CHECK((contacts[0].point - (Vec3(3, 0, 1) - 0.05 * slope.normal)).norm() < 1e-15);
 
   contacts.clear();
   const Placed3 box{cube, {Vec3(0, 0, 0.5 + 1e-7), {}}};
-  terrain_contacts(indexed(box, 3), level, 1e-6, 0, contacts);
+  terrain_contacts(scratch(), indexed(box, 3), level, 1e-6, 0, contacts);
   REQUIRE(contacts.size() == 4);
   for (const auto& c : contacts) {
     CHECK(c.gap == Approx(1e-7).epsilon(1e-6));
-    CHECK(feature_gap(box, c.feature, level, c.against) == c.gap);
+    CHECK(feature_gap(scratch(), box, c.feature, level, c.against) == c.gap);
     CHECK(contactor_of(c.feature) == 3);
   }
   contacts.clear();
-  terrain_contacts(indexed(box, 3), level, 1e-8, 0, contacts);
+  terrain_contacts(scratch(), indexed(box, 3), level, 1e-8, 0, contacts);
   CHECK(contacts.empty());
 }
 
@@ -166,7 +168,7 @@ TEST_CASE("polyhedra thrown together: overlap gives contacts, their push along t
     const Placed3 a{first, {0.8 * any(), Rotation3::from_vector(3 * any())}};
     const Placed3 b{second, {Vec3::Zero(), Rotation3::from_vector(3 * any())}};
     Contacts<3> contacts;
-    body_contacts(indexed(a, 1), indexed(b, 2), 0, contacts);
+    body_contacts(scratch(), indexed(a, 1), indexed(b, 2), 0, contacts);
     // By brute force: the greatest gap over all axes of faces and of pairs of edges, in both senses.
     std::vector<Vec3> axes;
     for (int f = 0; f < a.faces(); ++f) axes.push_back(a.normal(f));
@@ -199,7 +201,7 @@ TEST_CASE("polyhedra thrown together: overlap gives contacts, their push along t
     CHECK(deepest == Approx(separation).margin(1e-4));
     const Placed3 pushed{first, {a.pose.x + (-separation + 1e-3) * contacts[0].normal, a.pose.r}};
     contacts.clear();
-    body_contacts(indexed(pushed, 1), indexed(b, 2), 0, contacts);
+    body_contacts(scratch(), indexed(pushed, 1), indexed(b, 2), 0, contacts);
     CHECK(contacts.empty());
   }
   CHECK(met > samples(200));
@@ -234,7 +236,8 @@ TEST_CASE(
   const double gap = 0.02;
   for (const double beside : {-0.002, 0.0, 0.002}) {
     std::vector<ContactPoint<3>> contacts;
-    terrain_contacts(Placed3{cube, {Vec3(0.5 + beside, 0, 0.5 + gap), {}}}, terrain, 0.1, 0, contacts);
+    terrain_contacts(scratch(), Placed3{cube, {Vec3(0.5 + beside, 0, 0.5 + gap), {}}}, terrain, 0.1, 0,
+                     contacts);
     const auto at_peak = std::count_if(contacts.begin(), contacts.end(), [](const ContactPoint<3>& c) {
       return c.point.head<2>().norm() < 1e-9;
     });

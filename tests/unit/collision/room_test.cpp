@@ -11,6 +11,7 @@
 #include "math/farthest_on_ellipse.h"
 #include "nearest_contact.h"
 #include "samples.h"
+#include "scratch.h"
 
 using namespace flyrock;
 
@@ -135,9 +136,9 @@ void try_placements(int placements) {
         std::vector<ContactPoint<3>> contacts;
         const bool turned = i % 2;
         if (turned)
-          body_contacts(room, indexed(other, 3), 10, contacts);
+          body_contacts(scratch(), room, indexed(other, 3), 10, contacts);
         else
-          body_contacts(indexed(other, 3), room, 10, contacts);
+          body_contacts(scratch(), indexed(other, 3), room, 10, contacts);
         REQUIRE_FALSE(contacts.empty());
         const ContactPoint<3>& c = nearest_of(contacts);
         const Vec3 inward = turned ? -c.normal : c.normal;
@@ -147,8 +148,8 @@ void try_placements(int placements) {
           const Vec3 in = turned ? -each.normal : each.normal;
           good = good && std::abs(in.norm() - 1) < 1e-12;
           good = good && std::abs(gap_of(room, each.point + 0.5 * each.gap * in) - each.gap) < 1e-12;
-          const double again = turned ? feature_gap(room, each.feature, other, each.against)
-                                      : feature_gap(other, each.feature, room, each.against);
+          const double again = turned ? feature_gap(scratch(), room, each.feature, other, each.against)
+                                      : feature_gap(scratch(), other, each.feature, room, each.against);
           good = good && std::abs(again - each.gap) < 1e-12;
         }
         // Against the normal the gap opens as fast as the shape moves, or more slowly if another place is as
@@ -170,11 +171,11 @@ void try_placements(int placements) {
       const Placed2 other{
           other_shape, {room.pose.x + dice(0, 0.4) * dice.direction_2d(), Rotation2::from_angle(dice(0, 6))}};
       std::vector<ContactPoint<2>> contacts;
-      body_contacts(indexed(other, 3), room, 10, contacts);
+      body_contacts(scratch(), indexed(other, 3), room, 10, contacts);
       REQUIRE_FALSE(contacts.empty());
       const ContactPoint<2>& c = nearest_of(contacts);
       wrong += std::abs(c.gap - sampled_gap(room, other)) > 1e-12 ||
-               std::abs(feature_gap(other, c.feature, room, c.against) - c.gap) > 1e-12;
+               std::abs(feature_gap(scratch(), other, c.feature, room, c.against) - c.gap) > 1e-12;
     }
     CHECK(wrong == 0);
   }
@@ -211,8 +212,9 @@ TEST_CASE("nothing that is shot in a room passes through its wall, and it touche
           TouchSearch search;
           search.size = other_shape.bound;
           search.iterations = &iterations;
-          const auto touch = i % 2 ? time_of_contact({room_shape, still}, {other_shape, shot}, end, search)
-                                   : time_of_contact({other_shape, shot}, {room_shape, still}, end, search);
+          const auto touch =
+              i % 2 ? time_of_contact<3>(scratch(), {room_shape, still}, {other_shape, shot}, end, search)
+                    : time_of_contact<3>(scratch(), {other_shape, shot}, {room_shape, still}, end, search);
           touches += touch.has_value();
           const auto gap = [&](double t) {
             return sampled_gap({room_shape, {still.position(t), still.turn(t).rotation}},
@@ -242,8 +244,9 @@ TEST_CASE("nothing that is shot in a room passes through its wall, and it touche
         shot.w = dice(-500, 500);
         TouchSearch search;
         search.size = other_shape.bound;
-        const auto touch = i % 2 ? time_of_contact({room_shape, still}, {other_shape, shot}, end, search)
-                                 : time_of_contact({other_shape, shot}, {room_shape, still}, end, search);
+        const auto touch =
+            i % 2 ? time_of_contact<2>(scratch(), {room_shape, still}, {other_shape, shot}, end, search)
+                  : time_of_contact<2>(scratch(), {other_shape, shot}, {room_shape, still}, end, search);
         const auto gap = [&](double t) {
           return sampled_gap({room_shape, {}},
                              {other_shape, {shot.position(t), Rotation2::from_angle(shot.angle_at(t))}});
@@ -261,26 +264,26 @@ TEST_CASE("a room does not touch the ground, another room, or what is outside") 
   const Contactor2 room = Contactor2::hollow_disk(1, 1.05);
   const Contactor2 disk = Contactor2::disk(0.3);
   std::vector<ContactPoint<2>> contacts;
-  body_contacts({room, {}}, {room, {{0.5, 0}, {}}}, 1, contacts);
-  body_contacts({disk, {{1.2, 0}, {}}}, {room, {}}, 1, contacts);
+  body_contacts<2>(scratch(), {room, {}}, {room, {{0.5, 0}, {}}}, 1, contacts);
+  body_contacts<2>(scratch(), {disk, {{1.2, 0}, {}}}, {room, {}}, 1, contacts);
   CHECK(contacts.empty());
   Motion2 motion, still;
   motion.x = {5, 0};
   motion.v = {-10, 0};
-  const auto touch = time_of_contact({disk, motion}, {room, still}, 1, {});
+  const auto touch = time_of_contact<2>(scratch(), {disk, motion}, {room, still}, 1, {});
   REQUIRE(touch);  // it comes in through the wall, and touches from inside on the far side
   CHECK(*touch == Approx((5 + 0.7) / 10));
   const Contactor3 tube = Contactor3::hollow_cylinder(1, 1.05, 2), ball = Contactor3::sphere(0.3);
   std::vector<ContactPoint<3>> in_space;
-  body_contacts({ball, {{0.7, 0, 1.1}, {}}}, {tube, {}}, 1, in_space);
+  body_contacts<3>(scratch(), {ball, {{0.7, 0, 1.1}, {}}}, {tube, {}}, 1, in_space);
   CHECK(in_space.empty());  // beyond the end
-  body_contacts({ball, {{0.7, 0, 0.9}, {}}}, {tube, {}}, 1, in_space);
+  body_contacts<3>(scratch(), {ball, {{0.7, 0, 0.9}, {}}}, {tube, {}}, 1, in_space);
   REQUIRE(in_space.size() == 1);
   CHECK(in_space[0].gap == Approx(0).margin(1e-15));
   Motion3 through, rest;
   through.x = {0.5, 0, -5};
   through.v = {0.05, 0, 10};  // through the tube within 0.4 to 0.6 s, and out of it
-  CHECK_FALSE(time_of_contact({ball, through}, {tube, rest}, 3, {}));
+  CHECK_FALSE(time_of_contact<3>(scratch(), {ball, through}, {tube, rest}, 3, {}));
 }
 
 }  // namespace room_test

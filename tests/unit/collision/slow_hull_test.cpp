@@ -5,6 +5,7 @@
 
 #include "collision/ground/terrain_2d.h"
 #include "collision/pairs.h"
+#include "scratch.h"
 
 using namespace flyrock;
 
@@ -46,12 +47,12 @@ TEST_CASE("a slow polygon, wall or rounded polygon finds the touch that a search
     fall.x = motion.x;
     fall.angle = motion.angle;
     fall.v = {0, -1};
-    const auto down = time_of_contact({shape, fall}, ground, 5, search);
+    const auto down = time_of_contact<2>(scratch(), {shape, fall}, ground, 5, search);
     REQUIRE(down);
     motion.x.y() -= *down - 0.005 * (1 + unit(rng)) - 1e-6;
     const double step = 0.02;
-    const auto slow = time_of_contact({shape, motion}, ground, step, search);
-    const auto longer = time_of_contact({shape, motion}, ground, 40 * step, search);
+    const auto slow = time_of_contact<2>(scratch(), {shape, motion}, ground, step, search);
+    const auto longer = time_of_contact<2>(scratch(), {shape, motion}, ground, 40 * step, search);
     INFO("case " << k);
     REQUIRE(slow.has_value() == (longer && *longer <= step));
     if (slow) REQUIRE(*slow == Approx(*longer).margin(1e-9));
@@ -75,7 +76,7 @@ TEST_CASE("a vertex on the end of an edge, or deep below its line, is not taken 
   TouchSearch search;
   search.size = square.bound;
   // Its left side falls past the corner at x = 0 and meets the face below it with its lower left corner.
-  const auto touch = time_of_contact({square, motion}, ground, 10, search);
+  const auto touch = time_of_contact<2>(scratch(), {square, motion}, ground, 10, search);
   REQUIRE(touch);
   CHECK(*touch == Approx((0.6 - 0.5 + 3e-6) / 2).epsilon(1e-6));
 }

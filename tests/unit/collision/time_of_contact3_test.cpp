@@ -6,6 +6,7 @@
 #include "collision/pairs.h"
 #include "geometry/hull.h"
 #include "samples.h"
+#include "scratch.h"
 
 using namespace flyrock;
 
@@ -57,15 +58,18 @@ TEST_CASE(
   TouchSearch search;
   search.held = held;
   for (const Contactor3* shape : {&ball, &cube}) {
-    CHECK(time_of_contact({*shape, thrown({0, 0, 0.5}, {1, 2, 3})}, level, 10, search).value() ==
-          Approx(6 / 9.81).epsilon(shape == &ball ? 1e-15 : 1e-11));
-    CHECK(time_of_contact({*shape, thrown({0, 0, 0.5}, {1, 0, 0})}, level, 10, search).value() == 0);
+    CHECK(
+        time_of_contact<3>(scratch(), {*shape, thrown({0, 0, 0.5}, {1, 2, 3})}, level, 10, search).value() ==
+        Approx(6 / 9.81).epsilon(shape == &ball ? 1e-15 : 1e-11));
+    CHECK(
+        time_of_contact<3>(scratch(), {*shape, thrown({0, 0, 0.5}, {1, 0, 0})}, level, 10, search).value() ==
+        0);
     Motion3 weightless = thrown({0, 0, 0.5}, {1, 0, 0});
     weightless.a.setZero();
-    CHECK_FALSE(time_of_contact({*shape, weightless}, level, 10, search));
+    CHECK_FALSE(time_of_contact<3>(scratch(), {*shape, weightless}, level, 10, search));
     TouchSearch solved = search;
     solved.held_are_solved = true;
-    CHECK_FALSE(time_of_contact({*shape, thrown({0, 0, 0.5}, {0, 0, -1})}, level, 10, solved));
+    CHECK_FALSE(time_of_contact<3>(scratch(), {*shape, thrown({0, 0, 0.5}, {0, 0, -1})}, level, 10, solved));
   }
   // On a body that stays below.
   Motion3 below;
@@ -77,10 +81,11 @@ TEST_CASE(
     held.push_back({feature_id(0, FeatureKind::vertex, i), feature_id(0, FeatureKind::face, top)});
   search.held = held;
   for (const Contactor3* shape : {&ball, &cube}) {
-    const auto t = time_of_contact({*shape, thrown({0.1, 0, 0.5}, {0, 0, 3})}, {cube, below}, 10, search);
+    const auto t =
+        time_of_contact<3>(scratch(), {*shape, thrown({0.1, 0, 0.5}, {0, 0, 3})}, {cube, below}, 10, search);
     CHECK(t.value() == Approx(6 / 9.81).epsilon(1e-11));
-    CHECK(time_of_contact({*shape, thrown({0.1, 0, 0.5}, {0, 0, 0})}, {cube, below}, 10, search).value() ==
-          0);
+    CHECK(time_of_contact<3>(scratch(), {*shape, thrown({0.1, 0, 0.5}, {0, 0, 0})}, {cube, below}, 10, search)
+              .value() == 0);
   }
 }
 
@@ -97,7 +102,7 @@ TEST_CASE("a tumbling box touches a plane with a gap of at most 1e-12 of its siz
     const Motion3 motion = tumbling({0, 0, 3 + 0.1 * k}, {0.3 * k, 1, 2.0 - 0.2 * k}, moments,
                                     Rotation3::from_vector({0.1 * k, 0.2, 0.3}), spin * axis);
     iterations = 0;
-    const auto t = time_of_contact({box, motion}, level, 10, search);
+    const auto t = time_of_contact<3>(scratch(), {box, motion}, level, 10, search);
     REQUIRE(t);
     CHECK(lowest(box, motion, *t) <= 2e-12);
     CHECK(lowest(box, motion, *t) >= -2e-13);
@@ -112,13 +117,17 @@ TEST_CASE("in space a grazing approach of 1e-6 rad is found") {
   motion.v = {std::cos(angle), 0, -std::sin(angle)};
   motion.x = {-10, 0, 0.5 + 5e-6};
   const double expected = 5e-6 / std::sin(angle);
-  CHECK(time_of_contact({ball, motion}, level, 100, {}).value() == Approx(expected).epsilon(1e-9));
-  CHECK(time_of_contact({cube, motion}, level, 100, {}).value() == Approx(expected).epsilon(1e-6));
+  CHECK(time_of_contact<3>(scratch(), {ball, motion}, level, 100, {}).value() ==
+        Approx(expected).epsilon(1e-9));
+  CHECK(time_of_contact<3>(scratch(), {cube, motion}, level, 100, {}).value() ==
+        Approx(expected).epsilon(1e-6));
   const Contactor3 slab = Contactor3::box({100, 1, 1});
   Motion3 below;
   below.x = {0, 0, -0.5};
-  CHECK(time_of_contact({ball, motion}, {slab, below}, 100, {}).value() == Approx(expected).epsilon(1e-6));
-  CHECK(time_of_contact({cube, motion}, {slab, below}, 100, {}).value() == Approx(expected).epsilon(1e-6));
+  CHECK(time_of_contact<3>(scratch(), {ball, motion}, {slab, below}, 100, {}).value() ==
+        Approx(expected).epsilon(1e-6));
+  CHECK(time_of_contact<3>(scratch(), {cube, motion}, {slab, below}, 100, {}).value() ==
+        Approx(expected).epsilon(1e-6));
 }
 
 TEST_CASE("a ball and a cube of 1 cm at 300 m/s do not pass a plate of 1 mm") {
@@ -131,7 +140,7 @@ TEST_CASE("a ball and a cube of 1 cm at 300 m/s do not pass a plate of 1 mm") {
     TouchSearch search;
     search.size = 0.005;
     for (const Contactor3* shape : {&pebble, &die}) {
-      const auto t = time_of_contact({*shape, shot}, {plate, still}, 1, search);
+      const auto t = time_of_contact<3>(scratch(), {*shape, shot}, {plate, still}, 1, search);
       REQUIRE(t);
       CHECK(shot.position(*t).x() == Approx(-0.0055).margin(1e-13));
     }
@@ -140,9 +149,9 @@ TEST_CASE("a ball and a cube of 1 cm at 300 m/s do not pass a plate of 1 mm") {
 
 TEST_CASE("two balls meet on the exact root, a ball meets a box as the distance says") {
   const Motion3 a = thrown({-3, 0, 1}, {4, 0.1, 5}), b = thrown({3, 0.2, 1.5}, {-2, 0, 5});
-  const double t = time_of_contact({ball, a}, {ball, b}, 10, {}).value();
+  const double t = time_of_contact<3>(scratch(), {ball, a}, {ball, b}, 10, {}).value();
   CHECK((a.position(t) - b.position(t)).norm() == Approx(1).epsilon(1e-14));
-  CHECK_FALSE(time_of_contact({ball, a}, {ball, thrown({3, 1.9, 1.5}, {-2, 0, 5})}, 10, {}));
+  CHECK_FALSE(time_of_contact<3>(scratch(), {ball, a}, {ball, thrown({3, 1.9, 1.5}, {-2, 0, 5})}, 10, {}));
 }
 
 TEST_CASE("tumbling polyhedra touch with a gap of at most 1e-11, and not before") {
@@ -164,7 +173,7 @@ TEST_CASE("tumbling polyhedra touch with a gap of at most 1e-11, and not before"
     const Motion3 b = tumbling({3, 0, 0}, Vec3(-2, 0, 0) + 0.5 * any(), cube_moments,
                                Rotation3::from_vector(3 * any()), spin * any());
     iterations = 0;
-    const auto t = time_of_contact({box, a}, {cube, b}, 2, search);
+    const auto t = time_of_contact<3>(scratch(), {box, a}, {cube, b}, 2, search);
     most = std::max(most, iterations);
     const double end = t.value_or(2);
     for (int i = 1; i < 200; ++i) REQUIRE(separation(box, a, cube, b, end * i / 200.0) > 0);
@@ -192,22 +201,24 @@ TEST_CASE(
   above.v = {1, 0.5, 0};
   above.rotation = GivenRotation{Rotation3::from_vector({0, 0, yaw}), {0, 0, spin}, Vec3::Zero()};
   std::vector<ContactPoint<3>> contacts;
-  body_contacts({cube, {above.x, above.turn(0).rotation}}, {cube, {below.x, {}}}, 1e-6, contacts);
+  body_contacts<3>(scratch(), {cube, {above.x, above.turn(0).rotation}}, {cube, {below.x, {}}}, 1e-6,
+                   contacts);
   REQUIRE(contacts.size() == 4);
   std::vector<HeldContact> held;
   for (const auto& c : contacts) held.push_back({c.feature, c.against});
   std::uint64_t iterations = 0;
   const TouchSearch search{held, true, 0.5e-9, 1, &iterations};
-  CHECK_FALSE(time_of_contact({cube, above}, {cube, below}, 1e-3, search));
+  CHECK_FALSE(time_of_contact<3>(scratch(), {cube, above}, {cube, below}, 1e-3, search));
   CHECK(iterations < 100);
   // The other way round, and a third that comes down on it.
   for (auto& h : held) std::swap(h.feature, h.against);
-  CHECK_FALSE(time_of_contact({cube, below}, {cube, above}, 1e-3, {held, true, 0.5e-9, 1, &iterations}));
+  CHECK_FALSE(time_of_contact<3>(scratch(), {cube, below}, {cube, above}, 1e-3,
+                                 {held, true, 0.5e-9, 1, &iterations}));
   Motion3 third = above;
   third.x.z() += 1 + 5e-4;
   third.v.z() = -1;
-  CHECK(time_of_contact({cube, third}, {cube, above}, 1e-3, {{}, true, 0, 1, &iterations}).value() ==
-        Approx(5e-4).epsilon(1e-9));
+  CHECK(time_of_contact<3>(scratch(), {cube, third}, {cube, above}, 1e-3, {{}, true, 0, 1, &iterations})
+            .value() == Approx(5e-4).epsilon(1e-9));
 }
 
 TEST_CASE("a given rotation ends where it should, and its spin is its derivative") {

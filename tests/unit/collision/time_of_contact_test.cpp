@@ -3,6 +3,7 @@
 #include "collision/ground/terrain_2d.h"
 #include "collision/pairs.h"
 #include "math/space.h"
+#include "scratch.h"
 
 using namespace flyrock;
 
@@ -46,15 +47,15 @@ TEST_CASE("a pair released at gap 0 with a speed away returns; without, it touch
   TouchSearch search;
   search.held = held;
   const Contactor2 disk = Contactor2::disk(0.5);
-  CHECK(time_of_contact({disk, thrown({0, 0.5}, {1, 3})}, ground, 10, search).value() ==
+  CHECK(time_of_contact<2>(scratch(), {disk, thrown({0, 0.5}, {1, 3})}, ground, 10, search).value() ==
         Approx(6 / 9.81).epsilon(1e-15));
-  CHECK(time_of_contact({disk, thrown({0, 0.5}, {1, 0})}, ground, 10, search).value() == 0);
+  CHECK(time_of_contact<2>(scratch(), {disk, thrown({0, 0.5}, {1, 0})}, ground, 10, search).value() == 0);
   Motion2 weightless = thrown({0, 0.5}, {1, 0});
   weightless.a.setZero();
-  CHECK_FALSE(time_of_contact({disk, weightless}, ground, 10, search));
+  CHECK_FALSE(time_of_contact<2>(scratch(), {disk, weightless}, ground, 10, search));
 
   TouchSearch loose;
-  CHECK(time_of_contact({square, thrown({0, 0.5}, {1, 3})}, ground, 10, loose).value() ==
+  CHECK(time_of_contact<2>(scratch(), {square, thrown({0, 0.5}, {1, 3})}, ground, 10, loose).value() ==
         Approx(6 / 9.81).epsilon(1e-11));
 }
 
@@ -68,7 +69,7 @@ TEST_CASE("the gap at the time of contact is at most 1e-12 of the size, and not 
   for (int k = 0; k < 50; ++k) {
     const Motion2 motion = thrown({0, 3 + 0.1 * k}, {0.3 * k, 2.0 - 0.2 * k}, w, 0.1 * k);
     iterations = 0;
-    const auto t = time_of_contact({square, motion}, ground, 10, search);
+    const auto t = time_of_contact<2>(scratch(), {square, motion}, ground, 10, search);
     REQUIRE(t);
     CHECK(lowest(motion, *t) <= 2e-12);
     CHECK(lowest(motion, *t) >= -1e-13);
@@ -85,9 +86,9 @@ TEST_CASE("a grazing approach of 1e-6 rad is found") {
   motion.v = {std::cos(angle), -std::sin(angle)};
   motion.x = {-10, 0.5 + 5e-6};
   TouchSearch search;
-  CHECK(time_of_contact({Contactor2::disk(0.5), motion}, ground, 100, search).value() ==
+  CHECK(time_of_contact<2>(scratch(), {Contactor2::disk(0.5), motion}, ground, 100, search).value() ==
         Approx(5e-6 / std::sin(angle)).epsilon(1e-9));
-  CHECK(time_of_contact({square, motion}, ground, 100, search).value() ==
+  CHECK(time_of_contact<2>(scratch(), {square, motion}, ground, 100, search).value() ==
         Approx(5e-6 / std::sin(angle)).epsilon(1e-6));
 }
 
@@ -99,7 +100,8 @@ TEST_CASE("a disk meets a corner on the exact root of the quartic") {
   const Terrain2 ridge{profile};
   const double radius = 0.25;
   const Motion2 motion = thrown({-1, 1.5}, {1.95, 0});
-  const double t = time_of_contact({Contactor2::disk(radius), motion}, ridge, 10, TouchSearch{}).value();
+  const double t =
+      time_of_contact<2>(scratch(), {Contactor2::disk(radius), motion}, ridge, 10, TouchSearch{}).value();
   CHECK(motion.position(t).norm() == Approx(radius).epsilon(1e-14));
   CHECK(motion.position(t).norm() >= radius * (1 - 1e-15));
 }
@@ -113,7 +115,7 @@ TEST_CASE("a disk of 1 cm at 300 m/s does not pass a wall of 1 mm") {
     shot.x = {-0.1 - 0.01 * k, 0};
     TouchSearch search;
     search.size = 0.005;
-    const auto t = time_of_contact({pebble, shot}, {wall, still}, 1, search);
+    const auto t = time_of_contact<2>(scratch(), {pebble, shot}, {wall, still}, 1, search);
     REQUIRE(t);
     CHECK(shot.position(*t).x() == Approx(-0.0055).margin(1e-13));
   }

@@ -1,0 +1,28 @@
+#pragma once
+// The parts with which two contactors face each other, and the normal between them.
+
+#include <optional>
+
+#include "collision/smooth/gjk.h"
+#include "collision/smooth/support_feature.h"
+
+namespace flyrock {
+
+/// The separation of two cores with the parts that face each other. If one of the parts is plane, the normal
+/// is that of the plane; if both are, that of b. Otherwise Newton's method makes the normal n of separation()
+/// exact: n must point along the line between the two nearest places. A place of a rim of radius R moves by
+///   -R/s t (t . dn)
+/// if n changes by dn, with the tangent t of the rim and the sine s of the angle between n and the axis. A
+/// line that touches stays perpendicular to n.
+struct FacingPair {
+  Separation apart;
+  Patch of_a, of_b;
+};
+FacingPair facing_pair(const Placed3& a, const Placed3& b);
+
+/// The distance of two known features [m], by the same Newton steps from a normal near theirs: nothing where
+/// these do not end near it, or where a feature is plane.
+std::optional<double> distance_of_features(const Placed3& a, FeatureId feature, const Placed3& b,
+                                           FeatureId against, const Vec3& near);
+
+}  // namespace flyrock
